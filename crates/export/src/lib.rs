@@ -1,0 +1,1 @@
+//! One pure function for each file format: model to bytes.

@@ -1,0 +1,1 @@
+//! The canonical face, and landmarks to a metric, coloured, textured model.

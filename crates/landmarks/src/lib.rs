@@ -1,0 +1,1 @@
+//! Picture to faces: MediaPipe's face networks, run with tract.

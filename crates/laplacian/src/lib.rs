@@ -1,0 +1,1 @@
+//! δ-coordinates: operators, constraints, factorisation, response fields, distortion.

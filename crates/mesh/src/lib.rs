@@ -1,0 +1,10 @@
+//! Triangle meshes: topology apart from positions, adjacency, normals, subdivision, picking.
+//!
+//! A mesh is a [`Topology`] (which vertices are joined) beside a slice of positions (where they are), so that one
+//! topology serves every edit of a face. Positions are `f64` in whatever unit the caller works in.
+
+mod error;
+mod topology;
+
+pub use error::MeshError;
+pub use topology::Topology;

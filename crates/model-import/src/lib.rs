@@ -1,0 +1,1 @@
+//! The published TFLite networks to the ONNX files the app serves.

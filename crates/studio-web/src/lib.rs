@@ -1,0 +1,1 @@
+//! The page's façade: studio, viewport and export behind wasm-bindgen.

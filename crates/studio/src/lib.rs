@@ -1,0 +1,1 @@
+//! The document: commands, history, undo, project file.

@@ -1,0 +1,1 @@
+//! The wgpu view of a mesh: camera, light, shading modes, picking.

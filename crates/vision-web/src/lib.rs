@@ -1,0 +1,1 @@
+//! The worker's façade: photo and landmarks behind wasm-bindgen.
