@@ -1,0 +1,194 @@
+//! The subset of the TFLite schema that the face networks use; field and operator numbers are those of `schema.fbs`.
+
+use crate::ImportError;
+use crate::flatbuffer::Table;
+
+/// One network: tensors, and operators in the order they run.
+pub(crate) struct Network<'a> {
+    pub(crate) tensors: Vec<Tensor<'a>>,
+    pub(crate) operators: Vec<Operator>,
+    pub(crate) inputs: Vec<usize>,
+    pub(crate) outputs: Vec<usize>,
+}
+
+/// A value that flows, or a constant if `data` is not empty.
+pub(crate) struct Tensor<'a> {
+    pub(crate) name: String,
+    /// NHWC where it is picture-shaped.
+    pub(crate) shape: Vec<usize>,
+    pub(crate) element_type: i8,
+    /// Little-endian, row-major.
+    pub(crate) data: &'a [u8],
+}
+
+/// Element type of half-precision weights.
+pub(crate) const FLOAT16: i8 = 1;
+/// Element type of pads.
+pub(crate) const INT32: i8 = 2;
+
+/// One step of the network. Inputs and outputs are indices of tensors.
+pub(crate) struct Operator {
+    pub(crate) code: i32,
+    pub(crate) kind: Kind,
+    pub(crate) inputs: Vec<usize>,
+    pub(crate) output: usize,
+}
+
+/// What a step does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Add,
+    Concatenation { axis: i32 },
+    Convolution(Window),
+    DepthwiseConvolution(Window),
+    Dequantize,
+    MaxPool { window: Window, kernel: [usize; 2] },
+    Relu,
+    Reshape,
+    Pad,
+    Prelu,
+}
+
+/// How a kernel moves over a picture. Pairs are height, width.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Window {
+    pub(crate) padding: Padding,
+    pub(crate) strides: [usize; 2],
+    pub(crate) dilations: [usize; 2],
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Padding {
+    /// Output extent is `ceil(n / stride)`; the surplus pad goes after.
+    Same,
+    /// No pads.
+    Valid,
+}
+
+impl Window {
+    /// Pads before and after along one axis (0 = height, 1 = width) of extent `n` for a kernel of extent `k`:
+    /// `total = max((ceil(n/s) − 1)·s + k − n, 0)`, before = total/2, after = the rest.
+    pub(crate) fn pads(&self, axis: usize, n: usize, kernel: usize) -> [usize; 2] {
+        if self.padding == Padding::Valid {
+            return [0, 0];
+        }
+        let stride = self.strides[axis];
+        let k = (kernel - 1) * self.dilations[axis] + 1;
+        let total = ((n.div_ceil(stride) - 1) * stride + k).saturating_sub(n);
+        [total / 2, total - total / 2]
+    }
+}
+
+impl<'a> Network<'a> {
+    /// Reads the first subgraph of a TFLite file.
+    pub(crate) fn read(file: &'a [u8]) -> Result<Self, ImportError> {
+        let model = Table::root(file, *b"TFL3")?;
+        let codes = model.tables(1)?.iter().map(operator_code).collect::<Result<Vec<_>, _>>()?;
+        let buffers = model.tables(4)?;
+        let graph = model.tables(2)?.first().copied().ok_or(damaged("list of subgraphs"))?;
+        let tensors = graph.tables(0)?.iter().map(|table| tensor(table, &buffers)).collect::<Result<Vec<_>, _>>()?;
+        let operators =
+            graph.tables(3)?.iter().map(|table| operator(table, &codes, &tensors)).collect::<Result<Vec<_>, _>>()?;
+        let inputs = tensor_indices(&graph, 1, tensors.len())?;
+        let outputs = tensor_indices(&graph, 2, tensors.len())?;
+        Ok(Self { tensors, operators, inputs, outputs })
+    }
+}
+
+fn damaged(what: &'static str) -> ImportError {
+    ImportError::Damaged { what, offset: 0 }
+}
+
+/// Small numbers stand in an i8 field that older readers know, larger ones in an i32 field; the other is 0.
+fn operator_code(table: &Table<'_>) -> Result<i32, ImportError> {
+    Ok(i32::from(table.i8(0, 0)?).max(table.i32(3, 0)?))
+}
+
+fn tensor<'a>(table: &Table<'a>, buffers: &[Table<'a>]) -> Result<Tensor<'a>, ImportError> {
+    let extents = table.i32s(0)?.into_iter().map(|extent| usize::try_from(extent).ok().filter(|&extent| extent > 0));
+    let buffer = buffers.get(table.index(2)?).ok_or(damaged("buffer index"))?;
+    Ok(Tensor {
+        name: String::from_utf8_lossy(table.bytes(3)?).into_owned(),
+        shape: extents.collect::<Option<_>>().ok_or(damaged("tensor shape"))?,
+        element_type: table.i8(1, 0)?,
+        data: buffer.bytes(0)?,
+    })
+}
+
+fn operator(table: &Table<'_>, codes: &[i32], tensors: &[Tensor<'_>]) -> Result<Operator, ImportError> {
+    let code = *codes.get(table.index(0)?).ok_or(damaged("operator code index"))?;
+    let inputs = tensor_indices(table, 1, tensors.len())?;
+    let output = *tensor_indices(table, 2, tensors.len())?.first().ok_or(damaged("operator without output"))?;
+    let unsupported =
+        |what: String| ImportError::Unsupported { operator: code, output: tensors[output].name.clone(), what };
+    let options = table.table(4)?;
+    let kind = kind(code, options.as_ref())?.ok_or_else(|| unsupported("the operator".to_owned()))?;
+    let activation = fused_activation(kind, options.as_ref())?;
+    if activation != 0 {
+        return Err(unsupported(format!("fused activation {activation}")));
+    }
+    if inputs.len() < kind.input_count() {
+        return Err(unsupported(format!("{} inputs", inputs.len())));
+    }
+    Ok(Operator { code, kind, inputs, output })
+}
+
+impl Kind {
+    fn input_count(self) -> usize {
+        match self {
+            Self::Convolution(_) | Self::DepthwiseConvolution(_) => 3,
+            Self::Add | Self::Pad | Self::Prelu => 2,
+            Self::Concatenation { .. } | Self::Dequantize | Self::MaxPool { .. } | Self::Relu | Self::Reshape => 1,
+        }
+    }
+}
+
+fn kind(code: i32, options: Option<&Table<'_>>) -> Result<Option<Kind>, ImportError> {
+    let need = || options.ok_or(damaged("operator options"));
+    Ok(Some(match code {
+        0 => Kind::Add,
+        2 => Kind::Concatenation { axis: need()?.i32(0, 0)? },
+        3 => Kind::Convolution(window(need()?, Some([5, 4]))?),
+        4 => Kind::DepthwiseConvolution(window(need()?, Some([6, 5]))?),
+        6 => Kind::Dequantize,
+        17 => Kind::MaxPool { window: window(need()?, None)?, kernel: [extent(need()?, 4)?, extent(need()?, 3)?] },
+        19 => Kind::Relu,
+        22 => Kind::Reshape,
+        34 => Kind::Pad,
+        54 => Kind::Prelu,
+        _ => return Ok(None),
+    }))
+}
+
+fn window(options: &Table<'_>, dilation_fields: Option<[usize; 2]>) -> Result<Window, ImportError> {
+    let padding = if options.i8(0, 0)? == 0 { Padding::Same } else { Padding::Valid };
+    let dilations = match dilation_fields {
+        Some([height, width]) => [extent(options, height)?, extent(options, width)?],
+        None => [1, 1],
+    };
+    Ok(Window { padding, strides: [extent(options, 2)?, extent(options, 1)?], dilations })
+}
+
+/// A stride, dilation or kernel size: a positive i32 that is 1 if absent.
+fn extent(options: &Table<'_>, field: usize) -> Result<usize, ImportError> {
+    let value = usize::try_from(options.i32(field, 1)?).ok();
+    value.filter(|&extent| extent > 0).ok_or(damaged("stride, dilation or kernel size"))
+}
+
+fn fused_activation(kind: Kind, options: Option<&Table<'_>>) -> Result<i8, ImportError> {
+    let field = match kind {
+        Kind::Add => 0,
+        Kind::Concatenation { .. } => 1,
+        Kind::Convolution(_) => 3,
+        Kind::DepthwiseConvolution(_) => 4,
+        Kind::MaxPool { .. } => 5,
+        Kind::Dequantize | Kind::Relu | Kind::Reshape | Kind::Pad | Kind::Prelu => return Ok(0),
+    };
+    options.map_or(Ok(0), |options| options.i8(field, 0))
+}
+
+fn tensor_indices(table: &Table<'_>, field: usize, count: usize) -> Result<Vec<usize>, ImportError> {
+    let indices = table.i32s(field)?.into_iter();
+    let checked = indices.map(|index| usize::try_from(index).ok().filter(|&index| index < count));
+    checked.collect::<Option<_>>().ok_or(damaged("tensor index"))
+}
