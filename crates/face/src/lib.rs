@@ -1,1 +1,13 @@
 //! The canonical face, and landmarks to a metric, coloured, textured model.
+//!
+//! The canonical face is MediaPipe's: an average head of 468 landmarks with two triangulations, exact left-right pairs
+//! and named regions. "Left" and "right" are the subject's throughout.
+
+mod canonical;
+mod contours;
+mod symmetry;
+mod tables;
+
+pub use canonical::{LANDMARK_COUNT, Triangulation, canonical_positions_m, canonical_uvs};
+pub use contours::oval;
+pub use symmetry::{midline, mirror_of, mirror_pairs};

@@ -1,0 +1,46 @@
+use glam::{DVec2, DVec3};
+use rosto_mesh::Topology;
+
+use crate::tables::{CANONICAL, POSITIONS, TESSELLATION, UVS};
+
+/// How many landmarks MediaPipe's face mesh has; a landmark's index is its vertex.
+pub const LANDMARK_COUNT: usize = 468;
+
+/// The two published ways to join the landmarks by triangles. Both wind counter-clockwise for the viewer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Triangulation {
+    /// `FACEMESH_TESSELATION`, the edges of the paper: 852 triangles, with the eyes and the mouth cut out.
+    #[default]
+    Tessellation,
+    /// The canonical face model's own: 898 triangles, with the eyes and the mouth filled; its own mirror image.
+    Canonical,
+}
+
+impl Triangulation {
+    /// The triangles, corners counter-clockwise for the viewer in front of the face.
+    pub fn triangles(self) -> Vec<[u32; 3]> {
+        let table: &[[u16; 3]] = match self {
+            Self::Tessellation => &TESSELLATION,
+            Self::Canonical => &CANONICAL,
+        };
+        table.iter().map(|corners| corners.map(u32::from)).collect()
+    }
+
+    /// The mesh of all [`LANDMARK_COUNT`] landmarks joined this way.
+    pub fn topology(self) -> Topology {
+        Topology::new(LANDMARK_COUNT, self.triangles()).expect("invariant: the published tables are meshes")
+    }
+}
+
+/// The canonical face: 468 positions in metres, right-handed, +X to the subject's left, +Y up, +Z out of the face.
+///
+/// It is an average head, not a measured one, and sets the size of every model.
+pub fn canonical_positions_m() -> Vec<DVec3> {
+    const M_PER_UNIT: f64 = 1e-8;
+    POSITIONS.iter().map(|p| DVec3::from(p.map(f64::from)) * M_PER_UNIT).collect()
+}
+
+/// The canonical face's texture coordinates: 468 pairs in 0..=1, origin at the top left, without seams.
+pub fn canonical_uvs() -> Vec<DVec2> {
+    UVS.iter().map(|uv| DVec2::from(uv.map(f64::from)) * 1e-6).collect()
+}

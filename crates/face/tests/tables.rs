@@ -1,0 +1,90 @@
+//! The published tables are what they are said to be.
+
+use rosto_face::*;
+
+fn degree_histogram(triangulation: Triangulation) -> Vec<(usize, usize)> {
+    let topology = triangulation.topology();
+    let mut counts = std::collections::BTreeMap::new();
+    for vertex in 0..LANDMARK_COUNT as u32 {
+        *counts.entry(topology.degree(vertex)).or_insert(0) += 1;
+    }
+    counts.into_iter().collect()
+}
+
+fn loop_lengths(triangulation: Triangulation) -> Vec<usize> {
+    triangulation.topology().boundary_loops().iter().map(Vec::len).collect()
+}
+
+#[test]
+fn the_tessellation_has_the_papers_edges_faces_and_degrees() {
+    let topology = Triangulation::Tessellation.topology();
+    assert_eq!((topology.vertex_count(), topology.edges().len(), topology.triangles().len()), (468, 1322, 852));
+    assert_eq!(loop_lengths(Triangulation::Tessellation), [36, 20, 16, 16]);
+    assert_eq!(degree_histogram(Triangulation::Tessellation), [(3, 22), (4, 61), (5, 96), (6, 185), (7, 88), (8, 16)]);
+}
+
+#[test]
+fn the_canonical_triangulation_fills_eyes_and_mouth() {
+    let topology = Triangulation::Canonical.topology();
+    assert_eq!((topology.vertex_count(), topology.edges().len(), topology.triangles().len()), (468, 1365, 898));
+    assert_eq!(loop_lengths(Triangulation::Canonical), [36]);
+    assert_eq!(degree_histogram(Triangulation::Canonical), [(3, 6), (4, 46), (5, 80), (6, 239), (7, 82), (8, 15)]);
+}
+
+#[test]
+fn the_mirror_is_exact_in_the_canonical_positions() {
+    let positions = canonical_positions_m();
+    for vertex in 0..LANDMARK_COUNT as u32 {
+        let partner = mirror_of(vertex);
+        assert_eq!(mirror_of(partner), vertex);
+        let (here, there) = (positions[vertex as usize], positions[partner as usize]);
+        assert_eq!([here.x, here.y, here.z], [-there.x, there.y, there.z], "landmark {vertex}");
+    }
+    assert_eq!((midline().len(), mirror_pairs().len()), (28, 220));
+    assert!(
+        mirror_pairs()
+            .iter()
+            .all(|[right, left]| { positions[*right as usize].x < 0.0 && positions[*left as usize].x > 0.0 })
+    );
+}
+
+#[test]
+fn the_canonical_triangulation_is_its_own_mirror_image() {
+    let lowest_first = |[a, b, c]: [u32; 3]| {
+        let low = a.min(b).min(c);
+        if low == a {
+            [a, b, c]
+        } else if low == b {
+            [b, c, a]
+        } else {
+            [c, a, b]
+        }
+    };
+    let triangles: std::collections::BTreeSet<_> =
+        Triangulation::Canonical.triangles().into_iter().map(lowest_first).collect();
+    let mirrored = triangles.iter().map(|&[a, b, c]| lowest_first([mirror_of(a), mirror_of(c), mirror_of(b)]));
+    assert!(mirrored.into_iter().all(|triangle| triangles.contains(&triangle)));
+}
+
+#[test]
+fn both_triangulations_wind_towards_the_viewer() {
+    let positions = canonical_positions_m();
+    for triangulation in [Triangulation::Tessellation, Triangulation::Canonical] {
+        let area_m2: f64 = triangulation
+            .triangles()
+            .iter()
+            .map(|corners| corners.map(|corner| positions[corner as usize]))
+            .map(|[a, b, c]| (b - a).cross(c - a).z / 2.0)
+            .sum();
+        assert!(area_m2 > 0.01, "{triangulation:?} shows the viewer {area_m2} m²");
+    }
+}
+
+#[test]
+fn the_oval_is_the_boundary_of_the_face() {
+    let mut rim = Triangulation::Canonical.topology().boundary_loops()[0].clone();
+    let mut oval = oval().to_vec();
+    rim.sort_unstable();
+    oval.sort_unstable();
+    assert_eq!(oval, rim);
+}
