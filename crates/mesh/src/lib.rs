@@ -4,7 +4,13 @@
 //! topology serves every edit of a face. Positions are `f64` in whatever unit the caller works in.
 
 mod error;
+mod normals;
+mod pick;
+#[cfg(test)]
+mod shapes;
 mod topology;
 
 pub use error::MeshError;
+pub use normals::vertex_normals;
+pub use pick::{Hit, Ray, pick};
 pub use topology::Topology;

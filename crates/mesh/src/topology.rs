@@ -165,3 +165,87 @@ fn take_cycle(next: &mut HashMap<u32, Vec<u32>>, start: u32) -> Option<Vec<u32>>
     }
     Some(cycle)
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::shapes::{icosahedron, tetrahedron};
+
+    /// A strip of `quads` squares, each cut along a diagonal.
+    fn strip(quads: u32) -> Topology {
+        let cut = |quad: u32| [[2 * quad, 2 * quad + 2, 2 * quad + 1], [2 * quad + 1, 2 * quad + 2, 2 * quad + 3]];
+        Topology::new(2 * quads as usize + 2, (0..quads).flat_map(cut).collect()).unwrap()
+    }
+
+    #[test]
+    fn closed_solids_obey_euler_and_have_no_boundary() {
+        for (solid, _) in [tetrahedron(), icosahedron()] {
+            let (v, e, f) = (solid.vertex_count(), solid.edges().len(), solid.triangles().len());
+            assert_eq!(v + f, e + 2);
+            assert_eq!(solid.boundary_loops(), Vec::<Vec<u32>>::new());
+        }
+    }
+
+    #[test]
+    fn the_boundary_keeps_the_surface_on_its_left() {
+        let square = strip(1);
+        assert_eq!(square.boundary_loops(), [[0, 2, 3, 1]]);
+    }
+
+    #[test]
+    fn a_hole_is_a_loop_of_its_own_and_comes_after_the_rim() {
+        let (solid, positions) = icosahedron();
+        let mut triangles = solid.triangles().to_vec();
+        let lid = triangles.remove(0);
+        let opposite = -positions[lid[0] as usize];
+        let apex = positions.iter().position(|p| p.distance(opposite) < 1e-9).unwrap() as u32;
+        triangles.retain(|t| !t.contains(&apex));
+        let lengths: Vec<usize> = Topology::new(12, triangles).unwrap().boundary_loops().iter().map(Vec::len).collect();
+        assert_eq!(lengths, [5, 3]);
+    }
+
+    #[test]
+    fn loops_that_touch_in_a_vertex_both_close() {
+        let bow_tie = Topology::new(5, vec![[0, 1, 2], [0, 3, 4]]).unwrap();
+        assert_eq!(bow_tie.boundary_loops().iter().map(Vec::len).collect::<Vec<_>>(), [3, 3]);
+        assert_eq!(bow_tie.components(), [0; 5]);
+    }
+
+    #[test]
+    fn components_are_named_by_their_lowest_vertex() {
+        let apart = Topology::new(7, vec![[5, 6, 1], [0, 2, 4]]).unwrap();
+        assert_eq!(apart.components(), [0, 1, 0, 3, 0, 1, 1]);
+        assert_eq!(apart.degree(3), 0);
+    }
+
+    #[test]
+    fn broken_triangles_are_named() {
+        let outside = MeshError::VertexOutOfRange { triangle: 1, vertex: 3, vertex_count: 3 };
+        assert_eq!(Topology::new(3, vec![[0, 1, 2], [0, 1, 3]]), Err(outside));
+        for repeated in [[1, 1, 2], [1, 2, 1], [2, 1, 1]] {
+            let error = MeshError::RepeatedCorner { triangle: 0, vertex: 1 };
+            assert_eq!(Topology::new(3, vec![repeated]), Err(error));
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn neighbours_are_mutual_sorted_and_counted_by_the_edges(
+            corners in prop::collection::vec((0..20u32, 1..20u32, 1..19u32), 0..60),
+        ) {
+            let distinct = |(a, ab, extra): (u32, u32, u32)| {
+                let skip = if extra >= ab { extra + 1 } else { extra };
+                [a, (a + ab) % 20, (a + skip) % 20]
+            };
+            let mesh = Topology::new(20, corners.into_iter().map(distinct).collect()).unwrap();
+            prop_assert_eq!((0..20).map(|v| mesh.degree(v)).sum::<usize>(), 2 * mesh.edges().len());
+            for v in 0..20 {
+                prop_assert!(mesh.neighbours(v).is_sorted());
+                prop_assert!(mesh.neighbours(v).iter().all(|&w| mesh.neighbours(w).contains(&v)));
+                prop_assert!(mesh.neighbours(v).iter().all(|&w| mesh.components()[w as usize] == mesh.components()[v as usize]));
+            }
+        }
+    }
+}

@@ -1,0 +1,127 @@
+use glam::DVec3;
+
+use crate::Topology;
+
+/// A half-line; `direction` need not have length 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ray {
+    /// Where the ray starts.
+    pub origin: DVec3,
+    /// Where it goes; distances are counted in multiples of this vector.
+    pub direction: DVec3,
+}
+
+impl Ray {
+    /// The point `origin + distance · direction`.
+    pub fn at(&self, distance: f64) -> DVec3 {
+        self.origin + distance * self.direction
+    }
+}
+
+/// Where a ray meets a mesh first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hit {
+    /// Index of the triangle.
+    pub triangle: usize,
+    /// Weights of its three corners at the point, each in `0..=1`, summing to 1.
+    pub barycentric: [f64; 3],
+    /// How far along the ray, in multiples of its direction.
+    pub distance: f64,
+}
+
+impl Hit {
+    /// The vertex of the triangle that has the greatest weight at the point.
+    ///
+    /// # Panics
+    /// If the hit is not from this topology.
+    pub fn nearest_corner(&self, topology: &Topology) -> u32 {
+        let [a, b, c] = self.barycentric;
+        let corner = if a >= b && a >= c { 0 } else { 1 + usize::from(c > b) };
+        topology.triangles()[self.triangle][corner]
+    }
+}
+
+/// The nearest triangle that `ray` meets at or after its origin, seen from either side; `None` where it meets none.
+///
+/// Möller and Trumbore's intersection over every triangle. A triangle seen exactly edge-on is not met.
+///
+/// # Panics
+/// If there is not one position for each vertex.
+pub fn pick(topology: &Topology, positions: &[DVec3], ray: &Ray) -> Option<Hit> {
+    assert_eq!(positions.len(), topology.vertex_count(), "one position for each vertex");
+    let hits = topology.triangles().iter().enumerate().filter_map(|(triangle, corners)| {
+        let (barycentric, distance) = meet(ray, corners.map(|corner| positions[corner as usize]))?;
+        Some(Hit { triangle, barycentric, distance })
+    });
+    hits.min_by(|one, other| one.distance.total_cmp(&other.distance))
+}
+
+fn meet(ray: &Ray, [a, b, c]: [DVec3; 3]) -> Option<([f64; 3], f64)> {
+    let (ab, ac) = (b - a, c - a);
+    let across = ray.direction.cross(ac);
+    let determinant = ab.dot(across);
+    if determinant == 0.0 {
+        return None;
+    }
+    let from_a = ray.origin - a;
+    let v = from_a.dot(across) / determinant;
+    let around = from_a.cross(ab);
+    let w = ray.direction.dot(around) / determinant;
+    let distance = ac.dot(around) / determinant;
+    let inside = v >= 0.0 && w >= 0.0 && v + w <= 1.0 && distance >= 0.0 && distance.is_finite();
+    inside.then(|| ([(1.0 - v - w).max(0.0), v, w], distance))
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::shapes::icosahedron;
+
+    proptest! {
+        #[test]
+        fn a_ray_at_a_point_of_the_surface_finds_it_first(
+            triangle in 0..20usize, (u, v) in (0.01..0.98f64, 0.01..0.98f64), far in 0.5..50.0f64,
+        ) {
+            let weights = [u * (1.0 - v), u * v, 1.0 - u];
+            let (topology, positions) = icosahedron();
+            let corners = topology.triangles()[triangle].map(|corner| positions[corner as usize]);
+            let target: DVec3 = weights.iter().zip(corners).map(|(&weight, corner)| weight * corner).sum();
+            let ray = Ray { origin: target * (1.0 + far), direction: -target };
+            let hit = pick(&topology, &positions, &ray).unwrap();
+            prop_assert_eq!(hit.triangle, triangle);
+            prop_assert!((ray.at(hit.distance) - target).length() < 1e-12);
+            for (found, weight) in hit.barycentric.iter().zip(weights) {
+                prop_assert!((found - weight).abs() < 1e-9);
+            }
+        }
+
+        #[test]
+        fn a_ray_away_from_the_mesh_meets_nothing(direction in prop::array::uniform3(-1.0..1.0f64)) {
+            let direction = DVec3::from(direction);
+            prop_assume!(direction.length() > 0.1);
+            let (topology, positions) = icosahedron();
+            let ray = Ray { origin: 2.0 * direction.normalize(), direction };
+            prop_assert_eq!(pick(&topology, &positions, &ray), None);
+        }
+    }
+
+    #[test]
+    fn the_nearest_corner_is_the_one_aimed_at() {
+        let (topology, positions) = icosahedron();
+        for &[a, b, c] in topology.triangles() {
+            let [at, b, c] = [a, b, c].map(|corner| positions[corner as usize]);
+            let target = 0.9 * at + 0.06 * b + 0.04 * c;
+            let hit = pick(&topology, &positions, &Ray { origin: 3.0 * target, direction: -target }).unwrap();
+            assert_eq!(hit.nearest_corner(&topology), a);
+        }
+    }
+
+    #[test]
+    fn triangles_without_area_are_not_met() {
+        let flat = Topology::new(3, vec![[0, 1, 2]]).unwrap();
+        let line = [DVec3::ZERO, DVec3::X, 2.0 * DVec3::X];
+        assert_eq!(pick(&flat, &line, &Ray { origin: DVec3::Z, direction: -DVec3::Z }), None);
+    }
+}
