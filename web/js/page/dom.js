@@ -1,0 +1,51 @@
+/**
+ * The element of that id, checked to be of the type the caller counts on.
+ *
+ * @template {Element} T
+ * @param {string} id
+ * @param {new () => T} type
+ * @returns {T}
+ */
+export function byId(id, type) {
+  const element = document.getElementById(id);
+  if (!(element instanceof type)) throw new Error(`the page has no ${type.name} #${id}`);
+  return element;
+}
+
+/**
+ * A new element with a class and text.
+ *
+ * @template {keyof HTMLElementTagNameMap} K
+ * @param {K} tag
+ * @param {string} [className]
+ * @param {string} [text]
+ */
+export function make(tag, className, text) {
+  const element = document.createElement(tag);
+  if (className) element.className = className;
+  if (text !== undefined) element.textContent = text;
+  return element;
+}
+
+/**
+ * Runs `action` when any element with `data-action="name"` is pressed.
+ *
+ * @param {string} name
+ * @param {() => void} action
+ */
+export function onAction(name, action) {
+  for (const button of actionButtons(name)) button.addEventListener("click", action);
+}
+
+/**
+ * @param {string} name
+ * @param {boolean} enabled
+ */
+export function enableAction(name, enabled) {
+  for (const button of actionButtons(name)) button.disabled = !enabled;
+}
+
+/** @param {string} name */
+function actionButtons(name) {
+  return /** @type {NodeListOf<HTMLButtonElement>} */ (document.querySelectorAll(`button[data-action="${name}"]`));
+}

@@ -1,0 +1,16 @@
+/**
+ * Hands bytes to the browser as a download.
+ *
+ * @param {Uint8Array | string} content
+ * @param {string} name
+ * @param {string} type MIME
+ */
+export function download(content, name, type) {
+  const url = URL.createObjectURL(new Blob([/** @type {BlobPart} */ (content)], { type }));
+  const link = document.createElement("a");
+  link.href = url;
+  link.download = name;
+  link.click();
+  // The browser reads the blob after this task; a minute is plenty.
+  setTimeout(() => URL.revokeObjectURL(url), 60_000);
+}

@@ -1,0 +1,30 @@
+import { byId } from "./dom.js";
+
+const STORED_AS = "rosto.theme";
+
+/**
+ * Light or dark: the system's choice until the button is pressed.
+ *
+ * @param {(theme: "light" | "dark") => void} changed
+ */
+export function setUpTheme(changed) {
+  const system = matchMedia("(prefers-color-scheme: dark)");
+  const apply = () => {
+    const theme = chosen() ?? (system.matches ? "dark" : "light");
+    document.documentElement.dataset["theme"] = theme;
+    changed(theme);
+  };
+  system.addEventListener("change", apply);
+  byId("theme", HTMLButtonElement).addEventListener("click", () => {
+    const now = document.documentElement.dataset["theme"];
+    localStorage.setItem(STORED_AS, now === "dark" ? "light" : "dark");
+    apply();
+  });
+  apply();
+}
+
+/** @returns {"light" | "dark" | undefined} */
+function chosen() {
+  const stored = localStorage.getItem(STORED_AS);
+  return stored === "light" || stored === "dark" ? stored : undefined;
+}

@@ -1,0 +1,90 @@
+import { make } from "../page/dom.js";
+import { inEveryLanguage, say } from "../words/words.js";
+
+/**
+ * @typedef {import("../words/words.js").WordKey} WordKey
+ *
+ * @typedef {object} SliderOptions
+ * @property {WordKey} label short, beside the track
+ * @property {WordKey} longLabel said by screen readers, with the unit
+ * @property {string} unit written after the number
+ * @property {number} min
+ * @property {number} max
+ * @property {number} step
+ * @property {number} neutral where a double click on the label puts it
+ * @property {"x" | "y" | "z"} [axis] carries its letter and its colour
+ * @property {() => void} onInput while the value moves
+ * @property {() => void} onCommit when it is let go
+ * @property {() => void} onCancel on Escape
+ */
+
+/** A slider with its exact number beside it: two controls of one value. */
+export class Slider {
+  element = make("div", "slider");
+  #range = make("input");
+  #number = make("input", "number-field");
+  #options;
+
+  /** @param {SliderOptions} options */
+  constructor(options) {
+    this.#options = options;
+    if (options.axis) this.element.dataset["axis"] = options.axis;
+    const label = make("span", "slider-label");
+    label.addEventListener("dblclick", () => this.#reset());
+    this.element.append(label, this.#range, this.#number, make("span", "slider-unit", options.unit));
+    this.#range.type = "range";
+    this.#number.type = "number";
+    this.#number.inputMode = "decimal";
+    for (const input of [this.#range, this.#number]) this.#wire(input);
+    this.value = options.neutral;
+    inEveryLanguage(() => {
+      label.replaceChildren();
+      if (options.axis) label.append(make("span", "axis", options.axis));
+      label.append(say(options.label));
+      for (const input of [this.#range, this.#number]) input.setAttribute("aria-label", say(options.longLabel));
+    });
+  }
+
+  get value() {
+    return Number(this.#number.value);
+  }
+
+  /** Does not disturb a number that is being typed. */
+  set value(value) {
+    const rounded = Number(value.toFixed(decimalsOf(this.#options.step)));
+    if (this.#range.valueAsNumber !== rounded) this.#range.value = String(rounded);
+    if (this.#number.valueAsNumber !== rounded) this.#number.value = String(rounded);
+  }
+
+  /** @param {HTMLInputElement} input */
+  #wire(input) {
+    const { min, max, step, onInput, onCommit, onCancel } = this.#options;
+    input.min = String(min);
+    input.max = String(max);
+    input.step = String(step);
+    input.addEventListener("input", () => {
+      if (Number.isNaN(input.valueAsNumber)) return;
+      this.value = input.valueAsNumber;
+      onInput();
+    });
+    input.addEventListener("change", () => {
+      this.value = Number.isNaN(input.valueAsNumber) ? this.#options.neutral : input.valueAsNumber;
+      onInput();
+      onCommit();
+    });
+    input.addEventListener("keydown", (event) => {
+      if (event.key === "Escape") onCancel();
+    });
+  }
+
+  #reset() {
+    this.value = this.#options.neutral;
+    this.#options.onInput();
+    this.#options.onCommit();
+  }
+}
+
+/** @param {number} step */
+function decimalsOf(step) {
+  return step < 1 ? Math.round(-Math.log10(step)) : 0;
+}

@@ -1,0 +1,146 @@
+import { byId } from "../page/dom.js";
+import { inEveryLanguage, say } from "../words/words.js";
+
+/**
+ * @typedef {import("../worker/protocol.js").FoundFaces} FoundFaces
+ * @typedef {import("../worker/protocol.js").FoundFace} FoundFace
+ */
+
+/** The picture is no taller than this, in CSS px. */
+const MAX_HEIGHT_PX = 320;
+
+/** A pointer this near a landmark means it, in CSS px. */
+const REACH_PX = 10;
+
+/** The photo with the landmarks of one face drawn on it. Needs no WebGPU. */
+export class PhotoOverlay {
+  #canvas = byId("photo-picture", HTMLCanvasElement);
+  /** @type {ImageBitmap | undefined} */
+  #picture;
+  /** @type {Float32Array} */
+  #landmarks = new Float32Array();
+  #size = { width_px: 0, height_px: 0 };
+  /** @type {number | undefined} */
+  #selected;
+  /** @type {number | undefined} */
+  #hovered;
+
+  /** @param {{ hover: (landmark: number | undefined) => void, choose: (landmark: number) => void }} told */
+  constructor(told) {
+    this.#canvas.addEventListener("pointermove", (event) => told.hover(this.#nearest(event)));
+    this.#canvas.addEventListener("pointerleave", () => told.hover(undefined));
+    this.#canvas.addEventListener("click", (event) => {
+      const landmark = this.#nearest(event);
+      if (landmark !== undefined) told.choose(landmark);
+    });
+    new ResizeObserver(() => this.#draw()).observe(byId("photo", HTMLDivElement));
+    inEveryLanguage(() => this.#writeCaption());
+  }
+
+  /**
+   * Shows the picture and the landmarks of one of its faces. The pixels are only read.
+   *
+   * @param {FoundFaces} found
+   * @param {FoundFace} face
+   */
+  async show(found, face) {
+    const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (found.picture.buffer));
+    const picture = await createImageBitmap(new ImageData(pixels, found.pictureWidth_px, found.pictureHeight_px));
+    this.#picture?.close();
+    this.#picture = picture;
+    this.#landmarks = face.landmarks;
+    this.#size = { width_px: found.width_px, height_px: found.height_px };
+    byId("photo", HTMLDivElement).hidden = false;
+    this.#writeCaption();
+    this.#draw();
+  }
+
+  /**
+   * Marks the landmark being edited and the one under the pointer.
+   *
+   * @param {number | undefined} selected
+   * @param {number | undefined} hovered
+   */
+  mark(selected, hovered) {
+    if (selected === this.#selected && hovered === this.#hovered) return;
+    this.#selected = selected;
+    this.#hovered = hovered;
+    this.#draw();
+  }
+
+  #draw() {
+    const picture = this.#picture;
+    const room_px = byId("photo", HTMLDivElement).clientWidth;
+    if (!picture || room_px === 0) return;
+    const scale = Math.min(room_px / picture.width, MAX_HEIGHT_PX / picture.height);
+    const ratio = devicePixelRatio;
+    this.#canvas.width = Math.round(picture.width * scale * ratio);
+    this.#canvas.height = Math.round(picture.height * scale * ratio);
+    const context = this.#canvas.getContext("2d");
+    if (!context) return;
+    context.imageSmoothingQuality = "high";
+    context.drawImage(picture, 0, 0, this.#canvas.width, this.#canvas.height);
+    this.#drawLandmarks(context, ratio);
+  }
+
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} ratio device px per CSS px
+   */
+  #drawLandmarks(context, ratio) {
+    context.fillStyle = "rgb(255 255 255 / 0.9)";
+    for (let landmark = 0; landmark * 3 < this.#landmarks.length; landmark++) {
+      const { x, y } = this.#place(landmark);
+      context.fillRect(x - 0.5 * ratio, y - 0.5 * ratio, ratio, ratio);
+    }
+    if (this.#hovered !== undefined) this.#ring(context, this.#hovered, 4 * ratio, ratio);
+    if (this.#selected !== undefined) this.#ring(context, this.#selected, 5 * ratio, 2 * ratio);
+  }
+
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} landmark
+   * @param {number} radius
+   * @param {number} width
+   */
+  #ring(context, landmark, radius, width) {
+    const { x, y } = this.#place(landmark);
+    context.strokeStyle = getComputedStyle(this.#canvas).getPropertyValue("--mark");
+    context.lineWidth = width;
+    context.beginPath();
+    context.arc(x, y, radius, 0, 2 * Math.PI);
+    context.stroke();
+  }
+
+  /**
+   * Where a landmark lies on the canvas, in its own px.
+   *
+   * @param {number} landmark
+   */
+  #place(landmark) {
+    const x = (this.#landmarks[3 * landmark] ?? 0) * this.#canvas.width;
+    const y = (this.#landmarks[3 * landmark + 1] ?? 0) * this.#canvas.height;
+    return { x, y };
+  }
+
+  /** @param {MouseEvent} event */
+  #nearest(event) {
+    const box = this.#canvas.getBoundingClientRect();
+    const ratio = this.#canvas.width / box.width;
+    const x = (event.clientX - box.left) * ratio;
+    const y = (event.clientY - box.top) * ratio;
+    let nearest;
+    let nearest_px = REACH_PX * ratio;
+    for (let landmark = 0; landmark * 3 < this.#landmarks.length; landmark++) {
+      const place = this.#place(landmark);
+      const distance_px = Math.hypot(place.x - x, place.y - y);
+      if (distance_px < nearest_px) [nearest, nearest_px] = [landmark, distance_px];
+    }
+    return nearest;
+  }
+
+  #writeCaption() {
+    const { width_px: width, height_px: height } = this.#size;
+    byId("photo-caption", HTMLParagraphElement).textContent = say("photo.caption", { width, height });
+  }
+}

@@ -1,0 +1,71 @@
+/** @typedef {import("./workbench.js").Workbench} Workbench */
+
+/** One press of an arrow key turns or moves by this much, in CSS px of a drag. */
+const STEP_PX = 24;
+const ZOOM_STEP = 1.1;
+
+/** @type {Record<string, [number, number]>} */
+const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+
+/**
+ * The keys of the 3D view, while the canvas has the focus.
+ *
+ * @param {Workbench} bench
+ */
+export function setUpViewKeys(bench) {
+  bench.canvas.addEventListener("keydown", (event) => {
+    if (moveByArrow(bench, event) || chooseView(bench, event)) event.preventDefault();
+  });
+}
+
+/**
+ * Undo and redo from anywhere but a field that is being typed in.
+ *
+ * @param {{ undo: () => void, redo: () => void, cancel: () => void }} actions
+ */
+export function setUpEditKeys(actions) {
+  addEventListener("keydown", (event) => {
+    if (event.key === "Escape") return actions.cancel();
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || isTyping(event.target)) return;
+    const key = event.key.toLowerCase();
+    if (key !== "z" && key !== "y") return;
+    event.preventDefault();
+    if (key === "y" || event.shiftKey) actions.redo();
+    else actions.undo();
+  });
+}
+
+/**
+ * @param {Workbench} bench
+ * @param {KeyboardEvent} event
+ */
+function moveByArrow(bench, event) {
+  const arrow = ARROWS[event.key];
+  if (!arrow) return false;
+  const [dx, dy] = arrow.map((way) => way * STEP_PX * devicePixelRatio);
+  if (dx === undefined || dy === undefined) return false;
+  bench.look((studio) => {
+    if (event.altKey) studio.zoom(dy < 0 ? ZOOM_STEP : 1 / ZOOM_STEP);
+    else if (event.shiftKey && (event.ctrlKey || event.metaKey)) studio.pan(dx, dy);
+    else studio.orbit(dx, dy);
+  });
+  return true;
+}
+
+/**
+ * @param {Workbench} bench
+ * @param {KeyboardEvent} event
+ */
+function chooseView(bench, event) {
+  if (event.ctrlKey || event.metaKey || event.altKey) return false;
+  const views = /** @type {const} */ ({ f: "front", l: "left", t: "top", " ": "reset" });
+  const key = event.key.toLowerCase();
+  if (!(key in views)) return false;
+  bench.look((studio) => studio.view(views[/** @type {keyof typeof views} */ (key)]));
+  return true;
+}
+
+/** @param {EventTarget | null} target */
+function isTyping(target) {
+  return target instanceof HTMLInputElement && (target.type === "text" || target.type === "number");
+}

@@ -1,0 +1,109 @@
+import init, { start } from "../../wasm/rosto-studio-web.js";
+
+/**
+ * @typedef {import("../../wasm/rosto-studio-web.js").Studio} Studio
+ * @typedef {import("../../wasm/rosto-studio-web.js").StudioState} StudioState
+ */
+
+/**
+ * Holds the studio, which holds the user's work, and tells the page when anything about it has changed. It draws
+ * only in an animation frame, and asks for one only when there is something new to see.
+ */
+export class Workbench {
+  #frameIsComing = false;
+  /** @type {Set<(state: StudioState) => void>} */
+  #changeListeners = new Set();
+  /** @type {Set<() => void>} */
+  #frameListeners = new Set();
+
+  /**
+   * Opens the WebGPU canvas; throws `{code: "no-webgpu", …}` where there is none.
+   *
+   * @param {HTMLCanvasElement} canvas
+   */
+  static async open(canvas) {
+    await init();
+    return new Workbench(canvas, await start(canvas));
+  }
+
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {Studio} studio
+   */
+  constructor(canvas, studio) {
+    this.canvas = canvas;
+    this.studio = studio;
+    this.#followSize();
+  }
+
+  /**
+   * Changes something that the panel shows: listeners are told, and a frame is drawn.
+   *
+   * @param {(studio: Studio) => void} change
+   */
+  act(change) {
+    change(this.studio);
+    this.announce();
+    this.requestFrame();
+  }
+
+  /**
+   * Changes only what is seen, such as the camera.
+   *
+   * @param {(studio: Studio) => void} change
+   */
+  look(change) {
+    change(this.studio);
+    this.requestFrame();
+  }
+
+  /** @param {(state: StudioState) => void} listener */
+  onChange(listener) {
+    this.#changeListeners.add(listener);
+  }
+
+  /** @param {() => void} listener runs after each frame drawn */
+  onFrame(listener) {
+    this.#frameListeners.add(listener);
+  }
+
+  /** Tells every listener how things stand. */
+  announce() {
+    const state = this.studio.state();
+    for (const listener of this.#changeListeners) listener(state);
+    state.free();
+  }
+
+  /** Draws in the next animation frame. */
+  requestFrame() {
+    if (this.#frameIsComing) return;
+    this.#frameIsComing = true;
+    requestAnimationFrame((time_ms) => {
+      this.#frameIsComing = false;
+      const wantsMore = this.studio.draw(time_ms);
+      for (const listener of this.#frameListeners) listener();
+      if (wantsMore) this.requestFrame();
+    });
+  }
+
+  #followSize() {
+    const observer = new ResizeObserver(([entry]) => {
+      if (!entry) return;
+      const size = deviceSize(entry);
+      this.look((studio) => studio.resize(size.width_px, size.height_px));
+    });
+    observer.observe(this.canvas);
+  }
+}
+
+/**
+ * The canvas's size in device pixels, exact where the browser tells it.
+ *
+ * @param {ResizeObserverEntry} entry
+ */
+function deviceSize(entry) {
+  const exact = entry.devicePixelContentBoxSize?.[0];
+  const width_px = exact ? exact.inlineSize : entry.contentRect.width * devicePixelRatio;
+  const height_px = exact ? exact.blockSize : entry.contentRect.height * devicePixelRatio;
+  return { width_px: Math.max(1, Math.round(width_px)), height_px: Math.max(1, Math.round(height_px)) };
+}

@@ -1,0 +1,31 @@
+/**
+ * What the page and its worker say to each other. Every buffer is transferred, none is copied.
+ *
+ * @typedef {"decode" | "detect" | "landmarks"} Stage
+ *
+ * @typedef {object} FoundFace
+ * @property {number} score the detector's, 0 to 1
+ * @property {Float32Array} landmarks 468 × (x/W, y/H, z/W), MediaPipe's normalised convention
+ * @property {Uint8Array} colours 468 × sRGB
+ *
+ * @typedef {object} FoundFaces
+ * @property {number} width_px of the upright photo in which the landmarks were found
+ * @property {number} height_px
+ * @property {FoundFace[]} faces best first; empty when there is no face
+ * @property {number} pictureWidth_px of the picture, which may be a smaller copy of the photo
+ * @property {number} pictureHeight_px
+ * @property {Uint8Array} picture RGBA, upright, row by row
+ *
+ * @typedef {{ type: "find", id: number, photo: Blob, maxFaces: number }} Request
+ *
+ * @typedef {{ type: "alive", lock: string }
+ *   | { type: "ready" }
+ *   | { type: "unusable", error: import("../page/notice.js").Trouble }
+ *   | { type: "progress", id: number, stage: Stage, fraction: number }
+ *   | { type: "found", id: number, found: FoundFaces }
+ *   | { type: "failed", id: number, error: import("../page/notice.js").Trouble }
+ *   | { type: "trapped", id: number, message: string }} Reply
+ */
+
+/** Lets this file be imported for its types alone. */
+export {};

@@ -1,0 +1,162 @@
+/**
+ * @typedef {import("./protocol.js").Request} Request
+ * @typedef {import("./protocol.js").Reply} Reply
+ * @typedef {import("./protocol.js").Stage} Stage
+ * @typedef {import("./protocol.js").FoundFaces} FoundFaces
+ * @typedef {{ resolve: (found: FoundFaces) => void, reject: (error: unknown) => void, report: (stage: Stage, fraction: number) => void }} Waiting
+ */
+
+/** A worker silent for this long in the middle of a photo is taken for dead. */
+const SILENCE_MS = 60_000;
+
+/** Thrown to whoever waits for a photo that a newer one has replaced. */
+export class Replaced extends Error {}
+
+/** The page's side of the worker: starts it, asks it, and starts it again when it dies. */
+export class VisionClient {
+  /** @type {Worker | undefined} */
+  #worker;
+  /** @type {Map<number, Waiting>} */
+  #waiting = new Map();
+  #lastId = 0;
+  #silence = 0;
+  #starts = 0;
+  #isReady = false;
+  /** @type {Promise<void>} */
+  ready;
+  /** @type {() => void} */
+  #nowReady = () => {};
+
+  constructor() {
+    this.ready = this.#untilReady();
+  }
+
+  /** How often a worker has been started. */
+  get starts() {
+    return this.#starts;
+  }
+
+  /** Starts the worker unless one is there. */
+  start() {
+    if (this.#worker) return;
+    this.#starts += 1;
+    this.#isReady = false;
+    const worker = new Worker(new URL("./vision-worker.js", import.meta.url), { type: "module" });
+    worker.addEventListener("message", (event) => this.#hear(worker, event.data));
+    worker.addEventListener("error", (event) => {
+      event.preventDefault();
+      this.#bury(worker, { code: "not-loaded", message: event.message ?? "", hint: "" });
+    });
+    this.#worker = worker;
+  }
+
+  /**
+   * Finds the faces of a photo. A newer photo replaces an older one, whose promise is then rejected with `Replaced`.
+   *
+   * @param {Blob} photo
+   * @param {number} maxFaces
+   * @param {(stage: Stage, fraction: number) => void} report
+   * @returns {Promise<FoundFaces>}
+   */
+  find(photo, maxFaces, report) {
+    this.#rejectAll(new Replaced());
+    this.start();
+    const id = ++this.#lastId;
+    return new Promise((resolve, reject) => {
+      this.#waiting.set(id, { resolve, reject, report });
+      this.#post({ type: "find", id, photo, maxFaces });
+    });
+  }
+
+  /** @param {Request} request */
+  #post(request) {
+    this.#worker?.postMessage(request);
+  }
+
+  /**
+   * @param {Worker} worker
+   * @param {Reply} reply
+   */
+  #hear(worker, reply) {
+    if (worker !== this.#worker) return;
+    switch (reply.type) {
+      case "alive":
+        return this.#noticeDeath(worker, reply.lock);
+      case "ready":
+        this.#isReady = true;
+        return this.#nowReady();
+      case "unusable":
+        return this.#bury(worker, reply.error);
+      case "progress":
+        this.#watchSilence();
+        return this.#waiting.get(reply.id)?.report(reply.stage, reply.fraction);
+      case "found":
+        return this.#settle(reply.id)?.resolve(reply.found);
+      case "failed":
+        return this.#settle(reply.id)?.reject(reply.error);
+      case "trapped":
+        return this.#replace(worker, reply.message);
+    }
+  }
+
+  /**
+   * The worker holds this lock while it lives; being granted it means that the worker is gone.
+   *
+   * @param {Worker} worker
+   * @param {string} lock
+   */
+  async #noticeDeath(worker, lock) {
+    await navigator.locks.request(lock, () => {});
+    if (worker !== this.#worker) return;
+    // One that dies before it has loaded would die again: the next photo tries once more.
+    if (this.#isReady) this.#replace(worker, "the worker ended");
+    else this.#bury(worker, { code: "worker-died", message: "the worker ended while loading", hint: "" });
+  }
+
+  /**
+   * @param {Worker} worker
+   * @param {string} message
+   */
+  #replace(worker, message) {
+    this.#bury(worker, { code: "worker-died", message, hint: "" });
+    this.ready = this.#untilReady();
+    this.start();
+  }
+
+  /**
+   * @param {Worker} worker
+   * @param {import("../page/notice.js").Trouble} error
+   */
+  #bury(worker, error) {
+    worker.terminate();
+    if (worker === this.#worker) this.#worker = undefined;
+    this.#rejectAll(error);
+  }
+
+  /** @param {number} id */
+  #settle(id) {
+    const waiting = this.#waiting.get(id);
+    this.#waiting.delete(id);
+    if (this.#waiting.size === 0) clearTimeout(this.#silence);
+    return waiting;
+  }
+
+  /** @param {unknown} error */
+  #rejectAll(error) {
+    for (const id of [...this.#waiting.keys()]) this.#settle(id)?.reject(error);
+  }
+
+  #watchSilence() {
+    clearTimeout(this.#silence);
+    if (this.#waiting.size === 0) return;
+    this.#silence = setTimeout(() => {
+      if (this.#worker) this.#replace(this.#worker, `silent for ${SILENCE_MS / 1000} s`);
+    }, SILENCE_MS);
+  }
+
+  #untilReady() {
+    return new Promise((/** @type {(value: void) => void} */ resolve) => {
+      this.#nowReady = resolve;
+    });
+  }
+}

@@ -1,0 +1,119 @@
+/**
+ * The worker that finds faces. It holds nothing of the user's: the page may end it at any time and start another.
+ *
+ * @typedef {import("./protocol.js").Request} Request
+ * @typedef {import("./protocol.js").Reply} Reply
+ * @typedef {import("./protocol.js").FoundFaces} FoundFaces
+ */
+import init, { Vision } from "../../wasm/rosto-vision-web.js";
+
+const page = /** @type {DedicatedWorkerGlobalScope} */ (/** @type {unknown} */ (self));
+
+/** The lock is held for as long as this worker lives, however it ends: that is how the page notices. */
+const lock = `rosto-vision-${crypto.randomUUID()}`;
+navigator.locks.request(lock, () => {
+  tell({ type: "alive", lock });
+  return new Promise(() => {});
+});
+
+const vision = load();
+vision.then(
+  () => tell({ type: "ready" }),
+  (error) => tell({ type: "unusable", error: asTrouble(error, "not-loaded") }),
+);
+
+page.addEventListener("message", (event) => answer(event.data));
+
+async function load() {
+  const [, detector, landmarks] = await Promise.all([
+    init(),
+    fetchBytes("face_detector.onnx"),
+    fetchBytes("face_landmarks.onnx"),
+  ]);
+  return new Vision(detector, landmarks);
+}
+
+/** @param {string} name */
+async function fetchBytes(name) {
+  const response = await fetch(new URL(`../../assets/${name}`, import.meta.url));
+  if (!response.ok) throw new Error(`${name}: ${response.status}`);
+  return new Uint8Array(await response.arrayBuffer());
+}
+
+/** @param {Request} request */
+async function answer({ id, photo, maxFaces }) {
+  try {
+    const bytes = await readPhoto(photo);
+    const found = find(await vision, bytes, maxFaces, id);
+    tell({ type: "found", id, found }, buffersOf(found));
+  } catch (error) {
+    // After a trap the module's memory is in an unknown state: the page starts another worker.
+    if (error instanceof WebAssembly.RuntimeError) tell({ type: "trapped", id, message: error.message });
+    else tell({ type: "failed", id, error: asTrouble(error, "other") });
+  }
+}
+
+/** @param {Blob} photo */
+async function readPhoto(photo) {
+  try {
+    return new Uint8Array(await photo.arrayBuffer());
+  } catch (error) {
+    throw { code: "unreadable-file", message: String(error), hint: "" };
+  }
+}
+
+/**
+ * @param {Vision} vision
+ * @param {Uint8Array} bytes
+ * @param {number} maxFaces
+ * @param {number} id
+ * @returns {FoundFaces}
+ */
+function find(vision, bytes, maxFaces, id) {
+  const found = vision.find(bytes, maxFaces, (/** @type {import("./protocol.js").Stage} */ stage, /** @type {number} */ fraction) =>
+    tell({ type: "progress", id, stage, fraction }),
+  );
+  try {
+    const faces = Array.from({ length: found.faceCount }, (_, i) => ({
+      score: found.score(i),
+      landmarks: found.landmarks(i),
+      colours: found.colours(i),
+    }));
+    return {
+      width_px: found.width,
+      height_px: found.height,
+      faces,
+      pictureWidth_px: found.pictureWidth,
+      pictureHeight_px: found.pictureHeight,
+      picture: found.takePicture(),
+    };
+  } finally {
+    found.free();
+  }
+}
+
+/** @param {FoundFaces} found */
+function buffersOf(found) {
+  const arrays = [found.picture, ...found.faces.flatMap((face) => [face.landmarks, face.colours])];
+  return arrays.map((array) => /** @type {ArrayBuffer} */ (array.buffer));
+}
+
+/**
+ * @param {Reply} reply
+ * @param {Transferable[]} [transfer]
+ */
+function tell(reply, transfer = []) {
+  page.postMessage(reply, transfer);
+}
+
+/**
+ * @param {unknown} error
+ * @param {string} code for an error that brings none
+ */
+function asTrouble(error, code) {
+  if (typeof error === "object" && error !== null && "code" in error && typeof error.code === "string") {
+    const { message = "", hint = "" } = /** @type {{ message?: string, hint?: string }} */ (error);
+    return { code: error.code, message, hint };
+  }
+  return { code, message: String(error), hint: "" };
+}
