@@ -1,1 +1,20 @@
 //! Bytes to an upright, bounded sRGB picture.
+//!
+//! [`decode`] tells JPEG, PNG and WebP apart by their first bytes, refuses what is too large before it allocates the
+//! pixels, applies the EXIF orientation exactly once and lays transparent pixels over white. What comes out is a
+//! [`Photo`]: 8-bit RGB, row-major, upright, not mirrored.
+
+mod decode;
+mod error;
+mod format;
+mod jpeg;
+mod limits;
+mod orientation;
+mod photo;
+mod pixels;
+mod resize;
+
+pub use decode::decode;
+pub use error::PhotoError;
+pub use limits::Limits;
+pub use photo::Photo;

@@ -1,0 +1,32 @@
+use crate::PhotoError;
+
+/// How large a picture may be. Checked before the pixels are allocated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Limits {
+    /// Largest file, in bytes. 40 MB by default.
+    pub max_bytes: usize,
+    /// Largest width × height. 50 megapixels by default.
+    pub max_pixels: u64,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self { max_bytes: 40_000_000, max_pixels: 50_000_000 }
+    }
+}
+
+impl Limits {
+    pub(crate) fn check_bytes(&self, bytes: &[u8]) -> Result<(), PhotoError> {
+        if bytes.len() <= self.max_bytes {
+            return Ok(());
+        }
+        Err(PhotoError::TooManyBytes { found_bytes: bytes.len(), max_bytes: self.max_bytes })
+    }
+
+    pub(crate) fn check_size(&self, width: u32, height: u32) -> Result<(), PhotoError> {
+        if u64::from(width) * u64::from(height) <= self.max_pixels {
+            return Ok(());
+        }
+        Err(PhotoError::TooManyPixels { width, height, max_pixels: self.max_pixels })
+    }
+}

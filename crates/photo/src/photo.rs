@@ -1,0 +1,75 @@
+use crate::{PhotoError, resize};
+
+/// An upright sRGB picture: 8-bit RGB, row-major, origin at the top left, at least one pixel.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Photo {
+    width: u32,
+    height: u32,
+    pixels: Vec<u8>,
+}
+
+impl Photo {
+    /// A picture from its bytes, three (red, green, blue) for each pixel.
+    ///
+    /// # Errors
+    /// [`PhotoError::WrongLength`] if the number of bytes is not `width · height · 3`, or 0.
+    pub fn from_rgb(width: u32, height: u32, pixels: Vec<u8>) -> Result<Self, PhotoError> {
+        let expected = u64::from(width) * u64::from(height) * 3;
+        if expected == 0 || expected != pixels.len() as u64 {
+            return Err(PhotoError::WrongLength { width, height, found_bytes: pixels.len() });
+        }
+        Ok(Self { width, height, pixels })
+    }
+
+    /// A picture whose size was checked already.
+    pub(crate) fn from_valid(width: u32, height: u32, pixels: Vec<u8>) -> Self {
+        debug_assert_eq!(width as usize * height as usize * 3, pixels.len());
+        Self { width, height, pixels }
+    }
+
+    /// Width in px.
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Height in px.
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// All bytes, three for each pixel, row by row from the top.
+    pub fn pixels(&self) -> &[u8] {
+        &self.pixels
+    }
+
+    /// Red, green and blue of one pixel.
+    ///
+    /// # Panics
+    /// If `x` or `y` is outside the picture.
+    pub fn pixel(&self, x: u32, y: u32) -> [u8; 3] {
+        assert!(x < self.width && y < self.height, "pixel ({x}, {y}) of {}×{}", self.width, self.height);
+        let start = (y as usize * self.width as usize + x as usize) * 3;
+        [self.pixels[start], self.pixels[start + 1], self.pixels[start + 2]]
+    }
+
+    /// The colour under a normalised position (0 at the left and top edge, 1 at the right and bottom one), as the
+    /// paper takes it: pixel (⌊x·W⌋, ⌊y·H⌋), clamped to the picture.
+    pub fn colour_under(&self, x_normalised: f64, y_normalised: f64) -> [u8; 3] {
+        // A cast to an integer rounds down what is positive, and clamps; NaN becomes 0.
+        let x = (x_normalised * f64::from(self.width)) as u32;
+        let y = (y_normalised * f64::from(self.height)) as u32;
+        self.pixel(x.min(self.width - 1), y.min(self.height - 1))
+    }
+
+    /// The picture scaled down so that its longer side has at most `max_side_px` pixels (at least 1), each new pixel
+    /// the mean of the area it covers. A picture that fits already is copied.
+    pub fn scaled_down(&self, max_side_px: u32) -> Self {
+        let (long, limit) = (self.width.max(self.height), max_side_px.max(1));
+        if long <= limit {
+            return self.clone();
+        }
+        let scale = f64::from(limit) / f64::from(long);
+        let shrunk = |side: u32| ((f64::from(side) * scale).round() as u32).max(1);
+        resize::area_mean(self, shrunk(self.width), shrunk(self.height))
+    }
+}
