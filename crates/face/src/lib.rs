@@ -3,11 +3,16 @@
 //! The canonical face is MediaPipe's: an average head of 468 landmarks with two triangulations, exact left-right pairs
 //! and named regions. "Left" and "right" are the subject's throughout.
 
+mod areas;
 mod canonical;
 mod contours;
+mod names;
+mod regions;
 mod symmetry;
 mod tables;
 
 pub use canonical::{LANDMARK_COUNT, Triangulation, canonical_positions_m, canonical_uvs};
 pub use contours::oval;
+pub use names::{Language, has_anatomical_name, landmark_name};
+pub use regions::Region;
 pub use symmetry::{midline, mirror_of, mirror_pairs};

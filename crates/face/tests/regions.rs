@@ -1,0 +1,78 @@
+//! Regions and names: mirror images of each other, whole, connected, and no two alike.
+
+use std::collections::BTreeSet;
+
+use rosto_face::*;
+
+const LANGUAGES: [Language; 2] = [Language::English, Language::Portuguese];
+
+#[test]
+fn a_mirrored_region_holds_the_mirrored_landmarks() {
+    for region in Region::ALL {
+        let mirrored: BTreeSet<u32> = region.vertices().into_iter().map(mirror_of).collect();
+        assert_eq!(mirrored.into_iter().collect::<Vec<_>>(), region.mirrored().vertices(), "{region:?}");
+        assert_eq!(region.mirrored().mirrored(), region);
+    }
+}
+
+#[test]
+fn every_region_hangs_together_on_the_canonical_mesh() {
+    let topology = Triangulation::Canonical.topology();
+    for region in Region::ALL {
+        let members: BTreeSet<u32> = region.vertices().into_iter().collect();
+        let first = *members.first().unwrap();
+        let (mut reached, mut open) = (BTreeSet::from([first]), vec![first]);
+        while let Some(vertex) = open.pop() {
+            open.extend(topology.neighbours(vertex).iter().filter(|&v| members.contains(v) && reached.insert(*v)));
+        }
+        assert_eq!(reached, members, "{region:?}");
+    }
+}
+
+#[test]
+fn regions_lie_where_their_names_say() {
+    let centre_m = |region: Region| {
+        let vertices = region.vertices();
+        let positions = canonical_positions_m();
+        vertices.iter().map(|&v| positions[v as usize]).sum::<glam::DVec3>() / vertices.len() as f64
+    };
+    assert!(centre_m(Region::Forehead).y > centre_m(Region::LeftBrow).y);
+    assert!(centre_m(Region::LeftBrow).y > centre_m(Region::LeftUpperEyelid).y);
+    assert!(centre_m(Region::LeftUpperEyelid).y > centre_m(Region::LeftLowerEyelid).y);
+    assert!(centre_m(Region::UpperLip).y > centre_m(Region::LowerLip).y);
+    assert!(centre_m(Region::LowerLip).y > centre_m(Region::Chin).y);
+    assert!(centre_m(Region::NoseTip).z > centre_m(Region::NoseBridge).z);
+    assert!(centre_m(Region::LeftEye).x > 0.0 && centre_m(Region::RightEye).x < 0.0);
+    assert!(Region::Nose.vertices().contains(&4) && Region::Lips.vertices().contains(&61));
+}
+
+#[test]
+fn region_names_and_ids_are_distinct_and_read_back() {
+    let ids: BTreeSet<&str> = Region::ALL.iter().map(|region| region.id()).collect();
+    assert_eq!(ids.len(), Region::ALL.len());
+    assert!(Region::ALL.iter().all(|&region| Region::from_id(region.id()) == Some(region)));
+    for language in LANGUAGES {
+        let names: BTreeSet<&str> = Region::ALL.iter().map(|region| region.name(language)).collect();
+        assert_eq!(names.len(), Region::ALL.len());
+    }
+}
+
+#[test]
+fn no_two_landmarks_share_a_name() {
+    for language in LANGUAGES {
+        let names: BTreeSet<String> = (0..LANDMARK_COUNT as u32).map(|v| landmark_name(v, language)).collect();
+        assert_eq!(names.len(), LANDMARK_COUNT, "{language:?}");
+    }
+}
+
+#[test]
+fn well_known_landmarks_are_called_by_their_names() {
+    let both = |landmark| LANGUAGES.map(|language| landmark_name(landmark, language));
+    assert_eq!(both(4), ["nose tip", "ponta do nariz"]);
+    assert_eq!(both(61), ["right mouth corner", "canto da boca direito"]);
+    assert_eq!(both(291), ["left mouth corner", "canto da boca esquerdo"]);
+    assert_eq!(both(234), ["right face edge at the ear", "borda do rosto na orelha direita"]);
+    assert_eq!(both(101), ["right cheek 101", "bochecha direita 101"]);
+    assert!((0..LANDMARK_COUNT as u32).filter(|&v| has_anatomical_name(v)).count() >= 80);
+    assert!(midline().into_iter().all(has_anatomical_name));
+}
