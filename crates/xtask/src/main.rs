@@ -1,2 +1,60 @@
-//! Set-up, serve, dist, test and bench.
-fn main() {}
+//! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `test`, `bench`, `screenshots`.
+
+mod apt;
+mod browser;
+mod cache;
+mod debian;
+mod dist;
+mod failure;
+mod help;
+mod networks;
+mod npm;
+mod portrait;
+mod process;
+mod progress;
+mod serve;
+mod setup;
+mod size;
+mod toolchain;
+mod tools;
+mod versions;
+mod workspace;
+
+use failure::{Failure, Outcome};
+use std::process::ExitCode;
+use std::time::Instant;
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    match run(&arguments) {
+        Ok(code) => code,
+        Err(failure) => {
+            eprintln!("\n✗ {failure}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(arguments: &[String]) -> Outcome<ExitCode> {
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    match words.as_slice() {
+        ["setup"] => set_up(),
+        ["serve"] => serve::run(),
+        ["dist"] => dist::run(),
+        [] | ["help" | "-h" | "--help"] => {
+            print!("{}", help::TEXT);
+            Ok(ExitCode::SUCCESS)
+        }
+        unknown => {
+            let failure = Failure::new(format!("`{}` is no task", unknown.join(" ")));
+            Err(failure.advice("cargo xtask help lists the tasks"))
+        }
+    }
+}
+
+fn set_up() -> Outcome<ExitCode> {
+    let started = Instant::now();
+    setup::for_tests()?;
+    println!("Everything is in place ({}).", progress::elapsed(started.elapsed()));
+    Ok(ExitCode::SUCCESS)
+}

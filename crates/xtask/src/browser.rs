@@ -1,0 +1,85 @@
+//! The browser the tests drive: Chromium or Chrome, with the driver of the same version.
+
+use crate::failure::{Failure, Outcome};
+use crate::process::{Run, find_program};
+use crate::{apt, progress, versions};
+use std::ffi::OsString;
+use std::path::PathBuf;
+use std::time::Instant;
+
+const BROWSERS: [&str; 5] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"];
+const ELSEWHERE: [&str; 2] = [
+    "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
+    "/Applications/Chromium.app/Contents/MacOS/Chromium",
+];
+const DRIVERS: [&str; 1] = ["chromedriver"];
+
+/// Chooses the browser by hand.
+pub const BROWSER_VARIABLE: &str = "ROSTO_BROWSER";
+/// Chooses its driver by hand; wasm-pack reads it too.
+pub const DRIVER_VARIABLE: &str = "CHROMEDRIVER";
+
+/// A browser and its driver.
+#[derive(Clone, Debug)]
+pub struct Browser {
+    /// The browser's program.
+    pub program: PathBuf,
+    /// The driver's program; without one, wasm-pack fetches its own.
+    pub driver: Option<PathBuf>,
+}
+
+impl Browser {
+    /// Finds one, or installs Debian's.
+    pub fn obtain() -> Outcome<Self> {
+        if let Some(found) = Self::find().filter(|browser| browser.driver.is_some()) {
+            return Ok(found);
+        }
+        progress::announce("Chromium and its driver", "the tests run the page in it");
+        let started = Instant::now();
+        let installed = apt::install(&versions::DEBIAN_BROWSER);
+        match (Self::find(), installed) {
+            (Some(found), Ok(())) => {
+                progress::done("Chromium", started);
+                Ok(found)
+            }
+            (Some(found), Err(_)) => {
+                progress::note("there is a browser, but no chromedriver; wasm-pack will look for one itself");
+                Ok(found)
+            }
+            (None, outcome) => {
+                let failure = Failure::new("the tests need Chromium or Chrome, and there is none");
+                let failure =
+                    outcome.as_ref().err().map_or(failure, |cause| Failure::new("there is no browser").because(cause));
+                Err(failure
+                    .advice(format!("install one, or name it in {BROWSER_VARIABLE} (its driver: {DRIVER_VARIABLE})")))
+            }
+        }
+    }
+
+    /// What the environment of the journeys and of wasm-pack needs to use it.
+    pub fn variables(&self) -> Vec<(String, OsString)> {
+        let browser = (BROWSER_VARIABLE.to_owned(), self.program.clone().into_os_string());
+        let driver = self.driver.clone().map(|driver| (DRIVER_VARIABLE.to_owned(), driver.into_os_string()));
+        std::iter::once(browser).chain(driver).collect()
+    }
+
+    fn find() -> Option<Self> {
+        let program = named(BROWSER_VARIABLE)
+            .or_else(|| BROWSERS.into_iter().find_map(find_program))
+            .or_else(|| ELSEWHERE.into_iter().map(PathBuf::from).find(|file| file.is_file()))?;
+        let driver = named(DRIVER_VARIABLE).or_else(|| DRIVERS.into_iter().find_map(find_program));
+        let driver = driver.filter(|driver| major_version(driver) == major_version(&program));
+        Some(Self { program, driver })
+    }
+}
+
+fn named(variable: &str) -> Option<PathBuf> {
+    std::env::var_os(variable).map(PathBuf::from).filter(|file| file.is_file())
+}
+
+/// The first number with a dot behind it in what `--version` prints; `None` if it prints none.
+fn major_version(program: &PathBuf) -> Option<u32> {
+    let printed = Run::new(program).arg("--version").quietly().ok()?.checked().ok()?;
+    let version = printed.split_whitespace().find(|word| word.starts_with(|c: char| c.is_ascii_digit()))?;
+    version.split('.').next()?.parse().ok()
+}

@@ -1,0 +1,20 @@
+//! What `cargo xtask help` prints.
+
+/// The tasks and what each is for.
+pub const TEXT: &str = "\
+cargo xtask TASK
+
+  setup         obtain all that the tasks below need and that is missing
+  serve         build the page and serve it on 127.0.0.1:8080, or the next free port
+  dist          build the page for the web into dist/, and show its sizes
+  test [STEP…]  check and test everything, or only the named steps
+  bench         measure against the paper and the peers; --write updates docs/benchmarks.md
+  screenshots   take the pictures for the documentation from dist/
+  help          this text
+
+Every task first obtains what it needs. Tools go to $XDG_CACHE_HOME/rosto (by default ~/.cache/rosto) and are shared by
+all checkouts; nothing is fetched or built twice. Debian packages are installed only where something is missing.
+
+  ROSTO_BROWSER  the Chromium or Chrome that the tests drive
+  CHROMEDRIVER   its driver
+";

@@ -1,0 +1,48 @@
+//! The two networks the page serves: out of the published npm package, converted to ONNX once.
+
+use crate::failure::{Doing, Outcome};
+use crate::versions::{NETWORKS_PACKAGE, PACKED_NETWORKS};
+use crate::{cache, progress, workspace};
+use std::path::Path;
+use std::time::Instant;
+
+/// Names of the files below [`workspace::assets`].
+pub const FILES: [&str; 2] = ["face_detector.onnx", "face_landmarks.onnx"];
+
+const LOADER: &str = "face_mesh_solution_packed_assets_loader.js";
+/// Below the build folder: what the networks were made from, so that another package or converter makes them anew.
+const STAMP: &str = "xtask/networks-made-from";
+
+/// Writes both networks into `web/assets` unless they are there.
+pub fn obtain(node_modules: &Path) -> Outcome {
+    let assets = workspace::assets();
+    let package = node_modules.join(NETWORKS_PACKAGE);
+    let origin = format!("{}\n{}\n", PACKED_NETWORKS.sha256, converter_sha256()?);
+    let stamp = workspace::target().join(STAMP);
+    if std::fs::read_to_string(&stamp).is_ok_and(|made_from| made_from == origin)
+        && FILES.iter().all(|file| assets.join(file).is_file())
+    {
+        return Ok(());
+    }
+    progress::announce("face networks", "the page finds the face and its landmarks with them");
+    let started = Instant::now();
+    let packed = std::fs::read(cache::check(&package, &PACKED_NETWORKS)?).doing("reading the packed networks")?;
+    let loader = std::fs::read_to_string(package.join(LOADER)).doing("reading the list of the packed networks")?;
+    let networks = rosto_model_import::import(&loader, &packed).doing("converting the networks")?;
+    for (file, bytes) in FILES.iter().zip([networks.detector_onnx, networks.landmarks_onnx]) {
+        cache::write(&assets.join(file), bytes)?;
+    }
+    cache::write(&stamp, origin)?;
+    progress::done("face networks", started);
+    Ok(())
+}
+
+/// One sha256 over the sources of the converter.
+fn converter_sha256() -> Outcome<String> {
+    let folder = workspace::root().join("crates/model-import/src");
+    let entries = std::fs::read_dir(&folder).doing(format!("listing {}", folder.display()))?;
+    let mut files: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
+    files.sort();
+    let hashes = files.iter().map(|file| cache::sha256_of(file)).collect::<Outcome<Vec<_>>>()?;
+    Ok(cache::sha256(hashes.concat().as_bytes()))
+}

@@ -1,0 +1,98 @@
+//! The programs that build and test the page, each installed with cargo into the user's cache.
+
+use crate::failure::{Failure, Outcome};
+use crate::process::{Run, find_program};
+use crate::{cache, progress, versions, workspace};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+const BUILD_LIMIT: Duration = Duration::from_secs(3600);
+
+/// A program that comes from a crate.
+pub struct Tool {
+    package: &'static str,
+    version: String,
+    program: &'static str,
+    features: Features,
+    why: &'static str,
+}
+
+/// Which of a crate's features are compiled.
+enum Features {
+    Default,
+    /// Without TLS and update checks: the tool has nothing to fetch, all it calls is on PATH already.
+    None,
+}
+
+/// Builds the page.
+pub fn trunk() -> Tool {
+    let why = "it builds and serves the page";
+    Tool { package: "trunk", version: versions::TRUNK.to_owned(), program: "trunk", features: Features::None, why }
+}
+
+/// Writes the JavaScript side of the wasm modules; must be the version of the crate in `Cargo.lock`.
+pub fn wasm_bindgen() -> Outcome<Tool> {
+    let version = workspace::locked_version("wasm-bindgen")?;
+    let why = "it joins the WebAssembly modules to JavaScript";
+    Ok(Tool { package: "wasm-bindgen-cli", version, program: "wasm-bindgen", features: Features::Default, why })
+}
+
+/// Runs the wasm tests.
+pub fn wasm_pack() -> Tool {
+    let why = "it runs the WebAssembly tests in a browser";
+    let version = versions::WASM_PACK.to_owned();
+    Tool { package: "wasm-pack", version, program: "wasm-pack", features: Features::Default, why }
+}
+
+impl Tool {
+    /// The folder that holds the program, installed if it is not there yet.
+    pub fn obtain(&self) -> Outcome<PathBuf> {
+        let folder = cache::tool(self.package, &self.version)?;
+        let bin = folder.join("bin");
+        if bin.join(format!("{}{}", self.program, std::env::consts::EXE_SUFFIX)).is_file() {
+            return Ok(bin);
+        }
+        progress::announce(&format!("{} {}", self.package, self.version), self.why);
+        let started = Instant::now();
+        self.install(&folder).map_err(|cause| self.missing(&cause))?;
+        progress::done(self.package, started);
+        Ok(bin)
+    }
+
+    fn install(&self, folder: &std::path::Path) -> Outcome {
+        let target = cache::folder()?.join("build");
+        cache::build_folder(folder, |partial| {
+            // A light profile: these programs wait for compilers and browsers, they need not be fast themselves.
+            let install = Run::new("cargo")
+                .args(["install", self.package, "--version", &self.version, "--ignore-rust-version", "--root"])
+                .arg(partial)
+                .args(self.features.flags())
+                .env("CARGO_TARGET_DIR", &target)
+                .env("CARGO_PROFILE_RELEASE_LTO", "off")
+                .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1")
+                .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16")
+                .without_env("RUSTFLAGS")
+                .current_dir(partial);
+            install.within(BUILD_LIMIT).run()?.checked().map(|_| ())
+        })?;
+        cache::remove_folder(&target)
+    }
+
+    fn missing(&self, cause: &Failure) -> Failure {
+        let failure = Failure::new(format!("{} {} could not be installed", self.package, self.version)).because(cause);
+        let failure = failure.advice("check that cargo can reach its package registry, then run the command again");
+        if find_program("cc").is_none() {
+            return failure.advice("install a C linker first, on Debian: apt-get install build-essential");
+        }
+        failure.advice("a newer Rust may be needed: rustup update")
+    }
+}
+
+impl Features {
+    fn flags(&self) -> &'static [&'static str] {
+        match self {
+            Self::Default => &[],
+            Self::None => &["--no-default-features"],
+        }
+    }
+}
