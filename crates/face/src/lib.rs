@@ -6,13 +6,19 @@
 mod areas;
 mod canonical;
 mod contours;
+mod error;
+mod model;
 mod names;
+mod procrustes;
 mod regions;
 mod symmetry;
 mod tables;
 
 pub use canonical::{LANDMARK_COUNT, Triangulation, canonical_positions_m, canonical_uvs};
 pub use contours::oval;
+pub use error::FaceError;
+pub use model::{FaceInput, FaceModel};
 pub use names::{Language, has_anatomical_name, landmark_name};
 pub use regions::Region;
+pub use rosto_photo::Photo;
 pub use symmetry::{midline, mirror_of, mirror_pairs};
