@@ -1,11 +1,7 @@
 import { inEveryLanguage, isWord, say } from "../words/words.js";
 import { byId } from "./dom.js";
 
-/**
- * What went wrong, in the form in which both wasm modules throw it.
- *
- * @typedef {{ code: string, message: string, hint: string }} Trouble
- */
+/** @typedef {import("../worker/protocol.js").Trouble} Trouble */
 
 /** @type {Trouble | undefined} */
 let shown;

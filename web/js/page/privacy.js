@@ -11,21 +11,19 @@ export async function countRequests(/** @type {Promise<unknown>} */ loaded) {
   requestsSinceLoad = 0;
   write();
   const observer = new PerformanceObserver((list) => {
-    requestsSinceLoad = (requestsSinceLoad ?? 0) + list.getEntries().filter(wentOut).length;
+    requestsSinceLoad = (requestsSinceLoad ?? 0) + list.getEntries().filter(isRequest).length;
     write();
   });
   observer.observe({ type: "resource", buffered: false });
 }
 
 /**
- * Whether the entry is a request that left for a network: not a blob of the page's own, not an answer from a cache.
+ * Whether the entry is a request at all: the page's own blobs are listed beside them.
  *
  * @param {PerformanceEntry} entry
  */
-function wentOut(entry) {
-  if (!(entry instanceof PerformanceResourceTiming) || !entry.name.startsWith("http")) return false;
-  const ownFile = new URL(entry.name).origin === location.origin;
-  return !ownFile || entry.transferSize > 0;
+function isRequest(entry) {
+  return entry.name.startsWith("http");
 }
 
 function write() {

@@ -25,16 +25,23 @@ export class PhotoOverlay {
   /** @type {number | undefined} */
   #hovered;
 
-  /** @param {{ hover: (landmark: number | undefined) => void, choose: (landmark: number) => void }} told */
-  constructor(told) {
+  constructor() {
+    new ResizeObserver(() => this.#draw()).observe(byId("photo", HTMLDivElement));
+    inEveryLanguage(() => this.#writeCaption());
+  }
+
+  /**
+   * Tells which landmark the pointer is over, and which one is clicked.
+   *
+   * @param {{ hover: (landmark: number | undefined) => void, choose: (landmark: number) => void }} told
+   */
+  listen(told) {
     this.#canvas.addEventListener("pointermove", (event) => told.hover(this.#nearest(event)));
     this.#canvas.addEventListener("pointerleave", () => told.hover(undefined));
     this.#canvas.addEventListener("click", (event) => {
       const landmark = this.#nearest(event);
       if (landmark !== undefined) told.choose(landmark);
     });
-    new ResizeObserver(() => this.#draw()).observe(byId("photo", HTMLDivElement));
-    inEveryLanguage(() => this.#writeCaption());
   }
 
   /**

@@ -90,7 +90,7 @@ export class Workbench {
     const observer = new ResizeObserver(([entry]) => {
       if (!entry) return;
       const size = deviceSize(entry);
-      this.look((studio) => studio.resize(size.width_px, size.height_px));
+      this.look((studio) => studio.resize(size.width_px, size.height_px, devicePixelRatio));
     });
     observer.observe(this.canvas);
   }

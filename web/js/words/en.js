@@ -65,7 +65,7 @@ export const en = {
   "redone": "Redone",
   "was-reset": "All edits taken back",
   "history.empty": "Edits will be listed here.",
-  "history.edit": "{name}",
+  "history.takes-part": "Keep the edit of {name}",
 
   "paint": "Face painted with",
   "paint.photo": "Photo",
@@ -85,7 +85,11 @@ export const en = {
 
   "export.paint": "Paint in the file",
   "export.glb": "Download GLB",
-  "export.units": "glTF 2.0, in metres. The size comes from an average face; it is not measured.",
+  "export.scale": "glTF 2.0, in metres. The size comes from an average face; it is not measured.",
+  "export.units": "Numbers as JSON, in",
+  "export.units.mm": "Millimetres",
+  "export.units.image": "Image units",
+  "export.json": "Download JSON",
   "export.done": "{file} is in your downloads",
 
   "credits": "Credits and licences",

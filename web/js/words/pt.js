@@ -65,7 +65,7 @@ export const pt = {
   "redone": "Refeito",
   "was-reset": "Todas as edições foram retiradas",
   "history.empty": "As edições aparecem aqui.",
-  "history.edit": "{name}",
+  "history.takes-part": "Manter a edição: {name}",
 
   "paint": "Pintura do rosto",
   "paint.photo": "Foto",
@@ -85,7 +85,11 @@ export const pt = {
 
   "export.paint": "Pintura no arquivo",
   "export.glb": "Baixar GLB",
-  "export.units": "glTF 2.0, em metros. O tamanho vem de um rosto médio; não é uma medida.",
+  "export.scale": "glTF 2.0, em metros. O tamanho vem de um rosto médio; não é uma medida.",
+  "export.units": "Números em JSON, em",
+  "export.units.mm": "Milímetros",
+  "export.units.image": "Unidades da imagem",
+  "export.json": "Baixar JSON",
   "export.done": "{file} está nos seus downloads",
 
   "credits": "Créditos e licenças",

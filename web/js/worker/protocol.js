@@ -1,4 +1,10 @@
 /**
+ * What went wrong, in the form in which both wasm modules throw it.
+ *
+ * @typedef {{ code: string, message: string, hint: string }} Trouble
+ */
+
+/**
  * What the page and its worker say to each other. Every buffer is transferred, none is copied.
  *
  * @typedef {"decode" | "detect" | "landmarks"} Stage
@@ -20,10 +26,10 @@
  *
  * @typedef {{ type: "alive", lock: string }
  *   | { type: "ready" }
- *   | { type: "unusable", error: import("../page/notice.js").Trouble }
+ *   | { type: "unusable", error: Trouble }
  *   | { type: "progress", id: number, stage: Stage, fraction: number }
  *   | { type: "found", id: number, found: FoundFaces }
- *   | { type: "failed", id: number, error: import("../page/notice.js").Trouble }
+ *   | { type: "failed", id: number, error: Trouble }
  *   | { type: "trapped", id: number, message: string }} Reply
  */
 

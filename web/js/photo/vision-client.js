@@ -1,8 +1,8 @@
 /**
- * @typedef {import("./protocol.js").Request} Request
- * @typedef {import("./protocol.js").Reply} Reply
- * @typedef {import("./protocol.js").Stage} Stage
- * @typedef {import("./protocol.js").FoundFaces} FoundFaces
+ * @typedef {import("../worker/protocol.js").Request} Request
+ * @typedef {import("../worker/protocol.js").Reply} Reply
+ * @typedef {import("../worker/protocol.js").Stage} Stage
+ * @typedef {import("../worker/protocol.js").FoundFaces} FoundFaces
  * @typedef {{ resolve: (found: FoundFaces) => void, reject: (error: unknown) => void, report: (stage: Stage, fraction: number) => void }} Waiting
  */
 
@@ -41,7 +41,7 @@ export class VisionClient {
     if (this.#worker) return;
     this.#starts += 1;
     this.#isReady = false;
-    const worker = new Worker(new URL("./vision-worker.js", import.meta.url), { type: "module" });
+    const worker = new Worker(new URL("../worker/vision-worker.js", import.meta.url), { type: "module" });
     worker.addEventListener("message", (event) => this.#hear(worker, event.data));
     worker.addEventListener("error", (event) => {
       event.preventDefault();
@@ -125,7 +125,7 @@ export class VisionClient {
 
   /**
    * @param {Worker} worker
-   * @param {import("../page/notice.js").Trouble} error
+   * @param {import("../worker/protocol.js").Trouble} error
    */
   #bury(worker, error) {
     worker.terminate();

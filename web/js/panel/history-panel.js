@@ -1,0 +1,71 @@
+import { byId, enableAction, make, onAction } from "../page/dom.js";
+import { setUpEditKeys } from "../viewport/shortcuts.js";
+import { inEveryLanguage, language, say, sayNumber } from "../words/words.js";
+import { announce } from "./landmark-panel.js";
+
+/**
+ * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../viewport/workbench.js").StudioState} StudioState
+ * @typedef {import("../../wasm/rosto-studio-web.js").StudioEntry} StudioEntry
+ */
+
+/**
+ * The list of edits, undo, redo and reset.
+ *
+ * @param {Workbench} bench
+ */
+export function setUpHistoryPanel(bench) {
+  const undo = () => {
+    bench.act((studio) => studio.undo());
+    announce(say("undone"));
+  };
+  const redo = () => {
+    bench.act((studio) => studio.redo());
+    announce(say("redone"));
+  };
+  onAction("undo", undo);
+  onAction("redo", redo);
+  onAction("reset", () => {
+    bench.act((studio) => studio.reset());
+    announce(say("was-reset"));
+  });
+  setUpEditKeys({ undo, redo, cancel: () => bench.act((studio) => studio.cancel()) });
+  bench.onChange((state) => show(state, bench));
+  inEveryLanguage(() => bench.announce());
+}
+
+/**
+ * @param {StudioState} state
+ * @param {Workbench} bench
+ */
+function show(state, bench) {
+  const { entries } = state;
+  enableAction("undo", state.canUndo);
+  enableAction("redo", state.canRedo);
+  enableAction("reset", entries.length > 0);
+  byId("history-empty", HTMLParagraphElement).hidden = entries.length > 0;
+  byId("history", HTMLOListElement).replaceChildren(...entries.map((entry) => row(entry, bench)).reverse());
+}
+
+/**
+ * One edit: what it moved and how far, and whether it takes part.
+ *
+ * @param {StudioEntry} entry
+ * @param {Workbench} bench
+ */
+function row(entry, bench) {
+  const { index, vertex, enabled } = entry;
+  const name = bench.studio.landmarkName(vertex, language());
+  const item = make("li");
+  item.toggleAttribute("data-off", !enabled);
+  const takesPart = make("input");
+  takesPart.type = "checkbox";
+  takesPart.checked = enabled;
+  takesPart.setAttribute("aria-label", say("history.takes-part", { name }));
+  takesPart.addEventListener("change", () => {
+    bench.act((studio) => studio.setEntryEnabled(index, takesPart.checked));
+  });
+  const distance_mm = Math.hypot(entry.xMm, entry.yMm, entry.zMm);
+  item.append(takesPart, make("span", "what", `${name} · ${vertex}`), make("span", "how-much", `${sayNumber(distance_mm, 1)} mm`));
+  return item;
+}

@@ -1,0 +1,136 @@
+import { byId, make } from "../page/dom.js";
+import { inEveryLanguage, language, say, sayNumber } from "../words/words.js";
+import { Slider } from "./slider.js";
+
+/**
+ * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../viewport/workbench.js").StudioState} StudioState
+ */
+
+const LANDMARKS = 468;
+const REACH_MM = 40;
+const STEP_MM = 0.1;
+const AXES = /** @type {const} */ (["x", "y", "z"]);
+
+/** Choosing a landmark by name or number, and moving it in millimetres. */
+export class LandmarkPanel {
+  #search = byId("landmark-search", HTMLInputElement);
+  #help = byId("landmark-help", HTMLParagraphElement);
+  #sliders = AXES.map((axis) => this.#makeSlider(axis));
+  #kept_mm = [0, 0, 0];
+  #bench;
+
+  /** @param {Workbench} bench */
+  constructor(bench) {
+    this.#bench = bench;
+    byId("landmark-sliders", HTMLFieldSetElement).append(...this.#sliders.map((slider) => slider.element));
+    this.#search.addEventListener("change", () => this.#find(this.#search.value));
+    bench.onChange((state) => this.#show(state));
+    inEveryLanguage(() => this.#listNames());
+  }
+
+  /** @param {"x" | "y" | "z"} axis */
+  #makeSlider(axis) {
+    return new Slider({
+      label: `landmark.${axis}`,
+      longLabel: `landmark.${axis}.long`,
+      unit: "mm",
+      min: -REACH_MM,
+      max: REACH_MM,
+      step: STEP_MM,
+      neutral: 0,
+      axis,
+      onInput: () => this.#preview(),
+      onCommit: () => this.#commit(),
+      onCancel: () => this.#bench.act((studio) => studio.cancel()),
+    });
+  }
+
+  /** The sliders show the sum of the landmark's latest edits; an edit adds to what is there. */
+  #preview() {
+    const [dx_mm = 0, dy_mm = 0, dz_mm = 0] = this.#sliders.map((slider, axis) => slider.value - (this.#kept_mm[axis] ?? 0));
+    this.#bench.act((studio) => studio.preview(dx_mm, dy_mm, dz_mm));
+  }
+
+  #commit() {
+    this.#bench.act((studio) => studio.commit());
+    const [x = "", y = "", z = ""] = this.#sliders.map((slider) => sayNumber(slider.value, 1));
+    announce(say("landmark.moved", { name: this.#search.value, x, y, z }));
+  }
+
+  /** @param {string} text */
+  #find(text) {
+    const landmark = this.#landmarkOf(text.trim());
+    this.#search.toggleAttribute("aria-invalid", landmark === undefined);
+    if (landmark === undefined) {
+      this.#help.textContent = say("landmark.unknown", { text });
+      announce(this.#help.textContent);
+      return;
+    }
+    this.#bench.act((studio) => studio.select(landmark));
+    announce(say("landmark.selected", { name: this.#search.value }));
+  }
+
+  /** @param {string} text */
+  #landmarkOf(text) {
+    const wanted = text.toLocaleLowerCase();
+    for (let landmark = 0; landmark < LANDMARKS; landmark++) {
+      if (wanted === String(landmark) || wanted === this.#label(landmark)) return landmark;
+      if (wanted === this.#bench.studio.landmarkName(landmark, language())) return landmark;
+    }
+    return undefined;
+  }
+
+  /** @param {number} landmark */
+  #label(landmark) {
+    return `${this.#bench.studio.landmarkName(landmark, language())} · ${landmark}`;
+  }
+
+  #listNames() {
+    const options = Array.from({ length: LANDMARKS }, (_, landmark) => {
+      const option = make("option");
+      option.value = this.#label(landmark);
+      return option;
+    });
+    byId("landmark-names", HTMLDataListElement).replaceChildren(...options);
+  }
+
+  /** @param {StudioState} state */
+  #show(state) {
+    byId("landmark-sliders", HTMLFieldSetElement).disabled = state.selected === undefined;
+    if (document.activeElement !== this.#search) this.#help.textContent = say("landmark.help");
+    if (state.selected === undefined) return;
+    this.#search.value = this.#label(state.selected);
+    this.#search.removeAttribute("aria-invalid");
+    this.#kept_mm = keptOffset_mm(state);
+    const moving_mm = [state.offsetXMm, state.offsetYMm, state.offsetZMm];
+    for (const [axis, slider] of this.#sliders.entries()) {
+      slider.value = (this.#kept_mm[axis] ?? 0) + (moving_mm[axis] ?? 0);
+    }
+    const anchors = [...this.#bench.studio.anchors()].join(", ");
+    byId("landmark-anchors", HTMLParagraphElement).textContent = say("landmark.anchors", { list: anchors });
+  }
+}
+
+/**
+ * The sum of the latest edits in a row that moved the selected landmark.
+ *
+ * @param {StudioState} state
+ */
+function keptOffset_mm(state) {
+  const sum_mm = [0, 0, 0];
+  for (const { vertex, enabled, xMm, yMm, zMm } of state.entries.reverse()) {
+    if (vertex !== state.selected) break;
+    if (enabled) [xMm, yMm, zMm].forEach((offset, axis) => (sum_mm[axis] = (sum_mm[axis] ?? 0) + offset));
+  }
+  return sum_mm;
+}
+
+/**
+ * Says what happened to those who do not see it.
+ *
+ * @param {string} words
+ */
+export function announce(words) {
+  byId("landmark-said", HTMLParagraphElement).textContent = words;
+}

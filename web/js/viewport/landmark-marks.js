@@ -1,0 +1,73 @@
+import { byId } from "../page/dom.js";
+import { language } from "../words/words.js";
+import { setUpGestures } from "./gestures.js";
+
+/**
+ * @typedef {import("./workbench.js").Workbench} Workbench
+ * @typedef {import("../photo/photo-overlay.js").PhotoOverlay} PhotoOverlay
+ */
+
+/** Keeps the landmark's name beside it, and the same landmark marked on the photo and on the mesh. */
+export class LandmarkMarks {
+  #tag = byId("landmark-tag", HTMLOutputElement);
+  /** @type {number | undefined} */
+  #selected;
+  /** @type {number | undefined} */
+  #hovered;
+
+  /**
+   * @param {Workbench} bench
+   * @param {PhotoOverlay} overlay
+   */
+  constructor(bench, overlay) {
+    this.bench = bench;
+    this.overlay = overlay;
+    bench.onChange((state) => {
+      this.#selected = state.selected;
+      this.#write();
+    });
+    bench.onFrame(() => this.#place());
+    setUpGestures(bench, {
+      pick: (x_px, y_px) => bench.act((studio) => studio.select(studio.pick(x_px, y_px))),
+      hover: (x_px, y_px) => bench.look((studio) => this.#name(studio.hover(x_px, y_px))),
+      leave: () => this.hover(undefined),
+    });
+    overlay.listen({ hover: (landmark) => this.hover(landmark), choose: (landmark) => bench.act((studio) => studio.select(landmark)) });
+  }
+
+  /**
+   * Marks a landmark that the pointer is over, on the photo or nowhere.
+   *
+   * @param {number | undefined} landmark
+   */
+  hover(landmark) {
+    this.bench.look((studio) => studio.hoverVertex(landmark));
+    this.#name(landmark);
+  }
+
+  /** @param {number | undefined} landmark */
+  #name(landmark) {
+    if (landmark === this.#hovered) return;
+    this.#hovered = landmark;
+    this.bench.canvas.classList.toggle("over-landmark", landmark !== undefined);
+    this.#write();
+  }
+
+  #write() {
+    this.overlay.mark(this.#selected, this.#hovered);
+    const named = this.#hovered ?? this.#selected;
+    this.#tag.hidden = named === undefined;
+    if (named !== undefined) this.#tag.textContent = `${this.bench.studio.landmarkName(named, language())} · ${named}`;
+    this.#place();
+  }
+
+  #place() {
+    const named = this.#hovered ?? this.#selected;
+    if (named === undefined) return;
+    const place = this.bench.studio.screenPosition(named);
+    if (!place) return;
+    const ratio = devicePixelRatio;
+    this.#tag.style.translate = `${Math.round(place.x / ratio + 12)}px ${Math.round(place.y / ratio - 28)}px`;
+    place.free();
+  }
+}
