@@ -1,0 +1,121 @@
+use rosto_mesh::Topology;
+
+use crate::{LaplacianError, Region};
+
+/// How firmly handles and anchors are held to their places.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Hold {
+    /// `weight·‖x'ᵢ − target‖²` joins what is minimised; the paper's weight is 1.
+    Soft {
+        /// Positive; the greater, the firmer.
+        weight: f64,
+    },
+    /// Handles land on their targets and anchors stay.
+    Exact,
+}
+
+impl Default for Hold {
+    fn default() -> Self {
+        Self::Soft { weight: 1.0 }
+    }
+}
+
+impl Hold {
+    /// `1/weight`: 0 for an exact hold.
+    pub(crate) fn compliance(self) -> f64 {
+        match self {
+            Self::Soft { weight } => weight.recip(),
+            Self::Exact => 0.0,
+        }
+    }
+}
+
+/// Which vertices are moved, which are held, how firmly, and how far the edit may reach.
+///
+/// Every component of the mesh that has a handle needs an anchor; a component without a handle stays as it is.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Constraints<'a> {
+    /// Vertices that are given an offset, each once.
+    pub handles: &'a [u32],
+    /// Vertices that are to stay, each once, none of them a handle.
+    pub anchors: &'a [u32],
+    /// How firmly both are held.
+    pub hold: Hold,
+    /// Where the edit fades out; `None` reaches everywhere.
+    pub region: Option<&'a Region>,
+}
+
+impl Constraints<'_> {
+    /// Handles first, then anchors.
+    pub(crate) fn held(&self) -> Vec<u32> {
+        self.handles.iter().chain(self.anchors).copied().collect()
+    }
+
+    /// Refuses what has no answer; `component` names each vertex's component.
+    pub(crate) fn check(&self, component: &[u32]) -> Result<(), LaplacianError> {
+        self.check_vertices(component.len())?;
+        self.check_hold()?;
+        self.check_region(component.len())?;
+        let anchored = |handle: &&u32| {
+            self.anchors.iter().any(|&anchor| component[anchor as usize] == component[**handle as usize])
+        };
+        match self.handles.iter().find(|handle| !anchored(handle)) {
+            Some(&handle) => Err(LaplacianError::Unanchored { handle }),
+            None => Ok(()),
+        }
+    }
+
+    fn check_vertices(&self, vertex_count: usize) -> Result<(), LaplacianError> {
+        if self.handles.is_empty() {
+            return Err(LaplacianError::NoHandle);
+        }
+        if let Some(&vertex) = self.handles.iter().chain(self.anchors).find(|&&v| v as usize >= vertex_count) {
+            return Err(LaplacianError::NoSuchVertex { vertex, vertex_count });
+        }
+        let mut is_handle = vec![false; vertex_count];
+        for &vertex in self.handles {
+            if std::mem::replace(&mut is_handle[vertex as usize], true) {
+                return Err(LaplacianError::Repeated { vertex });
+            }
+        }
+        let mut is_anchor = vec![false; vertex_count];
+        for &vertex in self.anchors {
+            if is_handle[vertex as usize] {
+                return Err(LaplacianError::PinnedHandle { vertex });
+            }
+            if std::mem::replace(&mut is_anchor[vertex as usize], true) {
+                return Err(LaplacianError::Repeated { vertex });
+            }
+        }
+        Ok(())
+    }
+
+    fn check_hold(&self) -> Result<(), LaplacianError> {
+        match self.hold {
+            Hold::Soft { weight } if !(weight > 0.0 && weight.is_finite()) => Err(LaplacianError::Weight { weight }),
+            _ => Ok(()),
+        }
+    }
+
+    fn check_region(&self, vertex_count: usize) -> Result<(), LaplacianError> {
+        let Some(falloff) = self.region.map(Region::falloff) else { return Ok(()) };
+        if falloff.len() != vertex_count {
+            return Err(LaplacianError::LengthMismatch { expected: vertex_count, found: falloff.len() });
+        }
+        match self.handles.iter().find(|&&handle| falloff[handle as usize] == 0.0) {
+            Some(&handle) => Err(LaplacianError::OutsideRegion { handle }),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Refuses positions that do not fit the mesh or are not numbers.
+pub(crate) fn check_positions(topology: &Topology, positions: &[glam::DVec3]) -> Result<(), LaplacianError> {
+    if positions.len() != topology.vertex_count() {
+        return Err(LaplacianError::LengthMismatch { expected: topology.vertex_count(), found: positions.len() });
+    }
+    match positions.iter().position(|position| !position.is_finite()) {
+        Some(vertex) => Err(LaplacianError::NotFinite { vertex: vertex as u32 }),
+        None => Ok(()),
+    }
+}

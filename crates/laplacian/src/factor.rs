@@ -1,0 +1,200 @@
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::LltError;
+use faer::sparse::linalg::SupernodalThreshold;
+use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
+use faer::sparse::linalg::cholesky::{
+    CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
+};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::{Par, Side};
+use nalgebra_sparse::CsrMatrix;
+
+use crate::LaplacianError;
+use crate::kernels::{dot, subtract_scaled};
+
+/// A sparse symmetric positive definite matrix `A`, kept as `P A Pᵀ = L Lᵀ` with a fill-reducing order `P`.
+///
+/// `L` is stored by supernodes: runs of columns with one pattern, each a dense panel. faer factors; the solves are done
+/// here, because a unit right-hand side touches only the path from its supernode to the root of the elimination tree,
+/// which makes the forward half of such a solve nearly free.
+pub(crate) struct Factor {
+    symbolic: SymbolicCholesky<usize>,
+    values: Vec<f64>,
+    /// For each vertex, its row in `L`.
+    row_of: Vec<usize>,
+    /// For each row of `L`, its supernode.
+    supernode_of: Vec<usize>,
+}
+
+/// `L⁻¹ P e_v` for one vertex `v`: its values along the path from the supernode of `v` to the root, end to end.
+///
+/// Paths that meet go on together, so that two columns overlap in a common tail and nowhere else.
+pub(crate) struct HalfSolved {
+    path: Vec<usize>,
+    values: Vec<f64>,
+}
+
+/// Columns `start..start + width` of `L`: column-major, first the rows of the diagonal block, then those of `pattern`.
+struct Panel<'a> {
+    start: usize,
+    width: usize,
+    pattern: &'a [usize],
+    values: &'a [f64],
+}
+
+impl Factor {
+    /// Orders by approximate minimum degree and factors.
+    ///
+    /// # Errors
+    /// [`LaplacianError::BadlyScaled`] where a pivot is not positive.
+    pub(crate) fn new(matrix: &CsrMatrix<f64>) -> Result<Self, LaplacianError> {
+        let symbolic = order(matrix);
+        let values = factorize(matrix, &symbolic)?;
+        let row_of = symbolic.perm().expect("invariant: an order was asked for").arrays().1.to_vec();
+        let supernodes = supernodes(&symbolic);
+        let widths =
+            supernodes.supernode_begin().iter().zip(supernodes.supernode_end()).map(|(begin, end)| end - begin);
+        let supernode_of = widths.enumerate().flat_map(|(s, width)| std::iter::repeat_n(s, width)).collect();
+        Ok(Self { values, row_of, supernode_of, symbolic })
+    }
+
+    /// `L⁻¹ P e_v`. `work` has a zero for each vertex, and is handed back so.
+    pub(crate) fn half_solve(&self, vertex: u32, work: &mut [f64]) -> HalfSolved {
+        let row = self.row_of[vertex as usize];
+        work[row] = 1.0;
+        let mut half = HalfSolved { path: Vec::new(), values: Vec::new() };
+        let mut next = Some(self.supernode_of[row]);
+        while let Some(s) = next {
+            let panel = self.panel(s);
+            panel.eliminate(work);
+            let own = &mut work[panel.start..panel.start + panel.width];
+            half.path.push(s);
+            half.values.extend_from_slice(own);
+            own.fill(0.0);
+            next = panel.pattern.first().map(|&row| self.supernode_of[row]);
+        }
+        half
+    }
+
+    /// `e_vᵀ A⁻¹ e_w` from the half-solved unit vectors of `v` and `w`.
+    pub(crate) fn inverse_entry(&self, v: &HalfSolved, w: &HalfSolved) -> f64 {
+        let from_root = v.path.iter().rev().zip(w.path.iter().rev());
+        let common: usize = from_root.take_while(|(s, t)| s == t).map(|(&s, _)| self.panel(s).width).sum();
+        dot(&v.values[v.values.len() - common..], &w.values[w.values.len() - common..])
+    }
+
+    /// Writes `A⁻¹ Σ cₖ e_{vₖ}` to `out`, from the half-solved `e_{vₖ}` and their `cₖ`; one backward solve.
+    pub(crate) fn finish<'a>(&self, terms: impl Iterator<Item = (&'a HalfSolved, f64)>, out: &mut [f64]) {
+        let mut work = vec![0.0; out.len()];
+        for (half, coefficient) in terms {
+            let mut values = half.values.as_slice();
+            for &s in &half.path {
+                let panel = self.panel(s);
+                let (own, rest) = values.split_at(panel.width);
+                subtract_scaled(&mut work[panel.start..panel.start + panel.width], -coefficient, own);
+                values = rest;
+            }
+        }
+        self.backward(&mut work);
+        for (value, &row) in out.iter_mut().zip(&self.row_of) {
+            *value = work[row];
+        }
+    }
+
+    fn backward(&self, work: &mut [f64]) {
+        let mut gathered = Vec::new();
+        for s in (0..supernodes(&self.symbolic).n_supernodes()).rev() {
+            self.panel(s).substitute(work, &mut gathered);
+        }
+    }
+
+    fn panel(&self, s: usize) -> Panel<'_> {
+        let all = supernodes(&self.symbolic);
+        let begin = all.supernode_begin()[s];
+        Panel {
+            start: begin,
+            width: all.supernode_end()[s] - begin,
+            pattern: all.supernode(s).pattern(),
+            values: &self.values[all.col_ptr_for_val()[s]..all.col_ptr_for_val()[s + 1]],
+        }
+    }
+}
+
+impl Panel<'_> {
+    /// One step of `x ← L⁻¹ x`.
+    fn eliminate(&self, x: &mut [f64]) {
+        let height = self.width + self.pattern.len();
+        for (j, column) in self.values.chunks_exact(height).enumerate() {
+            let row = self.start + j;
+            x[row] /= column[j];
+            let value = x[row];
+            subtract_scaled(&mut x[row + 1..self.start + self.width], value, &column[j + 1..self.width]);
+            for (&row, &entry) in self.pattern.iter().zip(&column[self.width..]) {
+                x[row] -= entry * value;
+            }
+        }
+    }
+
+    /// One step of `x ← L⁻ᵀ x`; `gathered` is scratch.
+    fn substitute(&self, x: &mut [f64], gathered: &mut Vec<f64>) {
+        let height = self.width + self.pattern.len();
+        gathered.clear();
+        gathered.extend(self.pattern.iter().map(|&row| x[row]));
+        for (j, column) in self.values.chunks_exact(height).enumerate().rev() {
+            let row = self.start + j;
+            let below = dot(&column[j + 1..self.width], &x[row + 1..self.start + self.width]);
+            x[row] = (x[row] - below - dot(&column[self.width..], gathered)) / column[j];
+        }
+    }
+}
+
+/// The symbolic half: it looks at the pattern only, and always chooses supernodes.
+fn order(matrix: &CsrMatrix<f64>) -> SymbolicCholesky<usize> {
+    let params = CholeskySymbolicParams {
+        // Below zero: even a diagonal matrix, which costs nothing to factor, is to be stored by supernodes.
+        supernodal_flop_ratio_threshold: SupernodalThreshold(-1.0),
+        ..Default::default()
+    };
+    factorize_symbolic_cholesky(pattern(matrix), Side::Lower, SymmetricOrdering::Amd, params)
+        .expect("invariant: the pattern fits in memory and its indices in usize")
+}
+
+fn factorize(matrix: &CsrMatrix<f64>, symbolic: &SymbolicCholesky<usize>) -> Result<Vec<f64>, LaplacianError> {
+    let mut values = vec![0.0; symbolic.len_val()];
+    let scratch = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
+    let mut memory = MemBuffer::new(scratch);
+    let outcome = symbolic.factorize_numeric_llt(
+        &mut values,
+        SparseColMatRef::new(pattern(matrix), matrix.values()),
+        Side::Lower,
+        Default::default(),
+        Par::Seq,
+        MemStack::new(&mut memory),
+        Default::default(),
+    );
+    match outcome {
+        Ok(_) => Ok(values),
+        Err(LltError::NonPositivePivot { index }) => {
+            let order = symbolic.perm().expect("invariant: an order was asked for");
+            Err(LaplacianError::BadlyScaled { vertex: order.arrays().0[index] as u32 })
+        }
+    }
+}
+
+/// A symmetric matrix has the same rows as columns, so that faer reads nalgebra's storage as it is.
+fn pattern(matrix: &CsrMatrix<f64>) -> SymbolicSparseColMatRef<'_, usize> {
+    SymbolicSparseColMatRef::new_checked(
+        matrix.nrows(),
+        matrix.ncols(),
+        matrix.row_offsets(),
+        None,
+        matrix.col_indices(),
+    )
+}
+
+fn supernodes(symbolic: &SymbolicCholesky<usize>) -> &SymbolicSupernodalCholesky<usize> {
+    match symbolic.raw() {
+        SymbolicCholeskyRaw::Supernodal(supernodes) => supernodes,
+        SymbolicCholeskyRaw::Simplicial(_) => unreachable!("invariant: supernodes were asked for"),
+    }
+}

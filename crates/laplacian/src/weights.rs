@@ -1,0 +1,70 @@
+//! Edge weights, one for each of [`Topology::edges`], for the operators of the form `diag(W·1) − W`.
+
+use glam::DVec3;
+use rosto_mesh::Topology;
+
+/// How far a length may be from the mean before its weight stops changing.
+const MAX_LENGTH_RATIO: f64 = 20.0;
+
+/// Area over the square of the longest side under which a triangle counts as degenerate.
+const MIN_SHAPE: f64 = 0.01;
+
+pub(crate) fn uniform(topology: &Topology) -> Vec<f64> {
+    vec![1.0; topology.edges().len()]
+}
+
+pub(crate) fn by_degree(topology: &Topology) -> Vec<f64> {
+    let ends = |&[a, b]: &[u32; 2]| (topology.degree(a) + topology.degree(b)) as f64;
+    let sums: Vec<f64> = topology.edges().iter().map(ends).collect();
+    let used = (0..topology.vertex_count() as u32).filter(|&vertex| topology.degree(vertex) > 0).count();
+    let mean_degree = 2.0 * sums.len() as f64 / used as f64;
+    sums.into_iter().map(|sum| sum / (2.0 * mean_degree)).collect()
+}
+
+pub(crate) fn by_inverse_length(topology: &Topology, positions: &[DVec3]) -> Vec<f64> {
+    let scale = unit_scale(positions);
+    let length = |&[a, b]: &[u32; 2]| (positions[a as usize] * scale).distance(positions[b as usize] * scale);
+    let lengths: Vec<f64> = topology.edges().iter().map(length).collect();
+    let mean = lengths.iter().sum::<f64>() / lengths.len() as f64;
+    let weight = |length: f64| (mean / length).clamp(1.0 / MAX_LENGTH_RATIO, MAX_LENGTH_RATIO);
+    lengths.into_iter().map(|length| if mean > 0.0 { weight(length) } else { 1.0 }).collect()
+}
+
+/// Sums each triangle's share `½ cot` of the corner opposite, which is `e·f / 4A` for the sides `e, f` at that corner.
+///
+/// Where a triangle's area `A` falls under `A' = MIN_SHAPE · longest²`, its share is blended as
+/// `(A/A')·cotangent-with-A' + (1 − A/A')·uniform`: continuous, and positive semi-definite for every shape.
+pub(crate) fn cotangent(topology: &Topology, positions: &[DVec3]) -> Vec<f64> {
+    let scale = unit_scale(positions);
+    let mut weights = vec![0.0; topology.edges().len()];
+    for &corners in topology.triangles() {
+        let shares = triangle_shares(corners.map(|corner| positions[corner as usize] * scale));
+        for (k, share) in shares.into_iter().enumerate() {
+            let [a, b] = [corners[(k + 1) % 3], corners[(k + 2) % 3]];
+            let edge = topology.edges().binary_search(&[a.min(b), a.max(b)]);
+            weights[edge.expect("invariant: a triangle's sides are edges")] += share;
+        }
+    }
+    weights
+}
+
+/// What a triangle adds to the weight of the side opposite each of its corners.
+fn triangle_shares(corners: [DVec3; 3]) -> [f64; 3] {
+    let sides = [0, 1, 2].map(|k| corners[(k + 2) % 3] - corners[(k + 1) % 3]);
+    let longest = sides.iter().map(|side| side.length_squared()).fold(0.0, f64::max);
+    if longest == 0.0 {
+        return [0.5; 3];
+    }
+    let sides = sides.map(|side| side / longest.sqrt());
+    let area = 0.5 * sides[0].cross(sides[1]).length();
+    let trust = (area / MIN_SHAPE).min(1.0);
+    let cotangent = |k: usize| -sides[(k + 1) % 3].dot(sides[(k + 2) % 3]) / (2.0 * area.max(MIN_SHAPE));
+    [0, 1, 2].map(|k| 0.5 * (trust * cotangent(k) + (1.0 - trust)))
+}
+
+/// A factor that brings positions to about unit size, so that squares neither overflow nor vanish.
+fn unit_scale(positions: &[DVec3]) -> f64 {
+    let greatest = positions.iter().map(|position| position.abs().max_element()).fold(0.0, f64::max);
+    let scale = greatest.recip();
+    if scale.is_finite() { scale } else { 1.0 }
+}
