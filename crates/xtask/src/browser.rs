@@ -77,9 +77,27 @@ fn named(variable: &str) -> Option<PathBuf> {
     std::env::var_os(variable).map(PathBuf::from).filter(|file| file.is_file())
 }
 
-/// The first number with a dot behind it in what `--version` prints; `None` if it prints none.
+/// What stands before the first dot of the version that `--version` prints; `None` if it prints none.
 fn major_version(program: &PathBuf) -> Option<u32> {
     let printed = Run::new(program).arg("--version").quietly().ok()?.checked().ok()?;
-    let version = printed.split_whitespace().find(|word| word.starts_with(|c: char| c.is_ascii_digit()))?;
-    version.split('.').next()?.parse().ok()
+    major_version_in(&printed)
+}
+
+fn major_version_in(printed: &str) -> Option<u32> {
+    // A start script may print complaints of its own around the version.
+    let mut versions = printed.split_whitespace().filter(|word| word.split('.').count() == 4);
+    versions.find_map(|version| version.split('.').next()?.parse().ok())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reads_the_major_version_of_browser_and_driver() {
+        let browser = "/usr/bin/chromium: 9: [: 252: unexpected operator\nChromium 156.0.8078.79 built on Debian\n";
+        assert_eq!(major_version_in(browser), Some(156));
+        assert_eq!(major_version_in("ChromeDriver 155.0.1.2 (a21ce95)"), Some(155));
+        assert_eq!(major_version_in("no such thing"), None);
+    }
 }

@@ -15,6 +15,7 @@ mod progress;
 mod serve;
 mod setup;
 mod size;
+mod test;
 mod toolchain;
 mod tools;
 mod versions;
@@ -41,6 +42,7 @@ fn run(arguments: &[String]) -> Outcome<ExitCode> {
         ["setup"] => set_up(),
         ["serve"] => serve::run(),
         ["dist"] => dist::run(),
+        ["test", steps @ ..] => test::run(steps),
         [] | ["help" | "-h" | "--help"] => {
             print!("{}", help::TEXT);
             Ok(ExitCode::SUCCESS)

@@ -116,13 +116,6 @@ impl Run {
         self.run_with(|_| ())
     }
 
-    /// Runs it with the terminal's own input and output, as a program the user talks to.
-    pub fn attached(mut self) -> Outcome<bool> {
-        self.command.stdin(Stdio::inherit());
-        let status = self.command.status().map_err(|error| not_started(&self.shown, &error))?;
-        Ok(status.success())
-    }
-
     /// Starts it beside this program, with this program's output.
     pub fn spawn(mut self) -> Outcome<Child> {
         self.command.spawn().map_err(|error| not_started(&self.shown, &error))

@@ -43,7 +43,7 @@ impl Kit {
         let found = find_in(&path, program.as_ref());
         let run = Run::new(found.as_deref().unwrap_or(Path::new(program.as_ref())));
         let browser = self.browser.iter().flat_map(Browser::variables).collect::<Vec<_>>();
-        let run = run.env("PATH", path).envs(&self.toolchain.variables()).envs(&browser);
+        let run = run.without_env("CARGO").env("PATH", path).envs(&self.toolchain.variables()).envs(&browser);
         Ok(run.current_dir(workspace::root()))
     }
 

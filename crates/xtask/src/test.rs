@@ -1,0 +1,50 @@
+//! `cargo xtask test`: every check of the workspace, one closing line.
+//!
+//! All steps run even when one fails; what a failing step printed is shown in full.
+
+mod counts;
+mod steps;
+
+use crate::failure::{Failure, Outcome};
+use crate::{progress, setup};
+use counts::Counts;
+use std::process::ExitCode;
+use std::time::Instant;
+use steps::{Report, Step};
+
+/// Runs all steps, or those named, and closes with one line `N passed, N failed`.
+pub fn run(wanted: &[&str]) -> Outcome<ExitCode> {
+    let all = steps::all()?;
+    let chosen = choose(all, wanted)?;
+    let total = match setup::for_tests() {
+        Ok(kit) => chosen.into_iter().map(|step| run_step(&kit, step)).fold(Counts::default(), Counts::plus),
+        Err(failure) => {
+            println!("✗ set-up: {failure}");
+            Counts { passed: 0, failed: 1 }
+        }
+    };
+    println!("\n{} passed, {} failed", total.passed, total.failed);
+    Ok(if total.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+fn choose(all: Vec<Step>, wanted: &[&str]) -> Outcome<Vec<Step>> {
+    let unknown = wanted.iter().find(|name| !all.iter().any(|step| step.is_called(name)));
+    if let Some(name) = unknown {
+        let names: Vec<&str> = all.iter().map(|step| step.name.as_str()).collect();
+        return Err(Failure::new(format!("`{name}` is no step")).advice(format!("the steps are {}", names.join(", "))));
+    }
+    Ok(all.into_iter().filter(|step| wanted.is_empty() || wanted.iter().any(|name| step.is_called(name))).collect())
+}
+
+fn run_step(kit: &setup::Kit, step: Step) -> Counts {
+    println!("▸ {} ({})", step.name, step.what);
+    let started = Instant::now();
+    let report = (step.work)(kit).unwrap_or_else(|failure| Report::failed(failure.to_string()));
+    let Counts { passed, failed } = report.counts;
+    let mark = if failed == 0 { "✓" } else { "✗" };
+    if failed > 0 {
+        println!("{}", report.output.trim_end());
+    }
+    println!("  {mark} {}: {passed} passed, {failed} failed, {}", step.name, progress::elapsed(started.elapsed()));
+    report.counts
+}

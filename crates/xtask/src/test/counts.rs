@@ -1,0 +1,109 @@
+//! How many tests passed and failed, read from what the runners print.
+
+/// Numbers of tests.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Tests that passed.
+    pub passed: usize,
+    /// Tests that failed.
+    pub failed: usize,
+}
+
+impl Counts {
+    /// The sum of both.
+    pub fn plus(self, other: Self) -> Self {
+        Self { passed: self.passed + other.passed, failed: self.failed + other.failed }
+    }
+
+    /// One check that succeeded or did not.
+    pub fn of_one(success: bool) -> Self {
+        Self { passed: usize::from(success), failed: usize::from(!success) }
+    }
+
+    /// What a test runner's output and exit status say together.
+    ///
+    /// A runner that fails without a failed test (it did not compile, or died) counts as one failure, and so does one
+    /// that ran no test at all.
+    pub fn of_runner(success: bool, output: &str) -> Self {
+        let counts = read(output);
+        let silent_failure = counts.failed == 0 && (!success || counts.passed == 0);
+        counts.plus(Self { passed: 0, failed: usize::from(silent_failure) })
+    }
+}
+
+/// Sums the closing lines of libtest and wasm-bindgen-test, nextest, node's runner, and plain `N passed, N failed`.
+pub fn read(output: &str) -> Counts {
+    output.lines().map(|line| of_line(&without_colour(line))).fold(Counts::default(), Counts::plus)
+}
+
+fn of_line(line: &str) -> Counts {
+    let line = line.trim();
+    if line.starts_with("test result:") || line.starts_with("Summary [") || is_plain(line) {
+        return Counts { passed: before(line, "passed"), failed: before(line, "failed") + before(line, "timed out") };
+    }
+    match line.trim_start_matches(['#', 'ℹ']).trim().split_once(' ') {
+        Some(("pass", number)) if line.starts_with(['#', 'ℹ']) => {
+            Counts { passed: number.parse().unwrap_or(0), failed: 0 }
+        }
+        Some(("fail", number)) if line.starts_with(['#', 'ℹ']) => {
+            Counts { passed: 0, failed: number.parse().unwrap_or(0) }
+        }
+        _ => Counts::default(),
+    }
+}
+
+fn is_plain(line: &str) -> bool {
+    line.starts_with(|first: char| first.is_ascii_digit()) && line.contains(" passed, ") && line.contains(" failed")
+}
+
+/// The number in front of a word, 0 if the word is not there.
+fn before(line: &str, word: &str) -> usize {
+    let Some(at) = line.find(&format!(" {word}")) else { return 0 };
+    let number = line[..at].rsplit(|c: char| !c.is_ascii_digit()).next().unwrap_or("");
+    number.parse().unwrap_or(0)
+}
+
+fn without_colour(line: &str) -> String {
+    let mut parts = line.split('\u{1b}');
+    let first = parts.next().unwrap_or("").to_owned();
+    parts.fold(first, |text, part| text + part.split_once('m').map_or("", |(_, rest)| rest))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_the_closing_lines_of_libtest() {
+        let output = "running 3 tests\n\
+            test result: ok. 3 passed; 0 failed; 1 ignored; 0 measured; 0 filtered out; finished in 0.00s\n\
+            test result: FAILED. 4 passed; 2 failed; 0 ignored; 0 measured; 0 filtered out; finished in 0.01s\n";
+        assert_eq!(read(output), Counts { passed: 7, failed: 2 });
+    }
+
+    #[test]
+    fn reads_nextest() {
+        let output = "     Summary [   0.025s] 31 tests run: 28 passed (1 slow), 2 failed, 1 timed out, 4 skipped";
+        assert_eq!(read(output), Counts { passed: 28, failed: 3 });
+        assert_eq!(read("     Summary [   0.02s] 8 tests run: 8 passed, 0 skipped"), Counts { passed: 8, failed: 0 });
+    }
+
+    #[test]
+    fn reads_node_in_both_reporters() {
+        assert_eq!(read("# tests 5\n# pass 4\n# fail 1\n"), Counts { passed: 4, failed: 1 });
+        assert_eq!(read("ℹ tests 5\nℹ pass 4\nℹ fail 1\n"), Counts { passed: 4, failed: 1 });
+    }
+
+    #[test]
+    fn reads_the_plain_line_through_colours() {
+        assert_eq!(read("\u{1b}[32m12 passed, 1 failed\u{1b}[0m"), Counts { passed: 12, failed: 1 });
+    }
+
+    #[test]
+    fn a_runner_that_fails_silently_or_runs_nothing_has_failed() {
+        assert_eq!(Counts::of_runner(false, "error: could not compile"), Counts { passed: 0, failed: 1 });
+        assert_eq!(Counts::of_runner(true, "0 passed, 0 failed"), Counts { passed: 0, failed: 1 });
+        assert_eq!(Counts::of_runner(true, "2 passed, 0 failed"), Counts { passed: 2, failed: 0 });
+        assert_eq!(Counts::of_runner(false, "2 passed, 1 failed"), Counts { passed: 2, failed: 1 });
+    }
+}

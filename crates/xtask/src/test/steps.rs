@@ -1,0 +1,212 @@
+//! What is checked, in which order, by which program.
+//!
+//! The order keeps quick checks first and lets later steps use what earlier ones built: the page built for the web
+//! carries the types that tsc reads and is what the journeys visit.
+
+use super::counts::{self, Counts};
+use crate::browser::Browser;
+use crate::failure::{Doing, Outcome};
+use crate::process::{Run, find_program};
+use crate::setup::Kit;
+use crate::toolchain::WASM;
+use crate::{dist, size, workspace};
+use std::time::Duration;
+
+/// One step of the tests.
+pub struct Step {
+    /// Its name on the command line.
+    pub name: String,
+    /// What it checks, for the reader of the log.
+    pub what: &'static str,
+    /// Does it.
+    pub work: Work,
+}
+
+/// What a step does; `Err` if a program it needs could not be started.
+type Work = Box<dyn FnOnce(&Kit) -> Outcome<Report>>;
+
+/// What came of a step.
+pub struct Report {
+    /// Its tests; a check without tests of its own counts as one.
+    pub counts: Counts,
+    /// All it printed.
+    pub output: String,
+}
+
+const STEP_LIMIT: Duration = Duration::from_secs(3600);
+/// Set for rustdoc and clippy alike: a warning is an error.
+const DENY: [&str; 2] = ["-D", "warnings"];
+const WASM_TEST_LIMIT_S: &str = "600";
+
+impl Step {
+    /// Whether the command line means this step: by its name, or by the part before the colon.
+    pub fn is_called(&self, name: &str) -> bool {
+        self.name == name || self.name.split(':').next() == Some(name)
+    }
+
+    fn new(name: impl Into<String>, what: &'static str, work: impl FnOnce(&Kit) -> Outcome<Report> + 'static) -> Self {
+        Self { name: name.into(), what, work: Box::new(work) }
+    }
+}
+
+impl Report {
+    /// A step that could not be carried out.
+    pub fn failed(output: String) -> Self {
+        Self { counts: Counts::of_one(false), output }
+    }
+
+    fn passed() -> Self {
+        Self { counts: Counts::of_one(true), output: String::new() }
+    }
+}
+
+/// All steps in their order.
+pub fn all() -> Outcome<Vec<Step>> {
+    let web = crates_where(|name, _| name.ends_with("-web"))?;
+    let tested_on_wasm = crates_where(|_, manifest| manifest.contains("wasm-bindgen-test"))?;
+    let mut steps = vec![
+        Step::new("format", "rustfmt", |_| check("format", cargo().args(["fmt", "--all", "--check"]))),
+        native_lint(web.clone()),
+        wasm_lint(union(&web, &tested_on_wasm)),
+        rustdoc(web.clone()),
+    ];
+    steps.extend(native_tests(web));
+    steps.extend(tested_on_wasm.into_iter().map(wasm_tests));
+    steps.extend(page());
+    Ok(steps)
+}
+
+fn native_lint(web: Vec<String>) -> Step {
+    Step::new("lint", "clippy on this machine's target", move |_| {
+        let clippy = cargo().args(["clippy", "--workspace", "--all-targets", "--locked"]).args(excluding(&web));
+        check("lint", clippy.arg("--").args(DENY))
+    })
+}
+
+fn wasm_lint(crates: Vec<String>) -> Step {
+    Step::new("lint-wasm", "clippy on wasm32, for what runs in the browser", move |kit| {
+        let clippy = quiet(kit.run("cargo")?).args(["clippy", "--all-targets", "--locked", "--target", WASM]);
+        check("lint-wasm", clippy.args(only(&crates)).arg("--").args(DENY))
+    })
+}
+
+fn rustdoc(web: Vec<String>) -> Step {
+    Step::new("docs", "rustdoc without warnings", move |_| {
+        let doc = cargo().args(["doc", "--workspace", "--no-deps", "--locked"]).args(excluding(&web));
+        check("docs", doc.env("RUSTDOCFLAGS", DENY.join(" ")))
+    })
+}
+
+fn native_tests(web: Vec<String>) -> Vec<Step> {
+    if find_program("cargo-nextest").is_none() {
+        return vec![Step::new("native", "theorems, golden numbers, shaders, layering", move |_| {
+            let test = cargo().args(["test", "--workspace", "--no-fail-fast", "--locked"]);
+            tests("native", test.args(excluding(&web)))
+        })];
+    }
+    let for_docs = web.clone();
+    vec![
+        Step::new("native", "theorems, golden numbers, shaders, layering", move |_| {
+            let test = cargo().args(["nextest", "run", "--workspace", "--no-fail-fast", "--locked"]);
+            tests("native", test.args(excluding(&web)))
+        }),
+        Step::new("examples", "the examples in the documentation", move |_| {
+            let test = cargo().args(["test", "--doc", "--workspace", "--no-fail-fast", "--locked"]);
+            examples("examples", test.args(excluding(&for_docs)))
+        }),
+    ]
+}
+
+fn wasm_tests(package: String) -> Step {
+    let folder = package.trim_start_matches("rosto-").to_owned();
+    Step::new(format!("wasm:{folder}"), "in headless Chrome", move |kit| {
+        let test = quiet(kit.run("wasm-pack")?).args(["test", "--headless", "--chrome"]);
+        let driver = kit.browser().and_then(|browser: &Browser| browser.driver.clone());
+        let test = driver.iter().fold(test, |test, driver| test.arg("--chromedriver").arg(driver));
+        let test = test.arg(workspace::root().join("crates").join(&folder)).arg("--locked");
+        tests(&format!("wasm-{folder}"), test.env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TEST_LIMIT_S))
+    })
+}
+
+fn page() -> Vec<Step> {
+    vec![
+        Step::new("dist", "the page built for the web", |kit| dist::build(kit).map(|_| Report::passed())),
+        Step::new("size", "what a visitor downloads, against its budget", |_| {
+            let rows = size::weigh(&workspace::dist())?;
+            println!("{}", size::table(&rows));
+            let budgeted = rows.iter().filter(|row| row.limit.is_some());
+            let counts = budgeted.map(|row| Counts::of_one(row.fits())).fold(Counts::default(), Counts::plus);
+            Ok(Report { counts, output: "a part is over its budget".to_owned() })
+        }),
+        Step::new("types", "tsc over the page's scripts", |kit| {
+            check("types", quiet(kit.run("npm")?).args(["run", "--silent", "check"]))
+        }),
+        Step::new("journeys", "a visitor's ways through the page, in headless Chrome", |kit| {
+            tests("journeys", quiet(kit.run("npm")?).args(["run", "--silent", "journeys"]))
+        }),
+    ]
+}
+
+/// A program whose success is one test.
+fn check(name: &str, run: Run) -> Outcome<Report> {
+    let ended = run.within(STEP_LIMIT).log_to(log(name)?).run()?;
+    let counts = Counts::of_one(ended.success);
+    Ok(Report { counts, output: format!("{}{}", ended.output, ended.given_up.unwrap_or_default()) })
+}
+
+/// A test runner.
+fn tests(name: &str, run: Run) -> Outcome<Report> {
+    let ended = run.within(STEP_LIMIT).log_to(log(name)?).run()?;
+    let counts = Counts::of_runner(ended.success, &ended.output);
+    Ok(Report { counts, output: format!("{}{}", ended.output, ended.given_up.unwrap_or_default()) })
+}
+
+/// A test runner that may have nothing to run.
+fn examples(name: &str, run: Run) -> Outcome<Report> {
+    let ended = run.within(STEP_LIMIT).log_to(log(name)?).run()?;
+    let counts = if ended.success { counts::read(&ended.output) } else { Counts::of_runner(false, &ended.output) };
+    Ok(Report { counts, output: ended.output })
+}
+
+fn log(name: &str) -> Outcome<std::path::PathBuf> {
+    Ok(workspace::logs()?.join(format!("{name}.log")))
+}
+
+/// The present toolchain's cargo.
+fn cargo() -> Run {
+    quiet(Run::new("cargo").current_dir(workspace::root()))
+}
+
+fn quiet(run: Run) -> Run {
+    run.env("CARGO_TERM_COLOR", "never").env("NO_COLOR", "1")
+}
+
+fn excluding(packages: &[String]) -> Vec<String> {
+    packages.iter().flat_map(|package| ["--exclude".to_owned(), package.clone()]).collect()
+}
+
+fn only(packages: &[String]) -> Vec<String> {
+    packages.iter().flat_map(|package| ["--package".to_owned(), package.clone()]).collect()
+}
+
+fn union(one: &[String], other: &[String]) -> Vec<String> {
+    let mut all: Vec<String> = one.iter().chain(other).cloned().collect();
+    all.sort();
+    all.dedup();
+    all
+}
+
+/// Names of the workspace's packages whose name and manifest satisfy `wanted`, sorted.
+fn crates_where(wanted: impl Fn(&str, &str) -> bool) -> Outcome<Vec<String>> {
+    let folder = workspace::root().join("crates");
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(&folder).doing("listing the crates")?.flatten() {
+        let Ok(manifest) = std::fs::read_to_string(entry.path().join("Cargo.toml")) else { continue };
+        let name = format!("rosto-{}", entry.file_name().to_string_lossy());
+        if wanted(&name, &manifest) {
+            found.push(name);
+        }
+    }
+    found.sort();
+    Ok(found)
+}
