@@ -1,0 +1,107 @@
+"""What libigl and SciPy answer to the questions the editing engine is tested with.
+
+Run with the packages of requirements-engine.txt; writes ../golden/engine.json. Three meshes: the canonical face, and two
+that are no faces, a closed sphere and an open, bumpy sheet. For each of them
+
+- `cotangent`: libigl's cotangent matrix (negative semi-definite, half-cotangents) as [row, column, value], lower half,
+- `biharmonic`: the field that minimises |L g|^2 with g = 1 on `handle` and 0 on `anchors` (no mass matrix),
+- `geodesic`: exact polyhedral distances from `handle`,
+- `arap`: libigl's as-rigid-as-possible deformation (spokes energy, unclamped cotangents) after 500 iterations, with the
+  handle moved by `offset` and the anchors held.
+"""
+
+import json
+from pathlib import Path
+
+import igl
+import numpy as np
+import scipy.sparse as sparse
+
+GOLDEN = Path(__file__).resolve().parent.parent / "golden"
+
+
+def canonical_face():
+    table = json.loads((GOLDEN / "topology.json").read_text())
+    return np.array(table["vertices"]), np.array(table["triangles_canonical"], dtype=np.int64)
+
+
+def sphere(levels=2):
+    """A unit octahedron, split four to one `levels` times and pushed out to the sphere, then squeezed so that no axis is like another."""
+    vertices = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], dtype=float)
+    triangles = np.array([[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]], dtype=np.int64)
+    for _ in range(levels):
+        vertices, triangles = igl.upsample(vertices, triangles)
+        vertices = vertices / np.linalg.norm(vertices, axis=1, keepdims=True)
+    return vertices * [1.0, 0.8, 1.3], triangles
+
+
+def sheet(side=12):
+    """A square height field over a grid of side x side vertices, open at its rim."""
+    u, v = np.meshgrid(np.linspace(0, 1, side), np.linspace(0, 1, side), indexing="ij")
+    height = 0.12 * np.sin(5 * u + 1) * np.cos(4 * v)
+    vertices = np.stack([u, v, height], axis=-1).reshape(-1, 3)
+    cell = (np.arange(side - 1)[:, None] * side + np.arange(side - 1)[None, :]).ravel()
+    lower = np.stack([cell, cell + side, cell + 1], axis=1)
+    upper = np.stack([cell + 1, cell + side, cell + side + 1], axis=1)
+    return vertices, np.concatenate([lower, upper]).astype(np.int64)
+
+
+def biharmonic(laplacian, handle, anchors):
+    known = np.array([handle, *anchors], dtype=np.int64)
+    values = np.zeros((len(known), 1))
+    values[0] = 1.0
+    quadratic = sparse.csc_matrix(laplacian.T @ laplacian)
+    return igl.min_quad_with_fixed(quadratic, np.zeros((quadratic.shape[0], 1)), known, values)[:, 0]
+
+
+def arap(vertices, triangles, handle, anchors, offset):
+    fixed = np.array([handle, *anchors], dtype=np.int32)
+    data = igl.ARAPData()
+    data.energy = igl.pyigl_core.ARAP_ENERGY_TYPE_SPOKES
+    data.max_iter = 500
+    igl.arap_precomputation(vertices, triangles, 3, fixed, data)
+    targets = vertices[fixed].copy()
+    targets[0] += offset
+    return igl.arap_solve(targets, data, vertices.copy())
+
+
+def answers(name, vertices, triangles, handle, anchors, offset):
+    laplacian = igl.cotmatrix(vertices, triangles)
+    lower = sparse.tril(laplacian).tocoo()
+    targets = np.arange(len(vertices), dtype=np.int64)
+    distances = igl.exact_geodesic(vertices, triangles, VS=np.array([handle], dtype=np.int64), VT=targets)
+    return {
+        "name": name,
+        "vertices": vertices.tolist(),
+        "triangles": triangles.tolist(),
+        "handle": handle,
+        "anchors": anchors,
+        "offset": offset,
+        "cotangent": [[int(r), int(c), v] for r, c, v in zip(lower.row, lower.col, lower.data)],
+        "biharmonic": biharmonic(laplacian, handle, anchors).tolist(),
+        "geodesic": distances.tolist(),
+        "arap": arap(vertices, triangles, handle, anchors, np.array(offset)).tolist(),
+    }
+
+
+def rounded(value):
+    """Thirteen significant digits: more than any tolerance needs, and a third of the bytes saved."""
+    if isinstance(value, float):
+        return float(f"{value:.13g}")
+    if isinstance(value, list):
+        return [rounded(item) for item in value]
+    return value
+
+
+def main():
+    meshes = [
+        answers("canonical face", *canonical_face(), 4, [10, 152, 234, 454], [0.3, 0.2, 1.0]),
+        answers("sphere", *sphere(), 0, [1, 3], [0.4, 0.3, 0.0]),
+        answers("sheet", *sheet(), 66, [0, 11, 132, 143], [0.05, 0.0, 0.3]),
+    ]
+    meshes = [{key: rounded(value) for key, value in mesh.items()} for mesh in meshes]
+    (GOLDEN / "engine.json").write_text(json.dumps({"meshes": meshes}, separators=(",", ":")) + "\n")
+
+
+if __name__ == "__main__":
+    main()
