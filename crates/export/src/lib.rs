@@ -1,1 +1,16 @@
 //! One pure function for each file format: model to bytes.
+//!
+//! Every exporter takes a [`Model`] and documented options and returns the file whole. Positions are metres in the
+//! model's frame (+Y up, +Z out of the face); `f64` becomes `f32` here, and not before.
+
+mod colour;
+mod error;
+mod glb;
+mod mesh_json;
+mod model;
+
+pub use colour::linear_from_srgb;
+pub use error::ExportError;
+pub use glb::{GlbOptions, Morph, Paint, Shading, glb};
+pub use mesh_json::{JsonMesh, mesh_json};
+pub use model::Model;

@@ -1,0 +1,37 @@
+use thiserror::Error;
+
+/// Why a model cannot be written.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum ExportError {
+    /// A slice with one value for each vertex has another length.
+    #[error("{found} {what} for {expected} vertices")]
+    LengthMismatch {
+        /// What the values are, such as "colours".
+        what: &'static str,
+        /// Number of vertices.
+        expected: usize,
+        /// Number of values given.
+        found: usize,
+    },
+    /// A position is infinite, not a number, or beyond what the file's 32-bit numbers reach.
+    #[error("vertex {vertex} has a coordinate that no 32-bit number can hold")]
+    NotFinite {
+        /// The vertex.
+        vertex: usize,
+    },
+    /// There is nothing to write.
+    #[error("the mesh has no triangles")]
+    Empty,
+    /// The extras are not the text of a JSON object.
+    #[error("the extras of a glTF file must be a JSON object")]
+    ExtrasNotAnObject,
+    /// The texture could not be encoded.
+    #[error("the {width}×{height} px texture could not be encoded as JPEG")]
+    Texture {
+        /// Width in px.
+        width: u32,
+        /// Height in px.
+        height: u32,
+    },
+}

@@ -1,0 +1,162 @@
+use rosto_face::LANDMARK_COUNT;
+use serde_json::{Map, Value, json};
+
+use crate::{ExportError, Model};
+
+mod attributes;
+mod container;
+mod texture;
+
+use container::Builder;
+
+/// How the face is painted. Never both ways at once, which would multiply the photo by itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Paint {
+    /// The photo as the base-colour texture: a power-of-two crop around the face, encoded as JPEG.
+    #[default]
+    Texture,
+    /// One linear colour for each vertex, 16 bits a channel.
+    VertexColours,
+}
+
+/// Whether light falls on the face.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Shading {
+    /// Physically based and matt.
+    #[default]
+    Lit,
+    /// As photographed, by `KHR_materials_unlit`.
+    Unlit,
+}
+
+/// A named displacement that a viewer can blend in: a glTF morph target.
+#[derive(Debug, Clone, Copy)]
+pub struct Morph<'a> {
+    /// Name, in `mesh.extras.targetNames`.
+    pub name: &'a str,
+    /// Displacement in metres of each vertex at weight 1.
+    pub displacements_m: &'a [glam::DVec3],
+    /// The weight the file opens with.
+    pub weight: f64,
+}
+
+/// What a GLB holds beside the mesh.
+#[derive(Debug, Clone, Copy)]
+pub struct GlbOptions<'a> {
+    /// How the face is painted.
+    pub paint: Paint,
+    /// Whether light falls on it.
+    pub shading: Shading,
+    /// Name of the node and the mesh.
+    pub name: &'a str,
+    /// Morph targets; none by default.
+    pub morphs: &'a [Morph<'a>],
+    /// The text of a JSON object that goes into the scene's `extras`; none by default.
+    pub extras: Option<&'a str>,
+    /// The texture's longest side in px, at most; a power of two.
+    pub max_texture_px: u32,
+}
+
+impl Default for GlbOptions<'_> {
+    fn default() -> Self {
+        Self {
+            paint: Paint::default(),
+            shading: Shading::default(),
+            name: "face",
+            morphs: &[],
+            extras: None,
+            max_texture_px: 2048,
+        }
+    }
+}
+
+/// A binary glTF 2.0 file: metres, +Y up, front +Z.
+///
+/// The vertices keep the landmarks' order; the custom attribute `_LANDMARK_ID` says so, with −1 for the vertices of a
+/// subdivided mesh that are no landmark. Media type: `model/gltf-binary`.
+///
+/// # Errors
+/// [`ExportError`] if a length does not fit, a position is not finite, there is no triangle, the extras are no JSON
+/// object, or the texture cannot be encoded.
+pub fn glb(model: &Model<'_>, options: &GlbOptions<'_>) -> Result<Vec<u8>, ExportError> {
+    model.check()?;
+    let extras = options.extras.map(parse_extras).transpose()?;
+    let mut builder = Builder::default();
+    let mut attributes = attributes::geometry(&mut builder, model);
+    let mut root = Map::new();
+    let material = paint(&mut builder, model, options, &mut attributes, &mut root)?;
+    attributes.insert("_LANDMARK_ID".into(), builder.scalars(&landmark_ids(model)).into());
+    let indices = builder.indices(model.topology);
+    let mut mesh = json!({
+        "name": options.name,
+        "primitives": [{"attributes": attributes, "indices": indices, "material": 0}],
+    });
+    attributes::morphs(&mut builder, model, options.morphs, &mut mesh)?;
+    let mut scene = json!({"name": options.name, "nodes": [0]});
+    if let Some(extras) = extras {
+        scene["extras"] = extras;
+    }
+    root.insert("asset".into(), json!({"version": "2.0", "generator": concat!("Rosto ", env!("CARGO_PKG_VERSION"))}));
+    root.insert("scene".into(), 0.into());
+    root.insert("scenes".into(), json!([scene]));
+    root.insert("nodes".into(), json!([{"name": options.name, "mesh": 0}]));
+    root.insert("meshes".into(), json!([mesh]));
+    root.insert("materials".into(), json!([material]));
+    Ok(builder.finish(root))
+}
+
+fn parse_extras(text: &str) -> Result<Value, ExportError> {
+    serde_json::from_str(text).ok().filter(Value::is_object).ok_or(ExportError::ExtrasNotAnObject)
+}
+
+fn landmark_ids(model: &Model<'_>) -> Vec<f32> {
+    let id = |vertex: usize| if vertex < LANDMARK_COUNT { vertex as f32 } else { -1.0 };
+    (0..model.topology.vertex_count()).map(id).collect()
+}
+
+/// Adds the colours or the texture, and gives the material.
+fn paint(
+    builder: &mut Builder,
+    model: &Model<'_>,
+    options: &GlbOptions<'_>,
+    attributes: &mut Map<String, Value>,
+    root: &mut Map<String, Value>,
+) -> Result<Value, ExportError> {
+    let mut surface = json!({"metallicFactor": 0.0, "roughnessFactor": 0.9});
+    match options.paint {
+        Paint::VertexColours => {
+            attributes.insert("COLOR_0".into(), builder.colours(&attributes::linear_colours(model)).into());
+        }
+        Paint::Texture => {
+            let texture = texture::crop(model, options.max_texture_px)?;
+            attributes.insert("TEXCOORD_0".into(), builder.vectors2(&texture.uvs).into());
+            let view = builder.image(&texture.jpeg);
+            root.insert("images".into(), json!([{"name": "photo", "bufferView": view, "mimeType": "image/jpeg"}]));
+            root.insert("samplers".into(), json!([CLAMPED_MIPMAPPED.object()]));
+            root.insert("textures".into(), json!([{"source": 0, "sampler": 0}]));
+            surface["baseColorTexture"] = json!({"index": 0});
+        }
+    }
+    let mut material = json!({"name": "skin", "doubleSided": true, "pbrMetallicRoughness": surface});
+    if options.shading == Shading::Unlit {
+        material["extensions"] = json!({"KHR_materials_unlit": {}});
+        root.insert("extensionsUsed".into(), json!(["KHR_materials_unlit"]));
+    }
+    Ok(material)
+}
+
+/// A sampler in OpenGL's numbers, as glTF has them.
+struct Sampler {
+    magnify: u32,
+    minify: u32,
+    wrap: u32,
+}
+
+/// Linear, linear over mipmaps, and clamped to the edge, since a landmark may lie outside the picture.
+const CLAMPED_MIPMAPPED: Sampler = Sampler { magnify: 9729, minify: 9987, wrap: 33071 };
+
+impl Sampler {
+    fn object(&self) -> Value {
+        json!({"magFilter": self.magnify, "minFilter": self.minify, "wrapS": self.wrap, "wrapT": self.wrap})
+    }
+}

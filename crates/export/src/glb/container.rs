@@ -1,0 +1,129 @@
+use glam::{Vec2, Vec3};
+use rosto_mesh::Topology;
+use serde_json::{Map, Value, json};
+
+/// Component types and buffer targets in OpenGL's numbers, as glTF has them.
+const UNSIGNED_SHORT: u32 = 5123;
+const UNSIGNED_INT: u32 = 5125;
+const FLOAT: u32 = 5126;
+const ARRAY_BUFFER: u32 = 34962;
+const ELEMENT_ARRAY_BUFFER: u32 = 34963;
+
+/// The largest index that 16 bits hold; 65535 itself restarts a primitive.
+const MAX_SHORT_INDEX: usize = 65534;
+
+/// Collects the binary chunk, and the views and accessors that describe it.
+#[derive(Default)]
+pub(super) struct Builder {
+    bytes: Vec<u8>,
+    views: Vec<Value>,
+    accessors: Vec<Value>,
+}
+
+impl Builder {
+    /// Positions or displacements, whose bounds glTF requires; gives the accessor.
+    pub(super) fn bounded_vectors3(&mut self, values: &[Vec3]) -> usize {
+        let low = values.iter().copied().reduce(Vec3::min).unwrap_or_default();
+        let high = values.iter().copied().reduce(Vec3::max).unwrap_or_default();
+        let accessor = self.vectors3(values);
+        self.accessors[accessor]["min"] = exact(low.to_array());
+        self.accessors[accessor]["max"] = exact(high.to_array());
+        accessor
+    }
+
+    pub(super) fn vectors3(&mut self, values: &[Vec3]) -> usize {
+        let bytes = values.iter().flat_map(|v| v.to_array()).flat_map(f32::to_le_bytes);
+        self.attribute(bytes, FLOAT, "VEC3", values.len())
+    }
+
+    pub(super) fn vectors2(&mut self, values: &[Vec2]) -> usize {
+        let bytes = values.iter().flat_map(|v| v.to_array()).flat_map(f32::to_le_bytes);
+        self.attribute(bytes, FLOAT, "VEC2", values.len())
+    }
+
+    pub(super) fn scalars(&mut self, values: &[f32]) -> usize {
+        self.attribute(values.iter().flat_map(|v| v.to_le_bytes()), FLOAT, "SCALAR", values.len())
+    }
+
+    /// Linear colours with alpha, normalised to 16 bits: four channels keep the 4-byte alignment that glTF asks for.
+    pub(super) fn colours(&mut self, values: &[[u16; 4]]) -> usize {
+        let bytes = values.iter().flatten().flat_map(|channel| channel.to_le_bytes());
+        let accessor = self.attribute(bytes, UNSIGNED_SHORT, "VEC4", values.len());
+        self.accessors[accessor]["normalized"] = true.into();
+        accessor
+    }
+
+    pub(super) fn indices(&mut self, topology: &Topology) -> usize {
+        let corners = topology.triangles().iter().flatten();
+        let count = topology.triangles().len() * 3;
+        let short = topology.vertex_count() <= MAX_SHORT_INDEX + 1;
+        let (view, component) = if short {
+            let bytes = corners.flat_map(|&corner| (corner as u16).to_le_bytes());
+            (self.view(bytes, Some(ELEMENT_ARRAY_BUFFER)), UNSIGNED_SHORT)
+        } else {
+            let bytes = corners.flat_map(|&corner| corner.to_le_bytes());
+            (self.view(bytes, Some(ELEMENT_ARRAY_BUFFER)), UNSIGNED_INT)
+        };
+        self.accessor(view, component, "SCALAR", count)
+    }
+
+    /// An encoded image; gives the buffer view.
+    pub(super) fn image(&mut self, encoded: &[u8]) -> usize {
+        self.view(encoded.iter().copied(), None)
+    }
+
+    /// The whole file: header, JSON chunk, binary chunk.
+    pub(super) fn finish(mut self, mut root: Map<String, Value>) -> Vec<u8> {
+        self.pad();
+        root.insert("buffers".into(), json!([{"byteLength": self.bytes.len()}]));
+        root.insert("bufferViews".into(), self.views.into());
+        root.insert("accessors".into(), self.accessors.into());
+        let mut text = Value::from(root).to_string().into_bytes();
+        text.resize(text.len().next_multiple_of(4), b' ');
+        let length = 12 + 8 + text.len() + 8 + self.bytes.len();
+        let mut file = Vec::with_capacity(length);
+        file.extend_from_slice(b"glTF");
+        file.extend(2u32.to_le_bytes());
+        file.extend((length as u32).to_le_bytes());
+        push_chunk(&mut file, b"JSON", &text);
+        push_chunk(&mut file, b"BIN\0", &self.bytes);
+        file
+    }
+
+    fn attribute(&mut self, bytes: impl Iterator<Item = u8>, component: u32, shape: &str, count: usize) -> usize {
+        let view = self.view(bytes, Some(ARRAY_BUFFER));
+        self.accessor(view, component, shape, count)
+    }
+
+    fn accessor(&mut self, view: usize, component: u32, shape: &str, count: usize) -> usize {
+        self.accessors.push(json!({"bufferView": view, "componentType": component, "type": shape, "count": count}));
+        self.accessors.len() - 1
+    }
+
+    fn view(&mut self, bytes: impl Iterator<Item = u8>, target: Option<u32>) -> usize {
+        self.pad();
+        let start = self.bytes.len();
+        self.bytes.extend(bytes);
+        let mut view = json!({"buffer": 0, "byteOffset": start, "byteLength": self.bytes.len() - start});
+        if let Some(target) = target {
+            view["target"] = target.into();
+        }
+        self.views.push(view);
+        self.views.len() - 1
+    }
+
+    fn pad(&mut self) {
+        self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
+    }
+}
+
+fn push_chunk(file: &mut Vec<u8>, kind: &[u8; 4], bytes: &[u8]) {
+    file.extend((bytes.len() as u32).to_le_bytes());
+    file.extend_from_slice(kind);
+    file.extend_from_slice(bytes);
+}
+
+/// The `f32` values with all the digits they have, so that the bounds equal the data.
+fn exact(values: [f32; 3]) -> Value {
+    values.map(f64::from).to_vec().into()
+}

@@ -1,0 +1,30 @@
+//! The JSON mesh loses nothing on the way out.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use glam::DVec3;
+use rosto_export::*;
+
+#[test]
+fn every_number_reads_back_as_the_same_f64() {
+    let positions = [
+        DVec3::new(0.1 + 0.2, -1.0 / 3.0, 1e-300),
+        DVec3::new(-0.0, 1e22, f64::MIN_POSITIVE),
+        DVec3::new(123456789.12345679, 5e-324, f64::MAX),
+    ];
+    let mesh = JsonMesh {
+        units: "image",
+        positions: &positions,
+        colours_srgb: &[[0, 128, 255], [1, 2, 3], [4, 5, 6]],
+        triangles: &[[0, 1, 2]],
+    };
+    let read: serde_json::Value = serde_json::from_str(&mesh_json(&mesh)).unwrap();
+    for (vertex, position) in positions.iter().enumerate() {
+        for axis in 0..3 {
+            assert_eq!(read["positions"][vertex][axis].as_f64().unwrap().to_bits(), position[axis].to_bits());
+        }
+    }
+    assert_eq!(read["units"], "image");
+    assert_eq!(read["colors"], serde_json::json!([[0, 128, 255], [1, 2, 3], [4, 5, 6]]));
+    assert_eq!(read["triangles"], serde_json::json!([[0, 1, 2]]));
+}

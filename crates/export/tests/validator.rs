@@ -1,0 +1,40 @@
+//! Khronos' own validator over every kind of GLB; needs Node.js and the packages that `cargo xtask setup` installs.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use std::path::Path;
+use std::process::Command;
+
+use common::face;
+use glam::DVec3;
+use rosto_export::*;
+use rosto_face::Triangulation;
+
+#[test]
+fn khronos_finds_no_error_warning_information_or_hint() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let moved = vec![DVec3::new(0.0, 0.001, -0.002); 468];
+    let morphs = [Morph { name: "olá \"aspas\"", displacements_m: &moved, weight: 0.0 }];
+    let mut paths = Vec::new();
+    for triangulation in [Triangulation::Tessellation, Triangulation::Canonical] {
+        let face = face(triangulation);
+        for (paint, shading) in [(Paint::Texture, Shading::Lit), (Paint::VertexColours, Shading::Unlit)] {
+            for morphs in [&[][..], &morphs] {
+                let options =
+                    GlbOptions { paint, shading, morphs, extras: Some(r#"{"a":[1,null]}"#), ..GlbOptions::default() };
+                let path = folder.join(format!("{}.glb", paths.len()));
+                std::fs::write(&path, glb(&Model::of_face(&face), &options).unwrap()).unwrap();
+                paths.push(path);
+            }
+        }
+    }
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/journeys/validate-glb.mjs");
+    let run =
+        Command::new("node").arg(script).args(&paths).output().expect("Node.js is missing: run `cargo xtask setup`");
+    let said = [run.stdout, run.stderr].map(|text| String::from_utf8_lossy(&text).into_owned()).concat();
+    assert!(!said.contains("Cannot find module"), "the validator is missing: run `cargo xtask setup`\n{said}");
+    assert!(run.status.success(), "{said}");
+    assert_eq!(said.matches("0/0/0/0").count(), paths.len(), "{said}");
+}
