@@ -1,5 +1,5 @@
 import { byId, onAction } from "./page/dom.js";
-import { hideNotice, setUpNotice, showTrouble } from "./page/notice.js";
+import { hideNotice, setUpNotice, showPhotoTrouble, showTrouble } from "./page/notice.js";
 import { keepOffline } from "./page/offline.js";
 import { countRequests } from "./page/privacy.js";
 import { hideProgress, setUpProgress, showLoading, showStage } from "./page/progress.js";
@@ -82,7 +82,7 @@ async function openPhoto(photo) {
     // The newer photo now has the progress to itself.
     if (error instanceof Replaced) return;
     hideProgress();
-    showTrouble(error);
+    showPhotoTrouble(error);
   }
 }
 

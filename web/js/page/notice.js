@@ -5,6 +5,7 @@ import { byId } from "./dom.js";
 
 /** @type {Trouble | undefined} */
 let shown;
+let aboutPhoto = false;
 
 /** Shows notices in the page's language and lets them be closed. */
 export function setUpNotice() {
@@ -19,6 +20,18 @@ export function setUpNotice() {
  */
 export function showTrouble(thrown) {
   shown = asTrouble(thrown);
+  aboutPhoto = false;
+  write();
+}
+
+/**
+ * Says so beside the drop zone as well.
+ *
+ * @param {unknown} thrown
+ */
+export function showPhotoTrouble(thrown) {
+  shown = asTrouble(thrown);
+  aboutPhoto = true;
   write();
 }
 
@@ -44,7 +57,7 @@ function write() {
   const notice = byId("notice", HTMLDivElement);
   const photoError = byId("photo-error", HTMLParagraphElement);
   notice.hidden = shown === undefined;
-  photoError.hidden = shown === undefined;
+  photoError.hidden = !shown || !aboutPhoto;
   if (!shown) return;
   const { title, hint } = words(shown);
   notice.dataset["code"] = shown.code;

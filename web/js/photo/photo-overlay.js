@@ -83,6 +83,7 @@ export class PhotoOverlay {
     const ratio = devicePixelRatio;
     this.#canvas.width = Math.round(picture.width * scale * ratio);
     this.#canvas.height = Math.round(picture.height * scale * ratio);
+    this.#canvas.style.width = `${this.#canvas.width / ratio}px`;
     const context = this.#canvas.getContext("2d");
     if (!context) return;
     context.imageSmoothingQuality = "high";

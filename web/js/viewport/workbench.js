@@ -1,4 +1,5 @@
-import init, { start } from "../../wasm/rosto-studio-web.js";
+import { asTrouble, showTrouble } from "../page/notice.js";
+import init, { createRenderer, start } from "../../wasm/rosto-studio-web.js";
 
 /**
  * @typedef {import("../../wasm/rosto-studio-web.js").Studio} Studio
@@ -42,9 +43,8 @@ export class Workbench {
    * @param {(studio: Studio) => void} change
    */
   act(change) {
-    change(this.studio);
+    this.look(change);
     this.announce();
-    this.requestFrame();
   }
 
   /**
@@ -53,7 +53,11 @@ export class Workbench {
    * @param {(studio: Studio) => void} change
    */
   look(change) {
-    change(this.studio);
+    try {
+      change(this.studio);
+    } catch (error) {
+      showTrouble(error);
+    }
     this.requestFrame();
   }
 
@@ -80,10 +84,30 @@ export class Workbench {
     this.#frameIsComing = true;
     requestAnimationFrame((time_ms) => {
       this.#frameIsComing = false;
+      this.#draw(time_ms);
+    });
+  }
+
+  /** @param {number} time_ms */
+  #draw(time_ms) {
+    try {
       const wantsMore = this.studio.draw(time_ms);
       for (const listener of this.#frameListeners) listener();
       if (wantsMore) this.requestFrame();
-    });
+    } catch (error) {
+      if (asTrouble(error).code === "device-lost") this.#replaceRenderer();
+      else showTrouble(error);
+    }
+  }
+
+  /** A driver's reset takes the GPU away; the document and the view are still here. */
+  async #replaceRenderer() {
+    try {
+      const renderer = await createRenderer(this.canvas);
+      this.look((studio) => studio.useRenderer(renderer));
+    } catch (error) {
+      showTrouble(error);
+    }
   }
 
   #followSize() {
