@@ -8,9 +8,12 @@ mod normals;
 mod pick;
 #[cfg(test)]
 mod shapes;
+mod stencils;
+mod subdivision;
 mod topology;
 
 pub use error::MeshError;
 pub use normals::vertex_normals;
 pub use pick::{Hit, Ray, pick};
+pub use subdivision::LoopSubdivision;
 pub use topology::Topology;

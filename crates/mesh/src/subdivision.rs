@@ -1,0 +1,239 @@
+use std::collections::HashMap;
+use std::f64::consts::TAU;
+use std::iter::Sum;
+use std::ops::Mul;
+
+use crate::Topology;
+use crate::stencils::Stencils;
+
+/// Loop's subdivision of a cage, as one sparse matrix that takes values on the cage to values on the dense mesh.
+///
+/// Each level cuts every triangle into four. Weights are Loop's own (1987): a new vertex takes ⅜ of its edge's ends and ⅛
+/// of the two corners across; an old vertex of degree `d` keeps `1 − dβ` and takes `β = (⅝ − (⅜ + ¼cos 2π/d)²) / d` of
+/// each neighbour. Along a boundary, and along edges where more than two triangles meet, only the curve counts: ½ ½ for
+/// new vertices, ⅛ ¾ ⅛ for old ones. Where such curves end or cross, and at vertices without triangles, vertices stay.
+///
+/// The cage's vertices keep their numbers; those that a level adds follow, in the order of [`Topology::edges`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoopSubdivision {
+    topology: Topology,
+    stencils: Stencils,
+}
+
+impl LoopSubdivision {
+    /// Subdivides `levels` times; 0 leaves the cage as it is.
+    pub fn new(cage: &Topology, levels: u32) -> Self {
+        let mut dense = Self { topology: cage.clone(), stencils: Stencils::identity(cage.vertex_count()) };
+        for _ in 0..levels {
+            let step = one_level(&dense.topology);
+            dense.stencils = step.after(&dense.stencils);
+            dense.topology = split_triangles(&dense.topology);
+        }
+        dense
+    }
+
+    /// The dense mesh.
+    pub fn topology(&self) -> &Topology {
+        &self.topology
+    }
+
+    /// What a dense vertex is made of: vertices of the cage, ascending, and their weights, which sum to 1.
+    ///
+    /// # Panics
+    /// If there is no such dense vertex.
+    pub fn stencil(&self, vertex: u32) -> impl Iterator<Item = (u32, f64)> {
+        self.stencils.row(vertex as usize)
+    }
+
+    /// The dense mesh's values (positions, texture coordinates, displacements …) from the cage's.
+    ///
+    /// # Panics
+    /// If there is not one value for each vertex of the cage.
+    pub fn apply<T: Copy + Mul<f64, Output = T> + Sum>(&self, cage: &[T]) -> Vec<T> {
+        (0..self.topology.vertex_count()).map(|vertex| self.stencils.combine(vertex, cage)).collect()
+    }
+
+    /// As [`Self::apply`], into a slice of the caller's; nothing is allocated.
+    ///
+    /// # Panics
+    /// If there is not one value for each vertex of the cage, and one place for each dense vertex.
+    pub fn apply_to<T: Copy + Mul<f64, Output = T> + Sum>(&self, cage: &[T], dense: &mut [T]) {
+        assert_eq!(dense.len(), self.topology.vertex_count(), "one place for each dense vertex");
+        dense.iter_mut().enumerate().for_each(|(vertex, value)| *value = self.stencils.combine(vertex, cage));
+    }
+}
+
+/// The matrix of a single level.
+fn one_level(mesh: &Topology) -> Stencils {
+    let across = corners_across(mesh);
+    let is_crease = |edge: &[u32; 2]| across[edge].len() != 2;
+    let mut curves = vec![Vec::new(); mesh.vertex_count()];
+    for &[a, b] in mesh.edges().iter().filter(|edge| is_crease(edge)) {
+        curves[a as usize].push(b);
+        curves[b as usize].push(a);
+    }
+    let mut level = Stencils::new(mesh.vertex_count());
+    for vertex in 0..mesh.vertex_count() as u32 {
+        level.push(old_vertex(vertex, mesh.neighbours(vertex), &curves[vertex as usize]));
+    }
+    for edge in mesh.edges() {
+        level.push(new_vertex(*edge, &across[edge]));
+    }
+    level
+}
+
+fn old_vertex(vertex: u32, neighbours: &[u32], curve: &[u32]) -> Vec<(u32, f64)> {
+    match (neighbours.len(), curve) {
+        (0, _) => vec![(vertex, 1.0)],
+        (degree, []) => {
+            let share = loop_share(degree);
+            let around = neighbours.iter().map(|&neighbour| (neighbour, share));
+            around.chain([(vertex, 1.0 - degree as f64 * share)]).collect()
+        }
+        (_, &[before, after]) => vec![(before, 0.125), (vertex, 0.75), (after, 0.125)],
+        _ => vec![(vertex, 1.0)],
+    }
+}
+
+fn new_vertex([a, b]: [u32; 2], across: &[u32]) -> Vec<(u32, f64)> {
+    match *across {
+        [left, right] => vec![(a, 0.375), (b, 0.375), (left, 0.125), (right, 0.125)],
+        _ => vec![(a, 0.5), (b, 0.5)],
+    }
+}
+
+/// Loop's `β`: what an inner vertex of this degree takes of each neighbour.
+fn loop_share(degree: usize) -> f64 {
+    let degree = degree as f64;
+    (0.625 - (0.375 + 0.25 * (TAU / degree).cos()).powi(2)) / degree
+}
+
+/// For each edge, the third corners of its triangles.
+fn corners_across(mesh: &Topology) -> HashMap<[u32; 2], Vec<u32>> {
+    let mut across: HashMap<[u32; 2], Vec<u32>> = HashMap::with_capacity(mesh.edges().len());
+    for &[a, b, c] in mesh.triangles() {
+        for [from, to, third] in [[a, b, c], [b, c, a], [c, a, b]] {
+            across.entry([from.min(to), from.max(to)]).or_default().push(third);
+        }
+    }
+    across
+}
+
+fn split_triangles(mesh: &Topology) -> Topology {
+    let middle = |a: u32, b: u32| {
+        let edge = mesh.edges().binary_search(&[a.min(b), a.max(b)]);
+        (mesh.vertex_count() + edge.expect("invariant: a triangle's sides are edges")) as u32
+    };
+    let four = |&[a, b, c]: &[u32; 3]| {
+        let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+        [[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]
+    };
+    let triangles = mesh.triangles().iter().flat_map(four).collect();
+    Topology::new(mesh.vertex_count() + mesh.edges().len(), triangles)
+        .expect("invariant: the quarters of a triangle are triangles")
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{DMat3, DVec3};
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::shapes::{icosahedron, tetrahedron};
+
+    /// A grid of unit squares on the plane, each cut along a diagonal.
+    fn grid(columns: u32, rows: u32) -> (Topology, Vec<DVec3>) {
+        let at = |column: u32, row: u32| row * (columns + 1) + column;
+        let cut = |(c, r): (u32, u32)| {
+            [[at(c, r), at(c + 1, r), at(c + 1, r + 1)], [at(c, r), at(c + 1, r + 1), at(c, r + 1)]]
+        };
+        let squares = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
+        let corner = |v: u32| DVec3::new(f64::from(v % (columns + 1)), f64::from(v / (columns + 1)), 0.0);
+        let count = (columns + 1) * (rows + 1);
+        (Topology::new(count as usize, squares.flat_map(cut).collect()).unwrap(), (0..count).map(corner).collect())
+    }
+
+    #[test]
+    fn counts_grow_as_euler_says() {
+        for cage in [tetrahedron().0, icosahedron().0, grid(4, 3).0] {
+            let dense = LoopSubdivision::new(&cage, 1);
+            let (v, e, f) = (cage.vertex_count(), cage.edges().len(), cage.triangles().len());
+            assert_eq!(dense.topology().vertex_count(), v + e);
+            assert_eq!(dense.topology().edges().len(), 2 * e + 3 * f);
+            assert_eq!(dense.topology().triangles().len(), 4 * f);
+        }
+    }
+
+    #[test]
+    fn weights_sum_to_one_and_none_is_negative() {
+        for cage in [tetrahedron().0, icosahedron().0, grid(4, 3).0, Topology::new(5, vec![[0, 1, 2]]).unwrap()] {
+            let dense = LoopSubdivision::new(&cage, 3);
+            for vertex in 0..dense.topology().vertex_count() as u32 {
+                let sum: f64 = dense.stencil(vertex).map(|(_, weight)| weight).sum();
+                assert!((sum - 1.0).abs() < 1e-14);
+                assert!(dense.stencil(vertex).all(|(_, weight)| weight >= 0.0));
+            }
+        }
+    }
+
+    #[test]
+    fn levels_compose() {
+        let (cage, positions) = icosahedron();
+        let first = LoopSubdivision::new(&cage, 1);
+        let second = LoopSubdivision::new(first.topology(), 1);
+        let both = LoopSubdivision::new(&cage, 2);
+        assert_eq!(second.topology(), both.topology());
+        let step_by_step = second.apply(&first.apply(&positions));
+        assert!(both.apply(&positions).iter().zip(step_by_step).all(|(a, b)| a.distance(b) < 1e-14));
+    }
+
+    #[test]
+    fn a_boundary_depends_on_the_boundary_alone() {
+        let (cage, _) = grid(4, 3);
+        let dense = LoopSubdivision::new(&cage, 2);
+        let rim = &cage.boundary_loops()[0];
+        for vertex in dense.topology().boundary_loops().concat() {
+            assert!(dense.stencil(vertex).all(|(parent, _)| rim.contains(&parent)));
+        }
+    }
+
+    #[test]
+    fn a_regular_plane_stays_where_it_is_inside() {
+        let (cage, positions) = grid(8, 8);
+        let dense = LoopSubdivision::new(&cage, 1);
+        let moved = dense.apply(&positions);
+        let centre = 4 * 9 + 4;
+        assert!(moved[centre].distance(positions[centre]) < 1e-14);
+    }
+
+    #[test]
+    fn symmetric_cages_give_symmetric_solids() {
+        let (cage, positions) = icosahedron();
+        let radii: Vec<f64> =
+            LoopSubdivision::new(&cage, 2).apply(&positions)[..12].iter().map(|p| p.length()).collect();
+        assert!(radii.iter().all(|radius| (radius - radii[0]).abs() < 1e-14 && *radius < 1.0));
+    }
+
+    #[test]
+    fn edges_of_three_triangles_and_lone_vertices_are_taken_in_stride() {
+        let book = Topology::new(6, vec![[0, 1, 2], [1, 0, 3], [0, 1, 4]]).unwrap();
+        let dense = LoopSubdivision::new(&book, 2);
+        assert_eq!(dense.stencil(5).collect::<Vec<_>>(), [(5, 1.0)]);
+        assert_eq!(dense.stencil(0).collect::<Vec<_>>(), [(0, 1.0)]);
+    }
+
+    proptest! {
+        #[test]
+        fn subdividing_commutes_with_affine_maps(
+            columns in prop::array::uniform9(-2.0..2.0f64), shift in prop::array::uniform3(-9.0..9.0f64), levels in 0..4u32,
+        ) {
+            let map = |p: DVec3| DMat3::from_cols_array(&columns) * p + DVec3::from(shift);
+            let (cage, positions) = icosahedron();
+            let dense = LoopSubdivision::new(&cage, levels);
+            let mapped: Vec<DVec3> = positions.iter().copied().map(map).collect();
+            for (before, after) in dense.apply(&positions).into_iter().zip(dense.apply(&mapped)) {
+                prop_assert!(map(before).distance(after) < 1e-12);
+            }
+        }
+    }
+}
