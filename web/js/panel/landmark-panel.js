@@ -107,8 +107,10 @@ export class LandmarkPanel {
     for (const [axis, slider] of this.#sliders.entries()) {
       slider.value = (this.#kept_mm[axis] ?? 0) + (moving_mm[axis] ?? 0);
     }
-    const anchors = [...this.#bench.studio.anchors()].join(", ");
-    byId("landmark-anchors", HTMLParagraphElement).textContent = say("landmark.anchors", { list: anchors });
+    const anchors = [...this.#bench.studio.anchors()];
+    const list = byId("landmark-anchors", HTMLParagraphElement);
+    list.textContent = say("landmark.anchors", { list: anchors.join(", ") });
+    list.dataset["anchors"] = anchors.join(" ");
   }
 }
 

@@ -1,0 +1,34 @@
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { journey } from "./journey.mjs";
+import { asJpeg, enormousPng, faceless, text } from "./pictures.mjs";
+import { SAMPLE } from "./visitor.mjs";
+
+journey("what is no photo of a face gets a message each, and the page works on", async (open) => {
+  const visitor = await open();
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("z", 4);
+  const work = await visitor.meshJson("mm");
+
+  const jpeg = await asJpeg(visitor.page, await readFile(SAMPLE));
+  const photos = [
+    { bytes: faceless(), name: "sky.png", code: "no-face", says: /No face found/ },
+    { bytes: text(), name: "diary.jpg", code: "not-a-picture", says: /not a picture/ },
+    { bytes: jpeg.subarray(0, jpeg.length / 2), name: "half.jpg", code: "damaged-picture", says: /damaged or incomplete/ },
+    { bytes: enormousPng(), name: "map.png", code: "too-many-pixels", says: /too many pixels/ },
+  ];
+  for (const { bytes, name, code, says } of photos) {
+    await visitor.drop(bytes, name);
+    await visitor.page.waitForSelector(`#notice[data-code="${code}"]`);
+    await visitor.page.waitForSelector("#progress", { state: "hidden" });
+    assert.match((await visitor.notice()).text, says);
+    assert.match(await visitor.page.locator("#photo-error").innerText(), says);
+    await visitor.page.click("#notice-close");
+    assert.deepEqual(await visitor.meshJson("mm"), work, `${name} changed the work on screen`);
+  }
+
+  await visitor.drop(jpeg, "portrait.jpg");
+  await visitor.page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
+  assert.ok(await visitor.page.locator("#notice").isHidden());
+});

@@ -1,0 +1,33 @@
+import { execFile } from "node:child_process";
+import { existsSync } from "node:fs";
+import { mkdtemp, readFile, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { promisify } from "node:util";
+
+const ROOT = path.resolve(import.meta.dirname, "../..");
+const TARGET = process.env.CARGO_TARGET_DIR ?? path.join(ROOT, "target");
+
+/**
+ * The mesh that the command line makes of a photo, as JSON.
+ *
+ * @param {string} photo
+ * @param {string[]} options of `rosto mesh`
+ */
+export async function meshByCommandLine(photo, options) {
+  const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
+  try {
+    const file = path.join(folder, "mesh.json");
+    await promisify(execFile)(program(), ["mesh", photo, "-o", file, ...options]);
+    return JSON.parse(await readFile(file, "utf8"));
+  } finally {
+    await rm(folder, { recursive: true });
+  }
+}
+
+function program() {
+  const built = ["release", "debug"].map((profile) => path.join(TARGET, profile, "rosto"));
+  const found = [process.env.ROSTO_CLI, ...built].find((file) => file && existsSync(file));
+  if (!found) throw new Error("no `rosto` here: build it, or name it in ROSTO_CLI");
+  return found;
+}

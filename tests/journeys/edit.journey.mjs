@@ -1,0 +1,111 @@
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import validator from "gltf-validator";
+import { PNG } from "pngjs";
+import { meshByCommandLine } from "./command-line.mjs";
+import { journey } from "./journey.mjs";
+import { chromaticity, colourCount, difference, meanColour } from "./pixels.mjs";
+import { SAMPLE } from "./visitor.mjs";
+
+/** The two compilations of the network's arithmetic round differently, by far less than this. */
+const SAME_MM = 1e-3;
+
+/** The middle of the face, in the portrait and on the canvas as the face arrives. */
+const FACE_IN_PORTRAIT = { left: 0.4, top: 0.17, right: 0.47, bottom: 0.3 };
+const FACE_ON_CANVAS = { left: 0.46, top: 0.42, right: 0.54, bottom: 0.58 };
+
+journey("a dropped portrait becomes a mesh in its own colours", async (open) => {
+  const visitor = await open();
+  await visitor.dropSample();
+  const view = await visitor.view();
+  assert.ok(colourCount(view) > 40, `only ${colourCount(view)} colours on the canvas`);
+  const portrait = PNG.sync.read(await readFile(SAMPLE));
+  const wanted = chromaticity(meanColour(portrait, FACE_IN_PORTRAIT));
+  const seen = chromaticity(meanColour(view, FACE_ON_CANVAS));
+  for (const [channel, share] of seen.entries()) {
+    assert.ok(Math.abs(share - wanted[channel]) < 0.04, `colours ${seen} are far from the portrait's ${wanted}`);
+  }
+});
+
+journey("moving the nose tip changes picture and mesh as the command line does, and undo restores both", async (open) => {
+  const visitor = await open();
+  await visitor.dropSample();
+  await visitor.page.click("[data-action='view-left']");
+  await visitor.findLandmark("nose tip");
+  const before = { view: await visitor.view(), mesh: await visitor.meshJson("mm") };
+  await visitor.offset("z", 12);
+  const anchors = await visitor.anchors();
+  assert.equal(anchors.length, 2);
+  const after = { view: await visitor.view(), mesh: await visitor.meshJson("mm") };
+  assert.ok(difference(before.view, after.view) > 0.002, "the picture did not change");
+
+  const edit = `1:0,0,12:${anchors.join(",")}`;
+  assertSameMesh(before.mesh, await meshByCommandLine(SAMPLE, ["--units", "mm"]));
+  assertSameMesh(after.mesh, await meshByCommandLine(SAMPLE, ["--units", "mm", "--edit", edit]));
+
+  await visitor.page.click("#toolbar [data-action='undo']");
+  assert.deepEqual(await visitor.meshJson("mm"), before.mesh);
+  assert.equal(difference(before.view, await visitor.view()), 0, "undo left the picture changed");
+  await visitor.page.click("#toolbar [data-action='redo']");
+  assert.deepEqual(await visitor.meshJson("mm"), after.mesh);
+});
+
+journey("a download passes the validator without a remark, painted either way", async (open) => {
+  const visitor = await open();
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("z", 5);
+  await visitor.unfold("section-export");
+  for (const paint of ["texture", "colours"]) {
+    await visitor.page.check(`input[name="export-paint"][value="${paint}"]`, { force: true });
+    const { issues } = await validator.validateBytes(new Uint8Array(await visitor.download("download-glb")));
+    const { numErrors, numWarnings, numInfos, numHints } = issues;
+    assert.deepEqual([numErrors, numWarnings, numInfos, numHints], [0, 0, 0, 0], JSON.stringify(issues.messages));
+  }
+});
+
+journey("a point is picked by clicking it on the mesh", async (open) => {
+  const visitor = await open();
+  await visitor.dropSample();
+  const box = await visitor.page.locator("#viewport").boundingBox();
+  await visitor.page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  assert.match(await visitor.page.inputValue("#landmark-search"), / · \d+$/);
+  assert.ok(await visitor.page.locator("#landmark-tag").isVisible());
+});
+
+journey("light, paint and camera change the picture, and the view resets", async (open) => {
+  const visitor = await open();
+  await visitor.dropSample();
+  await visitor.unfold("section-view");
+  const first = await visitor.view();
+  await visitor.page.locator("#light-sliders input[type=number]").first().fill("80");
+  const lit = await visitor.view();
+  assert.ok(difference(first, lit) > 0.02, "the light moved without effect");
+  await visitor.page.check("input[name='paint'][value='colours']", { force: true });
+  const painted = await visitor.view();
+  assert.ok(difference(lit, painted) > 0.02, "the paint changed without effect");
+  const box = await visitor.page.locator("#viewport").boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await visitor.page.mouse.move(x, y);
+  await visitor.page.mouse.down();
+  await visitor.page.mouse.move(x + 120, y + 20, { steps: 4 });
+  await visitor.page.mouse.up();
+  await visitor.page.mouse.move(box.x + 4, box.y + 4);
+  assert.ok(difference(painted, await visitor.view()) > 0.05, "the drag did not turn the face");
+  await visitor.page.click("[data-action='reset-view']");
+  await visitor.page.mouse.move(box.x + 4, box.y + 4);
+  assert.ok(difference(painted, await visitor.view()) < 0.001, "the view did not come back");
+});
+
+function assertSameMesh(seen, wanted) {
+  assert.equal(seen.units, wanted.units);
+  assert.deepEqual(seen.triangles, wanted.triangles);
+  assert.equal(seen.positions.length, wanted.positions.length);
+  const furthest = Math.max(
+    ...seen.positions.map((place, vertex) =>
+      Math.hypot(...place.map((value, axis) => value - wanted.positions[vertex][axis])),
+    ),
+  );
+  assert.ok(furthest < SAME_MM, `a vertex is ${furthest} mm away from the command line's`);
+  for (const [vertex, colour] of seen.colors.entries()) assert.deepEqual(colour, wanted.colors[vertex]);
+}

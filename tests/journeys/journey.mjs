@@ -1,0 +1,15 @@
+/** @typedef {{ name: string, needs: "gpu" | "no-gpu" | "camera", walk: (open: (options?: object) => Promise<import("./visitor.mjs").Visitor>) => Promise<void> }} Journey */
+
+/** @type {Journey[]} */
+export const journeys = [];
+
+/**
+ * A way through the page, as a visitor goes it.
+ *
+ * @param {string} name what holds at its end
+ * @param {Journey["walk"]} walk opens the page as often as it likes
+ * @param {{ needs?: Journey["needs"] }} [options] the browser it needs
+ */
+export function journey(name, walk, { needs = "gpu" } = {}) {
+  journeys.push({ name, needs, walk });
+}

@@ -1,0 +1,47 @@
+import assert from "node:assert/strict";
+import { journey } from "./journey.mjs";
+import { difference } from "./pixels.mjs";
+import { SAMPLE } from "./visitor.mjs";
+
+journey("everything from photo to file by keyboard alone", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.untilLoaded();
+
+  await page.focus("#drop-zone");
+  const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.keyboard.press("Enter")]);
+  await chooser.setFiles(SAMPLE);
+  await visitor.untilFace();
+
+  await page.focus("#landmark-search");
+  await page.keyboard.type("nose tip");
+  await page.keyboard.press("Enter");
+  assert.match(await page.innerText("#landmark-said"), /nose tip · 1 selected/i);
+  const before = await visitor.meshJson("mm");
+
+  await page.focus("#landmark-sliders [data-axis='z'] input[type=range]");
+  for (let press = 0; press < 10; press++) await page.keyboard.press("ArrowRight");
+  assert.equal(await page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]"), "1");
+  assert.match(await page.innerText("#landmark-said"), /nose tip · 1 moved: x 0.0, y 0.0, z 1.0 millimetres/i);
+  assert.notDeepEqual(await visitor.meshJson("mm"), before);
+
+  for (let press = 0; press < 10; press++) await page.keyboard.press("Control+z");
+  assert.deepEqual(await visitor.meshJson("mm"), before);
+  await page.keyboard.press("Control+Shift+z");
+  assert.notDeepEqual(await visitor.meshJson("mm"), before);
+});
+
+journey("the camera follows the keys while the view has the focus", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  const start = await visitor.view();
+  await page.focus("#viewport");
+  for (const key of ["ArrowLeft", "Control+Shift+ArrowUp", "Alt+ArrowUp", "l", "t"]) {
+    await page.keyboard.press("Space");
+    await page.keyboard.press(key);
+    assert.ok(difference(start, await visitor.view()) > 0.01, `${key} did nothing`);
+  }
+  await page.keyboard.press("Space");
+  assert.ok(difference(start, await visitor.view()) < 0.001, "Space did not reset the view");
+});

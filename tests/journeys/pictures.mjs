@@ -1,0 +1,56 @@
+import { PNG } from "pngjs";
+import { crc32 } from "node:zlib";
+
+/** A picture in which nobody would find a face. */
+export function faceless() {
+  const png = new PNG({ width: 320, height: 240 });
+  for (let i = 0; i < png.data.length; i += 4) {
+    const x = (i / 4) % png.width;
+    png.data.set([x % 256, 160, 255 - (x % 256), 255], i);
+  }
+  return PNG.sync.write(png);
+}
+
+/** A text file; its name will say JPEG. */
+export function text() {
+  return Buffer.from("Dear diary, today I was renamed to a photo.\n".repeat(40));
+}
+
+/** A PNG whose header promises 20 000 × 20 000 px, followed by almost nothing. */
+export function enormousPng() {
+  const header = Buffer.alloc(13);
+  header.writeUInt32BE(20_000, 0);
+  header.writeUInt32BE(20_000, 4);
+  header.set([8, 2, 0, 0, 0], 8);
+  const signature = Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
+  return Buffer.concat([signature, chunk("IHDR", header), chunk("IDAT", Buffer.from([0x78, 0x9c])), chunk("IEND", Buffer.alloc(0))]);
+}
+
+/**
+ * The same photo as a JPEG, written by the browser.
+ *
+ * @param {import("playwright-core").Page} page
+ * @param {Uint8Array} png
+ */
+export async function asJpeg(page, png) {
+  const base64 = await page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const picture = await createImageBitmap(new Blob([bytes]));
+    const canvas = new OffscreenCanvas(picture.width, picture.height);
+    canvas.getContext("2d").drawImage(picture, 0, 0);
+    const blob = await canvas.convertToBlob({ type: "image/jpeg", quality: 0.9 });
+    let letters = "";
+    for (const byte of new Uint8Array(await blob.arrayBuffer())) letters += String.fromCharCode(byte);
+    return btoa(letters);
+  }, Buffer.from(png).toString("base64"));
+  return Buffer.from(base64, "base64");
+}
+
+function chunk(type, data) {
+  const body = Buffer.concat([Buffer.from(type), data]);
+  const length = Buffer.alloc(4);
+  length.writeUInt32BE(data.length);
+  const sum = Buffer.alloc(4);
+  sum.writeUInt32BE(crc32(body));
+  return Buffer.concat([length, body, sum]);
+}

@@ -1,0 +1,59 @@
+/** @typedef {{ width: number, height: number, data: Uint8Array }} Pixels RGBA */
+
+/**
+ * Mean colour of a box given in shares of the picture's size, each channel 0 to 255.
+ *
+ * @param {Pixels} pixels
+ * @param {{ left: number, top: number, right: number, bottom: number }} box
+ */
+export function meanColour(pixels, box) {
+  const sum = [0, 0, 0];
+  let count = 0;
+  for (let y = Math.floor(box.top * pixels.height); y < box.bottom * pixels.height; y++) {
+    for (let x = Math.floor(box.left * pixels.width); x < box.right * pixels.width; x++) {
+      const at = 4 * (y * pixels.width + x);
+      for (let channel = 0; channel < 3; channel++) sum[channel] += pixels.data[at + channel];
+      count += 1;
+    }
+  }
+  return sum.map((total) => total / count);
+}
+
+/**
+ * A colour without its brightness: shares of red, green and blue that sum to 1.
+ *
+ * @param {number[]} colour
+ */
+export function chromaticity(colour) {
+  const sum = colour.reduce((a, b) => a + b);
+  return colour.map((channel) => channel / sum);
+}
+
+/**
+ * Share of the pixels in which two pictures of one size differ by more than a little.
+ *
+ * @param {Pixels} a
+ * @param {Pixels} b
+ */
+export function difference(a, b) {
+  if (a.width !== b.width || a.height !== b.height) throw new Error("the pictures differ in size");
+  let changed = 0;
+  for (let at = 0; at < a.data.length; at += 4) {
+    const step = Math.max(...[0, 1, 2].map((channel) => Math.abs(a.data[at + channel] - b.data[at + channel])));
+    if (step > 4) changed += 1;
+  }
+  return changed / (a.width * a.height);
+}
+
+/**
+ * How many different colours there are, of 4096: 1 or 2 in a blank picture.
+ *
+ * @param {Pixels} pixels
+ */
+export function colourCount(pixels) {
+  const seen = new Set();
+  for (let at = 0; at < pixels.data.length; at += 4) {
+    seen.add(((pixels.data[at] >> 4) << 8) | ((pixels.data[at + 1] >> 4) << 4) | (pixels.data[at + 2] >> 4));
+  }
+  return seen.size;
+}

@@ -1,0 +1,57 @@
+import assert from "node:assert/strict";
+import { journey } from "./journey.mjs";
+
+journey("after loading, no request leaves the page", async (open) => {
+  /** @type {string[]} */
+  const requests = [];
+  const visitor = await open({
+    before: async (context) => {
+      context.on("request", (request) => requests.push(request.url()));
+    },
+  });
+  await visitor.untilLoaded();
+  requests.length = 0;
+  await visitor.page.click("#welcome [data-action='sample']");
+  await visitor.untilFace();
+  await visitor.findLandmark("chin");
+  await visitor.offset("y", -6);
+  await visitor.download("download-glb");
+  await visitor.dropSample();
+  const left = requests.filter((url) => !url.startsWith("blob:") && !url.startsWith("data:"));
+  assert.deepEqual(left, []);
+  assert.equal(await visitor.page.getAttribute("#privacy-count", "data-requests"), "0");
+  assert.match(await visitor.page.innerText("#privacy"), /stays on this device/);
+});
+
+journey("the page's policy forbids every other host, inline scripts and eval", async (open) => {
+  const visitor = await open();
+  const refused = await visitor.page.evaluate(async () => {
+    const violations = [];
+    document.addEventListener("securitypolicyviolation", (event) => violations.push(event.effectiveDirective));
+    const elsewhere = await fetch("https://example.com/").then(() => "answered", () => "refused");
+    const script = document.createElement("script");
+    script.textContent = "window.ranInline = true";
+    document.body.append(script);
+    const picture = new Image();
+    picture.src = "https://example.com/pixel.png";
+    await new Promise((resolve) => (picture.onerror = resolve));
+    let evaluated = "refused";
+    try {
+      evaluated = new Function("return 'ran'")();
+    } catch {}
+    return { elsewhere, ranInline: "ranInline" in window, evaluated, violations };
+  });
+  assert.equal(refused.elsewhere, "refused");
+  assert.equal(refused.ranInline, false);
+  assert.equal(refused.evaluated, "refused");
+  assert.ok(refused.violations.includes("connect-src") && refused.violations.includes("img-src"));
+});
+
+journey("after the first visit the page works without a network", async (open) => {
+  const visitor = await open({ serviceWorkers: "allow" });
+  await visitor.untilLoaded();
+  await visitor.page.context().setOffline(true);
+  await visitor.page.reload();
+  await visitor.page.click("#welcome [data-action='sample']");
+  await visitor.untilFace();
+});

@@ -1,0 +1,172 @@
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import path from "node:path";
+import { PNG } from "pngjs";
+
+export const SAMPLE = path.resolve(import.meta.dirname, "../../web/assets/sample.png");
+
+/** Whatever floats over the 3D view. */
+const FLOATING_HIDDEN = ".stage > :not(.viewport) { visibility: hidden !important; }";
+
+/** Someone at the page: what they do, and what they see. */
+export class Visitor {
+  /** Errors the page let through. */
+  broken = [];
+  /** What the page wrote to the console. */
+  said = [];
+
+  /**
+   * @param {import("playwright-core").Browser} browser
+   * @param {string} url
+   * @param {{ before?: (context: import("playwright-core").BrowserContext) => Promise<void> } & import("playwright-core").BrowserContextOptions} [options]
+   */
+  static async arrive(browser, url, { before, ...options } = {}) {
+    const context = await browser.newContext({
+      viewport: { width: 1280, height: 800 },
+      locale: "en-GB",
+      reducedMotion: "reduce",
+      serviceWorkers: "block",
+      acceptDownloads: true,
+      ...options,
+    });
+    await before?.(context);
+    const visitor = new Visitor(await context.newPage());
+    await visitor.page.goto(url);
+    return visitor;
+  }
+
+  /** @param {import("playwright-core").Page} page */
+  constructor(page) {
+    this.page = page;
+    page.setDefaultTimeout(60_000);
+    page.on("pageerror", (error) => this.broken.push(error));
+    page.on("console", (message) => this.said.push(`${message.type()}: ${message.text()}`));
+  }
+
+  checkNothingBroke() {
+    assert.deepEqual(this.broken, []);
+  }
+
+  async leave() {
+    await this.page.context().close();
+  }
+
+  /** Waits until the page has all its parts, after which it makes no request. */
+  async untilLoaded() {
+    await this.page.waitForSelector("#privacy-count[data-requests='0']", { state: "attached" });
+  }
+
+  /**
+   * Drops a file anywhere on the page.
+   *
+   * @param {Uint8Array} bytes
+   * @param {string} name
+   */
+  async drop(bytes, name) {
+    const transfer = await this.page.evaluateHandle(
+      ({ base64, name }) => {
+        const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+        const transfer = new DataTransfer();
+        transfer.items.add(new File([bytes], name));
+        return transfer;
+      },
+      { base64: Buffer.from(bytes).toString("base64"), name },
+    );
+    await this.page.dispatchEvent("#stage", "dragover", { dataTransfer: transfer });
+    await this.page.dispatchEvent("#stage", "drop", { dataTransfer: transfer });
+  }
+
+  async dropSample() {
+    await this.drop(await readFile(SAMPLE), "portrait.png");
+    await this.untilFace();
+  }
+
+  /** Waits until a face is on the canvas. */
+  async untilFace() {
+    await this.page.waitForSelector("body[data-state='face']");
+    await this.page.waitForSelector("#progress", { state: "hidden" });
+    await this.frames(3);
+  }
+
+  /**
+   * Waits for so many frames to be drawn.
+   *
+   * @param {number} count
+   */
+  async frames(count) {
+    await this.page.evaluate(async (count) => {
+      for (let i = 0; i < count; i++) await new Promise(requestAnimationFrame);
+    }, count);
+  }
+
+  /** Shows a section of the panel, whichever tab or fold hides it. */
+  async unfold(id) {
+    const details = this.page.locator(`#${id}`);
+    const tab = await details.getAttribute("data-tab");
+    const button = this.page.locator(`[data-tab-name="${tab}"]`);
+    if (await button.isVisible()) await button.click();
+    if ((await details.getAttribute("open")) === null) await details.locator("summary").click();
+  }
+
+  /**
+   * Finds a landmark by name or number.
+   *
+   * @param {string} text
+   */
+  async findLandmark(text) {
+    await this.unfold("section-landmark");
+    await this.page.fill("#landmark-search", text);
+    await this.page.press("#landmark-search", "Enter");
+  }
+
+  /**
+   * Types an offset into the number field of an axis.
+   *
+   * @param {"x" | "y" | "z"} axis
+   * @param {number} offset_mm
+   */
+  async offset(axis, offset_mm) {
+    const field = this.page.locator(`#landmark-sliders [data-axis="${axis}"] input[type=number]`);
+    await field.fill(String(offset_mm));
+    await field.press("Tab");
+    await this.frames(3);
+  }
+
+  /** The anchors of the edit, as the panel names them. */
+  async anchors() {
+    const text = await this.page.locator("#landmark-anchors").getAttribute("data-anchors");
+    return (text ?? "").split(" ").filter(Boolean).map(Number);
+  }
+
+  /** @param {"mm" | "image"} units */
+  async meshJson(units) {
+    await this.unfold("section-export");
+    await this.page.check(`input[name="export-units"][value="${units}"]`, { force: true });
+    return JSON.parse((await this.download("download-json")).toString());
+  }
+
+  /** @param {string} action */
+  async download(action) {
+    await this.unfold("section-export");
+    const [download] = await Promise.all([
+      this.page.waitForEvent("download"),
+      this.page.click(`#section-export [data-action="${action}"]`),
+    ]);
+    return readFile(await download.path());
+  }
+
+  /** The pixels of the 3D view, with what floats over it left out. */
+  async view() {
+    await this.frames(3);
+    const shot = await this.page.locator("#viewport").screenshot({ style: FLOATING_HIDDEN, animations: "disabled" });
+    return PNG.sync.read(shot);
+  }
+
+  /** What the notice says, once there is one. */
+  async notice() {
+    const notice = this.page.locator("#notice");
+    await notice.waitFor();
+    const code = await notice.getAttribute("data-code");
+    return { code, text: (await notice.innerText()).trim() };
+  }
+}

@@ -1,0 +1,21 @@
+import assert from "node:assert/strict";
+import { PNG } from "pngjs";
+import { journey } from "./journey.mjs";
+import { colourCount } from "./pixels.mjs";
+import { readFile } from "node:fs/promises";
+import { SAMPLE } from "./visitor.mjs";
+
+journey(
+  "without WebGPU the page says so, and still draws the landmarks on the photo",
+  async (open) => {
+    const visitor = await open();
+    const { code, text } = await visitor.notice();
+    assert.ok(code === "no-webgpu" || code === "no-adapter", code);
+    assert.match(text, /cannot draw in 3D/);
+    await visitor.drop(await readFile(SAMPLE), "portrait.png");
+    await visitor.page.waitForSelector("body[data-state='photo']");
+    const photo = PNG.sync.read(await visitor.page.locator("#photo-picture").screenshot());
+    assert.ok(colourCount(photo) > 100, "the photo is not drawn");
+  },
+  { needs: "no-gpu" },
+);
