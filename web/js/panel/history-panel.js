@@ -16,7 +16,11 @@ import { announce } from "./landmark-panel.js";
  */
 export function setUpHistoryPanel(bench) {
   const undo = () => {
-    bench.act((studio) => studio.undo());
+    bench.act((studio) => {
+      // What is still moving becomes an edit first, and is what undo takes back.
+      studio.commit();
+      studio.undo();
+    });
     announce(say("undone"));
   };
   const redo = () => {

@@ -18,11 +18,17 @@ import { inEveryLanguage, say } from "../words/words.js";
  * @property {() => void} onCancel on Escape
  */
 
+/** Keys pressed one after another within this time make one edit. */
+const KEYS_PAUSE_MS = 700;
+const STEP_KEYS = new Set(["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "PageUp", "PageDown", "Home", "End"]);
+
 /** A slider with its exact number beside it: two controls of one value. */
 export class Slider {
   element = make("div", "slider");
   #range = make("input");
   #number = make("input", "number-field");
+  /** The commit that follows the last key, while one is waited for. */
+  #pending = 0;
   #options;
 
   /** @param {SliderOptions} options */
@@ -59,6 +65,7 @@ export class Slider {
   /** @param {HTMLInputElement} input */
   #wire(input) {
     const { min, max, step, onInput, onCommit, onCancel } = this.#options;
+    let byKey = false;
     input.min = String(min);
     input.max = String(max);
     input.step = String(step);
@@ -70,11 +77,26 @@ export class Slider {
     input.addEventListener("change", () => {
       this.value = Number.isNaN(input.valueAsNumber) ? this.#options.neutral : input.valueAsNumber;
       onInput();
-      onCommit();
+      if (!byKey) return onCommit();
+      clearTimeout(this.#pending);
+      this.#pending = setTimeout(() => this.#flush(), KEYS_PAUSE_MS);
     });
+    input.addEventListener("pointerdown", () => (byKey = false));
+    input.addEventListener("blur", () => this.#flush());
     input.addEventListener("keydown", (event) => {
-      if (event.key === "Escape") onCancel();
+      byKey = STEP_KEYS.has(event.key);
+      if (event.key !== "Escape") return;
+      clearTimeout(this.#pending);
+      this.#pending = 0;
+      onCancel();
     });
+  }
+
+  #flush() {
+    if (this.#pending === 0) return;
+    clearTimeout(this.#pending);
+    this.#pending = 0;
+    this.#options.onCommit();
   }
 
   #reset() {
