@@ -39,7 +39,7 @@ journey("moving the nose tip changes picture and mesh as the command line does, 
   const after = { view: await visitor.view(), mesh: await visitor.meshJson("mm") };
   assert.ok(difference(before.view, after.view) > 0.002, "the picture did not change");
 
-  const edit = `1:0,0,12:${anchors.join(",")}`;
+  const edit = `${await visitor.landmark()}:0,0,12:${anchors.join(",")}`;
   assertSameMesh(before.mesh, await meshByCommandLine(SAMPLE, ["--units", "mm"]));
   assertSameMesh(after.mesh, await meshByCommandLine(SAMPLE, ["--units", "mm", "--edit", edit]));
 

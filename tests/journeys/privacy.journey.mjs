@@ -13,7 +13,7 @@ journey("after loading, no request leaves the page", async (open) => {
   requests.length = 0;
   await visitor.page.click("#welcome [data-action='sample']");
   await visitor.untilFace();
-  await visitor.findLandmark("chin");
+  await visitor.findLandmark("bottom of the chin");
   await visitor.offset("y", -6);
   await visitor.download("download-glb");
   await visitor.dropSample();

@@ -132,6 +132,11 @@ export class Visitor {
     await this.frames(3);
   }
 
+  /** The number of the landmark that is being edited. */
+  async landmark() {
+    return Number((await this.page.inputValue("#landmark-search")).match(/\d+$/)?.[0]);
+  }
+
   /** The anchors of the edit, as the panel names them. */
   async anchors() {
     const text = await this.page.locator("#landmark-anchors").getAttribute("data-anchors");

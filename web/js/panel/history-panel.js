@@ -1,6 +1,7 @@
 import { byId, enableAction, make, onAction } from "../page/dom.js";
 import { setUpEditKeys } from "../viewport/shortcuts.js";
-import { inEveryLanguage, language, say, sayNumber } from "../words/words.js";
+import { landmarkLabel } from "../viewport/landmark-label.js";
+import { inEveryLanguage, say, sayNumber } from "../words/words.js";
 import { announce } from "./landmark-panel.js";
 
 /**
@@ -59,7 +60,7 @@ function show(state, bench) {
  */
 function row(entry, bench) {
   const { index, vertex, enabled } = entry;
-  const name = bench.studio.landmarkName(vertex, language());
+  const name = landmarkLabel(bench.studio, vertex);
   const item = make("li");
   item.toggleAttribute("data-off", !enabled);
   const takesPart = make("input");
@@ -70,6 +71,6 @@ function row(entry, bench) {
     bench.act((studio) => studio.setEntryEnabled(index, takesPart.checked));
   });
   const distance_mm = Math.hypot(entry.xMm, entry.yMm, entry.zMm);
-  item.append(takesPart, make("span", "what", `${name} · ${vertex}`), make("span", "how-much", `${sayNumber(distance_mm, 1)} mm`));
+  item.append(takesPart, make("span", "what", name), make("span", "how-much", `${sayNumber(distance_mm, 1)} mm`));
   return item;
 }

@@ -1,4 +1,5 @@
 import { byId, make } from "../page/dom.js";
+import { landmarkLabel } from "../viewport/landmark-label.js";
 import { inEveryLanguage, language, say, sayNumber } from "../words/words.js";
 import { Slider } from "./slider.js";
 
@@ -75,15 +76,15 @@ export class LandmarkPanel {
   #landmarkOf(text) {
     const wanted = text.toLocaleLowerCase();
     for (let landmark = 0; landmark < LANDMARKS; landmark++) {
-      if (wanted === String(landmark) || wanted === this.#label(landmark)) return landmark;
-      if (wanted === this.#bench.studio.landmarkName(landmark, language())) return landmark;
+      const name = this.#bench.studio.landmarkName(landmark, language());
+      if ([String(landmark), name, this.#label(landmark)].some((way) => way.toLocaleLowerCase() === wanted)) return landmark;
     }
     return undefined;
   }
 
   /** @param {number} landmark */
   #label(landmark) {
-    return `${this.#bench.studio.landmarkName(landmark, language())} · ${landmark}`;
+    return landmarkLabel(this.#bench.studio, landmark);
   }
 
   #listNames() {

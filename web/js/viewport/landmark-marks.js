@@ -1,6 +1,6 @@
 import { byId } from "../page/dom.js";
-import { language } from "../words/words.js";
 import { setUpGestures } from "./gestures.js";
+import { landmarkLabel } from "./landmark-label.js";
 
 /**
  * @typedef {import("./workbench.js").Workbench} Workbench
@@ -57,7 +57,7 @@ export class LandmarkMarks {
     this.overlay.mark(this.#selected, this.#hovered);
     const named = this.#hovered ?? this.#selected;
     this.#tag.hidden = named === undefined;
-    if (named !== undefined) this.#tag.textContent = `${this.bench.studio.landmarkName(named, language())} · ${named}`;
+    if (named !== undefined) this.#tag.textContent = landmarkLabel(this.bench.studio, named);
     this.#place();
   }
 
