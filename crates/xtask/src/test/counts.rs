@@ -52,7 +52,9 @@ fn of_line(line: &str) -> Counts {
     }
 }
 
+/// `3 passed, 1 failed`, perhaps with the runner's name and a colon before it.
 fn is_plain(line: &str) -> bool {
+    let line = line.split_once(": ").map_or(line, |(_, counts)| counts);
     line.starts_with(|first: char| first.is_ascii_digit()) && line.contains(" passed, ") && line.contains(" failed")
 }
 
@@ -97,6 +99,7 @@ mod tests {
     #[test]
     fn reads_the_plain_line_through_colours() {
         assert_eq!(read("\u{1b}[32m12 passed, 1 failed\u{1b}[0m"), Counts { passed: 12, failed: 1 });
+        assert_eq!(read("journeys: 9 passed, 0 failed"), Counts { passed: 9, failed: 0 });
     }
 
     #[test]
