@@ -1,7 +1,7 @@
 /**
  * Hands bytes to the browser as a download.
  *
- * @param {Uint8Array | string} content
+ * @param {Uint8Array | string | Blob} content
  * @param {string} name
  * @param {string} type MIME
  */

@@ -1,4 +1,4 @@
-import { onAction } from "../page/dom.js";
+import { byId, onAction } from "../page/dom.js";
 import { download } from "../page/download.js";
 import { showTrouble } from "../page/notice.js";
 import { say } from "../words/words.js";
@@ -20,6 +20,7 @@ export function setUpExportPanel(bench) {
     const paint = /** @type {ExportPaintName} */ (chosen("export-paint"));
     save("rosto.glb", "model/gltf-binary", () => bench.studio.exportGlb(paint));
   });
+  onAction("download-picture", () => savePicture(bench));
   onAction("download-json", () => {
     const units = /** @type {UnitsName} */ (chosen("export-units"));
     save("rosto.json", "application/json", () => bench.studio.meshJson(units));
@@ -27,9 +28,30 @@ export function setUpExportPanel(bench) {
 }
 
 /**
+ * The view as it is, at twice the size of the screen.
+ *
+ * @param {Workbench} bench
+ */
+async function savePicture(bench) {
+  const transparent = byId("picture-transparent", HTMLInputElement).checked;
+  const { width, height } = bench.canvas;
+  try {
+    const snapshot = await bench.studio.snapshot(2 * width, 2 * height, transparent);
+    const canvas = new OffscreenCanvas(snapshot.width, snapshot.height);
+    const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (snapshot.takePixels().buffer));
+    canvas.getContext("2d")?.putImageData(new ImageData(pixels, snapshot.width, snapshot.height), 0, 0);
+    snapshot.free();
+    const png = await canvas.convertToBlob({ type: "image/png" });
+    save("rosto.png", "image/png", () => png);
+  } catch (error) {
+    showTrouble(error);
+  }
+}
+
+/**
  * @param {string} name
  * @param {string} type
- * @param {() => Uint8Array | string} produce
+ * @param {() => Uint8Array | string | Blob} produce
  */
 function save(name, type, produce) {
   try {

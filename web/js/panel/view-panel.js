@@ -1,4 +1,6 @@
 import { byId, onAction } from "../page/dom.js";
+import { inEveryLanguage, say } from "../words/words.js";
+import { setUpLight } from "./light.js";
 import { Slider } from "./slider.js";
 
 /**
@@ -6,8 +8,7 @@ import { Slider } from "./slider.js";
  * @typedef {import("../../wasm/rosto-studio-web.js").PaintName} PaintName
  */
 
-/** The light comes from the upper left until someone moves it. */
-const LIGHT = { azimuth_deg: -35, elevation_deg: 40, strength_percent: 100 };
+const TURNTABLE_DEG_PER_S = 24;
 
 /**
  * How the face is painted, lit and looked at.
@@ -17,51 +18,90 @@ const LIGHT = { azimuth_deg: -35, elevation_deg: 40, strength_percent: 100 };
 export function setUpViewPanel(bench) {
   setUpPaint(bench);
   setUpLight(bench);
+  setUpBeforeAfter(bench);
+  onCheck("wireframe", (shown) => bench.look((studio) => studio.setWireframe(shown)));
+  onCheck("dots", (shown) => bench.look((studio) => studio.setDots(shown)));
+  onCheck("turntable", (turns) => bench.look((studio) => studio.setTurntable(turns ? TURNTABLE_DEG_PER_S : 0)));
+  const density = byId("density", HTMLSelectElement);
+  density.addEventListener("change", () => bench.act((studio) => studio.setDensity(Number(density.value))));
   onAction("reset-view", () => bench.look((studio) => studio.view("reset")));
   for (const side of /** @type {const} */ (["front", "left", "top"])) {
     onAction(`view-${side}`, () => bench.look((studio) => studio.view(side)));
   }
+  followMotionSetting(bench);
 }
 
 /** @param {Workbench} bench */
 function setUpPaint(bench) {
+  const legend = byId("paint-legend", HTMLDivElement);
+  const write = () => {
+    const paint = legend.dataset["paint"];
+    const text = byId("paint-legend-text", HTMLParagraphElement);
+    if (paint === "response") text.textContent = say("legend.response");
+    if (paint === "distortion") text.textContent = say("legend.distortion");
+  };
   byId("paint", HTMLFieldSetElement).addEventListener("change", (event) => {
     const { value } = /** @type {HTMLInputElement} */ (event.target);
+    legend.dataset["paint"] = value;
+    legend.hidden = value !== "response" && value !== "distortion";
+    write();
     bench.look((studio) => studio.setPaint(/** @type {PaintName} */ (value)));
+  });
+  inEveryLanguage(write);
+}
+
+/**
+ * The face as it was found: while a key or a button is held, or by degrees.
+ *
+ * @param {Workbench} bench
+ */
+function setUpBeforeAfter(bench) {
+  const button = byId("compare", HTMLButtonElement);
+  const apply = () => bench.look((studio) => studio.setBefore(slider.value / 100));
+  const slider = new Slider({
+    label: "before",
+    longLabel: "before.long",
+    unit: "%",
+    min: 0,
+    max: 100,
+    step: 1,
+    neutral: 0,
+    onInput: apply,
+    onCommit: apply,
+    onCancel: () => {},
+  });
+  byId("before-slider", HTMLFieldSetElement).append(slider.element);
+  const hold = (/** @type {boolean} */ held) => {
+    button.setAttribute("aria-pressed", String(held));
+    bench.look((studio) => studio.setBefore(held ? 1 : slider.value / 100));
+  };
+  button.addEventListener("pointerdown", () => hold(true));
+  for (const end of ["pointerup", "pointerleave", "pointercancel", "blur"]) button.addEventListener(end, () => hold(false));
+  button.addEventListener("keydown", (event) => {
+    if (event.key === "Enter" || event.key === " ") hold(true);
+  });
+  button.addEventListener("keyup", () => hold(false));
+  bench.canvas.addEventListener("keydown", (event) => {
+    if (event.key.toLowerCase() === "b" && !event.repeat) hold(true);
+  });
+  bench.canvas.addEventListener("keyup", (event) => {
+    if (event.key.toLowerCase() === "b") hold(false);
   });
 }
 
+/**
+ * @param {string} id
+ * @param {(checked: boolean) => void} apply
+ */
+function onCheck(id, apply) {
+  const box = byId(id, HTMLInputElement);
+  box.addEventListener("change", () => apply(box.checked));
+}
+
 /** @param {Workbench} bench */
-function setUpLight(bench) {
-  const apply = () => bench.look((studio) => studio.setLight(azimuth.value, elevation.value, strength.value / 100));
-  const common = { step: 1, onInput: apply, onCommit: apply, onCancel: () => {} };
-  const azimuth = new Slider({
-    ...common,
-    label: "light.azimuth",
-    longLabel: "light.azimuth.long",
-    unit: "°",
-    min: -180,
-    max: 180,
-    neutral: LIGHT.azimuth_deg,
-  });
-  const elevation = new Slider({
-    ...common,
-    label: "light.elevation",
-    longLabel: "light.elevation.long",
-    unit: "°",
-    min: -90,
-    max: 90,
-    neutral: LIGHT.elevation_deg,
-  });
-  const strength = new Slider({
-    ...common,
-    label: "light.strength",
-    longLabel: "light.strength.long",
-    unit: "%",
-    min: 0,
-    max: 200,
-    neutral: LIGHT.strength_percent,
-  });
-  byId("light-sliders", HTMLFieldSetElement).append(azimuth.element, elevation.element, strength.element);
+function followMotionSetting(bench) {
+  const setting = matchMedia("(prefers-reduced-motion: reduce)");
+  const apply = () => bench.look((studio) => studio.setReducedMotion(setting.matches));
+  setting.addEventListener("change", apply);
   apply();
 }

@@ -1,5 +1,5 @@
 import { byId } from "../page/dom.js";
-import { setUpGestures } from "./gestures.js";
+import { Gestures } from "./gestures.js";
 import { landmarkLabel } from "./landmark-label.js";
 
 /**
@@ -27,10 +27,11 @@ export class LandmarkMarks {
       this.#write();
     });
     bench.onFrame(() => this.#place());
-    setUpGestures(bench, {
+    new Gestures(bench, {
       pick: (x_px, y_px) => bench.act((studio) => studio.select(studio.pick(x_px, y_px))),
       hover: (x_px, y_px) => bench.look((studio) => this.#name(studio.hover(x_px, y_px))),
       leave: () => this.hover(undefined),
+      widen: () => {},
     });
     overlay.listen({ hover: (landmark) => this.hover(landmark), choose: (landmark) => bench.act((studio) => studio.select(landmark)) });
   }

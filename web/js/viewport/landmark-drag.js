@@ -1,0 +1,114 @@
+/**
+ * @typedef {import("./workbench.js").Workbench} Workbench
+ * @typedef {import("../../wasm/rosto-studio-web.js").AxisName} AxisName
+ */
+
+const AXIS_KEYS = /** @type {Record<string, AxisName>} */ ({ x: "x", y: "y", z: "z" });
+
+/** Moves a landmark with the pointer, in the view plane or along an axis; Escape puts it back. */
+export class LandmarkDrag {
+  /** @type {"idle" | "ready" | "moving"} */
+  #phase = "idle";
+  /** @type {AxisName | undefined} */
+  #axis;
+  /** @type {number | undefined} */
+  #landmark;
+  #at = { x_px: 0, y_px: 0, fine: false };
+  #bench;
+  #told;
+
+  /**
+   * @param {Workbench} bench
+   * @param {{ widen: (factor: number) => void }} told
+   */
+  constructor(bench, told) {
+    this.#bench = bench;
+    this.#told = told;
+    addEventListener("keydown", (event) => this.#key(event), { capture: true });
+  }
+
+  /** Whether a press has taken hold of a landmark. */
+  get isReady() {
+    return this.#phase !== "idle";
+  }
+
+  get isMoving() {
+    return this.#phase === "moving";
+  }
+
+  /**
+   * Takes hold of what lies under the pointer. A finger only takes what is selected, as it hides what it touches.
+   *
+   * @param {number} x_px in device pixels of the canvas
+   * @param {number} y_px
+   * @param {string} pointerType
+   */
+  press(x_px, y_px, pointerType) {
+    const { studio } = this.#bench;
+    this.#axis = studio.pickAxis(x_px, y_px);
+    const landmark = this.#axis ? studio.selected : studio.pick(x_px, y_px);
+    if (landmark === undefined || (pointerType === "touch" && landmark !== studio.selected)) return;
+    this.#landmark = landmark;
+    this.#at = { x_px, y_px, fine: false };
+    this.#phase = "ready";
+  }
+
+  /**
+   * @param {number} x_px
+   * @param {number} y_px
+   * @param {boolean} fine ten times slower
+   */
+  move(x_px, y_px, fine) {
+    if (this.#phase === "ready") this.#grab();
+    this.#at = { x_px, y_px, fine };
+    this.#follow();
+  }
+
+  /** Keeps the edit. */
+  release() {
+    if (this.#phase === "moving") this.#bench.act((studio) => studio.commit());
+    this.#phase = "idle";
+  }
+
+  /** Puts the landmark back. */
+  cancel() {
+    if (this.#phase === "moving") this.#bench.act((studio) => studio.cancel());
+    this.#phase = "idle";
+  }
+
+  /**
+   * Changes how far the edit reaches.
+   *
+   * @param {number} factor
+   */
+  widen(factor) {
+    this.#told.widen(factor);
+    this.#follow();
+  }
+
+  #grab() {
+    this.#phase = "moving";
+    this.#bench.act((studio) => {
+      studio.commit();
+      if (studio.selected !== this.#landmark) studio.select(this.#landmark);
+      studio.grab(this.#at.x_px, this.#at.y_px);
+    });
+  }
+
+  #follow() {
+    const { x_px, y_px, fine } = this.#at;
+    this.#bench.act((studio) => studio.dragTo(x_px, y_px, this.#axis, fine));
+  }
+
+  /** @param {KeyboardEvent} event */
+  #key(event) {
+    if (this.#phase !== "moving") return;
+    if (event.key === "Escape") this.cancel();
+    const axis = AXIS_KEYS[event.key.toLowerCase()];
+    if (axis === undefined) return;
+    // The same key again frees the landmark.
+    this.#axis = this.#axis === axis ? undefined : axis;
+    event.preventDefault();
+    this.#follow();
+  }
+}
