@@ -19,6 +19,7 @@ mod test;
 mod toolchain;
 mod tools;
 mod versions;
+mod wasm_opt;
 mod workspace;
 
 use failure::{Failure, Outcome};
@@ -43,6 +44,7 @@ fn run(arguments: &[String]) -> Outcome<ExitCode> {
         ["serve"] => serve::run(),
         ["dist"] => dist::run(),
         ["test", steps @ ..] => test::run(steps),
+        ["wasm-opt", arguments @ ..] => wasm_opt::run(arguments).map(|()| ExitCode::SUCCESS),
         [] | ["help" | "-h" | "--help"] => {
             print!("{}", help::TEXT);
             Ok(ExitCode::SUCCESS)
