@@ -9,15 +9,22 @@ import { setUpExportPanel } from "./panel/export-panel.js";
 import { setUpHistoryPanel } from "./panel/history-panel.js";
 import { LandmarkPanel } from "./panel/landmark-panel.js";
 import { setUpViewPanel } from "./panel/view-panel.js";
+import { setUpCamera } from "./photo/camera.js";
+import { FaceChoice } from "./photo/face-choice.js";
 import { setUpPhotoInput } from "./photo/photo-input.js";
 import { PhotoOverlay } from "./photo/photo-overlay.js";
+import { loadSample } from "./photo/sample.js";
+import { Replaced, VisionClient } from "./photo/vision-client.js";
 import { LandmarkMarks } from "./viewport/landmark-marks.js";
 import { setUpViewKeys } from "./viewport/shortcuts.js";
 import { Workbench } from "./viewport/workbench.js";
 import { inEveryLanguage, language, speak, writeWords } from "./words/words.js";
-import { Replaced, VisionClient } from "./photo/vision-client.js";
+import { isProjectFile, readProjectFile } from "./work/project-file.js";
+import { WorkKeeper } from "./work/work-keeper.js";
+import { faceOf } from "./work/work.js";
 
-/** @typedef {import("./worker/protocol.js").FoundFaces} FoundFaces */
+/** A group photo offers this many faces at most. */
+const MAX_FACES = 8;
 
 setUpWords();
 setUpNotice();
@@ -27,19 +34,19 @@ setUpCredits();
 
 const vision = new VisionClient();
 const overlay = new PhotoOverlay();
+const keeper = new WorkKeeper();
 const bench = openBench();
-/** @type {Promise<Blob> | undefined} */
-let sample;
+/** @type {import("./worker/protocol.js").FoundFaces | undefined} */
+let found;
+const faceChoice = new FaceChoice((index) => {
+  if (found) openFace(faceOf(found, index));
+});
 
 setUpTheme((theme) => bench.then((opened) => opened?.look((studio) => studio.setTheme(theme))));
-setUpPhotoInput(openPhoto);
-onAction("sample", async () => {
-  try {
-    await openPhoto(await loadSample());
-  } catch (error) {
-    showTrouble(error);
-  }
-});
+setUpPhotoInput(openFile);
+setUpCamera(openFile);
+onAction("sample", () => loadSample().then(openFile, showPhotoTrouble));
+keeper.offer((work) => openWork(work));
 countRequests(loadTheRest());
 
 /** The 3D view and every panel that works on it; nothing where there is no WebGPU. */
@@ -51,7 +58,8 @@ async function openBench() {
     new LandmarkPanel(opened);
     setUpViewPanel(opened);
     setUpHistoryPanel(opened);
-    setUpExportPanel(opened);
+    setUpExportPanel(opened, keeper);
+    keeper.follow(opened);
     opened.look((studio) => studio.showCanonical());
     document.body.dataset["bench"] = "open";
     return opened;
@@ -70,14 +78,16 @@ async function loadTheRest() {
   await Promise.allSettled([loadSample(), keepOffline()]);
 }
 
-/** @param {Blob} photo */
-async function openPhoto(photo) {
+/**
+ * A photo, or a project that was saved before.
+ *
+ * @param {Blob} file
+ */
+async function openFile(file) {
   hideNotice();
-  showLoading();
   try {
-    const found = await vision.find(photo, 1, showStage);
-    await openFace(found, 0);
-    hideProgress();
+    if (await isProjectFile(file)) await openWork(await readProjectFile(file));
+    else await openPhoto(file);
   } catch (error) {
     // The newer photo now has the progress to itself.
     if (error instanceof Replaced) return;
@@ -86,43 +96,44 @@ async function openPhoto(photo) {
   }
 }
 
-/**
- * @param {FoundFaces} found
- * @param {number} index
- */
-async function openFace(found, index) {
-  const face = found.faces[index];
-  if (!face) throw { code: "no-face", message: "no face in the photo", hint: "" };
-  await overlay.show(found, face);
+/** @param {Blob} photo */
+async function openPhoto(photo) {
+  showLoading();
+  const faces = await vision.find(photo, MAX_FACES, showStage);
+  await openFace(faceOf(faces, 0));
+  found = faces;
+  await faceChoice.show(faces);
+  hideProgress();
+}
+
+/** @param {import("./work/work.js").Work} work */
+async function openWork({ face, edits }) {
+  await openFace(face);
+  found = undefined;
+  faceChoice.hide();
+  const opened = await bench;
+  opened?.act((studio) => studio.openEdits(edits));
+}
+
+/** @param {import("./work/work.js").OpenedFace} face */
+async function openFace(face) {
+  await overlay.show(face);
   const opened = await bench;
   opened?.act((studio) =>
     studio.openFace(
       face.landmarks,
-      found.width_px,
-      found.height_px,
+      face.width_px,
+      face.height_px,
       face.colours,
-      found.picture,
-      found.pictureWidth_px,
-      found.pictureHeight_px,
+      face.picture,
+      face.pictureWidth_px,
+      face.pictureHeight_px,
     ),
   );
   document.body.dataset["state"] = opened ? "face" : "photo";
   byId("welcome", HTMLElement).hidden = true;
   byId("toolbar", HTMLDivElement).hidden = !opened;
-}
-
-function loadSample() {
-  sample ??= fetchSample().catch((error) => {
-    sample = undefined;
-    throw error;
-  });
-  return sample;
-}
-
-async function fetchSample() {
-  const response = await fetch(new URL("../assets/sample.png", import.meta.url));
-  if (!response.ok) throw { code: "not-loaded", message: `sample.png: ${response.status}`, hint: "" };
-  return response.blob();
+  if (opened) keeper.take(face);
 }
 
 function afterFirstPaint() {

@@ -2,10 +2,12 @@ import { byId, onAction } from "../page/dom.js";
 import { download } from "../page/download.js";
 import { showTrouble } from "../page/notice.js";
 import { say } from "../words/words.js";
+import { projectFile } from "../work/project-file.js";
 import { announce } from "./landmark-panel.js";
 
 /**
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../work/work-keeper.js").WorkKeeper} WorkKeeper
  * @typedef {import("../../wasm/rosto-studio-web.js").ExportPaintName} ExportPaintName
  * @typedef {import("../../wasm/rosto-studio-web.js").UnitsName} UnitsName
  */
@@ -14,17 +16,27 @@ import { announce } from "./landmark-panel.js";
  * Files made of the face as it stands.
  *
  * @param {Workbench} bench
+ * @param {WorkKeeper} keeper
  */
-export function setUpExportPanel(bench) {
+export function setUpExportPanel(bench, keeper) {
   onAction("download-glb", () => {
     const paint = /** @type {ExportPaintName} */ (chosen("export-paint"));
     save("rosto.glb", "model/gltf-binary", () => bench.studio.exportGlb(paint));
   });
+  onAction("save-project", () => saveProject(keeper));
   onAction("download-picture", () => savePicture(bench));
   onAction("download-json", () => {
     const units = /** @type {UnitsName} */ (chosen("export-units"));
     save("rosto.json", "application/json", () => bench.studio.meshJson(units));
   });
+}
+
+/** @param {WorkKeeper} keeper */
+async function saveProject(keeper) {
+  const { work } = keeper;
+  if (!work) return;
+  const file = await projectFile(work);
+  save("face.rosto", file.type, () => file);
 }
 
 /**

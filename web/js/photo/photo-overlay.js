@@ -1,10 +1,7 @@
 import { byId } from "../page/dom.js";
 import { inEveryLanguage, say } from "../words/words.js";
 
-/**
- * @typedef {import("../worker/protocol.js").FoundFaces} FoundFaces
- * @typedef {import("../worker/protocol.js").FoundFace} FoundFace
- */
+/** @typedef {import("../work/work.js").OpenedFace} OpenedFace */
 
 /** The picture is no taller than this, in CSS px. */
 const MAX_HEIGHT_PX = 320;
@@ -47,16 +44,15 @@ export class PhotoOverlay {
   /**
    * Shows the picture and the landmarks of one of its faces. The pixels are only read.
    *
-   * @param {FoundFaces} found
-   * @param {FoundFace} face
+   * @param {OpenedFace} face
    */
-  async show(found, face) {
-    const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (found.picture.buffer));
-    const picture = await createImageBitmap(new ImageData(pixels, found.pictureWidth_px, found.pictureHeight_px));
+  async show(face) {
+    const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (face.picture.buffer));
+    const picture = await createImageBitmap(new ImageData(pixels, face.pictureWidth_px, face.pictureHeight_px));
     this.#picture?.close();
     this.#picture = picture;
     this.#landmarks = face.landmarks;
-    this.#size = { width_px: found.width_px, height_px: found.height_px };
+    this.#size = { width_px: face.width_px, height_px: face.height_px };
     byId("photo", HTMLDivElement).hidden = false;
     this.#writeCaption();
     this.#draw();

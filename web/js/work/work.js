@@ -1,0 +1,31 @@
+/**
+ * Everything needed to go on with a face: what the worker found, and the edits made since.
+ *
+ * @typedef {object} Work
+ * @property {OpenedFace} face
+ * @property {string} edits the studio's own versioned JSON
+ *
+ * @typedef {object} OpenedFace
+ * @property {number} width_px of the upright photo in which the landmarks were found
+ * @property {number} height_px
+ * @property {Float32Array} landmarks 468 × (x/W, y/H, z/W)
+ * @property {Uint8Array} colours 468 × sRGB
+ * @property {number} pictureWidth_px
+ * @property {number} pictureHeight_px
+ * @property {Uint8Array} picture RGBA, upright, row by row
+ */
+
+/**
+ * One of the faces that the worker found, with the picture they share.
+ *
+ * @param {import("../worker/protocol.js").FoundFaces} found
+ * @param {number} index
+ * @returns {OpenedFace}
+ */
+export function faceOf(found, index) {
+  const face = found.faces[index];
+  if (!face) throw { code: "no-face", message: "no face in the photo", hint: "" };
+  const { width_px, height_px, pictureWidth_px, pictureHeight_px, picture } = found;
+  const { landmarks, colours } = face;
+  return { width_px, height_px, landmarks, colours, pictureWidth_px, pictureHeight_px, picture };
+}
