@@ -20,14 +20,15 @@ pub struct Tool {
 /// Which of a crate's features are compiled.
 enum Features {
     Default,
-    /// Without TLS and update checks: the tool has nothing to fetch, all it calls is on PATH already.
-    None,
+    Only(&'static str),
 }
 
 /// Builds the page.
 pub fn trunk() -> Tool {
     let why = "it builds and serves the page";
-    Tool { package: "trunk", version: versions::TRUNK.to_owned(), program: "trunk", features: Features::None, why }
+    // It must be built with one kind of TLS, though all it calls is on PATH already; it need not look for updates.
+    let features = Features::Only("rustls");
+    Tool { package: "trunk", version: versions::TRUNK.to_owned(), program: "trunk", features, why }
 }
 
 /// Writes the JavaScript side of the wasm modules; must be the version of the crate in `Cargo.lock`.
@@ -89,10 +90,10 @@ impl Tool {
 }
 
 impl Features {
-    fn flags(&self) -> &'static [&'static str] {
+    fn flags(&self) -> Vec<&'static str> {
         match self {
-            Self::Default => &[],
-            Self::None => &["--no-default-features"],
+            Self::Default => Vec::new(),
+            Self::Only(feature) => vec!["--no-default-features", "--features", feature],
         }
     }
 }
