@@ -5,6 +5,7 @@ import { countRequests } from "./page/privacy.js";
 import { hideProgress, setUpProgress, showLoading, showStage } from "./page/progress.js";
 import { setUpTabs } from "./page/tabs.js";
 import { setUpTheme } from "./page/theme.js";
+import { EditOptions } from "./panel/edit-options.js";
 import { setUpExportPanel } from "./panel/export-panel.js";
 import { setUpHistoryPanel } from "./panel/history-panel.js";
 import { LandmarkPanel } from "./panel/landmark-panel.js";
@@ -53,7 +54,8 @@ countRequests(loadTheRest());
 async function openBench() {
   try {
     const opened = await Workbench.open(byId("viewport", HTMLCanvasElement));
-    new LandmarkMarks(opened, overlay);
+    const options = new EditOptions(opened);
+    new LandmarkMarks(opened, overlay, (factor) => options.widen(factor));
     setUpViewKeys(opened);
     new LandmarkPanel(opened);
     setUpViewPanel(opened);

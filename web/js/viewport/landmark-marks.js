@@ -18,8 +18,9 @@ export class LandmarkMarks {
   /**
    * @param {Workbench} bench
    * @param {PhotoOverlay} overlay
+   * @param {(factor: number) => void} widen changes how far an edit reaches
    */
-  constructor(bench, overlay) {
+  constructor(bench, overlay, widen) {
     this.bench = bench;
     this.overlay = overlay;
     bench.onChange((state) => {
@@ -31,7 +32,7 @@ export class LandmarkMarks {
       pick: (x_px, y_px) => bench.act((studio) => studio.select(studio.pick(x_px, y_px))),
       hover: (x_px, y_px) => bench.look((studio) => this.#name(studio.hover(x_px, y_px))),
       leave: () => this.hover(undefined),
-      widen: () => {},
+      widen,
     });
     overlay.listen({ hover: (landmark) => this.hover(landmark), choose: (landmark) => bench.act((studio) => studio.select(landmark)) });
   }

@@ -1,0 +1,146 @@
+import { byId } from "../page/dom.js";
+import { inEveryLanguage, say } from "../words/words.js";
+import { Slider } from "./slider.js";
+
+/**
+ * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../words/words.js").WordKey} WordKey
+ * @typedef {import("../../wasm/rosto-studio-web.js").OperatorName} OperatorName
+ * @typedef {import("../../wasm/rosto-studio-web.js").HoldName} HoldName
+ * @typedef {import("../../wasm/rosto-studio-web.js").AnchorsName} AnchorsName
+ *
+ * @typedef {object} Options
+ * @property {OperatorName} operator
+ * @property {HoldName} hold
+ * @property {AnchorsName} anchors
+ * @property {boolean} mirror
+ * @property {boolean} nearby whether the edit reaches no further than the radius
+ */
+
+/** @type {Record<"sculpt" | "paper", Options>} */
+const PRESETS = {
+  sculpt: { operator: "cotangent", hold: "exact", anchors: "oval", mirror: true, nearby: false },
+  paper: { operator: "L_s", hold: "soft", anchors: "random", mirror: false, nearby: false },
+};
+
+const RADIUS_MM = { min: 5, max: 120, step: 1, usual: 40 };
+
+/** How the surface follows a landmark: a preset, or each choice by itself. */
+export class EditOptions {
+  #operator = byId("operator", HTMLSelectElement);
+  #hold = byId("hold", HTMLSelectElement);
+  #anchors = byId("anchors", HTMLSelectElement);
+  #mirror = byId("mirror", HTMLInputElement);
+  #nearby = byId("nearby", HTMLInputElement);
+  #pinned = byId("pinned", HTMLInputElement);
+  #bench;
+  #radius;
+
+  /** @param {Workbench} bench */
+  constructor(bench) {
+    this.#bench = bench;
+    this.#radius = this.#makeRadius();
+    this.#operator.addEventListener("change", () => this.#change());
+    this.#hold.addEventListener("change", () => this.#change());
+    this.#anchors.addEventListener("change", () => this.#change());
+    this.#mirror.addEventListener("change", () => this.#change());
+    this.#nearby.addEventListener("change", () => this.#change());
+    this.#pinned.addEventListener("change", () => this.#pin());
+    for (const preset of /** @type {const} */ (["sculpt", "paper"])) {
+      presetInput(preset).addEventListener("change", () => this.#choose(PRESETS[preset]));
+    }
+    bench.onChange(({ selected }) => this.#showPin(selected));
+    inEveryLanguage(() => this.#explain());
+    this.#choose(PRESETS.sculpt);
+  }
+
+  /**
+   * Widens or narrows the reach of the edit.
+   *
+   * @param {number} factor
+   */
+  widen(factor) {
+    this.#nearby.checked = true;
+    this.#radius.value = Math.min(RADIUS_MM.max, Math.max(RADIUS_MM.min, this.#radius.value / factor));
+    this.#change();
+  }
+
+  #makeRadius() {
+    const apply = () => this.#change();
+    const radius = new Slider({
+      label: "edit.radius",
+      longLabel: "edit.radius.long",
+      unit: "mm",
+      ...RADIUS_MM,
+      neutral: RADIUS_MM.usual,
+      onInput: apply,
+      onCommit: apply,
+      onCancel: () => {},
+    });
+    byId("radius", HTMLDivElement).append(radius.element);
+    return radius;
+  }
+
+  /** @param {Options} options */
+  #choose(options) {
+    this.#operator.value = options.operator;
+    this.#hold.value = options.hold;
+    this.#anchors.value = options.anchors;
+    this.#mirror.checked = options.mirror;
+    this.#nearby.checked = options.nearby;
+    this.#change();
+  }
+
+  #change() {
+    this.#bench.act((studio) => {
+      studio.setOperator(/** @type {OperatorName} */ (this.#operator.value));
+      studio.setHold(/** @type {HoldName} */ (this.#hold.value));
+      studio.setAnchorChoice(/** @type {AnchorsName} */ (this.#anchors.value));
+      studio.setMirror(this.#mirror.checked);
+      studio.setRadius(this.#nearby.checked ? this.#radius.value : undefined);
+    });
+    byId("radius", HTMLDivElement).hidden = !this.#nearby.checked;
+    for (const preset of /** @type {const} */ (["sculpt", "paper"])) {
+      presetInput(preset).checked = this.#isPreset(PRESETS[preset]);
+    }
+    this.#explain();
+  }
+
+  /** @param {Options} preset */
+  #isPreset(preset) {
+    return (
+      this.#operator.value === preset.operator &&
+      this.#hold.value === preset.hold &&
+      this.#anchors.value === preset.anchors &&
+      this.#mirror.checked === preset.mirror &&
+      this.#nearby.checked === preset.nearby
+    );
+  }
+
+  #explain() {
+    byId("operator-help", HTMLParagraphElement).textContent = say(wordOf(`operator.${this.#operator.value}.help`));
+    byId("hold-help", HTMLParagraphElement).textContent = say(wordOf(`hold.${this.#hold.value}.help`));
+    byId("anchors-help", HTMLParagraphElement).textContent = say(wordOf(`anchors.${this.#anchors.value}.help`));
+  }
+
+  #pin() {
+    const { selected } = this.#bench.studio;
+    if (selected !== undefined) this.#bench.act((studio) => studio.setPinned(selected, this.#pinned.checked));
+  }
+
+  /** @param {number | undefined} selected */
+  #showPin(selected) {
+    this.#pinned.disabled = selected === undefined;
+    this.#pinned.checked = selected !== undefined && this.#bench.studio.pins().includes(selected);
+  }
+}
+
+/** @param {string} key */
+function wordOf(key) {
+  return /** @type {WordKey} */ (key);
+}
+
+/** @param {"sculpt" | "paper"} preset */
+function presetInput(preset) {
+  return byId(`preset-${preset}`, HTMLInputElement);
+}
