@@ -22,15 +22,20 @@ const QUIET = [
   "--disable-sync",
 ];
 
-const FAKE_CAMERA = ["--use-fake-ui-for-media-stream", "--use-fake-device-for-media-stream"];
+/** A camera that plays a film. */
+const fakeCamera = (/** @type {string} */ film) => [
+  "--use-fake-ui-for-media-stream",
+  "--use-fake-device-for-media-stream",
+  `--use-file-for-fake-video-capture=${film}`,
+];
 
 /**
  * Starts the system's Chromium without a window.
  *
- * @param {{ gpu?: "software" | "none", camera?: boolean }} [options]
+ * @param {{ gpu?: "software" | "none", film?: string }} [options] `film`: a .y4m that a fake camera plays
  */
-export function launch({ gpu = "software", camera = false } = {}) {
-  const args = [...QUIET, ...(gpu === "software" ? SOFTWARE_GPU : ["--disable-gpu", "--disable-features=WebGPU"]), ...(camera ? FAKE_CAMERA : [])];
+export function launch({ gpu = "software", film } = {}) {
+  const args = [...QUIET, ...(gpu === "software" ? SOFTWARE_GPU : ["--disable-gpu", "--disable-features=WebGPU"]), ...(film ? fakeCamera(film) : [])];
   return chromium.launch({ executablePath: executable(), headless: true, args });
 }
 

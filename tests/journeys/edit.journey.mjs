@@ -30,6 +30,8 @@ journey("a dropped portrait becomes a mesh in its own colours", async (open) => 
 journey("moving the nose tip changes picture and mesh as the command line does, and undo restores both", async (open) => {
   const visitor = await open();
   await visitor.dropSample();
+  await visitor.prefer("paper");
+  await visitor.unfold("section-view");
   await visitor.page.click("[data-action='view-left']");
   await visitor.findLandmark("nose tip");
   const before = { view: await visitor.view(), mesh: await visitor.meshJson("mm") };

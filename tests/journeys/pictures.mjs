@@ -46,6 +46,54 @@ export async function asJpeg(page, png) {
   return Buffer.from(base64, "base64");
 }
 
+/**
+ * Two of the same photo side by side, written by the browser.
+ *
+ * @param {import("playwright-core").Page} page
+ * @param {Uint8Array} png
+ */
+export async function twice(page, png) {
+  const base64 = await page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const picture = await createImageBitmap(new Blob([bytes]));
+    const canvas = new OffscreenCanvas(2 * picture.width, picture.height);
+    const context = canvas.getContext("2d");
+    context.drawImage(picture, 0, 0);
+    context.drawImage(picture, picture.width, 0);
+    const blob = await canvas.convertToBlob({ type: "image/png" });
+    let letters = "";
+    for (const byte of new Uint8Array(await blob.arrayBuffer())) letters += String.fromCharCode(byte);
+    return btoa(letters);
+  }, Buffer.from(png).toString("base64"));
+  return Buffer.from(base64, "base64");
+}
+
+/**
+ * A short film of one still, in YUV 4:2:0: what a fake camera plays.
+ *
+ * @param {Uint8Array} png
+ * @param {number} frames
+ */
+export function asFilm(png, frames) {
+  const { width, height, data } = PNG.sync.read(Buffer.from(png));
+  const luma = Buffer.alloc(width * height);
+  const blue = Buffer.alloc((width / 2) * (height / 2));
+  const red = Buffer.alloc(blue.length);
+  for (let y = 0; y < height; y++) {
+    for (let x = 0; x < width; x++) {
+      const at = 4 * (y * width + x);
+      const [r, g, b] = data.subarray(at, at + 3);
+      luma[y * width + x] = 16 + 0.257 * r + 0.504 * g + 0.098 * b;
+      const half = (y >> 1) * (width / 2) + (x >> 1);
+      blue[half] = 128 - 0.148 * r - 0.291 * g + 0.439 * b;
+      red[half] = 128 + 0.439 * r - 0.368 * g - 0.071 * b;
+    }
+  }
+  const frame = Buffer.concat([Buffer.from("FRAME\n"), luma, blue, red]);
+  const header = Buffer.from(`YUV4MPEG2 W${width} H${height} F25:1 Ip A1:1 C420\n`);
+  return Buffer.concat([header, ...Array.from({ length: frames }, () => frame)]);
+}
+
 function chunk(type, data) {
   const body = Buffer.concat([Buffer.from(type), data]);
   const length = Buffer.alloc(4);

@@ -1,10 +1,12 @@
 // Walks every journey through the built page, or those whose names contain the words given, and counts.
-import { readdir } from "node:fs/promises";
+import { mkdtemp, readFile, readdir, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
 import path from "node:path";
 import { launch } from "./browser.mjs";
 import { journeys } from "./journey.mjs";
+import { asFilm } from "./pictures.mjs";
 import { serve } from "./server.mjs";
-import { Visitor } from "./visitor.mjs";
+import { SAMPLE, Visitor } from "./visitor.mjs";
 
 const HERE = import.meta.dirname;
 const DIST = path.resolve(process.env.ROSTO_DIST ?? path.join(HERE, "../../dist"));
@@ -51,9 +53,18 @@ process.exitCode = failed === 0 && passed > 0 ? 0 : 1;
 
 /** @param {import("./journey.mjs").Journey["needs"]} needs */
 async function browserFor(needs) {
-  const open = browsers.get(needs) ?? (await launch({ gpu: needs === "no-gpu" ? "none" : "software", camera: needs === "camera" }));
+  const open = browsers.get(needs) ?? (await launchFor(needs));
   browsers.set(needs, open);
   return open;
+}
+
+/** @param {import("./journey.mjs").Journey["needs"]} needs */
+async function launchFor(needs) {
+  if (needs === "no-gpu") return launch({ gpu: "none" });
+  if (needs !== "camera") return launch();
+  const film = path.join(await mkdtemp(path.join(tmpdir(), "rosto-")), "portrait.y4m");
+  await writeFile(film, asFilm(await readFile(SAMPLE), 5));
+  return launch({ film });
 }
 
 /**

@@ -120,6 +120,16 @@ export class Visitor {
   }
 
   /**
+   * Chooses how the face follows an edit.
+   *
+   * @param {"sculpt" | "paper"} preset
+   */
+  async prefer(preset) {
+    await this.unfold("section-landmark");
+    await this.page.check(`#preset-${preset}`, { force: true });
+  }
+
+  /**
    * Types an offset into the number field of an axis.
    *
    * @param {"x" | "y" | "z"} axis

@@ -11,6 +11,8 @@ import { Slider } from "./slider.js";
 const LANDMARKS = 468;
 const REACH_MM = 40;
 const STEP_MM = 0.1;
+/** More anchors than this are only counted. */
+const NAMED_ANCHORS = 6;
 const AXES = /** @type {const} */ (["x", "y", "z"]);
 
 /** Choosing a landmark by name or number, and moving it in millimetres. */
@@ -110,7 +112,10 @@ export class LandmarkPanel {
     }
     const anchors = [...this.#bench.studio.anchors()];
     const list = byId("landmark-anchors", HTMLParagraphElement);
-    list.textContent = say("landmark.anchors", { list: anchors.join(", ") });
+    const named = anchors.length <= NAMED_ANCHORS;
+    list.textContent = named
+      ? say("landmark.anchors", { list: anchors.join(", ") })
+      : say("landmark.anchors.many", { n: anchors.length });
     list.dataset["anchors"] = anchors.join(" ");
   }
 }

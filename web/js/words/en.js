@@ -62,6 +62,7 @@ export const en = {
   "landmark.y.long": "y, up, in millimetres",
   "landmark.z.long": "z, out of the face, in millimetres",
   "landmark.anchors": "Anchors: {list}",
+  "landmark.anchors.many": "{n} anchors",
   "landmark.selected": "{name} selected",
   "landmark.moved": "{name} moved: x {x}, y {y}, z {z} millimetres",
 

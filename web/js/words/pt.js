@@ -62,6 +62,7 @@ export const pt = {
   "landmark.y.long": "y, para cima, em milímetros",
   "landmark.z.long": "z, para fora do rosto, em milímetros",
   "landmark.anchors": "Âncoras: {list}",
+  "landmark.anchors.many": "{n} âncoras",
   "landmark.selected": "{name}: selecionado",
   "landmark.moved": "{name}: x {x}, y {y}, z {z} milímetros",
 

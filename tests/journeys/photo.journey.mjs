@@ -1,0 +1,79 @@
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { PNG } from "pngjs";
+import { journey } from "./journey.mjs";
+import { twice } from "./pictures.mjs";
+import { colourCount, difference } from "./pixels.mjs";
+import { SAMPLE } from "./visitor.mjs";
+
+journey(
+  "a selfie from the camera becomes a face, not mirrored",
+  async (open) => {
+    const visitor = await open();
+    await visitor.page.click("#welcome [data-action='camera']");
+    const mirrored = await visitor.page.locator("#camera-preview").evaluate((video) => getComputedStyle(video).scale);
+    assert.equal(mirrored, "-1 1");
+    await visitor.page.click("#camera-shutter:enabled");
+    await visitor.page.waitForFunction(() => /[123]/.test(document.getElementById("camera-countdown").textContent));
+    await visitor.untilFace();
+    assert.ok(await visitor.page.locator("#camera").isHidden());
+
+    // In the portrait the face is in the left half, and so it is in what the camera saw.
+    const left = await visitor.page.locator("#photo-picture").screenshot();
+    await visitor.dropSample();
+    const portrait = await visitor.page.locator("#photo-picture").screenshot();
+    assert.ok(difference(PNG.sync.read(left), PNG.sync.read(portrait)) < 0.5);
+  },
+  { needs: "camera" },
+);
+
+journey("a pasted photo is opened", async (open) => {
+  const visitor = await open();
+  const base64 = (await readFile(SAMPLE)).toString("base64");
+  await visitor.page.evaluate((base64) => {
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const clipboardData = new DataTransfer();
+    clipboardData.items.add(new File([bytes], "pasted.png"));
+    dispatchEvent(new ClipboardEvent("paste", { clipboardData }));
+  }, base64);
+  await visitor.untilFace();
+});
+
+journey("of several faces in a photo, one is chosen", async (open) => {
+  const visitor = await open();
+  await visitor.drop(await twice(visitor.page, await readFile(SAMPLE)), "twins.png");
+  await visitor.untilFace();
+  await visitor.page.waitForSelector("#face-choice:not([hidden])");
+  assert.equal(await visitor.page.innerText("#face-choice-title"), "2 faces in this photo");
+  const first = await visitor.meshJson("image");
+  await visitor.page.check("#face-options label:nth-child(2) input", { force: true });
+  await visitor.frames(3);
+  const second = await visitor.meshJson("image");
+  const apart = Math.abs(first.positions[1][0] - second.positions[1][0]);
+  assert.ok(Math.abs(apart - 0.5) < 0.01, `the two noses are ${apart} of the width apart`);
+});
+
+journey("the same landmark shows on photo and mesh, whichever side the pointer is on", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  const photo = page.locator("#photo-picture");
+  await photo.scrollIntoViewIfNeeded();
+  const plain = PNG.sync.read(await photo.screenshot());
+  assert.ok(colourCount(plain) > 100);
+
+  const mesh = await visitor.meshJson("image");
+  await photo.scrollIntoViewIfNeeded();
+  const box = await photo.boundingBox();
+  const [x, y] = mesh.positions[4];
+  await page.mouse.move(box.x + x * box.width, box.y + y * box.height);
+  await visitor.frames(2);
+  assert.match(await page.innerText("#landmark-tag"), / · \d+$/);
+  const onMesh = await page.locator("#landmark-tag").boundingBox();
+
+  const view = await page.locator("#viewport").boundingBox();
+  assert.ok(onMesh.x > view.x && onMesh.x < view.x + view.width);
+  await page.mouse.move(view.x + view.width / 2, view.y + view.height / 2);
+  await visitor.frames(2);
+  assert.ok(difference(plain, PNG.sync.read(await photo.screenshot())) > 0, "the photo does not mark the landmark");
+});

@@ -1,0 +1,65 @@
+// Takes the pictures of the documentation, docs/images/*.png, from the built page.
+import { mkdir, writeFile } from "node:fs/promises";
+import path from "node:path";
+import { launch } from "./browser.mjs";
+import { serve } from "./server.mjs";
+import { Visitor } from "./visitor.mjs";
+
+const ROOT = path.resolve(import.meta.dirname, "../..");
+const IMAGES = path.join(ROOT, "docs/images");
+const DESKTOP = { viewport: { width: 1440, height: 900 } };
+const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
+
+/** @type {Record<string, { options: object, act: (visitor: Visitor) => Promise<void> }>} */
+const PICTURES = {
+  "empty-light": { options: { ...DESKTOP, colorScheme: "light" }, act: async () => {} },
+  "edit-light": { options: { ...DESKTOP, colorScheme: "light" }, act: edit },
+  "edit-dark": { options: { ...DESKTOP, colorScheme: "dark" }, act: edit },
+  response: { options: { ...DESKTOP, colorScheme: "light" }, act: (visitor) => paint(visitor, "response") },
+  distortion: { options: { ...DESKTOP, colorScheme: "light" }, act: (visitor) => paint(visitor, "distortion") },
+  "phone-empty": { options: { ...PHONE, colorScheme: "light" }, act: async () => {} },
+  "phone-shape": { options: { ...PHONE, colorScheme: "light" }, act: edit },
+  "phone-view-dark": {
+    options: { ...PHONE, colorScheme: "dark" },
+    act: async (visitor) => {
+      await visitor.dropSample();
+      await visitor.unfold("section-view");
+    },
+  },
+};
+
+const wanted = process.argv.slice(2);
+const server = await serve(path.resolve(process.env.ROSTO_DIST ?? path.join(ROOT, "dist")), "/");
+const browser = await launch();
+await mkdir(IMAGES, { recursive: true });
+for (const [name, { options, act }] of Object.entries(PICTURES)) {
+  if (wanted.length > 0 && !wanted.includes(name)) continue;
+  const visitor = await Visitor.arrive(browser, server.url, options);
+  await visitor.untilLoaded();
+  await act(visitor);
+  await visitor.frames(5);
+  await writeFile(path.join(IMAGES, `${name}.png`), await visitor.page.screenshot());
+  visitor.checkNothingBroke();
+  await visitor.leave();
+  console.log(`docs/images/${name}.png`);
+}
+await browser.close();
+server.close();
+
+/** @param {Visitor} visitor */
+async function edit(visitor) {
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("z", 8);
+  await visitor.offset("y", -3);
+}
+
+/**
+ * @param {Visitor} visitor
+ * @param {string} name
+ */
+async function paint(visitor, name) {
+  await edit(visitor);
+  await visitor.unfold("section-view");
+  await visitor.page.check(`input[name="paint"][value="${name}"]`, { force: true });
+}

@@ -1,0 +1,81 @@
+import assert from "node:assert/strict";
+import { journey } from "./journey.mjs";
+import { difference } from "./pixels.mjs";
+
+journey("the work survives a reload and is offered again", async (open) => {
+  const visitor = await open();
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("z", 9);
+  const work = await visitor.meshJson("mm");
+  await visitor.page.waitForTimeout(600);
+  await visitor.page.reload();
+  await visitor.page.click("#continue");
+  await visitor.untilFace();
+  assert.deepEqual(await visitor.meshJson("mm"), work);
+  await visitor.page.click("#toolbar [data-action='undo']");
+  assert.notDeepEqual(await visitor.meshJson("mm"), work);
+});
+
+journey("a project file brings the face and its edits to another browser", async (open) => {
+  const first = await open();
+  await first.dropSample();
+  await first.findLandmark("nose tip");
+  await first.offset("y", -5);
+  const work = await first.meshJson("mm");
+  const file = await first.download("save-project");
+
+  const second = await open();
+  await second.drop(file, "face.rosto");
+  await second.untilFace();
+  await second.page.waitForSelector("#history li");
+  assert.deepEqual(await second.meshJson("mm"), work);
+
+  await second.drop(file.subarray(0, 2000), "half.rosto");
+  assert.equal((await second.notice()).code, "bad-project");
+  assert.deepEqual(await second.meshJson("mm"), work);
+});
+
+journey("history lists the edits, and each can be switched off and on", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  const start = await visitor.meshJson("mm");
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("z", 9);
+  const nose = await visitor.meshJson("mm");
+  await visitor.findLandmark("bottom of the chin");
+  await visitor.offset("y", -6);
+  const both = await visitor.meshJson("mm");
+  assert.equal(await page.locator("#history li").count(), 2);
+
+  const newest = page.locator("#history li input").first();
+  await newest.uncheck();
+  assert.deepEqual(await visitor.meshJson("mm"), nose);
+  await page.locator("#history li input").first().check();
+  assert.deepEqual(await visitor.meshJson("mm"), both);
+  await page.click("#section-history [data-action='reset']");
+  assert.deepEqual(await visitor.meshJson("mm"), start);
+  await page.click("#toolbar [data-action='undo']");
+  assert.deepEqual(await visitor.meshJson("mm"), both);
+});
+
+journey("a key held down shows the face as it was found", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await page.focus("#viewport");
+  await page.keyboard.press("l");
+  const before = await visitor.view();
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("z", 12);
+  await page.focus("#viewport");
+  const after = await visitor.view();
+  await page.keyboard.down("b");
+  const held = await visitor.view();
+  await page.keyboard.up("b");
+  const released = await visitor.view();
+  assert.ok(difference(before, after) > 0.002);
+  assert.ok(difference(after, released) === 0, "letting go did not bring the edit back");
+  assert.ok(difference(before, held) < difference(after, held), "the held key did not show the face as it was found");
+});
