@@ -1,1 +1,21 @@
 //! The document: commands, history, undo, project file.
+//!
+//! A [`Document`] is a mesh at rest and a [`History`] of commands over it; the vertices on screen follow from the two and
+//! are never stored. Editing runs in three steps that cost what their names say: [`Document::hold`] takes hold of
+//! vertices (one solve), [`Document::preview`] moves them (on every slider tick; no solve, no allocation), and
+//! [`Document::commit`] makes the drag one entry of the history.
+
+mod command;
+mod document;
+mod error;
+mod grip;
+mod history;
+mod mirror;
+pub mod project;
+mod systems;
+
+pub use command::{AnchorKind, Anchors, Command, Grip, Mirror, Settings};
+pub use document::{Document, Frame, Rest};
+pub use error::StudioError;
+pub use history::{Entry, History, Switch};
+pub use rosto_laplacian::{Hold, Operator};

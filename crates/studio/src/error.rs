@@ -1,0 +1,51 @@
+use rosto_laplacian::LaplacianError;
+use thiserror::Error;
+
+/// Why a command cannot be carried out. The document is as it was before.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum StudioError {
+    /// The edit has no answer.
+    #[error(transparent)]
+    Laplacian(#[from] LaplacianError),
+    /// There is not one offset for each handle.
+    #[error("{found} offsets for {expected} handles")]
+    WrongOffsetCount {
+        /// Number of handles.
+        expected: usize,
+        /// Number of offsets given.
+        found: usize,
+    },
+    /// An offset is infinite or not a number.
+    #[error("the offset of handle {handle} is not a finite number")]
+    OffsetNotFinite {
+        /// The handle.
+        handle: u32,
+    },
+    /// The share of a symmetrisation is outside 0..=1.
+    #[error("the share must lie between 0 and 1, not at {share}")]
+    Share {
+        /// The share given.
+        share: f64,
+    },
+    /// The document's coordinates have no mirror plane.
+    #[error("only a face in the model's own frame has a mirror plane")]
+    NoMirror,
+    /// The mesh leaves no vertices for random anchors.
+    #[error("{free} vertices are free, and two random anchors need two")]
+    NoFreeAnchors {
+        /// How many vertices are no handles.
+        free: usize,
+    },
+    /// Nothing is held that could be moved or committed.
+    #[error("no vertex is held")]
+    NothingHeld,
+    /// The history has no such entry.
+    #[error("there is no entry {index}: the history has {count}")]
+    NoSuchEntry {
+        /// The entry asked for, from 0.
+        index: usize,
+        /// How many are applied.
+        count: usize,
+    },
+}

@@ -1,0 +1,66 @@
+use glam::DVec3;
+
+/// The left-right partner of each vertex, over a mesh whose mirror plane is x = 0.
+#[derive(Debug, Clone)]
+pub(crate) struct MirrorTable {
+    partners: Vec<u32>,
+}
+
+/// The image of a point or offset in the mirror plane x = 0.
+pub(crate) fn reflected(vector: DVec3) -> DVec3 {
+    DVec3::new(-vector.x, vector.y, vector.z)
+}
+
+impl MirrorTable {
+    pub(crate) fn of_landmarks() -> Self {
+        Self { partners: (0..rosto_face::LANDMARK_COUNT as u32).map(rosto_face::mirror_of).collect() }
+    }
+
+    pub(crate) fn partner(&self, vertex: u32) -> u32 {
+        self.partners[vertex as usize]
+    }
+
+    /// `vertices` and their partners, each once, in order of appearance.
+    pub(crate) fn closure(&self, vertices: &[u32]) -> Vec<u32> {
+        let mut closed = Vec::with_capacity(vertices.len() * 2);
+        for vertex in vertices.iter().flat_map(|&vertex| [vertex, self.partner(vertex)]) {
+            if !closed.contains(&vertex) {
+                closed.push(vertex);
+            }
+        }
+        closed
+    }
+
+    /// Makes the way from `rest` to `moved` its own mirror image: each vertex takes the mean of its own displacement and
+    /// its partner's, reflected. What already is one stays as it is, but for rounding.
+    ///
+    /// Needed where the triangles are not mirror images of each other, or the mesh at rest is not: the response fields
+    /// of two partners then differ a little.
+    pub(crate) fn symmetrise_displacement(&self, rest: &[DVec3], moved: &mut [DVec3]) {
+        for (vertex, &partner) in self.partners.iter().enumerate() {
+            let partner = partner as usize;
+            if partner < vertex {
+                continue;
+            }
+            let here = moved[vertex] - rest[vertex];
+            let there = moved[partner] - rest[partner];
+            let mean = (here + reflected(there)) / 2.0;
+            moved[vertex] = rest[vertex] + mean;
+            moved[partner] = rest[partner] + reflected(mean);
+        }
+    }
+
+    /// Moves each vertex by `share` of the way to where both sides are mirror images.
+    pub(crate) fn symmetrise_shape(&self, share: f64, positions: &mut [DVec3]) {
+        for (vertex, &partner) in self.partners.iter().enumerate() {
+            let partner = partner as usize;
+            if partner < vertex {
+                continue;
+            }
+            let (here, there) = (positions[vertex], reflected(positions[partner]));
+            let mean = (here + there) / 2.0;
+            positions[vertex] = here + (mean - here) * share;
+            positions[partner] = reflected(there + (mean - there) * share);
+        }
+    }
+}

@@ -1,0 +1,21 @@
+//! The history as JSON text: the project file, the crash recovery and the `extras` of a GLB.
+//!
+//! ```json
+//! {"rosto": "history", "version": 1, "entries": [
+//!   {"label": "nose tip", "switch": "on", "move": {
+//!     "handles": [4], "offsets": [[0, 0, 0.01]], "operator": "L_s", "hold": {"soft": 1},
+//!     "anchors": {"kind": "oval", "pins": []}, "mirror": "on"}},
+//!   {"label": "symmetrise", "switch": "off", "symmetrise": {"share": 0.5}}]}
+//! ```
+//! Offsets are in the document's unit. Every number reads back as the same `f64`, so that a replay gives the same bytes.
+
+mod read;
+mod words;
+mod write;
+
+pub use read::{ProjectError, from_json};
+pub use words::{operator_from_name, operator_name};
+pub use write::to_json;
+
+/// The version that [`to_json`] writes; [`from_json`] reads it and all before.
+pub const VERSION: u64 = 1;

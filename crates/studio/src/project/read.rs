@@ -1,0 +1,105 @@
+use glam::DVec3;
+use rosto_laplacian::Hold;
+use serde_json::Value;
+use thiserror::Error;
+
+use super::{VERSION, operator_from_name};
+use crate::{AnchorKind, Anchors, Command, Entry, Grip, Mirror, Settings, Switch};
+
+/// Why text is no history.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum ProjectError {
+    /// It is not JSON, or JSON of something else.
+    #[error("this is not a Rosto history")]
+    NotAHistory,
+    /// A later Rosto wrote it.
+    #[error("the history has version {found}, and this Rosto reads up to version {known}")]
+    Newer {
+        /// The version in the file.
+        found: u64,
+        /// The latest version that is known.
+        known: u64,
+    },
+    /// An entry lacks a field, or the field holds something unexpected.
+    #[error("entry {entry} of the history has no usable {field:?}")]
+    Field {
+        /// Which entry, from 0.
+        entry: usize,
+        /// The field's name.
+        field: &'static str,
+    },
+}
+
+/// What stands where a field's name is known and the entry's number is not.
+type FieldResult<T> = Result<T, &'static str>;
+
+/// Reads what [`to_json`](super::to_json) wrote. Whether the vertices exist is for the document to say.
+///
+/// # Errors
+/// [`ProjectError`] for text that is no history, is of a later version, or has an entry that is not understood.
+pub fn from_json(text: &str) -> Result<Vec<Entry>, ProjectError> {
+    let file: Value = serde_json::from_str(text).map_err(|_| ProjectError::NotAHistory)?;
+    if file["rosto"] != "history" {
+        return Err(ProjectError::NotAHistory);
+    }
+    let found = file["version"].as_u64().ok_or(ProjectError::NotAHistory)?;
+    if found > VERSION {
+        return Err(ProjectError::Newer { found, known: VERSION });
+    }
+    let entries = file["entries"].as_array().ok_or(ProjectError::NotAHistory)?.iter().enumerate();
+    entries.map(|(index, value)| entry(value).map_err(|field| ProjectError::Field { entry: index, field })).collect()
+}
+
+fn entry(value: &Value) -> FieldResult<Entry> {
+    let label = value["label"].as_str().ok_or("label")?.to_owned();
+    let switch = match value["switch"].as_str() {
+        Some("on") => Switch::On,
+        Some("off") => Switch::Off,
+        _ => return Err("switch"),
+    };
+    let command = match (value.get("move"), value.get("symmetrise")) {
+        (Some(movement), None) => Command::Move { grip: grip(movement)?, offsets: offsets(&movement["offsets"])? },
+        (None, Some(symmetrise)) => Command::Symmetrise { share: symmetrise["share"].as_f64().ok_or("share")? },
+        _ => return Err("move or symmetrise"),
+    };
+    Ok(Entry { label, command, switch })
+}
+
+fn grip(value: &Value) -> FieldResult<Grip> {
+    let operator = value["operator"].as_str().and_then(operator_from_name).ok_or("operator")?;
+    let hold = match &value["hold"] {
+        Value::String(word) if word == "exact" => Hold::Exact,
+        soft => Hold::Soft { weight: soft["soft"].as_f64().ok_or("hold")? },
+    };
+    let mirror = match value["mirror"].as_str() {
+        Some("on") => Mirror::On,
+        Some("off") => Mirror::Off,
+        _ => return Err("mirror"),
+    };
+    let settings = Settings { operator, hold, anchors: anchors(&value["anchors"])?, mirror };
+    Ok(Grip { handles: vertices(&value["handles"]).ok_or("handles")?, settings })
+}
+
+fn anchors(value: &Value) -> FieldResult<Anchors> {
+    let kind = match &value["kind"] {
+        Value::String(word) if word == "pins" => AnchorKind::PinsOnly,
+        Value::String(word) if word == "oval" => AnchorKind::Oval,
+        random => AnchorKind::Random { seed: random["random"].as_u64().ok_or("anchors")? },
+    };
+    Ok(Anchors { kind, pins: vertices(&value["pins"]).ok_or("pins")? })
+}
+
+fn vertices(value: &Value) -> Option<Vec<u32>> {
+    value.as_array()?.iter().map(|vertex| u32::try_from(vertex.as_u64()?).ok()).collect()
+}
+
+fn offsets(value: &Value) -> FieldResult<Vec<DVec3>> {
+    let list = value.as_array().ok_or("offsets")?;
+    list.iter().map(|offset| vector(offset).ok_or("offsets")).collect()
+}
+
+fn vector(value: &Value) -> Option<DVec3> {
+    let [x, y, z] = value.as_array()?.as_slice() else { return None };
+    Some(DVec3::new(x.as_f64()?, y.as_f64()?, z.as_f64()?))
+}

@@ -1,0 +1,52 @@
+use rosto_laplacian::Hold;
+use serde_json::{Value, json};
+
+use super::{VERSION, operator_name};
+use crate::{AnchorKind, Command, Entry, Grip, Mirror, Switch};
+
+/// The entries as JSON text.
+pub fn to_json(entries: &[Entry]) -> String {
+    let entries: Vec<Value> = entries.iter().map(entry).collect();
+    json!({"rosto": "history", "version": VERSION, "entries": entries}).to_string()
+}
+
+fn entry(entry: &Entry) -> Value {
+    let switch = match entry.switch {
+        Switch::On => "on",
+        Switch::Off => "off",
+    };
+    let mut object = json!({"label": entry.label, "switch": switch});
+    match &entry.command {
+        Command::Move { grip, offsets } => {
+            let offsets: Vec<Value> = offsets.iter().map(|offset| json!([offset.x, offset.y, offset.z])).collect();
+            object["move"] = movement(grip, offsets);
+        }
+        Command::Symmetrise { share } => object["symmetrise"] = json!({"share": share}),
+    }
+    object
+}
+
+fn movement(grip: &Grip, offsets: Vec<Value>) -> Value {
+    let settings = &grip.settings;
+    let hold = match settings.hold {
+        Hold::Soft { weight } => json!({"soft": weight}),
+        Hold::Exact => json!("exact"),
+    };
+    let kind = match settings.anchors.kind {
+        AnchorKind::PinsOnly => json!("pins"),
+        AnchorKind::Oval => json!("oval"),
+        AnchorKind::Random { seed } => json!({"random": seed}),
+    };
+    let mirror = match settings.mirror {
+        Mirror::Off => "off",
+        Mirror::On => "on",
+    };
+    json!({
+        "handles": grip.handles,
+        "offsets": offsets,
+        "operator": operator_name(settings.operator),
+        "hold": hold,
+        "anchors": {"kind": kind, "pins": settings.anchors.pins},
+        "mirror": mirror,
+    })
+}

@@ -1,0 +1,42 @@
+//! Faces to edit.
+
+#![allow(clippy::unwrap_used, dead_code, reason = "each test file uses its part")]
+
+use glam::DVec3;
+use rosto_face::*;
+use rosto_studio::*;
+use serde_json::Value;
+
+pub const MIRROR: DVec3 = DVec3::new(-1.0, 1.0, 1.0);
+
+/// The canonical face in metres: exactly symmetric.
+pub fn canonical(triangulation: Triangulation) -> Rest {
+    Rest::new(triangulation.topology(), canonical_positions_m(), Frame::Model)
+}
+
+/// The sample portrait's face in metres: as asymmetric as faces are.
+pub fn portrait(triangulation: Triangulation) -> Rest {
+    let text = include_str!("../../../../tests/golden/portrait_landmarks.json");
+    let json: Value = serde_json::from_str(text).unwrap();
+    let rows = json["landmarks"].as_array().unwrap().iter();
+    let landmarks: Vec<[f32; 3]> = rows.map(|p| [0, 1, 2].map(|axis| p[axis].as_f64().unwrap() as f32)).collect();
+    let picture = Photo::from_rgb(1, 1, vec![0; 3]).unwrap();
+    let colours = [[0; 3]; LANDMARK_COUNT];
+    let input = FaceInput { landmarks: &landmarks, width: 512, height: 512, colours: &colours, picture };
+    Rest::of_face(&FaceModel::new(input, triangulation).unwrap())
+}
+
+/// A mirrored grip of one vertex, held exactly.
+pub fn mirrored_grip(vertex: u32) -> Grip {
+    let settings = Settings { mirror: Mirror::On, hold: Hold::Exact, ..Settings::default() };
+    Grip { handles: vec![vertex], settings }
+}
+
+pub fn single_move(vertex: u32, offset: DVec3) -> Command {
+    Command::Move { grip: Grip { handles: vec![vertex], settings: Settings::default() }, offsets: vec![offset] }
+}
+
+/// The positions' bits, so that equality means the same bytes.
+pub fn bits(positions: &[DVec3]) -> Vec<[u64; 3]> {
+    positions.iter().map(|p| p.to_array().map(f64::to_bits)).collect()
+}

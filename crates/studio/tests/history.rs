@@ -1,0 +1,195 @@
+//! Undo, redo, switches, replay: each gives the same bytes as never having been elsewhere.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::*;
+use glam::DVec3;
+use proptest::prelude::*;
+use rosto_face::Triangulation;
+use rosto_studio::*;
+
+fn any_command() -> impl Strategy<Value = Command> {
+    let offset = prop::array::uniform3(-0.02..0.02f64).prop_map(DVec3::from);
+    let settings =
+        (0..5usize, 0..3u64, prop::bool::ANY, prop::bool::ANY).prop_map(|(operator, anchors, exact, mirror)| {
+            Settings {
+                operator: Operator::ALL[operator],
+                hold: if exact { Hold::Exact } else { Hold::Soft { weight: 2.5 } },
+                anchors: match anchors {
+                    0 => Anchors::default(),
+                    1 => Anchors::random(17),
+                    _ => Anchors::explicit(vec![467]),
+                },
+                mirror: if mirror { Mirror::On } else { Mirror::Off },
+            }
+        });
+    let movement = (0..200u32, offset, settings).prop_map(|(vertex, offset, settings)| Command::Move {
+        grip: Grip { handles: vec![vertex], settings },
+        offsets: vec![offset],
+    });
+    prop_oneof![4 => movement, 1 => (0.0..1.0f64).prop_map(|share| Command::Symmetrise { share })]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(16))]
+
+    #[test]
+    fn undo_takes_back_and_redo_brings_again_to_the_last_bit(commands in prop::collection::vec(any_command(), 1..5)) {
+        let mut document = Document::new(portrait(Triangulation::Canonical)).unwrap();
+        let mut states = vec![bits(document.positions())];
+        for command in commands {
+            document.apply("step", command).unwrap();
+            states.push(bits(document.positions()));
+        }
+        for state in states.iter().rev().skip(1) {
+            document.undo();
+            prop_assert_eq!(&bits(document.positions()), state);
+        }
+        prop_assert!(!document.history().can_undo());
+        for state in states.iter().skip(1) {
+            document.redo().unwrap();
+            prop_assert_eq!(&bits(document.positions()), state);
+        }
+        prop_assert!(!document.history().can_redo());
+    }
+
+    #[test]
+    fn a_history_read_back_replays_to_the_same_bytes(commands in prop::collection::vec(any_command(), 0..4)) {
+        let rest = portrait(Triangulation::Tessellation);
+        let mut document = Document::new(rest.clone()).unwrap();
+        for (index, command) in commands.into_iter().enumerate() {
+            document.apply(&format!("\"{index}\" ção\n"), command).unwrap();
+        }
+        let entries = project::from_json(&project::to_json(document.history().applied())).unwrap();
+        prop_assert_eq!(&entries, document.history().applied());
+        let replayed = Document::replay(rest, entries).unwrap();
+        prop_assert_eq!(bits(replayed.positions()), bits(document.positions()));
+    }
+
+    #[test]
+    fn an_entry_switched_off_might_as_well_not_be_there(
+        commands in prop::collection::vec(any_command(), 2..5),
+        which in 0..4usize,
+    ) {
+        let rest = portrait(Triangulation::Canonical);
+        let which = which % commands.len();
+        let mut with = Document::new(rest.clone()).unwrap();
+        let mut without = Document::new(rest).unwrap();
+        for (index, command) in commands.into_iter().enumerate() {
+            with.apply("step", command.clone()).unwrap();
+            if index != which {
+                without.apply("step", command).unwrap();
+            }
+        }
+        let all = bits(with.positions());
+        with.switch(which, Switch::Off).unwrap();
+        prop_assert_eq!(bits(with.positions()), bits(without.positions()));
+        with.switch(which, Switch::On).unwrap();
+        prop_assert_eq!(bits(with.positions()), all);
+    }
+}
+
+#[test]
+fn a_drag_is_one_entry_and_equals_the_command_it_leaves() {
+    let rest = portrait(Triangulation::Canonical);
+    let mut dragged = Document::new(rest.clone()).unwrap();
+    dragged.hold(mirrored_grip(61)).unwrap();
+    for step in 1..=10 {
+        dragged.preview(&[DVec3::new(0.0, 0.001, 0.002) * f64::from(step)]).unwrap();
+    }
+    let shown = bits(dragged.positions());
+    dragged.commit("mouth corner");
+    assert_eq!(dragged.history().entries().len(), 1);
+    assert_eq!(bits(dragged.positions()), shown);
+    let mut applied = Document::new(rest).unwrap();
+    applied.apply("mouth corner", dragged.history().entries()[0].command.clone()).unwrap();
+    assert_eq!(bits(applied.positions()), shown);
+}
+
+#[test]
+fn cancelling_a_drag_leaves_nothing_behind_and_the_grip_in_hand() {
+    let mut document = Document::new(canonical(Triangulation::Tessellation)).unwrap();
+    let rest = bits(document.positions());
+    document.hold(mirrored_grip(61)).unwrap();
+    document.preview(&[DVec3::splat(0.01)]).unwrap();
+    assert_ne!(bits(document.positions()), rest);
+    document.cancel();
+    document.commit("nothing");
+    assert_eq!(bits(document.positions()), rest);
+    assert!(document.history().entries().is_empty());
+    assert_eq!(document.grip(), Some(&mirrored_grip(61)));
+    document.preview(&[DVec3::splat(0.01)]).unwrap();
+    document.release();
+    assert_eq!((bits(document.positions()), document.grip()), (rest, None));
+}
+
+#[test]
+fn the_next_drag_starts_where_the_last_one_ended() {
+    let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    document.hold(mirrored_grip(4)).unwrap();
+    for _ in 0..2 {
+        document.preview(&[DVec3::new(0.0, 0.0, 0.005)]).unwrap();
+        document.commit("nose tip");
+    }
+    let reached = document.positions()[4] - document.rest()[4];
+    assert!((reached - DVec3::new(0.0, 0.0, 0.01)).length() < 1e-12);
+}
+
+#[test]
+fn reset_can_be_redone_until_something_new_is_done() {
+    let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    document.apply("one", single_move(4, DVec3::Z * 0.01)).unwrap();
+    document.apply("two", single_move(152, DVec3::Y * 0.01)).unwrap();
+    let edited = bits(document.positions());
+    document.reset();
+    assert_eq!(bits(document.positions()), bits(document.rest()));
+    document.redo().unwrap();
+    document.redo().unwrap();
+    assert_eq!(bits(document.positions()), edited);
+    document.undo();
+    document.apply("three", single_move(10, DVec3::X * 0.01)).unwrap();
+    let labels: Vec<&str> = document.history().entries().iter().map(|entry| entry.label.as_str()).collect();
+    assert_eq!(labels, ["one", "three"]);
+}
+
+#[test]
+fn text_that_is_no_history_is_refused() {
+    let newer = format!(r#"{{"rosto":"history","version":{},"entries":[]}}"#, project::VERSION + 1);
+    let cases = [
+        ("", project::ProjectError::NotAHistory),
+        ("{\"version\":1}", project::ProjectError::NotAHistory),
+        (&newer, project::ProjectError::Newer { found: project::VERSION + 1, known: project::VERSION }),
+        (
+            r#"{"rosto":"history","version":1,"entries":[{"label":"a","switch":"on","symmetrise":{"share":"x"}}]}"#,
+            project::ProjectError::Field { entry: 0, field: "share" },
+        ),
+    ];
+    for (text, error) in cases {
+        assert_eq!(project::from_json(text), Err(error));
+    }
+}
+
+#[test]
+fn a_refused_command_changes_nothing() {
+    let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    document.apply("one", single_move(4, DVec3::Z * 0.01)).unwrap();
+    let before = bits(document.positions());
+    let pinned =
+        Grip { handles: vec![4], settings: Settings { anchors: Anchors::explicit(vec![4, 9]), ..Settings::default() } };
+    let refused = [
+        single_move(468, DVec3::Z),
+        single_move(4, DVec3::splat(f64::NAN)),
+        Command::Move { grip: pinned, offsets: vec![DVec3::Z] },
+        Command::Move { grip: mirrored_grip(4), offsets: vec![] },
+        Command::Symmetrise { share: 1.5 },
+    ];
+    for command in refused {
+        assert!(document.apply("refused", command).is_err());
+        assert_eq!(bits(document.positions()), before);
+        assert_eq!(document.history().entries().len(), 1);
+    }
+    assert_eq!(document.preview(&[DVec3::Z]), Err(StudioError::NothingHeld));
+    assert_eq!(document.switch(1, Switch::Off), Err(StudioError::NoSuchEntry { index: 1, count: 1 }));
+}

@@ -1,0 +1,103 @@
+//! Mirrored edits mirror the change and keep the shape's own asymmetry.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::*;
+use glam::DVec3;
+use proptest::prelude::*;
+use rosto_face::{Region, Triangulation, midline, mirror_of};
+use rosto_studio::*;
+
+const TOLERANCE_M: f64 = 1e-12;
+
+/// How far a displacement is from its own mirror image.
+fn lopsidedness_m(from: &[DVec3], to: &[DVec3]) -> f64 {
+    let moved = |vertex: usize| to[vertex] - from[vertex];
+    (0..from.len()).map(|v| (moved(v) - moved(mirror_of(v as u32) as usize) * MIRROR).length()).fold(0.0, f64::max)
+}
+
+/// How much each vertex differs from its partner's mirror image.
+fn asymmetry(positions: &[DVec3]) -> Vec<DVec3> {
+    (0..positions.len()).map(|v| positions[v] - positions[mirror_of(v as u32) as usize] * MIRROR).collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn the_change_is_its_own_mirror_image_and_asymmetry_survives(
+        vertex in 0..468u32,
+        offset in prop::array::uniform3(-0.02..0.02f64),
+        operator in 0..5usize,
+        seed in prop::option::of(0..9u64),
+        hold in prop_oneof![Just(Hold::Exact), Just(Hold::default())],
+    ) {
+        for rest in [canonical(Triangulation::Canonical), portrait(Triangulation::Tessellation)] {
+            let mut document = Document::new(rest).unwrap();
+            let anchors = seed.map_or_else(Anchors::default, Anchors::random);
+            let settings = Settings { operator: Operator::ALL[operator], hold, anchors, mirror: Mirror::On };
+            let grip = Grip { handles: vec![vertex], settings };
+            document.apply("mirrored", Command::Move { grip, offsets: vec![offset.into()] }).unwrap();
+            prop_assert!(lopsidedness_m(document.rest(), document.positions()) < TOLERANCE_M);
+            let (before, after) = (asymmetry(document.rest()), asymmetry(document.positions()));
+            prop_assert!(before.iter().zip(after).all(|(b, a)| (*b - a).length() < TOLERANCE_M));
+        }
+    }
+}
+
+#[test]
+fn an_exact_handle_and_its_partner_both_reach_their_targets() {
+    let mut document = Document::new(portrait(Triangulation::Canonical)).unwrap();
+    let offset = DVec3::new(0.004, -0.002, 0.003);
+    document.hold(mirrored_grip(61)).unwrap();
+    document.preview(&[offset]).unwrap();
+    assert_eq!(document.handles(), [61, 291]);
+    assert!((document.positions()[61] - document.rest()[61] - offset).length() < TOLERANCE_M);
+    assert!((document.positions()[291] - document.rest()[291] - offset * MIRROR).length() < TOLERANCE_M);
+}
+
+#[test]
+fn the_midline_stays_in_its_plane() {
+    let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    document.hold(mirrored_grip(4)).unwrap();
+    document.preview(&[DVec3::new(0.01, 0.002, 0.003)]).unwrap();
+    assert!(midline().into_iter().all(|vertex| document.positions()[vertex as usize].x.abs() < TOLERANCE_M));
+    let moved = document.positions()[4] - document.rest()[4];
+    assert!((moved - DVec3::new(0.0, 0.002, 0.003)).length() < TOLERANCE_M);
+}
+
+#[test]
+fn a_whole_region_across_the_midline_moves_without_its_sideways_part() {
+    let settings = Settings { mirror: Mirror::On, hold: Hold::Exact, ..Settings::default() };
+    let handles = Region::Lips.vertices();
+    let offsets = vec![DVec3::new(0.005, 0.0, 0.004); handles.len()];
+    let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    document.apply("lips", Command::Move { grip: Grip { handles: handles.clone(), settings }, offsets }).unwrap();
+    for vertex in handles {
+        let moved = document.positions()[vertex as usize] - document.rest()[vertex as usize];
+        assert!((moved - DVec3::Z * 0.004).length() < TOLERANCE_M);
+    }
+}
+
+#[test]
+fn symmetrising_removes_the_share_of_asymmetry_that_was_asked_for() {
+    for share in [0.0, 0.3, 1.0] {
+        let mut document = Document::new(portrait(Triangulation::Tessellation)).unwrap();
+        document.apply("symmetrise", Command::Symmetrise { share }).unwrap();
+        let left = asymmetry(document.positions());
+        for (before, after) in asymmetry(document.rest()).into_iter().zip(left) {
+            assert!((before * (1.0 - share) - after).length() < TOLERANCE_M);
+        }
+    }
+}
+
+#[test]
+fn coordinates_of_a_picture_have_no_mirror() {
+    let topology = Triangulation::Canonical.topology();
+    let positions = rosto_face::canonical_positions_m();
+    let mut document = Document::new(Rest::new(topology, positions, Frame::Other)).unwrap();
+    assert_eq!(document.hold(mirrored_grip(4)), Err(StudioError::NoMirror));
+    assert_eq!(document.apply("half", Command::Symmetrise { share: 0.5 }), Err(StudioError::NoMirror));
+}
