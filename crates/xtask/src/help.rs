@@ -8,7 +8,7 @@ cargo xtask TASK
   serve         build the page and serve it on 127.0.0.1:8080, or the next free port
   dist          build the page for the web into dist/, and show its sizes
   test [STEP…]  check and test everything, or only the named steps
-  bench         measure against the paper and the peers; --write updates docs/benchmarks.md
+  bench [WHAT…] measure against the paper and the peers; --write updates docs/benchmarks.md
   screenshots   take the pictures for the documentation from dist/
   help          this text
 

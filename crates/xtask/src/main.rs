@@ -1,6 +1,7 @@
 //! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `test`, `bench`, `screenshots`.
 
 mod apt;
+mod bench;
 mod browser;
 mod cache;
 mod debian;
@@ -12,6 +13,7 @@ mod npm;
 mod portrait;
 mod process;
 mod progress;
+mod screenshots;
 mod serve;
 mod setup;
 mod size;
@@ -44,6 +46,8 @@ fn run(arguments: &[String]) -> Outcome<ExitCode> {
         ["serve"] => serve::run(),
         ["dist"] => dist::run(),
         ["test", steps @ ..] => test::run(steps),
+        ["bench", arguments @ ..] => bench::run(arguments),
+        ["screenshots"] => screenshots::run(),
         ["wasm-opt", arguments @ ..] => wasm_opt::run(arguments).map(|()| ExitCode::SUCCESS),
         [] | ["help" | "-h" | "--help"] => {
             print!("{}", help::TEXT);

@@ -1,0 +1,94 @@
+//! The measuring programs and what each needs.
+
+use crate::failure::{Failure, Outcome};
+use crate::process::Run;
+use crate::setup::Kit;
+use crate::{cache, dist, progress, workspace};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// A program that measures.
+pub struct Source {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// What it measures.
+    pub what: &'static str,
+    /// Runs it; returns what it printed.
+    pub measure: fn(&Kit) -> Outcome<String>,
+}
+
+const LIMIT: Duration = Duration::from_secs(3600);
+const PEERS: &str = "tests/bench/peers.py";
+const REQUIREMENTS: &str = "tests/bench/requirements.txt";
+/// Needs a C library and a compiler: a peer where it installs, left out where it does not.
+const OPTIONAL_REQUIREMENTS: &str = "tests/bench/requirements-cholmod.txt";
+
+const ALL: [Source; 4] = [
+    Source { name: "engine", what: "editing, beside the paper's dense pseudo-inverse, natively", measure: engine },
+    Source { name: "peers", what: "the same in NumPy, SciPy, libigl and CHOLMOD", measure: peers },
+    Source { name: "landmarks", what: "photo to landmarks, natively", measure: landmarks },
+    Source { name: "chrome", what: "photo to landmarks in headless Chrome, beside MediaPipe's own", measure: chrome },
+];
+
+/// Those named, or all.
+pub fn chosen(wanted: &[&str]) -> Outcome<Vec<&'static Source>> {
+    if let Some(unknown) = wanted.iter().find(|name| !ALL.iter().any(|source| source.name == **name)) {
+        let names = ALL.iter().map(|source| source.name).collect::<Vec<_>>().join(", ");
+        return Err(Failure::new(format!("`{unknown}` is no benchmark")).advice(format!("there are {names}")));
+    }
+    Ok(ALL.iter().filter(|source| wanted.is_empty() || wanted.contains(&source.name)).collect())
+}
+
+fn engine(_: &Kit) -> Outcome<String> {
+    example("rosto-laplacian", "bench", &[])
+}
+
+fn landmarks(_: &Kit) -> Outcome<String> {
+    example("rosto-landmarks", "bench", &[workspace::assets()])
+}
+
+fn example(package: &str, name: &str, arguments: &[PathBuf]) -> Outcome<String> {
+    let cargo = Run::new("cargo").current_dir(workspace::root()).args(["run", "--quiet", "--release", "--locked"]);
+    let run = cargo.args(["--package", package, "--example", name, "--"]).args(arguments);
+    run.within(LIMIT).run()?.checked()
+}
+
+fn peers(_: &Kit) -> Outcome<String> {
+    let python = python_with_peers()?;
+    Run::new(python).arg(workspace::root().join(PEERS)).within(LIMIT).run()?.checked()
+}
+
+fn chrome(kit: &Kit) -> Outcome<String> {
+    dist::build(kit)?;
+    kit.run("node")?.arg("tests/bench/chrome.mjs").within(LIMIT).run()?.checked()
+}
+
+/// A Python of its own with the peers, made anew when the pinned versions change.
+fn python_with_peers() -> Outcome<PathBuf> {
+    let root = workspace::root();
+    let versions = [REQUIREMENTS, OPTIONAL_REQUIREMENTS].map(|file| cache::sha256_of(&root.join(file)));
+    let identity: String = versions.into_iter().collect::<Outcome<Vec<_>>>()?.concat();
+    let folder = cache::tool("python", &cache::sha256(identity.as_bytes())[..16])?;
+    let python = |folder: &Path| folder.join("bin").join("python");
+    let complete = folder.join("complete");
+    if complete.is_file() {
+        return Ok(python(&folder));
+    }
+    progress::note("installing the Python peers");
+    // A virtual environment knows its own path, so it is made in place and marked when complete.
+    cache::remove_folder(&folder)?;
+    Run::new("python3").args(["-m", "venv"]).arg(&folder).within(LIMIT).run()?.checked().map_err(|cause| {
+        let failure = Failure::new("the Python peers could not be installed").because(&cause);
+        failure.advice("install Python 3 with venv, on Debian: apt-get install python3-venv")
+    })?;
+    let pip = |file: &str| {
+        let pip = Run::new(python(&folder)).args(["-m", "pip", "install", "--quiet", "-r"]);
+        pip.arg(root.join(file)).within(LIMIT).run()?.checked()
+    };
+    pip(REQUIREMENTS)?;
+    if pip(OPTIONAL_REQUIREMENTS).is_err() {
+        progress::note("CHOLMOD does not install here (on Debian it needs libsuitesparse-dev); it is left out");
+    }
+    cache::write(&complete, "")?;
+    Ok(python(&folder))
+}

@@ -1,0 +1,94 @@
+//! Figures as Markdown: one table a task, Rosto first, and how many times longer each peer takes.
+
+use super::Record;
+
+/// What the tasks are called for a reader.
+const TITLES: [(&str, &str); 14] = [
+    ("paper-edit", "One edit of the paper, from the choice of the vertex to the moved mesh"),
+    ("tick", "One slider tick: the mesh moved with the response at hand"),
+    ("factor", "Factorisation of the normal equations, ordering included"),
+    ("solve", "One right-hand side with the factor at hand"),
+    ("edit", "Factorisation and one solve together"),
+    ("select", "Choosing a vertex: its response over the whole mesh"),
+    ("paper-edit-chrome", "One edit of the paper, in headless Chrome"),
+    ("tick-chrome", "One slider tick, in headless Chrome"),
+    ("select-chrome", "Choosing a vertex, in headless Chrome"),
+    ("networks-start-native", "Loading the networks, natively"),
+    ("photo-to-landmarks-native", "Photo (512×512 PNG) to landmarks, natively, one thread"),
+    ("networks-start-chrome", "Loading program and networks, in headless Chrome"),
+    ("first-landmarks-chrome", "The first photo to landmarks, in headless Chrome"),
+    ("photo-to-landmarks-chrome", "Photo (512×512 PNG) to landmarks, in headless Chrome, one thread"),
+];
+
+/// All figures, in the order in which their tasks first appear.
+pub fn all(records: &[Record]) -> String {
+    let mut tasks: Vec<&str> = Vec::new();
+    for record in records {
+        if !tasks.contains(&record.task.as_str()) {
+            tasks.push(&record.task);
+        }
+    }
+    tasks.into_iter().map(|task| of_task(task, records)).collect::<Vec<_>>().join("\n")
+}
+
+fn of_task(task: &str, records: &[Record]) -> String {
+    let title = TITLES.iter().find(|(name, _)| *name == task).map_or(task, |(_, title)| title);
+    let mut rows: Vec<&Record> = records.iter().filter(|record| record.task == task).collect();
+    rows.sort_by_key(|record| (record.vertices, !record.is_own()));
+    let sized = rows.iter().any(|record| record.vertices.is_some());
+    let (size, rule) = if sized { ("vertices | ", "---:|") } else { ("", "") };
+    let mut lines = vec![format!("### {title}\n"), format!("| {size}by | time | times Rosto's | runs |")];
+    lines.push(format!("|{rule}---|---:|---:|---:|"));
+    for row in &rows {
+        let own = rows.iter().find(|other| other.is_own() && other.vertices == row.vertices);
+        let size = row.vertices.map_or_else(String::new, |vertices| format!("{vertices} | "));
+        let ratio = own.map_or_else(|| "–".to_owned(), |own| ratio(row.ms / own.ms));
+        lines.push(format!("| {size}{} | {} | {ratio} | {} |", row.peer, duration(row.ms), row.runs));
+    }
+    lines.join("\n") + "\n"
+}
+
+fn ratio(ratio: f64) -> String {
+    let digits = if ratio < 10.0 { 2 } else { 0 };
+    format!("{ratio:.digits$} ×")
+}
+
+/// Milliseconds in the unit that reads best, with three significant digits.
+fn duration(ms: f64) -> String {
+    let (value, unit) = match ms {
+        ms if ms < 1e-3 => (ms * 1e6, "ns"),
+        ms if ms < 1.0 => (ms * 1e3, "µs"),
+        ms if ms < 1e3 => (ms, "ms"),
+        ms => (ms / 1e3, "s"),
+    };
+    let digits = if value < 10.0 { 2 } else { usize::from(value < 100.0) };
+    format!("{value:.digits$} {unit}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn record(peer: &str, vertices: Option<u64>, ms: f64) -> Record {
+        Record { task: "solve".into(), peer: peer.into(), vertices, ms, runs: 9 }
+    }
+
+    #[test]
+    fn peers_stand_behind_rosto_with_their_ratio() {
+        let table = all(&[record("libigl", Some(468), 1.0), record("rosto", Some(468), 0.25)]);
+        let rows: Vec<&str> = table.lines().skip(4).collect();
+        assert_eq!(rows, ["| 468 | rosto | 250 µs | 1.00 × | 9 |", "| 468 | libigl | 1.00 ms | 4.00 × | 9 |"]);
+    }
+
+    #[test]
+    fn without_rosto_there_is_no_ratio() {
+        assert!(all(&[record("libigl", None, 1500.0)]).contains("| libigl | 1.50 s | – | 9 |"));
+    }
+
+    #[test]
+    fn durations_keep_three_digits() {
+        assert_eq!(duration(0.000_25), "250 ns");
+        assert_eq!(duration(0.001_234), "1.23 µs");
+        assert_eq!(duration(45.67), "45.7 ms");
+    }
+}
