@@ -12,7 +12,7 @@ const ELSEWHERE: [&str; 2] = [
     "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
     "/Applications/Chromium.app/Contents/MacOS/Chromium",
 ];
-const DRIVERS: [&str; 1] = ["chromedriver"];
+const DRIVER: &str = "chromedriver";
 
 /// Chooses the browser by hand.
 pub const BROWSER_VARIABLE: &str = "ROSTO_BROWSER";
@@ -37,23 +37,16 @@ impl Browser {
         progress::announce("Chromium and its driver", "the tests run the page in it");
         let started = Instant::now();
         let installed = apt::install(&versions::DEBIAN_BROWSER);
-        match (Self::find(), installed) {
-            (Some(found), Ok(())) => {
-                progress::done("Chromium", started);
-                Ok(found)
-            }
-            (Some(found), Err(_)) => {
-                progress::note("there is a browser, but no chromedriver; wasm-pack will look for one itself");
-                Ok(found)
-            }
-            (None, outcome) => {
-                let failure = Failure::new("the tests need Chromium or Chrome, and there is none");
-                let failure =
-                    outcome.as_ref().err().map_or(failure, |cause| Failure::new("there is no browser").because(cause));
-                Err(failure
-                    .advice(format!("install one, or name it in {BROWSER_VARIABLE} (its driver: {DRIVER_VARIABLE})")))
-            }
+        let found = Self::find().ok_or_else(|| {
+            let none = Failure::new("the tests need Chromium or Chrome, and there is none");
+            let none = installed.as_ref().err().iter().fold(none, |none, cause| none.because(cause));
+            none.advice(format!("install one, or name it in {BROWSER_VARIABLE} (and its driver in {DRIVER_VARIABLE})"))
+        })?;
+        progress::done("Chromium", started);
+        if found.driver.is_none() {
+            progress::note("no chromedriver of its version was found; wasm-pack will look for one itself");
         }
+        Ok(found)
     }
 
     /// What the environment of the journeys and of wasm-pack needs to use it.
@@ -67,7 +60,7 @@ impl Browser {
         let program = named(BROWSER_VARIABLE)
             .or_else(|| BROWSERS.into_iter().find_map(find_program))
             .or_else(|| ELSEWHERE.into_iter().map(PathBuf::from).find(|file| file.is_file()))?;
-        let driver = named(DRIVER_VARIABLE).or_else(|| DRIVERS.into_iter().find_map(find_program));
+        let driver = named(DRIVER_VARIABLE).or_else(|| find_program(DRIVER));
         let driver = driver.filter(|driver| major_version(driver) == major_version(&program));
         Some(Self { program, driver })
     }
