@@ -1,11 +1,10 @@
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 
-use crate::LaplacianError;
+use crate::{Hold, LaplacianError};
 
-/// The small symmetric system that is left when all but the held vertices are eliminated; see
-/// [`GroundedForm`](crate::grounded::GroundedForm).
-pub(crate) struct Bordered<'a> {
-    held: &'a [u32],
+/// The small symmetric system that is left when all but the held vertices are eliminated; see [`crate::grounded`].
+pub(crate) struct Bordered {
+    held: Vec<u32>,
     /// The components that have a held vertex.
     touched: Vec<u32>,
     system: LU<f64, Dyn, Dyn>,
@@ -17,14 +16,9 @@ pub(crate) struct Coefficients {
     constants: Vec<(u32, f64)>,
 }
 
-impl<'a> Bordered<'a> {
+impl Bordered {
     /// `entry(i, j)` is `Φ` between the `i`-th and `j`-th held vertex; it is asked for `i ≤ j` only.
-    pub(crate) fn new(
-        held: &'a [u32],
-        component: &[u32],
-        compliance: f64,
-        entry: impl Fn(usize, usize) -> f64,
-    ) -> Self {
+    pub(crate) fn new(held: &[u32], component: &[u32], hold: Hold, entry: impl Fn(usize, usize) -> f64) -> Self {
         let mut touched: Vec<u32> = held.iter().map(|&vertex| component[vertex as usize]).collect();
         touched.sort_unstable();
         touched.dedup();
@@ -35,20 +29,20 @@ impl<'a> Bordered<'a> {
                 let value = entry(i, j);
                 (system[(i, j)], system[(j, i)]) = (value, value);
             }
-            system[(j, j)] += compliance;
+            system[(j, j)] += hold.compliance();
             let own = k + touched.partition_point(|&other| other < component[held[j] as usize]);
             (system[(own, j)], system[(j, own)]) = (1.0, 1.0);
         }
-        Self { held, touched, system: system.lu() }
+        Self { held: held.to_vec(), touched, system: system.lu() }
     }
 
-    /// The coefficients for target 1 at the `index`-th held vertex and 0 at the others.
-    pub(crate) fn solve(&self, index: usize) -> Result<Coefficients, LaplacianError> {
+    /// The coefficients for the given target at each held vertex.
+    pub(crate) fn solve(&self, targets: impl Iterator<Item = f64>) -> Result<Coefficients, LaplacianError> {
         let k = self.held.len();
-        let mut x = DVector::zeros(k + self.touched.len());
-        x[index] = 1.0;
+        let padded = targets.chain(std::iter::repeat(0.0));
+        let mut x = DVector::from_iterator(k + self.touched.len(), padded.take(k + self.touched.len()));
         if !self.system.solve_mut(&mut x) || x.iter().any(|value| !value.is_finite()) {
-            return Err(LaplacianError::BadlyScaled { vertex: self.held[index] });
+            return Err(LaplacianError::BadlyScaled { vertex: self.held[0] });
         }
         let (columns, constants) = x.as_slice().split_at(k);
         Ok(Coefficients {

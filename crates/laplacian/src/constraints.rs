@@ -111,6 +111,9 @@ impl Constraints<'_> {
 
 /// Refuses positions that do not fit the mesh or are not numbers.
 pub(crate) fn check_positions(topology: &Topology, positions: &[glam::DVec3]) -> Result<(), LaplacianError> {
+    if topology.vertex_count() == 0 {
+        return Err(LaplacianError::Empty);
+    }
     if positions.len() != topology.vertex_count() {
         return Err(LaplacianError::LengthMismatch { expected: topology.vertex_count(), found: positions.len() });
     }

@@ -4,6 +4,9 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum LaplacianError {
+    /// There is nothing to edit.
+    #[error("the mesh has no vertices")]
+    Empty,
     /// A slice with one value for each vertex has another length.
     #[error("{found} values for {expected} vertices")]
     LengthMismatch {
@@ -52,6 +55,12 @@ pub enum LaplacianError {
     Weight {
         /// The weight given.
         weight: f64,
+    },
+    /// A region's radius is not a positive number.
+    #[error("a region's radius must be positive and finite, not {radius}")]
+    Radius {
+        /// The radius given.
+        radius: f64,
     },
     /// A handle lies where the region lets nothing move.
     #[error("handle {handle} lies outside the region of influence")]

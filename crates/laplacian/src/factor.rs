@@ -1,3 +1,5 @@
+use std::ops::Range;
+
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltError;
 use faer::sparse::linalg::SupernodalThreshold;
@@ -10,7 +12,7 @@ use faer::{Par, Side};
 use nalgebra_sparse::CsrMatrix;
 
 use crate::LaplacianError;
-use crate::kernels::{dot, subtract_scaled};
+use crate::kernels::{add_scaled, dot};
 
 /// A sparse symmetric positive definite matrix `A`, kept as `P A Pᵀ = L Lᵀ` with a fill-reducing order `P`.
 ///
@@ -20,8 +22,9 @@ use crate::kernels::{dot, subtract_scaled};
 pub(crate) struct Factor {
     symbolic: SymbolicCholesky<usize>,
     values: Vec<f64>,
-    /// For each vertex, its row in `L`.
+    /// For each vertex, its row in `L`; and back.
     row_of: Vec<usize>,
+    vertex_of: Vec<usize>,
     /// For each row of `L`, its supernode.
     supernode_of: Vec<usize>,
 }
@@ -50,12 +53,13 @@ impl Factor {
     pub(crate) fn new(matrix: &CsrMatrix<f64>) -> Result<Self, LaplacianError> {
         let symbolic = order(matrix);
         let values = factorize(matrix, &symbolic)?;
-        let row_of = symbolic.perm().expect("invariant: an order was asked for").arrays().1.to_vec();
+        let (vertex_of, row_of) = symbolic.perm().expect("invariant: an order was asked for").arrays();
+        let (vertex_of, row_of) = (vertex_of.to_vec(), row_of.to_vec());
         let supernodes = supernodes(&symbolic);
         let widths =
             supernodes.supernode_begin().iter().zip(supernodes.supernode_end()).map(|(begin, end)| end - begin);
         let supernode_of = widths.enumerate().flat_map(|(s, width)| std::iter::repeat_n(s, width)).collect();
-        Ok(Self { values, row_of, supernode_of, symbolic })
+        Ok(Self { values, row_of, vertex_of, supernode_of, symbolic })
     }
 
     /// `L⁻¹ P e_v`. `work` has a zero for each vertex, and is handed back so.
@@ -83,29 +87,50 @@ impl Factor {
         dot(&v.values[v.values.len() - common..], &w.values[w.values.len() - common..])
     }
 
-    /// Writes `A⁻¹ Σ cₖ e_{vₖ}` to `out`, from the half-solved `e_{vₖ}` and their `cₖ`; one backward solve.
-    pub(crate) fn finish<'a>(&self, terms: impl Iterator<Item = (&'a HalfSolved, f64)>, out: &mut [f64]) {
-        let mut work = vec![0.0; out.len()];
-        for (half, coefficient) in terms {
-            let mut values = half.values.as_slice();
-            for &s in &half.path {
-                let panel = self.panel(s);
-                let (own, rest) = values.split_at(panel.width);
-                subtract_scaled(&mut work[panel.start..panel.start + panel.width], -coefficient, own);
-                values = rest;
-            }
-        }
-        self.backward(&mut work);
+    /// `L⁻¹ P b` for any right-hand side `b`.
+    pub(crate) fn forward(&self, b: &[f64]) -> Vec<f64> {
+        let mut rows: Vec<f64> = self.vertex_of.iter().map(|&vertex| b[vertex]).collect();
+        (0..self.supernode_count()).for_each(|s| self.panel(s).eliminate(&mut rows));
+        rows
+    }
+
+    /// `e_vᵀ A⁻¹ b` from the half-solved `e_v` and `b`.
+    pub(crate) fn inverse_row(&self, v: &HalfSolved, b: &[f64]) -> f64 {
+        self.along(v).map(|(rows, values)| dot(values, &b[rows])).sum()
+    }
+
+    /// Adds `scale` times a half-solved unit vector to a half-solved right-hand side.
+    pub(crate) fn add(&self, half: &HalfSolved, scale: f64, rows: &mut [f64]) {
+        self.along(half).for_each(|(range, values)| add_scaled(&mut rows[range], scale, values));
+    }
+
+    /// Writes `Pᵀ L⁻ᵀ rows` to `out`: the second half of a solve.
+    pub(crate) fn backward(&self, mut rows: Vec<f64>, out: &mut [f64]) {
+        let mut gathered = Vec::new();
+        (0..self.supernode_count()).rev().for_each(|s| self.panel(s).substitute(&mut rows, &mut gathered));
         for (value, &row) in out.iter_mut().zip(&self.row_of) {
-            *value = work[row];
+            *value = rows[row];
         }
     }
 
-    fn backward(&self, work: &mut [f64]) {
-        let mut gathered = Vec::new();
-        for s in (0..supernodes(&self.symbolic).n_supernodes()).rev() {
-            self.panel(s).substitute(work, &mut gathered);
-        }
+    /// Solves `A x = b` in place.
+    pub(crate) fn solve(&self, b: &mut [f64]) {
+        self.backward(self.forward(b), b);
+    }
+
+    /// The ranges of rows on the path of a half-solved unit vector, with its values there.
+    fn along<'a>(&'a self, half: &'a HalfSolved) -> impl Iterator<Item = (Range<usize>, &'a [f64])> {
+        let mut values = half.values.as_slice();
+        half.path.iter().map(move |&s| {
+            let panel = self.panel(s);
+            let (own, rest) = values.split_at(panel.width);
+            values = rest;
+            (panel.start..panel.start + panel.width, own)
+        })
+    }
+
+    fn supernode_count(&self) -> usize {
+        supernodes(&self.symbolic).n_supernodes()
     }
 
     fn panel(&self, s: usize) -> Panel<'_> {
@@ -128,7 +153,7 @@ impl Panel<'_> {
             let row = self.start + j;
             x[row] /= column[j];
             let value = x[row];
-            subtract_scaled(&mut x[row + 1..self.start + self.width], value, &column[j + 1..self.width]);
+            add_scaled(&mut x[row + 1..self.start + self.width], -value, &column[j + 1..self.width]);
             for (&row, &entry) in self.pattern.iter().zip(&column[self.width..]) {
                 x[row] -= entry * value;
             }

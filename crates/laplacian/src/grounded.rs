@@ -1,103 +1,146 @@
+//! Constrained minimisation with one factor for all constraints.
+//!
+//! A positive semi-definite form `Q`, whose kernel is the constants on each component of the mesh, is kept as `Φ = B⁻¹`
+//! for `B = Q + Σ e_g e_gᵀ`, with one ground vertex `g` for each component. Minimising
+//! `dᵀQd − 2rᵀd + Σ wᵢ(dᵢ − sᵢ)²` over held vertices `S`, for a load `r` that sums to 0, then asks for no new factor:
+//! ```text
+//! d = Φ r + Φ_S c + P t    with   ⎡ W⁻¹ + Φ_SS  P_S ⎤ ⎡ c ⎤ = ⎡ s − (Φ r)_S ⎤
+//!                                 ⎣    P_Sᵀ      0  ⎦ ⎣ t ⎦   ⎣      0      ⎦
+//! ```
+//! where `P` holds the indicators of the components. This is Woodbury's formula for `N = Q + Σ wᵢeᵢeᵢᵀ`, with the ground
+//! taken out by `Φ e_g = P_g` (as `Q·1 = 0`), so that the choice of ground leaves no trace. An exact hold is `1/w = 0`.
+
 use nalgebra_sparse::{CooMatrix, CsrMatrix};
 use rosto_mesh::Topology;
 
 use crate::bordered::Bordered;
+use crate::eliminated::Eliminated;
 use crate::factor::{Factor, HalfSolved};
-use crate::kernels::subtract_scaled;
-use crate::{Constraints, Hold, LaplacianError, Response};
+use crate::kernels::add_scaled;
+use crate::{Constraints, Hold, LaplacianError};
 
 /// Meshes of up to this many vertices keep the whole of `Φ`, so that a handle is selected without any solve.
 const WHOLE_INVERSE_LIMIT: usize = 1000;
 
-/// A positive semi-definite form `Q` whose kernel is the constants on each component of the mesh, factored once in a way
-/// that serves any constraints.
-///
-/// What is kept is `Φ = B⁻¹` for `B = Q + Σ e_g e_gᵀ`, with one ground vertex `g` for each component: as a sparse factor,
-/// or whole where the mesh is small. Minimising `dᵀQd + Σ wᵢ(dᵢ − sᵢ)²` over held vertices `S` then asks for no new factor:
-/// ```text
-/// d = Φ_S c + P t       with   ⎡ W⁻¹ + Φ_SS  P_S ⎤ ⎡ c ⎤ = ⎡ s ⎤
-///                              ⎣    P_Sᵀ      0  ⎦ ⎣ t ⎦   ⎣ 0 ⎦
-/// ```
-/// where `P` holds the indicators of the components. This is Woodbury's formula for `N = Q + Σ wᵢeᵢeᵢᵀ`, with the ground
-/// taken out by `Φ e_g = P_g` (as `Q·1 = 0`), so that the choice of ground leaves no trace. An exact hold is `1/w = 0`.
+/// From this many held vertices on, a factor of their own is cheaper than the bordered system, which grows as the cube.
+const MANY_HELD: usize = 256;
+
+/// The form `Q`, factored once in a way that serves any constraints.
 pub(crate) struct GroundedForm {
     component: Vec<u32>,
+    /// `B`.
+    matrix: CsrMatrix<f64>,
     factor: Factor,
     /// The columns of `Φ`, end to end.
     whole: Option<Vec<f64>>,
 }
 
-/// The columns of `Φ` that belong to the held vertices.
-enum Columns<'a> {
-    Whole(Vec<&'a [f64]>),
-    Half(&'a Factor, Vec<HalfSolved>),
+/// The form under constraints: what is left to choose are targets and load.
+pub(crate) struct HeldForm {
+    held: Vec<u32>,
+    hold: Hold,
+    way: Way,
+}
+
+/// How a held form is minimised; all ways give the same numbers.
+enum Way {
+    /// The columns `Φ_S` stand in the whole inverse.
+    Whole(Bordered),
+    /// The columns `Φ_S` are half solved.
+    Halves(Vec<HalfSolved>, Bordered),
+    /// The held vertices are worked into a factor of their own.
+    Eliminated(Box<Eliminated>),
 }
 
 impl GroundedForm {
     pub(crate) fn new(topology: &Topology, form: &CsrMatrix<f64>) -> Result<Self, LaplacianError> {
         let component = topology.components();
-        let factor = Factor::new(&grounded(form, &component))?;
+        let matrix = grounded(form, &component);
+        let factor = Factor::new(&matrix)?;
         let whole = (component.len() <= WHOLE_INVERSE_LIMIT).then(|| whole_inverse(&factor, component.len()));
-        Ok(Self { component, factor, whole })
+        Ok(Self { component, matrix, factor, whole })
     }
 
-    /// One field for each handle: the minimiser for target 1 at that handle and 0 at everything else that is held.
-    pub(crate) fn respond(&self, constraints: &Constraints<'_>) -> Result<Response, LaplacianError> {
+    /// Checks the constraints and does all the work that does not depend on targets.
+    pub(crate) fn hold(&self, constraints: &Constraints<'_>) -> Result<HeldForm, LaplacianError> {
         constraints.check(&self.component)?;
-        let held = constraints.held();
-        let columns = self.columns(&held);
-        let bordered =
-            Bordered::new(&held, &self.component, constraints.hold.compliance(), |i, j| columns.entry(&held, i, j));
-        let n = self.component.len();
-        let mut fields = vec![0.0; n * constraints.handles.len()];
-        for (index, field) in fields.chunks_exact_mut(n).enumerate() {
-            let coefficients = bordered.solve(index)?;
-            columns.combine(&coefficients.columns, field);
-            coefficients.add_constants(&self.component, field);
-            if constraints.hold == Hold::Exact {
-                // Exact up to rounding so far; now to the last bit.
-                held.iter().for_each(|&vertex| field[vertex as usize] = 0.0);
-                field[held[index] as usize] = 1.0;
-            }
-        }
-        Ok(Response::new(constraints, fields))
+        let (held, hold) = (constraints.held(), constraints.hold);
+        let border = |entry: &dyn Fn(usize, usize) -> f64| Bordered::new(&held, &self.component, hold, entry);
+        let way = if held.len() >= MANY_HELD {
+            Way::Eliminated(Box::new(Eliminated::new(&self.matrix, &self.component, &held, hold)?))
+        } else if self.whole.is_some() {
+            Way::Whole(border(&|i, j| self.column(held[j])[held[i] as usize]))
+        } else {
+            let mut work = vec![0.0; self.component.len()];
+            let halves: Vec<_> = held.iter().map(|&vertex| self.factor.half_solve(vertex, &mut work)).collect();
+            let bordered = border(&|i, j| self.factor.inverse_entry(&halves[i], &halves[j]));
+            Way::Halves(halves, bordered)
+        };
+        Ok(HeldForm { held, hold, way })
     }
 
-    fn columns(&self, held: &[u32]) -> Columns<'_> {
+    /// A column of the whole inverse.
+    fn column(&self, vertex: u32) -> &[f64] {
         let n = self.component.len();
-        match &self.whole {
-            Some(whole) => Columns::Whole(held.iter().map(|&v| &whole[v as usize * n..(v as usize + 1) * n]).collect()),
-            None => {
-                let mut work = vec![0.0; n];
-                Columns::Half(&self.factor, held.iter().map(|&v| self.factor.half_solve(v, &mut work)).collect())
-            }
-        }
+        let whole = self.whole.as_ref().expect("invariant: asked for only where the whole inverse is kept");
+        &whole[vertex as usize * n..(vertex as usize + 1) * n]
     }
 }
 
-impl Columns<'_> {
-    /// `Φ_SS` at row `i`, column `j`.
-    fn entry(&self, held: &[u32], i: usize, j: usize) -> f64 {
-        match self {
-            Self::Whole(columns) => columns[j][held[i] as usize],
-            Self::Half(factor, halves) => factor.inverse_entry(&halves[i], &halves[j]),
-        }
+impl HeldForm {
+    /// The vertices that `targets` belong to: handles, then anchors.
+    pub(crate) fn held(&self) -> &[u32] {
+        &self.held
     }
 
-    /// Writes `Φ_S c` to `field`.
-    fn combine(&self, coefficients: &[f64], field: &mut [f64]) {
-        match self {
-            Self::Whole(columns) => {
-                field.fill(0.0);
-                columns.iter().zip(coefficients).for_each(|(column, &c)| subtract_scaled(field, -c, column));
+    pub(crate) fn hold(&self) -> Hold {
+        self.hold
+    }
+
+    pub(crate) fn is_exact(&self) -> bool {
+        self.hold == Hold::Exact
+    }
+
+    /// Writes the minimiser for one target for each held vertex, and a load that sums to 0 over each component.
+    pub(crate) fn minimise(
+        &self,
+        form: &GroundedForm,
+        load: Option<&[f64]>,
+        targets: &[f64],
+        out: &mut [f64],
+    ) -> Result<(), LaplacianError> {
+        match &self.way {
+            Way::Whole(bordered) => {
+                match load {
+                    Some(load) => form.factor.backward(form.factor.forward(load), out),
+                    None => out.fill(0.0),
+                }
+                let rest = self.held.iter().zip(targets).map(|(&vertex, target)| target - out[vertex as usize]);
+                let c = bordered.solve(rest)?;
+                self.held.iter().zip(&c.columns).for_each(|(&vertex, &c)| add_scaled(out, c, form.column(vertex)));
+                c.add_constants(&form.component, out);
             }
-            Self::Half(factor, halves) => factor.finish(halves.iter().zip(coefficients.iter().copied()), field),
+            Way::Halves(halves, bordered) => {
+                let mut rows = load.map_or_else(|| vec![0.0; out.len()], |load| form.factor.forward(load));
+                let rest =
+                    halves.iter().zip(targets).map(|(half, target)| target - form.factor.inverse_row(half, &rows));
+                let c = bordered.solve(rest)?;
+                halves.iter().zip(&c.columns).for_each(|(half, &c)| form.factor.add(half, c, &mut rows));
+                form.factor.backward(rows, out);
+                c.add_constants(&form.component, out);
+            }
+            Way::Eliminated(eliminated) => eliminated.minimise(load, targets, out),
         }
+        if self.is_exact() {
+            // Exact up to rounding so far; now to the last bit.
+            self.held.iter().zip(targets).for_each(|(&vertex, &target)| out[vertex as usize] = target);
+        }
+        Ok(())
     }
 }
 
 /// `Q + Σ e_g e_gᵀ`; the ground of a component is its lowest vertex.
-fn grounded(form: &CsrMatrix<f64>, component: &[u32]) -> CsrMatrix<f64> {
+pub(crate) fn grounded(form: &CsrMatrix<f64>, component: &[u32]) -> CsrMatrix<f64> {
     let n = component.len();
     let mut grounds = CooMatrix::new(n, n);
     for vertex in (0..n).filter(|&vertex| component[vertex] as usize == vertex) {
@@ -110,8 +153,9 @@ fn whole_inverse(factor: &Factor, n: usize) -> Vec<f64> {
     let mut inverse = vec![0.0; n * n];
     let mut work = vec![0.0; n];
     for (vertex, column) in inverse.chunks_exact_mut(n.max(1)).enumerate() {
-        let half = factor.half_solve(vertex as u32, &mut work);
-        factor.finish(std::iter::once((&half, 1.0)), column);
+        let mut rows = vec![0.0; n];
+        factor.add(&factor.half_solve(vertex as u32, &mut work), 1.0, &mut rows);
+        factor.backward(rows, column);
     }
     inverse
 }

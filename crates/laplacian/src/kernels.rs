@@ -13,9 +13,9 @@ pub(crate) fn dot(x: &[f64], y: &[f64]) -> f64 {
     lanes.iter().sum::<f64>() + tail
 }
 
-/// `y ← y − scale·x`.
-pub(crate) fn subtract_scaled(y: &mut [f64], scale: f64, x: &[f64]) {
+/// `y ← y + scale·x`.
+pub(crate) fn add_scaled(y: &mut [f64], scale: f64, x: &[f64]) {
     for (y, x) in y.iter_mut().zip(x) {
-        *y -= scale * x;
+        *y += scale * x;
     }
 }

@@ -11,22 +11,32 @@
 mod anchors;
 mod bordered;
 mod constraints;
+mod distortion;
+mod eliminated;
 mod error;
 mod factor;
+mod geodesics;
 mod grounded;
 mod kernels;
 mod operator;
+mod peaks;
 mod region;
 mod response;
+mod rigid;
+mod rotation;
 mod system;
 mod weights;
 
 pub use anchors::random_anchors;
 pub use constraints::{Constraints, Hold};
+pub use distortion::{Distortion, DistortionSummary, Extreme};
 pub use error::LaplacianError;
+pub use geodesics::Geodesics;
 pub use operator::Operator;
+pub use peaks::{Peak, peaks};
 pub use region::Region;
 pub use response::Response;
+pub use rigid::{RigidEdit, RigidOptions, RigidSystem};
 pub use system::LaplacianSystem;
 
 use constraints::check_positions;

@@ -1,9 +1,10 @@
 use glam::DVec3;
 use nalgebra_sparse::CsrMatrix;
+use nalgebra_sparse::csr::CsrRow;
 use rosto_mesh::Topology;
 
 use crate::grounded::GroundedForm;
-use crate::{Constraints, LaplacianError, Operator, Response};
+use crate::{Constraints, Hold, LaplacianError, Operator, Response};
 
 /// Everything about δ-coordinate edits that depends on the mesh and operator alone; built once.
 ///
@@ -31,11 +32,48 @@ impl LaplacianSystem {
         &self.operator
     }
 
+    /// The δ-coordinates `K X` of some positions, in their unit.
+    ///
+    /// # Panics
+    /// If there is not one position for each vertex.
+    pub fn deltas(&self, positions: &[DVec3]) -> Vec<DVec3> {
+        assert_eq!(positions.len(), self.operator.ncols(), "one position for each vertex");
+        let row = |row: CsrRow<'_, f64>| {
+            let terms = row.col_indices().iter().zip(row.values());
+            terms.map(|(&vertex, &weight)| weight * positions[vertex]).sum()
+        };
+        self.operator.row_iter().map(row).collect()
+    }
+
+    /// How much an edit leaves of what it minimises: `‖K X' − K X‖² + Σ w‖x'ᵢ − targetᵢ‖²`, in the square of the positions'
+    /// unit. An exact hold adds nothing.
+    ///
+    /// # Panics
+    /// If there is not one offset for each handle, or not one position for each vertex.
+    pub fn residual(&self, constraints: &Constraints<'_>, offsets: &[DVec3], rest: &[DVec3], edited: &[DVec3]) -> f64 {
+        assert_eq!(offsets.len(), constraints.handles.len(), "one offset for each handle");
+        let moved: Vec<DVec3> = edited.iter().zip(rest).map(|(after, before)| after - before).collect();
+        let bent: f64 = self.deltas(&moved).iter().map(|delta| delta.length_squared()).sum();
+        let Hold::Soft { weight } = constraints.hold else { return bent };
+        let targets = offsets.iter().copied().chain(std::iter::repeat(DVec3::ZERO));
+        let missed = constraints.held().into_iter().zip(targets);
+        bent + weight * missed.map(|(vertex, target)| (moved[vertex as usize] - target).length_squared()).sum::<f64>()
+    }
+
     /// How every vertex follows the handles: one back-substitution for each handle, or none on a small mesh.
     ///
     /// # Errors
     /// For constraints that name no vertex, contradict each other, or leave a handle's piece of the mesh unanchored.
     pub fn respond(&self, constraints: &Constraints<'_>) -> Result<Response, LaplacianError> {
-        self.form.respond(constraints)
+        let held = self.form.hold(constraints)?;
+        let n = self.operator.nrows();
+        let mut fields = vec![0.0; n * constraints.handles.len()];
+        let mut targets = vec![0.0; held.held().len()];
+        for (handle, field) in fields.chunks_exact_mut(n).enumerate() {
+            targets[handle] = 1.0;
+            held.minimise(&self.form, None, &targets, field)?;
+            targets[handle] = 0.0;
+        }
+        Ok(Response::new(constraints, fields))
     }
 }

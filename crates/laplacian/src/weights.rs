@@ -63,7 +63,7 @@ fn triangle_shares(corners: [DVec3; 3]) -> [f64; 3] {
 }
 
 /// A factor that brings positions to about unit size, so that squares neither overflow nor vanish.
-fn unit_scale(positions: &[DVec3]) -> f64 {
+pub(crate) fn unit_scale(positions: &[DVec3]) -> f64 {
     let greatest = positions.iter().map(|position| position.abs().max_element()).fold(0.0, f64::max);
     let scale = greatest.recip();
     if scale.is_finite() { scale } else { 1.0 }

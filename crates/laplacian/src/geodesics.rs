@@ -1,0 +1,128 @@
+use glam::DVec3;
+use nalgebra_sparse::{CooMatrix, CsrMatrix};
+use rosto_mesh::Topology;
+
+use crate::factor::Factor;
+use crate::grounded::grounded;
+use crate::weights::unit_scale;
+use crate::{LaplacianError, Operator, check_positions};
+
+/// A cotangent weight never conducts less heat than this, so that heat is positive everywhere.
+const MIN_CONDUCTION: f64 = 0.01;
+
+/// A vertex never stores less heat than this share of an average edge's square.
+const MIN_STORAGE: f64 = 1e-6;
+
+/// Distances along a surface by the heat method (Crane, Weischedel and Wardetzky 2013): factored once per mesh, two
+/// solves for each set of sources.
+///
+/// A spot of heat is left to spread for as long as it takes to cross an edge; distance is the function whose gradient is
+/// nearest to the unit field that runs down that heat. Approximate: it runs through triangles, not only along edges, is
+/// smooth, and is a few per cent off where triangles are coarse or uneven.
+pub struct Geodesics {
+    triangles: Vec<[u32; 3]>,
+    /// Brought to about unit size by `scale`, so that no square overflows.
+    positions: Vec<DVec3>,
+    scale: f64,
+    component: Vec<u32>,
+    heat: Factor,
+    poisson: Factor,
+}
+
+impl Geodesics {
+    /// Factors for a mesh at the given positions, in any unit.
+    ///
+    /// # Errors
+    /// For positions that do not fit the mesh or are not finite, and [`LaplacianError::BadlyScaled`] should a factor
+    /// break down.
+    pub fn new(topology: &Topology, positions: &[DVec3]) -> Result<Self, LaplacianError> {
+        check_positions(topology, positions)?;
+        let laplacian = Operator::Cotangent.matrix(topology, positions)?;
+        let component = topology.components();
+        let scale = unit_scale(positions);
+        let positions: Vec<DVec3> = positions.iter().map(|&position| position * scale).collect();
+        Ok(Self {
+            triangles: topology.triangles().to_vec(),
+            heat: Factor::new(&heat_matrix(topology, &positions, &laplacian))?,
+            positions,
+            scale,
+            poisson: Factor::new(&grounded(&laplacian, &component))?,
+            component,
+        })
+    }
+
+    /// For each vertex, its distance to the nearest of `sources`, in the positions' unit; infinite where the surface does
+    /// not lead to any.
+    ///
+    /// # Errors
+    /// [`LaplacianError::NoSuchVertex`].
+    pub fn distances(&self, sources: &[u32]) -> Result<Vec<f64>, LaplacianError> {
+        let n = self.positions.len();
+        if let Some(&vertex) = sources.iter().find(|&&vertex| vertex as usize >= n) {
+            return Err(LaplacianError::NoSuchVertex { vertex, vertex_count: n });
+        }
+        let mut heat = vec![0.0; n];
+        sources.iter().for_each(|&source| heat[source as usize] = 1.0);
+        self.heat.solve(&mut heat);
+        let mut distance = self.divergence_of_descent(&heat);
+        self.poisson.solve(&mut distance);
+        self.measure_from(sources, &mut distance);
+        Ok(distance)
+    }
+
+    /// The integrated divergence, with its sign turned, of the unit field that runs down `heat`: what `L φ` must be.
+    fn divergence_of_descent(&self, heat: &[f64]) -> Vec<f64> {
+        let mut divergence = vec![0.0; heat.len()];
+        for &corners in &self.triangles {
+            let at = corners.map(|corner| self.positions[corner as usize]);
+            let opposite = [at[2] - at[1], at[0] - at[2], at[1] - at[0]];
+            let normal = opposite[0].cross(opposite[1]).normalize_or_zero();
+            // Far from the sources heat is tiny: only its direction counts, so scale before anything cancels.
+            let hottest = corners.iter().map(|&corner| heat[corner as usize]).fold(f64::MIN_POSITIVE, f64::max);
+            let share = corners.map(|corner| heat[corner as usize] / hottest);
+            let uphill: DVec3 = (0..3).map(|k| share[k] * normal.cross(opposite[k])).sum();
+            let uphill = uphill.normalize_or_zero();
+            for k in 0..3 {
+                // ∫⟨∇φₖ, ∇φ⟩ for the hat function of corner k, whose gradient is normal × opposite / 2A.
+                divergence[corners[k] as usize] += 0.5 * normal.cross(opposite[k]).dot(-uphill);
+            }
+        }
+        divergence
+    }
+
+    /// Shifts each component so that its nearest source is at 0, and puts the others out of reach.
+    fn measure_from(&self, sources: &[u32], distance: &mut [f64]) {
+        let mut nearest = vec![f64::INFINITY; distance.len()];
+        for &source in sources {
+            let own = &mut nearest[self.component[source as usize] as usize];
+            *own = own.min(distance[source as usize]);
+        }
+        for (value, &component) in distance.iter_mut().zip(&self.component) {
+            let zero = nearest[component as usize];
+            *value = if zero.is_finite() { (*value - zero).max(0.0) / self.scale } else { f64::INFINITY };
+        }
+        sources.iter().for_each(|&source| distance[source as usize] = 0.0);
+    }
+}
+
+/// `M/h² + L`: one implicit step of the heat equation over the time `h²` for a mean edge length `h`.
+fn heat_matrix(topology: &Topology, positions: &[DVec3], laplacian: &CsrMatrix<f64>) -> CsrMatrix<f64> {
+    let lengths = topology.edges().iter().map(|&[a, b]| positions[a as usize].distance(positions[b as usize]));
+    let step = lengths.sum::<f64>() / topology.edges().len().max(1) as f64;
+    let mut storage = vec![0.0; topology.vertex_count()];
+    for &corners in topology.triangles() {
+        let [a, b, c] = corners.map(|corner| positions[corner as usize] / step);
+        let area = 0.5 * (b - a).cross(c - a).length();
+        corners.iter().for_each(|&corner| storage[corner as usize] += area / 3.0);
+    }
+    let mut entries = CooMatrix::new(laplacian.nrows(), laplacian.ncols());
+    for (vertex, stored) in storage.into_iter().enumerate() {
+        entries.push(vertex, vertex, stored.max(MIN_STORAGE));
+    }
+    for (i, j, &value) in laplacian.triplet_iter().filter(|&(i, j, _)| i != j) {
+        let conduction = (-value).max(MIN_CONDUCTION);
+        entries.push(i, j, -conduction);
+        entries.push(i, i, conduction);
+    }
+    CsrMatrix::from(&entries)
+}

@@ -1,0 +1,43 @@
+use glam::DVec3;
+use rosto_mesh::Topology;
+
+/// Neighbours that take less than this share of a summit's displacement make it a peak.
+const GRADUAL_SHARE: f64 = 0.5;
+
+/// A vertex that moved further than all its neighbours and did not take them along.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Peak {
+    /// The vertex.
+    pub vertex: u32,
+    /// The share of its displacement that its neighbours take on average, below ½; negative where they move the other way.
+    pub share: f64,
+}
+
+/// The paper's test of a good edit: "any peaks on a face without a gradual rise would be unnatural".
+///
+/// A summit is a vertex that moved further than every neighbour. Its rise is gradual if the neighbours' displacements,
+/// measured along its own, are on average at least half of it; otherwise it is a peak. `moved` holds a displacement for
+/// each vertex.
+///
+/// # Panics
+/// If there is not one displacement for each vertex.
+pub fn peaks(topology: &Topology, moved: &[DVec3]) -> Vec<Peak> {
+    assert_eq!(moved.len(), topology.vertex_count(), "one displacement for each vertex");
+    let vertices = (0..moved.len() as u32).filter(|&vertex| is_summit(topology, moved, vertex));
+    let peaks = vertices.map(|vertex| Peak { vertex, share: followed_share(topology, moved, vertex) });
+    peaks.filter(|peak| peak.share < GRADUAL_SHARE).collect()
+}
+
+fn is_summit(topology: &Topology, moved: &[DVec3], vertex: u32) -> bool {
+    let height = moved[vertex as usize].length();
+    let neighbours = topology.neighbours(vertex);
+    !neighbours.is_empty() && neighbours.iter().all(|&neighbour| moved[neighbour as usize].length() < height)
+}
+
+fn followed_share(topology: &Topology, moved: &[DVec3], vertex: u32) -> f64 {
+    let own = moved[vertex as usize];
+    let (direction, height) = (own.normalize(), own.length());
+    let neighbours = topology.neighbours(vertex);
+    let along: f64 = neighbours.iter().map(|&neighbour| moved[neighbour as usize].dot(direction) / height).sum();
+    along / neighbours.len() as f64
+}

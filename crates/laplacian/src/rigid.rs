@@ -1,0 +1,185 @@
+use std::sync::Arc;
+
+use glam::{DMat3, DVec3};
+use nalgebra_sparse::CsrMatrix;
+use rosto_mesh::Topology;
+
+use crate::grounded::{GroundedForm, HeldForm};
+use crate::rotation::best_rotation;
+use crate::{Constraints, Hold, LaplacianError, Operator, Region};
+
+/// As-rigid-as-possible edits (Sorkine and Alexa 2007), in which details turn with the surface.
+///
+/// Built once for a mesh at rest `X` and the edge weights `w` of an operator. Positions `X'` and one rotation `Rᵢ` for each
+/// vertex minimise
+/// ```text
+/// E = ½ Σᵢ Σⱼ wᵢⱼ ‖(x'ᵢ − x'ⱼ) − Rᵢ(xᵢ − xⱼ)‖² + Σ_held w‖x'ᵢ − targetᵢ‖²
+/// ```
+/// in turns: for fixed positions each rotation is a small problem of its own; for fixed rotations the positions solve
+/// `L x' = ½ Σⱼ wᵢⱼ (Rᵢ + Rⱼ)(xᵢ − xⱼ)`, always with the same factor. Neither turn can raise `E`.
+pub struct RigidSystem {
+    rest: Arc<Rest>,
+}
+
+struct Rest {
+    positions: Vec<DVec3>,
+    /// `L`: its off-diagonal entries are `−w`.
+    laplacian: CsrMatrix<f64>,
+    form: GroundedForm,
+}
+
+/// An as-rigid-as-possible edit with its handles and anchors chosen.
+pub struct RigidEdit {
+    rest: Arc<Rest>,
+    held: HeldForm,
+    handles: usize,
+    region: Option<Region>,
+}
+
+/// When to stop taking turns.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RigidOptions {
+    /// Never more turns than this.
+    pub max_iterations: usize,
+    /// Stop once a turn lowers the energy by less than this share of it.
+    pub tolerance: f64,
+}
+
+impl Default for RigidOptions {
+    fn default() -> Self {
+        Self { max_iterations: 10, tolerance: 1e-4 }
+    }
+}
+
+impl RigidSystem {
+    /// Takes the edge weights of `operator` ([`Operator::Uniform`] has those of [`Operator::UniformSymmetric`]) and
+    /// factors `L`. `positions` in any unit.
+    ///
+    /// # Errors
+    /// As [`LaplacianSystem::new`](crate::LaplacianSystem::new).
+    pub fn new(topology: &Topology, positions: &[DVec3], operator: Operator) -> Result<Self, LaplacianError> {
+        let symmetric = if operator == Operator::Uniform { Operator::UniformSymmetric } else { operator };
+        let laplacian = symmetric.matrix(topology, positions)?;
+        let form = GroundedForm::new(topology, &laplacian)?;
+        Ok(Self { rest: Arc::new(Rest { positions: positions.to_vec(), laplacian, form }) })
+    }
+
+    /// Does all that depends on handles and anchors alone.
+    ///
+    /// # Errors
+    /// As [`LaplacianSystem::respond`](crate::LaplacianSystem::respond).
+    pub fn hold(&self, constraints: &Constraints<'_>) -> Result<RigidEdit, LaplacianError> {
+        let held = self.rest.form.hold(constraints)?;
+        let (handles, region) = (constraints.handles.len(), constraints.region.cloned());
+        Ok(RigidEdit { rest: Arc::clone(&self.rest), held, handles, region })
+    }
+}
+
+impl RigidEdit {
+    /// Lets `positions` settle for one offset for each handle, and returns the energy before the first turn and after
+    /// each. What `positions` hold is where it starts: the rest, a δ-coordinate edit, or the last tick of a drag.
+    ///
+    /// In a region, the displacement is faded out once it has settled.
+    ///
+    /// # Errors
+    /// [`LaplacianError::BadlyScaled`] should the factor break down.
+    ///
+    /// # Panics
+    /// If there is not one offset for each handle, or not one position for each vertex.
+    pub fn settle(
+        &self,
+        offsets: &[DVec3],
+        options: &RigidOptions,
+        positions: &mut [DVec3],
+    ) -> Result<Vec<f64>, LaplacianError> {
+        assert_eq!(offsets.len(), self.handles, "one offset for each handle");
+        assert_eq!(positions.len(), self.rest.positions.len(), "one position for each vertex");
+        let mut targets = vec![DVec3::ZERO; self.held.held().len()];
+        targets[..offsets.len()].copy_from_slice(offsets);
+        self.start(&targets, positions);
+        let mut rotations = self.rest.rotations(positions);
+        let mut energies = vec![self.energy(&rotations, &targets, positions)];
+        while energies.len() <= options.max_iterations {
+            self.move_to(&rotations, &targets, positions)?;
+            rotations = self.rest.rotations(positions);
+            energies.push(self.energy(&rotations, &targets, positions));
+            if let [.., before, after] = energies[..]
+                && before - after <= options.tolerance * before
+            {
+                break;
+            }
+        }
+        self.fade(&targets, positions);
+        Ok(energies)
+    }
+
+    /// Puts exactly held vertices where they belong, so that the first energy is that of an admissible shape.
+    fn start(&self, targets: &[DVec3], positions: &mut [DVec3]) {
+        if self.held.is_exact() {
+            for (&vertex, &target) in self.held.held().iter().zip(targets) {
+                positions[vertex as usize] = self.rest.positions[vertex as usize] + target;
+            }
+        }
+    }
+
+    /// `E` for the given rotations and positions.
+    fn energy(&self, rotations: &[DMat3], targets: &[DVec3], positions: &[DVec3]) -> f64 {
+        let bent = |(i, j, weight): (usize, usize, f64)| {
+            let turned = rotations[i] * (self.rest.positions[i] - self.rest.positions[j]);
+            0.5 * weight * (positions[i] - positions[j] - turned).length_squared()
+        };
+        let missed = |(&vertex, &target): (&u32, &DVec3)| {
+            (positions[vertex as usize] - self.rest.positions[vertex as usize] - target).length_squared()
+        };
+        let holding = match self.held.hold() {
+            Hold::Soft { weight } => weight * self.held.held().iter().zip(targets).map(missed).sum::<f64>(),
+            Hold::Exact => 0.0,
+        };
+        self.rest.edges().map(bent).sum::<f64>() + holding
+    }
+
+    /// The positions that are best for fixed rotations. Solved for the displacement `d = x' − x`, whose load
+    /// `½ Σⱼ wᵢⱼ (Rᵢ + Rⱼ − 2)(xᵢ − xⱼ)` vanishes where nothing turns.
+    fn move_to(&self, rotations: &[DMat3], targets: &[DVec3], positions: &mut [DVec3]) -> Result<(), LaplacianError> {
+        let rest = &self.rest.positions;
+        let mut load = vec![DVec3::ZERO; rest.len()];
+        for (i, j, weight) in self.rest.edges() {
+            let edge = rest[i] - rest[j];
+            load[i] += weight * (0.5 * (rotations[i] * edge + rotations[j] * edge) - edge);
+        }
+        positions.copy_from_slice(rest);
+        let mut moved = vec![0.0; rest.len()];
+        for axis in 0..3 {
+            let load: Vec<f64> = load.iter().map(|load| load[axis]).collect();
+            let targets: Vec<f64> = targets.iter().map(|target| target[axis]).collect();
+            self.held.minimise(&self.rest.form, Some(&load), &targets, &mut moved)?;
+            positions.iter_mut().zip(&moved).for_each(|(position, moved)| position[axis] += moved);
+        }
+        Ok(())
+    }
+
+    fn fade(&self, targets: &[DVec3], positions: &mut [DVec3]) {
+        let Some(region) = &self.region else { return };
+        for ((position, &rest), &share) in positions.iter_mut().zip(&self.rest.positions).zip(region.falloff()) {
+            *position = rest + share * (*position - rest);
+        }
+        self.start(targets, positions);
+    }
+}
+
+impl Rest {
+    /// Both directions of every edge, with its weight.
+    fn edges(&self) -> impl Iterator<Item = (usize, usize, f64)> {
+        self.laplacian.triplet_iter().filter(|(i, j, _)| i != j).map(|(i, j, &entry)| (i, j, -entry))
+    }
+
+    /// For each vertex, the rotation that turns its edges at rest best into those of `positions`.
+    fn rotations(&self, positions: &[DVec3]) -> Vec<DMat3> {
+        let mut covariances = vec![DMat3::ZERO; positions.len()];
+        for (i, j, weight) in self.edges() {
+            let (before, after) = (self.positions[i] - self.positions[j], positions[i] - positions[j]);
+            covariances[i] += DMat3::from_cols(after * before.x, after * before.y, after * before.z) * weight;
+        }
+        covariances.iter().map(best_rotation).collect()
+    }
+}
