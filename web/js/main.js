@@ -1,4 +1,5 @@
 import { byId, onAction } from "./page/dom.js";
+import { hint, setUpHints } from "./page/hint.js";
 import { hideNotice, setUpNotice, showPhotoTrouble, showTrouble } from "./page/notice.js";
 import { keepOffline } from "./page/offline.js";
 import { countRequests } from "./page/privacy.js";
@@ -30,6 +31,7 @@ const MAX_FACES = 8;
 setUpWords();
 setUpNotice();
 setUpProgress();
+setUpHints();
 setUpTabs();
 setUpCredits();
 
@@ -135,7 +137,9 @@ async function openFace(face) {
   document.body.dataset["state"] = opened ? "face" : "photo";
   byId("welcome", HTMLElement).hidden = true;
   byId("toolbar", HTMLDivElement).hidden = !opened;
-  if (opened) keeper.take(face);
+  if (!opened) return;
+  keeper.take(face);
+  hint("hint.drag", "hint.turn");
 }
 
 function afterFirstPaint() {

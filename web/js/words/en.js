@@ -49,7 +49,8 @@ export const en = {
 
   "viewport.label": "The face in 3D",
   "viewport.keys": "Arrow keys turn the face, Control Shift and arrows move it, Alt and up or down zoom. F, L and T show the front, the left and the top. Space resets the view. Landmarks can also be found by name in the panel.",
-  "hint.drag": "Click a point of the face, then move it with the sliders",
+  "hint.drag": "Drag the nose",
+  "hint.turn": "Drag beside the face to turn it, scroll to come closer",
 
   "landmark.search": "Name or number",
   "landmark.help": "Click a point on the mesh, or type a name such as “nose tip” or a number from 0 to 467.",

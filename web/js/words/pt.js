@@ -49,7 +49,8 @@ export const pt = {
 
   "viewport.label": "O rosto em 3D",
   "viewport.keys": "As setas giram o rosto, Control Shift com setas o deslocam, Alt com seta para cima ou para baixo aproxima ou afasta. F, L e T mostram a frente, a esquerda e o topo. Espaço volta à vista inicial. Os pontos também podem ser achados pelo nome, no painel.",
-  "hint.drag": "Clique num ponto do rosto e mova-o com os controles",
+  "hint.drag": "Arraste o nariz",
+  "hint.turn": "Arraste ao lado do rosto para girar, role para aproximar",
 
   "landmark.search": "Nome ou número",
   "landmark.help": "Clique num ponto da malha, ou digite um nome, como “ponta do nariz”, ou um número de 0 a 467.",
