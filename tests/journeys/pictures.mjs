@@ -27,23 +27,14 @@ export function enormousPng() {
 }
 
 /**
- * The same photo as a JPEG, written by the browser.
+ * The same photo as a JPEG, written by the browser, enlarged if asked so.
  *
  * @param {import("playwright-core").Page} page
  * @param {Uint8Array} png
+ * @param {{ width: number, height: number }} [size] px
  */
-export async function asJpeg(page, png) {
-  const base64 = await page.evaluate(async (base64) => {
-    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-    const picture = await createImageBitmap(new Blob([bytes]));
-    const canvas = new OffscreenCanvas(picture.width, picture.height);
-    canvas.getContext("2d").drawImage(picture, 0, 0);
-    const blob = await canvas.convertToBlob({ type: "image/jpeg", quality: 0.9 });
-    let letters = "";
-    for (const byte of new Uint8Array(await blob.arrayBuffer())) letters += String.fromCharCode(byte);
-    return btoa(letters);
-  }, Buffer.from(png).toString("base64"));
-  return Buffer.from(base64, "base64");
+export function asJpeg(page, png, size) {
+  return redraw(page, png, { type: "image/jpeg", copies: 1, size });
 }
 
 /**
@@ -52,19 +43,28 @@ export async function asJpeg(page, png) {
  * @param {import("playwright-core").Page} page
  * @param {Uint8Array} png
  */
-export async function twice(page, png) {
-  const base64 = await page.evaluate(async (base64) => {
-    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-    const picture = await createImageBitmap(new Blob([bytes]));
-    const canvas = new OffscreenCanvas(2 * picture.width, picture.height);
-    const context = canvas.getContext("2d");
-    context.drawImage(picture, 0, 0);
-    context.drawImage(picture, picture.width, 0);
-    const blob = await canvas.convertToBlob({ type: "image/png" });
-    let letters = "";
-    for (const byte of new Uint8Array(await blob.arrayBuffer())) letters += String.fromCharCode(byte);
-    return btoa(letters);
-  }, Buffer.from(png).toString("base64"));
+export function twice(page, png) {
+  return redraw(page, png, { type: "image/png", copies: 2 });
+}
+
+async function redraw(page, png, how) {
+  const base64 = await page.evaluate(
+    async ({ base64, type, copies, size }) => {
+      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      const picture = await createImageBitmap(new Blob([bytes]));
+      const { width, height } = size ?? { width: copies * picture.width, height: picture.height };
+      const canvas = new OffscreenCanvas(width, height);
+      const context = canvas.getContext("2d");
+      for (let copy = 0; copy < copies; copy++) {
+        context.drawImage(picture, (copy * width) / copies, 0, width / copies, height);
+      }
+      const blob = await canvas.convertToBlob({ type, quality: 0.9 });
+      let letters = "";
+      for (const byte of new Uint8Array(await blob.arrayBuffer())) letters += String.fromCharCode(byte);
+      return btoa(letters);
+    },
+    { base64: Buffer.from(png).toString("base64"), ...how },
+  );
   return Buffer.from(base64, "base64");
 }
 
