@@ -20,6 +20,9 @@ export function setUpViewPanel(bench) {
   setUpLight(bench);
   setUpBeforeAfter(bench);
   onCheck("wireframe", (shown) => bench.look((studio) => studio.setWireframe(shown)));
+  bench.canvas.addEventListener("keydown", (event) => {
+    if (event.key.toLowerCase() === "w" && !event.ctrlKey && !event.metaKey) byId("wireframe", HTMLInputElement).click();
+  });
   onCheck("dots", (shown) => bench.look((studio) => studio.setDots(shown)));
   onCheck("turntable", (turns) => bench.look((studio) => studio.setTurntable(turns ? TURNTABLE_DEG_PER_S : 0)));
   const density = byId("density", HTMLSelectElement);

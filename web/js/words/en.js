@@ -48,7 +48,7 @@ export const en = {
   "progress.done": "The face is ready",
 
   "viewport.label": "The face in 3D",
-  "viewport.keys": "Arrow keys turn the face, Control Shift and arrows move it, Alt and up or down zoom. F, L and T show the front, the left and the top. Space resets the view. Landmarks can also be found by name in the panel.",
+  "viewport.keys": "Arrow keys turn the face, Control Shift and arrows move it, Alt and up or down zoom. F, L and T show the front, the left and the top. Space resets the view, W shows the wireframe, B held down shows the face as it was found. Landmarks can also be found by name in the panel.",
   "hint.drag": "Drag the nose",
   "hint.turn": "Drag beside the face to turn it, scroll to come closer",
 

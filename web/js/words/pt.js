@@ -48,7 +48,7 @@ export const pt = {
   "progress.done": "O rosto está pronto",
 
   "viewport.label": "O rosto em 3D",
-  "viewport.keys": "As setas giram o rosto, Control Shift com setas o deslocam, Alt com seta para cima ou para baixo aproxima ou afasta. F, L e T mostram a frente, a esquerda e o topo. Espaço volta à vista inicial. Os pontos também podem ser achados pelo nome, no painel.",
+  "viewport.keys": "As setas giram o rosto, Control Shift com setas o deslocam, Alt com seta para cima ou para baixo aproxima ou afasta. F, L e T mostram a frente, a esquerda e o topo. Espaço volta à vista inicial, W mostra o aramado, B mantido pressionado mostra o rosto original. Os pontos também podem ser achados pelo nome, no painel.",
   "hint.drag": "Arraste o nariz",
   "hint.turn": "Arraste ao lado do rosto para girar, role para aproximar",
 
