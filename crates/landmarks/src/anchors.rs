@@ -1,0 +1,13 @@
+/// How many boxes the detector proposes.
+pub(crate) const ANCHOR_COUNT: usize = 896;
+
+/// Centres (x, y) the detector's boxes are relative to, normalised to its input: a 16 × 16 grid with 2 in each cell, then
+/// an 8 × 8 grid with 6; row by row, those of one cell together.
+pub(crate) fn anchors() -> Vec<[f32; 2]> {
+    [(16, 2), (8, 6)].into_iter().flat_map(|(cells, copies)| grid(cells, copies)).collect()
+}
+
+fn grid(cells: usize, copies: usize) -> impl Iterator<Item = [f32; 2]> {
+    let centre = move |cell: usize| (cell as f32 + 0.5) / cells as f32;
+    (0..cells * cells).flat_map(move |i| std::iter::repeat_n([centre(i % cells), centre(i / cells)], copies))
+}

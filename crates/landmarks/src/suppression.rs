@@ -1,0 +1,60 @@
+//! One face, one detection: non-maximum suppression in which the suppressed boxes still have a say.
+
+use crate::detector::Detection;
+
+/// Boxes that overlap the best one by more than this (intersection over union) show the same face.
+const MAX_OVERLAP: f32 = 0.3;
+
+/// Merges the boxes of each face into one: the mean weighted by score, with the best one's score. Best first.
+pub(crate) fn weighted(mut rest: Vec<Detection>) -> Vec<Detection> {
+    sort_by_score(&mut rest);
+    let mut merged = Vec::new();
+    while let Some(&best) = rest.first() {
+        let (same, others): (Vec<_>, Vec<_>) = rest.iter().partition(|other| overlap(&best, other) > MAX_OVERLAP);
+        // A box without area does not even overlap itself.
+        if same.is_empty() {
+            break;
+        }
+        merged.push(mean(&same, best.score));
+        rest = others;
+    }
+    merged
+}
+
+/// Drops every detection that shows the same face as a better one. Best first.
+pub(crate) fn best_only(mut rest: Vec<Detection>) -> Vec<Detection> {
+    sort_by_score(&mut rest);
+    let mut kept: Vec<Detection> = Vec::new();
+    for detection in rest {
+        if kept.iter().all(|better| overlap(better, &detection) <= MAX_OVERLAP) {
+            kept.push(detection);
+        }
+    }
+    kept
+}
+
+fn sort_by_score(detections: &mut [Detection]) {
+    detections.sort_by(|a, b| b.score.total_cmp(&a.score));
+}
+
+fn mean(detections: &[Detection], score: f32) -> Detection {
+    let total: f32 = detections.iter().map(|detection| detection.score).sum();
+    let mean_of = |value: &dyn Fn(&Detection) -> f32| {
+        detections.iter().map(|detection| value(detection) * detection.score).sum::<f32>() / total
+    };
+    Detection {
+        score,
+        min: std::array::from_fn(|axis| mean_of(&|d| d.min[axis])),
+        max: std::array::from_fn(|axis| mean_of(&|d| d.max[axis])),
+        keypoints: std::array::from_fn(|k| std::array::from_fn(|axis| mean_of(&|d| d.keypoints[k][axis]))),
+    }
+}
+
+/// Intersection over union of two boxes, 0 if neither has an area.
+fn overlap(a: &Detection, b: &Detection) -> f32 {
+    let area = |[width, height]: [f32; 2]| width.max(0.0) * height.max(0.0);
+    let extent = |d: &Detection| [0, 1].map(|axis| d.max[axis] - d.min[axis]);
+    let shared = area([0, 1].map(|axis| a.max[axis].min(b.max[axis]) - a.min[axis].max(b.min[axis])));
+    let either = area(extent(a)) + area(extent(b)) - shared;
+    if either > 0.0 { shared / either } else { 0.0 }
+}

@@ -1,0 +1,43 @@
+//! The landmarks are MediaPipe's, on every picture that `support::pictures` makes.
+
+mod support;
+
+use rosto_landmarks::{Face, FindOptions};
+use serde_json::Value;
+use support::pictures::{self, Picture};
+
+const GOLDEN: &str = include_str!("../../../tests/golden/landmarks.json");
+const TOLERANCE_PX: f64 = 0.05;
+
+#[test]
+fn every_landmark_is_within_a_twentieth_of_a_pixel_of_mediapipes() {
+    let finder = support::assets::finder();
+    let golden: Value = serde_json::from_str(GOLDEN).unwrap();
+    let pictures = pictures::all(&support::assets::portrait());
+    assert_eq!(pictures.len(), golden.as_object().unwrap().len());
+    for picture in &pictures {
+        let options = FindOptions { max_faces: picture.max_faces, ..FindOptions::default() };
+        let faces = finder.find(&picture.photo, &options).unwrap();
+        let expected = golden[picture.name]["faces"].as_array().unwrap();
+        assert_eq!(faces.len(), expected.len(), "number of faces in {}", picture.name);
+        for (face, expected) in faces.iter().zip(expected) {
+            let error_px = worst_error_px(picture, face, expected);
+            assert!(error_px < TOLERANCE_PX, "{}: {error_px} px", picture.name);
+        }
+    }
+}
+
+/// Largest difference in x, y or z, in px of the picture; the golden numbers are thousandths.
+fn worst_error_px(picture: &Picture, face: &Face, millipixels: &Value) -> f64 {
+    let (width, height) = (f64::from(picture.photo.width()), f64::from(picture.photo.height()));
+    let found_px = face
+        .landmarks
+        .iter()
+        .flat_map(|&[x, y, z]| [f64::from(x) * width, f64::from(y) * height, f64::from(z) * width]);
+    let expected = millipixels.as_array().unwrap();
+    assert_eq!(face.landmarks.len() * 3, expected.len());
+    found_px
+        .zip(expected)
+        .map(|(found, expected)| (found - expected.as_f64().unwrap() / 1000.0).abs())
+        .fold(0.0, f64::max)
+}
