@@ -20,8 +20,11 @@ pub fn run() -> Outcome<ExitCode> {
     }
     // Its own folder, so that a page built for the web in dist/ stays as it is.
     let folder = workspace::target().join("xtask").join("serve");
+    // Whatever would write scripts into the page is off: the page's own policy forbids them.
     let trunk = kit.run("trunk")?.args(["serve", "--no-autoreload=true", "--no-error-reporting=true"]);
-    let trunk = trunk.args(["--disable-csp=true", "--address", "127.0.0.1", "--port", &port.to_string(), "--dist"]);
+    let trunk =
+        trunk.args(["--disable-csp=true", "--disable-address-lookup=true", "--watch", "web", "--watch", "crates"]);
+    let trunk = trunk.args(["--address", "127.0.0.1", "--port", &port.to_string(), "--dist"]);
     println!("Building the page; the first time takes some minutes.");
     let mut server = trunk.arg(&folder).env("TRUNK_SKIP_VERSION_CHECK", "true").spawn()?;
     let address = format!("http://127.0.0.1:{port}/");
