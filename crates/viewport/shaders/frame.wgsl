@@ -1,0 +1,70 @@
+// What every shader reads once a frame. `src/frame.rs` has the same fields in the same order.
+struct Frame {
+    clip_from_model: mat4x4f,
+    eye_m: vec3f,
+    pixel_ratio: f32,
+    light_direction: vec3f,
+    light_strength: f32,
+    light_colour: vec3f,
+    ambient: f32,
+    offset_a_m: vec3f,
+    before: f32,
+    offset_b_m: vec3f,
+    glow: f32,
+    right: vec3f,
+    m_per_px: f32,
+    up: vec3f,
+    paint: u32,
+    ground_m: vec3f,
+    radius_m: f32,
+    viewport_px: vec2f,
+    pointer_px: vec2f,
+    ink: vec4f,
+    // Its alpha is the darkness of the shadow.
+    halo: vec4f,
+    accent: vec4f,
+    ground_top: vec4f,
+    ground_bottom: vec4f,
+    dots: u32,
+    hovered: u32,
+    gizmo_vertex: u32,
+    gizmo_axis: u32,
+}
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+const NO_VERTEX = 0xffffffffu;
+
+// Targets hold colours that are multiplied by their alpha already.
+fn premultiplied(colour: vec3f, alpha: f32) -> vec4f {
+    return vec4f(colour * alpha, alpha);
+}
+
+// Two triangles that fill the square from (-1, -1) to (1, 1), for vertices 0..6.
+fn square_corner(index: u32) -> vec2f {
+    let right = index == 1u || index == 2u || index == 4u;
+    let top = index == 2u || index == 4u || index == 5u;
+    return vec2f(select(-1.0, 1.0, right), select(-1.0, 1.0, top));
+}
+
+fn place_px(clip: vec4f) -> vec2f {
+    return (vec2f(0.5, -0.5) * clip.xy / clip.w + vec2f(0.5)) * frame.viewport_px;
+}
+
+fn moved_by_px(clip: vec4f, motion_px: vec2f) -> vec4f {
+    return vec4f(clip.xy + motion_px * vec2f(2.0, -2.0) / frame.viewport_px * clip.w, clip.zw);
+}
+
+// The clip position of a point, with the depth it would have a little nearer to the eye, so that what is drawn on the
+// surface is not swallowed by it.
+fn lifted(point_m: vec3f, share_of_radius: f32) -> vec4f {
+    let clip = frame.clip_from_model * vec4f(point_m, 1.0);
+    let nearer_m = point_m + normalize(frame.eye_m - point_m) * share_of_radius * frame.radius_m;
+    let nearer = frame.clip_from_model * vec4f(nearer_m, 1.0);
+    return vec4f(clip.xy, clamp(nearer.z / nearer.w, 0.0, 1.0) * clip.w, clip.w);
+}
+
+// How much of a pixel lies inside an edge, from the distance to it in px (negative inside).
+fn coverage(distance_px: f32) -> f32 {
+    return clamp(0.5 - distance_px, 0.0, 1.0);
+}

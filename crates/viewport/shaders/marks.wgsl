@@ -1,0 +1,101 @@
+// Marks that keep their size on the screen: ring, square, pin, dot and the letters of the axes.
+override alpha: f32 = 1.0;
+
+struct Corner {
+    @builtin(position) clip: vec4f,
+    @location(0) place_px: vec2f,
+    @location(1) @interpolate(flat) kind: u32,
+}
+
+const RING = 0u;
+const SQUARE = 1u;
+const PIN = 2u;
+const DOT = 3u;
+const LETTER_X = 4u;
+const LETTER_Z = 6u;
+const HALF_SIDE_PX = 14.0;
+const GIZMO_PX = 68.0;
+const LETTER_GAP_PX = 13.0;
+
+fn axis_direction(axis: u32) -> vec3f {
+    return vec3f(f32(axis == 0u), f32(axis == 1u), f32(axis == 2u));
+}
+
+fn axis_colour(axis: u32) -> vec3f {
+    switch axis {
+        case 0u: { return vec3f(0.62, 0.05, 0.06); }
+        case 1u: { return vec3f(0.10, 0.33, 0.04); }
+        default: { return vec3f(0.06, 0.17, 0.70); }
+    }
+}
+
+// A point so many CSS pixels from a vertex along an axis of the model, as seen from straight across.
+fn along_axis_m(vertex_m: vec3f, axis: u32, css_px: f32) -> vec3f {
+    let clip = frame.clip_from_model * vec4f(vertex_m, 1.0);
+    return vertex_m + axis_direction(axis) * css_px * frame.pixel_ratio * frame.m_per_px * clip.w;
+}
+
+@vertex
+fn vertex(@builtin(vertex_index) index: u32, @location(0) mark: vec2u) -> Corner {
+    var point_m = position_m(mark.x);
+    if mark.y >= LETTER_X && mark.y <= LETTER_Z {
+        point_m = along_axis_m(point_m, mark.y - LETTER_X, GIZMO_PX + LETTER_GAP_PX);
+    }
+    let corner = square_corner(index) * HALF_SIDE_PX;
+    let clip = moved_by_px(lifted(point_m, 0.03), corner * vec2f(1.0, -1.0) * frame.pixel_ratio);
+    return Corner(clip, corner, mark.y);
+}
+
+fn segment(place: vec2f, a: vec2f, b: vec2f) -> f32 {
+    let along = clamp(dot(place - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
+    return length(place - a - along * (b - a));
+}
+
+fn letter(place: vec2f, kind: u32) -> f32 {
+    let w = 3.4;
+    let h = 4.6;
+    switch kind - LETTER_X {
+        case 0u: { return min(segment(place, vec2f(-w, -h), vec2f(w, h)), segment(place, vec2f(-w, h), vec2f(w, -h))); }
+        case 1u: {
+            let arms = min(segment(place, vec2f(-w, h), vec2f(0.0)), segment(place, vec2f(w, h), vec2f(0.0)));
+            return min(arms, segment(place, vec2f(0.0), vec2f(0.0, -h)));
+        }
+        default: {
+            let bars = min(segment(place, vec2f(-w, h), vec2f(w, h)), segment(place, vec2f(-w, -h), vec2f(w, -h)));
+            return min(bars, segment(place, vec2f(w, h), vec2f(-w, -h)));
+        }
+    }
+}
+
+fn pin(place: vec2f) -> f32 {
+    let head = length(place - vec2f(0.0, 8.5)) - 4.2;
+    return min(head, segment(place, vec2f(0.0, 0.0), vec2f(0.0, 5.0)) - 0.9);
+}
+
+// Distance in CSS pixels to the edge of a mark; negative inside.
+fn outline(place: vec2f, kind: u32) -> f32 {
+    switch kind {
+        case RING: { return abs(length(place) - 7.0) - 1.25; }
+        case SQUARE: { return max(abs(place.x), abs(place.y)) - 3.5; }
+        case PIN: { return pin(place); }
+        case DOT: { return length(place) - 3.5; }
+        default: { return letter(place, kind) - 0.95; }
+    }
+}
+
+fn mark_colour(kind: u32) -> vec3f {
+    switch kind {
+        case RING, DOT: { return frame.accent.rgb; }
+        case SQUARE, PIN: { return frame.ink.rgb; }
+        default: { return axis_colour(kind - LETTER_X); }
+    }
+}
+
+@fragment
+fn fragment(corner: Corner) -> @location(0) vec4f {
+    let distance_px = outline(corner.place_px, corner.kind) * frame.pixel_ratio;
+    let body = coverage(distance_px);
+    let halo = coverage(distance_px - 1.25 * frame.pixel_ratio) * 0.85;
+    let colour = premultiplied(mark_colour(corner.kind), body);
+    return (colour + premultiplied(frame.halo.rgb, halo) * (1.0 - body)) * alpha;
+}

@@ -1,0 +1,104 @@
+use bytemuck::{Pod, Zeroable};
+use glam::{DVec2, DVec3};
+
+use crate::markers::Axis;
+use crate::{Camera, Dots, Look, Paint};
+
+/// What every shader reads once a frame; `shaders/frame.wgsl` has the same fields in the same order.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+pub(crate) struct Frame {
+    clip_from_model: [f32; 16],
+    eye_m: [f32; 3],
+    pixel_ratio: f32,
+    light_direction: [f32; 3],
+    light_strength: f32,
+    light_colour: [f32; 3],
+    ambient: f32,
+    offset_a_m: [f32; 3],
+    before: f32,
+    offset_b_m: [f32; 3],
+    glow: f32,
+    right: [f32; 3],
+    m_per_px: f32,
+    up: [f32; 3],
+    paint: u32,
+    ground_m: [f32; 3],
+    radius_m: f32,
+    viewport_px: [f32; 2],
+    pointer_px: [f32; 2],
+    ink: [f32; 4],
+    halo: [f32; 4],
+    accent: [f32; 4],
+    ground_top: [f32; 4],
+    ground_bottom: [f32; 4],
+    dots: u32,
+    hovered: u32,
+    gizmo_vertex: u32,
+    gizmo_axis: u32,
+}
+
+/// Stands for "no vertex" in what shaders read.
+pub(crate) const NO_VERTEX: u32 = u32::MAX;
+
+/// What a frame shows beside the camera and the look.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Moment {
+    pub pixel_ratio: f64,
+    pub offsets_m: [DVec3; 2],
+    pub before: f64,
+    pub ground_m: DVec3,
+    pub pointer_px: Option<DVec2>,
+    pub hovered: Option<u32>,
+    pub gizmo: Option<u32>,
+    pub gizmo_axis: Option<Axis>,
+}
+
+impl Frame {
+    pub fn new(camera: &Camera, look: &Look, moment: &Moment) -> Self {
+        let palette = look.theme.palette();
+        let light = &look.light;
+        Self {
+            clip_from_model: camera.clip_from_model().as_mat4().to_cols_array(),
+            eye_m: camera.eye_m().as_vec3().to_array(),
+            pixel_ratio: moment.pixel_ratio as f32,
+            light_direction: light.direction(camera).as_vec3().to_array(),
+            light_strength: light.strength as f32,
+            light_colour: light.colour.to_linear(),
+            ambient: light.ambient as f32,
+            offset_a_m: moment.offsets_m[0].as_vec3().to_array(),
+            before: moment.before as f32,
+            offset_b_m: moment.offsets_m[1].as_vec3().to_array(),
+            glow: look.glow as f32,
+            right: camera.right().as_vec3().to_array(),
+            m_per_px: camera.m_per_px_at_distance(1.0) as f32,
+            up: camera.up().as_vec3().to_array(),
+            paint: paint_code(look.paint),
+            ground_m: moment.ground_m.as_vec3().to_array(),
+            radius_m: camera.radius_m() as f32,
+            viewport_px: camera.size_px().as_vec2().to_array(),
+            pointer_px: moment.pointer_px.unwrap_or(DVec2::splat(-1e6)).as_vec2().to_array(),
+            ink: palette.ink.with_alpha(palette.ink_alpha),
+            halo: palette.halo.with_alpha(palette.shadow_alpha),
+            accent: palette.accent.with_alpha(1.0),
+            ground_top: palette.ground_top.with_alpha(1.0),
+            ground_bottom: palette.ground_bottom.with_alpha(1.0),
+            dots: u32::from(look.dots == Dots::All),
+            hovered: moment.hovered.unwrap_or(NO_VERTEX),
+            gizmo_vertex: moment.gizmo.unwrap_or(NO_VERTEX),
+            gizmo_axis: moment.gizmo_axis.map_or(NO_VERTEX, |axis| axis as u32),
+        }
+    }
+}
+
+/// The numbers that `shaders/surface.wgsl` switches on.
+fn paint_code(paint: Paint) -> u32 {
+    match paint {
+        Paint::Photo => 0,
+        Paint::Colours => 1,
+        Paint::Clay | Paint::Bare => 2,
+        Paint::Normals => 3,
+        Paint::Response => 4,
+        Paint::Scalar => 5,
+    }
+}

@@ -1,0 +1,68 @@
+use glam::DVec3;
+
+use crate::{Camera, Srgb};
+
+/// One directional light, fixed to the viewer, and an even light from everywhere.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Light {
+    /// Degrees to the viewer's right; 0 is from the viewer, −90 from the left.
+    pub azimuth_deg: f64,
+    /// Degrees above the horizon.
+    pub elevation_deg: f64,
+    /// Brightness of the directional light; 1 alone shows a surface that faces it in its own colour.
+    pub strength: f64,
+    /// Colour of the directional light.
+    pub colour: Srgb,
+    /// Brightness of the even light; 1 alone shows every surface in its own colour.
+    pub ambient: f64,
+}
+
+impl Default for Light {
+    /// From the upper left, white, so that a surface that faces the viewer is shown about in its own colour.
+    fn default() -> Self {
+        Self { azimuth_deg: -38.0, elevation_deg: 38.0, strength: 0.72, colour: Srgb::WHITE, ambient: 0.46 }
+    }
+}
+
+impl Light {
+    /// No shading at all: every surface in its own colour.
+    pub const FLAT: Self =
+        Self { azimuth_deg: 0.0, elevation_deg: 0.0, strength: 0.0, colour: Srgb::WHITE, ambient: 1.0 };
+
+    /// Unit vector in the model's frame from the surface towards the light.
+    pub fn direction(&self, camera: &Camera) -> DVec3 {
+        let (sin_azimuth, cos_azimuth) = self.azimuth_deg.to_radians().sin_cos();
+        let (sin_elevation, cos_elevation) = self.elevation_deg.to_radians().sin_cos();
+        camera.right() * (sin_azimuth * cos_elevation)
+            + camera.up() * sin_elevation
+            + camera.back() * (cos_azimuth * cos_elevation)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::NamedView;
+
+    #[test]
+    fn the_light_comes_from_the_upper_left_of_every_view() {
+        let mut camera = Camera::default();
+        camera.resize(640, 480);
+        for view in [NamedView::Front, NamedView::Left, NamedView::Top] {
+            camera.look(view);
+            while camera.advance(0.05) {}
+            let direction = Light::default().direction(&camera);
+            assert!((direction.length() - 1.0).abs() < 1e-12);
+            assert!(direction.dot(camera.right()) < -0.2 && direction.dot(camera.up()) > 0.2, "{view:?}");
+            assert!(direction.dot(camera.back()) > 0.2);
+        }
+    }
+
+    #[test]
+    fn a_surface_facing_the_viewer_keeps_about_its_own_colour() {
+        let camera = Camera::default();
+        let light = Light::default();
+        let brightness = light.ambient + light.strength * light.direction(&camera).dot(camera.back());
+        assert!((brightness - 1.0).abs() < 0.1, "{brightness}");
+    }
+}

@@ -1,0 +1,149 @@
+use crate::{Light, Srgb};
+
+/// How the surface is coloured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Paint {
+    /// The photo as texture; clay where there is no photo.
+    #[default]
+    Photo,
+    /// The colour of each vertex, blended in linear light.
+    Colours,
+    /// A plain, warm grey.
+    Clay,
+    /// The direction the surface faces: x, y, z as red, green, blue.
+    Normals,
+    /// Clay with the response field as a ramp from nothing to the accent.
+    Response,
+    /// The scalar of each vertex, −1 to 1, from blue over neutral to red.
+    Scalar,
+    /// Nothing; it hides what lies behind it, so that a wireframe over it shows its near side.
+    Bare,
+}
+
+/// Whether edges are drawn over the surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Wireframe {
+    /// No edges.
+    #[default]
+    Hidden,
+    /// Every edge, one CSS pixel wide.
+    Shown,
+}
+
+/// Which landmarks show as dots.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Dots {
+    /// None.
+    None,
+    /// Those near the pointer.
+    #[default]
+    NearPointer,
+    /// All.
+    All,
+}
+
+/// Light or dark surroundings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Theme {
+    /// Dark marks on a light, warm ground.
+    #[default]
+    Light,
+    /// Light marks on a dark ground.
+    Dark,
+}
+
+/// What lies behind the mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Background {
+    /// The theme's gradient, and a soft shadow under the mesh.
+    #[default]
+    Ground,
+    /// Nothing.
+    Transparent,
+}
+
+/// Whether the plane of symmetry is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MirrorPlane {
+    /// Not drawn.
+    #[default]
+    Hidden,
+    /// The plane x = 0, faintly.
+    Shown,
+}
+
+/// Everything about how a mesh is shown that is not the mesh, the camera or the marks on it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Look {
+    /// How the surface is coloured.
+    pub paint: Paint,
+    /// Whether edges are drawn.
+    pub wireframe: Wireframe,
+    /// Which landmarks show as dots.
+    pub dots: Dots,
+    /// Light or dark surroundings.
+    pub theme: Theme,
+    /// What lies behind.
+    pub background: Background,
+    /// Whether the plane of symmetry is drawn.
+    pub mirror_plane: MirrorPlane,
+    /// The light.
+    pub light: Light,
+    /// 0 shows the mesh as it is, 1 as it was before; between them, a blend.
+    pub before: f64,
+    /// How strongly the response field glows in the accent over any paint, 0..1.
+    pub glow: f64,
+}
+
+impl Default for Look {
+    fn default() -> Self {
+        Self {
+            paint: Paint::default(),
+            wireframe: Wireframe::default(),
+            dots: Dots::default(),
+            theme: Theme::default(),
+            background: Background::default(),
+            mirror_plane: MirrorPlane::default(),
+            light: Light::default(),
+            before: 0.0,
+            glow: 0.0,
+        }
+    }
+}
+
+/// The colours of a theme.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Palette {
+    pub ground_top: Srgb,
+    pub ground_bottom: Srgb,
+    pub ink: Srgb,
+    pub ink_alpha: f32,
+    pub halo: Srgb,
+    pub accent: Srgb,
+    pub shadow_alpha: f32,
+}
+
+impl Theme {
+    pub(crate) fn palette(self) -> Palette {
+        match self {
+            Self::Light => Palette {
+                ground_top: Srgb([0xf5, 0xf3, 0xef]),
+                ground_bottom: Srgb([0xe7, 0xe3, 0xdb]),
+                ink: Srgb([0x2a, 0x26, 0x22]),
+                ink_alpha: 0.36,
+                halo: Srgb([0xff, 0xff, 0xff]),
+                accent: Srgb([0xb8, 0x49, 0x2f]),
+                shadow_alpha: 0.30,
+            },
+            Self::Dark => Palette {
+                ground_top: Srgb([0x1c, 0x1d, 0x20]),
+                ground_bottom: Srgb([0x11, 0x12, 0x14]),
+                ink: Srgb([0xf1, 0xec, 0xe4]),
+                ink_alpha: 0.30,
+                halo: Srgb([0x14, 0x14, 0x16]),
+                accent: Srgb([0xe0, 0x7a, 0x5f]),
+                shadow_alpha: 0.55,
+            },
+        }
+    }
+}

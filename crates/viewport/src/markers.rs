@@ -1,0 +1,109 @@
+use glam::{DVec2, DVec3};
+
+use crate::Camera;
+
+/// Length in CSS px of the gizmo's arms; `shaders/marks.wgsl` says the same.
+const GIZMO_PX: f64 = 68.0;
+const GIZMO_START_PX: f64 = 11.0;
+/// How near in CSS px the pointer must come to an arm.
+const GIZMO_REACH_PX: f64 = 8.0;
+
+/// An axis of the model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Axis {
+    /// To the face's left; red.
+    X = 0,
+    /// Up; green.
+    Y = 1,
+    /// Out of the face; blue.
+    Z = 2,
+}
+
+impl Axis {
+    /// All three.
+    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
+
+    /// Unit vector along the axis.
+    pub fn direction(self) -> DVec3 {
+        match self {
+            Self::X => DVec3::X,
+            Self::Y => DVec3::Y,
+            Self::Z => DVec3::Z,
+        }
+    }
+}
+
+/// What marks a vertex.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MarkKind {
+    /// A ring in the accent: the selected vertex.
+    Ring = 0,
+    /// A small square: an anchor.
+    Square = 1,
+    /// A pin: pinned by hand.
+    Pin = 2,
+    /// A dot in the accent: under the pointer.
+    Dot = 3,
+}
+
+/// A mark that keeps its size on the screen and follows its vertex.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Mark {
+    /// The vertex it follows.
+    pub vertex: u32,
+    /// What it looks like.
+    pub kind: MarkKind,
+}
+
+/// What the GPU reads for each mark: vertex and kind; kinds 4 to 6 are the letters of the axes.
+pub(crate) fn mark_words(marks: &[Mark], hovered: Option<u32>, gizmo: Option<u32>) -> Vec<[u32; 2]> {
+    let hovered = hovered.map(|vertex| [vertex, MarkKind::Dot as u32]);
+    let letters = gizmo.into_iter().flat_map(|vertex| Axis::ALL.map(|axis| [vertex, 4 + axis as u32]));
+    hovered.into_iter().chain(marks.iter().map(|mark| [mark.vertex, mark.kind as u32])).chain(letters).collect()
+}
+
+/// The arm of the gizmo at `vertex_m` that the pointer is on, the nearest if several.
+pub(crate) fn axis_under(camera: &Camera, vertex_m: DVec3, place_px: DVec2, pixel_ratio: f64) -> Option<Axis> {
+    let depth_m = (camera.eye_m() - vertex_m).dot(camera.back());
+    let m_per_css_px = camera.m_per_px_at_distance(depth_m) * pixel_ratio;
+    let distance_px = |axis: Axis| {
+        let end = |css_px: f64| camera.project(vertex_m + axis.direction() * css_px * m_per_css_px);
+        Some(distance_to_segment(place_px, end(GIZMO_START_PX)?, end(GIZMO_PX)?))
+    };
+    Axis::ALL
+        .into_iter()
+        .filter_map(|axis| Some((axis, distance_px(axis)?)))
+        .filter(|&(_, distance_px)| distance_px < GIZMO_REACH_PX * pixel_ratio)
+        .min_by(|(_, one), (_, other)| one.total_cmp(other))
+        .map(|(axis, _)| axis)
+}
+
+fn distance_to_segment(place: DVec2, from: DVec2, to: DVec2) -> f64 {
+    let line = to - from;
+    let share = ((place - from).dot(line) / line.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+    place.distance(from + line * share)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_pointer_finds_the_arm_it_is_on() {
+        let mut camera = Camera::default();
+        camera.resize(600, 600);
+        let middle = DVec2::splat(300.0);
+        let at = |motion: DVec2| axis_under(&camera, DVec3::ZERO, middle + motion, 1.0);
+        assert_eq!(at(DVec2::new(40.0, 3.0)), Some(Axis::X));
+        assert_eq!(at(DVec2::new(-2.0, -40.0)), Some(Axis::Y));
+        assert_eq!(at(DVec2::new(40.0, -40.0)), None);
+        assert_eq!(at(DVec2::new(95.0, 0.0)), None);
+    }
+
+    #[test]
+    fn the_hovered_dot_lies_under_the_marks_and_letters_on_top() {
+        let marks = [Mark { vertex: 7, kind: MarkKind::Ring }];
+        assert_eq!(mark_words(&marks, Some(3), Some(7)), [[3, 3], [7, 0], [7, 4], [7, 5], [7, 6]]);
+        assert_eq!(mark_words(&[], None, None), [[0_u32; 2]; 0]);
+    }
+}

@@ -1,0 +1,174 @@
+use glam::{DVec2, DVec3};
+use rosto_mesh::Topology;
+use wgpu::util::DeviceExt;
+
+use crate::pipelines::Pipelines;
+use crate::shape::{Follow, Shape, Skin, follows, shapes};
+use crate::{Gpu, Picture, ViewportError, photo};
+
+/// A mesh to show.
+#[derive(Debug, Clone, Copy)]
+pub struct MeshInput<'a> {
+    /// How its vertices are joined.
+    pub topology: &'a Topology,
+    /// Where they are, in metres.
+    pub positions_m: &'a [DVec3],
+    /// A colour for each vertex, sRGB; empty for white.
+    pub colours_srgb: &'a [[u8; 3]],
+    /// Each vertex' place in the picture, 0..1 from its top left; empty without a picture.
+    pub uvs: &'a [DVec2],
+    /// The photo.
+    pub picture: Option<Picture<'a>>,
+}
+
+/// A mesh in the GPU's memory.
+#[derive(Debug)]
+pub(crate) struct MeshOnGpu {
+    topology: Topology,
+    positions_m: Vec<DVec3>,
+    skins: Vec<Skin>,
+    shapes: wgpu::Buffer,
+    shapes_before: wgpu::Buffer,
+    follows: wgpu::Buffer,
+    skin_buffer: wgpu::Buffer,
+    pub indices: wgpu::Buffer,
+    pub edges: wgpu::Buffer,
+    pub bindings: wgpu::BindGroup,
+}
+
+impl MeshOnGpu {
+    pub fn new(
+        gpu: &Gpu,
+        pipelines: &Pipelines,
+        shrink: &wgpu::RenderPipeline,
+        input: &MeshInput<'_>,
+    ) -> Result<Self, ViewportError> {
+        let skins = skins(input)?;
+        check_length("positions", input.positions_m.len(), input.topology)?;
+        let photo = match input.picture {
+            Some(picture) => photo::upload(gpu, shrink, picture)?,
+            None => photo::blank(gpu, shrink)?,
+        };
+        let shape_list = shapes(input.topology, input.positions_m);
+        let vertex_data = |bytes: &[u8]| filled(gpu, bytes, wgpu::BufferUsages::STORAGE);
+        let shapes = vertex_data(bytemuck::cast_slice(&shape_list));
+        let shapes_before = vertex_data(bytemuck::cast_slice(&shape_list));
+        let follows = vertex_data(bytemuck::cast_slice(&vec![Follow::default(); skins.len()]));
+        let skin_buffer = vertex_data(bytemuck::cast_slice(&skins));
+        let buffers = [&shapes, &shapes_before, &follows, &skin_buffer];
+        Ok(Self {
+            bindings: bindings(gpu, &pipelines.mesh_layout, buffers, &photo),
+            indices: filled(gpu, bytemuck::cast_slice(input.topology.triangles()), wgpu::BufferUsages::INDEX),
+            edges: filled(gpu, bytemuck::cast_slice(input.topology.edges()), wgpu::BufferUsages::VERTEX),
+            topology: input.topology.clone(),
+            positions_m: input.positions_m.to_vec(),
+            skins,
+            shapes,
+            shapes_before,
+            follows,
+            skin_buffer,
+        })
+    }
+
+    pub fn topology(&self) -> &Topology {
+        &self.topology
+    }
+
+    pub fn positions_m(&self) -> &[DVec3] {
+        &self.positions_m
+    }
+
+    pub fn index_count(&self) -> u32 {
+        3 * self.topology.triangles().len() as u32
+    }
+
+    pub fn edge_count(&self) -> u32 {
+        self.topology.edges().len() as u32
+    }
+
+    pub fn write_positions(&mut self, gpu: &Gpu, positions_m: &[DVec3]) -> Result<(), ViewportError> {
+        check_length("positions", positions_m.len(), &self.topology)?;
+        self.positions_m.copy_from_slice(positions_m);
+        self.write_shapes(gpu, &self.shapes, positions_m);
+        Ok(())
+    }
+
+    pub fn write_before(&self, gpu: &Gpu, positions_m: &[DVec3]) -> Result<(), ViewportError> {
+        check_length("positions", positions_m.len(), &self.topology)?;
+        self.write_shapes(gpu, &self.shapes_before, positions_m);
+        Ok(())
+    }
+
+    pub fn write_fields(&self, gpu: &Gpu, fields: [Option<&[f64]>; 2]) -> Result<(), ViewportError> {
+        for field in fields.into_iter().flatten() {
+            check_length("responses", field.len(), &self.topology)?;
+        }
+        let follows = follows(&self.topology, &self.positions_m, fields);
+        gpu.queue.write_buffer(&self.follows, 0, bytemuck::cast_slice(&follows));
+        Ok(())
+    }
+
+    pub fn write_scalars(&mut self, gpu: &Gpu, scalars: &[f64]) -> Result<(), ViewportError> {
+        check_length("scalars", scalars.len(), &self.topology)?;
+        self.skins.iter_mut().zip(scalars).for_each(|(skin, &scalar)| skin.scalar = scalar as f32);
+        gpu.queue.write_buffer(&self.skin_buffer, 0, bytemuck::cast_slice(&self.skins));
+        Ok(())
+    }
+
+    fn write_shapes(&self, gpu: &Gpu, buffer: &wgpu::Buffer, positions_m: &[DVec3]) {
+        let list: Vec<Shape> = shapes(&self.topology, positions_m);
+        gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(&list));
+    }
+}
+
+fn check_length(what: &'static str, found: usize, topology: &Topology) -> Result<(), ViewportError> {
+    let expected = topology.vertex_count();
+    if found == expected { Ok(()) } else { Err(ViewportError::LengthMismatch { what, expected, found }) }
+}
+
+fn skins(input: &MeshInput<'_>) -> Result<Vec<Skin>, ViewportError> {
+    if !input.colours_srgb.is_empty() {
+        check_length("colours", input.colours_srgb.len(), input.topology)?;
+    }
+    if !input.uvs.is_empty() || input.picture.is_some() {
+        check_length("places in the picture", input.uvs.len(), input.topology)?;
+    }
+    let skin = |vertex: usize| {
+        let [red, green, blue] = input.colours_srgb.get(vertex).copied().unwrap_or([255; 3]);
+        Skin {
+            uv: input.uvs.get(vertex).map_or([0.0; 2], |uv| uv.as_vec2().to_array()),
+            colour: u32::from_le_bytes([red, green, blue, 255]),
+            scalar: 0.0,
+        }
+    };
+    Ok((0..input.topology.vertex_count()).map(skin).collect())
+}
+
+/// A buffer with these bytes; never empty, since the GPU takes no empty ones.
+pub(crate) fn filled(gpu: &Gpu, bytes: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {
+    let contents = if bytes.is_empty() { &[0; 48] } else { bytes };
+    let usage = usage | wgpu::BufferUsages::COPY_DST;
+    gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents, usage })
+}
+
+fn bindings(
+    gpu: &Gpu,
+    layout: &wgpu::BindGroupLayout,
+    buffers: [&wgpu::Buffer; 4],
+    photo: &wgpu::TextureView,
+) -> wgpu::BindGroup {
+    let [shapes, shapes_before, follows, skins] = buffers;
+    let entry = |binding, resource| wgpu::BindGroupEntry { binding, resource };
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("mesh"),
+        layout,
+        entries: &[
+            entry(0, shapes.as_entire_binding()),
+            entry(1, shapes_before.as_entire_binding()),
+            entry(2, follows.as_entire_binding()),
+            entry(3, skins.as_entire_binding()),
+            entry(4, wgpu::BindingResource::TextureView(photo)),
+            entry(5, wgpu::BindingResource::Sampler(&photo::sampler(gpu))),
+        ],
+    })
+}

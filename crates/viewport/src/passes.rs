@@ -1,0 +1,89 @@
+use crate::pipelines::Twin;
+use crate::target::Attachments;
+use crate::{Background, Dots, MirrorPlane, Paint, Viewport, Wireframe};
+
+/// Landmarks that can show as dots come first among the vertices.
+const LANDMARKS: u32 = 468;
+
+/// Records one frame: backdrop, mesh, lines, marks.
+pub(crate) fn record(
+    viewport: &Viewport,
+    encoder: &mut wgpu::CommandEncoder,
+    attachments: &Attachments,
+    resolved: &wgpu::TextureView,
+) {
+    let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some("frame"),
+        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+            view: &attachments.colour,
+            depth_slice: None,
+            resolve_target: Some(resolved),
+            ops: wgpu::Operations {
+                load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                store: wgpu::StoreOp::Discard,
+            },
+        })],
+        depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+            view: &attachments.depth,
+            depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Discard }),
+            stencil_ops: None,
+        }),
+        ..Default::default()
+    });
+    pass.set_bind_group(0, &viewport.frame_bindings, &[]);
+    record_backdrop(viewport, &mut pass);
+    record_mesh(viewport, &mut pass);
+}
+
+fn record_backdrop(viewport: &Viewport, pass: &mut wgpu::RenderPass<'_>) {
+    if viewport.stage.look().background == Background::Ground {
+        pass.set_pipeline(&viewport.pipelines.background);
+        pass.draw(0..3, 0..1);
+    }
+}
+
+fn record_mesh(viewport: &Viewport, pass: &mut wgpu::RenderPass<'_>) {
+    let Some(mesh) = &viewport.mesh else { return };
+    let pipelines = &viewport.pipelines;
+    let look = viewport.stage.look();
+    pass.set_bind_group(1, &mesh.bindings, &[]);
+    pass.set_index_buffer(mesh.indices.slice(..), wgpu::IndexFormat::Uint32);
+    pass.set_pipeline(if look.paint == Paint::Bare { &pipelines.bare } else { &pipelines.surface });
+    pass.draw_indexed(0..mesh.index_count(), 0, 0..1);
+    if look.background == Background::Ground && look.paint != Paint::Bare {
+        pass.set_pipeline(&pipelines.ground);
+        pass.draw(0..6, 0..1);
+    }
+    if look.wireframe == Wireframe::Shown {
+        pass.set_pipeline(&pipelines.wire);
+        pass.set_vertex_buffer(0, mesh.edges.slice(..));
+        pass.draw(0..6, 0..mesh.edge_count());
+    }
+    if look.mirror_plane == MirrorPlane::Shown {
+        pass.set_pipeline(&pipelines.mirror);
+        pass.draw(0..6, 0..1);
+    }
+    if look.dots != Dots::None {
+        pass.set_pipeline(&pipelines.dots);
+        pass.draw(0..6, 0..LANDMARKS.min(mesh.topology().vertex_count() as u32));
+    }
+    record_marks(viewport, pass);
+}
+
+fn record_marks(viewport: &Viewport, pass: &mut wgpu::RenderPass<'_>) {
+    let Twin { seen, hidden } = &viewport.pipelines.gizmo;
+    if viewport.stage.gizmo().is_some() {
+        for pipeline in [hidden, seen] {
+            pass.set_pipeline(pipeline);
+            pass.draw(0..6, 0..3);
+        }
+    }
+    let Twin { seen, hidden } = &viewport.pipelines.marks;
+    if viewport.mark_count > 0 {
+        pass.set_vertex_buffer(0, viewport.marks.slice(..));
+        for pipeline in [hidden, seen] {
+            pass.set_pipeline(pipeline);
+            pass.draw(0..6, 0..viewport.mark_count);
+        }
+    }
+}

@@ -1,0 +1,195 @@
+use std::borrow::Cow;
+
+use crate::target::{DEPTH_FORMAT, SAMPLES};
+use crate::{Gpu, shaders};
+
+/// Every way of drawing, and the layouts of what they read.
+#[derive(Debug)]
+pub(crate) struct Pipelines {
+    pub frame_layout: wgpu::BindGroupLayout,
+    pub mesh_layout: wgpu::BindGroupLayout,
+    pub background: wgpu::RenderPipeline,
+    pub ground: wgpu::RenderPipeline,
+    pub surface: wgpu::RenderPipeline,
+    pub bare: wgpu::RenderPipeline,
+    pub wire: wgpu::RenderPipeline,
+    pub mirror: wgpu::RenderPipeline,
+    pub dots: wgpu::RenderPipeline,
+    pub marks: Twin,
+    pub gizmo: Twin,
+}
+
+/// One way of drawing where it is seen, and faintly where something hides it.
+#[derive(Debug)]
+pub(crate) struct Twin {
+    pub seen: wgpu::RenderPipeline,
+    pub hidden: wgpu::RenderPipeline,
+}
+
+/// How faintly marks show through what hides them.
+const HIDDEN_ALPHA: f64 = 0.3;
+
+/// What a pipeline does with depth and colour.
+#[derive(Clone, Copy, PartialEq)]
+enum Role {
+    Backdrop,
+    Solid,
+    DepthOnly,
+    Overlay,
+    SeenThrough,
+}
+
+struct Recipe<'a> {
+    name: &'static str,
+    text: &'static str,
+    entries: [&'static str; 2],
+    role: Role,
+    words: &'a [Option<wgpu::VertexBufferLayout<'a>>],
+}
+
+const PAIR: [Option<wgpu::VertexBufferLayout<'_>>; 1] = [Some(wgpu::VertexBufferLayout {
+    array_stride: 8,
+    step_mode: wgpu::VertexStepMode::Instance,
+    attributes: &[wgpu::VertexAttribute { format: wgpu::VertexFormat::Uint32x2, offset: 0, shader_location: 0 }],
+})];
+const MAIN: [&str; 2] = ["vertex", "fragment"];
+
+impl Pipelines {
+    pub fn new(gpu: &Gpu, format: wgpu::TextureFormat) -> Self {
+        let frame_layout = layout(gpu, "frame", &[uniform(0)]);
+        let mesh_layout =
+            layout(gpu, "mesh", &[storage(0), storage(1), storage(2), storage(3), picture(4), picture_sampler(5)]);
+        let backdrop = pipeline_layout(gpu, &[Some(&frame_layout)]);
+        let over_mesh = pipeline_layout(gpu, &[Some(&frame_layout), Some(&mesh_layout)]);
+        let build = |layout: &wgpu::PipelineLayout, name, text, role| {
+            pipeline(gpu, format, layout, &Recipe { name, text, entries: MAIN, role, words: &[] })
+        };
+        let twin = |name, text, entries, words| {
+            let one = |role| pipeline(gpu, format, &over_mesh, &Recipe { name, text, entries, role, words });
+            Twin { seen: one(Role::Overlay), hidden: one(Role::SeenThrough) }
+        };
+        let wire = Recipe { name: "wire", text: shaders::WIRE, entries: MAIN, role: Role::Overlay, words: &PAIR };
+        Self {
+            background: build(&backdrop, "background", shaders::BACKGROUND, Role::Backdrop),
+            ground: build(&backdrop, "ground", shaders::GROUND, Role::Overlay),
+            mirror: build(&backdrop, "mirror", shaders::MIRROR, Role::Overlay),
+            surface: build(&over_mesh, "surface", shaders::SURFACE, Role::Solid),
+            bare: build(&over_mesh, "bare", shaders::SURFACE, Role::DepthOnly),
+            dots: build(&over_mesh, "dots", shaders::DOTS, Role::Overlay),
+            wire: pipeline(gpu, format, &over_mesh, &wire),
+            marks: twin("marks", shaders::MARKS, MAIN, &PAIR[..]),
+            gizmo: twin("gizmo", shaders::GIZMO, ["arm_vertex", "arm_fragment"], &[]),
+            frame_layout,
+            mesh_layout,
+        }
+    }
+}
+
+fn entry(binding: u32, visibility: wgpu::ShaderStages, ty: wgpu::BindingType) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None }
+}
+
+fn uniform(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    let ty = wgpu::BindingType::Buffer {
+        ty: wgpu::BufferBindingType::Uniform,
+        has_dynamic_offset: false,
+        min_binding_size: None,
+    };
+    entry(binding, wgpu::ShaderStages::VERTEX_FRAGMENT, ty)
+}
+
+fn storage(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    let ty = wgpu::BindingType::Buffer {
+        ty: wgpu::BufferBindingType::Storage { read_only: true },
+        has_dynamic_offset: false,
+        min_binding_size: None,
+    };
+    entry(binding, wgpu::ShaderStages::VERTEX, ty)
+}
+
+fn picture(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    let ty = wgpu::BindingType::Texture {
+        sample_type: wgpu::TextureSampleType::Float { filterable: true },
+        view_dimension: wgpu::TextureViewDimension::D2,
+        multisampled: false,
+    };
+    entry(binding, wgpu::ShaderStages::FRAGMENT, ty)
+}
+
+fn picture_sampler(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    entry(binding, wgpu::ShaderStages::FRAGMENT, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering))
+}
+
+fn layout(gpu: &Gpu, label: &str, entries: &[wgpu::BindGroupLayoutEntry]) -> wgpu::BindGroupLayout {
+    gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })
+}
+
+fn pipeline_layout(gpu: &Gpu, groups: &[Option<&wgpu::BindGroupLayout>]) -> wgpu::PipelineLayout {
+    gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: None,
+        bind_group_layouts: groups,
+        immediate_size: 0,
+    })
+}
+
+fn pipeline(
+    gpu: &Gpu,
+    format: wgpu::TextureFormat,
+    layout: &wgpu::PipelineLayout,
+    recipe: &Recipe<'_>,
+) -> wgpu::RenderPipeline {
+    let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some(recipe.name),
+        source: wgpu::ShaderSource::Wgsl(Cow::Borrowed(recipe.text)),
+    });
+    let constants: &[(&str, f64)] = if recipe.role == Role::SeenThrough { &[("alpha", HIDDEN_ALPHA)] } else { &[] };
+    let options = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
+    gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some(recipe.name),
+        layout: Some(layout),
+        vertex: wgpu::VertexState {
+            module: &module,
+            entry_point: Some(recipe.entries[0]),
+            compilation_options: options.clone(),
+            buffers: recipe.words,
+        },
+        primitive: Default::default(),
+        depth_stencil: Some(depth(recipe.role)),
+        multisample: wgpu::MultisampleState { count: SAMPLES, ..Default::default() },
+        fragment: Some(wgpu::FragmentState {
+            module: &module,
+            entry_point: Some(recipe.entries[1]),
+            compilation_options: options,
+            targets: &[Some(colour(recipe.role, format))],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
+
+fn depth(role: Role) -> wgpu::DepthStencilState {
+    let (write, compare) = match role {
+        Role::Backdrop => (false, wgpu::CompareFunction::Always),
+        Role::Solid | Role::DepthOnly => (true, wgpu::CompareFunction::Less),
+        Role::Overlay => (false, wgpu::CompareFunction::LessEqual),
+        Role::SeenThrough => (false, wgpu::CompareFunction::Greater),
+    };
+    wgpu::DepthStencilState {
+        format: DEPTH_FORMAT,
+        depth_write_enabled: Some(write),
+        depth_compare: Some(compare),
+        stencil: Default::default(),
+        bias: Default::default(),
+    }
+}
+
+fn colour(role: Role, format: wgpu::TextureFormat) -> wgpu::ColorTargetState {
+    let (blend, write_mask) = match role {
+        Role::Backdrop | Role::Solid => (None, wgpu::ColorWrites::ALL),
+        Role::DepthOnly => (None, wgpu::ColorWrites::empty()),
+        Role::Overlay | Role::SeenThrough => {
+            (Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING), wgpu::ColorWrites::ALL)
+        }
+    };
+    wgpu::ColorTargetState { format, blend, write_mask }
+}

@@ -1,0 +1,75 @@
+//! The shaders' texts, joined with what they share.
+
+macro_rules! shader {
+    ($($file:literal),+) => { concat!($(include_str!(concat!("../shaders/", $file, ".wgsl")), "\n"),+) };
+}
+
+pub(crate) const BACKGROUND: &str = shader!("frame", "background");
+pub(crate) const GROUND: &str = shader!("frame", "ground");
+pub(crate) const MIRROR: &str = shader!("frame", "mirror");
+pub(crate) const SURFACE: &str = shader!("frame", "mesh", "surface");
+pub(crate) const WIRE: &str = shader!("frame", "mesh", "wire");
+pub(crate) const DOTS: &str = shader!("frame", "mesh", "dots");
+pub(crate) const MARKS: &str = shader!("frame", "mesh", "marks");
+pub(crate) const GIZMO: &str = shader!("frame", "mesh", "marks", "gizmo");
+pub(crate) const SHRINK: &str = shader!("shrink");
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::frame::Frame;
+    use crate::shape::{Follow, Shape, Skin};
+
+    const ALL: [(&str, &str); 9] = [
+        ("background", BACKGROUND),
+        ("ground", GROUND),
+        ("mirror", MIRROR),
+        ("surface", SURFACE),
+        ("wire", WIRE),
+        ("dots", DOTS),
+        ("marks", MARKS),
+        ("gizmo", GIZMO),
+        ("shrink", SHRINK),
+    ];
+
+    fn module(text: &str) -> naga::Module {
+        naga::front::wgsl::parse_str(text).unwrap_or_else(|error| panic!("{}", error.emit_to_string(text)))
+    }
+
+    fn size_of_struct(module: &naga::Module, name: &str) -> usize {
+        let found = module.types.iter().find(|(_, found)| found.name.as_deref() == Some(name));
+        match found.map(|(_, found)| &found.inner) {
+            Some(naga::TypeInner::Struct { span, .. }) => *span as usize,
+            other => panic!("{name}: {other:?}"),
+        }
+    }
+
+    #[test]
+    fn every_shader_is_valid() {
+        for (name, text) in ALL {
+            let mut validator =
+                naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty());
+            let valid = validator.validate(&module(text));
+            assert!(valid.is_ok(), "{name}: {:?}", valid.err());
+        }
+    }
+
+    #[test]
+    fn every_shader_file_is_among_those_validated() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/shaders");
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            let text = std::fs::read_to_string(&path).unwrap();
+            assert!(ALL.iter().any(|(_, joined)| joined.contains(&text)), "{} is not used", path.display());
+        }
+    }
+
+    #[test]
+    fn structs_have_the_same_size_in_rust_and_in_the_shaders() {
+        let surface = module(SURFACE);
+        assert_eq!(size_of_struct(&surface, "Frame"), size_of::<Frame>());
+        assert_eq!(size_of_struct(&surface, "Shape"), size_of::<Shape>());
+        assert_eq!(size_of_struct(&surface, "Follow"), size_of::<Follow>());
+        assert_eq!(size_of_struct(&surface, "Skin"), size_of::<Skin>());
+    }
+}

@@ -1,0 +1,132 @@
+//! What the GPU knows of each vertex, and why a drag needs no upload.
+//!
+//! An edit moves vertex v by `g_v Δ`. The sum of the cross products around a vertex, its normal before it is scaled to
+//! length 1, is then *exactly* `n_v + t_v × Δ`: a triangle's edges become `e + dg Δ` and `Δ × Δ` vanishes. So the field
+//! `g` and the turn `t` go to the GPU once for each handle, and a tick of a slider is three numbers. With a second
+//! handle (the mirrored one) there is one more term, `c_v Δ_a × Δ_b`.
+
+use bytemuck::{Pod, Zeroable};
+use glam::DVec3;
+use rosto_mesh::Topology;
+
+/// Position in metres and normal, unscaled, of a vertex.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Pod, Zeroable)]
+pub(crate) struct Shape {
+    pub position_m: [f32; 3],
+    pub unused: f32,
+    pub normal: [f32; 3],
+    pub unused_too: f32,
+}
+
+/// How a vertex and its normal follow two handles.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Pod, Zeroable)]
+pub(crate) struct Follow {
+    pub turn_a: [f32; 3],
+    pub field_a: f32,
+    pub turn_b: [f32; 3],
+    pub field_b: f32,
+    pub cross: f32,
+    pub unused: [f32; 3],
+}
+
+/// How a vertex is painted: its place in the photo, its colour (sRGB bytes, red lowest), its scalar in −1..1.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Pod, Zeroable)]
+pub(crate) struct Skin {
+    pub uv: [f32; 2],
+    pub colour: u32,
+    pub scalar: f32,
+}
+
+/// Shapes of all vertices.
+pub(crate) fn shapes(topology: &Topology, positions_m: &[DVec3]) -> Vec<Shape> {
+    let mut normals = vec![DVec3::ZERO; positions_m.len()];
+    for corners in topology.triangles() {
+        let [a, b, c] = corners.map(|corner| positions_m[corner as usize]);
+        let normal = (b - a).cross(c - a);
+        corners.iter().for_each(|&corner| normals[corner as usize] += normal);
+    }
+    let shape = |(position, normal): (&DVec3, &DVec3)| Shape {
+        position_m: position.as_vec3().to_array(),
+        normal: normal.as_vec3().to_array(),
+        ..Shape::default()
+    };
+    positions_m.iter().zip(&normals).map(shape).collect()
+}
+
+/// How all vertices follow one or two handles with the response fields given; a missing field is zero.
+pub(crate) fn follows(topology: &Topology, positions_m: &[DVec3], fields: [Option<&[f64]>; 2]) -> Vec<Follow> {
+    let value = |field: Option<&[f64]>, vertex: u32| field.map_or(0.0, |values| values[vertex as usize]);
+    let mut turns = vec![([DVec3::ZERO; 2], 0.0); positions_m.len()];
+    for corners in topology.triangles() {
+        let [a, b, c] = corners.map(|corner| positions_m[corner as usize]);
+        let steps = fields.map(|field| {
+            let [a, b, c] = corners.map(|corner| value(field, corner));
+            [b - a, c - a]
+        });
+        let turn = steps.map(|[to_b, to_c]| (b - a) * to_c - (c - a) * to_b);
+        let cross = steps[0][0] * steps[1][1] - steps[1][0] * steps[0][1];
+        for &corner in corners {
+            let (sum, cross_sum) = &mut turns[corner as usize];
+            sum[0] += turn[0];
+            sum[1] += turn[1];
+            *cross_sum += cross;
+        }
+    }
+    let follow = |(vertex, (turn, cross)): (usize, &([DVec3; 2], f64))| Follow {
+        turn_a: turn[0].as_vec3().to_array(),
+        field_a: value(fields[0], vertex as u32) as f32,
+        turn_b: turn[1].as_vec3().to_array(),
+        field_b: value(fields[1], vertex as u32) as f32,
+        cross: *cross as f32,
+        ..Follow::default()
+    };
+    turns.iter().enumerate().map(follow).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+
+    /// A bent fan of triangles with no symmetry to hide behind.
+    fn fan() -> (Topology, Vec<DVec3>) {
+        let triangles = vec![[0, 1, 2], [0, 2, 3], [0, 3, 4], [4, 3, 5]];
+        let positions = (0..6)
+            .map(|i| {
+                let turn = f64::from(i) * 1.3;
+                DVec3::new(turn.cos() * (1.0 + 0.1 * turn), turn.sin(), 0.3 * turn.sin() - 0.2 * turn)
+            })
+            .collect();
+        (Topology::new(6, triangles).unwrap(), positions)
+    }
+
+    #[test]
+    fn normals_followed_on_the_gpu_are_those_of_the_moved_mesh() {
+        let (topology, positions) = fan();
+        let fields = [[0.9, 0.4, -0.1, 0.3, 0.05, 0.0], [0.0, 0.1, 0.8, 0.25, 0.4, 0.6]];
+        let offsets = [DVec3::new(0.4, -0.7, 0.2), DVec3::new(-0.4, -0.5, 0.9)];
+        let moved: Vec<DVec3> = (0..positions.len())
+            .map(|v| positions[v] + offsets[0] * fields[0][v] + offsets[1] * fields[1][v])
+            .collect();
+        let before = shapes(&topology, &positions);
+        let after = shapes(&topology, &moved);
+        let follow = follows(&topology, &positions, [Some(&fields[0]), Some(&fields[1])]);
+        let [a, b] = offsets.map(|offset| offset.as_vec3());
+        for v in 0..positions.len() {
+            let normal = Vec3::from(before[v].normal)
+                + Vec3::from(follow[v].turn_a).cross(a)
+                + Vec3::from(follow[v].turn_b).cross(b)
+                + a.cross(b) * follow[v].cross;
+            assert!(normal.distance(after[v].normal.into()) < 2e-6, "vertex {v}: {normal} and {:?}", after[v].normal);
+        }
+    }
+
+    #[test]
+    fn a_missing_field_moves_nothing() {
+        let (topology, positions) = fan();
+        assert_eq!(follows(&topology, &positions, [None, None]), vec![Follow::default(); 6]);
+    }
+}

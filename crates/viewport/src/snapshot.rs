@@ -1,0 +1,135 @@
+use std::future::Future;
+use std::pin::Pin;
+use std::sync::{Arc, Mutex};
+use std::task::{Context, Poll, Waker};
+
+use crate::{Gpu, Srgb, ViewportError};
+
+/// A picture read back: straight (not premultiplied) sRGB, row by row from the top.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Snapshot {
+    /// Width in px.
+    pub width: u32,
+    /// Height in px.
+    pub height: u32,
+    /// Red, green, blue, alpha of each pixel.
+    pub rgba: Vec<u8>,
+}
+
+impl Snapshot {
+    /// The pixel in column x and row y.
+    ///
+    /// # Panics
+    /// If there is no such pixel.
+    pub fn pixel(&self, x: u32, y: u32) -> [u8; 4] {
+        assert!(x < self.width && y < self.height, "({x}, {y}) is outside {}×{} px", self.width, self.height);
+        let start = 4 * (y as usize * self.width as usize + x as usize);
+        [0, 1, 2, 3].map(|channel| self.rgba[start + channel])
+    }
+}
+
+/// A picture on its way back from the GPU. It borrows nothing, so that drawing goes on meanwhile.
+#[derive(Debug)]
+pub(crate) struct Pending {
+    buffer: wgpu::Buffer,
+    padded_row: usize,
+    size: [u32; 2],
+    format: wgpu::TextureFormat,
+}
+
+/// Asks the GPU to copy a texture to where it can be read.
+pub(crate) fn copy(gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, texture: &wgpu::Texture) -> Pending {
+    let size = [texture.width(), texture.height()];
+    let padded_row = (4 * size[0]).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("snapshot"),
+        size: u64::from(padded_row) * u64::from(size[1]),
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    let layout =
+        wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(padded_row), rows_per_image: Some(size[1]) };
+    encoder.copy_texture_to_buffer(
+        texture.as_image_copy(),
+        wgpu::TexelCopyBufferInfo { buffer: &buffer, layout },
+        texture.size(),
+    );
+    Pending { buffer, padded_row: padded_row as usize, size, format: texture.format() }
+}
+
+impl Pending {
+    /// Waits for the picture. Natively, somebody must poll the device.
+    pub async fn read(self) -> Result<Snapshot, ViewportError> {
+        Mapping::new(&self.buffer).await?;
+        let view = self.buffer.get_mapped_range(..).map_err(|_| ViewportError::NotRead)?;
+        let [width, height] = self.size;
+        let swapped = self.format.remove_srgb_suffix() == wgpu::TextureFormat::Bgra8Unorm;
+        let mut rgba = Vec::with_capacity(4 * width as usize * height as usize);
+        for row in view.chunks_exact(self.padded_row) {
+            for pixel in row[..4 * width as usize].chunks_exact(4) {
+                let [first, green, third, alpha] = [pixel[0], pixel[1], pixel[2], pixel[3]];
+                let [red, blue] = if swapped { [third, first] } else { [first, third] };
+                rgba.extend(straight([red, green, blue], alpha));
+            }
+        }
+        Ok(Snapshot { width, height, rgba })
+    }
+}
+
+/// Undoes the multiplication by alpha, in linear light, where blending happened.
+fn straight(colour: [u8; 3], alpha: u8) -> [u8; 4] {
+    let [red, green, blue] = match alpha {
+        0 | 255 => colour,
+        _ => Srgb::from_linear(Srgb(colour).to_linear().map(|amount| amount * 255.0 / f32::from(alpha))).0,
+    };
+    [red, green, blue, alpha]
+}
+
+/// Resolves once the buffer can be read.
+struct Mapping(Arc<Mutex<Answer>>);
+
+#[derive(Default)]
+struct Answer {
+    result: Option<Result<(), wgpu::BufferAsyncError>>,
+    waker: Option<Waker>,
+}
+
+impl Mapping {
+    fn new(buffer: &wgpu::Buffer) -> Self {
+        let answer = Arc::new(Mutex::new(Answer::default()));
+        let report = Arc::clone(&answer);
+        buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+            if let Ok(mut answer) = report.lock() {
+                answer.result = Some(result);
+                if let Some(waker) = answer.waker.take() {
+                    waker.wake();
+                }
+            }
+        });
+        Self(answer)
+    }
+}
+
+impl Future for Mapping {
+    type Output = Result<(), ViewportError>;
+
+    fn poll(self: Pin<&mut Self>, context: &mut Context<'_>) -> Poll<Self::Output> {
+        let Ok(mut answer) = self.0.lock() else {
+            return Poll::Ready(Err(ViewportError::NotRead));
+        };
+        answer.waker = Some(context.waker().clone());
+        answer.result.take().map_or(Poll::Pending, |result| Poll::Ready(result.map_err(|_| ViewportError::NotRead)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn half_covered_white_is_white() {
+        assert_eq!(straight([188; 3], 128), [255, 255, 255, 128]);
+        assert_eq!(straight([10, 20, 30], 255), [10, 20, 30, 255]);
+        assert_eq!(straight([0; 3], 0), [0; 4]);
+    }
+}

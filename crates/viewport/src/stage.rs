@@ -1,0 +1,288 @@
+use glam::{DVec2, DVec3};
+
+use crate::frame::{Frame, Moment};
+use crate::{Axis, Camera, Look, Mark};
+
+/// How long a face takes from the photo's plane into depth.
+const ARRIVAL_MS: f64 = 500.0;
+/// The longest step that the camera makes in one frame, so that a page that slept does not jump.
+const LONGEST_STEP_S: f64 = 0.1;
+
+/// What is shown and how, apart from the GPU: it outlives a lost device.
+#[derive(Debug, Clone)]
+pub struct Stage {
+    camera: Camera,
+    look: Look,
+    marks: Vec<Mark>,
+    offsets_m: [DVec3; 2],
+    ground_m: DVec3,
+    pixel_ratio: f64,
+    pointer_px: Option<DVec2>,
+    hovered: Option<u32>,
+    gizmo: Option<u32>,
+    gizmo_axis: Option<Axis>,
+    turntable_deg_per_s: f64,
+    arrival: Arrival,
+    last_ms: Option<f64>,
+    changed: bool,
+}
+
+/// A face's way from the photo's plane into depth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Arrival {
+    Over,
+    Asked,
+    Since(f64),
+}
+
+/// What [`Stage::advance`] found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Step {
+    /// Something looks different now.
+    pub draw: bool,
+    /// Something will look different in the next frame too.
+    pub again: bool,
+    /// The arrival ended in this step.
+    pub arrived: bool,
+}
+
+impl Default for Stage {
+    fn default() -> Self {
+        Self {
+            camera: Camera::default(),
+            look: Look::default(),
+            marks: Vec::new(),
+            offsets_m: [DVec3::ZERO; 2],
+            ground_m: DVec3::ZERO,
+            pixel_ratio: 1.0,
+            pointer_px: None,
+            hovered: None,
+            gizmo: None,
+            gizmo_axis: None,
+            turntable_deg_per_s: 0.0,
+            arrival: Arrival::Over,
+            last_ms: None,
+            changed: true,
+        }
+    }
+}
+
+impl Stage {
+    /// The camera.
+    pub fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
+    /// The camera, to be steered; asks for a frame.
+    pub fn camera_mut(&mut self) -> &mut Camera {
+        self.changed = true;
+        &mut self.camera
+    }
+
+    /// How the mesh is shown.
+    pub fn look(&self) -> &Look {
+        &self.look
+    }
+
+    /// How the mesh is shown, to be changed; asks for a frame.
+    pub fn look_mut(&mut self) -> &mut Look {
+        self.changed = true;
+        &mut self.look
+    }
+
+    /// Frames a mesh from the front, and puts the ground under it.
+    pub fn frame(&mut self, positions_m: &[DVec3]) {
+        let mut corners = positions_m.iter().copied().filter(|position| position.is_finite());
+        let Some(first) = corners.next() else { return };
+        let (low, high) = corners.fold((first, first), |(low, high), next| (low.min(next), high.max(next)));
+        let centre_m = 0.5 * (low + high);
+        let reach = positions_m.iter().map(|position| position.distance(centre_m)).fold(0.0, f64::max);
+        self.camera_mut().frame(centre_m, 1.12 * reach);
+        self.ground_m = DVec3::new(centre_m.x, low.y - 0.10 * reach, 0.7 * low.z + 0.3 * high.z);
+    }
+
+    /// Offsets in metres of the two handles whose response fields the mesh follows.
+    pub fn set_offsets_m(&mut self, offsets_m: [DVec3; 2]) {
+        self.set(|stage| &mut stage.offsets_m, offsets_m);
+    }
+
+    /// Device pixels for each CSS pixel, which marks are measured in.
+    pub fn set_pixel_ratio(&mut self, pixel_ratio: f64) {
+        self.set(|stage| &mut stage.pixel_ratio, pixel_ratio);
+    }
+
+    /// Device pixels for each CSS pixel.
+    pub fn pixel_ratio(&self) -> f64 {
+        self.pixel_ratio
+    }
+
+    /// Where the pointer is in px, for dots near it.
+    pub fn set_pointer(&mut self, pointer_px: Option<DVec2>) {
+        self.set(|stage| &mut stage.pointer_px, pointer_px);
+    }
+
+    /// The vertex under the pointer.
+    pub fn set_hovered(&mut self, vertex: Option<u32>) {
+        self.set(|stage| &mut stage.hovered, vertex);
+    }
+
+    /// Marks on vertices.
+    pub fn set_marks(&mut self, marks: Vec<Mark>) {
+        self.set(|stage| &mut stage.marks, marks);
+    }
+
+    /// The vertex with arms along the axes.
+    pub fn set_gizmo(&mut self, vertex: Option<u32>) {
+        self.set(|stage| &mut stage.gizmo, vertex);
+    }
+
+    /// The arm that is pointed at or dragged.
+    pub fn set_gizmo_axis(&mut self, axis: Option<Axis>) {
+        self.set(|stage| &mut stage.gizmo_axis, axis);
+    }
+
+    /// The vertex with arms along the axes.
+    pub fn gizmo(&self) -> Option<u32> {
+        self.gizmo
+    }
+
+    /// Turns the mesh, in degrees a second; 0 stops.
+    pub fn set_turntable(&mut self, degrees_per_second: f64) {
+        self.set(|stage| &mut stage.turntable_deg_per_s, degrees_per_second);
+    }
+
+    pub(crate) fn start_arrival(&mut self) {
+        self.set(|stage| &mut stage.arrival, Arrival::Asked);
+    }
+
+    pub(crate) fn ask_for_a_frame(&mut self) {
+        self.changed = true;
+    }
+
+    /// Moves everything that moves by itself on to `time_ms`.
+    pub(crate) fn advance(&mut self, time_ms: f64) -> Step {
+        let seconds = self.last_ms.map_or(0.0, |last_ms| ((time_ms - last_ms) * 1e-3).clamp(0.0, LONGEST_STEP_S));
+        let was_arriving = self.arrival != Arrival::Over;
+        self.advance_arrival(time_ms);
+        let turning = self.turntable_deg_per_s != 0.0;
+        self.camera.turn(-self.turntable_deg_per_s.to_radians() * seconds);
+        let gliding = self.camera.advance(if self.last_ms.is_some() { seconds } else { 0.0 });
+        let arriving = self.arrival != Arrival::Over;
+        let again = turning || gliding || arriving;
+        self.last_ms = again.then_some(time_ms);
+        let draw = std::mem::take(&mut self.changed) || again || was_arriving;
+        Step { draw, again, arrived: was_arriving && !arriving }
+    }
+
+    /// What shaders read for this frame.
+    pub(crate) fn uniforms(&self) -> Frame {
+        let moment = Moment {
+            pixel_ratio: self.pixel_ratio,
+            offsets_m: self.offsets_m,
+            before: self.blend_before(),
+            ground_m: self.ground_m,
+            pointer_px: self.pointer_px,
+            hovered: self.hovered,
+            gizmo: self.gizmo,
+            gizmo_axis: self.gizmo_axis,
+        };
+        Frame::new(&self.camera, &self.look, &moment)
+    }
+
+    pub(crate) fn mark_words(&self) -> Vec<[u32; 2]> {
+        crate::markers::mark_words(&self.marks, self.hovered, self.gizmo)
+    }
+
+    fn advance_arrival(&mut self, time_ms: f64) {
+        self.arrival = match self.arrival {
+            Arrival::Asked => Arrival::Since(time_ms),
+            Arrival::Since(start_ms) if time_ms - start_ms >= ARRIVAL_MS => Arrival::Over,
+            other => other,
+        };
+    }
+
+    fn blend_before(&self) -> f64 {
+        match (self.arrival, self.last_ms) {
+            (Arrival::Over, _) => self.look.before,
+            (Arrival::Since(start_ms), Some(now_ms)) => {
+                (1.0 - ((now_ms - start_ms) / ARRIVAL_MS).clamp(0.0, 1.0)).powi(3)
+            }
+            _ => 1.0,
+        }
+    }
+
+    fn set<T: PartialEq>(&mut self, field: impl Fn(&mut Self) -> &mut T, value: T) {
+        if *field(self) != value {
+            *field(self) = value;
+            self.changed = true;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Glide, MarkKind, NamedView};
+
+    fn settled() -> Stage {
+        let mut stage = Stage::default();
+        assert!(stage.advance(0.0).draw);
+        stage
+    }
+
+    #[test]
+    fn nothing_is_drawn_unless_something_changed() {
+        let mut stage = settled();
+        assert_eq!(stage.advance(16.0), Step { draw: false, again: false, arrived: false });
+        stage.set_hovered(None);
+        stage.set_offsets_m([DVec3::ZERO; 2]);
+        assert!(!stage.advance(32.0).draw);
+        stage.set_hovered(Some(4));
+        assert_eq!(stage.advance(48.0), Step { draw: true, again: false, arrived: false });
+        stage.set_marks(vec![Mark { vertex: 4, kind: MarkKind::Ring }]);
+        assert!(stage.advance(64.0).draw);
+        assert!(!stage.advance(80.0).draw);
+    }
+
+    #[test]
+    fn a_glide_asks_for_frames_until_it_rests() {
+        let mut stage = settled();
+        stage.camera_mut().look(NamedView::Left);
+        let frames = (1..500).take_while(|&frame| stage.advance(f64::from(frame) * 16.0).again).count();
+        assert!((10..200).contains(&frames), "{frames}");
+        assert!(stage.camera().back().distance(DVec3::X) < 1e-9);
+    }
+
+    #[test]
+    fn without_glide_the_camera_is_there_in_the_first_frame() {
+        let mut stage = settled();
+        stage.camera_mut().set_glide(Glide::Off);
+        stage.camera_mut().look(NamedView::Left);
+        assert!(stage.advance(5.0).draw);
+        assert!(stage.camera().back().distance(DVec3::X) < 1e-9);
+        assert!(!stage.advance(21.0).again);
+    }
+
+    #[test]
+    fn a_face_arrives_in_half_a_second_and_once() {
+        let mut stage = settled();
+        stage.start_arrival();
+        let steps: Vec<Step> = (0..60).map(|frame| stage.advance(1000.0 + f64::from(frame) * 16.0)).collect();
+        assert_eq!(steps.iter().filter(|step| step.arrived).count(), 1);
+        assert_eq!(steps.iter().filter(|step| step.draw).count(), 33);
+        assert_eq!(stage.blend_before(), 0.0);
+    }
+
+    #[test]
+    fn the_turntable_turns_at_its_speed_even_after_a_pause() {
+        let mut stage = settled();
+        stage.set_turntable(90.0);
+        for frame in 0..=100 {
+            assert!(stage.advance(f64::from(frame) * 10.0).again);
+        }
+        assert!(stage.camera().back().distance(DVec3::NEG_X) < 1e-9, "{}", stage.camera().back());
+        stage.set_turntable(0.0);
+        stage.advance(1010.0);
+        assert!(!stage.advance(90_000.0).again);
+    }
+}

@@ -1,0 +1,260 @@
+use std::future::Future;
+
+use glam::{DVec2, DVec3};
+
+use crate::mesh::{MeshOnGpu, filled};
+use crate::pipelines::Pipelines;
+use crate::snapshot::{Snapshot, copy};
+use crate::target::{Attachments, Canvas, Target};
+use crate::{Axis, Background, Gpu, MeshInput, Stage, ViewportError, markers, passes, photo};
+
+/// Draws a stage and its mesh on a target.
+#[derive(Debug)]
+pub struct Viewport {
+    pub(crate) gpu: Gpu,
+    target: Target,
+    pub(crate) pipelines: Pipelines,
+    shrink: wgpu::RenderPipeline,
+    frame: wgpu::Buffer,
+    pub(crate) frame_bindings: wgpu::BindGroup,
+    attachments: Attachments,
+    pub(crate) mesh: Option<MeshOnGpu>,
+    before_after_arrival: Option<Vec<DVec3>>,
+    pub(crate) marks: wgpu::Buffer,
+    pub(crate) mark_count: u32,
+    pub(crate) stage: Stage,
+}
+
+impl Viewport {
+    /// An empty viewport of 1×1 px.
+    pub fn new(gpu: Gpu, target: Target) -> Self {
+        let pipelines = Pipelines::new(&gpu, target.format);
+        let frame = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("frame"),
+            size: size_of::<crate::frame::Frame>() as u64,
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        let frame_bindings = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("frame"),
+            layout: &pipelines.frame_layout,
+            entries: &[wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() }],
+        });
+        target.configure(&gpu, 1, 1);
+        Self {
+            shrink: photo::shrink_pipeline(&gpu),
+            attachments: Attachments::new(&gpu, target.format, [1, 1]),
+            marks: filled(&gpu, &[], wgpu::BufferUsages::VERTEX),
+            mark_count: 0,
+            mesh: None,
+            before_after_arrival: None,
+            stage: Stage::default(),
+            gpu,
+            target,
+            pipelines,
+            frame,
+            frame_bindings,
+        }
+    }
+
+    /// What is shown and how.
+    pub fn stage(&self) -> &Stage {
+        &self.stage
+    }
+
+    /// What is shown and how, to be changed.
+    pub fn stage_mut(&mut self) -> &mut Stage {
+        &mut self.stage
+    }
+
+    /// Goes on with the stage of another viewport, whose device was lost.
+    pub fn set_stage(&mut self, stage: Stage) {
+        let [width, height] = stage.camera().size_px().to_array().map(|side| side as u32);
+        self.stage = stage;
+        self.resize(width, height);
+    }
+
+    /// Fits the target to a size in device pixels, within what the GPU can draw.
+    pub fn resize(&mut self, width_px: u32, height_px: u32) {
+        let largest = self.gpu.largest_side_px();
+        let size = [width_px, height_px].map(|side| side.clamp(1, largest));
+        self.stage.camera_mut().resize(size[0], size[1]);
+        if self.attachments.size != size {
+            self.attachments = Attachments::new(&self.gpu, self.target.format, size);
+            self.target.configure(&self.gpu, size[0], size[1]);
+        }
+    }
+
+    /// Shows a mesh in place of the one before; camera and marks stay. No handle moves it yet.
+    ///
+    /// # Errors
+    /// [`ViewportError::LengthMismatch`] or [`ViewportError::BadPicture`].
+    pub fn show(&mut self, input: &MeshInput<'_>) -> Result<(), ViewportError> {
+        self.mesh = Some(MeshOnGpu::new(&self.gpu, &self.pipelines, &self.shrink, input)?);
+        self.before_after_arrival = None;
+        self.stage.set_offsets_m([DVec3::ZERO; 2]);
+        self.stage.ask_for_a_frame();
+        Ok(())
+    }
+
+    /// Moves the vertices, before what the handles add. Nothing without a mesh.
+    ///
+    /// # Errors
+    /// [`ViewportError::LengthMismatch`].
+    pub fn set_positions(&mut self, positions_m: &[DVec3]) -> Result<(), ViewportError> {
+        self.stage.ask_for_a_frame();
+        self.mesh.as_mut().map_or(Ok(()), |mesh| mesh.write_positions(&self.gpu, positions_m))
+    }
+
+    /// Sets the shape that [`crate::Look::before`] blends to. Nothing without a mesh.
+    ///
+    /// # Errors
+    /// [`ViewportError::LengthMismatch`].
+    pub fn set_before(&mut self, positions_m: &[DVec3]) -> Result<(), ViewportError> {
+        self.stage.ask_for_a_frame();
+        self.mesh.as_ref().map_or(Ok(()), |mesh| mesh.write_before(&self.gpu, positions_m))
+    }
+
+    /// Sets how each vertex follows up to two handles, for [`Stage::set_offsets_m`]; call it after
+    /// [`Self::set_positions`]. Nothing without a mesh.
+    ///
+    /// # Errors
+    /// [`ViewportError::LengthMismatch`].
+    pub fn set_fields(&mut self, fields: [Option<&[f64]>; 2]) -> Result<(), ViewportError> {
+        self.stage.ask_for_a_frame();
+        self.mesh.as_ref().map_or(Ok(()), |mesh| mesh.write_fields(&self.gpu, fields))
+    }
+
+    /// Sets the values, −1 to 1, that [`crate::Paint::Scalar`] shows. Nothing without a mesh.
+    ///
+    /// # Errors
+    /// [`ViewportError::LengthMismatch`].
+    pub fn set_scalars(&mut self, scalars: &[f64]) -> Result<(), ViewportError> {
+        self.stage.ask_for_a_frame();
+        self.mesh.as_mut().map_or(Ok(()), |mesh| mesh.write_scalars(&self.gpu, scalars))
+    }
+
+    /// Lets the mesh glide from these positions to its own, in half a second. Nothing without a mesh.
+    ///
+    /// # Errors
+    /// [`ViewportError::LengthMismatch`].
+    pub fn arrive_from(&mut self, positions_m: &[DVec3]) -> Result<(), ViewportError> {
+        if let Some(mesh) = &self.mesh {
+            mesh.write_before(&self.gpu, positions_m)?;
+            self.before_after_arrival = Some(mesh.positions_m().to_vec());
+            self.stage.start_arrival();
+        }
+        Ok(())
+    }
+
+    /// The vertex nearest to where the ray through a place in the picture meets the mesh; `positions_m` are where the
+    /// vertices are now.
+    pub fn pick(&self, place_px: DVec2, positions_m: &[DVec3]) -> Option<u32> {
+        let topology = self.mesh.as_ref()?.topology();
+        let hit = rosto_mesh::pick(topology, positions_m, &self.stage.camera().ray(place_px))?;
+        Some(hit.nearest_corner(topology))
+    }
+
+    /// The arm of the gizmo that the pointer is on.
+    pub fn pick_axis(&self, place_px: DVec2, positions_m: &[DVec3]) -> Option<Axis> {
+        let vertex_m = *positions_m.get(self.stage.gizmo()? as usize)?;
+        markers::axis_under(self.stage.camera(), vertex_m, place_px, self.stage.pixel_ratio())
+    }
+
+    /// Draws if anything changed; true asks to be called again in the next frame. `time_ms` is any steady clock's.
+    ///
+    /// # Errors
+    /// [`ViewportError::DeviceLost`].
+    pub fn draw(&mut self, time_ms: f64) -> Result<bool, ViewportError> {
+        self.gpu.check()?;
+        let step = self.stage.advance(time_ms);
+        if step.arrived {
+            self.end_arrival()?;
+        }
+        if !step.draw {
+            return Ok(step.again);
+        }
+        let [width, height] = self.attachments.size;
+        match self.target.acquire(&self.gpu, width, height) {
+            Canvas::Ready(texture, view) => {
+                let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+                self.upload();
+                passes::record(self, &mut encoder, &self.attachments, &view);
+                self.gpu.queue.submit([encoder.finish()]);
+                self.gpu.queue.present(texture);
+            }
+            Canvas::Offscreen => {}
+            Canvas::Later => {
+                self.stage.ask_for_a_frame();
+                return Ok(true);
+            }
+        }
+        Ok(step.again)
+    }
+
+    /// A picture of the view in any size, as seen now; the canvas does not change. The future borrows nothing.
+    ///
+    /// # Errors
+    /// [`ViewportError::DeviceLost`] at once, [`ViewportError::NotRead`] later.
+    pub fn snapshot(
+        &mut self,
+        size_px: [u32; 2],
+        background: Background,
+    ) -> Result<impl Future<Output = Result<Snapshot, ViewportError>> + use<>, ViewportError> {
+        self.gpu.check()?;
+        let largest = self.gpu.largest_side_px();
+        let size = size_px.map(|side| side.clamp(1, largest));
+        let kept = self.stage.clone();
+        let scale = f64::from(size[1]) / kept.camera().size_px().y;
+        self.stage.camera_mut().resize(size[0], size[1]);
+        self.stage.set_pixel_ratio(kept.pixel_ratio() * scale);
+        self.stage.look_mut().background = background;
+        let texture = self.still(size);
+        let attachments = Attachments::new(&self.gpu, self.target.format, size);
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        self.upload();
+        passes::record(self, &mut encoder, &attachments, &texture.create_view(&Default::default()));
+        let pending = copy(&self.gpu, &mut encoder, &texture);
+        self.gpu.queue.submit([encoder.finish()]);
+        self.stage = kept;
+        self.stage.ask_for_a_frame();
+        let device = self.gpu.device.clone();
+        Ok(async move {
+            let read = pending.read();
+            let _ = device.poll(wgpu::PollType::Poll);
+            read.await
+        })
+    }
+
+    fn still(&self, [width, height]: [u32; 2]) -> wgpu::Texture {
+        self.gpu.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("still"),
+            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: self.target.format,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+            view_formats: &[],
+        })
+    }
+
+    fn upload(&mut self) {
+        self.gpu.queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&self.stage.uniforms()));
+        let words = self.stage.mark_words();
+        self.mark_count = words.len() as u32;
+        let bytes: &[u8] = bytemuck::cast_slice(&words);
+        if bytes.len() as u64 > self.marks.size() {
+            self.marks = filled(&self.gpu, bytes, wgpu::BufferUsages::VERTEX);
+        } else if !bytes.is_empty() {
+            self.gpu.queue.write_buffer(&self.marks, 0, bytes);
+        }
+    }
+
+    fn end_arrival(&mut self) -> Result<(), ViewportError> {
+        match self.before_after_arrival.take() {
+            Some(positions_m) => self.set_before(&positions_m),
+            None => Ok(()),
+        }
+    }
+}
