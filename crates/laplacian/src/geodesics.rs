@@ -7,9 +7,6 @@ use crate::grounded::grounded;
 use crate::weights::unit_scale;
 use crate::{LaplacianError, Operator, check_positions};
 
-/// A cotangent weight never conducts less heat than this, so that heat is positive everywhere.
-const MIN_CONDUCTION: f64 = 0.01;
-
 /// A vertex never stores less heat than this share of an average edge's square.
 const MIN_STORAGE: f64 = 1e-6;
 
@@ -64,6 +61,8 @@ impl Geodesics {
         let mut heat = vec![0.0; n];
         sources.iter().for_each(|&source| heat[source as usize] = 1.0);
         self.heat.solve(&mut heat);
+        // Obtuse triangles may leave a trace of cold.
+        heat.iter_mut().for_each(|heat| *heat = heat.max(0.0));
         let mut distance = self.divergence_of_descent(&heat);
         self.poisson.solve(&mut distance);
         self.measure_from(sources, &mut distance);
@@ -119,10 +118,5 @@ fn heat_matrix(topology: &Topology, positions: &[DVec3], laplacian: &CsrMatrix<f
     for (vertex, stored) in storage.into_iter().enumerate() {
         entries.push(vertex, vertex, stored.max(MIN_STORAGE));
     }
-    for (i, j, &value) in laplacian.triplet_iter().filter(|&(i, j, _)| i != j) {
-        let conduction = (-value).max(MIN_CONDUCTION);
-        entries.push(i, j, -conduction);
-        entries.push(i, i, conduction);
-    }
-    CsrMatrix::from(&entries)
+    CsrMatrix::from(&entries) + laplacian
 }

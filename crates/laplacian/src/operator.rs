@@ -40,14 +40,27 @@ impl Operator {
     /// [`LaplacianError::LengthMismatch`] or [`LaplacianError::NotFinite`] for positions that do not fit.
     pub fn matrix(self, topology: &Topology, positions: &[DVec3]) -> Result<CsrMatrix<f64>, LaplacianError> {
         check_positions(topology, positions)?;
-        let weights = match self {
+        let symmetric = difference_from_neighbours(topology, &self.edge_weights(topology, positions));
+        Ok(if self == Self::Uniform { over_degree(symmetric) } else { symmetric })
+    }
+
+    /// `W`: one weight for each of [`Topology::edges`].
+    fn edge_weights(self, topology: &Topology, positions: &[DVec3]) -> Vec<f64> {
+        match self {
             Self::UniformSymmetric | Self::Uniform => weights::uniform(topology),
             Self::Degree => weights::by_degree(topology),
             Self::InverseLength => weights::by_inverse_length(topology, positions),
             Self::Cotangent => weights::cotangent(topology, positions),
-        };
-        let symmetric = difference_from_neighbours(topology, &weights);
-        Ok(if self == Self::Uniform { over_degree(symmetric) } else { symmetric })
+        }
+    }
+
+    /// `W` by triangles: for each, its share in the weight of the side opposite each corner. The shares of a triangle are
+    /// such that `Σ shareₖ ‖sideₖ‖²` is not negative, whatever is put for its sides.
+    pub(crate) fn triangle_shares(self, topology: &Topology, positions: &[DVec3]) -> Vec<[f64; 3]> {
+        match self {
+            Self::Cotangent => weights::cotangent_shares(topology, positions),
+            _ => weights::equal_shares(topology, &self.edge_weights(topology, positions)),
+        }
     }
 }
 

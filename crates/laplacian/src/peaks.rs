@@ -4,6 +4,9 @@ use rosto_mesh::Topology;
 /// Neighbours that take less than this share of a summit's displacement make it a peak.
 const GRADUAL_SHARE: f64 = 0.5;
 
+/// Ripples lower than this share of the greatest displacement do not count.
+const LEAST_RISE: f64 = 0.05;
+
 /// A vertex that moved further than all its neighbours and did not take them along.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Peak {
@@ -16,16 +19,18 @@ pub struct Peak {
 /// The paper's test of a good edit: "any peaks on a face without a gradual rise would be unnatural".
 ///
 /// A summit is a vertex that moved further than every neighbour. Its rise is gradual if the neighbours' displacements,
-/// measured along its own, are on average at least half of it; otherwise it is a peak. `moved` holds a displacement for
-/// each vertex.
+/// measured along its own, are on average at least half of it; otherwise it is a peak, if it stands out by at least 5 % of
+/// the greatest displacement anywhere. `moved` holds a displacement for each vertex.
 ///
 /// # Panics
 /// If there is not one displacement for each vertex.
 pub fn peaks(topology: &Topology, moved: &[DVec3]) -> Vec<Peak> {
     assert_eq!(moved.len(), topology.vertex_count(), "one displacement for each vertex");
-    let vertices = (0..moved.len() as u32).filter(|&vertex| is_summit(topology, moved, vertex));
-    let peaks = vertices.map(|vertex| Peak { vertex, share: followed_share(topology, moved, vertex) });
-    peaks.filter(|peak| peak.share < GRADUAL_SHARE).collect()
+    let greatest = moved.iter().map(|moved| moved.length()).fold(0.0, f64::max);
+    let summits = (0..moved.len() as u32).filter(|&vertex| is_summit(topology, moved, vertex));
+    let peaks = summits.map(|vertex| Peak { vertex, share: followed_share(topology, moved, vertex) });
+    let stands_out = |peak: &Peak| (1.0 - peak.share) * moved[peak.vertex as usize].length() >= LEAST_RISE * greatest;
+    peaks.filter(|peak| peak.share < GRADUAL_SHARE && stands_out(peak)).collect()
 }
 
 fn is_summit(topology: &Topology, moved: &[DVec3], vertex: u32) -> bool {

@@ -1,32 +1,37 @@
 use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
-use nalgebra_sparse::CsrMatrix;
 use rosto_mesh::Topology;
 
 use crate::grounded::{GroundedForm, HeldForm};
 use crate::rotation::best_rotation;
 use crate::{Constraints, Hold, LaplacianError, Operator, Region};
 
-/// As-rigid-as-possible edits (Sorkine and Alexa 2007), in which details turn with the surface.
+/// As-rigid-as-possible edits (Sorkine and Alexa 2007; in the form of Chao et al. 2010), in which details turn with the
+/// surface.
 ///
-/// Built once for a mesh at rest `X` and the edge weights `w` of an operator. Positions `X'` and one rotation `Rᵢ` for each
-/// vertex minimise
+/// Built once for a mesh at rest `X` and the edge weights of an operator, of which each triangle `t` has its share
+/// `c_tk` for its side `k`. Positions `X'` and a rotation `Rᵢ` for each vertex minimise
 /// ```text
-/// E = ½ Σᵢ Σⱼ wᵢⱼ ‖(x'ᵢ − x'ⱼ) − Rᵢ(xᵢ − xⱼ)‖² + Σ_held w‖x'ᵢ − targetᵢ‖²
+/// E = Σ_t Σ_k c_tk · ⅓ Σ_{i∈t} ‖side'_tk − Rᵢ side_tk‖² + Σ_held w‖x'ᵢ − targetᵢ‖²
 /// ```
 /// in turns: for fixed positions each rotation is a small problem of its own; for fixed rotations the positions solve
-/// `L x' = ½ Σⱼ wᵢⱼ (Rᵢ + Rⱼ)(xᵢ − xⱼ)`, always with the same factor. Neither turn can raise `E`.
+/// `L x' = Σ c_tk R̄_t side_tk` with the mean rotation `R̄_t` of a triangle's corners, always with the same factor. Neither
+/// turn can raise `E`, and `E ≥ 0` however obtuse the triangles.
 pub struct RigidSystem {
     rest: Arc<Rest>,
 }
 
 struct Rest {
     positions: Vec<DVec3>,
-    /// `L`: its off-diagonal entries are `−w`.
-    laplacian: CsrMatrix<f64>,
+    triangles: Vec<[u32; 3]>,
+    /// `c_tk`, for the side opposite corner `k`.
+    shares: Vec<[f64; 3]>,
     form: GroundedForm,
 }
+
+/// A side of a triangle: from where, to where, and its share of the edge's weight.
+type Side = (usize, usize, f64);
 
 /// An as-rigid-as-possible edit with its handles and anchors chosen.
 pub struct RigidEdit {
@@ -60,8 +65,13 @@ impl RigidSystem {
     pub fn new(topology: &Topology, positions: &[DVec3], operator: Operator) -> Result<Self, LaplacianError> {
         let symmetric = if operator == Operator::Uniform { Operator::UniformSymmetric } else { operator };
         let laplacian = symmetric.matrix(topology, positions)?;
-        let form = GroundedForm::new(topology, &laplacian)?;
-        Ok(Self { rest: Arc::new(Rest { positions: positions.to_vec(), laplacian, form }) })
+        let rest = Rest {
+            positions: positions.to_vec(),
+            triangles: topology.triangles().to_vec(),
+            shares: symmetric.triangle_shares(topology, positions),
+            form: GroundedForm::new(topology, &laplacian)?,
+        };
+        Ok(Self { rest: Arc::new(rest) })
     }
 
     /// Does all that depends on handles and anchors alone.
@@ -124,9 +134,13 @@ impl RigidEdit {
 
     /// `E` for the given rotations and positions.
     fn energy(&self, rotations: &[DMat3], targets: &[DVec3], positions: &[DVec3]) -> f64 {
-        let bent = |(i, j, weight): (usize, usize, f64)| {
-            let turned = rotations[i] * (self.rest.positions[i] - self.rest.positions[j]);
-            0.5 * weight * (positions[i] - positions[j] - turned).length_squared()
+        let rest = &self.rest.positions;
+        let bent = |(corners, sides): ([usize; 3], [Side; 3])| {
+            let side_bent = |(from, to, share): Side| {
+                let (before, after) = (rest[to] - rest[from], positions[to] - positions[from]);
+                share * corners.map(|corner| (after - rotations[corner] * before).length_squared()).iter().sum::<f64>()
+            };
+            sides.map(side_bent).iter().sum::<f64>() / 3.0
         };
         let missed = |(&vertex, &target): (&u32, &DVec3)| {
             (positions[vertex as usize] - self.rest.positions[vertex as usize] - target).length_squared()
@@ -135,17 +149,22 @@ impl RigidEdit {
             Hold::Soft { weight } => weight * self.held.held().iter().zip(targets).map(missed).sum::<f64>(),
             Hold::Exact => 0.0,
         };
-        self.rest.edges().map(bent).sum::<f64>() + holding
+        self.rest.triangles().map(bent).sum::<f64>() + holding
     }
 
     /// The positions that are best for fixed rotations. Solved for the displacement `d = x' − x`, whose load
-    /// `½ Σⱼ wᵢⱼ (Rᵢ + Rⱼ − 2)(xᵢ − xⱼ)` vanishes where nothing turns.
+    /// `Σ c_tk (R̄_t − 1) side_tk` vanishes where nothing turns.
     fn move_to(&self, rotations: &[DMat3], targets: &[DVec3], positions: &mut [DVec3]) -> Result<(), LaplacianError> {
         let rest = &self.rest.positions;
         let mut load = vec![DVec3::ZERO; rest.len()];
-        for (i, j, weight) in self.rest.edges() {
-            let edge = rest[i] - rest[j];
-            load[i] += weight * (0.5 * (rotations[i] * edge + rotations[j] * edge) - edge);
+        for (corners, sides) in self.rest.triangles() {
+            let [a, b, c] = corners.map(|corner| rotations[corner]);
+            let turn = (a + b + c) * (1.0 / 3.0) - DMat3::IDENTITY;
+            for (from, to, share) in sides {
+                let pull = share * (turn * (rest[to] - rest[from]));
+                load[to] += pull;
+                load[from] -= pull;
+            }
         }
         positions.copy_from_slice(rest);
         let mut moved = vec![0.0; rest.len()];
@@ -168,17 +187,23 @@ impl RigidEdit {
 }
 
 impl Rest {
-    /// Both directions of every edge, with its weight.
-    fn edges(&self) -> impl Iterator<Item = (usize, usize, f64)> {
-        self.laplacian.triplet_iter().filter(|(i, j, _)| i != j).map(|(i, j, &entry)| (i, j, -entry))
+    /// Every triangle's corners and sides.
+    fn triangles(&self) -> impl Iterator<Item = ([usize; 3], [Side; 3])> {
+        self.triangles.iter().zip(&self.shares).map(|(corners, shares)| {
+            let [a, b, c] = corners.map(|corner| corner as usize);
+            ([a, b, c], [(b, c, shares[0]), (c, a, shares[1]), (a, b, shares[2])])
+        })
     }
 
-    /// For each vertex, the rotation that turns its edges at rest best into those of `positions`.
+    /// For each vertex, the rotation that turns the sides of its triangles at rest best into those of `positions`.
     fn rotations(&self, positions: &[DVec3]) -> Vec<DMat3> {
         let mut covariances = vec![DMat3::ZERO; positions.len()];
-        for (i, j, weight) in self.edges() {
-            let (before, after) = (self.positions[i] - self.positions[j], positions[i] - positions[j]);
-            covariances[i] += DMat3::from_cols(after * before.x, after * before.y, after * before.z) * weight;
+        for (corners, sides) in self.triangles() {
+            let covariance = sides.into_iter().fold(DMat3::ZERO, |sum, (from, to, share)| {
+                let (before, after) = (self.positions[to] - self.positions[from], positions[to] - positions[from]);
+                sum + DMat3::from_cols(after * before.x, after * before.y, after * before.z) * share
+            });
+            corners.iter().for_each(|&corner| covariances[corner] += covariance);
         }
         covariances.iter().map(best_rotation).collect()
     }

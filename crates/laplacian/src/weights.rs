@@ -35,20 +35,37 @@ pub(crate) fn by_inverse_length(topology: &Topology, positions: &[DVec3]) -> Vec
 /// Where a triangle's area `A` falls under `A' = MIN_SHAPE · longest²`, its share is blended as
 /// `(A/A')·cotangent-with-A' + (1 − A/A')·uniform`: continuous, and positive semi-definite for every shape.
 pub(crate) fn cotangent(topology: &Topology, positions: &[DVec3]) -> Vec<f64> {
-    let scale = unit_scale(positions);
     let mut weights = vec![0.0; topology.edges().len()];
-    for &corners in topology.triangles() {
-        let shares = triangle_shares(corners.map(|corner| positions[corner as usize] * scale));
-        for (k, share) in shares.into_iter().enumerate() {
-            let [a, b] = [corners[(k + 1) % 3], corners[(k + 2) % 3]];
-            let edge = topology.edges().binary_search(&[a.min(b), a.max(b)]);
-            weights[edge.expect("invariant: a triangle's sides are edges")] += share;
-        }
+    for (edges, shares) in triangle_edges(topology).zip(cotangent_shares(topology, positions)) {
+        edges.into_iter().zip(shares).for_each(|(edge, share)| weights[edge] += share);
     }
     weights
 }
 
-/// What a triangle adds to the weight of the side opposite each of its corners.
+/// For each triangle, what it adds to the weight of the side opposite each of its corners.
+pub(crate) fn cotangent_shares(topology: &Topology, positions: &[DVec3]) -> Vec<[f64; 3]> {
+    let scale = unit_scale(positions);
+    let shares = |&corners: &[u32; 3]| triangle_shares(corners.map(|corner| positions[corner as usize] * scale));
+    topology.triangles().iter().map(shares).collect()
+}
+
+/// Every edge's weight in equal parts for its triangles, as [`cotangent_shares`] gives them.
+pub(crate) fn equal_shares(topology: &Topology, weights: &[f64]) -> Vec<[f64; 3]> {
+    let mut uses = vec![0.0; weights.len()];
+    triangle_edges(topology).flatten().for_each(|edge| uses[edge] += 1.0);
+    triangle_edges(topology).map(|edges| edges.map(|edge| weights[edge] / uses[edge])).collect()
+}
+
+/// For each triangle, the edges opposite its corners, as indices into [`Topology::edges`].
+fn triangle_edges(topology: &Topology) -> impl Iterator<Item = [usize; 3]> {
+    topology.triangles().iter().map(|&[a, b, c]| {
+        [[b, c], [c, a], [a, b]].map(|[from, to]| {
+            let edge = topology.edges().binary_search(&[from.min(to), from.max(to)]);
+            edge.expect("invariant: a triangle's sides are edges")
+        })
+    })
+}
+
 fn triangle_shares(corners: [DVec3; 3]) -> [f64; 3] {
     let sides = [0, 1, 2].map(|k| corners[(k + 2) % 3] - corners[(k + 1) % 3]);
     let longest = sides.iter().map(|side| side.length_squared()).fold(0.0, f64::max);

@@ -1,4 +1,4 @@
-//! The golden face, as the tests see it.
+//! The numbers in `tests/golden`.
 
 use glam::DVec3;
 use rosto_mesh::Topology;

@@ -1,22 +1,16 @@
 //! The paper's own edits, solved with a dense pseudo-inverse in NumPy (`tests/golden/edits.json`).
-#![allow(clippy::unwrap_used, reason = "a test that cannot read its golden numbers should stop")]
 
-mod common;
-
-use common::{face, golden, indices, points};
 use glam::DVec3;
 use rosto_laplacian::{Constraints, LaplacianSystem, Operator};
 use serde_json::Value;
 #[cfg(target_arch = "wasm32")]
-use wasm_bindgen_test::wasm_bindgen_test;
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
-#[cfg(target_arch = "wasm32")]
-wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);
+use crate::golden::{face, golden, indices, points};
 
-#[cfg_attr(not(target_arch = "wasm32"), test)]
-#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test)]
+#[test]
 fn every_edit_equals_the_pseudo_inverse() {
-    let file = golden(include_str!("../../../tests/golden/edits.json"));
+    let file = golden(include_str!("../../../../tests/golden/edits.json"));
     let rest = points(&file["rest_positions"]);
     let cases = file["cases"].as_array().unwrap();
     assert_eq!(cases.len(), 8);

@@ -1,0 +1,275 @@
+use glam::DVec3;
+use nalgebra::{DMatrix, DVector};
+use rosto_laplacian::{Constraints, Hold, LaplacianSystem, Operator, Response, random_anchors};
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use crate::golden::{face, golden};
+use crate::meshes::{Mesh, canonical_face, handle_and_anchors, plane, small, torus};
+use crate::seeded::Seeded;
+
+const HOLDS: [Hold; 3] = [Hold::Soft { weight: 1.0 }, Hold::Soft { weight: 250.0 }, Hold::Exact];
+
+fn system(mesh: &Mesh, operator: Operator) -> LaplacianSystem {
+    LaplacianSystem::new(&mesh.topology, &mesh.positions, operator).unwrap()
+}
+
+fn moved(response: &Response, mesh: &Mesh, offsets: &[DVec3]) -> Vec<DVec3> {
+    let mut out = vec![DVec3::ZERO; mesh.vertex_count()];
+    response.displace(&mesh.positions, offsets, &mut out);
+    out
+}
+
+/// Every small mesh with every operator and hold, one handle and two anchors.
+fn each(check: impl Fn(&str, &Mesh, &LaplacianSystem, &Constraints<'_>)) {
+    for mesh in small() {
+        let (handle, anchors) = handle_and_anchors(&mesh);
+        for operator in Operator::ALL {
+            let system = system(&mesh, operator);
+            for hold in HOLDS {
+                let constraints = Constraints { handles: &[handle], anchors: &anchors, hold, region: None };
+                check(&format!("{operator:?}, {hold:?} on {}", mesh.name), &mesh, &system, &constraints);
+            }
+        }
+    }
+}
+
+#[test]
+fn no_offset_moves_nothing_at_all() {
+    each(|case, mesh, system, constraints| {
+        let response = system.respond(constraints).unwrap();
+        assert_eq!(moved(&response, mesh, &[DVec3::ZERO]), mesh.positions, "{case}");
+    });
+}
+
+#[test]
+fn the_answer_is_the_least_of_what_is_minimised() {
+    let offset = DVec3::new(0.3, -0.2, 0.9);
+    each(|case, mesh, system, constraints| {
+        let best = moved(&system.respond(constraints).unwrap(), mesh, &[offset]);
+        let least = system.residual(constraints, &[offset], &mesh.positions, &best);
+        let random = &mut Seeded::new(5);
+        for _ in 0..20 {
+            let free = |vertex: usize| constraints.hold != Hold::Exact || !is_held(constraints, vertex);
+            let nudge = |(vertex, &p): (usize, &DVec3)| if free(vertex) { p + 0.01 * random.vector() } else { p };
+            let other: Vec<DVec3> = best.iter().enumerate().map(nudge).collect();
+            let residual = system.residual(constraints, &[offset], &mesh.positions, &other);
+            assert!(residual >= least, "{case}: {residual} under {least}");
+        }
+    });
+}
+
+fn is_held(constraints: &Constraints<'_>, vertex: usize) -> bool {
+    constraints.handles.iter().chain(constraints.anchors).any(|&held| held as usize == vertex)
+}
+
+#[test]
+fn exact_handles_land_on_their_targets_and_anchors_stay() {
+    let random = &mut Seeded::new(21);
+    let mesh = canonical_face();
+    for operator in Operator::ALL {
+        let system = system(&mesh, operator);
+        for _ in 0..10 {
+            let held = random.vertices(9, 468);
+            let (handles, anchors) = held.split_at(4);
+            let constraints = Constraints { handles, anchors, hold: Hold::Exact, region: None };
+            let offsets: Vec<DVec3> = handles.iter().map(|_| 3.0 * random.vector()).collect();
+            let after = moved(&system.respond(&constraints).unwrap(), &mesh, &offsets);
+            for (&handle, &offset) in handles.iter().zip(&offsets) {
+                assert!(after[handle as usize].distance(mesh.positions[handle as usize] + offset) < 1e-12);
+            }
+            assert!(anchors.iter().all(|&anchor| after[anchor as usize] == mesh.positions[anchor as usize]));
+        }
+    }
+}
+
+#[test]
+fn a_firmer_hold_comes_nearer_to_an_exact_one() {
+    let mesh = canonical_face();
+    let system = system(&mesh, Operator::UniformSymmetric);
+    let field = |hold| {
+        let constraints = Constraints { handles: &[4], anchors: &[10, 152], hold, region: None };
+        DVector::from_column_slice(system.respond(&constraints).unwrap().field(0))
+    };
+    let exact = field(Hold::Exact);
+    let distances = [1.0, 1e2, 1e4, 1e6].map(|weight| (field(Hold::Soft { weight }) - &exact).amax());
+    assert!(distances.windows(2).all(|pair| pair[1] < 0.1 * pair[0]), "{distances:?}");
+}
+
+#[test]
+fn handles_add_up() {
+    let mesh = canonical_face();
+    let random = &mut Seeded::new(2);
+    for operator in Operator::ALL {
+        let system = system(&mesh, operator);
+        for hold in HOLDS {
+            let constraints = Constraints { handles: &[4, 61, 291], anchors: &[10, 152], hold, region: None };
+            let response = system.respond(&constraints).unwrap();
+            let offsets = [random.vector(), random.vector(), random.vector()];
+            let together = moved(&response, &mesh, &offsets);
+            let alone = [0, 1, 2].map(|k| {
+                let mut only = [DVec3::ZERO; 3];
+                only[k] = offsets[k];
+                moved(&response, &mesh, &only)
+            });
+            for (vertex, &rest) in mesh.positions.iter().enumerate() {
+                let sum = rest + alone.iter().map(|after| after[vertex] - rest).sum::<DVec3>();
+                assert!(together[vertex].distance(sum) < 1e-12);
+            }
+        }
+    }
+}
+
+#[test]
+fn edits_ride_along_when_a_mesh_is_moved_turned_or_scaled() {
+    let (turn, shift, scale) = (Seeded::new(8).rotation(), DVec3::new(3.0, -7.0, 2.0), 2.5);
+    let map = |p: DVec3| turn * p * scale + shift;
+    let offset = DVec3::new(0.3, -0.2, 0.9);
+    each(|case, mesh, system, constraints| {
+        let there = mesh.positions.iter().copied().map(map).collect();
+        let there = Mesh { name: mesh.name, topology: mesh.topology.clone(), positions: there };
+        let response = system.respond(constraints).unwrap();
+        let here = moved(&response, mesh, &[offset]);
+        for (before, after) in here.into_iter().zip(moved(&response, &there, &[turn * offset * scale])) {
+            assert!(map(before).distance(after) < 1e-11, "{case}");
+        }
+    });
+}
+
+#[test]
+fn every_piece_of_the_mesh_without_a_handle_stays() {
+    let mesh = crate::meshes::apart(&mut Seeded::new(1));
+    let component = mesh.topology.components();
+    for hold in HOLDS {
+        let constraints = Constraints { handles: &[0], anchors: &[3, 17], hold, region: None };
+        let response = system(&mesh, Operator::Cotangent).respond(&constraints).unwrap();
+        for (vertex, &share) in response.field(0).iter().enumerate().filter(|(v, _)| component[*v] != 0) {
+            assert!(share == 0.0, "vertex {vertex} takes {share:e}");
+        }
+    }
+}
+
+/// The normal equations as the paper's successors write them, solved densely.
+fn by_dense_solve(mesh: &Mesh, operator: Operator, constraints: &Constraints<'_>) -> Vec<DVector<f64>> {
+    let k = DMatrix::from(&operator.matrix(&mesh.topology, &mesh.positions).unwrap());
+    let n = mesh.vertex_count();
+    let held: Vec<usize> = constraints.handles.iter().chain(constraints.anchors).map(|&v| v as usize).collect();
+    let mut normal = k.transpose() * &k;
+    let weight = match constraints.hold {
+        Hold::Soft { weight } => weight,
+        Hold::Exact => 0.0,
+    };
+    held.iter().for_each(|&vertex| normal[(vertex, vertex)] += weight);
+    let solve = |&handle: &u32| {
+        let mut rhs = DVector::zeros(n);
+        if constraints.hold != Hold::Exact {
+            rhs[handle as usize] = weight;
+            return normal.clone().cholesky().unwrap().solve(&rhs);
+        }
+        let mut system = normal.clone();
+        rhs -= normal.column(handle as usize);
+        for &vertex in &held {
+            system.row_mut(vertex).fill(0.0);
+            system.column_mut(vertex).fill(0.0);
+            system[(vertex, vertex)] = 1.0;
+            rhs[vertex] = f64::from(u8::from(vertex == handle as usize));
+        }
+        system.cholesky().unwrap().solve(&rhs)
+    };
+    constraints.handles.iter().map(solve).collect()
+}
+
+fn assert_equals_dense_solve(mesh: &Mesh, operator: Operator, constraints: &Constraints<'_>) {
+    let response = system(mesh, operator).respond(constraints).unwrap();
+    for (index, expected) in by_dense_solve(mesh, operator, constraints).iter().enumerate() {
+        let worst = (DVector::from_column_slice(response.field(index)) - expected).amax();
+        assert!(worst < 1e-10, "{operator:?}, {:?} on {}: {worst:e}", constraints.hold, mesh.name);
+    }
+}
+
+#[test]
+fn one_factor_for_all_constraints_equals_a_factor_for_each() {
+    let random = &mut Seeded::new(77);
+    for mesh in [canonical_face(), torus(12, 9)] {
+        for operator in Operator::ALL {
+            for hold in HOLDS {
+                let held = random.vertices(6, mesh.vertex_count());
+                let (handles, anchors) = held.split_at(2);
+                assert_equals_dense_solve(&mesh, operator, &Constraints { handles, anchors, hold, region: None });
+            }
+        }
+    }
+}
+
+#[test]
+fn the_ground_vertex_may_be_handle_or_anchor() {
+    let mesh = canonical_face();
+    for hold in HOLDS {
+        for (handles, anchors) in [([0], [7, 300]), ([7], [0, 300])] {
+            let constraints = Constraints { handles: &handles, anchors: &anchors, hold, region: None };
+            assert_equals_dense_solve(&mesh, Operator::UniformSymmetric, &constraints);
+        }
+    }
+}
+
+#[test]
+fn larger_meshes_are_solved_to_the_same_digits() {
+    let mesh = plane(33, 31, &mut Seeded::new(4));
+    for (operator, hold) in [(Operator::UniformSymmetric, HOLDS[0]), (Operator::Cotangent, Hold::Exact)] {
+        let constraints = Constraints { handles: &[500, 30], anchors: &[0, 1087, 700], hold, region: None };
+        assert_equals_dense_solve(&mesh, operator, &constraints);
+    }
+}
+
+#[test]
+fn hundreds_of_anchors_are_solved_to_the_same_digits() {
+    let held = Seeded::new(6).vertices(310, 468);
+    let (handles, anchors) = held.split_at(3);
+    for hold in HOLDS {
+        let constraints = Constraints { handles, anchors, hold, region: None };
+        assert_equals_dense_solve(&canonical_face(), Operator::UniformSymmetric, &constraints);
+    }
+}
+
+#[test]
+fn mirrored_handles_on_a_symmetric_mesh_give_a_mirrored_displacement() {
+    let mesh = canonical_face();
+    let tables = golden(include_str!("../../../../tests/golden/topology.json"));
+    let mirror = |vertex: u32| tables["mirror"][vertex as usize].as_u64().unwrap() as u32;
+    let flip = |p: DVec3| DVec3::new(-p.x, p.y, p.z);
+    let symmetric = mesh.positions.iter().enumerate();
+    let symmetric = symmetric.map(|(v, &p)| 0.5 * (p + flip(mesh.positions[mirror(v as u32) as usize]))).collect();
+    let mesh = Mesh { name: "symmetric face", topology: mesh.topology, positions: symmetric };
+    let offset = DVec3::new(0.4, 0.7, -0.3);
+    for operator in Operator::ALL {
+        let system = system(&mesh, operator);
+        for hold in HOLDS {
+            let handles = [61, mirror(61)];
+            let anchors = [234, mirror(234), 10, 152];
+            let response = system.respond(&Constraints { handles: &handles, anchors: &anchors, hold, region: None });
+            let after = moved(&response.unwrap(), &mesh, &[offset, flip(offset)]);
+            for vertex in 0..468 {
+                let other = mirror(vertex) as usize;
+                let (own, across) =
+                    (after[vertex as usize] - mesh.positions[vertex as usize], after[other] - mesh.positions[other]);
+                assert!(own.distance(flip(across)) < 1e-12, "{operator:?}, {hold:?}, vertex {vertex}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_papers_random_edits_never_leave_a_lone_peak() {
+    let topology = face("tessellation");
+    let mesh = Mesh { name: "face", topology, positions: canonical_face().positions };
+    let system = system(&mesh, Operator::UniformSymmetric);
+    for seed in 0..1000 {
+        let handle = (seed % 468) as u32;
+        let anchors = random_anchors(468, &[handle], seed);
+        let constraints = Constraints { handles: &[handle], anchors: &anchors, ..Default::default() };
+        let after = moved(&system.respond(&constraints).unwrap(), &mesh, &[DVec3::new(0.1, 0.1, -0.1)]);
+        let displacement: Vec<DVec3> = after.iter().zip(&mesh.positions).map(|(a, b)| a - b).collect();
+        let peaks = rosto_laplacian::peaks(&mesh.topology, &displacement);
+        assert!(peaks.is_empty(), "handle {handle}, anchors {anchors:?}: {peaks:?}");
+    }
+}

@@ -1,0 +1,128 @@
+use nalgebra::DMatrix;
+use rosto_laplacian::Operator;
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use crate::meshes::{Mesh, canonical_face, plane, small};
+use crate::seeded::Seeded;
+
+fn dense(mesh: &Mesh, operator: Operator) -> DMatrix<f64> {
+    DMatrix::from(&operator.matrix(&mesh.topology, &mesh.positions).unwrap())
+}
+
+fn symmetric() -> impl Iterator<Item = Operator> {
+    Operator::ALL.into_iter().filter(|&operator| operator != Operator::Uniform)
+}
+
+fn each(check: impl Fn(&Mesh, Operator)) {
+    for mesh in small() {
+        Operator::ALL.into_iter().for_each(|operator| check(&mesh, operator));
+    }
+}
+
+#[test]
+fn rows_sum_to_zero() {
+    each(|mesh, operator| {
+        let worst = dense(mesh, operator).column_sum().amax();
+        assert!(worst < 1e-12, "{operator:?} on {}: {worst:e}", mesh.name);
+    });
+}
+
+#[test]
+fn all_but_the_row_normalised_operator_are_symmetric() {
+    for mesh in small() {
+        for operator in symmetric() {
+            let matrix = dense(&mesh, operator);
+            assert_eq!(matrix, matrix.transpose(), "{operator:?} on {}", mesh.name);
+        }
+    }
+}
+
+#[test]
+fn symmetric_operators_are_semi_definite_with_one_zero_for_each_component() {
+    for mesh in small() {
+        let mut components = mesh.topology.components();
+        components.sort_unstable();
+        components.dedup();
+        for operator in symmetric() {
+            let mut eigenvalues = dense(&mesh, operator).symmetric_eigenvalues().as_slice().to_vec();
+            eigenvalues.sort_by(f64::total_cmp);
+            let (zeros, rest) = eigenvalues.split_at(components.len());
+            assert!(zeros.iter().all(|value| value.abs() < 1e-12), "{operator:?} on {}: {zeros:?}", mesh.name);
+            assert!(rest[0] > 1e-3, "{operator:?} on {}: {}", mesh.name, rest[0]);
+        }
+    }
+}
+
+#[test]
+fn the_row_normalised_operator_has_the_spectrum_of_a_symmetric_one() {
+    for mesh in small() {
+        let degrees: Vec<f64> =
+            (0..mesh.vertex_count() as u32).map(|v| mesh.topology.degree(v).max(1) as f64).collect();
+        let mut similar = dense(&mesh, Operator::Uniform);
+        for ((i, j), value) in
+            (0..similar.len()).map(|k| (k % degrees.len(), k / degrees.len())).zip(similar.iter_mut())
+        {
+            *value *= (degrees[i] / degrees[j]).sqrt();
+        }
+        assert!((&similar - similar.transpose()).amax() < 1e-15);
+        let eigenvalues = similar.symmetric_eigenvalues();
+        assert!(eigenvalues.min() > -1e-14 && eigenvalues.max() < 2.0 + 1e-14);
+    }
+}
+
+#[test]
+fn the_papers_operators_are_its_equations() {
+    let mesh = canonical_face();
+    let (symmetric, normalised) = (dense(&mesh, Operator::UniformSymmetric), dense(&mesh, Operator::Uniform));
+    for i in 0..468 {
+        let degree = mesh.topology.degree(i as u32) as f64;
+        for j in 0..468 {
+            let joined = mesh.topology.neighbours(i as u32).contains(&(j as u32));
+            assert_eq!(symmetric[(i, j)], if i == j { degree } else { -f64::from(u8::from(joined)) });
+            assert_eq!(normalised[(i, j)], symmetric[(i, j)] / degree);
+        }
+    }
+}
+
+#[test]
+fn the_cotangent_operator_sees_no_bend_in_a_plane_however_it_is_cut() {
+    for seed in 0..20 {
+        let mesh = plane(6, 5, &mut Seeded::new(seed));
+        let matrix = dense(&mesh, Operator::Cotangent);
+        let rim = mesh.topology.boundary_loops().concat();
+        for axis in 0..2 {
+            let linear = DMatrix::from_iterator(mesh.vertex_count(), 1, mesh.positions.iter().map(|p| p[axis]));
+            let delta = &matrix * linear;
+            for vertex in (0..mesh.vertex_count()).filter(|&vertex| !rim.contains(&(vertex as u32))) {
+                assert!(delta[vertex].abs() < 1e-12, "seed {seed}, vertex {vertex}: {:e}", delta[vertex]);
+            }
+        }
+    }
+}
+
+#[test]
+fn no_operator_notices_where_a_mesh_stands_how_it_is_turned_or_how_large_it_is() {
+    each(|mesh, operator| {
+        let random = &mut Seeded::new(mesh.vertex_count() as u64);
+        let (turn, shift, scale) = (random.rotation(), 5.0 * random.vector(), 3.7);
+        let moved = mesh.positions.iter().map(|&position| turn * position * scale + shift).collect();
+        let moved = Mesh { name: mesh.name, topology: mesh.topology.clone(), positions: moved };
+        let difference = (dense(mesh, operator) - dense(&moved, operator)).amax();
+        assert!(difference < 1e-11, "{operator:?} on {}: {difference:e}", mesh.name);
+    });
+}
+
+#[test]
+fn near_neighbours_and_busy_ones_weigh_more() {
+    let mesh = plane(5, 4, &mut Seeded::new(3));
+    let (lengths, degrees) = (dense(&mesh, Operator::InverseLength), dense(&mesh, Operator::Degree));
+    let edges = mesh.topology.edges();
+    let length = |&[a, b]: &[u32; 2]| mesh.positions[a as usize].distance(mesh.positions[b as usize]);
+    let busy = |&[a, b]: &[u32; 2]| mesh.topology.degree(a) + mesh.topology.degree(b);
+    for (one, other) in edges.iter().zip(&edges[1..]) {
+        let weigh = |matrix: &DMatrix<f64>, edge: &[u32; 2]| -matrix[(edge[0] as usize, edge[1] as usize)];
+        assert_eq!(length(one) < length(other), weigh(&lengths, one) > weigh(&lengths, other));
+        assert_eq!(busy(one) > busy(other), weigh(&degrees, one) > weigh(&degrees, other));
+    }
+}

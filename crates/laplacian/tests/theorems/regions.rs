@@ -1,0 +1,143 @@
+use glam::DVec3;
+use rosto_laplacian::{Constraints, Geodesics, Hold, LaplacianSystem, Operator, Region};
+use rosto_mesh::{LoopSubdivision, Topology};
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use crate::meshes::{Mesh, apart, canonical_face, plane};
+use crate::seeded::Seeded;
+
+fn distances(mesh: &Mesh, sources: &[u32]) -> Vec<f64> {
+    Geodesics::new(&mesh.topology, &mesh.positions).unwrap().distances(sources).unwrap()
+}
+
+#[test]
+fn on_a_plane_the_way_is_straight() {
+    let mesh = plane(40, 40, &mut Seeded::new(12));
+    let centre = 20 * 41 + 20;
+    for (vertex, &found) in distances(&mesh, &[centre]).iter().enumerate() {
+        let straight = mesh.positions[vertex].distance(mesh.positions[centre as usize]);
+        assert!((found - straight).abs() < 0.05 * straight + 0.25, "vertex {vertex}: {found} for {straight}");
+    }
+}
+
+#[test]
+fn around_a_bend_the_way_follows_the_surface() {
+    // A sheet rolled to a half cylinder is as long as it was flat.
+    let mut mesh = plane(40, 12, &mut Seeded::new(9));
+    let flat = mesh.positions.clone();
+    let radius = 40.0 / std::f64::consts::PI;
+    for position in &mut mesh.positions {
+        let (sin, cos) = (position.x / radius).sin_cos();
+        *position = DVec3::new(radius * cos, position.y, radius * sin);
+    }
+    let (start, end) = (6 * 41, 6 * 41 + 40);
+    let found = distances(&mesh, &[start])[end as usize];
+    let rolled_out = flat[start as usize].distance(flat[end as usize]);
+    assert!((found / rolled_out - 1.0).abs() < 0.03, "{found} for {rolled_out}");
+    assert!(found > 1.4 * mesh.positions[start as usize].distance(mesh.positions[end as usize]));
+}
+
+#[test]
+fn on_a_dense_face_ways_are_longer_than_straight_lines_and_shorter_than_ways_along_edges() {
+    let cage = canonical_face();
+    let dense = LoopSubdivision::new(&cage.topology, 2);
+    let mesh = Mesh { name: "dense face", topology: dense.topology().clone(), positions: dense.apply(&cage.positions) };
+    let along_edges = shortest_along_edges(&mesh, 4);
+    for (vertex, &found) in distances(&mesh, &[4]).iter().enumerate() {
+        let straight = mesh.positions[vertex].distance(mesh.positions[4]);
+        assert!(found > 0.93 * straight - 0.1, "vertex {vertex}: {found} under {straight}");
+        assert!(found < 1.05 * along_edges[vertex] + 0.1, "vertex {vertex}: {found} over {}", along_edges[vertex]);
+    }
+}
+
+/// Bellman and Ford's relaxation, which needs no queue.
+fn shortest_along_edges(mesh: &Mesh, source: usize) -> Vec<f64> {
+    let mut distance = vec![f64::INFINITY; mesh.vertex_count()];
+    distance[source] = 0.0;
+    let mut changed = true;
+    while std::mem::take(&mut changed) {
+        for &[a, b] in mesh.topology.edges() {
+            let [a, b] = [a as usize, b as usize];
+            let length = mesh.positions[a].distance(mesh.positions[b]);
+            for (from, to) in [(a, b), (b, a)] {
+                if distance[from] + length < distance[to] {
+                    distance[to] = distance[from] + length;
+                    changed = true;
+                }
+            }
+        }
+    }
+    distance
+}
+
+#[test]
+fn distances_scale_with_the_mesh() {
+    let mesh = canonical_face();
+    let near = distances(&mesh, &[4]);
+    for scale in [1e-150, 1e-3, 1e3, 1e150] {
+        let positions = mesh.positions.iter().map(|&p| p * scale).collect();
+        let scaled = Mesh { name: "scaled", topology: mesh.topology.clone(), positions };
+        for (one, other) in near.iter().zip(distances(&scaled, &[4])) {
+            assert!((one - other / scale).abs() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn the_nearest_source_counts_and_other_pieces_are_out_of_reach() {
+    let mesh = apart(&mut Seeded::new(1));
+    let found = distances(&mesh, &[0, 15]);
+    let component = mesh.topology.components();
+    assert_eq!((found[0], found[15]), (0.0, 0.0));
+    for vertex in 0..mesh.vertex_count() {
+        assert_eq!(found[vertex].is_finite(), component[vertex] == 0);
+    }
+}
+
+#[test]
+fn without_sources_everything_is_out_of_reach() {
+    assert!(distances(&canonical_face(), &[]).iter().all(|distance| distance.is_infinite()));
+}
+
+#[test]
+fn a_region_fades_from_one_to_zero_without_a_step() {
+    let along: Vec<f64> = (0..=1000).map(|k| f64::from(k) / 500.0).collect();
+    let region = Region::within(1.5, &along).unwrap();
+    let falloff = region.falloff();
+    assert_eq!(falloff[0], 1.0);
+    assert!(falloff[750..].iter().all(|&share| share == 0.0));
+    assert!(falloff.windows(2).all(|pair| pair[0] >= pair[1] && pair[0] - pair[1] < 0.0026));
+    assert!(falloff[749] < 1e-6 && falloff[1] > 1.0 - 1e-6);
+}
+
+#[test]
+fn nothing_moves_outside_the_region_and_exact_handles_still_arrive() {
+    let mesh = canonical_face();
+    let along = distances(&mesh, &[4]);
+    let region = Region::within(4.0, &along).unwrap();
+    let other = (0..468).find(|&v| (1.0..2.0).contains(&along[v as usize])).unwrap();
+    for operator in Operator::ALL {
+        let system = LaplacianSystem::new(&mesh.topology, &mesh.positions, operator).unwrap();
+        let handles = [4, other];
+        let constraints = Constraints { handles: &handles, anchors: &[10], hold: Hold::Exact, region: Some(&region) };
+        let response = system.respond(&constraints).unwrap();
+        let mut after = mesh.positions.clone();
+        let offsets = [DVec3::new(0.0, 0.5, 1.0), DVec3::new(0.2, 0.0, 0.4)];
+        response.displace(&mesh.positions, &offsets, &mut after);
+        for vertex in (0..468).filter(|&vertex| along[vertex] >= 4.0) {
+            assert_eq!(after[vertex], mesh.positions[vertex]);
+        }
+        for (&handle, &offset) in handles.iter().zip(&offsets) {
+            assert!(after[handle as usize].distance(mesh.positions[handle as usize] + offset) < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn a_line_of_triangles_without_area_still_has_distances() {
+    let topology = Topology::new(4, vec![[0, 1, 2], [1, 3, 2]]).unwrap();
+    let positions = [0.0, 1.0, 2.0, 3.0].map(|x| DVec3::new(x, 0.0, 0.0));
+    let found = Geodesics::new(&topology, &positions).unwrap().distances(&[0]).unwrap();
+    assert!(found.iter().all(|distance| distance.is_finite()));
+}
