@@ -205,3 +205,60 @@ fn transposed_halves(data: &[u8], shape: &[usize], axes: &[usize]) -> Vec<u8> {
     }
     offsets.iter().flat_map(|at| [data[2 * at], data[2 * at + 1]]).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashSet;
+
+    use super::*;
+    use crate::support;
+
+    fn models() -> [Model; 2] {
+        let (loader_js, packed) = support::package();
+        let networks = crate::import(&loader_js, &packed).unwrap();
+        [networks.detector_onnx, networks.landmarks_onnx].map(|onnx| Model::decode(onnx.as_slice()).unwrap())
+    }
+
+    fn parameters(graph: &Graph) -> i64 {
+        let halves = graph.initialisers.iter().filter(|tensor| tensor.element_type == ElementType::F16 as i32);
+        halves.map(|tensor| tensor.shape.iter().product::<i64>()).sum()
+    }
+
+    #[test]
+    fn every_weight_arrives_in_half_precision() {
+        let counts = models().map(|model| parameters(&model.graph.unwrap()));
+        assert_eq!(counts, [101_390, 604_685]);
+    }
+
+    #[test]
+    fn nodes_come_in_an_order_in_which_they_can_run_and_no_value_is_made_twice() {
+        for model in models() {
+            let graph = model.graph.unwrap();
+            let given = graph.inputs.iter().map(|input| input.name.clone());
+            let mut known: HashSet<String> = given.chain(graph.initialisers.iter().map(|t| t.name.clone())).collect();
+            for node in &graph.nodes {
+                assert!(node.inputs.iter().all(|input| known.contains(input)), "{}", node.name);
+                assert!(node.outputs.iter().all(|output| known.insert(output.clone())), "{}", node.name);
+            }
+            assert!(graph.outputs.iter().all(|output| known.contains(&output.name)));
+        }
+    }
+
+    #[test]
+    fn reordering_axes_and_back_changes_nothing() {
+        let shape = [2, 3, 4, 5];
+        let data: Vec<u8> = (0..2 * 120).map(|i| i as u8).collect();
+        let there = transposed_halves(&data, &shape, &NCHW_FROM_NHWC);
+        let back = transposed_halves(&there, &[2, 5, 3, 4], &[0, 2, 3, 1]);
+        assert_ne!(there, data);
+        assert_eq!(back, data);
+    }
+
+    #[test]
+    fn reordering_axes_moves_each_number_to_its_place() {
+        let data: Vec<u8> = (0..6_u16).flat_map(u16::to_le_bytes).collect();
+        let moved = transposed_halves(&data, &[2, 3], &[1, 0]);
+        let numbers: Vec<u16> = moved.chunks(2).map(|bytes| u16::from_le_bytes([bytes[0], bytes[1]])).collect();
+        assert_eq!(numbers, [0, 3, 1, 4, 2, 5]);
+    }
+}

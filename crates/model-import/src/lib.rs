@@ -17,6 +17,9 @@ mod error;
 mod flatbuffer;
 mod onnx;
 mod package;
+#[cfg(test)]
+#[path = "../tests/support/mod.rs"]
+mod support;
 mod tflite;
 
 pub use convert::onnx_from_tflite;

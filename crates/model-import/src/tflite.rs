@@ -192,3 +192,35 @@ fn tensor_indices(table: &Table<'_>, field: usize, count: usize) -> Result<Vec<u
     let checked = indices.map(|index| usize::try_from(index).ok().filter(|&index| index < count));
     checked.collect::<Option<_>>().ok_or(damaged("tensor index"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn window(padding: Padding, stride: usize, dilation: usize) -> Window {
+        Window { padding, strides: [stride; 2], dilations: [dilation; 2] }
+    }
+
+    #[test]
+    fn same_padding_makes_the_output_the_input_over_the_stride_rounded_up() {
+        for (n, stride, kernel, dilation) in cases() {
+            let [before, after] = window(Padding::Same, stride, dilation).pads(0, n, kernel);
+            let reach = (kernel - 1) * dilation + 1;
+            let padded = n + before + after;
+            assert!(padded >= reach, "{n} {stride} {kernel} {dilation}");
+            assert_eq!((padded - reach) / stride + 1, n.div_ceil(stride), "{n} {stride} {kernel} {dilation}");
+            assert!(after == before || after == before + 1);
+        }
+    }
+
+    #[test]
+    fn valid_padding_is_none() {
+        assert!(cases().all(|(n, stride, kernel, d)| window(Padding::Valid, stride, d).pads(1, n, kernel) == [0, 0]));
+    }
+
+    fn cases() -> impl Iterator<Item = (usize, usize, usize, usize)> {
+        let strides = |n| (1..4).map(move |stride| (n, stride));
+        let kernels = |(n, stride)| (1..6).map(move |kernel| (n, stride, kernel));
+        (1..40).flat_map(strides).flat_map(kernels).flat_map(|(n, s, k)| (1..3).map(move |d| (n, s, k, d)))
+    }
+}
