@@ -21,6 +21,9 @@ pub enum Command {
 /// Vertices taken hold of together, and how the rest of the mesh is to follow them.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Grip {
+    /// How often the mesh that the handles belong to was subdivided: 0 is the cage itself. What is moved there is carried
+    /// over to the denser meshes.
+    pub level: u32,
     /// The vertices that are moved, each once.
     pub handles: Vec<u32>,
     /// How the rest follows.
@@ -36,8 +39,12 @@ pub struct Settings {
     pub hold: Hold,
     /// What stays in place.
     pub anchors: Anchors,
+    /// How far the edit reaches.
+    pub reach: Reach,
     /// Whether the other side of the face takes part.
     pub mirror: Mirror,
+    /// Whether details turn with the surface.
+    pub details: Details,
 }
 
 /// What stays in place while handles move.
@@ -74,6 +81,34 @@ pub enum AnchorKind {
     /// The face's oval, or the mesh's longest boundary if it is no face.
     #[default]
     Oval,
+    /// Everything further from the handles than this.
+    Outside {
+        /// Along the surface at rest, in the document's unit.
+        radius: f64,
+    },
+}
+
+/// How far an edit reaches.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Reach {
+    /// Over the whole mesh.
+    #[default]
+    Whole,
+    /// Fading out smoothly; nothing further from the handles than this moves.
+    Within {
+        /// Along the surface at rest, in the document's unit.
+        radius: f64,
+    },
+}
+
+/// Whether details turn with the surface around them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Details {
+    /// They keep their direction: δ-coordinates as in the paper.
+    #[default]
+    Kept,
+    /// They turn: as rigid as possible. Solved anew for every offset, so that a tick costs several solves.
+    Turned,
 }
 
 /// Whether the other side of the face takes part in an edit.

@@ -1,68 +1,38 @@
+use std::iter::Sum;
+use std::ops::Mul;
+
 use glam::DVec3;
-use rosto_face::{FaceModel, LANDMARK_COUNT, oval};
 use rosto_laplacian::Response;
 use rosto_mesh::Topology;
 
 use crate::grip::Held;
-use crate::mirror::MirrorTable;
-use crate::systems::Systems;
+use crate::level::{Level, Rest};
+use crate::shape::Shape;
 use crate::{Command, Entry, Grip, History, StudioError, Switch};
-
-/// Which coordinates a document's positions are in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Frame {
-    /// The face model's: its mirror plane is x = 0.
-    Model,
-    /// Any other, such as a picture's: there is no mirror plane.
-    Other,
-}
-
-/// The mesh that a document starts from.
-#[derive(Debug, Clone)]
-pub struct Rest {
-    pub(crate) topology: Topology,
-    pub(crate) positions: Vec<DVec3>,
-    pub(crate) oval: Vec<u32>,
-    pub(crate) mirror: Option<MirrorTable>,
-}
-
-impl Rest {
-    /// A mesh at rest, in any unit. In the model's frame, a mesh of landmarks has their mirror pairs.
-    pub fn new(topology: Topology, positions: Vec<DVec3>, frame: Frame) -> Self {
-        let is_face = topology.vertex_count() == LANDMARK_COUNT;
-        let oval = match is_face {
-            true => oval().to_vec(),
-            false => topology.boundary_loops().into_iter().next().unwrap_or_default(),
-        };
-        let mirror = (is_face && frame == Frame::Model).then(MirrorTable::of_landmarks);
-        Self { topology, positions, oval, mirror }
-    }
-
-    /// A face in its own frame, in metres.
-    pub fn of_face(face: &FaceModel) -> Self {
-        Self::new(face.topology().clone(), face.positions_m().to_vec(), Frame::Model)
-    }
-}
 
 /// A mesh at rest, the history of commands over it, and the edit in progress.
 ///
-/// Every command starts from the mesh that the last one left, as in the paper. Operators are taken over the mesh at
-/// rest. The same rest and the same commands give the same positions, to the last bit.
+/// Every command starts from the mesh that the last one left, as in the paper. Operators and distances are taken over the
+/// mesh at rest. The same rest and the same commands give the same positions, to the last bit.
+///
+/// The mesh can be shown more densely than the cage it starts from ([`Document::set_density`]); each command works on one
+/// density and is carried over to the denser ones.
 pub struct Document {
-    rest: Rest,
-    systems: Systems,
+    /// The cage and its subdivisions as far as they were ever shown.
+    levels: Vec<Level>,
+    density: u32,
     history: History,
-    /// The positions after each applied entry; what history alone would give, kept so that undo need not solve.
-    after: Vec<Vec<DVec3>>,
+    /// The shape after each applied entry; what history alone would give, kept so that undo need not solve.
+    after: Vec<Shape>,
+    unedited: Shape,
     held: Option<Held>,
-    /// The grip's offsets and the positions they lead to, while vertices are being moved.
     preview: Preview,
 }
 
-#[derive(Default)]
+/// The grip's offsets and the shape they lead to, while vertices are being moved.
 struct Preview {
     offsets: Vec<DVec3>,
-    positions: Vec<DVec3>,
+    shape: Shape,
     under_way: bool,
 }
 
@@ -72,10 +42,11 @@ impl Document {
     /// # Errors
     /// [`StudioError::Laplacian`] for positions that do not fit the mesh or are not finite.
     pub fn new(rest: Rest) -> Result<Self, StudioError> {
-        let mut systems = Systems::default();
-        systems.get(rosto_laplacian::Operator::default(), &rest.topology, &rest.positions)?;
-        let preview = Preview { positions: rest.positions.clone(), ..Preview::default() };
-        Ok(Self { rest, systems, history: History::default(), after: Vec::new(), held: None, preview })
+        let mut levels = vec![Level::new(rest)];
+        levels[0].system(rosto_laplacian::Operator::default())?;
+        let unedited = Shape::at_rest(&levels);
+        let preview = Preview { offsets: Vec::new(), shape: unedited.clone(), under_way: false };
+        Ok(Self { levels, density: 0, history: History::default(), after: Vec::new(), unedited, held: None, preview })
     }
 
     /// A document with a history, as a project file holds it; see [`crate::project`].
@@ -90,24 +61,59 @@ impl Document {
         Ok(document)
     }
 
-    /// The mesh.
+    /// The mesh that is shown.
     pub fn topology(&self) -> &Topology {
-        &self.rest.topology
+        self.level().topology()
     }
 
-    /// The positions before any edit.
+    /// Its positions before any edit.
     pub fn rest(&self) -> &[DVec3] {
-        &self.rest.positions
+        self.level().rest()
     }
 
-    /// The positions now, with the edit in progress.
+    /// Its positions now, with the edit in progress.
     pub fn positions(&self) -> &[DVec3] {
-        if self.preview.under_way { &self.preview.positions } else { self.committed() }
+        if self.preview.under_way { self.preview.shape.densest() } else { self.committed() }
     }
 
-    /// The positions after the last entry, without the edit in progress.
+    /// Its positions after the last entry, without the edit in progress.
     pub fn committed(&self) -> &[DVec3] {
-        self.after.last().unwrap_or(&self.rest.positions)
+        self.start().densest()
+    }
+
+    /// How often the mesh that is shown was subdivided.
+    pub fn density(&self) -> u32 {
+        self.density
+    }
+
+    /// Shows the cage subdivided so many times (Loop), each time with four times as many triangles. Edits made on a denser
+    /// mesh than this one wait until it is shown again. An edit in progress is cancelled, and the grip let go.
+    ///
+    /// # Errors
+    /// [`StudioError`] if an entry cannot be carried out at this density; the document is as before.
+    pub fn set_density(&mut self, density: u32) -> Result<(), StudioError> {
+        self.release();
+        while self.levels.len() <= density as usize {
+            let next = self.levels.last_mut().expect("invariant: there is a cage").subdivided();
+            self.levels.push(next);
+        }
+        let before = (self.density, std::mem::take(&mut self.after));
+        self.show(density);
+        let outcome = self.carry_out_from(0, before.1.len());
+        if outcome.is_err() {
+            self.show(before.0);
+            self.after = before.1;
+        }
+        outcome
+    }
+
+    /// Values of the cage's vertices (texture coordinates, weights …) carried over to the mesh that is shown.
+    ///
+    /// # Panics
+    /// If there is not one value for each vertex of the cage.
+    pub fn from_cage<T: Copy + Mul<f64, Output = T> + Sum>(&self, values: &[T]) -> Vec<T> {
+        let steps = &self.levels[..self.density as usize];
+        steps.iter().fold(values.to_vec(), |values, level| level.finer().apply(&values))
     }
 
     /// The history.
@@ -122,7 +128,7 @@ impl Document {
     /// [`StudioError`] if the grip has no answer; what was held stays held.
     pub fn hold(&mut self, grip: Grip) -> Result<(), StudioError> {
         if self.held.as_ref().is_none_or(|held| *held.grip() != grip) {
-            self.held = Some(Held::new(grip, &self.rest, &mut self.systems)?);
+            self.held = Some(self.made_ready(grip)?);
         }
         self.cancel();
         Ok(())
@@ -149,20 +155,24 @@ impl Document {
         self.held.as_ref().map_or(&[], Held::anchors)
     }
 
-    /// How every vertex follows each of [`Self::handles`].
+    /// How every vertex of the grip's level follows each of [`Self::handles`], if details keep their direction.
     pub fn response(&self) -> Option<&Response> {
         self.held.as_ref().map(Held::response)
     }
 
     /// Moves what is held by one offset for each of the grip's handles, counted from the last commit, in the document's
-    /// unit. No solve and, after the first call, no allocation.
+    /// unit. Unless details turn: no solve and, after the first call, no allocation.
     ///
     /// # Errors
     /// [`StudioError::NothingHeld`], [`StudioError::WrongOffsetCount`] or [`StudioError::OffsetNotFinite`].
     pub fn preview(&mut self, offsets: &[DVec3]) -> Result<(), StudioError> {
+        let held = self.held.as_ref().ok_or(StudioError::NothingHeld)?;
+        if held.is_stale() {
+            self.held = Some(self.made_ready(held.grip().clone())?);
+        }
         let held = self.held.as_mut().ok_or(StudioError::NothingHeld)?;
-        let from = self.after.last().unwrap_or(&self.rest.positions);
-        held.displace(&self.rest, from, offsets, &mut self.preview.positions)?;
+        let from = self.after.last().unwrap_or(&self.unedited);
+        self.preview.shape.displace(&self.levels, from, held, offsets)?;
         self.preview.offsets.clear();
         self.preview.offsets.extend_from_slice(offsets);
         self.preview.under_way = true;
@@ -174,9 +184,10 @@ impl Document {
     pub fn commit(&mut self, label: &str) {
         if let (true, Some(held)) = (self.preview.under_way, &self.held) {
             let command = held.command(self.preview.offsets.clone());
-            self.record(Entry { label: label.to_owned(), command, switch: Switch::On }, self.preview.positions.clone());
+            self.history.push(Entry { label: label.to_owned(), command, switch: Switch::On });
+            self.after.push(self.preview.shape.clone());
         }
-        self.cancel();
+        self.settle_down();
     }
 
     /// Drops the edit in progress; the grip stays.
@@ -194,32 +205,31 @@ impl Document {
 
     /// Takes the last entry back. Without one, nothing happens.
     pub fn undo(&mut self) {
-        self.cancel();
         if self.history.can_undo() {
             self.history.undo();
             self.after.pop();
         }
+        self.settle_down();
     }
 
     /// Brings the last undone entry back. Without one, nothing happens.
     ///
     /// # Errors
-    /// None for entries that this document has carried out before.
+    /// [`StudioError`] if the entry cannot be carried out at this density.
     pub fn redo(&mut self) -> Result<(), StudioError> {
-        self.cancel();
-        if let Some(entry) = self.history.entries().get(self.after.len()).cloned() {
-            let positions = self.carried_out(&entry)?;
-            self.after.push(positions);
+        if self.history.can_redo() {
+            self.carry_out_from(self.after.len(), self.after.len() + 1)?;
             self.history.redo();
         }
+        self.settle_down();
         Ok(())
     }
 
     /// Takes all entries back; [`Self::redo`] brings them again, one by one.
     pub fn reset(&mut self) {
-        self.cancel();
         self.after.clear();
         self.history.undo_all();
+        self.settle_down();
     }
 
     /// Switches an applied entry on or off; those after it are carried out again.
@@ -227,51 +237,79 @@ impl Document {
     /// # Errors
     /// [`StudioError::NoSuchEntry`] if fewer entries are applied.
     pub fn switch(&mut self, index: usize, switch: Switch) -> Result<(), StudioError> {
-        self.cancel();
         let count = self.after.len();
         if index >= count {
             return Err(StudioError::NoSuchEntry { index, count });
         }
         self.history.set_switch(index, switch);
         self.after.truncate(index);
-        for later in index..count {
-            let entry = self.history.entries()[later].clone();
-            let positions = self.carried_out(&entry)?;
-            self.after.push(positions);
-        }
+        self.carry_out_from(index, count)?;
+        self.settle_down();
         Ok(())
+    }
+
+    fn level(&self) -> &Level {
+        &self.levels[self.density as usize]
+    }
+
+    /// The shape that the next edit starts from.
+    fn start(&self) -> &Shape {
+        self.after.last().unwrap_or(&self.unedited)
+    }
+
+    fn show(&mut self, density: u32) {
+        self.density = density;
+        self.unedited = Shape::at_rest(&self.levels[..=density as usize]);
+        self.preview.shape = self.unedited.clone();
     }
 
     fn push(&mut self, entry: Entry) -> Result<(), StudioError> {
-        let positions = self.carried_out(&entry)?;
-        self.record(entry, positions);
-        self.cancel();
+        let shape = self.carried_out(&entry)?;
+        self.history.push(entry);
+        self.after.push(shape);
+        self.settle_down();
         Ok(())
     }
 
-    fn record(&mut self, entry: Entry, positions: Vec<DVec3>) {
-        self.history.push(entry);
-        self.after.push(positions);
+    /// Ends the edit in progress after the start of the next one has changed.
+    fn settle_down(&mut self) {
+        self.cancel();
+        if let Some(held) = &mut self.held {
+            held.start_changed();
+        }
     }
 
-    /// The positions after `entry`, from those after the entry before it.
-    fn carried_out(&mut self, entry: &Entry) -> Result<Vec<DVec3>, StudioError> {
-        let mut positions = self.committed().to_vec();
-        if entry.switch == Switch::Off {
-            return Ok(positions);
+    fn made_ready(&mut self, grip: Grip) -> Result<Held, StudioError> {
+        let (level, density) = (grip.level, self.density);
+        if level > density {
+            return Err(StudioError::TooCoarse { level, density });
         }
+        let from = self.after.last().unwrap_or(&self.unedited);
+        Held::new(grip, &mut self.levels[level as usize], from.at(level))
+    }
+
+    /// Carries the entries of a range out, each from the shape the one before it left.
+    fn carry_out_from(&mut self, first: usize, end: usize) -> Result<(), StudioError> {
+        for index in first..end {
+            let entry = self.history.entries()[index].clone();
+            let shape = self.carried_out(&entry)?;
+            self.after.push(shape);
+        }
+        Ok(())
+    }
+
+    /// The shape after `entry`, from that after the entry before it.
+    fn carried_out(&mut self, entry: &Entry) -> Result<Shape, StudioError> {
+        let mut shape = self.start().clone();
         match &entry.command {
+            _ if entry.switch == Switch::Off => {}
+            Command::Move { grip, .. } if grip.level > self.density => {}
             Command::Move { grip, offsets } => {
-                let mut held = Held::new(grip.clone(), &self.rest, &mut self.systems)?;
-                held.displace(&self.rest, self.committed(), offsets, &mut positions)?;
+                let mut held = self.made_ready(grip.clone())?;
+                shape.displace(&self.levels, self.start(), &mut held, offsets)?;
             }
-            &Command::Symmetrise { share } => {
-                if !(0.0..=1.0).contains(&share) {
-                    return Err(StudioError::Share { share });
-                }
-                self.rest.mirror.as_ref().ok_or(StudioError::NoMirror)?.symmetrise_shape(share, &mut positions);
-            }
+            &Command::Symmetrise { share } => shape.symmetrise(&self.levels, share)?,
         }
-        Ok(positions)
+        Ok(shape)
     }
 }

@@ -28,9 +28,17 @@ pub enum StudioError {
         /// The share given.
         share: f64,
     },
-    /// The document's coordinates have no mirror plane.
-    #[error("only a face in the model's own frame has a mirror plane")]
+    /// The document's coordinates have no mirror plane, or its triangles no mirror image.
+    #[error("only a face in the model's own frame, with triangles that are their own mirror image, can be mirrored")]
     NoMirror,
+    /// A grip is meant for a denser mesh than the one there is.
+    #[error("the edit is meant for {level} subdivisions, and the mesh has {density}")]
+    TooCoarse {
+        /// The grip's level.
+        level: u32,
+        /// The document's density.
+        density: u32,
+    },
     /// The mesh leaves no vertices for random anchors.
     #[error("{free} vertices are free, and two random anchors need two")]
     NoFreeAnchors {

@@ -1,10 +1,9 @@
 use glam::DVec3;
-use rosto_laplacian::{Constraints, Response, random_anchors};
+use rosto_laplacian::{Constraints, Region, Response, RigidEdit, RigidOptions, RigidSystem, random_anchors};
 
-use crate::document::Rest;
+use crate::level::Level;
 use crate::mirror::reflected;
-use crate::systems::Systems;
-use crate::{AnchorKind, Anchors, Command, Grip, Mirror, StudioError};
+use crate::{AnchorKind, Anchors, Command, Details, Grip, Mirror, Reach, StudioError};
 
 /// A grip made ready: anchors chosen, partners joined, response fields solved.
 pub(crate) struct Held {
@@ -15,24 +14,31 @@ pub(crate) struct Held {
     /// For each handle, where its partner stands among the handles; itself where the mirror is off.
     partner_places: Vec<usize>,
     response: Response,
+    /// For details that turn: over the positions that the edit starts from.
+    rigid: Option<RigidEdit>,
     /// One for each handle; filled anew by each displacement.
     offsets: Vec<DVec3>,
+    stale: bool,
 }
 
 impl Held {
-    /// Solves for the response fields.
-    pub(crate) fn new(grip: Grip, rest: &Rest, systems: &mut Systems) -> Result<Self, StudioError> {
-        let handles = match grip.settings.mirror {
-            Mirror::Off => grip.handles.clone(),
-            Mirror::On => closure(rest, &grip.handles)?,
+    /// Solves for the response fields; `from` are the positions that the edit starts from.
+    pub(crate) fn new(grip: Grip, level: &mut Level, from: &[DVec3]) -> Result<Self, StudioError> {
+        let handles = joined_by_mirror(&grip, &grip.handles, level)?;
+        let region = region(&grip, &handles, level)?;
+        let anchors = anchors(&grip, &handles, level)?;
+        let hold = grip.settings.hold;
+        let constraints = Constraints { handles: &handles, anchors: &anchors, hold, region: region.as_ref() };
+        let response = level.system(grip.settings.operator)?.respond(&constraints)?;
+        let rigid = match grip.settings.details {
+            Details::Kept => None,
+            Details::Turned => {
+                Some(RigidSystem::new(level.topology(), from, grip.settings.operator)?.hold(&constraints)?)
+            }
         };
-        let anchors = anchors(&grip, &handles, rest)?;
-        let constraints = Constraints { handles: &handles, anchors: &anchors, hold: grip.settings.hold, region: None };
-        let system = systems.get(grip.settings.operator, &rest.topology, &rest.positions)?;
-        let response = system.respond(&constraints)?;
-        let partner_places = partner_places(&grip, &handles, rest)?;
+        let partner_places = partner_places(&grip, &handles, level)?;
         let offsets = vec![DVec3::ZERO; handles.len()];
-        Ok(Self { grip, handles, anchors, partner_places, response, offsets })
+        Ok(Self { grip, handles, anchors, partner_places, response, rigid, offsets, stale: false })
     }
 
     pub(crate) fn grip(&self) -> &Grip {
@@ -52,10 +58,21 @@ impl Held {
         &self.response
     }
 
-    /// Writes `from`, moved by one offset for each of the grip's handles, to `out`. No solve, no allocation.
+    /// The positions that the next edit starts from are no longer those that this was made ready for.
+    pub(crate) fn start_changed(&mut self) {
+        self.stale = self.rigid.is_some();
+    }
+
+    /// Whether all has to be made ready anew before it can be moved.
+    pub(crate) fn is_stale(&self) -> bool {
+        self.stale
+    }
+
+    /// Writes `from`, moved by one offset for each of the grip's handles, to `out`. Unless details turn: no solve, no
+    /// allocation.
     pub(crate) fn displace(
         &mut self,
-        rest: &Rest,
+        level: &Level,
         from: &[DVec3],
         offsets: &[DVec3],
         out: &mut [DVec3],
@@ -67,8 +84,11 @@ impl Held {
             self.mirror_offsets(offsets.len());
         }
         self.response.displace(from, &self.offsets, out);
-        if let (Mirror::On, Some(table)) = (self.grip.settings.mirror, &rest.mirror) {
-            table.symmetrise_displacement(from, out);
+        if let Some(rigid) = &self.rigid {
+            rigid.settle(&self.offsets, &RigidOptions::default(), out)?;
+        }
+        if self.grip.settings.mirror == Mirror::On {
+            level.mirror()?.symmetrise_displacement(from, out);
         }
         Ok(())
     }
@@ -104,48 +124,63 @@ impl Held {
     }
 }
 
-/// The vertices and their partners. A vertex that is not there is left for the solver to refuse.
-fn closure(rest: &Rest, vertices: &[u32]) -> Result<Vec<u32>, StudioError> {
-    let table = rest.mirror.as_ref().ok_or(StudioError::NoMirror)?;
-    if vertices.iter().any(|&vertex| vertex as usize >= rest.positions.len()) {
-        return Ok(vertices.to_vec());
+/// The vertices, with their partners if the grip is mirrored. A vertex that is not there is left for the solver to refuse.
+fn joined_by_mirror(grip: &Grip, vertices: &[u32], level: &Level) -> Result<Vec<u32>, StudioError> {
+    let known = vertices.iter().all(|&vertex| (vertex as usize) < level.rest().len());
+    match grip.settings.mirror {
+        Mirror::On if known => Ok(level.mirror()?.closure(vertices)),
+        _ => Ok(vertices.to_vec()),
     }
-    Ok(table.closure(vertices))
 }
 
-fn partner_places(grip: &Grip, handles: &[u32], rest: &Rest) -> Result<Vec<usize>, StudioError> {
+fn partner_places(grip: &Grip, handles: &[u32], level: &Level) -> Result<Vec<usize>, StudioError> {
     if grip.settings.mirror == Mirror::Off {
         return Ok((0..handles.len()).collect());
     }
-    let table = rest.mirror.as_ref().ok_or(StudioError::NoMirror)?;
+    let table = level.mirror()?;
     let place = |vertex: &u32| handles.iter().position(|handle| *handle == table.partner(*vertex));
     Ok(handles.iter().map(|handle| place(handle).expect("invariant: handles are closed under the mirror")).collect())
 }
 
+fn region(grip: &Grip, handles: &[u32], level: &mut Level) -> Result<Option<Region>, StudioError> {
+    Ok(match grip.settings.reach {
+        Reach::Whole => None,
+        Reach::Within { radius } => Some(level.region(handles, radius)?),
+    })
+}
+
 /// The anchors that the settings ask for: pins, and those of the rule that are no handles.
-fn anchors(grip: &Grip, handles: &[u32], rest: &Rest) -> Result<Vec<u32>, StudioError> {
+fn anchors(grip: &Grip, handles: &[u32], level: &mut Level) -> Result<Vec<u32>, StudioError> {
     let Anchors { kind, pins } = &grip.settings.anchors;
-    let vertex_count = rest.positions.len();
+    let vertex_count = level.rest().len();
     let by_rule = match *kind {
         AnchorKind::PinsOnly => Vec::new(),
-        AnchorKind::Oval => rest.oval.clone(),
-        AnchorKind::Random { seed } => {
-            let free = (0..vertex_count as u32).filter(|vertex| !handles.contains(vertex)).count();
-            if free < 2 {
-                return Err(StudioError::NoFreeAnchors { free });
-            }
-            random_anchors(vertex_count, handles, seed).to_vec()
+        AnchorKind::Oval => level.oval().to_vec(),
+        AnchorKind::Random { seed } => random(vertex_count, handles, seed)?,
+        AnchorKind::Outside { radius } => {
+            let distances = level.distances(handles)?;
+            (0..vertex_count as u32).filter(|&vertex| distances[vertex as usize] > radius).collect()
         }
     };
-    let mirrored = |vertices: &[u32]| match grip.settings.mirror {
-        Mirror::Off => Ok(vertices.to_vec()),
-        Mirror::On => closure(rest, vertices),
-    };
-    let mut anchors = mirrored(pins)?;
-    for anchor in mirrored(&by_rule)? {
-        if !handles.contains(&anchor) && !anchors.contains(&anchor) {
+    let mut taken = vec![false; vertex_count];
+    handles
+        .iter()
+        .filter(|&&handle| (handle as usize) < vertex_count)
+        .for_each(|&handle| taken[handle as usize] = true);
+    let mut anchors = joined_by_mirror(grip, pins, level)?;
+    anchors.iter().filter(|&&pin| (pin as usize) < vertex_count).for_each(|&pin| taken[pin as usize] = true);
+    for anchor in joined_by_mirror(grip, &by_rule, level)? {
+        if !std::mem::replace(&mut taken[anchor as usize], true) {
             anchors.push(anchor);
         }
     }
     Ok(anchors)
+}
+
+fn random(vertex_count: usize, handles: &[u32], seed: u64) -> Result<Vec<u32>, StudioError> {
+    let free = (0..vertex_count as u32).filter(|vertex| !handles.contains(vertex)).count();
+    match free {
+        0 | 1 => Err(StudioError::NoFreeAnchors { free }),
+        _ => Ok(random_anchors(vertex_count, handles, seed).to_vec()),
+    }
 }

@@ -10,12 +10,14 @@ mod document;
 mod error;
 mod grip;
 mod history;
+mod level;
 mod mirror;
 pub mod project;
-mod systems;
+mod shape;
 
-pub use command::{AnchorKind, Anchors, Command, Grip, Mirror, Settings};
-pub use document::{Document, Frame, Rest};
+pub use command::{AnchorKind, Anchors, Command, Details, Grip, Mirror, Reach, Settings};
+pub use document::Document;
 pub use error::StudioError;
 pub use history::{Entry, History, Switch};
+pub use level::{Frame, Rest};
 pub use rosto_laplacian::{Hold, Operator};

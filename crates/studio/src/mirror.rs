@@ -1,4 +1,5 @@
 use glam::DVec3;
+use rosto_mesh::Topology;
 
 /// The left-right partner of each vertex, over a mesh whose mirror plane is x = 0.
 #[derive(Debug, Clone)]
@@ -14,6 +15,19 @@ pub(crate) fn reflected(vector: DVec3) -> DVec3 {
 impl MirrorTable {
     pub(crate) fn of_landmarks() -> Self {
         Self { partners: (0..rosto_face::LANDMARK_COUNT as u32).map(rosto_face::mirror_of).collect() }
+    }
+
+    /// The table of the mesh that one subdivision of `coarse` gives; `None` if an edge has no mirror image.
+    ///
+    /// Relies on the order of the new vertices: that of the edges they halve.
+    pub(crate) fn subdivided(&self, coarse: &Topology) -> Option<Self> {
+        let added = coarse.edges().iter().map(|&[a, b]| {
+            let (a, b) = (self.partner(a), self.partner(b));
+            let edge = coarse.edges().binary_search(&[a.min(b), a.max(b)]).ok()?;
+            Some((coarse.vertex_count() + edge) as u32)
+        });
+        let added: Vec<u32> = added.collect::<Option<_>>()?;
+        Some(Self { partners: self.partners.iter().copied().chain(added).collect() })
     }
 
     pub(crate) fn partner(&self, vertex: u32) -> u32 {

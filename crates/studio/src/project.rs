@@ -3,11 +3,13 @@
 //! ```json
 //! {"rosto": "history", "version": 1, "entries": [
 //!   {"label": "nose tip", "switch": "on", "move": {
-//!     "handles": [4], "offsets": [[0, 0, 0.01]], "operator": "L_s", "hold": {"soft": 1},
-//!     "anchors": {"kind": "oval", "pins": []}, "mirror": "on"}},
+//!     "level": 0, "handles": [4], "offsets": [[0, 0, 0.01]], "operator": "L_s", "hold": {"soft": 1},
+//!     "anchors": {"kind": "oval", "pins": []}, "reach": "whole", "mirror": "on", "details": "kept"}},
 //!   {"label": "symmetrise", "switch": "off", "symmetrise": {"share": 0.5}}]}
 //! ```
-//! Offsets are in the document's unit. Every number reads back as the same `f64`, so that a replay gives the same bytes.
+//! `hold` is `{"soft": weight}` or `"exact"`; `kind` is `"oval"`, `"pins"`, `{"random": seed}` or `{"outside": radius}`;
+//! `reach` is `"whole"` or `{"within": radius}`; `details` are `"kept"` or `"turned"`. Offsets and radii are in the
+//! document's unit. Every number reads back as the same `f64`, so that a replay gives the same bytes.
 
 mod read;
 mod words;

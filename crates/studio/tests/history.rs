@@ -12,21 +12,22 @@ use rosto_studio::*;
 
 fn any_command() -> impl Strategy<Value = Command> {
     let offset = prop::array::uniform3(-0.02..0.02f64).prop_map(DVec3::from);
-    let settings =
-        (0..5usize, 0..3u64, prop::bool::ANY, prop::bool::ANY).prop_map(|(operator, anchors, exact, mirror)| {
-            Settings {
-                operator: Operator::ALL[operator],
-                hold: if exact { Hold::Exact } else { Hold::Soft { weight: 2.5 } },
-                anchors: match anchors {
-                    0 => Anchors::default(),
-                    1 => Anchors::random(17),
-                    _ => Anchors::explicit(vec![467]),
-                },
-                mirror: if mirror { Mirror::On } else { Mirror::Off },
-            }
-        });
+    let settings = (0..5usize, 0..4u64, 0..2usize, prop::bool::ANY, prop::bool::ANY, 0..4u32);
+    let settings = settings.prop_map(|(operator, anchors, reach, exact, mirror, turned)| Settings {
+        operator: Operator::ALL[operator],
+        hold: if exact { Hold::Exact } else { Hold::Soft { weight: 2.5 } },
+        anchors: match anchors {
+            0 => Anchors::default(),
+            1 => Anchors::random(17),
+            2 => Anchors { kind: AnchorKind::Outside { radius: 0.05 }, pins: vec![] },
+            _ => Anchors::explicit(vec![467]),
+        },
+        reach: [Reach::Whole, Reach::Within { radius: 0.06 }][reach],
+        mirror: if mirror { Mirror::On } else { Mirror::Off },
+        details: if turned == 0 { Details::Turned } else { Details::Kept },
+    });
     let movement = (0..200u32, offset, settings).prop_map(|(vertex, offset, settings)| Command::Move {
-        grip: Grip { handles: vec![vertex], settings },
+        grip: Grip { level: 0, handles: vec![vertex], settings },
         offsets: vec![offset],
     });
     prop_oneof![4 => movement, 1 => (0.0..1.0f64).prop_map(|share| Command::Symmetrise { share })]
@@ -176,8 +177,11 @@ fn a_refused_command_changes_nothing() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
     document.apply("one", single_move(4, DVec3::Z * 0.01)).unwrap();
     let before = bits(document.positions());
-    let pinned =
-        Grip { handles: vec![4], settings: Settings { anchors: Anchors::explicit(vec![4, 9]), ..Settings::default() } };
+    let pinned = Grip {
+        level: 0,
+        handles: vec![4],
+        settings: Settings { anchors: Anchors::explicit(vec![4, 9]), ..Settings::default() },
+    };
     let refused = [
         single_move(468, DVec3::Z),
         single_move(4, DVec3::splat(f64::NAN)),

@@ -37,8 +37,8 @@ proptest! {
         for rest in [canonical(Triangulation::Canonical), portrait(Triangulation::Tessellation)] {
             let mut document = Document::new(rest).unwrap();
             let anchors = seed.map_or_else(Anchors::default, Anchors::random);
-            let settings = Settings { operator: Operator::ALL[operator], hold, anchors, mirror: Mirror::On };
-            let grip = Grip { handles: vec![vertex], settings };
+            let settings = Settings { operator: Operator::ALL[operator], hold, anchors, mirror: Mirror::On, ..Settings::default() };
+            let grip = Grip { level: 0, handles: vec![vertex], settings };
             document.apply("mirrored", Command::Move { grip, offsets: vec![offset.into()] }).unwrap();
             prop_assert!(lopsidedness_m(document.rest(), document.positions()) < TOLERANCE_M);
             let (before, after) = (asymmetry(document.rest()), asymmetry(document.positions()));
@@ -74,7 +74,9 @@ fn a_whole_region_across_the_midline_moves_without_its_sideways_part() {
     let handles = Region::Lips.vertices();
     let offsets = vec![DVec3::new(0.005, 0.0, 0.004); handles.len()];
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
-    document.apply("lips", Command::Move { grip: Grip { handles: handles.clone(), settings }, offsets }).unwrap();
+    document
+        .apply("lips", Command::Move { grip: Grip { level: 0, handles: handles.clone(), settings }, offsets })
+        .unwrap();
     for vertex in handles {
         let moved = document.positions()[vertex as usize] - document.rest()[vertex as usize];
         assert!((moved - DVec3::Z * 0.004).length() < TOLERANCE_M);

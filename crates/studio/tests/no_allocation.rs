@@ -36,10 +36,11 @@ static ALLOCATOR: Counting = Counting;
 
 #[test]
 fn ticks_after_the_first_allocate_nothing() {
-    for mirror in [Mirror::Off, Mirror::On] {
+    for (mirror, density) in [(Mirror::Off, 0), (Mirror::On, 0), (Mirror::On, 2)] {
         let mut document = Document::new(portrait(Triangulation::Canonical)).unwrap();
+        document.set_density(density).unwrap();
         let settings = Settings { mirror, ..Settings::default() };
-        document.hold(Grip { handles: vec![61, 17], settings }).unwrap();
+        document.hold(Grip { level: 0, handles: vec![61, 17], settings }).unwrap();
         document.preview(&[DVec3::X, DVec3::Y]).unwrap();
         let before = ALLOCATIONS.with(Cell::get);
         for tick in 0..100 {

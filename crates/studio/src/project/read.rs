@@ -4,7 +4,7 @@ use serde_json::Value;
 use thiserror::Error;
 
 use super::{VERSION, operator_from_name};
-use crate::{AnchorKind, Anchors, Command, Entry, Grip, Mirror, Settings, Switch};
+use crate::{AnchorKind, Anchors, Command, Details, Entry, Grip, Mirror, Reach, Settings, Switch};
 
 /// Why text is no history.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -77,15 +77,29 @@ fn grip(value: &Value) -> FieldResult<Grip> {
         Some("off") => Mirror::Off,
         _ => return Err("mirror"),
     };
-    let settings = Settings { operator, hold, anchors: anchors(&value["anchors"])?, mirror };
-    Ok(Grip { handles: vertices(&value["handles"]).ok_or("handles")?, settings })
+    let reach = match &value["reach"] {
+        Value::String(word) if word == "whole" => Reach::Whole,
+        within => Reach::Within { radius: within["within"].as_f64().ok_or("reach")? },
+    };
+    let details = match value["details"].as_str() {
+        Some("kept") => Details::Kept,
+        Some("turned") => Details::Turned,
+        _ => return Err("details"),
+    };
+    let settings = Settings { operator, hold, anchors: anchors(&value["anchors"])?, reach, mirror, details };
+    let level = value["level"].as_u64().and_then(|level| level.try_into().ok()).ok_or("level")?;
+    Ok(Grip { level, handles: vertices(&value["handles"]).ok_or("handles")?, settings })
 }
 
 fn anchors(value: &Value) -> FieldResult<Anchors> {
     let kind = match &value["kind"] {
         Value::String(word) if word == "pins" => AnchorKind::PinsOnly,
         Value::String(word) if word == "oval" => AnchorKind::Oval,
-        random => AnchorKind::Random { seed: random["random"].as_u64().ok_or("anchors")? },
+        rule => match (rule["random"].as_u64(), rule["outside"].as_f64()) {
+            (Some(seed), None) => AnchorKind::Random { seed },
+            (None, Some(radius)) => AnchorKind::Outside { radius },
+            _ => return Err("anchors"),
+        },
     };
     Ok(Anchors { kind, pins: vertices(&value["pins"]).ok_or("pins")? })
 }

@@ -2,7 +2,7 @@ use rosto_laplacian::Hold;
 use serde_json::{Value, json};
 
 use super::{VERSION, operator_name};
-use crate::{AnchorKind, Command, Entry, Grip, Mirror, Switch};
+use crate::{AnchorKind, Command, Details, Entry, Grip, Mirror, Reach, Switch};
 
 /// The entries as JSON text.
 pub fn to_json(entries: &[Entry]) -> String {
@@ -36,17 +36,29 @@ fn movement(grip: &Grip, offsets: Vec<Value>) -> Value {
         AnchorKind::PinsOnly => json!("pins"),
         AnchorKind::Oval => json!("oval"),
         AnchorKind::Random { seed } => json!({"random": seed}),
+        AnchorKind::Outside { radius } => json!({"outside": radius}),
+    };
+    let reach = match settings.reach {
+        Reach::Whole => json!("whole"),
+        Reach::Within { radius } => json!({"within": radius}),
     };
     let mirror = match settings.mirror {
         Mirror::Off => "off",
         Mirror::On => "on",
     };
+    let details = match settings.details {
+        Details::Kept => "kept",
+        Details::Turned => "turned",
+    };
     json!({
+        "level": grip.level,
         "handles": grip.handles,
         "offsets": offsets,
         "operator": operator_name(settings.operator),
         "hold": hold,
         "anchors": {"kind": kind, "pins": settings.anchors.pins},
+        "reach": reach,
         "mirror": mirror,
+        "details": details,
     })
 }

@@ -29,11 +29,14 @@ pub fn portrait(triangulation: Triangulation) -> Rest {
 /// A mirrored grip of one vertex, held exactly.
 pub fn mirrored_grip(vertex: u32) -> Grip {
     let settings = Settings { mirror: Mirror::On, hold: Hold::Exact, ..Settings::default() };
-    Grip { handles: vec![vertex], settings }
+    Grip { level: 0, handles: vec![vertex], settings }
 }
 
 pub fn single_move(vertex: u32, offset: DVec3) -> Command {
-    Command::Move { grip: Grip { handles: vec![vertex], settings: Settings::default() }, offsets: vec![offset] }
+    Command::Move {
+        grip: Grip { level: 0, handles: vec![vertex], settings: Settings::default() },
+        offsets: vec![offset],
+    }
 }
 
 /// The positions' bits, so that equality means the same bytes.

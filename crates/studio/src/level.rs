@@ -1,0 +1,123 @@
+use glam::DVec3;
+use rosto_face::{FaceModel, LANDMARK_COUNT, oval};
+use rosto_laplacian::{Geodesics, LaplacianError, LaplacianSystem, Operator, Region};
+use rosto_mesh::{LoopSubdivision, Topology};
+
+use crate::StudioError;
+use crate::mirror::MirrorTable;
+
+/// Which coordinates a document's positions are in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Frame {
+    /// The face model's: its mirror plane is x = 0.
+    Model,
+    /// Any other, such as a picture's: there is no mirror plane.
+    Other,
+}
+
+/// The mesh that a document starts from: its cage.
+#[derive(Debug, Clone)]
+pub struct Rest {
+    topology: Topology,
+    positions: Vec<DVec3>,
+    oval: Vec<u32>,
+    mirror: Option<MirrorTable>,
+}
+
+impl Rest {
+    /// A mesh at rest, in any unit. In the model's frame, a mesh of landmarks has their mirror pairs.
+    pub fn new(topology: Topology, positions: Vec<DVec3>, frame: Frame) -> Self {
+        let is_face = topology.vertex_count() == LANDMARK_COUNT;
+        let oval = if is_face { oval().to_vec() } else { longest_boundary(&topology) };
+        let mirror = (is_face && frame == Frame::Model).then(MirrorTable::of_landmarks);
+        Self { topology, positions, oval, mirror }
+    }
+
+    /// A face in its own frame, in metres.
+    pub fn of_face(face: &FaceModel) -> Self {
+        Self::new(face.topology().clone(), face.positions_m().to_vec(), Frame::Model)
+    }
+}
+
+fn longest_boundary(topology: &Topology) -> Vec<u32> {
+    topology.boundary_loops().into_iter().next().unwrap_or_default()
+}
+
+/// One density of a document's mesh, with what was factored for it.
+pub(crate) struct Level {
+    rest: Rest,
+    /// Each built when its operator is first asked for.
+    systems: Vec<(Operator, LaplacianSystem)>,
+    geodesics: Option<Geodesics>,
+    /// To the next level; built with it.
+    finer: Option<LoopSubdivision>,
+}
+
+impl Level {
+    pub(crate) fn new(rest: Rest) -> Self {
+        Self { rest, systems: Vec::new(), geodesics: None, finer: None }
+    }
+
+    pub(crate) fn topology(&self) -> &Topology {
+        &self.rest.topology
+    }
+
+    /// Positions before any edit.
+    pub(crate) fn rest(&self) -> &[DVec3] {
+        &self.rest.positions
+    }
+
+    pub(crate) fn oval(&self) -> &[u32] {
+        &self.rest.oval
+    }
+
+    pub(crate) fn mirror(&self) -> Result<&MirrorTable, StudioError> {
+        self.rest.mirror.as_ref().ok_or(StudioError::NoMirror)
+    }
+
+    pub(crate) fn system(&mut self, operator: Operator) -> Result<&LaplacianSystem, LaplacianError> {
+        let found = self.systems.iter().position(|(of, _)| *of == operator);
+        let index = match found {
+            Some(index) => index,
+            None => {
+                let system = LaplacianSystem::new(&self.rest.topology, &self.rest.positions, operator)?;
+                self.systems.push((operator, system));
+                self.systems.len() - 1
+            }
+        };
+        Ok(&self.systems[index].1)
+    }
+
+    /// What is nearer to `sources` than `radius`, along the surface at rest.
+    pub(crate) fn region(&mut self, sources: &[u32], radius: f64) -> Result<Region, LaplacianError> {
+        Region::within(radius, &self.distances(sources)?)
+    }
+
+    /// Distance of each vertex from `sources`, along the surface at rest.
+    pub(crate) fn distances(&mut self, sources: &[u32]) -> Result<Vec<f64>, LaplacianError> {
+        let geodesics = match self.geodesics.take() {
+            Some(geodesics) => geodesics,
+            None => Geodesics::new(&self.rest.topology, &self.rest.positions)?,
+        };
+        self.geodesics.insert(geodesics).distances(sources)
+    }
+
+    /// The next density: every triangle in four.
+    pub(crate) fn subdivided(&mut self) -> Self {
+        let step = LoopSubdivision::new(&self.rest.topology, 1);
+        let topology = step.topology().clone();
+        let rest = Rest {
+            positions: step.apply(&self.rest.positions),
+            oval: longest_boundary(&topology),
+            mirror: self.rest.mirror.as_ref().and_then(|mirror| mirror.subdivided(&self.rest.topology)),
+            topology,
+        };
+        self.finer = Some(step);
+        Self::new(rest)
+    }
+
+    /// The map to the next level.
+    pub(crate) fn finer(&self) -> &LoopSubdivision {
+        self.finer.as_ref().expect("invariant: built together with the next level")
+    }
+}

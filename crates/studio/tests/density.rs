@@ -1,0 +1,86 @@
+//! Denser meshes: cage edits carry over, direct edits stay local, and going back and forth loses nothing.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::*;
+use glam::DVec3;
+use rosto_face::Triangulation;
+use rosto_mesh::LoopSubdivision;
+use rosto_studio::*;
+
+#[test]
+fn the_canonical_face_has_the_expected_densities() {
+    let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    for (density, vertices) in [(0, 468), (1, 1_833), (2, 7_257), (3, 28_881)] {
+        document.set_density(density).unwrap();
+        assert_eq!((document.topology().vertex_count(), document.positions().len()), (vertices, vertices));
+    }
+}
+
+#[test]
+fn a_cage_edit_equals_subdividing_the_edited_cage() {
+    let mut document = Document::new(portrait(Triangulation::Canonical)).unwrap();
+    document.apply("nose", single_move(4, DVec3::new(0.001, 0.002, 0.02))).unwrap();
+    document.apply("half", Command::Symmetrise { share: 0.5 }).unwrap();
+    let cage = document.positions().to_vec();
+    document.set_density(2).unwrap();
+    let dense = LoopSubdivision::new(&Triangulation::Canonical.topology(), 2).apply(&cage);
+    assert!(dense.iter().zip(document.positions()).all(|(a, b)| a.distance(*b) < 1e-12));
+}
+
+#[test]
+fn there_and_back_is_the_identity() {
+    let mut document = Document::new(portrait(Triangulation::Tessellation)).unwrap();
+    document.apply("nose", single_move(4, DVec3::Z * 0.02)).unwrap();
+    let cage = bits(document.positions());
+    document.set_density(1).unwrap();
+    let dense = bits(document.positions());
+    document.apply("chin", single_move(152, DVec3::Y * 0.01)).unwrap();
+    document.undo();
+    assert_eq!(bits(document.positions()), dense);
+    document.set_density(0).unwrap();
+    assert_eq!(bits(document.positions()), cage);
+}
+
+#[test]
+fn an_edit_of_the_dense_mesh_leaves_the_cage_and_waits_while_the_cage_is_shown() {
+    let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    let cage = bits(document.positions());
+    document.set_density(1).unwrap();
+    let settings = Settings { hold: Hold::Exact, ..Settings::default() };
+    let grip = Grip { level: 1, handles: vec![1_000], settings };
+    document.apply("detail", Command::Move { grip: grip.clone(), offsets: vec![DVec3::Z * 0.003] }).unwrap();
+    let moved = document.positions()[1_000] - document.rest()[1_000];
+    assert!((moved - DVec3::Z * 0.003).length() < 1e-12);
+    let dense = bits(document.positions());
+    document.set_density(0).unwrap();
+    assert_eq!(bits(document.positions()), cage);
+    assert_eq!(document.hold(grip), Err(StudioError::TooCoarse { level: 1, density: 0 }));
+    document.set_density(1).unwrap();
+    assert_eq!(bits(document.positions()), dense);
+}
+
+#[test]
+fn a_mirrored_edit_of_the_dense_mesh_is_symmetric() {
+    let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    document.set_density(1).unwrap();
+    let settings = Settings { mirror: Mirror::On, hold: Hold::Exact, ..Settings::default() };
+    document.hold(Grip { level: 1, handles: vec![1_000], settings }).unwrap();
+    let offset = DVec3::new(0.002, 0.001, 0.003);
+    document.preview(&[offset]).unwrap();
+    let [handle, partner] = document.handles() else { panic!("two handles") };
+    let (here, there) = (document.rest()[*handle as usize], document.rest()[*partner as usize]);
+    assert!((here - there * MIRROR).length() < 1e-12);
+    let moved = document.positions()[*partner as usize] - there;
+    assert!((moved - offset * MIRROR).length() < 1e-12);
+}
+
+#[test]
+fn values_of_the_cage_are_carried_by_the_same_matrix() {
+    let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    document.set_density(2).unwrap();
+    let carried = document.from_cage(&rosto_face::canonical_positions_m());
+    assert!(carried.iter().zip(document.rest()).all(|(a, b)| a.distance(*b) < 1e-14));
+}

@@ -1,0 +1,73 @@
+//! Radii and turning details.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::*;
+use glam::DVec3;
+use rosto_face::Triangulation;
+use rosto_laplacian::Geodesics;
+use rosto_studio::*;
+
+const RADIUS_M: f64 = 0.03;
+
+fn moved(settings: Settings, offset: DVec3) -> Document {
+    let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    document.hold(Grip { level: 0, handles: vec![205], settings }).unwrap();
+    document.preview(&[offset]).unwrap();
+    document
+}
+
+#[test]
+fn nothing_moves_outside_the_radius() {
+    let settings = Settings { reach: Reach::Within { radius: RADIUS_M }, hold: Hold::Exact, ..Settings::default() };
+    let document = moved(settings, DVec3::Z * 0.01);
+    let distances = Geodesics::new(document.topology(), document.rest()).unwrap().distances(&[205]).unwrap();
+    let mut inside = 0;
+    for (vertex, distance) in distances.into_iter().enumerate() {
+        let way = document.positions()[vertex] - document.rest()[vertex];
+        assert!(distance < RADIUS_M || way == DVec3::ZERO, "vertex {vertex}, {distance} m away, moved by {way}");
+        inside += usize::from(way.length() > 1e-6);
+    }
+    assert!(inside > 5, "{inside} vertices follow");
+}
+
+#[test]
+fn anchors_outside_a_radius_stay_exactly() {
+    let anchors = Anchors { kind: AnchorKind::Outside { radius: RADIUS_M }, pins: vec![50] };
+    let document = moved(Settings { anchors, hold: Hold::Exact, ..Settings::default() }, DVec3::Z * 0.01);
+    assert!(document.anchors().len() > 100 && document.anchors().contains(&50));
+    for &anchor in document.anchors() {
+        let way = document.positions()[anchor as usize] - document.rest()[anchor as usize];
+        assert!(way.length() < 1e-12);
+    }
+}
+
+#[test]
+fn turning_details_bend_less_and_still_reach_the_target() {
+    let settings = |details| Settings { details, hold: Hold::Exact, ..Settings::default() };
+    let stretch = |document: &Document| -> f64 {
+        let length = |at: &[DVec3], [a, b]: [u32; 2]| at[a as usize].distance(at[b as usize]);
+        let edges = document.topology().edges().iter();
+        edges.map(|&edge| (length(document.positions(), edge) / length(document.rest(), edge) - 1.0).powi(2)).sum()
+    };
+    let offset = DVec3::new(0.0, 0.02, 0.03);
+    let (kept, turned) = (moved(settings(Details::Kept), offset), moved(settings(Details::Turned), offset));
+    assert!((turned.positions()[205] - turned.rest()[205] - offset).length() < 1e-12);
+    assert!(stretch(&turned) < stretch(&kept), "{} against {}", stretch(&turned), stretch(&kept));
+}
+
+#[test]
+fn a_turning_drag_can_be_followed_by_another_and_replays_the_same() {
+    let settings = Settings { details: Details::Turned, hold: Hold::Exact, ..Settings::default() };
+    let mut document = moved(settings, DVec3::Z * 0.01);
+    document.commit("first");
+    document.preview(&[DVec3::X * 0.01]).unwrap();
+    document.commit("second");
+    let reached = document.positions()[205] - document.rest()[205];
+    assert!((reached - DVec3::new(0.01, 0.0, 0.01)).length() < 1e-12);
+    let rest = canonical(Triangulation::Canonical);
+    let replayed = Document::replay(rest, document.history().applied().to_vec()).unwrap();
+    assert_eq!(bits(replayed.positions()), bits(document.positions()));
+}
