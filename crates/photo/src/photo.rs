@@ -1,7 +1,9 @@
+use std::fmt;
+
 use crate::{PhotoError, resize};
 
 /// An upright sRGB picture: 8-bit RGB, row-major, origin at the top left, at least one pixel.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub struct Photo {
     width: u32,
     height: u32,
@@ -14,8 +16,8 @@ impl Photo {
     /// # Errors
     /// [`PhotoError::WrongLength`] if the number of bytes is not `width · height · 3`, or 0.
     pub fn from_rgb(width: u32, height: u32, pixels: Vec<u8>) -> Result<Self, PhotoError> {
-        let expected = u64::from(width) * u64::from(height) * 3;
-        if expected == 0 || expected != pixels.len() as u64 {
+        let expected = u128::from(width) * u128::from(height) * 3;
+        if expected == 0 || expected != pixels.len() as u128 {
             return Err(PhotoError::WrongLength { width, height, found_bytes: pixels.len() });
         }
         Ok(Self { width, height, pixels })
@@ -71,5 +73,12 @@ impl Photo {
         let scale = f64::from(limit) / f64::from(long);
         let shrunk = |side: u32| ((f64::from(side) * scale).round() as u32).max(1);
         resize::area_mean(self, shrunk(self.width), shrunk(self.height))
+    }
+}
+
+/// The size only: nobody wants to read millions of pixels.
+impl fmt::Debug for Photo {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Photo({}×{} px)", self.width, self.height)
     }
 }

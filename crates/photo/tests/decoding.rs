@@ -1,0 +1,101 @@
+//! What is read, and how.
+
+mod support;
+
+use image::metadata::Orientation;
+use image::{DynamicImage, ImageFormat};
+use rosto_photo::{Limits, Photo, decode};
+use support::{FORMATS, Format, blocks, file, stored_for};
+
+fn read(bytes: &[u8]) -> Photo {
+    decode(bytes, &Limits::default()).unwrap()
+}
+
+fn largest_difference(photo: &Photo, expected: &[u8]) -> u8 {
+    assert_eq!(photo.pixels().len(), expected.len());
+    photo.pixels().iter().zip(expected).map(|(a, b)| a.abs_diff(*b)).max().unwrap()
+}
+
+fn png(picture: impl Into<DynamicImage>) -> Vec<u8> {
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    picture.into().write_to(&mut bytes, ImageFormat::Png).unwrap();
+    bytes.into_inner()
+}
+
+#[test]
+fn each_of_the_eight_orientations_is_applied_once_in_each_format() {
+    let upright = blocks();
+    for format in FORMATS {
+        let tolerance = if format == Format::Jpeg { 4 } else { 0 };
+        for exif in 1..=8 {
+            let orientation = Orientation::from_exif(exif).unwrap();
+            let photo = read(&file(&stored_for(&upright, orientation), format, orientation));
+            assert_eq!((photo.width(), photo.height()), upright.dimensions(), "{format:?} {exif}");
+            assert!(largest_difference(&photo, &upright) <= tolerance, "{format:?} {exif}");
+        }
+    }
+}
+
+#[test]
+fn an_exif_header_left_in_a_webp_is_skipped() {
+    let orientation = Orientation::Rotate90;
+    let bytes = file(&stored_for(&blocks(), orientation), Format::WebP, orientation);
+    let chunk = bytes.windows(4).position(|window| window == b"EXIF").unwrap();
+    let mut with_header = bytes[..chunk + 4].to_vec();
+    let length = u32::from_le_bytes(bytes[chunk + 4..chunk + 8].try_into().unwrap()) + 6;
+    with_header.extend(length.to_le_bytes());
+    with_header.extend(b"Exif\0\0");
+    with_header.extend(&bytes[chunk + 8..]);
+    let riff_length = with_header.len() as u32 - 8;
+    with_header[4..8].copy_from_slice(&riff_length.to_le_bytes());
+    assert_eq!(read(&with_header).pixels(), blocks().as_raw().as_slice());
+}
+
+#[test]
+fn transparency_lies_over_white() {
+    let pixels = vec![100, 50, 0, 255, 100, 50, 0, 0, 100, 50, 0, 51];
+    let photo = read(&png(image::RgbaImage::from_raw(3, 1, pixels).unwrap()));
+    assert_eq!(photo.pixels(), [[100, 50, 0], [255, 255, 255], [224, 214, 204]].concat());
+}
+
+#[test]
+fn sixteen_bits_are_rounded_to_eight() {
+    let samples = vec![0, 257, 65_535, 128, 129, 32_896];
+    let photo = read(&png(DynamicImage::ImageRgb16(image::ImageBuffer::from_raw(2, 1, samples).unwrap())));
+    assert_eq!(photo.pixels(), [0, 1, 255, 0, 1, 128]);
+}
+
+#[test]
+fn grey_is_repeated() {
+    let photo = read(&png(image::GrayImage::from_raw(2, 1, vec![7, 200]).unwrap()));
+    assert_eq!(photo.pixels(), [7, 7, 7, 200, 200, 200]);
+}
+
+#[test]
+fn grey_with_transparency_of_sixteen_bits_is_read() {
+    let samples = vec![0, 65_535, 0, 0];
+    let photo = read(&png(DynamicImage::ImageLumaA16(image::ImageBuffer::from_raw(2, 1, samples).unwrap())));
+    assert_eq!(photo.pixels(), [0, 0, 0, 255, 255, 255]);
+}
+
+#[test]
+fn print_colours_become_red_and_blue() {
+    let photo = read(include_bytes!("fixtures/cmyk.jpg"));
+    assert_eq!((photo.width(), photo.height()), (16, 8));
+    let [red, blue] = [photo.pixel(1, 4), photo.pixel(14, 4)];
+    assert!(red[0] > 200 && red[1] < 60 && red[2] < 60, "{red:?}");
+    assert!(blue[0] < 60 && blue[1] < 60 && blue[2] > 200, "{blue:?}");
+}
+
+#[test]
+fn a_progressive_jpeg_is_read() {
+    let photo = read(include_bytes!("fixtures/progressive.jpg"));
+    assert!(largest_difference(&photo, &[180, 60, 20].repeat(256)) <= 3);
+}
+
+#[test]
+fn an_animation_shows_its_first_frame() {
+    let photo = read(include_bytes!("fixtures/animated.webp"));
+    assert_eq!((photo.width(), photo.height()), (12, 10));
+    assert_eq!(photo.pixels(), [10, 200, 30].repeat(120));
+}

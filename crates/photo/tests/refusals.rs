@@ -1,0 +1,130 @@
+//! What is refused, and with which words.
+
+mod support;
+
+use image::metadata::Orientation;
+use proptest::prelude::*;
+use rosto_photo::{Limits, Photo, PhotoError, decode};
+use support::{FORMATS, Format, blocks, file};
+
+fn refusal(bytes: &[u8]) -> PhotoError {
+    decode(bytes, &Limits::default()).unwrap_err()
+}
+
+/// A PNG that says how large it is and then breaks off.
+fn png_header(width: u32, height: u32) -> Vec<u8> {
+    let mut bytes = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR".to_vec();
+    bytes.extend(width.to_be_bytes());
+    bytes.extend(height.to_be_bytes());
+    bytes.extend([8, 2, 0, 0, 0]);
+    bytes
+}
+
+#[test]
+fn a_text_file_is_no_picture_whatever_its_name() {
+    assert_eq!(refusal(b"Dear diary, this is not a photo.\n"), PhotoError::NotAPicture);
+    assert_eq!(refusal(b""), PhotoError::NotAPicture);
+}
+
+#[test]
+fn a_huge_picture_is_refused_by_its_header_with_its_numbers() {
+    let error = refusal(&png_header(20_000, 20_000));
+    assert_eq!(error, PhotoError::TooManyPixels { width: 20_000, height: 20_000, max_pixels: 50_000_000 });
+    assert_eq!(error.to_string(), "the picture is 20000×20000 px, 400 megapixels; the limit is 50");
+}
+
+#[test]
+fn the_limit_on_pixels_holds_in_every_format_and_is_inclusive() {
+    let pixels = u64::from(blocks().width() * blocks().height());
+    for format in FORMATS {
+        let bytes = file(&blocks(), format, Orientation::NoTransforms);
+        let with_limit = |max_pixels| decode(&bytes, &Limits { max_pixels, ..Limits::default() });
+        assert!(with_limit(pixels).is_ok(), "{format:?}");
+        let error = with_limit(pixels - 1).unwrap_err();
+        assert!(matches!(error, PhotoError::TooManyPixels { width: 48, height: 32, .. }), "{format:?}: {error}");
+    }
+}
+
+#[test]
+fn the_limit_on_bytes_is_inclusive() {
+    let bytes = file(&blocks(), Format::Png, Orientation::NoTransforms);
+    let with_limit = |max_bytes| decode(&bytes, &Limits { max_bytes, ..Limits::default() });
+    assert!(with_limit(bytes.len()).is_ok());
+    let (found_bytes, max_bytes) = (bytes.len(), bytes.len() - 1);
+    assert_eq!(with_limit(max_bytes).unwrap_err(), PhotoError::TooManyBytes { found_bytes, max_bytes });
+}
+
+#[test]
+fn a_file_cut_short_anywhere_is_damaged() {
+    for format in FORMATS {
+        let bytes = file(&blocks(), format, Orientation::NoTransforms);
+        // Behind the pixels come checksums and an end mark in PNG, and EXIF in WebP: the picture is whole without them.
+        let last = match format {
+            Format::Jpeg => bytes.len(),
+            Format::Png => bytes.len() - 20,
+            Format::WebP => bytes.windows(4).position(|window| window == b"EXIF").unwrap(),
+        };
+        for length in (16..last).step_by(7) {
+            let result = decode(&bytes[..length], &Limits::default());
+            assert!(matches!(result, Err(PhotoError::Damaged { .. })), "{format:?} at {length}: {result:?}");
+        }
+    }
+}
+
+#[test]
+fn a_whole_thumbnail_does_not_make_a_cut_jpeg_whole() {
+    let thumbnail = file(&blocks(), Format::Jpeg, Orientation::NoTransforms);
+    let picture = file(&blocks(), Format::Jpeg, Orientation::NoTransforms);
+    let mut bytes = vec![0xFF, 0xD8, 0xFF, 0xE1];
+    bytes.extend((thumbnail.len() as u16 + 2).to_be_bytes());
+    bytes.extend(&thumbnail);
+    bytes.extend(&picture[2..]);
+    assert!(decode(&bytes, &Limits::default()).is_ok());
+    let cut = &bytes[..bytes.len() - 40];
+    assert!(matches!(refusal(cut), PhotoError::Damaged { .. }));
+}
+
+#[test]
+fn pictures_of_other_formats_are_named_and_say_what_to_do() {
+    let cases: [(&[u8], &str, &str); 6] = [
+        (b"\0\0\0\x18ftypheic\0\0\0\0mif1heic", "HEIC", "JPEG"),
+        (b"\0\0\0\x18ftypmif1\0\0\0\0mif1heic", "HEIC", "JPEG"),
+        (b"\0\0\0\x1cftypavif\0\0\0\0avifmif1", "AVIF", "JPEG"),
+        (b"GIF89a\x01\0\x01\0", "GIF", "JPEG"),
+        (b"II\x2a\0\x08\0\0\0", "TIFF", "JPEG"),
+        (b"\xFF\x0A\xFA\x1F", "JPEG XL", "JPEG"),
+    ];
+    for (bytes, expected, advice) in cases {
+        let error = refusal(bytes);
+        assert!(matches!(error, PhotoError::UnsupportedFormat { format } if format == expected), "{error}");
+        assert!(error.hint().contains(advice), "{expected}");
+    }
+}
+
+#[test]
+fn a_picture_needs_pixels_and_as_many_bytes_as_they_take() {
+    assert!(Photo::from_rgb(0, 5, Vec::new()).is_err());
+    assert!(Photo::from_rgb(2, 2, vec![0; 11]).is_err());
+    assert!(Photo::from_rgb(u32::MAX, u32::MAX, vec![0; 3]).is_err());
+    assert!(Photo::from_rgb(2, 2, vec![0; 12]).is_ok());
+}
+
+proptest! {
+    /// Whatever the bytes, the answer is a picture or an error.
+    #[test]
+    fn broken_bytes_never_panic(
+        format in prop::sample::select(FORMATS.to_vec()),
+        changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 0..12),
+        kept in any::<prop::sample::Index>(),
+    ) {
+        let mut bytes = file(&blocks(), format, Orientation::Rotate90);
+        for (at, value) in changes {
+            let at = at.index(bytes.len());
+            bytes[at] = value;
+        }
+        bytes.truncate(bytes.len() - kept.index(bytes.len()) / 4);
+        if let Ok(photo) = decode(&bytes, &Limits { max_pixels: 1_000_000, ..Limits::default() }) {
+            prop_assert_eq!(photo.pixels().len(), photo.width() as usize * photo.height() as usize * 3);
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! Pictures with no symmetry, and their files in every format that is read.
+
+// Each test file is a program of its own and uses its part of this.
+#![allow(dead_code)]
+
+use image::codecs::{jpeg::JpegEncoder, png::PngEncoder, webp::WebPEncoder};
+use image::metadata::Orientation;
+use image::{DynamicImage, ExtendedColorType, ImageEncoder, RgbImage};
+
+/// Formats that are written for the tests.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    Jpeg,
+    Png,
+    WebP,
+}
+
+pub const FORMATS: [Format; 3] = [Format::Jpeg, Format::Png, Format::WebP];
+
+/// 48 × 32 px in blocks of 16, each of its own colour, so that JPEG keeps it nearly as it is.
+pub fn blocks() -> RgbImage {
+    RgbImage::from_fn(48, 32, |x, y| {
+        let (column, row) = (x / 16, y / 16);
+        image::Rgb([40 + 80 * column as u8, 60 + 120 * row as u8, 200 - 50 * column as u8])
+    })
+}
+
+/// The picture as a file that asks its reader to apply `orientation`.
+pub fn file(picture: &RgbImage, format: Format, orientation: Orientation) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    match format {
+        Format::Jpeg => write(JpegEncoder::new_with_quality(&mut bytes, 100), picture, orientation),
+        Format::Png => write(PngEncoder::new(&mut bytes), picture, orientation),
+        Format::WebP => write(WebPEncoder::new_lossless(&mut bytes), picture, orientation),
+    }
+    bytes
+}
+
+fn write(mut encoder: impl ImageEncoder, picture: &RgbImage, orientation: Orientation) {
+    encoder.set_exif_metadata(exif(orientation)).expect("the format knows EXIF");
+    let (width, height) = picture.dimensions();
+    encoder.write_image(picture, width, height, ExtendedColorType::Rgb8).expect("the picture can be written");
+}
+
+/// A little-endian TIFF header and one directory with one entry: 0x0112, SHORT, count 1.
+fn exif(orientation: Orientation) -> Vec<u8> {
+    let mut bytes = b"II\x2a\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0".to_vec();
+    bytes.extend([orientation.to_exif(), 0, 0, 0, 0, 0, 0, 0]);
+    bytes
+}
+
+/// What has to be stored for `picture` to appear when `orientation` is applied.
+pub fn stored_for(picture: &RgbImage, orientation: Orientation) -> RgbImage {
+    let inverse = match orientation {
+        Orientation::Rotate90 => Orientation::Rotate270,
+        Orientation::Rotate270 => Orientation::Rotate90,
+        its_own => its_own,
+    };
+    let mut stored = DynamicImage::from(picture.clone());
+    stored.apply_orientation(inverse);
+    stored.into_rgb8()
+}
