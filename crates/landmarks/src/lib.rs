@@ -10,6 +10,8 @@ mod anchors;
 mod detector;
 mod error;
 mod finder;
+#[cfg(test)]
+mod golden_stages;
 mod homography;
 mod mesh;
 mod network;

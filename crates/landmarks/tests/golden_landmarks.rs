@@ -11,7 +11,7 @@ const TOLERANCE_PX: f64 = 0.05;
 
 #[test]
 fn every_landmark_is_within_a_twentieth_of_a_pixel_of_mediapipes() {
-    let finder = support::assets::finder();
+    let finder = support::finder();
     let golden: Value = serde_json::from_str(GOLDEN).unwrap();
     let pictures = pictures::all(&support::assets::portrait());
     assert_eq!(pictures.len(), golden.as_object().unwrap().len());

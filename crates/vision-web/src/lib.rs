@@ -1,1 +1,12 @@
-//! The worker's façade: photo and landmarks behind wasm-bindgen.
+//! The worker's façade: a photo's bytes in, faces and an upright picture out.
+//!
+//! Everything that goes wrong is thrown as an `Error` with a stable `code` and a `hint` beside its `message`. A panic
+//! is a bug and traps: the page then ends the worker and starts another.
+
+mod found;
+mod progress;
+mod trouble;
+mod vision;
+
+pub use found::Found;
+pub use vision::Vision;

@@ -2,12 +2,16 @@
 
 use std::path::Path;
 
-use rosto_landmarks::FaceFinder;
 use rosto_photo::{Limits, Photo};
 
-/// The finder with the two networks the app serves.
-pub fn finder() -> FaceFinder {
-    FaceFinder::new(&asset("face_detector.onnx"), &asset("face_landmarks.onnx")).expect("the networks are whole")
+/// The detector network as the app serves it.
+pub fn detector_onnx() -> Vec<u8> {
+    asset("face_detector.onnx")
+}
+
+/// The landmark network as the app serves it.
+pub fn landmarks_onnx() -> Vec<u8> {
+    asset("face_landmarks.onnx")
 }
 
 /// The sample portrait, 512 × 512 px.

@@ -1,4 +1,13 @@
 //! What the tests of this crate share: the networks, the portrait, and pictures made of it.
 
+// Each test file is a program of its own and uses its part of this.
+#![allow(dead_code)]
+
 pub mod assets;
 pub mod pictures;
+
+/// The finder with the networks the app serves.
+pub fn finder() -> rosto_landmarks::FaceFinder {
+    rosto_landmarks::FaceFinder::new(&assets::detector_onnx(), &assets::landmarks_onnx())
+        .expect("the networks are whole")
+}

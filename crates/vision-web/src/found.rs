@@ -1,0 +1,111 @@
+use rosto_landmarks::Face;
+use rosto_photo::Photo;
+use wasm_bindgen::prelude::*;
+
+/// What was found in a photo. `free()` it when everything has been taken out.
+#[wasm_bindgen]
+pub struct Found {
+    width: u32,
+    height: u32,
+    faces: Vec<FoundFace>,
+    picture_width: u32,
+    picture_height: u32,
+    picture: Vec<u8>,
+}
+
+struct FoundFace {
+    score: f32,
+    landmarks: Vec<f32>,
+    colours: Vec<u8>,
+}
+
+/// Longest side of the picture that is handed on as a texture, in px; what every WebGPU device can hold is 8192.
+const MAX_PICTURE_SIDE_PX: u32 = 2048;
+
+impl Found {
+    pub(crate) fn new(photo: &Photo, faces: &[Face]) -> Self {
+        let picture = photo.scaled_down(MAX_PICTURE_SIDE_PX);
+        Self {
+            width: photo.width(),
+            height: photo.height(),
+            faces: faces.iter().map(|face| FoundFace::new(photo, face)).collect(),
+            picture_width: picture.width(),
+            picture_height: picture.height(),
+            picture: rgba(&picture),
+        }
+    }
+
+    fn face(&self, index: u32) -> Option<&FoundFace> {
+        self.faces.get(index as usize)
+    }
+}
+
+impl FoundFace {
+    /// Colours are taken at full resolution.
+    fn new(photo: &Photo, face: &Face) -> Self {
+        let colour = |&[x, y, _]: &[f32; 3]| photo.colour_under(x.into(), y.into());
+        Self {
+            score: face.score,
+            landmarks: face.landmarks.concat(),
+            colours: face.landmarks.iter().flat_map(colour).collect(),
+        }
+    }
+}
+
+fn rgba(picture: &Photo) -> Vec<u8> {
+    picture.pixels().as_chunks::<3>().0.iter().flat_map(|&[r, g, b]| [r, g, b, u8::MAX]).collect()
+}
+
+#[wasm_bindgen]
+impl Found {
+    /// Width of the upright photo in px.
+    #[wasm_bindgen(getter)]
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Height of the upright photo in px.
+    #[wasm_bindgen(getter)]
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// Number of faces; 0 is an answer.
+    #[wasm_bindgen(getter, js_name = faceCount)]
+    pub fn face_count(&self) -> u32 {
+        self.faces.len() as u32
+    }
+
+    /// How sure the detector is of a face, 0.5 to 1; 0 for a face that is not there.
+    pub fn score(&self, face: u32) -> f32 {
+        self.face(face).map_or(0.0, |face| face.score)
+    }
+
+    /// 468 × (x/W, y/H, z/W); empty for a face that is not there.
+    pub fn landmarks(&self, face: u32) -> Vec<f32> {
+        self.face(face).map_or_else(Vec::new, |face| face.landmarks.clone())
+    }
+
+    /// 468 × (red, green, blue) under the landmarks, sRGB; empty for a face that is not there.
+    pub fn colours(&self, face: u32) -> Vec<u8> {
+        self.face(face).map_or_else(Vec::new, |face| face.colours.clone())
+    }
+
+    /// Width of the picture in px.
+    #[wasm_bindgen(getter, js_name = pictureWidth)]
+    pub fn picture_width(&self) -> u32 {
+        self.picture_width
+    }
+
+    /// Height of the picture in px.
+    #[wasm_bindgen(getter, js_name = pictureHeight)]
+    pub fn picture_height(&self) -> u32 {
+        self.picture_height
+    }
+
+    /// The upright photo, scaled down to 2048 px at most, as opaque RGBA; empty the second time.
+    #[wasm_bindgen(js_name = takePicture)]
+    pub fn take_picture(&mut self) -> Vec<u8> {
+        std::mem::take(&mut self.picture)
+    }
+}

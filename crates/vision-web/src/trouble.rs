@@ -1,0 +1,36 @@
+//! Errors as the page sees them: a JavaScript `Error` with a stable `code` and a `hint`.
+
+use js_sys::{Error, Reflect};
+use rosto_landmarks::LandmarksError;
+use rosto_photo::PhotoError;
+
+/// What went wrong with the photo.
+pub(crate) fn of_photo(error: PhotoError) -> Error {
+    let code = match error {
+        PhotoError::NotAPicture => "not-a-picture",
+        PhotoError::UnsupportedFormat { .. } | PhotoError::UnsupportedFeature { .. } => "unsupported-format",
+        PhotoError::Damaged { .. } => "damaged-picture",
+        PhotoError::TooManyBytes { .. } => "too-many-bytes",
+        PhotoError::TooManyPixels { .. } => "too-many-pixels",
+        _ => "internal",
+    };
+    thrown(code, &error.to_string(), error.hint())
+}
+
+/// What went wrong with the networks.
+pub(crate) fn of_landmarks(error: LandmarksError) -> Error {
+    match error {
+        LandmarksError::NetworkDamaged { .. } => {
+            thrown("networks-damaged", &error.to_string(), "Reload the page: a file arrived damaged.")
+        }
+        _ => thrown("internal", &error.to_string(), "Try another photo, and tell us about this one."),
+    }
+}
+
+fn thrown(code: &str, message: &str, hint: &str) -> Error {
+    let error = Error::new(message);
+    for (name, value) in [("code", code), ("hint", hint)] {
+        Reflect::set(&error, &name.into(), &value.into()).expect("invariant: a new Error takes properties");
+    }
+    error
+}

@@ -1,0 +1,54 @@
+use js_sys::{Error, Function};
+use rosto_landmarks::{FaceFinder, FindOptions};
+use rosto_photo::{Limits, decode};
+use wasm_bindgen::prelude::*;
+
+use crate::found::Found;
+use crate::progress::{Progress, Step};
+use crate::trouble;
+
+/// Finds faces in photos. Made once; holds the two networks.
+#[wasm_bindgen]
+pub struct Vision {
+    finder: FaceFinder,
+}
+
+#[wasm_bindgen]
+impl Vision {
+    /// Prepares the two networks from their ONNX files.
+    ///
+    /// # Errors
+    /// Throws `networks-damaged`.
+    #[wasm_bindgen(constructor)]
+    pub fn new(detector: &[u8], landmarks: &[u8]) -> Result<Self, Error> {
+        console_error_panic_hook::set_once();
+        Ok(Self { finder: FaceFinder::new(detector, landmarks).map_err(trouble::of_landmarks)? })
+    }
+
+    /// Looks for at most `max_faces` faces in a photo (the bytes of a JPEG, PNG or WebP file), best first. `report` is
+    /// told each stage as it begins and how much of the whole is done, 0 to 1.
+    ///
+    /// # Errors
+    /// Throws `not-a-picture`, `unsupported-format`, `damaged-picture`, `too-many-bytes`, `too-many-pixels` or
+    /// `internal`. No face is an answer, not an error.
+    pub fn find(
+        &self,
+        bytes: &[u8],
+        #[wasm_bindgen(js_name = maxFaces)] max_faces: u32,
+        #[wasm_bindgen(
+            unchecked_param_type = "(stage: \"decode\" | \"detect\" | \"landmarks\", fraction: number) => void"
+        )]
+        report: &Function,
+    ) -> Result<Found, Error> {
+        let progress = Progress::new(report);
+        progress.tell(Step::Decoding);
+        let photo = decode(bytes, &Limits::default()).map_err(trouble::of_photo)?;
+        let options = FindOptions { max_faces: max_faces as usize, ..FindOptions::default() };
+        let faces = self
+            .finder
+            .find_with_progress(&photo, &options, |stage| progress.tell(Step::Finding(stage)))
+            .map_err(trouble::of_landmarks)?;
+        progress.tell(Step::Finishing);
+        Ok(Found::new(&photo, &faces))
+    }
+}

@@ -1,0 +1,109 @@
+//! The worker's module in a real browser: inference on the portrait, and what it throws.
+
+#![cfg(target_arch = "wasm32")]
+
+use js_sys::{Array, Error, Function, Reflect};
+use rosto_vision_web::{Found, Vision};
+use serde_json::Value;
+use wasm_bindgen::prelude::*;
+use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+
+wasm_bindgen_test_configure!(run_in_dedicated_worker);
+
+// `cargo xtask setup` puts these three there.
+const DETECTOR: &[u8] = include_bytes!("../../../web/assets/face_detector.onnx");
+const LANDMARKS: &[u8] = include_bytes!("../../../web/assets/face_landmarks.onnx");
+const PORTRAIT: &[u8] = include_bytes!("../../../web/assets/sample.png");
+const GOLDEN: &str = include_str!("../../../tests/golden/landmarks.json");
+
+fn vision() -> Vision {
+    Vision::new(DETECTOR, LANDMARKS).unwrap()
+}
+
+fn find(bytes: &[u8]) -> Result<Found, Error> {
+    vision().find(bytes, 1, &Function::new_no_args(""))
+}
+
+/// What a thrown error says under a name.
+fn property(error: &Error, name: &str) -> String {
+    Reflect::get(error, &name.into()).unwrap().as_string().unwrap()
+}
+
+#[wasm_bindgen_test]
+fn the_portraits_landmarks_are_mediapipes() {
+    let found = find(PORTRAIT).unwrap();
+    assert_eq!((found.width(), found.height(), found.face_count()), (512, 512, 1));
+    let golden: Value = serde_json::from_str(GOLDEN).unwrap();
+    let expected_px = golden["portrait"]["faces"][0].as_array().unwrap().iter().map(|n| n.as_f64().unwrap() / 1000.0);
+    let landmarks = found.landmarks(0);
+    assert_eq!(landmarks.len(), 1404);
+    let errors_px =
+        landmarks.iter().zip(expected_px).map(|(&found, expected)| (f64::from(found) * 512.0 - expected).abs());
+    let worst_px = errors_px.fold(0.0, f64::max);
+    assert!(worst_px < 0.05, "{worst_px} px");
+    assert!((found.score(0) - 0.921_738_7).abs() < 1e-4, "{}", found.score(0));
+}
+
+#[wasm_bindgen_test]
+fn colours_are_those_of_the_pixels_under_the_landmarks() {
+    let mut found = find(PORTRAIT).unwrap();
+    let (landmarks, colours) = (found.landmarks(0), found.colours(0));
+    let picture = found.take_picture();
+    assert_eq!((found.picture_width(), found.picture_height(), picture.len()), (512, 512, 512 * 512 * 4));
+    for vertex in 0..468 {
+        let [x, y] = [0, 1].map(|axis| (landmarks[3 * vertex + axis] * 512.0) as usize);
+        let pixel = 4 * (y * 512 + x);
+        assert_eq!(colours[3 * vertex..3 * vertex + 3], picture[pixel..pixel + 3], "landmark {vertex}");
+    }
+    assert!(found.take_picture().is_empty());
+}
+
+#[wasm_bindgen_test]
+fn progress_names_the_stages_in_order_and_never_falls_back() {
+    let heard = Array::new();
+    let hear = {
+        let heard = heard.clone();
+        Closure::<dyn Fn(String, f64)>::new(move |stage: String, fraction: f64| {
+            heard.push(&Array::of2(&stage.into(), &fraction.into()));
+        })
+    };
+    vision().find(PORTRAIT, 1, hear.as_ref().unchecked_ref()).unwrap();
+    let reports: Vec<(String, f64)> = heard.iter().map(|report| stage_and_fraction(&report.into())).collect();
+    let mut stages: Vec<&str> = reports.iter().map(|(stage, _)| stage.as_str()).collect();
+    stages.dedup();
+    assert_eq!(stages, ["decode", "detect", "landmarks"]);
+    assert!(reports.is_sorted_by(|a, b| a.1 <= b.1) && reports.iter().all(|report| (0.0..=1.0).contains(&report.1)));
+}
+
+fn stage_and_fraction(report: &Array) -> (String, f64) {
+    (report.get(0).as_string().unwrap(), report.get(1).as_f64().unwrap())
+}
+
+#[wasm_bindgen_test]
+fn what_is_no_picture_is_thrown_with_a_code_a_message_and_a_hint() {
+    let error = find(b"only words").err().unwrap();
+    assert!(error.is_instance_of::<Error>());
+    assert_eq!(property(&error, "code"), "not-a-picture");
+    assert!(!property(&error, "message").is_empty());
+    assert!(property(&error, "hint").contains("JPEG"));
+}
+
+#[wasm_bindgen_test]
+fn a_broken_picture_a_huge_one_and_a_foreign_one_have_their_own_codes() {
+    let mut huge = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR".to_vec();
+    huge.extend([0, 0, 0x4E, 0x20, 0, 0, 0x4E, 0x20, 8, 2, 0, 0, 0]);
+    let cases: [(&[u8], &str); 3] = [
+        (&PORTRAIT[..PORTRAIT.len() / 2], "damaged-picture"),
+        (&huge, "too-many-pixels"),
+        (b"\0\0\0\x18ftypheic\0\0\0\0", "unsupported-format"),
+    ];
+    for (bytes, code) in cases {
+        assert_eq!(property(&find(bytes).err().unwrap(), "code"), code);
+    }
+}
+
+#[wasm_bindgen_test]
+fn damaged_networks_are_thrown() {
+    let error = Vision::new(&DETECTOR[..1000], LANDMARKS).err().unwrap();
+    assert_eq!(property(&error, "code"), "networks-damaged");
+}
