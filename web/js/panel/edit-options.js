@@ -35,6 +35,8 @@ export class EditOptions {
   #pinned = byId("pinned", HTMLInputElement);
   #bench;
   #radius;
+  /** @type {(Options & { radius_mm: number | undefined }) | undefined} */
+  #applied;
 
   /** @param {Workbench} bench */
   constructor(bench) {
@@ -92,12 +94,16 @@ export class EditOptions {
   }
 
   #change() {
+    const now = this.#shown();
+    const before = this.#applied;
+    this.#applied = now;
+    // Each of these solves anew: only what has changed is told.
     this.#bench.act((studio) => {
-      studio.setOperator(/** @type {OperatorName} */ (this.#operator.value));
-      studio.setHold(/** @type {HoldName} */ (this.#hold.value));
-      studio.setAnchorChoice(/** @type {AnchorsName} */ (this.#anchors.value));
-      studio.setMirror(this.#mirror.checked);
-      studio.setRadius(this.#nearby.checked ? this.#radius.value : undefined);
+      if (now.operator !== before?.operator) studio.setOperator(now.operator);
+      if (now.hold !== before?.hold) studio.setHold(now.hold);
+      if (now.anchors !== before?.anchors) studio.setAnchorChoice(now.anchors);
+      if (now.mirror !== before?.mirror) studio.setMirror(now.mirror);
+      if (now.radius_mm !== before?.radius_mm) studio.setRadius(now.radius_mm);
     });
     byId("radius", HTMLDivElement).hidden = !this.#nearby.checked;
     for (const preset of /** @type {const} */ (["sculpt", "paper"])) {
@@ -106,15 +112,21 @@ export class EditOptions {
     this.#explain();
   }
 
+  #shown() {
+    return {
+      operator: /** @type {OperatorName} */ (this.#operator.value),
+      hold: /** @type {HoldName} */ (this.#hold.value),
+      anchors: /** @type {AnchorsName} */ (this.#anchors.value),
+      mirror: this.#mirror.checked,
+      nearby: this.#nearby.checked,
+      radius_mm: this.#nearby.checked ? this.#radius.value : undefined,
+    };
+  }
+
   /** @param {Options} preset */
   #isPreset(preset) {
-    return (
-      this.#operator.value === preset.operator &&
-      this.#hold.value === preset.hold &&
-      this.#anchors.value === preset.anchors &&
-      this.#mirror.checked === preset.mirror &&
-      this.#nearby.checked === preset.nearby
-    );
+    const shown = this.#shown();
+    return /** @type {(keyof Options)[]} */ (Object.keys(preset)).every((choice) => shown[choice] === preset[choice]);
   }
 
   #explain() {

@@ -6,6 +6,7 @@ import { Slider } from "./slider.js";
 /**
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
  * @typedef {import("../../wasm/rosto-studio-web.js").PaintName} PaintName
+ * @typedef {import("../../wasm/rosto-studio-web.js").TriangulationName} TriangulationName
  */
 
 const TURNTABLE_DEG_PER_S = 24;
@@ -27,6 +28,10 @@ export function setUpViewPanel(bench) {
   onCheck("turntable", (turns) => bench.look((studio) => studio.setTurntable(turns ? TURNTABLE_DEG_PER_S : 0)));
   const density = byId("density", HTMLSelectElement);
   density.addEventListener("change", () => bench.act((studio) => studio.setDensity(Number(density.value))));
+  const triangulation = byId("triangulation", HTMLSelectElement);
+  triangulation.addEventListener("change", () =>
+    bench.act((studio) => studio.setTriangulation(/** @type {TriangulationName} */ (triangulation.value))),
+  );
   onAction("reset-view", () => bench.look((studio) => studio.view("reset")));
   for (const side of /** @type {const} */ (["front", "left", "top"])) {
     onAction(`view-${side}`, () => bench.look((studio) => studio.view(side)));
