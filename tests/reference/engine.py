@@ -6,8 +6,10 @@ that are no faces, a closed sphere and an open, bumpy sheet. For each of them
 - `cotangent`: libigl's cotangent matrix (negative semi-definite, half-cotangents) as [row, column, value], lower half,
 - `biharmonic`: the field that minimises |L g|^2 with g = 1 on `handle` and 0 on `anchors` (no mass matrix),
 - `geodesic`: exact polyhedral distances from `handle`,
-- `arap`: libigl's as-rigid-as-possible deformation (spokes energy, unclamped cotangents) after 500 iterations, with the
-  handle moved by `offset` and the anchors held.
+- `harmonic`: the same for the form g^T L g,
+- `arap`: libigl's as-rigid-as-possible deformation (spokes and rims, unclamped cotangents) after 500 iterations, with the
+  handle moved by `offset` and the anchors held,
+- `paper`: the paper's edit of `handle` by `offset` with the first two anchors: numpy.linalg.pinv once for each axis.
 """
 
 import json
@@ -46,18 +48,30 @@ def sheet(side=12):
     return vertices, np.concatenate([lower, upper]).astype(np.int64)
 
 
-def biharmonic(laplacian, handle, anchors):
+def polyharmonic(form, handle, anchors):
     known = np.array([handle, *anchors], dtype=np.int64)
     values = np.zeros((len(known), 1))
     values[0] = 1.0
-    quadratic = sparse.csc_matrix(laplacian.T @ laplacian)
-    return igl.min_quad_with_fixed(quadratic, np.zeros((quadratic.shape[0], 1)), known, values)[:, 0]
+    return igl.min_quad_with_fixed(sparse.csc_matrix(form), np.zeros((form.shape[0], 1)), known, values)[:, 0]
+
+
+def paper_edit(vertices, triangles, handle, anchors, offset):
+    """Equation 7 of the paper with L_s = D - Adj."""
+    adjacency = np.zeros((len(vertices), len(vertices)))
+    for a, b in triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2):
+        adjacency[a, b] = adjacency[b, a] = 1.0
+    laplacian = np.diag(adjacency.sum(axis=1)) - adjacency
+    held = np.eye(len(vertices))[[*anchors, handle]]
+    stacked = np.vstack([laplacian, held])
+    targets = np.vstack([laplacian @ vertices, held @ vertices])
+    targets[-1] += offset
+    return np.stack([np.linalg.pinv(stacked) @ targets[:, axis] for axis in range(3)], axis=1)
 
 
 def arap(vertices, triangles, handle, anchors, offset):
     fixed = np.array([handle, *anchors], dtype=np.int32)
     data = igl.ARAPData()
-    data.energy = igl.pyigl_core.ARAP_ENERGY_TYPE_SPOKES
+    data.energy = igl.pyigl_core.ARAP_ENERGY_TYPE_SPOKES_AND_RIMS
     data.max_iter = 500
     igl.arap_precomputation(vertices, triangles, 3, fixed, data)
     targets = vertices[fixed].copy()
@@ -78,9 +92,11 @@ def answers(name, vertices, triangles, handle, anchors, offset):
         "anchors": anchors,
         "offset": offset,
         "cotangent": [[int(r), int(c), v] for r, c, v in zip(lower.row, lower.col, lower.data)],
-        "biharmonic": biharmonic(laplacian, handle, anchors).tolist(),
+        "harmonic": polyharmonic(-laplacian, handle, anchors).tolist(),
+        "biharmonic": polyharmonic(laplacian.T @ laplacian, handle, anchors).tolist(),
         "geodesic": distances.tolist(),
         "arap": arap(vertices, triangles, handle, anchors, np.array(offset)).tolist(),
+        "paper": paper_edit(vertices, triangles, handle, anchors[:2], np.array(offset)).tolist(),
     }
 
 

@@ -26,7 +26,7 @@ pub(crate) fn best_rotation(covariance: &DMat3) -> DMat3 {
     DMat3::from_quat(DQuat::from_xyzw(best[1], best[2], best[3], best[0]).normalize())
 }
 
-#[cfg(test)]
+#[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use glam::DVec3;
     use proptest::prelude::*;

@@ -7,6 +7,7 @@ mod golden;
 mod golden_edits;
 mod meshes;
 mod operators;
+mod references;
 mod refusals;
 mod regions;
 mod rigid;
