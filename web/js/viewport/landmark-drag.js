@@ -5,6 +5,24 @@
 
 const AXIS_KEYS = /** @type {Record<string, AxisName>} */ ({ x: "x", y: "y", z: "z" });
 
+/** A drag that starts this near a landmark moves it, in CSS px; one that starts elsewhere turns the face. */
+const REACH_PX = { mouse: 9, touch: 28 };
+
+/**
+ * @param {import("./workbench.js").Studio} studio
+ * @param {number} landmark
+ * @param {number} x_px in device pixels of the canvas
+ * @param {number} y_px
+ * @param {string} pointerType
+ */
+export function isAtLandmark(studio, landmark, x_px, y_px, pointerType) {
+  const place = studio.screenPosition(landmark);
+  if (!place) return false;
+  const distance_px = Math.hypot(place.x - x_px, place.y - y_px) / devicePixelRatio;
+  place.free();
+  return distance_px <= (pointerType === "touch" ? REACH_PX.touch : REACH_PX.mouse);
+}
+
 /** Moves a landmark with the pointer, in the view plane or along an axis; Escape puts it back. */
 export class LandmarkDrag {
   /** @type {"idle" | "ready" | "moving"} */
@@ -48,6 +66,7 @@ export class LandmarkDrag {
     this.#axis = studio.pickAxis(x_px, y_px);
     const landmark = this.#axis ? studio.selected : studio.pick(x_px, y_px);
     if (landmark === undefined || (pointerType === "touch" && landmark !== studio.selected)) return;
+    if (!this.#axis && !isAtLandmark(studio, landmark, x_px, y_px, pointerType)) return;
     this.#landmark = landmark;
     this.#at = { x_px, y_px, fine: false };
     this.#phase = "ready";

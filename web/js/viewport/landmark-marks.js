@@ -1,5 +1,6 @@
 import { byId } from "../page/dom.js";
 import { Gestures } from "./gestures.js";
+import { isAtLandmark } from "./landmark-drag.js";
 import { landmarkLabel } from "./landmark-label.js";
 
 /**
@@ -30,7 +31,7 @@ export class LandmarkMarks {
     bench.onFrame(() => this.#place());
     new Gestures(bench, {
       pick: (x_px, y_px) => bench.act((studio) => studio.select(studio.pick(x_px, y_px))),
-      hover: (x_px, y_px) => bench.look((studio) => this.#name(studio.hover(x_px, y_px))),
+      hover: (x_px, y_px) => this.#point(x_px, y_px),
       leave: () => this.hover(undefined),
       widen,
     });
@@ -47,11 +48,23 @@ export class LandmarkMarks {
     this.#name(landmark);
   }
 
+  /**
+   * @param {number} x_px
+   * @param {number} y_px
+   */
+  #point(x_px, y_px) {
+    this.bench.look((studio) => {
+      const landmark = studio.hover(x_px, y_px);
+      const movable = landmark !== undefined && isAtLandmark(studio, landmark, x_px, y_px, "mouse");
+      this.bench.canvas.classList.toggle("over-landmark", movable);
+      this.#name(landmark);
+    });
+  }
+
   /** @param {number | undefined} landmark */
   #name(landmark) {
     if (landmark === this.#hovered) return;
     this.#hovered = landmark;
-    this.bench.canvas.classList.toggle("over-landmark", landmark !== undefined);
     this.#write();
   }
 
