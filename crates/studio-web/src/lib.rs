@@ -1,1 +1,39 @@
 //! The page's façade: studio, viewport and export behind wasm-bindgen.
+//!
+//! The page forwards intents and shows state; every decision about faces and meshes is made behind this façade. What is
+//! thrown is an `Error` with a stable `code` and a `hint`. Nothing here is global, and no method holds the studio over
+//! an `await`.
+
+mod choices;
+mod drag;
+mod editing;
+mod files;
+mod follow;
+mod modes;
+mod renderer;
+mod seeing;
+mod session;
+mod state;
+mod studio;
+mod trouble;
+
+use wasm_bindgen::prelude::*;
+use web_sys::HtmlCanvasElement;
+
+pub use modes::{
+    AnchorsName, AxisName, BackgroundName, ExportPaintName, HoldName, LanguageName, OperatorName, PaintName, ThemeName,
+    TriangulationName, UnitsName, ViewName,
+};
+pub use renderer::{Renderer, create_renderer};
+pub use state::{ScreenPoint, Snapshot, StudioEntry, StudioState};
+pub use studio::Studio;
+
+/// Gets a GPU, binds it to the canvas, and opens an empty studio on it.
+///
+/// # Errors
+/// `no-webgpu`, `no-adapter`, `no-device` or `canvas-in-use`.
+#[wasm_bindgen]
+pub async fn start(canvas: HtmlCanvasElement) -> Result<Studio, JsValue> {
+    console_error_panic_hook::set_once();
+    Ok(Studio::new(create_renderer(canvas).await?.into_viewport()))
+}

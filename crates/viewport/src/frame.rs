@@ -63,7 +63,7 @@ impl Frame {
             eye_m: camera.eye_m().as_vec3().to_array(),
             pixel_ratio: moment.pixel_ratio as f32,
             light_direction: light.direction(camera).as_vec3().to_array(),
-            light_strength: light.strength as f32,
+            light_strength: light.brightness() as f32,
             light_colour: light.colour.to_linear(),
             ambient: light.ambient as f32,
             offset_a_m: moment.offsets_m[0].as_vec3().to_array(),

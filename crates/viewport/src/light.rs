@@ -2,6 +2,9 @@ use glam::DVec3;
 
 use crate::{Camera, Srgb};
 
+/// With the usual ambient light, this shows a surface that faces the viewer about in its own colour.
+const USUAL_BRIGHTNESS: f64 = 0.92;
+
 /// One directional light, fixed to the viewer, and an even light from everywhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Light {
@@ -9,7 +12,7 @@ pub struct Light {
     pub azimuth_deg: f64,
     /// Degrees above the horizon.
     pub elevation_deg: f64,
-    /// Brightness of the directional light; 1 alone shows a surface that faces it in its own colour.
+    /// Strength of the directional light; 1 is the usual one.
     pub strength: f64,
     /// Colour of the directional light.
     pub colour: Srgb,
@@ -20,7 +23,7 @@ pub struct Light {
 impl Default for Light {
     /// From the upper left, white, so that a surface that faces the viewer is shown about in its own colour.
     fn default() -> Self {
-        Self { azimuth_deg: -38.0, elevation_deg: 38.0, strength: 0.72, colour: Srgb::WHITE, ambient: 0.46 }
+        Self { azimuth_deg: -35.0, elevation_deg: 40.0, strength: 1.0, colour: Srgb::WHITE, ambient: 0.4 }
     }
 }
 
@@ -28,6 +31,11 @@ impl Light {
     /// No shading at all: every surface in its own colour.
     pub const FLAT: Self =
         Self { azimuth_deg: 0.0, elevation_deg: 0.0, strength: 0.0, colour: Srgb::WHITE, ambient: 1.0 };
+
+    /// Brightness that the directional light gives a surface that faces it.
+    pub fn brightness(&self) -> f64 {
+        self.strength * USUAL_BRIGHTNESS
+    }
 
     /// Unit vector in the model's frame from the surface towards the light.
     pub fn direction(&self, camera: &Camera) -> DVec3 {
@@ -62,7 +70,7 @@ mod tests {
     fn a_surface_facing_the_viewer_keeps_about_its_own_colour() {
         let camera = Camera::default();
         let light = Light::default();
-        let brightness = light.ambient + light.strength * light.direction(&camera).dot(camera.back());
+        let brightness = light.ambient + light.brightness() * light.direction(&camera).dot(camera.back());
         assert!((brightness - 1.0).abs() < 0.1, "{brightness}");
     }
 }

@@ -1,0 +1,65 @@
+use rosto_studio::{AnchorKind, Anchors, Grip, Hold, Mirror, Operator, Reach, Settings};
+
+const M_PER_MM: f64 = 1e-3;
+
+/// How edits are to spread; kept from one landmark, and one face, to the next.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Choices {
+    pub operator: Operator,
+    pub hold: Hold,
+    pub anchors: AnchorChoice,
+    pub pins: Vec<u32>,
+    pub radius_mm: Option<f64>,
+    pub mirror: Mirror,
+}
+
+/// What stays in place beside the pins.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum AnchorChoice {
+    /// Two random vertices, new for each selection.
+    Random,
+    /// The face's oval.
+    Oval,
+    /// Nothing.
+    PinsOnly,
+    /// These, and no pins, until another landmark is selected.
+    Explicit(Vec<u32>),
+}
+
+impl Default for Choices {
+    /// The paper's edit.
+    fn default() -> Self {
+        Self {
+            operator: Operator::default(),
+            hold: Hold::default(),
+            anchors: AnchorChoice::Random,
+            pins: Vec::new(),
+            radius_mm: None,
+            mirror: Mirror::Off,
+        }
+    }
+}
+
+impl Choices {
+    /// The grip on one landmark under these choices; `seed` chooses random anchors.
+    pub fn grip(&self, vertex: u32, seed: u64) -> Grip {
+        let kind = match self.anchors {
+            AnchorChoice::Random => AnchorKind::Random { seed },
+            AnchorChoice::Oval => AnchorKind::Oval,
+            AnchorChoice::PinsOnly | AnchorChoice::Explicit(_) => AnchorKind::PinsOnly,
+        };
+        let pins = match &self.anchors {
+            AnchorChoice::Explicit(anchors) => anchors.clone(),
+            _ => self.pins.clone(),
+        };
+        let settings = Settings {
+            operator: self.operator,
+            hold: self.hold,
+            anchors: Anchors { kind, pins },
+            reach: self.radius_mm.map_or(Reach::Whole, |radius_mm| Reach::Within { radius: radius_mm * M_PER_MM }),
+            mirror: self.mirror,
+            ..Settings::default()
+        };
+        Grip { handles: vec![vertex], settings, ..Grip::default() }
+    }
+}

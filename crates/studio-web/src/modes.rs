@@ -1,0 +1,171 @@
+//! The words the page uses for choices; they become TypeScript string unions.
+
+#![expect(missing_docs, reason = "wasm-bindgen adds a variant and functions of its own, without words")]
+
+use rosto_viewport::Axis;
+use wasm_bindgen::prelude::*;
+
+use crate::trouble::{Outcome, Trouble};
+
+/// How the surface is coloured.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PaintName {
+    /// The photo itself, as texture.
+    Photo = "photo",
+    /// The colour under each landmark, blended between them: the paper's way.
+    Colours = "colours",
+    /// A plain, warm grey material.
+    Clay = "clay",
+    /// The direction the surface faces, as colour.
+    Normals = "normals",
+    /// How far each vertex follows the selected one.
+    Response = "response",
+    /// How much the edits bent the surface.
+    Distortion = "distortion",
+}
+
+/// A named direction to look from.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ViewName {
+    /// Straight at the face.
+    Front = "front",
+    /// The face's own left side.
+    Left = "left",
+    /// From above.
+    Top = "top",
+    /// Front, centred, at the first distance.
+    Reset = "reset",
+}
+
+/// Light or dark page.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ThemeName {
+    /// Dark marks on a light ground.
+    Light = "light",
+    /// Light marks on a dark ground.
+    Dark = "dark",
+}
+
+/// What lies behind the face.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BackgroundName {
+    /// The theme's soft gradient with a shadow under the face.
+    Ground = "ground",
+    /// Nothing: the page shows through.
+    Transparent = "transparent",
+}
+
+/// Language of names.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LanguageName {
+    /// English.
+    English = "en",
+    /// Portuguese.
+    Portuguese = "pt",
+}
+
+/// Units of a mesh written as JSON.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum UnitsName {
+    /// MediaPipe's normalised picture coordinates, as in the paper.
+    Image = "image",
+    /// The model's millimetres.
+    Millimetres = "mm",
+}
+
+/// An axis of the model: x to the face's left, y up, z out of the face.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AxisName {
+    /// Towards the face's left.
+    X = "x",
+    /// Up.
+    Y = "y",
+    /// Out of the face.
+    Z = "z",
+}
+
+/// How the mesh's details are described while it is edited.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OperatorName {
+    /// `L_s = D − Adj`, the paper's default.
+    UniformSymmetric = "L_s",
+    /// `L = I − D⁻¹Adj`.
+    Uniform = "L",
+    /// Weighted by degree.
+    Degree = "degree",
+    /// Weighted by inverse edge length.
+    InverseLength = "length",
+    /// Cotangent weights.
+    Cotangent = "cotangent",
+}
+
+/// How firmly handles and anchors are held.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HoldName {
+    /// Unit weights, as in the paper: a handle reaches part of its offset.
+    Soft = "soft",
+    /// The handle lands on its target and anchors stay.
+    Exact = "exact",
+}
+
+/// What stays where it is during an edit.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AnchorsName {
+    /// Two random vertices, new for each selection: the paper's way.
+    Random = "random",
+    /// The outline of the face.
+    Oval = "oval",
+    /// Only vertices pinned by hand.
+    Pinned = "pinned",
+}
+
+/// What a downloaded model carries as colour.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ExportPaintName {
+    /// A crop of the photo as texture.
+    Texture = "texture",
+    /// Linear vertex colours.
+    VertexColours = "colours",
+}
+
+/// Which triangulation joins the 468 landmarks.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TriangulationName {
+    /// MediaPipe's drawing tessellation: eyes and mouth open.
+    Tessellation = "tessellation",
+    /// The canonical face model: eyes and mouth filled.
+    Canonical = "canonical",
+}
+
+impl From<Axis> for AxisName {
+    fn from(axis: Axis) -> Self {
+        match axis {
+            Axis::X => Self::X,
+            Axis::Y => Self::Y,
+            Axis::Z => Self::Z,
+        }
+    }
+}
+
+impl AxisName {
+    pub(crate) fn axis(self) -> Outcome<Axis> {
+        match self {
+            Self::X => Ok(Axis::X),
+            Self::Y => Ok(Axis::Y),
+            Self::Z => Ok(Axis::Z),
+            _ => Err(Trouble::bad_choice()),
+        }
+    }
+}

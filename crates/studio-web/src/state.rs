@@ -1,0 +1,118 @@
+//! What the page shows, as values it can read.
+
+use wasm_bindgen::prelude::*;
+
+/// Everything the panel shows about the document and the edit in progress.
+#[wasm_bindgen(getter_with_clone, inspectable)]
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct StudioState {
+    /// Whether a face is open.
+    #[wasm_bindgen(readonly, js_name = hasFace)]
+    pub has_face: bool,
+    /// Number of vertices shown.
+    #[wasm_bindgen(readonly, js_name = vertexCount)]
+    pub vertex_count: u32,
+    /// Number of edges shown.
+    #[wasm_bindgen(readonly, js_name = edgeCount)]
+    pub edge_count: u32,
+    /// Number of triangles shown.
+    #[wasm_bindgen(readonly, js_name = triangleCount)]
+    pub triangle_count: u32,
+    /// The selected landmark, if any.
+    #[wasm_bindgen(readonly)]
+    pub selected: Option<u32>,
+    /// Number of neighbours of the selected landmark.
+    #[wasm_bindgen(readonly, js_name = selectedDegree)]
+    pub selected_degree: u32,
+    /// Offset of the edit in progress along x, in mm.
+    #[wasm_bindgen(readonly, js_name = offsetXMm)]
+    pub offset_x_mm: f64,
+    /// Offset of the edit in progress along y, in mm.
+    #[wasm_bindgen(readonly, js_name = offsetYMm)]
+    pub offset_y_mm: f64,
+    /// Offset of the edit in progress along z, in mm.
+    #[wasm_bindgen(readonly, js_name = offsetZMm)]
+    pub offset_z_mm: f64,
+    /// Share of its offset that the selected landmark reaches, 0..1.
+    #[wasm_bindgen(readonly)]
+    pub reach: f64,
+    /// Whether an edit is in progress that `commit` would keep.
+    #[wasm_bindgen(readonly)]
+    pub editing: bool,
+    /// Whether there is something to undo.
+    #[wasm_bindgen(readonly, js_name = canUndo)]
+    pub can_undo: bool,
+    /// Whether there is something to redo.
+    #[wasm_bindgen(readonly, js_name = canRedo)]
+    pub can_redo: bool,
+    /// The history, oldest first, without what was undone.
+    #[wasm_bindgen(readonly)]
+    pub entries: Vec<StudioEntry>,
+}
+
+/// One entry of the history.
+#[wasm_bindgen(getter_with_clone, inspectable)]
+#[derive(Debug, Clone, PartialEq)]
+pub struct StudioEntry {
+    /// Place in the history, from 0.
+    #[wasm_bindgen(readonly)]
+    pub index: u32,
+    /// What it is called, such as "nose tip".
+    #[wasm_bindgen(readonly)]
+    pub label: String,
+    /// The landmark that was moved.
+    #[wasm_bindgen(readonly)]
+    pub vertex: u32,
+    /// Offset along x, in mm.
+    #[wasm_bindgen(readonly, js_name = xMm)]
+    pub x_mm: f64,
+    /// Offset along y, in mm.
+    #[wasm_bindgen(readonly, js_name = yMm)]
+    pub y_mm: f64,
+    /// Offset along z, in mm.
+    #[wasm_bindgen(readonly, js_name = zMm)]
+    pub z_mm: f64,
+    /// Whether it takes part in the shape.
+    #[wasm_bindgen(readonly)]
+    pub enabled: bool,
+}
+
+/// A place on the canvas, in device pixels from its top left.
+#[wasm_bindgen(inspectable)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ScreenPoint {
+    /// To the right.
+    #[wasm_bindgen(readonly)]
+    pub x: f64,
+    /// Down.
+    #[wasm_bindgen(readonly)]
+    pub y: f64,
+}
+
+/// A picture of the canvas: straight (not premultiplied) sRGB RGBA.
+#[wasm_bindgen(inspectable)]
+#[derive(Debug, Clone, PartialEq)]
+pub struct Snapshot {
+    /// Width in pixels.
+    #[wasm_bindgen(readonly)]
+    pub width: u32,
+    /// Height in pixels.
+    #[wasm_bindgen(readonly)]
+    pub height: u32,
+    pixels: Vec<u8>,
+}
+
+impl From<rosto_viewport::Snapshot> for Snapshot {
+    fn from(snapshot: rosto_viewport::Snapshot) -> Self {
+        Self { width: snapshot.width, height: snapshot.height, pixels: snapshot.rgba }
+    }
+}
+
+#[wasm_bindgen]
+impl Snapshot {
+    /// Takes the pixels out, row by row from the top; empty the second time.
+    #[wasm_bindgen(js_name = takePixels)]
+    pub fn take_pixels(&mut self) -> Vec<u8> {
+        std::mem::take(&mut self.pixels)
+    }
+}

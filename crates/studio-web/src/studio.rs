@@ -1,0 +1,299 @@
+use glam::{DVec2, DVec3};
+use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, Triangulation, canonical_positions_m};
+use rosto_studio::Mirror;
+use rosto_viewport::{Mark, MarkKind, MeshInput, MirrorPlane, Paint, Picture, Viewport, Wireframe};
+use wasm_bindgen::prelude::*;
+
+use crate::choices::{AnchorChoice, Choices};
+use crate::drag::Drag;
+use crate::follow;
+use crate::renderer::Renderer;
+use crate::session::Session;
+use crate::trouble::{Outcome, Trouble};
+
+/// How fast the empty state turns.
+const IDLE_TURN_DEG_PER_S: f64 = 14.0;
+/// How strongly the response glows over the face while a landmark moves.
+const GLOW: f64 = 0.75;
+
+/// The document and its view.
+#[wasm_bindgen]
+pub struct Studio {
+    pub(crate) viewport: Viewport,
+    pub(crate) session: Option<Session>,
+    pub(crate) choices: Choices,
+    pub(crate) drag: Option<Drag>,
+    pub(crate) wishes: Wishes,
+}
+
+/// What the page asked for that only a face shows.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Wishes {
+    pub paint: Paint,
+    pub wireframe: Wireframe,
+    pub turntable_deg_per_s: f64,
+    pub triangulation: Triangulation,
+    pub density: u32,
+    pub motion: Motion,
+}
+
+/// Whether things move by themselves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Motion {
+    Usual,
+    Reduced,
+}
+
+#[wasm_bindgen]
+impl Studio {
+    /// Continues on a new GPU after `device-lost`; document and view stay.
+    ///
+    /// # Errors
+    /// `device-lost`, if that one is gone too.
+    #[wasm_bindgen(js_name = useRenderer)]
+    pub fn use_renderer(&mut self, renderer: Renderer) -> Result<(), JsValue> {
+        let stage = self.viewport.stage().clone();
+        self.viewport = renderer.into_viewport();
+        self.viewport.set_stage(stage);
+        Ok(self.show_mesh()?)
+    }
+
+    /// Opens a face: MediaPipe's normalised landmarks (468 × 3) found in a picture of `width` × `height` px, the colour
+    /// under each landmark (468 × 3, sRGB) and the upright picture (RGBA), perhaps scaled down. What was open before is
+    /// kept if this one cannot be opened.
+    ///
+    /// # Errors
+    /// `bad-face`.
+    #[wasm_bindgen(js_name = openFace)]
+    #[expect(clippy::too_many_arguments, reason = "plain numbers and arrays cross to JavaScript best one by one")]
+    pub fn open_face(
+        &mut self,
+        landmarks: &[f32],
+        width: u32,
+        height: u32,
+        colours: &[u8],
+        picture: &[u8],
+        #[wasm_bindgen(js_name = pictureWidth)] picture_width: u32,
+        #[wasm_bindgen(js_name = pictureHeight)] picture_height: u32,
+    ) -> Result<(), JsValue> {
+        let photo = photo(picture, picture_width, picture_height)?;
+        let input = FaceInput {
+            landmarks: landmarks.as_chunks::<3>().0,
+            width,
+            height,
+            colours: colours.as_chunks::<3>().0,
+            picture: photo,
+        };
+        Ok(self.open(input)?)
+    }
+
+    /// Shows the empty state: the canonical face as a slowly turning wireframe.
+    ///
+    /// # Errors
+    /// `device-lost`.
+    #[wasm_bindgen(js_name = showCanonical)]
+    pub fn show_canonical(&mut self) -> Result<(), JsValue> {
+        self.session = None;
+        self.drag = None;
+        self.show_mesh()?;
+        self.viewport.stage_mut().frame(&canonical_positions_m());
+        self.viewport.stage_mut().camera_mut().turn(-0.5);
+        Ok(())
+    }
+
+    /// The canvas' size in device pixels, and how many of them make a CSS pixel.
+    pub fn resize(
+        &mut self,
+        #[wasm_bindgen(js_name = widthPx)] width_px: u32,
+        #[wasm_bindgen(js_name = heightPx)] height_px: u32,
+        #[wasm_bindgen(js_name = pixelRatio)] pixel_ratio: Option<f64>,
+    ) {
+        self.viewport.resize(width_px, height_px);
+        let ratio = pixel_ratio.filter(|ratio| ratio.is_finite() && *ratio > 0.0);
+        self.viewport.stage_mut().set_pixel_ratio(ratio.unwrap_or(1.0));
+    }
+
+    /// Draws if something changed; true asks for another frame. `timeMs` is what `requestAnimationFrame` tells.
+    ///
+    /// # Errors
+    /// `device-lost`.
+    pub fn draw(&mut self, #[wasm_bindgen(js_name = timeMs)] time_ms: f64) -> Result<bool, JsValue> {
+        Ok(self.viewport.draw(time_ms).map_err(Trouble::from)?)
+    }
+}
+
+impl Studio {
+    pub(crate) fn new(viewport: Viewport) -> Self {
+        Self {
+            viewport,
+            session: None,
+            choices: Choices::default(),
+            drag: None,
+            wishes: Wishes {
+                paint: Paint::default(),
+                wireframe: Wireframe::default(),
+                turntable_deg_per_s: 0.0,
+                triangulation: Triangulation::Tessellation,
+                density: 0,
+                motion: Motion::Usual,
+            },
+        }
+    }
+
+    /// The open face.
+    pub(crate) fn session(&self) -> Outcome<&Session> {
+        self.session.as_ref().ok_or_else(Trouble::no_face)
+    }
+
+    /// The open face, with the choices that its edits depend on.
+    pub(crate) fn session_mut(&mut self) -> Outcome<(&mut Session, &mut Choices)> {
+        let session = self.session.as_mut().ok_or_else(Trouble::no_face)?;
+        Ok((session, &mut self.choices))
+    }
+
+    fn open(&mut self, input: FaceInput<'_>) -> Outcome<()> {
+        let face = FaceModel::new(input, self.wishes.triangulation)?;
+        let mut session = Session::new(face)?;
+        if self.wishes.density > 0 {
+            session.set_density(self.wishes.density, &self.choices)?;
+        }
+        self.choices.pins.clear();
+        self.session = Some(session);
+        self.drag = None;
+        self.show_mesh()?;
+        let (viewport, session) = (&mut self.viewport, self.session.as_ref().ok_or_else(Trouble::no_face)?);
+        viewport.stage_mut().frame(session.document.positions());
+        if self.wishes.motion == Motion::Usual {
+            viewport.arrive_from(&flat(session))?;
+        }
+        Ok(())
+    }
+
+    /// Gives the viewport the mesh that is to be seen, after the mesh itself has changed.
+    pub(crate) fn show_mesh(&mut self) -> Outcome<()> {
+        match &self.session {
+            Some(session) => show_session(&mut self.viewport, session)?,
+            None => {
+                let topology = Triangulation::Canonical.topology();
+                let positions_m = canonical_positions_m();
+                self.viewport.show(&MeshInput {
+                    topology: &topology,
+                    positions_m: &positions_m,
+                    colours_srgb: &[],
+                    uvs: &[],
+                    picture: None,
+                })?;
+            }
+        }
+        self.show_wishes();
+        self.show_shape()
+    }
+
+    /// Follows what the page asked for: the empty state has a look of its own.
+    pub(crate) fn show_wishes(&mut self) {
+        let wishes = self.wishes;
+        let is_empty = self.session.is_none();
+        let stage = self.viewport.stage_mut();
+        let idle_turn = if wishes.motion == Motion::Usual { IDLE_TURN_DEG_PER_S } else { 0.0 };
+        stage.set_turntable(if is_empty { idle_turn } else { wishes.turntable_deg_per_s });
+        let look = stage.look_mut();
+        look.paint = if is_empty { Paint::Bare } else { wishes.paint };
+        look.wireframe = if is_empty { Wireframe::Shown } else { wishes.wireframe };
+    }
+
+    /// Follows the document after an entry of its history, or what is held, has changed.
+    pub(crate) fn show_shape(&mut self) -> Outcome<()> {
+        if let Some(session) = &self.session {
+            self.viewport.set_positions(session.document.committed())?;
+            self.viewport.set_fields(session.follow.fields())?;
+        }
+        self.show_marks();
+        self.show_offset()
+    }
+
+    /// Follows one tick of an edit: three numbers go to the GPU.
+    pub(crate) fn show_offset(&mut self) -> Outcome<()> {
+        let is_moving = self.session.as_ref().is_some_and(Session::is_moving);
+        let offset_m = self.session.as_ref().map_or(DVec3::ZERO, Session::offset_m);
+        self.viewport.stage_mut().set_offsets_m(follow::offsets(offset_m));
+        let glow = if is_moving { GLOW } else { 0.0 };
+        if self.viewport.stage().look().glow != glow {
+            self.viewport.stage_mut().look_mut().glow = glow;
+        }
+        match &self.session {
+            Some(session) if self.wishes.paint == Paint::Scalar => Ok(self.viewport.set_scalars(&session.stretch())?),
+            _ => Ok(()),
+        }
+    }
+
+    fn show_marks(&mut self) {
+        let stage = self.viewport.stage_mut();
+        let Some(session) = &self.session else {
+            stage.set_marks(Vec::new());
+            stage.set_gizmo(None);
+            stage.set_hovered(None);
+            return;
+        };
+        let mark = |kind| move |&vertex: &u32| Mark { vertex, kind };
+        let pins = match self.choices.anchors {
+            AnchorChoice::Explicit(_) => &[],
+            _ => self.choices.pins.as_slice(),
+        };
+        let anchors = session.document.anchors().iter().filter(|anchor| !pins.contains(anchor));
+        let selected = session.selected();
+        let marks = anchors.map(mark(MarkKind::Square)).chain(pins.iter().map(mark(MarkKind::Pin)));
+        stage.set_marks(marks.chain(selected.iter().map(mark(MarkKind::Ring))).collect());
+        stage.set_gizmo(selected);
+        let is_mirrored = selected.is_some() && self.choices.mirror == Mirror::On;
+        let mirror_plane = if is_mirrored { MirrorPlane::Shown } else { MirrorPlane::Hidden };
+        if stage.look().mirror_plane != mirror_plane {
+            stage.look_mut().mirror_plane = mirror_plane;
+        }
+    }
+
+    /// The landmark under a place on the canvas.
+    pub(crate) fn landmark_at(&self, place_px: DVec2) -> Option<u32> {
+        let positions_m = self.session.as_ref()?.document.positions();
+        let vertex = self.viewport.pick(place_px, positions_m)?;
+        let at_m = positions_m[vertex as usize];
+        let landmarks = positions_m.iter().take(LANDMARK_COUNT).zip(0..);
+        landmarks.min_by(|(one, _), (other, _)| at_m.distance(**one).total_cmp(&at_m.distance(**other))).map(|(_, v)| v)
+    }
+}
+
+fn show_session(viewport: &mut Viewport, session: &Session) -> Outcome<()> {
+    let uvs = session.uvs();
+    let picture = session.face.picture();
+    let rgba: Vec<u8> = picture.pixels().as_chunks::<3>().0.iter().flat_map(|[r, g, b]| [*r, *g, *b, 255]).collect();
+    viewport.show(&MeshInput {
+        topology: session.document.topology(),
+        positions_m: session.document.committed(),
+        colours_srgb: &session.colours_srgb(&uvs),
+        uvs: &uvs,
+        picture: Some(Picture { width: picture.width(), height: picture.height(), rgba: &rgba }),
+    })?;
+    Ok(viewport.set_before(session.document.rest())?)
+}
+
+/// The landmarks as they lie on the photo: in one plane, as large as the face and where it is.
+fn flat(session: &Session) -> Vec<DVec3> {
+    let image = session.document.from_cage(session.face.positions_image());
+    let picture = session.face.picture();
+    let aspect = f64::from(picture.height()) / f64::from(picture.width());
+    let upright = |p: &DVec3| DVec2::new(p.x, -p.y * aspect);
+    let middle = |sum: DVec3| sum / image.len() as f64;
+    let image_middle = upright(&middle(image.iter().copied().sum()));
+    let model_middle = middle(session.document.positions().iter().copied().sum());
+    let spread = |sum: f64| (sum / image.len() as f64).sqrt();
+    let image_spread = spread(image.iter().map(|p| upright(p).distance_squared(image_middle)).sum());
+    let model_spread =
+        spread(session.document.positions().iter().map(|p| (*p - model_middle).truncate().length_squared()).sum());
+    let scale = model_spread / image_spread.max(f64::MIN_POSITIVE);
+    image.iter().map(|p| model_middle + ((upright(p) - image_middle) * scale).extend(0.0)).collect()
+}
+
+fn photo(rgba: &[u8], width: u32, height: u32) -> Outcome<Photo> {
+    let rgb: Vec<u8> = rgba.as_chunks::<4>().0.iter().flat_map(|[red, green, blue, _]| [*red, *green, *blue]).collect();
+    Photo::from_rgb(width, height, rgb)
+        .map_err(|error| Trouble::new("bad-face", error.to_string(), "Open the photo again."))
+}
