@@ -47,7 +47,7 @@ async function rosto(runs) {
   const bytes = async (name) => new Uint8Array(await (await fetch(name)).arrayBuffer());
   const photo = await bytes("sample.png");
   const before = performance.now();
-  const { default: init, Vision } = await import("./wasm/vision.js");
+  const { default: init, Vision } = await import("./wasm/rosto-vision-web.js");
   await init();
   const vision = new Vision(await bytes("assets/face_detector.onnx"), await bytes("assets/face_landmarks.onnx"));
   const start_ms = performance.now() - before;
