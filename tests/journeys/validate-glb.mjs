@@ -7,7 +7,7 @@ const validator = createRequire(import.meta.url)("gltf-validator");
 
 /** @param {Uint8Array} bytes @returns {Promise<{clean: boolean, counts: string, messages: string[]}>} */
 export async function validateGlb(bytes) {
-  const { issues } = await validator.validateBytes(bytes, { format: "glb" });
+  const { issues } = await validator.validateBytes(bytes);
   const counts = [issues.numErrors, issues.numWarnings, issues.numInfos, issues.numHints];
   return {
     clean: counts.every((count) => count === 0),

@@ -79,6 +79,20 @@ impl Default for GlbOptions<'_> {
 /// [`ExportError`] if a length does not fit, a position is not finite, there is no triangle, the extras are no JSON
 /// object, or the texture cannot be encoded.
 pub fn glb(model: &Model<'_>, options: &GlbOptions<'_>) -> Result<Vec<u8>, ExportError> {
+    let (builder, root) = build(model, options)?;
+    Ok(builder.finish_binary(root))
+}
+
+/// The same file as glTF text, with its data inside as base64. Media type: `model/gltf+json`.
+///
+/// # Errors
+/// As [`glb`].
+pub fn gltf(model: &Model<'_>, options: &GlbOptions<'_>) -> Result<String, ExportError> {
+    let (builder, root) = build(model, options)?;
+    Ok(builder.finish_text(root))
+}
+
+fn build(model: &Model<'_>, options: &GlbOptions<'_>) -> Result<(Builder, Map<String, Value>), ExportError> {
     model.check()?;
     let extras = options.extras.map(parse_extras).transpose()?;
     let mut builder = Builder::default();
@@ -102,7 +116,7 @@ pub fn glb(model: &Model<'_>, options: &GlbOptions<'_>) -> Result<Vec<u8>, Expor
     root.insert("nodes".into(), json!([{"name": options.name, "mesh": 0}]));
     root.insert("meshes".into(), json!([mesh]));
     root.insert("materials".into(), json!([material]));
-    Ok(builder.finish(root))
+    Ok((builder, root))
 }
 
 fn parse_extras(text: &str) -> Result<Value, ExportError> {

@@ -3,14 +3,21 @@
 //! Every exporter takes a [`Model`] and documented options and returns the file whole. Positions are metres in the
 //! model's frame (+Y up, +Z out of the face); `f64` becomes `f32` here, and not before.
 
+mod base64;
 mod colour;
 mod error;
 mod glb;
 mod mesh_json;
 mod model;
+mod obj;
+mod ply;
+mod stl;
 
 pub use colour::linear_from_srgb;
 pub use error::ExportError;
-pub use glb::{GlbOptions, Morph, Paint, Shading, glb};
+pub use glb::{GlbOptions, Morph, Paint, Shading, glb, gltf};
 pub use mesh_json::{JsonMesh, mesh_json};
 pub use model::Model;
+pub use obj::obj;
+pub use ply::ply;
+pub use stl::stl;

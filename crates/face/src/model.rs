@@ -102,6 +102,12 @@ impl FaceModel {
         &self.uvs
     }
 
+    /// The photo's sRGB colours under other texture coordinates than the landmarks', as a denser mesh has them; taken
+    /// from [`Self::picture`], whose resolution may be lower than the photo's.
+    pub fn colours_under(&self, uvs: &[DVec2]) -> Vec<[u8; 3]> {
+        uvs.iter().map(|uv| self.picture.colour_under(uv.x, uv.y)).collect()
+    }
+
     /// The upright picture.
     pub fn picture(&self) -> &Photo {
         &self.picture

@@ -7,7 +7,7 @@ use rosto_mesh::Topology;
 
 use crate::grip::Held;
 use crate::level::{Level, Rest};
-use crate::shape::Shape;
+use crate::shape::{Room, Shape};
 use crate::{Command, Entry, Grip, History, StudioError, Switch};
 
 /// A mesh at rest, the history of commands over it, and the edit in progress.
@@ -33,6 +33,7 @@ pub struct Document {
 struct Preview {
     offsets: Vec<DVec3>,
     shape: Shape,
+    room: Room,
     under_way: bool,
 }
 
@@ -45,7 +46,7 @@ impl Document {
         let mut levels = vec![Level::new(rest)];
         levels[0].system(rosto_laplacian::Operator::default())?;
         let unedited = Shape::at_rest(&levels);
-        let preview = Preview { offsets: Vec::new(), shape: unedited.clone(), under_way: false };
+        let preview = Preview { offsets: Vec::new(), shape: unedited.clone(), room: Room::default(), under_way: false };
         Ok(Self { levels, density: 0, history: History::default(), after: Vec::new(), unedited, held: None, preview })
     }
 
@@ -172,7 +173,7 @@ impl Document {
         }
         let held = self.held.as_mut().ok_or(StudioError::NothingHeld)?;
         let from = self.after.last().unwrap_or(&self.unedited);
-        self.preview.shape.displace(&self.levels, from, held, offsets)?;
+        self.preview.shape.displace(&self.levels, from, held, offsets, &mut self.preview.room)?;
         self.preview.offsets.clear();
         self.preview.offsets.extend_from_slice(offsets);
         self.preview.under_way = true;
@@ -306,7 +307,7 @@ impl Document {
             Command::Move { grip, .. } if grip.level > self.density => {}
             Command::Move { grip, offsets } => {
                 let mut held = self.made_ready(grip.clone())?;
-                shape.displace(&self.levels, self.start(), &mut held, offsets)?;
+                shape.displace(&self.levels, self.start(), &mut held, offsets, &mut Room::default())?;
             }
             &Command::Symmetrise { share } => shape.symmetrise(&self.levels, share)?,
         }

@@ -14,6 +14,7 @@ mod level;
 mod mirror;
 pub mod project;
 mod shape;
+mod sliders;
 
 pub use command::{AnchorKind, Anchors, Command, Details, Grip, Mirror, Reach, Settings};
 pub use document::Document;
@@ -21,3 +22,4 @@ pub use error::StudioError;
 pub use history::{Entry, History, Switch};
 pub use level::{Frame, Rest};
 pub use rosto_laplacian::{Hold, Operator};
+pub use sliders::FaceSlider;

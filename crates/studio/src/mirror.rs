@@ -34,10 +34,10 @@ impl MirrorTable {
         self.partners[vertex as usize]
     }
 
-    /// `vertices` and their partners, each once, in order of appearance.
+    /// `vertices` in their order, then the partners that are not among them; each once.
     pub(crate) fn closure(&self, vertices: &[u32]) -> Vec<u32> {
         let mut closed = Vec::with_capacity(vertices.len() * 2);
-        for vertex in vertices.iter().flat_map(|&vertex| [vertex, self.partner(vertex)]) {
+        for vertex in vertices.iter().copied().chain(vertices.iter().map(|&vertex| self.partner(vertex))) {
             if !closed.contains(&vertex) {
                 closed.push(vertex);
             }

@@ -8,14 +8,18 @@ use crate::level::Level;
 #[derive(Clone)]
 pub(crate) struct Shape {
     positions: Vec<Vec<DVec3>>,
-    /// Room for the way from one shape to the next; what it holds has no meaning between calls.
+}
+
+/// Room for the way from one shape to the next, so that a tick need not allocate; what it holds has no meaning between
+/// calls.
+#[derive(Default)]
+pub(crate) struct Room {
     moved: Vec<Vec<DVec3>>,
 }
 
 impl Shape {
     pub(crate) fn at_rest(levels: &[Level]) -> Self {
-        let positions: Vec<Vec<DVec3>> = levels.iter().map(|level| level.rest().to_vec()).collect();
-        Self { moved: positions.clone(), positions }
+        Self { positions: levels.iter().map(|level| level.rest().to_vec()).collect() }
     }
 
     pub(crate) fn at(&self, level: u32) -> &[DVec3] {
@@ -33,13 +37,14 @@ impl Shape {
         from: &Self,
         held: &mut Held,
         offsets: &[DVec3],
+        room: &mut Room,
     ) -> Result<(), StudioError> {
         let at = held.grip().level as usize;
         held.displace(&levels[at], &from.positions[at], offsets, &mut self.positions[at])?;
         for coarser in 0..at {
             self.positions[coarser].copy_from_slice(&from.positions[coarser]);
         }
-        self.carry_over(levels, from, at);
+        self.carry_over(levels, from, at, room);
         Ok(())
     }
 
@@ -50,24 +55,33 @@ impl Shape {
         }
         let from = self.clone();
         levels[0].mirror()?.symmetrise_shape(share, &mut self.positions[0]);
-        self.carry_over(levels, &from, 0);
+        self.carry_over(levels, &from, 0, &mut Room::default());
         Ok(())
     }
 
     /// Moves every level above `at` by what `at` was moved by.
-    fn carry_over(&mut self, levels: &[Level], from: &Self, at: usize) {
+    fn carry_over(&mut self, levels: &[Level], from: &Self, at: usize, room: &mut Room) {
         if at + 1 == self.positions.len() {
             return;
         }
-        for ((way, to), from) in self.moved[at].iter_mut().zip(&self.positions[at]).zip(&from.positions[at]) {
+        room.fit(&self.positions);
+        for ((way, to), from) in room.moved[at].iter_mut().zip(&self.positions[at]).zip(&from.positions[at]) {
             *way = *to - *from;
         }
         for finer in at + 1..self.positions.len() {
-            let (coarse, fine) = self.moved.split_at_mut(finer);
+            let (coarse, fine) = room.moved.split_at_mut(finer);
             levels[finer - 1].finer().apply_to(&coarse[finer - 1], &mut fine[0]);
             for ((to, from), way) in self.positions[finer].iter_mut().zip(&from.positions[finer]).zip(&fine[0]) {
                 *to = *from + *way;
             }
         }
+    }
+}
+
+impl Room {
+    /// Has a place for each position of each level.
+    fn fit(&mut self, positions: &[Vec<DVec3>]) {
+        self.moved.resize_with(positions.len(), Vec::new);
+        self.moved.iter_mut().zip(positions).for_each(|(moved, level)| moved.resize(level.len(), DVec3::ZERO));
     }
 }

@@ -59,6 +59,21 @@ fn an_exact_handle_and_its_partner_both_reach_their_targets() {
 }
 
 #[test]
+fn several_mirrored_handles_keep_their_own_offsets() {
+    let settings = Settings { mirror: Mirror::On, hold: Hold::Exact, ..Settings::default() };
+    let mut document = Document::new(portrait(Triangulation::Canonical)).unwrap();
+    let moves =
+        [(205, DVec3::new(0.004, 0.0, 0.001)), (61, DVec3::new(0.0, 0.003, 0.0)), (4, DVec3::new(0.0, 0.0, 0.005))];
+    let (handles, offsets) = moves.iter().copied().unzip();
+    document.apply("three", Command::Move { grip: Grip { level: 0, handles, settings }, offsets }).unwrap();
+    for (vertex, offset) in moves {
+        let way = |vertex: u32| document.positions()[vertex as usize] - document.rest()[vertex as usize];
+        assert!((way(vertex) - offset).length() < TOLERANCE_M, "{vertex}: {}", way(vertex));
+        assert!((way(mirror_of(vertex)) - offset * MIRROR).length() < TOLERANCE_M, "partner of {vertex}");
+    }
+}
+
+#[test]
 fn the_midline_stays_in_its_plane() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
     document.hold(mirrored_grip(4)).unwrap();

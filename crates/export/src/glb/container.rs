@@ -2,6 +2,8 @@ use glam::{Vec2, Vec3};
 use rosto_mesh::Topology;
 use serde_json::{Map, Value, json};
 
+use crate::base64::base64;
+
 /// Component types and buffer targets in OpenGL's numbers, as glTF has them.
 const UNSIGNED_SHORT: u32 = 5123;
 const UNSIGNED_INT: u32 = 5125;
@@ -72,22 +74,34 @@ impl Builder {
         self.view(encoded.iter().copied(), None)
     }
 
-    /// The whole file: header, JSON chunk, binary chunk.
-    pub(super) fn finish(mut self, mut root: Map<String, Value>) -> Vec<u8> {
+    /// The whole file in binary: header, JSON chunk, binary chunk.
+    pub(super) fn finish_binary(mut self, root: Map<String, Value>) -> Vec<u8> {
         self.pad();
-        root.insert("buffers".into(), json!([{"byteLength": self.bytes.len()}]));
-        root.insert("bufferViews".into(), self.views.into());
-        root.insert("accessors".into(), self.accessors.into());
-        let mut text = Value::from(root).to_string().into_bytes();
+        let bytes = std::mem::take(&mut self.bytes);
+        let mut text = self.finish(root, json!({"byteLength": bytes.len()})).into_bytes();
         text.resize(text.len().next_multiple_of(4), b' ');
-        let length = 12 + 8 + text.len() + 8 + self.bytes.len();
+        let length = 12 + 8 + text.len() + 8 + bytes.len();
         let mut file = Vec::with_capacity(length);
         file.extend_from_slice(b"glTF");
         file.extend(2u32.to_le_bytes());
         file.extend((length as u32).to_le_bytes());
         push_chunk(&mut file, b"JSON", &text);
-        push_chunk(&mut file, b"BIN\0", &self.bytes);
+        push_chunk(&mut file, b"BIN\0", &bytes);
         file
+    }
+
+    /// The whole file as text.
+    pub(super) fn finish_text(mut self, root: Map<String, Value>) -> String {
+        let bytes = std::mem::take(&mut self.bytes);
+        let uri = ["data:application/octet-stream;base64,", &base64(&bytes)].concat();
+        self.finish(root, json!({"byteLength": bytes.len(), "uri": uri}))
+    }
+
+    fn finish(self, mut root: Map<String, Value>, buffer: Value) -> String {
+        root.insert("buffers".into(), json!([buffer]));
+        root.insert("bufferViews".into(), self.views.into());
+        root.insert("accessors".into(), self.accessors.into());
+        Value::from(root).to_string()
     }
 
     fn attribute(&mut self, bytes: impl Iterator<Item = u8>, component: u32, shape: &str, count: usize) -> usize {

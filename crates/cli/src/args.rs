@@ -1,0 +1,232 @@
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use rosto_face::{Region, Triangulation};
+use rosto_studio::{FaceSlider, Hold, Operator};
+
+use crate::edits::{Edit, RegionEdit, SliderEdit};
+use crate::follow;
+
+const EXIT_CODES: &str = "\
+Exit codes:
+  0  done; for `landmarks`, also when a picture shows no face
+  1  something failed that should not have
+  2  the command line or the edits file is not understood
+  3  a photo cannot be read: missing, no picture, damaged or too large
+  4  no face in the photo
+  5  an edit cannot be made: no such vertex, an anchor that is the handle, no number
+  6  a result cannot be written
+  7  the face networks are missing or damaged";
+
+/// Photos of faces to landmarks and edited, coloured 3D meshes.
+#[derive(Debug, Parser)]
+#[command(name = "rosto", version, after_help = EXIT_CODES)]
+pub struct Arguments {
+    /// Folder with face_detector.onnx and face_landmarks.onnx.
+    ///
+    /// Otherwise the environment variable ROSTO_NETWORKS names it; otherwise they are looked for next to the program,
+    /// then in web/assets of the source tree.
+    #[arg(long, global = true, value_name = "DIR")]
+    pub networks: Option<PathBuf>,
+    #[command(subcommand)]
+    pub task: Task,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum Task {
+    /// Print the landmarks of the faces in each photo, one line of JSON per photo
+    #[command(after_help = EXIT_CODES)]
+    Landmarks(LandmarksTask),
+    /// Write the face in a photo as a mesh, edited on request
+    #[command(after_help = EXIT_CODES)]
+    Mesh(MeshTask),
+    /// Repeat the experiment of the paper on a photo and on this machine
+    #[command(after_help = EXIT_CODES)]
+    Paper(PaperTask),
+}
+
+#[derive(Debug, Args)]
+pub struct LandmarksTask {
+    /// JPEG, PNG or WebP; - reads standard input
+    #[arg(required = true, value_name = "PHOTO")]
+    pub photos: Vec<PathBuf>,
+    /// How many faces to look for in each photo, the most certain ones first
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub max_faces: usize,
+}
+
+#[derive(Debug, Args)]
+pub struct MeshTask {
+    /// JPEG, PNG or WebP; - reads standard input
+    pub photo: PathBuf,
+    /// The file to write; its name ends in .glb, .gltf, .obj, .ply, .stl or .json
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    /// How the landmarks are joined: with holes for eyes and mouth, or closed
+    #[arg(long, value_enum, default_value_t)]
+    pub topology: Topology,
+    /// How often every triangle is cut in four after the edits (Loop subdivision); colours come from the photo
+    #[arg(long, value_name = "TIMES", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=4))]
+    pub density: u32,
+    /// How a GLB is painted
+    #[arg(long, value_enum, default_value_t)]
+    pub paint: Paint,
+    #[command(flatten)]
+    pub edits: EditArguments,
+    #[command(flatten)]
+    pub follow: FollowArguments,
+}
+
+/// What is moved.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Edits, made in this order, each on the mesh that the last one left")]
+pub struct EditArguments {
+    /// The coordinates that edits are made in, and that JSON is written in.
+    ///
+    /// "image": MediaPipe's normalised ones, x/W, y/H, z/W, as in the paper. "mm": the model's millimetres, +Y up, +Z out
+    /// of the face, the subject's left towards +X. The other formats always hold the model: edits made in image
+    /// coordinates are carried over by the map between the two.
+    #[arg(long, value_enum, default_value_t)]
+    pub units: Units,
+    /// A JSON file of edits: [{"vertex": 4, "offset": [0, 0, 1], "anchors": [10, 152]}]
+    #[arg(long = "edits", value_name = "FILE")]
+    pub file: Option<PathBuf>,
+    /// A vertex, its offset, and the vertices that anchor it (else those of --anchors); repeatable
+    #[arg(long = "edit", value_name = "VERTEX:DX,DY,DZ[:A,B]", allow_hyphen_values = true)]
+    pub vertices: Vec<Edit>,
+    /// A named region and its offset, such as nose:0,0,5; repeatable
+    #[arg(long = "region", value_name = "REGION:DX,DY,DZ", allow_hyphen_values = true, long_help = region_help())]
+    pub regions: Vec<RegionEdit>,
+    /// A ready-made slider and its amount in mm, such as jaw-width:-4; repeatable
+    #[arg(long = "slider", value_name = "SLIDER:MM", allow_hyphen_values = true, long_help = slider_help())]
+    pub sliders: Vec<SliderEdit>,
+    /// Brings both sides closer to each other, by a share from 0 to 1
+    #[arg(long, value_name = "SHARE")]
+    pub symmetrise: Option<f64>,
+}
+
+/// How the mesh follows what is moved.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "How the mesh follows")]
+pub struct FollowArguments {
+    /// The Laplacian whose δ-coordinates an edit keeps
+    #[arg(long, value_enum, default_value_t)]
+    pub operator: OperatorName,
+    /// How firmly handles and anchors are held: "exact", or the weight of a soft constraint
+    #[arg(long, value_name = "exact|WEIGHT", default_value = "1", value_parser = follow::hold)]
+    pub hold: Hold,
+    /// What stays in place: two random vertices, the face's oval, everything further away than a radius, or only --pin
+    #[arg(long, value_name = "random|oval|outside:RADIUS|pins", default_value = "random", value_parser = follow::anchors)]
+    pub anchors: follow::Rule,
+    /// Chooses the random anchors
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+    /// A vertex that stays in place, beside the others; repeatable
+    #[arg(long = "pin", value_name = "VERTEX")]
+    pub pins: Vec<u32>,
+    /// Lets nothing move further than this from what is moved, along the surface, in the units of the edits
+    #[arg(long, value_name = "RADIUS")]
+    pub radius: Option<f64>,
+    /// Moves the other side of the face by the mirrored offset; needs --units mm
+    #[arg(long)]
+    pub mirror: bool,
+    /// Lets details turn with the surface (as rigid as possible)
+    #[arg(long)]
+    pub turn_details: bool,
+}
+
+fn region_help() -> String {
+    let names: Vec<&str> = Region::ALL.iter().map(|region| region.id()).collect();
+    format!("A named region and its offset, such as nose:0,0,5; repeatable.\n\nRegions: {}", names.join(", "))
+}
+
+fn slider_help() -> String {
+    let names: Vec<&str> = FaceSlider::ALL.iter().map(|slider| slider.id()).collect();
+    format!(
+        "A ready-made slider and its amount in mm, such as jaw-width:-4; repeatable. Needs --units mm.\n\nSliders: {}",
+        names.join(", ")
+    )
+}
+
+#[derive(Debug, Args)]
+pub struct PaperTask {
+    /// JPEG, PNG or WebP; - reads standard input
+    pub photo: PathBuf,
+    /// Folder for the meshes of Figures 3 to 5 and the plot of times; made if it is not there
+    #[arg(short, long, value_name = "DIR", default_value = "rosto-paper")]
+    pub output: PathBuf,
+    /// Chooses the vertices and their anchors; each further run takes the next seed
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+    /// How many runs, with other vertices and anchors, the statistics are over
+    #[arg(long, value_name = "N", default_value_t = 20)]
+    pub runs: u64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum Topology {
+    /// MediaPipe's FACEMESH_TESSELATION, the paper's edges: 852 triangles
+    #[default]
+    Tessellation,
+    /// The canonical face model's: 898 triangles
+    Canonical,
+}
+
+impl From<Topology> for Triangulation {
+    fn from(topology: Topology) -> Self {
+        match topology {
+            Topology::Tessellation => Self::Tessellation,
+            Topology::Canonical => Self::Canonical,
+        }
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum OperatorName {
+    /// D − Adj, the paper's default (eq. 4)
+    #[default]
+    #[value(name = "L_s")]
+    UniformSymmetric,
+    /// I − D⁻¹·Adj (eq. 3)
+    #[value(name = "L")]
+    Uniform,
+    /// Well-connected vertices pull more
+    #[value(name = "degree")]
+    Degree,
+    /// Close neighbours pull more
+    #[value(name = "inverse-length")]
+    InverseLength,
+    /// The angles that face an edge weigh it
+    #[value(name = "cotangent")]
+    Cotangent,
+}
+
+impl From<OperatorName> for Operator {
+    fn from(name: OperatorName) -> Self {
+        match name {
+            OperatorName::UniformSymmetric => Self::UniformSymmetric,
+            OperatorName::Uniform => Self::Uniform,
+            OperatorName::Degree => Self::Degree,
+            OperatorName::InverseLength => Self::InverseLength,
+            OperatorName::Cotangent => Self::Cotangent,
+        }
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum Units {
+    /// MediaPipe's normalised coordinates
+    #[default]
+    Image,
+    /// Millimetres of the model
+    Mm,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum Paint {
+    /// The photo as texture
+    #[default]
+    Texture,
+    /// The colour under each landmark, as in the paper
+    Colors,
+}

@@ -1,0 +1,141 @@
+use std::path::Path;
+use std::str::FromStr;
+
+use glam::DVec3;
+use rosto_face::Region;
+use rosto_studio::FaceSlider;
+use serde::Deserialize;
+
+use crate::error::CliError;
+use crate::files;
+
+/// One edit as asked for: in the units of the command line.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Edit {
+    pub vertex: u32,
+    pub offset: DVec3,
+    /// Vertices that stay; `None` leaves the choice to the seed.
+    pub anchors: Option<Vec<u32>>,
+}
+
+impl FromStr for Edit {
+    type Err = String;
+
+    /// `VERTEX:DX,DY,DZ` or `VERTEX:DX,DY,DZ:A,B`.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let mut parts = text.split(':');
+        let vertex = vertex(parts.next().unwrap_or_default())?;
+        let offset = offset(parts.next().ok_or("an offset should follow the vertex, as in 4:0,0,1")?)?;
+        let anchors = parts.next().map(|anchors| anchors.split(',').map(self::vertex).collect()).transpose()?;
+        match parts.next() {
+            Some(rest) => Err(format!("nothing should follow the anchors, but {rest:?} does")),
+            None => Ok(Self { vertex, offset, anchors }),
+        }
+    }
+}
+
+/// A region and its offset, in the units of the command line.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RegionEdit {
+    pub region: Region,
+    pub offset: DVec3,
+}
+
+impl FromStr for RegionEdit {
+    type Err = String;
+
+    /// `REGION:DX,DY,DZ`.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let (name, offset) = text.split_once(':').ok_or("an offset should follow the region, as in nose:0,0,5")?;
+        let region = Region::from_id(name).ok_or_else(|| format!("{name:?} is no region; --help lists them"))?;
+        Ok(Self { region, offset: self::offset(offset)? })
+    }
+}
+
+/// A ready-made slider and its amount in millimetres.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SliderEdit {
+    pub slider: FaceSlider,
+    pub amount_mm: f64,
+}
+
+impl FromStr for SliderEdit {
+    type Err = String;
+
+    /// `SLIDER:MM`.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let (name, amount) = text.split_once(':').ok_or("an amount should follow the slider, as in jaw-width:-4")?;
+        let slider = FaceSlider::from_id(name).ok_or_else(|| format!("{name:?} is no slider; --help lists them"))?;
+        Ok(Self { slider, amount_mm: number(amount)? })
+    }
+}
+
+fn vertex(text: &str) -> Result<u32, String> {
+    text.trim().parse().map_err(|_| format!("{text:?} is no vertex: a number from 0 to 467 is"))
+}
+
+fn offset(text: &str) -> Result<DVec3, String> {
+    let numbers: Vec<f64> = text.split(',').map(number).collect::<Result<_, _>>()?;
+    let [x, y, z] = numbers[..] else {
+        return Err(format!("{text:?} is no offset: three numbers with commas between them are"));
+    };
+    Ok(DVec3::new(x, y, z))
+}
+
+fn number(text: &str) -> Result<f64, String> {
+    let number: Option<f64> = text.trim().parse().ok();
+    number.filter(|number| number.is_finite()).ok_or_else(|| format!("{text:?} is no finite number"))
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct EditDto {
+    vertex: u32,
+    offset: [f64; 3],
+    anchors: Option<Vec<u32>>,
+}
+
+/// Reads a JSON file of edits.
+pub fn read(path: &Path) -> Result<Vec<Edit>, CliError> {
+    let refused = |reason: String| CliError::EditsFile { path: path.to_owned(), reason };
+    let edits: Vec<EditDto> =
+        serde_json::from_slice(&files::read(path)?).map_err(|reason| refused(reason.to_string()))?;
+    let edit = |dto: EditDto| Edit { vertex: dto.vertex, offset: dto.offset.into(), anchors: dto.anchors };
+    Ok(edits.into_iter().map(edit).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_edit_is_read_with_and_without_anchors() {
+        let edit = |anchors| Edit { vertex: 4, offset: DVec3::new(-0.5, 0.0, 1e-3), anchors };
+        assert_eq!("4:-0.5,0,1e-3".parse(), Ok(edit(None)));
+        assert_eq!("4:-.5, 0 ,0.001:10,152".parse(), Ok(edit(Some(vec![10, 152]))));
+    }
+
+    #[test]
+    fn regions_and_sliders_are_read_by_name() {
+        let region = RegionEdit { region: Region::LeftBrow, offset: DVec3::new(0.0, 2.0, 0.0) };
+        assert_eq!("left-brow:0,2,0".parse(), Ok(region));
+        assert_eq!("jaw-width:-4".parse(), Ok(SliderEdit { slider: FaceSlider::JawWidth, amount_mm: -4.0 }));
+        assert!("ear:0,0,1".parse::<RegionEdit>().unwrap_err().contains("no region"));
+        assert!("ear-size:1".parse::<SliderEdit>().unwrap_err().contains("no slider"));
+    }
+
+    #[test]
+    fn what_is_no_edit_says_why() {
+        for (text, word) in [
+            ("nose:0,0,1", "no vertex"),
+            ("4", "offset should follow"),
+            ("4:0,0", "three numbers"),
+            ("4:0,0,nan", "no finite number"),
+            ("4:0,0,1:x,2", "no vertex"),
+            ("4:0,0,1:1,2:3", "nothing should follow"),
+        ] {
+            let reason = text.parse::<Edit>().unwrap_err();
+            assert!(reason.contains(word), "{text}: {reason}");
+        }
+    }
+}

@@ -1,0 +1,69 @@
+use rosto_studio::{AnchorKind, Anchors, Details, Hold, Mirror, Reach, Settings};
+
+use crate::args::FollowArguments;
+
+/// A rule for anchors as the command line names it; random ones get their seed later.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Rule {
+    Random,
+    Oval,
+    Outside { radius: f64 },
+    PinsOnly,
+}
+
+/// `exact`, or the weight of a soft constraint.
+pub fn hold(text: &str) -> Result<Hold, String> {
+    let weight: Option<f64> = text.parse().ok();
+    match (text, weight) {
+        ("exact", _) => Ok(Hold::Exact),
+        (_, Some(weight)) if weight > 0.0 && weight.is_finite() => Ok(Hold::Soft { weight }),
+        _ => Err("give \"exact\" or a positive weight".to_owned()),
+    }
+}
+
+/// `random`, `oval`, `outside:RADIUS` or `pins`.
+pub fn anchors(text: &str) -> Result<Rule, String> {
+    match text.split_once(':') {
+        None if text == "random" => Ok(Rule::Random),
+        None if text == "oval" => Ok(Rule::Oval),
+        None if text == "pins" => Ok(Rule::PinsOnly),
+        Some(("outside", radius)) => match radius.parse() {
+            Ok(radius) if radius >= 0.0 => Ok(Rule::Outside { radius }),
+            _ => Err(format!("{radius:?} is no radius")),
+        },
+        _ => Err("give random, oval, outside:RADIUS or pins".to_owned()),
+    }
+}
+
+/// The settings for the edit with this number, counted from 0. `unit` is the document's for one of the command line's.
+pub fn settings(arguments: &FollowArguments, number: usize, unit: f64) -> Settings {
+    let kind = match arguments.anchors {
+        Rule::Random => AnchorKind::Random { seed: arguments.seed.wrapping_add(number as u64) },
+        Rule::Oval => AnchorKind::Oval,
+        Rule::Outside { radius } => AnchorKind::Outside { radius: radius * unit },
+        Rule::PinsOnly => AnchorKind::PinsOnly,
+    };
+    Settings {
+        operator: arguments.operator.into(),
+        hold: arguments.hold,
+        anchors: Anchors { kind, pins: arguments.pins.clone() },
+        reach: arguments.radius.map_or(Reach::Whole, |radius| Reach::Within { radius: radius * unit }),
+        mirror: if arguments.mirror { Mirror::On } else { Mirror::Off },
+        details: if arguments.turn_details { Details::Turned } else { Details::Kept },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holds_and_rules_are_read_by_their_names() {
+        assert_eq!(hold("exact"), Ok(Hold::Exact));
+        assert_eq!(hold("2.5"), Ok(Hold::Soft { weight: 2.5 }));
+        assert!(hold("0").is_err() && hold("-1").is_err() && hold("inf").is_err() && hold("firm").is_err());
+        assert_eq!(anchors("outside:30"), Ok(Rule::Outside { radius: 30.0 }));
+        assert_eq!(anchors("oval"), Ok(Rule::Oval));
+        assert!(anchors("outside").is_err() && anchors("outside:nan").is_err() && anchors("everything").is_err());
+    }
+}

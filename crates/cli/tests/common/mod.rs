@@ -1,0 +1,61 @@
+//! The built program, the sample portrait, and pictures that are none of it.
+
+#![allow(clippy::unwrap_used, dead_code, reason = "each test file uses its part")]
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+/// The sample portrait that `cargo xtask setup` obtains.
+pub fn portrait() -> PathBuf {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web/assets/sample.png");
+    assert!(path.is_file(), "the sample portrait is missing: run `cargo xtask setup`");
+    path
+}
+
+/// A file of this name among the test's own.
+pub fn scratch(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
+pub fn scratch_file(name: &str, content: &[u8]) -> PathBuf {
+    let path = scratch(name);
+    std::fs::write(&path, content).unwrap();
+    path
+}
+
+/// A grey picture without a face.
+pub fn faceless() -> PathBuf {
+    let path = scratch("faceless.png");
+    image::GrayImage::from_pixel(96, 96, image::Luma([120])).save(&path).unwrap();
+    path
+}
+
+pub fn rosto(arguments: impl IntoIterator<Item = impl AsRef<OsStr>>) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_rosto")).args(arguments).env_remove("ROSTO_NETWORKS").output().unwrap()
+}
+
+pub fn code(output: &Output) -> i32 {
+    output.status.code().unwrap()
+}
+
+pub fn said(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+/// `rosto mesh` of the portrait to a JSON file.
+pub fn mesh_json(name: &str, more: &[&str]) -> Value {
+    let path = scratch(name);
+    let mut arguments = vec!["mesh".into(), portrait().into_os_string(), "-o".into(), path.clone().into_os_string()];
+    arguments.extend(more.iter().map(Into::into));
+    let output = rosto(arguments);
+    assert_eq!(code(&output), 0, "{}", said(&output));
+    serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap()
+}
+
+pub fn triples(value: &Value) -> Vec<[f64; 3]> {
+    let rows = value.as_array().unwrap().iter();
+    rows.map(|row| [0, 1, 2].map(|axis| row[axis].as_f64().unwrap())).collect()
+}

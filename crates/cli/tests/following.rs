@@ -1,0 +1,99 @@
+//! `rosto mesh`: operators, holds, anchors, radius, mirror, regions, sliders, density, formats.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::*;
+use glam::DVec3;
+use rosto_face::{Region, mirror_of};
+
+fn positions(name: &str, more: &[&str]) -> Vec<DVec3> {
+    let more = [&["--units", "mm", "--topology", "canonical"], more].concat();
+    triples(&mesh_json(name, &more)["positions"]).into_iter().map(DVec3::from).collect()
+}
+
+fn ways(name: &str, more: &[&str]) -> Vec<DVec3> {
+    let rest = positions(&format!("rest-of-{name}"), &[]);
+    positions(name, more).iter().zip(rest).map(|(to, from)| *to - from).collect()
+}
+
+#[test]
+fn every_operator_held_exactly_reaches_its_target_and_keeps_its_anchors() {
+    for operator in ["L_s", "L", "degree", "inverse-length", "cotangent"] {
+        let edit =
+            ["--operator", operator, "--hold", "exact", "--anchors", "oval", "--pin", "168", "--edit", "4:1,2,8"];
+        let ways = ways(&format!("exact-{operator}.json"), &edit);
+        assert!(ways[4].distance(DVec3::new(1.0, 2.0, 8.0)) < 1e-9, "{operator}: {}", ways[4]);
+        assert!([10, 152, 234, 454, 168].iter().all(|&anchor| ways[anchor].length() < 1e-9), "{operator}");
+        assert!(ways[5].length() > 1.0, "{operator}: the neighbour follows");
+    }
+}
+
+#[test]
+fn a_mirrored_region_moves_both_sides_within_its_radius() {
+    let edit =
+        ["--hold", "exact", "--anchors", "outside:25", "--radius", "25", "--mirror", "--region", "left-brow:1,3,0"];
+    let ways = ways("brows.json", &edit);
+    for vertex in Region::LeftBrow.vertices() {
+        let (left, right) = (ways[vertex as usize], ways[mirror_of(vertex) as usize]);
+        assert!(left.distance(DVec3::new(1.0, 3.0, 0.0)) < 1e-9 && right.distance(DVec3::new(-1.0, 3.0, 0.0)) < 1e-9);
+    }
+    assert!([152, 61, 17, 200].iter().all(|&far| ways[far] == DVec3::ZERO), "the mouth is out of reach");
+}
+
+#[test]
+fn sliders_and_symmetry_change_what_they_say() {
+    let jaw = ways("jaw.json", &["--slider", "jaw-width:4"]);
+    assert!((jaw[172].x + 4.0).abs() < 1e-9 && (jaw[397].x - 4.0).abs() < 1e-9);
+    let even = positions("even.json", &["--symmetrise", "1"]);
+    let lopsided = (0..468).map(|v| even[v].distance(even[mirror_of(v as u32) as usize] * DVec3::new(-1.0, 1.0, 1.0)));
+    assert!(lopsided.fold(0.0, f64::max) < 1e-9);
+}
+
+#[test]
+fn turning_details_is_another_answer_that_still_reaches_the_target() {
+    let edit = |name, more: &[&str]| {
+        ways(name, &[&["--hold", "exact", "--anchors", "oval", "--edit", "4:0,10,20"], more].concat())
+    };
+    let (kept, turned) = (edit("kept.json", &[]), edit("turned.json", &["--turn-details"]));
+    assert!(turned[4].distance(DVec3::new(0.0, 10.0, 20.0)) < 1e-9);
+    assert!(kept.iter().zip(&turned).any(|(kept, turned)| kept.distance(*turned) > 0.1));
+}
+
+#[test]
+fn a_denser_mesh_carries_the_edit_and_takes_its_colours_from_the_photo() {
+    let dense = mesh_json("dense.json", &["--topology", "canonical", "--density", "2", "--edit", "4:0,0,-0.02"]);
+    for (field, count) in [("positions", 7_257), ("colors", 7_257), ("triangles", 14_368)] {
+        assert_eq!(dense[field].as_array().unwrap().len(), count, "{field}");
+    }
+    let photo = image::open(portrait()).unwrap().to_rgb8();
+    let plain = mesh_json("dense-plain.json", &["--topology", "canonical", "--density", "2"]);
+    let colours = triples(&plain["colors"]);
+    for (position, colour) in triples(&plain["positions"]).iter().zip(&colours) {
+        let pixel = photo.get_pixel((position[0] * 512.0) as u32, (position[1] * 512.0) as u32);
+        assert_eq!(*colour, pixel.0.map(f64::from));
+    }
+}
+
+#[test]
+fn every_format_is_written_and_recognised_by_its_first_bytes() {
+    for (extension, start) in
+        [("glb", "glTF"), ("gltf", "{"), ("obj", "# Rosto"), ("ply", "ply\n"), ("stl", "Rosto"), ("json", "{\"units\"")]
+    {
+        let path = scratch(&format!("format.{extension}"));
+        let output = rosto(["mesh", portrait().to_str().unwrap(), "-o", path.to_str().unwrap(), "--density", "1"]);
+        assert_eq!(code(&output), 0, "{}", said(&output));
+        assert!(std::fs::read(path).unwrap().starts_with(start.as_bytes()), "{extension}");
+    }
+}
+
+#[test]
+fn what_needs_the_models_frame_says_so() {
+    for more in [&["--mirror", "--edit", "4:0,0,0.1"][..], &["--slider", "jaw-width:4"], &["--symmetrise", "0.5"]] {
+        let path = scratch("refused.json");
+        let output = rosto(["mesh", portrait().to_str().unwrap(), "-o", path.to_str().unwrap()].iter().chain(more));
+        assert_eq!(code(&output), 5);
+        assert!(said(&output).contains("mirror") && said(&output).contains("--units mm"), "{}", said(&output));
+    }
+}

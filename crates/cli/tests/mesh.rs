@@ -1,0 +1,110 @@
+//! `rosto mesh`: the shape of what it writes, the edits it makes, and that it is the same every time.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::*;
+use glam::DVec3;
+use rosto_face::Triangulation;
+use rosto_laplacian::{Constraints, LaplacianSystem, Operator};
+
+fn vectors(rows: &[[f64; 3]]) -> Vec<DVec3> {
+    rows.iter().copied().map(DVec3::from).collect()
+}
+
+#[test]
+fn json_holds_the_landmarks_colours_and_triangles() {
+    let mesh = mesh_json("plain.json", &[]);
+    assert_eq!(mesh["units"], "image");
+    let golden: serde_json::Value =
+        serde_json::from_str(include_str!("../../../tests/golden/portrait_landmarks.json")).unwrap();
+    let (positions, expected) = (triples(&mesh["positions"]), triples(&golden["landmarks"]));
+    assert!(positions.iter().flatten().zip(expected.iter().flatten()).all(|(a, b)| (a - b).abs() < 1e-4));
+    let triangles = triples(&mesh["triangles"]);
+    assert_eq!((mesh["colors"].as_array().unwrap().len(), triangles.len()), (468, 852));
+    assert_eq!(mesh_json("canonical.json", &["--topology", "canonical"])["triangles"].as_array().unwrap().len(), 898);
+    // The paper's colour: the pixel under the landmark.
+    let photo = image::open(portrait()).unwrap().to_rgb8();
+    for (vertex, position) in positions.iter().enumerate() {
+        let pixel = photo.get_pixel((position[0] * 512.0) as u32, (position[1] * 512.0) as u32);
+        let colour = triples(&mesh["colors"])[vertex];
+        assert_eq!(colour, pixel.0.map(f64::from), "landmark {vertex}");
+    }
+}
+
+#[test]
+fn millimetres_are_upright_with_the_nose_in_front() {
+    let positions = triples(&mesh_json("mm.json", &["--units", "mm"])["positions"]);
+    assert!(positions[10][1] - positions[152][1] > 150.0, "the forehead is above the chin");
+    assert!(positions[4][2] - positions[234][2] > 50.0, "the nose is in front of the ear");
+    assert!(positions[263][0] > 30.0 && positions[33][0] < -30.0, "the subject's left is towards +X");
+}
+
+#[test]
+fn edits_follow_one_another_as_in_the_paper() {
+    let rest = vectors(&triples(&mesh_json("rest.json", &[])["positions"]));
+    for (name, operator) in [("L_s", Operator::UniformSymmetric), ("L", Operator::Uniform)] {
+        let file = scratch_file(
+            "first.json",
+            br#"[{"vertex": 163, "offset": [-0.005, -0.005, -0.005], "anchors": [16, 443]}]"#,
+        );
+        let edits = ["--operator", name, "--edits", file.to_str().unwrap(), "--edit", "235:0.1,0.1,-0.1:443,384"];
+        let edited = vectors(&triples(&mesh_json(&format!("edited-{name}.json"), &edits)["positions"]));
+        let system = LaplacianSystem::new(&Triangulation::Tessellation.topology(), &rest, operator).unwrap();
+        let mut expected = rest.clone();
+        for (handle, anchors, offset) in
+            [(163, [16, 443], DVec3::splat(-0.005)), (235, [443, 384], DVec3::new(0.1, 0.1, -0.1))]
+        {
+            let before = expected.clone();
+            let constraints = Constraints { handles: &[handle], anchors: &anchors, ..Constraints::default() };
+            system.respond(&constraints).unwrap().displace(&before, &[offset], &mut expected);
+        }
+        assert!(edited.iter().zip(&expected).all(|(a, b)| a.distance(*b) < 1e-12), "{name}");
+        assert!(edited[235].distance(rest[235]) > 0.05, "the handle follows");
+    }
+}
+
+#[test]
+fn the_same_request_gives_the_same_bytes_and_another_seed_other_anchors() {
+    let edit = ["--edit", "4:0,0,-0.05", "--seed"];
+    let with_seed = |name, seed| mesh_json(name, &[&edit[..], &[seed]].concat());
+    let bytes = |name: &str| std::fs::read(scratch(name)).unwrap();
+    with_seed("seed-1.json", "1");
+    with_seed("seed-1-again.json", "1");
+    with_seed("seed-2.json", "2");
+    assert_eq!(bytes("seed-1.json"), bytes("seed-1-again.json"));
+    assert_ne!(bytes("seed-1.json"), bytes("seed-2.json"));
+}
+
+#[test]
+fn a_glb_shows_the_edited_face_in_metres_whatever_the_units() {
+    let write = |name: &str, more: &[&str]| {
+        let path = scratch(name);
+        let photo = portrait();
+        let arguments = ["mesh", photo.to_str().unwrap(), "-o", path.to_str().unwrap()];
+        let output = rosto(arguments.iter().chain(more));
+        assert_eq!(code(&output), 0, "{}", said(&output));
+        std::fs::read(path).unwrap()
+    };
+    let plain = write("plain.glb", &[]);
+    let plain_mm = write("plain-mm.glb", &["--units", "mm"]);
+    let off_m = bounds_m(&plain).concat().into_iter().zip(bounds_m(&plain_mm).concat()).map(|(a, b)| (a - b).abs());
+    assert!(off_m.fold(0.0, f64::max) < 1e-7, "without an edit the units do not matter");
+    let in_mm = write("edited-mm.glb", &["--units", "mm", "--edit", "4:0,0,20:10,152"]);
+    let in_image = write("edited-image.glb", &["--edit", "4:0,0,-0.05:10,152"]);
+    for file in [&plain, &in_mm, &in_image] {
+        let [low, high] = bounds_m(file);
+        assert!(high[1] - low[1] > 0.15 && high[1] - low[1] < 0.3, "a head is {} m high", high[1] - low[1]);
+    }
+    assert!(bounds_m(&in_mm)[1][2] > bounds_m(&plain)[1][2] + 0.005, "the nose comes forward in millimetres");
+    assert!(bounds_m(&in_image)[1][2] > bounds_m(&plain)[1][2] + 0.005, "and in image units");
+}
+
+/// The least and the greatest position of a GLB.
+fn bounds_m(file: &[u8]) -> [[f64; 3]; 2] {
+    let length = u32::from_le_bytes(file[12..16].try_into().unwrap()) as usize;
+    let json: serde_json::Value = serde_json::from_slice(&file[20..20 + length]).unwrap();
+    let accessor = json["meshes"][0]["primitives"][0]["attributes"]["POSITION"].as_u64().unwrap() as usize;
+    ["min", "max"].map(|end| [0, 1, 2].map(|axis| json["accessors"][accessor][end][axis].as_f64().unwrap()))
+}

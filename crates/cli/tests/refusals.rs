@@ -1,0 +1,85 @@
+//! What cannot be done is refused with a documented exit code and a message that says what to do.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use std::path::Path;
+
+use common::*;
+
+/// Runs `rosto mesh PHOTO -o FILE MORE...` and checks exit code and message.
+fn refused(photo: &Path, output: &str, more: &[&str], expected: i32, words: &[&str]) {
+    let target = scratch(output);
+    let arguments = ["mesh", photo.to_str().unwrap(), "-o", target.to_str().unwrap()];
+    let run = rosto(arguments.iter().chain(more));
+    let said = said(&run);
+    assert_eq!(code(&run), expected, "{said}");
+    assert!(words.iter().all(|word| said.contains(word)), "{words:?} in {said}");
+    assert!(run.stdout.is_empty(), "messages go to standard error");
+    assert!(!target.exists(), "nothing is written");
+}
+
+#[test]
+fn unreadable_photos() {
+    refused(&scratch("missing.jpg"), "a.json", &[], 3, &["missing.jpg", "Check the file's name"]);
+    let text = scratch_file("text.jpg", b"just text");
+    refused(&text, "a.json", &[], 3, &["text.jpg: this is not a picture", "Choose a JPEG"]);
+    let whole = std::fs::read(portrait()).unwrap();
+    let cut = scratch_file("cut.png", &whole[..whole.len() / 2]);
+    refused(&cut, "a.json", &[], 3, &["cut.png", "damaged"]);
+}
+
+#[test]
+fn no_face() {
+    refused(&faceless(), "a.glb", &[], 4, &["faceless.png: no face found", "should fill"]);
+}
+
+#[test]
+fn edits_that_cannot_be_made() {
+    let edit = |edit, words: &[&str]| refused(&portrait(), "a.json", &["--edit", edit], 5, words);
+    edit("468:0,0,0.1", &["edit 1 (vertex 468)", "no vertex 468", "0 to 467"]);
+    edit("4:0,0,0.1:4,10", &["edit 1 (vertex 4)", "handle and an anchor", "other than the vertex"]);
+    edit("4:0,0,0.1:10,10", &["vertex 10 is listed twice"]);
+    edit("4:0,0,0.1:10,9999", &["no vertex 9999"]);
+}
+
+#[test]
+fn requests_that_are_not_understood() {
+    let request = |more: &[&str], words: &[&str]| refused(&portrait(), "a.json", more, 2, words);
+    request(&["--edit", "4:0,0"], &["three numbers"]);
+    request(&["--edit", "nose:0,0,1"], &["no vertex"]);
+    request(&["--operator", "M"], &["L_s"]);
+    request(&["--units", "inches"], &["image"]);
+    let file = scratch_file("broken.json", br#"[{"vertex": 4}]"#);
+    request(&["--edits", file.to_str().unwrap()], &["broken.json", "offset", "It should hold a list"]);
+    refused(&portrait(), "a.stp", &[], 2, &["a.stp: unknown kind of file", ".glb"]);
+}
+
+#[test]
+fn places_that_cannot_be_written_to() {
+    refused(&portrait(), "no-such-folder/a.json", &[], 6, &["no-such-folder", "Check that the folder"]);
+}
+
+#[test]
+fn networks_that_are_not_there_or_not_networks() {
+    let empty = scratch("empty-folder");
+    std::fs::create_dir_all(&empty).unwrap();
+    refused(&portrait(), "a.json", &["--networks", empty.to_str().unwrap()], 7, &["empty-folder", "cargo xtask setup"]);
+    let broken = scratch("broken-networks");
+    std::fs::create_dir_all(&broken).unwrap();
+    for name in ["face_detector.onnx", "face_landmarks.onnx"] {
+        std::fs::write(broken.join(name), b"no network").unwrap();
+    }
+    refused(&portrait(), "a.json", &["--networks", broken.to_str().unwrap()], 7, &["damaged", "cargo xtask setup"]);
+}
+
+#[test]
+fn help_lists_the_exit_codes() {
+    for arguments in [&["--help"][..], &["mesh", "--help"], &["landmarks", "--help"], &["paper", "--help"]] {
+        let run = rosto(arguments);
+        let text = String::from_utf8(run.stdout.clone()).unwrap();
+        assert_eq!(code(&run), 0);
+        assert!(text.contains("Exit codes:") && text.contains("no face in the photo"), "{text}");
+    }
+}
