@@ -1,12 +1,20 @@
-/**
- * Stores the page for use without a network. Resolves when that is done, or when it is clear that it will not be.
- */
+/** Stores the page for use without a network. Resolves when that is done, or when it is clear that it will not be. */
 export async function keepOffline() {
   if (!("serviceWorker" in navigator)) return;
   try {
-    await navigator.serviceWorker.register(new URL("../../service-worker.js", import.meta.url));
-    await navigator.serviceWorker.ready;
+    const registration = await navigator.serviceWorker.register(new URL("../../service-worker.js", import.meta.url));
+    await installed(registration?.installing);
   } catch {
     // Without it the page works all the same, as long as there is a network.
   }
+}
+
+/** @param {ServiceWorker | null | undefined} worker being installed, if one is */
+function installed(worker) {
+  return new Promise((resolve) => {
+    if (!worker) return resolve(undefined);
+    worker.addEventListener("statechange", () => {
+      if (worker.state === "activated" || worker.state === "redundant") resolve(undefined);
+    });
+  });
 }

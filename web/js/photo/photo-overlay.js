@@ -6,6 +6,9 @@ import { inEveryLanguage, say } from "../words/words.js";
 /** The picture is no taller than this, in CSS px. */
 const MAX_HEIGHT_PX = 320;
 
+/** How much of the photo around the face is shown, in sizes of the face. */
+const AROUND_FACE = 1.6;
+
 /** A pointer this near a landmark means it, in CSS px. */
 const REACH_PX = 10;
 
@@ -16,6 +19,8 @@ export class PhotoOverlay {
   #picture;
   /** @type {Float32Array} */
   #landmarks = new Float32Array();
+  /** The part of the picture that is shown, in its px. */
+  #crop = { left: 0, top: 0, width: 1, height: 1 };
   #size = { width_px: 0, height_px: 0 };
   /** @type {number | undefined} */
   #selected;
@@ -52,6 +57,7 @@ export class PhotoOverlay {
     this.#picture?.close();
     this.#picture = picture;
     this.#landmarks = face.landmarks;
+    this.#crop = aroundFace(face.landmarks, picture);
     this.#size = { width_px: face.width_px, height_px: face.height_px };
     byId("photo", HTMLDivElement).hidden = false;
     this.#writeCaption();
@@ -75,15 +81,16 @@ export class PhotoOverlay {
     const picture = this.#picture;
     const room_px = byId("photo", HTMLDivElement).clientWidth;
     if (!picture || room_px === 0) return;
-    const scale = Math.min(room_px / picture.width, MAX_HEIGHT_PX / picture.height);
+    const { left, top, width, height } = this.#crop;
+    const scale = Math.min(room_px / width, MAX_HEIGHT_PX / height);
     const ratio = devicePixelRatio;
-    this.#canvas.width = Math.round(picture.width * scale * ratio);
-    this.#canvas.height = Math.round(picture.height * scale * ratio);
+    this.#canvas.width = Math.round(width * scale * ratio);
+    this.#canvas.height = Math.round(height * scale * ratio);
     this.#canvas.style.width = `${this.#canvas.width / ratio}px`;
     const context = this.#canvas.getContext("2d");
     if (!context) return;
     context.imageSmoothingQuality = "high";
-    context.drawImage(picture, 0, 0, this.#canvas.width, this.#canvas.height);
+    context.drawImage(picture, left, top, width, height, 0, 0, this.#canvas.width, this.#canvas.height);
     this.#drawLandmarks(context, ratio);
   }
 
@@ -92,10 +99,13 @@ export class PhotoOverlay {
    * @param {number} ratio device px per CSS px
    */
   #drawLandmarks(context, ratio) {
-    context.fillStyle = "rgb(255 255 255 / 0.9)";
-    for (let landmark = 0; landmark * 3 < this.#landmarks.length; landmark++) {
-      const { x, y } = this.#place(landmark);
-      context.fillRect(x - 0.5 * ratio, y - 0.5 * ratio, ratio, ratio);
+    // Light dots in dark rings show on any skin.
+    for (const [colour, size] of /** @type {const} */ ([["rgb(0 0 0 / 0.45)", 3], ["rgb(255 255 255)", 1.5]])) {
+      context.fillStyle = colour;
+      for (let landmark = 0; landmark * 3 < this.#landmarks.length; landmark++) {
+        const { x, y } = this.#place(landmark);
+        context.fillRect(x - (size / 2) * ratio, y - (size / 2) * ratio, size * ratio, size * ratio);
+      }
     }
     if (this.#hovered !== undefined) this.#ring(context, this.#hovered, 4 * ratio, ratio);
     if (this.#selected !== undefined) this.#ring(context, this.#selected, 5 * ratio, 2 * ratio);
@@ -122,9 +132,10 @@ export class PhotoOverlay {
    * @param {number} landmark
    */
   #place(landmark) {
-    const x = (this.#landmarks[3 * landmark] ?? 0) * this.#canvas.width;
-    const y = (this.#landmarks[3 * landmark + 1] ?? 0) * this.#canvas.height;
-    return { x, y };
+    const { left, top, width, height } = this.#crop;
+    const x_px = (this.#landmarks[3 * landmark] ?? 0) * (this.#picture?.width ?? 0);
+    const y_px = (this.#landmarks[3 * landmark + 1] ?? 0) * (this.#picture?.height ?? 0);
+    return { x: ((x_px - left) / width) * this.#canvas.width, y: ((y_px - top) / height) * this.#canvas.height };
   }
 
   /** @param {MouseEvent} event */
@@ -147,4 +158,33 @@ export class PhotoOverlay {
     const { width_px: width, height_px: height } = this.#size;
     byId("photo-caption", HTMLParagraphElement).textContent = say("photo.caption", { width, height });
   }
+}
+
+/**
+ * The part of a picture that shows a face with something of what is around it.
+ *
+ * @param {Float32Array} landmarks
+ * @param {{ width: number, height: number }} picture px
+ */
+function aroundFace(landmarks, picture) {
+  const xs = landmarks.filter((_, at) => at % 3 === 0).map((x) => x * picture.width);
+  const ys = landmarks.filter((_, at) => at % 3 === 1).map((y) => y * picture.height);
+  const [left, right, top, bottom] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+  const side = AROUND_FACE * Math.max(right - left, bottom - top);
+  const width = Math.min(side, picture.width);
+  const height = Math.min(side, picture.height);
+  return {
+    left: within((left + right - width) / 2, picture.width - width),
+    top: within((top + bottom - height) / 2, picture.height - height),
+    width,
+    height,
+  };
+}
+
+/**
+ * @param {number} value
+ * @param {number} most
+ */
+function within(value, most) {
+  return Math.min(Math.max(value, 0), most);
 }
