@@ -59,7 +59,8 @@ impl FaceSlider {
     /// How far the slider goes to either side, in metres of its handles' way; beyond, faces look wrong.
     pub fn range_m(self) -> f64 {
         match self {
-            Self::EyeSize | Self::LipFullness => 0.003,
+            Self::EyeSize => 0.002,
+            Self::LipFullness => 0.003,
             Self::NoseWidth | Self::EyeDistance | Self::BrowHeight => 0.005,
             Self::NoseLength | Self::Cheekbones => 0.008,
             Self::JawWidth | Self::ChinLength | Self::FaceLength => 0.012,
@@ -125,15 +126,17 @@ impl FaceSlider {
             }
             Self::EyeSize => {
                 let (up, down) = ([0.0, 1.0, 0.0], [0.0, -1.0, 0.0]);
-                let corners = [(33, [-0.7, 0.0, 0.0]), (133, [0.7, 0.0, 0.0])];
-                let lids = [(160, up), (159, up), (158, up), (144, down), (145, down), (153, down)];
-                (handles(&[&corners[..], &lids].concat()), &[168, 105, 50, 129], inside)
+                let corners = [(33, [-0.5, 0.0, 0.0]), (133, [0.5, 0.0, 0.0])];
+                let part = |way: [f64; 3]| way.map(|w| 0.6 * w);
+                let upper = [(161, part(up)), (160, up), (159, up), (158, up), (157, part(up))];
+                let lower = [(163, part(down)), (144, down), (145, down), (153, down), (154, part(down))];
+                (handles(&[&corners[..], &upper, &lower].concat()), &[168, 105, 50, 129], inside)
             }
             Self::EyeDistance => (whole(Region::RightEye, DVec3::NEG_X), &[168, 4, 105, 50], inside),
             Self::LipFullness => {
                 let (upper, lower) = ([0.0, 1.0, 0.7], [0.0, -1.0, 0.7]);
                 let edges = [(0, upper), (37, upper), (39, upper), (17, lower), (84, lower), (181, lower)];
-                (handles(&edges), &[61, 78, 13, 82, 14, 87, 2, 200], inside)
+                (handles(&edges), &[61, 78, 13, 82, 14, 87, 2, 200, 199, 208], inside)
             }
             Self::JawWidth => {
                 let apart = [-1.0, 0.0, 0.0];
