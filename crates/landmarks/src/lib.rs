@@ -15,6 +15,8 @@ mod golden_stages;
 mod homography;
 mod mesh;
 mod network;
+mod operators;
+mod prelu;
 mod region;
 mod search;
 mod suppression;

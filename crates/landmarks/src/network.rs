@@ -3,7 +3,7 @@ use std::sync::Arc;
 use tract_onnx::prelude::*;
 use tract_onnx::tract_core::internal::ensure;
 
-use crate::LandmarksError;
+use crate::{LandmarksError, operators};
 
 /// A network made ready to run: one square RGB picture in, two lists of numbers out.
 pub(crate) struct Network {
@@ -51,7 +51,7 @@ impl Network {
 
 fn optimised(onnx: &[u8], side: usize, outputs: [&str; 2]) -> TractResult<Arc<TypedRunnableModel>> {
     let mut bytes = onnx;
-    tract_onnx::onnx()
+    operators::onnx()
         .model_for_read(&mut bytes)?
         .with_input_fact(0, f32::fact([1, 3, side, side]).into())?
         .with_outputs_by_name(outputs)?
