@@ -19,7 +19,7 @@ use crate::kernels::{add_scaled, dot};
 /// `L` is stored by supernodes: runs of columns with one pattern, each a dense panel. faer factors; the solves are done
 /// here, because a unit right-hand side touches only the path from its supernode to the root of the elimination tree,
 /// which makes the forward half of such a solve nearly free.
-pub(crate) struct Factor {
+pub struct Factor {
     symbolic: SymbolicCholesky<usize>,
     values: Vec<f64>,
     /// For each vertex, its row in `L`; and back.
@@ -46,11 +46,14 @@ struct Panel<'a> {
 }
 
 impl Factor {
-    /// Orders by approximate minimum degree and factors.
+    /// Orders by approximate minimum degree and factors. Of a symmetric matrix, both halves must be there.
     ///
     /// # Errors
     /// [`LaplacianError::BadlyScaled`] where a pivot is not positive.
-    pub(crate) fn new(matrix: &CsrMatrix<f64>) -> Result<Self, LaplacianError> {
+    ///
+    /// # Panics
+    /// If the matrix is not square.
+    pub fn new(matrix: &CsrMatrix<f64>) -> Result<Self, LaplacianError> {
         let symbolic = order(matrix);
         let values = factorize(matrix, &symbolic)?;
         let (vertex_of, row_of) = symbolic.perm().expect("invariant: an order was asked for").arrays();
@@ -113,8 +116,12 @@ impl Factor {
         }
     }
 
-    /// Solves `A x = b` in place.
-    pub(crate) fn solve(&self, b: &mut [f64]) {
+    /// Solves `A x = b`, where `b` becomes `x`.
+    ///
+    /// # Panics
+    /// If `b` has not one value for each row.
+    pub fn solve(&self, b: &mut [f64]) {
+        assert_eq!(b.len(), self.row_of.len(), "one value for each row");
         self.backward(self.forward(b), b);
     }
 

@@ -1,8 +1,9 @@
 //! Constrained minimisation with one factor for all constraints.
 //!
-//! A positive semi-definite form `Q`, whose kernel is the constants on each component of the mesh, is kept as `Φ = B⁻¹`
-//! for `B = Q + Σ e_g e_gᵀ`, with one ground vertex `g` for each component. Minimising
-//! `dᵀQd − 2rᵀd + Σ wᵢ(dᵢ − sᵢ)²` over held vertices `S`, for a load `r` that sums to 0, then asks for no new factor:
+//! Of a positive semi-definite form `Q`, whose kernel is the constants on each component of the mesh, the factor of
+//! `B = Q + Σ e_g e_gᵀ` is kept, with one ground vertex `g` for each component. Minimising
+//! `dᵀQd − 2rᵀd + Σ wᵢ(dᵢ − sᵢ)²` over held vertices `S`, for a load `r` that sums to 0, then asks for no new factor.
+//! With `Φ = B⁻¹`:
 //! ```text
 //! d = Φ r + Φ_S c + P t    with   ⎡ W⁻¹ + Φ_SS  P_S ⎤ ⎡ c ⎤ = ⎡ s − (Φ r)_S ⎤
 //!                                 ⎣    P_Sᵀ      0  ⎦ ⎣ t ⎦   ⎣      0      ⎦
@@ -16,11 +17,7 @@ use rosto_mesh::Topology;
 use crate::bordered::Bordered;
 use crate::eliminated::Eliminated;
 use crate::factor::{Factor, HalfSolved};
-use crate::kernels::add_scaled;
 use crate::{Constraints, Hold, LaplacianError};
-
-/// Meshes of up to this many vertices keep the whole of `Φ`, so that a handle is selected without any solve.
-const WHOLE_INVERSE_LIMIT: usize = 1000;
 
 /// From this many held vertices on, a factor of their own is cheaper than the bordered system, which grows as the cube.
 const MANY_HELD: usize = 256;
@@ -31,8 +28,6 @@ pub(crate) struct GroundedForm {
     /// `B`.
     matrix: CsrMatrix<f64>,
     factor: Factor,
-    /// The columns of `Φ`, end to end.
-    whole: Option<Vec<f64>>,
 }
 
 /// The form under constraints: what is left to choose are targets and load.
@@ -42,12 +37,10 @@ pub(crate) struct HeldForm {
     way: Way,
 }
 
-/// How a held form is minimised; all ways give the same numbers.
+/// How a held form is minimised; both ways give the same numbers.
 enum Way {
-    /// The columns `Φ_S` stand in the whole inverse.
-    Whole(Bordered),
-    /// The columns `Φ_S` are half solved.
-    Halves(Vec<HalfSolved>, Bordered),
+    /// The columns `Φ_S` are half solved, and the rest of the work is a bordered system.
+    Bordered(Vec<HalfSolved>, Bordered),
     /// The held vertices are worked into a factor of their own.
     Eliminated(Box<Eliminated>),
 }
@@ -57,33 +50,23 @@ impl GroundedForm {
         let component = topology.components();
         let matrix = grounded(form, &component);
         let factor = Factor::new(&matrix)?;
-        let whole = (component.len() <= WHOLE_INVERSE_LIMIT).then(|| whole_inverse(&factor, component.len()));
-        Ok(Self { component, matrix, factor, whole })
+        Ok(Self { component, matrix, factor })
     }
 
     /// Checks the constraints and does all the work that does not depend on targets.
     pub(crate) fn hold(&self, constraints: &Constraints<'_>) -> Result<HeldForm, LaplacianError> {
         constraints.check(&self.component)?;
         let (held, hold) = (constraints.held(), constraints.hold);
-        let border = |entry: &dyn Fn(usize, usize) -> f64| Bordered::new(&held, &self.component, hold, entry);
         let way = if held.len() >= MANY_HELD {
             Way::Eliminated(Box::new(Eliminated::new(&self.matrix, &self.component, &held, hold)?))
-        } else if self.whole.is_some() {
-            Way::Whole(border(&|i, j| self.column(held[j])[held[i] as usize]))
         } else {
             let mut work = vec![0.0; self.component.len()];
             let halves: Vec<_> = held.iter().map(|&vertex| self.factor.half_solve(vertex, &mut work)).collect();
-            let bordered = border(&|i, j| self.factor.inverse_entry(&halves[i], &halves[j]));
-            Way::Halves(halves, bordered)
+            let entry = |i: usize, j: usize| self.factor.inverse_entry(&halves[i], &halves[j]);
+            let bordered = Bordered::new(&held, &self.component, hold, entry);
+            Way::Bordered(halves, bordered)
         };
         Ok(HeldForm { held, hold, way })
-    }
-
-    /// A column of the whole inverse.
-    fn column(&self, vertex: u32) -> &[f64] {
-        let n = self.component.len();
-        let whole = self.whole.as_ref().expect("invariant: asked for only where the whole inverse is kept");
-        &whole[vertex as usize * n..(vertex as usize + 1) * n]
     }
 }
 
@@ -110,17 +93,7 @@ impl HeldForm {
         out: &mut [f64],
     ) -> Result<(), LaplacianError> {
         match &self.way {
-            Way::Whole(bordered) => {
-                match load {
-                    Some(load) => form.factor.backward(form.factor.forward(load), out),
-                    None => out.fill(0.0),
-                }
-                let rest = self.held.iter().zip(targets).map(|(&vertex, target)| target - out[vertex as usize]);
-                let c = bordered.solve(rest)?;
-                self.held.iter().zip(&c.columns).for_each(|(&vertex, &c)| add_scaled(out, c, form.column(vertex)));
-                c.add_constants(&form.component, out);
-            }
-            Way::Halves(halves, bordered) => {
+            Way::Bordered(halves, bordered) => {
                 let mut rows = load.map_or_else(|| vec![0.0; out.len()], |load| form.factor.forward(load));
                 let rest =
                     halves.iter().zip(targets).map(|(half, target)| target - form.factor.inverse_row(half, &rows));
@@ -147,15 +120,4 @@ pub(crate) fn grounded(form: &CsrMatrix<f64>, component: &[u32]) -> CsrMatrix<f6
         grounds.push(vertex, vertex, 1.0);
     }
     form + CsrMatrix::from(&grounds)
-}
-
-fn whole_inverse(factor: &Factor, n: usize) -> Vec<f64> {
-    let mut inverse = vec![0.0; n * n];
-    let mut work = vec![0.0; n];
-    for (vertex, column) in inverse.chunks_exact_mut(n.max(1)).enumerate() {
-        let mut rows = vec![0.0; n];
-        factor.add(&factor.half_solve(vertex as u32, &mut work), 1.0, &mut rows);
-        factor.backward(rows, column);
-    }
-    inverse
 }

@@ -31,6 +31,7 @@ pub use anchors::random_anchors;
 pub use constraints::{Constraints, Hold};
 pub use distortion::{Distortion, DistortionSummary, Extreme};
 pub use error::LaplacianError;
+pub use factor::Factor;
 pub use geodesics::Geodesics;
 pub use operator::Operator;
 pub use peaks::{Peak, peaks};

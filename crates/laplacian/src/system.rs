@@ -60,7 +60,7 @@ impl LaplacianSystem {
         bent + weight * missed.map(|(vertex, target)| (moved[vertex as usize] - target).length_squared()).sum::<f64>()
     }
 
-    /// How every vertex follows the handles: one back-substitution for each handle, or none on a small mesh.
+    /// How every vertex follows the handles: one back-substitution for each handle.
     ///
     /// # Errors
     /// For constraints that name no vertex, contradict each other, or leave a handle's piece of the mesh unanchored.
