@@ -71,6 +71,9 @@ pub struct MeshTask {
     /// How a GLB is painted
     #[arg(long, value_enum, default_value_t)]
     pub paint: Paint,
+    /// Writes the face unedited, with each edit as a named morph target at weight 1; for .glb and .gltf with --units mm
+    #[arg(long)]
+    pub morph_targets: bool,
     #[command(flatten)]
     pub edits: EditArguments,
     #[command(flatten)]

@@ -2,6 +2,7 @@
 
 mod args;
 mod edits;
+mod encode;
 mod error;
 mod files;
 mod follow;

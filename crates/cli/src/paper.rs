@@ -7,8 +7,8 @@ use rosto_export::{GlbOptions, Model, Paint, glb};
 use rosto_face::{FaceModel, Triangulation};
 
 use crate::args::PaperTask;
+use crate::encode::model_from_image;
 use crate::error::CliError;
-use crate::mesh::model_from_image;
 use crate::{files, networks, portrait};
 
 mod experiment;

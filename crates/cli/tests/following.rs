@@ -89,6 +89,24 @@ fn every_format_is_written_and_recognised_by_its_first_bytes() {
 }
 
 #[test]
+fn morph_targets_hold_each_edit_under_its_name() {
+    let path = scratch("layers.glb");
+    let photo = portrait();
+    let arguments = ["mesh", photo.to_str().unwrap(), "-o", path.to_str().unwrap(), "--units", "mm", "--morph-targets"];
+    let edits = ["--slider", "jaw-width:4", "--edit", "4:0,0,10:10,152"];
+    let output = rosto(arguments.iter().chain(&edits));
+    assert_eq!(code(&output), 0, "{}", said(&output));
+    let file = std::fs::read(path).unwrap();
+    let length = u32::from_le_bytes(file[12..16].try_into().unwrap()) as usize;
+    let json: serde_json::Value = serde_json::from_slice(&file[20..20 + length]).unwrap();
+    let mesh = &json["meshes"][0];
+    assert_eq!(mesh["extras"]["targetNames"], serde_json::json!(["vertex 4", "jaw-width"]));
+    assert_eq!(mesh["weights"], serde_json::json!([1.0, 1.0]));
+    assert_eq!(mesh["primitives"][0]["targets"].as_array().unwrap().len(), 2);
+    assert_eq!(json["scenes"][0]["extras"]["entries"].as_array().unwrap().len(), 2, "the history lives in the file");
+}
+
+#[test]
 fn what_needs_the_models_frame_says_so() {
     for more in [&["--mirror", "--edit", "4:0,0,0.1"][..], &["--slider", "jaw-width:4"], &["--symmetrise", "0.5"]] {
         let path = scratch("refused.json");

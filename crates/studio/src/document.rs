@@ -117,6 +117,15 @@ impl Document {
         steps.iter().fold(values.to_vec(), |values, level| level.finer().apply(&values))
     }
 
+    /// What each applied entry displaced the mesh that is shown by; they add up to the way from [`Self::rest`] to
+    /// [`Self::committed`].
+    pub fn displacements(&self) -> Vec<Vec<DVec3>> {
+        let starts = std::iter::once(&self.unedited).chain(&self.after);
+        let way =
+            |(from, to): (&Shape, &Shape)| to.densest().iter().zip(from.densest()).map(|(to, at)| *to - *at).collect();
+        starts.zip(&self.after).map(way).collect()
+    }
+
     /// The history.
     pub fn history(&self) -> &History {
         &self.history
@@ -236,17 +245,24 @@ impl Document {
     /// Switches an applied entry on or off; those after it are carried out again.
     ///
     /// # Errors
-    /// [`StudioError::NoSuchEntry`] if fewer entries are applied.
+    /// [`StudioError::NoSuchEntry`] if fewer entries are applied, or that of a later entry that can no longer be carried
+    /// out; the document is as before.
     pub fn switch(&mut self, index: usize, switch: Switch) -> Result<(), StudioError> {
         let count = self.after.len();
         if index >= count {
             return Err(StudioError::NoSuchEntry { index, count });
         }
+        let before = self.history.entries()[index].switch;
+        let undone = self.after.split_off(index);
         self.history.set_switch(index, switch);
-        self.after.truncate(index);
-        self.carry_out_from(index, count)?;
+        let outcome = self.carry_out_from(index, count);
+        if outcome.is_err() {
+            self.history.set_switch(index, before);
+            self.after.truncate(index);
+            self.after.extend(undone);
+        }
         self.settle_down();
-        Ok(())
+        outcome
     }
 
     fn level(&self) -> &Level {

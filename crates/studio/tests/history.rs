@@ -139,6 +139,19 @@ fn the_next_drag_starts_where_the_last_one_ended() {
 }
 
 #[test]
+fn displacements_add_up_to_the_edit() {
+    let mut document = Document::new(portrait(Triangulation::Canonical)).unwrap();
+    document.set_density(1).unwrap();
+    document.apply("one", single_move(4, DVec3::Z * 0.01)).unwrap();
+    document.apply("two", Command::Symmetrise { share: 0.4 }).unwrap();
+    let layers = document.displacements();
+    assert_eq!(layers.len(), 2);
+    for (vertex, (from, to)) in document.rest().iter().zip(document.committed()).enumerate() {
+        assert!((*from + layers[0][vertex] + layers[1][vertex]).distance(*to) < 1e-15);
+    }
+}
+
+#[test]
 fn reset_can_be_redone_until_something_new_is_done() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
     document.apply("one", single_move(4, DVec3::Z * 0.01)).unwrap();

@@ -1,0 +1,101 @@
+use std::path::Path;
+
+use glam::{DVec2, DVec3};
+use rosto_export::{GlbOptions, JsonMesh, Model, Morph, glb, gltf, mesh_json, obj, ply, stl};
+use rosto_face::FaceModel;
+use rosto_studio::{Document, project};
+
+use crate::args::{MeshTask, Paint, Units};
+use crate::error::CliError;
+
+pub const MM_PER_M: f64 = 1000.0;
+
+/// The kinds of file that a mesh is written to.
+#[derive(Debug, Clone, Copy)]
+pub enum Format {
+    Glb,
+    Gltf,
+    Obj,
+    Ply,
+    Stl,
+    Json,
+}
+
+impl Format {
+    /// By the ending of the file's name.
+    pub fn of(path: &Path) -> Result<Self, CliError> {
+        match path.extension().and_then(|extension| extension.to_str()) {
+            Some("glb") => Ok(Self::Glb),
+            Some("gltf") => Ok(Self::Gltf),
+            Some("obj") => Ok(Self::Obj),
+            Some("ply") => Ok(Self::Ply),
+            Some("stl") => Ok(Self::Stl),
+            Some("json") => Ok(Self::Json),
+            _ => Err(CliError::UnknownFormat { path: path.to_owned() }),
+        }
+    }
+}
+
+/// The bytes of the edited face's file.
+pub fn encode(face: &FaceModel, document: &Document, task: &MeshTask, format: Format) -> Result<Vec<u8>, CliError> {
+    let positions_m = match task.edits.units {
+        Units::Image => model_from_image(face, document.positions()),
+        Units::Mm => document.positions().to_vec(),
+    };
+    let uvs: Vec<DVec2> = document.from_cage(face.uvs());
+    let colours_srgb = if task.density == 0 { face.colours_srgb().to_vec() } else { face.colours_under(&uvs) };
+    let model = Model {
+        topology: document.topology(),
+        positions_m: &positions_m,
+        colours_srgb: &colours_srgb,
+        uvs: &uvs,
+        picture: face.picture(),
+    };
+    Ok(match format {
+        Format::Glb => gltf_as(&model, document, task, glb)?,
+        Format::Gltf => gltf_as(&model, document, task, gltf)?.into_bytes(),
+        Format::Obj => obj(&model)?.into_bytes(),
+        Format::Ply => ply(&model)?,
+        Format::Stl => stl(&model)?,
+        Format::Json => json(document, &colours_srgb, task.edits.units).into_bytes(),
+    })
+}
+
+/// Writes glTF, binary or text, with the history in its extras and, if asked for, the edits as morph targets.
+fn gltf_as<T>(
+    model: &Model<'_>,
+    document: &Document,
+    task: &MeshTask,
+    write: impl Fn(&Model<'_>, &GlbOptions<'_>) -> Result<T, rosto_export::ExportError>,
+) -> Result<T, CliError> {
+    // A history in metres can be carried on with; one in a picture's coordinates would need the picture.
+    let in_metres = task.edits.units == Units::Mm;
+    let entries = document.history().applied();
+    let history = (in_metres && !entries.is_empty()).then(|| project::to_json(entries));
+    let layers = if in_metres && task.morph_targets { document.displacements() } else { Vec::new() };
+    let named = entries.iter().zip(&layers);
+    let morphs: Vec<Morph<'_>> =
+        named.map(|(entry, layer)| Morph { name: &entry.label, displacements_m: layer, weight: 1.0 }).collect();
+    let paint = match task.paint {
+        Paint::Texture => rosto_export::Paint::Texture,
+        Paint::Colors => rosto_export::Paint::VertexColours,
+    };
+    let options = GlbOptions { paint, morphs: &morphs, extras: history.as_deref(), ..GlbOptions::default() };
+    let model = if morphs.is_empty() { *model } else { model.at(document.rest()) };
+    Ok(write(&model, &options)?)
+}
+
+fn json(document: &Document, colours_srgb: &[[u8; 3]], units: Units) -> String {
+    let (units, scale) = match units {
+        Units::Image => ("image", 1.0),
+        Units::Mm => ("mm", MM_PER_M),
+    };
+    let positions: Vec<DVec3> = document.positions().iter().map(|&position| position * scale).collect();
+    mesh_json(&JsonMesh { units, positions: &positions, colours_srgb, triangles: document.topology().triangles() })
+}
+
+/// Positions in image coordinates, in metres of the model.
+pub fn model_from_image(face: &FaceModel, positions: &[DVec3]) -> Vec<DVec3> {
+    let model_from_image = face.image_from_model().inverse();
+    positions.iter().map(|&position| model_from_image.transform_point3(position)).collect()
+}
