@@ -18,5 +18,5 @@ fn dither(place_px: vec2f) -> f32 {
 fn fragment(corner: Corner) -> @location(0) vec4f {
     let down = corner.clip.y / frame.viewport_px.y;
     let colour = mix(frame.ground_top.rgb, frame.ground_bottom.rgb, smoothstep(0.0, 1.0, down));
-    return vec4f(colour + dither(corner.clip.xy) * colour, 1.0);
+    return vec4f(colour + dither(corner.clip.xy), 1.0);
 }

@@ -20,7 +20,7 @@ struct Frame {
     viewport_px: vec2f,
     pointer_px: vec2f,
     ink: vec4f,
-    // Its alpha is the darkness of the shadow.
+    // Its alpha is the darkness of the shadow. This and the other colours of the theme are sRGB.
     halo: vec4f,
     accent: vec4f,
     ground_top: vec4f,
@@ -35,7 +35,21 @@ struct Frame {
 
 const NO_VERTEX = 0xffffffffu;
 
-// Targets hold colours that are multiplied by their alpha already.
+fn linear_from_srgb(encoded: vec3f) -> vec3f {
+    let dark = encoded / 12.92;
+    let light = pow((encoded + 0.055) / 1.055, vec3f(2.4));
+    return select(light, dark, encoded <= vec3f(0.04045));
+}
+
+// Targets store what the page shows, sRGB, and no driver is trusted to encode it.
+fn srgb_from_linear(linear: vec3f) -> vec3f {
+    let amount = clamp(linear, vec3f(0.0), vec3f(1.0));
+    let dark = amount * 12.92;
+    let light = 1.055 * pow(amount, vec3f(1.0 / 2.4)) - 0.055;
+    return select(light, dark, amount <= vec3f(0.0031308));
+}
+
+// Targets hold colours that are multiplied by their alpha already; blending is as in the page's own compositing.
 fn premultiplied(colour: vec3f, alpha: f32) -> vec4f {
     return vec4f(colour * alpha, alpha);
 }

@@ -3,6 +3,7 @@ struct Arm {
     @builtin(position) clip: vec4f,
     @location(0) across_px: f32,
     @location(1) @interpolate(flat) axis: u32,
+    @location(2) strength: f32,
 }
 
 const START_PX = 11.0;
@@ -25,11 +26,12 @@ fn arm_vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) axis: 
     arm.clip = moved_by_px(select(from_clip, to_clip, corner.x > 0.0), sideways_px);
     arm.across_px = corner.y * half_px;
     arm.axis = axis;
+    arm.strength = arm_strength(vertex_m, axis);
     return arm;
 }
 
 @fragment
 fn arm_fragment(arm: Arm) -> @location(0) vec4f {
     let inside = coverage(abs(arm.across_px) - arm_half_width_px(arm.axis));
-    return premultiplied(axis_colour(arm.axis), inside * 0.95) * alpha;
+    return premultiplied(axis_colour(arm.axis), inside * 0.95) * alpha * arm.strength;
 }

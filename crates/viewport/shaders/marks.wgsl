@@ -5,6 +5,7 @@ struct Corner {
     @builtin(position) clip: vec4f,
     @location(0) place_px: vec2f,
     @location(1) @interpolate(flat) kind: u32,
+    @location(2) strength: f32,
 }
 
 const RING = 0u;
@@ -23,9 +24,9 @@ fn axis_direction(axis: u32) -> vec3f {
 
 fn axis_colour(axis: u32) -> vec3f {
     switch axis {
-        case 0u: { return vec3f(0.62, 0.05, 0.06); }
-        case 1u: { return vec3f(0.10, 0.33, 0.04); }
-        default: { return vec3f(0.06, 0.17, 0.70); }
+        case 0u: { return vec3f(0.80, 0.22, 0.22); }
+        case 1u: { return vec3f(0.27, 0.58, 0.20); }
+        default: { return vec3f(0.24, 0.42, 0.86); }
     }
 }
 
@@ -35,15 +36,23 @@ fn along_axis_m(vertex_m: vec3f, axis: u32, css_px: f32) -> vec3f {
     return vertex_m + axis_direction(axis) * css_px * frame.pixel_ratio * frame.m_per_px * clip.w;
 }
 
+// Arms that point at the viewer fade, as they would cover the vertex and could not be dragged along.
+fn arm_strength(vertex_m: vec3f, axis: u32) -> f32 {
+    let to_eye = normalize(frame.eye_m - vertex_m);
+    return smoothstep(0.10, 0.35, length(cross(to_eye, axis_direction(axis))));
+}
+
 @vertex
 fn vertex(@builtin(vertex_index) index: u32, @location(0) mark: vec2u) -> Corner {
     var point_m = position_m(mark.x);
+    var strength = 1.0;
     if mark.y >= LETTER_X && mark.y <= LETTER_Z {
+        strength = arm_strength(point_m, mark.y - LETTER_X);
         point_m = along_axis_m(point_m, mark.y - LETTER_X, GIZMO_PX + LETTER_GAP_PX);
     }
     let corner = square_corner(index) * HALF_SIDE_PX;
     let clip = moved_by_px(lifted(point_m, 0.03), corner * vec2f(1.0, -1.0) * frame.pixel_ratio);
-    return Corner(clip, corner, mark.y);
+    return Corner(clip, corner, mark.y, strength);
 }
 
 fn segment(place: vec2f, a: vec2f, b: vec2f) -> f32 {
@@ -97,5 +106,5 @@ fn fragment(corner: Corner) -> @location(0) vec4f {
     let body = coverage(distance_px);
     let halo = coverage(distance_px - 1.25 * frame.pixel_ratio) * 0.85;
     let colour = premultiplied(mark_colour(corner.kind), body);
-    return (colour + premultiplied(frame.halo.rgb, halo) * (1.0 - body)) * alpha;
+    return (colour + premultiplied(frame.halo.rgb, halo) * (1.0 - body)) * alpha * corner.strength;
 }

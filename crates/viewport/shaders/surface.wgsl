@@ -17,12 +17,6 @@ const NORMALS = 3u;
 const RESPONSE = 4u;
 const SCALAR = 5u;
 
-fn linear_from_srgb(encoded: vec3f) -> vec3f {
-    let dark = encoded / 12.92;
-    let light = pow((encoded + 0.055) / 1.055, vec3f(2.4));
-    return select(light, dark, encoded <= vec3f(0.04045));
-}
-
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Corner {
     let skin = skins[index];
@@ -44,12 +38,11 @@ fn diverging(value: f32) -> vec3f {
     return mix(neutral, far, pow(clamp(abs(value), 0.0, 1.0), 0.8));
 }
 
-fn painted(corner: Corner, photo_colour: vec3f, facing: vec3f) -> vec3f {
+fn painted(corner: Corner, photo_colour: vec3f) -> vec3f {
     switch frame.paint {
         case PHOTO: { return photo_colour; }
         case COLOURS: { return corner.colour; }
-        case NORMALS: { return linear_from_srgb(0.5 * facing + 0.5); }
-        case RESPONSE: { return mix(CLAY, frame.accent.rgb, smoothstep(0.0, 1.0, corner.response)); }
+        case RESPONSE: { return mix(CLAY, linear_from_srgb(frame.accent.rgb), smoothstep(0.0, 1.0, corner.response)); }
         case SCALAR: { return diverging(corner.scalar); }
         default: { return CLAY; }
     }
@@ -72,12 +65,12 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) 
     let facing = normalize(select(-corner.normal, corner.normal, front));
     let to_eye = normalize(frame.eye_m - corner.model_m);
     if frame.paint == NORMALS {
-        return vec4f(painted(corner, photo_colour, facing), 1.0);
+        return vec4f(0.5 * facing + 0.5, 1.0);
     }
     var albedo = INSIDE;
     if front {
-        albedo = painted(corner, photo_colour, facing);
+        albedo = painted(corner, photo_colour);
     }
     let glow = frame.glow * smoothstep(0.0, 1.0, corner.response);
-    return vec4f(mix(shaded(albedo, facing, to_eye), frame.accent.rgb, 0.6 * glow), 1.0);
+    return vec4f(mix(srgb_from_linear(shaded(albedo, facing, to_eye)), frame.accent.rgb, 0.6 * glow), 1.0);
 }

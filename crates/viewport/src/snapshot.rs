@@ -3,7 +3,7 @@ use std::pin::Pin;
 use std::sync::{Arc, Mutex};
 use std::task::{Context, Poll, Waker};
 
-use crate::{Gpu, Srgb, ViewportError};
+use crate::{Gpu, ViewportError};
 
 /// A picture read back: straight (not premultiplied) sRGB, row by row from the top.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -63,7 +63,7 @@ impl Pending {
         Mapping::new(&self.buffer).await?;
         let view = self.buffer.get_mapped_range(..).map_err(|_| ViewportError::NotRead)?;
         let [width, height] = self.size;
-        let swapped = self.format.remove_srgb_suffix() == wgpu::TextureFormat::Bgra8Unorm;
+        let swapped = self.format == wgpu::TextureFormat::Bgra8Unorm;
         let mut rgba = Vec::with_capacity(4 * width as usize * height as usize);
         for row in view.chunks_exact(self.padded_row) {
             for pixel in row[..4 * width as usize].chunks_exact(4) {
@@ -76,12 +76,10 @@ impl Pending {
     }
 }
 
-/// Undoes the multiplication by alpha, in linear light, where blending happened.
+/// Undoes the multiplication by alpha.
 fn straight(colour: [u8; 3], alpha: u8) -> [u8; 4] {
-    let [red, green, blue] = match alpha {
-        0 | 255 => colour,
-        _ => Srgb::from_linear(Srgb(colour).to_linear().map(|amount| amount * 255.0 / f32::from(alpha))).0,
-    };
+    let divide = |channel: u8| ((u32::from(channel) * 255 + u32::from(alpha) / 2) / u32::from(alpha)).min(255) as u8;
+    let [red, green, blue] = if alpha == 0 { [0; 3] } else { colour.map(divide) };
     [red, green, blue, alpha]
 }
 
@@ -128,7 +126,7 @@ mod tests {
 
     #[test]
     fn half_covered_white_is_white() {
-        assert_eq!(straight([188; 3], 128), [255, 255, 255, 128]);
+        assert_eq!(straight([128, 64, 0], 128), [255, 128, 0, 128]);
         assert_eq!(straight([10, 20, 30], 255), [10, 20, 30, 255]);
         assert_eq!(straight([0; 3], 0), [0; 4]);
     }

@@ -1,4 +1,6 @@
-use crate::{Gpu, ViewportError};
+use crate::Gpu;
+#[cfg(target_arch = "wasm32")]
+use crate::ViewportError;
 
 /// Samples for each pixel.
 pub(crate) const SAMPLES: u32 = 4;
@@ -9,30 +11,33 @@ pub(crate) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth2
 #[derive(Debug)]
 pub struct Target {
     place: Place,
-    /// The format that shaders write, always one that encodes sRGB by itself.
+    /// The format that shaders write, already encoded.
     pub(crate) format: wgpu::TextureFormat,
 }
 
 #[derive(Debug)]
 enum Place {
-    Surface { surface: wgpu::Surface<'static>, stored_format: wgpu::TextureFormat },
+    #[cfg(target_arch = "wasm32")]
+    Surface(wgpu::Surface<'static>),
     Offscreen,
 }
 
 /// What one frame draws into.
 pub(crate) enum Canvas {
-    /// Draw into the view, then present.
-    Ready(wgpu::SurfaceTexture, wgpu::TextureView),
+    /// Draw into the texture, then present it.
+    #[cfg(target_arch = "wasm32")]
+    Ready(wgpu::SurfaceTexture),
     /// Nothing to present on; the frame is only counted.
     Offscreen,
     /// Not now: hidden, resized meanwhile, or late. Another frame will do.
+    #[cfg(target_arch = "wasm32")]
     Later,
 }
 
 impl Target {
     /// Nothing to present on: pictures are read back with [`crate::Viewport::snapshot`].
     pub fn offscreen() -> Self {
-        Self { place: Place::Offscreen, format: wgpu::TextureFormat::Rgba8UnormSrgb }
+        Self { place: Place::Offscreen, format: wgpu::TextureFormat::Rgba8Unorm }
     }
 
     /// A canvas of the page.
@@ -45,54 +50,56 @@ impl Target {
             .instance
             .create_surface(wgpu::SurfaceTarget::Canvas(canvas))
             .map_err(|error| ViewportError::CanvasInUse(error.to_string()))?;
-        let stored_format = surface
-            .get_capabilities(&gpu.adapter)
-            .formats
-            .into_iter()
-            .find(|format| format.add_srgb_suffix() != *format)
-            .ok_or_else(|| ViewportError::CanvasInUse("no format of 8 bits".into()))?;
-        let format = stored_format.add_srgb_suffix();
-        Ok(Self { place: Place::Surface { surface, stored_format }, format })
+        let preferred = surface.get_capabilities(&gpu.adapter).formats.first().copied();
+        let format = preferred.ok_or_else(|| ViewportError::CanvasInUse("it offers no format".into()))?;
+        Ok(Self { place: Place::Surface(surface), format })
     }
 
     /// Fits the canvas to a size in px.
     pub(crate) fn configure(&self, gpu: &Gpu, width: u32, height: u32) {
-        if let Place::Surface { surface, stored_format } = &self.place {
-            surface.configure(
-                &gpu.device,
-                &wgpu::SurfaceConfiguration {
-                    usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
-                    format: *stored_format,
-                    color_space: wgpu::SurfaceColorSpace::Auto,
-                    width,
-                    height,
-                    present_mode: wgpu::PresentMode::AutoVsync,
-                    desired_maximum_frame_latency: 1,
-                    alpha_mode: wgpu::CompositeAlphaMode::PreMultiplied,
-                    view_formats: vec![self.format],
-                },
-            );
+        match &self.place {
+            #[cfg(target_arch = "wasm32")]
+            Place::Surface(surface) => surface.configure(&gpu.device, &configuration(self.format, width, height)),
+            Place::Offscreen => {
+                let _ = (gpu, width, height);
+            }
         }
     }
 
     /// What the next frame draws into.
     pub(crate) fn acquire(&self, gpu: &Gpu, width: u32, height: u32) -> Canvas {
-        let Place::Surface { surface, .. } = &self.place else {
-            return Canvas::Offscreen;
-        };
-        match surface.get_current_texture() {
-            wgpu::CurrentSurfaceTexture::Success(texture) | wgpu::CurrentSurfaceTexture::Suboptimal(texture) => {
-                let view = texture
-                    .texture
-                    .create_view(&wgpu::TextureViewDescriptor { format: Some(self.format), ..Default::default() });
-                Canvas::Ready(texture, view)
+        match &self.place {
+            #[cfg(target_arch = "wasm32")]
+            Place::Surface(surface) => match surface.get_current_texture() {
+                wgpu::CurrentSurfaceTexture::Success(texture) | wgpu::CurrentSurfaceTexture::Suboptimal(texture) => {
+                    Canvas::Ready(texture)
+                }
+                wgpu::CurrentSurfaceTexture::Outdated | wgpu::CurrentSurfaceTexture::Lost => {
+                    self.configure(gpu, width, height);
+                    Canvas::Later
+                }
+                _ => Canvas::Later,
+            },
+            Place::Offscreen => {
+                let _ = (gpu, width, height);
+                Canvas::Offscreen
             }
-            wgpu::CurrentSurfaceTexture::Outdated | wgpu::CurrentSurfaceTexture::Lost => {
-                self.configure(gpu, width, height);
-                Canvas::Later
-            }
-            _ => Canvas::Later,
         }
+    }
+}
+
+#[cfg(target_arch = "wasm32")]
+fn configuration(format: wgpu::TextureFormat, width: u32, height: u32) -> wgpu::SurfaceConfiguration {
+    wgpu::SurfaceConfiguration {
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
+        format,
+        color_space: wgpu::SurfaceColorSpace::Auto,
+        width,
+        height,
+        present_mode: wgpu::PresentMode::AutoVsync,
+        desired_maximum_frame_latency: 1,
+        alpha_mode: wgpu::CompositeAlphaMode::PreMultiplied,
+        view_formats: Vec::new(),
     }
 }
 

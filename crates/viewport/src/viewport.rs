@@ -176,14 +176,13 @@ impl Viewport {
         }
         let [width, height] = self.attachments.size;
         match self.target.acquire(&self.gpu, width, height) {
-            Canvas::Ready(texture, view) => {
-                let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-                self.upload();
-                passes::record(self, &mut encoder, &self.attachments, &view);
-                self.gpu.queue.submit([encoder.finish()]);
-                self.gpu.queue.present(texture);
+            #[cfg(target_arch = "wasm32")]
+            Canvas::Ready(surface) => {
+                self.record_onto(&surface.texture);
+                self.gpu.queue.present(surface);
             }
             Canvas::Offscreen => {}
+            #[cfg(target_arch = "wasm32")]
             Canvas::Later => {
                 self.stage.ask_for_a_frame();
                 return Ok(true);
@@ -224,6 +223,14 @@ impl Viewport {
             let _ = device.poll(wgpu::PollType::Poll);
             read.await
         })
+    }
+
+    #[cfg(target_arch = "wasm32")]
+    fn record_onto(&mut self, texture: &wgpu::Texture) {
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        self.upload();
+        passes::record(self, &mut encoder, &self.attachments, &texture.create_view(&Default::default()));
+        self.gpu.queue.submit([encoder.finish()]);
     }
 
     fn still(&self, [width, height]: [u32; 2]) -> wgpu::Texture {

@@ -1,0 +1,10 @@
+//! What reaches the screen: known meshes drawn in the browser, and their pixels read back.
+#![cfg(target_arch = "wasm32")]
+
+mod canvas;
+mod follow;
+mod marks;
+mod paints;
+mod support;
+
+wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);

@@ -1,0 +1,111 @@
+use glam::{DVec2, DVec3};
+use rosto_mesh::Topology;
+use rosto_viewport::{Background, Glide, Gpu, Look, MeshInput, Snapshot, Target, Viewport};
+use wasm_bindgen::JsCast;
+use web_sys::HtmlCanvasElement;
+
+/// Side of every picture that the tests take, in px.
+pub const SIDE_PX: u32 = 240;
+
+/// A canvas in the page.
+pub fn canvas() -> HtmlCanvasElement {
+    let document = web_sys::window().unwrap().document().unwrap();
+    let canvas: HtmlCanvasElement = document.create_element("canvas").unwrap().unchecked_into();
+    document.body().unwrap().append_child(&canvas).unwrap();
+    canvas
+}
+
+/// A viewport on a canvas of its own, framing a unit square from the front.
+pub async fn viewport() -> Viewport {
+    on(canvas()).await
+}
+
+pub async fn on(canvas: HtmlCanvasElement) -> Viewport {
+    let gpu = Gpu::request().await.unwrap();
+    let target = Target::canvas(&gpu, canvas).unwrap();
+    let mut viewport = Viewport::new(gpu, target);
+    viewport.resize(SIDE_PX, SIDE_PX);
+    let stage = viewport.stage_mut();
+    stage.frame(&corners());
+    stage.camera_mut().set_glide(Glide::Off);
+    viewport
+}
+
+fn corners() -> [DVec3; 4] {
+    [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| DVec3::new(x, y, 0.0))
+}
+
+/// A grid of squares from (−1, −1) to (1, 1), raised to `height(x, y)`; its texture coordinates span the whole picture.
+pub struct Sheet {
+    pub topology: Topology,
+    pub positions: Vec<DVec3>,
+    pub uvs: Vec<DVec2>,
+}
+
+impl Sheet {
+    pub fn new(cells: u32, height: impl Fn(f64, f64) -> f64) -> Self {
+        let side = cells + 1;
+        let places = (0..side * side).map(|i| DVec2::new(f64::from(i % side), f64::from(i / side)) / f64::from(cells));
+        let triangles = (0..cells * cells).flat_map(|cell| {
+            let at = cell / cells * side + cell % cells;
+            [[at, at + 1, at + side + 1], [at, at + side + 1, at + side]]
+        });
+        let positions = places.clone().map(|place| {
+            let place = place * 2.0 - DVec2::ONE;
+            place.extend(height(place.x, place.y))
+        });
+        Self {
+            topology: Topology::new((side * side) as usize, triangles.collect()).unwrap(),
+            positions: positions.collect(),
+            uvs: places.map(|place| DVec2::new(place.x, 1.0 - place.y)).collect(),
+        }
+    }
+
+    pub fn input(&self) -> MeshInput<'_> {
+        MeshInput {
+            topology: &self.topology,
+            positions_m: &self.positions,
+            colours_srgb: &[],
+            uvs: &self.uvs,
+            picture: None,
+        }
+    }
+}
+
+/// A dome that faces the viewer.
+pub fn dome() -> Sheet {
+    Sheet::new(16, |x, y| 0.9 * (1.0 - 0.5 * (x * x + y * y)))
+}
+
+/// Shows a mesh under a look and reads the picture back.
+pub async fn picture(viewport: &mut Viewport, look: Look) -> Snapshot {
+    *viewport.stage_mut().look_mut() = look;
+    let background = look.background;
+    viewport.snapshot([SIDE_PX, SIDE_PX], background).unwrap().await.unwrap()
+}
+
+/// A look with nothing but the mesh, unshaded.
+pub fn plain() -> Look {
+    Look {
+        background: Background::Transparent,
+        light: rosto_viewport::Light::FLAT,
+        dots: rosto_viewport::Dots::None,
+        ..Look::default()
+    }
+}
+
+/// The largest difference of any channel of any pixel.
+pub fn largest_difference(one: &Snapshot, other: &Snapshot) -> u8 {
+    one.rgba.iter().zip(&other.rgba).map(|(one, other)| one.abs_diff(*other)).max().unwrap()
+}
+
+pub fn luminance(pixel: [u8; 4]) -> u32 {
+    pixel[..3].iter().map(|&channel| u32::from(channel)).sum()
+}
+
+/// Asserts that a colour is another one, give or take a step of rounding.
+#[track_caller]
+pub fn assert_close(found: [u8; 4], expected: [u8; 3]) {
+    let off = found.iter().zip(expected).map(|(found, expected)| found.abs_diff(expected)).max().unwrap();
+    assert!(off <= 1 && found[3] == 255, "{found:?} is not {expected:?}");
+}
