@@ -31,11 +31,10 @@ fn solve(mut rows: [[f64; 9]; 8]) -> [f64; 8] {
         }
         rows.swap(i, pivot);
         let minus_inverse = -1.0 / rows[i][i];
-        for j in i + 1..8 {
-            let factor = rows[j][i] * minus_inverse;
-            for k in i + 1..9 {
-                rows[j][k] += factor * rows[i][k];
-            }
+        let pivot_row = rows[i];
+        for row in rows.iter_mut().skip(i + 1) {
+            let factor = row[i] * minus_inverse;
+            row.iter_mut().zip(pivot_row).skip(i + 1).for_each(|(value, above)| *value += factor * above);
         }
     }
     let mut solution = [0.0; 8];

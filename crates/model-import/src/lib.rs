@@ -6,7 +6,7 @@
 //!
 //! * NHWC becomes NCHW; a reshape of a picture-shaped tensor goes through a transpose back to NHWC, so that the order
 //!   of the values in the outputs stays TFLite's.
-//! * `SAME` padding becomes explicit pads (see [`Window`](tflite::Window)).
+//! * `SAME` padding becomes explicit pads (the `Window` of the `tflite` module).
 //! * Half-precision weights stay half-precision in the file, each behind a `Cast`, so that the pair is about 1.5 MB.
 //!
 //! Opset 13. The one input is f32 `[1, 3, side, side]`. Outputs, by name: for the detector `regressors` `[1, 896, 16]` and
