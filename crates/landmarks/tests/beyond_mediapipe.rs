@@ -1,5 +1,7 @@
 //! The options that find what MediaPipe does not, and what they cost in agreement with it.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 mod support;
 
 use rosto_landmarks::{Face, FaceFinder, FindOptions, Passes, Search};

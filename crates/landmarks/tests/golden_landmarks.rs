@@ -1,5 +1,7 @@
 //! The landmarks are MediaPipe's, on every picture that `support::pictures` makes.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 mod support;
 
 use rosto_landmarks::{Face, FindOptions};

@@ -1,5 +1,7 @@
 //! From the npm package to the two files, and what is refused on the way.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 mod support;
 
 use proptest::prelude::*;

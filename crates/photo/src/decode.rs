@@ -4,6 +4,7 @@ use image::codecs::{jpeg::JpegDecoder, png::PngDecoder, webp::WebPDecoder};
 use image::{ImageDecoder, ImageError};
 
 use crate::format::Format;
+use crate::icc::Conversion;
 use crate::{Limits, Photo, PhotoError, jpeg, orientation, pixels};
 
 /// Decodes a JPEG, PNG or WebP file to an upright picture. Of an animation, the first frame.
@@ -59,15 +60,19 @@ fn png_size(bytes: &[u8]) -> Option<(u32, u32)> {
 fn finish(mut decoder: impl ImageDecoder, format: Format, limits: &Limits) -> Result<Photo, PhotoError> {
     let (width, height) = decoder.dimensions();
     limits.check_size(width, height)?;
-    // A broken EXIF block is no reason to refuse the picture.
+    // Broken metadata is no reason to refuse the picture.
     let exif = decoder.exif_metadata().ok().flatten().unwrap_or_default();
+    let profile = decoder.icc_profile().ok().flatten().unwrap_or_default();
     let layout = decoder.color_type();
     let mut decoded = vec![0; width as usize * height as usize * usize::from(layout.bytes_per_pixel())];
     decoder.read_image(&mut decoded).map_err(|error| refused(format, error))?;
-    let rgb = pixels::to_rgb(decoded, layout).ok_or_else(|| PhotoError::UnsupportedFeature {
+    let mut rgb = pixels::to_rgb(decoded, layout).ok_or_else(|| PhotoError::UnsupportedFeature {
         format: format.name(),
         reason: format!("{layout:?} pixels"),
     })?;
+    if let Some(conversion) = Conversion::from_profile(&profile) {
+        conversion.apply(&mut rgb);
+    }
     Ok(orientation::apply(Photo::from_rgb(width, height, rgb)?, orientation::from_exif(&exif)))
 }
 

@@ -1,12 +1,14 @@
 //! Bytes to an upright, bounded sRGB picture.
 //!
 //! [`decode`] tells JPEG, PNG and WebP apart by their first bytes, refuses what is too large before it allocates the
-//! pixels, applies the EXIF orientation exactly once and lays transparent pixels over white. What comes out is a
+//! pixels, applies the EXIF orientation exactly once, converts an embedded
+//! colour profile such as Display P3 to sRGB, and lays transparent pixels over white. What comes out is a
 //! [`Photo`]: 8-bit RGB, row-major, upright, not mirrored.
 
 mod decode;
 mod error;
 mod format;
+mod icc;
 mod jpeg;
 mod limits;
 mod orientation;

@@ -1,5 +1,7 @@
 //! What is refused, and with which words.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 mod support;
 
 use image::metadata::Orientation;

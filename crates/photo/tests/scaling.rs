@@ -1,5 +1,7 @@
 //! Scaling down and looking up colours.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use proptest::prelude::*;
 use rosto_photo::Photo;
 

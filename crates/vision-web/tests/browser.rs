@@ -1,5 +1,6 @@
 //! The worker's module in a real browser: inference on the portrait, and what it throws.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![cfg(target_arch = "wasm32")]
 
 use js_sys::{Array, Error, Function, Reflect};

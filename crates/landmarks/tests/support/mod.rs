@@ -1,7 +1,6 @@
 //! What the tests of this crate share: the networks, the portrait, and pictures made of it.
 
-// Each test file is a program of its own and uses its part of this.
-#![allow(dead_code)]
+#![allow(dead_code, reason = "each test file is a program of its own and uses its part of this")]
 
 pub mod assets;
 pub mod pictures;

@@ -1,7 +1,6 @@
 //! Pictures with no symmetry, and their files in every format that is read.
 
-// Each test file is a program of its own and uses its part of this.
-#![allow(dead_code)]
+#![allow(dead_code, reason = "each test file is a program of its own and uses its part of this")]
 
 use image::codecs::{jpeg::JpegEncoder, png::PngEncoder, webp::WebPEncoder};
 use image::metadata::Orientation;
