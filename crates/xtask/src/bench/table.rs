@@ -3,8 +3,9 @@
 use super::Record;
 
 /// What the tasks are called for a reader.
-const TITLES: [(&str, &str); 14] = [
+const TITLES: [(&str, &str); 15] = [
     ("paper-edit", "One edit of the paper, from the choice of the vertex to the moved mesh"),
+    ("system", "What is done once per mesh: from triangles to factor"),
     ("tick", "One slider tick: the mesh moved with the response at hand"),
     ("factor", "Factorisation of the normal equations, ordering included"),
     ("solve", "One right-hand side with the factor at hand"),

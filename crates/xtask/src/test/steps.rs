@@ -78,21 +78,23 @@ pub fn all() -> Outcome<Vec<Step>> {
 
 fn native_lint(web: Vec<String>) -> Step {
     Step::new("lint", "clippy on this machine's target", move |_| {
-        let clippy = cargo().args(["clippy", "--workspace", "--all-targets", "--locked"]).args(excluding(&web));
+        let clippy =
+            cargo().args(["clippy", "--workspace", "--all-targets", "--locked", "--keep-going"]).args(excluding(&web));
         check("lint", clippy.arg("--").args(DENY))
     })
 }
 
 fn wasm_lint(crates: Vec<String>) -> Step {
     Step::new("lint-wasm", "clippy on wasm32, for what runs in the browser", move |kit| {
-        let clippy = quiet(kit.run("cargo")?).args(["clippy", "--all-targets", "--locked", "--target", WASM]);
+        let clippy =
+            quiet(kit.run("cargo")?).args(["clippy", "--all-targets", "--locked", "--keep-going", "--target", WASM]);
         check("lint-wasm", clippy.args(only(&crates)).arg("--").args(DENY))
     })
 }
 
 fn rustdoc(web: Vec<String>) -> Step {
     Step::new("docs", "rustdoc without warnings", move |_| {
-        let doc = cargo().args(["doc", "--workspace", "--no-deps", "--locked"]).args(excluding(&web));
+        let doc = cargo().args(["doc", "--workspace", "--no-deps", "--locked", "--keep-going"]).args(excluding(&web));
         check("docs", doc.env("RUSTDOCFLAGS", DENY.join(" ")))
     })
 }
