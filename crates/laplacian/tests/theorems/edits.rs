@@ -263,7 +263,7 @@ fn the_papers_random_edits_never_leave_a_lone_peak() {
     let topology = face("tessellation");
     let mesh = Mesh { name: "face", topology, positions: canonical_face().positions };
     let system = system(&mesh, Operator::UniformSymmetric);
-    for seed in 0..1000 {
+    for seed in 0..300 {
         let handle = (seed % 468) as u32;
         let anchors = random_anchors(468, &[handle], seed);
         let constraints = Constraints { handles: &[handle], anchors: &anchors, ..Default::default() };

@@ -69,7 +69,7 @@ fn edit(topology: &Topology, rest: &[DVec3], random: &mut Seeded) -> Result<(), 
 #[test]
 fn any_mesh_is_edited_or_refused_by_name() {
     let mut edited = 0;
-    for seed in 0..1500 {
+    for seed in 0..500 {
         let random = &mut Seeded::new(seed);
         let topology = any_topology(random);
         let rest = any_positions(topology.vertex_count(), random);
@@ -79,7 +79,7 @@ fn any_mesh_is_edited_or_refused_by_name() {
             Err(other) => panic!("seed {seed}: {other}"),
         }
     }
-    assert!(edited > 500, "only {edited} of 1500 could be edited");
+    assert!(edited > 150, "only {edited} of 500 could be edited");
 }
 
 #[test]
