@@ -62,7 +62,8 @@ impl CliError {
             Self::EditsFile { .. } | Self::UnknownFormat { .. } => 2,
             Self::Unreadable { .. } | Self::NoPicture { .. } | Self::SomePhotosFailed { .. } => 3,
             Self::NoFace { .. } => 4,
-            Self::Edit { .. } => 5,
+            // An offset of 1e300 can be made, but not written.
+            Self::Edit { .. } | Self::Export(ExportError::NotFinite { .. }) => 5,
             Self::Unwritable { .. } | Self::Output(_) => 6,
             Self::NetworksMissing { .. } | Self::Networks(LandmarksError::NetworkDamaged { .. }) => 7,
             Self::NoModel { .. } | Self::Networks(_) | Self::Export(_) | Self::Studio(_) => 1,

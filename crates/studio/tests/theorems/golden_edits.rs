@@ -1,11 +1,11 @@
 //! The paper's edits, as the document carries them out, against a dense pseudo-inverse (`tests/golden/edits.json`).
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use glam::DVec3;
 use rosto_face::Triangulation;
 use rosto_studio::*;
 use serde_json::Value;
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 fn vector(value: &Value) -> DVec3 {
     DVec3::from([0, 1, 2].map(|axis| value[axis].as_f64().unwrap()))
@@ -21,7 +21,7 @@ fn vertex(value: &Value) -> u32 {
 
 #[test]
 fn every_sequence_ends_where_the_pseudo_inverse_does() {
-    let golden: Value = serde_json::from_str(include_str!("../../../tests/golden/edits.json")).unwrap();
+    let golden: Value = serde_json::from_str(include_str!("../../../../tests/golden/edits.json")).unwrap();
     let cases = golden["cases"].as_array().unwrap();
     assert_eq!(cases.len(), 8);
     for case in cases {

@@ -1,7 +1,5 @@
 //! Faces to edit.
 
-#![allow(clippy::unwrap_used, dead_code, reason = "each test file uses its part")]
-
 use glam::DVec3;
 use rosto_face::*;
 use rosto_studio::*;

@@ -1,14 +1,13 @@
 //! Radii and turning details.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod common;
-
-use common::*;
 use glam::DVec3;
 use rosto_face::Triangulation;
 use rosto_laplacian::Geodesics;
 use rosto_studio::*;
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use crate::faces::*;
 
 const RADIUS_M: f64 = 0.03;
 

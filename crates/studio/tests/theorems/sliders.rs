@@ -1,16 +1,15 @@
 //! The ready-made sliders change what they are named after, evenly on both sides, and bend nothing out of shape.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod common;
-
 use std::collections::BTreeSet;
 
-use common::*;
 use glam::DVec3;
 use rosto_face::{Language, Triangulation, mirror_of};
 use rosto_laplacian::peaks;
 use rosto_studio::*;
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use crate::faces::*;
 
 fn moved(slider: FaceSlider, amount_m: f64) -> Document {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();

@@ -1,14 +1,13 @@
 //! Denser meshes: cage edits carry over, direct edits stay local, and going back and forth loses nothing.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod common;
-
-use common::*;
 use glam::DVec3;
 use rosto_face::Triangulation;
 use rosto_mesh::LoopSubdivision;
 use rosto_studio::*;
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use crate::faces::*;
 
 #[test]
 fn the_canonical_face_has_the_expected_densities() {
