@@ -56,6 +56,10 @@ pub fn pick(topology: &Topology, positions: &[DVec3], ray: &Ray) -> Option<Hit> 
     hits.min_by(|one, other| one.distance.total_cmp(&other.distance))
 }
 
+/// How far outside a triangle, in shares of it, still counts as on its rim: a ray aimed exactly at a corner or an edge
+/// would slip between the triangles that share it.
+const RIM: f64 = 1e-9;
+
 fn meet(ray: &Ray, [a, b, c]: [DVec3; 3]) -> Option<([f64; 3], f64)> {
     let (ab, ac) = (b - a, c - a);
     let across = ray.direction.cross(ac);
@@ -68,8 +72,9 @@ fn meet(ray: &Ray, [a, b, c]: [DVec3; 3]) -> Option<([f64; 3], f64)> {
     let around = from_a.cross(ab);
     let w = ray.direction.dot(around) / determinant;
     let distance = ac.dot(around) / determinant;
-    let inside = v >= 0.0 && w >= 0.0 && v + w <= 1.0 && distance >= 0.0 && distance.is_finite();
-    inside.then(|| ([(1.0 - v - w).max(0.0), v, w], distance))
+    let u = 1.0 - v - w;
+    let inside = u >= -RIM && v >= -RIM && w >= -RIM && distance >= 0.0 && distance.is_finite();
+    inside.then(|| ([u, v, w].map(|weight| weight.clamp(0.0, 1.0)), distance))
 }
 
 #[cfg(test)]
@@ -115,6 +120,18 @@ mod tests {
             let target = 0.9 * at + 0.06 * b + 0.04 * c;
             let hit = pick(&topology, &positions, &Ray { origin: 3.0 * target, direction: -target }).unwrap();
             assert_eq!(hit.nearest_corner(&topology), a);
+        }
+    }
+
+    #[test]
+    fn no_ray_slips_between_triangles_that_share_a_corner_or_an_edge() {
+        let (topology, positions) = icosahedron();
+        let eye = DVec3::new(0.3, -1.7, 4.1);
+        let middle = |[a, b]: &[u32; 2]| 0.5 * (positions[*a as usize] + positions[*b as usize]);
+        let edges = topology.edges().iter().map(middle);
+        for target in positions.iter().copied().chain(edges) {
+            let hit = pick(&topology, &positions, &Ray { origin: eye, direction: target - eye });
+            assert!(hit.is_some_and(|hit| hit.distance < 1.0 + 1e-9), "{target}");
         }
     }
 

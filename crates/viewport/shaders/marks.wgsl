@@ -85,7 +85,7 @@ fn pin(place: vec2f) -> f32 {
 fn outline(place: vec2f, kind: u32) -> f32 {
     switch kind {
         case RING: { return abs(length(place) - 7.0) - 1.25; }
-        case SQUARE: { return max(abs(place.x), abs(place.y)) - 3.5; }
+        case SQUARE: { return max(abs(place.x), abs(place.y)) - 3.0; }
         case PIN: { return pin(place); }
         case DOT: { return length(place) - 3.5; }
         default: { return letter(place, kind) - 0.95; }

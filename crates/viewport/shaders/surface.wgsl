@@ -9,8 +9,8 @@ struct Corner {
     @location(5) response: f32,
 }
 
-const CLAY = vec3f(0.578, 0.510, 0.445);
-const INSIDE = vec3f(0.30, 0.27, 0.245);
+const CLAY = vec3f(0.445, 0.385, 0.330);
+const INSIDE = vec3f(0.23, 0.205, 0.185);
 const PHOTO = 0u;
 const COLOURS = 1u;
 const NORMALS = 3u;
@@ -33,9 +33,9 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
 
 // Blue, neutral, red for -1, 0, 1.
 fn diverging(value: f32) -> vec3f {
-    let neutral = vec3f(0.80, 0.77, 0.73);
+    let neutral = vec3f(0.60, 0.57, 0.54);
     let far = select(vec3f(0.60, 0.035, 0.045), vec3f(0.035, 0.13, 0.55), value < 0.0);
-    return mix(neutral, far, pow(clamp(abs(value), 0.0, 1.0), 0.8));
+    return mix(neutral, far, pow(clamp(abs(value), 0.0, 1.0), 0.7));
 }
 
 fn painted(corner: Corner, photo_colour: vec3f) -> vec3f {

@@ -27,16 +27,18 @@ pub(crate) struct Twin {
 }
 
 /// How faintly marks show through what hides them.
-const HIDDEN_ALPHA: f64 = 0.3;
+const HIDDEN_MARK_ALPHA: f64 = 0.3;
+/// Arms are there to be taken hold of, so that they stay well to be seen.
+const HIDDEN_ARM_ALPHA: f64 = 0.75;
 
 /// What a pipeline does with depth and colour.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 enum Role {
     Backdrop,
     Solid,
     DepthOnly,
     Overlay,
-    SeenThrough,
+    SeenThrough { alpha: f64 },
 }
 
 struct Recipe<'a> {
@@ -64,9 +66,9 @@ impl Pipelines {
         let build = |layout: &wgpu::PipelineLayout, name, text, role| {
             pipeline(gpu, format, layout, &Recipe { name, text, entries: MAIN, role, words: &[] })
         };
-        let twin = |name, text, entries, words| {
+        let twin = |name, text, entries, words, alpha| {
             let one = |role| pipeline(gpu, format, &over_mesh, &Recipe { name, text, entries, role, words });
-            Twin { seen: one(Role::Overlay), hidden: one(Role::SeenThrough) }
+            Twin { seen: one(Role::Overlay), hidden: one(Role::SeenThrough { alpha }) }
         };
         let wire = Recipe { name: "wire", text: shaders::WIRE, entries: MAIN, role: Role::Overlay, words: &PAIR };
         Self {
@@ -77,8 +79,8 @@ impl Pipelines {
             bare: build(&over_mesh, "bare", shaders::SURFACE, Role::DepthOnly),
             dots: build(&over_mesh, "dots", shaders::DOTS, Role::Overlay),
             wire: pipeline(gpu, format, &over_mesh, &wire),
-            marks: twin("marks", shaders::MARKS, MAIN, &PAIR[..]),
-            gizmo: twin("gizmo", shaders::GIZMO, ["arm_vertex", "arm_fragment"], &[]),
+            marks: twin("marks", shaders::MARKS, MAIN, &PAIR[..], HIDDEN_MARK_ALPHA),
+            gizmo: twin("gizmo", shaders::GIZMO, ["arm_vertex", "arm_fragment"], &[], HIDDEN_ARM_ALPHA),
             frame_layout,
             mesh_layout,
         }
@@ -142,7 +144,10 @@ fn pipeline(
         label: Some(recipe.name),
         source: wgpu::ShaderSource::Wgsl(Cow::Borrowed(recipe.text)),
     });
-    let constants: &[(&str, f64)] = if recipe.role == Role::SeenThrough { &[("alpha", HIDDEN_ALPHA)] } else { &[] };
+    let constants: &[(&str, f64)] = match recipe.role {
+        Role::SeenThrough { alpha } => &[("alpha", alpha)],
+        _ => &[],
+    };
     let options = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
     gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(recipe.name),
@@ -172,7 +177,7 @@ fn depth(role: Role) -> wgpu::DepthStencilState {
         Role::Backdrop => (false, wgpu::CompareFunction::Always),
         Role::Solid | Role::DepthOnly => (true, wgpu::CompareFunction::Less),
         Role::Overlay => (false, wgpu::CompareFunction::LessEqual),
-        Role::SeenThrough => (false, wgpu::CompareFunction::Greater),
+        Role::SeenThrough { .. } => (false, wgpu::CompareFunction::Greater),
     };
     wgpu::DepthStencilState {
         format: DEPTH_FORMAT,
@@ -187,7 +192,7 @@ fn colour(role: Role, format: wgpu::TextureFormat) -> wgpu::ColorTargetState {
     let (blend, write_mask) = match role {
         Role::Backdrop | Role::Solid => (None, wgpu::ColorWrites::ALL),
         Role::DepthOnly => (None, wgpu::ColorWrites::empty()),
-        Role::Overlay | Role::SeenThrough => {
+        Role::Overlay | Role::SeenThrough { .. } => {
             (Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING), wgpu::ColorWrites::ALL)
         }
     };

@@ -117,9 +117,9 @@ async fn scalars_run_from_blue_over_neutral_to_red() {
     let scalars: Vec<f64> = sheet.positions.iter().map(|position| position.x).collect();
     viewport.set_scalars(&scalars).unwrap();
     let seen = picture(&mut viewport, Look { paint: Paint::Scalar, ..plain() }).await;
-    let [red, _, blue, _] = seen.pixel(MIDDLE - 80, MIDDLE + 10);
+    let [red, _, blue, _] = seen.pixel(MIDDLE - 60, MIDDLE + 10);
     assert!(blue > red + 60, "{red} {blue}");
-    let [red, _, blue, _] = seen.pixel(MIDDLE + 80, MIDDLE + 10);
+    let [red, _, blue, _] = seen.pixel(MIDDLE + 60, MIDDLE + 10);
     assert!(red > blue + 60, "{red} {blue}");
     let [red, green, blue, _] = seen.pixel(MIDDLE, MIDDLE + 10);
     assert!(red.abs_diff(blue) < 14 && green.abs_diff(red) < 14, "{red} {green} {blue}");

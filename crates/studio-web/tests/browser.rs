@@ -1,0 +1,222 @@
+//! The façade as the page uses it, on a real canvas in the browser.
+#![cfg(target_arch = "wasm32")]
+
+use rosto_face::canonical_positions_m;
+use rosto_studio_web::{
+    AnchorsName, AxisName, ExportPaintName, HoldName, LanguageName, PaintName, Studio, UnitsName, start,
+};
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::JsFuture;
+use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+use web_sys::HtmlCanvasElement;
+
+wasm_bindgen_test_configure!(run_in_browser);
+
+const NOSE_TIP: u32 = 1;
+const SIDE_PX: u32 = 320;
+const PHOTO_PX: u32 = 64;
+
+fn canvas() -> HtmlCanvasElement {
+    let document = web_sys::window().unwrap().document().unwrap();
+    let canvas: HtmlCanvasElement = document.create_element("canvas").unwrap().unchecked_into();
+    document.body().unwrap().append_child(&canvas).unwrap();
+    canvas
+}
+
+/// An empty studio that stands still.
+async fn empty() -> Studio {
+    let mut studio = start(canvas()).await.unwrap();
+    studio.resize(SIDE_PX, SIDE_PX, Some(1.0));
+    studio.set_reduced_motion(true);
+    studio
+}
+
+/// A studio with the canonical face, as if it had been found in a reddish photo.
+async fn studio() -> Studio {
+    let mut studio = empty().await;
+    open(&mut studio);
+    studio
+}
+
+fn open(studio: &mut Studio) {
+    let landmarks: Vec<f32> = canonical_positions_m()
+        .iter()
+        .flat_map(|p| [0.5 + 3.0 * p.x, 0.5 - 3.0 * p.y, -3.0 * p.z].map(|coordinate| coordinate as f32))
+        .collect();
+    let picture: Vec<u8> = [210, 120, 90, 255].repeat((PHOTO_PX * PHOTO_PX) as usize);
+    let colours = [210, 120, 90].repeat(468);
+    studio.open_face(&landmarks, PHOTO_PX, PHOTO_PX, &colours, &picture, PHOTO_PX, PHOTO_PX).unwrap();
+}
+
+async fn pixels(studio: &mut Studio) -> Vec<u8> {
+    let promise = studio.snapshot(SIDE_PX, SIDE_PX, true).unwrap();
+    let snapshot = JsFuture::from(promise).await.unwrap();
+    let take: js_sys::Function = js_sys::Reflect::get(&snapshot, &"takePixels".into()).unwrap().unchecked_into();
+    take.call0(&snapshot).unwrap().unchecked_into::<js_sys::Uint8Array>().to_vec()
+}
+
+fn code(thrown: &JsValue) -> String {
+    assert!(thrown.is_instance_of::<js_sys::Error>());
+    let field = |name: &str| js_sys::Reflect::get(thrown, &name.into()).unwrap().as_string().unwrap();
+    assert!(!field("message").is_empty() && !field("hint").is_empty());
+    field("code")
+}
+
+fn in_paper_mode(studio: &mut Studio) {
+    studio.set_hold(HoldName::Soft).unwrap();
+    studio.set_anchor_choice(AnchorsName::Random).unwrap();
+}
+
+#[wasm_bindgen_test]
+async fn the_empty_state_is_drawn_and_nothing_can_be_edited() {
+    let mut studio = empty().await;
+    studio.show_canonical().unwrap();
+    assert!(!studio.draw(0.0).unwrap());
+    assert!(pixels(&mut studio).await.iter().any(|&channel| channel != 0));
+    assert!(!studio.state().has_face);
+    assert_eq!(studio.pick(160.0, 160.0), None);
+    assert_eq!(code(&studio.select(Some(NOSE_TIP)).unwrap_err()), "no-face");
+    assert_eq!(code(&studio.mesh_json(UnitsName::Image).unwrap_err()), "no-face");
+    assert_eq!(studio.landmark_name(NOSE_TIP, LanguageName::English).unwrap(), "nose tip");
+}
+
+#[wasm_bindgen_test]
+async fn the_empty_state_turns_unless_less_motion_is_asked_for() {
+    let mut studio = empty().await;
+    studio.set_reduced_motion(false);
+    studio.show_canonical().unwrap();
+    assert!(studio.draw(0.0).unwrap() && studio.draw(16.0).unwrap());
+    studio.set_reduced_motion(true);
+    assert!(!studio.draw(32.0).unwrap());
+}
+
+#[wasm_bindgen_test]
+async fn a_face_shows_in_its_photos_colours_and_keeps_still() {
+    let mut studio = studio().await;
+    assert!(!studio.draw(0.0).unwrap());
+    let drawn = pixels(&mut studio).await;
+    let solid: Vec<&[u8]> = drawn.chunks_exact(4).filter(|pixel| pixel[3] == 255).collect();
+    assert!(solid.len() > 20_000, "{} px", solid.len());
+    let reddish = solid.iter().filter(|pixel| pixel[0] > pixel[1] && pixel[1] > pixel[2]).count();
+    assert!(reddish * 10 > solid.len() * 9, "{reddish} of {} px", solid.len());
+    let state = studio.state();
+    assert_eq!((state.vertex_count, state.edge_count, state.triangle_count), (468, 1319, 852));
+}
+
+#[wasm_bindgen_test]
+async fn an_edit_changes_the_picture_is_one_entry_and_can_be_undone() {
+    let mut studio = studio().await;
+    in_paper_mode(&mut studio);
+    let before = (pixels(&mut studio).await, studio.mesh_json(UnitsName::Millimetres).unwrap());
+    studio.select(Some(NOSE_TIP)).unwrap();
+    assert_eq!(studio.anchors().len(), 2);
+    for tick in 1..=20 {
+        studio.preview(0.0, 0.0, f64::from(tick)).unwrap();
+    }
+    assert!(studio.state().editing && studio.state().reach > 0.1);
+    studio.commit().unwrap();
+    let state = studio.state();
+    assert_eq!(state.entries.len(), 1);
+    let entry = &state.entries[0];
+    assert_eq!((entry.vertex, entry.z_mm, entry.enabled, entry.label.as_str()), (NOSE_TIP, 20.0, true, "nose tip"));
+    let after = studio.mesh_json(UnitsName::Millimetres).unwrap();
+    assert_ne!(after, before.1);
+    studio.select(None).unwrap();
+    let drawn = pixels(&mut studio).await;
+    assert!(drawn.iter().zip(&before.0).any(|(now, then)| now.abs_diff(*then) > 30));
+    studio.undo().unwrap();
+    assert_eq!(studio.mesh_json(UnitsName::Millimetres).unwrap(), before.1);
+    assert_eq!(pixels(&mut studio).await, before.0);
+    studio.redo().unwrap();
+    assert_eq!(studio.mesh_json(UnitsName::Millimetres).unwrap(), after);
+}
+
+#[wasm_bindgen_test]
+async fn cancelling_and_committing_nothing_leave_no_trace() {
+    let mut studio = studio().await;
+    let before = studio.mesh_json(UnitsName::Image).unwrap();
+    studio.select(Some(NOSE_TIP)).unwrap();
+    studio.preview(3.0, 0.0, 0.0).unwrap();
+    studio.cancel().unwrap();
+    studio.preview(0.0, 0.0, 0.0).unwrap();
+    studio.commit().unwrap();
+    assert!(!studio.state().can_undo);
+    assert_eq!(studio.mesh_json(UnitsName::Image).unwrap(), before);
+    assert_eq!(code(&studio.preview(f64::NAN, 0.0, 0.0).unwrap_err()), "bad-number");
+}
+
+#[wasm_bindgen_test]
+async fn a_dragged_landmark_follows_the_pointer() {
+    let mut studio = studio().await;
+    studio.set_hold(HoldName::Exact).unwrap();
+    studio.set_anchor_choice(AnchorsName::Oval).unwrap();
+    studio.select(Some(NOSE_TIP)).unwrap();
+    let from = studio.screen_position(NOSE_TIP).unwrap();
+    studio.grab(from.x, from.y).unwrap();
+    studio.drag_to(from.x + 24.0, from.y - 10.0, None, None).unwrap();
+    let to = studio.screen_position(NOSE_TIP).unwrap();
+    assert!((to.x - from.x - 24.0).abs() < 1e-6 && (to.y - from.y + 10.0).abs() < 1e-6, "{to:?}");
+    studio.drag_to(from.x + 24.0, from.y - 10.0, Some(AxisName::X), None).unwrap();
+    let state = studio.state();
+    assert!(state.offset_x_mm > 1.0 && state.offset_y_mm == 0.0 && state.offset_z_mm == 0.0);
+    studio.cancel().unwrap();
+    assert_eq!(studio.screen_position(NOSE_TIP), Some(from));
+}
+
+#[wasm_bindgen_test]
+async fn what_is_seen_can_be_picked() {
+    let studio = studio().await;
+    let places = studio.screen_positions();
+    assert_eq!(places.len(), 3 * 468);
+    let facing = (0..468).filter(|&v| places[3 * v + 2] == 1.0).count();
+    assert!(facing > 300, "{facing}");
+    let nose = studio.screen_position(NOSE_TIP).unwrap();
+    assert_eq!(studio.pick(nose.x, nose.y), Some(NOSE_TIP));
+    assert_eq!(studio.pick(1.0, 1.0), None);
+}
+
+#[wasm_bindgen_test]
+async fn refusals_say_why_and_keep_the_face() {
+    let mut studio = studio().await;
+    assert_eq!(code(&studio.select(Some(468)).unwrap_err()), "bad-vertex");
+    studio.select(Some(NOSE_TIP)).unwrap();
+    assert_eq!(code(&studio.set_anchors(&[NOSE_TIP, 7]).unwrap_err()), "bad-anchors");
+    assert_eq!(code(&studio.preview(1.0, 0.0, 0.0).unwrap_err()), "no-selection");
+    studio.set_anchors(&[7, 152]).unwrap();
+    assert_eq!(studio.anchors(), [7, 152]);
+    studio.preview(1.0, 0.0, 0.0).unwrap();
+    assert_eq!(code(&studio.open_edits("{}").unwrap_err()), "bad-project");
+    assert_eq!(code(&studio.open_face(&[0.5; 1404], 64, 64, &[0; 1404], &[0; 16], 2, 2).unwrap_err()), "bad-face");
+    assert!(studio.state().has_face);
+}
+
+#[wasm_bindgen_test]
+async fn edits_come_back_from_their_text_at_every_density() {
+    let mut studio = studio().await;
+    studio.set_mirror(true).unwrap();
+    studio.select(Some(61)).unwrap();
+    studio.preview(2.0, 3.0, 1.0).unwrap();
+    studio.commit().unwrap();
+    let (edits, mesh) = (studio.edits_json().unwrap(), studio.mesh_json(UnitsName::Millimetres).unwrap());
+    open(&mut studio);
+    assert_ne!(studio.mesh_json(UnitsName::Millimetres).unwrap(), mesh);
+    studio.open_edits(&edits).unwrap();
+    assert_eq!(studio.mesh_json(UnitsName::Millimetres).unwrap(), mesh);
+    for (density, vertices) in [(1, 1787), (0, 468)] {
+        studio.set_density(density).unwrap();
+        assert_eq!(studio.state().vertex_count, vertices);
+        assert!(!pixels(&mut studio).await.is_empty());
+    }
+    assert_eq!(studio.mesh_json(UnitsName::Millimetres).unwrap(), mesh);
+}
+
+#[wasm_bindgen_test]
+async fn both_paints_are_exported_as_binary_gltf() {
+    let mut studio = studio().await;
+    studio.set_paint(PaintName::Distortion).unwrap();
+    for paint in [ExportPaintName::Texture, ExportPaintName::VertexColours] {
+        let file = studio.export_glb(paint).unwrap();
+        assert_eq!(&file[..4], b"glTF");
+        assert_eq!(u32::from_le_bytes(file[8..12].try_into().unwrap()) as usize, file.len());
+    }
+}
