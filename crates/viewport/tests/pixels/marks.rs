@@ -61,7 +61,7 @@ async fn what_is_hidden_shows_only_faintly() {
     let behind = Sheet::new(8, |x, _| if x > 0.3 { 0.8 } else { 0.0 });
     let mut viewport = viewport().await;
     viewport.show(&behind.input()).unwrap();
-    viewport.stage_mut().camera_mut().orbit(-100.0, 0.0);
+    viewport.stage_mut().camera_mut().orbit(100.0, 0.0);
     viewport.draw(0.0).unwrap();
     let vertex = 4 * 9 + 3;
     let marked = |kind| vec![Mark { vertex, kind }];
@@ -69,7 +69,7 @@ async fn what_is_hidden_shows_only_faintly() {
     viewport.stage_mut().set_marks(marked(MarkKind::Dot));
     let seen = picture(&mut viewport, clay()).await;
     let full = count_near(&seen, place.x as u32, place.y as u32, 8, ACCENT);
-    viewport.stage_mut().camera_mut().orbit(200.0, 0.0);
+    viewport.stage_mut().camera_mut().orbit(-200.0, 0.0);
     viewport.draw(0.0).unwrap();
     let place = viewport.stage().camera().project(behind.positions[vertex as usize]).unwrap();
     let seen = picture(&mut viewport, clay()).await;
