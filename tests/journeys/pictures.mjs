@@ -1,6 +1,9 @@
 import { PNG } from "pngjs";
 import { crc32 } from "node:zlib";
 
+/** The head in the sample portrait, px. */
+const FACE_IN_PORTRAIT = { x: 110, y: 10, width: 220, height: 220 };
+
 /** A picture in which nobody would find a face. */
 export function faceless() {
   const png = new PNG({ width: 320, height: 240 });
@@ -38,25 +41,27 @@ export function asJpeg(page, png, size) {
 }
 
 /**
- * Two of the same photo side by side, written by the browser.
+ * Twice the same face side by side, cut out of the portrait by the browser.
  *
  * @param {import("playwright-core").Page} page
  * @param {Uint8Array} png
  */
 export function twice(page, png) {
-  return redraw(page, png, { type: "image/png", copies: 2 });
+  return redraw(page, png, { type: "image/png", copies: 2, part: FACE_IN_PORTRAIT });
 }
 
 async function redraw(page, png, how) {
   const base64 = await page.evaluate(
-    async ({ base64, type, copies, size }) => {
+    async ({ base64, type, copies, size, part }) => {
       const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
       const picture = await createImageBitmap(new Blob([bytes]));
-      const { width, height } = size ?? { width: copies * picture.width, height: picture.height };
+      const from = part ?? { x: 0, y: 0, width: picture.width, height: picture.height };
+      const { width, height } = size ?? { width: copies * from.width, height: from.height };
       const canvas = new OffscreenCanvas(width, height);
       const context = canvas.getContext("2d");
       for (let copy = 0; copy < copies; copy++) {
-        context.drawImage(picture, (copy * width) / copies, 0, width / copies, height);
+        const left = (copy * width) / copies;
+        context.drawImage(picture, from.x, from.y, from.width, from.height, left, 0, width / copies, height);
       }
       const blob = await canvas.convertToBlob({ type, quality: 0.9 });
       let letters = "";

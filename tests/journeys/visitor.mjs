@@ -5,9 +5,6 @@ import { PNG } from "pngjs";
 
 export const SAMPLE = path.resolve(import.meta.dirname, "../../web/assets/sample.png");
 
-/** Whatever floats over the 3D view. */
-const FLOATING_HIDDEN = ".stage > :not(.viewport) { visibility: hidden !important; }";
-
 /** Someone at the page: what they do, and what they see. */
 export class Visitor {
   /** Errors the page let through. */
@@ -22,7 +19,7 @@ export class Visitor {
    */
   static async arrive(browser, url, { before, ...options } = {}) {
     const context = await browser.newContext({
-      viewport: { width: 1280, height: 800 },
+      viewport: { width: 1024, height: 640 },
       locale: "en-GB",
       reducedMotion: "reduce",
       serviceWorkers: "block",
@@ -173,8 +170,17 @@ export class Visitor {
   /** The pixels of the 3D view, with what floats over it left out. */
   async view() {
     await this.frames(3);
-    const shot = await this.page.locator("#viewport").screenshot({ style: FLOATING_HIDDEN, animations: "disabled" });
+    await this.#showFloating("hidden");
+    const shot = await this.page.locator("#viewport").screenshot();
+    await this.#showFloating("");
     return PNG.sync.read(shot);
+  }
+
+  /** @param {"" | "hidden"} visibility of whatever floats over the 3D view */
+  #showFloating(visibility) {
+    return this.page.evaluate((visibility) => {
+      for (const element of document.querySelectorAll(".stage > :not(.viewport)")) element.style.visibility = visibility;
+    }, visibility);
   }
 
   /** What the notice says, once there is one. */

@@ -64,7 +64,10 @@ async function openBench() {
     setUpHistoryPanel(opened);
     setUpExportPanel(opened, keeper);
     keeper.follow(opened);
-    opened.look((studio) => studio.showCanonical());
+    opened.look((studio) => {
+      studio.setBackground("transparent");
+      studio.showCanonical();
+    });
     document.body.dataset["bench"] = "open";
     return opened;
   } catch (error) {
@@ -123,7 +126,8 @@ async function openWork({ face, edits }) {
 async function openFace(face) {
   await overlay.show(face);
   const opened = await bench;
-  opened?.act((studio) =>
+  opened?.act((studio) => {
+    studio.setBackground("ground");
     studio.openFace(
       face.landmarks,
       face.width_px,
@@ -132,8 +136,8 @@ async function openFace(face) {
       face.picture,
       face.pictureWidth_px,
       face.pictureHeight_px,
-    ),
-  );
+    );
+  });
   document.body.dataset["state"] = opened ? "face" : "photo";
   byId("welcome", HTMLElement).hidden = true;
   byId("toolbar", HTMLDivElement).hidden = !opened;

@@ -28,9 +28,10 @@ function isRequest(entry) {
 
 function write() {
   const count = byId("privacy-count", HTMLSpanElement);
+  const short = byId("privacy-count-short", HTMLSpanElement);
   count.dataset["requests"] = String(requestsSinceLoad ?? "");
-  if (requestsSinceLoad === undefined) count.textContent = "";
-  else if (requestsSinceLoad === 0) count.textContent = say("privacy.none");
-  else if (requestsSinceLoad === 1) count.textContent = say("privacy.one");
-  else count.textContent = say("privacy.many", { n: requestsSinceLoad });
+  if (requestsSinceLoad === undefined) return;
+  const many = requestsSinceLoad === 0 ? "none" : requestsSinceLoad === 1 ? "one" : "many";
+  count.textContent = say(`privacy.${many}`, { n: requestsSinceLoad });
+  short.textContent = say(`privacy.${many}.short`, { n: requestsSinceLoad });
 }

@@ -119,7 +119,7 @@ export class PhotoOverlay {
    */
   #ring(context, landmark, radius, width) {
     const { x, y } = this.#place(landmark);
-    context.strokeStyle = getComputedStyle(this.#canvas).getPropertyValue("--mark");
+    context.strokeStyle = getComputedStyle(this.#canvas).color;
     context.lineWidth = width;
     context.beginPath();
     context.arc(x, y, radius, 0, 2 * Math.PI);

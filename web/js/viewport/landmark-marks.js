@@ -82,7 +82,7 @@ export class LandmarkMarks {
     const place = this.bench.studio.screenPosition(named);
     if (!place) return;
     const ratio = devicePixelRatio;
-    this.#tag.style.translate = `${Math.round(place.x / ratio + 12)}px ${Math.round(place.y / ratio - 28)}px`;
+    this.#tag.style.translate = `${Math.round(place.x / ratio + 14)}px ${Math.round(place.y / ratio + 12)}px`;
     place.free();
   }
 }
