@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use rosto_face::FaceModel;
+use rosto_face::{FaceModel, LANDMARK_COUNT, Language, landmark_name};
 use rosto_studio::{Anchors, Command, Document, Frame, Grip, Rest};
 
 use crate::args::{EditArguments, FollowArguments, MeshTask, Units};
@@ -8,10 +8,17 @@ use crate::encode::{self, Format, MM_PER_M};
 use crate::error::CliError;
 use crate::{edits, files, follow, networks, portrait};
 
-/// A command with the words that a message names it by.
+/// A command with the words that a message and the history name it by.
 struct Step {
     what: String,
+    label: String,
     command: Command,
+}
+
+impl Step {
+    fn named(name: &str, command: Command) -> Self {
+        Self { what: name.to_owned(), label: name.to_owned(), command }
+    }
 }
 
 /// `rosto mesh`: photo to edited mesh.
@@ -40,20 +47,23 @@ fn steps(asked: &EditArguments, follow: &FollowArguments) -> Result<Vec<Step>, C
         }
         let grip = Grip { level: 0, handles: vec![edit.vertex], settings };
         let command = Command::Move { grip, offsets: vec![edit.offset * unit] };
-        steps.push(Step { what: format!("vertex {}", edit.vertex), command });
+        let what = format!("vertex {}", edit.vertex);
+        // The page calls its entries so, and both write the same file.
+        let is_landmark = (edit.vertex as usize) < LANDMARK_COUNT;
+        let label = if is_landmark { landmark_name(edit.vertex, Language::English) } else { what.clone() };
+        steps.push(Step { what, label, command });
     }
     for edit in &asked.regions {
         let handles = edit.region.vertices();
         let offsets = vec![edit.offset * unit; handles.len()];
         let grip = Grip { level: 0, handles, settings: follow::settings(follow, steps.len(), unit) };
-        steps.push(Step { what: edit.region.id().to_owned(), command: Command::Move { grip, offsets } });
+        steps.push(Step::named(edit.region.id(), Command::Move { grip, offsets }));
     }
     for edit in &asked.sliders {
-        let command = edit.slider.command(edit.amount_mm / MM_PER_M);
-        steps.push(Step { what: edit.slider.id().to_owned(), command });
+        steps.push(Step::named(edit.slider.id(), edit.slider.command(edit.amount_mm / MM_PER_M)));
     }
     if let Some(share) = asked.symmetrise {
-        steps.push(Step { what: "symmetrise".to_owned(), command: Command::Symmetrise { share } });
+        steps.push(Step::named("symmetrise", Command::Symmetrise { share }));
     }
     Ok(steps)
 }
@@ -72,8 +82,8 @@ fn edited(face: &FaceModel, steps: Vec<Step>, units: Units) -> Result<Document, 
         Units::Mm => Rest::of_face(face),
     };
     let mut document = Document::new(rest)?;
-    for (index, Step { what, command }) in steps.into_iter().enumerate() {
-        let applied = document.apply(&what, command);
+    for (index, Step { what, label, command }) in steps.into_iter().enumerate() {
+        let applied = document.apply(&label, command);
         applied.map_err(|reason| CliError::Edit { number: index + 1, what, reason })?;
     }
     Ok(document)
