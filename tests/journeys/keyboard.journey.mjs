@@ -35,8 +35,8 @@ journey("the camera follows the keys while the view has the focus", async (open)
   const visitor = await open();
   const { page } = visitor;
   await visitor.dropSample();
-  const start = await visitor.view();
   await page.focus("#viewport");
+  const start = await visitor.view();
   for (const key of ["ArrowLeft", "Control+Shift+ArrowUp", "Alt+ArrowUp", "l", "t"]) {
     await page.keyboard.press("Space");
     await page.keyboard.press(key);

@@ -10,7 +10,7 @@ import { EditOptions } from "./panel/edit-options.js";
 import { setUpExportPanel } from "./panel/export-panel.js";
 import { setUpHistoryPanel } from "./panel/history-panel.js";
 import { LandmarkPanel } from "./panel/landmark-panel.js";
-import { setUpViewPanel } from "./panel/view-panel.js";
+import { chooseTriangulation, setUpViewPanel } from "./panel/view-panel.js";
 import { setUpCamera } from "./photo/camera.js";
 import { FaceChoice } from "./photo/face-choice.js";
 import { setUpPhotoInput } from "./photo/photo-input.js";
@@ -23,7 +23,7 @@ import { Workbench } from "./viewport/workbench.js";
 import { inEveryLanguage, language, speak, writeWords } from "./words/words.js";
 import { isProjectFile, readProjectFile } from "./work/project-file.js";
 import { WorkKeeper } from "./work/work-keeper.js";
-import { faceOf } from "./work/work.js";
+import { bitmapOf, faceOf } from "./work/work.js";
 
 /** A group photo offers this many faces at most. */
 const MAX_FACES = 8;
@@ -42,7 +42,7 @@ const bench = openBench();
 /** @type {import("./worker/protocol.js").FoundFaces | undefined} */
 let found;
 const faceChoice = new FaceChoice((index) => {
-  if (found) openFace(faceOf(found, index));
+  if (found) openFace(faceOf(found, index), found.bitmap);
 });
 
 setUpTheme((theme) => bench.then((opened) => opened?.look((studio) => studio.setTheme(theme))));
@@ -107,25 +107,31 @@ async function openFile(file) {
 async function openPhoto(photo) {
   showLoading();
   const faces = await vision.find(photo, MAX_FACES, showStage);
-  await openFace(faceOf(faces, 0));
+  await openFace(faceOf(faces, 0), faces.bitmap);
   found = faces;
   await faceChoice.show(faces);
   hideProgress();
 }
 
 /** @param {import("./work/work.js").Work} work */
-async function openWork({ face, edits }) {
-  await openFace(face);
+async function openWork({ face, edits, triangulation }) {
+  const opened = await bench;
+  if (opened) chooseTriangulation(opened, triangulation);
+  await openFace(face, await bitmapOf(face));
   found = undefined;
   faceChoice.hide();
-  const opened = await bench;
   opened?.act((studio) => studio.openEdits(edits));
 }
 
-/** @param {import("./work/work.js").OpenedFace} face */
-async function openFace(face) {
-  await overlay.show(face);
+/**
+ * @param {import("./work/work.js").OpenedFace} face
+ * @param {ImageBitmap} bitmap its picture
+ */
+async function openFace(face, bitmap) {
+  overlay.show(face, bitmap);
   const opened = await bench;
+  // The photo is drawn in a task of its own, before the face takes the next one.
+  await new Promise((resolve) => setTimeout(resolve));
   opened?.act((studio) => {
     studio.setBackground("ground");
     studio.openFace(
@@ -141,6 +147,8 @@ async function openFace(face) {
   document.body.dataset["state"] = opened ? "face" : "photo";
   byId("welcome", HTMLElement).hidden = true;
   byId("toolbar", HTMLDivElement).hidden = !opened;
+  // A phone's sheet has no room for the photo beside the tools.
+  if (matchMedia("(width < 720px)").matches) byId("section-photo", HTMLDetailsElement).open = false;
   if (!opened) return;
   keeper.take(face);
   hint("hint.drag", "hint.turn");

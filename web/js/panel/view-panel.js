@@ -28,15 +28,27 @@ export function setUpViewPanel(bench) {
   onCheck("turntable", (turns) => bench.look((studio) => studio.setTurntable(turns ? TURNTABLE_DEG_PER_S : 0)));
   const density = byId("density", HTMLSelectElement);
   density.addEventListener("change", () => bench.act((studio) => studio.setDensity(Number(density.value))));
-  const triangulation = byId("triangulation", HTMLSelectElement);
-  triangulation.addEventListener("change", () =>
-    bench.act((studio) => studio.setTriangulation(/** @type {TriangulationName} */ (triangulation.value))),
-  );
+  byId("triangulation", HTMLSelectElement).addEventListener("change", () => chooseTriangulation(bench, chosenTriangulation()));
+  chooseTriangulation(bench, chosenTriangulation());
   onAction("reset-view", () => bench.look((studio) => studio.view("reset")));
   for (const side of /** @type {const} */ (["front", "left", "top"])) {
     onAction(`view-${side}`, () => bench.look((studio) => studio.view(side)));
   }
   followMotionSetting(bench);
+}
+
+/** Whether eyes and mouth are open or filled. */
+export function chosenTriangulation() {
+  return /** @type {TriangulationName} */ (byId("triangulation", HTMLSelectElement).value);
+}
+
+/**
+ * @param {Workbench} bench
+ * @param {TriangulationName} triangulation
+ */
+export function chooseTriangulation(bench, triangulation) {
+  byId("triangulation", HTMLSelectElement).value = triangulation;
+  bench.act((studio) => studio.setTriangulation(triangulation));
 }
 
 /** @param {Workbench} bench */

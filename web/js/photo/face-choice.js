@@ -60,10 +60,8 @@ export class FaceChoice {
  */
 async function thumbnail(found, index) {
   const box = boxOf(found, index);
-  const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (found.picture.buffer));
-  const picture = new ImageData(pixels, found.pictureWidth_px, found.pictureHeight_px);
   const side_px = THUMBNAIL_PX * devicePixelRatio;
-  const bitmap = await createImageBitmap(picture, box.left, box.top, box.side, box.side);
+  const bitmap = await createImageBitmap(found.bitmap, box.left, box.top, box.side, box.side);
   const canvas = make("canvas");
   canvas.width = side_px;
   canvas.height = side_px;

@@ -47,14 +47,13 @@ export class PhotoOverlay {
   }
 
   /**
-   * Shows the picture and the landmarks of one of its faces. The pixels are only read.
+   * Shows the picture and the landmarks of one of its faces.
    *
    * @param {OpenedFace} face
+   * @param {ImageBitmap} picture
    */
-  async show(face) {
-    const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (face.picture.buffer));
-    const picture = await createImageBitmap(new ImageData(pixels, face.pictureWidth_px, face.pictureHeight_px));
-    this.#picture?.close();
+  show(face, picture) {
+    if (picture !== this.#picture) this.#picture?.close();
     this.#picture = picture;
     this.#landmarks = face.landmarks;
     this.#crop = aroundFace(face.landmarks, picture);

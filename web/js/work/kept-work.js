@@ -1,5 +1,6 @@
 /** @typedef {import("./work.js").Work} Work */
 /** @typedef {import("./work.js").OpenedFace} OpenedFace */
+/** @typedef {Omit<Work, "face">} Edits */
 
 const DATABASE = "rosto";
 const STORE = "work";
@@ -12,21 +13,25 @@ const STORE = "work";
 export async function keptWork() {
   const store = await open("readonly");
   const [face, edits] = await Promise.all([result(store.get("face")), result(store.get("edits"))]);
-  return face && typeof edits === "string" ? { face, edits } : undefined;
+  if (!face || !edits) return undefined;
+  const picture = new Uint8Array(await face.picture.arrayBuffer());
+  return { face: { ...face, picture }, ...edits };
 }
 
 /**
  * Keeps a newly opened face; its edits come later, one by one.
  *
  * @param {OpenedFace} face
- * @param {string} edits
+ * @param {Edits} edits
  */
 export async function keepFace(face, edits) {
   const store = await open("readwrite");
-  await Promise.all([result(store.put(face, "face")), result(store.put(edits, "edits"))]);
+  // As a blob the pixels are handed to the database outside the page's own thread.
+  const stored = { ...face, picture: new Blob([/** @type {BlobPart} */ (face.picture)]) };
+  await Promise.all([result(store.put(stored, "face")), result(store.put(edits, "edits"))]);
 }
 
-/** @param {string} edits */
+/** @param {Edits} edits */
 export async function keepEdits(edits) {
   const store = await open("readwrite");
   await result(store.put(edits, "edits"));

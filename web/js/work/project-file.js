@@ -15,9 +15,9 @@ const COLOUR_BYTES = LANDMARKS * 3;
  *
  * @param {Work} work
  */
-export async function projectFile({ face, edits }) {
+export async function projectFile({ face, edits, triangulation }) {
   const { width_px, height_px } = face;
-  const header = { format: FORMAT, version: VERSION, width_px, height_px, edits: JSON.parse(edits) };
+  const header = { format: FORMAT, version: VERSION, width_px, height_px, triangulation, edits: JSON.parse(edits) };
   const parts = [`${JSON.stringify(header)}\n`, face.landmarks, face.colours, await pngOf(face)];
   return new Blob(/** @type {BlobPart[]} */ (parts), { type: "application/octet-stream" });
 }
@@ -53,14 +53,14 @@ export async function readProjectFile(file) {
 async function read(file) {
   const bytes = new Uint8Array(await file.arrayBuffer());
   const body = bytes.indexOf("\n".charCodeAt(0)) + 1;
-  const { version, width_px, height_px, edits } = JSON.parse(new TextDecoder().decode(bytes.subarray(0, body)));
+  const { version, width_px, height_px, triangulation, edits } = JSON.parse(new TextDecoder().decode(bytes.subarray(0, body)));
   if (version !== VERSION) throw new Error(`version ${version}; this page reads ${VERSION}`);
   const coloursAt = body + LANDMARK_BYTES;
   const pictureAt = coloursAt + COLOUR_BYTES;
   const landmarks = new Float32Array(bytes.slice(body, coloursAt).buffer);
   const picture = await rgbaOf(new Blob([bytes.slice(pictureAt)], { type: "image/png" }));
   const face = { width_px, height_px, landmarks, colours: bytes.slice(coloursAt, pictureAt), ...picture };
-  return { face, edits: JSON.stringify(edits) };
+  return { face, edits: JSON.stringify(edits), triangulation };
 }
 
 /** @param {import("./work.js").OpenedFace} face */

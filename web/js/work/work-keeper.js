@@ -1,4 +1,5 @@
 import { byId } from "../page/dom.js";
+import { chosenTriangulation } from "../panel/view-panel.js";
 import { keepEdits, keepFace, keptWork } from "./kept-work.js";
 
 /**
@@ -7,7 +8,7 @@ import { keepEdits, keepFace, keptWork } from "./kept-work.js";
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
  */
 
-/** Edits are kept this long after the last of them. */
+/** Faces and edits are kept this long after the last change. */
 const PAUSE_MS = 300;
 
 /** Keeps the work in this browser, so that a reload or a crash loses nothing, and offers it on the next visit. */
@@ -16,7 +17,7 @@ export class WorkKeeper {
   #face;
   /** @type {Workbench | undefined} */
   #bench;
-  #edits = "";
+  #kept = "";
   #pause = 0;
 
   /**
@@ -49,21 +50,24 @@ export class WorkKeeper {
    */
   take(face) {
     this.#face = face;
-    this.#edits = this.#bench?.studio.editsJson() ?? "";
-    // A browser that keeps nothing, such as a private window, is no reason to stop working.
-    keepFace(face, this.#edits).catch(() => {});
+    const { work } = this;
+    if (!work) return;
+    this.#kept = work.edits + work.triangulation;
+    const { edits, triangulation } = work;
+    // Not in the task that brings the face to the screen; and a browser that keeps nothing is no reason to stop working.
+    setTimeout(() => keepFace(face, { edits, triangulation }).catch(() => {}), PAUSE_MS);
   }
 
   /** The work as it stands. */
   get work() {
     if (!this.#face || !this.#bench) return undefined;
-    return { face: this.#face, edits: this.#bench.studio.editsJson() };
+    return { face: this.#face, edits: this.#bench.studio.editsJson(), triangulation: chosenTriangulation() };
   }
 
   #keepEdits() {
-    const edits = this.#bench?.studio.editsJson() ?? "";
-    if (edits === this.#edits) return;
-    this.#edits = edits;
-    keepEdits(edits).catch(() => {});
+    const { work } = this;
+    if (!work || work.edits + work.triangulation === this.#kept) return;
+    this.#kept = work.edits + work.triangulation;
+    keepEdits({ edits: work.edits, triangulation: work.triangulation }).catch(() => {});
   }
 }

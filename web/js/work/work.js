@@ -4,6 +4,9 @@
  * @typedef {object} Work
  * @property {OpenedFace} face
  * @property {string} edits the studio's own versioned JSON
+ * @property {TriangulationName} triangulation that the edits were made on
+ *
+ * @typedef {import("../../wasm/rosto-studio-web.js").TriangulationName} TriangulationName
  *
  * @typedef {object} OpenedFace
  * @property {number} width_px of the upright photo in which the landmarks were found
@@ -28,4 +31,14 @@ export function faceOf(found, index) {
   const { width_px, height_px, pictureWidth_px, pictureHeight_px, picture } = found;
   const { landmarks, colours } = face;
   return { width_px, height_px, landmarks, colours, pictureWidth_px, pictureHeight_px, picture };
+}
+
+/**
+ * The picture of a face, ready to be drawn.
+ *
+ * @param {OpenedFace} face
+ */
+export function bitmapOf({ picture, pictureWidth_px, pictureHeight_px }) {
+  const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (picture.buffer));
+  return createImageBitmap(new ImageData(pixels, pictureWidth_px, pictureHeight_px));
 }

@@ -21,6 +21,7 @@
  * @property {number} pictureWidth_px of the picture, which may be a smaller copy of the photo
  * @property {number} pictureHeight_px
  * @property {Uint8Array} picture RGBA, upright, row by row
+ * @property {ImageBitmap} bitmap the same picture, ready to be drawn
  *
  * @typedef {{ type: "find", id: number, photo: Blob, maxFaces: number }} Request
  *

@@ -44,8 +44,9 @@ async function fetchBytes(name) {
 async function answer({ id, photo, maxFaces }) {
   try {
     const bytes = await readPhoto(photo);
-    const found = find(await vision, bytes, maxFaces, id);
-    tell({ type: "found", id, found }, buffersOf(found));
+    const faces = find(await vision, bytes, maxFaces, id);
+    const found = { ...faces, bitmap: await bitmapOf(faces) };
+    tell({ type: "found", id, found }, [found.bitmap, ...buffersOf(found)]);
   } catch (error) {
     // After a trap the module's memory is in an unknown state: the page starts another worker.
     if (error instanceof WebAssembly.RuntimeError) tell({ type: "trapped", id, message: error.message });
@@ -67,7 +68,7 @@ async function readPhoto(photo) {
  * @param {Uint8Array} bytes
  * @param {number} maxFaces
  * @param {number} id
- * @returns {FoundFaces}
+ * @returns {Omit<FoundFaces, "bitmap">}
  */
 function find(vision, bytes, maxFaces, id) {
   const found = vision.find(bytes, maxFaces, (/** @type {import("./protocol.js").Stage} */ stage, /** @type {number} */ fraction) =>
@@ -90,6 +91,12 @@ function find(vision, bytes, maxFaces, id) {
   } finally {
     found.free();
   }
+}
+
+/** @param {Omit<FoundFaces, "bitmap">} found */
+function bitmapOf({ picture, pictureWidth_px, pictureHeight_px }) {
+  const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (picture.buffer));
+  return createImageBitmap(new ImageData(pixels, pictureWidth_px, pictureHeight_px));
 }
 
 /** @param {FoundFaces} found */
