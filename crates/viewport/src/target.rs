@@ -45,7 +45,7 @@ impl Target {
     /// # Errors
     /// [`ViewportError::CanvasInUse`] if the canvas gives no WebGPU context.
     #[cfg(target_arch = "wasm32")]
-    pub fn canvas(gpu: &Gpu, canvas: web_sys::HtmlCanvasElement) -> Result<Self, ViewportError> {
+    pub fn canvas(gpu: &Gpu, canvas: wgpu::web_sys::HtmlCanvasElement) -> Result<Self, ViewportError> {
         let surface = gpu
             .instance
             .create_surface(wgpu::SurfaceTarget::Canvas(canvas))
