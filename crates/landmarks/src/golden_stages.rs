@@ -13,7 +13,7 @@ mod assets;
 
 const PORTRAIT: PictureSize = PictureSize { width: 512.0, height: 512.0 };
 const FACE_REGION: Region =
-    Region { centre: [0.439_916_9, 0.254_967_36], size: [0.279_328_8, 0.279_328_8], rotation_rad: 0.094_389_006 };
+    Region { centre: [0.439_916_9, 0.254_967_36], size: [0.279_328_8, 0.279_328_8], rotation_rad: 0.094_389 };
 const REGION_FROM_LANDMARKS: Region =
     Region { centre: [0.439_605_77, 0.241_679_16], size: [0.303_203_05, 0.303_203_05], rotation_rad: 0.050_527_338 };
 /// On raw outputs, whose magnitude goes up to 170.

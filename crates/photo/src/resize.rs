@@ -4,35 +4,35 @@ use crate::photo::Photo;
 /// covers. One pass over the source rows; means are taken of the sRGB values.
 pub(crate) fn area_mean(photo: &Photo, width: u32, height: u32) -> Photo {
     let (columns, rows) = (Cover::all(photo.width(), width), Cover::all(photo.height(), height));
-    let row_bytes = photo.width() as usize * 3;
+    let source = photo.pixels().as_chunks::<3>().0;
     let mut pixels = Vec::with_capacity(width as usize * height as usize * 3);
-    let mut sums = vec![0.0_f32; width as usize * 3];
+    let mut sums = vec![[0.0_f32; 3]; width as usize];
     for row in &rows {
-        sums.fill(0.0);
-        for (y, weight) in row.weights() {
-            add_row(&mut sums, &photo.pixels()[y * row_bytes..][..row_bytes], &columns, weight);
+        sums.fill([0.0; 3]);
+        for y in row.first..=row.last {
+            add_row(&mut sums, &source[y * photo.width() as usize..], &columns, row.weight(y));
         }
-        pixels.extend(sums.iter().map(|&sum| sum.round() as u8));
+        pixels.extend(sums.iter().flatten().map(|&sum| sum.round() as u8));
     }
     Photo::from_valid(width, height, pixels)
 }
 
-fn add_row(sums: &mut [f32], row: &[u8], columns: &[Cover], row_weight: f32) {
-    for (sum, column) in sums.as_chunks_mut::<3>().0.iter_mut().zip(columns) {
-        for (x, weight) in column.weights() {
-            for channel in 0..3 {
-                sum[channel] += row_weight * weight * f32::from(row[3 * x + channel]);
-            }
+fn add_row(sums: &mut [[f32; 3]], row: &[[u8; 3]], columns: &[Cover], row_weight: f32) {
+    for (sum, column) in sums.iter_mut().zip(columns) {
+        let mean = column.mean(row);
+        for channel in 0..3 {
+            sum[channel] += row_weight * mean[channel];
         }
     }
 }
 
-/// Which old pixels along one axis a new pixel covers: `first..=last`, the two ends in part.
+/// Which old pixels along one axis a new pixel covers: `first..=last`, the two ends in part. Weights sum to 1.
 struct Cover {
     first: usize,
     last: usize,
     first_weight: f32,
     inner_weight: f32,
+    /// 0 where the first pixel is the last as well.
     last_weight: f32,
 }
 
@@ -42,7 +42,7 @@ impl Cover {
         (0..new_extent).map(|i| Self::new(f64::from(i) * ratio, f64::from(i + 1) * ratio, old_extent)).collect()
     }
 
-    /// The old pixels between two positions; weights sum to 1.
+    /// The old pixels between two positions.
     fn new(start: f64, end: f64, old_extent: u32) -> Self {
         let first = start.floor();
         let last = (end.ceil() - 1.0).clamp(first, f64::from(old_extent) - 1.0);
@@ -52,18 +52,31 @@ impl Cover {
             last: last as usize,
             first_weight: (((first + 1.0).min(end) - start) / length) as f32,
             inner_weight: (1.0 / length) as f32,
-            last_weight: ((end - last) / length) as f32,
+            last_weight: if last > first { ((end - last) / length) as f32 } else { 0.0 },
         }
     }
 
-    fn weights(&self) -> impl Iterator<Item = (usize, f32)> + '_ {
-        (self.first..=self.last).map(|i| {
-            let weight = match i {
-                _ if i == self.first => self.first_weight,
-                _ if i == self.last => self.last_weight,
-                _ => self.inner_weight,
-            };
-            (i, weight)
+    fn weight(&self, index: usize) -> f32 {
+        match index {
+            _ if index == self.first => self.first_weight,
+            _ if index == self.last => self.last_weight,
+            _ => self.inner_weight,
+        }
+    }
+
+    /// The mean of the covered pixels of a row; those covered whole are added up as integers.
+    fn mean(&self, row: &[[u8; 3]]) -> [f32; 3] {
+        let mut inner = [0_u32; 3];
+        for pixel in row.get(self.first + 1..self.last).unwrap_or_default() {
+            for channel in 0..3 {
+                inner[channel] += u32::from(pixel[channel]);
+            }
+        }
+        let (first, last) = (row[self.first], row[self.last]);
+        std::array::from_fn(|channel| {
+            self.first_weight * f32::from(first[channel])
+                + self.inner_weight * inner[channel] as f32
+                + self.last_weight * f32::from(last[channel])
         })
     }
 }
