@@ -1,5 +1,6 @@
 //! The façade as the page uses it, on a real canvas in the browser.
 #![cfg(target_arch = "wasm32")]
+#![expect(clippy::unwrap_used, reason = "in a test, a panic is the report")]
 
 use rosto_face::canonical_positions_m;
 use rosto_studio_web::{
