@@ -1,3 +1,4 @@
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -32,6 +33,7 @@ pub struct Factor {
 /// `L⁻¹ P e_v` for one vertex `v`: its values along the path from the supernode of `v` to the root, end to end.
 ///
 /// Paths that meet go on together, so that two columns overlap in a common tail and nowhere else.
+#[derive(Default)]
 pub(crate) struct HalfSolved {
     path: Vec<usize>,
     values: Vec<f64>,
@@ -65,22 +67,31 @@ impl Factor {
         Ok(Self { values, row_of, vertex_of, supernode_of, symbolic })
     }
 
-    /// `L⁻¹ P e_v`. `work` has a zero for each vertex, and is handed back so.
-    pub(crate) fn half_solve(&self, vertex: u32, work: &mut [f64]) -> HalfSolved {
-        let row = self.row_of[vertex as usize];
-        work[row] = 1.0;
-        let mut half = HalfSolved { path: Vec::new(), values: Vec::new() };
-        let mut next = Some(self.supernode_of[row]);
-        while let Some(s) = next {
-            let panel = self.panel(s);
-            panel.eliminate(work);
-            let own = &mut work[panel.start..panel.start + panel.width];
-            half.path.push(s);
-            half.values.extend_from_slice(own);
-            own.fill(0.0);
-            next = panel.pattern.first().map(|&row| self.supernode_of[row]);
+    /// `L⁻¹ P e_v` for each of `vertices`. Where paths meet, each panel is read once for all of them.
+    pub(crate) fn half_solve(&self, vertices: &[u32]) -> Vec<HalfSolved> {
+        let n = self.row_of.len();
+        let mut work = vec![0.0; n * vertices.len()];
+        let mut halves: Vec<HalfSolved> = vertices.iter().map(|_| HalfSolved::default()).collect();
+        let mut waiting: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for (k, &vertex) in vertices.iter().enumerate() {
+            let row = self.row_of[vertex as usize];
+            work[k * n + row] = 1.0;
+            waiting.entry(self.supernode_of[row]).or_default().push(k);
         }
-        half
+        // Paths climb: whatever supernode comes first, nothing that waits can still change it.
+        while let Some((s, columns)) = waiting.pop_first() {
+            let panel = self.panel(s);
+            for &k in &columns {
+                let column = &mut work[k * n..(k + 1) * n];
+                panel.eliminate(column);
+                halves[k].path.push(s);
+                halves[k].values.extend_from_slice(&column[panel.start..panel.start + panel.width]);
+            }
+            if let Some(&row) = panel.pattern.first() {
+                waiting.entry(self.supernode_of[row]).or_default().extend(columns);
+            }
+        }
+        halves
     }
 
     /// `e_vᵀ A⁻¹ e_w` from the half-solved unit vectors of `v` and `w`.

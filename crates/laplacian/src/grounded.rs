@@ -60,8 +60,7 @@ impl GroundedForm {
         let way = if held.len() >= MANY_HELD {
             Way::Eliminated(Box::new(Eliminated::new(&self.matrix, &self.component, &held, hold)?))
         } else {
-            let mut work = vec![0.0; self.component.len()];
-            let halves: Vec<_> = held.iter().map(|&vertex| self.factor.half_solve(vertex, &mut work)).collect();
+            let halves = self.factor.half_solve(&held);
             let entry = |i: usize, j: usize| self.factor.inverse_entry(&halves[i], &halves[j]);
             let bordered = Bordered::new(&held, &self.component, hold, entry);
             Way::Bordered(halves, bordered)
