@@ -33,12 +33,15 @@ impl Counts {
 
 /// Sums the closing lines of libtest and wasm-bindgen-test, nextest, node's runner, and plain `N passed, N failed`.
 pub fn read(output: &str) -> Counts {
-    output.lines().map(|line| of_line(&without_colour(line))).fold(Counts::default(), Counts::plus)
+    let lines: Vec<String> = output.lines().map(|line| without_colour(line).trim().to_owned()).collect();
+    // nextest repeats what a failing test printed, libtest's closing line included: its own summary has them all.
+    let summarised = lines.iter().any(|line| is_summary(line));
+    let counted = lines.iter().filter(|line| !summarised || is_summary(line));
+    counted.map(|line| of_line(line)).fold(Counts::default(), Counts::plus)
 }
 
 fn of_line(line: &str) -> Counts {
-    let line = line.trim();
-    if line.starts_with("test result:") || line.starts_with("Summary [") || is_plain(line) {
+    if line.starts_with("test result:") || is_summary(line) || is_plain(line) {
         return Counts { passed: before(line, "passed"), failed: before(line, "failed") + before(line, "timed out") };
     }
     match line.trim_start_matches(['#', 'ℹ']).trim().split_once(' ') {
@@ -50,6 +53,10 @@ fn of_line(line: &str) -> Counts {
         }
         _ => Counts::default(),
     }
+}
+
+fn is_summary(line: &str) -> bool {
+    line.starts_with("Summary [")
 }
 
 /// `3 passed, 1 failed`, perhaps with the runner's name and a colon before it.
@@ -88,6 +95,13 @@ mod tests {
         let output = "     Summary [   0.025s] 31 tests run: 28 passed (1 slow), 2 failed, 1 timed out, 4 skipped";
         assert_eq!(read(output), Counts { passed: 28, failed: 3 });
         assert_eq!(read("     Summary [   0.02s] 8 tests run: 8 passed, 0 skipped"), Counts { passed: 8, failed: 0 });
+    }
+
+    #[test]
+    fn what_a_failing_test_printed_under_nextest_is_not_counted_again() {
+        let output = "    test result: FAILED. 0 passed; 1 failed; 0 ignored; 0 measured; 9 filtered out\n\
+            \u{20}    Summary [  19.328s] 288 tests run: 287 passed, 1 failed, 0 skipped\n";
+        assert_eq!(read(output), Counts { passed: 287, failed: 1 });
     }
 
     #[test]
