@@ -126,8 +126,11 @@ export class Workbench {
  * @param {ResizeObserverEntry} entry
  */
 function deviceSize(entry) {
+  const about = { width_px: entry.contentRect.width * devicePixelRatio, height_px: entry.contentRect.height * devicePixelRatio };
   const exact = entry.devicePixelContentBoxSize?.[0];
-  const width_px = exact ? exact.inlineSize : entry.contentRect.width * devicePixelRatio;
-  const height_px = exact ? exact.blockSize : entry.contentRect.height * devicePixelRatio;
+  // It corrects a rounding; where it says something else altogether, the pixels it counts are not the page's.
+  const isCorrection = exact && Math.abs(exact.inlineSize - about.width_px) < 2;
+  const width_px = isCorrection ? exact.inlineSize : about.width_px;
+  const height_px = isCorrection ? exact.blockSize : about.height_px;
   return { width_px: Math.max(1, Math.round(width_px)), height_px: Math.max(1, Math.round(height_px)) };
 }
