@@ -5,7 +5,11 @@ use crate::ViewportError;
 /// A GPU device, obtained before any canvas is touched: the first context that a canvas gives is its only one.
 #[derive(Debug)]
 pub struct Gpu {
+    /// Makes a canvas' surface; drawing off screen has no use for it.
+    #[cfg(target_arch = "wasm32")]
     pub(crate) instance: wgpu::Instance,
+    /// Tells what that surface can do.
+    #[cfg(target_arch = "wasm32")]
     pub(crate) adapter: wgpu::Adapter,
     pub(crate) device: wgpu::Device,
     pub(crate) queue: wgpu::Queue,
@@ -34,7 +38,15 @@ impl Gpu {
                 *lost = Some(message);
             }
         });
-        Ok(Self { instance, adapter, device, queue, lost })
+        Ok(Self {
+            #[cfg(target_arch = "wasm32")]
+            instance,
+            #[cfg(target_arch = "wasm32")]
+            adapter,
+            device,
+            queue,
+            lost,
+        })
     }
 
     /// Fails once the device is gone.
