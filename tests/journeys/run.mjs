@@ -1,4 +1,5 @@
-// Walks every journey through the built page, or those whose names contain the words given, and counts.
+// Walks every journey through the built page, or those whose names contain the words given, and counts. With --timed, the
+// ones that measure instead: what they find depends on what else the machine does.
 import { mkdtemp, readFile, readdir, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import path from "node:path";
@@ -13,11 +14,12 @@ const DIST = path.resolve(process.env.ROSTO_DIST ?? path.join(HERE, "../../dist"
 const BELOW = "/some/where/";
 const LIMIT_MS = 180_000;
 
-for (const file of (await readdir(HERE)).filter((name) => name.endsWith(".journey.mjs")).sort()) {
+const ending = process.argv.includes("--timed") ? ".timed.mjs" : ".journey.mjs";
+for (const file of (await readdir(HERE)).filter((name) => name.endsWith(ending)).sort()) {
   await import(path.join(HERE, file));
 }
 
-const wanted = process.argv.slice(2).join(" ");
+const wanted = process.argv.slice(2).filter((word) => word !== "--timed").join(" ");
 const chosen = journeys.filter(({ name }) => name.includes(wanted));
 const server = await serve(DIST, BELOW);
 /** @type {Map<string, import("playwright-core").Browser>} */

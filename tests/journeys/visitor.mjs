@@ -5,6 +5,9 @@ import { PNG } from "pngjs";
 
 export const SAMPLE = path.resolve(import.meta.dirname, "../../web/assets/sample.png");
 
+/** How often the 3D view is looked at, at most, until it has come to rest. */
+const MOST_SHOTS = 20;
+
 /** Someone at the page: what they do, and what they see. */
 export class Visitor {
   /** Errors the page let through. */
@@ -167,13 +170,22 @@ export class Visitor {
     return readFile(await download.path());
   }
 
-  /** The pixels of the 3D view, with what floats over it left out. */
+  /** The pixels of the 3D view once it has come to rest, with what floats over it left out. */
   async view() {
-    await this.frames(3);
     await this.#showFloating("hidden");
-    const shot = await this.page.locator("#viewport").screenshot();
+    let shot = await this.#shot();
+    for (let tries = 0; tries < MOST_SHOTS; tries += 1) {
+      const next = await this.#shot();
+      if (next.equals(shot)) break;
+      shot = next;
+    }
     await this.#showFloating("");
     return PNG.sync.read(shot);
+  }
+
+  async #shot() {
+    await this.frames(3);
+    return this.page.locator("#viewport").screenshot();
   }
 
   /** @param {"" | "hidden"} visibility of whatever floats over the 3D view */
