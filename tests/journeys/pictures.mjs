@@ -4,6 +4,9 @@ import { crc32 } from "node:zlib";
 /** The head in the sample portrait, px. */
 const FACE_IN_PORTRAIT = { x: 110, y: 10, width: 220, height: 220 };
 
+/** The upper part of the sample portrait in a camera's proportions, px. */
+const UPPER_PART = { x: 0, y: 0, width: 512, height: 384 };
+
 /** A picture in which nobody would find a face. */
 export function faceless() {
   const png = new PNG({ width: 320, height: 240 });
@@ -30,14 +33,14 @@ export function enormousPng() {
 }
 
 /**
- * The same photo as a JPEG, written by the browser, enlarged if asked so.
+ * The same photo as a JPEG, written by the browser; of another size if asked so, and then of the portrait's upper part.
  *
  * @param {import("playwright-core").Page} page
  * @param {Uint8Array} png
  * @param {{ width: number, height: number }} [size] px
  */
 export function asJpeg(page, png, size) {
-  return redraw(page, png, { type: "image/jpeg", copies: 1, size });
+  return redraw(page, png, { type: "image/jpeg", copies: 1, size, part: size && UPPER_PART });
 }
 
 /**

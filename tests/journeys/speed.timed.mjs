@@ -4,8 +4,8 @@ import { journey } from "./journey.mjs";
 import { asJpeg } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-/** A square photo of 12 megapixels. */
-const LARGE = { width: 3464, height: 3464 };
+/** What a 12-megapixel camera takes. */
+const LARGE = { width: 4000, height: 3000 };
 const LONG_TASK_MS = 50;
 const CATEGORIES = ["toplevel", "devtools.timeline", "disabled-by-default-devtools.timeline"];
 
