@@ -97,7 +97,7 @@ impl Stage {
         let (low, high) = corners.fold((first, first), |(low, high), next| (low.min(next), high.max(next)));
         let centre_m = 0.5 * (low + high);
         let reach = positions_m.iter().map(|position| position.distance(centre_m)).fold(0.0, f64::max);
-        self.camera_mut().frame(centre_m, 1.2 * reach);
+        self.camera_mut().frame(centre_m, 1.12 * reach);
         self.ground_m = DVec3::new(centre_m.x, low.y - 0.10 * reach, 0.7 * low.z + 0.3 * high.z);
     }
 
