@@ -1,7 +1,6 @@
 import assert from "node:assert/strict";
 import { journey } from "./journey.mjs";
 import { difference } from "./pixels.mjs";
-import { SAMPLE } from "./visitor.mjs";
 
 journey("everything from photo to file by keyboard alone", async (open) => {
   const visitor = await open();
@@ -9,8 +8,7 @@ journey("everything from photo to file by keyboard alone", async (open) => {
   await visitor.untilLoaded();
 
   await page.focus("#drop-zone");
-  const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.keyboard.press("Enter")]);
-  await chooser.setFiles(SAMPLE);
+  await page.keyboard.press("Enter");
   await visitor.untilFace();
 
   await page.focus("#landmark-search");

@@ -30,8 +30,11 @@ export class Visitor {
       ...options,
     });
     await before?.(context);
-    const visitor = new Visitor(await context.newPage());
-    await visitor.page.goto(url);
+    const page = await context.newPage();
+    const visitor = new Visitor(page);
+    // Every file dialog is answered with the sample. One that opens before Playwright listens for it would be lost.
+    page.on("filechooser", (chooser) => chooser.setFiles(SAMPLE));
+    await page.goto(url);
     return visitor;
   }
 
