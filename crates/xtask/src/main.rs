@@ -21,7 +21,6 @@ mod test;
 mod toolchain;
 mod tools;
 mod versions;
-mod wasm_opt;
 mod workspace;
 
 use failure::{Failure, Outcome};
@@ -48,7 +47,6 @@ fn run(arguments: &[String]) -> Outcome<ExitCode> {
         ["test", steps @ ..] => test::run(steps),
         ["bench", arguments @ ..] => bench::run(arguments),
         ["screenshots"] => screenshots::run(),
-        ["wasm-opt", arguments @ ..] => wasm_opt::run(arguments).map(|()| ExitCode::SUCCESS),
         [] | ["help" | "-h" | "--help"] => {
             print!("{}", help::TEXT);
             Ok(ExitCode::SUCCESS)

@@ -4,7 +4,7 @@ use crate::browser::Browser;
 use crate::failure::Outcome;
 use crate::process::Run;
 use crate::toolchain::{Toolchain, require_component};
-use crate::{networks, npm, portrait, tools, wasm_opt, workspace};
+use crate::{networks, npm, portrait, tools, workspace};
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 
@@ -21,8 +21,7 @@ pub fn for_page() -> Outcome<Kit> {
     networks::obtain(&node_modules)?;
     portrait::obtain()?;
     let toolchain = Toolchain::obtain()?;
-    let programs =
-        vec![wasm_opt::script_folder()?, tools::wasm_bindgen()?.obtain()?, tools::trunk().obtain()?, npm::programs()];
+    let programs = vec![tools::wasm_bindgen()?.obtain()?, tools::trunk().obtain()?, npm::programs()];
     Ok(Kit { toolchain, programs, browser: None })
 }
 

@@ -1,10 +1,10 @@
 //! Every third-party thing that set-up fetches, its version and its sha256, in this one place.
 //!
 //! Two kinds of versions stand elsewhere, because Cargo and npm already write them down: wasm-bindgen's command line
-//! follows `Cargo.lock` (see [`crate::workspace::locked_version`]); wasm-opt, the npm package with the networks and
-//! what the page's tests use follow `package-lock.json`.
+//! follows `Cargo.lock` (see [`crate::workspace::locked_version`]); the npm package with the networks and what
+//! the page's tests use follow `package-lock.json`.
 
-/// Builds the page: runs cargo, wasm-bindgen and wasm-opt over `index.html`.
+/// Builds the page: runs cargo and wasm-bindgen over `index.html`.
 pub const TRUNK: &str = "0.22.1";
 
 /// Runs the wasm tests in headless Chrome.
