@@ -8,7 +8,6 @@ mod choices;
 mod drag;
 mod editing;
 mod files;
-mod follow;
 mod modes;
 mod renderer;
 mod seeing;

@@ -3,7 +3,6 @@ use rosto_face::{FaceModel, LANDMARK_COUNT, Language, Triangulation, landmark_na
 use rosto_studio::{Command, Document, Entry, Frame, Hold, Rest, Switch, project};
 
 use crate::choices::{AnchorChoice, Choices};
-use crate::follow::FollowFields;
 use crate::state::{StudioEntry, StudioState};
 use crate::trouble::{Outcome, Trouble};
 
@@ -15,7 +14,6 @@ pub(crate) struct Session {
     pub face: FaceModel,
     triangulation: Triangulation,
     pub document: Document,
-    pub follow: FollowFields,
     selected: Option<u32>,
     seed: u64,
     offset_mm: DVec3,
@@ -29,7 +27,6 @@ impl Session {
             triangulation: face.triangulation(),
             face,
             document,
-            follow: FollowFields::default(),
             selected: None,
             seed: 0,
             offset_mm: DVec3::ZERO,
@@ -75,7 +72,6 @@ impl Session {
         if held.is_err() {
             self.document.release();
         }
-        self.follow = FollowFields::of(&mut self.document)?;
         Ok(held?)
     }
 
@@ -223,7 +219,7 @@ impl Session {
     fn reach(&self) -> f64 {
         match (self.document.grip().map(|grip| grip.settings.hold), self.selected) {
             (Some(Hold::Exact), _) => 1.0,
-            (Some(_), Some(vertex)) => self.follow.a.get(vertex as usize).copied().unwrap_or(0.0),
+            (Some(_), Some(vertex)) => self.document.follow().map_or(0.0, |follow| follow.direct[vertex as usize]),
             _ => 0.0,
         }
     }

@@ -6,7 +6,6 @@ use wasm_bindgen::prelude::*;
 
 use crate::choices::{AnchorChoice, Choices};
 use crate::drag::Drag;
-use crate::follow;
 use crate::renderer::Renderer;
 use crate::session::Session;
 use crate::trouble::{Outcome, Trouble};
@@ -205,7 +204,11 @@ impl Studio {
     pub(crate) fn show_shape(&mut self) -> Outcome<()> {
         if let Some(session) = &self.session {
             self.viewport.set_positions(session.document.committed())?;
-            self.viewport.set_fields(session.follow.fields())?;
+            let follow = session.document.follow();
+            let fields = follow.map_or([None, None], |follow| {
+                [&follow.direct, &follow.mirrored].map(|field| (!field.is_empty()).then_some(field.as_slice()))
+            });
+            self.viewport.set_fields(fields)?;
         }
         self.show_marks();
         self.show_offset()
@@ -215,7 +218,7 @@ impl Studio {
     pub(crate) fn show_offset(&mut self) -> Outcome<()> {
         let is_moving = self.session.as_ref().is_some_and(Session::is_moving);
         let offset_m = self.session.as_ref().map_or(DVec3::ZERO, Session::offset_m);
-        self.viewport.stage_mut().set_offsets_m(follow::offsets(offset_m));
+        self.viewport.stage_mut().set_offsets_m([offset_m, DVec3::new(-offset_m.x, offset_m.y, offset_m.z)]);
         let glow = if is_moving { GLOW } else { 0.0 };
         if self.viewport.stage().look().glow != glow {
             self.viewport.stage_mut().look_mut().glow = glow;

@@ -8,7 +8,7 @@ use rosto_mesh::Topology;
 use crate::grip::Held;
 use crate::level::{Level, Rest};
 use crate::shape::{Room, Shape};
-use crate::{Command, Entry, Grip, History, StudioError, Switch};
+use crate::{Command, Details, Entry, Follow, Grip, History, StudioError, Switch};
 
 /// A mesh at rest, the history of commands over it, and the edit in progress.
 ///
@@ -26,15 +26,26 @@ pub struct Document {
     after: Vec<Shape>,
     unedited: Shape,
     held: Option<Held>,
+    /// For a grip of one handle whose details keep their direction.
+    follow: Option<Follow>,
     preview: Preview,
 }
 
-/// The grip's offsets and the shape they lead to, while vertices are being moved.
+/// The grip's offsets and the positions they lead to, while vertices are being moved.
 struct Preview {
     offsets: Vec<DVec3>,
+    /// Of the mesh that is shown.
+    positions: Vec<DVec3>,
     shape: Shape,
     room: Room,
     under_way: bool,
+}
+
+impl Preview {
+    fn none(unedited: &Shape) -> Self {
+        let (shape, positions) = (unedited.clone(), unedited.densest().to_vec());
+        Self { offsets: Vec::new(), positions, shape, room: Room::default(), under_way: false }
+    }
 }
 
 impl Document {
@@ -46,8 +57,9 @@ impl Document {
         let mut levels = vec![Level::new(rest)];
         levels[0].system(rosto_laplacian::Operator::default())?;
         let unedited = Shape::at_rest(&levels);
-        let preview = Preview { offsets: Vec::new(), shape: unedited.clone(), room: Room::default(), under_way: false };
-        Ok(Self { levels, density: 0, history: History::default(), after: Vec::new(), unedited, held: None, preview })
+        let preview = Preview::none(&unedited);
+        let (history, after) = (History::default(), Vec::new());
+        Ok(Self { levels, density: 0, history, after, unedited, held: None, follow: None, preview })
     }
 
     /// A document with a history, as a project file holds it; see [`crate::project`].
@@ -74,7 +86,7 @@ impl Document {
 
     /// Its positions now, with the edit in progress.
     pub fn positions(&self) -> &[DVec3] {
-        if self.preview.under_way { self.preview.shape.densest() } else { self.committed() }
+        if self.preview.under_way { &self.preview.positions } else { self.committed() }
     }
 
     /// Its positions after the last entry, without the edit in progress.
@@ -139,6 +151,7 @@ impl Document {
     pub fn hold(&mut self, grip: Grip) -> Result<(), StudioError> {
         if self.held.as_ref().is_none_or(|held| *held.grip() != grip) {
             self.held = Some(self.made_ready(grip)?);
+            self.follow = self.followed()?;
         }
         self.cancel();
         Ok(())
@@ -148,6 +161,7 @@ impl Document {
     pub fn release(&mut self) {
         self.cancel();
         self.held = None;
+        self.follow = None;
     }
 
     /// The grip that is held.
@@ -170,6 +184,11 @@ impl Document {
         self.held.as_ref().map(Held::response)
     }
 
+    /// How every vertex shown follows the handle, if there is one only and details keep their direction.
+    pub fn follow(&self) -> Option<&Follow> {
+        self.follow.as_ref()
+    }
+
     /// Moves what is held by one offset for each of the grip's handles, counted from the last commit, in the document's
     /// unit. Unless details turn: no solve and, after the first call, no allocation.
     ///
@@ -181,8 +200,14 @@ impl Document {
             self.held = Some(self.made_ready(held.grip().clone())?);
         }
         let held = self.held.as_mut().ok_or(StudioError::NothingHeld)?;
-        let from = self.after.last().unwrap_or(&self.unedited);
-        self.preview.shape.displace(&self.levels, from, held, offsets, &mut self.preview.room)?;
+        let (from, preview) = (self.after.last().unwrap_or(&self.unedited), &mut self.preview);
+        if let Some(follow) = carried(&self.follow, held, self.density) {
+            held.check(offsets)?;
+            follow.displace(from.densest(), offsets[0], &mut preview.positions);
+        } else {
+            preview.shape.displace(&self.levels, from, held, offsets, &mut preview.room)?;
+            preview.positions.copy_from_slice(preview.shape.densest());
+        }
         self.preview.offsets.clear();
         self.preview.offsets.extend_from_slice(offsets);
         self.preview.under_way = true;
@@ -192,7 +217,12 @@ impl Document {
     /// Makes the edit in progress one entry of the history; what was undone is forgotten. Without an edit in progress,
     /// nothing happens.
     pub fn commit(&mut self, label: &str) {
-        if let (true, Some(held)) = (self.preview.under_way, &self.held) {
+        if let (true, Some(held)) = (self.preview.under_way, &mut self.held) {
+            let (from, preview) = (self.after.last().unwrap_or(&self.unedited), &mut self.preview);
+            if carried(&self.follow, held, self.density).is_some() {
+                let moved = preview.shape.displace(&self.levels, from, held, &preview.offsets, &mut preview.room);
+                moved.expect("invariant: the preview has checked these offsets");
+            }
             let command = held.command(self.preview.offsets.clone());
             self.history.push(Entry { label: label.to_owned(), command, switch: Switch::On });
             self.after.push(self.preview.shape.clone());
@@ -277,7 +307,7 @@ impl Document {
     fn show(&mut self, density: u32) {
         self.density = density;
         self.unedited = Shape::at_rest(&self.levels[..=density as usize]);
-        self.preview.shape = self.unedited.clone();
+        self.preview = Preview::none(&self.unedited);
     }
 
     fn push(&mut self, entry: Entry) -> Result<(), StudioError> {
@@ -305,6 +335,21 @@ impl Document {
         Held::new(grip, &mut self.levels[level as usize], from.at(level))
     }
 
+    /// What [`Self::follow`] says of the grip that is held now.
+    fn followed(&mut self) -> Result<Option<Follow>, StudioError> {
+        let Some(held) = &mut self.held else { return Ok(None) };
+        if held.grip().handles.len() != 1 || held.grip().settings.details == Details::Turned {
+            return Ok(None);
+        }
+        let (from, shape) = (self.after.last().unwrap_or(&self.unedited), &mut self.preview.shape);
+        let mut along = |axis: DVec3| {
+            shape.displace(&self.levels, from, held, &[axis], &mut self.preview.room)?;
+            Ok::<_, StudioError>(shape.densest().iter().zip(from.densest()).map(|(to, at)| *to - *at).collect())
+        };
+        let (along_x, along_y): (Vec<DVec3>, Vec<DVec3>) = (along(DVec3::X)?, along(DVec3::Y)?);
+        Ok(Some(Follow::from_displacements(&along_x, &along_y)))
+    }
+
     /// Carries the entries of a range out, each from the shape the one before it left.
     fn carry_out_from(&mut self, first: usize, end: usize) -> Result<(), StudioError> {
         for index in first..end {
@@ -329,4 +374,10 @@ impl Document {
         }
         Ok(shape)
     }
+}
+
+/// The short way from a grip to a denser mesh that is shown: what each tick would else carry over, level by level. Equal
+/// to it but for rounding, so that a commit takes the long way, as a replay does.
+fn carried<'a>(follow: &'a Option<Follow>, held: &Held, density: u32) -> Option<&'a Follow> {
+    follow.as_ref().filter(|_| held.grip().level < density)
 }

@@ -112,7 +112,8 @@ impl Held {
         }
     }
 
-    fn check(&self, offsets: &[DVec3]) -> Result<(), StudioError> {
+    /// Refuses offsets that do not fit the grip.
+    pub(crate) fn check(&self, offsets: &[DVec3]) -> Result<(), StudioError> {
         let (expected, found) = (self.grip.handles.len(), offsets.len());
         if expected != found {
             return Err(StudioError::WrongOffsetCount { expected, found });

@@ -8,6 +8,7 @@
 mod command;
 mod document;
 mod error;
+mod follow;
 mod grip;
 mod history;
 mod level;
@@ -19,6 +20,7 @@ mod sliders;
 pub use command::{AnchorKind, Anchors, Command, Details, Grip, Mirror, Reach, Settings};
 pub use document::Document;
 pub use error::StudioError;
+pub use follow::Follow;
 pub use history::{Entry, History, Switch};
 pub use level::{Frame, Rest};
 pub use rosto_laplacian::{Hold, Operator};

@@ -83,3 +83,41 @@ fn values_of_the_cage_are_carried_by_the_same_matrix() {
     let carried = document.from_cage(&rosto_face::canonical_positions_m());
     assert!(carried.iter().zip(document.rest()).all(|(a, b)| a.distance(*b) < 1e-14));
 }
+
+#[test]
+fn on_a_dense_mesh_a_tick_shows_what_its_commit_keeps() {
+    for (triangulation, mirror, vertex) in [
+        (Triangulation::Canonical, Mirror::Off, 61),
+        (Triangulation::Canonical, Mirror::On, 61),
+        (Triangulation::Tessellation, Mirror::On, 1),
+    ] {
+        let mut document = Document::new(canonical(triangulation)).unwrap();
+        document.set_density(2).unwrap();
+        let settings = Settings { mirror, hold: Hold::Exact, operator: Operator::Cotangent, ..Settings::default() };
+        document.hold(Grip { handles: vec![vertex], settings, ..Grip::default() }).unwrap();
+        document.preview(&[DVec3::new(0.004, -0.003, 0.007)]).unwrap();
+        let shown = document.positions().to_vec();
+        document.commit("a tick");
+        assert!(shown.iter().zip(document.positions()).all(|(a, b)| a.distance(*b) < 1e-12), "{triangulation:?}");
+    }
+}
+
+#[test]
+fn a_single_handle_tells_how_the_mesh_follows_it() {
+    let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    for (density, mirror) in [(0, Mirror::Off), (0, Mirror::On), (1, Mirror::On)] {
+        document.set_density(density).unwrap();
+        let settings = Settings { mirror, ..Settings::default() };
+        document.hold(Grip { handles: vec![61], settings, ..Grip::default() }).unwrap();
+        let follow = document.follow().unwrap().clone();
+        let offset = DVec3::new(0.004, -0.003, 0.007);
+        document.preview(&[offset]).unwrap();
+        for (vertex, (now, before)) in document.positions().iter().zip(document.committed()).enumerate() {
+            let mirrored = follow.mirrored.get(vertex).copied().unwrap_or(0.0);
+            let predicted = *before + offset * follow.direct[vertex] + offset * MIRROR * mirrored;
+            assert!(now.distance(predicted) < 1e-12, "vertex {vertex} at density {density}, {mirror:?}");
+        }
+    }
+    document.hold(Grip { handles: vec![61, 17], ..Grip::default() }).unwrap();
+    assert!(document.follow().is_none());
+}

@@ -3,6 +3,7 @@
 use crate::failure::{Failure, Outcome};
 use crate::process::Run;
 use crate::setup::Kit;
+use crate::toolchain::WASM;
 use crate::{cache, dist, progress, workspace};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -23,11 +24,16 @@ const REQUIREMENTS: &str = "tests/bench/requirements.txt";
 /// Needs a C library and a compiler: a peer where it installs, left out where it does not.
 const OPTIONAL_REQUIREMENTS: &str = "tests/bench/requirements-cholmod.txt";
 
-const ALL: [Source; 4] = [
+const ALL: [Source; 5] = [
     Source { name: "engine", what: "editing, beside the paper's dense pseudo-inverse, natively", measure: engine },
     Source { name: "peers", what: "the same in NumPy, SciPy, libigl and CHOLMOD", measure: peers },
     Source { name: "landmarks", what: "photo to landmarks, natively", measure: landmarks },
-    Source { name: "chrome", what: "photo to landmarks in headless Chrome, beside MediaPipe's own", measure: chrome },
+    Source { name: "chrome-edits", what: "editing in headless Chrome", measure: chrome_edits },
+    Source {
+        name: "chrome-landmarks",
+        what: "photo to landmarks in headless Chrome, beside MediaPipe's own",
+        measure: chrome_landmarks,
+    },
 ];
 
 /// Those named, or all.
@@ -58,9 +64,23 @@ fn peers(_: &Kit) -> Outcome<String> {
     Run::new(python).arg(workspace::root().join(PEERS)).within(LIMIT).run()?.checked()
 }
 
-fn chrome(kit: &Kit) -> Outcome<String> {
+fn chrome_edits(kit: &Kit) -> Outcome<String> {
+    let build = kit.run("cargo")?.args(["build", "--quiet", "--locked", "--profile", "web", "--target", WASM]);
+    build.args(["--package", "rosto-studio-web", "--example", "edits"]).within(LIMIT).run()?.checked()?;
+    let module = workspace::target().join(WASM).join("web/examples/edits.wasm");
+    let bind = kit.run("wasm-bindgen")?.args(["--target", "web", "--no-typescript", "--out-dir"]);
+    bind.arg(workspace::target().join("bench")).arg(module).run()?.checked()?;
+    in_chrome(kit, "tests/bench/chrome-edits.mjs")
+}
+
+fn chrome_landmarks(kit: &Kit) -> Outcome<String> {
+    in_chrome(kit, "tests/bench/chrome-landmarks.mjs")
+}
+
+/// Runs a script that visits the page as it is built for the web.
+fn in_chrome(kit: &Kit, script: &str) -> Outcome<String> {
     dist::build(kit)?;
-    kit.run("node")?.arg("tests/bench/chrome.mjs").within(LIMIT).run()?.checked()
+    kit.run("node")?.arg(script).within(LIMIT).run()?.checked()
 }
 
 /// A Python of its own with the peers, made anew when the pinned versions change.

@@ -3,7 +3,7 @@
 use super::Record;
 
 /// What the tasks are called for a reader.
-const TITLES: [(&str, &str); 15] = [
+const TITLES: [(&str, &str); 19] = [
     ("paper-edit", "One edit of the paper, from the choice of the vertex to the moved mesh"),
     ("system", "What is done once per mesh: from triangles to factor"),
     ("tick", "One slider tick: the mesh moved with the response at hand"),
@@ -14,6 +14,10 @@ const TITLES: [(&str, &str); 15] = [
     ("paper-edit-chrome", "One edit of the paper, in headless Chrome"),
     ("tick-chrome", "One slider tick, in headless Chrome"),
     ("select-chrome", "Choosing a vertex, in headless Chrome"),
+    ("system-chrome", "What is done once per mesh, in headless Chrome"),
+    ("preview-chrome", "One slider tick of a landmark, carried over to a denser mesh, in headless Chrome"),
+    ("select-page", "Choosing a landmark on the page, up to the GPU, in headless Chrome"),
+    ("tick-page", "One slider tick on the page, up to the GPU, in headless Chrome"),
     ("networks-start-native", "Loading the networks, natively"),
     ("photo-to-landmarks-native", "Photo (512×512 PNG) to landmarks, natively, one thread"),
     ("networks-start-chrome", "Loading program and networks, in headless Chrome"),
@@ -32,9 +36,12 @@ pub fn all(records: &[Record]) -> String {
     tasks.into_iter().map(|task| of_task(task, records)).collect::<Vec<_>>().join("\n")
 }
 
+/// What is measured in the browser stands beside the native peers, where there are some.
 fn of_task(task: &str, records: &[Record]) -> String {
     let title = TITLES.iter().find(|(name, _)| *name == task).map_or(task, |(_, title)| title);
-    let mut rows: Vec<&Record> = records.iter().filter(|record| record.task == task).collect();
+    let native = task.strip_suffix("-chrome");
+    let belongs = |record: &&Record| record.task == task || (Some(&*record.task) == native && !record.is_own());
+    let mut rows: Vec<&Record> = records.iter().filter(belongs).collect();
     rows.sort_by_key(|record| (record.vertices, !record.is_own()));
     let sized = rows.iter().any(|record| record.vertices.is_some());
     let (size, rule) = if sized { ("vertices | ", "---:|") } else { ("", "") };
@@ -79,6 +86,15 @@ mod tests {
         let table = all(&[record("libigl", Some(468), 1.0), record("rosto", Some(468), 0.25)]);
         let rows: Vec<&str> = table.lines().skip(4).collect();
         assert_eq!(rows, ["| 468 | rosto | 250 µs | 1.00 × | 9 |", "| 468 | libigl | 1.00 ms | 4.00 × | 9 |"]);
+    }
+
+    #[test]
+    fn in_the_browser_the_native_peers_are_named_again() {
+        let in_chrome = Record { task: "solve-chrome".into(), ..record("rosto in Chrome", Some(468), 0.5) };
+        let table = all(&[record("rosto", Some(468), 0.25), record("libigl", Some(468), 1.0), in_chrome]);
+        assert!(
+            table.contains("| 468 | rosto in Chrome | 500 µs | 1.00 × | 9 |\n| 468 | libigl | 1.00 ms | 2.00 × | 9 |")
+        );
     }
 
     #[test]

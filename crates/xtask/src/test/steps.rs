@@ -68,9 +68,9 @@ pub fn all() -> Outcome<Vec<Step>> {
         Step::new("format", "rustfmt", |_| check("format", cargo().args(["fmt", "--all", "--check"]))),
         native_lint(web.clone()),
         wasm_lint(union(&web, &tested_on_wasm)),
-        rustdoc(web.clone()),
+        rustdoc(web),
     ];
-    steps.extend(native_tests(web));
+    steps.extend(native_tests());
     steps.extend(tested_on_wasm.into_iter().map(wasm_tests));
     steps.extend(page());
     Ok(steps)
@@ -99,22 +99,18 @@ fn rustdoc(web: Vec<String>) -> Step {
     })
 }
 
-fn native_tests(web: Vec<String>) -> Vec<Step> {
+fn native_tests() -> Vec<Step> {
     if find_program("cargo-nextest").is_none() {
-        return vec![Step::new("native", "theorems, golden numbers, shaders, layering", move |_| {
-            let test = cargo().args(["test", "--workspace", "--no-fail-fast", "--locked"]);
-            tests("native", test.args(excluding(&web)))
+        return vec![Step::new("native", "theorems, golden numbers, shaders, layering", |_| {
+            tests("native", cargo().args(["test", "--workspace", "--no-fail-fast", "--locked"]))
         })];
     }
-    let for_docs = web.clone();
     vec![
-        Step::new("native", "theorems, golden numbers, shaders, layering", move |_| {
-            let test = cargo().args(["nextest", "run", "--workspace", "--no-fail-fast", "--locked"]);
-            tests("native", test.args(excluding(&web)))
+        Step::new("native", "theorems, golden numbers, shaders, layering", |_| {
+            tests("native", cargo().args(["nextest", "run", "--workspace", "--no-fail-fast", "--locked"]))
         }),
-        Step::new("examples", "the examples in the documentation", move |_| {
-            let test = cargo().args(["test", "--doc", "--workspace", "--no-fail-fast", "--locked"]);
-            examples("examples", test.args(excluding(&for_docs)))
+        Step::new("examples", "the examples in the documentation", |_| {
+            examples("examples", cargo().args(["test", "--doc", "--workspace", "--no-fail-fast", "--locked"]))
         }),
     ]
 }

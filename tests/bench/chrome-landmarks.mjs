@@ -1,45 +1,21 @@
 // How long it takes from a photo's bytes to its landmarks in headless Chrome: Rosto's worker module and, in the same
-// browser, the published @mediapipe/face_mesh. Prints one JSON object a line, as peers.py does.
+// browser, the published @mediapipe/face_mesh.
 //
 // Both decode the photo anew each time. The peer keeps tracking the face between pictures, so it looks for it only
 // once; Rosto looks for it in every picture.
 import path from "node:path";
-import { launch } from "../journeys/browser.mjs";
-import { serve } from "../journeys/server.mjs";
+import { ROOT, inBlankPage, report } from "./blank-page.mjs";
 
-const ROOT = path.resolve(import.meta.dirname, "../..");
 const RUNS = 40;
 
-const browser = await launch();
-try {
-  await measure(path.join(ROOT, "dist"), "rosto", rosto);
-  await measure(path.join(ROOT, "node_modules/@mediapipe/face_mesh"), "@mediapipe/face_mesh", peer);
-} finally {
-  await browser.close();
-}
+await measure("rosto", path.join(ROOT, "dist"), rosto);
+await measure("@mediapipe/face_mesh", path.join(ROOT, "node_modules/@mediapipe/face_mesh"), peer);
 
-/** Runs `work` in an empty page beside the files of `folder`. */
-async function measure(folder, name, work) {
-  const server = await serve(folder, "/");
-  const page = await browser.newPage();
-  try {
-    const blank = { contentType: "text/html", body: "<!doctype html><title>bench</title>" };
-    await page.route("**/blank.html", (route) => route.fulfill(blank));
-    await page.route("**/sample.png", (route) => route.fulfill({ path: path.join(ROOT, "web/assets/sample.png") }));
-    await page.goto(`${server.url}blank.html`);
-    const { start_ms, first_ms, times_ms } = await page.evaluate(work, RUNS);
-    report("networks-start-chrome", name, [start_ms]);
-    report("first-landmarks-chrome", name, [first_ms]);
-    report("photo-to-landmarks-chrome", name, times_ms);
-  } finally {
-    await page.close();
-    server.close();
-  }
-}
-
-function report(task, peer, times_ms) {
-  const sorted = times_ms.toSorted((a, b) => a - b);
-  console.log(JSON.stringify({ task, peer, ms: sorted[sorted.length >> 1], runs: sorted.length }));
+async function measure(name, folder, work) {
+  const { start_ms, first_ms, times_ms } = await inBlankPage(folder, work, RUNS);
+  report({ task: "networks-start-chrome", peer: name }, [start_ms]);
+  report({ task: "first-landmarks-chrome", peer: name }, [first_ms]);
+  report({ task: "photo-to-landmarks-chrome", peer: name }, times_ms);
 }
 
 /** Runs in the browser. */

@@ -1,0 +1,42 @@
+// A page with nothing on it, in headless Chrome, for what is measured there; and the line that a measurement prints.
+import path from "node:path";
+import { launch } from "../journeys/browser.mjs";
+import { serve } from "../journeys/server.mjs";
+
+export const ROOT = path.resolve(import.meta.dirname, "../..");
+
+/**
+ * Runs `work` in an empty page beside the files of `folder`, with the sample portrait as `sample.png`.
+ *
+ * @template Argument, Result
+ * @param {string} folder
+ * @param {(argument: Argument) => Promise<Result>} work runs in the browser
+ * @param {Argument} argument
+ * @returns {Promise<Result>}
+ */
+export async function inBlankPage(folder, work, argument) {
+  const browser = await launch();
+  const server = await serve(folder, "/");
+  try {
+    const page = await browser.newPage();
+    const blank = { contentType: "text/html", body: "<!doctype html><title>bench</title>" };
+    await page.route("**/blank.html", (route) => route.fulfill(blank));
+    await page.route("**/sample.png", (route) => route.fulfill({ path: path.join(ROOT, "web/assets/sample.png") }));
+    await page.goto(`${server.url}blank.html`);
+    return await page.evaluate(work, argument);
+  } finally {
+    await browser.close();
+    server.close();
+  }
+}
+
+/**
+ * Prints the median as one JSON object on a line, as `peers.py` does.
+ *
+ * @param {{ task: string, peer: string, vertices?: number }} what
+ * @param {number[]} times_ms
+ */
+export function report(what, times_ms) {
+  const sorted = times_ms.toSorted((a, b) => a - b);
+  console.log(JSON.stringify({ ...what, ms: sorted[sorted.length >> 1], runs: sorted.length }));
+}
