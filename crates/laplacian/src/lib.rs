@@ -7,6 +7,27 @@
 //! | mesh and operator | [`LaplacianSystem`] | a sparse factorisation |
 //! | handles and anchors | [`Response`] | a back-substitution per handle |
 //! | slider tick | [`Response::displace`] | `n` multiply-adds per handle |
+//!
+//! ```
+//! use glam::DVec3;
+//! use rosto_laplacian::{Constraints, Hold, LaplacianSystem, Operator};
+//! use rosto_mesh::Topology;
+//!
+//! // A tent of four corners and a top. The top is pulled up; two corners opposite each other stay.
+//! let topology = Topology::new(5, vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]])?;
+//! let rest = [DVec3::X, DVec3::Y, -DVec3::X, -DVec3::Y, DVec3::Z];
+//! let system = LaplacianSystem::new(&topology, &rest, Operator::UniformSymmetric)?;
+//! let held = Constraints { handles: &[4], anchors: &[0, 2], hold: Hold::Exact, ..Default::default() };
+//! let response = system.respond(&held)?;
+//!
+//! let mut edited = rest;
+//! response.displace(&rest, &[DVec3::Z], &mut edited);
+//! assert!(edited[4].distance(rest[4] + DVec3::Z) < 1e-12);
+//! assert!(edited[0].distance(rest[0]) < 1e-12);
+//! // By symmetry, the two free corners rise alike.
+//! assert!(edited[1].z > 0.0 && (edited[1].z - edited[3].z).abs() < 1e-12);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod anchors;
 mod bordered;

@@ -4,6 +4,7 @@
 //! and sets their figures in tables.
 
 mod machine;
+mod plot;
 mod record;
 mod sources;
 mod table;
@@ -15,10 +16,11 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 const DOCUMENT: &str = "docs/benchmarks.md";
+const GROWTH: &str = "docs/images/growth.svg";
 const BEGIN: &str = "<!-- figures: written by `cargo xtask bench --write` -->\n";
 const END: &str = "<!-- end of figures -->\n";
 
-/// Measures and prints the tables; `--write` puts them into the document.
+/// Measures and prints the tables; `--write` puts them into the document, and draws how time grows with size.
 pub fn run(arguments: &[&str]) -> Outcome<ExitCode> {
     let (options, wanted): (Vec<&str>, Vec<&str>) = arguments.iter().partition(|argument| argument.starts_with('-'));
     let write = match options.as_slice() {
@@ -43,8 +45,15 @@ pub fn run(arguments: &[&str]) -> Outcome<ExitCode> {
     println!("\n{}\n\n{tables}", machine::describe());
     if write {
         update_document(&tables)?;
+        draw_growth(&records)?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+fn draw_growth(records: &[Record]) -> Outcome {
+    let title = "Factorisation and one solve, on one thread";
+    let Some(picture) = plot::growth("edit", title, records) else { return Ok(()) };
+    cache::write(&workspace::root().join(GROWTH), picture)
 }
 
 fn update_document(tables: &str) -> Outcome {
