@@ -12,6 +12,7 @@ mod refusals;
 mod regions;
 mod rigid;
 mod robustness;
+#[path = "../../../../tests/seeded.rs"]
 mod seeded;
 
 #[cfg(target_arch = "wasm32")]

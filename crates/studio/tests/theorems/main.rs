@@ -8,6 +8,7 @@ mod golden_edits;
 mod history;
 mod mirror;
 mod reach;
+#[path = "../../../../tests/seeded.rs"]
 mod seeded;
 mod sliders;
 

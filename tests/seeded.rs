@@ -1,5 +1,7 @@
 //! Random cases that are the same on every platform and in every run.
 
+#![allow(dead_code, reason = "each crate takes what its tests need")]
+
 use glam::{DQuat, DVec3};
 
 /// Steele, Lea and Flood's SplitMix64.
