@@ -10,7 +10,7 @@ import { EditOptions } from "./panel/edit-options.js";
 import { setUpExportPanel } from "./panel/export-panel.js";
 import { setUpHistoryPanel } from "./panel/history-panel.js";
 import { LandmarkPanel } from "./panel/landmark-panel.js";
-import { chooseTriangulation, setUpViewPanel } from "./panel/view-panel.js";
+import { chooseDensity, chooseTriangulation, setUpViewPanel } from "./panel/view-panel.js";
 import { setUpCamera } from "./photo/camera.js";
 import { FaceChoice } from "./photo/face-choice.js";
 import { setUpPhotoInput } from "./photo/photo-input.js";
@@ -21,6 +21,7 @@ import { LandmarkMarks } from "./viewport/landmark-marks.js";
 import { setUpViewKeys } from "./viewport/shortcuts.js";
 import { Workbench } from "./viewport/workbench.js";
 import { inEveryLanguage, language, speak, writeWords } from "./words/words.js";
+import { isGlbFile, readGlbFile } from "./work/glb-file.js";
 import { isProjectFile, readProjectFile } from "./work/project-file.js";
 import { WorkKeeper } from "./work/work-keeper.js";
 import { bitmapOf, faceOf } from "./work/work.js";
@@ -86,7 +87,7 @@ async function loadTheRest() {
 }
 
 /**
- * A photo, or a project that was saved before.
+ * A photo, or a project or GLB that was saved before.
  *
  * @param {Blob} file
  */
@@ -94,6 +95,7 @@ async function openFile(file) {
   hideNotice();
   try {
     if (await isProjectFile(file)) await openWork(await readProjectFile(file));
+    else if (await isGlbFile(file)) await openGlb(file);
     else await openPhoto(file);
   } catch (error) {
     // The newer photo now has the progress to itself.
@@ -113,10 +115,19 @@ async function openPhoto(photo) {
   hideProgress();
 }
 
+/** @param {Blob} file a GLB, which the page's own module reads */
+async function openGlb(file) {
+  await bench;
+  await openWork(await readGlbFile(file));
+}
+
 /** @param {import("./work/work.js").Work} work */
-async function openWork({ face, edits, triangulation }) {
+async function openWork({ face, edits, triangulation, density = 0 }) {
   const opened = await bench;
-  if (opened) chooseTriangulation(opened, triangulation);
+  if (opened) {
+    chooseTriangulation(opened, triangulation);
+    chooseDensity(opened, density);
+  }
   await openFace(face, await bitmapOf(face));
   found = undefined;
   faceChoice.hide();

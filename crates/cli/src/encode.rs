@@ -1,7 +1,7 @@
 use std::path::Path;
 
 use glam::{DVec2, DVec3};
-use rosto_export::{GlbOptions, JsonMesh, Model, Morph, glb, gltf, mesh_json, obj, ply, stl};
+use rosto_export::{GlbOptions, JsonMesh, Model, Morph, Source, glb, gltf, mesh_json, obj, ply, stl};
 use rosto_face::FaceModel;
 use rosto_studio::{Document, project};
 
@@ -52,8 +52,8 @@ pub fn encode(face: &FaceModel, document: &Document, task: &MeshTask, format: Fo
         picture: face.picture(),
     };
     Ok(match format {
-        Format::Glb => gltf_as(&model, document, task, glb)?,
-        Format::Gltf => gltf_as(&model, document, task, gltf)?.into_bytes(),
+        Format::Glb => gltf_as(face, &model, document, task, glb)?,
+        Format::Gltf => gltf_as(face, &model, document, task, gltf)?.into_bytes(),
         Format::Obj => obj(&model)?.into_bytes(),
         Format::Ply => ply(&model)?,
         Format::Stl => stl(&model)?,
@@ -61,17 +61,21 @@ pub fn encode(face: &FaceModel, document: &Document, task: &MeshTask, format: Fo
     })
 }
 
-/// Writes glTF, binary or text, with the history in its extras and, if asked for, the edits as morph targets.
+/// Writes glTF, binary or text, with what opens it again in its extras and, if asked for, the edits as morph targets.
 fn gltf_as<T>(
+    face: &FaceModel,
     model: &Model<'_>,
     document: &Document,
     task: &MeshTask,
     write: impl Fn(&Model<'_>, &GlbOptions<'_>) -> Result<T, rosto_export::ExportError>,
 ) -> Result<T, CliError> {
-    // A history in metres can be carried on with; one in a picture's coordinates would need the picture.
+    // Edits in metres can be carried on with; those in a picture's coordinates belong to another document.
     let in_metres = task.edits.units == Units::Mm;
     let entries = document.history().applied();
     let history = (in_metres && !entries.is_empty()).then(|| project::to_json(entries));
+    let triangulation = face.triangulation();
+    let source = Source { face, triangulation, density: task.density, history: history.as_deref() };
+    let source = (in_metres || entries.is_empty()).then_some(source);
     let layers = if in_metres && task.morph_targets { document.displacements() } else { Vec::new() };
     let named = entries.iter().zip(&layers);
     let morphs: Vec<Morph<'_>> =
@@ -80,7 +84,7 @@ fn gltf_as<T>(
         Paint::Texture => rosto_export::Paint::Texture,
         Paint::Colors => rosto_export::Paint::VertexColours,
     };
-    let options = GlbOptions { paint, morphs: &morphs, extras: history.as_deref(), ..GlbOptions::default() };
+    let options = GlbOptions { paint, morphs: &morphs, source, ..GlbOptions::default() };
     let model = if morphs.is_empty() { *model } else { model.at(document.rest()) };
     Ok(write(&model, &options)?)
 }

@@ -103,7 +103,11 @@ fn morph_targets_hold_each_edit_under_its_name() {
     assert_eq!(mesh["extras"]["targetNames"], serde_json::json!(["upper nose tip", "jaw-width"]));
     assert_eq!(mesh["weights"], serde_json::json!([1.0, 1.0]));
     assert_eq!(mesh["primitives"][0]["targets"].as_array().unwrap().len(), 2);
-    assert_eq!(json["scenes"][0]["extras"]["entries"].as_array().unwrap().len(), 2, "the history lives in the file");
+    assert_eq!(
+        json["scenes"][0]["extras"]["history"]["entries"].as_array().unwrap().len(),
+        2,
+        "the history lives in the file"
+    );
 }
 
 #[test]

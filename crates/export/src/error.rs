@@ -23,9 +23,9 @@ pub enum ExportError {
     /// There is nothing to write.
     #[error("the mesh has no triangles")]
     Empty,
-    /// The extras are not the text of a JSON object.
-    #[error("the extras of a glTF file must be a JSON object")]
-    ExtrasNotAnObject,
+    /// The history is not the text of a JSON object.
+    #[error("the history in a glTF file must be a JSON object")]
+    HistoryNotAnObject,
     /// The texture could not be encoded.
     #[error("the {width}×{height} px texture could not be encoded as JPEG")]
     Texture {

@@ -5,9 +5,12 @@ use crate::{ExportError, Model};
 
 mod attributes;
 mod container;
+mod source;
 mod texture;
 
 use container::Builder;
+pub use source::Source;
+pub(crate) use source::{VERSION, triangulation_from_name};
 
 /// How the face is painted. Never both ways at once, which would multiply the photo by itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -51,8 +54,9 @@ pub struct GlbOptions<'a> {
     pub name: &'a str,
     /// Morph targets; none by default.
     pub morphs: &'a [Morph<'a>],
-    /// The text of a JSON object that goes into the scene's `extras`; none by default.
-    pub extras: Option<&'a str>,
+    /// What the face was made from, for the scene's `extras`, so that the file can be opened again
+    /// ([`reopen`](crate::reopen)); none by default.
+    pub source: Option<Source<'a>>,
     /// The texture's longest side in px, at most; a power of two.
     pub max_texture_px: u32,
 }
@@ -64,7 +68,7 @@ impl Default for GlbOptions<'_> {
             shading: Shading::default(),
             name: "face",
             morphs: &[],
-            extras: None,
+            source: None,
             max_texture_px: 2048,
         }
     }
@@ -76,7 +80,7 @@ impl Default for GlbOptions<'_> {
 /// subdivided mesh that are no landmark. Media type: `model/gltf-binary`.
 ///
 /// # Errors
-/// [`ExportError`] if a length does not fit, a position is not finite, there is no triangle, the extras are no JSON
+/// [`ExportError`] if a length does not fit, a position is not finite, there is no triangle, the history is no JSON
 /// object, or the texture cannot be encoded.
 pub fn glb(model: &Model<'_>, options: &GlbOptions<'_>) -> Result<Vec<u8>, ExportError> {
     let (builder, root) = build(model, options)?;
@@ -94,11 +98,14 @@ pub fn gltf(model: &Model<'_>, options: &GlbOptions<'_>) -> Result<String, Expor
 
 fn build(model: &Model<'_>, options: &GlbOptions<'_>) -> Result<(Builder, Map<String, Value>), ExportError> {
     model.check()?;
-    let extras = options.extras.map(parse_extras).transpose()?;
+    let mut extras = options.source.as_ref().map(source::extras).transpose()?;
     let mut builder = Builder::default();
     let mut attributes = attributes::geometry(&mut builder, model);
     let mut root = Map::new();
-    let material = paint(&mut builder, model, options, &mut attributes, &mut root)?;
+    let painted = paint(&mut builder, model, options, &mut attributes, &mut root)?;
+    if let (Some(extras), Some(crop)) = (&mut extras, painted.crop) {
+        extras["picture"] = source::picture(&crop);
+    }
     attributes.insert("_LANDMARK_ID".into(), builder.scalars(&landmark_ids(model)).into());
     let indices = builder.indices(model.topology);
     let mut mesh = json!({
@@ -115,12 +122,8 @@ fn build(model: &Model<'_>, options: &GlbOptions<'_>) -> Result<(Builder, Map<St
     root.insert("scenes".into(), json!([scene]));
     root.insert("nodes".into(), json!([{"name": options.name, "mesh": 0}]));
     root.insert("meshes".into(), json!([mesh]));
-    root.insert("materials".into(), json!([material]));
+    root.insert("materials".into(), json!([painted.material]));
     Ok((builder, root))
-}
-
-fn parse_extras(text: &str) -> Result<Value, ExportError> {
-    serde_json::from_str(text).ok().filter(Value::is_object).ok_or(ExportError::ExtrasNotAnObject)
 }
 
 fn landmark_ids(model: &Model<'_>) -> Vec<f32> {
@@ -128,14 +131,21 @@ fn landmark_ids(model: &Model<'_>) -> Vec<f32> {
     (0..model.topology.vertex_count()).map(id).collect()
 }
 
-/// Adds the colours or the texture, and gives the material.
+/// The material, and where its texture lies in the photo.
+struct Painted {
+    material: Value,
+    crop: Option<texture::Crop>,
+}
+
+/// Adds the colours or the texture.
 fn paint(
     builder: &mut Builder,
     model: &Model<'_>,
     options: &GlbOptions<'_>,
     attributes: &mut Map<String, Value>,
     root: &mut Map<String, Value>,
-) -> Result<Value, ExportError> {
+) -> Result<Painted, ExportError> {
+    let mut crop = None;
     let mut surface = json!({"metallicFactor": 0.0, "roughnessFactor": 0.9});
     match options.paint {
         Paint::VertexColours => {
@@ -149,6 +159,7 @@ fn paint(
             root.insert("samplers".into(), json!([CLAMPED_MIPMAPPED.object()]));
             root.insert("textures".into(), json!([{"source": 0, "sampler": 0}]));
             surface["baseColorTexture"] = json!({"index": 0});
+            crop = Some(texture.crop);
         }
     }
     let mut material = json!({"name": "skin", "doubleSided": true, "pbrMetallicRoughness": surface});
@@ -156,7 +167,7 @@ fn paint(
         material["extensions"] = json!({"KHR_materials_unlit": {}});
         root.insert("extensionsUsed".into(), json!(["KHR_materials_unlit"]));
     }
-    Ok(material)
+    Ok(Painted { material, crop })
 }
 
 /// A sampler in OpenGL's numbers, as glTF has them.

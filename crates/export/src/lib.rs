@@ -1,4 +1,4 @@
-//! One pure function for each file format: model to bytes.
+//! One pure function for each file format: model to bytes. And one back: [`reopen`].
 //!
 //! Every exporter takes a [`Model`] and documented options and returns the file whole. Positions are metres in the
 //! model's frame (+Y up, +Z out of the face); `f64` becomes `f32` here, and not before.
@@ -11,13 +11,15 @@ mod mesh_json;
 mod model;
 mod obj;
 mod ply;
+mod reopen;
 mod stl;
 
 pub use colour::linear_from_srgb;
 pub use error::ExportError;
-pub use glb::{GlbOptions, Morph, Paint, Shading, glb, gltf};
+pub use glb::{GlbOptions, Morph, Paint, Shading, Source, glb, gltf};
 pub use mesh_json::{JsonMesh, mesh_json};
 pub use model::Model;
 pub use obj::obj;
 pub use ply::ply;
+pub use reopen::{Painted, PlacedTexture, ReopenError, Reopened, reopen};
 pub use stl::stl;

@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Glb, SIDE, face, gradient};
+use common::{Glb, SIDE, face, gradient, source};
 use glam::DVec3;
 use rosto_export::*;
 use rosto_face::Triangulation;
@@ -108,20 +108,20 @@ fn mid_grey_and_the_ends_of_the_srgb_curve_are_where_the_standard_puts_them() {
 }
 
 #[test]
-fn morph_targets_extras_and_unlit_are_carried_by_name() {
+fn morph_targets_source_and_unlit_are_carried_by_name() {
     let face = face(Triangulation::Canonical);
     let wider = vec![DVec3::X * 0.01; 468];
     let morphs = [Morph { name: "jaw wider", displacements_m: &wider, weight: 0.5 }];
     let options = GlbOptions {
         shading: Shading::Unlit,
         morphs: &morphs,
-        extras: Some(r#"{"log":{"version":1}}"#),
+        source: Some(source(&face, Some(r#"{"version":1}"#))),
         ..GlbOptions::default()
     };
     let file = Glb::read(&glb(&Model::of_face(&face), &options).unwrap());
     assert_eq!(file.json["meshes"][0]["extras"]["targetNames"][0], "jaw wider");
     assert_eq!(file.json["meshes"][0]["weights"][0], 0.5);
-    assert_eq!(file.json["scenes"][0]["extras"]["log"]["version"], 1);
+    assert_eq!(file.json["scenes"][0]["extras"]["history"]["version"], 1);
     assert_eq!(file.json["extensionsUsed"][0], "KHR_materials_unlit");
     let target = file.json["meshes"][0]["primitives"][0]["targets"][0]["POSITION"].as_u64().unwrap() as usize;
     assert!(file.floats::<3>(target).iter().all(|d| *d == [0.01, 0.0, 0.0]));
@@ -137,8 +137,8 @@ fn what_cannot_be_written_is_refused_with_numbers() {
     let mut far = face.positions_m().to_vec();
     far[7].y = 1e300;
     assert_eq!(glb(&model.at(&far), &GlbOptions::default()), Err(ExportError::NotFinite { vertex: 7 }));
-    let list = GlbOptions { extras: Some("[1]"), ..GlbOptions::default() };
-    assert_eq!(glb(&model, &list), Err(ExportError::ExtrasNotAnObject));
+    let list = GlbOptions { source: Some(source(&face, Some("[1]"))), ..GlbOptions::default() };
+    assert_eq!(glb(&model, &list), Err(ExportError::HistoryNotAnObject));
 }
 
 #[test]

@@ -7,7 +7,7 @@ mod common;
 use std::path::Path;
 use std::process::Command;
 
-use common::face;
+use common::{face, source};
 use glam::DVec3;
 use rosto_export::*;
 use rosto_face::Triangulation;
@@ -22,8 +22,8 @@ fn khronos_finds_no_error_warning_information_or_hint() {
         let face = face(triangulation);
         for (paint, shading) in [(Paint::Texture, Shading::Lit), (Paint::VertexColours, Shading::Unlit)] {
             for morphs in [&[][..], &morphs] {
-                let options =
-                    GlbOptions { paint, shading, morphs, extras: Some(r#"{"a":[1,null]}"#), ..GlbOptions::default() };
+                let source = Some(source(&face, Some(r#"{"a":[1,null]}"#)));
+                let options = GlbOptions { paint, shading, morphs, source, ..GlbOptions::default() };
                 let path = folder.join(format!("{}.glb", paths.len()));
                 std::fs::write(&path, glb(&Model::of_face(&face), &options).unwrap()).unwrap();
                 paths.push(path);

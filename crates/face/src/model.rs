@@ -30,6 +30,7 @@ pub struct FaceInput<'a> {
 pub struct FaceModel {
     triangulation: Triangulation,
     topology: Topology,
+    photo_size_px: [u32; 2],
     positions_m: Vec<DVec3>,
     positions_image: Vec<DVec3>,
     image_from_model: DAffine3,
@@ -57,6 +58,7 @@ impl FaceModel {
         Ok(Self {
             triangulation,
             topology: triangulation.topology(),
+            photo_size_px: [input.width, input.height],
             positions_m: px.iter().map(|&p| model_from_px.apply(p)).collect(),
             image_from_model: px_from_image.inverse() * px_from_model.to_affine(),
             colours_srgb: input.colours.to_vec(),
@@ -74,6 +76,11 @@ impl FaceModel {
     /// The mesh of the 468 landmarks.
     pub fn topology(&self) -> &Topology {
         &self.topology
+    }
+
+    /// Width and height in px of the upright picture that the landmarks were found in.
+    pub fn photo_size_px(&self) -> [u32; 2] {
+        self.photo_size_px
     }
 
     /// 468 positions in metres in the model's frame.

@@ -9,6 +9,7 @@ use crate::drag::{Drag, Pace};
 use crate::modes::{AnchorsName, AxisName, HoldName, OperatorName, TriangulationName};
 use crate::session::Session;
 use crate::state::StudioState;
+use crate::studio::MAX_DENSITY;
 use crate::trouble::{Outcome, Trouble};
 
 /// Seeds for random anchors stay exact as JavaScript's and JSON's numbers.
@@ -285,7 +286,7 @@ impl Studio {
     /// `bad-choice` or `cannot-solve`.
     #[wasm_bindgen(js_name = setDensity)]
     pub fn set_density(&mut self, levels: u32) -> Result<(), JsValue> {
-        if levels > 3 {
+        if levels > MAX_DENSITY {
             return Err(Trouble::bad_choice().into());
         }
         if let Ok((session, choices)) = self.session_mut() {

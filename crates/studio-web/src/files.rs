@@ -1,4 +1,4 @@
-use rosto_export::{GlbOptions, JsonMesh, Model, Paint, glb, mesh_json};
+use rosto_export::{GlbOptions, JsonMesh, Model, Paint, Source, glb, mesh_json};
 use rosto_face::{LANDMARK_COUNT, Language, landmark_name};
 use rosto_viewport::Background;
 use wasm_bindgen::prelude::*;
@@ -112,7 +112,13 @@ impl Studio {
             picture: session.face.picture(),
         };
         let edits = session.edits_json();
-        let extras = document.history().can_undo().then_some(edits.as_str());
-        Ok(glb(&model, &GlbOptions { paint, extras, ..GlbOptions::default() })?)
+        let history = document.history().can_undo().then_some(edits.as_str());
+        let source = Some(Source {
+            face: &session.face,
+            triangulation: session.triangulation(),
+            density: document.density(),
+            history,
+        });
+        Ok(glb(&model, &GlbOptions { paint, source, ..GlbOptions::default() })?)
     }
 }

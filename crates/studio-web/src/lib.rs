@@ -10,6 +10,7 @@ mod editing;
 mod files;
 mod modes;
 mod renderer;
+mod reopened;
 mod seeing;
 mod session;
 mod state;
@@ -24,6 +25,7 @@ pub use modes::{
     TriangulationName, UnitsName, ViewName,
 };
 pub use renderer::{Renderer, create_renderer};
+pub use reopened::{ReopenedFace, reopen_glb};
 pub use state::{ScreenPoint, Snapshot, StudioEntry, StudioState};
 pub use studio::Studio;
 

@@ -2,6 +2,7 @@
 
 #![expect(missing_docs, reason = "wasm-bindgen adds a variant and functions of its own, without words")]
 
+use rosto_face::Triangulation;
 use rosto_viewport::Axis;
 use wasm_bindgen::prelude::*;
 
@@ -147,6 +148,15 @@ pub enum TriangulationName {
     Tessellation = "tessellation",
     /// The canonical face model: eyes and mouth filled.
     Canonical = "canonical",
+}
+
+impl From<Triangulation> for TriangulationName {
+    fn from(triangulation: Triangulation) -> Self {
+        match triangulation {
+            Triangulation::Tessellation => Self::Tessellation,
+            Triangulation::Canonical => Self::Canonical,
+        }
+    }
 }
 
 impl From<Axis> for AxisName {

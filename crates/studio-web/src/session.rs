@@ -34,6 +34,11 @@ impl Session {
         })
     }
 
+    /// How the landmarks are joined.
+    pub fn triangulation(&self) -> Triangulation {
+        self.triangulation
+    }
+
     pub fn selected(&self) -> Option<u32> {
         self.selected
     }

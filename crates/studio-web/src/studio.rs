@@ -10,6 +10,8 @@ use crate::renderer::Renderer;
 use crate::session::Session;
 use crate::trouble::{Outcome, Trouble};
 
+/// How often a mesh is subdivided at most.
+pub(crate) const MAX_DENSITY: u32 = 3;
 /// How fast the empty state turns.
 const IDLE_TURN_DEG_PER_S: f64 = 14.0;
 /// How strongly the response glows over the face while a landmark moves.

@@ -1,5 +1,5 @@
 use js_sys::{Error, Reflect};
-use rosto_export::ExportError;
+use rosto_export::{ExportError, ReopenError};
 use rosto_face::FaceError;
 use rosto_laplacian::LaplacianError;
 use rosto_studio::StudioError;
@@ -13,7 +13,8 @@ const TYPES: &str = r#"
 export type StudioErrorCode =
     | "no-webgpu" | "no-adapter" | "no-device" | "canvas-in-use" | "device-lost"
     | "no-face" | "no-selection" | "bad-vertex" | "bad-face" | "bad-number" | "bad-choice" | "bad-anchors"
-    | "cannot-solve" | "cannot-export" | "bad-project" | "not-drawn" | "internal";
+    | "cannot-solve" | "cannot-export" | "bad-project" | "damaged-glb" | "foreign-glb" | "newer-glb"
+    | "not-drawn" | "internal";
 /** What is thrown: `message` says what happened, `hint` what to do next. */
 export interface StudioError extends Error { code: StudioErrorCode; hint: string }
 "#;
@@ -113,6 +114,17 @@ impl From<StudioError> for Trouble {
 impl From<ExportError> for Trouble {
     fn from(error: ExportError) -> Self {
         Self::new("cannot-export", error.to_string(), "Undo the last edit and try again.")
+    }
+}
+
+impl From<ReopenError> for Trouble {
+    fn from(error: ReopenError) -> Self {
+        let (code, hint) = match error {
+            ReopenError::Foreign => ("foreign-glb", "Open a GLB that was made here, or a photo."),
+            ReopenError::Newer { .. } => ("newer-glb", "Reload the page to get its newest version."),
+            _ => ("damaged-glb", "Copy or download it again, or open the photo."),
+        };
+        Self::new(code, error.to_string(), hint)
     }
 }
 

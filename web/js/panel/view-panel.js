@@ -26,8 +26,7 @@ export function setUpViewPanel(bench) {
   });
   onCheck("dots", (shown) => bench.look((studio) => studio.setDots(shown)));
   onCheck("turntable", (turns) => bench.look((studio) => studio.setTurntable(turns ? TURNTABLE_DEG_PER_S : 0)));
-  const density = byId("density", HTMLSelectElement);
-  density.addEventListener("change", () => bench.act((studio) => studio.setDensity(Number(density.value))));
+  byId("density", HTMLSelectElement).addEventListener("change", () => chooseDensity(bench, chosenDensity()));
   byId("triangulation", HTMLSelectElement).addEventListener("change", () => chooseTriangulation(bench, chosenTriangulation()));
   chooseTriangulation(bench, chosenTriangulation());
   onAction("reset-view", () => bench.look((studio) => studio.view("reset")));
@@ -49,6 +48,20 @@ export function chosenTriangulation() {
 export function chooseTriangulation(bench, triangulation) {
   byId("triangulation", HTMLSelectElement).value = triangulation;
   bench.act((studio) => studio.setTriangulation(triangulation));
+}
+
+/** How often the mesh that is shown and exported is subdivided. */
+export function chosenDensity() {
+  return Number(byId("density", HTMLSelectElement).value);
+}
+
+/**
+ * @param {Workbench} bench
+ * @param {number} density
+ */
+export function chooseDensity(bench, density) {
+  byId("density", HTMLSelectElement).value = String(density);
+  bench.act((studio) => studio.setDensity(density));
 }
 
 /** @param {Workbench} bench */

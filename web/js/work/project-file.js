@@ -1,3 +1,5 @@
+import { pixelsOf } from "./pixels.js";
+
 /**
  * The project file: one line of JSON, then the landmarks (f32, little-endian), the colours, and the picture as PNG.
  *
@@ -15,9 +17,9 @@ const COLOUR_BYTES = LANDMARKS * 3;
  *
  * @param {Work} work
  */
-export async function projectFile({ face, edits, triangulation }) {
+export async function projectFile({ face, edits, triangulation, density }) {
   const { width_px, height_px } = face;
-  const header = { format: FORMAT, version: VERSION, width_px, height_px, triangulation, edits: JSON.parse(edits) };
+  const header = { format: FORMAT, version: VERSION, width_px, height_px, triangulation, density, edits: JSON.parse(edits) };
   const parts = [`${JSON.stringify(header)}\n`, face.landmarks, face.colours, await pngOf(face)];
   return new Blob(/** @type {BlobPart[]} */ (parts), { type: "application/octet-stream" });
 }
@@ -53,14 +55,15 @@ export async function readProjectFile(file) {
 async function read(file) {
   const bytes = new Uint8Array(await file.arrayBuffer());
   const body = bytes.indexOf("\n".charCodeAt(0)) + 1;
-  const { version, width_px, height_px, triangulation, edits } = JSON.parse(new TextDecoder().decode(bytes.subarray(0, body)));
+  const header = JSON.parse(new TextDecoder().decode(bytes.subarray(0, body)));
+  const { version, width_px, height_px, triangulation, density, edits } = header;
   if (version !== VERSION) throw new Error(`version ${version}; this page reads ${VERSION}`);
   const coloursAt = body + LANDMARK_BYTES;
   const pictureAt = coloursAt + COLOUR_BYTES;
   const landmarks = new Float32Array(bytes.slice(body, coloursAt).buffer);
   const picture = await rgbaOf(new Blob([bytes.slice(pictureAt)], { type: "image/png" }));
   const face = { width_px, height_px, landmarks, colours: bytes.slice(coloursAt, pictureAt), ...picture };
-  return { face, edits: JSON.stringify(edits), triangulation };
+  return { face, edits: JSON.stringify(edits), triangulation, density };
 }
 
 /** @param {import("./work.js").OpenedFace} face */
@@ -75,10 +78,5 @@ async function pngOf({ picture, pictureWidth_px, pictureHeight_px }) {
 async function rgbaOf(png) {
   const bitmap = await createImageBitmap(png);
   const { width: pictureWidth_px, height: pictureHeight_px } = bitmap;
-  const context = new OffscreenCanvas(pictureWidth_px, pictureHeight_px).getContext("2d");
-  if (!context) throw new Error("no 2D canvas");
-  context.drawImage(bitmap, 0, 0);
-  bitmap.close();
-  const { data } = context.getImageData(0, 0, pictureWidth_px, pictureHeight_px);
-  return { pictureWidth_px, pictureHeight_px, picture: new Uint8Array(data.buffer) };
+  return { pictureWidth_px, pictureHeight_px, picture: pixelsOf(bitmap, pictureWidth_px, pictureHeight_px) };
 }

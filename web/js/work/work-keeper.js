@@ -1,5 +1,5 @@
 import { byId } from "../page/dom.js";
-import { chosenTriangulation } from "../panel/view-panel.js";
+import { chosenDensity, chosenTriangulation } from "../panel/view-panel.js";
 import { keepEdits, keepFace, keptWork } from "./kept-work.js";
 
 /**
@@ -52,22 +52,26 @@ export class WorkKeeper {
     this.#face = face;
     const { work } = this;
     if (!work) return;
-    this.#kept = work.edits + work.triangulation;
-    const { edits, triangulation } = work;
+    const { edits, triangulation, density } = work;
+    this.#kept = JSON.stringify([edits, triangulation, density]);
     // Not in the task that brings the face to the screen; and a browser that keeps nothing is no reason to stop working.
-    setTimeout(() => keepFace(face, { edits, triangulation }).catch(() => {}), PAUSE_MS);
+    setTimeout(() => keepFace(face, { edits, triangulation, density }).catch(() => {}), PAUSE_MS);
   }
 
   /** The work as it stands. */
   get work() {
     if (!this.#face || !this.#bench) return undefined;
-    return { face: this.#face, edits: this.#bench.studio.editsJson(), triangulation: chosenTriangulation() };
+    const edits = this.#bench.studio.editsJson();
+    return { face: this.#face, edits, triangulation: chosenTriangulation(), density: chosenDensity() };
   }
 
   #keepEdits() {
     const { work } = this;
-    if (!work || work.edits + work.triangulation === this.#kept) return;
-    this.#kept = work.edits + work.triangulation;
-    keepEdits({ edits: work.edits, triangulation: work.triangulation }).catch(() => {});
+    if (!work) return;
+    const { edits, triangulation, density } = work;
+    const now = JSON.stringify([edits, triangulation, density]);
+    if (now === this.#kept) return;
+    this.#kept = now;
+    keepEdits({ edits, triangulation, density }).catch(() => {});
   }
 }

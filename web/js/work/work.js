@@ -5,6 +5,7 @@
  * @property {OpenedFace} face
  * @property {string} edits the studio's own versioned JSON
  * @property {TriangulationName} triangulation that the edits were made on
+ * @property {number} density how often the mesh is subdivided
  *
  * @typedef {import("../../wasm/rosto-studio-web.js").TriangulationName} TriangulationName
  *

@@ -19,9 +19,20 @@ pub(super) struct Texture {
     pub jpeg: Vec<u8>,
     /// Each vertex's place in the crop.
     pub uvs: Vec<Vec2>,
+    pub crop: Crop,
 }
 
-/// Cuts out the face with sides that are powers of two, at most `max_px` (rounded down to a power of two), at the photo's own resolution where it fits.
+/// Where the texture was cut out of the picture.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Crop {
+    /// Width and height of the whole picture in px, scaled as the texture is.
+    pub picture_size_px: [u32; 2],
+    /// The texture's left and top in that picture in px; negative where the texture is the larger one.
+    pub at_px: [i64; 2],
+}
+
+/// Cuts out the face with sides that are powers of two, at most `max_px` (rounded down to a power of two), at the photo's
+/// own resolution where it fits.
 pub(super) fn crop(model: &Model<'_>, max_px: u32) -> Result<Texture, ExportError> {
     let max_px = 1 << max_px.max(SMALLEST_MAX_PX).ilog2();
     let photo = fitting_photo(model, max_px);
@@ -34,7 +45,8 @@ pub(super) fn crop(model: &Model<'_>, max_px: u32) -> Result<Texture, ExportErro
     let crop_size = DVec2::new(width.into(), height.into());
     let uv = |uv: &DVec2| ((*uv * size - DVec2::new(x0 as f64, y0 as f64)) / crop_size).as_vec2();
     let jpeg = encode(&cut(&photo, x0, y0, width, height), width, height)?;
-    Ok(Texture { jpeg, uvs: model.uvs.iter().map(uv).collect() })
+    let crop = Crop { picture_size_px: [photo.width(), photo.height()], at_px: [x0, y0] };
+    Ok(Texture { jpeg, uvs: model.uvs.iter().map(uv).collect(), crop })
 }
 
 /// The photo, scaled down if the face in it is larger than the largest texture.

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, dead_code, reason = "each test file uses its part")]
 
+use rosto_export::Source;
 use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, Triangulation, canonical_uvs};
 use serde_json::Value;
 
@@ -27,6 +28,11 @@ pub fn face(triangulation: Triangulation) -> FaceModel {
     let colours: Vec<[u8; 3]> = landmarks.iter().map(|&[x, y, _]| picture.colour_under(x.into(), y.into())).collect();
     let input = FaceInput { landmarks: &landmarks, width: SIDE, height: SIDE, colours: &colours, picture };
     FaceModel::new(input, triangulation).unwrap()
+}
+
+/// What opens that face again.
+pub fn source<'a>(face: &'a FaceModel, history: Option<&'a str>) -> Source<'a> {
+    Source { face, triangulation: face.triangulation(), density: 0, history }
 }
 
 /// A GLB taken apart.

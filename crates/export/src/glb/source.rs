@@ -1,0 +1,69 @@
+use rosto_face::{FaceModel, Triangulation};
+use serde_json::{Value, json};
+
+use super::texture::Crop;
+use crate::ExportError;
+use crate::base64::base64;
+
+/// The version of the extras that is written.
+pub(crate) const VERSION: u64 = 1;
+
+/// What a face was made from. A file that carries it can be opened again, with its edits: see [`reopen`](crate::reopen).
+///
+/// It goes into the scene's `extras`, where other programs leave it alone or drop it:
+/// ```json
+/// {"rosto": "face", "version": 1, "photo_px": [512, 512], "triangulation": "canonical", "density": 0,
+///  "landmarks": "468 × 3 little-endian f32 in base64", "colours": "468 × 3 bytes in base64",
+///  "picture": {"size_px": [512, 512], "crop_at_px": [96, 0]}, "history": {}}
+/// ```
+/// `picture` says where in the upright picture the texture was cut out; a file without texture has none.
+#[derive(Debug, Clone, Copy)]
+pub struct Source<'a> {
+    /// The unedited face.
+    pub face: &'a FaceModel,
+    /// How its landmarks are joined in the file.
+    pub triangulation: Triangulation,
+    /// How often its mesh was subdivided for the file.
+    pub density: u32,
+    /// The edits as the text of a JSON object, in the form that only their owner knows; none if there are none.
+    pub history: Option<&'a str>,
+}
+
+/// The name of a triangulation in the extras.
+fn triangulation_name(triangulation: Triangulation) -> &'static str {
+    match triangulation {
+        Triangulation::Tessellation => "tessellation",
+        Triangulation::Canonical => "canonical",
+    }
+}
+
+/// The triangulation of that name.
+pub(crate) fn triangulation_from_name(name: &str) -> Option<Triangulation> {
+    [Triangulation::Tessellation, Triangulation::Canonical].into_iter().find(|&one| triangulation_name(one) == name)
+}
+
+/// The extras but for the picture.
+pub(super) fn extras(source: &Source<'_>) -> Result<Value, ExportError> {
+    let face = source.face;
+    // The landmarks came as 32-bit numbers, so that nothing is lost here.
+    let landmarks = face.positions_image().iter().flat_map(|p| p.as_vec3().to_array()).flat_map(f32::to_le_bytes);
+    let mut extras = json!({
+        "rosto": "face",
+        "version": VERSION,
+        "photo_px": face.photo_size_px(),
+        "triangulation": triangulation_name(source.triangulation),
+        "density": source.density,
+        "landmarks": base64(&landmarks.collect::<Vec<u8>>()),
+        "colours": base64(face.colours_srgb().as_flattened()),
+    });
+    if let Some(history) = source.history {
+        let history: Option<Value> = serde_json::from_str(history).ok().filter(Value::is_object);
+        extras["history"] = history.ok_or(ExportError::HistoryNotAnObject)?;
+    }
+    Ok(extras)
+}
+
+/// Where the texture was cut out.
+pub(super) fn picture(crop: &Crop) -> Value {
+    json!({"size_px": crop.picture_size_px, "crop_at_px": crop.at_px})
+}

@@ -1,0 +1,147 @@
+//! A GLB opened again: what went in comes out, and nothing of a stranger's file is trusted.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::{Glb, SIDE, face, gradient, source};
+use proptest::prelude::*;
+use rosto_export::*;
+use rosto_face::{FaceInput, FaceModel, Triangulation};
+
+const HISTORY: &str = r#"{"entries":[0.1,"é"],"version":1}"#;
+
+fn file(triangulation: Triangulation, paint: Paint) -> Vec<u8> {
+    let face = face(triangulation);
+    let source = Some(Source { density: 2, ..source(&face, Some(HISTORY)) });
+    glb(&Model::of_face(&face), &GlbOptions { paint, source, ..GlbOptions::default() }).unwrap()
+}
+
+#[test]
+fn the_face_comes_back_as_it_was_saved() {
+    for triangulation in [Triangulation::Tessellation, Triangulation::Canonical] {
+        for paint in [Paint::Texture, Paint::VertexColours] {
+            let saved = face(triangulation);
+            let bytes = file(triangulation, paint);
+            let opened = reopen(&bytes).unwrap();
+            assert_eq!((opened.triangulation, opened.density), (triangulation, 2));
+            assert_eq!(opened.history.as_deref(), Some(HISTORY));
+            assert_eq!(opened.texture.is_some(), paint == Paint::Texture);
+            let [width, height] = opened.photo_size_px;
+            let input = FaceInput {
+                landmarks: &opened.landmarks,
+                width,
+                height,
+                colours: &opened.colours_srgb,
+                picture: gradient(),
+            };
+            let again = FaceModel::new(input, opened.triangulation).unwrap();
+            assert_eq!(again.positions_m(), saved.positions_m(), "to the last bit");
+            assert_eq!(again.positions_image(), saved.positions_image());
+            assert_eq!(again.colours_srgb(), saved.colours_srgb());
+        }
+    }
+}
+
+#[test]
+fn the_texture_lies_where_it_was_cut_out() {
+    let bytes = file(Triangulation::Canonical, Paint::Texture);
+    let texture = reopen(&bytes).unwrap().texture.unwrap();
+    assert_eq!(texture.picture_size_px, [SIDE, SIDE]);
+    let crop = rosto_photo::decode(texture.jpeg, &rosto_photo::Limits::default()).unwrap();
+    let photo = gradient();
+    let [left, top] = texture.at_px.map(|at| u32::try_from(at).unwrap());
+    for (x, y) in [(0, 0), (crop.width() / 2, crop.height() / 3), (crop.width() - 1, crop.height() - 1)] {
+        let [found, cut] = [crop.pixel(x, y), photo.pixel(left + x, top + y)];
+        assert!(found.iter().zip(cut).all(|(a, b)| a.abs_diff(b) <= 6), "{found:?} at {x}, {y} for {cut:?}");
+    }
+}
+
+#[test]
+fn without_a_photo_the_colours_are_painted_where_the_face_is() {
+    let bytes = file(Triangulation::Canonical, Paint::VertexColours);
+    let opened = reopen(&bytes).unwrap();
+    let picture = opened.painted();
+    assert_eq!((picture.width, picture.height), (SIDE, SIDE));
+    let pixel = |x: f32, y: f32| {
+        let at = ((y * SIDE as f32) as usize * SIDE as usize + (x * SIDE as f32) as usize) * 4;
+        <[u8; 4]>::try_from(&picture.rgba[at..at + 4]).unwrap()
+    };
+    let [x, y, _] = opened.landmarks[1];
+    let [red, green, blue, alpha] = pixel(x, y);
+    let nose = [red, green, blue].iter().zip(opened.colours_srgb[1]).map(|(a, b)| a.abs_diff(b)).max().unwrap();
+    assert!(nose <= 3 && alpha == u8::MAX, "{nose} levels off at the nose tip");
+    assert_eq!(pixel(0.0, 0.0), [0; 4], "nothing beside the face");
+}
+
+#[test]
+fn a_file_of_another_program_or_a_later_version_is_told_apart() {
+    let with_extras = |extras: &str| {
+        let json = format!(r#"{{"asset":{{"version":"2.0"}},"scenes":[{{"extras":{extras}}}]}}"#);
+        let json = format!("{json:<width$}", width = json.len().next_multiple_of(4));
+        let lengths = [20 + json.len() as u32, json.len() as u32].map(u32::to_le_bytes);
+        [b"glTF".as_slice(), &2u32.to_le_bytes(), &lengths[0], &lengths[1], b"JSON", json.as_bytes()].concat()
+    };
+    assert_eq!(reopen(&with_extras("{}")), Err(ReopenError::Foreign));
+    assert_eq!(reopen(&with_extras(r#"{"rosto":"history","version":1}"#)), Err(ReopenError::Foreign));
+    let newer = with_extras(r#"{"rosto":"face","version":9}"#);
+    assert_eq!(reopen(&newer), Err(ReopenError::Newer { found: 9, known: 1 }));
+    let empty = with_extras(r#"{"rosto":"face","version":1}"#);
+    assert_eq!(reopen(&empty), Err(ReopenError::Field { field: "landmarks" }));
+    assert_eq!(reopen(b"a photo, perhaps"), Err(ReopenError::NotGlb));
+}
+
+#[test]
+fn a_file_that_ends_too_early_is_refused_wherever_it_ends() {
+    let bytes = file(Triangulation::Tessellation, Paint::Texture);
+    for end in (0..bytes.len()).step_by(61).chain(0..64) {
+        assert!(reopen(&bytes[..end]).is_err(), "opened with {end} of {} bytes", bytes.len());
+    }
+}
+
+#[test]
+fn places_outside_the_file_and_pictures_too_large_to_hold_are_refused() {
+    let bytes = file(Triangulation::Tessellation, Paint::Texture);
+    let view = Glb::read(&bytes).json["images"][0]["bufferView"].as_u64().unwrap();
+    let length = Glb::read(&bytes).json["bufferViews"][view as usize]["byteLength"].as_u64().unwrap();
+    for (from, to) in [
+        (format!("\"byteLength\":{length}"), "\"byteLength\":9999999"),
+        (format!("\"size_px\":[{SIDE},{SIDE}]"), "\"size_px\":[99999,99]"),
+        (format!("\"size_px\":[{SIDE},{SIDE}]"), "\"size_px\":[0,99]"),
+    ] {
+        let damaged = with_json(&bytes, |json| json.replace(&from, to));
+        assert_eq!(reopen(&damaged), Err(ReopenError::Field { field: "picture" }), "{to}");
+    }
+}
+
+/// The file with another description; JSON may grow, so that the header is written anew.
+fn with_json(bytes: &[u8], change: impl Fn(String) -> String) -> Vec<u8> {
+    let old = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
+    let json = change(String::from_utf8(bytes[20..20 + old].to_vec()).unwrap());
+    assert_ne!(json.as_bytes(), &bytes[20..20 + old], "nothing was changed");
+    let total = (bytes.len() - old + json.len()) as u32;
+    let head = [b"glTF".as_slice(), &2u32.to_le_bytes(), &total.to_le_bytes(), &(json.len() as u32).to_le_bytes()];
+    [head.concat().as_slice(), b"JSON", json.as_bytes(), &bytes[20 + old..]].concat()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn whatever_bytes_come_they_are_read_or_refused(noise in prop::collection::vec(any::<u8>(), 0..400)) {
+        let _ = reopen(&noise);
+        let headed = [b"glTF".as_slice(), &2u32.to_le_bytes(), &noise].concat();
+        prop_assert!(reopen(&headed).is_err());
+    }
+
+    #[test]
+    fn a_damaged_file_is_read_or_refused(at in any::<prop::sample::Index>(), byte in any::<u8>()) {
+        let mut bytes = file(Triangulation::Tessellation, Paint::VertexColours);
+        let at = at.index(bytes.len());
+        bytes[at] = byte;
+        if let Ok(opened) = reopen(&bytes) {
+            prop_assert!(opened.landmarks.iter().flatten().all(|number| number.is_finite()));
+            prop_assert!(opened.painted().rgba.len() <= 4 * 2048 * 2048);
+        }
+    }
+}

@@ -1,0 +1,101 @@
+import assert from "node:assert/strict";
+import { journey } from "./journey.mjs";
+import { colourCount, meanColour } from "./pixels.mjs";
+
+for (const paint of ["texture", "colours"]) {
+  journey(`a downloaded GLB painted with ${paint} brings the face back after a reload, with its history`, async (open) => {
+    const visitor = await open();
+    const { page } = visitor;
+    await visitor.dropSample();
+    const unedited = await visitor.meshJson("mm");
+    await visitor.findLandmark("nose tip");
+    await visitor.offset("z", 9);
+    await visitor.findLandmark("bottom of the chin");
+    await visitor.offset("y", -6);
+    const work = await visitor.meshJson("mm");
+    await page.check(`input[name="export-paint"][value="${paint}"]`, { force: true });
+    const file = await visitor.download("download-glb");
+    // Beside the face, a click lets go of the landmark and takes its marks away.
+    await page.mouse.click(20, 20);
+    const view = await visitor.view();
+
+    await page.reload();
+    await visitor.drop(file, "rosto.glb");
+    await visitor.untilFace();
+    assert.deepEqual(await visitor.meshJson("mm"), work);
+    assert.equal(await page.locator("#history li").count(), 2);
+    assert.ok(colourCount(await visitor.view()) > 40, "the face came back without its colours");
+    if (paint === "texture") expectSameColours(view, await visitor.view());
+
+    for (let step = 0; step < 2; step++) await page.click("#toolbar [data-action='undo']");
+    assert.deepEqual(await visitor.meshJson("mm"), unedited);
+    await page.click("#toolbar [data-action='redo']");
+    await page.click("#toolbar [data-action='redo']");
+    assert.deepEqual(await visitor.meshJson("mm"), work);
+  });
+}
+
+journey("a GLB brings its density and its eyes and mouth along", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.unfold("section-view");
+  await page.selectOption("#triangulation", "tessellation");
+  await page.selectOption("#density", "1");
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("x", 4);
+  const work = await visitor.meshJson("mm");
+  const file = await visitor.download("download-glb");
+  await page.reload();
+  await visitor.drop(file, "rosto.glb");
+  await visitor.untilFace();
+  const opened = await visitor.meshJson("mm");
+  assert.deepEqual(opened.positions, work.positions);
+  assert.deepEqual(opened.triangles, work.triangles);
+});
+
+journey("a GLB of another program, or half of ours, leaves the work and a message", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("z", 4);
+  const work = await visitor.meshJson("mm");
+  const file = await visitor.download("download-glb");
+  for (const { bytes, code, says } of [
+    { bytes: foreignGlb(), code: "foreign-glb", says: /no face that can be edited/ },
+    { bytes: file.subarray(0, file.length / 2), code: "damaged-glb", says: /damaged or incomplete/ },
+  ]) {
+    await visitor.drop(bytes, "other.glb");
+    await page.waitForSelector(`#notice[data-code="${code}"]`);
+    assert.match((await visitor.notice()).text, says);
+    assert.deepEqual(await visitor.meshJson("mm"), work);
+  }
+});
+
+/**
+ * The texture is a JPEG, so that single pixels differ a little; on the mean of a patch it makes no difference.
+ *
+ * @param {import("./pixels.mjs").Pixels} before
+ * @param {import("./pixels.mjs").Pixels} after
+ */
+function expectSameColours(before, after) {
+  for (const left of [0.4, 0.45, 0.5, 0.55]) {
+    const patch = { left, top: 0.45, right: left + 0.05, bottom: 0.55 };
+    const [wanted, seen] = [meanColour(before, patch), meanColour(after, patch)];
+    const furthest = Math.max(...wanted.map((level, channel) => Math.abs(level - seen[channel])));
+    assert.ok(furthest < 3, `colours are ${furthest} levels off at ${left} of the width`);
+  }
+}
+
+/** A GLB with nothing in it but its name. */
+function foreignGlb() {
+  const json = Buffer.from('{"asset":{"version":"2.0"},"scenes":[{}]} '.padEnd(44));
+  const header = Buffer.alloc(20);
+  header.write("glTF", 0);
+  header.writeUInt32LE(2, 4);
+  header.writeUInt32LE(20 + json.length, 8);
+  header.writeUInt32LE(json.length, 12);
+  header.write("JSON", 16);
+  return Buffer.concat([header, json]);
+}
