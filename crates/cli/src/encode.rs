@@ -71,7 +71,7 @@ fn gltf_as<T>(
 ) -> Result<T, CliError> {
     // Edits in metres can be carried on with; those in a picture's coordinates belong to another document.
     let in_metres = task.edits.units == Units::Mm;
-    let entries = document.history().applied();
+    let entries = document.history().entries();
     let history = (in_metres && !entries.is_empty()).then(|| project::to_json(entries));
     let triangulation = face.triangulation();
     let source = Source { face, triangulation, density: task.density, history: history.as_deref() };

@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use rosto_face::{FaceModel, LANDMARK_COUNT, Language, landmark_name};
+use rosto_face::{FaceModel, Language};
 use rosto_studio::{Anchors, Command, Document, Frame, Grip, Rest};
 
 use crate::args::{EditArguments, FollowArguments, MeshTask, Units};
@@ -16,8 +16,9 @@ struct Step {
 }
 
 impl Step {
-    fn named(name: &str, command: Command) -> Self {
-        Self { what: name.to_owned(), label: name.to_owned(), command }
+    /// The page calls its entries so, too: both write the same file.
+    fn new(what: impl Into<String>, command: Command) -> Self {
+        Self { what: what.into(), label: command.subject().name(Language::English), command }
     }
 }
 
@@ -47,23 +48,19 @@ fn steps(asked: &EditArguments, follow: &FollowArguments) -> Result<Vec<Step>, C
         }
         let grip = Grip { level: 0, handles: vec![edit.vertex], settings };
         let command = Command::Move { grip, offsets: vec![edit.offset * unit] };
-        let what = format!("vertex {}", edit.vertex);
-        // The page calls its entries so, and both write the same file.
-        let is_landmark = (edit.vertex as usize) < LANDMARK_COUNT;
-        let label = if is_landmark { landmark_name(edit.vertex, Language::English) } else { what.clone() };
-        steps.push(Step { what, label, command });
+        steps.push(Step::new(format!("vertex {}", edit.vertex), command));
     }
     for edit in &asked.regions {
         let handles = edit.region.vertices();
         let offsets = vec![edit.offset * unit; handles.len()];
         let grip = Grip { level: 0, handles, settings: follow::settings(follow, steps.len(), unit) };
-        steps.push(Step::named(edit.region.id(), Command::Move { grip, offsets }));
+        steps.push(Step::new(edit.region.id(), Command::Move { grip, offsets }));
     }
     for edit in &asked.sliders {
-        steps.push(Step::named(edit.slider.id(), edit.slider.command(edit.amount_mm / MM_PER_M)));
+        steps.push(Step::new(edit.slider.id(), edit.slider.command(edit.amount_mm / MM_PER_M)));
     }
     if let Some(share) = asked.symmetrise {
-        steps.push(Step::named("symmetrise", Command::Symmetrise { share }));
+        steps.push(Step::new("symmetrise", Command::Symmetrise { share }));
     }
     Ok(steps)
 }

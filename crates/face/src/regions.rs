@@ -126,6 +126,14 @@ impl Region {
         vertices
     }
 
+    /// The regions that a landmark is part of, from the smallest to the largest.
+    pub fn containing(landmark: u32) -> Vec<Self> {
+        let sized = Self::ALL.into_iter().map(|region| (region.vertices(), region));
+        let mut found: Vec<_> = sized.filter(|(vertices, _)| vertices.contains(&landmark)).collect();
+        found.sort_by_key(|(vertices, _)| vertices.len());
+        found.into_iter().map(|(_, region)| region).collect()
+    }
+
     /// The region that this one becomes in the mirror.
     pub fn mirrored(self) -> Self {
         let (areas, side) = self.definition();

@@ -76,3 +76,13 @@ fn well_known_landmarks_are_called_by_their_names() {
     assert!((0..LANDMARK_COUNT as u32).filter(|&v| has_anatomical_name(v)).count() >= 80);
     assert!(midline().into_iter().all(has_anatomical_name));
 }
+
+#[test]
+fn a_landmarks_regions_go_from_the_smallest_to_the_largest() {
+    assert_eq!(Region::containing(1), [Region::NoseTip, Region::Nose]);
+    for landmark in 0..468 {
+        let regions = Region::containing(landmark);
+        assert!(regions.is_sorted_by_key(|region| region.vertices().len()));
+        assert!(regions.iter().all(|region| region.vertices().contains(&landmark)));
+    }
+}

@@ -1,3 +1,4 @@
+use rosto_face::mirror_of;
 use rosto_studio::{AnchorKind, Anchors, Grip, Hold, Mirror, Operator, Reach, Settings};
 
 const M_PER_MM: f64 = 1e-3;
@@ -41,8 +42,9 @@ impl Default for Choices {
 }
 
 impl Choices {
-    /// The grip on one landmark under these choices; `seed` chooses random anchors.
-    pub fn grip(&self, vertex: u32, seed: u64) -> Grip {
+    /// The grip on landmarks under these choices; `seed` chooses random anchors. What is in hand moves even if it is
+    /// pinned.
+    pub fn grip(&self, handles: Vec<u32>, seed: u64) -> Grip {
         let kind = match self.anchors {
             AnchorChoice::Random => AnchorKind::Random { seed },
             AnchorChoice::Oval => AnchorKind::Oval,
@@ -50,7 +52,7 @@ impl Choices {
         };
         let pins = match &self.anchors {
             AnchorChoice::Explicit(anchors) => anchors.clone(),
-            _ => self.pins.clone(),
+            _ => self.pins.iter().copied().filter(|&pin| !self.moves(&handles, pin)).collect(),
         };
         let settings = Settings {
             operator: self.operator,
@@ -60,6 +62,26 @@ impl Choices {
             mirror: self.mirror,
             ..Settings::default()
         };
-        Grip { handles: vec![vertex], settings, ..Grip::default() }
+        Grip { handles, settings, ..Grip::default() }
+    }
+
+    /// Whether a landmark is a handle or, where the mirror takes part, a handle's partner.
+    fn moves(&self, handles: &[u32], landmark: u32) -> bool {
+        handles.contains(&landmark) || (self.mirror == Mirror::On && handles.contains(&mirror_of(landmark)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pin_gives_way_to_the_hand_that_takes_it() {
+        let pins_for = |handle: u32, mirror: Mirror| {
+            Choices { pins: vec![61, 152], mirror, ..Choices::default() }.grip(vec![handle], 1).settings.anchors.pins
+        };
+        assert_eq!(pins_for(61, Mirror::Off), [152]);
+        assert_eq!(pins_for(291, Mirror::Off), [61, 152]);
+        assert_eq!(pins_for(291, Mirror::On), [152]);
     }
 }

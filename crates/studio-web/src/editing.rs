@@ -1,11 +1,12 @@
 use glam::{DVec2, DVec3};
-use rosto_face::{LANDMARK_COUNT, Triangulation};
-use rosto_studio::{Hold, Mirror, Operator, Switch};
+use rosto_face::{LANDMARK_COUNT, Region, Triangulation};
+use rosto_studio::{Document, Hold, Mirror, Operator, StudioError, Switch};
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
-use crate::choices::AnchorChoice;
+use crate::choices::{AnchorChoice, Choices};
 use crate::drag::{Drag, Pace};
+use crate::hand::Selection;
 use crate::modes::{AnchorsName, AxisName, HoldName, OperatorName, TriangulationName};
 use crate::session::Session;
 use crate::state::StudioState;
@@ -23,15 +24,39 @@ impl Studio {
     /// # Errors
     /// `no-face`, `bad-vertex`, `bad-anchors` or `cannot-solve`.
     pub fn select(&mut self, vertex: Option<u32>) -> Result<(), JsValue> {
-        self.drag = None;
-        let seed = (js_sys::Math::random() * SEEDS) as u64;
-        self.change(|session, choices| session.select(vertex, choices, seed))
+        self.take(vertex.map(Selection::Landmark))
     }
 
-    /// The landmark in hand.
+    /// Takes all landmarks of a region in hand, by the region's id; they move as one.
+    ///
+    /// # Errors
+    /// `no-face`, `bad-choice`, `bad-anchors` or `cannot-solve`.
+    #[wasm_bindgen(js_name = selectRegion)]
+    pub fn select_region(&mut self, region: &str) -> Result<(), JsValue> {
+        let region = Region::from_id(region).ok_or_else(Trouble::bad_choice)?;
+        self.take(Some(Selection::Region(region)))
+    }
+
+    /// Takes the smallest region around a landmark in hand; asked again, the next larger one.
+    ///
+    /// # Errors
+    /// As for `selectRegion`.
+    #[wasm_bindgen(js_name = selectRegionAt)]
+    pub fn select_region_at(&mut self, landmark: u32) -> Result<(), JsValue> {
+        let region = self.session()?.region_at(landmark);
+        self.take(region.map(Selection::Region).or(Some(Selection::Landmark(landmark))))
+    }
+
+    /// The landmark in hand; of a region, the one in its middle.
     #[wasm_bindgen(getter)]
     pub fn selected(&self) -> Option<u32> {
         self.session.as_ref()?.selected()
+    }
+
+    /// Whether a landmark is in hand, alone or with its region.
+    pub fn holds(&self, landmark: u32) -> bool {
+        let selection = self.session.as_ref().and_then(Session::selection);
+        selection.is_some_and(|selection| selection.handles().contains(&landmark))
     }
 
     /// The vertices that stay while the landmark in hand moves.
@@ -152,22 +177,29 @@ impl Studio {
         #[wasm_bindgen(js_name = dyMm)] dy_mm: f64,
         #[wasm_bindgen(js_name = dzMm)] dz_mm: f64,
     ) -> Result<(), JsValue> {
+        if self.session()?.slider().is_some() {
+            self.commit()?;
+        }
         self.session_mut()?.0.preview(DVec3::new(dx_mm, dy_mm, dz_mm))?;
         Ok(self.show_offset()?)
     }
 
-    /// Starts to drag the landmark in hand.
+    /// Starts to drag a landmark with all that is in hand together with it; alone, if it is not in hand. An edit in
+    /// progress is kept.
     ///
     /// # Errors
-    /// `no-face` or `no-selection`.
+    /// `no-face`, `bad-vertex`, `bad-anchors` or `cannot-solve`.
     pub fn grab(
         &mut self,
+        landmark: u32,
         #[wasm_bindgen(js_name = xPx)] x_px: f64,
         #[wasm_bindgen(js_name = yPx)] y_px: f64,
     ) -> Result<(), JsValue> {
-        let session = self.session()?;
-        let vertex = session.selected().ok_or_else(Trouble::no_selection)?;
-        let start_m = session.document.committed()[vertex as usize];
+        self.commit()?;
+        if !self.holds(landmark) {
+            self.select(Some(landmark))?;
+        }
+        let start_m = self.session()?.document.committed()[landmark as usize];
         self.drag = Some(Drag::new(start_m, DVec2::new(x_px, y_px)));
         let stage = self.viewport.stage_mut();
         stage.set_pointer(None);
@@ -175,7 +207,7 @@ impl Studio {
         Ok(())
     }
 
-    /// Drags the grabbed landmark to the pointer: in the view plane or along an axis; fine is ten times slower.
+    /// Drags what was grabbed to the pointer: in the view plane or along an axis; fine is ten times slower.
     ///
     /// # Errors
     /// `no-face` or `no-selection`.
@@ -203,10 +235,7 @@ impl Studio {
     /// `device-lost`.
     pub fn commit(&mut self) -> Result<(), JsValue> {
         self.drag = None;
-        self.change_if_open(|session| {
-            session.commit();
-            Ok(())
-        })
+        self.change_if_open(Session::commit)
     }
 
     /// Drops the edit in progress.
@@ -215,50 +244,60 @@ impl Studio {
     /// `device-lost`.
     pub fn cancel(&mut self) -> Result<(), JsValue> {
         self.drag = None;
-        self.change_if_open(|session| {
-            session.cancel();
-            Ok(())
-        })
+        self.change_if_open(Session::cancel)
     }
 
-    /// Takes the last entry back.
+    /// Takes the last change of the history back: an edit, an entry switched off or on, or a reset.
     ///
     /// # Errors
-    /// `device-lost`.
+    /// `cannot-solve`.
     pub fn undo(&mut self) -> Result<(), JsValue> {
-        self.change_if_open(|session| {
-            session.undo();
-            Ok(())
-        })
+        self.change_if_open(|session, choices| session.change_history(choices, Document::undo))
     }
 
-    /// Brings the last undone entry back.
+    /// Brings the last undone change back.
     ///
     /// # Errors
     /// `cannot-solve`.
     pub fn redo(&mut self) -> Result<(), JsValue> {
-        self.change_if_open(Session::redo)
+        self.change_if_open(|session, choices| session.change_history(choices, Document::redo))
     }
 
-    /// Takes all entries back; redo brings them again.
+    /// Takes all entries away, as one change.
     ///
     /// # Errors
     /// `device-lost`.
     pub fn reset(&mut self) -> Result<(), JsValue> {
-        self.change_if_open(|session| {
-            session.reset();
-            Ok(())
+        self.change_if_open(|session, choices| {
+            session.change_history(choices, |document| {
+                document.reset();
+                Ok::<(), StudioError>(())
+            })
+        })
+    }
+
+    /// Switches every entry off that moved what is selected, as one change.
+    ///
+    /// # Errors
+    /// `no-selection` or `cannot-solve`.
+    #[wasm_bindgen(js_name = resetSelection)]
+    pub fn reset_selection(&mut self) -> Result<(), JsValue> {
+        self.change(|session, choices| {
+            let subject = session.selection().ok_or_else(Trouble::no_selection)?.subject();
+            session.change_history(choices, |document| document.switch_off(subject))
         })
     }
 
     /// Lets an entry of the history take part in the shape, or not.
     ///
     /// # Errors
-    /// `no-face` or `bad-number`.
+    /// `no-face`, `bad-number` or `cannot-solve`.
     #[wasm_bindgen(js_name = setEntryEnabled)]
     pub fn set_entry_enabled(&mut self, index: u32, enabled: bool) -> Result<(), JsValue> {
         let switch = if enabled { Switch::On } else { Switch::Off };
-        self.change(|session, _| session.switch(index, switch))
+        self.change(|session, choices| {
+            session.change_history(choices, |document| document.switch(index as usize, switch))
+        })
     }
 
     /// How the landmarks are joined; the edits are carried out again.
@@ -305,9 +344,9 @@ impl Studio {
 
 impl Studio {
     /// Changes the open face and shows it as it then is, whether the change succeeded or not.
-    fn change(
+    pub(crate) fn change(
         &mut self,
-        change: impl FnOnce(&mut Session, &mut crate::choices::Choices) -> Outcome<()>,
+        change: impl FnOnce(&mut Session, &mut Choices) -> Outcome<()>,
     ) -> Result<(), JsValue> {
         let (session, choices) = self.session_mut()?;
         let outcome = change(session, choices);
@@ -315,19 +354,18 @@ impl Studio {
         Ok(outcome?)
     }
 
-    fn change_if_open(&mut self, change: impl FnOnce(&mut Session) -> Outcome<()>) -> Result<(), JsValue> {
-        if self.session.is_none() { Ok(()) } else { self.change(|session, _| change(session)) }
+    fn change_if_open(&mut self, change: impl FnOnce(&mut Session, &Choices) -> Outcome<()>) -> Result<(), JsValue> {
+        if self.session.is_none() { Ok(()) } else { self.change(|session, choices| change(session, choices)) }
+    }
+
+    fn take(&mut self, selection: Option<Selection>) -> Result<(), JsValue> {
+        self.drag = None;
+        let seed = (js_sys::Math::random() * SEEDS) as u64;
+        self.change(|session, choices| session.select(selection, choices, seed))
     }
 
     /// Holds what is selected under the choices as they now are. An edit in progress goes on.
     fn hold_again(&mut self) -> Result<(), JsValue> {
-        if self.session.is_none() {
-            return Ok(());
-        }
-        self.change(|session, choices| {
-            let moving_mm = session.is_moving().then(|| session.offset_m() * 1000.0);
-            session.hold(choices)?;
-            moving_mm.map_or(Ok(()), |offset_mm| session.preview(offset_mm))
-        })
+        self.change_if_open(Session::hold_on)
     }
 }

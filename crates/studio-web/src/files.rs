@@ -1,15 +1,14 @@
 use rosto_export::{GlbOptions, JsonMesh, Model, Paint, Source, glb, mesh_json};
-use rosto_face::{LANDMARK_COUNT, Language, landmark_name};
 use rosto_viewport::Background;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::future_to_promise;
 
 use crate::Studio;
-use crate::modes::{ExportPaintName, LanguageName, UnitsName};
+use crate::modes::{ExportPaintName, UnitsName};
 use crate::state::Snapshot;
 use crate::trouble::{Outcome, Trouble};
 
-/// What leaves the page and comes back, and names.
+/// What leaves the page and comes back.
 #[wasm_bindgen]
 impl Studio {
     /// The mesh as JSON, as the command line writes it.
@@ -62,22 +61,6 @@ impl Studio {
         Ok(future_to_promise(async move { Ok(Snapshot::from(picture.await.map_err(Trouble::from)?).into()) }))
     }
 
-    /// What a landmark is called, with or without an open face.
-    ///
-    /// # Errors
-    /// `bad-vertex` or `bad-choice`.
-    #[wasm_bindgen(js_name = landmarkName)]
-    pub fn landmark_name(&self, vertex: u32, language: LanguageName) -> Result<String, JsValue> {
-        if vertex as usize >= LANDMARK_COUNT {
-            return Err(Trouble::bad_vertex(vertex, LANDMARK_COUNT).into());
-        }
-        match language {
-            LanguageName::English => Ok(landmark_name(vertex, Language::English)),
-            LanguageName::Portuguese => Ok(landmark_name(vertex, Language::Portuguese)),
-            _ => Err(Trouble::bad_choice().into()),
-        }
-    }
-
     /// The edits as versioned JSON.
     ///
     /// # Errors
@@ -112,7 +95,7 @@ impl Studio {
             picture: session.face.picture(),
         };
         let edits = session.edits_json();
-        let history = document.history().can_undo().then_some(edits.as_str());
+        let history = (!document.history().entries().is_empty()).then_some(edits.as_str());
         let source = Some(Source {
             face: &session.face,
             triangulation: session.triangulation(),

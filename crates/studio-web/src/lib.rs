@@ -8,11 +8,15 @@ mod choices;
 mod drag;
 mod editing;
 mod files;
+mod follow;
+mod hand;
 mod modes;
+mod names;
 mod renderer;
 mod reopened;
 mod seeing;
 mod session;
+mod sliding;
 mod state;
 mod studio;
 mod trouble;
@@ -26,7 +30,7 @@ pub use modes::{
 };
 pub use renderer::{Renderer, create_renderer};
 pub use reopened::{ReopenedFace, reopen_glb};
-pub use state::{ScreenPoint, Snapshot, StudioEntry, StudioState};
+pub use state::{NamedRegion, NamedSlider, ScreenPoint, Snapshot, StudioEntry, StudioState};
 pub use studio::Studio;
 
 /// Gets a GPU, binds it to the canvas, and opens an empty studio on it.

@@ -2,7 +2,7 @@
 
 #![expect(missing_docs, reason = "wasm-bindgen adds a variant and functions of its own, without words")]
 
-use rosto_face::Triangulation;
+use rosto_face::{Language, Triangulation};
 use rosto_viewport::Axis;
 use wasm_bindgen::prelude::*;
 
@@ -175,6 +175,16 @@ impl AxisName {
             Self::X => Ok(Axis::X),
             Self::Y => Ok(Axis::Y),
             Self::Z => Ok(Axis::Z),
+            _ => Err(Trouble::bad_choice()),
+        }
+    }
+}
+
+impl LanguageName {
+    pub(crate) fn language(self) -> Outcome<Language> {
+        match self {
+            Self::English => Ok(Language::English),
+            Self::Portuguese => Ok(Language::Portuguese),
             _ => Err(Trouble::bad_choice()),
         }
     }

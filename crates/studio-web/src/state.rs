@@ -1,5 +1,6 @@
 //! What the page shows, as values it can read.
 
+use rosto_studio::{Amount, Entry, Subject, Switch};
 use wasm_bindgen::prelude::*;
 
 /// Everything the panel shows about the document and the edit in progress.
@@ -18,9 +19,12 @@ pub struct StudioState {
     /// Number of triangles shown.
     #[wasm_bindgen(readonly, js_name = triangleCount)]
     pub triangle_count: u32,
-    /// The selected landmark, if any.
+    /// The selected landmark, if any; of a selected region, the one in its middle.
     #[wasm_bindgen(readonly)]
     pub selected: Option<u32>,
+    /// The selected region, if any.
+    #[wasm_bindgen(readonly, js_name = selectedRegion)]
+    pub selected_region: Option<String>,
     /// Number of neighbours of the selected landmark.
     #[wasm_bindgen(readonly, js_name = selectedDegree)]
     pub selected_degree: u32,
@@ -33,6 +37,18 @@ pub struct StudioState {
     /// Offset of the edit in progress along z, in mm.
     #[wasm_bindgen(readonly, js_name = offsetZMm)]
     pub offset_z_mm: f64,
+    /// Sum of the offsets along x that the history holds for what is selected, as far as they are in force, in mm.
+    #[wasm_bindgen(readonly, js_name = keptXMm)]
+    pub kept_x_mm: f64,
+    /// The same along y.
+    #[wasm_bindgen(readonly, js_name = keptYMm)]
+    pub kept_y_mm: f64,
+    /// The same along z.
+    #[wasm_bindgen(readonly, js_name = keptZMm)]
+    pub kept_z_mm: f64,
+    /// Where each ready-made slider stands, in mm: the sum of its entries that are in force, and the edit in progress.
+    #[wasm_bindgen(readonly, js_name = slidersMm)]
+    pub sliders_mm: Vec<f64>,
     /// Share of its offset that the selected landmark reaches, 0..1.
     #[wasm_bindgen(readonly)]
     pub reach: f64,
@@ -57,24 +73,63 @@ pub struct StudioEntry {
     /// Place in the history, from 0.
     #[wasm_bindgen(readonly)]
     pub index: u32,
-    /// What it is called, such as "nose tip".
+    /// What the file calls it, such as "nose tip".
     #[wasm_bindgen(readonly)]
     pub label: String,
-    /// The landmark that was moved.
+    /// How far it moves what it moves, or how much it does.
     #[wasm_bindgen(readonly)]
-    pub vertex: u32,
-    /// Offset along x, in mm.
-    #[wasm_bindgen(readonly, js_name = xMm)]
-    pub x_mm: f64,
-    /// Offset along y, in mm.
-    #[wasm_bindgen(readonly, js_name = yMm)]
-    pub y_mm: f64,
-    /// Offset along z, in mm.
-    #[wasm_bindgen(readonly, js_name = zMm)]
-    pub z_mm: f64,
+    pub amount: f64,
+    /// What `amount` counts: "mm" or "%".
+    #[wasm_bindgen(readonly)]
+    pub unit: String,
     /// Whether it takes part in the shape.
     #[wasm_bindgen(readonly)]
     pub enabled: bool,
+    pub(crate) subject: Subject,
+}
+
+impl StudioEntry {
+    pub(crate) fn new(index: usize, entry: &Entry) -> Self {
+        let (amount, unit) = match entry.command.amount() {
+            Amount::Distance(distance_m) => (distance_m * 1000.0, "mm"),
+            Amount::Share(share) => (share * 100.0, "%"),
+        };
+        Self {
+            index: index as u32,
+            label: entry.label.clone(),
+            amount,
+            unit: unit.to_owned(),
+            enabled: entry.switch == Switch::On,
+            subject: entry.command.subject(),
+        }
+    }
+}
+
+/// A ready-made slider.
+#[wasm_bindgen(getter_with_clone, inspectable)]
+#[derive(Debug, Clone, PartialEq)]
+pub struct NamedSlider {
+    /// Its name in files and for [`Studio::slide`](crate::Studio::slide), such as "nose-width".
+    #[wasm_bindgen(readonly)]
+    pub id: String,
+    /// Its name for people.
+    #[wasm_bindgen(readonly)]
+    pub label: String,
+    /// How far it goes to either side, in mm.
+    #[wasm_bindgen(readonly, js_name = rangeMm)]
+    pub range_mm: f64,
+}
+
+/// A part of the face that can be moved as one.
+#[wasm_bindgen(getter_with_clone, inspectable)]
+#[derive(Debug, Clone, PartialEq)]
+pub struct NamedRegion {
+    /// Its name for [`Studio::select_region`](crate::Studio::select_region), such as "left-brow".
+    #[wasm_bindgen(readonly)]
+    pub id: String,
+    /// Its name for people.
+    #[wasm_bindgen(readonly)]
+    pub label: String,
 }
 
 /// A place on the canvas, in device pixels from its top left.

@@ -6,6 +6,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::choices::{AnchorChoice, Choices};
 use crate::drag::Drag;
+use crate::hand::Selection;
 use crate::renderer::Renderer;
 use crate::session::Session;
 use crate::trouble::{Outcome, Trouble};
@@ -206,11 +207,7 @@ impl Studio {
     pub(crate) fn show_shape(&mut self) -> Outcome<()> {
         if let Some(session) = &self.session {
             self.viewport.set_positions(session.document.committed())?;
-            let follow = session.document.follow();
-            let fields = follow.map_or([None, None], |follow| {
-                [&follow.direct, &follow.mirrored].map(|field| (!field.is_empty()).then_some(field.as_slice()))
-            });
-            self.viewport.set_fields(fields)?;
+            self.viewport.set_fields(session.follow_fields())?;
         }
         self.show_marks();
         self.show_offset()
@@ -219,8 +216,8 @@ impl Studio {
     /// Follows one tick of an edit: three numbers go to the GPU.
     pub(crate) fn show_offset(&mut self) -> Outcome<()> {
         let is_moving = self.session.as_ref().is_some_and(Session::is_moving);
-        let offset_m = self.session.as_ref().map_or(DVec3::ZERO, Session::offset_m);
-        self.viewport.stage_mut().set_offsets_m([offset_m, DVec3::new(-offset_m.x, offset_m.y, offset_m.z)]);
+        let offsets_m = self.session.as_ref().map_or([DVec3::ZERO; 2], Session::follow_offsets_m);
+        self.viewport.stage_mut().set_offsets_m(offsets_m);
         let glow = if is_moving { GLOW } else { 0.0 };
         if self.viewport.stage().look().glow != glow {
             self.viewport.stage_mut().look_mut().glow = glow;
@@ -239,17 +236,24 @@ impl Studio {
             stage.set_hovered(None);
             return;
         };
-        let mark = |kind| move |&vertex: &u32| Mark { vertex, kind };
+        // A slider has its own handles and anchors, and shows by its glow alone.
+        let selection = session.selection().filter(|_| session.slider().is_none());
+        let anchors = if selection.is_some() { session.document.anchors() } else { &[] };
         let pins = match self.choices.anchors {
             AnchorChoice::Explicit(_) => &[],
             _ => self.choices.pins.as_slice(),
         };
-        let anchors = session.document.anchors().iter().filter(|anchor| !pins.contains(anchor));
-        let selected = session.selected();
-        let marks = anchors.map(mark(MarkKind::Square)).chain(pins.iter().map(mark(MarkKind::Pin)));
-        stage.set_marks(marks.chain(selected.iter().map(mark(MarkKind::Ring))).collect());
-        stage.set_gizmo(selected);
-        let is_mirrored = selected.is_some() && self.choices.mirror == Mirror::On;
+        let region = match selection {
+            Some(Selection::Region(region)) => region.vertices(),
+            _ => Vec::new(),
+        };
+        let middle = selection.map(Selection::middle);
+        let mark = |kind| move |&vertex: &u32| Mark { vertex, kind };
+        let anchors = anchors.iter().filter(|anchor| !pins.contains(anchor)).map(mark(MarkKind::Square));
+        let marks = anchors.chain(pins.iter().map(mark(MarkKind::Pin))).chain(region.iter().map(mark(MarkKind::Dot)));
+        stage.set_marks(marks.chain(middle.iter().map(mark(MarkKind::Ring))).collect());
+        stage.set_gizmo(middle);
+        let is_mirrored = middle.is_some() && self.choices.mirror == Mirror::On;
         let mirror_plane = if is_mirrored { MirrorPlane::Shown } else { MirrorPlane::Hidden };
         if stage.look().mirror_plane != mirror_plane {
             stage.look_mut().mirror_plane = mirror_plane;

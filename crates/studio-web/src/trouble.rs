@@ -43,6 +43,10 @@ impl Trouble {
         Self::new("no-selection", "no landmark is held", "Choose a landmark first.")
     }
 
+    pub fn no_entry() -> Self {
+        Self::new("bad-number", "there is no such entry of the history", "Choose an entry of the list.")
+    }
+
     pub fn bad_number(what: &str) -> Self {
         Self::new("bad-number", format!("{what} is not a finite number"), "Give a number.")
     }

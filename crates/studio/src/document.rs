@@ -8,7 +8,7 @@ use rosto_mesh::Topology;
 use crate::grip::Held;
 use crate::level::{Level, Rest};
 use crate::shape::{Room, Shape};
-use crate::{Command, Details, Entry, Follow, Grip, History, StudioError, Switch};
+use crate::{Command, Details, Entry, Follow, Grip, History, StudioError, Subject, Switch};
 
 /// A mesh at rest, the history of commands over it, and the edit in progress.
 ///
@@ -22,11 +22,11 @@ pub struct Document {
     levels: Vec<Level>,
     density: u32,
     history: History,
-    /// The shape after each applied entry; what history alone would give, kept so that undo need not solve.
+    /// The shape after each entry; what history alone would give, kept so that undo need not solve.
     after: Vec<Shape>,
     unedited: Shape,
     held: Option<Held>,
-    /// For a grip of one handle whose details keep their direction.
+    /// For a grip whose details keep their direction.
     follow: Option<Follow>,
     preview: Preview,
 }
@@ -62,7 +62,7 @@ impl Document {
         Ok(Self { levels, density: 0, history, after, unedited, held: None, follow: None, preview })
     }
 
-    /// A document with a history, as a project file holds it; see [`crate::project`].
+    /// A document with these entries, as a project file holds them; see [`crate::project`].
     ///
     /// # Errors
     /// For the first entry that cannot be carried out on this mesh.
@@ -71,6 +71,16 @@ impl Document {
         for entry in entries {
             document.push(entry)?;
         }
+        Ok(document)
+    }
+
+    /// A document that goes on with the history of another, with all that was undone there.
+    ///
+    /// # Errors
+    /// For the first entry that cannot be carried out on this mesh.
+    pub fn resume(rest: Rest, history: History) -> Result<Self, StudioError> {
+        let mut document = Self::new(rest)?;
+        document.adopt(history, 0)?;
         Ok(document)
     }
 
@@ -112,7 +122,7 @@ impl Document {
         }
         let before = (self.density, std::mem::take(&mut self.after));
         self.show(density);
-        let outcome = self.carry_out_from(0, before.1.len());
+        let outcome = self.adopt(self.history.clone(), 0);
         if outcome.is_err() {
             self.show(before.0);
             self.after = before.1;
@@ -129,7 +139,7 @@ impl Document {
         steps.iter().fold(values.to_vec(), |values, level| level.finer().apply(&values))
     }
 
-    /// What each applied entry displaced the mesh that is shown by; they add up to the way from [`Self::rest`] to
+    /// What each entry displaced the mesh that is shown by; they add up to the way from [`Self::rest`] to
     /// [`Self::committed`].
     pub fn displacements(&self) -> Vec<Vec<DVec3>> {
         let starts = std::iter::once(&self.unedited).chain(&self.after);
@@ -184,7 +194,7 @@ impl Document {
         self.held.as_ref().map(Held::response)
     }
 
-    /// How every vertex shown follows the handle, if there is one only and details keep their direction.
+    /// How every vertex shown follows the grip's handles when they move by one offset, if details keep their direction.
     pub fn follow(&self) -> Option<&Follow> {
         self.follow.as_ref()
     }
@@ -201,8 +211,8 @@ impl Document {
         }
         let held = self.held.as_mut().ok_or(StudioError::NothingHeld)?;
         let (from, preview) = (self.after.last().unwrap_or(&self.unedited), &mut self.preview);
-        if let Some(follow) = carried(&self.follow, held, self.density) {
-            held.check(offsets)?;
+        held.check(offsets)?;
+        if let Some(follow) = carried(&self.follow, held, offsets, self.density) {
             follow.displace(from.densest(), offsets[0], &mut preview.positions);
         } else {
             preview.shape.displace(&self.levels, from, held, offsets, &mut preview.room)?;
@@ -219,7 +229,7 @@ impl Document {
     pub fn commit(&mut self, label: &str) {
         if let (true, Some(held)) = (self.preview.under_way, &mut self.held) {
             let (from, preview) = (self.after.last().unwrap_or(&self.unedited), &mut self.preview);
-            if carried(&self.follow, held, self.density).is_some() {
+            if carried(&self.follow, held, &preview.offsets, self.density).is_some() {
                 let moved = preview.shape.displace(&self.levels, from, held, &preview.offsets, &mut preview.room);
                 moved.expect("invariant: the preview has checked these offsets");
             }
@@ -243,56 +253,55 @@ impl Document {
         self.push(Entry { label: label.to_owned(), command, switch: Switch::On })
     }
 
-    /// Takes the last entry back. Without one, nothing happens.
-    pub fn undo(&mut self) {
-        if self.history.can_undo() {
-            self.history.undo();
-            self.after.pop();
-        }
-        self.settle_down();
-    }
-
-    /// Brings the last undone entry back. Without one, nothing happens.
+    /// Takes the last change of the history back: an entry added, entries switched, or all taken away. Without one,
+    /// nothing happens.
     ///
     /// # Errors
-    /// [`StudioError`] if the entry cannot be carried out at this density.
+    /// [`StudioError`] if an entry that comes back cannot be carried out at this density; the document is as before.
+    pub fn undo(&mut self) -> Result<(), StudioError> {
+        let mut history = self.history.clone();
+        history.undo().map_or(Ok(()), |first| self.adopt(history, first))
+    }
+
+    /// Brings the last undone change back. Without one, nothing happens.
+    ///
+    /// # Errors
+    /// As for [`Self::undo`].
     pub fn redo(&mut self) -> Result<(), StudioError> {
-        if self.history.can_redo() {
-            self.carry_out_from(self.after.len(), self.after.len() + 1)?;
-            self.history.redo();
-        }
-        self.settle_down();
-        Ok(())
+        let mut history = self.history.clone();
+        history.redo().map_or(Ok(()), |first| self.adopt(history, first))
     }
 
-    /// Takes all entries back; [`Self::redo`] brings them again, one by one.
+    /// Takes all entries away.
     pub fn reset(&mut self) {
+        self.history.clear();
         self.after.clear();
-        self.history.undo_all();
         self.settle_down();
     }
 
-    /// Switches an applied entry on or off; those after it are carried out again.
+    /// Switches an entry on or off; those after it are carried out again.
     ///
     /// # Errors
-    /// [`StudioError::NoSuchEntry`] if fewer entries are applied, or that of a later entry that can no longer be carried
-    /// out; the document is as before.
+    /// [`StudioError::NoSuchEntry`], or that of a later entry that can no longer be carried out; the document is as before.
     pub fn switch(&mut self, index: usize, switch: Switch) -> Result<(), StudioError> {
-        let count = self.after.len();
+        let count = self.history.entries().len();
         if index >= count {
             return Err(StudioError::NoSuchEntry { index, count });
         }
-        let before = self.history.entries()[index].switch;
-        let undone = self.after.split_off(index);
-        self.history.set_switch(index, switch);
-        let outcome = self.carry_out_from(index, count);
-        if outcome.is_err() {
-            self.history.set_switch(index, before);
-            self.after.truncate(index);
-            self.after.extend(undone);
-        }
-        self.settle_down();
-        outcome
+        self.switch_where(|place, _| place == index, switch)
+    }
+
+    /// Switches every entry that works on `subject` off, as one change.
+    ///
+    /// # Errors
+    /// That of a later entry that can no longer be carried out; the document is as before.
+    pub fn switch_off(&mut self, subject: Subject) -> Result<(), StudioError> {
+        self.switch_where(|_, entry| entry.command.subject() == subject, Switch::Off)
+    }
+
+    fn switch_where(&mut self, which: impl Fn(usize, &Entry) -> bool, switch: Switch) -> Result<(), StudioError> {
+        let mut history = self.history.clone();
+        history.switch(which, switch).map_or(Ok(()), |first| self.adopt(history, first))
     }
 
     fn level(&self) -> &Level {
@@ -311,9 +320,23 @@ impl Document {
     }
 
     fn push(&mut self, entry: Entry) -> Result<(), StudioError> {
-        let shape = self.carried_out(&entry)?;
-        self.history.push(entry);
-        self.after.push(shape);
+        let mut history = self.history.clone();
+        history.push(entry);
+        self.adopt(history, self.after.len())
+    }
+
+    /// Takes over a history whose entries before `first` are those there are, and carries the others out.
+    fn adopt(&mut self, history: History, first: usize) -> Result<(), StudioError> {
+        let known = self.after.len().min(first);
+        let mut shapes: Vec<Shape> = Vec::new();
+        for entry in &history.entries()[known..] {
+            let before = shapes.last().or(self.after[..known].last()).unwrap_or(&self.unedited);
+            let shape = carried_out(&mut self.levels, self.density, before, entry)?;
+            shapes.push(shape);
+        }
+        self.after.truncate(known);
+        self.after.extend(shapes);
+        self.history = history;
         self.settle_down();
         Ok(())
     }
@@ -327,57 +350,53 @@ impl Document {
     }
 
     fn made_ready(&mut self, grip: Grip) -> Result<Held, StudioError> {
-        let (level, density) = (grip.level, self.density);
-        if level > density {
-            return Err(StudioError::TooCoarse { level, density });
-        }
         let from = self.after.last().unwrap_or(&self.unedited);
-        Held::new(grip, &mut self.levels[level as usize], from.at(level))
+        made_ready(&mut self.levels, self.density, from, grip)
     }
 
     /// What [`Self::follow`] says of the grip that is held now.
     fn followed(&mut self) -> Result<Option<Follow>, StudioError> {
         let Some(held) = &mut self.held else { return Ok(None) };
-        if held.grip().handles.len() != 1 || held.grip().settings.details == Details::Turned {
+        if held.grip().settings.details == Details::Turned {
             return Ok(None);
         }
         let (from, shape) = (self.after.last().unwrap_or(&self.unedited), &mut self.preview.shape);
+        let handles = held.grip().handles.len();
         let mut along = |axis: DVec3| {
-            shape.displace(&self.levels, from, held, &[axis], &mut self.preview.room)?;
+            shape.displace(&self.levels, from, held, &vec![axis; handles], &mut self.preview.room)?;
             Ok::<_, StudioError>(shape.densest().iter().zip(from.densest()).map(|(to, at)| *to - *at).collect())
         };
         let (along_x, along_y): (Vec<DVec3>, Vec<DVec3>) = (along(DVec3::X)?, along(DVec3::Y)?);
         Ok(Some(Follow::from_displacements(&along_x, &along_y)))
     }
+}
 
-    /// Carries the entries of a range out, each from the shape the one before it left.
-    fn carry_out_from(&mut self, first: usize, end: usize) -> Result<(), StudioError> {
-        for index in first..end {
-            let entry = self.history.entries()[index].clone();
-            let shape = self.carried_out(&entry)?;
-            self.after.push(shape);
-        }
-        Ok(())
+fn made_ready(levels: &mut [Level], density: u32, from: &Shape, grip: Grip) -> Result<Held, StudioError> {
+    let level = grip.level;
+    if level > density {
+        return Err(StudioError::TooCoarse { level, density });
     }
+    Held::new(grip, &mut levels[level as usize], from.at(level))
+}
 
-    /// The shape after `entry`, from that after the entry before it.
-    fn carried_out(&mut self, entry: &Entry) -> Result<Shape, StudioError> {
-        let mut shape = self.start().clone();
-        match &entry.command {
-            _ if entry.switch == Switch::Off => {}
-            Command::Move { grip, .. } if grip.level > self.density => {}
-            Command::Move { grip, offsets } => {
-                let mut held = self.made_ready(grip.clone())?;
-                shape.displace(&self.levels, self.start(), &mut held, offsets, &mut Room::default())?;
-            }
-            &Command::Symmetrise { share } => shape.symmetrise(&self.levels, share)?,
+/// The shape that `entry` makes of the one before it.
+fn carried_out(levels: &mut [Level], density: u32, from: &Shape, entry: &Entry) -> Result<Shape, StudioError> {
+    let mut shape = from.clone();
+    match &entry.command {
+        _ if entry.switch == Switch::Off => {}
+        Command::Move { grip, .. } if grip.level > density => {}
+        Command::Move { grip, offsets } => {
+            let mut held = made_ready(levels, density, from, grip.clone())?;
+            shape.displace(levels, from, &mut held, offsets, &mut Room::default())?;
         }
-        Ok(shape)
+        &Command::Symmetrise { share } => shape.symmetrise(levels, share)?,
     }
+    Ok(shape)
 }
 
 /// The short way from a grip to a denser mesh that is shown: what each tick would else carry over, level by level. Equal
 /// to it but for rounding, so that a commit takes the long way, as a replay does.
-fn carried<'a>(follow: &'a Option<Follow>, held: &Held, density: u32) -> Option<&'a Follow> {
-    follow.as_ref().filter(|_| held.grip().level < density)
+fn carried<'a>(follow: &'a Option<Follow>, held: &Held, offsets: &[DVec3], density: u32) -> Option<&'a Follow> {
+    let as_one = offsets.iter().all(|offset| *offset == offsets[0]);
+    follow.as_ref().filter(|_| as_one && held.grip().level < density)
 }

@@ -53,7 +53,7 @@ pub enum StudioError {
     NoSuchEntry {
         /// The entry asked for, from 0.
         index: usize,
-        /// How many are applied.
+        /// How many there are.
         count: usize,
     },
 }

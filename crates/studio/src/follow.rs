@@ -2,8 +2,8 @@ use glam::DVec3;
 
 use crate::mirror::reflected;
 
-/// How the mesh that is shown follows a single handle: vertex v moves by `a_v Δ + b_v Δ̄`, where Δ is the handle's offset
-/// and Δ̄ its mirror image.
+/// How the mesh that is shown follows handles that move as one: vertex v moves by `a_v Δ + b_v Δ̄`, where Δ is the offset
+/// that each handle is given and Δ̄ its mirror image.
 ///
 /// Dimensionless. Whatever the mirror and the density do to an edit, it stays linear in Δ, unless details turn.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -23,7 +23,7 @@ impl Follow {
         Self { direct: half(1.0), mirrored: if takes_part { mirrored } else { Vec::new() } }
     }
 
-    /// Writes `from`, moved by the handle's offset, to `out`. No allocation.
+    /// Writes `from`, moved by the handles' offset, to `out`. No allocation.
     pub(crate) fn displace(&self, from: &[DVec3], offset: DVec3, out: &mut [DVec3]) {
         for ((to, at), share) in out.iter_mut().zip(from).zip(&self.direct) {
             *to = *at + *share * offset;

@@ -21,54 +21,86 @@ pub enum Switch {
     Off,
 }
 
-/// The commands of a document in order, with those that were undone still at hand.
+/// The commands of a document in order, and how the list came about: adding an entry, switching some, and taking all away
+/// can each be undone and redone.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct History {
     entries: Vec<Entry>,
-    applied: usize,
+    done: Vec<Change>,
+    undone: Vec<Change>,
+}
+
+/// A run of entries that took the place of another: every change of the list is one.
+#[derive(Debug, Clone, PartialEq)]
+struct Change {
+    at: usize,
+    before: Vec<Entry>,
+    after: Vec<Entry>,
 }
 
 impl History {
-    /// All entries, those that were undone last.
+    /// The entries, oldest first, without what was undone.
     pub fn entries(&self) -> &[Entry] {
         &self.entries
     }
 
-    /// The entries that are not undone, switched on or off.
-    pub fn applied(&self) -> &[Entry] {
-        &self.entries[..self.applied]
-    }
-
-    /// Whether there is an entry to undo.
+    /// Whether there is a change to undo.
     pub fn can_undo(&self) -> bool {
-        self.applied > 0
+        !self.done.is_empty()
     }
 
-    /// Whether there is an undone entry to redo.
+    /// Whether there is an undone change to redo.
     pub fn can_redo(&self) -> bool {
-        self.applied < self.entries.len()
+        !self.undone.is_empty()
     }
 
     /// Adds an entry; what was undone is forgotten.
     pub(crate) fn push(&mut self, entry: Entry) {
-        self.entries.truncate(self.applied);
-        self.entries.push(entry);
-        self.applied += 1;
+        self.change(Change { at: self.entries.len(), before: Vec::new(), after: vec![entry] });
     }
 
-    pub(crate) fn undo(&mut self) {
-        self.applied -= 1;
+    /// Takes all entries away.
+    pub(crate) fn clear(&mut self) {
+        if !self.entries.is_empty() {
+            self.change(Change { at: 0, before: self.entries.clone(), after: Vec::new() });
+        }
     }
 
-    pub(crate) fn redo(&mut self) {
-        self.applied += 1;
+    /// Switches the entries that `which` accepts by their place; returns the first that changed.
+    pub(crate) fn switch(&mut self, which: impl Fn(usize, &Entry) -> bool, switch: Switch) -> Option<usize> {
+        let changes = |(place, entry): (usize, &Entry)| which(place, entry) && entry.switch != switch;
+        let at = self.entries.iter().enumerate().position(changes)?;
+        let last = (0..self.entries.len()).rfind(|&place| changes((place, &self.entries[place])))?;
+        let before = self.entries[at..=last].to_vec();
+        let switched = |(place, entry): (usize, &Entry)| Entry {
+            switch: if which(place, entry) { switch } else { entry.switch },
+            ..entry.clone()
+        };
+        let after = (at..=last).map(|place| switched((place, &self.entries[place]))).collect();
+        self.change(Change { at, before, after });
+        Some(at)
     }
 
-    pub(crate) fn undo_all(&mut self) {
-        self.applied = 0;
+    /// Takes the last change back; returns the first entry that is no longer what it was.
+    pub(crate) fn undo(&mut self) -> Option<usize> {
+        let change = self.done.pop()?;
+        self.entries.splice(change.at..change.at + change.after.len(), change.before.iter().cloned());
+        let at = change.at;
+        self.undone.push(change);
+        Some(at)
     }
 
-    pub(crate) fn set_switch(&mut self, index: usize, switch: Switch) {
-        self.entries[index].switch = switch;
+    /// Brings the last undone change back; returns the first entry that is no longer what it was.
+    pub(crate) fn redo(&mut self) -> Option<usize> {
+        let change = self.undone.pop()?;
+        self.entries.splice(change.at..change.at + change.before.len(), change.after.iter().cloned());
+        let at = change.at;
+        self.done.push(change);
+        Some(at)
+    }
+
+    fn change(&mut self, change: Change) {
+        self.undone = vec![change];
+        self.redo();
     }
 }

@@ -16,6 +16,7 @@ mod mirror;
 pub mod project;
 mod shape;
 mod sliders;
+mod subject;
 
 pub use command::{AnchorKind, Anchors, Command, Details, Grip, Mirror, Reach, Settings};
 pub use document::Document;
@@ -25,3 +26,4 @@ pub use history::{Entry, History, Switch};
 pub use level::{Frame, Rest};
 pub use rosto_laplacian::{Hold, Operator};
 pub use sliders::FaceSlider;
+pub use subject::{Amount, Subject};

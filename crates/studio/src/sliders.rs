@@ -32,6 +32,9 @@ pub enum FaceSlider {
     FaceLength,
 }
 
+/// Handles that are off the slider's way by less are on it.
+const ROUNDING_M: f64 = 1e-12;
+
 /// What a slider holds: landmarks of the midline and of the subject's right.
 struct Recipe {
     /// Landmark, and its displacement for a slider at 1.
@@ -102,9 +105,36 @@ impl FaceSlider {
         self.recipe().handles.into_iter().map(|(_, way)| way * amount_m).collect()
     }
 
+    /// The two axes of the model that every vertex's way is in the plane of.
+    pub fn axes(self) -> [DVec3; 2] {
+        match self {
+            Self::NoseWidth | Self::EyeDistance | Self::JawWidth | Self::EyeSize => [DVec3::X, DVec3::Y],
+            Self::Cheekbones => [DVec3::X, DVec3::Z],
+            Self::NoseLength | Self::LipFullness | Self::ChinLength | Self::BrowHeight | Self::FaceLength => {
+                [DVec3::Y, DVec3::Z]
+            }
+        }
+    }
+
     /// The whole change.
     pub fn command(self, amount_m: f64) -> Command {
         Command::Move { grip: self.grip(), offsets: self.offsets_m(amount_m) }
+    }
+
+    /// How far a command moves this slider, in metres; `None` for one that does something else.
+    ///
+    /// Sliders are linear and do not depend on what was done before, so that the amounts of several such commands add up
+    /// to where the slider stands.
+    pub fn amount_m(self, command: &Command) -> Option<f64> {
+        let Command::Move { grip, offsets } = command else { return None };
+        let ways = self.offsets_m(1.0);
+        if offsets.len() != ways.len() || *grip != self.grip() {
+            return None;
+        }
+        let along = |offsets: &[DVec3]| offsets.iter().zip(&ways).map(|(offset, way)| offset.dot(*way)).sum::<f64>();
+        let amount_m = along(offsets) / along(&ways);
+        let is_along = |(offset, way): (&DVec3, &DVec3)| offset.distance(*way * amount_m) < ROUNDING_M;
+        offsets.iter().zip(&ways).all(is_along).then_some(amount_m)
     }
 
     fn recipe(self) -> Recipe {

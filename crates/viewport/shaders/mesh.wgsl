@@ -41,7 +41,7 @@ fn normal(index: u32) -> vec3f {
     return select(vec3f(0.0, 0.0, 1.0), blended / size, size > 0.0);
 }
 
-// How far a vertex follows the handles, 0..1.
+// How far a vertex follows the handles, whichever way, 0..1.
 fn response(index: u32) -> f32 {
-    return clamp(max(follows[index].field_a, follows[index].field_b), 0.0, 1.0);
+    return clamp(max(abs(follows[index].field_a), abs(follows[index].field_b)), 0.0, 1.0);
 }

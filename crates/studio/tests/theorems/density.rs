@@ -1,7 +1,7 @@
 //! Denser meshes: cage edits carry over, direct edits stay local, and going back and forth loses nothing.
 
 use glam::DVec3;
-use rosto_face::Triangulation;
+use rosto_face::{Region, Triangulation};
 use rosto_mesh::LoopSubdivision;
 use rosto_studio::*;
 #[cfg(target_arch = "wasm32")]
@@ -37,7 +37,7 @@ fn there_and_back_is_the_identity() {
     document.set_density(1).unwrap();
     let dense = bits(document.positions());
     document.apply("chin", single_move(152, DVec3::Y * 0.01)).unwrap();
-    document.undo();
+    document.undo().unwrap();
     assert_eq!(bits(document.positions()), dense);
     document.set_density(0).unwrap();
     assert_eq!(bits(document.positions()), cage);
@@ -86,16 +86,18 @@ fn values_of_the_cage_are_carried_by_the_same_matrix() {
 
 #[test]
 fn on_a_dense_mesh_a_tick_shows_what_its_commit_keeps() {
-    for (triangulation, mirror, vertex) in [
-        (Triangulation::Canonical, Mirror::Off, 61),
-        (Triangulation::Canonical, Mirror::On, 61),
-        (Triangulation::Tessellation, Mirror::On, 1),
+    for (triangulation, mirror, handles) in [
+        (Triangulation::Canonical, Mirror::Off, vec![61]),
+        (Triangulation::Canonical, Mirror::On, vec![61]),
+        (Triangulation::Tessellation, Mirror::On, vec![1]),
+        (Triangulation::Canonical, Mirror::On, Region::Nose.vertices()),
     ] {
         let mut document = Document::new(canonical(triangulation)).unwrap();
         document.set_density(2).unwrap();
         let settings = Settings { mirror, hold: Hold::Exact, operator: Operator::Cotangent, ..Settings::default() };
-        document.hold(Grip { handles: vec![vertex], settings, ..Grip::default() }).unwrap();
-        document.preview(&[DVec3::new(0.004, -0.003, 0.007)]).unwrap();
+        let offsets = vec![DVec3::new(0.004, -0.003, 0.007); handles.len()];
+        document.hold(Grip { handles, settings, ..Grip::default() }).unwrap();
+        document.preview(&offsets).unwrap();
         let shown = document.positions().to_vec();
         document.commit("a tick");
         assert!(shown.iter().zip(document.positions()).all(|(a, b)| a.distance(*b) < 1e-12), "{triangulation:?}");
@@ -103,21 +105,29 @@ fn on_a_dense_mesh_a_tick_shows_what_its_commit_keeps() {
 }
 
 #[test]
-fn a_single_handle_tells_how_the_mesh_follows_it() {
+fn handles_that_move_as_one_tell_how_the_mesh_follows_them() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
-    for (density, mirror) in [(0, Mirror::Off), (0, Mirror::On), (1, Mirror::On)] {
+    for (density, mirror, handles) in [
+        (0, Mirror::Off, vec![61]),
+        (0, Mirror::On, vec![61]),
+        (1, Mirror::On, vec![61]),
+        (0, Mirror::On, Region::Lips.vertices()),
+        (1, Mirror::On, Region::LeftBrow.vertices()),
+    ] {
         document.set_density(density).unwrap();
         let settings = Settings { mirror, ..Settings::default() };
-        document.hold(Grip { handles: vec![61], settings, ..Grip::default() }).unwrap();
-        let follow = document.follow().unwrap().clone();
         let offset = DVec3::new(0.004, -0.003, 0.007);
-        document.preview(&[offset]).unwrap();
+        let offsets = vec![offset; handles.len()];
+        document.hold(Grip { handles, settings, ..Grip::default() }).unwrap();
+        let follow = document.follow().unwrap().clone();
+        document.preview(&offsets).unwrap();
         for (vertex, (now, before)) in document.positions().iter().zip(document.committed()).enumerate() {
             let mirrored = follow.mirrored.get(vertex).copied().unwrap_or(0.0);
             let predicted = *before + offset * follow.direct[vertex] + offset * MIRROR * mirrored;
             assert!(now.distance(predicted) < 1e-12, "vertex {vertex} at density {density}, {mirror:?}");
         }
     }
-    document.hold(Grip { handles: vec![61, 17], ..Grip::default() }).unwrap();
+    let turned = Settings { details: Details::Turned, ..Settings::default() };
+    document.hold(Grip { handles: vec![61], settings: turned, ..Grip::default() }).unwrap();
     assert!(document.follow().is_none());
 }

@@ -47,7 +47,7 @@ fn undo_takes_back_and_redo_brings_again_to_the_last_bit() {
             states.push(bits(document.positions()));
         }
         for state in states.iter().rev().skip(1) {
-            document.undo();
+            document.undo().unwrap();
             assert_eq!(&bits(document.positions()), state);
         }
         assert!(!document.history().can_undo());
@@ -67,8 +67,8 @@ fn a_history_read_back_replays_to_the_same_bytes() {
         for (index, command) in any_commands(seed).into_iter().enumerate() {
             document.apply(&format!("\"{index}\" ção\n"), command).unwrap();
         }
-        let entries = project::from_json(&project::to_json(document.history().applied())).unwrap();
-        assert_eq!(entries, document.history().applied());
+        let entries = project::from_json(&project::to_json(document.history().entries())).unwrap();
+        assert_eq!(entries, document.history().entries());
         let replayed = Document::replay(rest, entries).unwrap();
         assert_eq!(bits(replayed.positions()), bits(document.positions()));
     }
@@ -156,20 +156,93 @@ fn displacements_add_up_to_the_edit() {
 }
 
 #[test]
-fn reset_can_be_redone_until_something_new_is_done() {
+fn every_change_of_the_list_is_one_step_back_and_one_forward() {
+    let mut document = Document::new(portrait(Triangulation::Canonical)).unwrap();
+    let mut states = vec![(bits(document.positions()), document.history().entries().to_vec())];
+    let mut note =
+        |document: &Document| states.push((bits(document.positions()), document.history().entries().to_vec()));
+    for (label, command) in [("one", single_move(4, DVec3::Z * 0.01)), ("two", single_move(152, DVec3::Y * 0.01))] {
+        document.apply(label, command).unwrap();
+        note(&document);
+    }
+    document.switch(0, Switch::Off).unwrap();
+    note(&document);
+    document.reset();
+    note(&document);
+    document.apply("three", single_move(10, DVec3::Y * 0.01)).unwrap();
+    note(&document);
+    assert_eq!(states[4].0, bits(document.rest()));
+    for (positions, entries) in states.iter().rev().skip(1) {
+        document.undo().unwrap();
+        assert_eq!((&bits(document.positions()), document.history().entries()), (positions, entries.as_slice()));
+    }
+    assert!(!document.history().can_undo());
+    for (positions, entries) in states.iter().skip(1) {
+        document.redo().unwrap();
+        assert_eq!((&bits(document.positions()), document.history().entries()), (positions, entries.as_slice()));
+    }
+    assert!(!document.history().can_redo());
+}
+
+#[test]
+fn what_was_undone_is_forgotten_once_something_new_is_done() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
     document.apply("one", single_move(4, DVec3::Z * 0.01)).unwrap();
     document.apply("two", single_move(152, DVec3::Y * 0.01)).unwrap();
-    let edited = bits(document.positions());
-    document.reset();
-    assert_eq!(bits(document.positions()), bits(document.rest()));
-    document.redo().unwrap();
-    document.redo().unwrap();
-    assert_eq!(bits(document.positions()), edited);
-    document.undo();
+    document.undo().unwrap();
     document.apply("three", single_move(10, DVec3::X * 0.01)).unwrap();
+    assert!(!document.history().can_redo());
     let labels: Vec<&str> = document.history().entries().iter().map(|entry| entry.label.as_str()).collect();
     assert_eq!(labels, ["one", "three"]);
+}
+
+#[test]
+fn nothing_to_change_is_no_step() {
+    let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    document.reset();
+    document.undo().unwrap();
+    document.redo().unwrap();
+    assert!(!document.history().can_undo() && !document.history().can_redo());
+    document.apply("one", single_move(4, DVec3::Z * 0.01)).unwrap();
+    document.switch(0, Switch::On).unwrap();
+    document.switch_off(Subject::Landmark(152)).unwrap();
+    document.undo().unwrap();
+    assert!(document.history().entries().is_empty());
+}
+
+#[test]
+fn all_edits_of_one_landmark_are_switched_off_together() {
+    let mut document = Document::new(portrait(Triangulation::Canonical)).unwrap();
+    let mut others = Document::new(portrait(Triangulation::Canonical)).unwrap();
+    for vertex in [4, 152, 4, 10, 4] {
+        document.apply("step", single_move(vertex, DVec3::new(0.001, 0.002, 0.003))).unwrap();
+        if vertex != 4 {
+            others.apply("step", single_move(vertex, DVec3::new(0.001, 0.002, 0.003))).unwrap();
+        }
+    }
+    let all = bits(document.positions());
+    document.switch_off(Subject::Landmark(4)).unwrap();
+    assert_eq!(bits(document.positions()), bits(others.positions()));
+    let on: Vec<bool> = document.history().entries().iter().map(|entry| entry.switch == Switch::On).collect();
+    assert_eq!(on, [false, true, false, true, false]);
+    document.undo().unwrap();
+    assert_eq!(bits(document.positions()), all);
+}
+
+#[test]
+fn a_history_goes_on_over_other_triangles() {
+    let mut document = Document::new(portrait(Triangulation::Canonical)).unwrap();
+    document.apply("one", single_move(4, DVec3::Z * 0.01)).unwrap();
+    document.apply("two", single_move(152, DVec3::Y * 0.01)).unwrap();
+    document.reset();
+    document.undo().unwrap();
+    let history = document.history().clone();
+    let mut resumed = Document::resume(portrait(Triangulation::Tessellation), history.clone()).unwrap();
+    assert_eq!(resumed.history(), &history);
+    let replayed = Document::replay(portrait(Triangulation::Tessellation), history.entries().to_vec()).unwrap();
+    assert_eq!(bits(resumed.positions()), bits(replayed.positions()));
+    resumed.redo().unwrap();
+    assert_eq!(bits(resumed.positions()), bits(resumed.rest()));
 }
 
 #[test]

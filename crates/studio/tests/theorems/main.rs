@@ -11,6 +11,7 @@ mod reach;
 #[path = "../../../../tests/seeded.rs"]
 mod seeded;
 mod sliders;
+mod subjects;
 
 #[cfg(target_arch = "wasm32")]
 wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);

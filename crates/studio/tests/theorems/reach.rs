@@ -67,6 +67,6 @@ fn a_turning_drag_can_be_followed_by_another_and_replays_the_same() {
     let reached = document.positions()[205] - document.rest()[205];
     assert!((reached - DVec3::new(0.01, 0.0, 0.01)).length() < 1e-12);
     let rest = canonical(Triangulation::Canonical);
-    let replayed = Document::replay(rest, document.history().applied().to_vec()).unwrap();
+    let replayed = Document::replay(rest, document.history().entries().to_vec()).unwrap();
     assert_eq!(bits(replayed.positions()), bits(document.positions()));
 }

@@ -1,0 +1,80 @@
+//! What a command works on is read from the command itself.
+
+use std::collections::BTreeSet;
+
+use glam::DVec3;
+use rosto_face::{Language, Region};
+use rosto_studio::*;
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use crate::faces::*;
+
+fn of_region(region: Region, offset: DVec3) -> Command {
+    let handles = region.vertices();
+    let offsets = vec![offset; handles.len()];
+    Command::Move { grip: Grip { level: 0, handles, settings: Settings::default() }, offsets }
+}
+
+#[test]
+fn every_slider_is_told_from_what_it_does_with_its_amount() {
+    for slider in FaceSlider::ALL {
+        for amount_m in [-0.004, 0.0011] {
+            let command = slider.command(amount_m);
+            assert_eq!(command.subject(), Subject::Slider(slider));
+            let Amount::Distance(found_m) = command.amount() else { panic!("{slider:?} is a distance") };
+            assert!((found_m - amount_m).abs() < 1e-15, "{slider:?}: {found_m}");
+            let others = FaceSlider::ALL.into_iter().filter(|other| *other != slider);
+            assert!(others.into_iter().all(|other| other.amount_m(&command).is_none()));
+        }
+    }
+}
+
+#[test]
+fn a_slider_with_one_handle_off_its_way_is_none() {
+    let Command::Move { grip, mut offsets } = FaceSlider::JawWidth.command(0.004) else { panic!("it moves") };
+    offsets[2].y += 1e-6;
+    let command = Command::Move { grip: grip.clone(), offsets };
+    assert_eq!(command.subject(), Subject::Vertices(grip.handles.len()));
+    assert_eq!(FaceSlider::JawWidth.amount_m(&command), None);
+}
+
+#[test]
+fn regions_and_landmarks_are_told_from_their_handles() {
+    let offset = DVec3::new(0.0, 0.003, 0.004);
+    for region in Region::ALL {
+        let command = of_region(region, offset);
+        assert_eq!(command.subject(), Subject::Region(region));
+        assert_eq!(command.amount(), Amount::Distance(0.005));
+    }
+    assert_eq!(single_move(4, offset).subject(), Subject::Landmark(4));
+    assert_eq!(Command::Symmetrise { share: 0.3 }.subject(), Subject::Symmetry);
+    assert_eq!(Command::Symmetrise { share: 0.3 }.amount(), Amount::Share(0.3));
+}
+
+#[test]
+fn subjects_have_names_of_their_own_in_each_language() {
+    let regions = Region::ALL.map(Subject::Region);
+    let sliders = FaceSlider::ALL.map(Subject::Slider);
+    let subjects = [&regions[..], &sliders, &[Subject::Symmetry, Subject::Vertices(3)]].concat();
+    for language in [Language::English, Language::Portuguese] {
+        let names: BTreeSet<String> = subjects.iter().map(|subject| subject.name(language)).collect();
+        assert_eq!(names.len(), subjects.len());
+        assert!(names.iter().all(|name| *name == name.to_lowercase()));
+    }
+}
+
+#[test]
+fn amounts_of_a_slider_add_up_to_where_it_stands() {
+    let slider = FaceSlider::LipFullness;
+    let mut steps = Document::new(portrait(rosto_face::Triangulation::Canonical)).unwrap();
+    for amount_m in [0.002, -0.0005, 0.001] {
+        steps.apply("slid", slider.command(amount_m)).unwrap();
+        steps.apply("between", FaceSlider::NoseLength.command(amount_m)).unwrap();
+    }
+    let mut once = Document::new(portrait(rosto_face::Triangulation::Canonical)).unwrap();
+    once.apply("between", FaceSlider::NoseLength.command(0.0025)).unwrap();
+    once.apply("slid", slider.command(0.0025)).unwrap();
+    let furthest = steps.positions().iter().zip(once.positions()).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+    assert!(furthest < 1e-15, "{furthest}");
+}
