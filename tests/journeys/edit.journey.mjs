@@ -4,11 +4,9 @@ import validator from "gltf-validator";
 import { PNG } from "pngjs";
 import { meshByCommandLine } from "./command-line.mjs";
 import { journey } from "./journey.mjs";
+import { assertSameMesh } from "./meshes.mjs";
 import { chromaticity, colourCount, difference, meanColour } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
-
-/** The two compilations of the network's arithmetic round differently, by far less than this. */
-const SAME_MM = 1e-3;
 
 /** The middle of the face, in the portrait and on the canvas as the face arrives. */
 const FACE_IN_PORTRAIT = { left: 0.4, top: 0.17, right: 0.47, bottom: 0.3 };
@@ -99,16 +97,3 @@ journey("light, paint and camera change the picture, and the view resets", async
   await visitor.page.mouse.move(box.x + 4, box.y + 4);
   assert.ok(difference(painted, await visitor.view()) < 0.001, "the view did not come back");
 });
-
-function assertSameMesh(seen, wanted) {
-  assert.equal(seen.units, wanted.units);
-  assert.deepEqual(seen.triangles, wanted.triangles);
-  assert.equal(seen.positions.length, wanted.positions.length);
-  const furthest = Math.max(
-    ...seen.positions.map((place, vertex) =>
-      Math.hypot(...place.map((value, axis) => value - wanted.positions[vertex][axis])),
-    ),
-  );
-  assert.ok(furthest < SAME_MM, `a vertex is ${furthest} mm away from the command line's`);
-  for (const [vertex, colour] of seen.colors.entries()) assert.deepEqual(colour, wanted.colors[vertex]);
-}

@@ -145,6 +145,30 @@ export class Visitor {
     await this.frames(3);
   }
 
+  /**
+   * Types a value into the number field of a ready-made slider.
+   *
+   * @param {string} slider its id, such as "nose-width"
+   * @param {number} amount_mm
+   */
+  async slide(slider, amount_mm) {
+    await this.unfold("section-face");
+    const field = this.page.locator(`[data-slider="${slider}"] input[type=number]`);
+    await field.fill(String(amount_mm));
+    await field.press("Tab");
+    await this.frames(3);
+  }
+
+  /** @param {string} slider */
+  async sliderValue(slider) {
+    return Number(await this.page.inputValue(`[data-slider="${slider}"] input[type=number]`));
+  }
+
+  /** What the history lists, newest first. */
+  async history() {
+    return this.page.locator("#history .what").allInnerTexts();
+  }
+
   /** The number of the landmark that is being edited. */
   async landmark() {
     return Number((await this.page.inputValue("#landmark-search")).match(/\d+$/)?.[0]);

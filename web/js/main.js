@@ -8,6 +8,7 @@ import { setUpTabs } from "./page/tabs.js";
 import { setUpTheme } from "./page/theme.js";
 import { EditOptions } from "./panel/edit-options.js";
 import { setUpExportPanel } from "./panel/export-panel.js";
+import { FacePanel } from "./panel/face-panel.js";
 import { setUpHistoryPanel } from "./panel/history-panel.js";
 import { LandmarkPanel } from "./panel/landmark-panel.js";
 import { chooseDensity, chooseTriangulation, setUpViewPanel } from "./panel/view-panel.js";
@@ -61,6 +62,7 @@ async function openBench() {
     new LandmarkMarks(opened, overlay, (factor) => options.widen(factor));
     setUpViewKeys(opened);
     new LandmarkPanel(opened);
+    new FacePanel(opened);
     setUpViewPanel(opened);
     setUpHistoryPanel(opened);
     setUpExportPanel(opened, keeper);

@@ -1,7 +1,6 @@
 import { byId, enableAction, make, onAction } from "../page/dom.js";
 import { setUpEditKeys } from "../viewport/shortcuts.js";
-import { landmarkLabel } from "../viewport/landmark-label.js";
-import { inEveryLanguage, say, sayNumber } from "../words/words.js";
+import { inEveryLanguage, language, say, sayNumber } from "../words/words.js";
 import { announce } from "./landmark-panel.js";
 
 /**
@@ -44,6 +43,8 @@ export function setUpHistoryPanel(bench) {
  * @param {Workbench} bench
  */
 function show(state, bench) {
+  // While an edit is in progress, the list stays as it is.
+  if (state.editing) return;
   const { entries } = state;
   enableAction("undo", state.canUndo);
   enableAction("redo", state.canRedo);
@@ -53,14 +54,14 @@ function show(state, bench) {
 }
 
 /**
- * One edit: what it moved and how far, and whether it takes part.
+ * One edit: what it changed and how much, and whether it takes part.
  *
  * @param {StudioEntry} entry
  * @param {Workbench} bench
  */
 function row(entry, bench) {
-  const { index, vertex, enabled } = entry;
-  const name = landmarkLabel(bench.studio, vertex);
+  const { index, amount, unit, enabled } = entry;
+  const name = bench.studio.entryName(index, language());
   const item = make("li");
   item.toggleAttribute("data-off", !enabled);
   const takesPart = make("input");
@@ -70,7 +71,7 @@ function row(entry, bench) {
   takesPart.addEventListener("change", () => {
     bench.act((studio) => studio.setEntryEnabled(index, takesPart.checked));
   });
-  const distance_mm = Math.hypot(entry.xMm, entry.yMm, entry.zMm);
-  item.append(takesPart, make("span", "what", name), make("span", "how-much", `${sayNumber(distance_mm, 1)} mm`));
+  const howMuch = `${sayNumber(amount, unit === "%" ? 0 : 1)} ${unit}`;
+  item.append(takesPart, make("span", "what", name), make("span", "how-much", howMuch));
   return item;
 }

@@ -49,7 +49,7 @@ export class LandmarkPanel {
     });
   }
 
-  /** The sliders show the sum of the landmark's latest edits; an edit adds to what is there. */
+  /** The sliders show the sum of the edits of what is selected; a new one adds to what is there. */
   #preview() {
     const [dx_mm = 0, dy_mm = 0, dz_mm = 0] = this.#sliders.map((slider, axis) => slider.value - (this.#kept_mm[axis] ?? 0));
     this.#bench.act((studio) => studio.preview(dx_mm, dy_mm, dz_mm));
@@ -105,7 +105,7 @@ export class LandmarkPanel {
     if (state.selected === undefined) return;
     this.#search.value = this.#label(state.selected);
     this.#search.removeAttribute("aria-invalid");
-    this.#kept_mm = keptOffset_mm(state);
+    this.#kept_mm = [state.keptXMm, state.keptYMm, state.keptZMm];
     const moving_mm = [state.offsetXMm, state.offsetYMm, state.offsetZMm];
     for (const [axis, slider] of this.#sliders.entries()) {
       slider.value = (this.#kept_mm[axis] ?? 0) + (moving_mm[axis] ?? 0);
@@ -118,20 +118,6 @@ export class LandmarkPanel {
       : say("landmark.anchors.many", { n: anchors.length });
     list.dataset["anchors"] = anchors.join(" ");
   }
-}
-
-/**
- * The sum of the latest edits in a row that moved the selected landmark.
- *
- * @param {StudioState} state
- */
-function keptOffset_mm(state) {
-  const sum_mm = [0, 0, 0];
-  for (const { vertex, enabled, xMm, yMm, zMm } of state.entries.reverse()) {
-    if (vertex !== state.selected) break;
-    if (enabled) [xMm, yMm, zMm].forEach((offset, axis) => (sum_mm[axis] = (sum_mm[axis] ?? 0) + offset));
-  }
-  return sum_mm;
 }
 
 /**

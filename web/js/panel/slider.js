@@ -3,10 +3,11 @@ import { inEveryLanguage, say } from "../words/words.js";
 
 /**
  * @typedef {import("../words/words.js").WordKey} WordKey
+ * @typedef {WordKey | (() => string)} Label of the page's own words, or asked for in each language
  *
  * @typedef {object} SliderOptions
- * @property {WordKey} label short, beside the track
- * @property {WordKey} longLabel said by screen readers, with the unit
+ * @property {Label} label short, beside the track
+ * @property {Label} longLabel said by screen readers, with the unit
  * @property {string} unit written after the number
  * @property {number} min
  * @property {number} max
@@ -46,8 +47,8 @@ export class Slider {
     inEveryLanguage(() => {
       label.replaceChildren();
       if (options.axis) label.append(make("span", "axis", options.axis));
-      label.append(say(options.label));
-      for (const input of [this.#range, this.#number]) input.setAttribute("aria-label", say(options.longLabel));
+      label.append(textOf(options.label));
+      for (const input of [this.#range, this.#number]) input.setAttribute("aria-label", textOf(options.longLabel));
     });
   }
 
@@ -104,6 +105,11 @@ export class Slider {
     this.#options.onInput();
     this.#options.onCommit();
   }
+}
+
+/** @param {Label} label */
+function textOf(label) {
+  return typeof label === "function" ? label() : say(label);
 }
 
 /** @param {number} step */

@@ -65,7 +65,7 @@ export class LandmarkDrag {
     const { studio } = this.#bench;
     this.#axis = studio.pickAxis(x_px, y_px);
     const landmark = this.#axis ? studio.selected : studio.pick(x_px, y_px);
-    if (landmark === undefined || (pointerType === "touch" && landmark !== studio.selected)) return;
+    if (landmark === undefined || (pointerType === "touch" && !studio.holds(landmark))) return;
     if (!this.#axis && !isAtLandmark(studio, landmark, x_px, y_px, pointerType)) return;
     this.#landmark = landmark;
     this.#at = { x_px, y_px, fine: false };
@@ -107,11 +107,8 @@ export class LandmarkDrag {
 
   #grab() {
     this.#phase = "moving";
-    this.#bench.act((studio) => {
-      studio.commit();
-      if (studio.selected !== this.#landmark) studio.select(this.#landmark);
-      studio.grab(this.#at.x_px, this.#at.y_px);
-    });
+    const landmark = this.#landmark;
+    if (landmark !== undefined) this.#bench.act((studio) => studio.grab(landmark, this.#at.x_px, this.#at.y_px));
   }
 
   #follow() {

@@ -9,8 +9,5 @@ import { language } from "../words/words.js";
  * @param {number} landmark
  */
 export function landmarkLabel(studio, landmark) {
-  const name = studio.landmarkName(landmark, language());
-  // Landmarks without a name of their own bring their number along.
-  const number = ` ${landmark}`;
-  return `${name.endsWith(number) ? name.slice(0, -number.length) : name} · ${landmark}`;
+  return studio.landmarkLabel(landmark, language());
 }

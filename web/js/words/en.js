@@ -103,6 +103,13 @@ export const en = {
   "anchors.random.help": "As in the paper: two points chosen by chance hold the rest.",
   "anchors.pinned.help": "Pin at least one point elsewhere.",
 
+  "face.sliders": "Parts of the face",
+  "face.slider.long": "{name}, in millimetres",
+  "face.slid": "{name}: {mm} millimetres",
+  "symmetrise": "Make symmetric by",
+  "symmetrise.apply": "Apply",
+  "symmetrised": "The two sides are {n} per cent closer",
+
   "undo": "Undo",
   "redo": "Redo",
   "reset": "Reset all",

@@ -103,6 +103,13 @@ export const pt = {
   "anchors.random.help": "Como no artigo: dois pontos sorteados seguram o resto.",
   "anchors.pinned.help": "Fixe ao menos um ponto em outro lugar.",
 
+  "face.sliders": "Partes do rosto",
+  "face.slider.long": "{name}, em milímetros",
+  "face.slid": "{name}: {mm} milímetros",
+  "symmetrise": "Tornar simétrico em",
+  "symmetrise.apply": "Aplicar",
+  "symmetrised": "Os dois lados ficaram {n} por cento mais próximos",
+
   "undo": "Desfazer",
   "redo": "Refazer",
   "reset": "Desfazer tudo",

@@ -1,0 +1,35 @@
+import assert from "node:assert/strict";
+
+/** The two compilations of the network's arithmetic round differently, by far less than this. */
+const SAME_MM = 1e-3;
+
+/**
+ * How far a vertex went from one mesh to another, in the meshes' unit.
+ *
+ * @param {{ positions: number[][] }} from
+ * @param {{ positions: number[][] }} to
+ * @param {number} vertex
+ */
+export function way(from, to, vertex) {
+  return to.positions[vertex].map((place, axis) => place - from.positions[vertex][axis]);
+}
+
+/**
+ * The distance of the vertex that is furthest from where it is in the other mesh.
+ *
+ * @param {{ positions: number[][] }} one
+ * @param {{ positions: number[][] }} other
+ */
+export function furthest(one, other) {
+  return Math.max(...one.positions.map((_, vertex) => Math.hypot(...way(one, other, vertex))));
+}
+
+/** The page's mesh is the command line's. */
+export function assertSameMesh(seen, wanted) {
+  assert.equal(seen.units, wanted.units);
+  assert.deepEqual(seen.triangles, wanted.triangles);
+  assert.equal(seen.positions.length, wanted.positions.length);
+  const apart_mm = furthest(seen, wanted);
+  assert.ok(apart_mm < SAME_MM, `a vertex is ${apart_mm} mm away from the command line's`);
+  for (const [vertex, colour] of seen.colors.entries()) assert.deepEqual(colour, wanted.colors[vertex]);
+}

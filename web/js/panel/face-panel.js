@@ -1,0 +1,68 @@
+import { byId, onAction } from "../page/dom.js";
+import { inEveryLanguage, language, say, sayNumber } from "../words/words.js";
+import { announce } from "./landmark-panel.js";
+import { Slider } from "./slider.js";
+
+/**
+ * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../viewport/workbench.js").StudioState} StudioState
+ * @typedef {import("../../wasm/rosto-studio-web.js").NamedSlider} NamedSlider
+ */
+
+const STEP_MM = 0.1;
+
+/** The ready-made sliders, and symmetry. */
+export class FacePanel {
+  /** @type {NamedSlider[]} in the page's language */
+  #named = [];
+  #sliders;
+  #bench;
+
+  /** @param {Workbench} bench */
+  constructor(bench) {
+    this.#bench = bench;
+    inEveryLanguage(() => (this.#named = bench.studio.faceSliders(language())));
+    this.#sliders = this.#named.map(({ id, rangeMm }, place) => this.#makeSlider(id, rangeMm, place));
+    byId("face-sliders", HTMLFieldSetElement).append(...this.#sliders.map((slider) => slider.element));
+    bench.onChange((state) => this.#show(state));
+    onAction("symmetrise", () => this.#symmetrise());
+  }
+
+  /**
+   * @param {string} id
+   * @param {number} range_mm
+   * @param {number} place among the sliders
+   */
+  #makeSlider(id, range_mm, place) {
+    const label = () => this.#named[place]?.label ?? "";
+    const slider = new Slider({
+      label,
+      longLabel: () => say("face.slider.long", { name: label() }),
+      unit: "mm",
+      min: -range_mm,
+      max: range_mm,
+      step: STEP_MM,
+      neutral: 0,
+      onInput: () => this.#bench.act((studio) => studio.slide(id, slider.value)),
+      onCommit: () => {
+        this.#bench.act((studio) => studio.commit());
+        announce(say("face.slid", { name: label(), mm: sayNumber(slider.value, 1) }));
+      },
+      onCancel: () => this.#bench.act((studio) => studio.cancel()),
+    });
+    slider.element.dataset["slider"] = id;
+    return slider;
+  }
+
+  #symmetrise() {
+    const share = byId("symmetrise-share", HTMLInputElement);
+    if (!share.reportValidity()) return;
+    this.#bench.act((studio) => studio.symmetrise(share.valueAsNumber));
+    announce(say("symmetrised", { n: share.value }));
+  }
+
+  /** @param {StudioState} state */
+  #show({ slidersMm }) {
+    for (const [place, slider] of this.#sliders.entries()) slider.value = slidersMm[place] ?? 0;
+  }
+}
