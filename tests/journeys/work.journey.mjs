@@ -56,8 +56,10 @@ journey("history lists the edits, and each can be switched off and on", async (o
   assert.deepEqual(await visitor.meshJson("mm"), both);
   await page.click("#section-history [data-action='reset']");
   assert.deepEqual(await visitor.meshJson("mm"), start);
-  for (let step = 0; step < 2; step++) await page.click("#toolbar [data-action='redo']");
+  assert.deepEqual(await visitor.history(), []);
+  await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await visitor.meshJson("mm"), both);
+  assert.equal(await page.locator("#history li").count(), 2);
 });
 
 journey("a key held down shows the face as it was found", async (open) => {

@@ -121,7 +121,9 @@ async fn an_edit_changes_the_picture_is_one_entry_and_can_be_undone() {
     assert_eq!(state.entries.len(), 1);
     let entry = &state.entries[0];
     let name = studio.landmark_name(NOSE_TIP, LanguageName::English).unwrap();
-    assert_eq!((entry.vertex, entry.z_mm, entry.enabled, &entry.label), (NOSE_TIP, 20.0, true, &name));
+    assert_eq!((entry.amount, entry.unit.as_str(), entry.enabled, &entry.label), (20.0, "mm", true, &name));
+    assert_eq!((state.kept_x_mm, state.kept_y_mm, state.kept_z_mm), (0.0, 0.0, 20.0));
+    assert_eq!(studio.entry_name(0, LanguageName::English).unwrap(), format!("{name} · {NOSE_TIP}"));
     let after = studio.mesh_json(UnitsName::Millimetres).unwrap();
     assert_ne!(after, before.1);
     studio.select(None).unwrap();
@@ -155,7 +157,7 @@ async fn a_dragged_landmark_follows_the_pointer() {
     studio.set_anchor_choice(AnchorsName::Oval).unwrap();
     studio.select(Some(NOSE_TIP)).unwrap();
     let from = studio.screen_position(NOSE_TIP).unwrap();
-    studio.grab(from.x, from.y).unwrap();
+    studio.grab(NOSE_TIP, from.x, from.y).unwrap();
     studio.drag_to(from.x + 24.0, from.y - 10.0, None, None).unwrap();
     let to = studio.screen_position(NOSE_TIP).unwrap();
     assert!((to.x - from.x - 24.0).abs() < 1e-6 && (to.y - from.y + 10.0).abs() < 1e-6, "{to:?}");
@@ -222,4 +224,41 @@ async fn both_paints_are_exported_as_binary_gltf() {
         assert_eq!(&file[..4], b"glTF");
         assert_eq!(u32::from_le_bytes(file[8..12].try_into().unwrap()) as usize, file.len());
     }
+}
+
+#[wasm_bindgen_test]
+async fn a_sliders_ticks_on_the_gpu_show_what_its_commit_keeps() {
+    let mut studio = studio().await;
+    for slider in studio.face_sliders(LanguageName::English).unwrap() {
+        studio.slide(&slider.id, 0.5 * slider.range_mm).unwrap();
+        studio.slide(&slider.id, slider.range_mm).unwrap();
+        let glowing = pixels(&mut studio).await;
+        studio.commit().unwrap();
+        let kept = pixels(&mut studio).await;
+        let outline = |pixels: &[u8]| pixels.chunks_exact(4).map(|pixel| pixel[3] > 127).collect::<Vec<bool>>();
+        let differing = outline(&glowing).iter().zip(outline(&kept)).filter(|(tick, kept)| **tick != *kept).count();
+        assert!(differing < 8, "{}: {differing} px", slider.id);
+        studio.undo().unwrap();
+    }
+    assert_eq!(code(&studio.slide("ear-size", 1.0).unwrap_err()), "bad-choice");
+    assert_eq!(code(&studio.slide("nose-width", f64::NAN).unwrap_err()), "bad-number");
+}
+
+#[wasm_bindgen_test]
+async fn a_region_is_dragged_by_any_of_its_landmarks() {
+    let mut studio = studio().await;
+    studio.set_hold(HoldName::Exact).unwrap();
+    studio.set_anchor_choice(AnchorsName::Oval).unwrap();
+    studio.select_region("nose").unwrap();
+    assert!(studio.holds(NOSE_TIP) && !studio.holds(152));
+    let from = studio.screen_position(NOSE_TIP).unwrap();
+    studio.grab(NOSE_TIP, from.x, from.y).unwrap();
+    studio.drag_to(from.x + 12.0, from.y - 10.0, None, None).unwrap();
+    let to = studio.screen_position(NOSE_TIP).unwrap();
+    assert!((to.x - from.x - 12.0).abs() < 1e-6 && (to.y - from.y + 10.0).abs() < 1e-6, "{to:?}");
+    studio.commit().unwrap();
+    assert_eq!(studio.state().entries[0].label, "nose");
+    studio.grab(152, 10.0, 10.0).unwrap();
+    assert_eq!((studio.selected(), studio.state().selected_region), (Some(152), None));
+    assert_eq!(code(&studio.select_region("ear").unwrap_err()), "bad-choice");
 }
