@@ -1,4 +1,5 @@
-// The mesh, and where its vertices are at this moment.
+// The mesh, and where its vertices are at this moment. What is known of each vertex fills whole texels of a texture,
+// vertex after vertex and row after row: WebGL2 has no storage buffers.
 struct Shape {
     position_m: vec3f,
     normal: vec3f,
@@ -14,34 +15,67 @@ struct Follow {
 
 struct Skin {
     uv: vec2f,
-    colour: u32,
     scalar: f32,
+    colour: vec3f,
 }
 
-@group(1) @binding(0) var<storage, read> shapes: array<Shape>;
-@group(1) @binding(1) var<storage, read> shapes_before: array<Shape>;
-@group(1) @binding(2) var<storage, read> follows: array<Follow>;
-@group(1) @binding(3) var<storage, read> skins: array<Skin>;
+@group(1) @binding(0) var shapes: texture_2d<f32>;
+@group(1) @binding(1) var shapes_before: texture_2d<f32>;
+@group(1) @binding(2) var follows: texture_2d<f32>;
+@group(1) @binding(3) var skins: texture_2d<f32>;
 @group(1) @binding(4) var photo: texture_2d<f32>;
 @group(1) @binding(5) var photo_sampler: sampler;
 
-fn position_m(index: u32) -> vec3f {
-    let follow = follows[index];
-    let edited = shapes[index].position_m + follow.field_a * frame.offset_a_m + follow.field_b * frame.offset_b_m;
-    return mix(edited, shapes_before[index].position_m, frame.before);
+// Texels in a row; `src/vertex_data.rs` says the same.
+const ROW = 1024u;
+
+fn place(texel: u32) -> vec2u {
+    return vec2u(texel % ROW, texel / ROW);
 }
 
-fn normal(index: u32) -> vec3f {
-    let follow = follows[index];
+fn shape(vertex: u32) -> Shape {
+    let position = textureLoad(shapes, place(2u * vertex), 0);
+    let normal = textureLoad(shapes, place(2u * vertex + 1u), 0);
+    return Shape(position.xyz, normal.xyz);
+}
+
+fn shape_before(vertex: u32) -> Shape {
+    let position = textureLoad(shapes_before, place(2u * vertex), 0);
+    let normal = textureLoad(shapes_before, place(2u * vertex + 1u), 0);
+    return Shape(position.xyz, normal.xyz);
+}
+
+fn follow(vertex: u32) -> Follow {
+    let a = textureLoad(follows, place(3u * vertex), 0);
+    let b = textureLoad(follows, place(3u * vertex + 1u), 0);
+    let both = textureLoad(follows, place(3u * vertex + 2u), 0);
+    return Follow(a.xyz, a.w, b.xyz, b.w, both.x);
+}
+
+fn skin(vertex: u32) -> Skin {
+    let first = textureLoad(skins, place(2u * vertex), 0);
+    let colour = textureLoad(skins, place(2u * vertex + 1u), 0);
+    return Skin(first.xy, first.z, colour.rgb);
+}
+
+fn position_m(vertex: u32) -> vec3f {
+    let follow = follow(vertex);
+    let edited = shape(vertex).position_m + follow.field_a * frame.offset_a_m + follow.field_b * frame.offset_b_m;
+    return mix(edited, shape_before(vertex).position_m, frame.before);
+}
+
+fn normal(vertex: u32) -> vec3f {
+    let follow = follow(vertex);
     let a = frame.offset_a_m;
     let b = frame.offset_b_m;
-    let edited = shapes[index].normal + cross(follow.turn_a, a) + cross(follow.turn_b, b) + cross(a, b) * follow.cross;
-    let blended = mix(edited, shapes_before[index].normal, frame.before);
+    let edited = shape(vertex).normal + cross(follow.turn_a, a) + cross(follow.turn_b, b) + cross(a, b) * follow.cross;
+    let blended = mix(edited, shape_before(vertex).normal, frame.before);
     let size = length(blended);
     return select(vec3f(0.0, 0.0, 1.0), blended / size, size > 0.0);
 }
 
 // How far a vertex follows the handles, whichever way, 0..1.
-fn response(index: u32) -> f32 {
-    return clamp(max(abs(follows[index].field_a), abs(follows[index].field_b)), 0.0, 1.0);
+fn response(vertex: u32) -> f32 {
+    let follow = follow(vertex);
+    return clamp(max(abs(follow.field_a), abs(follow.field_b)), 0.0, 1.0);
 }

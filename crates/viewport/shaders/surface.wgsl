@@ -19,13 +19,13 @@ const SCALAR = 5u;
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Corner {
-    let skin = skins[index];
+    let skin = skin(index);
     var corner: Corner;
     corner.model_m = position_m(index);
     corner.clip = frame.clip_from_model * vec4f(corner.model_m, 1.0);
     corner.normal = normal(index);
     corner.uv = skin.uv;
-    corner.colour = linear_from_srgb(unpack4x8unorm(skin.colour).rgb);
+    corner.colour = linear_from_srgb(skin.colour);
     corner.scalar = skin.scalar;
     corner.response = response(index);
     return corner;

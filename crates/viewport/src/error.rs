@@ -26,6 +26,9 @@ pub enum ViewportError {
         /// Number of values given.
         found: usize,
     },
+    /// The GPU's largest texture has no room for so many vertices.
+    #[error("{0} vertices are more than the GPU holds")]
+    TooManyVertices(usize),
     /// The photo's bytes do not fill its size, or it has none.
     #[error("{found} bytes for a picture of {width}×{height} px")]
     BadPicture {

@@ -21,6 +21,7 @@ mod shape;
 mod snapshot;
 mod stage;
 mod target;
+mod vertex_data;
 mod viewport;
 
 pub use camera::{Camera, Glide, NamedView};

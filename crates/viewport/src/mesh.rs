@@ -4,6 +4,7 @@ use wgpu::util::DeviceExt;
 
 use crate::pipelines::Pipelines;
 use crate::shape::{Follow, Shape, Skin, follows, shapes};
+use crate::vertex_data::VertexData;
 use crate::{Gpu, Picture, ViewportError, photo};
 
 /// A mesh to show.
@@ -26,11 +27,11 @@ pub struct MeshInput<'a> {
 pub(crate) struct MeshOnGpu {
     topology: Topology,
     positions_m: Vec<DVec3>,
-    skins: Vec<Skin>,
-    shapes: wgpu::Buffer,
-    shapes_before: wgpu::Buffer,
-    follows: wgpu::Buffer,
-    skin_buffer: wgpu::Buffer,
+    shapes: VertexData<Shape>,
+    shapes_before: VertexData<Shape>,
+    follows: VertexData<Follow>,
+    skins: VertexData<Skin>,
+    skin_list: Vec<Skin>,
     pub indices: wgpu::Buffer,
     pub edges: wgpu::Buffer,
     pub bindings: wgpu::BindGroup,
@@ -43,30 +44,29 @@ impl MeshOnGpu {
         shrink: &wgpu::RenderPipeline,
         input: &MeshInput<'_>,
     ) -> Result<Self, ViewportError> {
-        let skins = skins(input)?;
+        let skin_list = skins(input)?;
         check_length("positions", input.positions_m.len(), input.topology)?;
         let photo = match input.picture {
             Some(picture) => photo::upload(gpu, shrink, picture)?,
             None => photo::blank(gpu, shrink)?,
         };
         let shape_list = shapes(input.topology, input.positions_m);
-        let vertex_data = |bytes: &[u8]| filled(gpu, bytes, wgpu::BufferUsages::STORAGE);
-        let shapes = vertex_data(bytemuck::cast_slice(&shape_list));
-        let shapes_before = vertex_data(bytemuck::cast_slice(&shape_list));
-        let follows = vertex_data(bytemuck::cast_slice(&vec![Follow::default(); skins.len()]));
-        let skin_buffer = vertex_data(bytemuck::cast_slice(&skins));
-        let buffers = [&shapes, &shapes_before, &follows, &skin_buffer];
+        let shapes = VertexData::new(gpu, &shape_list)?;
+        let shapes_before = VertexData::new(gpu, &shape_list)?;
+        let follows = VertexData::new(gpu, &vec![Follow::default(); skin_list.len()])?;
+        let skins = VertexData::new(gpu, &skin_list)?;
+        let textures = [shapes.view(), shapes_before.view(), follows.view(), skins.view(), photo];
         Ok(Self {
-            bindings: bindings(gpu, &pipelines.mesh_layout, buffers, &photo),
+            bindings: bindings(gpu, &pipelines.mesh_layout, &textures),
             indices: filled(gpu, bytemuck::cast_slice(input.topology.triangles()), wgpu::BufferUsages::INDEX),
             edges: filled(gpu, bytemuck::cast_slice(input.topology.edges()), wgpu::BufferUsages::VERTEX),
             topology: input.topology.clone(),
             positions_m: input.positions_m.to_vec(),
-            skins,
             shapes,
             shapes_before,
             follows,
-            skin_buffer,
+            skins,
+            skin_list,
         })
     }
 
@@ -89,13 +89,13 @@ impl MeshOnGpu {
     pub fn write_positions(&mut self, gpu: &Gpu, positions_m: &[DVec3]) -> Result<(), ViewportError> {
         check_length("positions", positions_m.len(), &self.topology)?;
         self.positions_m.copy_from_slice(positions_m);
-        self.write_shapes(gpu, &self.shapes, positions_m);
+        self.shapes.write(gpu, &shapes(&self.topology, positions_m));
         Ok(())
     }
 
     pub fn write_before(&self, gpu: &Gpu, positions_m: &[DVec3]) -> Result<(), ViewportError> {
         check_length("positions", positions_m.len(), &self.topology)?;
-        self.write_shapes(gpu, &self.shapes_before, positions_m);
+        self.shapes_before.write(gpu, &shapes(&self.topology, positions_m));
         Ok(())
     }
 
@@ -103,21 +103,15 @@ impl MeshOnGpu {
         for field in fields.into_iter().flatten() {
             check_length("responses", field.len(), &self.topology)?;
         }
-        let follows = follows(&self.topology, &self.positions_m, fields);
-        gpu.queue.write_buffer(&self.follows, 0, bytemuck::cast_slice(&follows));
+        self.follows.write(gpu, &follows(&self.topology, &self.positions_m, fields));
         Ok(())
     }
 
     pub fn write_scalars(&mut self, gpu: &Gpu, scalars: &[f64]) -> Result<(), ViewportError> {
         check_length("scalars", scalars.len(), &self.topology)?;
-        self.skins.iter_mut().zip(scalars).for_each(|(skin, &scalar)| skin.scalar = scalar as f32);
-        gpu.queue.write_buffer(&self.skin_buffer, 0, bytemuck::cast_slice(&self.skins));
+        self.skin_list.iter_mut().zip(scalars).for_each(|(skin, &scalar)| skin.scalar = scalar as f32);
+        self.skins.write(gpu, &self.skin_list);
         Ok(())
-    }
-
-    fn write_shapes(&self, gpu: &Gpu, buffer: &wgpu::Buffer, positions_m: &[DVec3]) {
-        let list: Vec<Shape> = shapes(&self.topology, positions_m);
-        gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(&list));
     }
 }
 
@@ -134,11 +128,11 @@ fn skins(input: &MeshInput<'_>) -> Result<Vec<Skin>, ViewportError> {
         check_length("places in the picture", input.uvs.len(), input.topology)?;
     }
     let skin = |vertex: usize| {
-        let [red, green, blue] = input.colours_srgb.get(vertex).copied().unwrap_or([255; 3]);
+        let colour = input.colours_srgb.get(vertex).copied().unwrap_or([255; 3]);
         Skin {
             uv: input.uvs.get(vertex).map_or([0.0; 2], |uv| uv.as_vec2().to_array()),
-            colour: u32::from_le_bytes([red, green, blue, 255]),
-            scalar: 0.0,
+            colour: colour.map(|channel| f32::from(channel) / 255.0),
+            ..Skin::default()
         }
     };
     Ok((0..input.topology.vertex_count()).map(skin).collect())
@@ -151,24 +145,11 @@ pub(crate) fn filled(gpu: &Gpu, bytes: &[u8], usage: wgpu::BufferUsages) -> wgpu
     gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents, usage })
 }
 
-fn bindings(
-    gpu: &Gpu,
-    layout: &wgpu::BindGroupLayout,
-    buffers: [&wgpu::Buffer; 4],
-    photo: &wgpu::TextureView,
-) -> wgpu::BindGroup {
-    let [shapes, shapes_before, follows, skins] = buffers;
-    let entry = |binding, resource| wgpu::BindGroupEntry { binding, resource };
-    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("mesh"),
-        layout,
-        entries: &[
-            entry(0, shapes.as_entire_binding()),
-            entry(1, shapes_before.as_entire_binding()),
-            entry(2, follows.as_entire_binding()),
-            entry(3, skins.as_entire_binding()),
-            entry(4, wgpu::BindingResource::TextureView(photo)),
-            entry(5, wgpu::BindingResource::Sampler(&photo::sampler(gpu))),
-        ],
-    })
+fn bindings(gpu: &Gpu, layout: &wgpu::BindGroupLayout, textures: &[wgpu::TextureView; 5]) -> wgpu::BindGroup {
+    let sampler = photo::sampler(gpu);
+    let views = textures.iter().map(wgpu::BindingResource::TextureView);
+    let resources = views.chain([wgpu::BindingResource::Sampler(&sampler)]);
+    let entries: Vec<_> =
+        (0..).zip(resources).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("mesh"), layout, entries: &entries })
 }

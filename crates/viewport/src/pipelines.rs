@@ -59,8 +59,7 @@ const MAIN: [&str; 2] = ["vertex", "fragment"];
 impl Pipelines {
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat) -> Self {
         let frame_layout = layout(gpu, "frame", &[uniform(0)]);
-        let mesh_layout =
-            layout(gpu, "mesh", &[storage(0), storage(1), storage(2), storage(3), picture(4), picture_sampler(5)]);
+        let mesh_layout = layout(gpu, "mesh", &[data(0), data(1), data(2), data(3), picture(4), picture_sampler(5)]);
         let backdrop = pipeline_layout(gpu, &[Some(&frame_layout)]);
         let over_mesh = pipeline_layout(gpu, &[Some(&frame_layout), Some(&mesh_layout)]);
         let build = |layout: &wgpu::PipelineLayout, name, text, role| {
@@ -100,22 +99,20 @@ fn uniform(binding: u32) -> wgpu::BindGroupLayoutEntry {
     entry(binding, wgpu::ShaderStages::VERTEX_FRAGMENT, ty)
 }
 
-fn storage(binding: u32) -> wgpu::BindGroupLayoutEntry {
-    let ty = wgpu::BindingType::Buffer {
-        ty: wgpu::BufferBindingType::Storage { read_only: true },
-        has_dynamic_offset: false,
-        min_binding_size: None,
-    };
-    entry(binding, wgpu::ShaderStages::VERTEX, ty)
+fn data(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    entry(binding, wgpu::ShaderStages::VERTEX, texture(false))
 }
 
 fn picture(binding: u32) -> wgpu::BindGroupLayoutEntry {
-    let ty = wgpu::BindingType::Texture {
-        sample_type: wgpu::TextureSampleType::Float { filterable: true },
+    entry(binding, wgpu::ShaderStages::FRAGMENT, texture(true))
+}
+
+fn texture(filterable: bool) -> wgpu::BindingType {
+    wgpu::BindingType::Texture {
+        sample_type: wgpu::TextureSampleType::Float { filterable },
         view_dimension: wgpu::TextureViewDimension::D2,
         multisampled: false,
-    };
-    entry(binding, wgpu::ShaderStages::FRAGMENT, ty)
+    }
 }
 
 fn picture_sampler(binding: u32) -> wgpu::BindGroupLayoutEntry {

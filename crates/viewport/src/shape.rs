@@ -31,13 +31,15 @@ pub(crate) struct Follow {
     pub unused: [f32; 3],
 }
 
-/// How a vertex is painted: its place in the photo, its colour (sRGB bytes, red lowest), its scalar in −1..1.
+/// How a vertex is painted: its place in the photo, its scalar in −1..1, its colour (sRGB, 0..1).
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Pod, Zeroable)]
 pub(crate) struct Skin {
     pub uv: [f32; 2],
-    pub colour: u32,
     pub scalar: f32,
+    pub unused: f32,
+    pub colour: [f32; 3],
+    pub unused_too: f32,
 }
 
 /// Shapes of all vertices.

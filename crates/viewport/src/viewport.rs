@@ -88,7 +88,7 @@ impl Viewport {
     /// Shows a mesh in place of the one before; camera and marks stay. No handle moves it yet.
     ///
     /// # Errors
-    /// [`ViewportError::LengthMismatch`] or [`ViewportError::BadPicture`].
+    /// [`ViewportError::LengthMismatch`], [`ViewportError::TooManyVertices`] or [`ViewportError::BadPicture`].
     pub fn show(&mut self, input: &MeshInput<'_>) -> Result<(), ViewportError> {
         self.mesh = Some(MeshOnGpu::new(&self.gpu, &self.pipelines, &self.shrink, input)?);
         self.before_after_arrival = None;

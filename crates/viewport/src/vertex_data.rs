@@ -1,0 +1,80 @@
+//! What shaders read of each vertex, kept in textures: storage buffers are not to be had in WebGL2.
+
+use std::marker::PhantomData;
+
+use bytemuck::Pod;
+
+use crate::{Gpu, ViewportError};
+
+/// Texels in a row; `shaders/mesh.wgsl` says the same.
+const ROW: usize = 1024;
+/// Bytes of a texel: four floats.
+const TEXEL: usize = 16;
+
+/// One `T` for each vertex of a mesh, a whole number of texels long, one after the other and row by row.
+#[derive(Debug)]
+pub(crate) struct VertexData<T> {
+    texture: wgpu::Texture,
+    kind: PhantomData<T>,
+}
+
+impl<T: Pod> VertexData<T> {
+    /// Room for these values, and the values in it.
+    ///
+    /// # Errors
+    /// [`ViewportError::TooManyVertices`].
+    pub fn new(gpu: &Gpu, values: &[T]) -> Result<Self, ViewportError> {
+        const { assert!(size_of::<T>().is_multiple_of(TEXEL), "a vertex fills whole texels") };
+        let rows = size_of_val(values).div_ceil(ROW * TEXEL).max(1);
+        if rows > gpu.largest_side_px() as usize {
+            return Err(ViewportError::TooManyVertices(values.len()));
+        }
+        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("vertex data"),
+            size: extent(ROW, rows),
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: wgpu::TextureFormat::Rgba32Float,
+            usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+            view_formats: &[],
+        });
+        let data = Self { texture, kind: PhantomData };
+        data.write(gpu, values);
+        Ok(data)
+    }
+
+    /// Replaces all values.
+    pub fn write(&self, gpu: &Gpu, values: &[T]) {
+        let bytes: &[u8] = bytemuck::cast_slice(values);
+        let (rows, rest) = bytes.split_at(bytes.len() / (ROW * TEXEL) * ROW * TEXEL);
+        let row_count = rows.len() / (ROW * TEXEL);
+        self.write_rows(gpu, rows, 0, extent(ROW, row_count));
+        self.write_rows(gpu, rest, row_count as u32, extent(rest.len() / TEXEL, 1));
+    }
+
+    /// What a bind group takes.
+    pub fn view(&self) -> wgpu::TextureView {
+        self.texture.create_view(&Default::default())
+    }
+
+    fn write_rows(&self, gpu: &Gpu, bytes: &[u8], first_row: u32, size: wgpu::Extent3d) {
+        if bytes.is_empty() {
+            return;
+        }
+        let place = wgpu::TexelCopyTextureInfo {
+            origin: wgpu::Origin3d { x: 0, y: first_row, z: 0 },
+            ..self.texture.as_image_copy()
+        };
+        let layout = wgpu::TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(size.width * TEXEL as u32),
+            rows_per_image: None,
+        };
+        gpu.queue.write_texture(place, bytes, layout, size);
+    }
+}
+
+fn extent(width: usize, height: usize) -> wgpu::Extent3d {
+    wgpu::Extent3d { width: width as u32, height: height as u32, depth_or_array_layers: 1 }
+}
