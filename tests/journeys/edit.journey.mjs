@@ -50,6 +50,24 @@ journey("moving the nose tip changes picture and mesh as the command line does, 
   assert.deepEqual(await visitor.meshJson("mm"), after.mesh);
 });
 
+journey("details that turn with the surface follow every tick, and make the command line's mesh", async (open) => {
+  const visitor = await open();
+  await visitor.dropSample();
+  await visitor.findLandmark("61");
+  await visitor.page.click("#section-landmark .more > summary");
+  await visitor.page.selectOption("#details", "turned");
+  const before = await visitor.view();
+  await visitor.page.fill("#landmark-sliders [data-axis='z'] input[type=number]", "14");
+  const moving = await visitor.view();
+  assert.ok(difference(before, moving) > 0.002, "the picture did not change while the number was typed");
+  await visitor.page.press("#landmark-sliders [data-axis='z'] input[type=number]", "Tab");
+  const options = "--units mm --topology canonical --operator cotangent --hold exact --anchors oval --mirror --turn-details";
+  const turned = await meshByCommandLine(SAMPLE, [...options.split(" "), "--edit", "61:0,0,14"]);
+  assertSameMesh(await visitor.meshJson("mm"), turned);
+  const kept = await meshByCommandLine(SAMPLE, [...options.split(" ").slice(0, -1), "--edit", "61:0,0,14"]);
+  assert.throws(() => assertSameMesh(kept, turned), "details that keep their direction make the same mesh");
+});
+
 journey("a download passes the validator without a remark, painted either way", async (open) => {
   const visitor = await open();
   await visitor.dropSample();

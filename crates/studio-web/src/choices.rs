@@ -1,5 +1,5 @@
 use rosto_face::mirror_of;
-use rosto_studio::{AnchorKind, Anchors, Grip, Hold, Mirror, Operator, Reach, Settings};
+use rosto_studio::{AnchorKind, Anchors, Details, Grip, Hold, Mirror, Operator, Reach, Settings};
 
 const M_PER_MM: f64 = 1e-3;
 
@@ -12,6 +12,7 @@ pub(crate) struct Choices {
     pub pins: Vec<u32>,
     pub radius_mm: Option<f64>,
     pub mirror: Mirror,
+    pub details: Details,
 }
 
 /// What stays in place beside the pins.
@@ -37,6 +38,7 @@ impl Default for Choices {
             pins: Vec::new(),
             radius_mm: None,
             mirror: Mirror::Off,
+            details: Details::default(),
         }
     }
 }
@@ -60,7 +62,7 @@ impl Choices {
             anchors: Anchors { kind, pins },
             reach: self.radius_mm.map_or(Reach::Whole, |radius_mm| Reach::Within { radius: radius_mm * M_PER_MM }),
             mirror: self.mirror,
-            ..Settings::default()
+            details: self.details,
         };
         Grip { handles, settings, ..Grip::default() }
     }

@@ -1,13 +1,13 @@
 use glam::{DVec2, DVec3};
 use rosto_face::{LANDMARK_COUNT, Region, Triangulation};
-use rosto_studio::{Document, Hold, Mirror, Operator, StudioError, Switch};
+use rosto_studio::{Details, Document, Hold, Mirror, Operator, StudioError, Switch};
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
 use crate::choices::{AnchorChoice, Choices};
 use crate::drag::{Drag, Pace};
 use crate::hand::Selection;
-use crate::modes::{AnchorsName, AxisName, HoldName, OperatorName, TriangulationName};
+use crate::modes::{AnchorsName, AxisName, DetailsName, HoldName, OperatorName, TriangulationName};
 use crate::session::Session;
 use crate::state::StudioState;
 use crate::studio::MAX_DENSITY;
@@ -139,6 +139,20 @@ impl Studio {
         self.choices.hold = match hold {
             HoldName::Soft => Hold::default(),
             HoldName::Exact => Hold::Exact,
+            _ => return Err(Trouble::bad_choice().into()),
+        };
+        self.hold_again()
+    }
+
+    /// Whether details turn with the surface.
+    ///
+    /// # Errors
+    /// `bad-choice` or `cannot-solve`.
+    #[wasm_bindgen(js_name = setDetails)]
+    pub fn set_details(&mut self, details: DetailsName) -> Result<(), JsValue> {
+        self.choices.details = match details {
+            DetailsName::Kept => Details::Kept,
+            DetailsName::Turned => Details::Turned,
             _ => return Err(Trouble::bad_choice().into()),
         };
         self.hold_again()

@@ -25,8 +25,8 @@ use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
 pub use modes::{
-    AnchorsName, AxisName, BackgroundName, ExportPaintName, HoldName, LanguageName, OperatorName, PaintName, ThemeName,
-    TriangulationName, UnitsName, ViewName,
+    AnchorsName, AxisName, BackgroundName, DetailsName, ExportPaintName, HoldName, LanguageName, OperatorName,
+    PaintName, ThemeName, TriangulationName, UnitsName, ViewName,
 };
 pub use renderer::{Renderer, create_renderer};
 pub use reopened::{ReopenedFace, reopen_glb};

@@ -118,6 +118,16 @@ pub enum HoldName {
     Exact = "exact",
 }
 
+/// Whether details turn with the surface that carries them.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DetailsName {
+    /// They keep their direction, as in the paper.
+    Kept = "kept",
+    /// They turn, as rigid as possible; each tick solves several times.
+    Turned = "turned",
+}
+
 /// What stays where it is during an edit.
 #[wasm_bindgen]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

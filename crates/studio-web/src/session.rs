@@ -1,6 +1,6 @@
 use glam::{DMat3, DVec2, DVec3};
 use rosto_face::{FaceModel, LANDMARK_COUNT, Language, Region, Triangulation};
-use rosto_studio::{Command, Document, FaceSlider, Frame, Hold, Rest, StudioError, Subject, project};
+use rosto_studio::{Command, Details, Document, FaceSlider, Frame, Hold, Rest, StudioError, Subject, project};
 
 use crate::choices::{AnchorChoice, Choices};
 use crate::follow::{self, SliderFollow};
@@ -74,6 +74,11 @@ impl Session {
         }
     }
 
+    /// Whether what is held does not follow in a straight line.
+    pub fn turns_details(&self) -> bool {
+        self.document.grip().is_some_and(|grip| grip.settings.details == Details::Turned)
+    }
+
     /// How every vertex shown follows the edit in progress, for [`Self::follow_offsets_m`].
     pub fn follow_fields(&self) -> [Option<&[f64]>; 2] {
         let fields = match (self.slider(), self.document.follow()) {
@@ -135,9 +140,14 @@ impl Session {
 
     /// The same, but an edit in progress goes on.
     pub fn hold_on(&mut self, choices: &Choices) -> Outcome<()> {
-        let Moving::Selection { offset_mm } = self.moving else { return self.commit(choices) };
-        self.hold(choices)?;
-        self.preview(offset_mm)
+        match self.moving {
+            Moving::Nothing => self.hold(choices),
+            Moving::Slider { .. } => self.commit(choices),
+            Moving::Selection { offset_mm } => {
+                self.hold(choices)?;
+                self.preview(offset_mm)
+            }
+        }
     }
 
     /// One tick: no solve, no allocation.

@@ -213,10 +213,17 @@ impl Studio {
         self.show_offset()
     }
 
-    /// Follows one tick of an edit: three numbers go to the GPU.
+    /// Follows one tick of an edit: three numbers go to the GPU, unless details turn.
     pub(crate) fn show_offset(&mut self) -> Outcome<()> {
         let is_moving = self.session.as_ref().is_some_and(Session::is_moving);
-        let offsets_m = self.session.as_ref().map_or([DVec3::ZERO; 2], Session::follow_offsets_m);
+        let turning = self.session.as_ref().filter(|session| is_moving && session.turns_details());
+        let offsets_m = match (turning, &self.session) {
+            (None, Some(session)) => session.follow_offsets_m(),
+            _ => [DVec3::ZERO; 2],
+        };
+        if let Some(session) = turning {
+            self.viewport.set_positions(session.document.positions())?;
+        }
         self.viewport.stage_mut().set_offsets_m(offsets_m);
         let glow = if is_moving { GLOW } else { 0.0 };
         if self.viewport.stage().look().glow != glow {

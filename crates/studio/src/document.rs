@@ -26,7 +26,7 @@ pub struct Document {
     after: Vec<Shape>,
     unedited: Shape,
     held: Option<Held>,
-    /// For a grip whose details keep their direction.
+    /// Of what is held.
     follow: Option<Follow>,
     preview: Preview,
 }
@@ -194,7 +194,8 @@ impl Document {
         self.held.as_ref().map(Held::response)
     }
 
-    /// How every vertex shown follows the grip's handles when they move by one offset, if details keep their direction.
+    /// How every vertex shown follows the grip's handles when they move by one offset and details keep their direction.
+    /// Where details turn, the first guess that they start from.
     pub fn follow(&self) -> Option<&Follow> {
         self.follow.as_ref()
     }
@@ -357,10 +358,14 @@ impl Document {
     /// What [`Self::follow`] says of the grip that is held now.
     fn followed(&mut self) -> Result<Option<Follow>, StudioError> {
         let Some(held) = &mut self.held else { return Ok(None) };
+        let from = self.after.last().unwrap_or(&self.unedited);
+        let mut kept = None;
         if held.grip().settings.details == Details::Turned {
-            return Ok(None);
+            let mut grip = held.grip().clone();
+            grip.settings.details = Details::Kept;
+            kept = Some(made_ready(&mut self.levels, self.density, from, grip)?);
         }
-        let (from, shape) = (self.after.last().unwrap_or(&self.unedited), &mut self.preview.shape);
+        let (held, shape) = (kept.as_mut().unwrap_or(held), &mut self.preview.shape);
         let handles = held.grip().handles.len();
         let mut along = |axis: DVec3| {
             shape.displace(&self.levels, from, held, &vec![axis; handles], &mut self.preview.room)?;
@@ -398,5 +403,6 @@ fn carried_out(levels: &mut [Level], density: u32, from: &Shape, entry: &Entry) 
 /// to it but for rounding, so that a commit takes the long way, as a replay does.
 fn carried<'a>(follow: &'a Option<Follow>, held: &Held, offsets: &[DVec3], density: u32) -> Option<&'a Follow> {
     let as_one = offsets.iter().all(|offset| *offset == offsets[0]);
-    follow.as_ref().filter(|_| as_one && held.grip().level < density)
+    let Grip { level, settings, .. } = held.grip();
+    follow.as_ref().filter(|_| as_one && *level < density && settings.details == Details::Kept)
 }

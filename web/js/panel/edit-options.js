@@ -7,11 +7,13 @@ import { Slider } from "./slider.js";
  * @typedef {import("../words/words.js").WordKey} WordKey
  * @typedef {import("../../wasm/rosto-studio-web.js").OperatorName} OperatorName
  * @typedef {import("../../wasm/rosto-studio-web.js").HoldName} HoldName
+ * @typedef {import("../../wasm/rosto-studio-web.js").DetailsName} DetailsName
  * @typedef {import("../../wasm/rosto-studio-web.js").AnchorsName} AnchorsName
  *
  * @typedef {object} Options
  * @property {OperatorName} operator
  * @property {HoldName} hold
+ * @property {DetailsName} details
  * @property {AnchorsName} anchors
  * @property {boolean} mirror
  * @property {boolean} nearby whether the edit reaches no further than the radius
@@ -19,8 +21,8 @@ import { Slider } from "./slider.js";
 
 /** @type {Record<"sculpt" | "paper", Options>} */
 const PRESETS = {
-  sculpt: { operator: "cotangent", hold: "exact", anchors: "oval", mirror: true, nearby: false },
-  paper: { operator: "L_s", hold: "soft", anchors: "random", mirror: false, nearby: false },
+  sculpt: { operator: "cotangent", hold: "exact", details: "kept", anchors: "oval", mirror: true, nearby: false },
+  paper: { operator: "L_s", hold: "soft", details: "kept", anchors: "random", mirror: false, nearby: false },
 };
 
 const RADIUS_MM = { min: 5, max: 120, step: 1, usual: 40 };
@@ -29,6 +31,7 @@ const RADIUS_MM = { min: 5, max: 120, step: 1, usual: 40 };
 export class EditOptions {
   #operator = byId("operator", HTMLSelectElement);
   #hold = byId("hold", HTMLSelectElement);
+  #details = byId("details", HTMLSelectElement);
   #anchors = byId("anchors", HTMLSelectElement);
   #mirror = byId("mirror", HTMLInputElement);
   #nearby = byId("nearby", HTMLInputElement);
@@ -44,6 +47,7 @@ export class EditOptions {
     this.#radius = this.#makeRadius();
     this.#operator.addEventListener("change", () => this.#change());
     this.#hold.addEventListener("change", () => this.#change());
+    this.#details.addEventListener("change", () => this.#change());
     this.#anchors.addEventListener("change", () => this.#change());
     this.#mirror.addEventListener("change", () => this.#change());
     this.#nearby.addEventListener("change", () => this.#change());
@@ -87,6 +91,7 @@ export class EditOptions {
   #choose(options) {
     this.#operator.value = options.operator;
     this.#hold.value = options.hold;
+    this.#details.value = options.details;
     this.#anchors.value = options.anchors;
     this.#mirror.checked = options.mirror;
     this.#nearby.checked = options.nearby;
@@ -101,6 +106,7 @@ export class EditOptions {
     this.#bench.act((studio) => {
       if (now.operator !== before?.operator) studio.setOperator(now.operator);
       if (now.hold !== before?.hold) studio.setHold(now.hold);
+      if (now.details !== before?.details) studio.setDetails(now.details);
       if (now.anchors !== before?.anchors) studio.setAnchorChoice(now.anchors);
       if (now.mirror !== before?.mirror) studio.setMirror(now.mirror);
       if (now.radius_mm !== before?.radius_mm) studio.setRadius(now.radius_mm);
@@ -116,6 +122,7 @@ export class EditOptions {
     return {
       operator: /** @type {OperatorName} */ (this.#operator.value),
       hold: /** @type {HoldName} */ (this.#hold.value),
+      details: /** @type {DetailsName} */ (this.#details.value),
       anchors: /** @type {AnchorsName} */ (this.#anchors.value),
       mirror: this.#mirror.checked,
       nearby: this.#nearby.checked,
@@ -132,6 +139,7 @@ export class EditOptions {
   #explain() {
     byId("operator-help", HTMLParagraphElement).textContent = say(wordOf(`operator.${this.#operator.value}.help`));
     byId("hold-help", HTMLParagraphElement).textContent = say(wordOf(`hold.${this.#hold.value}.help`));
+    byId("details-help", HTMLParagraphElement).textContent = say(wordOf(`details.${this.#details.value}.help`));
     byId("anchors-help", HTMLParagraphElement).textContent = say(wordOf(`anchors.${this.#anchors.value}.help`));
   }
 
