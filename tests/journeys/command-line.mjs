@@ -25,6 +25,27 @@ export async function meshByCommandLine(photo, options) {
   }
 }
 
+/**
+ * What `rosto paper` finds about each operator and constraint on a photo.
+ *
+ * @param {string} photo
+ * @param {string[]} options
+ */
+export async function paperByCommandLine(photo, options) {
+  const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
+  try {
+    const { stdout } = await promisify(execFile)(program(), ["paper", photo, "-o", folder, ...options]);
+    const rows = stdout.slice(stdout.indexOf("| Operator")).trim().split("\n").slice(2);
+    return rows.map((row) => {
+      const [operator, hold, , bent, stretch, flipped, smooth] = row.split("|").slice(1).map((cell) => cell.trim());
+      const [bentBy, stretchedBy, turned, unpeaked] = [bent, stretch, flipped, smooth].map(Number.parseFloat);
+      return { operator, hold, bent: bentBy, stretch: stretchedBy, flipped: turned, smooth: unpeaked };
+    });
+  } finally {
+    await rm(folder, { recursive: true });
+  }
+}
+
 function program() {
   const built = ["release", "debug"].map((profile) => path.join(TARGET, profile, "rosto"));
   const found = [process.env.ROSTO_CLI, ...built].find((file) => file && existsSync(file));

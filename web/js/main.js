@@ -11,6 +11,7 @@ import { setUpExportPanel } from "./panel/export-panel.js";
 import { FacePanel } from "./panel/face-panel.js";
 import { setUpHistoryPanel } from "./panel/history-panel.js";
 import { LandmarkPanel } from "./panel/landmark-panel.js";
+import { PaperPanel } from "./panel/paper-panel.js";
 import { chooseDensity, chooseTriangulation, setUpViewPanel } from "./panel/view-panel.js";
 import { setUpCamera } from "./photo/camera.js";
 import { FaceChoice } from "./photo/face-choice.js";
@@ -40,6 +41,8 @@ setUpCredits();
 const vision = new VisionClient();
 const overlay = new PhotoOverlay();
 const keeper = new WorkKeeper();
+/** @type {PaperPanel | undefined} */
+let paper;
 const bench = openBench();
 /** @type {import("./worker/protocol.js").FoundFaces | undefined} */
 let found;
@@ -66,6 +69,7 @@ async function openBench() {
     setUpViewPanel(opened);
     setUpHistoryPanel(opened);
     setUpExportPanel(opened, keeper);
+    paper = new PaperPanel(opened);
     keeper.follow(opened);
     opened.look((studio) => {
       studio.setBackground("transparent");
@@ -110,8 +114,13 @@ async function openFile(file) {
 /** @param {Blob} photo */
 async function openPhoto(photo) {
   showLoading();
-  const faces = await vision.find(photo, MAX_FACES, showStage);
-  await openFace(faceOf(faces, 0), faces.bitmap);
+  // The worker may have to load before it begins.
+  let begun_ms = NaN;
+  const faces = await vision.find(photo, MAX_FACES, (stage, fraction) => {
+    if (Number.isNaN(begun_ms)) begun_ms = performance.now();
+    showStage(stage, fraction);
+  });
+  await openFace(faceOf(faces, 0), faces.bitmap, performance.now() - begun_ms);
   found = faces;
   await faceChoice.show(faces);
   hideProgress();
@@ -139,8 +148,9 @@ async function openWork({ face, edits, triangulation, density = 0 }) {
 /**
  * @param {import("./work/work.js").OpenedFace} face
  * @param {ImageBitmap} bitmap its picture
+ * @param {number} [extraction_ms] how long finding its landmarks took
  */
-async function openFace(face, bitmap) {
+async function openFace(face, bitmap, extraction_ms) {
   overlay.show(face, bitmap);
   const opened = await bench;
   // The photo is drawn in a task of its own, before the face takes the next one.
@@ -163,6 +173,7 @@ async function openFace(face, bitmap) {
   // A phone's sheet has no room for the photo beside the tools.
   if (matchMedia("(width < 720px)").matches) byId("section-photo", HTMLDetailsElement).open = false;
   if (!opened) return;
+  paper?.forget(extraction_ms);
   keeper.take(face);
   hint("hint.drag", "hint.turn");
 }

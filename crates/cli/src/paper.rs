@@ -1,22 +1,24 @@
 use std::path::Path;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 use std::{fs, io};
 
 use glam::DVec3;
 use rosto_export::{GlbOptions, Model, Paint, glb};
 use rosto_face::{FaceModel, Triangulation};
+use rosto_laplacian::LaplacianError;
+use rosto_studio::paper::{Experiment, Method, MethodOutcome, Plan, PlotWords, Trial, svg};
 
 use crate::args::PaperTask;
 use crate::encode::model_from_image;
 use crate::error::CliError;
 use crate::{files, networks, portrait};
 
-mod experiment;
-mod plot;
 mod report;
-mod statistics;
 
-use experiment::{Method, Trial};
+/// An edit is timed this often, and the median counts.
+const REPETITIONS: usize = 5;
+
+const PLOT_PX: [f64; 2] = [640.0, 400.0];
 
 /// `rosto paper`: the paper's experiment on this photo and this machine, over many seeds and every way of editing.
 pub fn run(task: &PaperTask, networks: Option<&Path>) -> Result<(), CliError> {
@@ -28,31 +30,62 @@ pub fn run(task: &PaperTask, networks: Option<&Path>) -> Result<(), CliError> {
     let started = Instant::now();
     let face = portrait::model(&photo, &face, Triangulation::Tessellation, &task.photo)?;
     let generation = started.elapsed();
-    let trials = trials(&face, task)?;
-    let paper = &trials[0].1;
+    let unsolved = |reason: LaplacianError| CliError::Studio(reason.into());
+    let experiment = Experiment::new(face.topology().clone(), face.positions_image().to_vec()).map_err(unsolved)?;
+    let of_method = |method| Ok((method, trials(&experiment, method, task)?));
+    let all: Vec<(Method, Vec<Trial>)> =
+        Method::all().into_iter().map(of_method).collect::<Result<_, _>>().map_err(unsolved)?;
+    let outcomes: Vec<MethodOutcome> =
+        all.iter().map(|(method, trials)| MethodOutcome::of(&experiment, *method, trials)).collect();
+    let paper = &all[0].1;
     write_figures(&face, &paper[0], &task.output)?;
-    let plot = plot::svg(paper);
+    let plot = svg(paper, PLOT_PX, &plot_words());
     files::write(&task.output.join("times.svg"), plot.as_bytes())?;
-    files::print(&report::markdown(extraction, generation, &trials, &task.output))
+    files::print(&report::markdown(extraction, generation, paper, &outcomes, &task.output))
 }
 
-/// For each method, a trial for each seed; the paper's method first.
-fn trials(face: &FaceModel, task: &PaperTask) -> Result<Vec<(Method, Vec<Trial>)>, CliError> {
+fn plot_words() -> PlotWords {
+    let [title, degree, small, large] =
+        ["Time per edit, from nothing (ms)", "degree", "small offset", "large offset"].map(str::to_owned);
+    PlotWords { title, degree, small, large }
+}
+
+/// A trial for each seed.
+fn trials(experiment: &Experiment, method: Method, task: &PaperTask) -> Result<Vec<Trial>, LaplacianError> {
     let seeds = (0..task.runs.max(1)).map(|run| task.seed.wrapping_add(run));
-    let of_method = |method: Method| {
-        let trials = seeds.clone().map(|seed| experiment::trial(face, method, seed)).collect::<Result<_, _>>();
-        trials.map(|trials| (method, trials)).map_err(|reason| CliError::Studio(reason.into()))
-    };
-    Method::all().into_iter().map(of_method).collect()
+    seeds.map(|seed| trial(experiment, method, seed)).collect()
+}
+
+fn trial(experiment: &Experiment, method: Method, seed: u64) -> Result<Trial, LaplacianError> {
+    let mut trial = Trial::new(experiment, method, seed);
+    while let Some(plan) = trial.next_edit(experiment) {
+        let (edited, time) = timed(&trial, experiment, &plan)?;
+        trial.go_on(experiment, plan, edited, time);
+    }
+    Ok(trial)
+}
+
+/// The edit, and the median time of several repetitions.
+fn timed(trial: &Trial, experiment: &Experiment, plan: &Plan) -> Result<(Vec<DVec3>, Duration), LaplacianError> {
+    let mut times = Vec::new();
+    loop {
+        let started = Instant::now();
+        let edited = trial.edit(experiment, plan)?;
+        times.push(started.elapsed());
+        if times.len() == REPETITIONS {
+            times.sort_unstable();
+            return Ok((edited, times[REPETITIONS / 2]));
+        }
+    }
 }
 
 /// The meshes of Figures 3, 4 and 5: before the edits, after the small ones, after the large ones.
 fn write_figures(face: &FaceModel, trial: &Trial, folder: &Path) -> Result<(), CliError> {
     let unwritable = |reason: io::Error| CliError::Unwritable { path: folder.to_owned(), reason };
     fs::create_dir_all(folder).map_err(unwritable)?;
-    let [after_small, after_large] = &trial.after_rounds;
-    let figures: [(&str, &[DVec3]); 3] =
-        [("figure-3", face.positions_image()), ("figure-4", after_small), ("figure-5", after_large)];
+    let rounds = trial.after_rounds().iter().map(Vec::as_slice);
+    let figures =
+        ["figure-3", "figure-4", "figure-5"].into_iter().zip([face.positions_image()].into_iter().chain(rounds));
     for (name, positions) in figures {
         let positions_m = model_from_image(face, positions);
         let options = GlbOptions { paint: Paint::VertexColours, name, ..GlbOptions::default() };

@@ -12,6 +12,7 @@ mod follow;
 mod hand;
 mod modes;
 mod names;
+mod paper;
 mod renderer;
 mod reopened;
 mod seeing;
@@ -26,8 +27,9 @@ use web_sys::HtmlCanvasElement;
 
 pub use modes::{
     AnchorsName, AxisName, BackgroundName, DetailsName, ExportPaintName, HoldName, LanguageName, OperatorName,
-    PaintName, ThemeName, TriangulationName, UnitsName, ViewName,
+    PaintName, TaskName, ThemeName, TriangulationName, UnitsName, ViewName,
 };
+pub use paper::{PaperClaims, PaperMethod, PaperRow, PaperRun};
 pub use renderer::{Renderer, create_renderer};
 pub use reopened::{ReopenedFace, reopen_glb};
 pub use state::{NamedRegion, NamedSlider, ScreenPoint, Snapshot, StudioEntry, StudioState};

@@ -3,6 +3,7 @@
 #![expect(missing_docs, reason = "wasm-bindgen adds a variant and functions of its own, without words")]
 
 use rosto_face::{Language, Triangulation};
+use rosto_studio::Operator;
 use rosto_viewport::Axis;
 use wasm_bindgen::prelude::*;
 
@@ -165,6 +166,32 @@ impl From<Triangulation> for TriangulationName {
         match triangulation {
             Triangulation::Tessellation => Self::Tessellation,
             Triangulation::Canonical => Self::Canonical,
+        }
+    }
+}
+
+/// What the paper's Table 1 times.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TaskName {
+    /// Photo to landmarks.
+    Extraction = "extraction",
+    /// Landmarks to coloured mesh.
+    Generation = "generation",
+    /// Moving a vertex by the small offset.
+    SmallEdit = "small-edit",
+    /// Moving a vertex by the large offset.
+    LargeEdit = "large-edit",
+}
+
+impl From<Operator> for OperatorName {
+    fn from(operator: Operator) -> Self {
+        match operator {
+            Operator::UniformSymmetric => Self::UniformSymmetric,
+            Operator::Uniform => Self::Uniform,
+            Operator::Degree => Self::Degree,
+            Operator::InverseLength => Self::InverseLength,
+            Operator::Cotangent => Self::Cotangent,
         }
     }
 }

@@ -13,6 +13,7 @@ mod grip;
 mod history;
 mod level;
 mod mirror;
+pub mod paper;
 pub mod project;
 mod shape;
 mod sliders;

@@ -14,14 +14,23 @@ pub fn canonical(triangulation: Triangulation) -> Rest {
 
 /// The sample portrait's face in metres: as asymmetric as faces are.
 pub fn portrait(triangulation: Triangulation) -> Rest {
-    let text = include_str!("../../../../tests/golden/portrait_landmarks.json");
-    let json: Value = serde_json::from_str(text).unwrap();
-    let rows = json["landmarks"].as_array().unwrap().iter();
-    let landmarks: Vec<[f32; 3]> = rows.map(|p| [0, 1, 2].map(|axis| p[axis].as_f64().unwrap() as f32)).collect();
+    let landmarks = portrait_landmarks();
     let picture = Photo::from_rgb(1, 1, vec![0; 3]).unwrap();
     let colours = [[0; 3]; LANDMARK_COUNT];
     let input = FaceInput { landmarks: &landmarks, width: 512, height: 512, colours: &colours, picture };
     Rest::of_face(&FaceModel::new(input, triangulation).unwrap())
+}
+
+/// The same face in MediaPipe's normalised picture coordinates.
+pub fn portrait_image() -> Vec<DVec3> {
+    portrait_landmarks().into_iter().map(|landmark| DVec3::from(landmark.map(f64::from))).collect()
+}
+
+fn portrait_landmarks() -> Vec<[f32; 3]> {
+    let text = include_str!("../../../../tests/golden/portrait_landmarks.json");
+    let json: Value = serde_json::from_str(text).unwrap();
+    let rows = json["landmarks"].as_array().unwrap().iter();
+    rows.map(|p| [0, 1, 2].map(|axis| p[axis].as_f64().unwrap() as f32)).collect()
 }
 
 /// A mirrored grip of one vertex, held exactly.

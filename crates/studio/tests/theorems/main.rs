@@ -7,6 +7,7 @@ mod faces;
 mod golden_edits;
 mod history;
 mod mirror;
+mod paper;
 mod reach;
 #[path = "../../../../tests/seeded.rs"]
 mod seeded;

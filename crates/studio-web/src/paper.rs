@@ -1,0 +1,257 @@
+use std::time::Duration;
+
+use glam::DVec3;
+use rosto_face::{FaceInput, FaceModel, Photo, Triangulation};
+use rosto_studio::paper::{
+    Claims, DEGREES, Experiment, Method, MethodOutcome, OFFSETS, Plan, PlotWords, TABLE_1, TableRow, Task, Trial, svg,
+};
+use rosto_studio::{Hold, StudioError};
+use wasm_bindgen::prelude::*;
+
+use crate::Studio;
+use crate::modes::{HoldName, OperatorName, TaskName};
+use crate::trouble::{Outcome, Trouble};
+
+/// The paper's experiment on the open face, apart from the work on it.
+///
+/// The page keeps the clock: it calls `repeat` for as long as it takes to be timed, then `goOn` with the time of one, and
+/// so on until all is done. `free()` it in the end.
+#[wasm_bindgen]
+pub struct PaperRun {
+    face: Landmarks,
+    experiment: Experiment,
+    generation_ms: Option<f64>,
+    /// Every method's trials, one after the other; the paper's own method first.
+    trials: Vec<Trial>,
+    runs: usize,
+    /// The trial that is under way, its next edit, and where that takes the vertices.
+    place: usize,
+    made: Option<(Plan, Vec<DVec3>)>,
+}
+
+/// What the initial generation starts from.
+struct Landmarks {
+    landmarks: Vec<[f32; 3]>,
+    colours: Vec<[u8; 3]>,
+    photo_size_px: [u32; 2],
+}
+
+#[wasm_bindgen]
+impl Studio {
+    /// Prepares the experiment: each method over so many random choices of vertices and anchors, counted from `seed`.
+    ///
+    /// # Errors
+    /// `no-face` or `cannot-solve`.
+    #[wasm_bindgen(js_name = paperRun)]
+    pub fn paper_run(&self, runs: u32, seed: u32) -> Result<PaperRun, JsValue> {
+        Ok(PaperRun::new(&self.session()?.face, runs.max(1), seed)?)
+    }
+}
+
+#[wasm_bindgen]
+impl PaperRun {
+    /// How much is done, from 0 to 1; at 1, all.
+    #[wasm_bindgen(getter)]
+    pub fn share(&self) -> f64 {
+        let done: usize = self.trials.iter().map(|trial| trial.edits().len()).sum();
+        done as f64 / (self.trials.len() * DEGREES.len() * OFFSETS.len()) as f64
+    }
+
+    /// Makes the next step so many times, from nothing each time.
+    ///
+    /// # Errors
+    /// `cannot-solve`.
+    pub fn repeat(&mut self, times: u32) -> Result<(), JsValue> {
+        for _ in 0..times {
+            self.step()?;
+        }
+        Ok(())
+    }
+
+    /// Goes on to the step after the one that was repeated and took so long each time.
+    #[wasm_bindgen(js_name = goOn)]
+    pub fn go_on(&mut self, #[wasm_bindgen(js_name = eachMs)] each_ms: f64) {
+        if self.generation_ms.is_none() {
+            self.generation_ms = Some(each_ms);
+        } else if let (Some(trial), Some((plan, edited))) = (self.trials.get_mut(self.place), self.made.take()) {
+            trial.go_on(&self.experiment, plan, edited, Duration::from_secs_f64(each_ms.max(0.0) / 1000.0));
+            if trial.next_edit(&self.experiment).is_none() {
+                self.place += 1;
+            }
+        }
+    }
+
+    /// Table 1 of the paper beside the first run here.
+    pub fn table(&self) -> Vec<PaperRow> {
+        let mut edits = self.trials[0].edits().iter();
+        let row = |row: &TableRow| {
+            let [first_ms, second_ms] = row.seconds.map(|seconds| seconds * 1e3);
+            let (task, degree, here_ms) = match row.task {
+                Task::Extraction => (TaskName::Extraction, 0, None),
+                Task::Generation => (TaskName::Generation, 0, self.generation_ms),
+                Task::Edit { degree, round } => {
+                    let task = if round == 0 { TaskName::SmallEdit } else { TaskName::LargeEdit };
+                    (task, degree as u32, edits.next().map(|edit| edit.time.as_secs_f64() * 1e3))
+                }
+            };
+            PaperRow { task, degree, first_ms, second_ms, here_ms }
+        };
+        TABLE_1.iter().map(row).collect()
+    }
+
+    /// What each method took and did.
+    pub fn methods(&self) -> Vec<PaperMethod> {
+        let of_method = |(method, trials): (Method, &[Trial])| {
+            let outcome = MethodOutcome::of(&self.experiment, method, trials);
+            PaperMethod {
+                operator: method.operator.into(),
+                hold: if method.hold == Hold::Exact { HoldName::Exact } else { HoldName::Soft },
+                time_ms: outcome.time_ms.median,
+                bent: outcome.bent.median,
+                stretch: outcome.stretch.median,
+                flipped: outcome.flipped.median,
+                smooth: outcome.smooth as u32,
+                edits: outcome.edits as u32,
+            }
+        };
+        Method::all().into_iter().zip(self.trials.chunks(self.runs)).map(of_method).collect()
+    }
+
+    /// What the paper claims, as figures for its own method.
+    pub fn claims(&self) -> PaperClaims {
+        let claims = Claims::of(self.of_paper());
+        PaperClaims {
+            degree_ratio: claims.degree_ratio,
+            offset_ratio: claims.offset_ratio,
+            smooth: claims.smooth as u32,
+            edits: claims.edits as u32,
+        }
+    }
+
+    /// Time against degree and offset for the paper's own method, as an SVG picture.
+    pub fn plot(
+        &self,
+        #[wasm_bindgen(js_name = widthPx)] width_px: f64,
+        #[wasm_bindgen(js_name = heightPx)] height_px: f64,
+        title: String,
+        degree: String,
+        small: String,
+        large: String,
+    ) -> String {
+        svg(self.of_paper(), [width_px, height_px], &PlotWords { title, degree, small, large })
+    }
+}
+
+impl PaperRun {
+    fn new(face: &FaceModel, runs: u32, seed: u32) -> Outcome<Self> {
+        let positions_image = face.positions_image();
+        let experiment = Experiment::new(Triangulation::Tessellation.topology(), positions_image.to_vec())
+            .map_err(StudioError::from)?;
+        let seeds = (0..u64::from(runs)).map(|run| u64::from(seed) + run);
+        let of_method = |method| seeds.clone().map(move |seed| (method, seed));
+        let trials = Method::all().into_iter().flat_map(of_method);
+        let trials = trials.map(|(method, seed)| Trial::new(&experiment, method, seed)).collect();
+        let face = Landmarks {
+            landmarks: positions_image.iter().map(|place| place.to_array().map(|part| part as f32)).collect(),
+            colours: face.colours_srgb().to_vec(),
+            photo_size_px: face.photo_size_px(),
+        };
+        Ok(Self { face, experiment, generation_ms: None, trials, runs: runs as usize, place: 0, made: None })
+    }
+
+    fn step(&mut self) -> Outcome<()> {
+        if self.generation_ms.is_none() {
+            return self.face.generate();
+        }
+        let Some(trial) = self.trials.get(self.place) else { return Ok(()) };
+        let Some(plan) = trial.next_edit(&self.experiment) else { return Ok(()) };
+        let edited = trial.edit(&self.experiment, &plan).map_err(StudioError::from)?;
+        self.made = Some((plan, edited));
+        Ok(())
+    }
+
+    fn of_paper(&self) -> &[Trial] {
+        &self.trials[..self.runs]
+    }
+}
+
+impl Landmarks {
+    /// Landmarks to coloured mesh. The photo is not a part of it: it only lends its colours, which are there.
+    fn generate(&self) -> Outcome<()> {
+        let picture = Photo::from_rgb(1, 1, vec![0; 3])
+            .map_err(|error| Trouble::new("internal", error.to_string(), "Open the photo again."))?;
+        let [width, height] = self.photo_size_px;
+        let input = FaceInput { landmarks: &self.landmarks, width, height, colours: &self.colours, picture };
+        FaceModel::new(input, Triangulation::Tessellation)?;
+        Ok(())
+    }
+}
+
+/// A row of the paper's Table 1, with the time here.
+#[wasm_bindgen(inspectable)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PaperRow {
+    /// What was timed.
+    #[wasm_bindgen(readonly)]
+    pub task: TaskName,
+    /// Number of neighbours of the vertex that was moved; 0 where none was.
+    #[wasm_bindgen(readonly)]
+    pub degree: u32,
+    /// The paper's first test, ms.
+    #[wasm_bindgen(readonly, js_name = firstMs)]
+    pub first_ms: f64,
+    /// The paper's second test, ms.
+    #[wasm_bindgen(readonly, js_name = secondMs)]
+    pub second_ms: f64,
+    /// Here, ms; undefined where it was not timed.
+    #[wasm_bindgen(readonly, js_name = hereMs)]
+    pub here_ms: Option<f64>,
+}
+
+/// What one way of editing took and did: medians over the runs, after all six edits.
+#[wasm_bindgen(inspectable)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PaperMethod {
+    /// What δ-coordinates were taken with.
+    #[wasm_bindgen(readonly)]
+    pub operator: OperatorName,
+    /// How firmly handle and anchors were held.
+    #[wasm_bindgen(readonly)]
+    pub hold: HoldName,
+    /// Time for an edit, ms.
+    #[wasm_bindgen(readonly, js_name = timeMs)]
+    pub time_ms: f64,
+    /// `‖δ' − δ‖` over the mesh, in image units.
+    #[wasm_bindgen(readonly)]
+    pub bent: f64,
+    /// By how many times the edge that grew most is longer.
+    #[wasm_bindgen(readonly)]
+    pub stretch: f64,
+    /// Triangles turned over.
+    #[wasm_bindgen(readonly)]
+    pub flipped: f64,
+    /// Edits that raised no peak without a gradual rise.
+    #[wasm_bindgen(readonly)]
+    pub smooth: u32,
+    /// All edits.
+    #[wasm_bindgen(readonly)]
+    pub edits: u32,
+}
+
+/// The paper's claims as figures.
+#[wasm_bindgen(inspectable)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PaperClaims {
+    /// The slowest degree's median time over the fastest's.
+    #[wasm_bindgen(readonly, js_name = degreeRatio)]
+    pub degree_ratio: f64,
+    /// The slower offset's median time over the faster's.
+    #[wasm_bindgen(readonly, js_name = offsetRatio)]
+    pub offset_ratio: f64,
+    /// Edits that raised no peak without a gradual rise.
+    #[wasm_bindgen(readonly)]
+    pub smooth: u32,
+    /// All edits.
+    #[wasm_bindgen(readonly)]
+    pub edits: u32,
+}

@@ -1,0 +1,154 @@
+import { byId, enableAction, make, onAction } from "../page/dom.js";
+import { showTrouble } from "../page/notice.js";
+import { inEveryLanguage, say, sayNumber } from "../words/words.js";
+import { announce } from "./landmark-panel.js";
+import { Stopwatch } from "./stopwatch.js";
+
+/**
+ * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../../wasm/rosto-studio-web.js").PaperRun} PaperRun
+ * @typedef {import("../../wasm/rosto-studio-web.js").PaperMethod} PaperMethod
+ * @typedef {import("../../wasm/rosto-studio-web.js").PaperRow} PaperRow
+ * @typedef {"bent" | "stretch" | "flipped" | "smooth" | "timeMs"} Measure
+ */
+
+/** Random choices of vertices and anchors for each method; the first is that of the command line's first run. */
+const RUNS = 5;
+const SEED = 0;
+
+const PLOT_PX = { width: 272, height: 220 };
+
+/** @type {Record<Measure, number>} */
+const DECIMALS = { bent: 3, stretch: 2, flipped: 0, smooth: 0, timeMs: 2 };
+
+/** The paper's experiment on the open face, in the visitor's browser. */
+export class PaperPanel {
+  #measure = byId("paper-measure", HTMLSelectElement);
+  #bench;
+  /** @type {number | undefined} how long finding the landmarks of this face took */
+  #extraction_ms;
+  /** @type {PaperRun | undefined} the last finished run */
+  #finished;
+  /** Counts the faces, so that a run notices when its own is gone. */
+  #face = 0;
+
+  /** @param {Workbench} bench */
+  constructor(bench) {
+    this.#bench = bench;
+    onAction("run-paper", () => this.#run());
+    this.#measure.addEventListener("change", () => this.#show());
+    inEveryLanguage(() => this.#show());
+  }
+
+  /**
+   * A face was opened: what was found out about the one before it is of no more use.
+   *
+   * @param {number | undefined} extraction_ms how long finding its landmarks took, if that was timed
+   */
+  forget(extraction_ms) {
+    this.#extraction_ms = extraction_ms;
+    this.#face += 1;
+    this.#keep(undefined);
+  }
+
+  async #run() {
+    const face = this.#face;
+    enableAction("run-paper", false);
+    try {
+      const run = this.#bench.studio.paperRun(RUNS, SEED);
+      const isDone = await this.#go(run, () => face === this.#face);
+      if (isDone) {
+        this.#keep(run);
+        announce(say("paper.done"));
+      } else run.free();
+    } catch (error) {
+      showTrouble(error);
+    }
+    byId("paper-progress", HTMLProgressElement).hidden = true;
+    enableAction("run-paper", true);
+  }
+
+  /**
+   * @param {PaperRun} run
+   * @param {() => boolean} isWanted
+   */
+  async #go(run, isWanted) {
+    const bar = byId("paper-progress", HTMLProgressElement);
+    bar.hidden = false;
+    const stopwatch = new Stopwatch();
+    while (run.share < 1) {
+      bar.value = run.share;
+      run.goOn(await stopwatch.time((times) => run.repeat(times)));
+      if (!isWanted()) return false;
+    }
+    return true;
+  }
+
+  /** @param {PaperRun | undefined} run */
+  #keep(run) {
+    this.#finished?.free();
+    this.#finished = run;
+    this.#show();
+  }
+
+  #show() {
+    const run = this.#finished;
+    byId("paper-results", HTMLDivElement).hidden = !run;
+    if (!run) return;
+    byId("paper-table", HTMLTableSectionElement).replaceChildren(...run.table().map((row) => this.#tableRow(row)));
+    const { degreeRatio, offsetRatio, smooth, edits } = run.claims();
+    const claims = { degree: sayNumber(degreeRatio, 2), offset: sayNumber(offsetRatio, 2), smooth, edits };
+    byId("paper-claims", HTMLParagraphElement).textContent = say("paper.claims", claims);
+    byId("paper-plot", HTMLDivElement).replaceChildren(plotOf(run));
+    const measure = /** @type {Measure} */ (this.#measure.value);
+    byId("paper-measure-help", HTMLParagraphElement).textContent = say(`paper.${measure}.help`, { runs: RUNS, edits });
+    byId("paper-methods", HTMLTableSectionElement).replaceChildren(...methodRows(run.methods(), measure));
+  }
+
+  /** @param {PaperRow} row */
+  #tableRow({ task, degree, firstMs, secondMs, hereMs }) {
+    const here_ms = task === "extraction" ? this.#extraction_ms : hereMs;
+    const here = here_ms === undefined ? say("paper.not-timed") : sayNumber(here_ms, here_ms < 10 ? 2 : 0);
+    return tableRow(say(`paper.${task}`, { degree }), [sayNumber(firstMs, 0), sayNumber(secondMs, 0), here]);
+  }
+}
+
+/**
+ * One row for each operator: softly and exactly held.
+ *
+ * @param {PaperMethod[]} methods
+ * @param {Measure} measure
+ */
+function methodRows(methods, measure) {
+  const operators = [...new Set(methods.map(({ operator }) => operator))];
+  return operators.map((operator) => {
+    const values = /** @type {const} */ (["soft", "exact"]).map((hold) => {
+      const method = methods.find((one) => one.operator === operator && one.hold === hold);
+      return sayNumber(method?.[measure] ?? 0, DECIMALS[measure]);
+    });
+    return tableRow(say(`paper.operator.${operator}`), values);
+  });
+}
+
+/**
+ * @param {string} heading
+ * @param {string[]} values
+ */
+function tableRow(heading, values) {
+  const row = make("tr");
+  const name = make("th", undefined, heading);
+  name.scope = "row";
+  row.append(name, ...values.map((value) => make("td", undefined, value)));
+  return row;
+}
+
+/** @param {PaperRun} run */
+function plotOf(run) {
+  const { width, height } = PLOT_PX;
+  const words = /** @type {const} */ (["title", "degree", "small", "large"]).map((word) => say(`paper.plot.${word}`));
+  const [title = "", degree = "", small = "", large = ""] = words;
+  const svg = run.plot(width, height, title, degree, small, large);
+  const picture = new DOMParser().parseFromString(svg, "image/svg+xml").documentElement;
+  picture.setAttribute("role", "img");
+  return picture;
+}
