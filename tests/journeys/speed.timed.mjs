@@ -7,7 +7,13 @@ import { SAMPLE } from "./visitor.mjs";
 /** What a 12-megapixel camera takes. */
 const LARGE = { width: 4000, height: 3000 };
 const LONG_TASK_MS = 50;
+/** How many tasks are told. */
+const SHOWN = 5;
+/** What the trace lays around every task. */
+const WRAPPERS = new Set(["RunTask", "ThreadControllerImpl::RunTask", "ThreadPool_RunTask"]);
 const CATEGORIES = ["toplevel", "devtools.timeline", "disabled-by-default-devtools.timeline"];
+
+/** @typedef {{ name: string, ph: string, pid: number, tid: number, ts: number, dur: number, tdur: number, args: { name?: string } }} Event of a trace, times in µs */
 
 journey("no task on the main thread is long from a drop of 12 megapixels to the mesh", async (open) => {
   const visitor = await open();
@@ -28,21 +34,38 @@ journey("no task on the main thread is long from a drop of 12 megapixels to the 
     dispatchEvent(new DragEvent("drop", { dataTransfer: globalThis.dropped, bubbles: true, cancelable: true })),
   );
   await visitor.untilFace();
-  await visitor.frames(10);
+  // Half a second more, in which the face is stored for the next visit.
+  await visitor.frames(30);
   const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
-  const longest_ms = Math.max(...mainThreadTasks_ms(traceEvents));
-  assert.ok(longest_ms > 0 && longest_ms <= LONG_TASK_MS, `a task took ${longest_ms.toFixed(0)} ms`);
+  const tasks = mainThreadTasks(traceEvents);
+  for (const { took_ms, held } of tasks.slice(0, SHOWN)) console.log(`    ${took_ms.toFixed(1)} ms: ${held}`);
+  const [longest] = tasks;
+  assert.ok(longest && longest.took_ms <= LONG_TASK_MS, `a task took ${longest?.took_ms.toFixed(0)} ms`);
 });
 
 /**
- * The processor time of each task of the page's main thread, so that what else the machine does is left out.
+ * The tasks of the page's main thread, the longest first, by processor time, so that what else the machine does is left
+ * out; with what took the most in each.
  *
- * @param {{ name: string, ph: string, pid: number, tid: number, tdur?: number, args: { name?: string } }[]} events
+ * @param {Event[]} events
  */
-function mainThreadTasks_ms(events) {
+function mainThreadTasks(events) {
   const threads = events.filter(({ name, args }) => name === "thread_name" && args.name === "CrRendererMain");
   const main = new Set(threads.map(({ pid, tid }) => `${pid}:${tid}`));
-  return events
-    .filter(({ name, ph, pid, tid }) => name === "RunTask" && ph === "X" && main.has(`${pid}:${tid}`))
-    .map(({ tdur = 0 }) => tdur / 1000);
+  const timed = events.filter(({ ph, pid, tid, tdur }) => ph === "X" && tdur && main.has(`${pid}:${tid}`));
+  const tasks = timed.filter(({ name }) => name === "RunTask").sort((a, b) => b.tdur - a.tdur);
+  return tasks.map((task) => ({ took_ms: task.tdur / 1000, held: partsOf(task, timed) }));
+}
+
+/**
+ * What a task held, as the browser's own trace names it.
+ *
+ * @param {Event} task
+ * @param {Event[]} events
+ */
+function partsOf(task, events) {
+  const within = events.filter(({ ts, dur, tid, name }) =>
+    tid === task.tid && ts >= task.ts && ts + dur <= task.ts + task.dur && !WRAPPERS.has(name));
+  const longest = within.sort((a, b) => b.tdur - a.tdur).slice(0, 3);
+  return longest.map(({ name, tdur }) => `${name} ${(tdur / 1000).toFixed(1)}`).join(", ");
 }

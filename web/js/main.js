@@ -5,6 +5,7 @@ import { keepOffline } from "./page/offline.js";
 import { countRequests } from "./page/privacy.js";
 import { hideProgress, setUpProgress, showLoading, showStage } from "./page/progress.js";
 import { setUpTabs } from "./page/tabs.js";
+import { afterNextFrame, nextTask } from "./page/tasks.js";
 import { setUpTheme } from "./page/theme.js";
 import { EditOptions } from "./panel/edit-options.js";
 import { setUpExportPanel } from "./panel/export-panel.js";
@@ -16,6 +17,7 @@ import { chooseDensity, chooseTriangulation, setUpViewPanel } from "./panel/view
 import { setUpCamera } from "./photo/camera.js";
 import { FaceChoice } from "./photo/face-choice.js";
 import { setUpPhotoInput } from "./photo/photo-input.js";
+import { openPicture } from "./photo/open-picture.js";
 import { PhotoOverlay } from "./photo/photo-overlay.js";
 import { loadSample } from "./photo/sample.js";
 import { Replaced, VisionClient } from "./photo/vision-client.js";
@@ -46,8 +48,9 @@ let paper;
 const bench = openBench();
 /** @type {import("./worker/protocol.js").FoundFaces | undefined} */
 let found;
+let lastOpened = Promise.resolve();
 const faceChoice = new FaceChoice((index) => {
-  if (found) openFace(faceOf(found, index), found.bitmap);
+  if (found) openFace(faceOf(found, index), found.bitmap).catch(showPhotoTrouble);
 });
 
 setUpTheme((theme) => bench.then((opened) => opened?.look((studio) => studio.setTheme(theme))));
@@ -86,7 +89,7 @@ async function openBench() {
 
 /** What is not needed for the first look: the worker, the sample, and the copy for use offline. */
 async function loadTheRest() {
-  await afterFirstPaint();
+  await afterNextFrame();
   vision.start();
   await vision.ready;
   await Promise.allSettled([loadSample(), keepOffline()]);
@@ -146,26 +149,32 @@ async function openWork({ face, edits, triangulation, density = 0 }) {
 }
 
 /**
+ * One face after the other: each takes several tasks to come in.
+ *
  * @param {import("./work/work.js").OpenedFace} face
  * @param {ImageBitmap} bitmap its picture
  * @param {number} [extraction_ms] how long finding its landmarks took
  */
-async function openFace(face, bitmap, extraction_ms) {
+function openFace(face, bitmap, extraction_ms) {
+  const opened = lastOpened.then(() => bringIn(face, bitmap, extraction_ms));
+  lastOpened = opened.catch(() => {});
+  return opened;
+}
+
+/**
+ * @param {import("./work/work.js").OpenedFace} face
+ * @param {ImageBitmap} bitmap
+ * @param {number} [extraction_ms]
+ */
+async function bringIn(face, bitmap, extraction_ms) {
   overlay.show(face, bitmap);
   const opened = await bench;
-  // The photo is drawn in a task of its own, before the face takes the next one.
-  await new Promise((resolve) => setTimeout(resolve));
+  // The photo on the panel, its pixels and the face each have a task of their own, so that none keeps the page waiting.
+  await nextTask();
+  if (opened) await openPicture(opened.studio, face);
   opened?.act((studio) => {
     studio.setBackground("ground");
-    studio.openFace(
-      face.landmarks,
-      face.width_px,
-      face.height_px,
-      face.colours,
-      face.picture,
-      face.pictureWidth_px,
-      face.pictureHeight_px,
-    );
+    studio.openFace(face.landmarks, face.width_px, face.height_px, face.colours);
   });
   document.body.dataset["state"] = opened ? "face" : "photo";
   byId("welcome", HTMLElement).hidden = true;
@@ -176,10 +185,6 @@ async function openFace(face, bitmap, extraction_ms) {
   paper?.forget(extraction_ms);
   keeper.take(face);
   hint("hint.drag", "hint.turn");
-}
-
-function afterFirstPaint() {
-  return new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
 }
 
 function setUpWords() {

@@ -1,13 +1,14 @@
 use std::fmt;
+use std::sync::Arc;
 
 use crate::{PhotoError, resize};
 
-/// An upright sRGB picture: 8-bit RGB, row-major, origin at the top left, at least one pixel.
+/// An upright sRGB picture: 8-bit RGB, row-major, origin at the top left, at least one pixel. Its clones share the pixels.
 #[derive(Clone, PartialEq, Eq)]
 pub struct Photo {
     width: u32,
     height: u32,
-    pixels: Vec<u8>,
+    pixels: Arc<Vec<u8>>,
 }
 
 impl Photo {
@@ -20,13 +21,13 @@ impl Photo {
         if expected == 0 || expected != pixels.len() as u128 {
             return Err(PhotoError::WrongLength { width, height, found_bytes: pixels.len() });
         }
-        Ok(Self { width, height, pixels })
+        Ok(Self { width, height, pixels: Arc::new(pixels) })
     }
 
     /// A picture whose size was checked already.
     pub(crate) fn from_valid(width: u32, height: u32, pixels: Vec<u8>) -> Self {
         debug_assert_eq!(width as usize * height as usize * 3, pixels.len());
-        Self { width, height, pixels }
+        Self { width, height, pixels: Arc::new(pixels) }
     }
 
     /// Width in px.
@@ -64,7 +65,7 @@ impl Photo {
     }
 
     /// The picture scaled down so that its longer side has at most `max_side_px` pixels (at least 1), each new pixel
-    /// the mean of the area it covers. A picture that fits already is copied.
+    /// the mean of the area it covers. A picture that fits already stays as it is.
     pub fn scaled_down(&self, max_side_px: u32) -> Self {
         let (long, limit) = (self.width.max(self.height), max_side_px.max(1));
         if long <= limit {

@@ -13,6 +13,7 @@ mod hand;
 mod modes;
 mod names;
 mod paper;
+mod picture;
 mod renderer;
 mod reopened;
 mod seeing;

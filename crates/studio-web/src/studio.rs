@@ -1,12 +1,13 @@
 use glam::{DVec2, DVec3};
-use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, Triangulation, canonical_positions_m};
+use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Triangulation, canonical_positions_m};
 use rosto_studio::Mirror;
-use rosto_viewport::{Mark, MarkKind, MeshInput, MirrorPlane, Paint, Picture, Viewport, Wireframe};
+use rosto_viewport::{Mark, MarkKind, MeshInput, MirrorPlane, Paint, PictureOnGpu, Viewport, Wireframe};
 use wasm_bindgen::prelude::*;
 
 use crate::choices::{AnchorChoice, Choices};
 use crate::drag::Drag;
 use crate::hand::Selection;
+use crate::picture::{IncomingPicture, OpenPicture};
 use crate::renderer::Renderer;
 use crate::session::Session;
 use crate::trouble::{Outcome, Trouble};
@@ -23,6 +24,11 @@ const GLOW: f64 = 0.75;
 pub struct Studio {
     pub(crate) viewport: Viewport,
     pub(crate) session: Option<Session>,
+    /// Of the open face.
+    picture: Option<OpenPicture>,
+    /// Of the face to be opened next.
+    next_picture: Option<OpenPicture>,
+    incoming_picture: Option<IncomingPicture>,
     pub(crate) choices: Choices,
     pub(crate) drag: Option<Drag>,
     pub(crate) wishes: Wishes,
@@ -57,36 +63,56 @@ impl Studio {
         let stage = self.viewport.stage().clone();
         self.viewport = renderer.into_viewport();
         self.viewport.set_stage(stage);
+        self.incoming_picture = None;
+        for picture in [&mut self.picture, &mut self.next_picture].into_iter().flatten() {
+            *picture = picture.on(&self.viewport)?;
+        }
         Ok(self.show_mesh()?)
     }
 
-    /// Opens a face: MediaPipe's normalised landmarks (468 × 3) found in a picture of `width` × `height` px, the colour
-    /// under each landmark (468 × 3, sRGB) and the upright picture (RGBA), perhaps scaled down. What was open before is
-    /// kept if this one cannot be opened.
+    /// Makes room for an upright picture, perhaps scaled down, whose rows are to follow. What is open stays.
+    ///
+    /// # Errors
+    /// `bad-face`.
+    #[wasm_bindgen(js_name = openPicture)]
+    pub fn open_picture(&mut self, width: u32, height: u32) -> Result<(), JsValue> {
+        self.next_picture = None;
+        self.incoming_picture = None;
+        self.incoming_picture = Some(IncomingPicture::new(&self.viewport, width, height)?);
+        Ok(())
+    }
+
+    /// Takes the next rows of that picture, RGBA. Once it is whole, `openFace` opens a face in it.
+    ///
+    /// # Errors
+    /// `bad-face` for a part of a row or more rows than there are; the picture is then to be opened anew.
+    #[wasm_bindgen(js_name = addPictureRows)]
+    pub fn add_picture_rows(&mut self, rgba: &[u8]) -> Result<(), JsValue> {
+        let incoming = self.incoming_picture.take().ok_or_else(Trouble::no_picture)?;
+        match incoming.add(&self.viewport, rgba)? {
+            Ok(whole) => self.next_picture = Some(whole),
+            Err(part) => self.incoming_picture = Some(part),
+        }
+        Ok(())
+    }
+
+    /// Opens a face of the picture that was opened last: MediaPipe's normalised landmarks (468 × 3) found in a photo of
+    /// `width` × `height` px, and the colour under each landmark (468 × 3, sRGB). What was open before is kept if this
+    /// one cannot be opened.
     ///
     /// # Errors
     /// `bad-face`.
     #[wasm_bindgen(js_name = openFace)]
-    #[expect(clippy::too_many_arguments, reason = "plain numbers and arrays cross to JavaScript best one by one")]
-    pub fn open_face(
-        &mut self,
-        landmarks: &[f32],
-        width: u32,
-        height: u32,
-        colours: &[u8],
-        picture: &[u8],
-        #[wasm_bindgen(js_name = pictureWidth)] picture_width: u32,
-        #[wasm_bindgen(js_name = pictureHeight)] picture_height: u32,
-    ) -> Result<(), JsValue> {
-        let photo = photo(picture, picture_width, picture_height)?;
+    pub fn open_face(&mut self, landmarks: &[f32], width: u32, height: u32, colours: &[u8]) -> Result<(), JsValue> {
+        let picture = self.next_picture.clone().ok_or_else(Trouble::no_picture)?;
         let input = FaceInput {
             landmarks: landmarks.as_chunks::<3>().0,
             width,
             height,
             colours: colours.as_chunks::<3>().0,
-            picture: photo,
+            picture: picture.photo.clone(),
         };
-        Ok(self.open(input)?)
+        Ok(self.open(input, picture)?)
     }
 
     /// Shows the empty state: the canonical face as a slowly turning wireframe.
@@ -96,6 +122,7 @@ impl Studio {
     #[wasm_bindgen(js_name = showCanonical)]
     pub fn show_canonical(&mut self) -> Result<(), JsValue> {
         self.session = None;
+        self.picture = None;
         self.drag = None;
         self.show_mesh()?;
         self.viewport.stage_mut().frame(&canonical_positions_m());
@@ -129,6 +156,9 @@ impl Studio {
         Self {
             viewport,
             session: None,
+            picture: None,
+            next_picture: None,
+            incoming_picture: None,
             choices: Choices::default(),
             drag: None,
             wishes: Wishes {
@@ -153,7 +183,7 @@ impl Studio {
         Ok((session, &mut self.choices))
     }
 
-    fn open(&mut self, input: FaceInput<'_>) -> Outcome<()> {
+    fn open(&mut self, input: FaceInput<'_>, picture: OpenPicture) -> Outcome<()> {
         let face = FaceModel::new(input, self.wishes.triangulation)?;
         let mut session = Session::new(face)?;
         if self.wishes.density > 0 {
@@ -161,6 +191,7 @@ impl Studio {
         }
         self.choices.pins.clear();
         self.session = Some(session);
+        self.picture = Some(picture);
         self.drag = None;
         self.show_mesh()?;
         let (viewport, session) = (&mut self.viewport, self.session.as_ref().ok_or_else(Trouble::no_face)?);
@@ -174,7 +205,10 @@ impl Studio {
     /// Gives the viewport the mesh that is to be seen, after the mesh itself has changed.
     pub(crate) fn show_mesh(&mut self) -> Outcome<()> {
         match &self.session {
-            Some(session) => show_session(&mut self.viewport, session)?,
+            Some(session) => {
+                let picture = self.picture.as_ref().map(|picture| &picture.on_gpu);
+                show_session(&mut self.viewport, session, picture)?;
+            }
             None => {
                 let topology = Triangulation::Canonical.topology();
                 let positions_m = canonical_positions_m();
@@ -277,16 +311,14 @@ impl Studio {
     }
 }
 
-fn show_session(viewport: &mut Viewport, session: &Session) -> Outcome<()> {
+fn show_session(viewport: &mut Viewport, session: &Session, picture: Option<&PictureOnGpu>) -> Outcome<()> {
     let uvs = session.uvs();
-    let picture = session.face.picture();
-    let rgba: Vec<u8> = picture.pixels().as_chunks::<3>().0.iter().flat_map(|[r, g, b]| [*r, *g, *b, 255]).collect();
     viewport.show(&MeshInput {
         topology: session.document.topology(),
         positions_m: session.document.committed(),
         colours_srgb: &session.colours_srgb(&uvs),
         uvs: &uvs,
-        picture: Some(Picture { width: picture.width(), height: picture.height(), rgba: &rgba }),
+        picture,
     })?;
     Ok(viewport.set_before(session.document.rest())?)
 }
@@ -294,8 +326,8 @@ fn show_session(viewport: &mut Viewport, session: &Session) -> Outcome<()> {
 /// The landmarks as they lie on the photo: in one plane, as large as the face and where it is.
 fn flat(session: &Session) -> Vec<DVec3> {
     let image = session.document.from_cage(session.face.positions_image());
-    let picture = session.face.picture();
-    let aspect = f64::from(picture.height()) / f64::from(picture.width());
+    let [width, height] = session.face.photo_size_px().map(f64::from);
+    let aspect = height / width;
     let upright = |p: &DVec3| DVec2::new(p.x, -p.y * aspect);
     let middle = |sum: DVec3| sum / image.len() as f64;
     let image_middle = upright(&middle(image.iter().copied().sum()));
@@ -306,10 +338,4 @@ fn flat(session: &Session) -> Vec<DVec3> {
         spread(session.document.positions().iter().map(|p| (*p - model_middle).truncate().length_squared()).sum());
     let scale = model_spread / image_spread.max(f64::MIN_POSITIVE);
     image.iter().map(|p| model_middle + ((upright(p) - image_middle) * scale).extend(0.0)).collect()
-}
-
-fn photo(rgba: &[u8], width: u32, height: u32) -> Outcome<Photo> {
-    let rgb: Vec<u8> = rgba.as_chunks::<4>().0.iter().flat_map(|[red, green, blue, _]| [*red, *green, *blue]).collect();
-    Photo::from_rgb(width, height, rgb)
-        .map_err(|error| Trouble::new("bad-face", error.to_string(), "Open the photo again."))
 }

@@ -39,6 +39,10 @@ impl Trouble {
         Self::new("no-face", "no face is open", "Open a photo first.")
     }
 
+    pub fn no_picture() -> Self {
+        Self::new("bad-face", "no picture was opened for this face", "Open the photo again.")
+    }
+
     pub fn no_selection() -> Self {
         Self::new("no-selection", "no landmark is held", "Choose a landmark first.")
     }

@@ -46,7 +46,11 @@ fn open(studio: &mut Studio) {
         .collect();
     let picture: Vec<u8> = [210, 120, 90, 255].repeat((PHOTO_PX * PHOTO_PX) as usize);
     let colours = [210, 120, 90].repeat(468);
-    studio.open_face(&landmarks, PHOTO_PX, PHOTO_PX, &colours, &picture, PHOTO_PX, PHOTO_PX).unwrap();
+    studio.open_picture(PHOTO_PX, PHOTO_PX).unwrap();
+    for rows in picture.chunks((4 * PHOTO_PX * 5) as usize) {
+        studio.add_picture_rows(rows).unwrap();
+    }
+    studio.open_face(&landmarks, PHOTO_PX, PHOTO_PX, &colours).unwrap();
 }
 
 async fn pixels(studio: &mut Studio) -> Vec<u8> {
@@ -191,7 +195,15 @@ async fn refusals_say_why_and_keep_the_face() {
     assert_eq!(studio.anchors(), [7, 152]);
     studio.preview(1.0, 0.0, 0.0).unwrap();
     assert_eq!(code(&studio.open_edits("{}").unwrap_err()), "bad-project");
-    assert_eq!(code(&studio.open_face(&[0.5; 1404], 64, 64, &[0; 1404], &[0; 16], 2, 2).unwrap_err()), "bad-face");
+    assert_eq!(code(&studio.open_picture(0, 2).unwrap_err()), "bad-face");
+    for wrong in [7, 12] {
+        studio.open_picture(1, 2).unwrap();
+        assert_eq!(code(&studio.add_picture_rows(&vec![0; wrong]).unwrap_err()), "bad-face", "{wrong} bytes");
+    }
+    assert_eq!(code(&studio.open_face(&[0.4; 1404], 64, 64, &[0; 1404]).unwrap_err()), "bad-face", "no picture");
+    studio.open_picture(2, 2).unwrap();
+    studio.add_picture_rows(&[0; 16]).unwrap();
+    assert_eq!(code(&studio.open_face(&[0.5; 1404], 64, 64, &[0; 1404]).unwrap_err()), "bad-face", "one point");
     assert!(studio.state().has_face);
 }
 

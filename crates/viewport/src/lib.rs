@@ -32,7 +32,7 @@ pub use light::Light;
 pub use look::{Background, Dots, Look, MirrorPlane, Paint, Theme, Wireframe};
 pub use markers::{Axis, Mark, MarkKind};
 pub use mesh::MeshInput;
-pub use photo::Picture;
+pub use photo::PictureOnGpu;
 pub use snapshot::Snapshot;
 pub use stage::Stage;
 pub use target::Target;

@@ -5,7 +5,7 @@ use wgpu::util::DeviceExt;
 use crate::pipelines::Pipelines;
 use crate::shape::{Follow, Shape, Skin, follows, shapes};
 use crate::vertex_data::VertexData;
-use crate::{Gpu, Picture, ViewportError, photo};
+use crate::{Gpu, PictureOnGpu, ViewportError, photo};
 
 /// A mesh to show.
 #[derive(Debug, Clone, Copy)]
@@ -18,8 +18,8 @@ pub struct MeshInput<'a> {
     pub colours_srgb: &'a [[u8; 3]],
     /// Each vertex' place in the picture, 0..1 from its top left; empty without a picture.
     pub uvs: &'a [DVec2],
-    /// The photo.
-    pub picture: Option<Picture<'a>>,
+    /// The photo; none for white.
+    pub picture: Option<&'a PictureOnGpu>,
 }
 
 /// A mesh in the GPU's memory.
@@ -41,21 +41,18 @@ impl MeshOnGpu {
     pub fn new(
         gpu: &Gpu,
         pipelines: &Pipelines,
-        shrink: &wgpu::RenderPipeline,
+        blank: &PictureOnGpu,
         input: &MeshInput<'_>,
     ) -> Result<Self, ViewportError> {
         let skin_list = skins(input)?;
         check_length("positions", input.positions_m.len(), input.topology)?;
-        let photo = match input.picture {
-            Some(picture) => photo::upload(gpu, shrink, picture)?,
-            None => photo::blank(gpu, shrink)?,
-        };
+        let photo = input.picture.unwrap_or(blank);
         let shape_list = shapes(input.topology, input.positions_m);
         let shapes = VertexData::new(gpu, &shape_list)?;
         let shapes_before = VertexData::new(gpu, &shape_list)?;
         let follows = VertexData::new(gpu, &vec![Follow::default(); skin_list.len()])?;
         let skins = VertexData::new(gpu, &skin_list)?;
-        let textures = [shapes.view(), shapes_before.view(), follows.view(), skins.view(), photo];
+        let textures = [shapes.view(), shapes_before.view(), follows.view(), skins.view(), photo.view.clone()];
         Ok(Self {
             bindings: bindings(gpu, &pipelines.mesh_layout, &textures),
             indices: filled(gpu, bytemuck::cast_slice(input.topology.triangles()), wgpu::BufferUsages::INDEX),

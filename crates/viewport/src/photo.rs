@@ -1,28 +1,18 @@
 use crate::{Gpu, ViewportError};
 
-/// An upright sRGB picture, row by row from its top left, with opaque alpha.
-#[derive(Debug, Clone, Copy)]
-pub struct Picture<'a> {
-    /// Width in px.
-    pub width: u32,
-    /// Height in px.
-    pub height: u32,
-    /// Red, green, blue and alpha of each pixel.
-    pub rgba: &'a [u8],
-}
-
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8UnormSrgb;
 
-/// Uploads a picture with all its smaller levels, each the mean of four pixels in linear light.
-pub(crate) fn upload(
-    gpu: &Gpu,
-    shrink: &wgpu::RenderPipeline,
-    picture: Picture<'_>,
-) -> Result<wgpu::TextureView, ViewportError> {
-    let Picture { width, height, rgba } = picture;
-    let largest = gpu.largest_side_px();
-    if width == 0 || height == 0 || width.max(height) > largest || rgba.len() != width as usize * height as usize * 4 {
-        return Err(ViewportError::BadPicture { width, height, found: rgba.len() });
+/// A picture in the GPU's memory; its clones are the same one.
+#[derive(Debug, Clone)]
+pub struct PictureOnGpu {
+    texture: wgpu::Texture,
+    pub(crate) view: wgpu::TextureView,
+}
+
+/// Room for a picture and its smaller levels.
+pub(crate) fn reserve(gpu: &Gpu, width: u32, height: u32) -> Result<PictureOnGpu, ViewportError> {
+    if width == 0 || height == 0 || width.max(height) > gpu.largest_side_px() {
+        return Err(ViewportError::BadPicture { width, height, found: 0 });
     }
     let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
     let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
@@ -37,16 +27,36 @@ pub(crate) fn upload(
             | wgpu::TextureUsages::RENDER_ATTACHMENT,
         view_formats: &[],
     });
+    let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+    Ok(PictureOnGpu { texture, view })
+}
+
+/// Writes whole rows of a picture, from `first_row` on.
+pub(crate) fn write_rows(gpu: &Gpu, picture: &PictureOnGpu, first_row: u32, rgba: &[u8]) -> Result<(), ViewportError> {
+    let (width, height) = (picture.texture.width(), picture.texture.height());
+    let row_bytes = 4 * width as usize;
+    let rows = (rgba.len() / row_bytes) as u32;
+    if !rgba.len().is_multiple_of(row_bytes) || first_row.saturating_add(rows) > height {
+        return Err(ViewportError::BadPicture { width, height, found: rgba.len() });
+    }
+    let mut place = picture.texture.as_image_copy();
+    place.origin.y = first_row;
     let layout =
-        wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * width), rows_per_image: Some(height) };
-    gpu.queue.write_texture(texture.as_image_copy(), rgba, layout, size);
-    shrink_levels(gpu, shrink, &texture);
-    Ok(texture.create_view(&wgpu::TextureViewDescriptor::default()))
+        wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row_bytes as u32), rows_per_image: Some(rows) };
+    gpu.queue.write_texture(place, rgba, layout, wgpu::Extent3d { width, height: rows, depth_or_array_layers: 1 });
+    Ok(())
+}
+
+/// Makes the smaller levels once all rows are there, each pixel the mean of four in linear light.
+pub(crate) fn finish(gpu: &Gpu, shrink: &wgpu::RenderPipeline, picture: &PictureOnGpu) {
+    shrink_levels(gpu, shrink, &picture.texture);
 }
 
 /// One white pixel, for a mesh without a photo.
-pub(crate) fn blank(gpu: &Gpu, shrink: &wgpu::RenderPipeline) -> Result<wgpu::TextureView, ViewportError> {
-    upload(gpu, shrink, Picture { width: 1, height: 1, rgba: &[255; 4] })
+pub(crate) fn blank(gpu: &Gpu) -> Result<PictureOnGpu, ViewportError> {
+    let pixel = reserve(gpu, 1, 1)?;
+    write_rows(gpu, &pixel, 0, &[255; 4])?;
+    Ok(pixel)
 }
 
 pub(crate) fn sampler(gpu: &Gpu) -> wgpu::Sampler {

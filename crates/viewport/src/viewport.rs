@@ -6,7 +6,7 @@ use crate::mesh::{MeshOnGpu, filled};
 use crate::pipelines::Pipelines;
 use crate::snapshot::{Snapshot, copy};
 use crate::target::{Attachments, Canvas, Target};
-use crate::{Axis, Background, Gpu, MeshInput, Stage, ViewportError, markers, passes, photo};
+use crate::{Axis, Background, Gpu, MeshInput, PictureOnGpu, Stage, ViewportError, markers, passes, photo};
 
 /// Draws a stage and its mesh on a target.
 #[derive(Debug)]
@@ -85,12 +85,34 @@ impl Viewport {
         }
     }
 
+    /// Room for an upright picture in the GPU's memory. Its rows are to follow, and then [`Self::finish_picture`].
+    ///
+    /// # Errors
+    /// [`ViewportError::BadPicture`] for one without area, or larger than the GPU takes.
+    pub fn reserve_picture(&self, width: u32, height: u32) -> Result<PictureOnGpu, ViewportError> {
+        photo::reserve(&self.gpu, width, height)
+    }
+
+    /// Writes whole rows of a picture from its row `first_row` on: sRGB with opaque alpha, four bytes a pixel.
+    ///
+    /// # Errors
+    /// [`ViewportError::BadPicture`] for a part of a row, or more rows than the picture has.
+    pub fn write_picture_rows(&self, picture: &PictureOnGpu, first_row: u32, rgba: &[u8]) -> Result<(), ViewportError> {
+        photo::write_rows(&self.gpu, picture, first_row, rgba)
+    }
+
+    /// Makes a picture ready to be seen small, once all its rows are written; for [`MeshInput::picture`].
+    pub fn finish_picture(&self, picture: &PictureOnGpu) {
+        photo::finish(&self.gpu, &self.shrink, picture);
+    }
+
     /// Shows a mesh in place of the one before; camera and marks stay. No handle moves it yet.
     ///
     /// # Errors
-    /// [`ViewportError::LengthMismatch`], [`ViewportError::TooManyVertices`] or [`ViewportError::BadPicture`].
+    /// [`ViewportError::LengthMismatch`] or [`ViewportError::TooManyVertices`].
     pub fn show(&mut self, input: &MeshInput<'_>) -> Result<(), ViewportError> {
-        self.mesh = Some(MeshOnGpu::new(&self.gpu, &self.pipelines, &self.shrink, input)?);
+        let blank = photo::blank(&self.gpu)?;
+        self.mesh = Some(MeshOnGpu::new(&self.gpu, &self.pipelines, &blank, input)?);
         self.before_after_arrival = None;
         self.stage.set_offsets_m([DVec3::ZERO; 2]);
         self.stage.ask_for_a_frame();

@@ -1,4 +1,4 @@
-use rosto_viewport::{Light, Look, MeshInput, Paint, Picture, Srgb, Theme};
+use rosto_viewport::{Light, Look, MeshInput, Paint, PictureOnGpu, Srgb, Theme, Viewport};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 use crate::support::{SIDE_PX, Sheet, assert_close, dome, luminance, picture, plain, viewport};
@@ -48,8 +48,8 @@ async fn the_photo_lies_where_its_places_say() {
     let quarter =
         |x: usize, y: usize| [40 + 150 * u8::from(x * 2 >= side), 50 + 160 * u8::from(y * 2 >= side), 90, 255];
     let rgba: Vec<u8> = (0..side * side).flat_map(|i| quarter(i % side, i / side)).collect();
-    let photo = Picture { width: side as u32, height: side as u32, rgba: &rgba };
-    viewport.show(&MeshInput { picture: Some(photo), ..sheet.input() }).unwrap();
+    let photo = on_gpu(&viewport, side as u32, &rgba);
+    viewport.show(&MeshInput { picture: Some(&photo), ..sheet.input() }).unwrap();
     let seen = picture(&mut viewport, plain()).await;
     let (near, far) = (MIDDLE - 40, MIDDLE + 40);
     assert_close(seen.pixel(near, near), [40, 50, 90]);
@@ -65,8 +65,8 @@ async fn a_fine_photo_seen_small_is_its_mean_in_linear_light() {
     let side = 1024;
     let rgba: Vec<u8> =
         (0..side * side).flat_map(|i| [255 * ((i % side + i / side) % 2) as u8; 3].into_iter().chain([255])).collect();
-    let photo = Picture { width: side as u32, height: side as u32, rgba: &rgba };
-    viewport.show(&MeshInput { picture: Some(photo), ..sheet.input() }).unwrap();
+    let photo = on_gpu(&viewport, side as u32, &rgba);
+    viewport.show(&MeshInput { picture: Some(&photo), ..sheet.input() }).unwrap();
     let seen = picture(&mut viewport, plain()).await;
     for (x, y) in [(MIDDLE, MIDDLE), (MIDDLE + 31, MIDDLE - 17), (MIDDLE - 40, MIDDLE + 8)] {
         let [red, ..] = seen.pixel(x, y);
@@ -134,4 +134,15 @@ async fn the_inside_of_the_mask_is_not_the_photo() {
     let seen = picture(&mut viewport, Look { paint: Paint::Colours, ..plain() }).await;
     let [red, _, blue, alpha] = seen.pixel(MIDDLE, MIDDLE);
     assert!(alpha == 255 && red > blue, "{red} {blue} {alpha}");
+}
+
+/// A square picture, taken in by two parts.
+fn on_gpu(viewport: &Viewport, side: u32, rgba: &[u8]) -> PictureOnGpu {
+    let photo = viewport.reserve_picture(side, side).unwrap();
+    let first_rows = side / 3;
+    let (upper, lower) = rgba.split_at((4 * side * first_rows) as usize);
+    viewport.write_picture_rows(&photo, 0, upper).unwrap();
+    viewport.write_picture_rows(&photo, first_rows, lower).unwrap();
+    viewport.finish_picture(&photo);
+    photo
 }
