@@ -1,6 +1,5 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import validator from "gltf-validator";
 import { PNG } from "pngjs";
 import { meshByCommandLine } from "./command-line.mjs";
 import { journey } from "./journey.mjs";
@@ -66,20 +65,6 @@ journey("details that turn with the surface follow every tick, and make the comm
   assertSameMesh(await visitor.meshJson("mm"), turned);
   const kept = await meshByCommandLine(SAMPLE, [...options.split(" ").slice(0, -1), "--edit", "61:0,0,14"]);
   assert.throws(() => assertSameMesh(kept, turned), "details that keep their direction make the same mesh");
-});
-
-journey("a download passes the validator without a remark, painted either way", async (open) => {
-  const visitor = await open();
-  await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 5);
-  await visitor.unfold("section-export");
-  for (const paint of ["texture", "colours"]) {
-    await visitor.page.check(`input[name="export-paint"][value="${paint}"]`, { force: true });
-    const { issues } = await validator.validateBytes(new Uint8Array(await visitor.download("download-glb")));
-    const { numErrors, numWarnings, numInfos, numHints } = issues;
-    assert.deepEqual([numErrors, numWarnings, numInfos, numHints], [0, 0, 0, 0], JSON.stringify(issues.messages));
-  }
 });
 
 journey("a point is picked by clicking it on the mesh", async (open) => {

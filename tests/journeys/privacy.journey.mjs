@@ -55,4 +55,9 @@ journey("after the first visit the page works without a network", async (open) =
   await visitor.page.reload();
   await visitor.page.click("#welcome [data-action='sample']");
   await visitor.untilFace();
+  // The validator comes from the same store, some moments after the rest.
+  await visitor.untilLoaded();
+  await visitor.unfold("section-export");
+  await visitor.page.click("[data-action='check-glb']");
+  await visitor.page.waitForSelector("#verdict[data-verdict='valid']");
 });

@@ -7,6 +7,7 @@ import { hideProgress, setUpProgress, showLoading, showStage } from "./page/prog
 import { setUpTabs } from "./page/tabs.js";
 import { afterNextFrame, nextTask } from "./page/tasks.js";
 import { setUpTheme } from "./page/theme.js";
+import { Validator } from "./page/validator.js";
 import { EditOptions } from "./panel/edit-options.js";
 import { setUpExportPanel } from "./panel/export-panel.js";
 import { FacePanel } from "./panel/face-panel.js";
@@ -43,6 +44,7 @@ setUpCredits();
 const vision = new VisionClient();
 const overlay = new PhotoOverlay();
 const keeper = new WorkKeeper();
+const validator = new Validator();
 /** @type {PaperPanel | undefined} */
 let paper;
 const bench = openBench();
@@ -71,7 +73,7 @@ async function openBench() {
     new FacePanel(opened);
     setUpViewPanel(opened);
     setUpHistoryPanel(opened);
-    setUpExportPanel(opened, keeper);
+    setUpExportPanel(opened, keeper, validator);
     paper = new PaperPanel(opened);
     keeper.follow(opened);
     opened.look((studio) => {
@@ -87,12 +89,12 @@ async function openBench() {
   }
 }
 
-/** What is not needed for the first look: the worker, the sample, and the copy for use offline. */
+/** What is not needed for the first look: the workers, the sample, and the copy for use offline. */
 async function loadTheRest() {
   await afterNextFrame();
   vision.start();
   await vision.ready;
-  await Promise.allSettled([loadSample(), keepOffline()]);
+  await Promise.allSettled([loadSample(), validator.start(), keepOffline()]);
 }
 
 /**

@@ -1,10 +1,10 @@
-use rosto_export::{GlbOptions, JsonMesh, Model, Paint, Source, glb, mesh_json};
+use rosto_export::{GlbOptions, JsonMesh, Model, Morph, Paint, Shading, Source, glb, mesh_json, obj, ply, stl};
 use rosto_viewport::Background;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::future_to_promise;
 
 use crate::Studio;
-use crate::modes::{ExportPaintName, UnitsName};
+use crate::modes::{ExportEditsName, ExportPaintName, ExportShadingName, MeshFormatName, UnitsName};
 use crate::state::Snapshot;
 use crate::trouble::{Outcome, Trouble};
 
@@ -31,18 +31,48 @@ impl Studio {
         }))
     }
 
-    /// The face as a binary glTF file, with its edits in the scene's extras.
+    /// The face as a binary glTF file, at the density that is shown, with what opens it again in the scene's extras.
     ///
     /// # Errors
     /// `no-face`, `bad-choice` or `cannot-export`.
     #[wasm_bindgen(js_name = exportGlb)]
-    pub fn export_glb(&self, paint: ExportPaintName) -> Result<Vec<u8>, JsValue> {
+    pub fn export_glb(
+        &self,
+        paint: ExportPaintName,
+        shading: ExportShadingName,
+        edits: ExportEditsName,
+    ) -> Result<Vec<u8>, JsValue> {
         let paint = match paint {
             ExportPaintName::Texture => Paint::Texture,
             ExportPaintName::VertexColours => Paint::VertexColours,
             _ => return Err(Trouble::bad_choice().into()),
         };
-        Ok(self.glb(paint)?)
+        let shading = match shading {
+            ExportShadingName::Lit => Shading::Lit,
+            ExportShadingName::Unlit => Shading::Unlit,
+            _ => return Err(Trouble::bad_choice().into()),
+        };
+        let options = GlbOptions { paint, shading, ..GlbOptions::default() };
+        match edits {
+            ExportEditsName::Shape => Ok(self.glb(options)?),
+            ExportEditsName::MorphTargets => Ok(self.glb_with_morph_targets(options)?),
+            _ => Err(Trouble::bad_choice().into()),
+        }
+    }
+
+    /// The face, at the density that is shown, as a file of another kind.
+    ///
+    /// # Errors
+    /// `no-face`, `bad-choice` or `cannot-export`.
+    #[wasm_bindgen(js_name = exportMesh)]
+    pub fn export_mesh(&self, format: MeshFormatName) -> Result<Vec<u8>, JsValue> {
+        let bytes = self.with_model(|model| match format {
+            MeshFormatName::Obj => Ok(obj(&model)?.into_bytes()),
+            MeshFormatName::Ply => Ok(ply(&model)?),
+            MeshFormatName::Stl => Ok(stl(&model)?),
+            _ => Err(Trouble::bad_choice()),
+        });
+        Ok(bytes?)
     }
 
     /// A picture of the view in any size; transparent where there is no face, if asked so.
@@ -83,25 +113,48 @@ impl Studio {
 }
 
 impl Studio {
-    fn glb(&self, paint: Paint) -> Outcome<Vec<u8>> {
+    /// The edited face.
+    fn glb(&self, options: GlbOptions<'_>) -> Outcome<Vec<u8>> {
+        let edits = self.session()?.edits_json();
+        let source = Some(self.source(&edits)?);
+        self.with_model(|model| Ok(glb(&model, &GlbOptions { source, ..options })?))
+    }
+
+    /// The unedited face, with each edit beside it.
+    fn glb_with_morph_targets(&self, options: GlbOptions<'_>) -> Outcome<Vec<u8>> {
         let session = self.session()?;
         let document = &session.document;
+        let edits = session.edits_json();
+        let source = Some(self.source(&edits)?);
+        let layers = document.displacements();
+        let named = document.history().entries().iter().zip(&layers);
+        let morphs: Vec<Morph<'_>> =
+            named.map(|(entry, layer)| Morph { name: &entry.label, displacements_m: layer, weight: 1.0 }).collect();
+        self.with_model(|model| {
+            let options = GlbOptions { source, morphs: &morphs, ..options };
+            Ok(glb(&model.at(document.rest()), &options)?)
+        })
+    }
+
+    /// What opens a file again.
+    fn source<'a>(&'a self, edits: &'a str) -> Outcome<Source<'a>> {
+        let session = self.session()?;
+        let document = &session.document;
+        let history = (!document.history().entries().is_empty()).then_some(edits);
+        let (triangulation, density) = (session.triangulation(), document.density());
+        Ok(Source { face: &session.face, triangulation, density, history })
+    }
+
+    /// Does something with the mesh that is shown.
+    fn with_model<T>(&self, act: impl FnOnce(Model<'_>) -> Outcome<T>) -> Outcome<T> {
+        let session = self.session()?;
         let uvs = session.uvs();
-        let model = Model {
-            topology: document.topology(),
-            positions_m: document.positions(),
+        act(Model {
+            topology: session.document.topology(),
+            positions_m: session.document.positions(),
             colours_srgb: &session.colours_srgb(&uvs),
             uvs: &uvs,
             picture: session.face.picture(),
-        };
-        let edits = session.edits_json();
-        let history = (!document.history().entries().is_empty()).then_some(edits.as_str());
-        let source = Some(Source {
-            face: &session.face,
-            triangulation: session.triangulation(),
-            density: document.density(),
-            history,
-        });
-        Ok(glb(&model, &GlbOptions { paint, source, ..GlbOptions::default() })?)
+        })
     }
 }

@@ -27,8 +27,8 @@ use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
 pub use modes::{
-    AnchorsName, AxisName, BackgroundName, DetailsName, ExportPaintName, HoldName, LanguageName, OperatorName,
-    PaintName, TaskName, ThemeName, TriangulationName, UnitsName, ViewName,
+    AnchorsName, AxisName, BackgroundName, DetailsName, ExportEditsName, ExportPaintName, ExportShadingName, HoldName,
+    LanguageName, MeshFormatName, OperatorName, PaintName, TaskName, ThemeName, TriangulationName, UnitsName, ViewName,
 };
 pub use paper::{PaperClaims, PaperMethod, PaperRow, PaperRun};
 pub use renderer::{Renderer, create_renderer};

@@ -151,6 +151,38 @@ pub enum ExportPaintName {
     VertexColours = "colours",
 }
 
+/// Whether light falls on a downloaded model.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ExportShadingName {
+    /// As on any other object.
+    Lit = "lit",
+    /// None: every colour as photographed.
+    Unlit = "unlit",
+}
+
+/// How a downloaded model carries the edits.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ExportEditsName {
+    /// The edited face is the mesh.
+    Shape = "shape",
+    /// The unedited face is the mesh, and each edit a named morph target at weight 1.
+    MorphTargets = "morph-targets",
+}
+
+/// Kinds of file beside GLB that a mesh is written to.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MeshFormatName {
+    /// Wavefront OBJ: metres, with colours by custom.
+    Obj = "obj",
+    /// Binary PLY: metres, with colours.
+    Ply = "ply",
+    /// Binary STL for printing: millimetres, without colours.
+    Stl = "stl",
+}
+
 /// Which triangulation joins the 468 landmarks.
 #[wasm_bindgen]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,7 +4,7 @@
 
 use rosto_face::canonical_positions_m;
 use rosto_studio_web::{
-    AnchorsName, AxisName, ExportPaintName, HoldName, LanguageName, PaintName, Studio, UnitsName, start,
+    AnchorsName, AxisName, ExportEditsName, ExportPaintName, ExportShadingName, HoldName, LanguageName, PaintName, Studio, UnitsName, start,
 };
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
@@ -232,7 +232,7 @@ async fn both_paints_are_exported_as_binary_gltf() {
     let mut studio = studio().await;
     studio.set_paint(PaintName::Distortion).unwrap();
     for paint in [ExportPaintName::Texture, ExportPaintName::VertexColours] {
-        let file = studio.export_glb(paint).unwrap();
+        let file = studio.export_glb(paint, ExportShadingName::Lit, ExportEditsName::Shape).unwrap();
         assert_eq!(&file[..4], b"glTF");
         assert_eq!(u32::from_le_bytes(file[8..12].try_into().unwrap()) as usize, file.len());
     }

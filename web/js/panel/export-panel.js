@@ -1,34 +1,83 @@
 import { byId, onAction } from "../page/dom.js";
 import { download } from "../page/download.js";
 import { showTrouble } from "../page/notice.js";
+import { afterNextFrame } from "../page/tasks.js";
 import { say } from "../words/words.js";
 import { projectFile } from "../work/project-file.js";
 import { announce } from "./landmark-panel.js";
+import { VerdictLine } from "./verdict-line.js";
 
 /**
+ * @typedef {import("../page/validator.js").Validator} Validator
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
  * @typedef {import("../work/work-keeper.js").WorkKeeper} WorkKeeper
  * @typedef {import("../../wasm/rosto-studio-web.js").ExportPaintName} ExportPaintName
  * @typedef {import("../../wasm/rosto-studio-web.js").UnitsName} UnitsName
  */
 
+/** MIME types of the files beside GLB. */
+const MESH_FORMATS = /** @type {const} */ ({ obj: "model/obj", ply: "application/octet-stream", stl: "model/stl" });
+
 /**
  * Files made of the face as it stands.
  *
  * @param {Workbench} bench
  * @param {WorkKeeper} keeper
+ * @param {Validator} validator
  */
-export function setUpExportPanel(bench, keeper) {
-  onAction("download-glb", () => {
-    const paint = /** @type {ExportPaintName} */ (chosen("export-paint"));
-    save("rosto.glb", "model/gltf-binary", () => bench.studio.exportGlb(paint));
+export function setUpExportPanel(bench, keeper, validator) {
+  const verdict = new VerdictLine(bench);
+  onAction("check-glb", () => checked(bench, validator, verdict));
+  onAction("download-glb", async () => {
+    const file = await checked(bench, validator, verdict);
+    if (file) save(nameOf(bench, "glb"), "model/gltf-binary", () => file);
   });
+  for (const format of /** @type {const} */ (["obj", "ply", "stl"])) {
+    onAction(`download-${format}`, () => save(nameOf(bench, format), MESH_FORMATS[format], () => bench.studio.exportMesh(format)));
+  }
   onAction("save-project", () => saveProject(keeper));
   onAction("download-picture", () => savePicture(bench));
   onAction("download-json", () => {
     const units = /** @type {UnitsName} */ (chosen("export-units"));
-    save("rosto.json", "application/json", () => bench.studio.meshJson(units));
+    save(nameOf(bench, "json"), "application/json", () => bench.studio.meshJson(units));
   });
+}
+
+/**
+ * The GLB as it is asked for, with the validator's verdict on it shown; nothing if it cannot be made.
+ *
+ * @param {Workbench} bench
+ * @param {Validator} validator
+ * @param {VerdictLine} line
+ */
+async function checked(bench, validator, line) {
+  line.show("checking");
+  // The words are on the screen before the file is made.
+  await afterNextFrame();
+  try {
+    const paint = /** @type {ExportPaintName} */ (chosen("export-paint"));
+    const file = bench.studio.exportGlb(paint, isChecked("export-unlit") ? "unlit" : "lit", isChecked("export-morphs") ? "morph-targets" : "shape");
+    const verdict = await validator.check(file);
+    line.conclude(verdict ?? "unchecked");
+    return file;
+  } catch (error) {
+    line.show("nothing");
+    showTrouble(error);
+    return undefined;
+  }
+}
+
+/**
+ * A name that tells the densities apart in a folder of downloads.
+ *
+ * @param {Workbench} bench
+ * @param {string} ending
+ */
+function nameOf(bench, ending) {
+  const state = bench.studio.state();
+  const name = `rosto-${state.vertexCount}.${ending}`;
+  state.free();
+  return name;
 }
 
 /** @param {WorkKeeper} keeper */
@@ -45,7 +94,7 @@ async function saveProject(keeper) {
  * @param {Workbench} bench
  */
 async function savePicture(bench) {
-  const transparent = byId("picture-transparent", HTMLInputElement).checked;
+  const transparent = isChecked("picture-transparent");
   const { width, height } = bench.canvas;
   try {
     const snapshot = await bench.studio.snapshot(2 * width, 2 * height, transparent);
@@ -78,4 +127,9 @@ function save(name, type, produce) {
 function chosen(name) {
   const input = /** @type {HTMLInputElement | null} */ (document.querySelector(`input[name="${name}"]:checked`));
   return input?.value ?? "";
+}
+
+/** @param {string} id of a checkbox */
+function isChecked(id) {
+  return byId(id, HTMLInputElement).checked;
 }

@@ -26,7 +26,9 @@ export function setUpViewPanel(bench) {
   });
   onCheck("dots", (shown) => bench.look((studio) => studio.setDots(shown)));
   onCheck("turntable", (turns) => bench.look((studio) => studio.setTurntable(turns ? TURNTABLE_DEG_PER_S : 0)));
-  byId("density", HTMLSelectElement).addEventListener("change", () => chooseDensity(bench, chosenDensity()));
+  for (const select of densities()) {
+    select.addEventListener("change", () => chooseDensity(bench, Number(select.value)));
+  }
   byId("triangulation", HTMLSelectElement).addEventListener("change", () => chooseTriangulation(bench, chosenTriangulation()));
   chooseTriangulation(bench, chosenTriangulation());
   onAction("reset-view", () => bench.look((studio) => studio.view("reset")));
@@ -60,8 +62,13 @@ export function chosenDensity() {
  * @param {number} density
  */
 export function chooseDensity(bench, density) {
-  byId("density", HTMLSelectElement).value = String(density);
+  for (const select of densities()) select.value = String(density);
   bench.act((studio) => studio.setDensity(density));
+}
+
+/** The same choice stands where the mesh is seen and where it is exported. */
+function densities() {
+  return /** @type {NodeListOf<HTMLSelectElement>} */ (document.querySelectorAll("select.density"));
 }
 
 /** @param {Workbench} bench */

@@ -34,5 +34,11 @@
  *   | { type: "trapped", id: number, message: string }} Reply
  */
 
+/**
+ * What the validator says of a file: how many of each.
+ *
+ * @typedef {{ errors: number, warnings: number, remarks: number }} Verdict
+ */
+
 /** Lets this file be imported for its types alone. */
 export {};

@@ -1,0 +1,80 @@
+import assert from "node:assert/strict";
+import validator from "gltf-validator";
+import { journey } from "./journey.mjs";
+
+/** Vertices at each density, and triangles of the filled face. */
+const DENSITIES = [
+  { vertices: 468, triangles: 898 },
+  { vertices: 1833, triangles: 3592 },
+  { vertices: 7257, triangles: 14368 },
+  { vertices: 28881, triangles: 57472 },
+];
+
+journey("a GLB of every density passes the validator, which says so on the page before the download", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.untilLoaded();
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("z", 5);
+  await visitor.unfold("section-export");
+  for (const [density, { vertices, triangles }] of DENSITIES.entries()) {
+    await page.selectOption("#export-density", String(density));
+    assert.equal(await page.inputValue("#density"), String(density));
+    await page.click("[data-action='check-glb']");
+    await page.waitForSelector("#verdict[data-verdict='valid']");
+    assert.match(await page.innerText("#verdict"), /Valid glTF 2\.0: 0 errors, 0 warnings, 0 remarks/);
+    const { name, json } = await downloadedGlb(visitor);
+    assert.equal(name, `rosto-${vertices}.glb`);
+    const [{ attributes, indices }] = json.meshes[0].primitives;
+    assert.equal(json.accessors[attributes.POSITION].count, vertices);
+    assert.equal(json.accessors[indices].count, 3 * triangles);
+  }
+});
+
+journey("the verdict goes when the face changes, and a GLB holds what is asked for", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.untilLoaded();
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("z", 5);
+  await visitor.unfold("section-export");
+  await page.check("input[name='export-paint'][value='colours']", { force: true });
+  await page.check("#export-unlit");
+  await page.check("#export-morphs");
+  const { json } = await downloadedGlb(visitor);
+  assert.ok(await page.isVisible("#verdict[data-verdict='valid']"), "no verdict beside the download");
+  assert.deepEqual(json.extensionsUsed, ["KHR_materials_unlit"]);
+  assert.ok("COLOR_0" in json.meshes[0].primitives[0].attributes && !json.images);
+  assert.equal(json.meshes[0].primitives[0].targets.length, 1);
+  assert.match(json.meshes[0].extras.targetNames[0], /nose tip/);
+  await page.click("#toolbar [data-action='undo']");
+  assert.ok(await page.isHidden("#verdict"), "the verdict is of another file");
+});
+
+journey("OBJ, PLY and STL hold the mesh that is on the screen", async (open) => {
+  const visitor = await open();
+  await visitor.dropSample();
+  await visitor.unfold("section-export");
+  await visitor.page.selectOption("#export-density", "1");
+  const { vertices, triangles } = DENSITIES[1];
+  const obj = (await visitor.download("download-obj")).toString().split("\n");
+  assert.equal(obj.filter((line) => line.startsWith("v ")).length, vertices);
+  assert.equal(obj.filter((line) => line.startsWith("f ")).length, triangles);
+  const ply = (await visitor.download("download-ply")).toString("latin1");
+  assert.match(ply, new RegExp(`element vertex ${vertices}\\n[^]*element face ${triangles}\\n`));
+  const stl = await visitor.download("download-stl");
+  assert.deepEqual([stl.readUInt32LE(80), stl.length], [triangles, 84 + 50 * triangles]);
+});
+
+/** Downloads the GLB, has it validated here as well, and reads its description. */
+async function downloadedGlb(visitor) {
+  const coming = visitor.page.waitForEvent("download");
+  const bytes = await visitor.download("download-glb");
+  const { issues } = await validator.validateBytes(new Uint8Array(bytes));
+  const { numErrors, numWarnings, numInfos, numHints } = issues;
+  assert.deepEqual([numErrors, numWarnings, numInfos, numHints], [0, 0, 0, 0], JSON.stringify(issues.messages));
+  const json = JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString());
+  return { name: (await coming).suggestedFilename(), json };
+}
