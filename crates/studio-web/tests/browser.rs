@@ -4,7 +4,8 @@
 
 use rosto_face::canonical_positions_m;
 use rosto_studio_web::{
-    AnchorsName, AxisName, ExportEditsName, ExportPaintName, ExportShadingName, HoldName, LanguageName, PaintName, Studio, UnitsName, start,
+    AnchorsName, AxisName, ExportEditsName, ExportPaintName, ExportShadingName, HoldName, LanguageName, PaintName,
+    Studio, UnitsName, start,
 };
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
