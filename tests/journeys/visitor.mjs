@@ -123,6 +123,43 @@ export class Visitor {
   }
 
   /**
+   * Takes a whole part of the face in hand.
+   *
+   * @param {string} region its id, such as "left-brow"
+   */
+  async chooseRegion(region) {
+    await this.unfold("section-landmark");
+    await this.page.check("input[name='hand'][value='region']", { force: true });
+    await this.page.selectOption("#region", region);
+    await this.frames(3);
+  }
+
+  /** Where in the window the landmark is whose name is shown beside it. */
+  async tagged() {
+    await this.frames(3);
+    return this.page.evaluate(() => {
+      const tag = document.getElementById("landmark-tag");
+      const stage = document.getElementById("stage").getBoundingClientRect();
+      const [x = 0, y = 0] = tag.style.translate.split(" ").map(Number.parseFloat);
+      return { x: stage.left + x - 14, y: stage.top + y - 12 };
+    });
+  }
+
+  /**
+   * Presses the pointer at a place of the window, moves it by so much, and lets go.
+   *
+   * @param {{ x: number, y: number }} from
+   * @param {{ x: number, y: number }} by
+   */
+  async drag(from, by) {
+    await this.page.mouse.move(from.x, from.y);
+    await this.page.mouse.down();
+    await this.page.mouse.move(from.x + by.x, from.y + by.y, { steps: 6 });
+    await this.page.mouse.up();
+    await this.frames(3);
+  }
+
+  /**
    * Chooses how the face follows an edit.
    *
    * @param {"sculpt" | "paper"} preset

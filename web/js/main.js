@@ -11,6 +11,7 @@ import { Validator } from "./page/validator.js";
 import { EditOptions } from "./panel/edit-options.js";
 import { setUpExportPanel } from "./panel/export-panel.js";
 import { FacePanel } from "./panel/face-panel.js";
+import { setUpHandChoice } from "./panel/hand-choice.js";
 import { setUpHistoryPanel } from "./panel/history-panel.js";
 import { LandmarkPanel } from "./panel/landmark-panel.js";
 import { PaperPanel } from "./panel/paper-panel.js";
@@ -70,6 +71,7 @@ async function openBench() {
     new LandmarkMarks(opened, overlay, (factor) => options.widen(factor));
     setUpViewKeys(opened);
     new LandmarkPanel(opened);
+    setUpHandChoice(opened);
     new FacePanel(opened);
     setUpViewPanel(opened);
     setUpHistoryPanel(opened);

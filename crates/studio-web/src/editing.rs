@@ -1,64 +1,20 @@
 use glam::{DVec2, DVec3};
-use rosto_face::{LANDMARK_COUNT, Region, Triangulation};
+use rosto_face::Triangulation;
 use rosto_studio::{Details, Document, Hold, Mirror, Operator, StudioError, Switch};
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
 use crate::choices::{AnchorChoice, Choices};
 use crate::drag::{Drag, Pace};
-use crate::hand::Selection;
 use crate::modes::{AnchorsName, AxisName, DetailsName, HoldName, OperatorName, TriangulationName};
 use crate::session::Session;
 use crate::state::StudioState;
 use crate::studio::MAX_DENSITY;
 use crate::trouble::{Outcome, Trouble};
 
-/// Seeds for random anchors stay exact as JavaScript's and JSON's numbers.
-const SEEDS: f64 = 9_007_199_254_740_992.0;
-
-/// Choosing and moving landmarks.
+/// Moving what is in hand, how the face follows, and the history.
 #[wasm_bindgen]
 impl Studio {
-    /// Takes a landmark in hand, or lets go of it. Random anchors are drawn anew.
-    ///
-    /// # Errors
-    /// `no-face`, `bad-vertex`, `bad-anchors` or `cannot-solve`.
-    pub fn select(&mut self, vertex: Option<u32>) -> Result<(), JsValue> {
-        self.take(vertex.map(Selection::Landmark))
-    }
-
-    /// Takes all landmarks of a region in hand, by the region's id; they move as one.
-    ///
-    /// # Errors
-    /// `no-face`, `bad-choice`, `bad-anchors` or `cannot-solve`.
-    #[wasm_bindgen(js_name = selectRegion)]
-    pub fn select_region(&mut self, region: &str) -> Result<(), JsValue> {
-        let region = Region::from_id(region).ok_or_else(Trouble::bad_choice)?;
-        self.take(Some(Selection::Region(region)))
-    }
-
-    /// Takes the smallest region around a landmark in hand; asked again, the next larger one.
-    ///
-    /// # Errors
-    /// As for `selectRegion`.
-    #[wasm_bindgen(js_name = selectRegionAt)]
-    pub fn select_region_at(&mut self, landmark: u32) -> Result<(), JsValue> {
-        let region = self.session()?.region_at(landmark);
-        self.take(region.map(Selection::Region).or(Some(Selection::Landmark(landmark))))
-    }
-
-    /// The landmark in hand; of a region, the one in its middle.
-    #[wasm_bindgen(getter)]
-    pub fn selected(&self) -> Option<u32> {
-        self.session.as_ref()?.selected()
-    }
-
-    /// Whether a landmark is in hand, alone or with its region.
-    pub fn holds(&self, landmark: u32) -> bool {
-        let selection = self.session.as_ref().and_then(Session::selection);
-        selection.is_some_and(|selection| selection.handles().contains(&landmark))
-    }
-
     /// The vertices that stay while the landmark in hand moves.
     pub fn anchors(&self) -> Vec<u32> {
         self.session.as_ref().map_or(Vec::new(), |session| session.document.anchors().to_vec())
@@ -89,27 +45,6 @@ impl Studio {
             AnchorsName::Pinned => AnchorChoice::PinsOnly,
             _ => return Err(Trouble::bad_choice().into()),
         };
-        self.hold_again()
-    }
-
-    /// The vertices pinned by hand.
-    pub fn pins(&self) -> Vec<u32> {
-        self.choices.pins.clone()
-    }
-
-    /// Pins a landmark, so that it stays while others move, or unpins it.
-    ///
-    /// # Errors
-    /// `bad-vertex`, `bad-anchors` or `cannot-solve`.
-    #[wasm_bindgen(js_name = setPinned)]
-    pub fn set_pinned(&mut self, vertex: u32, pinned: bool) -> Result<(), JsValue> {
-        if vertex as usize >= LANDMARK_COUNT {
-            return Err(Trouble::bad_vertex(vertex, LANDMARK_COUNT).into());
-        }
-        self.choices.pins.retain(|&pin| pin != vertex);
-        if pinned {
-            self.choices.pins.push(vertex);
-        }
         self.hold_again()
     }
 
@@ -198,8 +133,8 @@ impl Studio {
         Ok(self.show_offset()?)
     }
 
-    /// Starts to drag a landmark with all that is in hand together with it; alone, if it is not in hand. An edit in
-    /// progress is kept.
+    /// Starts to drag a landmark with all that is in hand together with it; if it is not in hand, it or its region is
+    /// taken. An edit in progress is kept.
     ///
     /// # Errors
     /// `no-face`, `bad-vertex`, `bad-anchors` or `cannot-solve`.
@@ -211,7 +146,7 @@ impl Studio {
     ) -> Result<(), JsValue> {
         self.commit()?;
         if !self.holds(landmark) {
-            self.select(Some(landmark))?;
+            self.take_at(landmark)?;
         }
         let start_m = self.session()?.document.committed()[landmark as usize];
         self.drag = Some(Drag::new(start_m, DVec2::new(x_px, y_px)));
@@ -372,14 +307,8 @@ impl Studio {
         if self.session.is_none() { Ok(()) } else { self.change(|session, choices| change(session, choices)) }
     }
 
-    fn take(&mut self, selection: Option<Selection>) -> Result<(), JsValue> {
-        self.drag = None;
-        let seed = (js_sys::Math::random() * SEEDS) as u64;
-        self.change(|session, choices| session.select(selection, choices, seed))
-    }
-
     /// Holds what is selected under the choices as they now are. An edit in progress goes on.
-    fn hold_again(&mut self) -> Result<(), JsValue> {
+    pub(crate) fn hold_again(&mut self) -> Result<(), JsValue> {
         self.change_if_open(Session::hold_on)
     }
 }

@@ -17,6 +17,7 @@ mod picture;
 mod renderer;
 mod reopened;
 mod seeing;
+mod selecting;
 mod session;
 mod sliding;
 mod state;
@@ -27,8 +28,9 @@ use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
 pub use modes::{
-    AnchorsName, AxisName, BackgroundName, DetailsName, ExportEditsName, ExportPaintName, ExportShadingName, HoldName,
-    LanguageName, MeshFormatName, OperatorName, PaintName, TaskName, ThemeName, TriangulationName, UnitsName, ViewName,
+    AnchorsName, AxisName, BackgroundName, DetailsName, ExportEditsName, ExportPaintName, ExportShadingName, HandName,
+    HoldName, LanguageName, MeshFormatName, OperatorName, PaintName, TaskName, ThemeName, TriangulationName, UnitsName,
+    ViewName,
 };
 pub use paper::{PaperClaims, PaperMethod, PaperRow, PaperRun};
 pub use renderer::{Renderer, create_renderer};

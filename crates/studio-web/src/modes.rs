@@ -93,6 +93,16 @@ pub enum AxisName {
     Z = "z",
 }
 
+/// What a click or a drag on the face takes in hand.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HandName {
+    /// The landmark itself.
+    Landmark = "landmark",
+    /// The named part of the face around it.
+    Region = "region",
+}
+
 /// How the mesh's details are described while it is edited.
 #[wasm_bindgen]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,7 +3,7 @@ use rosto_studio::FaceSlider;
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
-use crate::hand::subject_label;
+use crate::hand::{Selection, subject_label};
 use crate::modes::LanguageName;
 use crate::state::{NamedRegion, NamedSlider};
 use crate::trouble::{Outcome, Trouble};
@@ -38,6 +38,18 @@ impl Studio {
         let language = language.language()?;
         let selection = self.session.as_ref().and_then(|session| session.selection());
         Ok(selection.map(|selection| subject_label(selection.subject(), language)))
+    }
+
+    /// What a drag that starts at a landmark moves: what is in hand, if the landmark is part of it, or what is taken there.
+    ///
+    /// # Errors
+    /// `bad-vertex` or `bad-choice`.
+    #[wasm_bindgen(js_name = nameAt)]
+    pub fn name_at(&self, landmark: u32, language: LanguageName) -> Result<String, JsValue> {
+        let landmark = known(landmark)?;
+        let selection = self.session.as_ref().map(|session| session.at_or_held(landmark, self.hand));
+        let subject = selection.unwrap_or(Selection::Landmark(landmark)).subject();
+        Ok(subject_label(subject, language.language()?))
     }
 
     /// What an entry of the history works on.

@@ -4,9 +4,12 @@ use rosto_studio::{Command, Details, Document, FaceSlider, Frame, Hold, Rest, St
 
 use crate::choices::{AnchorChoice, Choices};
 use crate::follow::{self, SliderFollow};
-use crate::hand::{Moving, Selection};
+use crate::hand::{Hand, Moving, Selection};
 use crate::state::{StudioEntry, StudioState};
 use crate::trouble::{Outcome, Trouble};
+
+#[cfg(test)]
+mod tests;
 
 const M_PER_MM: f64 = 1.0 / 1000.0;
 const MM_PER_M: f64 = 1000.0;
@@ -113,12 +116,35 @@ impl Session {
         self.hold(choices)
     }
 
-    /// The smallest region around a landmark; if it is in hand already, the next larger one.
-    pub fn region_at(&self, landmark: u32) -> Option<Region> {
-        let around = Region::containing(landmark);
+    /// What is taken in hand at a landmark. A region is the smallest around it or, if that is in hand already, the next
+    /// larger one; where there is none, the landmark alone.
+    pub fn at(&self, landmark: u32, hand: Hand) -> Selection {
+        let around = match hand {
+            Hand::Landmark => Vec::new(),
+            Hand::Region => Region::containing(landmark),
+        };
         let is_in_hand = |region: &Region| self.selection == Some(Selection::Region(*region));
         let next = around.iter().position(is_in_hand).map_or(0, |place| (place + 1) % around.len());
-        around.get(next).copied()
+        around.get(next).map_or(Selection::Landmark(landmark), |&region| Selection::Region(region))
+    }
+
+    /// What is in hand, if a landmark is part of it, or what is taken there.
+    pub fn at_or_held(&self, landmark: u32, hand: Hand) -> Selection {
+        self.selection.filter(|_| self.holds(landmark)).unwrap_or_else(|| self.at(landmark, hand))
+    }
+
+    /// What is in hand, made what `hand` takes: the region around a landmark, or the landmark in the middle of a region.
+    pub fn taken_by(&self, hand: Hand) -> Option<Selection> {
+        match (self.selection?, hand) {
+            (Selection::Landmark(landmark), Hand::Region) => Some(self.at(landmark, hand)),
+            (region @ Selection::Region(_), Hand::Landmark) => Some(Selection::Landmark(region.middle())),
+            (as_it_is, _) => Some(as_it_is),
+        }
+    }
+
+    /// Whether a landmark is in hand, alone or with its region.
+    pub fn holds(&self, landmark: u32) -> bool {
+        self.selection.is_some_and(|selection| selection.handles().contains(&landmark))
     }
 
     /// Takes what is selected in hand again, after choices have changed. What has no answer lets go of it. An edit in
@@ -327,6 +353,7 @@ impl Session {
             sliders_mm: FaceSlider::ALL.iter().map(|&slider| self.slider_mm(slider)).collect(),
             reach: self.reach(),
             editing: self.is_moving(),
+            can_reset_selection: self.selection.is_some_and(|one| self.in_force(one.subject()).next().is_some()),
             can_undo: history.can_undo(),
             can_redo: history.can_redo(),
             entries: self.rows.clone(),
@@ -394,137 +421,5 @@ impl Session {
         self.moving = Moving::Nothing;
         self.read_history();
         Ok(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use rosto_face::{FaceInput, Photo, canonical_positions_m, mirror_of};
-    use rosto_studio::{Mirror, Switch};
-
-    fn session() -> Session {
-        let landmarks: Vec<[f32; 3]> = canonical_positions_m()
-            .iter()
-            .map(|p| [0.5 + 3.0 * p.x, 0.5 - 3.0 * p.y, -3.0 * p.z].map(|coordinate| coordinate as f32))
-            .collect();
-        let picture = Photo::from_rgb(1, 1, vec![0; 3]).unwrap();
-        let input =
-            FaceInput { landmarks: &landmarks, width: 64, height: 64, colours: &[[0; 3]; LANDMARK_COUNT], picture };
-        Session::new(FaceModel::new(input, Triangulation::Canonical).unwrap()).unwrap()
-    }
-
-    fn sculpting() -> Choices {
-        let sculpt = Choices { hold: Hold::Exact, anchors: AnchorChoice::Oval, ..Choices::default() };
-        Choices { mirror: Mirror::On, ..sculpt }
-    }
-
-    fn drag(session: &mut Session, slider: FaceSlider, to_mm: f64) {
-        session.take_slider(slider, &sculpting()).unwrap();
-        for tick in 1..=8 {
-            session.slide(slider, to_mm * f64::from(tick) / 8.0).unwrap();
-        }
-        session.commit(&sculpting()).unwrap();
-    }
-
-    fn stands_at(session: &Session, slider: FaceSlider) -> f64 {
-        let place = FaceSlider::ALL.iter().position(|one| *one == slider).unwrap();
-        session.state().sliders_mm[place]
-    }
-
-    #[test]
-    fn a_slider_stands_where_its_entries_in_force_add_up_to() {
-        let (mut session, choices) = (session(), sculpting());
-        let slider = FaceSlider::NoseWidth;
-        drag(&mut session, slider, 2.0);
-        drag(&mut session, FaceSlider::ChinLength, -3.0);
-        drag(&mut session, slider, 1.5);
-        assert_eq!(session.state().entries.len(), 3);
-        assert!((stands_at(&session, slider) - 1.5).abs() < 1e-9);
-        session.change_history(&choices, |document| document.switch(0, Switch::Off)).unwrap();
-        assert!((stands_at(&session, slider) + 0.5).abs() < 1e-9);
-        session.change_history(&choices, Document::undo).unwrap();
-        session.change_history(&choices, Document::undo).unwrap();
-        assert!((stands_at(&session, slider) - 2.0).abs() < 1e-9);
-        session.change_history(&choices, Document::redo).unwrap();
-        assert!((stands_at(&session, slider) - 1.5).abs() < 1e-9);
-        assert!((stands_at(&session, FaceSlider::ChinLength) + 3.0).abs() < 1e-9);
-    }
-
-    #[test]
-    fn a_drag_of_a_slider_is_the_command_of_its_amount() {
-        let mut session = session();
-        drag(&mut session, FaceSlider::JawWidth, 4.0);
-        let dragged = session.document.positions().to_vec();
-        let entries = session.document.history().entries();
-        assert_eq!((entries.len(), entries[0].label.as_str()), (1, "jaw width"));
-        let mut applied = Document::new(Rest::of_face(&session.face)).unwrap();
-        applied.apply("", FaceSlider::JawWidth.command(0.004)).unwrap();
-        assert!(dragged.iter().zip(applied.positions()).all(|(a, b)| a.distance(*b) < 1e-15));
-    }
-
-    #[test]
-    fn a_slider_put_back_or_let_go_of_leaves_no_entry() {
-        let (mut session, choices) = (session(), sculpting());
-        let slider = FaceSlider::LipFullness;
-        let rest = session.document.positions().to_vec();
-        session.take_slider(slider, &choices).unwrap();
-        session.slide(slider, 2.0).unwrap();
-        assert!(session.state().editing && (stands_at(&session, slider) - 2.0).abs() < 1e-12);
-        session.cancel(&choices).unwrap();
-        assert_eq!((session.document.positions(), stands_at(&session, slider)), (&rest[..], 0.0));
-        session.take_slider(slider, &choices).unwrap();
-        session.slide(slider, 2.0).unwrap();
-        session.slide(slider, 0.0).unwrap();
-        session.commit(&choices).unwrap();
-        assert!(session.state().entries.is_empty());
-    }
-
-    #[test]
-    fn the_selection_is_in_hand_again_after_a_slider() {
-        let (mut session, mut choices) = (session(), sculpting());
-        session.select(Some(Selection::Landmark(61)), &mut choices, 5).unwrap();
-        let (grip, follow) = (session.document.grip().cloned(), session.document.follow().cloned().unwrap());
-        session.preview(DVec3::new(0.0, 1.0, 0.0)).unwrap();
-        drag(&mut session, FaceSlider::EyeSize, 1.0);
-        let subjects: Vec<Subject> = session.state().entries.iter().map(|entry| entry.subject).collect();
-        assert_eq!(subjects, [Subject::Landmark(61), Subject::Slider(FaceSlider::EyeSize)]);
-        assert_eq!(session.document.grip().cloned(), grip);
-        let fields = session.follow_fields()[0].unwrap().iter().zip(follow.direct);
-        assert!(fields.into_iter().all(|(now, before)| (now - before).abs() < 1e-12));
-        assert_eq!(session.state().kept_y_mm, 1.0);
-    }
-
-    #[test]
-    fn a_region_moves_as_one_on_both_sides() {
-        let (mut session, mut choices) = (session(), sculpting());
-        let brow = Selection::Region(Region::LeftBrow);
-        session.select(Some(brow), &mut choices, 5).unwrap();
-        let before = session.document.positions().to_vec();
-        let offset_mm = DVec3::new(1.0, 2.0, 0.5);
-        session.preview(offset_mm).unwrap();
-        session.commit(&choices).unwrap();
-        let way_mm = |vertex: u32| (session.document.positions()[vertex as usize] - before[vertex as usize]) * MM_PER_M;
-        for vertex in brow.handles() {
-            assert!(way_mm(vertex).distance(offset_mm) < 1e-9);
-            let mirrored = DVec3::new(-offset_mm.x, offset_mm.y, offset_mm.z);
-            assert!(way_mm(mirror_of(vertex)).distance(mirrored) < 1e-9);
-        }
-        let state = session.state();
-        assert_eq!(state.selected_region.as_deref(), Some("left-brow"));
-        assert_eq!((state.entries.len(), state.entries[0].label.as_str()), (1, "left brow"));
-        assert!((DVec3::new(state.kept_x_mm, state.kept_y_mm, state.kept_z_mm) - offset_mm).length() < 1e-9);
-    }
-
-    #[test]
-    fn asking_again_takes_the_next_larger_region() {
-        let (mut session, mut choices) = (session(), sculpting());
-        let mut seen = Vec::new();
-        for _ in 0..4 {
-            let region = session.region_at(1).unwrap();
-            session.select(Some(Selection::Region(region)), &mut choices, 0).unwrap();
-            seen.push(region);
-        }
-        assert_eq!(seen, [Region::NoseTip, Region::Nose, Region::NoseTip, Region::Nose]);
     }
 }

@@ -55,6 +55,9 @@ pub struct StudioState {
     /// Whether an edit is in progress that `commit` would keep.
     #[wasm_bindgen(readonly)]
     pub editing: bool,
+    /// Whether the history holds edits in force of what is selected.
+    #[wasm_bindgen(readonly, js_name = canResetSelection)]
+    pub can_reset_selection: bool,
     /// Whether there is something to undo.
     #[wasm_bindgen(readonly, js_name = canUndo)]
     pub can_undo: bool,

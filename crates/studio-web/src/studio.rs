@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::choices::{AnchorChoice, Choices};
 use crate::drag::Drag;
-use crate::hand::Selection;
+use crate::hand::{Hand, Selection};
 use crate::picture::{IncomingPicture, OpenPicture};
 use crate::renderer::Renderer;
 use crate::session::Session;
@@ -30,6 +30,7 @@ pub struct Studio {
     next_picture: Option<OpenPicture>,
     incoming_picture: Option<IncomingPicture>,
     pub(crate) choices: Choices,
+    pub(crate) hand: Hand,
     pub(crate) drag: Option<Drag>,
     pub(crate) wishes: Wishes,
 }
@@ -160,6 +161,7 @@ impl Studio {
             next_picture: None,
             incoming_picture: None,
             choices: Choices::default(),
+            hand: Hand::default(),
             drag: None,
             wishes: Wishes {
                 paint: Paint::default(),
@@ -291,7 +293,7 @@ impl Studio {
         let middle = selection.map(Selection::middle);
         let mark = |kind| move |&vertex: &u32| Mark { vertex, kind };
         let anchors = anchors.iter().filter(|anchor| !pins.contains(anchor)).map(mark(MarkKind::Square));
-        let marks = anchors.chain(pins.iter().map(mark(MarkKind::Pin))).chain(region.iter().map(mark(MarkKind::Dot)));
+        let marks = anchors.chain(pins.iter().map(mark(MarkKind::Pin))).chain(region.iter().map(mark(MarkKind::Speck)));
         stage.set_marks(marks.chain(middle.iter().map(mark(MarkKind::Ring))).collect());
         stage.set_gizmo(middle);
         let is_mirrored = middle.is_some() && self.choices.mirror == Mirror::On;

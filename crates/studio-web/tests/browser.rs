@@ -4,8 +4,8 @@
 
 use rosto_face::canonical_positions_m;
 use rosto_studio_web::{
-    AnchorsName, AxisName, ExportEditsName, ExportPaintName, ExportShadingName, HoldName, LanguageName, PaintName,
-    Studio, UnitsName, start,
+    AnchorsName, AxisName, ExportEditsName, ExportPaintName, ExportShadingName, HandName, HoldName, LanguageName,
+    PaintName, Studio, UnitsName, start,
 };
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
@@ -273,5 +273,30 @@ async fn a_region_is_dragged_by_any_of_its_landmarks() {
     assert_eq!(studio.state().entries[0].label, "nose");
     studio.grab(152, 10.0, 10.0).unwrap();
     assert_eq!((studio.selected(), studio.state().selected_region), (Some(152), None));
+    studio.set_hand(HandName::Region).unwrap();
+    assert_eq!(studio.state().selected_region.as_deref(), Some("chin"));
+    studio.grab(NOSE_TIP, from.x, from.y).unwrap();
+    assert_eq!(studio.state().selected_region.as_deref(), Some("nose-tip"));
+    assert_eq!(studio.name_at(NOSE_TIP, LanguageName::English).unwrap(), "tip of the nose");
+    assert_eq!(studio.name_at(152, LanguageName::Portuguese).unwrap(), "queixo");
+    studio.take_at(NOSE_TIP).unwrap();
+    assert_eq!(studio.state().selected_region.as_deref(), Some("nose"));
     assert_eq!(code(&studio.select_region("ear").unwrap_err()), "bad-choice");
+}
+
+#[wasm_bindgen_test]
+async fn what_is_in_hand_is_pinned_whole_and_a_landmark_by_itself() {
+    let mut studio = studio().await;
+    in_paper_mode(&mut studio);
+    studio.select_region("chin").unwrap();
+    assert!(!studio.pinned());
+    studio.set_pinned(true).unwrap();
+    assert!(studio.pinned());
+    studio.toggle_pin(NOSE_TIP).unwrap();
+    studio.set_anchor_choice(AnchorsName::Pinned).unwrap();
+    studio.select(Some(61)).unwrap();
+    assert!(!studio.pinned() && studio.anchors().contains(&152) && studio.anchors().contains(&NOSE_TIP));
+    studio.toggle_pin(NOSE_TIP).unwrap();
+    assert!(!studio.anchors().contains(&NOSE_TIP));
+    assert_eq!(code(&studio.toggle_pin(468).unwrap_err()), "bad-vertex");
 }

@@ -1,4 +1,4 @@
-// Marks that keep their size on the screen: ring, square, pin, dot and the letters of the axes.
+// Marks that keep their size on the screen: ring, square, pin, dot, speck and the letters of the axes.
 override alpha: f32 = 1.0;
 
 struct Corner {
@@ -14,6 +14,7 @@ const PIN = 2u;
 const DOT = 3u;
 const LETTER_X = 4u;
 const LETTER_Z = 6u;
+const SPECK = 7u;
 const HALF_SIDE_PX = 14.0;
 const GIZMO_PX = 68.0;
 const LETTER_GAP_PX = 13.0;
@@ -88,13 +89,14 @@ fn outline(place: vec2f, kind: u32) -> f32 {
         case SQUARE: { return max(abs(place.x), abs(place.y)) - 3.0; }
         case PIN: { return pin(place); }
         case DOT: { return length(place) - 3.5; }
+        case SPECK: { return length(place) - 1.5; }
         default: { return letter(place, kind) - 0.95; }
     }
 }
 
 fn mark_colour(kind: u32) -> vec3f {
     switch kind {
-        case RING, DOT: { return frame.accent.rgb; }
+        case RING, DOT, SPECK: { return frame.accent.rgb; }
         case SQUARE, PIN: { return frame.ink.rgb; }
         default: { return axis_colour(kind - LETTER_X); }
     }

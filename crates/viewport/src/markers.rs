@@ -44,6 +44,8 @@ pub enum MarkKind {
     Pin = 2,
     /// A dot in the accent: under the pointer.
     Dot = 3,
+    /// A small dot in the accent: one of many that move together.
+    Speck = 7,
 }
 
 /// A mark that keeps its size on the screen and follows its vertex.

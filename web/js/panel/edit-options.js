@@ -144,14 +144,13 @@ export class EditOptions {
   }
 
   #pin() {
-    const { selected } = this.#bench.studio;
-    if (selected !== undefined) this.#bench.act((studio) => studio.setPinned(selected, this.#pinned.checked));
+    this.#bench.act((studio) => studio.setPinned(this.#pinned.checked));
   }
 
   /** @param {number | undefined} selected */
   #showPin(selected) {
     this.#pinned.disabled = selected === undefined;
-    this.#pinned.checked = selected !== undefined && this.#bench.studio.pins().includes(selected);
+    this.#pinned.checked = this.#bench.studio.pinned;
   }
 }
 

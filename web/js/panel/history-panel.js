@@ -29,6 +29,10 @@ export function setUpHistoryPanel(bench) {
   };
   onAction("undo", undo);
   onAction("redo", redo);
+  onAction("reset-selection", () => {
+    bench.act((studio) => studio.resetSelection());
+    announce(say("was-reset.one", { name: bench.studio.selectionName(language()) ?? "" }));
+  });
   onAction("reset", () => {
     bench.act((studio) => studio.reset());
     announce(say("was-reset"));
@@ -48,6 +52,7 @@ function show(state, bench) {
   const { entries } = state;
   enableAction("undo", state.canUndo);
   enableAction("redo", state.canRedo);
+  enableAction("reset-selection", state.canResetSelection);
   enableAction("reset", entries.length > 0);
   byId("history-empty", HTMLParagraphElement).hidden = entries.length > 0;
   byId("history", HTMLOListElement).replaceChildren(...entries.map((entry) => row(entry, bench)).reverse());

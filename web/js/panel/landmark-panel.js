@@ -1,6 +1,7 @@
 import { byId, make } from "../page/dom.js";
 import { landmarkLabel } from "../viewport/landmark-label.js";
 import { inEveryLanguage, language, say, sayNumber } from "../words/words.js";
+import { chosenHand } from "./hand-choice.js";
 import { Slider } from "./slider.js";
 
 /**
@@ -58,7 +59,7 @@ export class LandmarkPanel {
   #commit() {
     this.#bench.act((studio) => studio.commit());
     const [x = "", y = "", z = ""] = this.#sliders.map((slider) => sayNumber(slider.value, 1));
-    announce(say("landmark.moved", { name: this.#search.value, x, y, z }));
+    announce(say("landmark.moved", { name: this.#bench.studio.selectionName(language()) ?? "", x, y, z }));
   }
 
   /** @param {string} text */
@@ -101,7 +102,7 @@ export class LandmarkPanel {
   /** @param {StudioState} state */
   #show(state) {
     byId("landmark-sliders", HTMLFieldSetElement).disabled = state.selected === undefined;
-    if (document.activeElement !== this.#search) this.#help.textContent = say("landmark.help");
+    if (document.activeElement !== this.#search) this.#help.textContent = say(`${chosenHand()}.help`);
     if (state.selected === undefined) return;
     this.#search.value = this.#label(state.selected);
     this.#search.removeAttribute("aria-invalid");

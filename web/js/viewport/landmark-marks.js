@@ -1,7 +1,7 @@
 import { byId } from "../page/dom.js";
 import { Gestures } from "./gestures.js";
 import { isAtLandmark } from "./landmark-drag.js";
-import { landmarkLabel } from "./landmark-label.js";
+import { language } from "../words/words.js";
 
 /**
  * @typedef {import("./workbench.js").Workbench} Workbench
@@ -30,12 +30,12 @@ export class LandmarkMarks {
     });
     bench.onFrame(() => this.#place());
     new Gestures(bench, {
-      pick: (x_px, y_px) => bench.act((studio) => studio.select(studio.pick(x_px, y_px))),
+      pick: (x_px, y_px) => this.#take(bench.studio.pick(x_px, y_px)),
       hover: (x_px, y_px) => this.#point(x_px, y_px),
       leave: () => this.hover(undefined),
       widen,
     });
-    overlay.listen({ hover: (landmark) => this.hover(landmark), choose: (landmark) => bench.act((studio) => studio.select(landmark)) });
+    overlay.listen({ hover: (landmark) => this.hover(landmark), choose: (landmark) => this.#take(landmark) });
   }
 
   /**
@@ -46,6 +46,15 @@ export class LandmarkMarks {
   hover(landmark) {
     this.bench.look((studio) => studio.hoverVertex(landmark));
     this.#name(landmark);
+  }
+
+  /**
+   * Takes what is there in hand, or lets go where there is nothing.
+   *
+   * @param {number | undefined} landmark
+   */
+  #take(landmark) {
+    this.bench.act((studio) => (landmark === undefined ? studio.select() : studio.takeAt(landmark)));
   }
 
   /**
@@ -72,7 +81,7 @@ export class LandmarkMarks {
     this.overlay.mark(this.#selected, this.#hovered);
     const named = this.#hovered ?? this.#selected;
     this.#tag.hidden = named === undefined;
-    if (named !== undefined) this.#tag.textContent = landmarkLabel(this.bench.studio, named);
+    if (named !== undefined) this.#tag.textContent = this.bench.studio.nameAt(named, language());
     this.#place();
   }
 

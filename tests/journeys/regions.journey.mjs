@@ -1,0 +1,103 @@
+import assert from "node:assert/strict";
+import { meshByCommandLine } from "./command-line.mjs";
+import { journey } from "./journey.mjs";
+import { assertSameMesh, way } from "./meshes.mjs";
+import { difference } from "./pixels.mjs";
+import { SAMPLE } from "./visitor.mjs";
+
+/** What the page does unless told otherwise, in the command line's words. */
+const AS_THE_PAGE = "--units mm --topology canonical --operator cotangent --hold exact --anchors oval --mirror".split(" ");
+
+const NOSE_TIP = 1;
+const CHIN = 152;
+
+journey("a region moves as one by its sliders, under its name, as the command line moves it", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.chooseRegion("left-brow");
+  assert.match(await page.innerText("#landmark-said"), /left brow selected/);
+  assert.equal(await page.innerText("#landmark-tag"), "left brow");
+  const before = { view: await visitor.view(), mesh: await visitor.meshJson("mm") };
+  await visitor.offset("y", 3);
+  await visitor.offset("z", -1);
+  assert.ok(difference(before.view, await visitor.view()) > 0.002, "the picture did not change");
+  assert.deepEqual(await visitor.history(), ["left brow", "left brow"]);
+  const steps = ["--region", "left-brow:0,3,0", "--region", "left-brow:0,0,-1"];
+  assertSameMesh(await visitor.meshJson("mm"), await meshByCommandLine(SAMPLE, [...AS_THE_PAGE, ...steps]));
+
+  await page.selectOption("#language", "pt");
+  assert.deepEqual(await visitor.history(), ["sobrancelha esquerda", "sobrancelha esquerda"]);
+  assert.equal(await page.locator("#region option:checked").innerText(), "sobrancelha esquerda");
+});
+
+journey("a region's landmarks are marked, and it is dragged by any of them and by its gizmo", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  const noseTip = await visitor.tagged();
+  const bare = await visitor.view();
+  await visitor.chooseRegion("nose");
+  assert.ok(difference(bare, await visitor.view()) > 0.002, "nothing marks the region");
+  const start = await visitor.meshJson("mm");
+
+  await visitor.drag(noseTip, { x: 0, y: -24 });
+  assert.deepEqual(await visitor.history(), ["nose"]);
+  const lifted = await visitor.meshJson("mm");
+  const [tip, wing, chin] = [NOSE_TIP, 64, CHIN].map((landmark) => way(start, lifted, landmark));
+  assert.ok(tip[1] > 1 && Math.abs(tip[1] - wing[1]) < 1e-9, `${tip} and ${wing}`);
+  assert.ok(Math.hypot(...chin) < tip[1] / 2, `the chin came along: ${chin}`);
+
+  const middle = await visitor.tagged();
+  await visitor.drag({ x: middle.x, y: middle.y - 50 }, { x: 30, y: 20 });
+  assert.deepEqual(await visitor.history(), ["nose", "nose"]);
+  const along = way(lifted, await visitor.meshJson("mm"), NOSE_TIP);
+  assert.ok(along[1] < -1 && Math.hypot(along[0], along[2]) < 1e-9, `not along y: ${along}`);
+});
+
+journey("clicks take the region under the pointer, then the larger one, and the choice of a landmark comes back", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  const tip = await visitor.tagged();
+  const beside = await page.locator("#viewport").boundingBox();
+  await page.mouse.click(beside.x + 20, beside.y + 60);
+  await page.check("input[name='hand'][value='region']", { force: true });
+  assert.ok(await page.isHidden("#landmark-search"));
+  const taken = [];
+  for (let click = 0; click < 3; click++) {
+    await page.mouse.click(tip.x, tip.y);
+    taken.push(await page.inputValue("#region"));
+  }
+  assert.deepEqual(taken, ["nose-tip", "nose", "nose-tip"]);
+  await page.check("input[name='hand'][value='landmark']", { force: true });
+  assert.ok(await page.isHidden("#region"));
+  assert.match(await page.inputValue("#landmark-search"), /· \d+$/);
+});
+
+journey("one thing is reset by itself, in one step that undo takes back", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.findLandmark("bottom of the chin");
+  await visitor.offset("y", -6);
+  const chin = await visitor.meshJson("mm");
+  await visitor.chooseRegion("nose");
+  assert.ok(await page.isDisabled("[data-action='reset-selection']"));
+  await visitor.offset("z", 4);
+  await visitor.offset("x", 0);
+  await visitor.offset("y", 2);
+  const both = await visitor.meshJson("mm");
+
+  await visitor.unfold("section-history");
+  await page.click("[data-action='reset-selection']");
+  assert.match(await page.innerText("#landmark-said"), /nose/);
+  assert.deepEqual(await visitor.meshJson("mm"), chin);
+  assert.equal(await page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]"), "0");
+  assert.ok(await page.isDisabled("[data-action='reset-selection']"));
+  await page.click("#toolbar [data-action='undo']");
+  assert.deepEqual(await visitor.meshJson("mm"), both);
+  assert.equal(await page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]"), "4");
+});

@@ -1,0 +1,56 @@
+import { byId, make } from "../page/dom.js";
+import { inEveryLanguage, language, say } from "../words/words.js";
+import { announce } from "./landmark-panel.js";
+
+/**
+ * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../../wasm/rosto-studio-web.js").HandName} HandName
+ */
+
+/**
+ * Whether a click takes one landmark or the region around it, and the regions by name.
+ *
+ * @param {Workbench} bench
+ */
+export function setUpHandChoice(bench) {
+  const regions = byId("region", HTMLSelectElement);
+  byId("hand", HTMLFieldSetElement).addEventListener("change", () => {
+    showFields();
+    bench.act((studio) => studio.setHand(chosenHand()));
+  });
+  regions.addEventListener("change", () => {
+    bench.act((studio) => studio.selectRegion(regions.value));
+    announce(say("landmark.selected", { name: bench.studio.selectionName(language()) ?? "" }));
+  });
+  bench.onChange(({ selectedRegion }) => (regions.value = selectedRegion ?? ""));
+  inEveryLanguage(() => listRegions(bench, regions));
+}
+
+/** What a click takes: one landmark, or the region around it. */
+export function chosenHand() {
+  const chosen = document.querySelector("input[name='hand']:checked");
+  return /** @type {HandName} */ (chosen instanceof HTMLInputElement ? chosen.value : "landmark");
+}
+
+function showFields() {
+  byId("region-field", HTMLDivElement).hidden = chosenHand() !== "region";
+  byId("landmark-field", HTMLDivElement).hidden = chosenHand() !== "landmark";
+}
+
+/**
+ * @param {Workbench} bench
+ * @param {HTMLSelectElement} list
+ */
+function listRegions(bench, list) {
+  const chosen = list.value;
+  const none = make("option", undefined, say("region.none"));
+  none.value = "";
+  none.hidden = true;
+  const named = bench.studio.regions(language()).map(({ id, label }) => {
+    const option = make("option", undefined, label);
+    option.value = id;
+    return option;
+  });
+  list.replaceChildren(none, ...named);
+  list.value = chosen;
+}
