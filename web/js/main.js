@@ -78,10 +78,7 @@ async function openBench() {
     setUpExportPanel(opened, keeper, validator);
     paper = new PaperPanel(opened);
     keeper.follow(opened);
-    opened.look((studio) => {
-      studio.setBackground("transparent");
-      studio.showCanonical();
-    });
+    opened.look((studio) => studio.showCanonical());
     document.body.dataset["bench"] = "open";
     return opened;
   } catch (error) {
@@ -177,7 +174,6 @@ async function bringIn(face, bitmap, extraction_ms) {
   await nextTask();
   if (opened) await openPicture(opened.studio, face);
   opened?.act((studio) => {
-    studio.setBackground("ground");
     studio.openFace(face.landmarks, face.width_px, face.height_px, face.colours);
   });
   document.body.dataset["state"] = opened ? "face" : "photo";

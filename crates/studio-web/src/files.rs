@@ -86,7 +86,7 @@ impl Studio {
         #[wasm_bindgen(js_name = heightPx)] height_px: u32,
         transparent: bool,
     ) -> Result<js_sys::Promise, JsValue> {
-        let background = if transparent { Background::Transparent } else { Background::Ground };
+        let background = if transparent { Background::Transparent } else { self.wishes.background };
         let picture = self.viewport.snapshot([width_px, height_px], background).map_err(Trouble::from)?;
         Ok(future_to_promise(async move { Ok(Snapshot::from(picture.await.map_err(Trouble::from)?).into()) }))
     }

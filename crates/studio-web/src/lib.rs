@@ -28,9 +28,8 @@ use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
 pub use modes::{
-    AnchorsName, AxisName, BackgroundName, DetailsName, ExportEditsName, ExportPaintName, ExportShadingName, HandName,
-    HoldName, LanguageName, MeshFormatName, OperatorName, PaintName, TaskName, ThemeName, TriangulationName, UnitsName,
-    ViewName,
+    AnchorsName, AxisName, DetailsName, ExportEditsName, ExportPaintName, ExportShadingName, HandName, HoldName,
+    LanguageName, MeshFormatName, OperatorName, PaintName, TaskName, ThemeName, TriangulationName, UnitsName, ViewName,
 };
 pub use paper::{PaperClaims, PaperMethod, PaperRow, PaperRun};
 pub use renderer::{Renderer, create_renderer};

@@ -51,16 +51,6 @@ pub enum ThemeName {
     Dark = "dark",
 }
 
-/// What lies behind the face.
-#[wasm_bindgen]
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum BackgroundName {
-    /// The theme's soft gradient with a shadow under the face.
-    Ground = "ground",
-    /// Nothing: the page shows through.
-    Transparent = "transparent",
-}
-
 /// Language of names.
 #[wasm_bindgen]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

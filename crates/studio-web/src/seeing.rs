@@ -5,7 +5,7 @@ use rosto_viewport::{Background, Dots, Glide, NamedView, Paint, Srgb, Theme, Wir
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
-use crate::modes::{AxisName, BackgroundName, PaintName, ThemeName, ViewName};
+use crate::modes::{AxisName, PaintName, ThemeName, ViewName};
 use crate::state::ScreenPoint;
 use crate::studio::Motion;
 use crate::trouble::Trouble;
@@ -132,18 +132,18 @@ impl Studio {
         Ok(())
     }
 
-    /// What lies behind the face.
-    ///
-    /// # Errors
-    /// `bad-choice`.
-    #[wasm_bindgen(js_name = setBackground)]
-    pub fn set_background(&mut self, background: BackgroundName) -> Result<(), JsValue> {
-        self.viewport.stage_mut().look_mut().background = match background {
-            BackgroundName::Ground => Background::Ground,
-            BackgroundName::Transparent => Background::Transparent,
-            _ => return Err(Trouble::bad_choice().into()),
-        };
-        Ok(())
+    /// Puts the theme's soft ground behind the face, with a shadow under it: the usual one.
+    #[wasm_bindgen(js_name = setGround)]
+    pub fn set_ground(&mut self) {
+        self.wishes.background = Background::Ground;
+        self.show_wishes();
+    }
+
+    /// Puts one colour behind the face, sRGB.
+    #[wasm_bindgen(js_name = setBackdrop)]
+    pub fn set_backdrop(&mut self, red: u8, green: u8, blue: u8) {
+        self.wishes.background = Background::Plain(Srgb([red, green, blue]));
+        self.show_wishes();
     }
 
     /// 0 shows the face as edited, 1 as it was found.

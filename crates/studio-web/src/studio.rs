@@ -1,7 +1,7 @@
 use glam::{DVec2, DVec3};
 use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Triangulation, canonical_positions_m};
 use rosto_studio::Mirror;
-use rosto_viewport::{Mark, MarkKind, MeshInput, MirrorPlane, Paint, PictureOnGpu, Viewport, Wireframe};
+use rosto_viewport::{Background, Mark, MarkKind, MeshInput, MirrorPlane, Paint, PictureOnGpu, Viewport, Wireframe};
 use wasm_bindgen::prelude::*;
 
 use crate::choices::{AnchorChoice, Choices};
@@ -40,6 +40,7 @@ pub struct Studio {
 pub(crate) struct Wishes {
     pub paint: Paint,
     pub wireframe: Wireframe,
+    pub background: Background,
     pub turntable_deg_per_s: f64,
     pub triangulation: Triangulation,
     pub density: u32,
@@ -166,6 +167,7 @@ impl Studio {
             wishes: Wishes {
                 paint: Paint::default(),
                 wireframe: Wireframe::default(),
+                background: Background::default(),
                 turntable_deg_per_s: 0.0,
                 triangulation: Triangulation::Tessellation,
                 density: 0,
@@ -235,6 +237,7 @@ impl Studio {
         let idle_turn = if wishes.motion == Motion::Usual { IDLE_TURN_DEG_PER_S } else { 0.0 };
         stage.set_turntable(if is_empty { idle_turn } else { wishes.turntable_deg_per_s });
         let look = stage.look_mut();
+        look.background = if is_empty { Background::Transparent } else { wishes.background };
         look.paint = if is_empty { Paint::Bare } else { wishes.paint };
         look.wireframe = if is_empty { Wireframe::Shown } else { wishes.wireframe };
     }

@@ -58,6 +58,8 @@ pub enum Background {
     /// The theme's gradient, and a soft shadow under the mesh.
     #[default]
     Ground,
+    /// One colour, and no shadow.
+    Plain(Srgb),
     /// Nothing.
     Transparent,
 }

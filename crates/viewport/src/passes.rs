@@ -19,7 +19,7 @@ pub(crate) fn record(
             depth_slice: None,
             resolve_target: Some(resolved),
             ops: wgpu::Operations {
-                load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                load: wgpu::LoadOp::Clear(empty_colour(viewport.stage.look().background)),
                 store: wgpu::StoreOp::Discard,
             },
         })],
@@ -33,6 +33,16 @@ pub(crate) fn record(
     pass.set_bind_group(0, &viewport.frame_bindings, &[]);
     record_backdrop(viewport, &mut pass);
     record_mesh(viewport, &mut pass);
+}
+
+fn empty_colour(background: Background) -> wgpu::Color {
+    match background {
+        Background::Plain(colour) => {
+            let [r, g, b, a] = colour.with_alpha(1.0).map(f64::from);
+            wgpu::Color { r, g, b, a }
+        }
+        Background::Ground | Background::Transparent => wgpu::Color::TRANSPARENT,
+    }
 }
 
 fn record_backdrop(viewport: &Viewport, pass: &mut wgpu::RenderPass<'_>) {

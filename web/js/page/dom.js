@@ -28,6 +28,16 @@ export function make(tag, className, text) {
 }
 
 /**
+ * The colour that is chosen there, each channel 0 to 255.
+ *
+ * @param {HTMLInputElement} input of type color
+ */
+export function chosenColour(input) {
+  const value = parseInt(input.value.slice(1), 16);
+  return { red: (value >> 16) & 255, green: (value >> 8) & 255, blue: value & 255 };
+}
+
+/**
  * Runs `action` when any element with `data-action="name"` is pressed.
  *
  * @param {string} name

@@ -1,4 +1,4 @@
-import { byId } from "../page/dom.js";
+import { byId, chosenColour } from "../page/dom.js";
 import { Slider } from "./slider.js";
 
 /**
@@ -40,7 +40,7 @@ export function setUpLight(bench) {
   });
   const colour = byId("light-colour", HTMLInputElement);
   colour.addEventListener("input", () => {
-    const [red = 255, green = 255, blue = 255] = [1, 3, 5].map((at) => parseInt(colour.value.slice(at, at + 2), 16));
+    const { red, green, blue } = chosenColour(colour);
     bench.look((studio) => studio.setLightColour(red, green, blue));
   });
   apply();

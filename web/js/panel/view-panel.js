@@ -1,4 +1,4 @@
-import { byId, onAction } from "../page/dom.js";
+import { byId, chosenColour, onAction } from "../page/dom.js";
 import { inEveryLanguage, say } from "../words/words.js";
 import { setUpLight } from "./light.js";
 import { Slider } from "./slider.js";
@@ -19,6 +19,7 @@ const TURNTABLE_DEG_PER_S = 24;
 export function setUpViewPanel(bench) {
   setUpPaint(bench);
   setUpLight(bench);
+  setUpBackground(bench);
   setUpBeforeAfter(bench);
   onCheck("wireframe", (shown) => bench.look((studio) => studio.setWireframe(shown)));
   bench.canvas.addEventListener("keydown", (event) => {
@@ -88,6 +89,21 @@ function setUpPaint(bench) {
     bench.look((studio) => studio.setPaint(/** @type {PaintName} */ (value)));
   });
   inEveryLanguage(write);
+}
+
+/** @param {Workbench} bench */
+function setUpBackground(bench) {
+  const colour = byId("background-colour", HTMLInputElement);
+  const plain = byId("background-plain", HTMLInputElement);
+  const apply = () => {
+    const { red, green, blue } = chosenColour(colour);
+    bench.look((studio) => (plain.checked ? studio.setBackdrop(red, green, blue) : studio.setGround()));
+  };
+  plain.addEventListener("change", apply);
+  colour.addEventListener("input", () => {
+    plain.checked = true;
+    apply();
+  });
 }
 
 /**

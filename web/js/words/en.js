@@ -159,6 +159,8 @@ export const en = {
   "light.ambient": "ambient",
   "light.ambient.long": "Light from all around, in per cent",
   "light.colour": "Colour of the light",
+  "background.plain": "Plain background",
+  "background.colour": "Colour of the background",
   "export.transparent": "Transparent background",
   "export.picture": "Save a picture (PNG)",
   "light": "Light",

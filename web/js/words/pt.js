@@ -159,6 +159,8 @@ export const pt = {
   "light.ambient": "ambiente",
   "light.ambient.long": "Luz de todos os lados, em por cento",
   "light.colour": "Cor da luz",
+  "background.plain": "Fundo liso",
+  "background.colour": "Cor do fundo",
   "export.transparent": "Fundo transparente",
   "export.picture": "Salvar imagem (PNG)",
   "light": "Luz",

@@ -1,4 +1,4 @@
-use rosto_viewport::{Light, Look, MeshInput, Paint, PictureOnGpu, Srgb, Theme, Viewport};
+use rosto_viewport::{Background, Light, Look, MeshInput, Paint, PictureOnGpu, Srgb, Theme, Viewport};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 use crate::support::{SIDE_PX, Sheet, assert_close, dome, luminance, picture, plain, viewport};
@@ -15,6 +15,27 @@ async fn without_a_mesh_there_is_nothing_but_the_ground() {
     assert_close(light.pixel(MIDDLE, SIDE_PX - 1), [0xe7, 0xe3, 0xdb]);
     let dark = picture(&mut viewport, Look { theme: Theme::Dark, ..Look::default() }).await;
     assert_close(dark.pixel(MIDDLE, 0), [0x1c, 0x1d, 0x20]);
+}
+
+#[wasm_bindgen_test]
+async fn a_plain_background_is_that_colour_right_up_to_the_mesh() {
+    let mut viewport = viewport().await;
+    viewport.show(&dome().input()).unwrap();
+    let bare = picture(&mut viewport, plain()).await;
+    let colour = [12, 180, 250];
+    let seen = picture(&mut viewport, Look { background: Background::Plain(Srgb(colour)), ..plain() }).await;
+    let mut around = 0;
+    for (y, x) in (0..SIDE_PX).flat_map(|y| (0..SIDE_PX).map(move |x| (y, x))) {
+        match bare.pixel(x, y)[3] {
+            0 => {
+                assert_eq!(seen.pixel(x, y), [12, 180, 250, 255]);
+                around += 1;
+            }
+            255 => assert_eq!(seen.pixel(x, y), bare.pixel(x, y)),
+            _ => {}
+        }
+    }
+    assert!(around > 0);
 }
 
 #[wasm_bindgen_test]

@@ -1,0 +1,115 @@
+import assert from "node:assert/strict";
+import { PNG } from "pngjs";
+import { journey } from "./journey.mjs";
+import { difference } from "./pixels.mjs";
+
+const PAINTS = ["photo", "colours", "clay", "normals", "response", "distortion"];
+
+journey("every paint shows the face another way, with a legend where colours are numbers", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("z", 8);
+  await visitor.unfold("section-view");
+  const views = [];
+  for (const paint of PAINTS) {
+    await page.check(`input[name="paint"][value="${paint}"]`, { force: true });
+    views.push(await visitor.view());
+    assert.equal(await page.isVisible("#paint-legend"), paint === "response" || paint === "distortion", paint);
+  }
+  assert.match(await page.innerText("#paint-legend-text"), /%/);
+  for (const [one, view] of views.entries()) {
+    for (const [other, another] of views.entries()) {
+      if (one < other) assert.ok(difference(view, another) > 0.05, `${PAINTS[one]} looks like ${PAINTS[other]}`);
+    }
+  }
+});
+
+journey("lines, dots, density and open eyes and mouth each change what is drawn, and back", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.unfold("section-view");
+  const first = await visitor.view();
+  for (const box of ["wireframe", "dots"]) {
+    await page.check(`#${box}`);
+    assert.ok(difference(first, await visitor.view()) > 0.01, `${box} changed nothing`);
+    await page.uncheck(`#${box}`);
+  }
+  for (const [select, usual, other] of [["density", "0", "3"], ["triangulation", "canonical", "tessellation"]]) {
+    await page.selectOption(`#${select}`, other);
+    assert.ok(difference(first, await visitor.view()) > 0.003, `${select} changed nothing`);
+    await page.selectOption(`#${select}`, usual);
+  }
+  assert.equal(difference(first, await visitor.view()), 0, "the view did not come back");
+});
+
+journey("the light follows the small sphere, and its colour what is chosen", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.unfold("section-view");
+  await page.check("input[name='paint'][value='clay']", { force: true });
+  const first = await visitor.view();
+  await page.locator("#light-sphere").scrollIntoViewIfNeeded();
+  const box = await page.locator("#light-sphere").boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.9 * box.width, box.y + box.height / 2, { steps: 3 });
+  await page.mouse.up();
+  const [azimuth, elevation] = await page.locator("#light-sliders input[type=number]").evaluateAll((fields) =>
+    fields.map((field) => Number(field.value)),
+  );
+  assert.ok(azimuth > 60 && Math.abs(elevation) < 5, `the light stands at ${azimuth}°, ${elevation}°`);
+  const fromTheRight = await visitor.view();
+  assert.ok(difference(first, fromTheRight) > 0.05);
+  await page.fill("#light-colour", "#ff4000");
+  assert.ok(difference(fromTheRight, await visitor.view()) > 0.05);
+});
+
+journey("the turntable turns until it is switched off", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.unfold("section-view");
+  const first = await visitor.view();
+  await page.check("#turntable");
+  await page.waitForTimeout(500);
+  await page.uncheck("#turntable");
+  const turned = await visitor.view();
+  assert.ok(difference(first, turned) > 0.02, "nothing turned");
+  await page.waitForTimeout(300);
+  assert.equal(difference(turned, await visitor.view()), 0, "it went on turning");
+});
+
+journey("the background is a colour of one's own, in the picture too, which can leave it out", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.unfold("section-view");
+  await page.fill("#background-colour", "#0cb4fa");
+  assert.ok(await page.isChecked("#background-plain"));
+  assert.deepEqual(corner(await visitor.view()), [0x0c, 0xb4, 0xfa, 255]);
+  await visitor.unfold("section-export");
+  const cutOut = PNG.sync.read(await visitor.download("download-picture"));
+  assert.deepEqual(corner(cutOut), [0, 0, 0, 0]);
+  assert.equal(middle(cutOut)[3], 255, "the face itself is transparent");
+  await page.uncheck("#picture-transparent");
+  const whole = PNG.sync.read(await visitor.download("download-picture"));
+  assert.deepEqual(corner(whole), [0x0c, 0xb4, 0xfa, 255]);
+  assert.deepEqual(middle(whole), middle(cutOut));
+  await page.uncheck("#background-plain");
+  assert.notDeepEqual(corner(await visitor.view()), [0x0c, 0xb4, 0xfa, 255]);
+});
+
+/** @param {import("./pixels.mjs").Pixels} pixels */
+function corner({ data }) {
+  return [...data.subarray(0, 4)];
+}
+
+/** @param {import("./pixels.mjs").Pixels} pixels */
+function middle({ width, height, data }) {
+  const at = 4 * (Math.floor(height / 2) * width + Math.floor(width / 2));
+  return [...data.subarray(at, at + 4)];
+}
