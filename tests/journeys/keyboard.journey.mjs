@@ -29,6 +29,18 @@ journey("everything from photo to file by keyboard alone", async (open) => {
   assert.notDeepEqual(await visitor.meshJson("mm"), before);
 });
 
+journey("the first stop of the keyboard leads past everything to the landmarks", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await page.keyboard.press("Tab");
+  assert.ok(await page.evaluate(() => document.activeElement?.matches(".skip-link")), "the first stop is another");
+  await page.keyboard.press("Enter");
+  await page.keyboard.type("nose tip");
+  await page.keyboard.press("Enter");
+  assert.equal(await visitor.landmark(), 1);
+});
+
 journey("the camera follows the keys while the view has the focus", async (open) => {
   const visitor = await open();
   const { page } = visitor;

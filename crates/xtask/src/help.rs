@@ -9,7 +9,7 @@ cargo xtask TASK
   dist          build the page for the web into dist/, and show its sizes
   test [STEP…]  check and test everything, or only the named steps
   bench [WHAT…] measure against the paper and the peers; --write updates docs/benchmarks.md
-  screenshots   take the pictures for the documentation from dist/
+  screenshots   take the documentation's pictures of the page, and axe-core's report
   help          this text
 
 Every task first obtains what it needs. Tools go to $XDG_CACHE_HOME/rosto (by default ~/.cache/rosto) and are shared by

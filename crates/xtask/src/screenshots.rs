@@ -1,4 +1,4 @@
-//! `cargo xtask screenshots`: the pictures of the documentation, taken from the built page by a script.
+//! `cargo xtask screenshots`: what the documentation shows of the built page: pictures of it, and axe-core's report.
 
 use crate::failure::Outcome;
 use crate::{dist, progress, setup};
@@ -7,13 +7,15 @@ use std::time::{Duration, Instant};
 
 const LIMIT: Duration = Duration::from_secs(1200);
 
-/// Builds the page and takes its pictures.
+/// Builds the page, takes its pictures and looks it over.
 pub fn run() -> Outcome<ExitCode> {
     let kit = setup::for_tests()?;
     progress::announce("screenshots", "the documentation shows the page as it is");
     let started = Instant::now();
     dist::build(&kit)?;
-    kit.run("npm")?.args(["run", "--silent", "screenshots"]).within(LIMIT).run()?.checked()?;
+    for script in ["screenshots", "accessibility"] {
+        kit.run("npm")?.args(["run", "--silent", script]).within(LIMIT).run()?.checked()?;
+    }
     progress::done("screenshots", started);
     Ok(ExitCode::SUCCESS)
 }
