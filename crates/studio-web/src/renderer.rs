@@ -1,4 +1,4 @@
-use rosto_viewport::{Gpu, Target, Viewport};
+use rosto_viewport::{Backend, Gpu, Target, Viewport};
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
@@ -27,11 +27,10 @@ impl Renderer {
 }
 
 async fn bind(canvas: HtmlCanvasElement) -> Outcome<Renderer> {
-    if !browser_has_webgpu() {
+    if Backend::OF_THIS_BUILD == Backend::WebGpu && !browser_has_webgpu() {
         return Err(Trouble::new("no-webgpu", "this browser has no WebGPU", "Use a current Chrome, Edge or Safari."));
     }
-    let gpu = Gpu::request().await?;
-    let target = target(&gpu, canvas)?;
+    let (gpu, target) = gpu_and_target(canvas).await?;
     Ok(Renderer { viewport: Viewport::new(gpu, target) })
 }
 
@@ -41,12 +40,12 @@ fn browser_has_webgpu() -> bool {
 }
 
 #[cfg(target_arch = "wasm32")]
-fn target(gpu: &Gpu, canvas: HtmlCanvasElement) -> Outcome<Target> {
-    Ok(Target::canvas(gpu, canvas)?)
+async fn gpu_and_target(canvas: HtmlCanvasElement) -> Outcome<(Gpu, Target)> {
+    Ok(Target::canvas(canvas).await?)
 }
 
 /// Only a browser has canvases; elsewhere this crate is built for its tests alone.
 #[cfg(not(target_arch = "wasm32"))]
-fn target(_: &Gpu, _: HtmlCanvasElement) -> Outcome<Target> {
-    Ok(Target::offscreen())
+async fn gpu_and_target(_: HtmlCanvasElement) -> Outcome<(Gpu, Target)> {
+    Ok((Gpu::request().await?, Target::offscreen()))
 }

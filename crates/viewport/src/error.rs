@@ -4,7 +4,7 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ViewportError {
-    /// Neither the browser nor the system offers a GPU through WebGPU.
+    /// Neither the browser nor the system offers a GPU.
     #[error("no GPU was found: {0}")]
     NoAdapter(String),
     /// There is a GPU, but it would not give a device.

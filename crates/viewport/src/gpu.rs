@@ -2,33 +2,51 @@ use std::sync::{Arc, Mutex};
 
 use crate::ViewportError;
 
-/// A GPU device, obtained before any canvas is touched: the first context that a canvas gives is its only one.
+/// What a page draws through. One build has one way, so that nobody downloads the other's code.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Backend {
+    /// WebGPU.
+    WebGpu,
+    /// WebGL2, for browsers without WebGPU: with the feature `webgl`.
+    WebGl2,
+}
+
+impl Backend {
+    /// What this build draws through in a browser.
+    pub const OF_THIS_BUILD: Self = if cfg!(feature = "webgl") { Self::WebGl2 } else { Self::WebGpu };
+}
+
+/// A GPU's device and its queue.
 #[derive(Debug)]
 pub struct Gpu {
-    /// Makes a canvas' surface; drawing off screen has no use for it.
-    #[cfg(target_arch = "wasm32")]
-    pub(crate) instance: wgpu::Instance,
-    /// Tells what that surface can do.
-    #[cfg(target_arch = "wasm32")]
-    pub(crate) adapter: wgpu::Adapter,
     pub(crate) device: wgpu::Device,
     pub(crate) queue: wgpu::Queue,
     lost: Arc<Mutex<Option<String>>>,
 }
 
 impl Gpu {
-    /// Asks for a device with WebGPU's smallest common limits, so that phones pass too.
+    /// Asks for a device to draw off screen with; a canvas comes with one of its own. WebGL2 has none but those.
     ///
     /// # Errors
     /// [`ViewportError::NoAdapter`] or [`ViewportError::NoDevice`].
     pub async fn request() -> Result<Self, ViewportError> {
-        let instance = wgpu::Instance::default();
-        let adapter = instance
-            .request_adapter(&wgpu::RequestAdapterOptions::default())
-            .await
-            .map_err(|error| ViewportError::NoAdapter(error.to_string()))?;
-        let limits = wgpu::Limits::downlevel_defaults().using_resolution(adapter.limits());
-        let descriptor = wgpu::DeviceDescriptor { label: Some("rosto"), required_limits: limits, ..Default::default() };
+        Ok(Self::open(&instance(), None).await?.0)
+    }
+
+    /// Asks for a device with the smallest common limits, so that phones pass too, and one that can draw on `surface`.
+    pub(crate) async fn open(
+        instance: &wgpu::Instance,
+        surface: Option<&wgpu::Surface<'static>>,
+    ) -> Result<(Self, wgpu::Adapter), ViewportError> {
+        let wish = wgpu::RequestAdapterOptions { compatible_surface: surface, ..Default::default() };
+        let adapter =
+            instance.request_adapter(&wish).await.map_err(|error| ViewportError::NoAdapter(error.to_string()))?;
+        let limits = match Backend::OF_THIS_BUILD {
+            Backend::WebGpu => wgpu::Limits::downlevel_defaults(),
+            Backend::WebGl2 => wgpu::Limits::downlevel_webgl2_defaults(),
+        };
+        let required_limits = limits.using_resolution(adapter.limits());
+        let descriptor = wgpu::DeviceDescriptor { label: Some("rosto"), required_limits, ..Default::default() };
         let (device, queue) =
             adapter.request_device(&descriptor).await.map_err(|error| ViewportError::NoDevice(error.to_string()))?;
         let lost = Arc::new(Mutex::new(None));
@@ -38,15 +56,7 @@ impl Gpu {
                 *lost = Some(message);
             }
         });
-        Ok(Self {
-            #[cfg(target_arch = "wasm32")]
-            instance,
-            #[cfg(target_arch = "wasm32")]
-            adapter,
-            device,
-            queue,
-            lost,
-        })
+        Ok((Self { device, queue, lost }, adapter))
     }
 
     /// Fails once the device is gone.
@@ -61,4 +71,14 @@ impl Gpu {
     pub(crate) fn largest_side_px(&self) -> u32 {
         self.device.limits().max_texture_dimension_2d
     }
+}
+
+pub(crate) fn instance() -> wgpu::Instance {
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+    if Backend::OF_THIS_BUILD == Backend::WebGl2 {
+        descriptor.backends = wgpu::Backends::GL;
+        // Reading a buffer back waits for the GPU by itself, and a fence would pass only after the page's next task.
+        descriptor.backend_options.gl.fence_behavior = wgpu::GlFenceBehavior::AutoFinish;
+    }
+    wgpu::Instance::new(descriptor)
 }

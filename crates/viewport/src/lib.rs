@@ -27,7 +27,7 @@ mod viewport;
 pub use camera::{Camera, Glide, NamedView};
 pub use colour::Srgb;
 pub use error::ViewportError;
-pub use gpu::Gpu;
+pub use gpu::{Backend, Gpu};
 pub use light::Light;
 pub use look::{Background, Dots, Look, MirrorPlane, Paint, Theme, Wireframe};
 pub use markers::{Axis, Mark, MarkKind};

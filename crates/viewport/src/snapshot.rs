@@ -58,9 +58,12 @@ pub(crate) fn copy(gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, texture: &wgpu
 }
 
 impl Pending {
-    /// Waits for the picture. Natively, somebody must poll the device.
-    pub async fn read(self) -> Result<Snapshot, ViewportError> {
-        Mapping::new(&self.buffer).await?;
+    /// Waits for the picture. Natively, somebody must go on polling the device.
+    pub async fn read(self, device: &wgpu::Device) -> Result<Snapshot, ViewportError> {
+        let mapping = Mapping::new(&self.buffer);
+        // WebGPU answers by itself, WebGL2 only when asked. A device that is gone answers the mapping.
+        let _ = device.poll(wgpu::PollType::Poll);
+        mapping.await?;
         let view = self.buffer.get_mapped_range(..).map_err(|_| ViewportError::NotRead)?;
         let [width, height] = self.size;
         let swapped = self.format == wgpu::TextureFormat::Bgra8Unorm;

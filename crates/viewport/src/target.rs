@@ -1,6 +1,6 @@
 use crate::Gpu;
 #[cfg(target_arch = "wasm32")]
-use crate::ViewportError;
+use crate::{Backend, ViewportError, gpu};
 
 /// Samples for each pixel.
 pub(crate) const SAMPLES: u32 = 4;
@@ -18,7 +18,7 @@ pub struct Target {
 #[derive(Debug)]
 enum Place {
     #[cfg(target_arch = "wasm32")]
-    Surface(wgpu::Surface<'static>),
+    Surface(wgpu::Surface<'static>, wgpu::CompositeAlphaMode),
     Offscreen,
 }
 
@@ -40,26 +40,42 @@ impl Target {
         Self { place: Place::Offscreen, format: wgpu::TextureFormat::Rgba8Unorm }
     }
 
-    /// A canvas of the page.
+    /// A canvas of the page, with a GPU that draws on it.
     ///
     /// # Errors
-    /// [`ViewportError::CanvasInUse`] if the canvas gives no WebGPU context.
+    /// [`ViewportError::NoAdapter`], [`ViewportError::NoDevice`], or [`ViewportError::CanvasInUse`] if the canvas gives no
+    /// context for this build's [`Backend`].
     #[cfg(target_arch = "wasm32")]
-    pub fn canvas(gpu: &Gpu, canvas: wgpu::web_sys::HtmlCanvasElement) -> Result<Self, ViewportError> {
-        let surface = gpu
-            .instance
-            .create_surface(wgpu::SurfaceTarget::Canvas(canvas))
-            .map_err(|error| ViewportError::CanvasInUse(error.to_string()))?;
-        let preferred = surface.get_capabilities(&gpu.adapter).formats.first().copied();
-        let format = preferred.ok_or_else(|| ViewportError::CanvasInUse("it offers no format".into()))?;
-        Ok(Self { place: Place::Surface(surface), format })
+    pub async fn canvas(canvas: wgpu::web_sys::HtmlCanvasElement) -> Result<(Gpu, Self), ViewportError> {
+        let instance = gpu::instance();
+        let (gpu, adapter, surface) = match Backend::OF_THIS_BUILD {
+            // The first context that a canvas gives is its only one: it is not touched before there is a device.
+            Backend::WebGpu => {
+                let (gpu, adapter) = Gpu::open(&instance, None).await?;
+                (gpu, adapter, surface(&instance, canvas)?)
+            }
+            // Here the canvas's context is the device.
+            Backend::WebGl2 => {
+                let surface = surface(&instance, canvas)?;
+                let (gpu, adapter) = Gpu::open(&instance, Some(&surface)).await?;
+                (gpu, adapter, surface)
+            }
+        };
+        let offered = surface.get_capabilities(&adapter);
+        let format = offered.formats.iter().copied().find(|format| !format.is_srgb());
+        let format = format.ok_or_else(|| ViewportError::CanvasInUse("it offers no format".into()))?;
+        let premultiplied = wgpu::CompositeAlphaMode::PreMultiplied;
+        let alpha = offered.alpha_modes.iter().copied().find(|&mode| mode == premultiplied).unwrap_or_default();
+        Ok((gpu, Self { place: Place::Surface(surface, alpha), format }))
     }
 
     /// Fits the canvas to a size in px.
     pub(crate) fn configure(&self, gpu: &Gpu, width: u32, height: u32) {
         match &self.place {
             #[cfg(target_arch = "wasm32")]
-            Place::Surface(surface) => surface.configure(&gpu.device, &configuration(self.format, width, height)),
+            Place::Surface(surface, alpha) => {
+                surface.configure(&gpu.device, &configuration(self.format, *alpha, width, height));
+            }
             Place::Offscreen => {
                 let _ = (gpu, width, height);
             }
@@ -70,7 +86,7 @@ impl Target {
     pub(crate) fn acquire(&self, gpu: &Gpu, width: u32, height: u32) -> Canvas {
         match &self.place {
             #[cfg(target_arch = "wasm32")]
-            Place::Surface(surface) => match surface.get_current_texture() {
+            Place::Surface(surface, _) => match surface.get_current_texture() {
                 wgpu::CurrentSurfaceTexture::Success(texture) | wgpu::CurrentSurfaceTexture::Suboptimal(texture) => {
                     Canvas::Ready(texture)
                 }
@@ -89,7 +105,21 @@ impl Target {
 }
 
 #[cfg(target_arch = "wasm32")]
-fn configuration(format: wgpu::TextureFormat, width: u32, height: u32) -> wgpu::SurfaceConfiguration {
+fn surface(
+    instance: &wgpu::Instance,
+    canvas: wgpu::web_sys::HtmlCanvasElement,
+) -> Result<wgpu::Surface<'static>, ViewportError> {
+    let target = wgpu::SurfaceTarget::Canvas(canvas);
+    instance.create_surface(target).map_err(|error| ViewportError::CanvasInUse(error.to_string()))
+}
+
+#[cfg(target_arch = "wasm32")]
+fn configuration(
+    format: wgpu::TextureFormat,
+    alpha_mode: wgpu::CompositeAlphaMode,
+    width: u32,
+    height: u32,
+) -> wgpu::SurfaceConfiguration {
     wgpu::SurfaceConfiguration {
         usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
         format,
@@ -98,7 +128,7 @@ fn configuration(format: wgpu::TextureFormat, width: u32, height: u32) -> wgpu::
         height,
         present_mode: wgpu::PresentMode::AutoVsync,
         desired_maximum_frame_latency: 1,
-        alpha_mode: wgpu::CompositeAlphaMode::PreMultiplied,
+        alpha_mode,
         view_formats: Vec::new(),
     }
 }

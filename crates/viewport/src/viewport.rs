@@ -240,11 +240,7 @@ impl Viewport {
         self.stage = kept;
         self.stage.ask_for_a_frame();
         let device = self.gpu.device.clone();
-        Ok(async move {
-            let read = pending.read();
-            let _ = device.poll(wgpu::PollType::Poll);
-            read.await
-        })
+        Ok(async move { pending.read(&device).await })
     }
 
     #[cfg(target_arch = "wasm32")]

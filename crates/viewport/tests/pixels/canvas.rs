@@ -1,5 +1,5 @@
 use glam::DVec2;
-use rosto_viewport::{Background, Gpu, Look, Paint, Target, ViewportError};
+use rosto_viewport::{Background, Look, Paint, Target, ViewportError};
 use wasm_bindgen::JsCast;
 use wasm_bindgen_test::wasm_bindgen_test;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
@@ -67,8 +67,7 @@ async fn a_click_on_a_vertex_picks_it() {
 async fn a_canvas_that_has_another_context_is_refused() {
     let canvas = canvas();
     canvas.get_context("2d").unwrap().unwrap();
-    let gpu = Gpu::request().await.unwrap();
-    let refused = Target::canvas(&gpu, canvas);
+    let refused = Target::canvas(canvas).await;
     assert!(matches!(refused, Err(ViewportError::CanvasInUse(_))), "{refused:?}");
 }
 

@@ -1,6 +1,6 @@
 use glam::{DVec2, DVec3};
 use rosto_mesh::Topology;
-use rosto_viewport::{Background, Glide, Gpu, Look, MeshInput, Snapshot, Target, Viewport};
+use rosto_viewport::{Background, Glide, Look, MeshInput, Snapshot, Target, Viewport};
 use wasm_bindgen::JsCast;
 use web_sys::HtmlCanvasElement;
 
@@ -21,8 +21,7 @@ pub async fn viewport() -> Viewport {
 }
 
 pub async fn on(canvas: HtmlCanvasElement) -> Viewport {
-    let gpu = Gpu::request().await.unwrap();
-    let target = Target::canvas(&gpu, canvas).unwrap();
+    let (gpu, target) = Target::canvas(canvas).await.unwrap();
     let mut viewport = Viewport::new(gpu, target);
     viewport.resize(SIDE_PX, SIDE_PX);
     let stage = viewport.stage_mut();
