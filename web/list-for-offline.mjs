@@ -3,7 +3,9 @@ import { createHash } from "node:crypto";
 import { readFile, readdir, writeFile } from "node:fs/promises";
 import path from "node:path";
 
-const PLACEHOLDER = '{ version: "unbuilt", files: [] }';
+const PLACEHOLDER = '{ version: "unbuilt", files: [], fallback: [] }';
+/** What only browsers without WebGPU download. */
+const FALLBACK = /^wasm\/rosto-studio-webgl/;
 
 const dist = process.env.TRUNK_STAGING_DIR ?? "dist";
 const serviceWorker = path.join(dist, "service-worker.js");
@@ -19,7 +21,8 @@ for (const file of files) hash.update(file).update(await readFile(path.join(dist
 const version = hash.digest("hex").slice(0, 16);
 
 // The page itself is asked for as "./".
-const offline = { version, files: files.map((file) => (file === "index.html" ? "./" : file)) };
+const everyones = files.filter((file) => !FALLBACK.test(file)).map((file) => (file === "index.html" ? "./" : file));
+const offline = { version, files: everyones, fallback: files.filter((file) => FALLBACK.test(file)) };
 const script = await readFile(serviceWorker, "utf8");
 if (!script.includes(PLACEHOLDER)) throw new Error(`${serviceWorker} has no place for the list of files`);
 await writeFile(serviceWorker, script.replace(PLACEHOLDER, JSON.stringify(offline)));

@@ -3,15 +3,19 @@ import { chromium } from "playwright-core";
 
 const CANDIDATES = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 
-/** A WebGPU adapter in software and a canvas that presents, can be read, and shows in screenshots. */
-const SOFTWARE_GPU = [
-  "--enable-unsafe-webgpu",
-  "--enable-features=Vulkan",
-  "--use-vulkan=swiftshader",
-  "--use-angle=swiftshader",
-  "--use-webgpu-adapter=swiftshader",
-  "--ignore-gpu-blocklist",
-];
+/** What draws, in software: a canvas presents, can be read, and shows in screenshots. */
+const GPUS = {
+  webgpu: [
+    "--enable-unsafe-webgpu",
+    "--enable-features=Vulkan",
+    "--use-vulkan=swiftshader",
+    "--use-angle=swiftshader",
+    "--use-webgpu-adapter=swiftshader",
+    "--ignore-gpu-blocklist",
+  ],
+  webgl: ["--use-angle=swiftshader", "--ignore-gpu-blocklist", "--disable-features=WebGPU"],
+  none: ["--disable-gpu", "--disable-3d-apis"],
+};
 
 const QUIET = [
   "--no-sandbox",
@@ -32,10 +36,10 @@ const fakeCamera = (/** @type {string} */ film) => [
 /**
  * Starts the system's Chromium without a window.
  *
- * @param {{ gpu?: "software" | "none", film?: string }} [options] `film`: a .y4m that a fake camera plays
+ * @param {{ gpu?: keyof typeof GPUS, film?: string }} [options] `film`: a .y4m that a fake camera plays
  */
-export function launch({ gpu = "software", film } = {}) {
-  const args = [...QUIET, ...(gpu === "software" ? SOFTWARE_GPU : ["--disable-gpu", "--disable-features=WebGPU"]), ...(film ? fakeCamera(film) : [])];
+export function launch({ gpu = "webgpu", film } = {}) {
+  const args = [...QUIET, ...GPUS[gpu], ...(film ? fakeCamera(film) : [])];
   return chromium.launch({ executablePath: executable(), headless: true, args });
 }
 

@@ -1,4 +1,4 @@
-/** @typedef {{ name: string, needs: "gpu" | "no-gpu" | "camera", walk: (open: (options?: object) => Promise<import("./visitor.mjs").Visitor>) => Promise<void> }} Journey */
+/** @typedef {{ name: string, needs: "gpu" | "webgl" | "no-gpu" | "camera", walk: (open: (options?: object) => Promise<import("./visitor.mjs").Visitor>) => Promise<void> }} Journey */
 
 /** @type {Journey[]} */
 export const journeys = [];

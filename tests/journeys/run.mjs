@@ -63,6 +63,7 @@ async function browserFor(needs) {
 /** @param {import("./journey.mjs").Journey["needs"]} needs */
 async function launchFor(needs) {
   if (needs === "no-gpu") return launch({ gpu: "none" });
+  if (needs === "webgl") return launch({ gpu: "webgl" });
   if (needs !== "camera") return launch();
   const film = path.join(await mkdtemp(path.join(tmpdir(), "rosto-")), "portrait.y4m");
   await writeFile(film, asFilm(await readFile(SAMPLE), 5));

@@ -88,13 +88,23 @@ impl Graph {
     }
 }
 
+/// Names of all packages that a wasm32 build of one package takes in, with the features of this build alone.
+pub fn built_for_wasm(package: &str) -> BTreeSet<String> {
+    let tree = ["tree", "--prefix", "none", "--edges", "normal", "--target", "wasm32-unknown-unknown", "--package"];
+    let printed = cargo(&[&tree[..], &[package]].concat());
+    printed.lines().filter_map(|line| line.split(' ').next()).map(str::to_owned).collect()
+}
+
 fn metadata(arguments: &[&str]) -> Value {
+    serde_json::from_str(&cargo(&[&["metadata", "--format-version", "1"], arguments].concat())).unwrap()
+}
+
+/// What a command of cargo's prints about the workspace.
+fn cargo(arguments: &[&str]) -> String {
     let manifest = Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml");
-    let mut cargo = Command::new(env!("CARGO"));
-    cargo.args(["metadata", "--format-version", "1", "--manifest-path"]).arg(manifest).args(arguments);
-    let output = cargo.output().unwrap();
+    let output = Command::new(env!("CARGO")).args(arguments).arg("--manifest-path").arg(manifest).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    serde_json::from_slice(&output.stdout).unwrap()
+    String::from_utf8(output.stdout).unwrap()
 }
 
 fn text(value: &Value) -> String {

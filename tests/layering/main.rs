@@ -23,7 +23,7 @@ const CORE: [&str; 8] = [
 ];
 
 /// Which crates of the workspace each crate may know.
-const MAY_KNOW: [(&str, &[&str]); 13] = [
+const MAY_KNOW: [(&str, &[&str]); 14] = [
     ("rosto-mesh", &[]),
     ("rosto-laplacian", &["rosto-mesh"]),
     ("rosto-photo", &[]),
@@ -36,6 +36,7 @@ const MAY_KNOW: [(&str, &[&str]); 13] = [
         "rosto-studio-web",
         &["rosto-studio", "rosto-viewport", "rosto-export", "rosto-face", "rosto-laplacian", "rosto-mesh"],
     ),
+    ("rosto-studio-webgl", &["rosto-studio-web"]),
     ("rosto-vision-web", &["rosto-landmarks", "rosto-photo"]),
     (
         "rosto-cli",
@@ -90,6 +91,13 @@ fn the_page_carries_no_networks_and_the_worker_no_canvas() {
         let reached: Vec<_> = graph.reachable(package).into_iter().filter(|name| name.starts_with(prefix)).collect();
         assert!(reached.is_empty(), "{package} reaches {reached:?}");
     }
+}
+
+#[test]
+fn webgl_is_in_the_module_of_its_own_alone() {
+    let reaches_webgl = |package| graph::built_for_wasm(package).contains("glow");
+    assert!(!reaches_webgl("rosto-studio-web"));
+    assert!(reaches_webgl("rosto-studio-webgl"));
 }
 
 #[test]

@@ -25,6 +25,7 @@ import { loadSample } from "./photo/sample.js";
 import { Replaced, VisionClient } from "./photo/vision-client.js";
 import { LandmarkMarks } from "./viewport/landmark-marks.js";
 import { setUpViewKeys } from "./viewport/shortcuts.js";
+import { isFallback } from "./viewport/studio-module.js";
 import { Workbench } from "./viewport/workbench.js";
 import { inEveryLanguage, language, speak, writeWords } from "./words/words.js";
 import { isGlbFile, readGlbFile } from "./work/glb-file.js";
@@ -63,7 +64,7 @@ onAction("sample", () => loadSample().then(openFile, showPhotoTrouble));
 keeper.offer((work) => openWork(work));
 countRequests(loadTheRest());
 
-/** The 3D view and every panel that works on it; nothing where there is no WebGPU. */
+/** The 3D view and every panel that works on it; nothing where the browser cannot draw in 3D. */
 async function openBench() {
   try {
     const opened = await Workbench.open(byId("viewport", HTMLCanvasElement));
@@ -93,7 +94,8 @@ async function loadTheRest() {
   await afterNextFrame();
   vision.start();
   await vision.ready;
-  await Promise.allSettled([loadSample(), validator.start(), keepOffline()]);
+  await bench;
+  await Promise.allSettled([loadSample(), validator.start(), keepOffline(isFallback())]);
 }
 
 /**

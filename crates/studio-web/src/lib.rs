@@ -40,7 +40,7 @@ pub use studio::Studio;
 /// Gets a GPU, binds it to the canvas, and opens an empty studio on it.
 ///
 /// # Errors
-/// `no-webgpu`, `no-adapter`, `no-device` or `canvas-in-use`.
+/// `no-webgpu` or `no-webgl`, `no-adapter`, `no-device` or `canvas-in-use`.
 #[wasm_bindgen]
 pub async fn start(canvas: HtmlCanvasElement) -> Result<Studio, JsValue> {
     console_error_panic_hook::set_once();

@@ -11,10 +11,10 @@ pub struct Renderer {
     viewport: Viewport,
 }
 
-/// Gets a GPU, and only then binds it to the canvas.
+/// Gets a GPU and binds it to the canvas, which stays untouched if there is no WebGPU.
 ///
 /// # Errors
-/// `no-webgpu`, `no-adapter`, `no-device` or `canvas-in-use`.
+/// `no-webgpu` or `no-webgl`, `no-adapter`, `no-device` or `canvas-in-use`.
 #[wasm_bindgen(js_name = createRenderer)]
 pub async fn create_renderer(canvas: HtmlCanvasElement) -> Result<Renderer, JsValue> {
     Ok(bind(canvas).await?)

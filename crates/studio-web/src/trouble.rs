@@ -4,14 +4,14 @@ use rosto_face::FaceError;
 use rosto_laplacian::LaplacianError;
 use rosto_studio::StudioError;
 use rosto_studio::project::ProjectError;
-use rosto_viewport::ViewportError;
+use rosto_viewport::{Backend, ViewportError};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 /** Codes of the errors that this module throws; they stay the same over time. */
 export type StudioErrorCode =
-    | "no-webgpu" | "no-adapter" | "no-device" | "canvas-in-use" | "device-lost"
+    | "no-webgpu" | "no-webgl" | "no-adapter" | "no-device" | "canvas-in-use" | "device-lost"
     | "no-face" | "no-selection" | "bad-vertex" | "bad-face" | "bad-number" | "bad-choice" | "bad-anchors"
     | "cannot-solve" | "cannot-export" | "bad-project" | "damaged-glb" | "foreign-glb" | "newer-glb"
     | "not-drawn" | "internal";
@@ -83,6 +83,10 @@ impl From<ViewportError> for Trouble {
         let (code, hint) = match error {
             ViewportError::NoAdapter(_) => ("no-adapter", "Update the browser or the graphics driver."),
             ViewportError::NoDevice(_) => ("no-device", "Close other pages that draw in 3D, then reload."),
+            // The page's canvas has no other context: the browser has none of this kind to give.
+            ViewportError::CanvasInUse(_) if Backend::OF_THIS_BUILD == Backend::WebGl2 => {
+                ("no-webgl", "Let the browser use the graphics card.")
+            }
             ViewportError::CanvasInUse(_) => ("canvas-in-use", "Reload the page."),
             ViewportError::DeviceLost(_) => ("device-lost", "Bind a new renderer to the canvas."),
             ViewportError::BadPicture { .. } => ("bad-face", "Open the photo again."),

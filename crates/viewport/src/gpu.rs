@@ -12,8 +12,9 @@ pub enum Backend {
 }
 
 impl Backend {
-    /// What this build draws through in a browser.
-    pub const OF_THIS_BUILD: Self = if cfg!(feature = "webgl") { Self::WebGl2 } else { Self::WebGpu };
+    /// What this build draws through. Outside browsers there is no WebGL2, whatever the features say.
+    pub const OF_THIS_BUILD: Self =
+        if cfg!(all(feature = "webgl", target_arch = "wasm32")) { Self::WebGl2 } else { Self::WebGpu };
 }
 
 /// A GPU's device and its queue.

@@ -16,11 +16,16 @@ pub struct Budget {
 }
 
 /// The parts that have a budget.
-pub const BUDGETS: [Budget; 3] = [
+pub const BUDGETS: [Budget; 4] = [
     Budget {
         name: "page module",
         files: &["wasm/rosto-studio-web_bg.wasm", "wasm/rosto-studio-web.js"],
         limit: 400_000,
+    },
+    Budget {
+        name: "page module for WebGL2",
+        files: &["wasm/rosto-studio-webgl_bg.wasm", "wasm/rosto-studio-webgl.js"],
+        limit: 1_600_000,
     },
     Budget {
         name: "worker module",

@@ -1,5 +1,5 @@
 import { asTrouble, showTrouble } from "../page/notice.js";
-import init, { createRenderer, start } from "../../wasm/rosto-studio-web.js";
+import { openStudio, studioModule } from "./studio-module.js";
 
 /**
  * @typedef {import("../../wasm/rosto-studio-web.js").Studio} Studio
@@ -18,13 +18,12 @@ export class Workbench {
   #frameListeners = new Set();
 
   /**
-   * Opens the WebGPU canvas; throws `{code: "no-webgpu", …}` where there is none.
+   * Opens a studio on the canvas; throws `{code: "no-webgl", …}` where the browser cannot draw in 3D.
    *
    * @param {HTMLCanvasElement} canvas
    */
   static async open(canvas) {
-    await init();
-    return new Workbench(canvas, await start(canvas));
+    return new Workbench(canvas, await openStudio(canvas));
   }
 
   /**
@@ -103,7 +102,7 @@ export class Workbench {
   /** A driver's reset takes the GPU away; the document and the view are still here. */
   async #replaceRenderer() {
     try {
-      const renderer = await createRenderer(this.canvas);
+      const renderer = await studioModule().createRenderer(this.canvas);
       this.look((studio) => studio.useRenderer(renderer));
     } catch (error) {
       showTrouble(error);

@@ -1,4 +1,4 @@
-import { reopenGlb } from "../../wasm/rosto-studio-web.js";
+import { studioModule } from "../viewport/studio-module.js";
 import { pixelsOf } from "./pixels.js";
 
 /**
@@ -22,7 +22,7 @@ export async function isGlbFile(file) {
  * @returns {Promise<Work>}
  */
 export async function readGlbFile(file) {
-  const opened = reopenGlb(new Uint8Array(await file.arrayBuffer()));
+  const opened = studioModule().reopenGlb(new Uint8Array(await file.arrayBuffer()));
   try {
     const { width: width_px, height: height_px, edits, triangulation, density } = opened;
     const size = { pictureWidth_px: opened.pictureWidth, pictureHeight_px: opened.pictureHeight };

@@ -37,6 +37,9 @@ const STEP_LIMIT: Duration = Duration::from_secs(3600);
 /// Set for rustdoc and clippy alike: a warning is an error.
 const DENY: [&str; 2] = ["-D", "warnings"];
 const WASM_TEST_LIMIT_S: &str = "600";
+/// The page's module with the feature `webgl`. Whatever cargo builds together with it gets the feature, too: it is left
+/// out wherever many packages are built.
+const WEBGL_MODULE: &str = "rosto-studio-webgl";
 
 impl Step {
     /// Whether the command line means this step: by its name, or by the part before the colon.
@@ -63,66 +66,78 @@ impl Report {
 /// All steps in their order.
 pub fn all() -> Outcome<Vec<Step>> {
     let web = crates_where(|name, _| name.ends_with("-web"))?;
+    let browsers = union(&web, &[WEBGL_MODULE.to_owned()]);
     let tested_on_wasm = crates_where(|_, manifest| manifest.contains("wasm-bindgen-test"))?;
     let mut steps = vec![
         Step::new("format", "rustfmt", |_| check("format", cargo().args(["fmt", "--all", "--check"]))),
-        native_lint(web.clone()),
-        wasm_lint(union(&web, &tested_on_wasm)),
-        rustdoc(web),
+        native_lint(browsers.clone()),
+        wasm_lint("lint-wasm", "clippy on wasm32, for what runs in the browser", union(&web, &tested_on_wasm)),
+        wasm_lint("lint-webgl", "the same, for browsers without WebGPU", vec![WEBGL_MODULE.to_owned()]),
+        rustdoc(browsers),
     ];
     steps.extend(native_tests());
-    steps.extend(tested_on_wasm.into_iter().map(wasm_tests));
+    steps.extend(tested_on_wasm.into_iter().map(|package| wasm_tests(&package, &[])));
+    steps.push(wasm_tests("rosto-viewport", &["webgl"]));
     steps.extend(page());
     Ok(steps)
 }
 
-fn native_lint(web: Vec<String>) -> Step {
+fn native_lint(browsers: Vec<String>) -> Step {
     Step::new("lint", "clippy on this machine's target", move |_| {
-        let clippy =
-            cargo().args(["clippy", "--workspace", "--all-targets", "--locked", "--keep-going"]).args(excluding(&web));
+        let clippy = cargo()
+            .args(["clippy", "--workspace", "--all-targets", "--locked", "--keep-going"])
+            .args(excluding(&browsers));
         check("lint", clippy.arg("--").args(DENY))
     })
 }
 
-fn wasm_lint(crates: Vec<String>) -> Step {
-    Step::new("lint-wasm", "clippy on wasm32, for what runs in the browser", move |kit| {
+fn wasm_lint(name: &'static str, what: &'static str, crates: Vec<String>) -> Step {
+    Step::new(name, what, move |kit| {
         let clippy =
             quiet(kit.run("cargo")?).args(["clippy", "--all-targets", "--locked", "--keep-going", "--target", WASM]);
-        check("lint-wasm", clippy.args(only(&crates)).arg("--").args(DENY))
+        check(name, clippy.args(only(&crates)).arg("--").args(DENY))
     })
 }
 
-fn rustdoc(web: Vec<String>) -> Step {
+fn rustdoc(browsers: Vec<String>) -> Step {
     Step::new("docs", "rustdoc without warnings", move |_| {
-        let doc = cargo().args(["doc", "--workspace", "--no-deps", "--locked", "--keep-going"]).args(excluding(&web));
+        let doc =
+            cargo().args(["doc", "--workspace", "--no-deps", "--locked", "--keep-going"]).args(excluding(&browsers));
         check("docs", doc.env("RUSTDOCFLAGS", DENY.join(" ")))
     })
 }
 
 fn native_tests() -> Vec<Step> {
+    let native = |program: &'static [&'static str]| {
+        Step::new("native", "theorems, golden numbers, shaders, layering", move |_| {
+            tests("native", over_the_workspace(program))
+        })
+    };
     if find_program("cargo-nextest").is_none() {
-        return vec![Step::new("native", "theorems, golden numbers, shaders, layering", |_| {
-            tests("native", cargo().args(["test", "--workspace", "--no-fail-fast", "--locked"]))
-        })];
+        return vec![native(&["test"])];
     }
-    vec![
-        Step::new("native", "theorems, golden numbers, shaders, layering", |_| {
-            tests("native", cargo().args(["nextest", "run", "--workspace", "--no-fail-fast", "--locked"]))
-        }),
-        Step::new("examples", "the examples in the documentation", |_| {
-            examples("examples", cargo().args(["test", "--doc", "--workspace", "--no-fail-fast", "--locked"]))
-        }),
-    ]
+    let examples = Step::new("examples", "the examples in the documentation", |_| {
+        examples("examples", over_the_workspace(&["test", "--doc"]))
+    });
+    vec![native(&["nextest", "run"]), examples]
 }
 
-fn wasm_tests(package: String) -> Step {
+/// A command of cargo's that tests what can be tested on this machine's target.
+fn over_the_workspace(command: &[&str]) -> Run {
+    let all = ["--workspace", "--exclude", WEBGL_MODULE, "--no-fail-fast", "--locked"];
+    cargo().args(command.iter().copied()).args(all)
+}
+
+fn wasm_tests(package: &str, features: &'static [&str]) -> Step {
     let folder = package.trim_start_matches("rosto-").to_owned();
-    Step::new(format!("wasm:{folder}"), "in headless Chrome", move |kit| {
+    let name = [&[folder.as_str()], features].concat().join("-");
+    Step::new(format!("wasm:{name}"), "in headless Chrome", move |kit| {
         let test = quiet(kit.run("wasm-pack")?).args(["test", "--headless", "--chrome"]);
         let driver = kit.browser().and_then(|browser: &Browser| browser.driver.clone());
         let test = driver.iter().fold(test, |test, driver| test.arg("--chromedriver").arg(driver));
         let test = test.arg(workspace::root().join("crates").join(&folder)).arg("--locked");
-        tests(&format!("wasm-{folder}"), test.env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TEST_LIMIT_S))
+        let test = features.iter().fold(test, |test, feature| test.args(["--features", feature]));
+        tests(&format!("wasm-{name}"), test.env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TEST_LIMIT_S))
     })
 }
 
