@@ -1,14 +1,17 @@
+mod editing;
+mod past;
+
 use std::iter::Sum;
 use std::ops::Mul;
 
 use glam::DVec3;
-use rosto_laplacian::Response;
 use rosto_mesh::Topology;
 
 use crate::grip::Held;
 use crate::level::{Level, Rest};
-use crate::shape::{Room, Shape};
-use crate::{Command, Details, Entry, Follow, Grip, History, StudioError, Subject, Switch};
+use crate::shape::Shape;
+use crate::{Entry, Follow, History, StudioError};
+use editing::Preview;
 
 /// A mesh at rest, the history of commands over it, and the edit in progress.
 ///
@@ -29,23 +32,6 @@ pub struct Document {
     /// Of what is held.
     follow: Option<Follow>,
     preview: Preview,
-}
-
-/// The grip's offsets and the positions they lead to, while vertices are being moved.
-struct Preview {
-    offsets: Vec<DVec3>,
-    /// Of the mesh that is shown.
-    positions: Vec<DVec3>,
-    shape: Shape,
-    room: Room,
-    under_way: bool,
-}
-
-impl Preview {
-    fn none(unedited: &Shape) -> Self {
-        let (shape, positions) = (unedited.clone(), unedited.densest().to_vec());
-        Self { offsets: Vec::new(), positions, shape, room: Room::default(), under_way: false }
-    }
 }
 
 impl Document {
@@ -96,7 +82,7 @@ impl Document {
 
     /// Its positions now, with the edit in progress.
     pub fn positions(&self) -> &[DVec3] {
-        if self.preview.under_way { &self.preview.positions } else { self.committed() }
+        self.preview.positions().unwrap_or_else(|| self.committed())
     }
 
     /// Its positions after the last entry, without the edit in progress.
@@ -148,163 +134,6 @@ impl Document {
         starts.zip(&self.after).map(way).collect()
     }
 
-    /// The history.
-    pub fn history(&self) -> &History {
-        &self.history
-    }
-
-    /// Takes hold of vertices: one solve. An edit in progress is cancelled; the grip stays over commits, so that the
-    /// same vertices can be moved again without another solve.
-    ///
-    /// # Errors
-    /// [`StudioError`] if the grip has no answer; what was held stays held.
-    pub fn hold(&mut self, grip: Grip) -> Result<(), StudioError> {
-        if self.held.as_ref().is_none_or(|held| *held.grip() != grip) {
-            self.held = Some(self.made_ready(grip)?);
-            self.follow = self.followed()?;
-        }
-        self.cancel();
-        Ok(())
-    }
-
-    /// Lets go; an edit in progress is cancelled.
-    pub fn release(&mut self) {
-        self.cancel();
-        self.held = None;
-        self.follow = None;
-    }
-
-    /// The grip that is held.
-    pub fn grip(&self) -> Option<&Grip> {
-        self.held.as_ref().map(Held::grip)
-    }
-
-    /// All vertices that move by their own offset: the grip's handles, then the partners that the mirror adds.
-    pub fn handles(&self) -> &[u32] {
-        self.held.as_ref().map_or(&[], Held::handles)
-    }
-
-    /// The vertices that the grip keeps in place.
-    pub fn anchors(&self) -> &[u32] {
-        self.held.as_ref().map_or(&[], Held::anchors)
-    }
-
-    /// How every vertex of the grip's level follows each of [`Self::handles`], if details keep their direction.
-    pub fn response(&self) -> Option<&Response> {
-        self.held.as_ref().map(Held::response)
-    }
-
-    /// How every vertex shown follows the grip's handles when they move by one offset and details keep their direction.
-    /// Where details turn, the first guess that they start from.
-    pub fn follow(&self) -> Option<&Follow> {
-        self.follow.as_ref()
-    }
-
-    /// Moves what is held by one offset for each of the grip's handles, counted from the last commit, in the document's
-    /// unit. Unless details turn: no solve and, after the first call, no allocation.
-    ///
-    /// # Errors
-    /// [`StudioError::NothingHeld`], [`StudioError::WrongOffsetCount`] or [`StudioError::OffsetNotFinite`].
-    pub fn preview(&mut self, offsets: &[DVec3]) -> Result<(), StudioError> {
-        let held = self.held.as_ref().ok_or(StudioError::NothingHeld)?;
-        if held.is_stale() {
-            self.held = Some(self.made_ready(held.grip().clone())?);
-        }
-        let held = self.held.as_mut().ok_or(StudioError::NothingHeld)?;
-        let (from, preview) = (self.after.last().unwrap_or(&self.unedited), &mut self.preview);
-        held.check(offsets)?;
-        if let Some(follow) = carried(&self.follow, held, offsets, self.density) {
-            follow.displace(from.densest(), offsets[0], &mut preview.positions);
-        } else {
-            preview.shape.displace(&self.levels, from, held, offsets, &mut preview.room)?;
-            preview.positions.copy_from_slice(preview.shape.densest());
-        }
-        self.preview.offsets.clear();
-        self.preview.offsets.extend_from_slice(offsets);
-        self.preview.under_way = true;
-        Ok(())
-    }
-
-    /// Makes the edit in progress one entry of the history; what was undone is forgotten. Without an edit in progress,
-    /// nothing happens.
-    pub fn commit(&mut self, label: &str) {
-        if let (true, Some(held)) = (self.preview.under_way, &mut self.held) {
-            let (from, preview) = (self.after.last().unwrap_or(&self.unedited), &mut self.preview);
-            if carried(&self.follow, held, &preview.offsets, self.density).is_some() {
-                let moved = preview.shape.displace(&self.levels, from, held, &preview.offsets, &mut preview.room);
-                moved.expect("invariant: the preview has checked these offsets");
-            }
-            let command = held.command(self.preview.offsets.clone());
-            self.history.push(Entry { label: label.to_owned(), command, switch: Switch::On });
-            self.after.push(self.preview.shape.clone());
-        }
-        self.settle_down();
-    }
-
-    /// Drops the edit in progress; the grip stays.
-    pub fn cancel(&mut self) {
-        self.preview.under_way = false;
-    }
-
-    /// Carries out a command as one entry of the history.
-    ///
-    /// # Errors
-    /// [`StudioError`] if it has no answer; the document is as before.
-    pub fn apply(&mut self, label: &str, command: Command) -> Result<(), StudioError> {
-        self.push(Entry { label: label.to_owned(), command, switch: Switch::On })
-    }
-
-    /// Takes the last change of the history back: an entry added, entries switched, or all taken away. Without one,
-    /// nothing happens.
-    ///
-    /// # Errors
-    /// [`StudioError`] if an entry that comes back cannot be carried out at this density; the document is as before.
-    pub fn undo(&mut self) -> Result<(), StudioError> {
-        let mut history = self.history.clone();
-        history.undo().map_or(Ok(()), |first| self.adopt(history, first))
-    }
-
-    /// Brings the last undone change back. Without one, nothing happens.
-    ///
-    /// # Errors
-    /// As for [`Self::undo`].
-    pub fn redo(&mut self) -> Result<(), StudioError> {
-        let mut history = self.history.clone();
-        history.redo().map_or(Ok(()), |first| self.adopt(history, first))
-    }
-
-    /// Takes all entries away.
-    pub fn reset(&mut self) {
-        self.history.clear();
-        self.after.clear();
-        self.settle_down();
-    }
-
-    /// Switches an entry on or off; those after it are carried out again.
-    ///
-    /// # Errors
-    /// [`StudioError::NoSuchEntry`], or that of a later entry that can no longer be carried out; the document is as before.
-    pub fn switch(&mut self, index: usize, switch: Switch) -> Result<(), StudioError> {
-        let count = self.history.entries().len();
-        if index >= count {
-            return Err(StudioError::NoSuchEntry { index, count });
-        }
-        self.switch_where(|place, _| place == index, switch)
-    }
-
-    /// Switches every entry that works on `subject` off, as one change.
-    ///
-    /// # Errors
-    /// That of a later entry that can no longer be carried out; the document is as before.
-    pub fn switch_off(&mut self, subject: Subject) -> Result<(), StudioError> {
-        self.switch_where(|_, entry| entry.command.subject() == subject, Switch::Off)
-    }
-
-    fn switch_where(&mut self, which: impl Fn(usize, &Entry) -> bool, switch: Switch) -> Result<(), StudioError> {
-        let mut history = self.history.clone();
-        history.switch(which, switch).map_or(Ok(()), |first| self.adopt(history, first))
-    }
-
     fn level(&self) -> &Level {
         &self.levels[self.density as usize]
     }
@@ -319,90 +148,4 @@ impl Document {
         self.unedited = Shape::at_rest(&self.levels[..=density as usize]);
         self.preview = Preview::none(&self.unedited);
     }
-
-    fn push(&mut self, entry: Entry) -> Result<(), StudioError> {
-        let mut history = self.history.clone();
-        history.push(entry);
-        self.adopt(history, self.after.len())
-    }
-
-    /// Takes over a history whose entries before `first` are those there are, and carries the others out.
-    fn adopt(&mut self, history: History, first: usize) -> Result<(), StudioError> {
-        let known = self.after.len().min(first);
-        let mut shapes: Vec<Shape> = Vec::new();
-        for entry in &history.entries()[known..] {
-            let before = shapes.last().or(self.after[..known].last()).unwrap_or(&self.unedited);
-            let shape = carried_out(&mut self.levels, self.density, before, entry)?;
-            shapes.push(shape);
-        }
-        self.after.truncate(known);
-        self.after.extend(shapes);
-        self.history = history;
-        self.settle_down();
-        Ok(())
-    }
-
-    /// Ends the edit in progress after the start of the next one has changed.
-    fn settle_down(&mut self) {
-        self.cancel();
-        if let Some(held) = &mut self.held {
-            held.start_changed();
-        }
-    }
-
-    fn made_ready(&mut self, grip: Grip) -> Result<Held, StudioError> {
-        let from = self.after.last().unwrap_or(&self.unedited);
-        made_ready(&mut self.levels, self.density, from, grip)
-    }
-
-    /// What [`Self::follow`] says of the grip that is held now.
-    fn followed(&mut self) -> Result<Option<Follow>, StudioError> {
-        let Some(held) = &mut self.held else { return Ok(None) };
-        let from = self.after.last().unwrap_or(&self.unedited);
-        let mut kept = None;
-        if held.grip().settings.details == Details::Turned {
-            let mut grip = held.grip().clone();
-            grip.settings.details = Details::Kept;
-            kept = Some(made_ready(&mut self.levels, self.density, from, grip)?);
-        }
-        let (held, shape) = (kept.as_mut().unwrap_or(held), &mut self.preview.shape);
-        let handles = held.grip().handles.len();
-        let mut along = |axis: DVec3| {
-            shape.displace(&self.levels, from, held, &vec![axis; handles], &mut self.preview.room)?;
-            Ok::<_, StudioError>(shape.densest().iter().zip(from.densest()).map(|(to, at)| *to - *at).collect())
-        };
-        let (along_x, along_y): (Vec<DVec3>, Vec<DVec3>) = (along(DVec3::X)?, along(DVec3::Y)?);
-        Ok(Some(Follow::from_displacements(&along_x, &along_y)))
-    }
-}
-
-fn made_ready(levels: &mut [Level], density: u32, from: &Shape, grip: Grip) -> Result<Held, StudioError> {
-    let level = grip.level;
-    if level > density {
-        return Err(StudioError::TooCoarse { level, density });
-    }
-    Held::new(grip, &mut levels[level as usize], from.at(level))
-}
-
-/// The shape that `entry` makes of the one before it.
-fn carried_out(levels: &mut [Level], density: u32, from: &Shape, entry: &Entry) -> Result<Shape, StudioError> {
-    let mut shape = from.clone();
-    match &entry.command {
-        _ if entry.switch == Switch::Off => {}
-        Command::Move { grip, .. } if grip.level > density => {}
-        Command::Move { grip, offsets } => {
-            let mut held = made_ready(levels, density, from, grip.clone())?;
-            shape.displace(levels, from, &mut held, offsets, &mut Room::default())?;
-        }
-        &Command::Symmetrise { share } => shape.symmetrise(levels, share)?,
-    }
-    Ok(shape)
-}
-
-/// The short way from a grip to a denser mesh that is shown: what each tick would else carry over, level by level. Equal
-/// to it but for rounding, so that a commit takes the long way, as a replay does.
-fn carried<'a>(follow: &'a Option<Follow>, held: &Held, offsets: &[DVec3], density: u32) -> Option<&'a Follow> {
-    let as_one = offsets.iter().all(|offset| *offset == offsets[0]);
-    let Grip { level, settings, .. } = held.grip();
-    follow.as_ref().filter(|_| as_one && *level < density && settings.details == Details::Kept)
 }

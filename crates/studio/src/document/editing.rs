@@ -1,0 +1,175 @@
+use glam::DVec3;
+use rosto_laplacian::Response;
+
+use super::Document;
+use crate::grip::Held;
+use crate::level::Level;
+use crate::shape::{Room, Shape};
+use crate::{Details, Entry, Follow, Grip, StudioError, Switch};
+
+/// The grip's offsets and the positions they lead to, while vertices are being moved.
+pub(super) struct Preview {
+    offsets: Vec<DVec3>,
+    /// Of the mesh that is shown.
+    positions: Vec<DVec3>,
+    shape: Shape,
+    room: Room,
+    under_way: bool,
+}
+
+impl Preview {
+    pub(super) fn none(unedited: &Shape) -> Self {
+        let (shape, positions) = (unedited.clone(), unedited.densest().to_vec());
+        Self { offsets: Vec::new(), positions, shape, room: Room::default(), under_way: false }
+    }
+
+    /// Those of the mesh that is shown, while vertices are being moved.
+    pub(super) fn positions(&self) -> Option<&[DVec3]> {
+        self.under_way.then_some(&self.positions[..])
+    }
+}
+
+/// The edit in progress.
+impl Document {
+    /// Takes hold of vertices: one solve. An edit in progress is cancelled; the grip stays over commits, so that the
+    /// same vertices can be moved again without another solve.
+    ///
+    /// # Errors
+    /// [`StudioError`] if the grip has no answer; what was held stays held.
+    pub fn hold(&mut self, grip: Grip) -> Result<(), StudioError> {
+        if self.held.as_ref().is_none_or(|held| *held.grip() != grip) {
+            self.held = Some(self.made_ready(grip)?);
+            self.follow = self.followed()?;
+        }
+        self.cancel();
+        Ok(())
+    }
+
+    /// Lets go; an edit in progress is cancelled.
+    pub fn release(&mut self) {
+        self.cancel();
+        self.held = None;
+        self.follow = None;
+    }
+
+    /// The grip that is held.
+    pub fn grip(&self) -> Option<&Grip> {
+        self.held.as_ref().map(Held::grip)
+    }
+
+    /// All vertices that move by their own offset: the grip's handles, then the partners that the mirror adds.
+    pub fn handles(&self) -> &[u32] {
+        self.held.as_ref().map_or(&[], Held::handles)
+    }
+
+    /// The vertices that the grip keeps in place.
+    pub fn anchors(&self) -> &[u32] {
+        self.held.as_ref().map_or(&[], Held::anchors)
+    }
+
+    /// How every vertex of the grip's level follows each of [`Self::handles`], if details keep their direction.
+    pub fn response(&self) -> Option<&Response> {
+        self.held.as_ref().map(Held::response)
+    }
+
+    /// How every vertex shown follows the grip's handles when they move by one offset and details keep their direction.
+    /// Where details turn, the first guess that they start from.
+    pub fn follow(&self) -> Option<&Follow> {
+        self.follow.as_ref()
+    }
+
+    /// Moves what is held by one offset for each of the grip's handles, counted from the last commit, in the document's
+    /// unit. Unless details turn: no solve and, after the first call, no allocation.
+    ///
+    /// # Errors
+    /// [`StudioError::NothingHeld`], [`StudioError::WrongOffsetCount`] or [`StudioError::OffsetNotFinite`].
+    pub fn preview(&mut self, offsets: &[DVec3]) -> Result<(), StudioError> {
+        let held = self.held.as_ref().ok_or(StudioError::NothingHeld)?;
+        if held.is_stale() {
+            self.held = Some(self.made_ready(held.grip().clone())?);
+        }
+        let held = self.held.as_mut().ok_or(StudioError::NothingHeld)?;
+        let (from, preview) = (self.after.last().unwrap_or(&self.unedited), &mut self.preview);
+        held.check(offsets)?;
+        if let Some(follow) = carried(&self.follow, held, offsets, self.density) {
+            follow.displace(from.densest(), offsets[0], &mut preview.positions);
+        } else {
+            preview.shape.displace(&self.levels, from, held, offsets, &mut preview.room)?;
+            preview.positions.copy_from_slice(preview.shape.densest());
+        }
+        self.preview.offsets.clear();
+        self.preview.offsets.extend_from_slice(offsets);
+        self.preview.under_way = true;
+        Ok(())
+    }
+
+    /// Makes the edit in progress one entry of the history; what was undone is forgotten. Without an edit in progress,
+    /// nothing happens.
+    pub fn commit(&mut self, label: &str) {
+        if let (true, Some(held)) = (self.preview.under_way, &mut self.held) {
+            let (from, preview) = (self.after.last().unwrap_or(&self.unedited), &mut self.preview);
+            if carried(&self.follow, held, &preview.offsets, self.density).is_some() {
+                let moved = preview.shape.displace(&self.levels, from, held, &preview.offsets, &mut preview.room);
+                moved.expect("invariant: the preview has checked these offsets");
+            }
+            let command = held.command(self.preview.offsets.clone());
+            self.history.push(Entry { label: label.to_owned(), command, switch: Switch::On });
+            self.after.push(self.preview.shape.clone());
+        }
+        self.settle_down();
+    }
+
+    /// Drops the edit in progress; the grip stays.
+    pub fn cancel(&mut self) {
+        self.preview.under_way = false;
+    }
+
+    /// Ends the edit in progress after the start of the next one has changed.
+    pub(super) fn settle_down(&mut self) {
+        self.cancel();
+        if let Some(held) = &mut self.held {
+            held.start_changed();
+        }
+    }
+
+    fn made_ready(&mut self, grip: Grip) -> Result<Held, StudioError> {
+        let from = self.after.last().unwrap_or(&self.unedited);
+        made_ready(&mut self.levels, self.density, from, grip)
+    }
+
+    /// What [`Self::follow`] says of the grip that is held now.
+    fn followed(&mut self) -> Result<Option<Follow>, StudioError> {
+        let Some(held) = &mut self.held else { return Ok(None) };
+        let from = self.after.last().unwrap_or(&self.unedited);
+        let mut kept = None;
+        if held.grip().settings.details == Details::Turned {
+            let mut grip = held.grip().clone();
+            grip.settings.details = Details::Kept;
+            kept = Some(made_ready(&mut self.levels, self.density, from, grip)?);
+        }
+        let (held, shape) = (kept.as_mut().unwrap_or(held), &mut self.preview.shape);
+        let handles = held.grip().handles.len();
+        let mut along = |axis: DVec3| {
+            shape.displace(&self.levels, from, held, &vec![axis; handles], &mut self.preview.room)?;
+            Ok::<_, StudioError>(shape.densest().iter().zip(from.densest()).map(|(to, at)| *to - *at).collect())
+        };
+        let (along_x, along_y): (Vec<DVec3>, Vec<DVec3>) = (along(DVec3::X)?, along(DVec3::Y)?);
+        Ok(Some(Follow::from_displacements(&along_x, &along_y)))
+    }
+}
+
+pub(super) fn made_ready(levels: &mut [Level], density: u32, from: &Shape, grip: Grip) -> Result<Held, StudioError> {
+    let level = grip.level;
+    if level > density {
+        return Err(StudioError::TooCoarse { level, density });
+    }
+    Held::new(grip, &mut levels[level as usize], from.at(level))
+}
+
+/// The short way from a grip to a denser mesh that is shown: what each tick would else carry over, level by level. Equal
+/// to it but for rounding, so that a commit takes the long way, as a replay does.
+fn carried<'a>(follow: &'a Option<Follow>, held: &Held, offsets: &[DVec3], density: u32) -> Option<&'a Follow> {
+    let as_one = offsets.iter().all(|offset| *offset == offsets[0]);
+    let Grip { level, settings, .. } = held.grip();
+    follow.as_ref().filter(|_| as_one && *level < density && settings.details == Details::Kept)
+}
