@@ -36,8 +36,11 @@ export async function* audits(visitor) {
     if (section === "paper") await runPaper(page);
     yield await audit(page, section);
   }
-  await page.evaluate(() => document.getElementById("credits").showModal());
-  yield await audit(page, "credits");
+  for (const dialog of ["keys", "credits"]) {
+    await page.evaluate((id) => document.getElementById(id).showModal(), dialog);
+    yield await audit(page, dialog);
+    await page.keyboard.press("Escape");
+  }
 }
 
 /** @param {import("playwright-core").Page} page */

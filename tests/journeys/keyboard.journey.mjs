@@ -41,6 +41,23 @@ journey("the first stop of the keyboard leads past everything to the landmarks",
   assert.equal(await visitor.landmark(), 1);
 });
 
+journey("a question mark lists the keys, but not where text is typed", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await page.focus("#landmark-search");
+  await page.keyboard.press("?");
+  assert.equal(await page.inputValue("#landmark-search"), "?");
+  assert.ok(await page.isHidden("#keys"));
+  await page.focus("#viewport");
+  await page.keyboard.press("?");
+  assert.match(await page.innerText("#keys"), /Ctrl Z/);
+  await page.keyboard.press("Escape");
+  assert.ok(await page.isHidden("#keys"));
+  await page.click("[data-action='open-keys']");
+  assert.ok(await page.isVisible("#keys"));
+});
+
 journey("the camera follows the keys while the view has the focus", async (open) => {
   const visitor = await open();
   const { page } = visitor;

@@ -1,3 +1,4 @@
+import { setUpDialogs } from "./page/dialogs.js";
 import { byId, onAction } from "./page/dom.js";
 import { hint, setUpHints } from "./page/hint.js";
 import { hideNotice, setUpNotice, showPhotoTrouble, showTrouble } from "./page/notice.js";
@@ -41,7 +42,7 @@ setUpNotice();
 setUpProgress();
 setUpHints();
 setUpTabs();
-setUpCredits();
+setUpDialogs();
 
 const vision = new VisionClient();
 const overlay = new PhotoOverlay();
@@ -194,10 +195,4 @@ function setUpWords() {
   choice.value = language();
   choice.addEventListener("change", () => speak(choice.value));
   inEveryLanguage(writeWords);
-}
-
-function setUpCredits() {
-  const dialog = byId("credits", HTMLDialogElement);
-  byId("credits-open", HTMLButtonElement).addEventListener("click", () => dialog.showModal());
-  onAction("close-credits", () => dialog.close());
 }

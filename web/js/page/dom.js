@@ -28,6 +28,15 @@ export function make(tag, className, text) {
 }
 
 /**
+ * Whether keys pressed there write text or numbers.
+ *
+ * @param {EventTarget | null} target
+ */
+export function isTyping(target) {
+  return target instanceof HTMLInputElement && (target.type === "text" || target.type === "number");
+}
+
+/**
  * The colour that is chosen there, each channel 0 to 255.
  *
  * @param {HTMLInputElement} input of type color

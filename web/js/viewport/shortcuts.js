@@ -1,3 +1,5 @@
+import { isTyping } from "../page/dom.js";
+
 /** @typedef {import("./workbench.js").Workbench} Workbench */
 
 /** One press of an arrow key turns or moves by this much, in CSS px of a drag. */
@@ -63,9 +65,4 @@ function chooseView(bench, event) {
   if (!(key in views)) return false;
   bench.look((studio) => studio.view(views[/** @type {keyof typeof views} */ (key)]));
   return true;
-}
-
-/** @param {EventTarget | null} target */
-function isTyping(target) {
-  return target instanceof HTMLInputElement && (target.type === "text" || target.type === "number");
 }

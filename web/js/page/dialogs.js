@@ -1,0 +1,18 @@
+import { byId, isTyping, onAction } from "./dom.js";
+
+/** The dialogs that only tell something. */
+export function setUpDialogs() {
+  setUp("credits");
+  const keys = setUp("keys");
+  addEventListener("keydown", (event) => {
+    if (event.key === "?" && !isTyping(event.target) && !keys.open) keys.showModal();
+  });
+}
+
+/** @param {string} name */
+function setUp(name) {
+  const dialog = byId(name, HTMLDialogElement);
+  onAction(`open-${name}`, () => dialog.showModal());
+  onAction(`close-${name}`, () => dialog.close());
+  return dialog;
+}
