@@ -24,6 +24,7 @@ const QUIET = [
   "--disable-background-networking",
   "--disable-component-update",
   "--disable-sync",
+  "--disable-gpu-process-crash-limit",
 ];
 
 /** A camera that plays a film. */

@@ -3,6 +3,7 @@ use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Triangulation, canonical_
 use rosto_studio::Mirror;
 use rosto_viewport::{Background, Mark, MarkKind, MeshInput, MirrorPlane, Paint, PictureOnGpu, Viewport, Wireframe};
 use wasm_bindgen::prelude::*;
+use wasm_bindgen_futures::future_to_promise;
 
 use crate::choices::{AnchorChoice, Choices};
 use crate::drag::Drag;
@@ -56,6 +57,16 @@ pub(crate) enum Motion {
 
 #[wasm_bindgen]
 impl Studio {
+    /// Resolves when the GPU is gone, as far as WebGPU tells: WebGL2's end is an event of the canvas.
+    #[wasm_bindgen(js_name = gpuLost, unchecked_return_type = "Promise<void>")]
+    pub fn gpu_lost(&self) -> js_sys::Promise {
+        let lost = self.viewport.lost();
+        future_to_promise(async move {
+            lost.await;
+            Ok(JsValue::UNDEFINED)
+        })
+    }
+
     /// Continues on a new GPU after `device-lost`; document and view stay.
     ///
     /// # Errors

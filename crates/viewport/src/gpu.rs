@@ -1,4 +1,6 @@
+use std::future::{Future, poll_fn};
 use std::sync::{Arc, Mutex};
+use std::task::{Context, Poll, Waker};
 
 use crate::ViewportError;
 
@@ -22,7 +24,14 @@ impl Backend {
 pub struct Gpu {
     pub(crate) device: wgpu::Device,
     pub(crate) queue: wgpu::Queue,
-    lost: Arc<Mutex<Option<String>>>,
+    loss: Arc<Mutex<Loss>>,
+}
+
+/// What is known of a device's end, and who waits for it.
+#[derive(Debug, Default)]
+struct Loss {
+    message: Option<String>,
+    waiting: Vec<Waker>,
 }
 
 impl Gpu {
@@ -50,14 +59,14 @@ impl Gpu {
         let descriptor = wgpu::DeviceDescriptor { label: Some("rosto"), required_limits, ..Default::default() };
         let (device, queue) =
             adapter.request_device(&descriptor).await.map_err(|error| ViewportError::NoDevice(error.to_string()))?;
-        let lost = Arc::new(Mutex::new(None));
-        let report = Arc::clone(&lost);
+        let loss = Arc::new(Mutex::new(Loss::default()));
+        let report = Arc::clone(&loss);
         device.set_device_lost_callback(move |_, message| {
-            if let Ok(mut lost) = report.lock() {
-                *lost = Some(message);
+            if let Ok(mut loss) = report.lock() {
+                loss.report(message);
             }
         });
-        Ok((Self { device, queue, lost }, adapter))
+        Ok((Self { device, queue, loss }, adapter))
     }
 
     /// Fails once the device is gone.
@@ -65,12 +74,33 @@ impl Gpu {
     /// # Errors
     /// [`ViewportError::DeviceLost`].
     pub(crate) fn check(&self) -> Result<(), ViewportError> {
-        let lost = self.lost.lock().ok().and_then(|lost| lost.clone());
-        lost.map_or(Ok(()), |message| Err(ViewportError::DeviceLost(message)))
+        let message = self.loss.lock().ok().and_then(|loss| loss.message.clone());
+        message.map_or(Ok(()), |message| Err(ViewportError::DeviceLost(message)))
+    }
+
+    /// Resolves when the device is gone.
+    pub(crate) fn lost(&self) -> impl Future<Output = ()> + use<> {
+        let loss = Arc::clone(&self.loss);
+        poll_fn(move |context| loss.lock().map_or(Poll::Ready(()), |mut loss| loss.poll(context)))
     }
 
     pub(crate) fn largest_side_px(&self) -> u32 {
         self.device.limits().max_texture_dimension_2d
+    }
+}
+
+impl Loss {
+    fn report(&mut self, message: String) {
+        self.message = Some(message);
+        self.waiting.drain(..).for_each(Waker::wake);
+    }
+
+    fn poll(&mut self, context: &Context<'_>) -> Poll<()> {
+        if self.message.is_some() {
+            return Poll::Ready(());
+        }
+        self.waiting.push(context.waker().clone());
+        Poll::Pending
     }
 }
 

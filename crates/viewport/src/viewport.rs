@@ -67,6 +67,12 @@ impl Viewport {
         &mut self.stage
     }
 
+    /// Resolves when the device is gone, as far as WebGPU tells: a canvas tells of WebGL2's end by an event of its own. The
+    /// future borrows nothing.
+    pub fn lost(&self) -> impl Future<Output = ()> + use<> {
+        self.gpu.lost()
+    }
+
     /// Goes on with the stage of another viewport, whose device was lost.
     pub fn set_stage(&mut self, stage: Stage) {
         let [width, height] = stage.camera().size_px().to_array().map(|side| side as u32);

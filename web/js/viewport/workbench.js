@@ -1,5 +1,6 @@
 import { asTrouble, showTrouble } from "../page/notice.js";
-import { openStudio, studioModule } from "./studio-module.js";
+import { GpuKeeper } from "./gpu-keeper.js";
+import { openStudio } from "./studio-module.js";
 
 /**
  * @typedef {import("../../wasm/rosto-studio-web.js").Studio} Studio
@@ -12,6 +13,7 @@ import { openStudio, studioModule } from "./studio-module.js";
  */
 export class Workbench {
   #frameIsComing = false;
+  #gpu;
   /** @type {Set<(state: StudioState) => void>} */
   #changeListeners = new Set();
   /** @type {Set<() => void>} */
@@ -33,6 +35,7 @@ export class Workbench {
   constructor(canvas, studio) {
     this.canvas = canvas;
     this.studio = studio;
+    this.#gpu = new GpuKeeper(canvas, studio, () => this.requestFrame());
     this.#followSize();
   }
 
@@ -89,23 +92,13 @@ export class Workbench {
 
   /** @param {number} time_ms */
   #draw(time_ms) {
+    if (!this.#gpu.isThere) return;
     try {
       const wantsMore = this.studio.draw(time_ms);
       for (const listener of this.#frameListeners) listener();
       if (wantsMore) this.requestFrame();
     } catch (error) {
-      if (asTrouble(error).code === "device-lost") this.#replaceRenderer();
-      else showTrouble(error);
-    }
-  }
-
-  /** A driver's reset takes the GPU away; the document and the view are still here. */
-  async #replaceRenderer() {
-    try {
-      const renderer = await studioModule().createRenderer(this.canvas);
-      this.look((studio) => studio.useRenderer(renderer));
-    } catch (error) {
-      showTrouble(error);
+      if (asTrouble(error).code !== "device-lost") showTrouble(error);
     }
   }
 

@@ -304,7 +304,7 @@ export const en = {
   "error.no-device": "This browser cannot draw in 3D here",
   "error.no-device.hint": "The landmarks are still drawn on your photo. Close other 3D pages and reload this one.",
   "error.device-lost": "The graphics card stopped answering",
-  "error.device-lost.hint": "Reload the page; another 3D page may need closing first.",
+  "error.device-lost.hint": "Your work is kept in this browser: reload the page to go on. Another 3D page may need closing first.",
   "error.bad-anchors": "These anchors do not work",
   "error.bad-anchors.hint": "Choose anchors that are not the landmark itself.",
   "error.cannot-solve": "This edit has no answer",

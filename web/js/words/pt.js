@@ -304,7 +304,7 @@ export const pt = {
   "error.no-device": "Este navegador não consegue desenhar em 3D aqui",
   "error.no-device.hint": "Os pontos continuam desenhados na sua foto. Feche outras páginas em 3D e recarregue esta.",
   "error.device-lost": "A placa de vídeo parou de responder",
-  "error.device-lost.hint": "Recarregue a página; talvez seja preciso fechar outra página em 3D.",
+  "error.device-lost.hint": "Seu trabalho está guardado neste navegador: recarregue a página para continuar. Talvez seja preciso fechar outra página em 3D.",
   "error.bad-anchors": "Estas âncoras não servem",
   "error.bad-anchors.hint": "Escolha âncoras diferentes do próprio ponto.",
   "error.cannot-solve": "Esta edição não tem solução",
