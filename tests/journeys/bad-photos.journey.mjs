@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { journey } from "./journey.mjs";
-import { asJpeg, enormousPng, faceless, text } from "./pictures.mjs";
+import { asJpeg, enormousPng, faceless, heic, text } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 journey("what is no photo of a face gets a message each, and the page works on", async (open) => {
@@ -16,6 +16,7 @@ journey("what is no photo of a face gets a message each, and the page works on",
     { bytes: faceless(), name: "sky.png", code: "no-face", says: /No face found/ },
     { bytes: text(), name: "diary.jpg", code: "not-a-picture", says: /not a picture/ },
     { bytes: jpeg.subarray(0, jpeg.length / 2), name: "half.jpg", code: "damaged-picture", says: /damaged or incomplete/ },
+    { bytes: heic(), name: "IMG_0001.HEIC", code: "unsupported-format", says: /Most Compatible/ },
     { bytes: enormousPng(), name: "map.png", code: "too-many-pixels", says: /too many pixels/ },
   ];
   for (const { bytes, name, code, says } of photos) {

@@ -64,11 +64,55 @@ journey("the camera follows the keys while the view has the focus", async (open)
   await visitor.dropSample();
   await page.focus("#viewport");
   const start = await visitor.view();
-  for (const key of ["ArrowLeft", "Control+Shift+ArrowUp", "Alt+ArrowUp", "l", "t"]) {
+  for (const key of ["ArrowLeft", "Control+Shift+ArrowUp", "Alt+ArrowUp", "l", "t", "w"]) {
     await page.keyboard.press("Space");
     await page.keyboard.press(key);
     assert.ok(difference(start, await visitor.view()) > 0.01, `${key} did nothing`);
   }
+  await page.keyboard.press("w");
+  await page.keyboard.press("f");
+  assert.ok(difference(start, await visitor.view()) < 0.001, "F did not show the front");
+  await page.keyboard.press("Alt+ArrowDown");
   await page.keyboard.press("Space");
   assert.ok(difference(start, await visitor.view()) < 0.001, "Space did not reset the view");
 });
+
+journey("Tab goes through everything, and shows where it is", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("z", 3);
+  await page.focus(".skip-link");
+  const seen = new Set();
+  for (;;) {
+    await page.keyboard.press("Tab");
+    const stop = await page.evaluate(focused);
+    if (stop.isKnown) break;
+    seen.add(stop.name);
+    assert.ok(stop.outlined, `${stop.name} does not show that it has the focus`);
+    assert.ok(stop.inSight, `${stop.name} is out of sight`);
+  }
+  const expected = ["viewport", "undo", "compare", "language", "theme", "drop-zone", "hand", "landmark-search", "mirror"];
+  for (const name of [...expected, "Nose width, in millimetres", "symmetrise", "paint", "light-colour", "reset-selection", "download-glb", "credits-open"]) {
+    assert.ok(seen.has(name), `Tab does not reach ${name}, only ${[...seen].join(", ")}`);
+  }
+});
+
+/**
+ * What has the focus: a name for it, whether it had the focus before, whether an outline shows it, and whether it is in
+ * the window. Runs in the page.
+ */
+function focused() {
+  const element = document.activeElement;
+  const name = element.id || element.dataset.action || element.name || element.getAttribute("aria-label") || element.innerText;
+  const isKnown = element === document.body || element.hasAttribute("data-was-focused");
+  element.setAttribute("data-was-focused", "");
+  // The radio buttons of a segmented choice are their labels.
+  const shows = element.type === "radio" ? element.nextElementSibling : element;
+  const { outlineStyle, outlineWidth } = getComputedStyle(shows);
+  const box = shows.getBoundingClientRect();
+  const middle = { x: box.left + box.width / 2, y: box.top + box.height / 2 };
+  const inSight = middle.x > 0 && middle.x < innerWidth && middle.y > 0 && middle.y < innerHeight;
+  return { name, isKnown, outlined: outlineStyle !== "none" && Number.parseFloat(outlineWidth) >= 2, inSight };
+}

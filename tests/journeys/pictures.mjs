@@ -22,6 +22,11 @@ export function text() {
   return Buffer.from("Dear diary, today I was renamed to a photo.\n".repeat(40));
 }
 
+/** The beginning of what an iPhone writes unless told otherwise. */
+export function heic() {
+  return Buffer.concat([Buffer.from("\0\0\0\x18ftypheic\0\0\0\0mif1heic", "latin1"), Buffer.alloc(200)]);
+}
+
 /** A PNG whose header promises 20 000 × 20 000 px, followed by almost nothing. */
 export function enormousPng() {
   const header = Buffer.alloc(13);

@@ -1,8 +1,48 @@
 import assert from "node:assert/strict";
 import { journey } from "./journey.mjs";
+import { way } from "./meshes.mjs";
 import { difference } from "./pixels.mjs";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
+
+journey("on a phone two fingers move the face with them and pinch it larger, and a finger drags what it has picked", async (open) => {
+  const visitor = await open(PHONE);
+  const { page } = visitor;
+  await visitor.dropSample();
+  const touch = await page.context().newCDPSession(page);
+  const at = await page.locator("#viewport").boundingBox();
+  const [x, y] = [at.x + at.width / 2, at.y + at.height / 2];
+  const places = async () => {
+    const found = [];
+    for (const landmark of ["33", "263"]) {
+      await visitor.findLandmark(landmark);
+      found.push(await visitor.tagged());
+    }
+    return found;
+  };
+  const apart = ([one, other]) => Math.hypot(one.x - other.x, one.y - other.y);
+
+  const start = await places();
+  await stroke(touch, [[{ x: x - 30, y }, { x: x + 30, y }], [{ x: x - 10, y: y + 50 }, { x: x + 50, y: y + 50 }]]);
+  const moved = await places();
+  for (const [eye, place] of moved.entries()) {
+    const [dx, dy] = [place.x - start[eye].x, place.y - start[eye].y];
+    assert.ok(Math.hypot(dx - 20, dy - 50) < 6, `an eye went by ${dx}, ${dy}`);
+  }
+  await stroke(touch, [[{ x: x - 40, y }, { x: x + 40, y }], [{ x: x - 60, y }, { x: x + 60, y }]]);
+  const closer = apart(await places()) / apart(moved);
+  assert.ok(closer > 1.35 && closer < 1.75, `${closer} times as large`);
+  await page.click("#toolbar [data-action='reset-view']");
+
+  await page.uncheck("#mirror");
+  await visitor.findLandmark("nose tip");
+  const tip = await visitor.tagged();
+  const before = await visitor.meshJson("mm");
+  await stroke(touch, [[tip], [{ x: tip.x + 30, y: tip.y - 30 }]]);
+  assert.deepEqual(await visitor.history(), ["nose tip · 1"]);
+  const went = way(before, await visitor.meshJson("mm"), 1);
+  assert.ok(went[0] > 2 && went[1] > 2, `it went by ${went}`);
+});
 
 journey("on a phone one finger turns, two move and zoom, and a long press picks", async (open) => {
   const visitor = await open(PHONE);
@@ -23,7 +63,16 @@ journey("on a phone one finger turns, two move and zoom, and a long press picks"
 
   await touch.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }] });
   await page.waitForFunction(() => document.getElementById("landmark-search").value !== "");
+  const picked = await page.inputValue("#landmark-search");
   await touch.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  assert.equal(await page.inputValue("#landmark-search"), picked);
+  await page.check("input[name='hand'][value='region']", { force: true });
+  const region = await page.inputValue("#region");
+  await touch.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }] });
+  await page.waitForFunction((region) => document.getElementById("region").value !== region, region);
+  const larger = await page.inputValue("#region");
+  await touch.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  assert.equal(await page.inputValue("#region"), larger, "lifting the finger picked once more");
 });
 
 journey("on a phone the sheet leaves most of the face free, and nothing scrolls sideways at 360 px", async (open) => {
@@ -32,7 +81,8 @@ journey("on a phone the sheet leaves most of the face free, and nothing scrolls 
   await visitor.dropSample();
   const sheet = await page.locator("#panel").boundingBox();
   assert.ok(sheet.height <= 0.45 * 740 + 1, `the sheet is ${sheet.height} px high`);
-  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
+  const size = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight]);
+  assert.deepEqual(size, [360, 740], "the page itself scrolls");
   for (const tab of ["view", "export", "shape"]) {
     await page.click(`#tab-${tab}`);
     const overflow = await page.locator("#sections").evaluate((element) => element.scrollWidth - element.clientWidth);

@@ -145,6 +145,17 @@ export class Visitor {
     });
   }
 
+  /** A place of the window where the 3D view shows no face. */
+  async besideTheFace() {
+    const view = await this.page.locator("#viewport").boundingBox();
+    return { x: view.x + 20, y: view.y + view.height / 2 };
+  }
+
+  /** The shape of the pointer over the 3D view. */
+  cursor() {
+    return this.page.locator("#viewport").evaluate((canvas) => getComputedStyle(canvas).cursor);
+  }
+
   /**
    * Presses the pointer at a place of the window, moves it by so much, and lets go.
    *

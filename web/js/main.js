@@ -187,7 +187,7 @@ async function bringIn(face, bitmap, extraction_ms) {
   if (!opened) return;
   paper?.forget(extraction_ms);
   keeper.take(face);
-  hint("hint.drag", "hint.turn");
+  hint("drag", "turn");
 }
 
 function setUpWords() {

@@ -4,6 +4,9 @@ use rosto_viewport::{Axis, Camera};
 /// How much slower a fine drag is.
 const FINE: f64 = 0.1;
 
+/// An axis that appears shorter than this share of its length is seen end-on.
+const END_ON: f64 = 0.2;
+
 /// How a landmark's offset follows the pointer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Pace {
@@ -35,15 +38,16 @@ impl Drag {
         }
     }
 
-    /// The distance along an axis that takes the landmark nearest to the pointer; none along an axis seen end-on.
+    /// The distance along an axis that takes the landmark nearest to the pointer. Along an axis seen end-on, up comes
+    /// nearer and down goes away.
     fn distance_along_m(&self, camera: &Camera, axis: Axis) -> f64 {
         let step_m = 1e-3 * camera.radius_m();
         let ends = [-step_m, step_m].map(|step_m| camera.project(self.start_m + axis.direction() * step_m));
         let [Some(before), Some(after)] = ends else { return 0.0 };
         let px_per_m = (after - before) / (2.0 * step_m);
-        let across_px_per_m = 1.0 / camera.m_per_px_at_distance((camera.eye_m() - self.start_m).dot(camera.back()));
-        if px_per_m.length() < 0.05 * across_px_per_m {
-            return 0.0;
+        let m_per_px_across = camera.m_per_px_at_distance((camera.eye_m() - self.start_m).dot(camera.back()));
+        if px_per_m.length() * m_per_px_across < END_ON {
+            return -self.moved_px.y * m_per_px_across * axis.direction().dot(camera.back()).signum();
         }
         self.moved_px.dot(px_per_m) / px_per_m.length_squared()
     }
@@ -52,6 +56,7 @@ impl Drag {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use rosto_viewport::{Glide, NamedView};
 
     fn camera() -> Camera {
         let mut camera = Camera::default();
@@ -77,8 +82,21 @@ mod tests {
         let offset = drag.offset_m(&camera, DVec2::new(340.0, 250.0), Some(Axis::X), Pace::Usual);
         assert!(offset.x > 0.0 && offset.y == 0.0 && offset.z == 0.0);
         assert!((camera.project(offset).unwrap().x - 440.0).abs() < 0.5);
-        let towards_the_eye = drag.offset_m(&camera, DVec2::new(500.0, 250.0), Some(Axis::Z), Pace::Usual);
-        assert_eq!(towards_the_eye, DVec3::ZERO);
+    }
+
+    #[test]
+    fn along_an_axis_seen_end_on_up_comes_nearer() {
+        let mut camera = camera();
+        camera.set_glide(Glide::Off);
+        for (view, nearer) in [(NamedView::Front, DVec3::Z), (NamedView::Left, DVec3::X)] {
+            camera.look(view);
+            camera.advance(0.0);
+            let axis = if view == NamedView::Front { Axis::Z } else { Axis::X };
+            let mut drag = Drag::new(DVec3::ZERO, DVec2::splat(300.0));
+            let offset = drag.offset_m(&camera, DVec2::new(500.0, 250.0), Some(axis), Pace::Usual);
+            let across = camera.view_plane_offset_m(DVec3::ZERO, DVec2::new(0.0, -50.0)).length();
+            assert!(offset.distance(nearer * across) < 1e-12, "{offset}");
+        }
     }
 
     #[test]

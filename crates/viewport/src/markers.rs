@@ -7,6 +7,8 @@ const GIZMO_PX: f64 = 68.0;
 const GIZMO_START_PX: f64 = 11.0;
 /// How near in CSS px the pointer must come to an arm.
 const GIZMO_REACH_PX: f64 = 8.0;
+/// Arms at a smaller sine to the line of sight have faded, as `shaders/marks.wgsl` says, and are not there.
+const LEAST_SINE: f64 = 0.2;
 
 /// An axis of the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,16 +66,21 @@ pub(crate) fn mark_words(marks: &[Mark], hovered: Option<u32>, gizmo: Option<u32
     hovered.into_iter().chain(marks.iter().map(|mark| [mark.vertex, mark.kind as u32])).chain(letters).collect()
 }
 
-/// The arm of the gizmo at `vertex_m` that the pointer is on, the nearest if several.
+/// The arm of the gizmo at `vertex_m` that the pointer is on, the nearest if several; none on the vertex itself.
 pub(crate) fn axis_under(camera: &Camera, vertex_m: DVec3, place_px: DVec2, pixel_ratio: f64) -> Option<Axis> {
     let depth_m = (camera.eye_m() - vertex_m).dot(camera.back());
     let m_per_css_px = camera.m_per_px_at_distance(depth_m) * pixel_ratio;
+    if camera.project(vertex_m)?.distance(place_px) < GIZMO_START_PX * pixel_ratio {
+        return None;
+    }
+    let to_eye = (camera.eye_m() - vertex_m).normalize_or_zero();
     let distance_px = |axis: Axis| {
         let end = |css_px: f64| camera.project(vertex_m + axis.direction() * css_px * m_per_css_px);
         Some(distance_to_segment(place_px, end(GIZMO_START_PX)?, end(GIZMO_PX)?))
     };
     Axis::ALL
         .into_iter()
+        .filter(|axis| to_eye.cross(axis.direction()).length() > LEAST_SINE)
         .filter_map(|axis| Some((axis, distance_px(axis)?)))
         .filter(|&(_, distance_px)| distance_px < GIZMO_REACH_PX * pixel_ratio)
         .min_by(|(_, one), (_, other)| one.total_cmp(other))
@@ -100,6 +107,20 @@ mod tests {
         assert_eq!(at(DVec2::new(-2.0, -40.0)), Some(Axis::Y));
         assert_eq!(at(DVec2::new(40.0, -40.0)), None);
         assert_eq!(at(DVec2::new(95.0, 0.0)), None);
+    }
+
+    #[test]
+    fn an_arm_that_points_at_the_viewer_leaves_the_vertex_to_the_pointer() {
+        let mut camera = Camera::default();
+        camera.resize(600, 600);
+        let at = |camera: &Camera, motion: DVec2| axis_under(camera, DVec3::ZERO, DVec2::splat(300.0) + motion, 1.0);
+        assert_eq!(at(&camera, DVec2::ZERO), None);
+        assert_eq!(at(&camera, DVec2::new(-9.0, 9.0)), None);
+        camera.set_glide(crate::Glide::Off);
+        camera.look(crate::NamedView::Left);
+        camera.advance(0.0);
+        assert_eq!(at(&camera, DVec2::ZERO), None);
+        assert_eq!(at(&camera, DVec2::new(-40.0, 0.0)), Some(Axis::Z));
     }
 
     #[test]

@@ -1,11 +1,14 @@
 import { inEveryLanguage, say } from "../words/words.js";
 import { byId } from "./dom.js";
 
-/** @typedef {import("../words/words.js").WordKey} WordKey */
+/** @typedef {"drag" | "turn"} Hint */
 
 const IDLE_MS = 3000;
 
-/** @type {WordKey | undefined} */
+/** Fingers do it in another way. */
+const touch = matchMedia("(pointer: coarse)");
+
+/** @type {Hint | undefined} */
 let shown;
 /** Each hint is given once in a visit. */
 const given = new Set();
@@ -25,8 +28,8 @@ export function setUpHints() {
 /**
  * Gives a hint, and another if nothing happens for a while.
  *
- * @param {WordKey} now
- * @param {WordKey} later
+ * @param {Hint} now
+ * @param {Hint} later
  */
 export function hint(now, later) {
   give(now);
@@ -34,14 +37,14 @@ export function hint(now, later) {
   idle = setTimeout(() => give(later), IDLE_MS);
 }
 
-/** @param {WordKey} key */
+/** @param {Hint} key */
 function give(key) {
   if (given.has(key)) return;
   given.add(key);
   show(key);
 }
 
-/** @param {WordKey | undefined} key */
+/** @param {Hint | undefined} key */
 function show(key) {
   if (shown === key) return;
   shown = key;
@@ -51,5 +54,5 @@ function show(key) {
 function write() {
   const element = byId("hint", HTMLParagraphElement);
   element.hidden = shown === undefined;
-  if (shown) element.textContent = say(shown);
+  if (shown) element.textContent = say(touch.matches ? `hint.${shown}.touch` : `hint.${shown}`);
 }

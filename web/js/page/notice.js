@@ -10,6 +10,9 @@ let aboutPhoto = false;
 /** Shows notices in the page's language and lets them be closed. */
 export function setUpNotice() {
   byId("notice-close", HTMLButtonElement).addEventListener("click", () => hideNotice());
+  addEventListener("keydown", ({ key }) => {
+    if (key === "Escape") hideNotice();
+  });
   inEveryLanguage(write);
 }
 

@@ -33,8 +33,10 @@ export function chosenHand() {
 }
 
 function showFields() {
-  byId("region-field", HTMLDivElement).hidden = chosenHand() !== "region";
-  byId("landmark-field", HTMLDivElement).hidden = chosenHand() !== "landmark";
+  const byRegion = chosenHand() === "region";
+  byId("region-field", HTMLDivElement).hidden = !byRegion;
+  byId("landmark-field", HTMLDivElement).hidden = byRegion;
+  byId("skip-link", HTMLAnchorElement).href = byRegion ? "#region" : "#landmark-search";
 }
 
 /**

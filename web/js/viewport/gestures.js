@@ -15,11 +15,13 @@ const ZOOM_PER_WHEEL_PX = 0.001;
 
 /**
  * Turns pointers on the canvas into intents: left drag or one finger orbits, right drag or two fingers pan, wheel or
- * pinch zooms, a click or a long press picks, and a drag that starts on a landmark moves it.
+ * pinch zooms, a click or a long press picks, a click with Alt pins, and a drag that starts on a landmark moves it.
  */
 export class Gestures {
   /** @type {Map<number, Press>} */
   #pressed = new Map();
+  /** Whether the press can still become a click. */
+  #mayClick = false;
   #moved_px = 0;
   #longPress = 0;
   #bench;
@@ -28,7 +30,7 @@ export class Gestures {
 
   /**
    * @param {Workbench} bench
-   * @param {{ pick: (x_px: number, y_px: number) => void, hover: (x_px: number, y_px: number) => void, leave: () => void, widen: (factor: number) => void }} told
+   * @param {{ pick: (x_px: number, y_px: number) => void, pin: (x_px: number, y_px: number) => void, hover: (x_px: number, y_px: number) => void, leave: () => void, widen: (factor: number) => void }} told
    *   places in device pixels of the canvas
    */
   constructor(bench, told) {
@@ -51,7 +53,8 @@ export class Gestures {
     canvas.setPointerCapture(event.pointerId);
     canvas.focus({ preventScroll: true });
     this.#pressed.set(event.pointerId, { x: event.clientX, y: event.clientY, button: event.button });
-    if (this.#pressed.size > 1) return this.#drag.cancel();
+    this.#mayClick = this.#pressed.size === 1 && event.button === 0;
+    if (this.#pressed.size > 1) return this.#stopPress();
     this.#moved_px = 0;
     if (event.button === 0) this.#drag.press(...this.#place(event), event.pointerType);
     if (event.pointerType === "touch") this.#waitForLongPress(event);
@@ -67,6 +70,7 @@ export class Gestures {
     const dy = event.clientY - from.y;
     this.#moved_px += Math.hypot(dx, dy);
     if (this.#moved_px < CLICK_SLOP_PX) return;
+    this.#mayClick = false;
     clearTimeout(this.#longPress);
     if (this.#pressed.size > 1) this.#pinch(before, spreadOf(this.#pressed));
     else if (this.#drag.isReady) this.#drag.move(...this.#place(event), event.shiftKey);
@@ -76,18 +80,23 @@ export class Gestures {
   /** @param {PointerEvent} event */
   #release(event) {
     clearTimeout(this.#longPress);
-    const from = this.#pressed.get(event.pointerId);
     this.#pressed.delete(event.pointerId);
-    const isClick = this.#moved_px < CLICK_SLOP_PX && from?.button === 0 && this.#pressed.size === 0;
-    if (isClick) this.#drag.cancel();
-    else this.#drag.release();
-    if (isClick) this.#told.pick(...this.#place(event));
+    this.#drag.release();
+    if (!this.#mayClick) return;
+    this.#mayClick = false;
+    if (event.altKey) this.#told.pin(...this.#place(event));
+    else this.#told.pick(...this.#place(event));
   }
 
   /** @param {PointerEvent} event */
   #lose(event) {
-    clearTimeout(this.#longPress);
     this.#pressed.delete(event.pointerId);
+    this.#mayClick = false;
+    this.#stopPress();
+  }
+
+  #stopPress() {
+    clearTimeout(this.#longPress);
     this.#drag.cancel();
   }
 
@@ -96,6 +105,8 @@ export class Gestures {
     clearTimeout(this.#longPress);
     const place = this.#place(event);
     this.#longPress = setTimeout(() => {
+      // What follows is a drag of what was picked, or nothing.
+      this.#mayClick = false;
       this.#told.pick(...place);
       this.#drag.press(...place, "touch");
     }, LONG_PRESS_MS);

@@ -23,9 +23,12 @@ export function isAtLandmark(studio, landmark, x_px, y_px, pointerType) {
   return distance_px <= (pointerType === "touch" ? REACH_PX.touch : REACH_PX.mouse);
 }
 
-/** Moves a landmark with the pointer, in the view plane or along an axis; Escape puts it back. */
+/**
+ * Moves a landmark with the pointer, in the view plane or along an axis. Escape puts it back, and what is left of the
+ * press does nothing.
+ */
 export class LandmarkDrag {
-  /** @type {"idle" | "ready" | "moving"} */
+  /** @type {"idle" | "ready" | "moving" | "over"} */
   #phase = "idle";
   /** @type {AxisName | undefined} */
   #axis;
@@ -63,6 +66,7 @@ export class LandmarkDrag {
    */
   press(x_px, y_px, pointerType) {
     const { studio } = this.#bench;
+    this.#phase = "idle";
     this.#axis = studio.pickAxis(x_px, y_px);
     const landmark = this.#axis ? studio.selected : studio.pick(x_px, y_px);
     if (landmark === undefined || (pointerType === "touch" && !studio.holds(landmark))) return;
@@ -78,6 +82,7 @@ export class LandmarkDrag {
    * @param {boolean} fine ten times slower
    */
   move(x_px, y_px, fine) {
+    if (this.#phase === "over") return;
     if (this.#phase === "ready") this.#grab();
     this.#at = { x_px, y_px, fine };
     this.#follow();
@@ -111,6 +116,11 @@ export class LandmarkDrag {
     if (landmark !== undefined) this.#bench.act((studio) => studio.grab(landmark, this.#at.x_px, this.#at.y_px));
   }
 
+  #giveUp() {
+    this.cancel();
+    this.#phase = "over";
+  }
+
   #follow() {
     const { x_px, y_px, fine } = this.#at;
     this.#bench.act((studio) => studio.dragTo(x_px, y_px, this.#axis, fine));
@@ -118,8 +128,11 @@ export class LandmarkDrag {
 
   /** @param {KeyboardEvent} event */
   #key(event) {
-    if (this.#phase !== "moving") return;
-    if (event.key === "Escape") this.cancel();
+    if (this.#phase !== "moving" || event.ctrlKey || event.metaKey) return;
+    if (event.key === "Escape") {
+      event.stopPropagation();
+      return this.#giveUp();
+    }
     const axis = AXIS_KEYS[event.key.toLowerCase()];
     if (axis === undefined) return;
     // The same key again frees the landmark.

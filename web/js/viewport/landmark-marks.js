@@ -31,6 +31,7 @@ export class LandmarkMarks {
     bench.onFrame(() => this.#place());
     new Gestures(bench, {
       pick: (x_px, y_px) => this.#take(bench.studio.pick(x_px, y_px)),
+      pin: (x_px, y_px) => this.#pin(bench.studio.pick(x_px, y_px)),
       hover: (x_px, y_px) => this.#point(x_px, y_px),
       leave: () => this.hover(undefined),
       widen,
@@ -57,6 +58,11 @@ export class LandmarkMarks {
     this.bench.act((studio) => (landmark === undefined ? studio.select() : studio.takeAt(landmark)));
   }
 
+  /** @param {number | undefined} landmark */
+  #pin(landmark) {
+    if (landmark !== undefined) this.bench.act((studio) => studio.togglePin(landmark));
+  }
+
   /**
    * @param {number} x_px
    * @param {number} y_px
@@ -64,7 +70,8 @@ export class LandmarkMarks {
   #point(x_px, y_px) {
     this.bench.look((studio) => {
       const landmark = studio.hover(x_px, y_px);
-      const movable = landmark !== undefined && isAtLandmark(studio, landmark, x_px, y_px, "mouse");
+      const isOnLandmark = landmark !== undefined && isAtLandmark(studio, landmark, x_px, y_px, "mouse");
+      const movable = isOnLandmark || studio.pickAxis(x_px, y_px) !== undefined;
       this.bench.canvas.classList.toggle("over-landmark", movable);
       this.#name(landmark);
     });

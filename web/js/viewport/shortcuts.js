@@ -16,7 +16,7 @@ const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], Arrow
  */
 export function setUpViewKeys(bench) {
   bench.canvas.addEventListener("keydown", (event) => {
-    if (moveByArrow(bench, event) || chooseView(bench, event)) event.preventDefault();
+    if (moveByArrow(bench, event) || chooseView(bench, event) || letGo(bench, event)) event.preventDefault();
   });
 }
 
@@ -64,5 +64,17 @@ function chooseView(bench, event) {
   const key = event.key.toLowerCase();
   if (!(key in views)) return false;
   bench.look((studio) => studio.view(views[/** @type {keyof typeof views} */ (key)]));
+  return true;
+}
+
+/**
+ * Lets go of what is in hand; a drag keeps Escape to itself.
+ *
+ * @param {Workbench} bench
+ * @param {KeyboardEvent} event
+ */
+function letGo(bench, event) {
+  if (event.key !== "Escape") return false;
+  bench.act((studio) => studio.select());
   return true;
 }

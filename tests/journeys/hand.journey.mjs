@@ -1,0 +1,223 @@
+import assert from "node:assert/strict";
+import { meshByCommandLine } from "./command-line.mjs";
+import { journey } from "./journey.mjs";
+import { assertSameMesh, furthest, way } from "./meshes.mjs";
+import { colourCount, difference } from "./pixels.mjs";
+import { SAMPLE } from "./visitor.mjs";
+
+const NOSE_TIP = 1;
+const DENSEST = 28_881;
+/** The corners of the mouth, right and left. */
+const MOUTH_CORNERS = [61, 291];
+
+journey("the pointer over a landmark marks it and names it, and lets go of it beside the face", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  const tip = await visitor.tagged();
+  const beside = await visitor.besideTheFace();
+  await page.mouse.click(beside.x, beside.y);
+  assert.ok(await page.isHidden("#landmark-tag"));
+  const plain = await visitor.view();
+  await page.mouse.move(tip.x, tip.y);
+  await visitor.frames(2);
+  assert.equal(await page.innerText("#landmark-tag"), "nose tip · 1");
+  assert.equal(await visitor.cursor(), "move");
+  assert.ok(difference(plain, await visitor.view()) > 0, "nothing marks the landmark");
+  await page.mouse.move(beside.x, beside.y);
+  await visitor.frames(2);
+  assert.ok(await page.isHidden("#landmark-tag"));
+  assert.equal(await visitor.cursor(), "grab");
+});
+
+journey("a landmark follows the pointer in the view plane, slowly with Shift, and glows as it goes", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  const tip = await visitor.tagged();
+  const start = await visitor.meshJson("mm");
+  await page.mouse.move(tip.x, tip.y);
+  await page.mouse.down();
+  await page.mouse.move(tip.x, tip.y - 40, { steps: 5 });
+  const moving = await visitor.view();
+  const seen = await visitor.tagged();
+  assert.ok(Math.hypot(seen.x - tip.x, seen.y - tip.y + 40) <= 1.5, `it is at ${seen.x}, ${seen.y}`);
+  await page.mouse.up();
+  assert.ok(difference(moving, await visitor.view()) > 0.01, "the response does not glow");
+  const moved = await visitor.meshJson("mm");
+  const usual = way(start, moved, NOSE_TIP);
+  assert.ok(usual[1] > 2 && Math.abs(usual[2]) < usual[1] / 2, `${usual}`);
+  assert.deepEqual(await visitor.history(), ["nose tip · 1"]);
+
+  await page.keyboard.down("Shift");
+  await visitor.drag({ x: tip.x, y: tip.y - 40 }, { x: 0, y: -40 });
+  await page.keyboard.up("Shift");
+  const fine = way(moved, await visitor.meshJson("mm"), NOSE_TIP);
+  assert.ok(Math.abs(fine[1] / usual[1] - 0.1) < 0.02, `${fine[1]} mm beside ${usual[1]}`);
+});
+
+journey("X, Y and Z keep a drag to an axis, and Escape puts everything back", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await page.uncheck("#mirror");
+  await visitor.findLandmark("nose tip");
+  const tip = await visitor.tagged();
+  const start = await visitor.meshJson("mm");
+  for (const [axis, key] of ["x", "y", "z"].entries()) {
+    await page.mouse.move(tip.x, tip.y);
+    await page.mouse.down();
+    await page.mouse.move(tip.x + 10, tip.y - 10, { steps: 3 });
+    await page.keyboard.press(key);
+    await page.mouse.move(tip.x + 20, tip.y - 30, { steps: 3 });
+    await page.mouse.up();
+    const along = way(start, await visitor.meshJson("mm"), NOSE_TIP);
+    const others = along.filter((_, other) => other !== axis);
+    // From the front, the axis out of the face is seen end-on: up comes nearer.
+    assert.ok(along[axis] > 0.5 && Math.hypot(...others) < 1e-9, `${key}: ${along}`);
+    await page.click("#toolbar [data-action='undo']");
+  }
+
+  await page.mouse.move(tip.x, tip.y);
+  await page.mouse.down();
+  await page.mouse.move(tip.x + 30, tip.y, { steps: 3 });
+  await page.keyboard.press("Escape");
+  const rest = await visitor.view();
+  await page.mouse.move(tip.x + 80, tip.y + 40, { steps: 3 });
+  assert.equal(difference(rest, await visitor.view()), 0, "the rest of the drag did something");
+  await page.mouse.up();
+  assert.deepEqual(await visitor.meshJson("mm"), start);
+  assert.deepEqual(await visitor.history(), []);
+  assert.match(await page.inputValue("#landmark-search"), /nose tip/);
+
+  await page.focus("#viewport");
+  await page.keyboard.press("Escape");
+  assert.ok(await page.isHidden("#landmark-tag"), "Escape did not let go");
+});
+
+journey("the wheel widens and narrows the reach of a drag, which stays one edit", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  const tip = await visitor.tagged();
+  const start = await visitor.meshJson("mm");
+  await page.mouse.move(tip.x, tip.y);
+  await page.mouse.down();
+  await page.mouse.move(tip.x, tip.y - 30, { steps: 3 });
+  const radius = page.locator("#radius input[type=number]");
+  const pictures = [await visitor.view()];
+  const radii_mm = [];
+  for (const wheel of [-400, -400, 300]) {
+    await page.mouse.wheel(0, wheel);
+    await visitor.frames(3);
+    assert.ok(await page.isChecked("#nearby"));
+    radii_mm.push(Number(await radius.inputValue()));
+    pictures.push(await visitor.view());
+  }
+  await page.mouse.up();
+  assert.ok(radii_mm[1] < radii_mm[0] && radii_mm[0] < 40 && radii_mm[2] > radii_mm[1], `${radii_mm}`);
+  for (const [shot, picture] of pictures.slice(1).entries()) assert.ok(difference(pictures[shot], picture) > 0);
+  assert.equal((await visitor.history()).length, 1);
+  const after = await visitor.meshJson("mm");
+  assert.ok(way(start, after, NOSE_TIP)[1] > 1);
+  for (const [vertex, place] of start.positions.entries()) {
+    const apart_mm = Math.hypot(...place.map((at, axis) => at - start.positions[NOSE_TIP][axis]));
+    // No way along the skin is shorter than the straight one.
+    if (apart_mm > radii_mm[2]) assert.deepEqual(after.positions[vertex], place, `vertex ${vertex}, ${apart_mm} mm away`);
+  }
+});
+
+journey("the other side follows where the mirror is on, and its plane is drawn", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await page.focus("#viewport");
+  await page.keyboard.press("ArrowLeft");
+  await visitor.findLandmark(String(MOUTH_CORNERS[0]));
+  const start = await visitor.meshJson("mm");
+  const mirrored = await visitor.view();
+  await visitor.offset("x", -4);
+  const [right, left] = MOUTH_CORNERS.map(async (corner) => way(start, await visitor.meshJson("mm"), corner));
+  assert.ok(Math.abs((await right)[0] + 4) < 1e-9 && Math.abs((await left)[0] - 4) < 1e-9);
+  await page.click("#toolbar [data-action='undo']");
+  await page.uncheck("#mirror");
+  assert.ok(difference(mirrored, await visitor.view()) > 0.01, "the plane is not drawn");
+  await visitor.offset("x", -4);
+  assert.ok(Math.abs(way(start, await visitor.meshJson("mm"), MOUTH_CORNERS[1])[0]) < 2);
+});
+
+journey("a click with Alt pins a landmark, which then stays, and unpins it", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.findLandmark(String(MOUTH_CORNERS[0]));
+  const corner = await visitor.tagged();
+  await visitor.findLandmark("nose tip");
+  const unpinned = await visitor.view();
+  await page.keyboard.down("Alt");
+  await page.mouse.click(corner.x, corner.y);
+  assert.equal(await visitor.landmark(), NOSE_TIP);
+  assert.ok((await visitor.anchors()).includes(MOUTH_CORNERS[0]));
+  assert.ok(difference(unpinned, await visitor.view()) > 0, "no pin is drawn");
+  const start = await visitor.meshJson("mm");
+  await visitor.offset("y", -5);
+  assert.ok(Math.hypot(...way(start, await visitor.meshJson("mm"), MOUTH_CORNERS[0])) < 1e-9);
+  await page.mouse.click(corner.x, corner.y);
+  await page.keyboard.up("Alt");
+  assert.ok(!(await visitor.anchors()).includes(MOUTH_CORNERS[0]));
+});
+
+journey("every operator and constraint says in a line what it does, and does what the command line does", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  await page.click("#section-landmark .more > summary");
+  const said = new Set();
+  const names = { L_s: "L_s", L: "L", degree: "degree", length: "inverse-length", cotangent: "cotangent" };
+  for (const [operator, byCommandLine] of Object.entries(names)) {
+    await page.selectOption("#operator", operator);
+    said.add(await page.innerText("#operator-help"));
+    const [hold, weight] = operator === "degree" ? ["soft", "1"] : ["exact", "exact"];
+    await page.selectOption("#hold", hold);
+    said.add(await page.innerText("#hold-help"));
+    await visitor.offset("z", 6);
+    const options = `--units mm --topology canonical --operator ${byCommandLine} --hold ${weight} --anchors oval --mirror --edit 1:0,0,6`;
+    assertSameMesh(await visitor.meshJson("mm"), await meshByCommandLine(SAMPLE, options.split(" ")));
+    await page.click("#toolbar [data-action='undo']");
+  }
+  assert.equal(said.size, 7);
+  assert.ok(!said.has(""));
+  assert.ok(!(await page.isChecked("#preset-paper")));
+  await visitor.prefer("sculpt");
+  assert.equal(await page.inputValue("#operator"), "cotangent");
+});
+
+journey("a landmark is dragged on the densest mesh as on the coarse one", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await page.selectOption("#density", "3", { force: true });
+  await visitor.findLandmark("nose tip");
+  const tip = await visitor.tagged();
+  const start = await visitor.meshJson("mm");
+  assert.equal(start.positions.length, DENSEST);
+  await page.mouse.move(tip.x, tip.y);
+  await page.mouse.down();
+  await page.mouse.move(tip.x, tip.y - 30, { steps: 8 });
+  const moving = await visitor.view();
+  assert.ok(colourCount(moving) > 40);
+  const seen = await visitor.tagged();
+  assert.ok(Math.hypot(seen.x - tip.x, seen.y - tip.y + 30) <= 1.5, `it is at ${seen.x}, ${seen.y}`);
+  await page.mouse.up();
+  assert.equal((await visitor.history()).length, 1);
+  const moved = await visitor.meshJson("mm");
+  const furthest_mm = furthest(start, moved);
+  assert.ok(Math.hypot(...way(start, moved, NOSE_TIP)) > 2);
+  assert.ok(furthest_mm < 1.5 * Math.hypot(...way(start, moved, NOSE_TIP)), `a vertex went ${furthest_mm} mm`);
+  await page.click("#toolbar [data-action='undo']");
+  assert.deepEqual(await visitor.meshJson("mm"), start);
+});
