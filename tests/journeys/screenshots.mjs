@@ -13,10 +13,13 @@ const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, has
 /** @type {Record<string, { options: object, act: (visitor: Visitor) => Promise<void> }>} */
 const PICTURES = {
   "empty-light": { options: { ...DESKTOP, colorScheme: "light" }, act: async () => {} },
-  "edit-light": { options: { ...DESKTOP, colorScheme: "light" }, act: edit },
-  "edit-dark": { options: { ...DESKTOP, colorScheme: "dark" }, act: edit },
+  "edit-light": { options: { ...DESKTOP, colorScheme: "light" }, act: work },
+  "edit-dark": { options: { ...DESKTOP, colorScheme: "dark" }, act: work },
   response: { options: { ...DESKTOP, colorScheme: "light" }, act: (visitor) => paint(visitor, "response") },
   distortion: { options: { ...DESKTOP, colorScheme: "light" }, act: (visitor) => paint(visitor, "distortion") },
+  "face-light": { options: { ...DESKTOP, colorScheme: "light" }, act: shape },
+  "paper-dark": { options: { ...DESKTOP, colorScheme: "dark" }, act: paper },
+  "clay-dense-dark": { options: { ...DESKTOP, colorScheme: "dark" }, act: clay },
   "phone-empty": { options: { ...PHONE, colorScheme: "light" }, act: async () => {} },
   "phone-shape": { options: { ...PHONE, colorScheme: "light" }, act: edit },
   "phone-view-dark": {
@@ -37,6 +40,7 @@ for (const [name, { options, act }] of Object.entries(PICTURES)) {
   const visitor = await Visitor.arrive(browser, server.url, options);
   await visitor.untilLoaded();
   await act(visitor);
+  await visitor.page.evaluate(() => document.activeElement?.blur());
   await visitor.frames(5);
   await writeFile(path.join(IMAGES, `${name}.png`), await visitor.page.screenshot());
   visitor.checkNothingBroke();
@@ -62,4 +66,48 @@ async function paint(visitor, name) {
   await edit(visitor);
   await visitor.unfold("section-view");
   await visitor.page.check(`input[name="paint"][value="${name}"]`, { force: true });
+}
+
+/** @param {Visitor} visitor */
+async function work(visitor) {
+  await edit(visitor);
+  await foldAllBut(visitor, ["section-photo", "section-landmark", "section-history"]);
+}
+
+/** @param {Visitor} visitor */
+async function shape(visitor) {
+  await visitor.dropSample();
+  await visitor.slide("nose-width", -2);
+  await visitor.slide("eye-size", 1.5);
+  await visitor.slide("jaw-width", -4);
+  await foldAllBut(visitor, ["section-face", "section-history"]);
+}
+
+/** @param {Visitor} visitor */
+async function paper(visitor) {
+  await visitor.dropSample();
+  await foldAllBut(visitor, ["section-paper"]);
+  await visitor.page.click("[data-action='run-paper']");
+  await visitor.page.waitForSelector("#paper-results:not([hidden])", { timeout: 150_000 });
+}
+
+/** @param {Visitor} visitor */
+async function clay(visitor) {
+  await visitor.dropSample();
+  await foldAllBut(visitor, ["section-view"]);
+  await visitor.page.selectOption("#density", "3");
+  await visitor.page.check("input[name='paint'][value='clay']", { force: true });
+  await visitor.page.focus("#viewport");
+  for (let press = 0; press < 7; press++) await visitor.page.keyboard.press("ArrowRight");
+}
+
+/**
+ * @param {Visitor} visitor
+ * @param {string[]} open
+ */
+async function foldAllBut(visitor, open) {
+  await visitor.page.evaluate((open) => {
+    for (const section of document.querySelectorAll("details.section")) section.open = open.includes(section.id);
+    document.getElementById("sections").scrollTop = 0;
+  }, open);
 }
