@@ -19,6 +19,7 @@ journey("the pointer over a landmark marks it and names it, and lets go of it be
   const beside = await visitor.besideTheFace();
   await page.mouse.click(beside.x, beside.y);
   assert.ok(await page.isHidden("#landmark-tag"));
+  assert.ok(await page.evaluate(() => document.activeElement?.matches("#viewport:not(:focus-visible)")));
   const plain = await visitor.view();
   await page.mouse.move(tip.x, tip.y);
   await visitor.frames(2);

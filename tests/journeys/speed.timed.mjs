@@ -2,19 +2,17 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { journey } from "./journey.mjs";
 import { asJpeg } from "./pictures.mjs";
+import { mainThreadTasks, traced } from "./trace.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 /** What a 12-megapixel camera takes. */
 const LARGE = { width: 4000, height: 3000 };
 const LONG_TASK_MS = 50;
+/** What a screen of 60 Hz leaves for a frame. */
+const FRAME_MS = 16;
+const DRAG_STEPS = 40;
 /** How many tasks are told. */
 const SHOWN = 5;
-/** What the trace lays around every task. */
-const WRAPPERS = new Set(["RunTask", "ThreadControllerImpl::RunTask", "ThreadPool_RunTask"]);
-const CATEGORIES = ["toplevel", "devtools.timeline", "disabled-by-default-devtools.timeline"];
-
-/** @typedef {{ name: string, ph: string, pid: number, tid: number, ts: number, dur: number, tdur: number, args: { name?: string } }} Event of a trace, times in µs */
-
 journey("no task on the main thread is long from a drop of 12 megapixels to the mesh", async (open) => {
   const visitor = await open();
   const { page } = visitor;
@@ -28,44 +26,42 @@ journey("no task on the main thread is long from a drop of 12 megapixels to the 
   }, photo.toString("base64"));
   await visitor.frames(10);
 
-  const browser = page.context().browser();
-  await browser.startTracing(page, { categories: CATEGORIES });
-  await page.evaluate(() =>
-    dispatchEvent(new DragEvent("drop", { dataTransfer: globalThis.dropped, bubbles: true, cancelable: true })),
-  );
-  await visitor.untilFace();
-  // Half a second more, in which the face is stored for the next visit.
-  await visitor.frames(30);
-  const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
-  const tasks = mainThreadTasks(traceEvents);
+  const events = await traced(page, async () => {
+    await page.evaluate(() =>
+      dispatchEvent(new DragEvent("drop", { dataTransfer: globalThis.dropped, bubbles: true, cancelable: true })),
+    );
+    await visitor.untilFace();
+    // Half a second more, in which the face is stored for the next visit.
+    await visitor.frames(30);
+  });
+  const tasks = mainThreadTasks(events);
   for (const { took_ms, held } of tasks.slice(0, SHOWN)) console.log(`    ${took_ms.toFixed(1)} ms: ${held}`);
   const [longest] = tasks;
   assert.ok(longest && longest.took_ms <= LONG_TASK_MS, `a task took ${longest?.took_ms.toFixed(0)} ms`);
 });
 
-/**
- * The tasks of the page's main thread, the longest first, by processor time, so that what else the machine does is left
- * out; with what took the most in each.
- *
- * @param {Event[]} events
- */
-function mainThreadTasks(events) {
-  const threads = events.filter(({ name, args }) => name === "thread_name" && args.name === "CrRendererMain");
-  const main = new Set(threads.map(({ pid, tid }) => `${pid}:${tid}`));
-  const timed = events.filter(({ ph, pid, tid, tdur }) => ph === "X" && tdur && main.has(`${pid}:${tid}`));
-  const tasks = timed.filter(({ name }) => name === "RunTask").sort((a, b) => b.tdur - a.tdur);
-  return tasks.map((task) => ({ took_ms: task.tdur / 1000, held: partsOf(task, timed) }));
-}
-
-/**
- * What a task held, as the browser's own trace names it.
- *
- * @param {Event} task
- * @param {Event[]} events
- */
-function partsOf(task, events) {
-  const within = events.filter(({ ts, dur, tid, name }) =>
-    tid === task.tid && ts >= task.ts && ts + dur <= task.ts + task.dur && !WRAPPERS.has(name));
-  const longest = within.sort((a, b) => b.tdur - a.tdur).slice(0, 3);
-  return longest.map(({ name, tdur }) => `${name} ${(tdur / 1000).toFixed(1)}`).join(", ");
-}
+journey("each step of a drag takes the main thread less than a frame, on the densest mesh, too", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  for (const density of ["0", "3"]) {
+    await page.selectOption("#density", density, { force: true });
+    await visitor.findLandmark("nose tip");
+    const tip = await visitor.tagged();
+    await page.mouse.move(tip.x, tip.y);
+    await page.mouse.down();
+    await page.mouse.move(tip.x, tip.y - 10, { steps: 3 });
+    await visitor.frames(10);
+    const events = await traced(page, async () => {
+      for (let step = 0; step < DRAG_STEPS; step++) {
+        await page.mouse.move(tip.x, tip.y - 10 - step);
+        await visitor.frames(1);
+      }
+    });
+    const [longest] = mainThreadTasks(events);
+    console.log(`    density ${density}, ${longest?.took_ms.toFixed(1)} ms: ${longest?.held}`);
+    await page.mouse.up();
+    assert.ok(longest && longest.took_ms <= FRAME_MS, `a step took ${longest?.took_ms.toFixed(1)} ms`);
+    await page.click("#toolbar [data-action='undo']");
+  }
+});

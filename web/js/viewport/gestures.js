@@ -51,7 +51,6 @@ export class Gestures {
   #press(event) {
     const { canvas } = this.#bench;
     canvas.setPointerCapture(event.pointerId);
-    canvas.focus({ preventScroll: true });
     this.#pressed.set(event.pointerId, { x: event.clientX, y: event.clientY, button: event.button });
     this.#mayClick = this.#pressed.size === 1 && event.button === 0;
     if (this.#pressed.size > 1) return this.#stopPress();
