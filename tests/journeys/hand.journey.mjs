@@ -116,9 +116,11 @@ journey("the wheel widens and narrows the reach of a drag, which stays one edit"
     await visitor.frames(3);
     assert.ok(await page.isChecked("#nearby"));
     radii_mm.push(Number(await radius.inputValue()));
+    assert.equal(await page.innerText("#landmark-tag"), `nose tip · 1, within ${radii_mm.at(-1)} mm`);
     pictures.push(await visitor.view());
   }
   await page.mouse.up();
+  assert.equal(await page.innerText("#landmark-tag"), "nose tip · 1");
   assert.ok(radii_mm[1] < radii_mm[0] && radii_mm[0] < 40 && radii_mm[2] > radii_mm[1], `${radii_mm}`);
   for (const [shot, picture] of pictures.slice(1).entries()) assert.ok(difference(pictures[shot], picture) > 0);
   assert.equal((await visitor.history()).length, 1);

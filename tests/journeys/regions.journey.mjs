@@ -62,10 +62,17 @@ journey("clicks take the region under the pointer, then the larger one, and the 
   await visitor.dropSample();
   await visitor.findLandmark("nose tip");
   const tip = await visitor.tagged();
-  const beside = await page.locator("#viewport").boundingBox();
-  await page.mouse.click(beside.x + 20, beside.y + 60);
+  const beside = await visitor.besideTheFace();
+  await page.mouse.click(beside.x, beside.y);
   await page.check("input[name='hand'][value='region']", { force: true });
   assert.ok(await page.isHidden("#landmark-search"));
+  const plain = await visitor.view();
+  await page.mouse.move(tip.x, tip.y);
+  const pointedAt = await visitor.view();
+  assert.ok(difference(plain, pointedAt) > 0.001, "nothing shows what a click would take");
+  assert.equal(await page.innerText("#landmark-tag"), "tip of the nose");
+  await page.mouse.move(beside.x, beside.y);
+  assert.equal(difference(plain, await visitor.view()), 0, "the marks stay");
   const taken = [];
   for (let click = 0; click < 3; click++) {
     await page.mouse.click(tip.x, tip.y);

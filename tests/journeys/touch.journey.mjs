@@ -73,6 +73,14 @@ journey("on a phone one finger turns, two move and zoom, and a long press picks"
   const larger = await page.inputValue("#region");
   await touch.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
   assert.equal(await page.inputValue("#region"), larger, "lifting the finger picked once more");
+
+  await touch.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }] });
+  await page.waitForFunction((larger) => document.getElementById("region").value !== larger, larger);
+  for (const up of [10, 20, 30]) {
+    await touch.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: [{ x, y: y - up }] });
+  }
+  await touch.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  assert.equal((await visitor.history()).length, 1, "what a held finger picked did not follow it");
 });
 
 journey("on a phone the sheet leaves most of the face free, and nothing scrolls sideways at 360 px", async (open) => {

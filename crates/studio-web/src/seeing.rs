@@ -172,6 +172,7 @@ impl Studio {
         let place_px = DVec2::new(x_px, y_px);
         let landmark = self.landmark_at(place_px);
         let axis = self.axis_at(place_px);
+        self.point_at(landmark);
         let stage = self.viewport.stage_mut();
         stage.set_pointer(landmark.map(|_| place_px));
         stage.set_hovered(landmark);
@@ -189,6 +190,7 @@ impl Studio {
             return Err(Trouble::bad_vertex(vertex, LANDMARK_COUNT).into());
         }
         let has_face = self.session.is_some();
+        self.point_at(vertex);
         let stage = self.viewport.stage_mut();
         stage.set_pointer(None);
         stage.set_hovered(vertex.filter(|_| has_face));

@@ -111,12 +111,23 @@ impl Studio {
 }
 
 impl Studio {
+    /// Marks the region that would be taken at a landmark which the pointer is over.
+    pub(crate) fn point_at(&mut self, landmark: Option<u32>) {
+        let at = |landmark| self.session.as_ref().map(|session| session.at_or_held(landmark, self.hand));
+        let pointed = landmark.and_then(at).filter(|pointed| Some(*pointed) != self.selection());
+        if pointed != self.pointed {
+            self.pointed = pointed;
+            self.show_marks();
+        }
+    }
+
     fn selection(&self) -> Option<Selection> {
         self.session.as_ref().and_then(Session::selection)
     }
 
     fn take(&mut self, selection: Option<Selection>) -> Result<(), JsValue> {
         self.drag = None;
+        self.pointed = None;
         let seed = (js_sys::Math::random() * SEEDS) as u64;
         self.change(|session, choices| session.select(selection, choices, seed))
     }

@@ -32,6 +32,8 @@ pub struct Studio {
     incoming_picture: Option<IncomingPicture>,
     pub(crate) choices: Choices,
     pub(crate) hand: Hand,
+    /// What the pointer rests on and would take.
+    pub(crate) pointed: Option<Selection>,
     pub(crate) drag: Option<Drag>,
     pub(crate) wishes: Wishes,
 }
@@ -174,6 +176,7 @@ impl Studio {
             incoming_picture: None,
             choices: Choices::default(),
             hand: Hand::default(),
+            pointed: None,
             drag: None,
             wishes: Wishes {
                 paint: Paint::default(),
@@ -285,7 +288,7 @@ impl Studio {
         }
     }
 
-    fn show_marks(&mut self) {
+    pub(crate) fn show_marks(&mut self) {
         let stage = self.viewport.stage_mut();
         let Some(session) = &self.session else {
             stage.set_marks(Vec::new());
@@ -300,10 +303,11 @@ impl Studio {
             AnchorChoice::Explicit(_) => &[],
             _ => self.choices.pins.as_slice(),
         };
-        let region = match selection {
-            Some(Selection::Region(region)) => region.vertices(),
-            _ => Vec::new(),
-        };
+        let regions = selection.iter().chain(&self.pointed).filter_map(|selection| match selection {
+            Selection::Region(region) => Some(region.vertices()),
+            Selection::Landmark(_) => None,
+        });
+        let region: Vec<u32> = regions.flatten().collect();
         let middle = selection.map(Selection::middle);
         let mark = |kind| move |&vertex: &u32| Mark { vertex, kind };
         let anchors = anchors.iter().filter(|anchor| !pins.contains(anchor)).map(mark(MarkKind::Square));

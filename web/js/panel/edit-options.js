@@ -61,7 +61,7 @@ export class EditOptions {
   }
 
   /**
-   * Widens or narrows the reach of the edit.
+   * Widens or narrows the reach of the edit; returns it in mm.
    *
    * @param {number} factor
    */
@@ -69,6 +69,7 @@ export class EditOptions {
     this.#nearby.checked = true;
     this.#radius.value = Math.min(RADIUS_MM.max, Math.max(RADIUS_MM.min, this.#radius.value / factor));
     this.#change();
+    return this.#radius.value;
   }
 
   #makeRadius() {

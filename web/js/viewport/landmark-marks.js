@@ -1,7 +1,7 @@
 import { byId } from "../page/dom.js";
 import { Gestures } from "./gestures.js";
 import { isAtLandmark } from "./landmark-drag.js";
-import { language } from "../words/words.js";
+import { language, say, sayNumber } from "../words/words.js";
 
 /**
  * @typedef {import("./workbench.js").Workbench} Workbench
@@ -15,17 +15,20 @@ export class LandmarkMarks {
   #selected;
   /** @type {number | undefined} */
   #hovered;
+  /** @type {number | undefined} while a drag goes on whose reach was changed */
+  #reach_mm;
 
   /**
    * @param {Workbench} bench
    * @param {PhotoOverlay} overlay
-   * @param {(factor: number) => void} widen changes how far an edit reaches
+   * @param {(factor: number) => number} widen changes how far an edit reaches, in mm
    */
   constructor(bench, overlay, widen) {
     this.bench = bench;
     this.overlay = overlay;
     bench.onChange((state) => {
       this.#selected = state.selected;
+      if (!state.editing) this.#reach_mm = undefined;
       this.#write();
     });
     bench.onFrame(() => this.#place());
@@ -34,7 +37,7 @@ export class LandmarkMarks {
       pin: (x_px, y_px) => this.#pin(bench.studio.pick(x_px, y_px)),
       hover: (x_px, y_px) => this.#point(x_px, y_px),
       leave: () => this.hover(undefined),
-      widen,
+      widen: (factor) => (this.#reach_mm = widen(factor)),
     });
     overlay.listen({ hover: (landmark) => this.hover(landmark), choose: (landmark) => this.#take(landmark) });
   }
@@ -88,8 +91,14 @@ export class LandmarkMarks {
     this.overlay.mark(this.#selected, this.#hovered);
     const named = this.#hovered ?? this.#selected;
     this.#tag.hidden = named === undefined;
-    if (named !== undefined) this.#tag.textContent = this.bench.studio.nameAt(named, language());
+    if (named !== undefined) this.#tag.textContent = this.#nameOf(named);
     this.#place();
+  }
+
+  /** @param {number} landmark */
+  #nameOf(landmark) {
+    const name = this.bench.studio.nameAt(landmark, language());
+    return this.#reach_mm === undefined ? name : say("landmark.reach", { name, mm: sayNumber(this.#reach_mm, 0) });
   }
 
   #place() {

@@ -76,6 +76,7 @@ export const en = {
   "landmark.z.long": "z, out of the face, in millimetres",
   "landmark.anchors": "Anchors: {list}",
   "landmark.anchors.many": "{n} anchors",
+  "landmark.reach": "{name}, within {mm} mm",
   "landmark.selected": "{name} selected",
   "landmark.moved": "{name} moved: x {x}, y {y}, z {z} millimetres",
 

@@ -76,6 +76,7 @@ export const pt = {
   "landmark.z.long": "z, para fora do rosto, em milímetros",
   "landmark.anchors": "Âncoras: {list}",
   "landmark.anchors.many": "{n} âncoras",
+  "landmark.reach": "{name}, até {mm} mm",
   "landmark.selected": "{name}: selecionado",
   "landmark.moved": "{name}: x {x}, y {y}, z {z} milímetros",
 
