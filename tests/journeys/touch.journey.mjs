@@ -98,6 +98,33 @@ journey("on a phone the sheet leaves most of the face free, and nothing scrolls 
   }
 });
 
+for (const width of [360, 390, 820, 1024, 1280]) {
+  journey(`nothing floats over anything else at ${width} px`, async (open) => {
+    const visitor = await open({ ...PHONE, viewport: { width, height: 800 } });
+    const { page } = visitor;
+    await visitor.dropSample();
+    for (const language of ["en", "pt"]) {
+      await page.evaluate((language) => {
+        const choice = document.getElementById("language");
+        choice.value = language;
+        choice.dispatchEvent(new Event("change"));
+      }, language);
+      const [toolbar, privacy, hint, panel] = await Promise.all(
+        ["toolbar", "privacy", "hint", "panel"].map((id) => page.locator(`#${id}`).boundingBox()),
+      );
+      for (const [one, other] of [[toolbar, privacy], [hint, toolbar], [hint, privacy], [toolbar, panel], [hint, panel], [privacy, panel]]) {
+        assert.ok(areApart(one, other), `${language}: ${JSON.stringify(one)} and ${JSON.stringify(other)}`);
+      }
+    }
+  });
+}
+
+/** Whether two boxes have no point in common. */
+function areApart(one, other) {
+  const beside = one.x + one.width <= other.x || other.x + other.width <= one.x;
+  return beside || one.y + one.height <= other.y || other.y + other.height <= one.y;
+}
+
 /**
  * Moves fingers from place to place.
  *

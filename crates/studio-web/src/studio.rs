@@ -139,6 +139,7 @@ impl Studio {
         self.session = None;
         self.picture = None;
         self.drag = None;
+        self.pointed = None;
         self.show_mesh()?;
         self.viewport.stage_mut().frame(&canonical_positions_m());
         self.viewport.stage_mut().camera_mut().turn(-0.5);
@@ -211,6 +212,7 @@ impl Studio {
         self.session = Some(session);
         self.picture = Some(picture);
         self.drag = None;
+        self.pointed = None;
         self.show_mesh()?;
         let (viewport, session) = (&mut self.viewport, self.session.as_ref().ok_or_else(Trouble::no_face)?);
         viewport.stage_mut().frame(session.document.positions());
