@@ -42,6 +42,13 @@ journey("on a phone two fingers move the face with them and pinch it larger, and
   assert.deepEqual(await visitor.history(), ["nose tip · 1"]);
   const went = way(before, await visitor.meshJson("mm"), 1);
   assert.ok(went[0] > 2 && went[1] > 2, `it went by ${went}`);
+
+  // Beside the arm of the gizmo that points up, where a finger can mean nothing else.
+  const here = await visitor.tagged();
+  const lifted = await visitor.meshJson("mm");
+  await stroke(touch, [[{ x: here.x + 14, y: here.y - 52 }], [{ x: here.x + 44, y: here.y - 82 }]]);
+  const along = way(lifted, await visitor.meshJson("mm"), 1);
+  assert.ok(along[1] > 2 && Math.hypot(along[0], along[2]) < 1e-9, `it went by ${along}`);
 });
 
 journey("on a phone one finger turns, two move and zoom, and a long press picks", async (open) => {

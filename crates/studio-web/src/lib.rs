@@ -29,7 +29,8 @@ use web_sys::HtmlCanvasElement;
 
 pub use modes::{
     AnchorsName, AxisName, DetailsName, ExportEditsName, ExportPaintName, ExportShadingName, HandName, HoldName,
-    LanguageName, MeshFormatName, OperatorName, PaintName, TaskName, ThemeName, TriangulationName, UnitsName, ViewName,
+    LanguageName, MeshFormatName, OperatorName, PaintName, PointerName, TaskName, ThemeName, TriangulationName,
+    UnitsName, ViewName,
 };
 pub use paper::{PaperClaims, PaperMethod, PaperRow, PaperRun};
 pub use renderer::{Renderer, create_renderer};

@@ -4,7 +4,7 @@
 
 use rosto_face::{Language, Triangulation};
 use rosto_studio::Operator;
-use rosto_viewport::Axis;
+use rosto_viewport::{Axis, Pointer};
 use wasm_bindgen::prelude::*;
 
 use crate::trouble::{Outcome, Trouble};
@@ -91,6 +91,24 @@ pub enum HandName {
     Landmark = "landmark",
     /// The named part of the face around it.
     Region = "region",
+}
+
+/// What points at the canvas, as the browser's pointer events name it.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PointerName {
+    /// A mouse.
+    Mouse = "mouse",
+    /// A pen.
+    Pen = "pen",
+    /// A finger.
+    Touch = "touch",
+}
+
+impl From<PointerName> for Pointer {
+    fn from(pointer: PointerName) -> Self {
+        if pointer == PointerName::Touch { Self::Coarse } else { Self::Fine }
+    }
 }
 
 /// How the mesh's details are described while it is edited.

@@ -1,11 +1,11 @@
 use glam::DVec2;
 use rosto_face::LANDMARK_COUNT;
 use rosto_mesh::vertex_normals;
-use rosto_viewport::{Background, Dots, Glide, NamedView, Paint, Srgb, Theme, Wireframe};
+use rosto_viewport::{Background, Dots, Glide, NamedView, Paint, Pointer, Srgb, Theme, Wireframe};
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
-use crate::modes::{AxisName, PaintName, ThemeName, ViewName};
+use crate::modes::{AxisName, PaintName, PointerName, ThemeName, ViewName};
 use crate::state::ScreenPoint;
 use crate::studio::Motion;
 use crate::trouble::Trouble;
@@ -171,7 +171,7 @@ impl Studio {
     ) -> Option<u32> {
         let place_px = DVec2::new(x_px, y_px);
         let landmark = self.landmark_at(place_px);
-        let axis = self.axis_at(place_px);
+        let axis = self.axis_at(place_px, Pointer::Fine);
         self.point_at(landmark);
         let stage = self.viewport.stage_mut();
         stage.set_pointer(landmark.map(|_| place_px));
@@ -210,8 +210,9 @@ impl Studio {
         &self,
         #[wasm_bindgen(js_name = xPx)] x_px: f64,
         #[wasm_bindgen(js_name = yPx)] y_px: f64,
+        pointer: PointerName,
     ) -> Option<AxisName> {
-        self.axis_at(DVec2::new(x_px, y_px)).map(AxisName::from)
+        self.axis_at(DVec2::new(x_px, y_px), pointer.into()).map(AxisName::from)
     }
 
     /// Where a landmark appears, if a face is open.
@@ -241,7 +242,7 @@ impl Studio {
 }
 
 impl Studio {
-    fn axis_at(&self, place_px: DVec2) -> Option<rosto_viewport::Axis> {
-        self.viewport.pick_axis(place_px, self.session.as_ref()?.document.positions())
+    fn axis_at(&self, place_px: DVec2, pointer: Pointer) -> Option<rosto_viewport::Axis> {
+        self.viewport.pick_axis(place_px, self.session.as_ref()?.document.positions(), pointer)
     }
 }

@@ -30,7 +30,7 @@ pub use error::ViewportError;
 pub use gpu::{Backend, Gpu};
 pub use light::Light;
 pub use look::{Background, Dots, Look, MirrorPlane, Paint, Theme, Wireframe};
-pub use markers::{Axis, Mark, MarkKind};
+pub use markers::{Axis, Mark, MarkKind, Pointer};
 pub use mesh::MeshInput;
 pub use photo::PictureOnGpu;
 pub use snapshot::Snapshot;

@@ -5,8 +5,6 @@ use crate::Camera;
 /// Length in CSS px of the gizmo's arms; `shaders/marks.wgsl` says the same.
 const GIZMO_PX: f64 = 68.0;
 const GIZMO_START_PX: f64 = 11.0;
-/// How near in CSS px the pointer must come to an arm.
-const GIZMO_REACH_PX: f64 = 8.0;
 /// Arms at a smaller sine to the line of sight have faded, as `shaders/marks.wgsl` says, and are not there.
 const LEAST_SINE: f64 = 0.2;
 
@@ -19,6 +17,25 @@ pub enum Axis {
     Y = 1,
     /// Out of the face; blue.
     Z = 2,
+}
+
+/// What points: a finger cannot be as exact as a mouse or a pen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pointer {
+    /// A mouse or a pen.
+    Fine,
+    /// A finger.
+    Coarse,
+}
+
+impl Pointer {
+    /// How near it must come to an arm of the gizmo, in CSS px.
+    fn reach_px(self) -> f64 {
+        match self {
+            Self::Fine => 8.0,
+            Self::Coarse => 20.0,
+        }
+    }
 }
 
 impl Axis {
@@ -67,10 +84,17 @@ pub(crate) fn mark_words(marks: &[Mark], hovered: Option<u32>, gizmo: Option<u32
 }
 
 /// The arm of the gizmo at `vertex_m` that the pointer is on, the nearest if several; none on the vertex itself.
-pub(crate) fn axis_under(camera: &Camera, vertex_m: DVec3, place_px: DVec2, pixel_ratio: f64) -> Option<Axis> {
+pub(crate) fn axis_under(
+    camera: &Camera,
+    vertex_m: DVec3,
+    place_px: DVec2,
+    pixel_ratio: f64,
+    pointer: Pointer,
+) -> Option<Axis> {
+    let reach_px = pointer.reach_px();
     let depth_m = (camera.eye_m() - vertex_m).dot(camera.back());
     let m_per_css_px = camera.m_per_px_at_distance(depth_m) * pixel_ratio;
-    if camera.project(vertex_m)?.distance(place_px) < GIZMO_START_PX * pixel_ratio {
+    if camera.project(vertex_m)?.distance(place_px) < GIZMO_START_PX.max(reach_px) * pixel_ratio {
         return None;
     }
     let to_eye = (camera.eye_m() - vertex_m).normalize_or_zero();
@@ -82,7 +106,7 @@ pub(crate) fn axis_under(camera: &Camera, vertex_m: DVec3, place_px: DVec2, pixe
         .into_iter()
         .filter(|axis| to_eye.cross(axis.direction()).length() > LEAST_SINE)
         .filter_map(|axis| Some((axis, distance_px(axis)?)))
-        .filter(|&(_, distance_px)| distance_px < GIZMO_REACH_PX * pixel_ratio)
+        .filter(|&(_, distance_px)| distance_px < reach_px * pixel_ratio)
         .min_by(|(_, one), (_, other)| one.total_cmp(other))
         .map(|(axis, _)| axis)
 }
@@ -102,7 +126,7 @@ mod tests {
         let mut camera = Camera::default();
         camera.resize(600, 600);
         let middle = DVec2::splat(300.0);
-        let at = |motion: DVec2| axis_under(&camera, DVec3::ZERO, middle + motion, 1.0);
+        let at = |motion: DVec2| axis_under(&camera, DVec3::ZERO, middle + motion, 1.0, Pointer::Fine);
         assert_eq!(at(DVec2::new(40.0, 3.0)), Some(Axis::X));
         assert_eq!(at(DVec2::new(-2.0, -40.0)), Some(Axis::Y));
         assert_eq!(at(DVec2::new(40.0, -40.0)), None);
@@ -110,10 +134,23 @@ mod tests {
     }
 
     #[test]
+    fn a_finger_finds_an_arm_from_further_away_and_the_vertex_too() {
+        let mut camera = Camera::default();
+        camera.resize(600, 600);
+        let at = |x: f64, y: f64, pointer| {
+            axis_under(&camera, DVec3::ZERO, DVec2::splat(300.0) + DVec2::new(x, y), 1.0, pointer)
+        };
+        assert_eq!((at(50.0, 15.0, Pointer::Fine), at(50.0, 15.0, Pointer::Coarse)), (None, Some(Axis::X)));
+        assert_eq!((at(15.0, 0.0, Pointer::Fine), at(15.0, 0.0, Pointer::Coarse)), (Some(Axis::X), None));
+    }
+
+    #[test]
     fn an_arm_that_points_at_the_viewer_leaves_the_vertex_to_the_pointer() {
         let mut camera = Camera::default();
         camera.resize(600, 600);
-        let at = |camera: &Camera, motion: DVec2| axis_under(camera, DVec3::ZERO, DVec2::splat(300.0) + motion, 1.0);
+        let at = |camera: &Camera, motion: DVec2| {
+            axis_under(camera, DVec3::ZERO, DVec2::splat(300.0) + motion, 1.0, Pointer::Fine)
+        };
         assert_eq!(at(&camera, DVec2::ZERO), None);
         assert_eq!(at(&camera, DVec2::new(-9.0, 9.0)), None);
         camera.set_glide(crate::Glide::Off);

@@ -6,7 +6,7 @@ use crate::mesh::{MeshOnGpu, filled};
 use crate::pipelines::Pipelines;
 use crate::snapshot::{Snapshot, copy};
 use crate::target::{Attachments, Canvas, Target};
-use crate::{Axis, Background, Gpu, MeshInput, PictureOnGpu, Stage, ViewportError, markers, passes, photo};
+use crate::{Axis, Background, Gpu, MeshInput, PictureOnGpu, Pointer, Stage, ViewportError, markers, passes, photo};
 
 /// Draws a stage and its mesh on a target.
 #[derive(Debug)]
@@ -184,9 +184,9 @@ impl Viewport {
     }
 
     /// The arm of the gizmo that the pointer is on.
-    pub fn pick_axis(&self, place_px: DVec2, positions_m: &[DVec3]) -> Option<Axis> {
+    pub fn pick_axis(&self, place_px: DVec2, positions_m: &[DVec3], pointer: Pointer) -> Option<Axis> {
         let vertex_m = *positions_m.get(self.stage.gizmo()? as usize)?;
-        markers::axis_under(self.stage.camera(), vertex_m, place_px, self.stage.pixel_ratio())
+        markers::axis_under(self.stage.camera(), vertex_m, place_px, self.stage.pixel_ratio(), pointer)
     }
 
     /// Draws if anything changed; true asks to be called again in the next frame. `time_ms` is any steady clock's.

@@ -1,6 +1,7 @@
 /**
  * @typedef {import("./workbench.js").Workbench} Workbench
  * @typedef {import("../../wasm/rosto-studio-web.js").AxisName} AxisName
+ * @typedef {import("../../wasm/rosto-studio-web.js").PointerName} PointerName
  */
 
 const AXIS_KEYS = /** @type {Record<string, AxisName>} */ ({ x: "x", y: "y", z: "z" });
@@ -67,7 +68,7 @@ export class LandmarkDrag {
   press(x_px, y_px, pointerType) {
     const { studio } = this.#bench;
     this.#phase = "idle";
-    this.#axis = studio.pickAxis(x_px, y_px);
+    this.#axis = studio.pickAxis(x_px, y_px, /** @type {PointerName} */ (pointerType));
     const landmark = this.#axis ? studio.selected : studio.pick(x_px, y_px);
     if (landmark === undefined || (pointerType === "touch" && !studio.holds(landmark))) return;
     if (!this.#axis && !isAtLandmark(studio, landmark, x_px, y_px, pointerType)) return;

@@ -74,7 +74,7 @@ export class LandmarkMarks {
     this.bench.look((studio) => {
       const landmark = studio.hover(x_px, y_px);
       const isOnLandmark = landmark !== undefined && isAtLandmark(studio, landmark, x_px, y_px, "mouse");
-      const movable = isOnLandmark || studio.pickAxis(x_px, y_px) !== undefined;
+      const movable = isOnLandmark || studio.pickAxis(x_px, y_px, "mouse") !== undefined;
       this.bench.canvas.classList.toggle("over-landmark", movable);
       this.#name(landmark);
     });

@@ -1,5 +1,5 @@
 use glam::DVec3;
-use rosto_viewport::{Axis, Dots, Look, Mark, MarkKind, MirrorPlane, Paint, Snapshot, Srgb, Wireframe};
+use rosto_viewport::{Axis, Dots, Look, Mark, MarkKind, MirrorPlane, Paint, Pointer, Snapshot, Srgb, Wireframe};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 use crate::support::{SIDE_PX, Sheet, luminance, picture, plain, viewport};
@@ -123,7 +123,9 @@ async fn the_gizmo_has_an_arm_for_each_axis_where_it_can_be_picked() {
     assert!(red > blue + 80, "x is red: {red} {blue}");
     let [red, green, ..] = seen.pixel(middle, middle - 40);
     assert!(green > red + 40, "y is green: {red} {green}");
-    let pick = |x: u32, y: u32| viewport.pick_axis(glam::DVec2::new(f64::from(x), f64::from(y)), &sheet.positions);
+    let pick = |x: u32, y: u32| {
+        viewport.pick_axis(glam::DVec2::new(f64::from(x), f64::from(y)), &sheet.positions, Pointer::Fine)
+    };
     assert_eq!(pick(middle + 40, middle), Some(Axis::X));
     assert_eq!(pick(middle, middle - 40), Some(Axis::Y));
     assert_eq!(pick(middle - 60, middle - 60), None);
