@@ -28,12 +28,12 @@ export function make(tag, className, text) {
 }
 
 /**
- * Whether keys pressed there write text or numbers.
+ * Whether keys pressed there write text, or a number that is not finished (`data-typing`).
  *
  * @param {EventTarget | null} target
  */
 export function isTyping(target) {
-  return target instanceof HTMLInputElement && (target.type === "text" || target.type === "number");
+  return target instanceof HTMLInputElement && (target.type === "text" || "typing" in target.dataset);
 }
 
 /**

@@ -71,11 +71,13 @@ export class Slider {
     input.max = String(max);
     input.step = String(step);
     input.addEventListener("input", () => {
+      if (input.type === "number") input.dataset["typing"] = "";
       if (Number.isNaN(input.valueAsNumber)) return;
       this.value = input.valueAsNumber;
       onInput();
     });
     input.addEventListener("change", () => {
+      delete input.dataset["typing"];
       this.value = Number.isNaN(input.valueAsNumber) ? this.#options.neutral : input.valueAsNumber;
       onInput();
       if (!byKey) return onCommit();
