@@ -150,6 +150,13 @@ journey("the other side follows where the mirror is on, and its plane is drawn",
   assert.ok(difference(mirrored, await visitor.view()) > 0.01, "the plane is not drawn");
   await visitor.offset("x", -4);
   assert.ok(Math.abs(way(start, await visitor.meshJson("mm"), MOUTH_CORNERS[1])[0]) < 2);
+
+  const alongX = page.locator("#landmark-sliders [data-axis='x'] input[type=number]");
+  await visitor.findLandmark("nose tip");
+  assert.ok(await alongX.isEnabled());
+  await page.check("#mirror");
+  assert.ok(await alongX.isDisabled(), "what lies on the plane cannot move across it");
+  assert.match(await page.innerText("#landmark-help"), /not to one side/);
 });
 
 journey("a click with Alt pins a landmark, which then stays, and unpins it", async (open) => {

@@ -28,13 +28,13 @@ journey("everything from photo to file by keyboard alone", async (open) => {
   await page.keyboard.press("Control+Shift+z");
   assert.notDeepEqual(await visitor.meshJson("mm"), before);
 
-  await page.focus("#landmark-sliders [data-axis='x'] input[type=number]");
+  await page.focus("#landmark-sliders [data-axis='y'] input[type=number]");
   await page.keyboard.type("3");
   await page.keyboard.press("Enter");
   assert.equal((await visitor.history()).length, 2);
   await page.keyboard.press("Control+z");
   assert.equal((await visitor.history()).length, 1);
-  assert.equal(await page.inputValue("#landmark-sliders [data-axis='x'] input[type=number]"), "0");
+  assert.equal(await page.inputValue("#landmark-sliders [data-axis='y'] input[type=number]"), "0");
 });
 
 journey("the first stop of the keyboard leads past everything to the landmarks", async (open) => {

@@ -94,7 +94,6 @@ journey("one thing is reset by itself, in one step that undo takes back", async 
   await visitor.chooseRegion("nose");
   assert.ok(await page.isDisabled("[data-action='reset-selection']"));
   await visitor.offset("z", 4);
-  await visitor.offset("x", 0);
   await visitor.offset("y", 2);
   const both = await visitor.meshJson("mm");
 

@@ -43,7 +43,7 @@ journey("a GLB brings its density and its eyes and mouth along", async (open) =>
   await page.selectOption("#triangulation", "tessellation");
   await page.selectOption("#density", "1");
   await visitor.findLandmark("nose tip");
-  await visitor.offset("x", 4);
+  await visitor.offset("z", 4);
   const work = await visitor.meshJson("mm");
   const file = await visitor.download("download-glb");
   await page.reload();

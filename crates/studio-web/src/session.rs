@@ -1,6 +1,6 @@
 use glam::{DMat3, DVec2, DVec3};
-use rosto_face::{FaceModel, LANDMARK_COUNT, Language, Region, Triangulation};
-use rosto_studio::{Command, Details, Document, FaceSlider, Frame, Hold, Rest, StudioError, Subject, project};
+use rosto_face::{FaceModel, LANDMARK_COUNT, Language, Region, Triangulation, mirror_of};
+use rosto_studio::{Command, Details, Document, FaceSlider, Frame, Hold, Mirror, Rest, StudioError, Subject, project};
 
 use crate::choices::{AnchorChoice, Choices};
 use crate::follow::{self, SliderFollow};
@@ -344,6 +344,7 @@ impl Session {
                 _ => None,
             },
             selected_degree: self.selected().map_or(0, |vertex| self.degree(vertex)),
+            selected_in_plane: self.moves_in_plane(),
             offset_x_mm: offset_mm.x,
             offset_y_mm: offset_mm.y,
             offset_z_mm: offset_mm.z,
@@ -400,6 +401,13 @@ impl Session {
 
     fn rest(&self, triangulation: Triangulation) -> Rest {
         Rest::new(triangulation.topology(), self.face.positions_m().to_vec(), Frame::Model)
+    }
+
+    fn moves_in_plane(&self) -> bool {
+        let Some(selection) = self.selection else { return false };
+        let handles = selection.handles();
+        let is_mirrored = self.document.grip().is_some_and(|grip| grip.settings.mirror == Mirror::On);
+        is_mirrored && handles.iter().all(|&handle| handles.contains(&mirror_of(handle)))
     }
 
     fn reach(&self) -> f64 {

@@ -28,6 +28,9 @@ pub struct StudioState {
     /// Number of neighbours of the selected landmark.
     #[wasm_bindgen(readonly, js_name = selectedDegree)]
     pub selected_degree: u32,
+    /// Whether what is selected is its own mirror image and the mirror is on, so that it cannot move along x.
+    #[wasm_bindgen(readonly, js_name = selectedInPlane)]
+    pub selected_in_plane: bool,
     /// Offset of the edit in progress along x, in mm.
     #[wasm_bindgen(readonly, js_name = offsetXMm)]
     pub offset_x_mm: f64,

@@ -102,7 +102,10 @@ export class LandmarkPanel {
   /** @param {StudioState} state */
   #show(state) {
     byId("landmark-sliders", HTMLFieldSetElement).disabled = state.selected === undefined;
-    if (document.activeElement !== this.#search) this.#help.textContent = say(`${chosenHand()}.help`);
+    const help = state.selectedInPlane ? "landmark.in-plane" : /** @type {const} */ (`${chosenHand()}.help`);
+    if (document.activeElement !== this.#search) this.#help.textContent = say(help);
+    const [alongX] = this.#sliders;
+    if (alongX) alongX.disabled = state.selectedInPlane;
     if (state.selected === undefined) return;
     this.#search.value = this.#label(state.selected);
     this.#search.removeAttribute("aria-invalid");

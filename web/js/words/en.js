@@ -66,6 +66,7 @@ export const en = {
   "region.help": "Click a part of the face, or choose it by name; click again for the larger part around it.",
   "landmark.search": "Name or number",
   "landmark.help": "Click a point on the mesh, or type a name such as “nose tip” or a number from 0 to 467.",
+  "landmark.in-plane": "With the mirror on, this moves up and down, out and in, but not to one side.",
   "landmark.unknown": "There is no landmark “{text}”. Choose one from the list.",
   "landmark.offset": "Offset of the landmark",
   "landmark.x": "left",

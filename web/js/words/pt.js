@@ -66,6 +66,7 @@ export const pt = {
   "region.help": "Clique numa parte do rosto, ou escolha-a pelo nome; clique de novo para a parte maior em volta.",
   "landmark.search": "Nome ou número",
   "landmark.help": "Clique num ponto da malha, ou digite um nome, como “ponta do nariz”, ou um número de 0 a 467.",
+  "landmark.in-plane": "Com o espelho ligado, isto se move para cima e para baixo, para a frente e para trás, mas não para um lado.",
   "landmark.unknown": "Não existe o ponto “{text}”. Escolha um da lista.",
   "landmark.offset": "Deslocamento do ponto",
   "landmark.x": "esq.",

@@ -1,6 +1,6 @@
 use super::*;
-use rosto_face::{FaceInput, Photo, canonical_positions_m, mirror_of};
-use rosto_studio::{Mirror, Switch};
+use rosto_face::{FaceInput, Photo, canonical_positions_m};
+use rosto_studio::Switch;
 
 fn session() -> Session {
     let landmarks: Vec<[f32; 3]> = canonical_positions_m()
@@ -153,4 +153,25 @@ fn only_what_has_edits_in_force_can_be_reset() {
     session.select(Some(nose), &mut choices, 0).unwrap();
     session.change_history(&choices, |document| document.switch_off(nose.subject())).unwrap();
     assert!(!session.state().can_reset_selection);
+}
+
+#[test]
+fn what_is_its_own_mirror_image_moves_in_the_plane_while_the_mirror_is_on() {
+    let (mut session, mut choices) = (session(), sculpting());
+    let one_sided = [Selection::Landmark(61), Selection::Region(Region::LeftBrow)];
+    let whole = [Selection::Landmark(1), Selection::Region(Region::Nose)];
+    for (selections, in_plane) in [(one_sided, false), (whole, true)] {
+        for selection in selections {
+            choices.mirror = Mirror::On;
+            session.select(Some(selection), &mut choices, 0).unwrap();
+            assert_eq!(session.state().selected_in_plane, in_plane, "{selection:?}");
+            session.preview(DVec3::X).unwrap();
+            let middle = selection.middle() as usize;
+            let way = session.document.positions()[middle] - session.document.committed()[middle];
+            assert_eq!(way.x.abs() < 1e-12, in_plane, "{selection:?} moves by {way}");
+            choices.mirror = Mirror::Off;
+            session.hold(&choices).unwrap();
+            assert!(!session.state().selected_in_plane);
+        }
+    }
 }
