@@ -73,7 +73,7 @@ journey("the sliders work by keyboard, speak Portuguese, and leave the selected 
   for (let press = 0; press < 5; press++) await page.keyboard.press("ArrowRight");
   await page.waitForSelector("#history li");
   assert.deepEqual(await visitor.history(), ["largura da mandíbula"]);
-  assert.match(await page.innerText("#landmark-said"), /Largura da mandíbula: 0,5 milímetros/);
+  assert.match(await page.innerText("#said"), /Largura da mandíbula: 0,5 milímetros/);
   assert.equal(await visitor.sliderValue("jaw-width"), 0.5);
   await visitor.offset("z", 4);
   assert.equal((await visitor.history()).length, 2);

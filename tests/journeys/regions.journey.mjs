@@ -16,7 +16,7 @@ journey("a region moves as one by its sliders, under its name, as the command li
   const { page } = visitor;
   await visitor.dropSample();
   await visitor.chooseRegion("left-brow");
-  assert.match(await page.innerText("#landmark-said"), /left brow selected/);
+  assert.match(await page.innerText("#said"), /left brow selected/);
   assert.equal(await page.innerText("#landmark-tag"), "left brow");
   const before = { view: await visitor.view(), mesh: await visitor.meshJson("mm") };
   await visitor.offset("y", 3);
@@ -99,7 +99,7 @@ journey("one thing is reset by itself, in one step that undo takes back", async 
 
   await visitor.unfold("section-history");
   await page.click("[data-action='reset-selection']");
-  assert.match(await page.innerText("#landmark-said"), /nose/);
+  assert.match(await page.innerText("#said"), /nose/);
   assert.deepEqual(await visitor.meshJson("mm"), chin);
   assert.equal(await page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]"), "0");
   assert.ok(await page.isDisabled("[data-action='reset-selection']"));

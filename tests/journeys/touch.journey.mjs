@@ -102,6 +102,7 @@ journey("on a phone the sheet leaves most of the face free, and nothing scrolls 
     await page.click(`#tab-${tab}`);
     const overflow = await page.locator("#sections").evaluate((element) => element.scrollWidth - element.clientWidth);
     assert.equal(overflow, 0, `the ${tab} tab scrolls sideways`);
+    assert.ok(await page.isVisible("#said"), `what is said to screen readers is not said on the ${tab} tab`);
   }
 });
 

@@ -1,10 +1,10 @@
+import { announce } from "../page/announce.js";
 import { byId, onAction } from "../page/dom.js";
 import { download } from "../page/download.js";
 import { showTrouble } from "../page/notice.js";
 import { afterNextFrame } from "../page/tasks.js";
 import { say } from "../words/words.js";
 import { projectFile } from "../work/project-file.js";
-import { announce } from "./landmark-panel.js";
 import { VerdictLine } from "./verdict-line.js";
 
 /**

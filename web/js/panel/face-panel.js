@@ -1,6 +1,6 @@
+import { announce } from "../page/announce.js";
 import { byId, onAction } from "../page/dom.js";
 import { inEveryLanguage, language, say, sayNumber } from "../words/words.js";
-import { announce } from "./landmark-panel.js";
 import { Slider } from "./slider.js";
 
 /**

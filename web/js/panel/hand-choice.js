@@ -1,6 +1,6 @@
+import { announce } from "../page/announce.js";
 import { byId, make } from "../page/dom.js";
 import { inEveryLanguage, language, say } from "../words/words.js";
-import { announce } from "./landmark-panel.js";
 
 /**
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench

@@ -1,7 +1,7 @@
+import { announce } from "../page/announce.js";
 import { byId, enableAction, make, onAction } from "../page/dom.js";
 import { setUpEditKeys } from "../viewport/shortcuts.js";
 import { inEveryLanguage, language, say, sayNumber } from "../words/words.js";
-import { announce } from "./landmark-panel.js";
 
 /**
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench

@@ -1,3 +1,4 @@
+import { announce } from "../page/announce.js";
 import { byId, make } from "../page/dom.js";
 import { landmarkLabel } from "../viewport/landmark-label.js";
 import { inEveryLanguage, language, say, sayNumber } from "../words/words.js";
@@ -122,13 +123,4 @@ export class LandmarkPanel {
       : say("landmark.anchors.many", { n: anchors.length });
     list.dataset["anchors"] = anchors.join(" ");
   }
-}
-
-/**
- * Says what happened to those who do not see it.
- *
- * @param {string} words
- */
-export function announce(words) {
-  byId("landmark-said", HTMLParagraphElement).textContent = words;
 }

@@ -1,7 +1,7 @@
+import { announce } from "../page/announce.js";
 import { byId, enableAction, make, onAction } from "../page/dom.js";
 import { showTrouble } from "../page/notice.js";
 import { inEveryLanguage, say, sayNumber } from "../words/words.js";
-import { announce } from "./landmark-panel.js";
 import { Stopwatch } from "./stopwatch.js";
 
 /**
