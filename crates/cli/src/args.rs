@@ -65,7 +65,7 @@ pub struct MeshTask {
     /// How the landmarks are joined: with holes for eyes and mouth, or closed
     #[arg(long, value_enum, default_value_t)]
     pub topology: Topology,
-    /// How often every triangle is cut in four after the edits (Loop subdivision); colours come from the photo
+    /// How often every triangle is cut in four (Loop subdivision); colours come from the photo
     #[arg(long, value_name = "TIMES", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=4))]
     pub density: u32,
     /// How a GLB is painted
@@ -91,11 +91,14 @@ pub struct EditArguments {
     /// coordinates are carried over by the map between the two.
     #[arg(long, value_enum, default_value_t)]
     pub units: Units,
-    /// A JSON file of edits: [{"vertex": 4, "offset": [0, 0, 1], "anchors": [10, 152]}]
+    /// A JSON file of edits: [{"vertex": 4, "offset": [0, 0, 1], "anchors": [10, 152]}], with "level" for a denser mesh's
     #[arg(long = "edits", value_name = "FILE")]
     pub file: Option<PathBuf>,
     /// A vertex, its offset, and the vertices that anchor it (else those of --anchors); repeatable
-    #[arg(long = "edit", value_name = "VERTEX:DX,DY,DZ[:A,B]", allow_hyphen_values = true)]
+    ///
+    /// Vertices 0 to 467 are the landmarks. VERTEX@LEVEL is one of the mesh cut up so many times, which moves that mesh and
+    /// no coarser one: 20000@3 with --density 3.
+    #[arg(long = "edit", value_name = "VERTEX[@LEVEL]:DX,DY,DZ[:A,B]", allow_hyphen_values = true)]
     pub vertices: Vec<Edit>,
     /// A named region and its offset, such as nose:0,0,5; repeatable
     #[arg(long = "region", value_name = "REGION:DX,DY,DZ", allow_hyphen_values = true, long_help = region_help())]

@@ -12,6 +12,8 @@ use crate::files;
 /// One edit as asked for: in the units of the command line.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Edit {
+    /// How often the mesh that the vertex belongs to is subdivided; 0 for landmarks.
+    pub level: u32,
     pub vertex: u32,
     pub offset: DVec3,
     /// Vertices that stay; `None` leaves the choice to the seed.
@@ -21,15 +23,15 @@ pub struct Edit {
 impl FromStr for Edit {
     type Err = String;
 
-    /// `VERTEX:DX,DY,DZ` or `VERTEX:DX,DY,DZ:A,B`.
+    /// `VERTEX:DX,DY,DZ` or `VERTEX:DX,DY,DZ:A,B`; `VERTEX@LEVEL` in the place of `VERTEX` for one of a denser mesh.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let mut parts = text.split(':');
-        let vertex = vertex(parts.next().unwrap_or_default())?;
+        let (vertex, level) = vertex_of_level(parts.next().unwrap_or_default())?;
         let offset = offset(parts.next().ok_or("an offset should follow the vertex, as in 4:0,0,1")?)?;
         let anchors = parts.next().map(|anchors| anchors.split(',').map(self::vertex).collect()).transpose()?;
         match parts.next() {
             Some(rest) => Err(format!("nothing should follow the anchors, but {rest:?} does")),
-            None => Ok(Self { vertex, offset, anchors }),
+            None => Ok(Self { level, vertex, offset, anchors }),
         }
     }
 }
@@ -70,6 +72,12 @@ impl FromStr for SliderEdit {
     }
 }
 
+fn vertex_of_level(text: &str) -> Result<(u32, u32), String> {
+    let Some((vertex, level)) = text.split_once('@') else { return Ok((self::vertex(text)?, 0)) };
+    let level = level.trim().parse().map_err(|_| format!("{level:?} is no density: a number such as 3 is"))?;
+    Ok((self::vertex(vertex)?, level))
+}
+
 fn vertex(text: &str) -> Result<u32, String> {
     text.trim().parse().map_err(|_| format!("{text:?} is no vertex: a number from 0 to 467 is"))
 }
@@ -91,6 +99,8 @@ fn number(text: &str) -> Result<f64, String> {
 #[serde(deny_unknown_fields)]
 struct EditDto {
     vertex: u32,
+    #[serde(default)]
+    level: u32,
     offset: [f64; 3],
     anchors: Option<Vec<u32>>,
 }
@@ -100,7 +110,7 @@ pub fn read(path: &Path) -> Result<Vec<Edit>, CliError> {
     let refused = |reason: String| CliError::EditsFile { path: path.to_owned(), reason };
     let edits: Vec<EditDto> =
         serde_json::from_slice(&files::read(path)?).map_err(|reason| refused(reason.to_string()))?;
-    let edit = |dto: EditDto| Edit { vertex: dto.vertex, offset: dto.offset.into(), anchors: dto.anchors };
+    let edit = |EditDto { vertex, level, offset, anchors }| Edit { level, vertex, offset: offset.into(), anchors };
     Ok(edits.into_iter().map(edit).collect())
 }
 
@@ -110,9 +120,10 @@ mod tests {
 
     #[test]
     fn an_edit_is_read_with_and_without_anchors() {
-        let edit = |anchors| Edit { vertex: 4, offset: DVec3::new(-0.5, 0.0, 1e-3), anchors };
-        assert_eq!("4:-0.5,0,1e-3".parse(), Ok(edit(None)));
-        assert_eq!("4:-.5, 0 ,0.001:10,152".parse(), Ok(edit(Some(vec![10, 152]))));
+        let edit = |level, anchors| Edit { level, vertex: 4, offset: DVec3::new(-0.5, 0.0, 1e-3), anchors };
+        assert_eq!("4:-0.5,0,1e-3".parse(), Ok(edit(0, None)));
+        assert_eq!("4:-.5, 0 ,0.001:10,152".parse(), Ok(edit(0, Some(vec![10, 152]))));
+        assert_eq!("4@2:-0.5,0,1e-3".parse(), Ok(edit(2, None)));
     }
 
     #[test]
@@ -128,6 +139,7 @@ mod tests {
     fn what_is_no_edit_says_why() {
         for (text, word) in [
             ("nose:0,0,1", "no vertex"),
+            ("4@dense:0,0,1", "no density"),
             ("4", "offset should follow"),
             ("4:0,0", "three numbers"),
             ("4:0,0,nan", "no finite number"),

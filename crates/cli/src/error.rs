@@ -81,7 +81,10 @@ impl CliError {
                 Some(r#"It should hold a list such as [{"vertex": 4, "offset": [0, 0, 1], "anchors": [10, 152]}]."#)
             }
             Self::Edit { reason: StudioError::Laplacian(reason), .. } => edit_hint(reason),
-            Self::Edit { reason: StudioError::NoMirror, .. } => Some("Add --units mm."),
+            Self::Edit { reason: StudioError::NoMirror, .. } => {
+                Some("Add --units mm; a vertex of a denser mesh also needs --topology canonical.")
+            }
+            Self::Edit { reason: StudioError::TooCoarse { .. }, .. } => Some("Give --density as many or more."),
             Self::UnknownFormat { .. } => Some("End its name in .glb, .gltf, .obj, .ply, .stl or .json."),
             Self::Unwritable { .. } => Some("Check that the folder is there and may be written to."),
             Self::NetworksMissing { .. } => {
@@ -97,7 +100,9 @@ impl CliError {
 
 fn edit_hint(reason: &LaplacianError) -> Option<&'static str> {
     match reason {
-        LaplacianError::NoSuchVertex { .. } => Some("The landmarks are numbered 0 to 467."),
+        LaplacianError::NoSuchVertex { .. } => {
+            Some("The landmarks are numbered 0 to 467; VERTEX@LEVEL is one of a denser mesh.")
+        }
         LaplacianError::PinnedHandle { .. } => Some("Name anchors other than the vertex that is moved."),
         LaplacianError::Repeated { .. } => Some("Name each anchor once."),
         _ => None,

@@ -1,24 +1,22 @@
 use std::path::Path;
 
 use rosto_face::{FaceModel, Language};
-use rosto_studio::{Anchors, Command, Document, Frame, Grip, Rest};
+use rosto_studio::{Anchors, Command, Document, Frame, Grip, Rest, StudioError};
 
 use crate::args::{EditArguments, FollowArguments, MeshTask, Units};
 use crate::encode::{self, Format, MM_PER_M};
 use crate::error::CliError;
 use crate::{edits, files, follow, networks, portrait};
 
-/// A command with the words that a message and the history name it by.
+/// A command with the words that a message names it by.
 struct Step {
     what: String,
-    label: String,
     command: Command,
 }
 
 impl Step {
-    /// The page calls its entries so, too: both write the same file.
     fn new(what: impl Into<String>, command: Command) -> Self {
-        Self { what: what.into(), label: command.subject().name(Language::English), command }
+        Self { what: what.into(), command }
     }
 }
 
@@ -30,8 +28,7 @@ pub fn run(task: &MeshTask, networks: Option<&Path>) -> Result<(), CliError> {
     let photo = portrait::open(&task.photo)?;
     let face = portrait::face(&photo, &task.photo, &networks::load(networks)?)?;
     let face = portrait::model(&photo, &face, task.topology.into(), &task.photo)?;
-    let mut document = edited(&face, steps, task.edits.units)?;
-    document.set_density(task.density)?;
+    let document = edited(&face, steps, task)?;
     files::write(&task.output, &encode::encode(&face, &document, task, format)?)
 }
 
@@ -46,9 +43,12 @@ fn steps(asked: &EditArguments, follow: &FollowArguments) -> Result<Vec<Step>, C
         if let Some(anchors) = edit.anchors {
             settings.anchors = Anchors::explicit(anchors);
         }
-        let grip = Grip { level: 0, handles: vec![edit.vertex], settings };
-        let command = Command::Move { grip, offsets: vec![edit.offset * unit] };
-        steps.push(Step::new(format!("vertex {}", edit.vertex), command));
+        let what = match edit.level {
+            0 => format!("vertex {}", edit.vertex),
+            level => format!("vertex {}@{level}", edit.vertex),
+        };
+        let grip = Grip { level: edit.level, handles: vec![edit.vertex], settings };
+        steps.push(Step::new(what, Command::Move { grip, offsets: vec![edit.offset * unit] }));
     }
     for edit in &asked.regions {
         let handles = edit.region.vertices();
@@ -73,15 +73,27 @@ fn document_unit(units: Units) -> f64 {
     }
 }
 
-fn edited(face: &FaceModel, steps: Vec<Step>, units: Units) -> Result<Document, CliError> {
-    let rest = match units {
+fn edited(face: &FaceModel, steps: Vec<Step>, task: &MeshTask) -> Result<Document, CliError> {
+    let rest = match task.edits.units {
         Units::Image => Rest::new(face.topology().clone(), face.positions_image().to_vec(), Frame::Other),
         Units::Mm => Rest::of_face(face),
     };
     let mut document = Document::new(rest)?;
-    for (index, Step { what, label, command }) in steps.into_iter().enumerate() {
-        let applied = document.apply(&label, command);
-        applied.map_err(|reason| CliError::Edit { number: index + 1, what, reason })?;
+    document.set_density(task.density)?;
+    for (index, Step { what, command }) in steps.into_iter().enumerate() {
+        apply(&mut document, command).map_err(|reason| CliError::Edit { number: index + 1, what, reason })?;
     }
     Ok(document)
+}
+
+fn apply(document: &mut Document, command: Command) -> Result<(), StudioError> {
+    // A document lets such an edit wait for a denser mesh, and none will come here.
+    if let Command::Move { grip, .. } = &command
+        && grip.level > document.density()
+    {
+        return Err(StudioError::TooCoarse { level: grip.level, density: document.density() });
+    }
+    // The page calls its entries so, too: both write the same file.
+    let label = document.name_of(command.subject(), Language::English);
+    document.apply(&label, command)
 }

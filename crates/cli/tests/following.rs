@@ -77,6 +77,36 @@ fn a_denser_mesh_carries_the_edit_and_takes_its_colours_from_the_photo() {
 }
 
 #[test]
+fn a_vertex_of_a_denser_mesh_is_moved_by_itself() {
+    let dense = ["--density", "2"];
+    let rest = positions("dense-rest.json", &dense);
+    let exact = ["--hold", "exact", "--anchors", "oval", "--mirror"];
+    let by_option = positions("dense-moved.json", &[&dense[..], &exact, &["--edit", "7000@2:1,0,2"]].concat());
+    assert!((by_option[7_000] - rest[7_000]).distance(DVec3::new(1.0, 0.0, 2.0)) < 1e-9);
+    let mirrored = DVec3::new(-1.0, 0.0, 2.0);
+    let is_partner = |(to, from): (&DVec3, &DVec3)| (*to - *from).distance(mirrored) < 1e-9;
+    assert_eq!(by_option.iter().zip(&rest).filter(|pair| is_partner(*pair)).count(), 1);
+
+    let file = scratch("dense-edits.json");
+    std::fs::write(&file, r#"[{"vertex": 7000, "level": 2, "offset": [1, 0, 2]}]"#).unwrap();
+    let by_file = positions("dense-by-file.json", &[&dense[..], &exact, &["--edits", file.to_str().unwrap()]].concat());
+    assert_eq!(by_option, by_file);
+}
+
+#[test]
+fn a_vertex_of_a_mesh_denser_than_the_one_asked_for_is_refused() {
+    let path = scratch("too-coarse.json");
+    let edit = ["--density", "1", "--edit", "4:0,0,0.01", "--edit", "7000@2:0,0,0.01"];
+    let output = rosto(["mesh", portrait().to_str().unwrap(), "-o", path.to_str().unwrap()].iter().chain(&edit));
+    assert_eq!(code(&output), 5);
+    assert!(
+        said(&output).contains("edit 2 (vertex 7000@2)") && said(&output).contains("--density"),
+        "{}",
+        said(&output)
+    );
+}
+
+#[test]
 fn every_format_is_written_and_recognised_by_its_first_bytes() {
     for (extension, start) in
         [("glb", "glTF"), ("gltf", "{"), ("obj", "# Rosto"), ("ply", "ply\n"), ("stl", "Rosto"), ("json", "{\"units\"")]
@@ -100,7 +130,7 @@ fn morph_targets_hold_each_edit_under_its_name() {
     let length = u32::from_le_bytes(file[12..16].try_into().unwrap()) as usize;
     let json: serde_json::Value = serde_json::from_slice(&file[20..20 + length]).unwrap();
     let mesh = &json["meshes"][0];
-    assert_eq!(mesh["extras"]["targetNames"], serde_json::json!(["upper nose tip", "jaw-width"]));
+    assert_eq!(mesh["extras"]["targetNames"], serde_json::json!(["upper nose tip", "jaw width"]));
     assert_eq!(mesh["weights"], serde_json::json!([1.0, 1.0]));
     assert_eq!(mesh["primitives"][0]["targets"].as_array().unwrap().len(), 2);
     assert_eq!(

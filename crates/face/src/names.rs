@@ -19,15 +19,10 @@ pub enum Language {
 /// # Panics
 /// If `landmark` is not below [`LANDMARK_COUNT`](crate::LANDMARK_COUNT).
 pub fn landmark_name(landmark: u32, language: Language) -> String {
-    let partner = mirror_of(landmark);
-    let right = landmark.min(partner);
+    let right = landmark.min(mirror_of(landmark));
     let anatomical = table::ANATOMICAL.iter().find(|entry| u32::from(entry.right) == right);
     let noun = anatomical.map_or_else(|| table::area_noun(Area::of(landmark)), |entry| entry.noun);
-    let mut name = match landmark.cmp(&partner) {
-        std::cmp::Ordering::Equal => noun.in_language(language).to_owned(),
-        std::cmp::Ordering::Less => noun.on_the_right(language),
-        std::cmp::Ordering::Greater => noun.on_the_left(language),
-    };
+    let mut name = noun.beside(landmark, language);
     if anatomical.is_none() {
         name.push(' ');
         name.push_str(&landmark.to_string());
@@ -42,6 +37,20 @@ pub fn landmark_name(landmark: u32, language: Language) -> String {
 pub fn has_anatomical_name(landmark: u32) -> bool {
     let right = landmark.min(mirror_of(landmark));
     table::ANATOMICAL.iter().any(|entry| u32::from(entry.right) == right)
+}
+
+/// Where something is that lies beside a landmark, by the landmark's part of the face: "near the left cheek".
+///
+/// # Panics
+/// If `landmark` is not below [`LANDMARK_COUNT`](crate::LANDMARK_COUNT).
+pub fn place_near(landmark: u32, language: Language) -> String {
+    let noun = table::area_noun(Area::of(landmark));
+    let near = match (language, noun.gender) {
+        (Language::English, _) => "near the ",
+        (Language::Portuguese, Gender::Feminine) => "perto da ",
+        (Language::Portuguese, Gender::Masculine) => "perto do ",
+    };
+    [near, &noun.beside(landmark, language)].concat()
 }
 
 /// What a landmark or a part is called without its side.
@@ -60,6 +69,15 @@ enum Gender {
 }
 
 impl Noun {
+    /// With the side that a landmark is on; none on the midline.
+    fn beside(self, landmark: u32, language: Language) -> String {
+        match landmark.cmp(&mirror_of(landmark)) {
+            std::cmp::Ordering::Equal => self.in_language(language).to_owned(),
+            std::cmp::Ordering::Less => self.on_the_right(language),
+            std::cmp::Ordering::Greater => self.on_the_left(language),
+        }
+    }
+
     fn in_language(self, language: Language) -> &'static str {
         match language {
             Language::English => self.english,

@@ -1,5 +1,7 @@
 mod editing;
 mod past;
+mod points;
+mod retriangulate;
 
 use std::iter::Sum;
 use std::ops::Mul;
@@ -102,10 +104,7 @@ impl Document {
     /// [`StudioError`] if an entry cannot be carried out at this density; the document is as before.
     pub fn set_density(&mut self, density: u32) -> Result<(), StudioError> {
         self.release();
-        while self.levels.len() <= density as usize {
-            let next = self.levels.last_mut().expect("invariant: there is a cage").subdivided();
-            self.levels.push(next);
-        }
+        self.subdivide_to(density);
         let before = (self.density, std::mem::take(&mut self.after));
         self.show(density);
         let outcome = self.adopt(self.history.clone(), 0);
@@ -141,6 +140,13 @@ impl Document {
     /// The shape that the next edit starts from.
     fn start(&self) -> &Shape {
         self.after.last().unwrap_or(&self.unedited)
+    }
+
+    fn subdivide_to(&mut self, density: u32) {
+        while self.levels.len() <= density as usize {
+            let next = self.levels.last_mut().expect("invariant: there is a cage").subdivided();
+            self.levels.push(next);
+        }
     }
 
     fn show(&mut self, density: u32) {

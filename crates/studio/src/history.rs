@@ -99,6 +99,21 @@ impl History {
         Some(at)
     }
 
+    /// All commands that there are, were or may be again.
+    pub(crate) fn commands(&self) -> impl Iterator<Item = &Command> {
+        let changes = self.done.iter().chain(&self.undone);
+        let changed = changes.flat_map(|change| change.before.iter().chain(&change.after));
+        self.entries.iter().chain(changed).map(|entry| &entry.command)
+    }
+
+    /// The same history of other commands.
+    pub(crate) fn with_commands(mut self, mut alter: impl FnMut(&mut Command)) -> Self {
+        let changes = self.done.iter_mut().chain(&mut self.undone);
+        let changed = changes.flat_map(|change| change.before.iter_mut().chain(&mut change.after));
+        self.entries.iter_mut().chain(changed).for_each(|entry| alter(&mut entry.command));
+        self
+    }
+
     fn change(&mut self, change: Change) {
         self.undone = vec![change];
         self.redo();

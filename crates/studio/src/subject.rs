@@ -7,6 +7,13 @@ use crate::{Command, FaceSlider};
 pub enum Subject {
     /// One landmark.
     Landmark(u32),
+    /// One vertex of a denser mesh.
+    Point {
+        /// How often that mesh is subdivided: 1 or more.
+        level: u32,
+        /// Which of its vertices.
+        vertex: u32,
+    },
     /// All landmarks of a region, by one offset.
     Region(Region),
     /// A ready-made slider.
@@ -27,10 +34,13 @@ pub enum Amount {
 }
 
 impl Subject {
-    /// The name in lower case, such as "nose tip" or "nose width".
+    /// The name in lower case, such as "nose tip" or "nose width". [`Document::name_of`](crate::Document::name_of) also
+    /// says where a point is.
     pub fn name(self, language: Language) -> String {
         match (self, language) {
             (Self::Landmark(landmark), _) => landmark_name(landmark, language),
+            (Self::Point { vertex, .. }, Language::English) => format!("point {}", grouped(vertex, ",")),
+            (Self::Point { vertex, .. }, Language::Portuguese) => format!("ponto {}", grouped(vertex, ".")),
             (Self::Region(region), _) => region.name(language).to_owned(),
             (Self::Slider(slider), _) => slider.name(language).to_lowercase(),
             (Self::Vertices(count), Language::English) => format!("{count} points"),
@@ -38,6 +48,14 @@ impl Subject {
             (Self::Symmetry, Language::English) => "symmetry".to_owned(),
             (Self::Symmetry, Language::Portuguese) => "simetria".to_owned(),
         }
+    }
+}
+
+/// Every three digits, from the right, set apart.
+fn grouped(number: u32, separator: &str) -> String {
+    match number {
+        0..1000 => number.to_string(),
+        _ => format!("{}{separator}{:03}", grouped(number / 1000, separator), number % 1000),
     }
 }
 
@@ -52,6 +70,7 @@ impl Command {
         let region = || Region::ALL.into_iter().find(|region| region.vertices() == grip.handles);
         match grip.handles[..] {
             [vertex] if as_one && (vertex as usize) < LANDMARK_COUNT => Subject::Landmark(vertex),
+            [vertex] if grip.level > 0 => Subject::Point { level: grip.level, vertex },
             [_, _, ..] if as_one => region().map_or(Subject::Vertices(grip.handles.len()), Subject::Region),
             _ => Subject::Vertices(grip.handles.len()),
         }

@@ -133,3 +133,50 @@ fn handles_that_move_as_one_tell_how_the_mesh_follows_them() {
     document.hold(Grip { handles: vec![61], settings: turned, ..Grip::default() }).unwrap();
     assert_eq!(document.follow(), kept.as_ref());
 }
+
+fn detail(level: u32, handle: u32, mirror: Mirror) -> Command {
+    let settings = Settings { mirror, hold: Hold::Exact, ..Settings::default() };
+    let offsets = vec![DVec3::new(0.001, 0.0, 0.003)];
+    Command::Move { grip: Grip { level, handles: vec![handle], settings }, offsets }
+}
+
+/// Where the last entry moved the mesh furthest, at rest, and how far.
+fn peak(document: &Document) -> (DVec3, f64) {
+    let last = document.displacements().pop().unwrap();
+    let ways = document.rest().iter().copied().zip(last.iter().map(|way| way.length()));
+    ways.max_by(|one, other| one.1.total_cmp(&other.1)).unwrap()
+}
+
+#[test]
+fn an_edit_of_the_dense_mesh_stays_where_it_is_when_the_landmarks_are_joined_by_other_triangles() {
+    for mirror in [Mirror::Off, Mirror::On] {
+        let mut canonical_document = Document::new(portrait(Triangulation::Canonical)).unwrap();
+        canonical_document.apply("cage", single_move(152, DVec3::Y * 0.001)).unwrap();
+        canonical_document.set_density(2).unwrap();
+        canonical_document.apply("undone", detail(2, 4_001, mirror)).unwrap();
+        canonical_document.undo().unwrap();
+        canonical_document.apply("detail", detail(2, 5_000, mirror)).unwrap();
+        let mut other = canonical_document.over(portrait(Triangulation::Tessellation)).unwrap();
+        other.set_density(2).unwrap();
+        let ((before, far), (after, as_far)) = (peak(&canonical_document), peak(&other));
+        assert!(before.distance(after) < 0.002 && (far - as_far).abs() < 1e-4, "{before} and {after}");
+        assert_eq!(other.history().entries()[0], canonical_document.history().entries()[0]);
+        other.undo().unwrap();
+        other.undo().unwrap();
+        assert_eq!(other.positions(), other.rest());
+    }
+}
+
+#[test]
+fn every_point_of_the_symmetric_mesh_has_a_partner_and_the_other_mesh_has_none() {
+    let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    document.set_density(3).unwrap();
+    for (vertex, place) in document.rest().iter().enumerate() {
+        let partner = document.partner(3, vertex as u32).unwrap();
+        assert!(document.rest()[partner as usize].distance(*place * MIRROR) < 1e-12);
+    }
+    assert_eq!(document.partner(3, 28_881), None);
+    let mut open = Document::new(canonical(Triangulation::Tessellation)).unwrap();
+    open.set_density(1).unwrap();
+    assert_eq!((open.partner(0, 61), open.partner(1, 61)), (Some(291), None));
+}

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use glam::DVec3;
-use rosto_face::{Language, Region};
+use rosto_face::{Language, Region, Triangulation};
 use rosto_studio::*;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -48,6 +48,9 @@ fn regions_and_landmarks_are_told_from_their_handles() {
         assert_eq!(command.amount(), Amount::Distance(0.005));
     }
     assert_eq!(single_move(4, offset).subject(), Subject::Landmark(4));
+    let grip = Grip { level: 2, handles: vec![4], ..Grip::default() };
+    let dense = Command::Move { grip, offsets: vec![offset] };
+    assert_eq!(dense.subject(), Subject::Point { level: 2, vertex: 4 });
     assert_eq!(Command::Symmetrise { share: 0.3 }.subject(), Subject::Symmetry);
     assert_eq!(Command::Symmetrise { share: 0.3 }.amount(), Amount::Share(0.3));
 }
@@ -56,7 +59,8 @@ fn regions_and_landmarks_are_told_from_their_handles() {
 fn subjects_have_names_of_their_own_in_each_language() {
     let regions = Region::ALL.map(Subject::Region);
     let sliders = FaceSlider::ALL.map(Subject::Slider);
-    let subjects = [&regions[..], &sliders, &[Subject::Symmetry, Subject::Vertices(3)]].concat();
+    let point = Subject::Point { level: 3, vertex: 12_045 };
+    let subjects = [&regions[..], &sliders, &[Subject::Symmetry, Subject::Vertices(3), point]].concat();
     for language in [Language::English, Language::Portuguese] {
         let names: BTreeSet<String> = subjects.iter().map(|subject| subject.name(language)).collect();
         assert_eq!(names.len(), subjects.len());
@@ -65,14 +69,30 @@ fn subjects_have_names_of_their_own_in_each_language() {
 }
 
 #[test]
+fn a_point_of_a_denser_mesh_is_named_by_its_number_and_the_part_of_the_face_around_it() {
+    let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    let name = |document: &Document, vertex, language| document.name_of(Subject::Point { level: 1, vertex }, language);
+    assert_eq!(name(&document, 1_045, Language::Portuguese), "ponto 1.045", "that mesh was never shown");
+    document.set_density(1).unwrap();
+    assert_eq!(name(&document, 1, Language::English), "point 1 near the tip of the nose");
+    assert_eq!(name(&document, 1, Language::Portuguese), "ponto 1 perto da ponta do nariz");
+    assert_eq!(name(&document, 152, Language::Portuguese), "ponto 152 perto do queixo");
+    assert_eq!(name(&document, 425, Language::English), "point 425 near the left cheek");
+    assert!(name(&document, 1_045, Language::English).starts_with("point 1,045 near the "));
+    let (of_coarse, of_dense) = (document.nearest_on(0, 425), document.nearest_on(1, 1_045));
+    assert_eq!((of_coarse, of_dense), (Some(425), Some(1_045)));
+    assert_eq!(document.name_of(Subject::Landmark(1), Language::English), "nose tip");
+}
+
+#[test]
 fn amounts_of_a_slider_add_up_to_where_it_stands() {
     let slider = FaceSlider::LipFullness;
-    let mut steps = Document::new(portrait(rosto_face::Triangulation::Canonical)).unwrap();
+    let mut steps = Document::new(portrait(Triangulation::Canonical)).unwrap();
     for amount_m in [0.002, -0.0005, 0.001] {
         steps.apply("slid", slider.command(amount_m)).unwrap();
         steps.apply("between", FaceSlider::NoseLength.command(amount_m)).unwrap();
     }
-    let mut once = Document::new(portrait(rosto_face::Triangulation::Canonical)).unwrap();
+    let mut once = Document::new(portrait(Triangulation::Canonical)).unwrap();
     once.apply("between", FaceSlider::NoseLength.command(0.0025)).unwrap();
     once.apply("slid", slider.command(0.0025)).unwrap();
     let furthest = steps.positions().iter().zip(once.positions()).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);

@@ -1,0 +1,62 @@
+use glam::DVec3;
+use rosto_face::{LANDMARK_COUNT, Language, place_near};
+use rosto_laplacian::Operator;
+
+use super::Document;
+use crate::{StudioError, Subject};
+
+/// Vertices of the mesh that is shown, beside the landmarks.
+impl Document {
+    /// What people call a subject: of a point of a denser mesh also where it is, once that mesh was shown.
+    pub fn name_of(&self, subject: Subject, language: Language) -> String {
+        let name = subject.name(language);
+        match subject {
+            Subject::Point { level, vertex } => match self.landmark_beside(level, vertex) {
+                Some(landmark) => format!("{name} {}", place_near(landmark, language)),
+                None => name,
+            },
+            _ => name,
+        }
+    }
+
+    /// The vertex of a coarser mesh that is nearest to one of the mesh that is shown, both at rest: 0 subdivisions give the
+    /// nearest landmark.
+    pub fn nearest_on(&self, level: u32, vertex: u32) -> Option<u32> {
+        let place = *self.rest().get(vertex as usize)?;
+        let coarser = self.levels.get(level as usize)?;
+        nearest(&self.rest()[..coarser.rest().len().min(self.rest().len())], place)
+    }
+
+    /// How many vertices the mesh subdivided so many times has; none if it was never shown.
+    pub fn vertex_count(&self, level: u32) -> Option<usize> {
+        self.levels.get(level as usize).map(|level| level.rest().len())
+    }
+
+    /// The mirror image of a vertex of the mesh subdivided so many times; none where the triangles have none.
+    pub fn partner(&self, level: u32, vertex: u32) -> Option<u32> {
+        let level = self.levels.get(level as usize)?;
+        let known = (vertex as usize) < level.rest().len();
+        level.mirror().ok().filter(|_| known).map(|table| table.partner(vertex))
+    }
+
+    /// Factors what the first edit of the mesh that is shown would have to wait for.
+    ///
+    /// # Errors
+    /// [`StudioError::Laplacian`] for a mesh at rest that has no answer.
+    pub fn prepare(&mut self, operator: Operator) -> Result<(), StudioError> {
+        self.levels[self.density as usize].system(operator)?;
+        Ok(())
+    }
+
+    fn landmark_beside(&self, level: u32, vertex: u32) -> Option<u32> {
+        let rest = self.levels.get(level as usize)?.rest();
+        let is_face = self.levels[0].rest().len() == LANDMARK_COUNT;
+        rest.get(vertex as usize).filter(|_| is_face).and_then(|place| nearest(&rest[..LANDMARK_COUNT], *place))
+    }
+}
+
+/// The first of the places that are nearest to one.
+pub(super) fn nearest(places: &[DVec3], to: DVec3) -> Option<u32> {
+    let distances = places.iter().map(|place| place.distance_squared(to)).zip(0..);
+    distances.min_by(|(one, _), (other, _)| one.total_cmp(other)).map(|(_, vertex)| vertex)
+}

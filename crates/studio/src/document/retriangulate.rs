@@ -1,0 +1,76 @@
+use glam::DVec3;
+
+use super::Document;
+use super::points::nearest;
+use crate::level::{Level, Rest};
+use crate::mirror::{MirrorTable, reflected};
+use crate::{Command, Grip, Mirror, StudioError};
+
+/// Points of denser meshes than this stay as they are: no document shows them.
+const DENSEST: u32 = 4;
+
+impl Document {
+    /// A document over the same landmarks, joined by other triangles, that goes on with the history of this one and with
+    /// all that was undone. What was done to points of a denser mesh is done to those nearest to them there.
+    ///
+    /// # Errors
+    /// For the first entry that cannot be carried out on that mesh.
+    pub fn over(&mut self, rest: Rest) -> Result<Self, StudioError> {
+        let mut document = Self::new(rest)?;
+        let levels = self.history.commands().filter_map(|command| match command {
+            Command::Move { grip, .. } => Some(grip.level),
+            Command::Symmetrise { .. } => None,
+        });
+        let highest = levels.filter(|level| *level <= DENSEST).max().unwrap_or(0);
+        self.subdivide_to(highest);
+        document.subdivide_to(highest);
+        let history = self.history.clone().with_commands(|command| {
+            if let Command::Move { grip, offsets } = command
+                && (1..=highest).contains(&grip.level)
+            {
+                let level = grip.level as usize;
+                carry_over(grip, offsets, &self.levels[level], &document.levels[level]);
+            }
+        });
+        document.adopt(history, 0)?;
+        Ok(document)
+    }
+}
+
+fn carry_over(grip: &mut Grip, offsets: &mut Vec<DVec3>, from: &Level, to: &Level) {
+    if grip.settings.mirror == Mirror::On
+        && to.mirror().is_err()
+        && let Ok(table) = from.mirror()
+    {
+        spell_out_mirror(grip, offsets, table);
+    }
+    let found = |vertex: u32| match from.rest().get(vertex as usize) {
+        Some(place) => nearest(to.rest(), *place).unwrap_or(vertex),
+        None => vertex,
+    };
+    grip.handles.iter_mut().for_each(|handle| *handle = found(*handle));
+    let pins = &mut grip.settings.anchors.pins;
+    pins.iter_mut().for_each(|pin| *pin = found(*pin));
+    pins.sort_unstable();
+    pins.dedup();
+    pins.retain(|pin| !grip.handles.contains(pin));
+}
+
+/// Where the other mesh has no mirror images, partners become handles of their own.
+fn spell_out_mirror(grip: &mut Grip, offsets: &mut Vec<DVec3>, table: &MirrorTable) {
+    let given = grip.handles.len();
+    grip.handles = table.closure(&grip.handles);
+    for (handle, offset) in grip.handles.iter().zip(offsets.iter_mut()) {
+        if table.partner(*handle) == *handle {
+            offset.x = 0.0;
+        }
+    }
+    let added = grip.handles[given..].iter().map(|handle| {
+        let place = grip.handles[..given].iter().position(|given| table.partner(*given) == *handle);
+        reflected(offsets[place.expect("invariant: a partner was added for one of the handles")])
+    });
+    let added: Vec<DVec3> = added.collect();
+    offsets.extend(added);
+    grip.settings.anchors.pins = table.closure(&grip.settings.anchors.pins);
+    grip.settings.mirror = Mirror::Off;
+}
