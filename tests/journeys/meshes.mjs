@@ -26,10 +26,18 @@ export function furthest(one, other) {
 
 /** The page's mesh is the command line's. */
 export function assertSameMesh(seen, wanted) {
+  assertSameShape(seen, wanted);
+  for (const [vertex, colour] of seen.colors.entries()) assert.deepEqual(colour, wanted.colors[vertex]);
+}
+
+/**
+ * The page's mesh has the command line's shape. On a dense mesh, the same roundings give a few vertices, which lie on the
+ * border between two pixels of the photo, the colour of the other one.
+ */
+export function assertSameShape(seen, wanted) {
   assert.equal(seen.units, wanted.units);
   assert.deepEqual(seen.triangles, wanted.triangles);
   assert.equal(seen.positions.length, wanted.positions.length);
   const apart_mm = furthest(seen, wanted);
   assert.ok(apart_mm < SAME_MM, `a vertex is ${apart_mm} mm away from the command line's`);
-  for (const [vertex, colour] of seen.colors.entries()) assert.deepEqual(colour, wanted.colors[vertex]);
 }

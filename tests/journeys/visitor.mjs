@@ -222,6 +222,11 @@ export class Visitor {
     return Number((await this.page.inputValue("#landmark-search")).match(/\d+$/)?.[0]);
   }
 
+  /** The number of the point of a dense mesh that is being edited. */
+  async point() {
+    return Number((await this.page.inputValue("#landmark-search")).match(/[\d,]+/)?.[0].replaceAll(",", ""));
+  }
+
   /** The anchors of the edit, as the panel names them. */
   async anchors() {
     const text = await this.page.locator("#landmark-anchors").getAttribute("data-anchors");

@@ -1,5 +1,6 @@
-use rosto_face::mirror_of;
-use rosto_studio::{AnchorKind, Anchors, Details, Grip, Hold, Mirror, Operator, Reach, Settings};
+use rosto_studio::{AnchorKind, Anchors, Details, Document, Grip, Hold, Mirror, Operator, Reach, Settings};
+
+use crate::hand::Selection;
 
 const M_PER_MM: f64 = 1e-3;
 
@@ -44,9 +45,18 @@ impl Default for Choices {
 }
 
 impl Choices {
-    /// The grip on landmarks under these choices; `seed` chooses random anchors. What is in hand moves even if it is
-    /// pinned.
-    pub fn grip(&self, handles: Vec<u32>, seed: u64) -> Grip {
+    /// The grip on what is selected under these choices; `seed` chooses random anchors. What is in hand moves even if it is
+    /// pinned, and points of denser meshes cannot be held while landmarks move.
+    pub fn grip(&self, selection: Selection, seed: u64, document: &Document) -> Grip {
+        let (level, handles) = (selection.level(), selection.handles());
+        let partner = |vertex: u32| document.partner(level, vertex);
+        let can_mirror = partner(selection.middle()).is_some();
+        let mirror = if can_mirror { self.mirror } else { Mirror::Off };
+        let moves = |vertex: u32| {
+            let partner = partner(vertex).filter(|_| mirror == Mirror::On);
+            handles.contains(&vertex) || partner.is_some_and(|partner| handles.contains(&partner))
+        };
+        let is_there = |vertex: u32| document.vertex_count(level).is_some_and(|count| (vertex as usize) < count);
         let kind = match self.anchors {
             AnchorChoice::Random => AnchorKind::Random { seed },
             AnchorChoice::Oval => AnchorKind::Oval,
@@ -54,33 +64,33 @@ impl Choices {
         };
         let pins = match &self.anchors {
             AnchorChoice::Explicit(anchors) => anchors.clone(),
-            _ => self.pins.iter().copied().filter(|&pin| !self.moves(&handles, pin)).collect(),
+            _ => self.pins.iter().copied().filter(|&pin| is_there(pin) && !moves(pin)).collect(),
         };
         let settings = Settings {
             operator: self.operator,
             hold: self.hold,
             anchors: Anchors { kind, pins },
             reach: self.radius_mm.map_or(Reach::Whole, |radius_mm| Reach::Within { radius: radius_mm * M_PER_MM }),
-            mirror: self.mirror,
+            mirror,
             details: self.details,
         };
-        Grip { handles, settings, ..Grip::default() }
-    }
-
-    /// Whether a landmark is a handle or, where the mirror takes part, a handle's partner.
-    fn moves(&self, handles: &[u32], landmark: u32) -> bool {
-        handles.contains(&landmark) || (self.mirror == Mirror::On && handles.contains(&mirror_of(landmark)))
+        Grip { level, handles, settings }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use rosto_face::{Triangulation, canonical_positions_m};
+    use rosto_studio::{Frame, Rest};
 
     #[test]
     fn a_pin_gives_way_to_the_hand_that_takes_it() {
+        let rest = Rest::new(Triangulation::Canonical.topology(), canonical_positions_m(), Frame::Model);
+        let document = Document::new(rest).unwrap();
         let pins_for = |handle: u32, mirror: Mirror| {
-            Choices { pins: vec![61, 152], mirror, ..Choices::default() }.grip(vec![handle], 1).settings.anchors.pins
+            let choices = Choices { pins: vec![61, 152, 9_000], mirror, ..Choices::default() };
+            choices.grip(Selection::Landmark(handle), 1, &document).settings.anchors.pins
         };
         assert_eq!(pins_for(61, Mirror::Off), [152]);
         assert_eq!(pins_for(291, Mirror::Off), [61, 152]);

@@ -1,5 +1,5 @@
 use glam::{DVec2, DVec3};
-use rosto_face::Triangulation;
+use rosto_face::{LANDMARK_COUNT, Triangulation};
 use rosto_studio::{Details, Document, Hold, Mirror, Operator, StudioError, Switch};
 use wasm_bindgen::prelude::*;
 
@@ -133,22 +133,23 @@ impl Studio {
         Ok(self.show_offset()?)
     }
 
-    /// Starts to drag a landmark with all that is in hand together with it; if it is not in hand, it or its region is
-    /// taken. An edit in progress is kept.
+    /// Starts to drag a vertex with all that is in hand together with it; if it is not in hand, it or its region is
+    /// taken, unless it is a point that lies within the ring of the one in hand. An edit in progress is kept.
     ///
     /// # Errors
     /// `no-face`, `bad-vertex`, `bad-anchors` or `cannot-solve`.
     pub fn grab(
         &mut self,
-        landmark: u32,
+        vertex: u32,
         #[wasm_bindgen(js_name = xPx)] x_px: f64,
         #[wasm_bindgen(js_name = yPx)] y_px: f64,
     ) -> Result<(), JsValue> {
         self.commit()?;
-        if !self.holds(landmark) {
-            self.take_at(landmark)?;
+        let vertex = self.point_beside(vertex, DVec2::new(x_px, y_px)).unwrap_or(vertex);
+        if !self.holds(vertex) {
+            self.take_at(vertex)?;
         }
-        let start_m = self.session()?.document.committed()[landmark as usize];
+        let start_m = self.session()?.document.committed()[vertex as usize];
         self.drag = Some(Drag::new(start_m, DVec2::new(x_px, y_px)));
         let stage = self.viewport.stage_mut();
         stage.set_pointer(None);
@@ -249,7 +250,7 @@ impl Studio {
         })
     }
 
-    /// How the landmarks are joined; the edits are carried out again.
+    /// How the landmarks are joined; the edits are carried out again. Points that were pinned are free again.
     ///
     /// # Errors
     /// `bad-choice` or `cannot-solve`.
@@ -261,6 +262,7 @@ impl Studio {
             _ => return Err(Trouble::bad_choice().into()),
         };
         if let Ok((session, choices)) = self.session_mut() {
+            choices.pins.retain(|pin| (*pin as usize) < LANDMARK_COUNT);
             session.set_triangulation(triangulation, choices)?;
             self.show_mesh()?;
         }
@@ -277,8 +279,10 @@ impl Studio {
         if levels > MAX_DENSITY {
             return Err(Trouble::bad_choice().into());
         }
+        let hand = self.hand;
         if let Ok((session, choices)) = self.session_mut() {
-            session.set_density(levels, choices)?;
+            session.set_density(levels, hand, choices)?;
+            session.prepare(hand, choices)?;
             self.show_mesh()?;
         }
         self.wishes.density = levels;

@@ -1,8 +1,6 @@
 use glam::DVec3;
-use rosto_face::{Language, Region, canonical_positions_m, mirror_of};
+use rosto_face::{Region, canonical_positions_m, mirror_of};
 use rosto_studio::{FaceSlider, Subject};
-
-use crate::names::landmark_label;
 
 /// What a click or a drag takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -10,6 +8,8 @@ pub(crate) enum Hand {
     #[default]
     Landmark,
     Region,
+    /// Any vertex of the mesh that is shown: at 468, the landmarks.
+    Point,
 }
 
 /// What the visitor has chosen to move.
@@ -17,6 +17,11 @@ pub(crate) enum Hand {
 pub(crate) enum Selection {
     Landmark(u32),
     Region(Region),
+    /// A vertex of the mesh subdivided so often, once or more.
+    Point {
+        level: u32,
+        vertex: u32,
+    },
 }
 
 /// An edit in progress.
@@ -31,18 +36,26 @@ pub(crate) enum Moving {
 }
 
 impl Selection {
-    /// The landmarks that move together.
+    /// How often the mesh is subdivided that is moved; denser ones follow.
+    pub fn level(self) -> u32 {
+        match self {
+            Self::Landmark(_) | Self::Region(_) => 0,
+            Self::Point { level, .. } => level,
+        }
+    }
+
+    /// The vertices that move together.
     pub fn handles(self) -> Vec<u32> {
         match self {
-            Self::Landmark(landmark) => vec![landmark],
+            Self::Landmark(vertex) | Self::Point { vertex, .. } => vec![vertex],
             Self::Region(region) => region.vertices(),
         }
     }
 
-    /// The landmark that carries the gizmo and the name: that of a region is the one nearest to its middle.
+    /// The vertex that carries the gizmo and the name: that of a region is the landmark nearest to its middle.
     pub fn middle(self) -> u32 {
         match self {
-            Self::Landmark(landmark) => landmark,
+            Self::Landmark(vertex) | Self::Point { vertex, .. } => vertex,
             Self::Region(region) => middle(region),
         }
     }
@@ -51,15 +64,8 @@ impl Selection {
         match self {
             Self::Landmark(landmark) => Subject::Landmark(landmark),
             Self::Region(region) => Subject::Region(region),
+            Self::Point { level, vertex } => Subject::Point { level, vertex },
         }
-    }
-}
-
-/// What the page calls a subject: landmarks bring their number along.
-pub(crate) fn subject_label(subject: Subject, language: Language) -> String {
-    match subject {
-        Subject::Landmark(landmark) => landmark_label(landmark, language),
-        other => other.name(language),
     }
 }
 

@@ -91,6 +91,8 @@ pub enum HandName {
     Landmark = "landmark",
     /// The named part of the face around it.
     Region = "region",
+    /// Any vertex of the mesh that is shown.
+    Point = "point",
 }
 
 /// What points at the canvas, as the browser's pointer events name it.

@@ -3,7 +3,6 @@ use rosto_studio::FaceSlider;
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
-use crate::hand::{Selection, subject_label};
 use crate::modes::LanguageName;
 use crate::state::{NamedRegion, NamedSlider};
 use crate::trouble::{Outcome, Trouble};
@@ -29,27 +28,44 @@ impl Studio {
         Ok(landmark_label(known(vertex)?, language.language()?))
     }
 
-    /// What the landmark or region in hand is called; undefined where there is none.
+    /// What is in hand is called; undefined where there is nothing.
     ///
     /// # Errors
     /// `bad-choice`.
     #[wasm_bindgen(js_name = selectionName)]
     pub fn selection_name(&self, language: LanguageName) -> Result<Option<String>, JsValue> {
         let language = language.language()?;
-        let selection = self.session.as_ref().and_then(|session| session.selection());
-        Ok(selection.map(|selection| subject_label(selection.subject(), language)))
+        let Some(session) = &self.session else { return Ok(None) };
+        Ok(session.selection().map(|selection| session.label(selection.subject(), language)))
     }
 
-    /// What a drag that starts at a landmark moves: what is in hand, if the landmark is part of it, or what is taken there.
+    /// What a drag that starts at a vertex moves: what is in hand, if the vertex is part of it, or what is taken there.
     ///
     /// # Errors
     /// `bad-vertex` or `bad-choice`.
     #[wasm_bindgen(js_name = nameAt)]
-    pub fn name_at(&self, landmark: u32, language: LanguageName) -> Result<String, JsValue> {
-        let landmark = known(landmark)?;
-        let selection = self.session.as_ref().map(|session| session.at_or_held(landmark, self.hand));
-        let subject = selection.unwrap_or(Selection::Landmark(landmark)).subject();
-        Ok(subject_label(subject, language.language()?))
+    pub fn name_at(&self, vertex: u32, language: LanguageName) -> Result<String, JsValue> {
+        let language = language.language()?;
+        let Some(session) = &self.session else { return Ok(landmark_label(known(vertex)?, language)) };
+        let selection = session.at_or_held(session.known(vertex, self.hand)?, self.hand);
+        Ok(session.label(selection.subject(), language))
+    }
+
+    /// The vertex that is meant by a number, or the landmark that is meant by its name, in any case of its letters;
+    /// undefined where there is none that could be taken in hand.
+    ///
+    /// # Errors
+    /// `bad-choice`.
+    #[wasm_bindgen(js_name = vertexCalled)]
+    pub fn vertex_called(&self, text: &str, language: LanguageName) -> Result<Option<u32>, JsValue> {
+        let language = language.language()?;
+        if let Ok(vertex) = text.trim().parse::<u32>() {
+            let count = self.session.as_ref().map_or(LANDMARK_COUNT, |session| session.within_reach(self.hand));
+            return Ok(Some(vertex).filter(|&vertex| (vertex as usize) < count));
+        }
+        let wanted = text.trim().to_lowercase();
+        let ways = |landmark: u32| [landmark_name(landmark, language), landmark_label(landmark, language)];
+        Ok((0..LANDMARK_COUNT as u32).find(|&landmark| ways(landmark).iter().any(|way| way.to_lowercase() == wanted)))
     }
 
     /// What an entry of the history works on.
@@ -58,8 +74,8 @@ impl Studio {
     /// `no-face`, `bad-number` or `bad-choice`.
     #[wasm_bindgen(js_name = entryName)]
     pub fn entry_name(&self, index: u32, language: LanguageName) -> Result<String, JsValue> {
-        let subject = self.session()?.subject_of(index as usize)?;
-        Ok(subject_label(subject, language.language()?))
+        let session = self.session()?;
+        Ok(session.label(session.subject_of(index as usize)?, language.language()?))
     }
 
     /// Every region that can be moved as one, from the forehead down.

@@ -154,30 +154,32 @@ impl Studio {
         }
     }
 
-    /// The landmark nearest to where the pointer meets the face.
+    /// The landmark nearest to where the pointer meets the face or, where any point can be taken in hand, the vertex.
     pub fn pick(
         &self,
         #[wasm_bindgen(js_name = xPx)] x_px: f64,
         #[wasm_bindgen(js_name = yPx)] y_px: f64,
     ) -> Option<u32> {
-        self.landmark_at(DVec2::new(x_px, y_px))
+        self.vertex_at(DVec2::new(x_px, y_px))
     }
 
-    /// Tells where the pointer is: landmarks near it show as dots, and the one under it is marked and returned.
+    /// Tells where the pointer is: landmarks near it show as dots where they are what it takes, and what is under it is
+    /// marked and returned.
     pub fn hover(
         &mut self,
         #[wasm_bindgen(js_name = xPx)] x_px: f64,
         #[wasm_bindgen(js_name = yPx)] y_px: f64,
     ) -> Option<u32> {
         let place_px = DVec2::new(x_px, y_px);
-        let landmark = self.landmark_at(place_px);
+        let vertex = self.vertex_at(place_px);
+        let takes_landmarks = self.takes_landmarks();
         let axis = self.axis_at(place_px, Pointer::Fine);
-        self.point_at(landmark);
+        self.point_at(vertex);
         let stage = self.viewport.stage_mut();
-        stage.set_pointer(landmark.map(|_| place_px));
-        stage.set_hovered(landmark);
+        stage.set_pointer(vertex.filter(|_| takes_landmarks).map(|_| place_px));
+        stage.set_hovered(vertex);
         stage.set_gizmo_axis(axis);
-        landmark
+        vertex
     }
 
     /// Marks a landmark that is pointed at elsewhere, such as on the photo; none when the pointer leaves.
@@ -215,7 +217,7 @@ impl Studio {
         self.axis_at(DVec2::new(x_px, y_px), pointer.into()).map(AxisName::from)
     }
 
-    /// Where a landmark appears, if a face is open.
+    /// Where a vertex appears, if a face is open.
     #[wasm_bindgen(js_name = screenPosition)]
     pub fn screen_position(&self, vertex: u32) -> Option<ScreenPoint> {
         let position_m = *self.session.as_ref()?.document.positions().get(vertex as usize)?;

@@ -1,11 +1,11 @@
-use rosto_face::{LANDMARK_COUNT, Region};
+use rosto_face::Region;
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
 use crate::hand::{Hand, Selection};
 use crate::modes::HandName;
 use crate::session::Session;
-use crate::trouble::Trouble;
+use crate::trouble::{Outcome, Trouble};
 
 /// Seeds for random anchors stay exact as JavaScript's and JSON's numbers.
 const SEEDS: f64 = 9_007_199_254_740_992.0;
@@ -31,8 +31,9 @@ impl Studio {
         self.take(Some(Selection::Region(region)))
     }
 
-    /// What a click or a drag takes from now on. What is in hand follows: the region around the landmark, or the
-    /// landmark in the middle of the region.
+    /// What a click or a drag takes from now on. What is in hand follows: the region around the landmark, the landmark in
+    /// the middle of the region, or the point at its place. The first time that points of a dense mesh are to be taken
+    /// needs a while.
     ///
     /// # Errors
     /// `bad-choice`, `bad-anchors` or `cannot-solve`.
@@ -41,39 +42,42 @@ impl Studio {
         self.hand = match hand {
             HandName::Landmark => Hand::Landmark,
             HandName::Region => Hand::Region,
+            HandName::Point => Hand::Point,
             _ => return Err(Trouble::bad_choice().into()),
         };
+        self.prepare()?;
         let selection = self.selection();
         let wanted = self.session.as_ref().and_then(|session| session.taken_by(self.hand));
         if wanted == selection { Ok(()) } else { self.take(wanted) }
     }
 
-    /// Takes what is at a landmark in hand: it alone, or the smallest region around it and, asked again, the next larger
+    /// Takes what is at a vertex in hand: it alone, or the smallest region around it and, asked again, the next larger
     /// one.
     ///
     /// # Errors
     /// `no-face`, `bad-vertex`, `bad-anchors` or `cannot-solve`.
     #[wasm_bindgen(js_name = takeAt)]
-    pub fn take_at(&mut self, landmark: u32) -> Result<(), JsValue> {
-        let selection = self.session()?.at(landmark, self.hand);
+    pub fn take_at(&mut self, vertex: u32) -> Result<(), JsValue> {
+        let session = self.session()?;
+        let selection = session.at(session.known(vertex, self.hand)?, self.hand);
         self.take(Some(selection))
     }
 
-    /// The landmark in hand; of a region, the one in its middle.
+    /// The vertex in hand; of a region, the landmark in its middle.
     #[wasm_bindgen(getter)]
     pub fn selected(&self) -> Option<u32> {
         self.session.as_ref()?.selected()
     }
 
-    /// Whether a landmark is in hand, alone or with its region.
-    pub fn holds(&self, landmark: u32) -> bool {
-        self.session.as_ref().is_some_and(|session| session.holds(landmark))
+    /// Whether a vertex is in hand, alone or with its region.
+    pub fn holds(&self, vertex: u32) -> bool {
+        self.session.as_ref().is_some_and(|session| session.holds(vertex))
     }
 
     /// Whether all that is in hand is pinned.
     #[wasm_bindgen(getter)]
     pub fn pinned(&self) -> bool {
-        let is_pinned = |landmark: &u32| self.choices.pins.contains(landmark);
+        let is_pinned = |vertex: &u32| self.choices.pins.contains(vertex);
         self.selection().is_some_and(|selection| selection.handles().iter().all(is_pinned))
     }
 
@@ -91,20 +95,18 @@ impl Studio {
         self.hold_again()
     }
 
-    /// Pins a landmark, or unpins it.
+    /// Pins a vertex, or unpins it.
     ///
     /// # Errors
-    /// `bad-vertex`, `bad-anchors` or `cannot-solve`.
+    /// `no-face`, `bad-vertex`, `bad-anchors` or `cannot-solve`.
     #[wasm_bindgen(js_name = togglePin)]
-    pub fn toggle_pin(&mut self, landmark: u32) -> Result<(), JsValue> {
-        if landmark as usize >= LANDMARK_COUNT {
-            return Err(Trouble::bad_vertex(landmark, LANDMARK_COUNT).into());
-        }
+    pub fn toggle_pin(&mut self, vertex: u32) -> Result<(), JsValue> {
+        self.session()?.known(vertex, self.hand)?;
         let pins = &mut self.choices.pins;
         let before = pins.len();
-        pins.retain(|&pin| pin != landmark);
+        pins.retain(|&pin| pin != vertex);
         if pins.len() == before {
-            pins.push(landmark);
+            pins.push(vertex);
         }
         self.hold_again()
     }
@@ -123,6 +125,11 @@ impl Studio {
 
     fn selection(&self) -> Option<Selection> {
         self.session.as_ref().and_then(Session::selection)
+    }
+
+    pub(crate) fn prepare(&mut self) -> Outcome<()> {
+        let hand = self.hand;
+        self.session_mut().map_or(Ok(()), |(session, choices)| session.prepare(hand, choices))
     }
 
     fn take(&mut self, selection: Option<Selection>) -> Result<(), JsValue> {

@@ -1,6 +1,6 @@
 use glam::{DMat3, DVec2, DVec3};
-use rosto_face::{FaceModel, LANDMARK_COUNT, Language, Region, Triangulation, mirror_of};
-use rosto_studio::{Command, Details, Document, FaceSlider, Frame, Hold, Mirror, Rest, StudioError, Subject, project};
+use rosto_face::{FaceModel, LANDMARK_COUNT, Language, Triangulation};
+use rosto_studio::{Command, Details, Document, FaceSlider, Frame, Hold, Mirror, Rest, Subject, project};
 
 use crate::choices::{AnchorChoice, Choices};
 use crate::follow::{self, SliderFollow};
@@ -8,6 +8,7 @@ use crate::hand::{Hand, Moving, Selection};
 use crate::state::{StudioEntry, StudioState};
 use crate::trouble::{Outcome, Trouble};
 
+mod taking;
 #[cfg(test)]
 mod tests;
 
@@ -61,7 +62,7 @@ impl Session {
         self.selection
     }
 
-    /// The landmark in hand, or the one in the middle of the region.
+    /// The vertex in hand, or the landmark in the middle of the region.
     pub fn selected(&self) -> Option<u32> {
         self.selection.map(Selection::middle)
     }
@@ -101,7 +102,7 @@ impl Session {
         }
     }
 
-    /// Takes landmarks in hand, or lets go; `seed` chooses random anchors.
+    /// Takes something in hand, or lets go; `seed` chooses random anchors.
     pub fn select(&mut self, selection: Option<Selection>, choices: &mut Choices, seed: u64) -> Outcome<()> {
         if let Some(Selection::Landmark(vertex)) = selection
             && vertex as usize >= LANDMARK_COUNT
@@ -116,43 +117,12 @@ impl Session {
         self.hold(choices)
     }
 
-    /// What is taken in hand at a landmark. A region is the smallest around it or, if that is in hand already, the next
-    /// larger one; where there is none, the landmark alone.
-    pub fn at(&self, landmark: u32, hand: Hand) -> Selection {
-        let around = match hand {
-            Hand::Landmark => Vec::new(),
-            Hand::Region => Region::containing(landmark),
-        };
-        let is_in_hand = |region: &Region| self.selection == Some(Selection::Region(*region));
-        let next = around.iter().position(is_in_hand).map_or(0, |place| (place + 1) % around.len());
-        around.get(next).map_or(Selection::Landmark(landmark), |&region| Selection::Region(region))
-    }
-
-    /// What is in hand, if a landmark is part of it, or what is taken there.
-    pub fn at_or_held(&self, landmark: u32, hand: Hand) -> Selection {
-        self.selection.filter(|_| self.holds(landmark)).unwrap_or_else(|| self.at(landmark, hand))
-    }
-
-    /// What is in hand, made what `hand` takes: the region around a landmark, or the landmark in the middle of a region.
-    pub fn taken_by(&self, hand: Hand) -> Option<Selection> {
-        match (self.selection?, hand) {
-            (Selection::Landmark(landmark), Hand::Region) => Some(self.at(landmark, hand)),
-            (region @ Selection::Region(_), Hand::Landmark) => Some(Selection::Landmark(region.middle())),
-            (as_it_is, _) => Some(as_it_is),
-        }
-    }
-
-    /// Whether a landmark is in hand, alone or with its region.
-    pub fn holds(&self, landmark: u32) -> bool {
-        self.selection.is_some_and(|selection| selection.handles().contains(&landmark))
-    }
-
     /// Takes what is selected in hand again, after choices have changed. What has no answer lets go of it. An edit in
     /// progress is dropped.
     pub fn hold(&mut self, choices: &Choices) -> Outcome<()> {
         self.moving = Moving::Nothing;
         let held = match self.selection {
-            Some(selection) => self.document.hold(choices.grip(selection.handles(), self.seed)),
+            Some(selection) => self.document.hold(choices.grip(selection, self.seed, &self.document)),
             None => {
                 self.document.release();
                 Ok(())
@@ -214,7 +184,7 @@ impl Session {
             _ => None,
         };
         if let Some(subject) = subject {
-            self.document.commit(&subject.name(Language::English));
+            self.document.commit(&self.document.name_of(subject, Language::English));
             self.read_history();
         }
         self.cancel(choices)
@@ -253,18 +223,30 @@ impl Session {
         self.rows.get(index).map(|row| row.subject).ok_or_else(Trouble::no_entry)
     }
 
-    pub fn set_density(&mut self, levels: u32, choices: &Choices) -> Outcome<()> {
+    /// Shows the cage subdivided so many times. A point in hand becomes that of the new mesh.
+    pub fn set_density(&mut self, levels: u32, hand: Hand, choices: &Choices) -> Outcome<()> {
         self.commit(choices)?;
+        let in_hand = self.selected().zip(self.selected_m());
         self.document.set_density(levels)?;
+        if let (Hand::Point, Some((vertex, place_m))) = (hand, in_hand) {
+            let is_there = (vertex as usize) < self.document.rest().len();
+            let vertex = if is_there { vertex } else { self.nearest(place_m) };
+            self.selection = Some(self.at(vertex, hand));
+        }
+        self.read_history();
         self.hold(choices)
     }
 
     /// Joins the landmarks by other triangles; the edits are carried out again.
     pub fn set_triangulation(&mut self, triangulation: Triangulation, choices: &Choices) -> Outcome<()> {
         self.commit(choices)?;
-        let history = self.document.history().clone();
-        self.replace_document(|rest| Document::resume(rest, history), triangulation)?;
+        let place_m = self.selected_m();
+        let document = self.document.over(self.rest(triangulation))?;
+        self.replace_document(document)?;
         self.triangulation = triangulation;
+        if let (Some(Selection::Point { level, .. }), Some(place_m)) = (self.selection, place_m) {
+            self.selection = Some(Selection::Point { level, vertex: self.nearest(place_m) });
+        }
         self.hold(choices)
     }
 
@@ -276,7 +258,7 @@ impl Session {
     /// Puts the edits of such a text in place of those there are.
     pub fn open_edits(&mut self, json: &str, choices: &Choices) -> Outcome<()> {
         let entries = project::from_json(json)?;
-        self.replace_document(|rest| Document::replay(rest, entries), self.triangulation)?;
+        self.replace_document(Document::replay(self.rest(self.triangulation), entries)?)?;
         self.hold(choices)
     }
 
@@ -343,6 +325,7 @@ impl Session {
                 Some(Selection::Region(region)) => Some(region.id().to_owned()),
                 _ => None,
             },
+            can_mirror: self.can_mirror(),
             selected_degree: self.selected().map_or(0, |vertex| self.degree(vertex)),
             selected_in_plane: self.moves_in_plane(),
             offset_x_mm: offset_mm.x,
@@ -392,11 +375,15 @@ impl Session {
 
     fn read_history(&mut self) {
         let entries = self.document.history().entries().iter();
-        self.rows = entries.enumerate().map(|(index, entry)| StudioEntry::new(index, entry)).collect();
+        let density = self.document.density();
+        self.rows = entries.enumerate().map(|(index, entry)| StudioEntry::new(index, entry, density)).collect();
     }
 
     fn degree(&self, vertex: u32) -> u32 {
-        self.triangulation.topology().degree(vertex) as u32
+        match self.selection {
+            Some(Selection::Point { .. }) => self.document.topology().degree(vertex) as u32,
+            _ => self.triangulation.topology().degree(vertex) as u32,
+        }
     }
 
     fn rest(&self, triangulation: Triangulation) -> Rest {
@@ -407,7 +394,9 @@ impl Session {
         let Some(selection) = self.selection else { return false };
         let handles = selection.handles();
         let is_mirrored = self.document.grip().is_some_and(|grip| grip.settings.mirror == Mirror::On);
-        is_mirrored && handles.iter().all(|&handle| handles.contains(&mirror_of(handle)))
+        let partner = |handle: u32| self.document.partner(selection.level(), handle);
+        let is_own_image = |&handle: &u32| partner(handle).is_some_and(|partner| handles.contains(&partner));
+        is_mirrored && handles.iter().all(is_own_image)
     }
 
     fn reach(&self) -> f64 {
@@ -418,12 +407,7 @@ impl Session {
         }
     }
 
-    fn replace_document(
-        &mut self,
-        make: impl FnOnce(Rest) -> Result<Document, StudioError>,
-        triangulation: Triangulation,
-    ) -> Outcome<()> {
-        let mut document = make(self.rest(triangulation))?;
+    fn replace_document(&mut self, mut document: Document) -> Outcome<()> {
         document.set_density(self.document.density())?;
         self.document = document;
         self.moving = Moving::Nothing;

@@ -1,6 +1,6 @@
 //! What the page shows, as values it can read.
 
-use rosto_studio::{Amount, Entry, Subject, Switch};
+use rosto_studio::{Amount, Command, Entry, Subject, Switch};
 use wasm_bindgen::prelude::*;
 
 /// Everything the panel shows about the document and the edit in progress.
@@ -19,13 +19,16 @@ pub struct StudioState {
     /// Number of triangles shown.
     #[wasm_bindgen(readonly, js_name = triangleCount)]
     pub triangle_count: u32,
-    /// The selected landmark, if any; of a selected region, the one in its middle.
+    /// The selected vertex, if any; of a selected region, the landmark in its middle.
     #[wasm_bindgen(readonly)]
     pub selected: Option<u32>,
     /// The selected region, if any.
     #[wasm_bindgen(readonly, js_name = selectedRegion)]
     pub selected_region: Option<String>,
-    /// Number of neighbours of the selected landmark.
+    /// Whether the other side of the face can follow what is selected.
+    #[wasm_bindgen(readonly, js_name = canMirror)]
+    pub can_mirror: bool,
+    /// Number of neighbours of the selected vertex.
     #[wasm_bindgen(readonly, js_name = selectedDegree)]
     pub selected_degree: u32,
     /// Whether what is selected is its own mirror image and the mirror is on, so that it cannot move along x.
@@ -91,11 +94,19 @@ pub struct StudioEntry {
     /// Whether it takes part in the shape.
     #[wasm_bindgen(readonly)]
     pub enabled: bool,
+    /// How often the mesh must be subdivided before it takes part, if that is more often than the one that is shown.
+    #[wasm_bindgen(readonly, js_name = waitsForDensity)]
+    pub waits_for_density: Option<u32>,
     pub(crate) subject: Subject,
 }
 
 impl StudioEntry {
-    pub(crate) fn new(index: usize, entry: &Entry) -> Self {
+    /// `density` is that of the mesh that is shown.
+    pub(crate) fn new(index: usize, entry: &Entry, density: u32) -> Self {
+        let level = match &entry.command {
+            Command::Move { grip, .. } => grip.level,
+            Command::Symmetrise { .. } => 0,
+        };
         let (amount, unit) = match entry.command.amount() {
             Amount::Distance(distance_m) => (distance_m * 1000.0, "mm"),
             Amount::Share(share) => (share * 100.0, "%"),
@@ -106,6 +117,7 @@ impl StudioEntry {
             amount,
             unit: unit.to_owned(),
             enabled: entry.switch == Switch::On,
+            waits_for_density: (level > density).then_some(level),
             subject: entry.command.subject(),
         }
     }

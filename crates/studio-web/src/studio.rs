@@ -19,6 +19,8 @@ pub(crate) const MAX_DENSITY: u32 = 3;
 const IDLE_TURN_DEG_PER_S: f64 = 14.0;
 /// How strongly the response glows over the face while a landmark moves.
 const GLOW: f64 = 0.75;
+/// Radius in CSS px of the ring around what is in hand, as a pointer needs it.
+const RING_PX: f64 = 9.0;
 
 /// The document and its view.
 #[wasm_bindgen]
@@ -206,7 +208,8 @@ impl Studio {
         let face = FaceModel::new(input, self.wishes.triangulation)?;
         let mut session = Session::new(face)?;
         if self.wishes.density > 0 {
-            session.set_density(self.wishes.density, &self.choices)?;
+            session.set_density(self.wishes.density, self.hand, &self.choices)?;
+            session.prepare(self.hand, &self.choices)?;
         }
         self.choices.pins.clear();
         self.session = Some(session);
@@ -307,29 +310,59 @@ impl Studio {
         };
         let regions = selection.iter().chain(&self.pointed).filter_map(|selection| match selection {
             Selection::Region(region) => Some(region.vertices()),
-            Selection::Landmark(_) => None,
+            Selection::Landmark(_) | Selection::Point { .. } => None,
         });
         let region: Vec<u32> = regions.flatten().collect();
         let middle = selection.map(Selection::middle);
         let mark = |kind| move |&vertex: &u32| Mark { vertex, kind };
         let anchors = anchors.iter().filter(|anchor| !pins.contains(anchor)).map(mark(MarkKind::Square));
-        let marks = anchors.chain(pins.iter().map(mark(MarkKind::Pin))).chain(region.iter().map(mark(MarkKind::Speck)));
+        let shown = |pin: &&u32| (**pin as usize) < session.document.rest().len();
+        let marks = anchors
+            .chain(pins.iter().filter(shown).map(mark(MarkKind::Pin)))
+            .chain(region.iter().map(mark(MarkKind::Speck)));
         stage.set_marks(marks.chain(middle.iter().map(mark(MarkKind::Ring))).collect());
         stage.set_gizmo(middle);
-        let is_mirrored = middle.is_some() && self.choices.mirror == Mirror::On;
+        let is_mirrored = middle.is_some() && self.choices.mirror == Mirror::On && session.can_mirror();
         let mirror_plane = if is_mirrored { MirrorPlane::Shown } else { MirrorPlane::Hidden };
         if stage.look().mirror_plane != mirror_plane {
             stage.look_mut().mirror_plane = mirror_plane;
         }
     }
 
-    /// The landmark under a place on the canvas.
-    pub(crate) fn landmark_at(&self, place_px: DVec2) -> Option<u32> {
+    /// Whether it is landmarks that a click or a drag takes, alone or with their region.
+    pub(crate) fn takes_landmarks(&self) -> bool {
+        let density = self.session.as_ref().map_or(0, |session| session.document.density());
+        self.hand != Hand::Point || density == 0
+    }
+
+    /// What a click or a drag takes at a place on the canvas.
+    pub(crate) fn vertex_at(&self, place_px: DVec2) -> Option<u32> {
         let positions_m = self.session.as_ref()?.document.positions();
         let vertex = self.viewport.pick(place_px, positions_m)?;
+        if !self.takes_landmarks() {
+            return Some(vertex);
+        }
         let at_m = positions_m[vertex as usize];
         let landmarks = positions_m.iter().take(LANDMARK_COUNT).zip(0..);
         landmarks.min_by(|(one, _), (other, _)| at_m.distance(**one).total_cmp(&at_m.distance(**other))).map(|(_, v)| v)
+    }
+}
+
+impl Studio {
+    /// The point in hand, if a place on the canvas where the mesh shows `vertex` is within its ring: on a dense mesh, its
+    /// neighbours are there, too.
+    pub(crate) fn point_beside(&self, vertex: u32, place_px: DVec2) -> Option<u32> {
+        let session = self.session.as_ref()?;
+        let Some(Selection::Point { vertex: held, .. }) = session.selection() else { return None };
+        let stage = self.viewport.stage();
+        let [held_m, vertex_m] = [held, vertex].map(|v| session.document.committed().get(v as usize).copied());
+        let (held_m, vertex_m, camera) = (held_m?, vertex_m?, stage.camera());
+        let reach_px = RING_PX * stage.pixel_ratio();
+        let is_near = camera.project(held_m)?.distance(place_px) <= reach_px;
+        // On the other side of the face, it would only seem to be near.
+        let depth_m = (camera.eye_m() - held_m).dot(camera.back());
+        let is_beside = held_m.distance(vertex_m) <= 2.0 * reach_px * camera.m_per_px_at_distance(depth_m);
+        (is_near && is_beside).then_some(held)
     }
 }
 

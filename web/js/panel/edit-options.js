@@ -55,7 +55,11 @@ export class EditOptions {
     for (const preset of /** @type {const} */ (["sculpt", "paper"])) {
       presetInput(preset).addEventListener("change", () => this.#choose(PRESETS[preset]));
     }
-    bench.onChange(({ selected }) => this.#showPin(selected));
+    bench.onChange(({ selected, canMirror }) => {
+      this.#showPin(selected);
+      this.#mirror.disabled = selected !== undefined && !canMirror;
+      byId("mirror-help", HTMLParagraphElement).hidden = !this.#mirror.disabled;
+    });
     inEveryLanguage(() => this.#explain());
     this.#choose(PRESETS.sculpt);
   }

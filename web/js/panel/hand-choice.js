@@ -1,5 +1,6 @@
 import { announce } from "../page/announce.js";
 import { byId, make } from "../page/dom.js";
+import { afterNextFrame } from "../page/tasks.js";
 import { inEveryLanguage, language, say } from "../words/words.js";
 
 /**
@@ -8,14 +9,19 @@ import { inEveryLanguage, language, say } from "../words/words.js";
  */
 
 /**
- * Whether a click takes one landmark or the region around it, and the regions by name.
+ * Whether a click takes one landmark, the region around it or any point of the mesh, and the regions by name.
  *
  * @param {Workbench} bench
  */
 export function setUpHandChoice(bench) {
   const regions = byId("region", HTMLSelectElement);
-  byId("hand", HTMLFieldSetElement).addEventListener("change", () => {
+  byId("hand", HTMLFieldSetElement).addEventListener("change", async () => {
     showFields();
+    if (chosenHand() === "point") {
+      // A dense mesh needs a moment, the first time: the words come first.
+      byId("landmark-help", HTMLParagraphElement).textContent = say("hand.preparing");
+      await afterNextFrame();
+    }
     bench.act((studio) => studio.setHand(chosenHand()));
   });
   regions.addEventListener("change", () => {
@@ -26,7 +32,7 @@ export function setUpHandChoice(bench) {
   inEveryLanguage(() => listRegions(bench, regions));
 }
 
-/** What a click takes: one landmark, or the region around it. */
+/** What a click takes: one landmark, the region around it, or any point. */
 export function chosenHand() {
   const chosen = document.querySelector("input[name='hand']:checked");
   return /** @type {HandName} */ (chosen instanceof HTMLInputElement ? chosen.value : "landmark");
@@ -34,6 +40,7 @@ export function chosenHand() {
 
 function showFields() {
   const byRegion = chosenHand() === "region";
+  byId("point-field", HTMLDivElement).hidden = chosenHand() !== "point";
   byId("region-field", HTMLDivElement).hidden = !byRegion;
   byId("landmark-field", HTMLDivElement).hidden = byRegion;
   byId("skip-link", HTMLAnchorElement).href = byRegion ? "#region" : "#landmark-search";

@@ -7,6 +7,7 @@ import { inEveryLanguage, language, say, sayNumber } from "../words/words.js";
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
  * @typedef {import("../viewport/workbench.js").StudioState} StudioState
  * @typedef {import("../../wasm/rosto-studio-web.js").StudioEntry} StudioEntry
+ * @typedef {import("../words/words.js").WordKey} WordKey
  */
 
 /**
@@ -65,7 +66,7 @@ function show(state, bench) {
  * @param {Workbench} bench
  */
 function row(entry, bench) {
-  const { index, amount, unit, enabled } = entry;
+  const { index, amount, unit, enabled, waitsForDensity } = entry;
   const name = bench.studio.entryName(index, language());
   const item = make("li");
   item.toggleAttribute("data-off", !enabled);
@@ -78,5 +79,9 @@ function row(entry, bench) {
   });
   const howMuch = `${sayNumber(amount, unit === "%" ? 0 : 1)} ${unit}`;
   item.append(takesPart, make("span", "what", name), make("span", "how-much", howMuch));
+  if (waitsForDensity !== undefined) {
+    const points = say(/** @type {WordKey} */ (`density.${waitsForDensity}`));
+    item.append(make("span", "waits", say("history.waits", { points })));
+  }
   return item;
 }

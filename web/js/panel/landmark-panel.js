@@ -1,6 +1,5 @@
 import { announce } from "../page/announce.js";
 import { byId, make } from "../page/dom.js";
-import { landmarkLabel } from "../viewport/landmark-label.js";
 import { inEveryLanguage, language, say, sayNumber } from "../words/words.js";
 import { chosenHand } from "./hand-choice.js";
 import { Slider } from "./slider.js";
@@ -17,7 +16,7 @@ const STEP_MM = 0.1;
 const NAMED_ANCHORS = 6;
 const AXES = /** @type {const} */ (["x", "y", "z"]);
 
-/** Choosing a landmark by name or number, and moving it in millimetres. */
+/** Choosing a landmark or a point by name or number, and moving it in millimetres. */
 export class LandmarkPanel {
   #search = byId("landmark-search", HTMLInputElement);
   #help = byId("landmark-help", HTMLParagraphElement);
@@ -65,36 +64,21 @@ export class LandmarkPanel {
 
   /** @param {string} text */
   #find(text) {
-    const landmark = this.#landmarkOf(text.trim());
-    this.#search.toggleAttribute("aria-invalid", landmark === undefined);
-    if (landmark === undefined) {
-      this.#help.textContent = say("landmark.unknown", { text });
+    const vertex = this.#bench.studio.vertexCalled(text, language());
+    this.#search.toggleAttribute("aria-invalid", vertex === undefined);
+    if (vertex === undefined) {
+      this.#help.textContent = say(chosenHand() === "point" ? "point.unknown" : "landmark.unknown", { text });
       announce(this.#help.textContent);
       return;
     }
-    this.#bench.act((studio) => studio.select(landmark));
+    this.#bench.act((studio) => studio.takeAt(vertex));
     announce(say("landmark.selected", { name: this.#search.value }));
-  }
-
-  /** @param {string} text */
-  #landmarkOf(text) {
-    const wanted = text.toLocaleLowerCase();
-    for (let landmark = 0; landmark < LANDMARKS; landmark++) {
-      const name = this.#bench.studio.landmarkName(landmark, language());
-      if ([String(landmark), name, this.#label(landmark)].some((way) => way.toLocaleLowerCase() === wanted)) return landmark;
-    }
-    return undefined;
-  }
-
-  /** @param {number} landmark */
-  #label(landmark) {
-    return landmarkLabel(this.#bench.studio, landmark);
   }
 
   #listNames() {
     const options = Array.from({ length: LANDMARKS }, (_, landmark) => {
       const option = make("option");
-      option.value = this.#label(landmark);
+      option.value = this.#bench.studio.landmarkLabel(landmark, language());
       return option;
     });
     byId("landmark-names", HTMLDataListElement).replaceChildren(...options);
@@ -108,7 +92,7 @@ export class LandmarkPanel {
     const [alongX] = this.#sliders;
     if (alongX) alongX.disabled = state.selectedInPlane;
     if (state.selected === undefined) return;
-    this.#search.value = this.#label(state.selected);
+    this.#search.value = this.#bench.studio.selectionName(language()) ?? "";
     this.#search.removeAttribute("aria-invalid");
     this.#kept_mm = [state.keptXMm, state.keptYMm, state.keptZMm];
     const moving_mm = [state.offsetXMm, state.offsetYMm, state.offsetZMm];

@@ -64,7 +64,7 @@ export class PhotoOverlay {
   }
 
   /**
-   * Marks the landmark being edited and the one under the pointer.
+   * Marks the landmark being edited and the one under the pointer, if they are landmarks.
    *
    * @param {number | undefined} selected
    * @param {number | undefined} hovered
@@ -106,18 +106,19 @@ export class PhotoOverlay {
         context.fillRect(x - (size / 2) * ratio, y - (size / 2) * ratio, size * ratio, size * ratio);
       }
     }
-    if (this.#hovered !== undefined) this.#ring(context, this.#hovered, 4 * ratio, ratio);
-    if (this.#selected !== undefined) this.#ring(context, this.#selected, 5 * ratio, 2 * ratio);
+    this.#ring(context, this.#hovered, 4 * ratio, ratio);
+    this.#ring(context, this.#selected, 5 * ratio, 2 * ratio);
   }
 
   /**
    * @param {CanvasRenderingContext2D} context
-   * @param {number} landmark
+   * @param {number | undefined} vertex only landmarks are on the photo
    * @param {number} radius
    * @param {number} width
    */
-  #ring(context, landmark, radius, width) {
-    const { x, y } = this.#place(landmark);
+  #ring(context, vertex, radius, width) {
+    if (vertex === undefined || vertex * 3 >= this.#landmarks.length) return;
+    const { x, y } = this.#place(vertex);
     context.strokeStyle = getComputedStyle(this.#canvas).color;
     context.lineWidth = width;
     context.beginPath();

@@ -60,6 +60,10 @@ export const pt = {
 
   "hand": "Mover",
   "hand.landmark": "Um ponto",
+  "hand.point": "Ponto da malha",
+  "point.unknown": "Não existe o ponto “{text}” nesta malha.",
+  "hand.preparing": "Preparando …",
+  "point.help": "Clique em qualquer ponto da malha ou digite o número. Com 468 pontos, são os pontos do rosto; mais pontos mudam detalhes menores.",
   "hand.region": "Uma região",
   "region": "Região",
   "region.none": "Escolha uma região",
@@ -85,6 +89,7 @@ export const pt = {
   "preset.sculpt": "Escultura",
   "preset.paper": "Artigo",
   "edit.mirror": "Espelhar no outro lado",
+  "edit.mirror.none": "Com olhos e boca abertos, só os pontos do rosto têm par.",
   "edit.nearby": "Só por perto",
   "edit.radius": "raio",
   "edit.radius.long": "Alcance de uma edição ao longo da pele, em milímetros",
@@ -136,6 +141,7 @@ export const pt = {
   "was-reset.one": "Edições retiradas: {name}",
   "was-reset": "Todas as edições foram retiradas",
   "history.empty": "As edições aparecem aqui.",
+  "history.waits": "espera por uma malha de {points}",
   "history.takes-part": "Manter a edição: {name}",
 
   "paint": "Pintura do rosto",

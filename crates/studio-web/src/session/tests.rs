@@ -1,5 +1,5 @@
 use super::*;
-use rosto_face::{FaceInput, Photo, canonical_positions_m};
+use rosto_face::{FaceInput, Photo, Region, canonical_positions_m, mirror_of};
 use rosto_studio::Switch;
 
 fn session() -> Session {
@@ -174,4 +174,72 @@ fn what_is_its_own_mirror_image_moves_in_the_plane_while_the_mirror_is_on() {
             assert!(!session.state().selected_in_plane);
         }
     }
+}
+
+fn vertex_at_rest(session: &Session, place_m: DVec3) -> f64 {
+    session.selected().map_or(f64::NAN, |vertex| session.document.rest()[vertex as usize].distance(place_m))
+}
+
+#[test]
+fn any_point_is_a_landmark_at_468_points_and_one_of_the_dense_mesh_above() {
+    let (mut session, mut choices) = (session(), sculpting());
+    assert_eq!(session.at(61, Hand::Point), Selection::Landmark(61));
+    session.set_density(2, Hand::Point, &choices).unwrap();
+    assert_eq!(session.at(5_000, Hand::Point), Selection::Point { level: 2, vertex: 5_000 });
+    assert!(session.known(7_256, Hand::Point).is_ok() && session.known(7_257, Hand::Point).is_err());
+    assert!(session.known(468, Hand::Landmark).is_err());
+    session.select(Some(session.at(5_000, Hand::Point)), &mut choices, 0).unwrap();
+    let place_m = session.document.rest()[5_000];
+    assert_eq!(session.selected(), Some(5_000));
+    session.set_density(3, Hand::Point, &choices).unwrap();
+    assert_eq!(session.selection(), Some(Selection::Point { level: 3, vertex: 5_000 }));
+    session.set_density(1, Hand::Point, &choices).unwrap();
+    assert!(matches!(session.selection(), Some(Selection::Point { level: 1, .. })));
+    assert!(vertex_at_rest(&session, place_m) < 0.006);
+    let Some(Selection::Landmark(landmark)) = session.taken_by(Hand::Landmark) else { panic!("a landmark") };
+    assert!(session.document.rest()[landmark as usize].distance(place_m) < 0.012);
+    assert!(matches!(session.taken_by(Hand::Region), Some(Selection::Region(_))));
+    session.set_density(0, Hand::Point, &choices).unwrap();
+    assert!(matches!(session.selection(), Some(Selection::Landmark(_))));
+}
+
+#[test]
+fn a_point_moves_with_its_mirror_image_and_waits_under_its_name_while_the_mesh_is_coarser() {
+    let (mut session, mut choices) = (session(), sculpting());
+    session.set_density(1, Hand::Point, &choices).unwrap();
+    let point = session.at(1_500, Hand::Point);
+    session.select(Some(point), &mut choices, 0).unwrap();
+    let before = session.document.positions().to_vec();
+    session.preview(DVec3::new(1.0, 0.0, 2.0)).unwrap();
+    session.commit(&choices).unwrap();
+    let partner = session.document.partner(1, 1_500).unwrap();
+    for (vertex, x) in [(1_500, 1.0), (partner, -1.0)] {
+        let way_mm = (session.document.positions()[vertex as usize] - before[vertex as usize]) * MM_PER_M;
+        assert!(way_mm.distance(DVec3::new(x, 0.0, 2.0)) < 1e-9);
+    }
+    let state = session.state();
+    assert_eq!((state.kept_z_mm, state.can_mirror, state.can_reset_selection), (2.0, true, true));
+    assert!(state.entries[0].label.starts_with("point 1,500 near the "), "{}", state.entries[0].label);
+    assert_eq!(state.entries[0].waits_for_density, None);
+    session.set_density(0, Hand::Point, &choices).unwrap();
+    let state = session.state();
+    assert_eq!(state.entries[0].waits_for_density, Some(1));
+    assert!(session.label(state.entries[0].subject, Language::Portuguese).starts_with("ponto 1.500 perto d"));
+    assert_eq!(session.document.positions(), session.document.rest());
+}
+
+#[test]
+fn points_have_no_mirror_image_with_eyes_and_mouth_open_and_are_moved_alone() {
+    let (mut session, mut choices) = (session(), sculpting());
+    session.set_density(1, Hand::Point, &choices).unwrap();
+    session.select(Some(session.at(1_500, Hand::Point)), &mut choices, 0).unwrap();
+    let place_m = session.document.rest()[1_500];
+    session.set_triangulation(Triangulation::Tessellation, &choices).unwrap();
+    assert!(vertex_at_rest(&session, place_m) < 0.002);
+    assert!(!session.state().can_mirror);
+    session.preview(DVec3::Z).unwrap();
+    assert_eq!(session.document.handles().len(), 1);
+    session.select(Some(Selection::Landmark(61)), &mut choices, 0).unwrap();
+    assert!(session.state().can_mirror);
+    assert_eq!(session.document.handles().len(), 2);
 }
