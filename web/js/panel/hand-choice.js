@@ -17,11 +17,7 @@ export function setUpHandChoice(bench) {
   const regions = byId("region", HTMLSelectElement);
   byId("hand", HTMLFieldSetElement).addEventListener("change", async () => {
     showFields();
-    if (chosenHand() === "point") {
-      // A dense mesh needs a moment, the first time: the words come first.
-      byId("landmark-help", HTMLParagraphElement).textContent = say("hand.preparing");
-      await afterNextFrame();
-    }
+    await untilWaitIsSaid();
     bench.act((studio) => studio.setHand(chosenHand()));
   });
   regions.addEventListener("change", () => {
@@ -36,6 +32,13 @@ export function setUpHandChoice(bench) {
 export function chosenHand() {
   const chosen = document.querySelector("input[name='hand']:checked");
   return /** @type {HandName} */ (chosen instanceof HTMLInputElement ? chosen.value : "landmark");
+}
+
+/** Where any point can be taken, a dense mesh needs a moment to get ready: the words come first. */
+export async function untilWaitIsSaid() {
+  if (chosenHand() !== "point") return;
+  byId("landmark-help", HTMLParagraphElement).textContent = say("hand.preparing");
+  await afterNextFrame();
 }
 
 function showFields() {

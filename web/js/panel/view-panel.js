@@ -1,5 +1,6 @@
 import { byId, chosenColour, onAction } from "../page/dom.js";
 import { inEveryLanguage, say } from "../words/words.js";
+import { untilWaitIsSaid } from "./hand-choice.js";
 import { setUpLight } from "./light.js";
 import { Slider } from "./slider.js";
 
@@ -28,7 +29,10 @@ export function setUpViewPanel(bench) {
   onCheck("dots", (shown) => bench.look((studio) => studio.setDots(shown)));
   onCheck("turntable", (turns) => bench.look((studio) => studio.setTurntable(turns ? TURNTABLE_DEG_PER_S : 0)));
   for (const select of densities()) {
-    select.addEventListener("change", () => chooseDensity(bench, Number(select.value)));
+    select.addEventListener("change", async () => {
+      await untilWaitIsSaid();
+      chooseDensity(bench, Number(select.value));
+    });
   }
   byId("triangulation", HTMLSelectElement).addEventListener("change", () => chooseTriangulation(bench, chosenTriangulation()));
   chooseTriangulation(bench, chosenTriangulation());
