@@ -44,6 +44,16 @@ impl Eliminated {
         Ok(Self { held: held.to_vec(), hold, factor: Factor::new(&CsrMatrix::from(&entries))?, pull })
     }
 
+    /// Whether these vertices, and no others, are held so.
+    pub(crate) fn holds(&self, held: &[u32], hold: Hold) -> bool {
+        self.held == held && self.hold == hold
+    }
+
+    /// Solves for a load on free vertices, in place.
+    pub(crate) fn solve(&self, load: &mut [f64]) {
+        self.factor.solve(load);
+    }
+
     /// See [`HeldForm::minimise`](crate::grounded::HeldForm::minimise).
     pub(crate) fn minimise(&self, load: Option<&[f64]>, targets: &[f64], out: &mut [f64]) {
         match load {

@@ -20,7 +20,7 @@ use crate::factor::{Factor, HalfSolved};
 use crate::{Constraints, Hold, LaplacianError};
 
 /// From this many held vertices on, a factor of their own is cheaper than the bordered system, which grows as the cube.
-const MANY_HELD: usize = 256;
+pub(crate) const MANY_HELD: usize = 256;
 
 /// The form `Q`, factored once in a way that serves any constraints.
 pub(crate) struct GroundedForm {
@@ -51,6 +51,15 @@ impl GroundedForm {
         let matrix = grounded(form, &component);
         let factor = Factor::new(&matrix)?;
         Ok(Self { component, matrix, factor })
+    }
+
+    pub(crate) fn component(&self) -> &[u32] {
+        &self.component
+    }
+
+    /// `B`.
+    pub(crate) fn matrix(&self) -> &CsrMatrix<f64> {
+        &self.matrix
     }
 
     /// Checks the constraints and does all the work that does not depend on targets.

@@ -29,6 +29,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod anchored;
 mod anchors;
 mod bordered;
 mod constraints;
@@ -48,6 +49,7 @@ mod rotation;
 mod system;
 mod weights;
 
+pub use anchored::AnchoredSystem;
 pub use anchors::random_anchors;
 pub use constraints::{Constraints, Hold};
 pub use distortion::{Distortion, DistortionSummary, Extreme};

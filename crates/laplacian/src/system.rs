@@ -3,8 +3,8 @@ use nalgebra_sparse::CsrMatrix;
 use nalgebra_sparse::csr::CsrRow;
 use rosto_mesh::Topology;
 
-use crate::grounded::GroundedForm;
-use crate::{Constraints, Hold, LaplacianError, Operator, Response};
+use crate::grounded::{GroundedForm, MANY_HELD};
+use crate::{AnchoredSystem, Constraints, Hold, LaplacianError, Operator, Response};
 
 /// Everything about δ-coordinate edits that depends on the mesh and operator alone; built once.
 ///
@@ -58,6 +58,16 @@ impl LaplacianSystem {
         let targets = offsets.iter().copied().chain(std::iter::repeat(DVec3::ZERO));
         let missed = constraints.held().into_iter().zip(targets);
         bent + weight * missed.map(|(vertex, target)| (moved[vertex as usize] - target).length_squared()).sum::<f64>()
+    }
+
+    /// A system of its own for these anchors, where they are so many that [`Self::respond`] would factor anew for all
+    /// handles; it serves other handles, too.
+    ///
+    /// # Errors
+    /// As for [`Self::respond`].
+    pub fn anchored(&self, constraints: &Constraints<'_>) -> Result<Option<AnchoredSystem>, LaplacianError> {
+        let are_many = constraints.anchors.len() >= MANY_HELD;
+        are_many.then(|| AnchoredSystem::new(&self.form, constraints)).transpose()
     }
 
     /// How every vertex follows the handles: one back-substitution for each handle.

@@ -29,7 +29,7 @@ impl Held {
         let anchors = anchors(&grip, &handles, level)?;
         let hold = grip.settings.hold;
         let constraints = Constraints { handles: &handles, anchors: &anchors, hold, region: region.as_ref() };
-        let response = level.system(grip.settings.operator)?.respond(&constraints)?;
+        let response = level.respond(grip.settings.operator, &constraints)?;
         let rigid = match grip.settings.details {
             Details::Kept => None,
             Details::Turned => {

@@ -1,6 +1,8 @@
 use glam::DVec3;
 use rosto_face::{FaceModel, LANDMARK_COUNT, oval};
-use rosto_laplacian::{Geodesics, LaplacianError, LaplacianSystem, Operator, Region};
+use rosto_laplacian::{
+    AnchoredSystem, Constraints, Geodesics, Hold, LaplacianError, LaplacianSystem, Operator, Region, Response,
+};
 use rosto_mesh::{LoopSubdivision, Topology};
 
 use crate::StudioError;
@@ -48,14 +50,23 @@ pub(crate) struct Level {
     rest: Rest,
     /// Each built when its operator is first asked for.
     systems: Vec<(Operator, LaplacianSystem)>,
+    /// For the anchors that were held last, where they are many: the same for one handle after the other.
+    anchored: Option<Anchored>,
     geodesics: Option<Geodesics>,
     /// To the next level; built with it.
     finer: Option<LoopSubdivision>,
 }
 
+struct Anchored {
+    operator: Operator,
+    hold: Hold,
+    anchors: Vec<u32>,
+    system: AnchoredSystem,
+}
+
 impl Level {
     pub(crate) fn new(rest: Rest) -> Self {
-        Self { rest, systems: Vec::new(), geodesics: None, finer: None }
+        Self { rest, systems: Vec::new(), anchored: None, geodesics: None, finer: None }
     }
 
     pub(crate) fn topology(&self) -> &Topology {
@@ -86,6 +97,24 @@ impl Level {
             }
         };
         Ok(&self.systems[index].1)
+    }
+
+    /// How every vertex follows handles. The same anchors again ask for no new factor.
+    pub(crate) fn respond(
+        &mut self,
+        operator: Operator,
+        constraints: &Constraints<'_>,
+    ) -> Result<Response, LaplacianError> {
+        let (hold, anchors) = (constraints.hold, constraints.anchors);
+        let is_for = |one: &Anchored| one.operator == operator && one.hold == hold && one.anchors == anchors;
+        if !self.anchored.as_ref().is_some_and(is_for) {
+            let system = self.system(operator)?.anchored(constraints)?;
+            self.anchored = system.map(|system| Anchored { operator, hold, anchors: anchors.to_vec(), system });
+        }
+        match &self.anchored {
+            Some(anchored) => anchored.system.respond(constraints),
+            None => self.system(operator)?.respond(constraints),
+        }
     }
 
     /// What is nearer to `sources` than `radius`, along the surface at rest.

@@ -273,3 +273,27 @@ fn the_papers_random_edits_never_leave_a_lone_peak() {
         assert!(peaks.is_empty(), "handle {handle}, anchors {anchors:?}: {peaks:?}");
     }
 }
+
+#[test]
+fn one_factor_for_many_anchors_serves_all_handles_as_a_factor_for_each_does() {
+    let mesh = canonical_face();
+    let anchors: Vec<u32> = (160..460).collect();
+    for operator in Operator::ALL {
+        let system = system(&mesh, operator);
+        for hold in HOLDS {
+            let under = |handles| Constraints { handles, anchors: &anchors, hold, region: None };
+            let anchored = system.anchored(&under(&[4])).unwrap().unwrap();
+            for handles in [&[4][..], &[1, 61, 152]] {
+                let (once, anew) =
+                    (anchored.respond(&under(handles)).unwrap(), system.respond(&under(handles)).unwrap());
+                for index in 0..handles.len() {
+                    let pairs = once.field(index).iter().zip(anew.field(index));
+                    let apart = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                    assert!(apart < 1e-10, "{operator:?}, {hold:?}: {apart}");
+                }
+            }
+        }
+    }
+    let few = Constraints { handles: &[4], anchors: &[10, 152], ..Constraints::default() };
+    assert!(system(&mesh, Operator::Uniform).anchored(&few).unwrap().is_none());
+}
