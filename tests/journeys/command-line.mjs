@@ -1,5 +1,5 @@
 import { execFile } from "node:child_process";
-import { existsSync } from "node:fs";
+import { existsSync, statSync } from "node:fs";
 import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import path from "node:path";
@@ -47,8 +47,8 @@ export async function paperByCommandLine(photo, options) {
 }
 
 function program() {
-  const built = ["release", "debug"].map((profile) => path.join(TARGET, profile, "rosto"));
-  const found = [process.env.ROSTO_CLI, ...built].find((file) => file && existsSync(file));
+  const built = ["release", "debug"].map((profile) => path.join(TARGET, profile, "rosto")).filter((file) => existsSync(file));
+  const [found] = process.env.ROSTO_CLI ? [process.env.ROSTO_CLI] : built.sort((a, b) => statSync(b).mtimeMs - statSync(a).mtimeMs);
   if (!found) throw new Error("no `rosto` here: build it, or name it in ROSTO_CLI");
   return found;
 }

@@ -154,10 +154,15 @@ fn page() -> Vec<Step> {
         Step::new("types", "tsc over the page's scripts", |kit| {
             check("types", quiet(kit.run("npm")?).args(["run", "--silent", "check"]))
         }),
-        Step::new("journeys", "a visitor's ways through the page, in headless Chrome", |kit| {
-            tests("journeys", quiet(kit.run("npm")?).args(["run", "--silent", "journeys"]))
-        }),
+        Step::new("journeys", "a visitor's ways through the page, in headless Chrome", journeys),
     ]
+}
+
+/// The page's results are compared with those of the command line, as the native tests build it.
+fn journeys(kit: &Kit) -> Outcome<Report> {
+    over_the_workspace(&["test", "--quiet", "--no-run"]).within(STEP_LIMIT).run()?.checked()?;
+    let program = workspace::target().join("debug").join("rosto");
+    tests("journeys", quiet(kit.run("npm")?).args(["run", "--silent", "journeys"]).env("ROSTO_CLI", program))
 }
 
 /// A program whose success is one test.
