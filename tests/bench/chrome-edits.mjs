@@ -58,10 +58,10 @@ async function page(levels) {
   await init();
   const studio = await start(document.createElement("canvas"));
   studio.resize(640, 480, 1);
-  const { width, height, pictureWidth, pictureHeight } = found;
-  const face = [found.landmarks(0), width, height, found.colours(0), found.takePicture(), pictureWidth, pictureHeight];
   studio.setTriangulation("canonical");
-  studio.openFace(...face);
+  studio.openPicture(found.pictureWidth, found.pictureHeight);
+  studio.addPictureRows(found.takePicture());
+  studio.openFace(found.landmarks(0), found.width, found.height, found.colours(0));
 
   const lines = [];
   for (const level of levels) {
