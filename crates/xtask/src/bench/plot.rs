@@ -4,7 +4,7 @@ use super::Record;
 
 const WIDTH: f64 = 720.0;
 const HEIGHT: f64 = 440.0;
-const LEFT: f64 = 72.0;
+const LEFT: f64 = 84.0;
 const RIGHT: f64 = 160.0;
 const TOP: f64 = 48.0;
 const BOTTOM: f64 = 56.0;
