@@ -8,6 +8,9 @@ import { language, say, sayNumber } from "../words/words.js";
  * @typedef {import("../photo/photo-overlay.js").PhotoOverlay} PhotoOverlay
  */
 
+/** What stays free beside a name. */
+const MARGIN_PX = 8;
+
 /** Keeps the landmark's name beside it, and the same landmark marked on the photo and on the mesh. */
 export class LandmarkMarks {
   #tag = byId("landmark-tag", HTMLOutputElement);
@@ -107,7 +110,10 @@ export class LandmarkMarks {
     const place = this.bench.studio.screenPosition(named);
     if (!place) return;
     const ratio = devicePixelRatio;
-    this.#tag.style.translate = `${Math.round(place.x / ratio + 14)}px ${Math.round(place.y / ratio + 12)}px`;
+    // Long names stay within the picture.
+    const furthest = this.bench.canvas.clientWidth - this.#tag.offsetWidth - MARGIN_PX;
+    const left = Math.max(MARGIN_PX, Math.min(place.x / ratio + 14, furthest));
+    this.#tag.style.translate = `${Math.round(left)}px ${Math.round(place.y / ratio + 12)}px`;
     place.free();
   }
 }
