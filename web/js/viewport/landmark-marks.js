@@ -110,10 +110,11 @@ export class LandmarkMarks {
     const place = this.bench.studio.screenPosition(named);
     if (!place) return;
     const ratio = devicePixelRatio;
-    // Long names stay within the picture.
-    const furthest = this.bench.canvas.clientWidth - this.#tag.offsetWidth - MARGIN_PX;
-    const left = Math.max(MARGIN_PX, Math.min(place.x / ratio + 14, furthest));
-    this.#tag.style.translate = `${Math.round(left)}px ${Math.round(place.y / ratio + 12)}px`;
+    const left_px = Math.round(place.x / ratio + 14);
+    this.#tag.style.translate = `${left_px}px ${Math.round(place.y / ratio + 12)}px`;
+    // Long names are drawn back into the picture.
+    const room_px = this.bench.canvas.clientWidth - left_px - MARGIN_PX;
+    this.#tag.style.marginLeft = `${Math.min(0, room_px - this.#tag.offsetWidth)}px`;
     place.free();
   }
 }

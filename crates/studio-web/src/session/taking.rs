@@ -73,12 +73,16 @@ impl Session {
         }
     }
 
-    /// Gets ready what the first point in hand would have to wait for.
+    /// Gets ready what the first point in hand would have to wait for: the factors that all points share.
     pub fn prepare(&mut self, hand: Hand, choices: &Choices) -> Outcome<()> {
-        match hand {
-            Hand::Point => Ok(self.document.prepare(choices.operator)?),
-            Hand::Landmark | Hand::Region => Ok(()),
+        let level = self.document.density();
+        if hand != Hand::Point || level == 0 {
+            return Ok(());
         }
+        let any = Selection::Point { level, vertex: 0 };
+        // One that cannot be held says so when it is taken in hand.
+        let _ = self.document.hold(choices.grip(any, self.seed, &self.document));
+        self.hold(choices)
     }
 
     /// Where on the mesh at rest what is in hand is.

@@ -1,9 +1,8 @@
 use glam::DVec3;
 use rosto_face::{LANDMARK_COUNT, Language, place_near};
-use rosto_laplacian::Operator;
 
 use super::Document;
-use crate::{StudioError, Subject};
+use crate::Subject;
 
 /// Vertices of the mesh that is shown, beside the landmarks.
 impl Document {
@@ -37,15 +36,6 @@ impl Document {
         let level = self.levels.get(level as usize)?;
         let known = (vertex as usize) < level.rest().len();
         level.mirror().ok().filter(|_| known).map(|table| table.partner(vertex))
-    }
-
-    /// Factors what the first edit of the mesh that is shown would have to wait for.
-    ///
-    /// # Errors
-    /// [`StudioError::Laplacian`] for a mesh at rest that has no answer.
-    pub fn prepare(&mut self, operator: Operator) -> Result<(), StudioError> {
-        self.levels[self.density as usize].system(operator)?;
-        Ok(())
     }
 
     fn landmark_beside(&self, level: u32, vertex: u32) -> Option<u32> {
