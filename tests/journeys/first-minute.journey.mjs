@@ -23,6 +23,23 @@ journey("a hint for fingers speaks of fingers", async (open) => {
   await visitor.page.waitForFunction(() => document.getElementById("hint").textContent.includes("finger on the nose"));
 });
 
+for (const needs of /** @type {const} */ (["gpu", "webgl"])) {
+  journey(
+    `before a photo nothing but the wireframe lies over the page's ground: ${needs}`,
+    async (open) => {
+      const visitor = await open({ colorScheme: "light", reducedMotion: "reduce" });
+      await visitor.untilLoaded();
+      const { data, width, height } = await visitor.view();
+      const nearGround = (/** @type {number} */ at) => [0xf5, 0xf3, 0xef].every((ground, channel) => Math.abs(data[at + channel] - ground) < 24);
+      const isGround = Array.from({ length: width * height }, (_, pixel) => nearGround(4 * pixel));
+      assert.ok(isGround[0] && isGround[width - 1], `the corner is ${data.subarray(0, 4)}`);
+      const share = isGround.filter(Boolean).length / isGround.length;
+      assert.ok(share > 0.7 && share < 0.999, `${share} of the view is ground`);
+    },
+    { needs },
+  );
+}
+
 for (const [reducedMotion, moves] of /** @type {const} */ ([["no-preference", true], ["reduce", false]])) {
   const verb = moves ? "turns slowly" : "keeps still";
   journey(`with ${reducedMotion} for motion, the empty face ${verb}`, async (open) => {

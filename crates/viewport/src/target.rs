@@ -64,8 +64,12 @@ impl Target {
         let offered = surface.get_capabilities(&adapter);
         let format = offered.formats.iter().copied().find(|format| !format.is_srgb());
         let format = format.ok_or_else(|| ViewportError::CanvasInUse("it offers no format".into()))?;
-        let premultiplied = wgpu::CompositeAlphaMode::PreMultiplied;
-        let alpha = offered.alpha_modes.iter().copied().find(|&mode| mode == premultiplied).unwrap_or_default();
+        // wgpu says of both that they offer opaque canvases only. WebGPU has premultiplied ones, too, and a WebGL2 canvas is
+        // one already.
+        let alpha = match Backend::OF_THIS_BUILD {
+            Backend::WebGpu => wgpu::CompositeAlphaMode::PreMultiplied,
+            Backend::WebGl2 => wgpu::CompositeAlphaMode::Auto,
+        };
         Ok((gpu, Self { place: Place::Surface(surface, alpha), format }))
     }
 
