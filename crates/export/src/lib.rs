@@ -3,7 +3,6 @@
 //! Every exporter takes a [`Model`] and documented options and returns the file whole. Positions are metres in the
 //! model's frame (+Y up, +Z out of the face); `f64` becomes `f32` here, and not before.
 
-mod base64;
 mod colour;
 mod error;
 mod glb;

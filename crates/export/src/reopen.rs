@@ -1,8 +1,8 @@
+use base64::prelude::{BASE64_STANDARD, Engine};
 use rosto_face::{LANDMARK_COUNT, Triangulation};
 use serde_json::Value;
 use thiserror::Error;
 
-use crate::base64::from_base64;
 use crate::glb::{VERSION, triangulation_from_name};
 
 mod chunks;
@@ -118,7 +118,7 @@ pub fn reopen(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
 }
 
 fn landmarks(value: &Value) -> Option<Vec<[f32; 3]>> {
-    let bytes = from_base64(value.as_str()?)?;
+    let bytes = BASE64_STANDARD.decode(value.as_str()?).ok()?;
     let (numbers, rest) = bytes.as_chunks::<4>();
     let numbers: Vec<f32> = numbers.iter().map(|&bytes| f32::from_le_bytes(bytes)).collect();
     let (points, more) = numbers.as_chunks::<3>();
@@ -127,7 +127,7 @@ fn landmarks(value: &Value) -> Option<Vec<[f32; 3]>> {
 }
 
 fn colours(value: &Value) -> Option<Vec<[u8; 3]>> {
-    let bytes = from_base64(value.as_str()?)?;
+    let bytes = BASE64_STANDARD.decode(value.as_str()?).ok()?;
     let (colours, rest) = bytes.as_chunks::<3>();
     (rest.is_empty() && colours.len() == LANDMARK_COUNT).then(|| colours.to_vec())
 }

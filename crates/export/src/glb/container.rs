@@ -1,8 +1,7 @@
+use base64::prelude::{BASE64_STANDARD, Engine};
 use glam::{Vec2, Vec3};
 use rosto_mesh::Topology;
 use serde_json::{Map, Value, json};
-
-use crate::base64::base64;
 
 /// Component types and buffer targets in OpenGL's numbers, as glTF has them.
 const UNSIGNED_SHORT: u32 = 5123;
@@ -93,7 +92,7 @@ impl Builder {
     /// The whole file as text.
     pub(super) fn finish_text(mut self, root: Map<String, Value>) -> String {
         let bytes = std::mem::take(&mut self.bytes);
-        let uri = ["data:application/octet-stream;base64,", &base64(&bytes)].concat();
+        let uri = ["data:application/octet-stream;base64,", &BASE64_STANDARD.encode(&bytes)].concat();
         self.finish(root, json!({"byteLength": bytes.len(), "uri": uri}))
     }
 

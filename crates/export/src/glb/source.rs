@@ -1,9 +1,9 @@
+use base64::prelude::{BASE64_STANDARD, Engine};
 use rosto_face::{FaceModel, Triangulation};
 use serde_json::{Value, json};
 
 use super::texture::Crop;
 use crate::ExportError;
-use crate::base64::base64;
 
 /// The version of the extras that is written.
 pub(crate) const VERSION: u64 = 1;
@@ -53,8 +53,8 @@ pub(super) fn extras(source: &Source<'_>) -> Result<Value, ExportError> {
         "photo_px": face.photo_size_px(),
         "triangulation": triangulation_name(source.triangulation),
         "density": source.density,
-        "landmarks": base64(&landmarks.collect::<Vec<u8>>()),
-        "colours": base64(face.colours_srgb().as_flattened()),
+        "landmarks": BASE64_STANDARD.encode(landmarks.collect::<Vec<u8>>()),
+        "colours": BASE64_STANDARD.encode(face.colours_srgb().as_flattened()),
     });
     if let Some(history) = source.history {
         let history: Option<Value> = serde_json::from_str(history).ok().filter(Value::is_object);
