@@ -28,6 +28,7 @@ export function setUpViewPanel(bench) {
   });
   onCheck("dots", (shown) => bench.look((studio) => studio.setDots(shown)));
   onCheck("turntable", (turns) => bench.look((studio) => studio.setTurntable(turns ? TURNTABLE_DEG_PER_S : 0)));
+  inEveryLanguage(nameDensities);
   for (const select of densities()) {
     select.addEventListener("change", async () => {
       await untilWaitIsSaid();
@@ -71,7 +72,17 @@ export function chooseDensity(bench, density) {
   bench.act((studio) => studio.setDensity(density));
 }
 
-/** The same choice stands where the mesh is seen and where it is exported. */
+/** Writes the choices anew in the page's language. */
+function nameDensities() {
+  for (const select of densities()) {
+    const chosen = select.value || "0";
+    const names = /** @type {const} */ (["density.0", "density.1", "density.2", "density.3"]).map((name) => say(name));
+    select.replaceChildren(...names.map((name, times) => new Option(name, String(times))));
+    select.value = chosen;
+  }
+}
+
+/** The same choice stands where points are taken, where the mesh is seen, and where it is exported. */
 function densities() {
   return /** @type {NodeListOf<HTMLSelectElement>} */ (document.querySelectorAll("select.density"));
 }
