@@ -28,7 +28,7 @@ impl Studio {
         Ok(landmark_label(known(vertex)?, language.language()?))
     }
 
-    /// What is in hand is called; undefined where there is nothing.
+    /// The name of what is in hand; undefined where there is nothing.
     ///
     /// # Errors
     /// `bad-choice`.
