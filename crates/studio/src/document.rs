@@ -1,7 +1,9 @@
+mod checks;
 mod editing;
 mod past;
 mod points;
 mod retriangulate;
+mod shapes;
 
 use std::iter::Sum;
 use std::ops::Mul;
@@ -12,8 +14,10 @@ use rosto_mesh::Topology;
 use crate::grip::Held;
 use crate::level::{Level, Rest};
 use crate::shape::Shape;
-use crate::{Entry, Follow, History, StudioError};
+use crate::{Entry, Follow, History, Standing, StudioError};
+pub use checks::MAX_DENSITY;
 use editing::Preview;
+use shapes::Shapes;
 
 /// A mesh at rest, the history of commands over it, and the edit in progress.
 ///
@@ -27,9 +31,7 @@ pub struct Document {
     levels: Vec<Level>,
     density: u32,
     history: History,
-    /// The shape after each entry; what history alone would give, kept so that undo need not solve.
-    after: Vec<Shape>,
-    unedited: Shape,
+    shapes: Shapes,
     held: Option<Held>,
     /// Of what is held.
     follow: Option<Follow>,
@@ -46,29 +48,51 @@ impl Document {
         levels[0].system(rosto_laplacian::Operator::default())?;
         let unedited = Shape::at_rest(&levels);
         let preview = Preview::none(&unedited);
-        let (history, after) = (History::default(), Vec::new());
-        Ok(Self { levels, density: 0, history, after, unedited, held: None, follow: None, preview })
+        let (history, shapes) = (History::default(), Shapes::new(unedited));
+        Ok(Self { levels, density: 0, history, shapes, held: None, follow: None, preview })
     }
 
-    /// A document with these entries, as a project file holds them; see [`crate::project`].
+    /// A document with these entries, as a project file holds them; see [`crate::project`]. Each can be taken back.
     ///
     /// # Errors
-    /// For the first entry that cannot be carried out on this mesh.
+    /// As for [`Self::open`].
     pub fn replay(rest: Rest, entries: Vec<Entry>) -> Result<Self, StudioError> {
-        let mut document = Self::new(rest)?;
-        for entry in entries {
-            document.push(entry)?;
-        }
-        Ok(document)
+        Self::open(rest, entries, 0)
     }
 
-    /// A document that goes on with the history of another, with all that was undone there.
+    /// The same, subdivided so many times.
     ///
     /// # Errors
-    /// For the first entry that cannot be carried out on this mesh.
+    /// [`StudioError::Entry`] for the first entry that cannot be carried out on this mesh or, where it is switched off or
+    /// waits for a denser one, that names what such a mesh does not have. [`StudioError::TooDense`].
+    pub fn open(rest: Rest, entries: Vec<Entry>, density: u32) -> Result<Self, StudioError> {
+        let mut document = Self::new(rest)?;
+        document.set_density(density)?;
+        let refused = |(index, reason)| StudioError::Entry { index, reason: Box::new(reason) };
+        for (index, entry) in entries.iter().enumerate() {
+            document.check(entry).map_err(|reason| refused((index, reason)))?;
+        }
+        document.history = History::of_entries(entries);
+        document.follow_history(0);
+        let impossible = |index| match document.standing(index) {
+            Some(Standing::Impossible(reason)) => Some((index, reason.clone())),
+            _ => None,
+        };
+        match (0..document.shapes.count()).find_map(impossible) {
+            Some(entry) => Err(refused(entry)),
+            None => Ok(document),
+        }
+    }
+
+    /// A document that goes on with the history of another, with all that was undone there. Entries that have no answer on
+    /// this mesh are passed over.
+    ///
+    /// # Errors
+    /// [`StudioError::Laplacian`] for positions that do not fit the mesh or are not finite.
     pub fn resume(rest: Rest, history: History) -> Result<Self, StudioError> {
         let mut document = Self::new(rest)?;
-        document.adopt(history, 0)?;
+        document.history = history;
+        document.follow_history(0);
         Ok(document)
     }
 
@@ -89,7 +113,7 @@ impl Document {
 
     /// Its positions after the last entry, without the edit in progress.
     pub fn committed(&self) -> &[DVec3] {
-        self.start().densest()
+        self.shapes.last().densest()
     }
 
     /// How often the mesh that is shown was subdivided.
@@ -101,18 +125,17 @@ impl Document {
     /// mesh than this one wait until it is shown again. An edit in progress is cancelled, and the grip let go.
     ///
     /// # Errors
-    /// [`StudioError`] if an entry cannot be carried out at this density; the document is as before.
+    /// [`StudioError::TooDense`] beyond [`MAX_DENSITY`]; the document is as before.
     pub fn set_density(&mut self, density: u32) -> Result<(), StudioError> {
+        self.vertices_at(density)?;
         self.release();
         self.subdivide_to(density);
-        let before = (self.density, std::mem::take(&mut self.after));
-        self.show(density);
-        let outcome = self.adopt(self.history.clone(), 0);
-        if outcome.is_err() {
-            self.show(before.0);
-            self.after = before.1;
-        }
-        outcome
+        self.density = density;
+        let unedited = Shape::at_rest(&self.levels[..=density as usize]);
+        self.preview = Preview::none(&unedited);
+        self.shapes = Shapes::new(unedited);
+        self.follow_history(0);
+        Ok(())
     }
 
     /// Values of the cage's vertices (texture coordinates, weights …) carried over to the mesh that is shown.
@@ -124,22 +147,8 @@ impl Document {
         steps.iter().fold(values.to_vec(), |values, level| level.finer().apply(&values))
     }
 
-    /// What each entry displaced the mesh that is shown by; they add up to the way from [`Self::rest`] to
-    /// [`Self::committed`].
-    pub fn displacements(&self) -> Vec<Vec<DVec3>> {
-        let starts = std::iter::once(&self.unedited).chain(&self.after);
-        let way =
-            |(from, to): (&Shape, &Shape)| to.densest().iter().zip(from.densest()).map(|(to, at)| *to - *at).collect();
-        starts.zip(&self.after).map(way).collect()
-    }
-
     fn level(&self) -> &Level {
         &self.levels[self.density as usize]
-    }
-
-    /// The shape that the next edit starts from.
-    fn start(&self) -> &Shape {
-        self.after.last().unwrap_or(&self.unedited)
     }
 
     fn subdivide_to(&mut self, density: u32) {
@@ -147,11 +156,5 @@ impl Document {
             let next = self.levels.last_mut().expect("invariant: there is a cage").subdivided();
             self.levels.push(next);
         }
-    }
-
-    fn show(&mut self, density: u32) {
-        self.density = density;
-        self.unedited = Shape::at_rest(&self.levels[..=density as usize]);
-        self.preview = Preview::none(&self.unedited);
     }
 }

@@ -39,6 +39,30 @@ pub enum StudioError {
         /// The document's density.
         density: u32,
     },
+    /// A mesh is asked for that is denser than any that is shown.
+    #[error("{level} subdivisions are more than the {most} there are")]
+    TooDense {
+        /// How often the mesh was to be subdivided.
+        level: u32,
+        /// How often it can be.
+        most: u32,
+    },
+    /// More vertices are to be moved at once than there is room for.
+    #[error("{handles} vertices cannot be moved at once: on this mesh, {most} can")]
+    TooManyHandles {
+        /// How many were to be moved.
+        handles: usize,
+        /// How many can be.
+        most: usize,
+    },
+    /// An entry of a file has no answer.
+    #[error("entry {index} of the history: {reason}")]
+    Entry {
+        /// Which entry, from 0.
+        index: usize,
+        /// What is wrong with it.
+        reason: Box<StudioError>,
+    },
     /// The mesh leaves no vertices for random anchors.
     #[error("{free} vertices are free, and two random anchors need two")]
     NoFreeAnchors {

@@ -1,4 +1,4 @@
-use crate::Command;
+use crate::{Command, StudioError};
 
 /// One step of the history: a command, what to call it, and whether it is in force.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +20,26 @@ pub enum Switch {
     /// It is passed over, but kept.
     Off,
 }
+
+/// How an entry takes part in the shape that is shown.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum Standing {
+    /// It does.
+    #[default]
+    InForce,
+    /// It is switched off.
+    Off,
+    /// It is meant for a denser mesh than the one that is shown.
+    Waits {
+        /// How often that mesh is subdivided.
+        level: u32,
+    },
+    /// It has no answer on this mesh, such as one with other triangles, and is passed over.
+    Impossible(StudioError),
+}
+
+/// What changes that can be taken back may hold together, in entries; the oldest are forgotten first.
+const MOST_REMEMBERED: usize = 100_000;
 
 /// The commands of a document in order, and how the list came about: adding an entry, switching some, and taking all away
 /// can each be undone and redone.
@@ -106,6 +126,14 @@ impl History {
         self.entries.iter().chain(changed).map(|entry| &entry.command)
     }
 
+    /// The history in which these entries were added one by one.
+    pub(crate) fn of_entries(entries: Vec<Entry>) -> Self {
+        let added = |(at, entry): (usize, &Entry)| Change { at, before: Vec::new(), after: vec![entry.clone()] };
+        let remembered = entries.len().saturating_sub(MOST_REMEMBERED);
+        let done = entries.iter().enumerate().skip(remembered).map(added).collect();
+        Self { entries, done, undone: Vec::new() }
+    }
+
     /// The same history of other commands.
     pub(crate) fn with_commands(mut self, mut alter: impl FnMut(&mut Command)) -> Self {
         let changes = self.done.iter_mut().chain(&mut self.undone);
@@ -117,5 +145,16 @@ impl History {
     fn change(&mut self, change: Change) {
         self.undone = vec![change];
         self.redo();
+        self.forget_the_oldest();
+    }
+
+    fn forget_the_oldest(&mut self) {
+        let size = |change: &Change| change.before.len() + change.after.len();
+        let newest_first = self.done.iter().rev().scan(0, |total, change| {
+            *total += size(change);
+            Some(*total)
+        });
+        let kept = newest_first.take_while(|total| *total <= MOST_REMEMBERED).count().max(1);
+        self.done.drain(..self.done.len().saturating_sub(kept));
     }
 }

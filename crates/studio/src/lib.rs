@@ -20,10 +20,10 @@ mod sliders;
 mod subject;
 
 pub use command::{AnchorKind, Anchors, Command, Details, Grip, Mirror, Reach, Settings};
-pub use document::Document;
+pub use document::{Document, MAX_DENSITY};
 pub use error::StudioError;
 pub use follow::Follow;
-pub use history::{Entry, History, Switch};
+pub use history::{Entry, History, Standing, Switch};
 pub use level::{Frame, Rest};
 pub use rosto_laplacian::{Hold, Operator};
 pub use sliders::FaceSlider;

@@ -5,7 +5,7 @@ use crate::grip::Held;
 use crate::level::Level;
 
 /// The positions of every level of a document up to the one that is shown.
-#[derive(Clone)]
+#[derive(Debug, Clone)]
 pub(crate) struct Shape {
     positions: Vec<Vec<DVec3>>,
 }
@@ -24,6 +24,16 @@ impl Shape {
 
     pub(crate) fn at(&self, level: u32) -> &[DVec3] {
         &self.positions[level as usize]
+    }
+
+    /// What it takes in memory.
+    pub(crate) fn bytes(&self) -> usize {
+        self.positions.iter().map(|level| size_of_val(level.as_slice())).sum()
+    }
+
+    /// The first vertex of the densest level that is nowhere.
+    pub(crate) fn not_finite(&self) -> Option<u32> {
+        self.densest().iter().position(|position| !position.is_finite()).map(|vertex| vertex as u32)
     }
 
     pub(crate) fn densest(&self) -> &[DVec3] {

@@ -1,11 +1,13 @@
+use std::sync::Arc;
+
 use glam::DVec3;
-use rosto_laplacian::Response;
+use rosto_laplacian::{LaplacianError, Response};
 
 use super::Document;
 use crate::grip::Held;
 use crate::level::Level;
 use crate::shape::{Room, Shape};
-use crate::{Details, Entry, Follow, Grip, StudioError, Switch};
+use crate::{Details, Entry, Follow, Grip, Standing, StudioError, Switch};
 
 /// The grip's offsets and the positions they lead to, while vertices are being moved.
 pub(super) struct Preview {
@@ -38,8 +40,9 @@ impl Document {
     /// [`StudioError`] if the grip has no answer; what was held stays held.
     pub fn hold(&mut self, grip: Grip) -> Result<(), StudioError> {
         if self.held.as_ref().is_none_or(|held| *held.grip() != grip) {
-            self.held = Some(self.made_ready(grip)?);
-            self.follow = self.followed()?;
+            let mut held = self.made_ready(grip)?;
+            let follow = self.followed(&mut held)?;
+            (self.held, self.follow) = (Some(held), Some(follow));
         }
         self.cancel();
         Ok(())
@@ -89,8 +92,10 @@ impl Document {
             self.held = Some(self.made_ready(held.grip().clone())?);
         }
         let held = self.held.as_mut().ok_or(StudioError::NothingHeld)?;
-        let (from, preview) = (self.after.last().unwrap_or(&self.unedited), &mut self.preview);
+        let (from, preview) = (self.shapes.last(), &mut self.preview);
         held.check(offsets)?;
+        // Should details find no rest, nothing half moved stays.
+        preview.under_way = false;
         if let Some(follow) = carried(&self.follow, held, offsets, self.density) {
             follow.displace(from.densest(), offsets[0], &mut preview.positions);
         } else {
@@ -107,14 +112,14 @@ impl Document {
     /// nothing happens.
     pub fn commit(&mut self, label: &str) {
         if let (true, Some(held)) = (self.preview.under_way, &mut self.held) {
-            let (from, preview) = (self.after.last().unwrap_or(&self.unedited), &mut self.preview);
+            let (from, preview) = (self.shapes.last(), &mut self.preview);
             if carried(&self.follow, held, &preview.offsets, self.density).is_some() {
                 let moved = preview.shape.displace(&self.levels, from, held, &preview.offsets, &mut preview.room);
                 moved.expect("invariant: the preview has checked these offsets");
             }
             let command = held.command(self.preview.offsets.clone());
             self.history.push(Entry { label: label.to_owned(), command, switch: Switch::On });
-            self.after.push(self.preview.shape.clone());
+            self.shapes.push(Arc::new(self.preview.shape.clone()), Standing::InForce);
         }
         self.settle_down();
     }
@@ -133,28 +138,32 @@ impl Document {
     }
 
     fn made_ready(&mut self, grip: Grip) -> Result<Held, StudioError> {
-        let from = self.after.last().unwrap_or(&self.unedited);
-        made_ready(&mut self.levels, self.density, from, grip)
+        self.check_grip(&grip)?;
+        made_ready(&mut self.levels, self.density, self.shapes.last(), grip)
     }
 
-    /// What [`Self::follow`] says of the grip that is held now.
-    fn followed(&mut self) -> Result<Option<Follow>, StudioError> {
-        let Some(held) = &mut self.held else { return Ok(None) };
-        let from = self.after.last().unwrap_or(&self.unedited);
+    /// What [`Self::follow`] says of a grip.
+    fn followed(&mut self, held: &mut Held) -> Result<Follow, StudioError> {
+        let from = self.shapes.last();
         let mut kept = None;
         if held.grip().settings.details == Details::Turned {
             let mut grip = held.grip().clone();
             grip.settings.details = Details::Kept;
             kept = Some(made_ready(&mut self.levels, self.density, from, grip)?);
         }
-        let (held, shape) = (kept.as_mut().unwrap_or(held), &mut self.preview.shape);
+        let held = kept.as_mut().unwrap_or(held);
+        // Not the preview's own: an edit in progress stays as it is should this fail.
+        let (mut shape, mut room) = (Shape::clone(from), Room::default());
         let handles = held.grip().handles.len();
         let mut along = |axis: DVec3| {
-            shape.displace(&self.levels, from, held, &vec![axis; handles], &mut self.preview.room)?;
+            shape.displace(&self.levels, from, held, &vec![axis; handles], &mut room)?;
             Ok::<_, StudioError>(shape.densest().iter().zip(from.densest()).map(|(to, at)| *to - *at).collect())
         };
         let (along_x, along_y): (Vec<DVec3>, Vec<DVec3>) = (along(DVec3::X)?, along(DVec3::Y)?);
-        Ok(Some(Follow::from_displacements(&along_x, &along_y)))
+        match along_x.iter().chain(&along_y).position(|way| !way.is_finite()) {
+            Some(place) => Err(LaplacianError::NotFinite { vertex: (place % along_x.len()) as u32 }.into()),
+            None => Ok(Follow::from_displacements(&along_x, &along_y)),
+        }
     }
 }
 

@@ -1,14 +1,22 @@
+use std::sync::Arc;
+
 use super::Document;
 use super::editing::made_ready;
 use crate::level::Level;
 use crate::shape::{Room, Shape};
-use crate::{Command, Entry, History, StudioError, Subject, Switch};
+use crate::{Command, Entry, History, Standing, StudioError, Subject, Switch};
 
-/// What was done, undone and switched.
+/// What was done, undone and switched. An entry that has no answer on the mesh that is shown is passed over, so that none
+/// of these can fail half-way.
 impl Document {
     /// The history.
     pub fn history(&self) -> &History {
         &self.history
+    }
+
+    /// How an entry of the history takes part in the shape that is shown; none where there is no such entry.
+    pub fn standing(&self, index: usize) -> Option<&Standing> {
+        self.shapes.standing(index)
     }
 
     /// Carries out a command as one entry of the history.
@@ -16,94 +24,110 @@ impl Document {
     /// # Errors
     /// [`StudioError`] if it has no answer; the document is as before.
     pub fn apply(&mut self, label: &str, command: Command) -> Result<(), StudioError> {
-        self.push(Entry { label: label.to_owned(), command, switch: Switch::On })
+        let entry = Entry { label: label.to_owned(), command, switch: Switch::On };
+        self.check(&entry)?;
+        let (shape, standing) = carried_out(&mut self.levels, self.density, self.shapes.last(), &entry);
+        if let Standing::Impossible(reason) = standing {
+            return Err(reason);
+        }
+        self.history.push(entry);
+        self.shapes.push(shape, standing);
+        self.settle_down();
+        Ok(())
     }
 
-    /// Takes the last change of the history back: an entry added, entries switched, or all taken away. Without one,
-    /// nothing happens.
-    ///
-    /// # Errors
-    /// [`StudioError`] if an entry that comes back cannot be carried out at this density; the document is as before.
-    pub fn undo(&mut self) -> Result<(), StudioError> {
-        let mut history = self.history.clone();
-        history.undo().map_or(Ok(()), |first| self.adopt(history, first))
+    /// Takes the last change of the history back: an entry added, entries switched, or all taken away. Returns the first
+    /// entry that is no longer what it was; nothing where there was no change.
+    pub fn undo(&mut self) -> Option<usize> {
+        let first = self.history.undo()?;
+        self.follow_history(first);
+        Some(first)
     }
 
-    /// Brings the last undone change back. Without one, nothing happens.
-    ///
-    /// # Errors
-    /// As for [`Self::undo`].
-    pub fn redo(&mut self) -> Result<(), StudioError> {
-        let mut history = self.history.clone();
-        history.redo().map_or(Ok(()), |first| self.adopt(history, first))
+    /// Brings the last undone change back. Returns the first entry that is no longer what it was.
+    pub fn redo(&mut self) -> Option<usize> {
+        let first = self.history.redo()?;
+        self.follow_history(first);
+        Some(first)
     }
 
     /// Takes all entries away.
     pub fn reset(&mut self) {
         self.history.clear();
-        self.after.clear();
-        self.settle_down();
+        self.follow_history(0);
     }
 
-    /// Switches an entry on or off; those after it are carried out again.
+    /// Switches an entry on or off; those after it are carried out again. Returns the entry if it was not so already.
     ///
     /// # Errors
-    /// [`StudioError::NoSuchEntry`], or that of a later entry that can no longer be carried out; the document is as before.
-    pub fn switch(&mut self, index: usize, switch: Switch) -> Result<(), StudioError> {
+    /// [`StudioError::NoSuchEntry`].
+    pub fn switch(&mut self, index: usize, switch: Switch) -> Result<Option<usize>, StudioError> {
         let count = self.history.entries().len();
         if index >= count {
             return Err(StudioError::NoSuchEntry { index, count });
         }
-        self.switch_where(|place, _| place == index, switch)
+        Ok(self.switch_where(|place, _| place == index, switch))
     }
 
-    /// Switches every entry that works on `subject` off, as one change.
-    ///
-    /// # Errors
-    /// That of a later entry that can no longer be carried out; the document is as before.
-    pub fn switch_off(&mut self, subject: Subject) -> Result<(), StudioError> {
+    /// Switches every entry that works on `subject` off, as one change. Returns the first that was on.
+    pub fn switch_off(&mut self, subject: Subject) -> Option<usize> {
         self.switch_where(|_, entry| entry.command.subject() == subject, Switch::Off)
     }
 
-    fn switch_where(&mut self, which: impl Fn(usize, &Entry) -> bool, switch: Switch) -> Result<(), StudioError> {
-        let mut history = self.history.clone();
-        history.switch(which, switch).map_or(Ok(()), |first| self.adopt(history, first))
+    fn switch_where(&mut self, which: impl Fn(usize, &Entry) -> bool, switch: Switch) -> Option<usize> {
+        let first = self.history.switch(which, switch)?;
+        self.follow_history(first);
+        Some(first)
     }
 
-    pub(super) fn push(&mut self, entry: Entry) -> Result<(), StudioError> {
-        let mut history = self.history.clone();
-        history.push(entry);
-        self.adopt(history, self.after.len())
-    }
-
-    /// Takes over a history whose entries before `first` are those there are, and carries the others out.
-    pub(super) fn adopt(&mut self, history: History, first: usize) -> Result<(), StudioError> {
-        let known = self.after.len().min(first);
-        let mut shapes: Vec<Shape> = Vec::new();
-        for entry in &history.entries()[known..] {
-            let before = shapes.last().or(self.after[..known].last()).unwrap_or(&self.unedited);
-            let shape = carried_out(&mut self.levels, self.density, before, entry)?;
-            shapes.push(shape);
+    /// Carries the entries from `first` on out again.
+    pub(super) fn follow_history(&mut self, first: usize) {
+        self.shapes.truncate(first);
+        for entry in &self.history.entries()[self.shapes.count()..] {
+            let (shape, standing) = carried_out(&mut self.levels, self.density, self.shapes.last(), entry);
+            self.shapes.push(shape, standing);
         }
-        self.after.truncate(known);
-        self.after.extend(shapes);
-        self.history = history;
         self.settle_down();
-        Ok(())
+    }
+
+    /// What each entry displaced the mesh that is shown by; they add up to the way from [`Self::rest`] to
+    /// [`Self::committed`].
+    pub fn displacements(&mut self) -> Vec<Vec<glam::DVec3>> {
+        let mut from = Arc::clone(self.shapes.unedited());
+        let mut layers = Vec::with_capacity(self.history.entries().len());
+        for entry in self.history.entries() {
+            let (to, _) = carried_out(&mut self.levels, self.density, &from, entry);
+            layers.push(to.densest().iter().zip(from.densest()).map(|(to, at)| *to - *at).collect());
+            from = to;
+        }
+        layers
     }
 }
 
-/// The shape that `entry` makes of the one before it.
-fn carried_out(levels: &mut [Level], density: u32, from: &Shape, entry: &Entry) -> Result<Shape, StudioError> {
+/// The shape that `entry` makes of the one before it: that one itself, unless the entry is in force.
+fn carried_out(levels: &mut [Level], density: u32, from: &Arc<Shape>, entry: &Entry) -> (Arc<Shape>, Standing) {
+    let standing = match &entry.command {
+        _ if entry.switch == Switch::Off => Standing::Off,
+        Command::Move { grip, .. } if grip.level > density => Standing::Waits { level: grip.level },
+        command => match moved(levels, density, from, command) {
+            Ok(shape) => return (Arc::new(shape), Standing::InForce),
+            Err(reason) => Standing::Impossible(reason),
+        },
+    };
+    (Arc::clone(from), standing)
+}
+
+fn moved(levels: &mut [Level], density: u32, from: &Shape, command: &Command) -> Result<Shape, StudioError> {
     let mut shape = from.clone();
-    match &entry.command {
-        _ if entry.switch == Switch::Off => {}
-        Command::Move { grip, .. } if grip.level > density => {}
+    match command {
         Command::Move { grip, offsets } => {
             let mut held = made_ready(levels, density, from, grip.clone())?;
             shape.displace(levels, from, &mut held, offsets, &mut Room::default())?;
         }
         &Command::Symmetrise { share } => shape.symmetrise(levels, share)?,
     }
-    Ok(shape)
+    match shape.not_finite() {
+        Some(vertex) => Err(rosto_laplacian::LaplacianError::NotFinite { vertex }.into()),
+        None => Ok(shape),
+    }
 }

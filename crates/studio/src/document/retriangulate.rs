@@ -1,27 +1,25 @@
 use glam::DVec3;
 
 use super::Document;
-use super::points::nearest;
+use super::{MAX_DENSITY, points::nearest};
 use crate::level::{Level, Rest};
 use crate::mirror::{MirrorTable, reflected};
 use crate::{Command, Grip, Mirror, StudioError};
-
-/// Points of denser meshes than this stay as they are: no document shows them.
-const DENSEST: u32 = 4;
 
 impl Document {
     /// A document over the same landmarks, joined by other triangles, that goes on with the history of this one and with
     /// all that was undone. What was done to points of a denser mesh is done to those nearest to them there.
     ///
     /// # Errors
-    /// For the first entry that cannot be carried out on that mesh.
+    /// [`StudioError::Laplacian`] for positions that do not fit the mesh or are not finite. Entries that have no answer on
+    /// that mesh are passed over.
     pub fn over(&mut self, rest: Rest) -> Result<Self, StudioError> {
         let mut document = Self::new(rest)?;
         let levels = self.history.commands().filter_map(|command| match command {
             Command::Move { grip, .. } => Some(grip.level),
             Command::Symmetrise { .. } => None,
         });
-        let highest = levels.filter(|level| *level <= DENSEST).max().unwrap_or(0);
+        let highest = levels.filter(|level| *level <= MAX_DENSITY).max().unwrap_or(0);
         self.subdivide_to(highest);
         document.subdivide_to(highest);
         let history = self.history.clone().with_commands(|command| {
@@ -32,7 +30,8 @@ impl Document {
                 carry_over(grip, offsets, &self.levels[level], &document.levels[level]);
             }
         });
-        document.adopt(history, 0)?;
+        document.history = history;
+        document.follow_history(0);
         Ok(document)
     }
 }
@@ -48,12 +47,25 @@ fn carry_over(grip: &mut Grip, offsets: &mut Vec<DVec3>, from: &Level, to: &Leve
         Some(place) => nearest(to.rest(), *place).unwrap_or(vertex),
         None => vertex,
     };
-    grip.handles.iter_mut().for_each(|handle| *handle = found(*handle));
+    let handles: Vec<u32> = grip.handles.iter().map(|handle| found(*handle)).collect();
+    (grip.handles, *offsets) = merged(&handles, offsets);
     let pins = &mut grip.settings.anchors.pins;
     pins.iter_mut().for_each(|pin| *pin = found(*pin));
     pins.sort_unstable();
     pins.dedup();
     pins.retain(|pin| !grip.handles.contains(pin));
+}
+
+/// Each handle once: those that have come to lie on one vertex move it by the mean of their offsets.
+fn merged(handles: &[u32], offsets: &[DVec3]) -> (Vec<u32>, Vec<DVec3>) {
+    let mut merged: Vec<(u32, DVec3, f64)> = Vec::with_capacity(handles.len());
+    for (handle, offset) in handles.iter().zip(offsets) {
+        match merged.iter_mut().find(|(known, ..)| known == handle) {
+            Some((_, sum, count)) => (*sum, *count) = (*sum + *offset, *count + 1.0),
+            None => merged.push((*handle, *offset, 1.0)),
+        }
+    }
+    merged.into_iter().map(|(handle, sum, count)| (handle, sum / count)).unzip()
 }
 
 /// Where the other mesh has no mirror images, partners become handles of their own.

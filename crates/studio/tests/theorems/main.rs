@@ -9,6 +9,7 @@ mod history;
 mod mirror;
 mod paper;
 mod reach;
+mod robust;
 #[path = "../../../../tests/seeded.rs"]
 mod seeded;
 mod sliders;

@@ -1,0 +1,58 @@
+use rosto_laplacian::LaplacianError;
+
+use super::Document;
+use crate::{Command, Entry, Grip, StudioError};
+
+/// No mesh is subdivided more often.
+pub const MAX_DENSITY: u32 = 4;
+
+/// One edit solves for no more numbers than this: one for each of its handles and each vertex of its mesh.
+const MOST_RESPONSES: usize = 16_000_000;
+
+/// What can be said of an entry before it is carried out, whether or not it counts.
+impl Document {
+    /// Refuses an entry that could not be carried out at its own density either.
+    pub(super) fn check(&self, entry: &Entry) -> Result<(), StudioError> {
+        match &entry.command {
+            Command::Symmetrise { share } if (0.0..=1.0).contains(share) => Ok(()),
+            &Command::Symmetrise { share } => Err(StudioError::Share { share }),
+            Command::Move { grip, offsets } => {
+                self.check_grip(grip)?;
+                let (expected, found) = (grip.handles.len(), offsets.len());
+                if expected != found {
+                    return Err(StudioError::WrongOffsetCount { expected, found });
+                }
+                match offsets.iter().position(|offset| !offset.is_finite()) {
+                    Some(index) => Err(StudioError::OffsetNotFinite { handle: grip.handles[index] }),
+                    None => Ok(()),
+                }
+            }
+        }
+    }
+
+    /// Refuses a grip on what no mesh of its density has, or on more than there is memory for.
+    pub(super) fn check_grip(&self, grip: &Grip) -> Result<(), StudioError> {
+        let vertex_count = self.vertices_at(grip.level)?;
+        let pins = &grip.settings.anchors.pins;
+        if let Some(&vertex) = grip.handles.iter().chain(pins).find(|vertex| **vertex as usize >= vertex_count) {
+            return Err(LaplacianError::NoSuchVertex { vertex, vertex_count }.into());
+        }
+        let (handles, most) = (grip.handles.len(), MOST_RESPONSES / vertex_count);
+        if handles > most { Err(StudioError::TooManyHandles { handles, most }) } else { Ok(()) }
+    }
+
+    /// How many vertices the cage has, subdivided so many times: each time one more for each edge, whose halves and the
+    /// three edges inside each triangle are the next ones.
+    pub(super) fn vertices_at(&self, level: u32) -> Result<usize, StudioError> {
+        if level > MAX_DENSITY {
+            return Err(StudioError::TooDense { level, most: MAX_DENSITY });
+        }
+        let cage = self.levels[0].topology();
+        let (mut vertices, mut edges, mut triangles) =
+            (cage.vertex_count(), cage.edges().len(), cage.triangles().len());
+        for _ in 0..level {
+            (vertices, edges, triangles) = (vertices + edges, 2 * edges + 3 * triangles, 4 * triangles);
+        }
+        Ok(vertices)
+    }
+}

@@ -1,0 +1,122 @@
+//! Histories from elsewhere, long ones, and ones that other triangles have no answer to.
+
+use glam::DVec3;
+use rosto_face::Triangulation;
+use rosto_studio::*;
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use crate::faces::*;
+
+fn entry(command: Command) -> Entry {
+    Entry { label: "step".to_owned(), command, switch: Switch::On }
+}
+
+fn point(level: u32, handles: Vec<u32>, settings: Settings) -> Command {
+    let offsets = vec![DVec3::Z * 0.002; handles.len()];
+    Command::Move { grip: Grip { level, handles, settings }, offsets }
+}
+
+/// The small letter of asymptotics: thousands of entries are carried out one by one, and no entry costs what all do.
+#[test]
+fn twenty_thousand_entries_replay_and_every_step_back_is_bit_for_bit_what_it_was() {
+    let rest = canonical(Triangulation::Canonical);
+    let step = |index: u32| entry(single_move(index % 468, DVec3::new(0.0, 1e-6, 2e-6) * f64::from(index % 7)));
+    let mut document = Document::replay(rest.clone(), (0..20_000).map(step).collect()).unwrap();
+    assert_eq!(document.history().entries().len(), 20_000);
+    let last = bits(document.positions());
+    for _ in 0..300 {
+        document.undo().unwrap();
+    }
+    let shorter = Document::replay(rest, (0..19_700).map(step).collect()).unwrap();
+    assert_eq!(bits(document.positions()), bits(shorter.positions()));
+    while document.redo().is_some() {}
+    assert_eq!(bits(document.positions()), last);
+}
+
+#[test]
+fn handles_that_come_to_lie_on_one_vertex_of_other_triangles_move_it_together() {
+    let mut filled = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    filled.set_density(2).unwrap();
+    let settings = Settings { hold: Hold::Exact, ..Settings::default() };
+    let crowded: Vec<u32> = (3_000..3_200).collect();
+    filled.apply("crowd", point(2, crowded, settings)).unwrap();
+    let mut open = filled.over(canonical(Triangulation::Tessellation)).unwrap();
+    open.set_density(2).unwrap();
+    assert_eq!(open.standing(0), Some(&Standing::InForce));
+    let Command::Move { grip, offsets } = &open.history().entries()[0].command else { panic!("a move") };
+    let mut once = grip.handles.clone();
+    once.sort_unstable();
+    once.dedup();
+    assert_eq!((once.len(), offsets.len()), (grip.handles.len(), grip.handles.len()));
+    assert_ne!(bits(open.positions()), bits(open.rest()));
+}
+
+#[test]
+fn an_entry_without_an_answer_on_other_triangles_is_passed_over_and_comes_back() {
+    let mut filled = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    filled.set_density(1).unwrap();
+    let settings = Settings { mirror: Mirror::On, anchors: Anchors::random(3), ..Settings::default() };
+    filled.apply("symmetric", point(1, vec![1_500], settings)).unwrap();
+    let edited = bits(filled.positions());
+    let history = filled.history().clone();
+    // Dense meshes with open eyes and mouth have no mirror image.
+    let mut open = Document::resume(canonical(Triangulation::Tessellation), history.clone()).unwrap();
+    open.set_density(1).unwrap();
+    assert_eq!(open.standing(0), Some(&Standing::Impossible(StudioError::NoMirror)));
+    assert_eq!(bits(open.positions()), bits(open.rest()));
+    assert!(open.switch(0, Switch::Off).is_ok() && open.undo().is_some());
+    let mut back = Document::resume(canonical(Triangulation::Canonical), open.history().clone()).unwrap();
+    back.set_density(1).unwrap();
+    assert_eq!(bits(back.positions()), edited);
+}
+
+#[test]
+fn a_file_that_names_what_no_mesh_has_is_refused_whether_or_not_the_entry_counts() {
+    let far = |level| point(level, vec![9_999], Settings::default());
+    let pinned = point(0, vec![4], Settings { anchors: Anchors::explicit(vec![468]), ..Settings::default() });
+    let many = point(3, (0..20_000).collect(), Settings::default());
+    let cases =
+        [(far(0), true), (far(1), true), (far(2), true), (far(3), false), (far(5), true), (pinned, true), (many, true)];
+    for (command, refused) in cases {
+        for switch in [Switch::On, Switch::Off] {
+            let entry = Entry { label: String::new(), command: command.clone(), switch };
+            let outcome = Document::replay(canonical(Triangulation::Canonical), vec![entry]);
+            assert_eq!(outcome.is_err(), refused, "{command:?}");
+        }
+    }
+    let dense = Document::open(canonical(Triangulation::Canonical), Vec::new(), MAX_DENSITY + 1);
+    assert!(matches!(dense, Err(StudioError::TooDense { level: 5, most: 4 })));
+}
+
+#[test]
+fn a_grip_that_has_no_answer_leaves_the_one_that_is_held() {
+    let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    document.hold(mirrored_grip(61)).unwrap();
+    document.preview(&[DVec3::Z * 0.01]).unwrap();
+    let shown = bits(document.positions());
+    let unanchored = Settings { anchors: Anchors::explicit(Vec::new()), ..Settings::default() };
+    for handles in [vec![4], vec![468], vec![], vec![4, 4]] {
+        let grip = Grip { level: 0, handles, settings: unanchored.clone() };
+        assert!(document.hold(grip).is_err());
+        assert_eq!((document.grip(), bits(document.positions())), (Some(&mirrored_grip(61)), shown.clone()));
+    }
+}
+
+#[test]
+fn memory_for_undo_has_a_bound() {
+    let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    document.apply("nose", single_move(4, DVec3::Z * 0.01)).unwrap();
+    let edited = bits(document.positions());
+    for _ in 0..60_000 {
+        document.switch(0, Switch::Off).unwrap();
+        document.switch(0, Switch::On).unwrap();
+    }
+    let mut taken_back = 0;
+    while document.undo().is_some() {
+        taken_back += 1;
+    }
+    assert!((40_000..60_000).contains(&taken_back), "{taken_back}");
+    while document.redo().is_some() {}
+    assert_eq!(bits(document.positions()), edited);
+}
