@@ -1,3 +1,5 @@
+use std::collections::VecDeque;
+
 use crate::{Command, StudioError};
 
 /// One step of the history: a command, what to call it, and whether it is in force.
@@ -46,8 +48,10 @@ const MOST_REMEMBERED: usize = 100_000;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct History {
     entries: Vec<Entry>,
-    done: Vec<Change>,
+    done: VecDeque<Change>,
     undone: Vec<Change>,
+    /// How many entries `done` holds, in all changes together.
+    remembered: usize,
 }
 
 /// A run of entries that took the place of another: every change of the list is one.
@@ -103,7 +107,8 @@ impl History {
 
     /// Takes the last change back; returns the first entry that is no longer what it was.
     pub(crate) fn undo(&mut self) -> Option<usize> {
-        let change = self.done.pop()?;
+        let change = self.done.pop_back()?;
+        self.remembered -= change.size();
         self.entries.splice(change.at..change.at + change.after.len(), change.before.iter().cloned());
         let at = change.at;
         self.undone.push(change);
@@ -115,7 +120,8 @@ impl History {
         let change = self.undone.pop()?;
         self.entries.splice(change.at..change.at + change.before.len(), change.after.iter().cloned());
         let at = change.at;
-        self.done.push(change);
+        self.remembered += change.size();
+        self.done.push_back(change);
         Some(at)
     }
 
@@ -129,9 +135,9 @@ impl History {
     /// The history in which these entries were added one by one.
     pub(crate) fn of_entries(entries: Vec<Entry>) -> Self {
         let added = |(at, entry): (usize, &Entry)| Change { at, before: Vec::new(), after: vec![entry.clone()] };
-        let remembered = entries.len().saturating_sub(MOST_REMEMBERED);
-        let done = entries.iter().enumerate().skip(remembered).map(added).collect();
-        Self { entries, done, undone: Vec::new() }
+        let forgotten = entries.len().saturating_sub(MOST_REMEMBERED);
+        let done: VecDeque<Change> = entries.iter().enumerate().skip(forgotten).map(added).collect();
+        Self { remembered: done.len(), entries, done, undone: Vec::new() }
     }
 
     /// The same history of other commands.
@@ -149,12 +155,36 @@ impl History {
     }
 
     fn forget_the_oldest(&mut self) {
-        let size = |change: &Change| change.before.len() + change.after.len();
-        let newest_first = self.done.iter().rev().scan(0, |total, change| {
-            *total += size(change);
-            Some(*total)
-        });
-        let kept = newest_first.take_while(|total| *total <= MOST_REMEMBERED).count().max(1);
-        self.done.drain(..self.done.len().saturating_sub(kept));
+        while self.remembered > MOST_REMEMBERED && self.done.len() > 1 {
+            self.remembered -= self.done.pop_front().map_or(0, |change| change.size());
+        }
+    }
+}
+
+impl Change {
+    fn size(&self) -> usize {
+        self.before.len() + self.after.len()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_can_be_taken_back_has_a_bound_and_the_oldest_is_forgotten_first() {
+        let mut history = History::default();
+        let entry = Entry { label: String::new(), command: Command::Symmetrise { share: 0.5 }, switch: Switch::On };
+        history.push(entry);
+        for _ in 0..MOST_REMEMBERED / 2 {
+            history.switch(|_, _| true, Switch::Off);
+            history.switch(|_, _| true, Switch::On);
+        }
+        let latest = history.entries().to_vec();
+        let taken_back = std::iter::from_fn(|| history.undo()).count();
+        assert_eq!(taken_back, MOST_REMEMBERED / 2);
+        assert_eq!(history.entries().len(), 1, "the entry itself was added before all that can be taken back");
+        assert_eq!(std::iter::from_fn(|| history.redo()).count(), taken_back);
+        assert_eq!(history.entries(), latest);
     }
 }
