@@ -11,7 +11,7 @@ mod sources;
 use graph::Graph;
 
 /// The crates that know neither browser, clock, file, network, environment nor random source.
-const CORE: [&str; 8] = [
+const CORE: [&str; 9] = [
     "rosto-mesh",
     "rosto-laplacian",
     "rosto-photo",
@@ -19,11 +19,12 @@ const CORE: [&str; 8] = [
     "rosto-face",
     "rosto-studio",
     "rosto-export",
+    "rosto-stage",
     "rosto-viewport",
 ];
 
 /// Which crates of the workspace each crate may know.
-const MAY_KNOW: [(&str, &[&str]); 14] = [
+const MAY_KNOW: [(&str, &[&str]); 15] = [
     ("rosto-mesh", &[]),
     ("rosto-laplacian", &["rosto-mesh"]),
     ("rosto-photo", &[]),
@@ -31,10 +32,19 @@ const MAY_KNOW: [(&str, &[&str]); 14] = [
     ("rosto-face", &["rosto-mesh", "rosto-photo"]),
     ("rosto-studio", &["rosto-face", "rosto-laplacian", "rosto-mesh"]),
     ("rosto-export", &["rosto-face", "rosto-mesh"]),
-    ("rosto-viewport", &["rosto-mesh"]),
+    ("rosto-stage", &["rosto-mesh"]),
+    ("rosto-viewport", &["rosto-mesh", "rosto-stage"]),
     (
         "rosto-studio-web",
-        &["rosto-studio", "rosto-viewport", "rosto-export", "rosto-face", "rosto-laplacian", "rosto-mesh"],
+        &[
+            "rosto-studio",
+            "rosto-stage",
+            "rosto-viewport",
+            "rosto-export",
+            "rosto-face",
+            "rosto-laplacian",
+            "rosto-mesh",
+        ],
     ),
     ("rosto-studio-webgl", &["rosto-studio-web"]),
     ("rosto-vision-web", &["rosto-landmarks", "rosto-photo"]),
@@ -84,9 +94,14 @@ fn only_the_viewport_depends_on_wgpu() {
 }
 
 #[test]
-fn the_page_carries_no_networks_and_the_worker_no_canvas() {
+fn the_page_carries_no_networks_the_worker_no_canvas_and_the_stage_no_gpu() {
     let graph = Graph::of_wasm();
-    let absent = [("rosto-studio-web", "tract"), ("rosto-vision-web", "wgpu"), ("rosto-vision-web", "rosto-studio")];
+    let absent = [
+        ("rosto-studio-web", "tract"),
+        ("rosto-vision-web", "wgpu"),
+        ("rosto-vision-web", "rosto-studio"),
+        ("rosto-stage", "wgpu"),
+    ];
     for (package, prefix) in absent {
         let reached: Vec<_> = graph.reachable(package).into_iter().filter(|name| name.starts_with(prefix)).collect();
         assert!(reached.is_empty(), "{package} reaches {reached:?}");

@@ -1,7 +1,7 @@
 //! Triangle meshes: topology apart from positions, adjacency, normals, subdivision, picking.
 //!
 //! A mesh is a [`Topology`] (which vertices are joined) beside a slice of positions (where they are), so that one
-//! topology serves every edit of a face. Positions are `f64` in whatever unit the caller works in.
+//! topology serves every edit of a face; a [`Surface`] borrows both and knows that they fit. Positions are `f64` in whatever unit the caller works in.
 
 mod error;
 mod normals;
@@ -10,10 +10,12 @@ mod pick;
 mod shapes;
 mod stencils;
 mod subdivision;
+mod surface;
 mod topology;
 
 pub use error::MeshError;
 pub use normals::vertex_normals;
 pub use pick::{Hit, Ray, pick};
 pub use subdivision::LoopSubdivision;
+pub use surface::Surface;
 pub use topology::Topology;

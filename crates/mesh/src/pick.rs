@@ -1,6 +1,6 @@
 use glam::DVec3;
 
-use crate::Topology;
+use crate::Surface;
 
 /// A half-line; `direction` need not have length 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,6 +23,8 @@ impl Ray {
 pub struct Hit {
     /// Index of the triangle.
     pub triangle: usize,
+    /// Its three vertices.
+    pub corners: [u32; 3],
     /// Weights of its three corners at the point, each in `0..=1`, summing to 1.
     pub barycentric: [f64; 3],
     /// How far along the ray, in multiples of its direction.
@@ -31,27 +33,22 @@ pub struct Hit {
 
 impl Hit {
     /// The vertex of the triangle that has the greatest weight at the point.
-    ///
-    /// # Panics
-    /// If the hit is not from this topology.
-    pub fn nearest_corner(&self, topology: &Topology) -> u32 {
+    pub fn nearest_corner(&self) -> u32 {
         let [a, b, c] = self.barycentric;
         let corner = if a >= b && a >= c { 0 } else { 1 + usize::from(c > b) };
-        topology.triangles()[self.triangle][corner]
+        self.corners[corner]
     }
 }
 
 /// The nearest triangle that `ray` meets at or after its origin, seen from either side; `None` where it meets none.
 ///
-/// Möller and Trumbore's intersection over every triangle. A triangle seen exactly edge-on is not met.
-///
-/// # Panics
-/// If there is not one position for each vertex.
-pub fn pick(topology: &Topology, positions: &[DVec3], ray: &Ray) -> Option<Hit> {
-    assert_eq!(positions.len(), topology.vertex_count(), "one position for each vertex");
-    let hits = topology.triangles().iter().enumerate().filter_map(|(triangle, corners)| {
-        let (barycentric, distance) = meet(ray, corners.map(|corner| positions[corner as usize]))?;
-        Some(Hit { triangle, barycentric, distance })
+/// Möller and Trumbore's intersection over every triangle. A triangle seen exactly edge-on is not met, nor one with a
+/// corner that is not finite.
+pub fn pick(surface: Surface<'_>, ray: &Ray) -> Option<Hit> {
+    let triangles = surface.topology().triangles().iter().zip(surface.triangles()).enumerate();
+    let hits = triangles.filter_map(|(triangle, (&corners, places))| {
+        let (barycentric, distance) = meet(ray, places)?;
+        Some(Hit { triangle, corners, barycentric, distance })
     });
     hits.min_by(|one, other| one.distance.total_cmp(&other.distance))
 }
@@ -82,7 +79,12 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::Topology;
     use crate::shapes::icosahedron;
+
+    fn pick(topology: &Topology, positions: &[DVec3], ray: &Ray) -> Option<Hit> {
+        super::pick(Surface::new(topology, positions).unwrap(), ray)
+    }
 
     proptest! {
         #[test]
@@ -119,7 +121,7 @@ mod tests {
             let [at, b, c] = [a, b, c].map(|corner| positions[corner as usize]);
             let target = 0.9 * at + 0.06 * b + 0.04 * c;
             let hit = pick(&topology, &positions, &Ray { origin: 3.0 * target, direction: -target }).unwrap();
-            assert_eq!(hit.nearest_corner(&topology), a);
+            assert_eq!(hit.nearest_corner(), a);
         }
     }
 
@@ -133,6 +135,18 @@ mod tests {
             let hit = pick(&topology, &positions, &Ray { origin: eye, direction: target - eye });
             assert!(hit.is_some_and(|hit| hit.distance < 1.0 + 1e-9), "{target}");
         }
+    }
+
+    #[test]
+    fn rays_and_positions_that_are_no_numbers_meet_nothing() {
+        let (topology, mut positions) = icosahedron();
+        let towards = |origin: DVec3| Ray { origin, direction: -origin };
+        for broken in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX] {
+            assert_eq!(pick(&topology, &positions, &towards(DVec3::splat(broken))), None, "{broken}");
+            assert_eq!(pick(&topology, &positions, &Ray { origin: DVec3::X, direction: DVec3::splat(broken) }), None);
+        }
+        positions.fill(DVec3::NAN);
+        assert_eq!(pick(&topology, &positions, &towards(DVec3::X)), None);
     }
 
     #[test]

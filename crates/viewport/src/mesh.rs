@@ -67,8 +67,8 @@ impl MeshOnGpu {
         })
     }
 
-    pub fn topology(&self) -> &Topology {
-        &self.topology
+    pub fn vertex_count(&self) -> u32 {
+        self.topology.vertex_count() as u32
     }
 
     pub fn positions_m(&self) -> &[DVec3] {

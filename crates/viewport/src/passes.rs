@@ -1,6 +1,8 @@
+use rosto_stage::{Background, Dots, Look, MirrorPlane, Paint, Stage, Wireframe};
+
+use crate::Viewport;
 use crate::pipelines::Twin;
 use crate::target::Attachments;
-use crate::{Background, Dots, MirrorPlane, Paint, Viewport, Wireframe};
 
 /// Landmarks that can show as dots come first among the vertices.
 const LANDMARKS: u32 = 468;
@@ -8,6 +10,7 @@ const LANDMARKS: u32 = 468;
 /// Records one frame: backdrop, mesh, lines, marks.
 pub(crate) fn record(
     viewport: &Viewport,
+    stage: &Stage,
     encoder: &mut wgpu::CommandEncoder,
     attachments: &Attachments,
     resolved: &wgpu::TextureView,
@@ -19,7 +22,7 @@ pub(crate) fn record(
             depth_slice: None,
             resolve_target: Some(resolved),
             ops: wgpu::Operations {
-                load: wgpu::LoadOp::Clear(empty_colour(viewport.stage.look().background)),
+                load: wgpu::LoadOp::Clear(empty_colour(stage.look().background)),
                 store: wgpu::StoreOp::Discard,
             },
         })],
@@ -31,8 +34,8 @@ pub(crate) fn record(
         ..Default::default()
     });
     pass.set_bind_group(0, &viewport.frame_bindings, &[]);
-    record_backdrop(viewport, &mut pass);
-    record_mesh(viewport, &mut pass);
+    record_backdrop(viewport, stage.look(), &mut pass);
+    record_mesh(viewport, stage, &mut pass);
 }
 
 fn empty_colour(background: Background) -> wgpu::Color {
@@ -45,17 +48,17 @@ fn empty_colour(background: Background) -> wgpu::Color {
     }
 }
 
-fn record_backdrop(viewport: &Viewport, pass: &mut wgpu::RenderPass<'_>) {
-    if viewport.stage.look().background == Background::Ground {
+fn record_backdrop(viewport: &Viewport, look: &Look, pass: &mut wgpu::RenderPass<'_>) {
+    if look.background == Background::Ground {
         pass.set_pipeline(&viewport.pipelines.background);
         pass.draw(0..3, 0..1);
     }
 }
 
-fn record_mesh(viewport: &Viewport, pass: &mut wgpu::RenderPass<'_>) {
+fn record_mesh(viewport: &Viewport, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
     let Some(mesh) = &viewport.mesh else { return };
     let pipelines = &viewport.pipelines;
-    let look = viewport.stage.look();
+    let look = stage.look();
     pass.set_bind_group(1, &mesh.bindings, &[]);
     pass.set_index_buffer(mesh.indices.slice(..), wgpu::IndexFormat::Uint32);
     pass.set_pipeline(if look.paint == Paint::Bare { &pipelines.bare } else { &pipelines.surface });
@@ -75,14 +78,14 @@ fn record_mesh(viewport: &Viewport, pass: &mut wgpu::RenderPass<'_>) {
     }
     if look.dots != Dots::None {
         pass.set_pipeline(&pipelines.dots);
-        pass.draw(0..6, 0..LANDMARKS.min(mesh.topology().vertex_count() as u32));
+        pass.draw(0..6, 0..LANDMARKS.min(mesh.vertex_count()));
     }
-    record_marks(viewport, pass);
+    record_marks(viewport, stage, pass);
 }
 
-fn record_marks(viewport: &Viewport, pass: &mut wgpu::RenderPass<'_>) {
+fn record_marks(viewport: &Viewport, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
     let Twin { seen, hidden } = &viewport.pipelines.gizmo;
-    if viewport.stage.gizmo().is_some() {
+    if stage.gizmo().is_some() {
         for pipeline in [hidden, seen] {
             pass.set_pipeline(pipeline);
             pass.draw(0..6, 0..3);

@@ -16,8 +16,9 @@ pub(crate) const SHRINK: &str = shader!("shrink");
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
+    use rosto_stage::Frame;
+
     use super::*;
-    use crate::frame::Frame;
     use crate::shape::{Follow, Shape, Skin};
 
     const ALL: [(&str, &str); 9] = [

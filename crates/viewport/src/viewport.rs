@@ -1,14 +1,15 @@
 use std::future::Future;
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
+use rosto_stage::{Background, Frame, Stage};
 
 use crate::mesh::{MeshOnGpu, filled};
 use crate::pipelines::Pipelines;
 use crate::snapshot::{Snapshot, copy};
 use crate::target::{Attachments, Canvas, Target};
-use crate::{Axis, Background, Gpu, MeshInput, PictureOnGpu, Pointer, Stage, ViewportError, markers, passes, photo};
+use crate::{Gpu, MeshInput, PictureOnGpu, ViewportError, passes, photo};
 
-/// Draws a stage and its mesh on a target.
+/// Draws a mesh on a target, as a stage shows it. What is on the GPU is all that it holds: the stage is the caller's.
 #[derive(Debug)]
 pub struct Viewport {
     pub(crate) gpu: Gpu,
@@ -22,7 +23,6 @@ pub struct Viewport {
     before_after_arrival: Option<Vec<DVec3>>,
     pub(crate) marks: wgpu::Buffer,
     pub(crate) mark_count: u32,
-    pub(crate) stage: Stage,
 }
 
 impl Viewport {
@@ -31,7 +31,7 @@ impl Viewport {
         let pipelines = Pipelines::new(&gpu, target.format);
         let frame = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("frame"),
-            size: size_of::<crate::frame::Frame>() as u64,
+            size: size_of::<Frame>() as u64,
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
@@ -48,7 +48,6 @@ impl Viewport {
             mark_count: 0,
             mesh: None,
             before_after_arrival: None,
-            stage: Stage::default(),
             gpu,
             target,
             pipelines,
@@ -57,38 +56,22 @@ impl Viewport {
         }
     }
 
-    /// What is shown and how.
-    pub fn stage(&self) -> &Stage {
-        &self.stage
-    }
-
-    /// What is shown and how, to be changed.
-    pub fn stage_mut(&mut self) -> &mut Stage {
-        &mut self.stage
-    }
-
     /// Resolves when the device is gone, as far as WebGPU tells: a canvas tells of WebGL2's end by an event of its own. The
     /// future borrows nothing.
     pub fn lost(&self) -> impl Future<Output = ()> + use<> {
         self.gpu.lost()
     }
 
-    /// Goes on with the stage of another viewport, whose device was lost.
-    pub fn set_stage(&mut self, stage: Stage) {
-        let [width, height] = stage.camera().size_px().to_array().map(|side| side as u32);
-        self.stage = stage;
-        self.resize(width, height);
-    }
-
-    /// Fits the target to a size in device pixels, within what the GPU can draw.
-    pub fn resize(&mut self, width_px: u32, height_px: u32) {
+    /// Fits the target to a size in device pixels, within what the GPU can draw, and gives the size that it has then: a
+    /// stage's camera must know it before the next [`Self::draw`].
+    pub fn resize(&mut self, width_px: u32, height_px: u32) -> [u32; 2] {
         let largest = self.gpu.largest_side_px();
         let size = [width_px, height_px].map(|side| side.clamp(1, largest));
-        self.stage.camera_mut().resize(size[0], size[1]);
         if self.attachments.size != size {
             self.attachments = Attachments::new(&self.gpu, self.target.format, size);
             self.target.configure(&self.gpu, size[0], size[1]);
         }
+        size
     }
 
     /// Room for an upright picture in the GPU's memory. Its rows are to follow, and then [`Self::finish_picture`].
@@ -112,7 +95,10 @@ impl Viewport {
         photo::finish(&self.gpu, &self.shrink, picture);
     }
 
-    /// Shows a mesh in place of the one before; camera and marks stay. No handle moves it yet.
+    /// Shows a mesh in place of the one before. No handle moves it yet: a stage's offsets must be zero until the next
+    /// [`Self::set_fields`].
+    ///
+    /// As with all that changes the mesh, the stage does not notice: [`Stage::ask_for_a_frame`].
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`] or [`ViewportError::TooManyVertices`].
@@ -120,8 +106,6 @@ impl Viewport {
         let blank = photo::blank(&self.gpu)?;
         self.mesh = Some(MeshOnGpu::new(&self.gpu, &self.pipelines, &blank, input)?);
         self.before_after_arrival = None;
-        self.stage.set_offsets_m([DVec3::ZERO; 2]);
-        self.stage.ask_for_a_frame();
         Ok(())
     }
 
@@ -130,16 +114,14 @@ impl Viewport {
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
     pub fn set_positions(&mut self, positions_m: &[DVec3]) -> Result<(), ViewportError> {
-        self.stage.ask_for_a_frame();
         self.mesh.as_mut().map_or(Ok(()), |mesh| mesh.write_positions(&self.gpu, positions_m))
     }
 
-    /// Sets the shape that [`crate::Look::before`] blends to. Nothing without a mesh.
+    /// Sets the shape that `rosto_stage::Look::before` blends to. Nothing without a mesh.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
     pub fn set_before(&mut self, positions_m: &[DVec3]) -> Result<(), ViewportError> {
-        self.stage.ask_for_a_frame();
         self.mesh.as_ref().map_or(Ok(()), |mesh| mesh.write_before(&self.gpu, positions_m))
     }
 
@@ -149,20 +131,19 @@ impl Viewport {
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
     pub fn set_fields(&mut self, fields: [Option<&[f64]>; 2]) -> Result<(), ViewportError> {
-        self.stage.ask_for_a_frame();
         self.mesh.as_ref().map_or(Ok(()), |mesh| mesh.write_fields(&self.gpu, fields))
     }
 
-    /// Sets the values, −1 to 1, that [`crate::Paint::Scalar`] shows. Nothing without a mesh.
+    /// Sets the values, −1 to 1, that `rosto_stage::Paint::Scalar` shows. Nothing without a mesh.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
     pub fn set_scalars(&mut self, scalars: &[f64]) -> Result<(), ViewportError> {
-        self.stage.ask_for_a_frame();
         self.mesh.as_mut().map_or(Ok(()), |mesh| mesh.write_scalars(&self.gpu, scalars))
     }
 
-    /// Lets the mesh glide from these positions to its own, in half a second. Nothing without a mesh.
+    /// Makes ready that the mesh glides from these positions to its own when [`Stage::start_arrival`] is called. Nothing
+    /// without a mesh.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
@@ -170,32 +151,17 @@ impl Viewport {
         if let Some(mesh) = &self.mesh {
             mesh.write_before(&self.gpu, positions_m)?;
             self.before_after_arrival = Some(mesh.positions_m().to_vec());
-            self.stage.start_arrival();
         }
         Ok(())
-    }
-
-    /// The vertex nearest to where the ray through a place in the picture meets the mesh; `positions_m` are where the
-    /// vertices are now.
-    pub fn pick(&self, place_px: DVec2, positions_m: &[DVec3]) -> Option<u32> {
-        let topology = self.mesh.as_ref()?.topology();
-        let hit = rosto_mesh::pick(topology, positions_m, &self.stage.camera().ray(place_px))?;
-        Some(hit.nearest_corner(topology))
-    }
-
-    /// The arm of the gizmo that the pointer is on.
-    pub fn pick_axis(&self, place_px: DVec2, positions_m: &[DVec3], pointer: Pointer) -> Option<Axis> {
-        let vertex_m = *positions_m.get(self.stage.gizmo()? as usize)?;
-        markers::axis_under(self.stage.camera(), vertex_m, place_px, self.stage.pixel_ratio(), pointer)
     }
 
     /// Draws if anything changed; true asks to be called again in the next frame. `time_ms` is any steady clock's.
     ///
     /// # Errors
     /// [`ViewportError::DeviceLost`].
-    pub fn draw(&mut self, time_ms: f64) -> Result<bool, ViewportError> {
+    pub fn draw(&mut self, stage: &mut Stage, time_ms: f64) -> Result<bool, ViewportError> {
         self.gpu.check()?;
-        let step = self.stage.advance(time_ms);
+        let step = stage.advance(time_ms);
         if step.arrived {
             self.end_arrival()?;
         }
@@ -206,54 +172,53 @@ impl Viewport {
         match self.target.acquire(&self.gpu, width, height) {
             #[cfg(target_arch = "wasm32")]
             Canvas::Ready(surface) => {
-                self.record_onto(&surface.texture);
+                self.record_onto(stage, &surface.texture);
                 self.gpu.queue.present(surface);
             }
             Canvas::Offscreen => {}
             #[cfg(target_arch = "wasm32")]
             Canvas::Later => {
-                self.stage.ask_for_a_frame();
+                stage.ask_for_a_frame();
                 return Ok(true);
             }
         }
         Ok(step.again)
     }
 
-    /// A picture of the view in any size, as seen now; the canvas does not change. The future borrows nothing.
+    /// A picture of what a stage shows in any size, as seen now; the canvas does not change. The future borrows nothing.
     ///
     /// # Errors
     /// [`ViewportError::DeviceLost`] at once, [`ViewportError::NotRead`] later.
     pub fn snapshot(
         &mut self,
+        stage: &Stage,
         size_px: [u32; 2],
         background: Background,
     ) -> Result<impl Future<Output = Result<Snapshot, ViewportError>> + use<>, ViewportError> {
         self.gpu.check()?;
         let largest = self.gpu.largest_side_px();
         let size = size_px.map(|side| side.clamp(1, largest));
-        let kept = self.stage.clone();
-        let scale = f64::from(size[1]) / kept.camera().size_px().y;
-        self.stage.camera_mut().resize(size[0], size[1]);
-        self.stage.set_pixel_ratio(kept.pixel_ratio() * scale);
-        self.stage.look_mut().background = background;
+        let mut resized = stage.clone();
+        let scale = f64::from(size[1]) / stage.camera().size_px().y;
+        resized.camera_mut().resize(size[0], size[1]);
+        resized.set_pixel_ratio(stage.pixel_ratio() * scale);
+        resized.look_mut().background = background;
         let texture = self.still(size);
         let attachments = Attachments::new(&self.gpu, self.target.format, size);
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-        self.upload();
-        passes::record(self, &mut encoder, &attachments, &texture.create_view(&Default::default()));
+        self.upload(&resized);
+        passes::record(self, &resized, &mut encoder, &attachments, &texture.create_view(&Default::default()));
         let pending = copy(&self.gpu, &mut encoder, &texture);
         self.gpu.queue.submit([encoder.finish()]);
-        self.stage = kept;
-        self.stage.ask_for_a_frame();
         let device = self.gpu.device.clone();
         Ok(async move { pending.read(&device).await })
     }
 
     #[cfg(target_arch = "wasm32")]
-    fn record_onto(&mut self, texture: &wgpu::Texture) {
+    fn record_onto(&mut self, stage: &Stage, texture: &wgpu::Texture) {
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-        self.upload();
-        passes::record(self, &mut encoder, &self.attachments, &texture.create_view(&Default::default()));
+        self.upload(stage);
+        passes::record(self, stage, &mut encoder, &self.attachments, &texture.create_view(&Default::default()));
         self.gpu.queue.submit([encoder.finish()]);
     }
 
@@ -270,9 +235,9 @@ impl Viewport {
         })
     }
 
-    fn upload(&mut self) {
-        self.gpu.queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&self.stage.uniforms()));
-        let words = self.stage.mark_words();
+    fn upload(&mut self, stage: &Stage) {
+        self.gpu.queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&stage.uniforms()));
+        let words = stage.mark_words();
         self.mark_count = words.len() as u32;
         let bytes: &[u8] = bytemuck::cast_slice(&words);
         if bytes.len() as u64 > self.marks.size() {

@@ -1,11 +1,11 @@
 use glam::DVec3;
-use rosto_viewport::{Look, Paint};
+use rosto_stage::{Light, Look, Paint};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-use crate::support::{Sheet, dome, largest_difference, picture, plain, viewport};
+use crate::support::{Sheet, dome, largest_difference, picture, plain, screen};
 
 fn shaded() -> Look {
-    Look { paint: Paint::Clay, light: rosto_viewport::Light::default(), ..plain() }
+    Look { paint: Paint::Clay, light: Light::default(), ..plain() }
 }
 
 /// A bump around a place, 1 at its middle.
@@ -17,23 +17,23 @@ fn bump(sheet: &Sheet, x: f64, y: f64) -> Vec<f64> {
 #[wasm_bindgen_test]
 async fn following_two_handles_looks_as_if_the_mesh_had_been_uploaded() {
     let sheet = dome();
-    let mut viewport = viewport().await;
-    viewport.show(&sheet.input()).unwrap();
-    let rest = picture(&mut viewport, shaded()).await;
+    let mut screen = screen().await;
+    screen.show(&sheet.input());
+    let rest = picture(&mut screen, shaded()).await;
     let (left, right) = (bump(&sheet, -0.4, 0.2), bump(&sheet, 0.5, -0.1));
     let offsets = [DVec3::new(0.2, 0.1, 0.5), DVec3::new(-0.2, 0.1, 0.4)];
-    viewport.set_fields([Some(&left), Some(&right)]).unwrap();
-    viewport.stage_mut().set_offsets_m(offsets);
-    let followed = picture(&mut viewport, shaded()).await;
+    screen.viewport.set_fields([Some(&left), Some(&right)]).unwrap();
+    screen.stage.set_offsets_m(offsets);
+    let followed = picture(&mut screen, shaded()).await;
     let moved: Vec<DVec3> = sheet
         .positions
         .iter()
         .zip(left.iter().zip(&right))
         .map(|(position, (a, b))| *position + offsets[0] * *a + offsets[1] * *b)
         .collect();
-    viewport.stage_mut().set_offsets_m([DVec3::ZERO; 2]);
-    viewport.set_positions(&moved).unwrap();
-    let uploaded = picture(&mut viewport, shaded()).await;
+    screen.stage.set_offsets_m([DVec3::ZERO; 2]);
+    screen.viewport.set_positions(&moved).unwrap();
+    let uploaded = picture(&mut screen, shaded()).await;
     assert!(largest_difference(&rest, &uploaded) > 40, "the edit is to be seen");
     let off = followed.rgba.iter().zip(&uploaded.rgba).filter(|(one, other)| one.abs_diff(**other) > 2).count();
     assert!(off <= 16, "{off} channels differ");
@@ -42,24 +42,24 @@ async fn following_two_handles_looks_as_if_the_mesh_had_been_uploaded() {
 #[wasm_bindgen_test]
 async fn before_shows_the_shape_as_it_was() {
     let sheet = dome();
-    let mut viewport = viewport().await;
-    viewport.show(&sheet.input()).unwrap();
-    let rest = picture(&mut viewport, shaded()).await;
+    let mut screen = screen().await;
+    screen.show(&sheet.input());
+    let rest = picture(&mut screen, shaded()).await;
     let moved: Vec<DVec3> = sheet.positions.iter().map(|p| *p + DVec3::Z * p.x * 0.4).collect();
-    viewport.set_positions(&moved).unwrap();
-    let edited = picture(&mut viewport, shaded()).await;
+    screen.viewport.set_positions(&moved).unwrap();
+    let edited = picture(&mut screen, shaded()).await;
     assert!(largest_difference(&rest, &edited) > 40);
-    let before = picture(&mut viewport, Look { before: 1.0, ..shaded() }).await;
+    let before = picture(&mut screen, Look { before: 1.0, ..shaded() }).await;
     assert!(largest_difference(&rest, &before) <= 1);
 }
 
 #[wasm_bindgen_test]
 async fn the_response_glows_where_the_mesh_follows() {
     let sheet = dome();
-    let mut viewport = viewport().await;
-    viewport.show(&sheet.input()).unwrap();
-    viewport.set_fields([Some(&bump(&sheet, -0.5, 0.0)), None]).unwrap();
-    let seen = picture(&mut viewport, Look { paint: Paint::Response, ..plain() }).await;
+    let mut screen = screen().await;
+    screen.show(&sheet.input());
+    screen.viewport.set_fields([Some(&bump(&sheet, -0.5, 0.0)), None]).unwrap();
+    let seen = picture(&mut screen, Look { paint: Paint::Response, ..plain() }).await;
     let redness = |x: u32| i32::from(seen.pixel(x, 120)[0]) - i32::from(seen.pixel(x, 120)[2]);
     assert!(redness(75) > redness(190) + 60, "{} and {}", redness(75), redness(190));
 }

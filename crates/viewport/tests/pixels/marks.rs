@@ -1,8 +1,9 @@
 use glam::DVec3;
-use rosto_viewport::{Axis, Dots, Look, Mark, MarkKind, MirrorPlane, Paint, Pointer, Snapshot, Srgb, Wireframe};
+use rosto_stage::{Axis, Dots, Look, Mark, MarkKind, MirrorPlane, Paint, Pointer, Srgb, Wireframe};
+use rosto_viewport::Snapshot;
 use wasm_bindgen_test::wasm_bindgen_test;
 
-use crate::support::{SIDE_PX, Sheet, luminance, picture, plain, viewport};
+use crate::support::{SIDE_PX, Sheet, luminance, picture, plain, screen};
 
 const ACCENT: [u8; 3] = [0xb8, 0x49, 0x2f];
 
@@ -20,38 +21,38 @@ fn count_near(seen: &Snapshot, x: u32, y: u32, reach_px: u32, colour: [u8; 3]) -
 #[wasm_bindgen_test]
 async fn a_selected_vertex_wears_a_ring_in_the_accent() {
     let sheet = Sheet::new(8, |_, _| 0.0);
-    let mut viewport = viewport().await;
-    viewport.show(&sheet.input()).unwrap();
+    let mut screen = screen().await;
+    screen.show(&sheet.input());
     let vertex = 4 * 9 + 4;
-    viewport.stage_mut().set_marks(vec![Mark { vertex, kind: MarkKind::Ring }]);
-    let seen = picture(&mut viewport, clay()).await;
+    screen.stage.set_marks(vec![Mark { vertex, kind: MarkKind::Ring }]);
+    let seen = picture(&mut screen, clay()).await;
     let middle = SIDE_PX / 2;
     let ring = count_near(&seen, middle, middle, 12, ACCENT);
     assert!((60..200).contains(&ring), "{ring} px");
     assert_eq!(count_near(&seen, middle, middle, 4, ACCENT), 0, "the vertex itself stays to be seen");
     assert_eq!(count_near(&seen, middle - 50, middle, 20, ACCENT), 0);
-    viewport.stage_mut().set_marks(Vec::new());
-    let without = picture(&mut viewport, clay()).await;
+    screen.stage.set_marks(Vec::new());
+    let without = picture(&mut screen, clay()).await;
     assert_eq!(count_near(&without, middle, middle, 12, ACCENT), 0);
 }
 
 #[wasm_bindgen_test]
 async fn marks_follow_their_vertex_and_grow_with_the_pixel_ratio() {
     let sheet = Sheet::new(8, |_, _| 0.0);
-    let mut viewport = viewport().await;
-    viewport.show(&sheet.input()).unwrap();
+    let mut screen = screen().await;
+    screen.show(&sheet.input());
     let vertex = 4 * 9 + 4;
-    viewport.stage_mut().set_marks(vec![Mark { vertex, kind: MarkKind::Dot }]);
+    screen.stage.set_marks(vec![Mark { vertex, kind: MarkKind::Dot }]);
     let field: Vec<f64> = sheet.positions.iter().map(|p| f64::from(u8::from(p.truncate().length() < 0.1))).collect();
-    viewport.set_fields([Some(&field), None]).unwrap();
+    screen.viewport.set_fields([Some(&field), None]).unwrap();
     let offset = DVec3::new(0.6, 0.0, 0.0);
-    viewport.stage_mut().set_offsets_m([offset, DVec3::ZERO]);
-    let place = viewport.stage().camera().project(offset).unwrap();
-    let seen = picture(&mut viewport, clay()).await;
+    screen.stage.set_offsets_m([offset, DVec3::ZERO]);
+    let place = screen.stage.camera().project(offset).unwrap();
+    let seen = picture(&mut screen, clay()).await;
     let once = count_near(&seen, place.x as u32, place.y as u32, 14, ACCENT);
     assert!(once > 20, "{once} px");
-    viewport.stage_mut().set_pixel_ratio(2.0);
-    let seen = picture(&mut viewport, clay()).await;
+    screen.stage.set_pixel_ratio(2.0);
+    let seen = picture(&mut screen, clay()).await;
     let twice = count_near(&seen, place.x as u32, place.y as u32, 14, ACCENT);
     assert!(twice > 3 * once, "{once} and {twice} px");
 }
@@ -59,20 +60,20 @@ async fn marks_follow_their_vertex_and_grow_with_the_pixel_ratio() {
 #[wasm_bindgen_test]
 async fn what_is_hidden_shows_only_faintly() {
     let behind = Sheet::new(8, |x, _| if x > 0.3 { 0.8 } else { 0.0 });
-    let mut viewport = viewport().await;
-    viewport.show(&behind.input()).unwrap();
-    viewport.stage_mut().camera_mut().orbit(100.0, 0.0);
-    viewport.draw(0.0).unwrap();
+    let mut screen = screen().await;
+    screen.show(&behind.input());
+    screen.stage.camera_mut().orbit(100.0, 0.0);
+    screen.draw(0.0);
     let vertex = 4 * 9 + 3;
     let marked = |kind| vec![Mark { vertex, kind }];
-    let place = viewport.stage().camera().project(behind.positions[vertex as usize]).unwrap();
-    viewport.stage_mut().set_marks(marked(MarkKind::Dot));
-    let seen = picture(&mut viewport, clay()).await;
+    let place = screen.stage.camera().project(behind.positions[vertex as usize]).unwrap();
+    screen.stage.set_marks(marked(MarkKind::Dot));
+    let seen = picture(&mut screen, clay()).await;
     let full = count_near(&seen, place.x as u32, place.y as u32, 8, ACCENT);
-    viewport.stage_mut().camera_mut().orbit(-200.0, 0.0);
-    viewport.draw(0.0).unwrap();
-    let place = viewport.stage().camera().project(behind.positions[vertex as usize]).unwrap();
-    let seen = picture(&mut viewport, clay()).await;
+    screen.stage.camera_mut().orbit(-200.0, 0.0);
+    screen.draw(0.0);
+    let place = screen.stage.camera().project(behind.positions[vertex as usize]).unwrap();
+    let seen = picture(&mut screen, clay()).await;
     let hidden = count_near(&seen, place.x as u32, place.y as u32, 8, ACCENT);
     assert!(full > 20 && hidden == 0, "{full} and {hidden} px");
 }
@@ -80,10 +81,10 @@ async fn what_is_hidden_shows_only_faintly() {
 #[wasm_bindgen_test]
 async fn the_wireframe_darkens_edges_by_less_than_half() {
     let sheet = Sheet::new(4, |_, _| 0.0);
-    let mut viewport = viewport().await;
-    viewport.show(&sheet.input()).unwrap();
-    let bare = picture(&mut viewport, clay()).await;
-    let wired = picture(&mut viewport, Look { wireframe: Wireframe::Shown, ..clay() }).await;
+    let mut screen = screen().await;
+    screen.show(&sheet.input());
+    let bare = picture(&mut screen, clay()).await;
+    let wired = picture(&mut screen, Look { wireframe: Wireframe::Shown, ..clay() }).await;
     let middle = SIDE_PX / 2;
     let row = middle - 12;
     let fills = luminance(bare.pixel(middle, row));
@@ -95,12 +96,12 @@ async fn the_wireframe_darkens_edges_by_less_than_half() {
 #[wasm_bindgen_test]
 async fn dots_show_near_the_pointer_or_everywhere() {
     let sheet = Sheet::new(8, |_, _| 0.0);
-    let mut viewport = viewport().await;
-    viewport.show(&sheet.input()).unwrap();
-    let bare = picture(&mut viewport, clay()).await;
-    viewport.stage_mut().set_pointer(Some(glam::DVec2::new(60.0, 120.0)));
-    let near = picture(&mut viewport, Look { dots: Dots::NearPointer, ..clay() }).await;
-    let all = picture(&mut viewport, Look { dots: Dots::All, ..clay() }).await;
+    let mut screen = screen().await;
+    screen.show(&sheet.input());
+    let bare = picture(&mut screen, clay()).await;
+    screen.stage.set_pointer(Some(glam::DVec2::new(60.0, 120.0)));
+    let near = picture(&mut screen, Look { dots: Dots::NearPointer, ..clay() }).await;
+    let all = picture(&mut screen, Look { dots: Dots::All, ..clay() }).await;
     let changed = |seen: &Snapshot, columns: std::ops::Range<u32>| {
         let places = columns.flat_map(|x| (0..SIDE_PX).map(move |y| (x, y)));
         places.filter(|&(x, y)| seen.pixel(x, y) != bare.pixel(x, y)).count()
@@ -113,18 +114,18 @@ async fn dots_show_near_the_pointer_or_everywhere() {
 #[wasm_bindgen_test]
 async fn the_gizmo_has_an_arm_for_each_axis_where_it_can_be_picked() {
     let sheet = Sheet::new(8, |_, _| 0.0);
-    let mut viewport = viewport().await;
-    viewport.show(&sheet.input()).unwrap();
+    let mut screen = screen().await;
+    screen.show(&sheet.input());
     let vertex = 4 * 9 + 4;
-    viewport.stage_mut().set_gizmo(Some(vertex));
-    let seen = picture(&mut viewport, clay()).await;
+    screen.stage.set_gizmo(Some(vertex));
+    let seen = picture(&mut screen, clay()).await;
     let middle = SIDE_PX / 2;
     let [red, _, blue, _] = seen.pixel(middle + 40, middle);
     assert!(red > blue + 80, "x is red: {red} {blue}");
     let [red, green, ..] = seen.pixel(middle, middle - 40);
     assert!(green > red + 40, "y is green: {red} {green}");
     let pick = |x: u32, y: u32| {
-        viewport.pick_axis(glam::DVec2::new(f64::from(x), f64::from(y)), &sheet.positions, Pointer::Fine)
+        screen.stage.pick_axis(glam::DVec2::new(f64::from(x), f64::from(y)), &sheet.positions, Pointer::Fine)
     };
     assert_eq!(pick(middle + 40, middle), Some(Axis::X));
     assert_eq!(pick(middle, middle - 40), Some(Axis::Y));
@@ -133,11 +134,11 @@ async fn the_gizmo_has_an_arm_for_each_axis_where_it_can_be_picked() {
 
 #[wasm_bindgen_test]
 async fn the_mirror_plane_is_a_faint_sheet() {
-    let mut viewport = viewport().await;
-    viewport.show(&Sheet::new(1, |_, _| -5.0).input()).unwrap();
-    viewport.stage_mut().camera_mut().turn(std::f64::consts::FRAC_PI_2);
-    let without = picture(&mut viewport, clay()).await;
-    let with = picture(&mut viewport, Look { mirror_plane: MirrorPlane::Shown, ..clay() }).await;
+    let mut screen = screen().await;
+    screen.show(&Sheet::new(1, |_, _| -5.0).input());
+    screen.stage.camera_mut().turn(std::f64::consts::FRAC_PI_2);
+    let without = picture(&mut screen, clay()).await;
+    let with = picture(&mut screen, Look { mirror_plane: MirrorPlane::Shown, ..clay() }).await;
     let middle = SIDE_PX / 2;
     assert_eq!(without.pixel(middle, middle)[3], 0);
     let alpha = with.pixel(middle, middle)[3];

@@ -1,29 +1,30 @@
-use rosto_viewport::{Background, Light, Look, MeshInput, Paint, PictureOnGpu, Srgb, Theme, Viewport};
+use rosto_stage::{Background, Light, Look, Paint, Srgb, Theme};
+use rosto_viewport::{MeshInput, PictureOnGpu, Viewport};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-use crate::support::{SIDE_PX, Sheet, assert_close, dome, luminance, picture, plain, viewport};
+use crate::support::{SIDE_PX, Sheet, assert_close, dome, luminance, picture, plain, screen};
 
 const MIDDLE: u32 = SIDE_PX / 2;
 
 #[wasm_bindgen_test]
 async fn without_a_mesh_there_is_nothing_but_the_ground() {
-    let mut viewport = viewport().await;
-    let empty = picture(&mut viewport, plain()).await;
+    let mut screen = screen().await;
+    let empty = picture(&mut screen, plain()).await;
     assert!(empty.rgba.iter().all(|&channel| channel == 0));
-    let light = picture(&mut viewport, Look::default()).await;
+    let light = picture(&mut screen, Look::default()).await;
     assert_close(light.pixel(MIDDLE, 0), [0xf5, 0xf3, 0xef]);
     assert_close(light.pixel(MIDDLE, SIDE_PX - 1), [0xe7, 0xe3, 0xdb]);
-    let dark = picture(&mut viewport, Look { theme: Theme::Dark, ..Look::default() }).await;
+    let dark = picture(&mut screen, Look { theme: Theme::Dark, ..Look::default() }).await;
     assert_close(dark.pixel(MIDDLE, 0), [0x1c, 0x1d, 0x20]);
 }
 
 #[wasm_bindgen_test]
 async fn a_plain_background_is_that_colour_right_up_to_the_mesh() {
-    let mut viewport = viewport().await;
-    viewport.show(&dome().input()).unwrap();
-    let bare = picture(&mut viewport, plain()).await;
+    let mut screen = screen().await;
+    screen.show(&dome().input());
+    let bare = picture(&mut screen, plain()).await;
     let colour = [12, 180, 250];
-    let seen = picture(&mut viewport, Look { background: Background::Plain(Srgb(colour)), ..plain() }).await;
+    let seen = picture(&mut screen, Look { background: Background::Plain(Srgb(colour)), ..plain() }).await;
     let mut around = 0;
     for (y, x) in (0..SIDE_PX).flat_map(|y| (0..SIDE_PX).map(move |x| (y, x))) {
         match bare.pixel(x, y)[3] {
@@ -41,10 +42,10 @@ async fn a_plain_background_is_that_colour_right_up_to_the_mesh() {
 #[wasm_bindgen_test]
 async fn unlit_vertex_colours_are_the_colours_that_went_in() {
     let sheet = Sheet::new(1, |_, _| 0.0);
-    let mut viewport = viewport().await;
+    let mut screen = screen().await;
     for colour in [[200, 120, 40], [3, 250, 9], [128, 128, 128], [255, 255, 255], [0, 0, 0]] {
-        viewport.show(&MeshInput { colours_srgb: &[colour; 4], ..sheet.input() }).unwrap();
-        let seen = picture(&mut viewport, Look { paint: Paint::Colours, ..plain() }).await;
+        screen.show(&MeshInput { colours_srgb: &[colour; 4], ..sheet.input() });
+        let seen = picture(&mut screen, Look { paint: Paint::Colours, ..plain() }).await;
         assert_close(seen.pixel(MIDDLE, MIDDLE), colour);
         assert_eq!(seen.pixel(0, 0), [0; 4]);
     }
@@ -53,10 +54,10 @@ async fn unlit_vertex_colours_are_the_colours_that_went_in() {
 #[wasm_bindgen_test]
 async fn vertex_colours_blend_in_linear_light() {
     let sheet = Sheet::new(1, |_, _| 0.0);
-    let mut viewport = viewport().await;
+    let mut screen = screen().await;
     let colours = [[0, 0, 0], [255, 255, 255], [0, 0, 0], [255, 255, 255]];
-    viewport.show(&MeshInput { colours_srgb: &colours, ..sheet.input() }).unwrap();
-    let seen = picture(&mut viewport, Look { paint: Paint::Colours, ..plain() }).await;
+    screen.show(&MeshInput { colours_srgb: &colours, ..sheet.input() });
+    let seen = picture(&mut screen, Look { paint: Paint::Colours, ..plain() }).await;
     let [red, ..] = seen.pixel(MIDDLE, MIDDLE);
     assert!(red.abs_diff(188) <= 2, "half of the light is 188, not {red}");
 }
@@ -64,14 +65,14 @@ async fn vertex_colours_blend_in_linear_light() {
 #[wasm_bindgen_test]
 async fn the_photo_lies_where_its_places_say() {
     let sheet = Sheet::new(1, |_, _| 0.0);
-    let mut viewport = viewport().await;
+    let mut screen = screen().await;
     let side = 64;
     let quarter =
         |x: usize, y: usize| [40 + 150 * u8::from(x * 2 >= side), 50 + 160 * u8::from(y * 2 >= side), 90, 255];
     let rgba: Vec<u8> = (0..side * side).flat_map(|i| quarter(i % side, i / side)).collect();
-    let photo = on_gpu(&viewport, side as u32, &rgba);
-    viewport.show(&MeshInput { picture: Some(&photo), ..sheet.input() }).unwrap();
-    let seen = picture(&mut viewport, plain()).await;
+    let photo = on_gpu(&screen.viewport, side as u32, &rgba);
+    screen.show(&MeshInput { picture: Some(&photo), ..sheet.input() });
+    let seen = picture(&mut screen, plain()).await;
     let (near, far) = (MIDDLE - 40, MIDDLE + 40);
     assert_close(seen.pixel(near, near), [40, 50, 90]);
     assert_close(seen.pixel(far, near), [190, 50, 90]);
@@ -82,13 +83,13 @@ async fn the_photo_lies_where_its_places_say() {
 #[wasm_bindgen_test]
 async fn a_fine_photo_seen_small_is_its_mean_in_linear_light() {
     let sheet = Sheet::new(1, |_, _| 0.0);
-    let mut viewport = viewport().await;
+    let mut screen = screen().await;
     let side = 1024;
     let rgba: Vec<u8> =
         (0..side * side).flat_map(|i| [255 * ((i % side + i / side) % 2) as u8; 3].into_iter().chain([255])).collect();
-    let photo = on_gpu(&viewport, side as u32, &rgba);
-    viewport.show(&MeshInput { picture: Some(&photo), ..sheet.input() }).unwrap();
-    let seen = picture(&mut viewport, plain()).await;
+    let photo = on_gpu(&screen.viewport, side as u32, &rgba);
+    screen.show(&MeshInput { picture: Some(&photo), ..sheet.input() });
+    let seen = picture(&mut screen, plain()).await;
     for (x, y) in [(MIDDLE, MIDDLE), (MIDDLE + 31, MIDDLE - 17), (MIDDLE - 40, MIDDLE + 8)] {
         let [red, ..] = seen.pixel(x, y);
         assert!(red.abs_diff(188) <= 3, "({x}, {y}) is {red}");
@@ -97,13 +98,13 @@ async fn a_fine_photo_seen_small_is_its_mean_in_linear_light() {
 
 #[wasm_bindgen_test]
 async fn the_side_towards_the_light_is_brighter() {
-    let mut viewport = viewport().await;
-    viewport.show(&dome().input()).unwrap();
+    let mut screen = screen().await;
+    screen.show(&dome().input());
     let lit = |azimuth_deg| Look { paint: Paint::Clay, light: Light { azimuth_deg, ..Light::default() }, ..plain() };
     let (left, right) = (MIDDLE - 60, MIDDLE + 60);
-    let from_left = picture(&mut viewport, lit(-60.0)).await;
+    let from_left = picture(&mut screen, lit(-60.0)).await;
     assert!(luminance(from_left.pixel(left, MIDDLE)) > luminance(from_left.pixel(right, MIDDLE)) + 60);
-    let from_right = picture(&mut viewport, lit(60.0)).await;
+    let from_right = picture(&mut screen, lit(60.0)).await;
     assert!(luminance(from_right.pixel(right, MIDDLE)) > luminance(from_right.pixel(left, MIDDLE)) + 60);
     let top = luminance(from_left.pixel(MIDDLE, MIDDLE - 60));
     assert!(top > luminance(from_left.pixel(MIDDLE, MIDDLE + 60)) + 30, "the usual light comes from above");
@@ -111,20 +112,20 @@ async fn the_side_towards_the_light_is_brighter() {
 
 #[wasm_bindgen_test]
 async fn coloured_light_colours_what_it_falls_on() {
-    let mut viewport = viewport().await;
-    viewport.show(&dome().input()).unwrap();
+    let mut screen = screen().await;
+    screen.show(&dome().input());
     let light =
         Light { colour: Srgb([255, 0, 0]), ambient: 0.0, azimuth_deg: 0.0, elevation_deg: 0.0, ..Light::default() };
-    let seen = picture(&mut viewport, Look { paint: Paint::Colours, light, ..plain() }).await;
+    let seen = picture(&mut screen, Look { paint: Paint::Colours, light, ..plain() }).await;
     let [red, green, blue, _] = seen.pixel(MIDDLE, MIDDLE);
     assert!(red > 200 && green == 0 && blue == 0, "{red} {green} {blue}");
 }
 
 #[wasm_bindgen_test]
 async fn normals_are_shown_as_colours() {
-    let mut viewport = viewport().await;
-    viewport.show(&dome().input()).unwrap();
-    let seen = picture(&mut viewport, Look { paint: Paint::Normals, ..plain() }).await;
+    let mut screen = screen().await;
+    screen.show(&dome().input());
+    let seen = picture(&mut screen, Look { paint: Paint::Normals, ..plain() }).await;
     assert_close(seen.pixel(MIDDLE, MIDDLE), [128, 128, 255]);
     assert!(seen.pixel(MIDDLE + 60, MIDDLE)[0] > 150 && seen.pixel(MIDDLE - 60, MIDDLE)[0] < 106);
     assert!(seen.pixel(MIDDLE, MIDDLE - 60)[1] > 150 && seen.pixel(MIDDLE, MIDDLE + 60)[1] < 106);
@@ -133,11 +134,11 @@ async fn normals_are_shown_as_colours() {
 #[wasm_bindgen_test]
 async fn scalars_run_from_blue_over_neutral_to_red() {
     let sheet = Sheet::new(2, |_, _| 0.0);
-    let mut viewport = viewport().await;
-    viewport.show(&sheet.input()).unwrap();
+    let mut screen = screen().await;
+    screen.show(&sheet.input());
     let scalars: Vec<f64> = sheet.positions.iter().map(|position| position.x).collect();
-    viewport.set_scalars(&scalars).unwrap();
-    let seen = picture(&mut viewport, Look { paint: Paint::Scalar, ..plain() }).await;
+    screen.viewport.set_scalars(&scalars).unwrap();
+    let seen = picture(&mut screen, Look { paint: Paint::Scalar, ..plain() }).await;
     let [red, _, blue, _] = seen.pixel(MIDDLE - 60, MIDDLE + 10);
     assert!(blue > red + 60, "{red} {blue}");
     let [red, _, blue, _] = seen.pixel(MIDDLE + 60, MIDDLE + 10);
@@ -149,10 +150,10 @@ async fn scalars_run_from_blue_over_neutral_to_red() {
 #[wasm_bindgen_test]
 async fn the_inside_of_the_mask_is_not_the_photo() {
     let sheet = Sheet::new(1, |_, _| 0.0);
-    let mut viewport = viewport().await;
-    viewport.show(&MeshInput { colours_srgb: &[[0, 0, 255]; 4], ..sheet.input() }).unwrap();
-    viewport.stage_mut().camera_mut().turn(std::f64::consts::PI);
-    let seen = picture(&mut viewport, Look { paint: Paint::Colours, ..plain() }).await;
+    let mut screen = screen().await;
+    screen.show(&MeshInput { colours_srgb: &[[0, 0, 255]; 4], ..sheet.input() });
+    screen.stage.camera_mut().turn(std::f64::consts::PI);
+    let seen = picture(&mut screen, Look { paint: Paint::Colours, ..plain() }).await;
     let [red, _, blue, alpha] = seen.pixel(MIDDLE, MIDDLE);
     assert!(alpha == 255 && red > blue, "{red} {blue} {alpha}");
 }

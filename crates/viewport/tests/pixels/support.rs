@@ -1,6 +1,7 @@
 use glam::{DVec2, DVec3};
 use rosto_mesh::Topology;
-use rosto_viewport::{Background, Glide, Look, MeshInput, Snapshot, Target, Viewport};
+use rosto_stage::{Background, Dots, Glide, Light, Look, Stage};
+use rosto_viewport::{MeshInput, Snapshot, Target, Viewport};
 use wasm_bindgen::JsCast;
 use web_sys::HtmlCanvasElement;
 
@@ -15,19 +16,41 @@ pub fn canvas() -> HtmlCanvasElement {
     canvas
 }
 
-/// A viewport on a canvas of its own, framing a unit square from the front.
-pub async fn viewport() -> Viewport {
+/// A viewport and what it shows.
+pub struct Screen {
+    pub viewport: Viewport,
+    pub stage: Stage,
+}
+
+impl Screen {
+    pub fn resize(&mut self, width_px: u32, height_px: u32) {
+        let [width, height] = self.viewport.resize(width_px, height_px);
+        self.stage.camera_mut().resize(width, height);
+    }
+
+    pub fn show(&mut self, input: &MeshInput<'_>) {
+        self.viewport.show(input).unwrap();
+        self.stage.ask_for_a_frame();
+    }
+
+    /// Draws if anything changed; true asks for another frame.
+    pub fn draw(&mut self, time_ms: f64) -> bool {
+        self.viewport.draw(&mut self.stage, time_ms).unwrap()
+    }
+}
+
+/// A viewport on a canvas of its own, and a stage that frames a unit square from the front.
+pub async fn screen() -> Screen {
     on(canvas()).await
 }
 
-pub async fn on(canvas: HtmlCanvasElement) -> Viewport {
+pub async fn on(canvas: HtmlCanvasElement) -> Screen {
     let (gpu, target) = Target::canvas(canvas).await.unwrap();
-    let mut viewport = Viewport::new(gpu, target);
-    viewport.resize(SIDE_PX, SIDE_PX);
-    let stage = viewport.stage_mut();
-    stage.frame(&corners());
-    stage.camera_mut().set_glide(Glide::Off);
-    viewport
+    let mut screen = Screen { viewport: Viewport::new(gpu, target), stage: Stage::default() };
+    screen.resize(SIDE_PX, SIDE_PX);
+    screen.stage.frame(&corners());
+    screen.stage.camera_mut().set_glide(Glide::Off);
+    screen
 }
 
 fn corners() -> [DVec3; 4] {
@@ -77,20 +100,14 @@ pub fn dome() -> Sheet {
 }
 
 /// Shows a mesh under a look and reads the picture back.
-pub async fn picture(viewport: &mut Viewport, look: Look) -> Snapshot {
-    *viewport.stage_mut().look_mut() = look;
-    let background = look.background;
-    viewport.snapshot([SIDE_PX, SIDE_PX], background).unwrap().await.unwrap()
+pub async fn picture(screen: &mut Screen, look: Look) -> Snapshot {
+    *screen.stage.look_mut() = look;
+    screen.viewport.snapshot(&screen.stage, [SIDE_PX, SIDE_PX], look.background).unwrap().await.unwrap()
 }
 
 /// A look with nothing but the mesh, unshaded.
 pub fn plain() -> Look {
-    Look {
-        background: Background::Transparent,
-        light: rosto_viewport::Light::FLAT,
-        dots: rosto_viewport::Dots::None,
-        ..Look::default()
-    }
+    Look { background: Background::Transparent, light: Light::FLAT, dots: Dots::None, ..Look::default() }
 }
 
 /// The largest difference of any channel of any pixel.

@@ -1,7 +1,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::frame::{Frame, Moment};
-use crate::{Axis, Camera, Look, Mark};
+use crate::{Axis, Camera, Look, Mark, Pointer};
 
 /// How long a face takes from the photo's plane into depth.
 const ARRIVAL_MS: f64 = 500.0;
@@ -37,7 +37,7 @@ enum Arrival {
 
 /// What [`Stage::advance`] found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Step {
+pub struct Step {
     /// Something looks different now.
     pub draw: bool,
     /// Something will look different in the next frame too.
@@ -146,21 +146,30 @@ impl Stage {
         self.gizmo
     }
 
+    /// The arm of the gizmo that the pointer is on; `positions_m` are where the vertices are now. None without a gizmo, or
+    /// if its vertex is not among them.
+    pub fn pick_axis(&self, place_px: DVec2, positions_m: &[DVec3], pointer: Pointer) -> Option<Axis> {
+        let vertex_m = *positions_m.get(self.gizmo? as usize)?;
+        crate::markers::axis_under(&self.camera, vertex_m, place_px, self.pixel_ratio, pointer)
+    }
+
     /// Turns the mesh, in degrees a second; 0 stops.
     pub fn set_turntable(&mut self, degrees_per_second: f64) {
         self.set(|stage| &mut stage.turntable_deg_per_s, degrees_per_second);
     }
 
-    pub(crate) fn start_arrival(&mut self) {
+    /// Lets the mesh come from where it was before ([`Look::before`]) in half a second, from the next frame on.
+    pub fn start_arrival(&mut self) {
         self.set(|stage| &mut stage.arrival, Arrival::Asked);
     }
 
-    pub(crate) fn ask_for_a_frame(&mut self) {
+    /// Says that something looks different now of which the stage knows nothing: another mesh, a canvas that was lost.
+    pub fn ask_for_a_frame(&mut self) {
         self.changed = true;
     }
 
-    /// Moves everything that moves by itself on to `time_ms`.
-    pub(crate) fn advance(&mut self, time_ms: f64) -> Step {
+    /// Moves everything that moves by itself on to `time_ms`, which is any steady clock's.
+    pub fn advance(&mut self, time_ms: f64) -> Step {
         let seconds = self.last_ms.map_or(0.0, |last_ms| ((time_ms - last_ms) * 1e-3).clamp(0.0, LONGEST_STEP_S));
         let was_arriving = self.arrival != Arrival::Over;
         self.advance_arrival(time_ms);
@@ -175,7 +184,7 @@ impl Stage {
     }
 
     /// What shaders read for this frame.
-    pub(crate) fn uniforms(&self) -> Frame {
+    pub fn uniforms(&self) -> Frame {
         let moment = Moment {
             pixel_ratio: self.pixel_ratio,
             offsets_m: self.offsets_m,
@@ -189,7 +198,8 @@ impl Stage {
         Frame::new(&self.camera, &self.look, &moment)
     }
 
-    pub(crate) fn mark_words(&self) -> Vec<[u32; 2]> {
+    /// What the GPU reads for each mark: vertex and kind; kinds 4 to 6 are the letters of the axes.
+    pub fn mark_words(&self) -> Vec<[u32; 2]> {
         crate::markers::mark_words(&self.marks, self.hovered, self.gizmo)
     }
 
@@ -271,6 +281,21 @@ mod tests {
         assert_eq!(steps.iter().filter(|step| step.arrived).count(), 1);
         assert_eq!(steps.iter().filter(|step| step.draw).count(), 33);
         assert_eq!(stage.blend_before(), 0.0);
+    }
+
+    #[test]
+    fn the_gizmo_is_picked_where_its_vertex_is_and_only_while_there_is_one() {
+        let mut stage = settled();
+        let positions_m = [DVec3::splat(-1.0), DVec3::ZERO];
+        stage.frame(&[DVec3::NEG_ONE, DVec3::ONE]);
+        stage.camera_mut().resize(600, 600);
+        let right_of_middle = DVec2::new(340.0, 302.0);
+        let pick = |stage: &Stage| stage.pick_axis(right_of_middle, &positions_m, Pointer::Fine);
+        assert_eq!(pick(&stage), None, "no gizmo yet");
+        stage.set_gizmo(Some(1));
+        assert_eq!(pick(&stage), Some(Axis::X));
+        stage.set_gizmo(Some(2));
+        assert_eq!(pick(&stage), None, "a vertex that this mesh does not have");
     }
 
     #[test]

@@ -2,10 +2,10 @@ use glam::{DVec2, DVec3};
 
 use crate::Camera;
 
-/// Length in CSS px of the gizmo's arms; `shaders/marks.wgsl` says the same.
+/// Length in CSS px of the gizmo's arms; the viewport's `shaders/marks.wgsl` says the same.
 const GIZMO_PX: f64 = 68.0;
 const GIZMO_START_PX: f64 = 11.0;
-/// Arms at a smaller sine to the line of sight have faded, as `shaders/marks.wgsl` says, and are not there.
+/// Arms at a smaller sine to the line of sight have faded, as that file says too, and are not there.
 const LEAST_SINE: f64 = 0.2;
 
 /// An axis of the model.

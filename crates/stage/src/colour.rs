@@ -14,8 +14,8 @@ impl Srgb {
         })
     }
 
-    /// The channels, still sRGB, as 0..1.
-    pub(crate) fn with_alpha(self, alpha: f32) -> [f32; 4] {
+    /// The channels, still sRGB, as 0..1, and an opacity.
+    pub fn with_alpha(self, alpha: f32) -> [f32; 4] {
         let [red, green, blue] = self.0.map(|channel| f32::from(channel) / 255.0);
         [red, green, blue, alpha]
     }

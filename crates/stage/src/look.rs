@@ -113,20 +113,28 @@ impl Default for Look {
     }
 }
 
-/// The colours of a theme.
+/// The colours of a theme; `web/css/base.css` says the same.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Palette {
+pub struct Palette {
+    /// The ground at the picture's upper edge.
     pub ground_top: Srgb,
+    /// The ground at its lower edge.
     pub ground_bottom: Srgb,
+    /// Edges and dots.
     pub ink: Srgb,
+    /// How opaque edges are, 0..1.
     pub ink_alpha: f32,
+    /// What surrounds a mark, so that it shows on any colour.
     pub halo: Srgb,
+    /// What is selected, and what follows.
     pub accent: Srgb,
+    /// How dark the shadow under the mesh is, 0..1.
     pub shadow_alpha: f32,
 }
 
 impl Theme {
-    pub(crate) fn palette(self) -> Palette {
+    /// Its colours.
+    pub fn palette(self) -> Palette {
         match self {
             Self::Light => Palette {
                 ground_top: Srgb([0xf5, 0xf3, 0xef]),

@@ -4,10 +4,12 @@ use glam::{DVec2, DVec3};
 use crate::markers::Axis;
 use crate::{Camera, Dots, Look, Paint};
 
-/// What every shader reads once a frame; `shaders/frame.wgsl` has the same fields in the same order.
+/// What every shader reads once a frame, in the layout of a uniform buffer.
+///
+/// The viewport's `shaders/frame.wgsl` has the same fields in the same order, and a test of its own compares the sizes.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
-pub(crate) struct Frame {
+pub struct Frame {
     clip_from_model: [f32; 16],
     eye_m: [f32; 3],
     pixel_ratio: f32,
@@ -39,7 +41,7 @@ pub(crate) struct Frame {
 }
 
 /// Stands for "no vertex" in what shaders read.
-pub(crate) const NO_VERTEX: u32 = u32::MAX;
+const NO_VERTEX: u32 = u32::MAX;
 
 /// What a frame shows beside the camera and the look.
 #[derive(Debug, Clone, Copy)]
@@ -55,7 +57,7 @@ pub(crate) struct Moment {
 }
 
 impl Frame {
-    pub fn new(camera: &Camera, look: &Look, moment: &Moment) -> Self {
+    pub(crate) fn new(camera: &Camera, look: &Look, moment: &Moment) -> Self {
         let palette = look.theme.palette();
         let light = &look.light;
         Self {
