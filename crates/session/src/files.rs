@@ -1,0 +1,108 @@
+use glam::DVec3;
+use rosto_export::{GlbOptions, JsonMesh, Model, Morph, Source, glb, mesh_json};
+
+use crate::error::SessionError;
+use crate::{OpenFace, Session};
+
+/// Which coordinates a mesh is written in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Units {
+    /// MediaPipe's normalised ones.
+    Image,
+    /// Millimetres of the model.
+    Millimetres,
+}
+
+/// How edits are in a GLB.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EditsAs {
+    /// As the shape that they lead to.
+    Shape,
+    /// As a morph target each, beside the unedited face.
+    MorphTargets,
+}
+
+/// What leaves the session.
+impl Session {
+    /// The mesh as JSON, as the command line writes it.
+    ///
+    /// # Errors
+    /// [`SessionError::NoFace`].
+    pub fn mesh_json(&self, units: Units) -> Result<String, SessionError> {
+        let face = self.open_face()?;
+        let (units, positions) = match units {
+            Units::Image => ("image", face.positions_image()),
+            Units::Millimetres => ("mm", face.positions_mm()),
+        };
+        Ok(mesh_json(&JsonMesh {
+            units,
+            positions: &positions,
+            colours_srgb: &face.colours_srgb(&face.uvs()),
+            triangles: face.document().topology().triangles(),
+        }))
+    }
+
+    /// The face as a binary glTF file, at the density that is shown, with what opens it again in the scene's extras. Only
+    /// morph targets ask for a solve.
+    ///
+    /// # Errors
+    /// [`SessionError::NoFace`] or [`SessionError::Export`].
+    pub fn glb(&mut self, options: GlbOptions<'_>, edits: EditsAs) -> Result<Vec<u8>, SessionError> {
+        let layers = match edits {
+            EditsAs::Shape => Vec::new(),
+            EditsAs::MorphTargets => self.displacements()?,
+        };
+        let face = self.open_face()?;
+        let (document, json) = (face.document(), face.history_json());
+        let entries = document.history().entries();
+        let source = Source {
+            face: face.model(),
+            triangulation: face.triangulation(),
+            density: document.density(),
+            history: (!entries.is_empty()).then_some(json.as_str()),
+        };
+        let named = entries.iter().zip(&layers);
+        let morphs: Vec<Morph<'_>> =
+            named.map(|(entry, layer)| Morph { name: &entry.label, displacements_m: layer, weight: 1.0 }).collect();
+        self.with_model(|model| {
+            let options = GlbOptions { source: Some(source), morphs: &morphs, ..options };
+            let model = if edits == EditsAs::Shape { model } else { model.at(document.rest()) };
+            Ok(glb(&model, &options)?)
+        })
+    }
+
+    /// Does something with the mesh that is shown.
+    ///
+    /// # Errors
+    /// [`SessionError::NoFace`], or that of `act`.
+    pub fn with_model<T>(&self, act: impl FnOnce(Model<'_>) -> Result<T, SessionError>) -> Result<T, SessionError> {
+        let face = self.open_face()?;
+        let uvs = face.uvs();
+        act(Model {
+            topology: face.document().topology(),
+            positions_m: face.document().positions(),
+            colours_srgb: &face.colours_srgb(&uvs),
+            uvs: &uvs,
+            picture: face.model().picture(),
+        })
+    }
+}
+
+impl OpenFace {
+    /// The landmarks as they lie on the photo: in one plane, as large as the face and where it is. What a face arrives
+    /// from.
+    pub fn flat_m(&self) -> Vec<DVec3> {
+        let image = self.document().from_cage(self.model().positions_image());
+        let [width, height] = self.model().photo_size_px().map(f64::from);
+        let upright = |p: &DVec3| glam::DVec2::new(p.x, -p.y * height / width);
+        let positions_m = self.document().positions();
+        let middle = |sum: DVec3| sum / image.len() as f64;
+        let image_middle = upright(&middle(image.iter().copied().sum()));
+        let model_middle = middle(positions_m.iter().copied().sum());
+        let spread = |sum: f64| (sum / image.len() as f64).sqrt();
+        let image_spread = spread(image.iter().map(|p| upright(p).distance_squared(image_middle)).sum());
+        let model_spread = spread(positions_m.iter().map(|p| (*p - model_middle).truncate().length_squared()).sum());
+        let scale = model_spread / image_spread.max(f64::MIN_POSITIVE);
+        image.iter().map(|p| model_middle + ((upright(p) - image_middle) * scale).extend(0.0)).collect()
+    }
+}

@@ -1,0 +1,80 @@
+use rosto_face::{FaceInput, FaceModel, Photo, Triangulation};
+use rosto_studio::{Amount, Command, Document, Entry, MAX_DENSITY, Rest, project};
+
+use crate::error::{SessionError, within};
+use crate::open_face::{MAX_OFFSET_M, OpenFace};
+
+/// How often a mesh is subdivided at most on the screen: [`MAX_DENSITY`] is for files.
+pub const DENSEST_SHOWN: u32 = 3;
+
+/// A history has no more entries than this.
+pub const MOST_ENTRIES: usize = 100_000;
+
+/// Everything that opens a face: what was found in a photo and, of earlier work, what was done since.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Incoming {
+    /// MediaPipe's normalised landmarks: 468.
+    pub landmarks: Vec<[f32; 3]>,
+    /// Width and height in px of the upright photo that they were found in.
+    pub photo_size_px: [u32; 2],
+    /// The colour under each landmark, sRGB: 468.
+    pub colours_srgb: Vec<[u8; 3]>,
+    /// The upright picture, perhaps scaled down.
+    pub picture: Photo,
+    /// What was done to the face before; nothing for one that was just found.
+    pub work: Option<Work>,
+}
+
+/// What was done to a face.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Work {
+    /// How the landmarks are joined.
+    pub triangulation: Triangulation,
+    /// How often the mesh was subdivided; a denser one than is shown opens as the densest that is.
+    pub density: u32,
+    /// The edits as versioned JSON.
+    pub history: String,
+}
+
+impl Work {
+    fn entries(&self) -> Result<Vec<Entry>, SessionError> {
+        let entries = project::from_json(&self.history)?;
+        if entries.len() > MOST_ENTRIES {
+            return Err(SessionError::TooManyEntries { found: entries.len(), most: MOST_ENTRIES });
+        }
+        entries.iter().try_for_each(check_amount)?;
+        Ok(entries)
+    }
+}
+
+/// Refuses what no hand can have done and no screen can show.
+fn check_amount(entry: &Entry) -> Result<(), SessionError> {
+    let Command::Move { .. } = &entry.command else { return Ok(()) };
+    match entry.command.amount() {
+        Amount::Distance(distance_m) => within("an offset in m", distance_m, -MAX_OFFSET_M, MAX_OFFSET_M).map(|_| ()),
+        Amount::Share(_) => Ok(()),
+    }
+}
+
+/// The face with its work done to it, or why it cannot be opened. `triangulation` and `density` are for a face that brings
+/// none of its own.
+pub(crate) fn opened(incoming: Incoming, usual: (Triangulation, u32)) -> Result<OpenFace, SessionError> {
+    let (triangulation, density, entries) = match &incoming.work {
+        Some(work) => {
+            within("the density", work.density.into(), 0.0, MAX_DENSITY.into())?;
+            (work.triangulation, work.density.min(DENSEST_SHOWN), work.entries()?)
+        }
+        None => (usual.0, usual.1, Vec::new()),
+    };
+    let [width, height] = incoming.photo_size_px;
+    let input = FaceInput {
+        landmarks: &incoming.landmarks,
+        width,
+        height,
+        colours: &incoming.colours_srgb,
+        picture: incoming.picture,
+    };
+    let model = FaceModel::new(input, triangulation)?;
+    let document = Document::open(Rest::of_face(&model), entries, density)?;
+    Ok(OpenFace::new(model, document))
+}

@@ -1,0 +1,42 @@
+//! A visitor's session: what is open, chosen, selected and seen, and everything that can be done with it.
+//!
+//! A [`Session`] is plain data and knows no browser and no GPU. Whatever a visitor can want is an [`Intent`];
+//! [`Session::apply`] carries it out whole or not at all, and tells what has [`Changed`]. Who shows it reads [`State`] then,
+//! [`Tick`] while an edit is in progress, and the [`Stage`](rosto_stage::Stage) for what is seen.
+
+mod changed;
+mod choices;
+mod drag;
+mod error;
+mod files;
+mod gesture;
+mod incoming;
+mod intent;
+mod marks;
+mod names;
+mod open_face;
+mod preferences;
+mod rows;
+mod seeds;
+mod selecting;
+mod selection;
+mod session;
+mod slider_follow;
+mod state;
+mod view;
+
+pub use changed::Changed;
+pub use choices::{AnchorChoice, Choices, Preset, RADIUS_MM, Range};
+pub use drag::Pace;
+pub use error::SessionError;
+pub use files::{EditsAs, Units};
+pub use gesture::Under;
+pub use incoming::{DENSEST_SHOWN, Incoming, MOST_ENTRIES, Work};
+pub use intent::Intent;
+pub use open_face::{MAX_OFFSET_M, OpenFace};
+pub use rows::Row;
+pub use selecting::landmark_label;
+pub use selection::{Selection, SelectionMode};
+pub use session::Session;
+pub use state::{FaceState, State, Tick};
+pub use view::{Motion, Turntable, View};

@@ -1,0 +1,57 @@
+use rosto_studio::{Amount, Document, Standing, Subject};
+
+/// One entry of the history, as people read it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// Place in the history, from 0.
+    pub index: usize,
+    /// What it works on.
+    pub subject: Subject,
+    /// How far it moves what it moves, in mm, or how many per cent of the asymmetry it takes away.
+    pub amount: f64,
+    /// What `amount` counts: "mm" or "%".
+    pub unit: &'static str,
+    /// How it takes part in the shape.
+    pub standing: Standing,
+}
+
+/// The history as people read it, so that nothing is worked out of every entry again at each tick.
+pub(crate) struct Rows {
+    rows: Vec<Row>,
+}
+
+impl Rows {
+    pub fn of(document: &Document) -> Self {
+        let mut rows = Self { rows: Vec::new() };
+        rows.read(document, 0);
+        rows
+    }
+
+    pub fn all(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// Reads the history again from an entry on.
+    pub fn read(&mut self, document: &Document, first: usize) {
+        self.rows.truncate(first);
+        for (index, entry) in document.history().entries().iter().enumerate().skip(self.rows.len()) {
+            let (amount, unit) = match entry.command.amount() {
+                Amount::Distance(distance_m) => (distance_m * 1000.0, "mm"),
+                Amount::Share(share) => (share * 100.0, "%"),
+            };
+            let standing = document.standing(index).cloned().unwrap_or_default();
+            self.rows.push(Row { index, subject: entry.command.subject(), amount, unit, standing });
+        }
+    }
+
+    /// The entries in force that work on `subject`.
+    pub fn in_force(&self, subject: Subject) -> impl Iterator<Item = &Row> {
+        let counts = |row: &Row| !matches!(row.standing, Standing::Off | Standing::Impossible(_));
+        self.rows.iter().filter(move |row| counts(row) && row.subject == subject)
+    }
+
+    /// What those add up to, in mm.
+    pub fn in_force_mm(&self, subject: Subject) -> f64 {
+        self.in_force(subject).map(|row| row.amount).sum()
+    }
+}

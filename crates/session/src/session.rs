@@ -1,0 +1,164 @@
+mod moving;
+mod opening;
+mod pointing;
+mod seeing;
+mod selecting;
+
+use rosto_stage::Stage;
+use rosto_studio::{Document, Switch};
+
+use crate::gesture::{Gesture, Under};
+use crate::open_face::OpenFace;
+use crate::seeds::Seeds;
+use crate::{Changed, Choices, Intent, SelectionMode, SessionError, View, marks};
+pub(crate) use seeing::checked;
+
+/// Everything of a visitor's session: the open face, what is chosen, selected and moved, and what is seen.
+///
+/// [`Session::apply`] is the only way to change it. An intent that is refused changes nothing.
+pub struct Session {
+    face: Option<OpenFace>,
+    choices: Choices,
+    mode: SelectionMode,
+    view: View,
+    gesture: Gesture,
+    under: Under,
+    stage: Stage,
+    seeds: Seeds,
+}
+
+type Outcome = Result<Changed, SessionError>;
+
+impl Session {
+    /// A session in which no face is open; `seed` leads to all random anchors that are ever drawn.
+    pub fn new(seed: u64) -> Self {
+        let mut session = Self {
+            face: None,
+            choices: Choices::default(),
+            mode: SelectionMode::default(),
+            view: View::default(),
+            gesture: Gesture::default(),
+            under: Under::default(),
+            stage: Stage::default(),
+            seeds: Seeds::new(seed),
+        };
+        session.show_empty();
+        session
+    }
+
+    /// The open face.
+    pub fn face(&self) -> Option<&OpenFace> {
+        self.face.as_ref()
+    }
+
+    pub(crate) fn open_face(&self) -> Result<&OpenFace, SessionError> {
+        self.face.as_ref().ok_or(SessionError::NoFace)
+    }
+
+    /// How edits are to spread.
+    pub fn choices(&self) -> &Choices {
+        &self.choices
+    }
+
+    /// What a click or a drag selects.
+    pub fn mode(&self) -> SelectionMode {
+        self.mode
+    }
+
+    /// What was asked for that only a face shows.
+    pub fn view(&self) -> &View {
+        &self.view
+    }
+
+    /// What is seen and how, apart from the GPU.
+    pub fn stage(&self) -> &Stage {
+        &self.stage
+    }
+
+    /// The same for who draws it: time moves it on.
+    pub fn stage_mut(&mut self) -> &mut Stage {
+        &mut self.stage
+    }
+
+    /// What lies under the pointer.
+    pub fn under(&self) -> Under {
+        self.under
+    }
+
+    /// Whether the pressed pointer has taken hold of something; if not, it turns the face.
+    pub fn has_taken(&self) -> bool {
+        self.gesture != Gesture::Idle
+    }
+
+    /// Whether something is being dragged.
+    pub fn is_dragging(&self) -> bool {
+        matches!(self.gesture, Gesture::Dragging { .. })
+    }
+
+    /// Carries out what a visitor wants: all of it, or nothing. Tells what has changed.
+    ///
+    /// # Errors
+    /// [`SessionError`] for what cannot be done; the session is as it was before.
+    pub fn apply(&mut self, intent: Intent) -> Outcome {
+        let changed = self.carry_out(intent)?;
+        if changed >= Changed::Document {
+            self.check_pointer();
+            self.show_marks();
+        }
+        if changed >= Changed::Tick {
+            marks::show_offset(&mut self.stage, self.face.as_ref());
+        }
+        Ok(changed)
+    }
+
+    fn carry_out(&mut self, intent: Intent) -> Outcome {
+        match intent {
+            Intent::Open(incoming) => self.open(*incoming),
+            Intent::Close => self.close(),
+            Intent::Prefer(text) => self.prefer(&text),
+            Intent::Mode(mode) => self.set_mode(mode),
+            Intent::Select(selection) => self.select(selection),
+            Intent::SelectAt(vertex) => self.select_at(vertex),
+            Intent::SelectUnder(place_px) => match self.vertex_at(place_px) {
+                Some(vertex) => self.select_at(vertex),
+                None if self.face.is_some() => self.select(None),
+                None => Ok(Changed::Nothing),
+            },
+            Intent::Pin(switch) => self.pin_selected(switch),
+            Intent::PinUnder(place_px) => self.toggle_pin_at(place_px),
+            Intent::Preset(preset) => self.choose(preset.choices(self.choices.radius_mm)),
+            Intent::Operator(operator) => self.choose(Choices { operator, ..self.choices }),
+            Intent::Hold(hold) => self.choose(Choices { hold, ..self.choices }),
+            Intent::Details(details) => self.choose(Choices { details, ..self.choices }),
+            Intent::Anchors(anchors) => self.choose(Choices { anchors, ..self.choices }),
+            Intent::Mirror(mirror) => self.choose(Choices { mirror, ..self.choices }),
+            Intent::Nearby(switch) => self.choose(Choices { is_nearby: switch == Switch::On, ..self.choices }),
+            Intent::Radius(radius_mm) => self.choose(self.choices.reaching(radius_mm)?),
+            Intent::Widen(factor) => self.widen(factor),
+            Intent::Preview(offset_mm) => self.preview(offset_mm),
+            Intent::Slide(slider, to_mm) => self.slide(slider, to_mm),
+            Intent::Commit => self.finish(OpenFace::commit),
+            Intent::Cancel => self.cancel(),
+            Intent::Hover(place_px) => Ok(self.hover(place_px)),
+            Intent::PointAt(landmark) => self.point_at(landmark),
+            Intent::Press(place_px, pointer) => Ok(self.press(place_px, pointer)),
+            Intent::Drag(place_px, pace) => self.drag(place_px, pace),
+            Intent::Along(axis) => self.drag_along(axis),
+            Intent::Release => self.release(),
+            Intent::Undo => self.undo(),
+            Intent::Redo => self.finish(|face, choices| face.change_history(choices, Document::redo)),
+            Intent::Reset => self.reset(),
+            Intent::ResetSelected => self.reset_selected(),
+            Intent::Switch(index, switch) => self.switch(index, switch),
+            Intent::Symmetrise(share) => self.symmetrise(share),
+            Intent::Density(density) => self.set_density(density),
+            Intent::Triangulation(triangulation) => self.set_triangulation(triangulation),
+            seen => self.see(seen),
+        }
+    }
+
+    fn show_marks(&mut self) {
+        let pointed = self.pointed();
+        marks::show(&mut self.stage, self.face.as_ref(), &self.choices, pointed);
+    }
+}

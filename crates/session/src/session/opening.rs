@@ -1,0 +1,72 @@
+use rosto_face::canonical_positions_m;
+
+use super::{Outcome, Session};
+use crate::gesture::{Gesture, Under};
+use crate::incoming::{self, Incoming};
+use crate::open_face::OpenFace;
+use crate::{Changed, Choices, Motion, Selection, SelectionMode, preferences};
+
+/// What is open.
+impl Session {
+    pub(super) fn open(&mut self, incoming: Incoming) -> Outcome {
+        let mut face = incoming::opened(incoming, (self.view.triangulation, self.view.density))?;
+        prepare(&mut face, self.mode, &self.choices, self.seeds.peek());
+        self.view.triangulation = face.triangulation();
+        self.view.density = face.document().density();
+        self.face = Some(face);
+        (self.gesture, self.under) = (Gesture::Idle, Under::default());
+        self.view.show_on(&mut self.stage, false);
+        self.frame();
+        if self.view.motion == Motion::Usual {
+            self.stage.start_arrival();
+        }
+        Ok(Changed::Mesh)
+    }
+
+    pub(super) fn close(&mut self) -> Outcome {
+        self.face = None;
+        (self.gesture, self.under) = (Gesture::Idle, Under::default());
+        self.show_empty();
+        Ok(Changed::Mesh)
+    }
+
+    pub(super) fn show_empty(&mut self) {
+        self.view.show_on(&mut self.stage, true);
+        self.stage.frame(&canonical_positions_m());
+        self.stage.camera_mut().turn(-0.5);
+    }
+
+    pub(super) fn frame(&mut self) {
+        if let Some(face) = &self.face {
+            self.stage.frame(face.document().positions());
+        }
+    }
+
+    /// What is in the text takes the place of all choices and of how a face is seen.
+    pub(super) fn prefer(&mut self, text: &str) -> Outcome {
+        let preferences = preferences::read(text, &self.view)?;
+        self.finish(OpenFace::commit)?;
+        (self.mode, self.choices, self.view) = (preferences.mode, preferences.choices, preferences.view);
+        let look = self.stage.look_mut();
+        (look.light, look.dots) = (preferences.light, preferences.dots);
+        self.view.show_on(&mut self.stage, self.face.is_none());
+        let Some(face) = &mut self.face else { return Ok(Changed::Document) };
+        // The face keeps its mesh: what is preferred is for the next one.
+        (self.view.triangulation, self.view.density) = (face.triangulation(), face.document().density());
+        let wanted = face.selected_by(self.mode);
+        face.select(wanted, &self.choices, self.seeds.draw());
+        Ok(Changed::Document)
+    }
+}
+
+/// Gets ready what the first point to be selected would have to wait for: the factors that all points share.
+pub(super) fn prepare(face: &mut OpenFace, mode: SelectionMode, choices: &Choices, seed: u64) {
+    let level = face.document().density();
+    if mode == SelectionMode::Point && level > 0 {
+        let any = Selection::Point { level, vertex: 0 };
+        let grip = choices.grip(any, face.pins(), seed, face.document());
+        // One that cannot be held says so when it is selected.
+        let _ = face.document_mut().hold(grip);
+        face.hold(choices);
+    }
+}

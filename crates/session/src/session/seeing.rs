@@ -1,0 +1,51 @@
+use rosto_stage::{Glide, Light, Paint};
+
+use super::{Outcome, Session};
+use crate::error::within;
+use crate::{Changed, Intent, Motion, SessionError};
+
+/// How things look.
+impl Session {
+    /// What changes only how things look.
+    pub(super) fn see(&mut self, intent: Intent) -> Outcome {
+        match intent {
+            Intent::Paint(paint) => self.view.paint = paint,
+            Intent::Wireframe(wireframe) => self.view.wireframe = wireframe,
+            Intent::Background(background) => self.view.background = background,
+            Intent::Turntable(turntable) => self.view.turntable = turntable,
+            Intent::Motion(motion) => {
+                self.view.motion = motion;
+                let glide = if motion == Motion::Reduced { Glide::Off } else { Glide::Smooth };
+                self.stage.camera_mut().set_glide(glide);
+            }
+            Intent::Dots(dots) => self.stage.look_mut().dots = dots,
+            Intent::Light(light) => self.stage.look_mut().light = checked(light)?,
+            Intent::Theme(theme) => self.stage.look_mut().theme = theme,
+            Intent::Before(share) => self.stage.look_mut().before = within("the share", share, 0.0, 1.0)?,
+            Intent::Orbit(by_px) if by_px.is_finite() => self.stage.camera_mut().orbit(by_px.x, by_px.y),
+            Intent::Pan(by_px) if by_px.is_finite() => self.stage.camera_mut().pan(by_px.x, by_px.y),
+            Intent::Zoom(factor) => {
+                let factor = within("the factor", factor, 1e-6, 1e6)?;
+                self.stage.camera_mut().zoom(factor);
+            }
+            Intent::Look(view) => self.stage.camera_mut().look(view),
+            Intent::Resize([width, height], pixel_ratio) => {
+                let pixel_ratio = within("px for each CSS px", pixel_ratio, 1e-3, 1e3)?;
+                self.stage.camera_mut().resize(width.max(1), height.max(1));
+                self.stage.set_pixel_ratio(pixel_ratio);
+            }
+            _ => {}
+        }
+        self.view.show_on(&mut self.stage, self.face.is_none());
+        // Only the painted distortion is worked out with each tick.
+        Ok(if self.view.paint == Paint::Scalar { Changed::Tick } else { Changed::View })
+    }
+}
+
+pub(crate) fn checked(light: Light) -> Result<Light, SessionError> {
+    within("the light's azimuth in degrees", light.azimuth_deg, -360.0, 360.0)?;
+    within("the light's elevation in degrees", light.elevation_deg, -90.0, 90.0)?;
+    within("the light's strength", light.strength, 0.0, 10.0)?;
+    within("the ambient light's strength", light.ambient, 0.0, 10.0)?;
+    Ok(light)
+}

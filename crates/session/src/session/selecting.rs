@@ -1,0 +1,82 @@
+use glam::DVec2;
+use rosto_face::LANDMARK_COUNT;
+use rosto_studio::Switch;
+
+use super::opening::prepare;
+use super::{Outcome, Session};
+use crate::choices::RADIUS_MM;
+use crate::error::within;
+use crate::gesture::Gesture;
+use crate::{Changed, Choices, Selection, SelectionMode, SessionError};
+
+/// What is selected, and how edits of it spread.
+impl Session {
+    /// The first time that points of a dense mesh are to be selected needs a while.
+    pub(super) fn set_mode(&mut self, mode: SelectionMode) -> Outcome {
+        self.mode = mode;
+        let Some(face) = &mut self.face else { return Ok(Changed::Document) };
+        face.commit(&self.choices);
+        prepare(face, mode, &self.choices, self.seeds.peek());
+        let wanted = face.selected_by(mode);
+        if wanted != face.selection() {
+            self.gesture = Gesture::Idle;
+            face.select(wanted, &self.choices, self.seeds.draw());
+        }
+        Ok(Changed::Document)
+    }
+
+    pub(super) fn select(&mut self, selection: Option<Selection>) -> Outcome {
+        let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
+        let there = match selection {
+            Some(Selection::Landmark(vertex)) => Some((vertex, LANDMARK_COUNT)),
+            Some(Selection::Point { level, vertex }) => {
+                let is_shown = level == face.document().density() && level > 0;
+                Some((vertex, if is_shown { face.document().rest().len() } else { 0 }))
+            }
+            Some(Selection::Region(_)) | None => None,
+        };
+        if let Some((vertex, count)) = there.filter(|(vertex, count)| *vertex as usize >= *count) {
+            return Err(SessionError::NoSuchVertex { vertex, count });
+        }
+        face.commit(&self.choices);
+        face.select(selection, &self.choices, self.seeds.draw());
+        self.gesture = Gesture::Idle;
+        Ok(Changed::Document)
+    }
+
+    pub(super) fn select_at(&mut self, vertex: u32) -> Outcome {
+        let face = self.open_face()?;
+        let selection = face.at(face.known(vertex, self.mode)?, self.mode);
+        self.select(Some(selection))
+    }
+
+    pub(super) fn pin_selected(&mut self, switch: Switch) -> Outcome {
+        let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
+        let handles = face.selection().ok_or(SessionError::NothingSelected)?.handles();
+        face.pin(&handles, switch, &self.choices);
+        Ok(Changed::Document)
+    }
+
+    pub(super) fn toggle_pin_at(&mut self, place_px: DVec2) -> Outcome {
+        let vertex = self.vertex_at(place_px);
+        let (Some(face), Some(vertex)) = (&mut self.face, vertex) else { return Ok(Changed::Nothing) };
+        let switch = if face.pins().contains(&vertex) { Switch::Off } else { Switch::On };
+        face.pin(&[vertex], switch, &self.choices);
+        Ok(Changed::Document)
+    }
+
+    /// An edit in progress goes on with the new choices.
+    pub(super) fn choose(&mut self, choices: Choices) -> Outcome {
+        self.choices = choices;
+        if let Some(face) = &mut self.face {
+            face.hold_on(&self.choices);
+        }
+        Ok(Changed::Document)
+    }
+
+    pub(super) fn widen(&mut self, factor: f64) -> Outcome {
+        within("the factor", factor, 1e-6, 1e6)?;
+        let radius_mm = (self.choices.radius_mm * factor).clamp(RADIUS_MM.least, RADIUS_MM.most);
+        self.choose(self.choices.reaching(radius_mm)?)
+    }
+}

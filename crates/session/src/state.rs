@@ -1,0 +1,128 @@
+use glam::DVec3;
+use rosto_face::LANDMARK_COUNT;
+use rosto_stage::{Dots, Light};
+use rosto_studio::{FaceSlider, StudioError};
+
+use crate::selection::Moving;
+use crate::{Choices, OpenFace, Preset, Selection, SelectionMode, Session};
+
+/// Everything that panels show, as it stands.
+#[derive(Debug, Clone, PartialEq)]
+pub struct State {
+    /// The open face.
+    pub face: Option<FaceState>,
+    /// What a click or a drag selects.
+    pub mode: SelectionMode,
+    /// How many vertices it can select, from 0.
+    pub selectable: usize,
+    /// How edits are to spread.
+    pub choices: Choices,
+    /// The preset that these are, if they are one.
+    pub preset: Option<Preset>,
+    /// How a face is seen.
+    pub view: crate::View,
+    /// The light.
+    pub light: Light,
+    /// Which landmarks show as dots.
+    pub dots: Dots,
+}
+
+/// What panels show of an open face.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FaceState {
+    /// Vertices, edges and triangles shown.
+    pub counts: [usize; 3],
+    /// What is selected.
+    pub selection: Option<Selection>,
+    /// Number of neighbours of the vertex selected.
+    pub degree: u32,
+    /// Whether all that is selected is pinned.
+    pub is_pinned: bool,
+    /// Whether the other side of the face can follow what is selected.
+    pub can_mirror: bool,
+    /// Whether what is selected is its own mirror image and the mirror is on, so that it cannot move along x.
+    pub moves_in_plane: bool,
+    /// Why what is selected cannot be moved, if it cannot.
+    pub refusal: Option<StudioError>,
+    /// Vertices that stay while what is selected moves.
+    pub anchors: Vec<u32>,
+    /// Sum in mm of the offsets that the history holds for what is selected, as far as they are in force.
+    pub kept_mm: DVec3,
+    /// Whether there are any.
+    pub can_reset_selection: bool,
+    /// Whether there is something to undo.
+    pub can_undo: bool,
+    /// Whether there is something to redo.
+    pub can_redo: bool,
+    /// How many entries the history has, without what was undone.
+    pub entry_count: usize,
+}
+
+/// What one tick of an edit changes.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Tick {
+    /// Whether an edit is in progress that a commit would keep.
+    pub is_editing: bool,
+    /// Its offset in mm, if it is one of what is selected.
+    pub offset_mm: DVec3,
+    /// Where each ready-made slider stands, in mm.
+    pub sliders_mm: [f64; FaceSlider::ALL.len()],
+    /// Share of its offset that the vertex selected reaches, 0..1.
+    pub reach: f64,
+}
+
+impl Session {
+    /// How things stand.
+    pub fn state(&self) -> State {
+        let selectable = self.face().map_or(LANDMARK_COUNT, |face| face.within_reach(self.mode()));
+        State {
+            face: self.face().map(OpenFace::state),
+            mode: self.mode(),
+            selectable,
+            choices: *self.choices(),
+            preset: self.choices().preset(),
+            view: *self.view(),
+            light: self.stage().look().light,
+            dots: self.stage().look().dots,
+        }
+    }
+
+    /// How far the edit in progress has gone. No allocation.
+    pub fn tick(&self) -> Tick {
+        self.face().map(OpenFace::tick).unwrap_or_default()
+    }
+}
+
+impl OpenFace {
+    fn state(&self) -> FaceState {
+        let (topology, history) = (self.document().topology(), self.document().history());
+        FaceState {
+            counts: [topology.vertex_count(), topology.edges().len(), topology.triangles().len()],
+            selection: self.selection(),
+            degree: self.degree(),
+            is_pinned: self.is_pinned(),
+            can_mirror: self.can_mirror(),
+            moves_in_plane: self.moves_in_plane(),
+            refusal: self.refusal().cloned(),
+            anchors: self.document().anchors().to_vec(),
+            kept_mm: self.kept_mm(),
+            can_reset_selection: self.can_reset_selection(),
+            can_undo: history.can_undo(),
+            can_redo: history.can_redo(),
+            entry_count: history.entries().len(),
+        }
+    }
+
+    fn tick(&self) -> Tick {
+        let offset_mm = match self.moving() {
+            Moving::Selection { offset_mm } => offset_mm,
+            _ => DVec3::ZERO,
+        };
+        Tick {
+            is_editing: self.is_moving(),
+            offset_mm,
+            sliders_mm: FaceSlider::ALL.map(|slider| self.slider_mm(slider)),
+            reach: self.reach(),
+        }
+    }
+}

@@ -1,0 +1,76 @@
+use rosto_face::Triangulation;
+use rosto_stage::{Background, Paint, Stage, Wireframe};
+
+/// How fast the empty state turns.
+const IDLE_TURN_DEG_PER_S: f64 = 14.0;
+/// How fast the face turns by itself, if asked to.
+const TURNTABLE_DEG_PER_S: f64 = 24.0;
+
+/// What was asked for that only a face shows, kept from one face to the next.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct View {
+    /// How the surface is coloured.
+    pub paint: Paint,
+    /// Whether edges are drawn.
+    pub wireframe: Wireframe,
+    /// What lies behind.
+    pub background: Background,
+    /// Whether the face turns by itself.
+    pub turntable: Turntable,
+    /// How the landmarks of the next face are joined.
+    pub triangulation: Triangulation,
+    /// How often the next face's mesh is subdivided.
+    pub density: u32,
+    /// Whether things move by themselves.
+    pub motion: Motion,
+}
+
+/// Whether the face turns by itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Turntable {
+    /// It stands still.
+    #[default]
+    Still,
+    /// It turns slowly.
+    Turns,
+}
+
+/// Whether things move by themselves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Motion {
+    /// The camera glides, a face arrives, the empty state turns.
+    #[default]
+    Usual,
+    /// Nothing moves that was not moved.
+    Reduced,
+}
+
+impl Default for View {
+    /// The face filled in, as a hand expects it, in the photo's colours.
+    fn default() -> Self {
+        Self {
+            paint: Paint::default(),
+            wireframe: Wireframe::default(),
+            background: Background::default(),
+            turntable: Turntable::default(),
+            triangulation: Triangulation::Canonical,
+            density: 0,
+            motion: Motion::default(),
+        }
+    }
+}
+
+impl View {
+    /// Makes the stage follow; the empty state has a look of its own.
+    pub(crate) fn show_on(&self, stage: &mut Stage, is_empty: bool) {
+        stage.set_turntable(match (is_empty, self.motion, self.turntable) {
+            (true, Motion::Usual, _) => IDLE_TURN_DEG_PER_S,
+            (false, _, Turntable::Turns) => TURNTABLE_DEG_PER_S,
+            _ => 0.0,
+        });
+        let look = stage.look_mut();
+        look.background = if is_empty { Background::Transparent } else { self.background };
+        look.paint = if is_empty { Paint::Bare } else { self.paint };
+        look.wireframe = if is_empty { Wireframe::Shown } else { self.wireframe };
+    }
+}

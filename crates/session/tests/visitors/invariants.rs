@@ -1,0 +1,92 @@
+//! What holds of a session whatever was done to it.
+
+use rosto_face::Language;
+use rosto_session::{OpenFace, Selection, Session, State, Tick};
+use rosto_studio::{Document, Frame, History, Mirror, Rest, Standing, project};
+
+use crate::faces::bits;
+
+/// What an intent that is refused leaves as it was.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Seen {
+    state: State,
+    tick: Tick,
+    positions: Vec<[u64; 3]>,
+    history: Option<History>,
+}
+
+pub fn seen(session: &Session) -> Seen {
+    Seen {
+        state: session.state(),
+        tick: session.tick(),
+        positions: session.face().map(|face| bits(face.document().positions())).unwrap_or_default(),
+        history: session.face().map(|face| face.document().history().clone()),
+    }
+}
+
+/// What the shape and its history are, apart from what is selected.
+pub fn shape(session: &Session) -> Option<(Vec<[u64; 3]>, String)> {
+    session.face().map(|face| (bits(face.document().committed()), face.history_json()))
+}
+
+/// Cheap enough to be looked at after each action.
+pub fn hold(session: &Session) -> Result<(), String> {
+    let Some(face) = session.face() else {
+        return ensure(session.stage().gizmo().is_none(), || "nothing is marked without a face".to_owned());
+    };
+    let document = face.document();
+    let count = document.topology().vertex_count();
+    for (what, positions) in
+        [("now", document.positions()), ("committed", document.committed()), ("rest", document.rest())]
+    {
+        ensure(positions.len() == count, || format!("{} positions {what} for {count} vertices", positions.len()))?;
+        ensure(positions.iter().all(|p| p.is_finite()), || format!("a position {what} is nowhere"))?;
+    }
+    let selected_level = face.selection().map_or(0, Selection::level);
+    ensure(selected_level <= document.density(), || format!("{:?} is not on this mesh", face.selection()))?;
+    ensure(face.selected().is_none_or(|vertex| (vertex as usize) < count), || "no such vertex selected".to_owned())?;
+    ensure(session.stage().gizmo().is_none_or(|vertex| (vertex as usize) < count), || "a lost gizmo".to_owned())?;
+    ensure(session.under().vertex.is_none_or(|vertex| (vertex as usize) < count), || "a lost pointer".to_owned())?;
+    let mut pins = face.pins().to_vec();
+    pins.sort_unstable();
+    pins.dedup();
+    ensure(pins.len() == face.pins().len(), || "a vertex is pinned twice".to_owned())?;
+    ensure(!face.is_moving() || document.grip().is_some(), || "what moves is not held".to_owned())?;
+    ensure(face.rows().len() == document.history().entries().len(), || "a row for each entry".to_owned())?;
+    mirrored(face)
+}
+
+/// Dear: everything is read, written and replayed.
+pub fn hold_deeply(session: &Session) -> Result<(), String> {
+    for language in [Language::English, Language::Portuguese] {
+        let _ = session.selection_name(language);
+        let entries = session.face().map_or(0, |face| face.rows().len());
+        let unnamed = (0..entries).find(|&index| session.entry_name(index, language).is_err());
+        ensure(unnamed.is_none(), || format!("entry {unnamed:?} has no name"))?;
+    }
+    let Some(face) = session.face() else { return Ok(()) };
+    let json = face.history_json();
+    let entries = project::from_json(&json).map_err(|error| error.to_string())?;
+    ensure(project::to_json(&entries) == json, || "the history reads back as another".to_owned())?;
+    if face.rows().iter().any(|row| matches!(row.standing, Standing::Impossible(_))) {
+        return Ok(());
+    }
+    let rest = Rest::new(face.triangulation().topology(), face.model().positions_m().to_vec(), Frame::Model);
+    let replayed = Document::open(rest, entries, face.document().density()).map_err(|error| error.to_string())?;
+    ensure(bits(replayed.positions()) == bits(face.document().committed()), || {
+        "a replay leads to another shape".to_owned()
+    })
+}
+
+fn mirrored(face: &OpenFace) -> Result<(), String> {
+    let document = face.document();
+    let Some(grip) = document.grip().filter(|grip| grip.settings.mirror == Mirror::On) else { return Ok(()) };
+    let handles = document.handles();
+    let partner = |vertex: u32| document.partner(grip.level, vertex);
+    let is_closed = handles.iter().all(|&handle| partner(handle).is_some_and(|partner| handles.contains(&partner)));
+    ensure(is_closed, || "a handle's partner is no handle".to_owned())
+}
+
+fn ensure(holds: bool, message: impl FnOnce() -> String) -> Result<(), String> {
+    if holds { Ok(()) } else { Err(message()) }
+}

@@ -1,0 +1,10 @@
+//! A session as restless visitors use it, and as careful ones do.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod faces;
+mod invariants;
+mod journeys;
+mod random;
+mod refusals;
+mod wishes;

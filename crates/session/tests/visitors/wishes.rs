@@ -1,0 +1,179 @@
+//! Whatever a visitor, or a page with a fault, may want.
+
+use glam::{DVec2, DVec3};
+use proptest::prelude::*;
+use rosto_face::{Region, Triangulation};
+use rosto_session::{AnchorChoice, Intent, Pace, Preset, Selection, SelectionMode, Turntable};
+use rosto_stage::{Axis, Background, Dots, Light, NamedView, Paint, Pointer, Srgb, Theme, Wireframe};
+use rosto_studio::{Details, FaceSlider, Hold, Mirror, Operator, Switch};
+
+use crate::faces::{SIZE_PX, found, worked_on};
+
+/// One intent, most of them such as a page sends.
+pub fn intent() -> impl Strategy<Value = Intent> {
+    prop_oneof![
+        8 => selecting(),
+        8 => choosing(),
+        12 => moving(),
+        12 => pointing(),
+        8 => history(),
+        4 => mesh(),
+        3 => seeing(),
+        1 => opening(),
+    ]
+}
+
+fn selecting() -> impl Strategy<Value = Intent> {
+    prop_oneof![
+        mode().prop_map(Intent::Mode),
+        vertex().prop_map(|vertex| Intent::Select(Some(Selection::Landmark(vertex)))),
+        (0..5u32, vertex()).prop_map(|(level, vertex)| Intent::Select(Some(Selection::Point { level, vertex }))),
+        region().prop_map(|region| Intent::Select(Some(Selection::Region(region)))),
+        Just(Intent::Select(None)),
+        vertex().prop_map(Intent::SelectAt),
+        place().prop_map(Intent::SelectUnder),
+        place().prop_map(Intent::PinUnder),
+        switch().prop_map(Intent::Pin),
+    ]
+}
+
+fn choosing() -> impl Strategy<Value = Intent> {
+    prop_oneof![
+        any_of(&Preset::ALL).prop_map(Intent::Preset),
+        any_of(&Operator::ALL).prop_map(Intent::Operator),
+        any_of(&[Hold::Exact, Hold::Soft { weight: 1.0 }]).prop_map(Intent::Hold),
+        prop_oneof![9 => Just(Details::Kept), 1 => Just(Details::Turned)].prop_map(Intent::Details),
+        any_of(&[AnchorChoice::Random, AnchorChoice::Oval, AnchorChoice::PinsOnly]).prop_map(Intent::Anchors),
+        any_of(&[Mirror::On, Mirror::Off]).prop_map(Intent::Mirror),
+        switch().prop_map(Intent::Nearby),
+        prop_oneof![5.0..120.0, number()].prop_map(Intent::Radius),
+        prop_oneof![0.5..2.0, number()].prop_map(Intent::Widen),
+    ]
+}
+
+fn moving() -> impl Strategy<Value = Intent> {
+    prop_oneof![
+        4 => [-40.0..40.0, -40.0..40.0, -40.0..40.0].prop_map(|offset| Intent::Preview(DVec3::from(offset))),
+        1 => [number(), number(), number()].prop_map(|offset| Intent::Preview(DVec3::from(offset))),
+        3 => (any_of(&FaceSlider::ALL), -1.0..1.0).prop_map(|(slider, share)| {
+            Intent::Slide(slider, share * slider.range_m() * 1000.0)
+        }),
+        1 => (any_of(&FaceSlider::ALL), number()).prop_map(|(slider, to_mm)| Intent::Slide(slider, to_mm)),
+        3 => Just(Intent::Commit),
+        1 => Just(Intent::Cancel),
+    ]
+}
+
+fn pointing() -> impl Strategy<Value = Intent> {
+    let pointer = || any_of(&[Pointer::Fine, Pointer::Coarse]);
+    prop_oneof![
+        2 => place().prop_map(|place| Intent::Hover(Some(place))),
+        1 => Just(Intent::Hover(None)),
+        1 => prop::option::of(vertex()).prop_map(Intent::PointAt),
+        3 => (place(), pointer()).prop_map(|(place, pointer)| Intent::Press(place, pointer)),
+        6 => (place(), any_of(&[Pace::Usual, Pace::Fine])).prop_map(|(place, pace)| Intent::Drag(place, pace)),
+        1 => any_of(&Axis::ALL).prop_map(Intent::Along),
+        2 => Just(Intent::Release),
+    ]
+}
+
+fn history() -> impl Strategy<Value = Intent> {
+    prop_oneof![
+        3 => Just(Intent::Undo),
+        2 => Just(Intent::Redo),
+        1 => Just(Intent::Reset),
+        1 => Just(Intent::ResetSelected),
+        2 => (0..12usize, switch()).prop_map(|(index, switch)| Intent::Switch(index, switch)),
+        1 => prop_oneof![0.0..=1.0, number()].prop_map(Intent::Symmetrise),
+    ]
+}
+
+fn mesh() -> impl Strategy<Value = Intent> {
+    prop_oneof![
+        8 => prop_oneof![3 => Just(0), 1 => Just(1)].prop_map(Intent::Density),
+        1 => Just(Intent::Density(2)),
+        1 => (4..1_000u32).prop_map(Intent::Density),
+        2 => any_of(&[Triangulation::Canonical, Triangulation::Tessellation]).prop_map(Intent::Triangulation),
+    ]
+}
+
+fn seeing() -> impl Strategy<Value = Intent> {
+    let paints =
+        [Paint::Photo, Paint::Colours, Paint::Clay, Paint::Normals, Paint::Response, Paint::Scalar, Paint::Bare];
+    let by_px = || (number(), number()).prop_map(|(x, y)| DVec2::new(x, y));
+    prop_oneof![
+        any_of(&paints).prop_map(Intent::Paint),
+        any_of(&[Wireframe::Shown, Wireframe::Hidden]).prop_map(Intent::Wireframe),
+        any_of(&[Dots::None, Dots::NearPointer, Dots::All]).prop_map(Intent::Dots),
+        any_of(&[Background::Ground, Background::Plain(Srgb([1, 2, 3]))]).prop_map(Intent::Background),
+        any_of(&[Theme::Light, Theme::Dark]).prop_map(Intent::Theme),
+        any_of(&[Turntable::Still, Turntable::Turns]).prop_map(Intent::Turntable),
+        number().prop_map(|strength| Intent::Light(Light { strength, ..Light::default() })),
+        number().prop_map(Intent::Before),
+        by_px().prop_map(Intent::Orbit),
+        by_px().prop_map(Intent::Pan),
+        number().prop_map(Intent::Zoom),
+        any_of(&[NamedView::Front, NamedView::Left, NamedView::Top, NamedView::Reset]).prop_map(Intent::Look),
+        (0..3_000u32, 0..3_000u32, number()).prop_map(|(width, height, ratio)| Intent::Resize([width, height], ratio)),
+        Just(Intent::Resize(SIZE_PX, 1.0)),
+    ]
+}
+
+fn opening() -> impl Strategy<Value = Intent> {
+    let slid =
+        r#"{"rosto":"history","version":1,"entries":[{"label":"symmetry","switch":"on","symmetrise":{"share":0.5}}]}"#;
+    let newer = r#"{"rosto":"history","version":99,"entries":[]}"#;
+    let mut nowhere = found();
+    nowhere.landmarks.fill([0.5; 3]);
+    let faces = vec![
+        found(),
+        worked_on(slid, Triangulation::Tessellation, 1),
+        worked_on(newer, Triangulation::Canonical, 0),
+        worked_on(slid, Triangulation::Canonical, 9),
+        nowhere,
+    ];
+    prop_oneof![
+        6 => any_of(&faces).prop_map(|incoming| Intent::Open(Box::new(incoming))),
+        1 => Just(Intent::Close),
+        1 => Just(Intent::Prefer("{}".to_owned())),
+    ]
+}
+
+fn mode() -> impl Strategy<Value = SelectionMode> {
+    any_of(&[SelectionMode::Landmark, SelectionMode::Region, SelectionMode::Point])
+}
+
+fn region() -> impl Strategy<Value = Region> {
+    any_of(&Region::ALL)
+}
+
+fn switch() -> impl Strategy<Value = Switch> {
+    any_of(&[Switch::On, Switch::Off])
+}
+
+/// Mostly landmarks, and some that are on denser meshes or on none.
+fn vertex() -> impl Strategy<Value = u32> {
+    prop_oneof![6 => 0..468u32, 2 => 0..7_257u32, 1 => any::<u32>()]
+}
+
+/// Mostly on the canvas, where the face is.
+fn place() -> impl Strategy<Value = DVec2> {
+    let near = (250.0..550.0, 120.0..480.0);
+    prop_oneof![
+        8 => near.prop_map(|(x, y)| DVec2::new(x, y)),
+        1 => (number(), number()).prop_map(|(x, y)| DVec2::new(x, y)),
+    ]
+}
+
+/// Numbers as people, and faults, bring them forth.
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        4 => -2.0..2.0,
+        2 => -1e3..1e3,
+        1 => any_of(&[0.0, -0.0, 1e-308, 1e30, 1e308, -1e308, f64::NAN, f64::INFINITY, f64::NEG_INFINITY]),
+    ]
+}
+
+fn any_of<T: Clone + std::fmt::Debug + 'static>(values: &[T]) -> impl Strategy<Value = T> + use<T> {
+    prop::sample::select(values.to_vec())
+}
