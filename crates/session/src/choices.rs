@@ -8,6 +8,9 @@ const M_PER_MM: f64 = 1e-3;
 /// How far an edit may be told to reach, in mm.
 pub const RADIUS_MM: Range = Range { least: 5.0, most: 120.0, step: 1.0, usual: 40.0 };
 
+/// What the sliders of what is selected go through, in mm. A drag may go further.
+pub const SLIDER_MM: Range = Range { least: -40.0, most: 40.0, step: 0.1, usual: 0.0 };
+
 /// What a slider goes through.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {

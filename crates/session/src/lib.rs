@@ -26,13 +26,14 @@ mod state;
 mod view;
 
 pub use changed::Changed;
-pub use choices::{AnchorChoice, Choices, Preset, RADIUS_MM, Range};
+pub use choices::{AnchorChoice, Choices, Preset, RADIUS_MM, Range, SLIDER_MM};
 pub use drag::Pace;
 pub use error::SessionError;
 pub use files::{EditsAs, Units};
 pub use gesture::Under;
 pub use incoming::{DENSEST_SHOWN, Incoming, MOST_ENTRIES, Work};
 pub use intent::Intent;
+pub use names::known_landmark;
 pub use open_face::{MAX_OFFSET_M, OpenFace};
 pub use rows::Row;
 pub use selecting::landmark_label;

@@ -16,7 +16,7 @@ impl Session {
     /// # Errors
     /// [`SessionError::NoSuchVertex`].
     pub fn name_at(&self, vertex: u32, language: Language) -> Result<String, SessionError> {
-        let Some(face) = self.face() else { return Ok(landmark_label(known(vertex)?, language)) };
+        let Some(face) = self.face() else { return Ok(landmark_label(known_landmark(vertex)?, language)) };
         let selection = face.at_or_held(face.known(vertex, self.mode())?, self.mode());
         Ok(face.label(selection.subject(), language))
     }
@@ -49,7 +49,7 @@ impl Session {
 ///
 /// # Errors
 /// [`SessionError::NoSuchVertex`].
-pub fn known(vertex: u32) -> Result<u32, SessionError> {
+pub fn known_landmark(vertex: u32) -> Result<u32, SessionError> {
     let count = LANDMARK_COUNT;
     if (vertex as usize) < count { Ok(vertex) } else { Err(SessionError::NoSuchVertex { vertex, count }) }
 }

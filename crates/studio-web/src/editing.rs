@@ -1,318 +1,275 @@
 use glam::{DVec2, DVec3};
-use rosto_face::{LANDMARK_COUNT, Triangulation};
-use rosto_studio::{Details, Document, Hold, Mirror, Operator, StudioError, Switch};
+use rosto_session::{Intent, Pace};
+use rosto_studio::{FaceSlider, Mirror, Switch};
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
-use crate::choices::{AnchorChoice, Choices};
-use crate::drag::{Drag, Pace};
-use crate::modes::{AnchorsName, AxisName, DetailsName, HoldName, OperatorName, TriangulationName};
-use crate::session::Session;
-use crate::state::StudioState;
-use crate::studio::MAX_DENSITY;
-use crate::trouble::{Outcome, Trouble};
+use crate::modes::{
+    AnchorsName, AxisName, ChangeName, DetailsName, HoldName, OperatorName, PointerName, PresetName, TriangulationName,
+};
+use crate::state::{StudioState, StudioTick};
+use crate::trouble::Trouble;
 
-/// Moving what is in hand, how the face follows, and the history.
+fn switch(is_on: bool) -> Switch {
+    if is_on { Switch::On } else { Switch::Off }
+}
+
+/// How the face follows.
 #[wasm_bindgen]
 impl Studio {
-    /// The vertices that stay while the landmark in hand moves.
-    pub fn anchors(&self) -> Vec<u32> {
-        self.session.as_ref().map_or(Vec::new(), |session| session.document.anchors().to_vec())
-    }
-
-    /// Holds exactly these vertices, until another landmark is selected.
+    /// Makes all choices of a preset.
     ///
     /// # Errors
-    /// `no-face`, `bad-vertex`, `bad-anchors` or `cannot-solve`.
-    #[wasm_bindgen(js_name = setAnchors)]
-    pub fn set_anchors(&mut self, anchors: &[u32]) -> Result<(), JsValue> {
-        let anchors = AnchorChoice::Explicit(anchors.to_vec());
-        self.change(|session, choices| {
-            choices.anchors = anchors;
-            session.hold(choices)
-        })
-    }
-
-    /// Which vertices stay beside those pinned by hand.
-    ///
-    /// # Errors
-    /// `bad-choice`, `bad-anchors` or `cannot-solve`.
-    #[wasm_bindgen(js_name = setAnchorChoice)]
-    pub fn set_anchor_choice(&mut self, choice: AnchorsName) -> Result<(), JsValue> {
-        self.choices.anchors = match choice {
-            AnchorsName::Random => AnchorChoice::Random,
-            AnchorsName::Oval => AnchorChoice::Oval,
-            AnchorsName::Pinned => AnchorChoice::PinsOnly,
-            _ => return Err(Trouble::bad_choice().into()),
-        };
-        self.hold_again()
+    /// `bad-choice`.
+    #[wasm_bindgen(js_name = choosePreset)]
+    pub fn choose_preset(&mut self, preset: PresetName) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Preset(preset.preset()?))
     }
 
     /// How the surface's details are described.
     ///
     /// # Errors
-    /// `bad-choice` or `cannot-solve`.
+    /// `bad-choice`.
     #[wasm_bindgen(js_name = setOperator)]
-    pub fn set_operator(&mut self, operator: OperatorName) -> Result<(), JsValue> {
-        self.choices.operator = match operator {
-            OperatorName::UniformSymmetric => Operator::UniformSymmetric,
-            OperatorName::Uniform => Operator::Uniform,
-            OperatorName::Degree => Operator::Degree,
-            OperatorName::InverseLength => Operator::InverseLength,
-            OperatorName::Cotangent => Operator::Cotangent,
-            _ => return Err(Trouble::bad_choice().into()),
-        };
-        self.hold_again()
+    pub fn set_operator(&mut self, operator: OperatorName) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Operator(operator.operator()?))
     }
 
     /// How firmly landmarks and anchors are held.
     ///
     /// # Errors
-    /// `bad-choice` or `cannot-solve`.
+    /// `bad-choice`.
     #[wasm_bindgen(js_name = setHold)]
-    pub fn set_hold(&mut self, hold: HoldName) -> Result<(), JsValue> {
-        self.choices.hold = match hold {
-            HoldName::Soft => Hold::default(),
-            HoldName::Exact => Hold::Exact,
-            _ => return Err(Trouble::bad_choice().into()),
-        };
-        self.hold_again()
+    pub fn set_hold(&mut self, hold: HoldName) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Hold(hold.hold()?))
     }
 
     /// Whether details turn with the surface.
     ///
     /// # Errors
-    /// `bad-choice` or `cannot-solve`.
+    /// `bad-choice`.
     #[wasm_bindgen(js_name = setDetails)]
-    pub fn set_details(&mut self, details: DetailsName) -> Result<(), JsValue> {
-        self.choices.details = match details {
-            DetailsName::Kept => Details::Kept,
-            DetailsName::Turned => Details::Turned,
-            _ => return Err(Trouble::bad_choice().into()),
-        };
-        self.hold_again()
+    pub fn set_details(&mut self, details: DetailsName) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Details(details.details()?))
     }
 
-    /// How far along the surface an edit reaches; undefined is everywhere. A drag goes on.
+    /// Which vertices stay beside those pinned by hand.
     ///
     /// # Errors
-    /// `bad-number` or `cannot-solve`.
-    #[wasm_bindgen(js_name = setRadius)]
-    pub fn set_radius(&mut self, #[wasm_bindgen(js_name = radiusMm)] radius_mm: Option<f64>) -> Result<(), JsValue> {
-        if radius_mm.is_some_and(|radius_mm| !(radius_mm.is_finite() && radius_mm > 0.0)) {
-            return Err(Trouble::bad_number("the radius").into());
-        }
-        self.choices.radius_mm = radius_mm;
-        self.hold_again()
+    /// `bad-choice`.
+    #[wasm_bindgen(js_name = setAnchorChoice)]
+    pub fn set_anchor_choice(&mut self, choice: AnchorsName) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Anchors(choice.anchors()?))
     }
 
     /// Whether the other side of the face follows.
     ///
     /// # Errors
-    /// `cannot-solve`.
+    /// None of its own.
     #[wasm_bindgen(js_name = setMirror)]
-    pub fn set_mirror(&mut self, mirrored: bool) -> Result<(), JsValue> {
-        self.choices.mirror = if mirrored { Mirror::On } else { Mirror::Off };
-        self.hold_again()
+    pub fn set_mirror(&mut self, mirrored: bool) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Mirror(if mirrored { Mirror::On } else { Mirror::Off }))
     }
 
-    /// One tick of a slider: moves the landmark in hand by an offset from where it was at the last commit. No solve.
+    /// Whether an edit reaches no further than the radius.
     ///
     /// # Errors
-    /// `no-face`, `no-selection` or `bad-number`.
-    pub fn preview(
-        &mut self,
-        #[wasm_bindgen(js_name = dxMm)] dx_mm: f64,
-        #[wasm_bindgen(js_name = dyMm)] dy_mm: f64,
-        #[wasm_bindgen(js_name = dzMm)] dz_mm: f64,
-    ) -> Result<(), JsValue> {
-        if self.session()?.slider().is_some() {
-            self.commit()?;
-        }
-        self.session_mut()?.0.preview(DVec3::new(dx_mm, dy_mm, dz_mm))?;
-        Ok(self.show_offset()?)
+    /// None of its own.
+    #[wasm_bindgen(js_name = setNearby)]
+    pub fn set_nearby(&mut self, nearby: bool) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Nearby(switch(nearby)))
     }
 
-    /// Starts to drag a vertex with all that is in hand together with it; if it is not in hand, it or its region is
-    /// taken, unless it is a point that lies within the ring of the one in hand. An edit in progress is kept.
+    /// How far along the surface an edit reaches. A drag goes on.
     ///
     /// # Errors
-    /// `no-face`, `bad-vertex`, `bad-anchors` or `cannot-solve`.
-    pub fn grab(
-        &mut self,
-        vertex: u32,
-        #[wasm_bindgen(js_name = xPx)] x_px: f64,
-        #[wasm_bindgen(js_name = yPx)] y_px: f64,
-    ) -> Result<(), JsValue> {
-        self.commit()?;
-        let vertex = self.point_beside(vertex, DVec2::new(x_px, y_px)).unwrap_or(vertex);
-        if !self.holds(vertex) {
-            self.take_at(vertex)?;
-        }
-        let start_m = self.session()?.document.committed()[vertex as usize];
-        self.drag = Some(Drag::new(start_m, DVec2::new(x_px, y_px)));
-        let stage = self.viewport.stage_mut();
-        stage.set_pointer(None);
-        stage.set_hovered(None);
-        Ok(())
+    /// `bad-number`.
+    #[wasm_bindgen(js_name = setRadius)]
+    pub fn set_radius(&mut self, #[wasm_bindgen(js_name = radiusMm)] radius_mm: f64) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Radius(radius_mm))
     }
 
-    /// Drags what was grabbed to the pointer: in the view plane or along an axis; fine is ten times slower.
+    /// Makes that so many times as far, within its limits.
     ///
     /// # Errors
-    /// `no-face` or `no-selection`.
-    #[wasm_bindgen(js_name = dragTo)]
-    pub fn drag_to(
-        &mut self,
-        #[wasm_bindgen(js_name = xPx)] x_px: f64,
-        #[wasm_bindgen(js_name = yPx)] y_px: f64,
-        axis: Option<AxisName>,
-        fine: Option<bool>,
-    ) -> Result<(), JsValue> {
-        let axis = axis.map(AxisName::axis).transpose()?;
-        let pace = if fine.unwrap_or(false) { Pace::Fine } else { Pace::Usual };
-        let camera = self.viewport.stage().camera();
-        let drag = self.drag.as_mut().ok_or_else(Trouble::no_selection)?;
-        let offset_m = drag.offset_m(camera, DVec2::new(x_px, y_px), axis, pace);
-        self.viewport.stage_mut().set_gizmo_axis(axis);
-        self.session_mut()?.0.preview(offset_m * 1000.0)?;
-        Ok(self.show_offset()?)
-    }
-
-    /// Keeps the edit in progress as one entry of the history; nothing moved is no entry.
-    ///
-    /// # Errors
-    /// `device-lost`.
-    pub fn commit(&mut self) -> Result<(), JsValue> {
-        self.drag = None;
-        self.change_if_open(Session::commit)
-    }
-
-    /// Drops the edit in progress.
-    ///
-    /// # Errors
-    /// `device-lost`.
-    pub fn cancel(&mut self) -> Result<(), JsValue> {
-        self.drag = None;
-        self.change_if_open(Session::cancel)
-    }
-
-    /// Takes the last change of the history back: an edit, an entry switched off or on, or a reset.
-    ///
-    /// # Errors
-    /// `cannot-solve`.
-    pub fn undo(&mut self) -> Result<(), JsValue> {
-        self.change_if_open(|session, choices| session.change_history(choices, Document::undo))
-    }
-
-    /// Brings the last undone change back.
-    ///
-    /// # Errors
-    /// `cannot-solve`.
-    pub fn redo(&mut self) -> Result<(), JsValue> {
-        self.change_if_open(|session, choices| session.change_history(choices, Document::redo))
-    }
-
-    /// Takes all entries away, as one change.
-    ///
-    /// # Errors
-    /// `device-lost`.
-    pub fn reset(&mut self) -> Result<(), JsValue> {
-        self.change_if_open(|session, choices| {
-            session.change_history(choices, |document| {
-                document.reset();
-                Ok::<(), StudioError>(())
-            })
-        })
-    }
-
-    /// Switches every entry off that moved what is selected, as one change.
-    ///
-    /// # Errors
-    /// `no-selection` or `cannot-solve`.
-    #[wasm_bindgen(js_name = resetSelection)]
-    pub fn reset_selection(&mut self) -> Result<(), JsValue> {
-        self.change(|session, choices| {
-            let subject = session.selection().ok_or_else(Trouble::no_selection)?.subject();
-            session.change_history(choices, |document| document.switch_off(subject))
-        })
-    }
-
-    /// Lets an entry of the history take part in the shape, or not.
-    ///
-    /// # Errors
-    /// `no-face`, `bad-number` or `cannot-solve`.
-    #[wasm_bindgen(js_name = setEntryEnabled)]
-    pub fn set_entry_enabled(&mut self, index: u32, enabled: bool) -> Result<(), JsValue> {
-        let switch = if enabled { Switch::On } else { Switch::Off };
-        self.change(|session, choices| {
-            session.change_history(choices, |document| document.switch(index as usize, switch))
-        })
+    /// `bad-number`.
+    pub fn widen(&mut self, factor: f64) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Widen(factor))
     }
 
     /// How the landmarks are joined; the edits are carried out again. Points that were pinned are free again.
     ///
     /// # Errors
-    /// `bad-choice` or `cannot-solve`.
+    /// `bad-choice`.
     #[wasm_bindgen(js_name = setTriangulation)]
-    pub fn set_triangulation(&mut self, triangulation: TriangulationName) -> Result<(), JsValue> {
-        let triangulation = match triangulation {
-            TriangulationName::Tessellation => Triangulation::Tessellation,
-            TriangulationName::Canonical => Triangulation::Canonical,
-            _ => return Err(Trouble::bad_choice().into()),
-        };
-        if let Ok((session, choices)) = self.session_mut() {
-            choices.pins.retain(|pin| (*pin as usize) < LANDMARK_COUNT);
-            session.set_triangulation(triangulation, choices)?;
-            self.show_mesh()?;
-        }
-        self.wishes.triangulation = triangulation;
-        Ok(())
+    pub fn set_triangulation(&mut self, triangulation: TriangulationName) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Triangulation(triangulation.triangulation()?))
     }
 
     /// How often the mesh that is shown and exported is subdivided: 0 is the 468 landmarks, 3 the densest.
     ///
     /// # Errors
-    /// `bad-choice` or `cannot-solve`.
+    /// `bad-number`.
     #[wasm_bindgen(js_name = setDensity)]
-    pub fn set_density(&mut self, levels: u32) -> Result<(), JsValue> {
-        if levels > MAX_DENSITY {
-            return Err(Trouble::bad_choice().into());
-        }
-        let hand = self.hand;
-        if let Ok((session, choices)) = self.session_mut() {
-            session.set_density(levels, hand, choices)?;
-            session.prepare(hand, choices)?;
-            self.show_mesh()?;
-        }
-        self.wishes.density = levels;
-        Ok(())
-    }
-
-    /// How things stand.
-    pub fn state(&self) -> StudioState {
-        self.session.as_ref().map(Session::state).unwrap_or_default()
+    pub fn set_density(&mut self, levels: u32) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Density(levels))
     }
 }
 
+/// Moving what is selected, and the whole face.
+#[wasm_bindgen]
 impl Studio {
-    /// Changes the open face and shows it as it then is, whether the change succeeded or not.
-    pub(crate) fn change(
+    /// One tick of the sliders: moves what is selected by an offset from where it was at the last commit. No solve.
+    ///
+    /// # Errors
+    /// `bad-number`.
+    pub fn preview(
         &mut self,
-        change: impl FnOnce(&mut Session, &mut Choices) -> Outcome<()>,
-    ) -> Result<(), JsValue> {
-        let (session, choices) = self.session_mut()?;
-        let outcome = change(session, choices);
-        self.show_shape()?;
-        Ok(outcome?)
+        #[wasm_bindgen(js_name = dxMm)] dx_mm: f64,
+        #[wasm_bindgen(js_name = dyMm)] dy_mm: f64,
+        #[wasm_bindgen(js_name = dzMm)] dz_mm: f64,
+    ) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Preview(DVec3::new(dx_mm, dy_mm, dz_mm)))
     }
 
-    fn change_if_open(&mut self, change: impl FnOnce(&mut Session, &Choices) -> Outcome<()>) -> Result<(), JsValue> {
-        if self.session.is_none() { Ok(()) } else { self.change(|session, choices| change(session, choices)) }
+    /// One tick of a ready-made slider: `toMm` is where it is to stand, its earlier entries counted. The first tick takes
+    /// it in hand (one solve); `commit` and `cancel` end it, after which what is selected is held again.
+    ///
+    /// # Errors
+    /// `no-face`, `bad-choice` or `bad-number`.
+    pub fn slide(&mut self, slider: &str, #[wasm_bindgen(js_name = toMm)] to_mm: f64) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Slide(FaceSlider::from_id(slider).ok_or_else(Trouble::bad_choice)?, to_mm))
     }
 
-    /// Holds what is selected under the choices as they now are. An edit in progress goes on.
-    pub(crate) fn hold_again(&mut self) -> Result<(), JsValue> {
-        self.change_if_open(Session::hold_on)
+    /// Keeps the edit in progress as one entry of the history; nothing moved is no entry.
+    ///
+    /// # Errors
+    /// None of its own.
+    pub fn commit(&mut self) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Commit)
+    }
+
+    /// Drops the edit in progress. A drag is over, even if the pointer stays pressed.
+    ///
+    /// # Errors
+    /// None of its own.
+    pub fn cancel(&mut self) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Cancel)
+    }
+
+    /// Brings the two sides of the face closer to each other: 100 per cent leaves mirror images.
+    ///
+    /// # Errors
+    /// `no-face` or `bad-number`.
+    pub fn symmetrise(&mut self, #[wasm_bindgen(js_name = perCent)] per_cent: f64) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Symmetrise(per_cent / 100.0))
+    }
+
+    /// The pointer is pressed. True if it has taken hold of something, which `drag` moves; if not, it turns the face.
+    ///
+    /// # Errors
+    /// None of its own.
+    pub fn press(
+        &mut self,
+        #[wasm_bindgen(js_name = xPx)] x_px: f64,
+        #[wasm_bindgen(js_name = yPx)] y_px: f64,
+        pointer: PointerName,
+    ) -> Result<bool, JsValue> {
+        self.act(Intent::Press(DVec2::new(x_px, y_px), pointer.into()))?;
+        Ok(self.session.has_taken())
+    }
+
+    /// The pressed pointer goes on, and what it has taken hold of follows: in the view plane or along an axis; fine is ten
+    /// times slower.
+    ///
+    /// # Errors
+    /// None of its own.
+    pub fn drag(
+        &mut self,
+        #[wasm_bindgen(js_name = xPx)] x_px: f64,
+        #[wasm_bindgen(js_name = yPx)] y_px: f64,
+        fine: bool,
+    ) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Drag(DVec2::new(x_px, y_px), if fine { Pace::Fine } else { Pace::Usual }))
+    }
+
+    /// What is dragged follows along one axis only; the same axis again frees it.
+    ///
+    /// # Errors
+    /// `bad-choice`.
+    #[wasm_bindgen(js_name = dragAlong)]
+    pub fn drag_along(&mut self, axis: AxisName) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Along(axis.axis()?))
+    }
+
+    /// The pointer is let go: what was dragged is kept.
+    ///
+    /// # Errors
+    /// None of its own.
+    pub fn release(&mut self) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Release)
+    }
+
+    /// Whether something is being dragged.
+    #[wasm_bindgen(getter)]
+    pub fn dragging(&self) -> bool {
+        self.session.is_dragging()
+    }
+}
+
+/// The history, and how things stand.
+#[wasm_bindgen]
+impl Studio {
+    /// Takes the last change of the history back: an edit, an entry switched off or on, or a reset. An edit in progress is
+    /// kept first, and is what is taken back.
+    ///
+    /// # Errors
+    /// None of its own.
+    pub fn undo(&mut self) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Undo)
+    }
+
+    /// Brings the last undone change back.
+    ///
+    /// # Errors
+    /// None of its own.
+    pub fn redo(&mut self) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Redo)
+    }
+
+    /// Takes all entries away, as one change.
+    ///
+    /// # Errors
+    /// None of its own.
+    pub fn reset(&mut self) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Reset)
+    }
+
+    /// Switches every entry off that moved what is selected, as one change.
+    ///
+    /// # Errors
+    /// `no-face` or `no-selection`.
+    #[wasm_bindgen(js_name = resetSelection)]
+    pub fn reset_selection(&mut self) -> Result<ChangeName, JsValue> {
+        self.act(Intent::ResetSelected)
+    }
+
+    /// Lets an entry of the history take part in the shape, or not.
+    ///
+    /// # Errors
+    /// `no-face` or `bad-number`.
+    #[wasm_bindgen(js_name = setEntryEnabled)]
+    pub fn set_entry_enabled(&mut self, index: u32, enabled: bool) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Switch(index as usize, switch(enabled)))
+    }
+
+    /// How things stand; to be read after each change of the document. `free()` it.
+    pub fn state(&self) -> StudioState {
+        StudioState::of(&self.session.state())
+    }
+
+    /// How far the edit in progress has gone; to be read after each tick. `free()` it.
+    pub fn tick(&self) -> StudioTick {
+        StudioTick::of(self.session.tick())
     }
 }

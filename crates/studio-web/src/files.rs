@@ -1,14 +1,15 @@
-use rosto_export::{GlbOptions, JsonMesh, Model, Morph, Paint, Shading, Source, glb, mesh_json, obj, ply, stl};
-use rosto_viewport::Background;
+use rosto_export::{GlbOptions, Paint, Shading, obj, ply, stl};
+use rosto_session::{EditsAs, Units};
+use rosto_stage::Background;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::future_to_promise;
 
 use crate::Studio;
 use crate::modes::{ExportEditsName, ExportPaintName, ExportShadingName, MeshFormatName, UnitsName};
 use crate::state::Snapshot;
-use crate::trouble::{Outcome, Trouble};
+use crate::trouble::Trouble;
 
-/// What leaves the page and comes back.
+/// What leaves the page.
 #[wasm_bindgen]
 impl Studio {
     /// The mesh as JSON, as the command line writes it.
@@ -17,18 +18,12 @@ impl Studio {
     /// `no-face` or `bad-choice`.
     #[wasm_bindgen(js_name = meshJson)]
     pub fn mesh_json(&self, units: UnitsName) -> Result<String, JsValue> {
-        let session = self.session()?;
-        let (units, positions) = match units {
-            UnitsName::Image => ("image", session.positions_image()),
-            UnitsName::Millimetres => ("mm", session.positions_mm()),
+        let units = match units {
+            UnitsName::Image => Units::Image,
+            UnitsName::Millimetres => Units::Millimetres,
             _ => return Err(Trouble::bad_choice().into()),
         };
-        Ok(mesh_json(&JsonMesh {
-            units,
-            positions: &positions,
-            colours_srgb: &session.colours_srgb(&session.uvs()),
-            triangles: session.document.topology().triangles(),
-        }))
+        Ok(self.session.mesh_json(units).map_err(Trouble::from)?)
     }
 
     /// The face as a binary glTF file, at the density that is shown, with what opens it again in the scene's extras.
@@ -37,7 +32,7 @@ impl Studio {
     /// `no-face`, `bad-choice` or `cannot-export`.
     #[wasm_bindgen(js_name = exportGlb)]
     pub fn export_glb(
-        &self,
+        &mut self,
         paint: ExportPaintName,
         shading: ExportShadingName,
         edits: ExportEditsName,
@@ -52,12 +47,12 @@ impl Studio {
             ExportShadingName::Unlit => Shading::Unlit,
             _ => return Err(Trouble::bad_choice().into()),
         };
-        let options = GlbOptions { paint, shading, ..GlbOptions::default() };
-        match edits {
-            ExportEditsName::Shape => Ok(self.glb(options)?),
-            ExportEditsName::MorphTargets => Ok(self.glb_with_morph_targets(options)?),
-            _ => Err(Trouble::bad_choice().into()),
-        }
+        let edits = match edits {
+            ExportEditsName::Shape => EditsAs::Shape,
+            ExportEditsName::MorphTargets => EditsAs::MorphTargets,
+            _ => return Err(Trouble::bad_choice().into()),
+        };
+        Ok(self.session.glb(GlbOptions { paint, shading, ..GlbOptions::default() }, edits).map_err(Trouble::from)?)
     }
 
     /// The face, at the density that is shown, as a file of another kind.
@@ -66,13 +61,13 @@ impl Studio {
     /// `no-face`, `bad-choice` or `cannot-export`.
     #[wasm_bindgen(js_name = exportMesh)]
     pub fn export_mesh(&self, format: MeshFormatName) -> Result<Vec<u8>, JsValue> {
-        let bytes = self.with_model(|model| match format {
-            MeshFormatName::Obj => Ok(obj(&model)?.into_bytes()),
-            MeshFormatName::Ply => Ok(ply(&model)?),
-            MeshFormatName::Stl => Ok(stl(&model)?),
-            _ => Err(Trouble::bad_choice()),
+        let bytes = self.session.with_model(|model| match format {
+            MeshFormatName::Obj => Ok(Some(obj(&model)?.into_bytes())),
+            MeshFormatName::Ply => Ok(Some(ply(&model)?)),
+            MeshFormatName::Stl => Ok(Some(stl(&model)?)),
+            _ => Ok(None),
         });
-        Ok(bytes?)
+        Ok(bytes.map_err(Trouble::from)?.ok_or_else(Trouble::bad_choice)?)
     }
 
     /// A picture of the view in any size; transparent where there is no face, if asked so.
@@ -86,8 +81,10 @@ impl Studio {
         #[wasm_bindgen(js_name = heightPx)] height_px: u32,
         transparent: bool,
     ) -> Result<js_sys::Promise, JsValue> {
-        let background = if transparent { Background::Transparent } else { self.wishes.background };
-        let picture = self.viewport.snapshot([width_px, height_px], background).map_err(Trouble::from)?;
+        let background = if transparent { Background::Transparent } else { self.session.view().background };
+        let picture = self.viewport.snapshot(self.session.stage(), [width_px, height_px], background);
+        self.session.stage_mut().ask_for_a_frame();
+        let picture = picture.map_err(Trouble::from)?;
         Ok(future_to_promise(async move { Ok(Snapshot::from(picture.await.map_err(Trouble::from)?).into()) }))
     }
 
@@ -97,64 +94,6 @@ impl Studio {
     /// `no-face`.
     #[wasm_bindgen(js_name = editsJson)]
     pub fn edits_json(&self) -> Result<String, JsValue> {
-        Ok(self.session()?.edits_json())
-    }
-
-    /// Puts edits from such a text in place of those there are.
-    ///
-    /// # Errors
-    /// `no-face`, `bad-project`, `bad-vertex` or `cannot-solve`; the edits stay as they were.
-    #[wasm_bindgen(js_name = openEdits)]
-    pub fn open_edits(&mut self, json: &str) -> Result<(), JsValue> {
-        let (session, choices) = self.session_mut()?;
-        session.open_edits(json, choices)?;
-        Ok(self.show_shape()?)
-    }
-}
-
-impl Studio {
-    /// The edited face.
-    fn glb(&self, options: GlbOptions<'_>) -> Outcome<Vec<u8>> {
-        let edits = self.session()?.edits_json();
-        let source = Some(self.source(&edits)?);
-        self.with_model(|model| Ok(glb(&model, &GlbOptions { source, ..options })?))
-    }
-
-    /// The unedited face, with each edit beside it.
-    fn glb_with_morph_targets(&self, options: GlbOptions<'_>) -> Outcome<Vec<u8>> {
-        let session = self.session()?;
-        let document = &session.document;
-        let edits = session.edits_json();
-        let source = Some(self.source(&edits)?);
-        let layers = document.displacements();
-        let named = document.history().entries().iter().zip(&layers);
-        let morphs: Vec<Morph<'_>> =
-            named.map(|(entry, layer)| Morph { name: &entry.label, displacements_m: layer, weight: 1.0 }).collect();
-        self.with_model(|model| {
-            let options = GlbOptions { source, morphs: &morphs, ..options };
-            Ok(glb(&model.at(document.rest()), &options)?)
-        })
-    }
-
-    /// What opens a file again.
-    fn source<'a>(&'a self, edits: &'a str) -> Outcome<Source<'a>> {
-        let session = self.session()?;
-        let document = &session.document;
-        let history = (!document.history().entries().is_empty()).then_some(edits);
-        let (triangulation, density) = (session.triangulation(), document.density());
-        Ok(Source { face: &session.face, triangulation, density, history })
-    }
-
-    /// Does something with the mesh that is shown.
-    fn with_model<T>(&self, act: impl FnOnce(Model<'_>) -> Outcome<T>) -> Outcome<T> {
-        let session = self.session()?;
-        let uvs = session.uvs();
-        act(Model {
-            topology: session.document.topology(),
-            positions_m: session.document.positions(),
-            colours_srgb: &session.colours_srgb(&uvs),
-            uvs: &uvs,
-            picture: session.face.picture(),
-        })
+        Ok(self.face()?.history_json())
     }
 }

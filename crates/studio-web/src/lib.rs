@@ -1,15 +1,11 @@
-//! The page's façade: studio, viewport and export behind wasm-bindgen.
+//! The page's façade: a session and a viewport behind wasm-bindgen.
 //!
-//! The page forwards intents and shows state; every decision about faces and meshes is made behind this façade. What is
+//! The page forwards intents and shows state; this translates both and decides nothing: see [`rosto_session`]. What is
 //! thrown is an `Error` with a stable `code` and a `hint`. Nothing here is global, and no method holds the studio over
 //! an `await`.
 
-mod choices;
-mod drag;
 mod editing;
 mod files;
-mod follow;
-mod hand;
 mod modes;
 mod names;
 mod paper;
@@ -18,8 +14,6 @@ mod renderer;
 mod reopened;
 mod seeing;
 mod selecting;
-mod session;
-mod sliding;
 mod state;
 mod studio;
 mod trouble;
@@ -28,14 +22,14 @@ use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
 pub use modes::{
-    AnchorsName, AxisName, DetailsName, ExportEditsName, ExportPaintName, ExportShadingName, HandName, HoldName,
-    LanguageName, MeshFormatName, OperatorName, PaintName, PointerName, TaskName, ThemeName, TriangulationName,
-    UnitsName, ViewName,
+    AnchorsName, AxisName, ChangeName, DetailsName, ExportEditsName, ExportPaintName, ExportShadingName, HandName,
+    HoldName, LanguageName, MeshFormatName, OperatorName, PaintName, PointerName, PresetName, RefusalName, TaskName,
+    ThemeName, TriangulationName, UnitsName, ViewName,
 };
 pub use paper::{PaperClaims, PaperMethod, PaperRow, PaperRun};
 pub use renderer::{Renderer, create_renderer};
 pub use reopened::{ReopenedFace, reopen_glb};
-pub use state::{NamedRegion, NamedSlider, ScreenPoint, Snapshot, StudioEntry, StudioState};
+pub use state::{NamedRegion, NamedSlider, ScreenPoint, Snapshot, StudioEntry, StudioRange, StudioState, StudioTick};
 pub use studio::Studio;
 
 /// Gets a GPU, binds it to the canvas, and opens an empty studio on it.

@@ -3,8 +3,9 @@
 #![expect(missing_docs, reason = "wasm-bindgen adds a variant and functions of its own, without words")]
 
 use rosto_face::{Language, Triangulation};
-use rosto_studio::Operator;
-use rosto_viewport::{Axis, Pointer};
+use rosto_session::{AnchorChoice, Changed, Preset, SelectionMode};
+use rosto_stage::{Axis, NamedView, Paint, Pointer, Theme};
+use rosto_studio::{Details, Hold, Operator};
 use wasm_bindgen::prelude::*;
 
 use crate::trouble::{Outcome, Trouble};
@@ -161,6 +162,40 @@ pub enum AnchorsName {
     Pinned = "pinned",
 }
 
+/// Choices that go together.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PresetName {
+    /// What a hand expects.
+    Sculpt = "sculpt",
+    /// The paper's edit.
+    Paper = "paper",
+}
+
+/// What an intent has changed, and so what is to be read again.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ChangeName {
+    /// Nothing.
+    Nothing = "nothing",
+    /// What is seen: draw.
+    View = "view",
+    /// How far the edit in progress has gone: draw, and read `tick()`.
+    Tick = "tick",
+    /// Anything: draw, and read `state()` as well.
+    Document = "document",
+}
+
+/// Why what is selected cannot be moved.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RefusalName {
+    /// Nothing else is held, so that the whole face would follow.
+    Unanchored = "unanchored",
+    /// Any other reason.
+    Other = "other",
+}
+
 /// What a downloaded model carries as colour.
 #[wasm_bindgen]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -213,15 +248,6 @@ pub enum TriangulationName {
     Canonical = "canonical",
 }
 
-impl From<Triangulation> for TriangulationName {
-    fn from(triangulation: Triangulation) -> Self {
-        match triangulation {
-            Triangulation::Tessellation => Self::Tessellation,
-            Triangulation::Canonical => Self::Canonical,
-        }
-    }
-}
-
 /// What the paper's Table 1 times.
 #[wasm_bindgen]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -236,24 +262,61 @@ pub enum TaskName {
     LargeEdit = "large-edit",
 }
 
-impl From<Operator> for OperatorName {
-    fn from(operator: Operator) -> Self {
-        match operator {
-            Operator::UniformSymmetric => Self::UniformSymmetric,
-            Operator::Uniform => Self::Uniform,
-            Operator::Degree => Self::Degree,
-            Operator::InverseLength => Self::InverseLength,
-            Operator::Cotangent => Self::Cotangent,
+impl PaintName {
+    pub(crate) fn paint(self) -> Outcome<Paint> {
+        match self {
+            Self::Photo => Ok(Paint::Photo),
+            Self::Colours => Ok(Paint::Colours),
+            Self::Clay => Ok(Paint::Clay),
+            Self::Normals => Ok(Paint::Normals),
+            Self::Response => Ok(Paint::Response),
+            Self::Distortion => Ok(Paint::Scalar),
+            _ => Err(Trouble::bad_choice()),
         }
     }
 }
 
-impl From<Axis> for AxisName {
-    fn from(axis: Axis) -> Self {
-        match axis {
-            Axis::X => Self::X,
-            Axis::Y => Self::Y,
-            Axis::Z => Self::Z,
+impl From<Paint> for PaintName {
+    fn from(paint: Paint) -> Self {
+        match paint {
+            Paint::Photo | Paint::Bare => Self::Photo,
+            Paint::Colours => Self::Colours,
+            Paint::Clay => Self::Clay,
+            Paint::Normals => Self::Normals,
+            Paint::Response => Self::Response,
+            Paint::Scalar => Self::Distortion,
+        }
+    }
+}
+
+impl ViewName {
+    pub(crate) fn view(self) -> Outcome<NamedView> {
+        match self {
+            Self::Front => Ok(NamedView::Front),
+            Self::Left => Ok(NamedView::Left),
+            Self::Top => Ok(NamedView::Top),
+            Self::Reset => Ok(NamedView::Reset),
+            _ => Err(Trouble::bad_choice()),
+        }
+    }
+}
+
+impl ThemeName {
+    pub(crate) fn theme(self) -> Outcome<Theme> {
+        match self {
+            Self::Light => Ok(Theme::Light),
+            Self::Dark => Ok(Theme::Dark),
+            _ => Err(Trouble::bad_choice()),
+        }
+    }
+}
+
+impl LanguageName {
+    pub(crate) fn language(self) -> Outcome<Language> {
+        match self {
+            Self::English => Ok(Language::English),
+            Self::Portuguese => Ok(Language::Portuguese),
+            _ => Err(Trouble::bad_choice()),
         }
     }
 }
@@ -269,12 +332,153 @@ impl AxisName {
     }
 }
 
-impl LanguageName {
-    pub(crate) fn language(self) -> Outcome<Language> {
+impl From<SelectionMode> for HandName {
+    fn from(value: SelectionMode) -> Self {
+        match value {
+            SelectionMode::Landmark => Self::Landmark,
+            SelectionMode::Region => Self::Region,
+            SelectionMode::Point => Self::Point,
+        }
+    }
+}
+
+impl HandName {
+    pub(crate) fn mode(self) -> Outcome<SelectionMode> {
         match self {
-            Self::English => Ok(Language::English),
-            Self::Portuguese => Ok(Language::Portuguese),
+            Self::Landmark => Ok(SelectionMode::Landmark),
+            Self::Region => Ok(SelectionMode::Region),
+            Self::Point => Ok(SelectionMode::Point),
             _ => Err(Trouble::bad_choice()),
+        }
+    }
+}
+
+impl From<Operator> for OperatorName {
+    fn from(value: Operator) -> Self {
+        match value {
+            Operator::UniformSymmetric => Self::UniformSymmetric,
+            Operator::Uniform => Self::Uniform,
+            Operator::Degree => Self::Degree,
+            Operator::InverseLength => Self::InverseLength,
+            Operator::Cotangent => Self::Cotangent,
+        }
+    }
+}
+
+impl OperatorName {
+    pub(crate) fn operator(self) -> Outcome<Operator> {
+        match self {
+            Self::UniformSymmetric => Ok(Operator::UniformSymmetric),
+            Self::Uniform => Ok(Operator::Uniform),
+            Self::Degree => Ok(Operator::Degree),
+            Self::InverseLength => Ok(Operator::InverseLength),
+            Self::Cotangent => Ok(Operator::Cotangent),
+            _ => Err(Trouble::bad_choice()),
+        }
+    }
+}
+
+impl From<Details> for DetailsName {
+    fn from(value: Details) -> Self {
+        match value {
+            Details::Kept => Self::Kept,
+            Details::Turned => Self::Turned,
+        }
+    }
+}
+
+impl DetailsName {
+    pub(crate) fn details(self) -> Outcome<Details> {
+        match self {
+            Self::Kept => Ok(Details::Kept),
+            Self::Turned => Ok(Details::Turned),
+            _ => Err(Trouble::bad_choice()),
+        }
+    }
+}
+
+impl From<AnchorChoice> for AnchorsName {
+    fn from(value: AnchorChoice) -> Self {
+        match value {
+            AnchorChoice::Random => Self::Random,
+            AnchorChoice::Oval => Self::Oval,
+            AnchorChoice::PinsOnly => Self::Pinned,
+        }
+    }
+}
+
+impl AnchorsName {
+    pub(crate) fn anchors(self) -> Outcome<AnchorChoice> {
+        match self {
+            Self::Random => Ok(AnchorChoice::Random),
+            Self::Oval => Ok(AnchorChoice::Oval),
+            Self::Pinned => Ok(AnchorChoice::PinsOnly),
+            _ => Err(Trouble::bad_choice()),
+        }
+    }
+}
+
+impl From<Preset> for PresetName {
+    fn from(value: Preset) -> Self {
+        match value {
+            Preset::Sculpt => Self::Sculpt,
+            Preset::Paper => Self::Paper,
+        }
+    }
+}
+
+impl PresetName {
+    pub(crate) fn preset(self) -> Outcome<Preset> {
+        match self {
+            Self::Sculpt => Ok(Preset::Sculpt),
+            Self::Paper => Ok(Preset::Paper),
+            _ => Err(Trouble::bad_choice()),
+        }
+    }
+}
+
+impl From<Triangulation> for TriangulationName {
+    fn from(value: Triangulation) -> Self {
+        match value {
+            Triangulation::Tessellation => Self::Tessellation,
+            Triangulation::Canonical => Self::Canonical,
+        }
+    }
+}
+
+impl TriangulationName {
+    pub(crate) fn triangulation(self) -> Outcome<Triangulation> {
+        match self {
+            Self::Tessellation => Ok(Triangulation::Tessellation),
+            Self::Canonical => Ok(Triangulation::Canonical),
+            _ => Err(Trouble::bad_choice()),
+        }
+    }
+}
+
+impl From<Hold> for HoldName {
+    fn from(hold: Hold) -> Self {
+        if hold == Hold::Exact { Self::Exact } else { Self::Soft }
+    }
+}
+
+impl HoldName {
+    pub(crate) fn hold(self) -> Outcome<Hold> {
+        match self {
+            Self::Soft => Ok(Hold::default()),
+            Self::Exact => Ok(Hold::Exact),
+            _ => Err(Trouble::bad_choice()),
+        }
+    }
+}
+
+impl From<Changed> for ChangeName {
+    fn from(changed: Changed) -> Self {
+        match changed {
+            Changed::Nothing => Self::Nothing,
+            Changed::View => Self::View,
+            Changed::Tick => Self::Tick,
+            Changed::Document | Changed::Mesh => Self::Document,
         }
     }
 }

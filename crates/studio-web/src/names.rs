@@ -1,13 +1,14 @@
-use rosto_face::{LANDMARK_COUNT, Language, Region, landmark_name};
+use rosto_face::{Region, landmark_name};
+use rosto_session::{RADIUS_MM, SLIDER_MM, landmark_label};
 use rosto_studio::FaceSlider;
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
 use crate::modes::LanguageName;
-use crate::state::{NamedRegion, NamedSlider};
-use crate::trouble::{Outcome, Trouble};
+use crate::state::{NamedRegion, NamedSlider, StudioEntry, StudioRange};
+use crate::trouble::Trouble;
 
-/// What things are called.
+/// What things are called, and what numbers go through.
 #[wasm_bindgen]
 impl Studio {
     /// What a landmark is called, with or without an open face.
@@ -16,7 +17,8 @@ impl Studio {
     /// `bad-vertex` or `bad-choice`.
     #[wasm_bindgen(js_name = landmarkName)]
     pub fn landmark_name(&self, vertex: u32, language: LanguageName) -> Result<String, JsValue> {
-        Ok(landmark_name(known(vertex)?, language.language()?))
+        let vertex = rosto_session::known_landmark(vertex).map_err(Trouble::from)?;
+        Ok(landmark_name(vertex, language.language()?))
     }
 
     /// What a landmark is called on the page, with its number, such as "nose tip · 1".
@@ -25,57 +27,50 @@ impl Studio {
     /// `bad-vertex` or `bad-choice`.
     #[wasm_bindgen(js_name = landmarkLabel)]
     pub fn landmark_label(&self, vertex: u32, language: LanguageName) -> Result<String, JsValue> {
-        Ok(landmark_label(known(vertex)?, language.language()?))
+        let vertex = rosto_session::known_landmark(vertex).map_err(Trouble::from)?;
+        Ok(landmark_label(vertex, language.language()?))
     }
 
-    /// The name of what is in hand; undefined where there is nothing.
+    /// The name of what is selected; undefined where nothing is.
     ///
     /// # Errors
     /// `bad-choice`.
     #[wasm_bindgen(js_name = selectionName)]
     pub fn selection_name(&self, language: LanguageName) -> Result<Option<String>, JsValue> {
-        let language = language.language()?;
-        let Some(session) = &self.session else { return Ok(None) };
-        Ok(session.selection().map(|selection| session.label(selection.subject(), language)))
+        Ok(self.session.selection_name(language.language()?))
     }
 
-    /// What a drag that starts at a vertex moves: what is in hand, if the vertex is part of it, or what is taken there.
+    /// What a drag that starts at a vertex moves: what is selected, if the vertex is part of it, or what is selected there.
     ///
     /// # Errors
     /// `bad-vertex` or `bad-choice`.
     #[wasm_bindgen(js_name = nameAt)]
     pub fn name_at(&self, vertex: u32, language: LanguageName) -> Result<String, JsValue> {
-        let language = language.language()?;
-        let Some(session) = &self.session else { return Ok(landmark_label(known(vertex)?, language)) };
-        let selection = session.at_or_held(session.known(vertex, self.hand)?, self.hand);
-        Ok(session.label(selection.subject(), language))
+        Ok(self.session.name_at(vertex, language.language()?).map_err(Trouble::from)?)
     }
 
     /// The vertex that is meant by a number, or the landmark that is meant by its name, in any case of its letters;
-    /// undefined where there is none that could be taken in hand.
+    /// undefined where there is none that could be selected.
     ///
     /// # Errors
     /// `bad-choice`.
     #[wasm_bindgen(js_name = vertexCalled)]
     pub fn vertex_called(&self, text: &str, language: LanguageName) -> Result<Option<u32>, JsValue> {
-        let language = language.language()?;
-        if let Ok(vertex) = text.trim().parse::<u32>() {
-            let count = self.session.as_ref().map_or(LANDMARK_COUNT, |session| session.within_reach(self.hand));
-            return Ok(Some(vertex).filter(|&vertex| (vertex as usize) < count));
-        }
-        let wanted = text.trim().to_lowercase();
-        let ways = |landmark: u32| [landmark_name(landmark, language), landmark_label(landmark, language)];
-        Ok((0..LANDMARK_COUNT as u32).find(|&landmark| ways(landmark).iter().any(|way| way.to_lowercase() == wanted)))
+        Ok(self.session.vertex_called(text, language.language()?))
     }
 
-    /// What an entry of the history works on.
+    /// The latest entries of the history, oldest first: as many as asked for. `free()` each.
     ///
     /// # Errors
-    /// `no-face`, `bad-number` or `bad-choice`.
-    #[wasm_bindgen(js_name = entryName)]
-    pub fn entry_name(&self, index: u32, language: LanguageName) -> Result<String, JsValue> {
-        let session = self.session()?;
-        Ok(session.label(session.subject_of(index as usize)?, language.language()?))
+    /// `bad-choice`.
+    #[wasm_bindgen(js_name = latestEntries)]
+    pub fn latest_entries(&self, most: u32, language: LanguageName) -> Result<Vec<StudioEntry>, JsValue> {
+        let language = language.language()?;
+        let Some(face) = self.session.face() else { return Ok(Vec::new()) };
+        let rows = face.rows();
+        let latest = &rows[rows.len().saturating_sub(most as usize)..];
+        let entry = |row| StudioEntry::of(row, face.label(row.subject, language));
+        Ok(latest.iter().map(entry).collect())
     }
 
     /// Every region that can be moved as one, from the forehead down.
@@ -103,19 +98,16 @@ impl Studio {
         };
         Ok(FaceSlider::ALL.map(named).to_vec())
     }
-}
 
-/// The name with the number, once.
-pub(crate) fn landmark_label(landmark: u32, language: Language) -> String {
-    let name = landmark_name(landmark, language);
-    // Landmarks without a name of their own bring their number along.
-    let bare = name.strip_suffix(&format!(" {landmark}")).unwrap_or(&name);
-    format!("{bare} · {landmark}")
-}
-
-fn known(vertex: u32) -> Outcome<u32> {
-    if vertex as usize >= LANDMARK_COUNT {
-        return Err(Trouble::bad_vertex(vertex, LANDMARK_COUNT));
+    /// What the sliders of what is selected go through, in mm.
+    #[wasm_bindgen(getter, js_name = offsetRange)]
+    pub fn offset_range(&self) -> StudioRange {
+        SLIDER_MM.into()
     }
-    Ok(vertex)
+
+    /// What the radius goes through, in mm.
+    #[wasm_bindgen(getter, js_name = radiusRange)]
+    pub fn radius_range(&self) -> StudioRange {
+        RADIUS_MM.into()
+    }
 }

@@ -44,7 +44,7 @@ impl Studio {
     /// `no-face` or `cannot-solve`.
     #[wasm_bindgen(js_name = paperRun)]
     pub fn paper_run(&self, runs: u32, seed: u32) -> Result<PaperRun, JsValue> {
-        Ok(PaperRun::new(&self.session()?.face, runs.max(1), seed)?)
+        Ok(PaperRun::new(self.face()?.model(), runs.max(1), seed)?)
     }
 }
 

@@ -4,7 +4,6 @@ use rosto_studio::project;
 use wasm_bindgen::prelude::*;
 
 use crate::modes::TriangulationName;
-use crate::studio::MAX_DENSITY;
 use crate::trouble::Trouble;
 
 /// What a GLB of ours holds, for `openFace` and `openEdits`. `free()` it when everything has been taken out.
@@ -54,7 +53,7 @@ impl From<Reopened<'_>> for ReopenedFace {
             landmarks: face.landmarks.concat(),
             colours: face.colours_srgb.concat(),
             triangulation: face.triangulation,
-            density: face.density.min(MAX_DENSITY),
+            density: face.density,
             edits: face.history.unwrap_or_else(|| project::to_json(&[])),
             picture_size_px,
             crop_at_px,

@@ -1,11 +1,18 @@
 //! What the page shows, as values it can read.
 
-use rosto_studio::{Amount, Command, Entry, Subject, Switch};
+use rosto_laplacian::LaplacianError;
+use rosto_session::{FaceState, Range, Row, Selection, State, Tick, Turntable};
+use rosto_stage::{Background, Dots, Srgb, Wireframe};
+use rosto_studio::{Mirror, Standing, StudioError};
 use wasm_bindgen::prelude::*;
 
-/// Everything the panel shows about the document and the edit in progress.
+use crate::modes::{
+    AnchorsName, DetailsName, HandName, HoldName, OperatorName, PaintName, PresetName, RefusalName, TriangulationName,
+};
+
+/// Everything the panels show about the session, apart from the edit in progress.
 #[wasm_bindgen(getter_with_clone, inspectable)]
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct StudioState {
     /// Whether a face is open.
     #[wasm_bindgen(readonly, js_name = hasFace)]
@@ -19,30 +26,87 @@ pub struct StudioState {
     /// Number of triangles shown.
     #[wasm_bindgen(readonly, js_name = triangleCount)]
     pub triangle_count: u32,
+    /// What a click or a drag selects.
+    #[wasm_bindgen(readonly)]
+    pub hand: HandName,
+    /// How many vertices it can select, from 0.
+    #[wasm_bindgen(readonly)]
+    pub selectable: u32,
     /// The selected vertex, if any; of a selected region, the landmark in its middle.
     #[wasm_bindgen(readonly)]
     pub selected: Option<u32>,
     /// The selected region, if any.
     #[wasm_bindgen(readonly, js_name = selectedRegion)]
     pub selected_region: Option<String>,
-    /// Whether the other side of the face can follow what is selected.
-    #[wasm_bindgen(readonly, js_name = canMirror)]
-    pub can_mirror: bool,
     /// Number of neighbours of the selected vertex.
     #[wasm_bindgen(readonly, js_name = selectedDegree)]
     pub selected_degree: u32,
     /// Whether what is selected is its own mirror image and the mirror is on, so that it cannot move along x.
     #[wasm_bindgen(readonly, js_name = selectedInPlane)]
     pub selected_in_plane: bool,
-    /// Offset of the edit in progress along x, in mm.
-    #[wasm_bindgen(readonly, js_name = offsetXMm)]
-    pub offset_x_mm: f64,
-    /// Offset of the edit in progress along y, in mm.
-    #[wasm_bindgen(readonly, js_name = offsetYMm)]
-    pub offset_y_mm: f64,
-    /// Offset of the edit in progress along z, in mm.
-    #[wasm_bindgen(readonly, js_name = offsetZMm)]
-    pub offset_z_mm: f64,
+    /// Whether all that is selected is pinned.
+    #[wasm_bindgen(readonly)]
+    pub pinned: bool,
+    /// Whether the other side of the face can follow what is selected.
+    #[wasm_bindgen(readonly, js_name = canMirror)]
+    pub can_mirror: bool,
+    /// Why what is selected cannot be moved, if it cannot.
+    #[wasm_bindgen(readonly)]
+    pub refusal: Option<RefusalName>,
+    /// The vertices that stay while what is selected moves.
+    #[wasm_bindgen(readonly)]
+    pub anchors: Vec<u32>,
+    /// The preset that the choices are, if they are one.
+    #[wasm_bindgen(readonly)]
+    pub preset: Option<PresetName>,
+    /// How the surface's details are described.
+    #[wasm_bindgen(readonly)]
+    pub operator: OperatorName,
+    /// How firmly landmarks and anchors are held.
+    #[wasm_bindgen(readonly)]
+    pub hold: HoldName,
+    /// Whether details turn with the surface.
+    #[wasm_bindgen(readonly)]
+    pub details: DetailsName,
+    /// Which vertices stay beside those pinned by hand.
+    #[wasm_bindgen(readonly, js_name = anchorChoice)]
+    pub anchor_choice: AnchorsName,
+    /// Whether the other side of the face follows.
+    #[wasm_bindgen(readonly)]
+    pub mirror: bool,
+    /// Whether an edit reaches no further than the radius.
+    #[wasm_bindgen(readonly)]
+    pub nearby: bool,
+    /// That radius, in mm.
+    #[wasm_bindgen(readonly, js_name = radiusMm)]
+    pub radius_mm: f64,
+    /// How the landmarks are joined.
+    #[wasm_bindgen(readonly)]
+    pub triangulation: TriangulationName,
+    /// How often the mesh is subdivided.
+    #[wasm_bindgen(readonly)]
+    pub density: u32,
+    /// How the surface is coloured.
+    #[wasm_bindgen(readonly)]
+    pub paint: PaintName,
+    /// Whether edges are drawn over it.
+    #[wasm_bindgen(readonly)]
+    pub wireframe: bool,
+    /// Whether every landmark shows as a dot.
+    #[wasm_bindgen(readonly)]
+    pub dots: bool,
+    /// Whether the face turns by itself.
+    #[wasm_bindgen(readonly)]
+    pub turntable: bool,
+    /// Azimuth and elevation of the directional light in degrees, its strength, and that of the light from everywhere.
+    #[wasm_bindgen(readonly)]
+    pub light: Vec<f64>,
+    /// Its colour, sRGB.
+    #[wasm_bindgen(readonly, js_name = lightColour)]
+    pub light_colour: Vec<u8>,
+    /// The one colour behind the face, sRGB; empty for the usual ground.
+    #[wasm_bindgen(readonly)]
+    pub backdrop: Vec<u8>,
     /// Sum of the offsets along x that the history holds for what is selected, as far as they are in force, in mm.
     #[wasm_bindgen(readonly, js_name = keptXMm)]
     pub kept_x_mm: f64,
@@ -52,15 +116,6 @@ pub struct StudioState {
     /// The same along z.
     #[wasm_bindgen(readonly, js_name = keptZMm)]
     pub kept_z_mm: f64,
-    /// Where each ready-made slider stands, in mm: the sum of its entries that are in force, and the edit in progress.
-    #[wasm_bindgen(readonly, js_name = slidersMm)]
-    pub sliders_mm: Vec<f64>,
-    /// Share of its offset that the selected landmark reaches, 0..1.
-    #[wasm_bindgen(readonly)]
-    pub reach: f64,
-    /// Whether an edit is in progress that `commit` would keep.
-    #[wasm_bindgen(readonly)]
-    pub editing: bool,
     /// Whether the history holds edits in force of what is selected.
     #[wasm_bindgen(readonly, js_name = canResetSelection)]
     pub can_reset_selection: bool,
@@ -70,9 +125,112 @@ pub struct StudioState {
     /// Whether there is something to redo.
     #[wasm_bindgen(readonly, js_name = canRedo)]
     pub can_redo: bool,
-    /// The history, oldest first, without what was undone.
+    /// How many entries the history has, without what was undone.
+    #[wasm_bindgen(readonly, js_name = entryCount)]
+    pub entry_count: u32,
+}
+
+impl StudioState {
+    pub(crate) fn of(state: &State) -> Self {
+        let (face, choices, view) = (state.face.as_ref(), &state.choices, &state.view);
+        let count = |which: usize| face.map_or(0, |face| face.counts[which] as u32);
+        let is = |what: fn(&FaceState) -> bool| face.is_some_and(what);
+        let selection = face.and_then(|face| face.selection);
+        let kept_mm = face.map_or(glam::DVec3::ZERO, |face| face.kept_mm);
+        let light = &state.light;
+        Self {
+            has_face: face.is_some(),
+            vertex_count: count(0),
+            edge_count: count(1),
+            triangle_count: count(2),
+            hand: state.mode.into(),
+            selectable: state.selectable as u32,
+            selected: selection.map(Selection::middle),
+            selected_region: match selection {
+                Some(Selection::Region(region)) => Some(region.id().to_owned()),
+                _ => None,
+            },
+            selected_degree: face.map_or(0, |face| face.degree),
+            selected_in_plane: is(|face| face.moves_in_plane),
+            pinned: is(|face| face.is_pinned),
+            can_mirror: face.is_none_or(|face| face.can_mirror),
+            refusal: face.and_then(|face| face.refusal.as_ref()).map(RefusalName::from),
+            anchors: face.map(|face| face.anchors.clone()).unwrap_or_default(),
+            preset: state.preset.map(Into::into),
+            operator: choices.operator.into(),
+            hold: choices.hold.into(),
+            details: choices.details.into(),
+            anchor_choice: choices.anchors.into(),
+            mirror: choices.mirror == Mirror::On,
+            nearby: choices.is_nearby,
+            radius_mm: choices.radius_mm,
+            triangulation: view.triangulation.into(),
+            density: view.density,
+            paint: view.paint.into(),
+            wireframe: view.wireframe == Wireframe::Shown,
+            dots: state.dots == Dots::All,
+            turntable: view.turntable == Turntable::Turns,
+            light: vec![light.azimuth_deg, light.elevation_deg, light.strength, light.ambient],
+            light_colour: light.colour.0.to_vec(),
+            backdrop: match view.background {
+                Background::Plain(Srgb(colour)) => colour.to_vec(),
+                Background::Ground | Background::Transparent => Vec::new(),
+            },
+            kept_x_mm: kept_mm.x,
+            kept_y_mm: kept_mm.y,
+            kept_z_mm: kept_mm.z,
+            can_reset_selection: is(|face| face.can_reset_selection),
+            can_undo: is(|face| face.can_undo),
+            can_redo: is(|face| face.can_redo),
+            entry_count: face.map_or(0, |face| face.entry_count as u32),
+        }
+    }
+}
+
+impl From<&StudioError> for RefusalName {
+    fn from(reason: &StudioError) -> Self {
+        match reason {
+            StudioError::Laplacian(LaplacianError::Unanchored { .. }) => Self::Unanchored,
+            _ => Self::Other,
+        }
+    }
+}
+
+/// How far the edit in progress has gone.
+#[wasm_bindgen(getter_with_clone, inspectable)]
+#[derive(Debug, Clone, PartialEq)]
+pub struct StudioTick {
+    /// Whether an edit is in progress that `commit` would keep.
     #[wasm_bindgen(readonly)]
-    pub entries: Vec<StudioEntry>,
+    pub editing: bool,
+    /// Its offset along x, in mm.
+    #[wasm_bindgen(readonly, js_name = offsetXMm)]
+    pub offset_x_mm: f64,
+    /// Its offset along y, in mm.
+    #[wasm_bindgen(readonly, js_name = offsetYMm)]
+    pub offset_y_mm: f64,
+    /// Its offset along z, in mm.
+    #[wasm_bindgen(readonly, js_name = offsetZMm)]
+    pub offset_z_mm: f64,
+    /// Where each ready-made slider stands, in mm: the sum of its entries that are in force, and the edit in progress.
+    #[wasm_bindgen(readonly, js_name = slidersMm)]
+    pub sliders_mm: Vec<f64>,
+    /// Share of its offset that what is selected reaches, 0..1.
+    #[wasm_bindgen(readonly)]
+    pub reach: f64,
+}
+
+impl StudioTick {
+    pub(crate) fn of(tick: Tick) -> Self {
+        Self {
+            editing: tick.is_editing,
+            offset_x_mm: tick.offset_mm.x,
+            offset_y_mm: tick.offset_mm.y,
+            offset_z_mm: tick.offset_mm.z,
+            sliders_mm: tick.sliders_mm.to_vec(),
+            reach: tick.reach,
+        }
+    }
 }
 
 /// One entry of the history.
@@ -82,44 +240,64 @@ pub struct StudioEntry {
     /// Place in the history, from 0.
     #[wasm_bindgen(readonly)]
     pub index: u32,
-    /// What the file calls it, such as "nose tip".
+    /// What it works on, in the language asked for.
     #[wasm_bindgen(readonly)]
-    pub label: String,
+    pub name: String,
     /// How far it moves what it moves, or how much it does.
     #[wasm_bindgen(readonly)]
     pub amount: f64,
     /// What `amount` counts: "mm" or "%".
     #[wasm_bindgen(readonly)]
     pub unit: String,
-    /// Whether it takes part in the shape.
+    /// Whether it is switched on.
     #[wasm_bindgen(readonly)]
     pub enabled: bool,
     /// How often the mesh must be subdivided before it takes part, if that is more often than the one that is shown.
     #[wasm_bindgen(readonly, js_name = waitsForDensity)]
     pub waits_for_density: Option<u32>,
-    pub(crate) subject: Subject,
+    /// Whether it has no answer on the mesh that is shown, and is passed over.
+    #[wasm_bindgen(readonly)]
+    pub impossible: bool,
 }
 
 impl StudioEntry {
-    /// `density` is that of the mesh that is shown.
-    pub(crate) fn new(index: usize, entry: &Entry, density: u32) -> Self {
-        let level = match &entry.command {
-            Command::Move { grip, .. } => grip.level,
-            Command::Symmetrise { .. } => 0,
-        };
-        let (amount, unit) = match entry.command.amount() {
-            Amount::Distance(distance_m) => (distance_m * 1000.0, "mm"),
-            Amount::Share(share) => (share * 100.0, "%"),
-        };
+    pub(crate) fn of(row: &Row, name: String) -> Self {
         Self {
-            index: index as u32,
-            label: entry.label.clone(),
-            amount,
-            unit: unit.to_owned(),
-            enabled: entry.switch == Switch::On,
-            waits_for_density: (level > density).then_some(level),
-            subject: entry.command.subject(),
+            index: row.index as u32,
+            name,
+            amount: row.amount,
+            unit: row.unit.to_owned(),
+            enabled: row.standing != Standing::Off,
+            waits_for_density: match row.standing {
+                Standing::Waits { level } => Some(level),
+                _ => None,
+            },
+            impossible: matches!(row.standing, Standing::Impossible(_)),
         }
+    }
+}
+
+/// What the numbers of the panels go through; the page's sliders are made after it.
+#[wasm_bindgen(inspectable)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StudioRange {
+    /// Lower end.
+    #[wasm_bindgen(readonly)]
+    pub min: f64,
+    /// Upper end.
+    #[wasm_bindgen(readonly)]
+    pub max: f64,
+    /// What one key press changes.
+    #[wasm_bindgen(readonly)]
+    pub step: f64,
+    /// Where it stands at first.
+    #[wasm_bindgen(readonly)]
+    pub neutral: f64,
+}
+
+impl From<Range> for StudioRange {
+    fn from(range: Range) -> Self {
+        Self { min: range.least, max: range.most, step: range.step, neutral: range.usual }
     }
 }
 

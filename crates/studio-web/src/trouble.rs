@@ -1,7 +1,7 @@
 use js_sys::{Error, Reflect};
 use rosto_export::{ExportError, ReopenError};
 use rosto_face::FaceError;
-use rosto_laplacian::LaplacianError;
+use rosto_session::SessionError;
 use rosto_studio::StudioError;
 use rosto_studio::project::ProjectError;
 use rosto_viewport::{Backend, ViewportError};
@@ -12,8 +12,8 @@ const TYPES: &str = r#"
 /** Codes of the errors that this module throws; they stay the same over time. */
 export type StudioErrorCode =
     | "no-webgpu" | "no-webgl" | "no-adapter" | "no-device" | "canvas-in-use" | "device-lost"
-    | "no-face" | "no-selection" | "bad-vertex" | "bad-face" | "bad-number" | "bad-choice" | "bad-anchors"
-    | "cannot-solve" | "cannot-export" | "bad-project" | "damaged-glb" | "foreign-glb" | "newer-glb"
+    | "no-face" | "no-selection" | "bad-vertex" | "bad-face" | "bad-number" | "bad-choice"
+    | "cannot-solve" | "cannot-export" | "bad-project" | "newer-project" | "damaged-glb" | "foreign-glb" | "newer-glb"
     | "not-drawn" | "internal";
 /** What is thrown: `message` says what happened, `hint` what to do next. */
 export interface StudioError extends Error { code: StudioErrorCode; hint: string }
@@ -43,28 +43,8 @@ impl Trouble {
         Self::new("bad-face", "no picture was opened for this face", "Open the photo again.")
     }
 
-    pub fn no_selection() -> Self {
-        Self::new("no-selection", "no landmark is held", "Choose a landmark first.")
-    }
-
-    pub fn no_entry() -> Self {
-        Self::new("bad-number", "there is no such entry of the history", "Choose an entry of the list.")
-    }
-
-    pub fn bad_number(what: &str) -> Self {
-        Self::new("bad-number", format!("{what} is not a finite number"), "Give a number.")
-    }
-
     pub fn bad_choice() -> Self {
         Self::new("bad-choice", "there is no such choice", "Use one of the names in the module's types.")
-    }
-
-    pub fn bad_vertex(vertex: u32, count: usize) -> Self {
-        Self::new(
-            "bad-vertex",
-            format!("there is no landmark {vertex}: there are {count}"),
-            "Choose one from 0 to 467.",
-        )
     }
 }
 
@@ -97,6 +77,26 @@ impl From<ViewportError> for Trouble {
     }
 }
 
+impl From<SessionError> for Trouble {
+    fn from(error: SessionError) -> Self {
+        let message = error.to_string();
+        let (code, hint) = match error {
+            SessionError::NoFace => return Self::no_face(),
+            SessionError::NothingSelected => ("no-selection", "Choose a point first."),
+            SessionError::NoSuchVertex { .. } => ("bad-vertex", "Choose a point that there is."),
+            SessionError::OutOfRange { .. } => ("bad-number", "Give a number within these limits."),
+            SessionError::TooManyEntries { .. } => ("bad-project", "Open the photo instead."),
+            SessionError::Preferences { .. } => ("bad-choice", "Make the choices again."),
+            SessionError::Face(error) => return error.into(),
+            SessionError::Project(error) => return error.into(),
+            SessionError::Studio(error) => return error.into(),
+            SessionError::Export(error) => return error.into(),
+            _ => ("internal", "Reload the page; saved work is offered again."),
+        };
+        Self::new(code, message, hint)
+    }
+}
+
 impl From<FaceError> for Trouble {
     fn from(error: FaceError) -> Self {
         Self::new("bad-face", error.to_string(), "Try a photo where the face is larger and looks towards the camera.")
@@ -107,18 +107,11 @@ impl From<StudioError> for Trouble {
     fn from(error: StudioError) -> Self {
         let message = error.to_string();
         match error {
-            StudioError::Laplacian(LaplacianError::NoSuchVertex { vertex, vertex_count }) => {
-                Self::bad_vertex(vertex, vertex_count)
+            StudioError::Entry { .. } | StudioError::TooDense { .. } => {
+                Self::new("bad-project", message, "It may be damaged. Open the photo instead.")
             }
-            StudioError::Laplacian(
-                LaplacianError::PinnedHandle { .. }
-                | LaplacianError::Unanchored { .. }
-                | LaplacianError::Repeated { .. },
-            ) => Self::new("bad-anchors", message, "Choose anchors that are not the landmark itself."),
-            StudioError::NothingHeld => Self::no_selection(),
-            StudioError::OffsetNotFinite { .. } => Self::bad_number("the offset"),
             StudioError::NoSuchEntry { .. } => Self::new("bad-number", message, "Choose an entry of the list."),
-            _ => Self::new("cannot-solve", message, "Choose another landmark, other anchors or a larger radius."),
+            _ => Self::new("cannot-solve", message, "Choose another point, other anchors or a larger radius."),
         }
     }
 }
@@ -142,6 +135,10 @@ impl From<ReopenError> for Trouble {
 
 impl From<ProjectError> for Trouble {
     fn from(error: ProjectError) -> Self {
-        Self::new("bad-project", error.to_string(), "It may be incomplete or from a newer version.")
+        let (code, hint) = match error {
+            ProjectError::Newer { .. } => ("newer-project", "Reload the page to get its newest version."),
+            _ => ("bad-project", "It may be incomplete. Open the photo instead."),
+        };
+        Self::new(code, error.to_string(), hint)
     }
 }
