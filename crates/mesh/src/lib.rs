@@ -3,6 +3,7 @@
 //! A mesh is a [`Topology`] (which vertices are joined) beside a slice of positions (where they are), so that one
 //! topology serves every edit of a face; a [`Surface`] borrows both and knows that they fit. Positions are `f64` in whatever unit the caller works in.
 
+mod boundary;
 mod error;
 mod normals;
 mod pick;

@@ -1,6 +1,4 @@
-use std::collections::HashMap;
-
-use crate::MeshError;
+use crate::{MeshError, boundary};
 
 /// Which vertices a mesh has and how triangles join them; no positions.
 ///
@@ -83,19 +81,12 @@ impl Topology {
     }
 
     /// Boundary loops, each as a cycle of vertices that keeps the surface on its left; longest first, then by lowest
-    /// vertex. Where several loops touch in one vertex, each still closes.
+    /// vertex.
+    ///
+    /// No loop passes through a vertex twice: where several touch in one, each closes by itself. Where triangles wind
+    /// against each other, a rim may break off; it is then given as far as it goes.
     pub fn boundary_loops(&self) -> Vec<Vec<u32>> {
-        let mut next = boundary_successors(&self.triangles);
-        let mut starts: Vec<u32> = next.keys().copied().collect();
-        starts.sort_unstable();
-        let mut loops = Vec::new();
-        for start in starts {
-            while let Some(cycle) = take_cycle(&mut next, start) {
-                loops.push(cycle);
-            }
-        }
-        loops.sort_by_key(|cycle: &Vec<u32>| (std::cmp::Reverse(cycle.len()), cycle.iter().min().copied()));
-        loops
+        boundary::loops(self)
     }
 }
 
@@ -136,34 +127,6 @@ fn one_rings(vertex_count: usize, edges: &[[u32; 2]]) -> (Vec<usize>, Vec<u32>) 
         starts[vertex + 1] += starts[vertex];
     }
     (starts, directed.into_iter().map(|[_, to]| to).collect())
-}
-
-/// For each boundary vertex, where the boundary goes on from it.
-fn boundary_successors(triangles: &[[u32; 3]]) -> HashMap<u32, Vec<u32>> {
-    let mut uses: HashMap<[u32; 2], usize> = HashMap::new();
-    for [a, b] in triangles.iter().flat_map(|&corners| sides(corners)) {
-        *uses.entry([a.min(b), a.max(b)]).or_default() += 1;
-    }
-    let mut next: HashMap<u32, Vec<u32>> = HashMap::new();
-    for [a, b] in triangles.iter().flat_map(|&corners| sides(corners)) {
-        if uses[&[a.min(b), a.max(b)]] == 1 {
-            next.entry(a).or_default().push(b);
-        }
-    }
-    next
-}
-
-fn take_cycle(next: &mut HashMap<u32, Vec<u32>>, start: u32) -> Option<Vec<u32>> {
-    let mut cycle = vec![start];
-    let mut at = next.get_mut(&start)?.pop()?;
-    while at != start {
-        cycle.push(at);
-        match next.get_mut(&at).and_then(Vec::pop) {
-            Some(to) => at = to,
-            None => return Some(cycle),
-        }
-    }
-    Some(cycle)
 }
 
 #[cfg(test)]
