@@ -1,22 +1,25 @@
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::Cursor;
 
-use image::codecs::{jpeg::JpegDecoder, png::PngDecoder, webp::WebPDecoder};
+use image::codecs::{jpeg::JpegDecoder, webp::WebPDecoder};
+use image::metadata::Orientation;
 use image::{ImageDecoder, ImageError};
 
+use crate::code_points::Told;
 use crate::format::Format;
-use crate::icc::Conversion;
-use crate::{Limits, Photo, PhotoError, jpeg, orientation, pixels};
+use crate::jpeg::{self, Ending};
+use crate::{Limits, Photo, PhotoError, icc, orientation, pixels, png};
 
 /// Decodes a JPEG, PNG or WebP file to an upright picture. Of an animation, the first frame.
 ///
 /// # Errors
 /// [`PhotoError`], each with what it found. Sizes are refused before the pixels are allocated.
 pub fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError> {
-    limits.check_bytes(bytes)?;
+    limits.check_length(bytes.len() as u64)?;
     let format = Format::sniff(bytes)?;
     match format {
         Format::Jpeg => decode_jpeg(bytes, limits),
-        Format::Png => decode_png(bytes, limits),
+        Format::Png => png::decode(bytes, limits),
         Format::WebP => {
             let decoder = WebPDecoder::new(Cursor::new(bytes)).map_err(|error| refused(format, error))?;
             finish(decoder, format, limits)
@@ -25,36 +28,41 @@ pub fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError> {
 }
 
 fn decode_jpeg(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError> {
-    let format = Format::Jpeg;
-    let decoder = JpegDecoder::new(Cursor::new(bytes)).map_err(|error| refused(format, error))?;
-    let (width, height) = decoder.dimensions();
+    let decoder = || JpegDecoder::new(Cursor::new(bytes)).map_err(|error| refused(Format::Jpeg, error));
+    let (width, height) = decoder()?.dimensions();
     limits.check_size(width, height)?;
-    if !jpeg::reaches_its_end(bytes) {
-        return Err(damaged(format, "it ends before its last row".to_owned()));
+    match jpeg::ending(bytes) {
+        Ending::Marked => finish(decoder()?, Format::Jpeg, limits),
+        Ending::InLastScan { scanned, restarts } => decode_unmarked(scanned, restarts, limits),
+        Ending::TooEarly => Err(without_its_last_row()),
     }
-    finish(decoder, format, limits)
 }
 
-fn decode_png(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError> {
-    /// Room for metadata, a colour profile above all, which is stored compressed.
-    const METADATA_BYTES: u64 = 16_000_000;
-    let format = Format::Png;
-    // Read here, because the decoder wants to see pixel data before it tells the size.
-    if let Some((width, height)) = png_size(bytes) {
-        limits.check_size(width, height)?;
+/// A JPEG whose last scan may be whole though no marker says so. If it is, then nothing that comes behind it is read;
+/// if it is not, whatever comes there shows in the picture.
+fn decode_unmarked(scanned: &[u8], restarts: u8, limits: &Limits) -> Result<Photo, PhotoError> {
+    let ended_with = |tail: &[u8]| {
+        let whole = [scanned, tail, &jpeg::END].concat();
+        let decoder = JpegDecoder::new(Cursor::new(&whole)).map_err(|error| refused(Format::Jpeg, error))?;
+        finish(decoder, Format::Jpeg, limits)
+    };
+    let digest = |photo: &Photo| {
+        let mut hasher = DefaultHasher::new();
+        photo.pixels().hash(&mut hasher);
+        hasher.finish()
+    };
+    let photo = ended_with(&[])?;
+    let expected = digest(&photo);
+    for tail in jpeg::tails(restarts) {
+        if ended_with(&tail).map(|other| digest(&other)) != Ok(expected) {
+            return Err(without_its_last_row());
+        }
     }
-    let mut decoder_limits = image::Limits::no_limits();
-    decoder_limits.max_alloc = Some(limits.max_pixels.saturating_mul(8).saturating_add(METADATA_BYTES));
-    let decoder =
-        PngDecoder::with_limits(Cursor::new(bytes), decoder_limits).map_err(|error| refused(format, error))?;
-    finish(decoder, format, limits)
+    Ok(photo)
 }
 
-/// Width and height out of the header chunk, which the format wants first.
-fn png_size(bytes: &[u8]) -> Option<(u32, u32)> {
-    let header = bytes.get(12..24)?.strip_prefix(b"IHDR")?;
-    let number = |at: usize| u32::from_be_bytes([header[at], header[at + 1], header[at + 2], header[at + 3]]);
-    Some((number(0), number(4)))
+fn without_its_last_row() -> PhotoError {
+    damaged(Format::Jpeg, "it ends before its last row".to_owned())
 }
 
 fn finish(mut decoder: impl ImageDecoder, format: Format, limits: &Limits) -> Result<Photo, PhotoError> {
@@ -66,14 +74,25 @@ fn finish(mut decoder: impl ImageDecoder, format: Format, limits: &Limits) -> Re
     let layout = decoder.color_type();
     let mut decoded = vec![0; width as usize * height as usize * usize::from(layout.bytes_per_pixel())];
     decoder.read_image(&mut decoded).map_err(|error| refused(format, error))?;
-    let mut rgb = pixels::to_rgb(decoded, layout).ok_or_else(|| PhotoError::UnsupportedFeature {
+    let rgb = pixels::to_rgb(decoded, layout).ok_or_else(|| PhotoError::UnsupportedFeature {
         format: format.name(),
         reason: format!("{layout:?} pixels"),
     })?;
-    if let Some(conversion) = Conversion::from_profile(&profile) {
+    upright(width, height, rgb, icc::told(&profile), orientation::from_exif(&exif))
+}
+
+/// The picture in sRGB, turned upright.
+pub(crate) fn upright(
+    width: u32,
+    height: u32,
+    mut rgb: Vec<u8>,
+    colours: Told,
+    orientation: Orientation,
+) -> Result<Photo, PhotoError> {
+    if let Told::Otherwise(conversion) = colours {
         conversion.apply(&mut rgb);
     }
-    Ok(orientation::apply(Photo::from_rgb(width, height, rgb)?, orientation::from_exif(&exif)))
+    Ok(orientation::apply(Photo::from_rgb(width, height, rgb)?, orientation))
 }
 
 fn refused(format: Format, error: ImageError) -> PhotoError {
@@ -85,6 +104,6 @@ fn refused(format: Format, error: ImageError) -> PhotoError {
     }
 }
 
-fn damaged(format: Format, reason: String) -> PhotoError {
+pub(crate) fn damaged(format: Format, reason: String) -> PhotoError {
     PhotoError::Damaged { format: format.name(), reason }
 }

@@ -8,7 +8,7 @@ pub enum PhotoError {
     #[error("this is not a picture: its first bytes are those of no picture format")]
     NotAPicture,
     /// A picture, but in a format that is not read.
-    #[error("this is a {format} picture, which is not supported")]
+    #[error("{format} pictures are not supported")]
     UnsupportedFormat {
         /// Name of the format.
         format: &'static str,
@@ -33,12 +33,12 @@ pub enum PhotoError {
     #[error("the file has {found_bytes} bytes; the limit is {max_bytes}")]
     TooManyBytes {
         /// Length of the file.
-        found_bytes: usize,
+        found_bytes: u64,
         /// The limit.
-        max_bytes: usize,
+        max_bytes: u64,
     },
     /// The picture is larger than [`Limits::max_pixels`](crate::Limits::max_pixels).
-    #[error("the picture is {width}×{height} px, {} megapixels; the limit is {}", *.width as u64 * *.height as u64 / 1_000_000, .max_pixels / 1_000_000)]
+    #[error("the picture is {width}×{height} px, {} megapixels; the limit is {}", more_than(*.width, *.height), at_most(*.max_pixels))]
     TooManyPixels {
         /// Width in px.
         width: u32,
@@ -75,4 +75,18 @@ impl PhotoError {
             Self::WrongLength { .. } => "Give three bytes for each pixel, row by row.",
         }
     }
+}
+
+/// Megapixels with one decimal, rounded up, so that what is too large never looks as if it were not.
+fn more_than(width: u32, height: u32) -> String {
+    tenths((u64::from(width) * u64::from(height)).div_ceil(100_000))
+}
+
+/// The same, rounded down.
+fn at_most(pixels: u64) -> String {
+    tenths(pixels / 100_000)
+}
+
+fn tenths(tenths: u64) -> String {
+    if tenths.is_multiple_of(10) { (tenths / 10).to_string() } else { format!("{}.{}", tenths / 10, tenths % 10) }
 }

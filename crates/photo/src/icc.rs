@@ -2,59 +2,23 @@
 //!
 //! ICC.1:2022. A profile of another kind, or one that cannot be read, is ignored, and the values are taken for sRGB.
 
-/// How the values of a picture become sRGB.
-pub(crate) struct Conversion {
-    /// Linear light by 8-bit value, for each channel.
-    linear: [Vec<f32>; 3],
-    linear_srgb_from_device: [[f32; 3]; 3],
-    /// 8-bit sRGB by linear light in steps of `1 / ENCODED_STEPS`.
-    encoded: Vec<u8>,
+use crate::code_points::Told;
+use crate::colour::{Conversion, Light};
+
+/// What a profile asks for.
+pub(crate) fn told(profile: &[u8]) -> Told {
+    conversion(profile).map_or(Told::Srgb, Told::Otherwise)
 }
 
-const ENCODED_STEPS: usize = 16_384;
-
-/// Linear sRGB from XYZ relative to D50, the profiles' meeting place: the inverse of sRGB's own colorants.
-const LINEAR_SRGB_FROM_XYZ_D50: [[f32; 3]; 3] =
-    [[3.133_856, -1.616_867, -0.490_615], [-0.978_768, 1.916_142, 0.033_454], [0.071_945, -0.228_991, 1.405_243]];
-
-impl Conversion {
-    /// What a profile asks for; `None` if it is as good as sRGB or is not understood.
-    pub(crate) fn from_profile(profile: &[u8]) -> Option<Self> {
-        if profile.get(16..24)? != b"RGB XYZ " {
-            return None;
-        }
-        let columns = [xyz(tag(profile, b"rXYZ")?)?, xyz(tag(profile, b"gXYZ")?)?, xyz(tag(profile, b"bXYZ")?)?];
-        let curves = [tag(profile, b"rTRC")?, tag(profile, b"gTRC")?, tag(profile, b"bTRC")?];
-        let [red, green, blue] = curves.map(|curve| table(&Curve::read(curve)?));
-        let linear = [red?, green?, blue?];
-        let linear_srgb_from_device =
-            LINEAR_SRGB_FROM_XYZ_D50.map(|row| columns.map(|column| row.iter().zip(column).map(|(a, b)| a * b).sum()));
-        let encoded = (0..=ENCODED_STEPS).map(|step| srgb_encoded(step as f32 / ENCODED_STEPS as f32)).collect();
-        let conversion = Self { linear, linear_srgb_from_device, encoded };
-        (!conversion.is_nearly_none()).then_some(conversion)
+/// `None` if the profile is as good as sRGB or is not understood.
+fn conversion(profile: &[u8]) -> Option<Conversion> {
+    if profile.get(16..24)? != b"RGB XYZ " {
+        return None;
     }
-
-    /// Converts RGB pixels in place.
-    pub(crate) fn apply(&self, pixels: &mut [u8]) {
-        for pixel in pixels.as_chunks_mut::<3>().0 {
-            *pixel = self.srgb(*pixel);
-        }
-    }
-
-    fn srgb(&self, pixel: [u8; 3]) -> [u8; 3] {
-        let linear: [f32; 3] = std::array::from_fn(|channel| self.linear[channel][usize::from(pixel[channel])]);
-        self.linear_srgb_from_device.map(|row| {
-            let light = row[0] * linear[0] + row[1] * linear[1] + row[2] * linear[2];
-            self.encoded[(light.clamp(0.0, 1.0) * ENCODED_STEPS as f32 + 0.5) as usize]
-        })
-    }
-
-    /// Whether it would change no corner or middle of the colour cube by more than a step of an 8-bit value.
-    fn is_nearly_none(&self) -> bool {
-        const LEVELS: [u8; 5] = [0, 64, 128, 192, 255];
-        let mut cube = LEVELS.iter().flat_map(|&r| LEVELS.iter().flat_map(move |&g| LEVELS.map(|b| [r, g, b])));
-        cube.all(|pixel| self.srgb(pixel).iter().zip(pixel).all(|(new, old)| new.abs_diff(old) <= 1))
-    }
+    let columns = [xyz(tag(profile, b"rXYZ")?)?, xyz(tag(profile, b"gXYZ")?)?, xyz(tag(profile, b"bXYZ")?)?];
+    let curves = [tag(profile, b"rTRC")?, tag(profile, b"gTRC")?, tag(profile, b"bTRC")?];
+    let [red, green, blue] = curves.map(|curve| Some(table(&Curve::read(curve)?)));
+    Conversion::new([red?, green?, blue?], columns, Light::OfTheScreen)
 }
 
 /// The contents of a tag: signature, offset and size stand in a table behind the 128 bytes of the header.
@@ -135,16 +99,9 @@ impl Curve {
     }
 }
 
-/// Linear light of each 8-bit value; `None` if the curve leaves the numbers.
-fn table(curve: &Curve) -> Option<Vec<f32>> {
-    let table: Vec<f32> = (0..=u8::MAX).map(|value| curve.linear(f32::from(value) / 255.0)).collect();
-    table.iter().all(|light| light.is_finite()).then_some(table)
-}
-
-/// IEC 61966-2-1.
-fn srgb_encoded(linear: f32) -> u8 {
-    let encoded = if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
-    (encoded * 255.0).round() as u8
+/// Linear light of each 8-bit value.
+fn table(curve: &Curve) -> Vec<f32> {
+    (0..=u8::MAX).map(|value| curve.linear(f32::from(value) / 255.0)).collect()
 }
 
 fn u32_at(bytes: &[u8], at: usize) -> Option<u32> {

@@ -1,10 +1,12 @@
 //! Bytes to an upright, bounded sRGB picture.
 //!
 //! [`decode`] tells JPEG, PNG and WebP apart by their first bytes, refuses what is too large before it allocates the
-//! pixels, applies the EXIF orientation exactly once, converts an embedded
-//! colour profile such as Display P3 to sRGB, and lays transparent pixels over white. What comes out is a
-//! [`Photo`]: 8-bit RGB, row-major, upright, not mirrored.
+//! pixels, applies the EXIF orientation exactly once, converts colours to sRGB that the file describes otherwise (a
+//! profile such as Display P3; in PNG code points, PQ and HLG among them, or a gamma), and lays transparent pixels over
+//! white. What comes out is a [`Photo`]: 8-bit RGB, row-major, upright, not mirrored.
 
+mod code_points;
+mod colour;
 mod decode;
 mod error;
 mod format;
@@ -14,6 +16,8 @@ mod limits;
 mod orientation;
 mod photo;
 mod pixels;
+mod png;
+mod primaries;
 mod resize;
 
 pub use decode::decode;

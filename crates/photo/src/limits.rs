@@ -1,6 +1,9 @@
 use crate::PhotoError;
 
 /// How large a picture may be. Checked before the pixels are allocated.
+///
+/// Whoever reads a file asks [`Self::check_length`] first where its length is known, and reads one byte more than
+/// [`Self::max_bytes`] at most where it is not: that byte is enough for [`decode`](crate::decode()) to refuse it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Limits {
     /// Largest file, in bytes. 40 MB by default.
@@ -16,11 +19,16 @@ impl Default for Limits {
 }
 
 impl Limits {
-    pub(crate) fn check_bytes(&self, bytes: &[u8]) -> Result<(), PhotoError> {
-        if bytes.len() <= self.max_bytes {
+    /// Refuses a file by its length, before any of it is read.
+    ///
+    /// # Errors
+    /// [`PhotoError::TooManyBytes`].
+    pub fn check_length(&self, bytes: u64) -> Result<(), PhotoError> {
+        let max_bytes = self.max_bytes as u64;
+        if bytes <= max_bytes {
             return Ok(());
         }
-        Err(PhotoError::TooManyBytes { found_bytes: bytes.len(), max_bytes: self.max_bytes })
+        Err(PhotoError::TooManyBytes { found_bytes: bytes, max_bytes })
     }
 
     pub(crate) fn check_size(&self, width: u32, height: u32) -> Result<(), PhotoError> {

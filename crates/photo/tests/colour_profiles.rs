@@ -2,8 +2,12 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "../../../tests/seeded.rs"]
+mod seeded;
+
 use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 use rosto_photo::{Limits, decode};
+use seeded::Seeded;
 
 /// D50-adapted colorants of Display P3 and of sRGB, red, green, blue.
 const DISPLAY_P3: [[f64; 3]; 3] =
@@ -95,5 +99,20 @@ fn a_broken_profile_is_ignored() {
         let mut cut = whole[..length].to_vec();
         cut.push(0);
         assert_eq!(converted([204, 153, 128], cut), [204, 153, 128]);
+    }
+}
+
+#[test]
+fn mutated_profiles_are_applied_or_ignored() {
+    let whole = profile(DISPLAY_P3, &parametric(&SRGB_CURVE, 3));
+    let mut seeded = Seeded::new(3);
+    for _ in 0..2000 {
+        let mut damaged = whole.clone();
+        for _ in 0..=seeded.below(6) {
+            let at = seeded.below(damaged.len());
+            damaged[at] = [seeded.bits() as u8, 0, 0xFF, 0x80][seeded.below(4)];
+        }
+        let found = [converted([128; 3], damaged.clone()), converted([128; 3], damaged)];
+        assert_eq!(found[0], found[1]);
     }
 }

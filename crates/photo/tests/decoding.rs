@@ -101,3 +101,73 @@ fn an_animation_shows_its_first_frame() {
     assert_eq!((photo.width(), photo.height()), (12, 10));
     assert_eq!(photo.pixels(), [10, 200, 30].repeat(120));
 }
+
+#[test]
+fn a_picture_whose_file_lacks_only_its_end_is_whole() {
+    let picture = blocks();
+    let jpeg = file(&picture, Format::Jpeg, Orientation::Rotate90);
+    let png = file(&picture, Format::Png, Orientation::Rotate90);
+    let progressive = include_bytes!("fixtures/progressive.jpg");
+    let cmyk = include_bytes!("fixtures/cmyk.jpg");
+    // The end mark of a JPEG has 2 bytes; that of a PNG 12, behind a checksum of 4 and one more of 4 in the pixels.
+    let cases: [(&[u8], &[usize]); 4] =
+        [(&jpeg, &[1, 2]), (progressive, &[1, 2]), (cmyk, &[1, 2]), (&png, &[1, 4, 8, 12, 14, 16])];
+    for (whole, endings) in cases {
+        let expected = read(whole);
+        for &missing in endings {
+            let cut = &whole[..whole.len() - missing];
+            assert_eq!(read(cut), expected, "{:?} without its last {missing} bytes", &whole[1..4]);
+            if whole[0] == 0xFF {
+                assert_eq!(read(&[cut, &[0; 100]].concat()), expected, "filled up with zeros");
+            }
+        }
+    }
+}
+
+/// A grey JPEG, one block of 8 × 8 px above the other, a restart marker between any two; without its end mark. Of the
+/// Huffman codes, 0 is "no difference" and "no more", and 10 is "a difference of four bits".
+fn blocks_with_restarts(blocks: u8) -> Vec<u8> {
+    let table = |class: u8, second: u8| {
+        let counts = [1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+        [&[0xFF, 0xC4, 0, 21, class], counts.as_slice(), &[0, second]].concat()
+    };
+    let mut file = vec![0xFF, 0xD8, 0xFF, 0xDB, 0, 67, 0];
+    file.extend([16; 64]);
+    file.extend([0xFF, 0xC0, 0, 11, 8, 0, 8 * blocks, 0, 8, 1, 1, 0x11, 0]);
+    file.extend([table(0x00, 4), table(0x10, 1)].concat());
+    file.extend([0xFF, 0xDD, 0, 4, 0, 1, 0xFF, 0xDA, 0, 8, 1, 1, 0, 0, 63, 0]);
+    for block in 0..blocks {
+        // 10, a difference of 9, "no more", and a bit to fill the byte.
+        file.push(0b1010_0101);
+        if block + 1 < blocks {
+            file.extend([0xFF, 0xD0 + block % 8]);
+        }
+    }
+    file
+}
+
+#[test]
+fn a_jpeg_with_restart_markers_is_whole_without_its_end_but_not_without_a_part() {
+    let unmarked = blocks_with_restarts(11);
+    let whole = read(&[unmarked.as_slice(), &[0xFF, 0xD9]].concat());
+    assert_eq!((whole.width(), whole.height()), (8, 88));
+    assert_eq!(read(&unmarked), whole);
+    // Cut behind a block, within a marker, behind a marker.
+    for missing in 1..=9 {
+        let cut = &unmarked[..unmarked.len() - missing];
+        assert!(decode(cut, &Limits::default()).is_err(), "without its last {missing} bytes");
+    }
+}
+
+#[test]
+fn an_interlaced_png_is_read_and_its_end_may_be_missing() {
+    let bytes = include_bytes!("fixtures/interlaced.png");
+    assert_eq!(bytes[28], 1, "the file is interlaced");
+    let photo = read(bytes);
+    assert_eq!((photo.width(), photo.height()), (13, 11));
+    for (x, y) in [(0, 0), (12, 10), (5, 7)] {
+        assert_eq!(photo.pixel(x, y), [20 * x as u8, 20 * y as u8, 60]);
+    }
+    assert_eq!(read(&bytes[..bytes.len() - 12]), photo);
+    assert!(decode(&bytes[..bytes.len() - 60], &Limits::default()).is_err());
+}

@@ -52,23 +52,44 @@ fn the_limit_on_bytes_is_inclusive() {
     let bytes = file(&blocks(), Format::Png, Orientation::NoTransforms);
     let with_limit = |max_bytes| decode(&bytes, &Limits { max_bytes, ..Limits::default() });
     assert!(with_limit(bytes.len()).is_ok());
-    let (found_bytes, max_bytes) = (bytes.len(), bytes.len() - 1);
-    assert_eq!(with_limit(max_bytes).unwrap_err(), PhotoError::TooManyBytes { found_bytes, max_bytes });
+    let [found_bytes, max_bytes] = [bytes.len() as u64, bytes.len() as u64 - 1];
+    assert_eq!(with_limit(bytes.len() - 1).unwrap_err(), PhotoError::TooManyBytes { found_bytes, max_bytes });
+}
+
+#[test]
+fn a_file_is_refused_by_its_length_before_it_is_read() {
+    let thirty_gigabytes = 30_000_000_000;
+    let expected = PhotoError::TooManyBytes { found_bytes: thirty_gigabytes, max_bytes: 40_000_000 };
+    assert_eq!(Limits::default().check_length(thirty_gigabytes), Err(expected));
+    assert_eq!(Limits::default().check_length(40_000_000), Ok(()));
+}
+
+#[test]
+fn the_numbers_of_a_refusal_do_not_contradict_each_other() {
+    let said = |width, height| refusal(&png_header(width, height)).to_string();
+    assert_eq!(said(8400, 6000), "the picture is 8400×6000 px, 50.4 megapixels; the limit is 50");
+    assert_eq!(said(50_000_001, 1), "the picture is 50000001×1 px, 50.1 megapixels; the limit is 50");
+    assert_eq!(refusal(b"\0\0\0\x1cftypavif\0\0\0\0avifmif1").to_string(), "AVIF pictures are not supported");
 }
 
 #[test]
 fn a_file_cut_short_anywhere_is_damaged() {
     for format in FORMATS {
         let bytes = file(&blocks(), format, Orientation::NoTransforms);
-        // Behind the pixels come checksums and an end mark in PNG, and EXIF in WebP: the picture is whole without them.
+        let whole = decode(&bytes, &Limits::default()).unwrap();
+        // Behind the pixels come an end mark in JPEG, checksums too in PNG, and EXIF in WebP: the picture is whole without.
         let last = match format {
-            Format::Jpeg => bytes.len(),
+            Format::Jpeg => bytes.len() - 2,
             Format::Png => bytes.len() - 20,
             Format::WebP => bytes.windows(4).position(|window| window == b"EXIF").unwrap(),
         };
-        for length in (16..last).step_by(7) {
-            let result = decode(&bytes[..length], &Limits::default());
-            assert!(matches!(result, Err(PhotoError::Damaged { .. })), "{format:?} at {length}: {result:?}");
+        for length in (16..last).step_by(7).chain(last - 9..last) {
+            match decode(&bytes[..length], &Limits::default()) {
+                Err(PhotoError::Damaged { .. }) => {}
+                // The last bytes of compressed pixels say only that there are no more.
+                Ok(photo) if format == Format::Png && length >= last - 9 => assert_eq!(photo, whole, "at {length}"),
+                other => panic!("{format:?} at {length} of {last}: {other:?}"),
+            }
         }
     }
 }
@@ -84,6 +105,18 @@ fn a_whole_thumbnail_does_not_make_a_cut_jpeg_whole() {
     assert!(decode(&bytes, &Limits::default()).is_ok());
     let cut = &bytes[..bytes.len() - 40];
     assert!(matches!(refusal(cut), PhotoError::Damaged { .. }));
+}
+
+#[test]
+fn what_lacks_rows_says_how_many_or_that_it_does() {
+    let png = file(&blocks(), Format::Png, Orientation::NoTransforms);
+    let pixels = png.windows(4).position(|window| window == b"IDAT").unwrap() + 4;
+    let said = refusal(&png[..pixels]).to_string();
+    assert_eq!(said, "this PNG picture is damaged: it ends after 0 of its 32 rows");
+    let jpeg = file(&blocks(), Format::Jpeg, Orientation::NoTransforms);
+    for cut in [&jpeg[..jpeg.len() - 20], &[&jpeg[..jpeg.len() - 20], &[0; 512]].concat()] {
+        assert_eq!(refusal(cut).to_string(), "this JPEG picture is damaged: it ends before its last row");
+    }
 }
 
 #[test]

@@ -1,0 +1,158 @@
+//! PNG files.
+
+use std::io::{Cursor, ErrorKind};
+
+use image::ColorType;
+use png::{BitDepth, DecodingError, Info, Reader, Transformations};
+
+use crate::code_points::{CodePoints, Told, told_by_gamma};
+use crate::decode::{damaged, upright};
+use crate::format::Format;
+use crate::primaries::Primaries;
+use crate::{Limits, Photo, PhotoError, icc, orientation, pixels};
+
+type Source<'a> = Cursor<&'a [u8]>;
+
+pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError> {
+    // Read here, because the decoder wants to see pixel data before it tells the size.
+    if let Some((width, height)) = size(bytes) {
+        limits.check_size(width, height)?;
+    }
+    let mut reader = reader(bytes, limits)?;
+    let (width, height) = reader.info().size();
+    limits.check_size(width, height)?;
+    let layout = layout(&reader)?;
+    let mut decoded = vec![0; width as usize * height as usize * usize::from(layout.bytes_per_pixel())];
+    read_rows(&mut reader, &mut decoded)?;
+    if reader.output_color_type().1 == BitDepth::Sixteen {
+        decoded
+            .as_chunks_mut::<2>()
+            .0
+            .iter_mut()
+            .for_each(|sample| *sample = u16::from_be_bytes(*sample).to_ne_bytes());
+    }
+    let rgb = pixels::to_rgb(decoded, layout).ok_or_else(|| unread(layout))?;
+    let exif = reader.info().exif_metadata.as_deref().unwrap_or_default();
+    upright(width, height, rgb, told(reader.info()), orientation::from_exif(exif))
+}
+
+/// Width and height out of the header chunk, which the format wants first.
+fn size(bytes: &[u8]) -> Option<(u32, u32)> {
+    let header = bytes.get(12..24)?.strip_prefix(b"IHDR")?;
+    let number = |at: usize| u32::from_be_bytes([header[at], header[at + 1], header[at + 2], header[at + 3]]);
+    Some((number(0), number(4)))
+}
+
+fn reader<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Reader<Source<'a>>, PhotoError> {
+    /// Room for metadata, a colour profile above all, which is stored compressed.
+    const METADATA_BYTES: u64 = 16_000_000;
+    let most = limits.max_pixels.saturating_mul(8).saturating_add(METADATA_BYTES);
+    let most = png::Limits { bytes: usize::try_from(most).unwrap_or(usize::MAX) };
+    let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), most);
+    decoder.set_ignore_text_chunk(true);
+    decoder.set_transformations(Transformations::EXPAND);
+    decoder.read_info().map_err(|error| refused(&error, "it ends before its first row"))
+}
+
+/// How the decoder lays out a pixel.
+fn layout(reader: &Reader<Source<'_>>) -> Result<ColorType, PhotoError> {
+    let (colour, depth) = reader.output_color_type();
+    match (colour, depth) {
+        (png::ColorType::Grayscale, BitDepth::Eight) => Ok(ColorType::L8),
+        (png::ColorType::Grayscale, BitDepth::Sixteen) => Ok(ColorType::L16),
+        (png::ColorType::GrayscaleAlpha, BitDepth::Eight) => Ok(ColorType::La8),
+        (png::ColorType::GrayscaleAlpha, BitDepth::Sixteen) => Ok(ColorType::La16),
+        (png::ColorType::Rgb, BitDepth::Eight) => Ok(ColorType::Rgb8),
+        (png::ColorType::Rgb, BitDepth::Sixteen) => Ok(ColorType::Rgb16),
+        (png::ColorType::Rgba, BitDepth::Eight) => Ok(ColorType::Rgba8),
+        (png::ColorType::Rgba, BitDepth::Sixteen) => Ok(ColorType::Rgba16),
+        other => Err(unread(other)),
+    }
+}
+
+/// All rows, big-endian. What comes behind the last of them may be missing, but not wrong.
+fn read_rows(reader: &mut Reader<Source<'_>>, decoded: &mut [u8]) -> Result<(), PhotoError> {
+    let (width, height) = reader.info().size();
+    if let Some(frame) = reader.info().frame_control.filter(|frame| (frame.width, frame.height) != (width, height)) {
+        let sizes = format!("its first frame is {}×{} px, and the picture {width}×{height}", frame.width, frame.height);
+        return Err(damaged(Format::Png, sizes));
+    }
+    let row_bytes = decoded.len() / height.max(1) as usize;
+    let mut rows = 0;
+    if reader.info().interlaced {
+        let expected = interlaced_rows(width, height);
+        let bits = (row_bytes * 8 / width.max(1) as usize) as u8;
+        while rows < expected {
+            let row = reader.next_interlaced_row().map_err(|error| broken_off(&error, rows, expected))?;
+            let Some(row) = row else { break };
+            if let png::InterlaceInfo::Adam7(place) = row.interlace() {
+                png::expand_interlaced_row(decoded, row_bytes, row.data(), place, bits);
+            }
+            rows += 1;
+        }
+    } else {
+        for row in decoded.chunks_exact_mut(row_bytes.max(1)) {
+            reader.read_row(row).map_err(|error| broken_off(&error, rows, height))?;
+            rows += 1;
+        }
+    }
+    match reader.next_row() {
+        Err(error) if !is_end(&error) => Err(refused(&error, "")),
+        _ => Ok(()),
+    }
+}
+
+/// Rows of the seven passes of an interlaced picture: start and step across, start and step down.
+fn interlaced_rows(width: u32, height: u32) -> u32 {
+    const PASSES: [[u32; 4]; 7] =
+        [[0, 8, 0, 8], [4, 8, 0, 8], [0, 4, 4, 8], [2, 4, 0, 4], [0, 2, 2, 4], [1, 2, 0, 2], [0, 1, 1, 2]];
+    let rows =
+        |[left, _, top, step]: [u32; 4]| if left < width { height.saturating_sub(top).div_ceil(step) } else { 0 };
+    PASSES.into_iter().map(rows).sum()
+}
+
+/// What the file says of its colours: the first that is there of code points, profile, sRGB, gamma and primaries.
+fn told(info: &Info<'_>) -> Told {
+    if let Some(points) = &info.coding_independent_code_points {
+        let points = CodePoints {
+            primaries: points.color_primaries,
+            transfer: points.transfer_function,
+            full_range: points.is_video_full_range_image,
+        };
+        match points.told() {
+            Told::Nothing => {}
+            told => return told,
+        }
+    }
+    if let Some(profile) = &info.icc_profile {
+        return icc::told(profile);
+    }
+    if info.srgb.is_some() {
+        return Told::Srgb;
+    }
+    let value = |number: png::ScaledFloat| f64::from(number.into_scaled()) / 100_000.0;
+    let place = |(x, y): (png::ScaledFloat, png::ScaledFloat)| [value(x), value(y)];
+    let primaries = info.chrm_chunk.map(|chrm| Primaries {
+        red: place(chrm.red),
+        green: place(chrm.green),
+        blue: place(chrm.blue),
+        white: place(chrm.white),
+    });
+    told_by_gamma(info.gama_chunk.map(value), primaries)
+}
+
+fn is_end(error: &DecodingError) -> bool {
+    matches!(error, DecodingError::IoError(error) if error.kind() == ErrorKind::UnexpectedEof)
+}
+
+fn broken_off(error: &DecodingError, rows: u32, of: u32) -> PhotoError {
+    refused(error, &format!("it ends after {rows} of its {of} rows"))
+}
+
+fn refused(error: &DecodingError, at_the_end: &str) -> PhotoError {
+    damaged(Format::Png, if is_end(error) { at_the_end.to_owned() } else { error.to_string() })
+}
+
+fn unread(layout: impl std::fmt::Debug) -> PhotoError {
+    PhotoError::UnsupportedFeature { format: Format::Png.name(), reason: format!("{layout:?} pixels") }
+}

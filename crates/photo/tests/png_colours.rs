@@ -1,0 +1,138 @@
+//! What a PNG file says of its colours without a profile: code points, gamma, primaries.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod support;
+
+use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
+use rosto_photo::{Limits, decode};
+use support::with_chunk;
+
+/// Full range, RGB: primaries and transfer characteristics in the numbers of H.273.
+const DISPLAY_P3: [u8; 4] = [12, 13, 0, 1];
+const SRGB: [u8; 4] = [1, 13, 0, 1];
+const UNSPECIFIED: [u8; 4] = [2, 2, 0, 1];
+const PQ: [u8; 4] = [9, 16, 0, 1];
+const HLG: [u8; 4] = [9, 18, 0, 1];
+/// CSS Color 4, color(display-p3 …) as sRGB.
+const P3_TO_SRGB: [([u8; 3], [u8; 3]); 3] =
+    [([204, 153, 128], [213, 150, 124]), ([90, 120, 60], [81, 121, 51]), ([255, 0, 0], [255, 0, 0])];
+
+type Chunk<'a> = (&'a [u8; 4], Vec<u8>);
+
+fn png(pixel: [u8; 3]) -> Vec<u8> {
+    let mut png = Vec::new();
+    PngEncoder::new(&mut png).write_image(&pixel, 1, 1, ExtendedColorType::Rgb8).unwrap();
+    png
+}
+
+fn converted(pixel: [u8; 3], chunks: &[Chunk<'_>]) -> [u8; 3] {
+    let file = chunks.iter().fold(png(pixel), |file, (name, content)| with_chunk(&file, name, content));
+    decode(&file, &Limits::default()).unwrap().pixel(0, 0)
+}
+
+fn cicp(points: [u8; 4]) -> Chunk<'static> {
+    (b"cICP", points.to_vec())
+}
+
+fn gama(gamma: u32) -> Chunk<'static> {
+    (b"gAMA", gamma.to_be_bytes().to_vec())
+}
+
+/// White and the primaries of Display P3.
+fn chrm() -> Chunk<'static> {
+    let numbers = [31_270_u32, 32_900, 68_000, 32_000, 26_500, 69_000, 15_000, 6_000];
+    (b"cHRM", numbers.into_iter().flat_map(u32::to_be_bytes).collect())
+}
+
+fn assert_close(found: [u8; 3], expected: [u8; 3], levels: u8) {
+    let worst = found.iter().zip(expected).map(|(a, b)| a.abs_diff(b)).max().unwrap();
+    assert!(worst <= levels, "{found:?}, expected {expected:?}");
+}
+
+/// 8-bit sRGB of linear light.
+fn srgb(light: f64) -> u8 {
+    let encoded = if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 };
+    (255.0 * encoded).round() as u8
+}
+
+/// The 8-bit PQ signal of a luminance in cd/m²: the formula of SMPTE ST 2084.
+fn pq(luminance: f64) -> u8 {
+    let y = (luminance / 10_000.0).powf(0.159_301_757_812_5);
+    (255.0 * ((0.835_937_5 + 18.851_562_5 * y) / (1.0 + 18.687_5 * y)).powf(78.843_75)).round() as u8
+}
+
+#[test]
+fn code_points_of_display_p3_become_srgb() {
+    for (p3, srgb) in P3_TO_SRGB {
+        assert_close(converted(p3, &[cicp(DISPLAY_P3)]), srgb, 1);
+    }
+}
+
+#[test]
+fn what_is_told_to_be_srgb_keeps_every_value() {
+    for value in 0..=255 {
+        let pixel = [value, 255 - value, value / 2];
+        for chunks in [vec![cicp(SRGB)], vec![gama(45_455)], vec![gama(45_000)], vec![(b"sRGB", vec![0]), gama(45_455)]]
+        {
+            assert_eq!(converted(pixel, &chunks), pixel, "{chunks:?}");
+        }
+    }
+}
+
+#[test]
+fn code_points_go_before_srgb_and_that_before_gamma() {
+    let pixel = [204, 153, 128];
+    assert_close(converted(pixel, &[cicp(DISPLAY_P3), (b"sRGB", vec![0])]), P3_TO_SRGB[0].1, 1);
+    assert_eq!(converted(pixel, &[cicp(SRGB), gama(100_000), chrm()]), pixel);
+    assert_eq!(converted(pixel, &[(b"sRGB", vec![0]), gama(100_000), chrm()]), pixel);
+    assert_close(converted(pixel, &[cicp(UNSPECIFIED), gama(45_455), chrm()]), P3_TO_SRGB[0].1, 1);
+}
+
+#[test]
+fn a_gamma_is_applied_and_primaries_too() {
+    // Linear light of 128/255, which sRGB writes as 188; and (128/255)^1.8, which it writes as 146.
+    assert_close(converted([128; 3], &[gama(100_000)]), [188; 3], 1);
+    assert_close(converted([128; 3], &[gama(55_556)]), [146; 3], 1);
+    for (p3, srgb) in P3_TO_SRGB {
+        assert_close(converted(p3, &[gama(45_455), chrm()]), srgb, 1);
+        assert_close(converted(p3, &[chrm()]), srgb, 1);
+    }
+}
+
+#[test]
+fn absurd_numbers_are_ignored() {
+    let pixel = [204, 153, 128];
+    let zeros = (b"cHRM", vec![0; 32]);
+    let one_point = (b"cHRM", [30_000_u32; 8].into_iter().flat_map(u32::to_be_bytes).collect());
+    for chunks in [vec![gama(1)], vec![gama(u32::MAX)], vec![zeros], vec![one_point], vec![cicp(UNSPECIFIED)]] {
+        assert_eq!(converted(pixel, &chunks), pixel, "{chunks:?}");
+    }
+}
+
+#[test]
+fn pq_shows_paper_white_as_nearly_white_and_everything_darker_as_it_is() {
+    for luminance in [1.0, 5.0, 20.0, 36.5, 80.0, 140.0] {
+        let found = converted([pq(luminance); 3], &[cicp(PQ)]);
+        assert_close(found, [srgb(luminance / 203.0); 3], 4);
+    }
+    let levels: Vec<u8> = (0..=255).map(|signal| converted([signal; 3], &[cicp(PQ)])[0]).collect();
+    assert!(levels.is_sorted() && levels[0] == 0 && levels[255] == 255, "{levels:?}");
+    assert!((235..=250).contains(&levels[usize::from(pq(203.0))]));
+    assert!(levels[usize::from(pq(400.0))] > levels[usize::from(pq(203.0))], "highlights keep their differences");
+}
+
+#[test]
+fn hybrid_log_gamma_and_pq_agree_where_the_standard_puts_paper_white() {
+    // ITU-R BT.2408: 75 % of the signal is 203 cd/m² on a screen of 1000, and 38 % a grey card's 26.
+    for (signal, luminance) in [(191, 203.0), (97, 26.0)] {
+        assert_close(converted([signal; 3], &[cicp(HLG)]), converted([pq(luminance); 3], &[cicp(PQ)]), 5);
+    }
+}
+
+#[test]
+fn narrow_range_is_spread() {
+    let narrow = |value| converted([value; 3], &[cicp([1, 13, 0, 0])]);
+    assert_eq!([narrow(0), narrow(16), narrow(235), narrow(255)], [[0; 3], [0; 3], [255; 3], [255; 3]]);
+    assert_close(narrow(126), [128; 3], 1);
+}
