@@ -34,4 +34,7 @@ pub enum ExportError {
         /// Height in px.
         height: u32,
     },
+    /// The picture of a project is no PNG file.
+    #[error("the picture in a project must be a PNG file")]
+    NotPng,
 }

@@ -10,7 +10,7 @@ mod texture;
 
 use container::Builder;
 pub use source::Source;
-pub(crate) use source::{VERSION, triangulation_from_name};
+pub(crate) use source::{VERSION, fingerprint, history_object, triangulation_from_name, triangulation_name};
 
 /// How the face is painted. Never both ways at once, which would multiply the photo by itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -103,8 +103,12 @@ fn build(model: &Model<'_>, options: &GlbOptions<'_>) -> Result<(Builder, Map<St
     let mut attributes = attributes::geometry(&mut builder, model);
     let mut root = Map::new();
     let painted = paint(&mut builder, model, options, &mut attributes, &mut root)?;
-    if let (Some(extras), Some(crop)) = (&mut extras, painted.crop) {
-        extras["picture"] = source::picture(&crop);
+    if let Some(extras) = &mut extras {
+        let positions = model.positions_m.iter().flat_map(|p| p.as_vec3().to_array());
+        extras["positions_fnv1a"] = fingerprint(positions.flat_map(f32::to_le_bytes)).into();
+        if let Some(crop) = painted.crop {
+            extras["picture"] = source::picture(&crop);
+        }
     }
     attributes.insert("_LANDMARK_ID".into(), builder.scalars(&landmark_ids(model)).into());
     let indices = builder.indices(model.topology);

@@ -5,6 +5,8 @@
 mod common;
 
 use common::{Glb, SIDE, face, gradient, source};
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder};
 use proptest::prelude::*;
 use rosto_export::*;
 use rosto_face::{FaceInput, FaceModel, Triangulation};
@@ -48,7 +50,7 @@ fn the_texture_lies_where_it_was_cut_out() {
     let bytes = file(Triangulation::Canonical, Paint::Texture);
     let texture = reopen(&bytes).unwrap().texture.unwrap();
     assert_eq!(texture.picture_size_px, [SIDE, SIDE]);
-    let crop = rosto_photo::decode(texture.jpeg, &rosto_photo::Limits::default()).unwrap();
+    let crop = rosto_photo::decode(texture.encoded, &rosto_photo::Limits::default()).unwrap();
     let photo = gradient();
     let [left, top] = texture.at_px.map(|at| u32::try_from(at).unwrap());
     for (x, y) in [(0, 0), (crop.width() / 2, crop.height() / 3), (crop.width() - 1, crop.height() - 1)] {
@@ -112,6 +114,118 @@ fn places_outside_the_file_and_pictures_too_large_to_hold_are_refused() {
         let damaged = with_json(&bytes, |json| json.replace(&from, to));
         assert_eq!(reopen(&damaged), Err(ReopenError::Field { field: "picture" }), "{to}");
     }
+}
+
+#[test]
+fn a_texture_that_was_halved_elsewhere_still_tells_how_large_it_is_in_the_picture() {
+    let bytes = file(Triangulation::Canonical, Paint::Texture);
+    let whole = reopen(&bytes).unwrap().texture.unwrap();
+    let crop = rosto_photo::decode(whole.encoded, &rosto_photo::Limits::default()).unwrap();
+    assert_eq!(whole.size_px, [crop.width(), crop.height()]);
+    let halved = with_texture(&bytes, &halved(&crop));
+    let opened = reopen(&halved).unwrap();
+    let texture = opened.texture.unwrap();
+    assert_ne!(texture.encoded.len(), whole.encoded.len());
+    assert_eq!((texture.size_px, texture.at_px), (whole.size_px, whole.at_px));
+    assert!(!opened.changed_elsewhere, "the mesh is the same");
+}
+
+#[test]
+fn a_file_that_does_not_tell_the_size_of_its_texture_shows_it_by_its_uvs() {
+    let bytes = file(Triangulation::Canonical, Paint::Texture);
+    let size_px = reopen(&bytes).unwrap().texture.unwrap().size_px;
+    let crop = rosto_photo::decode(reopen(&bytes).unwrap().texture.unwrap().encoded, &rosto_photo::Limits::default());
+    let untold = |json: String| json.replace("\"crop_size_px\"", "\"_\"");
+    let old = with_json(&with_texture(&bytes, &halved(&crop.unwrap())), untold);
+    assert_eq!(reopen(&old).unwrap().texture.unwrap().size_px, size_px);
+    // Without UVs nothing but the picture itself is left to say it.
+    let bare = with_json(&with_json(&bytes, untold), |json| json.replace("\"TEXCOORD_0\"", "\"TEXCOORD_7\""));
+    assert_eq!(reopen(&bare).unwrap().texture.unwrap().size_px, size_px);
+}
+
+#[test]
+fn a_mesh_that_was_changed_elsewhere_says_so() {
+    for paint in [Paint::Texture, Paint::VertexColours] {
+        let bytes = file(Triangulation::Canonical, paint);
+        assert!(!reopen(&bytes).unwrap().changed_elsewhere);
+        let glb = Glb::read(&bytes);
+        let view = glb.json["accessors"][glb.attribute("POSITION")]["bufferView"].as_u64().unwrap() as usize;
+        let start = glb.json["bufferViews"][view]["byteOffset"].as_u64().unwrap() as usize;
+        let mut moved = bytes.clone();
+        let at = bytes.len() - glb.binary.len() + start + 4;
+        let y = f32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+        moved[at..at + 4].copy_from_slice(&(y + 0.01).to_le_bytes());
+        assert!(reopen(&moved).unwrap().changed_elsewhere);
+        let unknown = with_json(&moved, |json| json.replace("\"positions_fnv1a\"", "\"_\""));
+        assert!(!reopen(&unknown).unwrap().changed_elsewhere, "an older file does not tell");
+    }
+}
+
+#[test]
+fn a_mesh_that_was_only_stored_otherwise_is_unchanged() {
+    let bytes = file(Triangulation::Canonical, Paint::VertexColours);
+    let glb = Glb::read(&bytes);
+    let positions = glb.floats::<3>(glb.attribute("POSITION"));
+    // Each position between two other numbers, at the end of the file, as programs do that interleave.
+    let mut binary = glb.binary.clone();
+    let start = binary.len();
+    for [x, y, z] in positions {
+        binary.extend([9.0, x, y, z, 9.0].into_iter().flat_map(f32::to_le_bytes));
+    }
+    let mut json = glb.json.clone();
+    let views = json["bufferViews"].as_array_mut().unwrap();
+    views.push(serde_json::json!({"buffer": 0, "byteOffset": start, "byteLength": 468 * 20, "byteStride": 20}));
+    let view = views.len() - 1;
+    let accessor = &mut json["accessors"][glb.attribute("POSITION")];
+    accessor["bufferView"] = view.into();
+    accessor["byteOffset"] = 4.into();
+    assert!(!reopen(&assembled(json.to_string(), &binary)).unwrap().changed_elsewhere);
+}
+
+#[test]
+fn what_could_not_be_opened_is_refused() {
+    let bytes = file(Triangulation::Canonical, Paint::VertexColours);
+    let landmarks = Glb::read(&bytes).json["scenes"][0]["extras"]["landmarks"].as_str().unwrap().to_owned();
+    let zeros = "A".repeat(landmarks.len());
+    let sizes = format!("\"photo_px\":[{SIDE},{SIDE}]");
+    for (from, to, field) in [
+        (landmarks.as_str(), zeros.as_str(), "landmarks"),
+        (sizes.as_str(), "\"photo_px\":[0,300]", "photo_px"),
+        ("\"density\":2", "\"density\":5", "density"),
+        (HISTORY, "null", "history"),
+    ] {
+        let wrong = with_json(&bytes, |json| json.replace(from, to));
+        assert_eq!(reopen(&wrong), Err(ReopenError::Field { field }), "{field}");
+    }
+}
+
+/// A picture of half the size as PNG, as a program writes it that makes textures smaller.
+fn halved(picture: &rosto_photo::Photo) -> Vec<u8> {
+    let half = picture.scaled_down(picture.width().max(picture.height()) / 2);
+    let mut file = Vec::new();
+    PngEncoder::new(&mut file)
+        .write_image(half.pixels(), half.width(), half.height(), ExtendedColorType::Rgb8)
+        .unwrap();
+    file
+}
+
+/// The file with another texture, at the end of the binary chunk.
+fn with_texture(bytes: &[u8], texture: &[u8]) -> Vec<u8> {
+    let Glb { mut json, mut binary } = Glb::read(bytes);
+    let view = json["images"][0]["bufferView"].as_u64().unwrap() as usize;
+    json["bufferViews"][view]["byteOffset"] = binary.len().into();
+    json["bufferViews"][view]["byteLength"] = texture.len().into();
+    binary.extend(texture);
+    assembled(json.to_string(), &binary)
+}
+
+/// A GLB of its two parts.
+fn assembled(json: String, binary: &[u8]) -> Vec<u8> {
+    let json = format!("{json:<width$}", width = json.len().next_multiple_of(4));
+    let length = |bytes: usize| (bytes as u32).to_le_bytes();
+    let head = [b"glTF".as_slice(), &2u32.to_le_bytes(), &length(28 + json.len() + binary.len())].concat();
+    [head.as_slice(), &length(json.len()), b"JSON".as_slice(), json.as_bytes(), &length(binary.len()), b"BIN\0", binary]
+        .concat()
 }
 
 /// The file with another description; JSON may grow, so that the header is written anew.

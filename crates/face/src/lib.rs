@@ -17,7 +17,7 @@ mod tables;
 pub use canonical::{LANDMARK_COUNT, Triangulation, canonical_positions_m, canonical_uvs};
 pub use contours::oval;
 pub use error::FaceError;
-pub use model::{FaceInput, FaceModel};
+pub use model::{FaceInput, FaceModel, check_landmarks};
 pub use names::{Language, has_anatomical_name, landmark_name, place_near};
 pub use regions::Region;
 pub use rosto_photo::Photo;

@@ -49,11 +49,11 @@ impl FaceModel {
     /// [`FaceError`] if there are not 468 landmarks and colours, if one is not finite, if the picture has no area, or
     /// if the weighted landmarks lie on one line.
     pub fn new(input: FaceInput<'_>, triangulation: Triangulation) -> Result<Self, FaceError> {
-        check(&input)?;
+        check_count("landmarks", input.landmarks.len())?;
+        check_count("colours", input.colours.len())?;
+        let (px, px_from_model) = fit(input.landmarks, input.width, input.height)?;
         let positions_image: Vec<DVec3> = input.landmarks.iter().map(|p| DVec3::from(p.map(f64::from))).collect();
         let px_from_image = px_from_image(input.width, input.height);
-        let px: Vec<DVec3> = positions_image.iter().map(|&p| px_from_image.transform_point3(p)).collect();
-        let px_from_model = fit_canonical_to(&px)?;
         let model_from_px = px_from_model.inverse();
         Ok(Self {
             triangulation,
@@ -121,19 +121,35 @@ impl FaceModel {
     }
 }
 
-fn check(input: &FaceInput<'_>) -> Result<(), FaceError> {
-    let count = |what, found| {
-        (found == LANDMARK_COUNT).then_some(()).ok_or(FaceError::WrongCount { what, expected: LANDMARK_COUNT, found })
-    };
-    count("landmarks", input.landmarks.len())?;
-    count("colours", input.colours.len())?;
-    if input.width == 0 || input.height == 0 {
-        return Err(FaceError::EmptyPicture { width: input.width, height: input.height });
+/// Whether landmarks found in a picture of that size, in px, are those of a face that [`FaceModel::new`] takes.
+///
+/// # Errors
+/// As [`FaceModel::new`].
+pub fn check_landmarks(landmarks: &[[f32; 3]], width: u32, height: u32) -> Result<(), FaceError> {
+    fit(landmarks, width, height).map(|_| ())
+}
+
+fn check_count(what: &'static str, found: usize) -> Result<(), FaceError> {
+    match found {
+        LANDMARK_COUNT => Ok(()),
+        _ => Err(FaceError::WrongCount { what, expected: LANDMARK_COUNT, found }),
     }
-    match input.landmarks.iter().position(|p| !p.iter().all(|c| c.is_finite())) {
-        Some(landmark) => Err(FaceError::NotFinite { landmark }),
-        None => Ok(()),
+}
+
+/// The landmarks in px, and the map to them from the model's metres.
+fn fit(landmarks: &[[f32; 3]], width: u32, height: u32) -> Result<(Vec<DVec3>, Similarity), FaceError> {
+    check_count("landmarks", landmarks.len())?;
+    if width == 0 || height == 0 {
+        return Err(FaceError::EmptyPicture { width, height });
     }
+    if let Some(landmark) = landmarks.iter().position(|p| !p.iter().all(|c| c.is_finite())) {
+        return Err(FaceError::NotFinite { landmark });
+    }
+    let px_from_image = px_from_image(width, height);
+    let px: Vec<DVec3> =
+        landmarks.iter().map(|p| px_from_image.transform_point3(DVec3::from(p.map(f64::from)))).collect();
+    let px_from_model = fit_canonical_to(&px)?;
+    Ok((px, px_from_model))
 }
 
 /// From MediaPipe's normalised coordinates to right-handed px: y up, z towards the viewer.

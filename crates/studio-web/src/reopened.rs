@@ -42,7 +42,7 @@ pub fn reopen_glb(bytes: &[u8]) -> Result<ReopenedFace, JsValue> {
 impl From<Reopened<'_>> for ReopenedFace {
     fn from(face: Reopened<'_>) -> Self {
         let (picture_size_px, crop_at_px, pixels) = match face.texture {
-            Some(texture) => (texture.picture_size_px, texture.at_px, Pixels::Jpeg(texture.jpeg.to_vec())),
+            Some(texture) => (texture.picture_size_px, texture.at_px, Pixels::Jpeg(texture.encoded.to_vec())),
             None => {
                 let painted = face.painted();
                 ([painted.width, painted.height], [0, 0], Pixels::Painted(painted.rgba))

@@ -14,9 +14,11 @@ pub(crate) const VERSION: u64 = 1;
 /// ```json
 /// {"rosto": "face", "version": 1, "photo_px": [512, 512], "triangulation": "canonical", "density": 0,
 ///  "landmarks": "468 × 3 little-endian f32 in base64", "colours": "468 × 3 bytes in base64",
-///  "picture": {"size_px": [512, 512], "crop_at_px": [96, 0]}, "history": {}}
+///  "picture": {"size_px": [512, 512], "crop_at_px": [96, 0], "crop_size_px": [256, 256]}, "history": {},
+///  "positions_fnv1a": "cbf29ce484222325"}
 /// ```
 /// `picture` says where in the upright picture the texture was cut out; a file without texture has none.
+/// `positions_fnv1a` is the 64-bit FNV-1a hash of the bytes of `POSITION`, by which a mesh shows that was changed since.
 #[derive(Debug, Clone, Copy)]
 pub struct Source<'a> {
     /// The unedited face.
@@ -30,7 +32,7 @@ pub struct Source<'a> {
 }
 
 /// The name of a triangulation in the extras.
-fn triangulation_name(triangulation: Triangulation) -> &'static str {
+pub(crate) fn triangulation_name(triangulation: Triangulation) -> &'static str {
     match triangulation {
         Triangulation::Tessellation => "tessellation",
         Triangulation::Canonical => "canonical",
@@ -57,13 +59,25 @@ pub(super) fn extras(source: &Source<'_>) -> Result<Value, ExportError> {
         "colours": BASE64_STANDARD.encode(face.colours_srgb().as_flattened()),
     });
     if let Some(history) = source.history {
-        let history: Option<Value> = serde_json::from_str(history).ok().filter(Value::is_object);
-        extras["history"] = history.ok_or(ExportError::HistoryNotAnObject)?;
+        extras["history"] = history_object(history)?;
     }
     Ok(extras)
 }
 
+/// The history as JSON.
+pub(crate) fn history_object(history: &str) -> Result<Value, ExportError> {
+    serde_json::from_str(history).ok().filter(Value::is_object).ok_or(ExportError::HistoryNotAnObject)
+}
+
+/// The 64-bit FNV-1a hash of bytes, in sixteen hexadecimal digits.
+pub(crate) fn fingerprint(bytes: impl IntoIterator<Item = u8>) -> String {
+    const BASIS: u64 = 0xCBF2_9CE4_8422_2325;
+    const PRIME: u64 = 0x0000_0100_0000_01B3;
+    let hash = bytes.into_iter().fold(BASIS, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(PRIME));
+    format!("{hash:016x}")
+}
+
 /// Where the texture was cut out.
 pub(super) fn picture(crop: &Crop) -> Value {
-    json!({"size_px": crop.picture_size_px, "crop_at_px": crop.at_px})
+    json!({"size_px": crop.picture_size_px, "crop_at_px": crop.at_px, "crop_size_px": crop.size_px})
 }

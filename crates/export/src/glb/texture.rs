@@ -29,6 +29,8 @@ pub(super) struct Crop {
     pub picture_size_px: [u32; 2],
     /// The texture's left and top in that picture in px; negative where the texture is the larger one.
     pub at_px: [i64; 2],
+    /// The texture's width and height in px.
+    pub size_px: [u32; 2],
 }
 
 /// Cuts out the face with sides that are powers of two, at most `max_px` (rounded down to a power of two), at the photo's
@@ -45,7 +47,7 @@ pub(super) fn crop(model: &Model<'_>, max_px: u32) -> Result<Texture, ExportErro
     let crop_size = DVec2::new(width.into(), height.into());
     let uv = |uv: &DVec2| ((*uv * size - DVec2::new(x0 as f64, y0 as f64)) / crop_size).as_vec2();
     let jpeg = encode(&cut(&photo, x0, y0, width, height), width, height)?;
-    let crop = Crop { picture_size_px: [photo.width(), photo.height()], at_px: [x0, y0] };
+    let crop = Crop { picture_size_px: [photo.width(), photo.height()], at_px: [x0, y0], size_px: [width, height] };
     Ok(Texture { jpeg, uvs: model.uvs.iter().map(uv).collect(), crop })
 }
 

@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, dead_code, reason = "each test file uses its part")]
 
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder};
 use rosto_export::Source;
 use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, Triangulation, canonical_uvs};
 use serde_json::Value;
@@ -28,6 +30,13 @@ pub fn face(triangulation: Triangulation) -> FaceModel {
     let colours: Vec<[u8; 3]> = landmarks.iter().map(|&[x, y, _]| picture.colour_under(x.into(), y.into())).collect();
     let input = FaceInput { landmarks: &landmarks, width: SIDE, height: SIDE, colours: &colours, picture };
     FaceModel::new(input, triangulation).unwrap()
+}
+
+/// That picture as a PNG file.
+pub fn png() -> Vec<u8> {
+    let (picture, mut file) = (gradient(), Vec::new());
+    PngEncoder::new(&mut file).write_image(picture.pixels(), SIDE, SIDE, ExtendedColorType::Rgb8).unwrap();
+    file
 }
 
 /// What opens that face again.

@@ -1,0 +1,38 @@
+//! The numbers of the first mesh's vertices, wherever another program has put them.
+
+use serde_json::Value;
+
+use super::fields::index;
+
+const FLOAT: u64 = 5126;
+
+/// An attribute of `N` floats for each vertex as little-endian bytes, without what lies between them.
+pub(super) fn attribute<const N: usize>(root: &Value, binary: &[u8], name: &str) -> Option<Vec<u8>> {
+    let accessor = &root["accessors"][index(&root["meshes"][0]["primitives"][0]["attributes"][name])?];
+    let shape = ["SCALAR", "VEC2", "VEC3"].get(N - 1)?;
+    if accessor["componentType"] != FLOAT || accessor["type"] != *shape || !accessor["sparse"].is_null() {
+        return None;
+    }
+    let bytes = 4 * N;
+    let view = &root["bufferViews"][index(&accessor["bufferView"])?];
+    let stride = index(view.get("byteStride").unwrap_or(&Value::from(bytes)))?.max(bytes);
+    let start = offset(view)?.checked_add(offset(accessor)?)?;
+    let count = index(&accessor["count"])?;
+    let values = binary.get(start..)?;
+    // What the file holds bounds how much is taken, whatever it says.
+    if count == 0 || (count - 1).checked_mul(stride)?.checked_add(bytes)? > values.len() {
+        return None;
+    }
+    Some(values.chunks(stride).take(count).flat_map(|value| &value[..bytes]).copied().collect())
+}
+
+/// The content of a buffer view.
+pub(super) fn view<'a>(root: &Value, binary: &'a [u8], view: usize) -> Option<&'a [u8]> {
+    let view = &root["bufferViews"][view];
+    let start = offset(view)?;
+    binary.get(start..start.checked_add(index(&view["byteLength"])?)?)
+}
+
+fn offset(value: &Value) -> Option<usize> {
+    value.get("byteOffset").map_or(Some(0), index)
+}

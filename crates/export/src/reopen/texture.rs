@@ -1,0 +1,97 @@
+use serde_json::Value;
+
+use super::fields::{bounded, index, size};
+use super::geometry::{attribute, view};
+
+/// A picture with a longer side, in px, is not one that this crate has written.
+pub(crate) const MAX_PICTURE_SIDE_PX: u32 = 8192;
+
+/// A picture in a file, and where it belongs in the whole upright picture. Whoever draws it fills the rectangle
+/// `at_px`, `size_px` with it, whatever size it has itself: another program may have scaled it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PlacedTexture<'a> {
+    /// The encoded picture, as it was found.
+    pub encoded: &'a [u8],
+    /// Width and height in px of the whole upright picture.
+    pub picture_size_px: [u32; 2],
+    /// Left and top in that picture in px; negative where it reaches beyond.
+    pub at_px: [i32; 2],
+    /// Width and height in px that it takes up in that picture.
+    pub size_px: [u32; 2],
+}
+
+impl PlacedTexture<'_> {
+    /// `image/png` or `image/jpeg`.
+    pub fn media_type(&self) -> &'static str {
+        if self.encoded.starts_with(&PNG_SIGNATURE) { "image/png" } else { "image/jpeg" }
+    }
+}
+
+pub(crate) const PNG_SIGNATURE: [u8; 8] = *b"\x89PNG\r\n\x1a\n";
+
+/// The texture of a GLB, by what its extras say of it.
+pub(super) fn texture<'a>(
+    picture: &Value,
+    root: &Value,
+    binary: &'a [u8],
+    landmarks: &[[f32; 3]],
+) -> Option<PlacedTexture<'a>> {
+    let [left, top] = picture["crop_at_px"].as_array()?.as_slice() else { return None };
+    let beyond = |at: &i32| at.unsigned_abs() <= MAX_PICTURE_SIDE_PX;
+    let place = |value: &Value| i32::try_from(value.as_i64()?).ok().filter(beyond);
+    let encoded = view(root, binary, index(&root["images"][0]["bufferView"])?)?;
+    let picture_size_px = size(&picture["size_px"], MAX_PICTURE_SIDE_PX)?;
+    let own_size_px = encoded_size(encoded);
+    if encoded.is_empty() || own_size_px.is_some_and(|size| bounded(size, MAX_PICTURE_SIDE_PX).is_none()) {
+        return None;
+    }
+    let size_px = match picture.get("crop_size_px") {
+        Some(told) => size(told, MAX_PICTURE_SIDE_PX)?,
+        None => size_by_uvs(root, binary, landmarks, picture_size_px).or(own_size_px)?,
+    };
+    Some(PlacedTexture { encoded, picture_size_px, at_px: [place(left)?, place(top)?], size_px })
+}
+
+/// The size of the cut-out part where the file does not tell it: what the landmarks span in the picture, beside what
+/// they span in the texture. Such parts have sides that are powers of two.
+fn size_by_uvs(root: &Value, binary: &[u8], landmarks: &[[f32; 3]], picture_px: [u32; 2]) -> Option<[u32; 2]> {
+    let uvs = attribute::<2>(root, binary, "TEXCOORD_0")?;
+    let numbers: Vec<f32> = uvs.as_chunks::<4>().0.iter().map(|&bytes| f32::from_le_bytes(bytes)).collect();
+    let uvs = numbers.as_chunks::<2>().0.get(..landmarks.len())?;
+    let side = |axis: usize| {
+        let by_place = |a: &usize, b: &usize| landmarks[*a][axis].total_cmp(&landmarks[*b][axis]);
+        let low = (0..landmarks.len()).min_by(by_place)?;
+        let high = (0..landmarks.len()).max_by(by_place)?;
+        let in_picture_px = (landmarks[high][axis] - landmarks[low][axis]) * picture_px[axis] as f32;
+        let side_px = in_picture_px / (uvs[high][axis] - uvs[low][axis]);
+        let exponent = side_px.log2();
+        let whole = (exponent - exponent.round()).abs() < 0.02 && (0.0..=13.0).contains(&exponent);
+        whole.then(|| 1 << exponent.round() as u32)
+    };
+    Some([side(0)?, side(1)?])
+}
+
+/// Width and height that a JPEG or PNG file says it has.
+fn encoded_size(file: &[u8]) -> Option<[u32; 2]> {
+    png_size(file).or_else(|| jpeg_size(file))
+}
+
+/// The size in a PNG file's header.
+pub(crate) fn png_size(file: &[u8]) -> Option<[u32; 2]> {
+    let header = file.strip_prefix(&PNG_SIGNATURE)?.get(4..16)?.strip_prefix(b"IHDR")?;
+    let side = |at: usize| header.get(at..)?.first_chunk().map(|&bytes| u32::from_be_bytes(bytes));
+    Some([side(0)?, side(4)?])
+}
+
+/// The size in a JPEG file's frame header: behind its length and its precision, height before width.
+fn jpeg_size(file: &[u8]) -> Option<[u32; 2]> {
+    let mut rest = file.strip_prefix(&[0xFF, 0xD8])?;
+    loop {
+        let &[0xFF, marker, high, low] = rest.first_chunk()? else { return None };
+        if matches!(marker, 0xC0..=0xC3 | 0xC5..=0xC7 | 0xC9..=0xCB | 0xCD..=0xCF) {
+            let side = |at: usize| rest.get(at..)?.first_chunk().map(|&bytes| u16::from_be_bytes(bytes).into());
+            return Some([side(7)?, side(5)?]);
+        }
+        rest = rest.get(2 + usize::from(u16::from_be_bytes([high, low]))..)?;
+    }
+}
