@@ -4,12 +4,12 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum LandmarksError {
-    /// The bytes of a network are not what they should be.
+    /// The bytes of a network are not what they should be, which may show only in what it answers.
     #[error("the {network} network is damaged: {reason}")]
     NetworkDamaged {
         /// Which network.
         network: &'static str,
-        /// What the reader said.
+        /// What the reader said, or what was answered.
         reason: String,
     },
     /// A network that was read without complaint could not be run.

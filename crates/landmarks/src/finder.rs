@@ -93,7 +93,8 @@ impl FaceFinder {
     /// The faces in a picture, best detection first; none is an answer, not an error.
     ///
     /// # Errors
-    /// [`LandmarksError::NetworkFailed`] if a network cannot be run.
+    /// [`LandmarksError::NetworkFailed`] if a network cannot be run, [`LandmarksError::NetworkDamaged`] if it answers with
+    /// numbers that are not finite: the landmarks of a face are finite always.
     pub fn find(&self, photo: &Photo, options: &FindOptions) -> Result<Vec<Face>, LandmarksError> {
         self.find_with_progress(photo, options, |_| ())
     }

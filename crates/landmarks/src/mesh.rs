@@ -38,7 +38,10 @@ impl MeshNetwork {
     /// Looks at one region of the picture.
     pub(crate) fn look(&self, photo: &Photo, region: &Region) -> Result<Mesh, LandmarksError> {
         let [points, flag] = self.raw(photo, region)?;
-        let landmarks = points.as_chunks::<3>().0.iter().map(|&point| in_picture(point, region)).collect();
+        let landmarks: Vec<[f32; 3]> =
+            points.as_chunks::<3>().0.iter().map(|&point| in_picture(point, region)).collect();
+        // Numbers of a damaged network may be finite and leave the numbers here.
+        self.network.check_finite(landmarks.as_flattened().iter())?;
         Ok(Mesh { presence: sigmoid(flag[0]), landmarks })
     }
 

@@ -26,14 +26,32 @@ impl Network {
     }
 
     /// Runs on a picture that `fill` writes as three planes (red, green, blue) of `side × side` values; the outputs
-    /// must have the given lengths.
+    /// must have the given lengths. Whole networks answer every picture with finite numbers, so that others come from
+    /// damaged weights.
     pub(crate) fn run(
         &self,
         fill: impl FnOnce(&mut [f32]),
         lengths: [usize; 2],
     ) -> Result<[Vec<f32>; 2], LandmarksError> {
-        self.try_run(fill, lengths)
-            .map_err(|error| LandmarksError::NetworkFailed { network: self.name, reason: format!("{error:#}") })
+        let outputs = self
+            .try_run(fill, lengths)
+            .map_err(|error| LandmarksError::NetworkFailed { network: self.name, reason: format!("{error:#}") })?;
+        self.check_finite(outputs.iter().flatten())?;
+        Ok(outputs)
+    }
+
+    /// Refuses what the network answered if a number among it is infinite or none.
+    ///
+    /// # Errors
+    /// [`LandmarksError::NetworkDamaged`].
+    pub(crate) fn check_finite<'a>(&self, mut answer: impl Iterator<Item = &'a f32>) -> Result<(), LandmarksError> {
+        match answer.find(|number| !number.is_finite()) {
+            Some(number) => {
+                let reason = format!("it answers a picture with {number}");
+                Err(LandmarksError::NetworkDamaged { network: self.name, reason })
+            }
+            None => Ok(()),
+        }
     }
 
     fn try_run(&self, fill: impl FnOnce(&mut [f32]), lengths: [usize; 2]) -> TractResult<[Vec<f32>; 2]> {
@@ -51,10 +69,25 @@ impl Network {
 
 fn optimised(onnx: &[u8], side: usize, outputs: [&str; 2]) -> TractResult<Arc<TypedRunnableModel>> {
     let mut bytes = onnx;
-    operators::onnx()
+    let model = operators::onnx()
         .model_for_read(&mut bytes)?
         .with_input_fact(0, f32::fact([1, 3, side, side]).into())?
         .with_outputs_by_name(outputs)?
-        .into_optimized()?
-        .into_runnable()
+        .into_typed()?;
+    check_weights(&model)?;
+    model.into_optimized()?.into_runnable()
+}
+
+/// Fails if a constant of the network is infinite or no number.
+fn check_weights(model: &TypedModel) -> TractResult<()> {
+    for node in &model.nodes {
+        for constant in node.outputs.iter().filter_map(|output| output.fact.konst.as_ref()) {
+            if constant.datum_type().is_float() {
+                let numbers = constant.cast_to::<f32>()?;
+                let wrong = numbers.try_as_plain_ram()?.as_slice::<f32>()?.iter().find(|number| !number.is_finite());
+                ensure!(wrong.is_none(), "{} holds a weight of {}", node.name, wrong.unwrap_or(&f32::NAN));
+            }
+        }
+    }
+    Ok(())
 }

@@ -27,17 +27,40 @@ impl<'a> Progress<'a> {
     }
 }
 
-/// The page's name of the stage, and how much of the whole is done by then. Decoding is most of it with large photos.
+/// The page's name of the stage, and how much of that stage is done by then, 0 to 1. The page gives each stage the same
+/// length.
 fn stage_and_fraction(step: Step) -> (&'static str, f64) {
-    const DECODED: f64 = 0.6;
-    const DETECTED: f64 = 0.7;
-    const MESHED: f64 = 0.9;
+    const MESHED: f64 = 0.8;
     match step {
         Step::Decoding => ("decode", 0.0),
-        Step::Finding(Stage::Meshing { face, of }) => {
-            ("landmarks", DETECTED + (MESHED - DETECTED) * face as f64 / of as f64)
-        }
-        Step::Finding(_) => ("detect", DECODED),
+        Step::Finding(Stage::Meshing { face, of }) => ("landmarks", MESHED * face as f64 / of.max(1) as f64),
+        Step::Finding(_) => ("detect", 0.0),
         Step::Finishing => ("landmarks", MESHED),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// As the page draws it: three stages of the same length.
+    fn bar(step: Step) -> f64 {
+        let (stage, fraction) = stage_and_fraction(step);
+        let index = ["decode", "detect", "landmarks"].iter().position(|&name| name == stage);
+        (index.expect("a stage the page knows") as f64 + fraction) / 3.0
+    }
+
+    #[test]
+    fn the_bar_never_jumps_by_more_than_a_third_nor_falls_back() {
+        for of in 0..5 {
+            let meshing = (0..of).map(|face| Step::Finding(Stage::Meshing { face, of }));
+            let mut steps = vec![Step::Decoding, Step::Finding(Stage::Detecting)];
+            steps.extend(meshing.chain([Step::Finishing]));
+            let bars: Vec<f64> = steps.into_iter().map(bar).collect();
+            assert_eq!(bars[..2], [0.0, 1.0 / 3.0], "a bar at half before the detector has looked");
+            let last = if of == 0 { 2 } else { bars.len() };
+            assert!(bars[..last].windows(2).all(|two| (0.0..0.334).contains(&(two[1] - two[0]))), "{bars:?}");
+            assert!(bars.is_sorted() && bars.iter().all(|bar| (0.0..1.0).contains(bar)), "{bars:?}");
+        }
     }
 }

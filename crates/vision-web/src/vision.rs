@@ -26,11 +26,11 @@ impl Vision {
     }
 
     /// Looks for at most `max_faces` faces in a photo (the bytes of a JPEG, PNG or WebP file), best first. `report` is
-    /// told each stage as it begins and how much of the whole is done, 0 to 1.
+    /// told each stage as it begins and how much of that stage is done, 0 to 1; the stages are taken to be equally long.
     ///
     /// # Errors
-    /// Throws `not-a-picture`, `unsupported-format`, `damaged-picture`, `too-many-bytes`, `too-many-pixels` or
-    /// `internal`. No face is an answer, not an error.
+    /// Throws `not-a-picture`, `unsupported-format`, `damaged-picture`, `too-many-bytes`, `too-many-pixels`,
+    /// `networks-damaged` or `internal`. No face is an answer, not an error.
     pub fn find(
         &self,
         bytes: &[u8],

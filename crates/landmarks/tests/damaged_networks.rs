@@ -1,0 +1,60 @@
+//! Networks whose files were damaged: what they answer is finite, or they are refused.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+#[path = "../../../tests/seeded.rs"]
+mod seeded;
+mod support;
+
+use rosto_landmarks::{Face, FaceFinder, FindOptions, LandmarksError, Search};
+use seeded::Seeded;
+use support::assets;
+
+/// Four hundred bytes of the weights written anew.
+fn flipped(mut onnx: Vec<u8>, seeded: &mut Seeded) -> Vec<u8> {
+    for _ in 0..400 {
+        let at = onnx.len() / 4 + seeded.below(onnx.len() / 2);
+        onnx[at] = seeded.bits() as u8;
+    }
+    onnx
+}
+
+fn faces(detector: &[u8], landmarks: &[u8]) -> Result<Vec<Face>, LandmarksError> {
+    let options = FindOptions { max_faces: 3, search: Search::Once, ..FindOptions::default() };
+    FaceFinder::new(detector, landmarks)?.find(&assets::portrait(), &options)
+}
+
+#[test]
+fn a_network_with_flipped_bytes_is_refused_or_answers_with_finite_numbers() {
+    let (detector, landmarks) = (assets::detector_onnx(), assets::landmarks_onnx());
+    let mut refused = 0;
+    for seed in 0..6 {
+        let mut seeded = Seeded::new(seed);
+        let found = match seed % 2 {
+            0 => faces(&flipped(detector.clone(), &mut seeded), &landmarks),
+            _ => faces(&detector, &flipped(landmarks.clone(), &mut seeded)),
+        };
+        match found {
+            Ok(faces) => {
+                let numbers = faces.iter().flat_map(|face| face.landmarks.as_flattened());
+                assert!(numbers.into_iter().all(|number| number.is_finite()), "seed {seed}");
+                assert!(faces.iter().all(|face| face.presence.is_finite() && face.score.is_finite()), "seed {seed}");
+            }
+            Err(LandmarksError::NetworkDamaged { .. }) => refused += 1,
+            Err(other) => panic!("seed {seed}: {other}"),
+        }
+    }
+    assert!(refused >= 3, "only {refused} of 6 were refused");
+}
+
+#[test]
+fn one_weight_that_is_infinite_is_named_when_the_network_is_read() {
+    let mut landmarks = assets::landmarks_onnx();
+    let at = landmarks.len() / 2;
+    // Whichever byte of a half-precision number comes first, one of the two numbers here is infinite or none.
+    landmarks[at..at + 4].fill(0x7C);
+    let error = FaceFinder::new(&assets::detector_onnx(), &landmarks).err().unwrap();
+    let LandmarksError::NetworkDamaged { network, reason } = error else { panic!("{error}") };
+    assert_eq!(network, "landmark");
+    assert!(reason.contains("weight"), "{reason}");
+}
