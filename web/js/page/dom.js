@@ -50,7 +50,7 @@ export function chosenColour(input) {
  * Runs `action` when any element with `data-action="name"` is pressed.
  *
  * @param {string} name
- * @param {() => void} action
+ * @param {(event: MouseEvent) => void} action
  */
 export function onAction(name, action) {
   for (const button of actionButtons(name)) button.addEventListener("click", action);

@@ -1,0 +1,144 @@
+import assert from "node:assert/strict";
+import { journey } from "./journey.mjs";
+
+/** Every journey here asks for the camera and counts what became of it. */
+const needs = { needs: /** @type {const} */ ("camera") };
+const before = (/** @type {import("playwright-core").BrowserContext} */ context) => context.addInitScript(watchCamera);
+
+journey("a double click opens one camera, and Escape stops it", async (open) => {
+  const visitor = await open({ before });
+  await visitor.page.dblclick("#welcome [data-action='camera']");
+  await visitor.page.waitForSelector("#camera-shutter:enabled");
+  await visitor.page.keyboard.press("Escape");
+  await visitor.page.waitForSelector("#camera", { state: "hidden" });
+  assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
+
+  // Once more, and the other way out.
+  await visitor.page.click("#welcome [data-action='camera']");
+  await visitor.page.waitForSelector("#camera-shutter:enabled");
+  assert.equal((await camera(visitor)).live, 1);
+  await visitor.page.click("#camera [data-action='close-camera']");
+  assert.deepEqual(await camera(visitor), { asked: 2, tracks: 2, live: 0 });
+}, needs);
+
+journey("two presses before the page has answered either ask for the camera once", async (open) => {
+  const visitor = await open({ before });
+  await visitor.page.evaluate(() => {
+    const button = document.querySelector("#welcome [data-action='camera']");
+    button.click();
+    button.click();
+  });
+  await visitor.page.waitForSelector("#camera-shutter:enabled");
+  await visitor.page.keyboard.press("Escape");
+  await visitor.page.waitForSelector("#camera", { state: "hidden" });
+  assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
+}, needs);
+
+journey("the dialog is there while the browser asks, and a camera allowed after it was closed is stopped at once", async (open) => {
+  const visitor = await open({ before });
+  const { page } = visitor;
+  await page.evaluate(() => (window.cameraWaits = true));
+  await page.click("#welcome [data-action='camera']");
+  assert.match(await page.innerText("#camera-status"), /Allow the camera/);
+  assert.ok(await page.isDisabled("#camera-shutter"));
+  await page.keyboard.press("Escape");
+  await page.waitForSelector("#camera", { state: "hidden" });
+  await page.evaluate(() => window.allowCamera());
+  await page.waitForFunction(() => window.cameraTracks.length === 1 && window.cameraTracks[0].readyState === "ended");
+
+  // Closed and opened again while the browser asks: its one answer serves the dialog that is open.
+  await page.click("#welcome [data-action='camera']");
+  await page.keyboard.press("Escape");
+  await page.waitForSelector("#camera", { state: "hidden" });
+  await page.click("#welcome [data-action='camera']");
+  await page.evaluate(() => window.allowCamera());
+  await page.waitForSelector("#camera-shutter:enabled");
+  assert.deepEqual(await camera(visitor), { asked: 2, tracks: 2, live: 1 });
+  await page.keyboard.press("Escape");
+  await page.waitForSelector("#camera", { state: "hidden" });
+  assert.equal((await camera(visitor)).live, 0);
+}, needs);
+
+for (const moment of ["before the photo", "during the countdown"]) {
+  journey(`a camera that is unplugged ${moment} closes the dialog with a message, and no photo is taken`, async (open) => {
+    const visitor = await open({ before });
+    const { page } = visitor;
+    await page.click("#welcome [data-action='camera']");
+    await page.waitForSelector("#camera-shutter:enabled");
+    if (moment === "during the countdown") await page.click("#camera-shutter");
+    await page.evaluate(() => window.unplugCamera());
+    assert.equal((await visitor.notice()).code, "camera-lost");
+    assert.ok(await page.isHidden("#camera"));
+    await page.waitForTimeout(4000);
+    assert.equal(await page.getAttribute("#notice", "data-code"), "camera-lost");
+    assert.equal(await page.getAttribute("body", "data-state"), "empty");
+    assert.equal((await camera(visitor)).live, 0);
+  }, needs);
+}
+
+journey("Escape during the countdown takes no photo", async (open) => {
+  const visitor = await open({ before });
+  const { page } = visitor;
+  await page.click("#welcome [data-action='camera']");
+  await page.click("#camera-shutter:enabled");
+  await page.waitForFunction(() => /[123]/.test(document.getElementById("camera-countdown").textContent));
+  await page.keyboard.press("Escape");
+  await page.waitForSelector("#camera", { state: "hidden" });
+  // Open again: the first countdown must not take the second one's photo.
+  await page.click("#welcome [data-action='camera']");
+  await page.waitForTimeout(4500);
+  assert.ok(await page.isVisible("#camera"));
+  assert.equal(await page.innerText("#camera-countdown"), "");
+  assert.equal(await page.getAttribute("body", "data-state"), "empty");
+  assert.ok(await page.isHidden("#progress"));
+}, needs);
+
+journey("no photo is taken of a video that has no size yet", async (open) => {
+  const visitor = await open({
+    before: async (context) => {
+      await before(context);
+      await context.addInitScript(() => {
+        Object.defineProperty(HTMLVideoElement.prototype, "videoWidth", { get: () => window.videoHasSize ? 512 : 0 });
+      });
+    },
+  });
+  const { page } = visitor;
+  await page.click("#welcome [data-action='camera']");
+  await page.waitForFunction(() => !document.getElementById("camera-preview").paused);
+  assert.ok(await page.isDisabled("#camera-shutter"));
+  await page.evaluate(() => {
+    window.videoHasSize = true;
+    document.getElementById("camera-preview").dispatchEvent(new Event("resize"));
+  });
+  await page.waitForSelector("#camera-shutter:enabled");
+}, needs);
+
+/** How often the page asked for the camera, the tracks it was given, and how many of them still run. */
+function camera(/** @type {import("./visitor.mjs").Visitor} */ visitor) {
+  return visitor.page.evaluate(() => {
+    const tracks = window.cameraTracks;
+    return { asked: window.cameraAsked, tracks: tracks.length, live: tracks.filter((track) => track.readyState === "live").length };
+  });
+}
+
+/** Runs in the page before its own scripts. */
+function watchCamera() {
+  window.cameraAsked = 0;
+  /** @type {MediaStreamTrack[]} */
+  window.cameraTracks = [];
+  const ask = navigator.mediaDevices.getUserMedia.bind(navigator.mediaDevices);
+  navigator.mediaDevices.getUserMedia = async (wanted) => {
+    window.cameraAsked += 1;
+    if (window.cameraWaits) await new Promise((resolve) => (window.allowCamera = resolve));
+    const stream = await ask(wanted);
+    window.cameraTracks.push(...stream.getTracks());
+    return stream;
+  };
+  // As the browser does when the camera is gone: the track stops, and says so.
+  window.unplugCamera = () => {
+    for (const track of window.cameraTracks) {
+      track.stop();
+      track.dispatchEvent(new Event("ended"));
+    }
+  };
+}
