@@ -1,11 +1,16 @@
 import { inEveryLanguage, isWord, say } from "../words/words.js";
 import { byId } from "./dom.js";
 
-/** @typedef {import("../worker/protocol.js").Trouble} Trouble */
+/**
+ * @typedef {import("../worker/protocol.js").Trouble} Trouble
+ * @typedef {"one-of-several"} Remark
+ * @typedef {{ words: () => { title: string, hint: string }, code: string, isPhotos: boolean }} Notice
+ */
 
-/** @type {Trouble | undefined} */
+/** @type {Notice | undefined} */
 let shown;
-let aboutPhoto = false;
+/** Whether this browser keeps the work from one visit to the next. */
+let keeps = true;
 
 /** Shows notices in the page's language and lets them be closed. */
 export function setUpNotice() {
@@ -17,14 +22,12 @@ export function setUpNotice() {
 }
 
 /**
- * Says what happened, why if known, and what to do next.
+ * Says what happened, and what to do next.
  *
  * @param {unknown} thrown
  */
 export function showTrouble(thrown) {
-  shown = asTrouble(thrown);
-  aboutPhoto = false;
-  write();
+  show(troubled(thrown, false));
 }
 
 /**
@@ -33,14 +36,32 @@ export function showTrouble(thrown) {
  * @param {unknown} thrown
  */
 export function showPhotoTrouble(thrown) {
-  shown = asTrouble(thrown);
-  aboutPhoto = true;
-  write();
+  show(troubled(thrown, true));
+}
+
+/**
+ * Says something that is no trouble.
+ *
+ * @param {Remark} remark
+ * @param {Record<string, string | number>} values for its words
+ */
+export function showRemark(remark, values) {
+  const words = () => ({ title: say(`remark.${remark}`, values), hint: say(`remark.${remark}.hint`, values) });
+  show({ words, code: remark, isPhotos: false });
 }
 
 /** Takes the notice away. */
 export function hideNotice() {
-  shown = undefined;
+  show(undefined);
+}
+
+/**
+ * Notices promise that work is kept only where that is so.
+ *
+ * @param {boolean} isKept
+ */
+export function setKeeping(isKept) {
+  keeps = isKept;
   write();
 }
 
@@ -56,24 +77,56 @@ export function asTrouble(thrown) {
   return { code: "other", message: String(thrown), hint: "" };
 }
 
+/** @param {Notice | undefined} notice */
+function show(notice) {
+  shown = notice;
+  write();
+}
+
+/**
+ * What was not foreseen is told to the console as well.
+ *
+ * @param {unknown} thrown
+ * @param {boolean} isPhotos whether it is said beside the drop zone as well
+ * @returns {Notice}
+ */
+function troubled(thrown, isPhotos) {
+  const { code } = asTrouble(thrown);
+  if (!isWord(`error.${code}`)) console.error(thrown);
+  return { words: () => wordsFor(code), code, isPhotos };
+}
+
 function write() {
   const notice = byId("notice", HTMLDivElement);
   const photoError = byId("photo-error", HTMLParagraphElement);
   notice.hidden = shown === undefined;
-  photoError.hidden = !shown || !aboutPhoto;
+  photoError.hidden = !shown?.isPhotos;
   if (!shown) return;
-  const { title, hint } = words(shown);
+  const { title, hint } = shown.words();
   notice.dataset["code"] = shown.code;
   byId("notice-title", HTMLParagraphElement).textContent = title;
   byId("notice-hint", HTMLParagraphElement).textContent = hint;
   photoError.textContent = `${title}. ${hint}`;
 }
 
-/** @param {Trouble} trouble */
-function words(trouble) {
-  const code = `error.${trouble.code}`;
-  const hintCode = `${code}.hint`;
-  const title = isWord(code) ? say(code) : say("error.other");
-  const hint = isWord(hintCode) ? say(hintCode) : trouble.hint || say("error.other.hint");
-  return { title, hint };
+/**
+ * The page's own words: what the modules say is English, and for those who develop them.
+ *
+ * @param {string} code
+ */
+function wordsFor(code) {
+  const key = `error.${code}`;
+  const known = isWord(key) ? key : "error.other";
+  return { title: say(known), hint: say(hintOf(known)) };
+}
+
+/**
+ * @param {string} key of a trouble's words
+ * @returns {import("../words/words.js").WordKey}
+ */
+function hintOf(key) {
+  const hint = `${key}.hint`;
+  const unkept = `${hint}.unkept`;
+  if (!keeps && isWord(unkept)) return unkept;
+  return isWord(hint) ? hint : "error.other.hint";
 }

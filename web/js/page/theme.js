@@ -1,6 +1,5 @@
 import { byId } from "./dom.js";
-
-const STORED_AS = "rosto.theme";
+import { remember, remembered } from "./remember.js";
 
 /**
  * Light or dark: the system's choice until the button is pressed.
@@ -17,7 +16,7 @@ export function setUpTheme(changed) {
   system.addEventListener("change", apply);
   byId("theme", HTMLButtonElement).addEventListener("click", () => {
     const now = document.documentElement.dataset["theme"];
-    localStorage.setItem(STORED_AS, now === "dark" ? "light" : "dark");
+    remember("theme", now === "dark" ? "light" : "dark");
     apply();
   });
   apply();
@@ -25,6 +24,6 @@ export function setUpTheme(changed) {
 
 /** @returns {"light" | "dark" | undefined} */
 function chosen() {
-  const stored = localStorage.getItem(STORED_AS);
-  return stored === "light" || stored === "dark" ? stored : undefined;
+  const theme = remembered("theme");
+  return theme === "light" || theme === "dark" ? theme : undefined;
 }

@@ -1,3 +1,4 @@
+import { remember, remembered } from "../page/remember.js";
 import { en } from "./en.js";
 import { pt } from "./pt.js";
 
@@ -7,8 +8,6 @@ import { pt } from "./pt.js";
 
 /** @type {Record<Language, Words>} */
 const LANGUAGES = { en, pt };
-
-const STORED_AS = "rosto.language";
 
 /** @type {Language} */
 let current = firstLanguage();
@@ -58,7 +57,7 @@ export function inEveryLanguage(listener) {
  */
 export function speak(wanted) {
   current = wanted === "pt" ? "pt" : "en";
-  localStorage.setItem(STORED_AS, current);
+  remember("language", current);
   for (const listener of listeners) listener();
 }
 
@@ -93,6 +92,6 @@ export function sayNumber(value, decimals) {
 
 /** @returns {Language} */
 function firstLanguage() {
-  const wanted = localStorage.getItem(STORED_AS) ?? navigator.language;
+  const wanted = remembered("language") ?? navigator.language;
   return wanted.startsWith("pt") ? "pt" : "en";
 }

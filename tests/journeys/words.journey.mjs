@@ -1,0 +1,81 @@
+import assert from "node:assert/strict";
+import { readFile, readdir } from "node:fs/promises";
+import path from "node:path";
+import { en } from "../../web/js/words/en.js";
+import { pt } from "../../web/js/words/pt.js";
+import { journey } from "./journey.mjs";
+
+const ROOT = path.resolve(import.meta.dirname, "../..");
+
+/** Where codes of troubles are written, and what stands around them. */
+const SOURCES = [
+  { folder: "crates/studio-web/src", files: /trouble\.rs$/, codes: /"([a-z]+(?:-[a-z]+)*)"/g },
+  { folder: "crates/vision-web/src", files: /trouble\.rs$/, codes: /"([a-z]+(?:-[a-z]+)*)"/g },
+  { folder: "crates/studio-web/src", files: /\.rs$/, codes: /Trouble::new\(\s*"([a-z-]+)"/g },
+  { folder: "web/js", files: /\.js$/, codes: /(?:code: |giveUp\(|asTrouble\(error, )"([a-z-]+)"/g },
+];
+
+/** The properties of a trouble, named where its codes are. */
+const PROPERTIES = ["code", "hint"];
+
+journey("whatever can go wrong has words of the page's own, in every language", async () => {
+  const codes = await allCodes();
+  for (const code of ["no-selection", "bad-vertex", "too-many-pixels", "camera-lost", "not-loaded"]) assert.ok(codes.has(code), code);
+  const wordless = [...codes].filter((code) => !(`error.${code}` in en && `error.${code}.hint` in en));
+  assert.deepEqual(wordless, []);
+  assert.deepEqual(Object.keys(pt).sort(), Object.keys(en).sort());
+  const alike = Object.keys(en).filter((key) => key.startsWith("error.") && pt[key] === en[key]);
+  assert.deepEqual(alike, [], "not translated");
+});
+
+journey("a notice never shows what the modules say in English", async (open) => {
+  const visitor = await open({ locale: "pt-BR" });
+  const { page } = visitor;
+  const shown = await page.evaluate(async () => {
+    const { showTrouble } = await import(new URL("js/page/notice.js", document.baseURI).href);
+    const thrown = (code) => Object.assign(new Error("no landmark is held"), { code, hint: "Choose a landmark first." });
+    return ["no-selection", "from-a-later-version"].map((code) => {
+      showTrouble(thrown(code));
+      return ["notice-title", "notice-hint"].map((id) => document.getElementById(id).innerText);
+    });
+  });
+  assert.deepEqual(shown, [
+    [pt["error.no-selection"], pt["error.no-selection.hint"]],
+    [pt["error.other"], pt["error.other.hint"]],
+  ]);
+});
+
+journey("a browser that keeps nothing is promised nothing", async (open) => {
+  const visitor = await open();
+  const hints = await visitor.page.evaluate(async () => {
+    const { setKeeping, showTrouble } = await import(new URL("js/page/notice.js", document.baseURI).href);
+    const hint = () => document.getElementById("notice-hint").textContent;
+    showTrouble({ code: "device-lost", message: "", hint: "" });
+    const kept = hint();
+    setKeeping(false);
+    const unkept = hint();
+    setKeeping(true);
+    return { kept, unkept, again: hint() };
+  });
+  assert.match(hints.kept, /Your work is kept/);
+  assert.doesNotMatch(hints.unkept, /kept/);
+  assert.equal(hints.again, hints.kept);
+  const promises = Object.keys(en).filter((key) => /\.hint$/.test(key) && /work is kept|reload the page to go on/i.test(en[key]));
+  assert.ok(promises.length > 0);
+  for (const key of promises) assert.ok(`${key}.unkept` in en, key);
+});
+
+/** Every code that the modules, the worker or the page itself can throw. */
+async function allCodes() {
+  /** @type {Set<string>} */
+  const found = new Set();
+  for (const { folder, files, codes } of SOURCES) {
+    for (const name of await readdir(path.join(ROOT, folder), { recursive: true })) {
+      if (!files.test(name)) continue;
+      const source = await readFile(path.join(ROOT, folder, name), "utf8");
+      for (const [, code] of source.matchAll(codes)) found.add(code);
+    }
+  }
+  for (const property of PROPERTIES) found.delete(property);
+  return found;
+}
