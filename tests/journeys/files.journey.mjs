@@ -1,0 +1,154 @@
+import assert from "node:assert/strict";
+import { mkdir, mkdtemp, open as openFile, readFile, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { journey } from "./journey.mjs";
+import { heic, text } from "./pictures.mjs";
+import { SAMPLE } from "./visitor.mjs";
+
+/** The largest photo that is taken. */
+const MAX_PHOTO_BYTES = 40_000_000;
+
+journey("of several files the first that can be opened is, and the page says that it is one of them", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  const portrait = await readFile(SAMPLE);
+  const notes = { bytes: text(), name: "notes.txt", type: "text/plain" };
+  const phone = { bytes: heic(), name: "IMG_0001.HEIC", type: "image/heic" };
+  const photo = { bytes: portrait, name: "me & you.png", type: "image/png" };
+  for (const way of /** @type {const} */ (["drop", "paste"])) {
+    await bring(page, way, [notes, phone, photo]);
+    await visitor.untilFace();
+    assert.match((await visitor.notice()).text, /^One of 3 files is opened\s+me & you\.png: one face at a time\.$/);
+    await page.selectOption("#language", "pt");
+    assert.match((await visitor.notice()).text, /^Um de 3 arquivos foi aberto/);
+    await page.selectOption("#language", "en");
+    await bring(page, way, [photo]);
+    await visitor.untilFace();
+    await page.waitForSelector("#notice", { state: "hidden" });
+  }
+
+  // A type speaks where a name does not, and what cannot be opened says so.
+  await bring(page, "drop", [notes, { ...photo, name: "portrait" }]);
+  await visitor.untilFace();
+  assert.match((await visitor.notice()).text, /One of 2 files/);
+  await bring(page, "drop", [notes, phone]);
+  await page.waitForSelector("#notice[data-code='unsupported-format']");
+});
+
+journey("an address, text or a picture's HTML gets an answer, and text fields still take text", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  const words = [
+    { "text/uri-list": "https://example.com/me.jpg", "text/plain": "https://example.com/me.jpg" },
+    { "text/plain": "A face" },
+    { "text/html": "<img src='https://example.com/me.jpg'>" },
+  ];
+  for (const data of words) {
+    for (const way of /** @type {const} */ (["drop", "paste"])) {
+      await bring(page, way, [], data);
+      const { code, text } = await visitor.notice();
+      assert.equal(code, "not-a-file");
+      assert.match(text, /drop the picture itself/);
+      assert.ok(await page.isHidden("#drop-veil"));
+      await page.keyboard.press("Escape");
+    }
+  }
+  await visitor.unfold("section-landmark");
+  const isLeftAlone = await page.locator("#landmark-search").evaluate((field) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData("text/plain", "nose tip");
+    return field.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+  });
+  assert.ok(isLeftAlone);
+  assert.ok(await page.isHidden("#notice"));
+});
+
+journey("a dropped folder gets an answer", async (open) => {
+  await withFolder(async (folder) => {
+    const visitor = await open();
+    const photos = path.join(folder, "photos.png");
+    await mkdir(photos);
+    await dropFromDesktop(visitor.page, [photos]);
+    assert.equal((await visitor.notice()).code, "folder");
+    await dropFromDesktop(visitor.page, [photos, SAMPLE]);
+    await visitor.untilFace();
+    await visitor.page.waitForSelector("#notice", { state: "hidden" });
+  });
+});
+
+journey("a file of gigabytes is too large, not unreadable; the limit is where the worker has it", async (open) => {
+  await withFolder(async (folder) => {
+    const visitor = await open();
+    const { page } = visitor;
+    for (const [bytes, code] of /** @type {const} */ ([
+      [3 * 2 ** 30, "too-many-bytes"],
+      [MAX_PHOTO_BYTES, "not-a-picture"],
+      [MAX_PHOTO_BYTES + 1, "too-many-bytes"],
+    ])) {
+      const name = path.join(folder, `${bytes}.jpg`);
+      // A file with a hole: it has the size, but fills no disk.
+      const file = await openFile(name, "w");
+      await file.truncate(bytes);
+      await file.close();
+      await page.setInputFiles("#photo-file", name);
+      await page.waitForSelector(`#notice[data-code='${code}']`);
+      await page.waitForSelector("#progress", { state: "hidden" });
+    }
+    await visitor.dropSample();
+  });
+});
+
+/**
+ * Drops or pastes files or data, as other programs bring them.
+ *
+ * @param {import("playwright-core").Page} page
+ * @param {"drop" | "paste"} way
+ * @param {{ bytes: Uint8Array, name: string, type: string }[]} files
+ * @param {Record<string, string>} [data] by MIME type
+ */
+async function bring(page, way, files, data = {}) {
+  const parts = files.map(({ bytes, name, type }) => ({ base64: Buffer.from(bytes).toString("base64"), name, type }));
+  await page.evaluate(
+    ({ way, parts, data }) => {
+      const transfer = new DataTransfer();
+      for (const { base64, name, type } of parts) {
+        const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+        transfer.items.add(new File([bytes], name, { type }));
+      }
+      for (const [type, text] of Object.entries(data)) transfer.setData(type, text);
+      const options = { bubbles: true, cancelable: true };
+      const stage = document.getElementById("stage");
+      if (way === "paste") return stage.dispatchEvent(new ClipboardEvent("paste", { ...options, clipboardData: transfer }));
+      stage.dispatchEvent(new DragEvent("dragover", { ...options, dataTransfer: transfer }));
+      stage.dispatchEvent(new DragEvent("drop", { ...options, dataTransfer: transfer }));
+    },
+    { way, parts, data },
+  );
+}
+
+/**
+ * Drops what lies on the disk, as a file manager does.
+ *
+ * @param {import("playwright-core").Page} page
+ * @param {string[]} files
+ */
+async function dropFromDesktop(page, files) {
+  const browser = await page.context().newCDPSession(page);
+  const data = { items: [], files, dragOperationsMask: 1 };
+  for (const type of /** @type {const} */ (["dragEnter", "dragOver", "drop"])) {
+    await browser.send("Input.dispatchDragEvent", { type, x: 200, y: 200, data });
+  }
+  await browser.detach();
+}
+
+/** @param {(folder: string) => Promise<void>} use */
+async function withFolder(use) {
+  const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
+  try {
+    await use(folder);
+  } finally {
+    await rm(folder, { recursive: true });
+  }
+}
