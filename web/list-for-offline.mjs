@@ -1,28 +1,50 @@
-// Runs at the end of a Trunk build: tells the service worker which files there are, and gives the set a version.
+// Runs at the end of a Trunk build: tells the service worker which files there are and what is in them, and gives the set
+// a version, which the page says of itself too. It may run again over the same folder.
 import { createHash } from "node:crypto";
 import { readFile, readdir, writeFile } from "node:fs/promises";
 import path from "node:path";
 
-const PLACEHOLDER = '{ version: "unbuilt", files: [], fallback: [] }';
+const LIST = /^const OFFLINE = .*;$/m;
+const VERSION = /(?<=<meta name="version" content=")\w+(?=">)/;
+/** The page is asked for as "./", and its text, which says the version, has no hash of its own. */
+const PAGE = "index.html";
 /** What only browsers without WebGPU download. */
 const FALLBACK = /^wasm\/rosto-studio-webgl/;
 
 const dist = process.env.TRUNK_STAGING_DIR ?? "dist";
-const serviceWorker = path.join(dist, "service-worker.js");
 
-const files = (await readdir(dist, { recursive: true, withFileTypes: true }))
+const names = (await readdir(dist, { recursive: true, withFileTypes: true }))
   .filter((entry) => entry.isFile())
   .map((entry) => path.relative(dist, path.join(entry.parentPath, entry.name)).replaceAll(path.sep, "/"))
-  .filter((file) => !file.endsWith(".d.ts") && file !== "service-worker.js")
+  .filter((name) => !name.endsWith(".d.ts") && name !== PAGE && name !== "service-worker.js")
   .sort();
+const files = await Promise.all(names.map(async (name) => [name, `sha256-${sha256(await read(name)).digest("base64")}`]));
 
-const hash = createHash("sha256");
-for (const file of files) hash.update(file).update(await readFile(path.join(dist, file)));
-const version = hash.digest("hex").slice(0, 16);
+const page = String(await read(PAGE)).replace(VERSION, "unbuilt");
+const version = sha256(JSON.stringify(files)).update(page).digest("hex").slice(0, 16);
+const chosen = (isFallback) => Object.fromEntries(files.filter(([name]) => FALLBACK.test(name) === isFallback));
+const list = { version, files: chosen(false), fallback: chosen(true) };
 
-// The page itself is asked for as "./".
-const everyones = files.filter((file) => !FALLBACK.test(file)).map((file) => (file === "index.html" ? "./" : file));
-const offline = { version, files: everyones, fallback: files.filter((file) => FALLBACK.test(file)) };
-const script = await readFile(serviceWorker, "utf8");
-if (!script.includes(PLACEHOLDER)) throw new Error(`${serviceWorker} has no place for the list of files`);
-await writeFile(serviceWorker, script.replace(PLACEHOLDER, JSON.stringify(offline)));
+await fill(PAGE, VERSION, version);
+await fill("service-worker.js", LIST, `const OFFLINE = ${JSON.stringify(list)};`);
+
+/** @param {string} name */
+function read(name) {
+  return readFile(path.join(dist, name));
+}
+
+/** @param {string | Uint8Array} content */
+function sha256(content) {
+  return createHash("sha256").update(content);
+}
+
+/**
+ * @param {string} name
+ * @param {RegExp} place
+ * @param {string} content
+ */
+async function fill(name, place, content) {
+  const text = String(await read(name));
+  if (!place.test(text)) throw new Error(`${path.join(dist, name)} has no place for ${content}`);
+  await writeFile(path.join(dist, name), text.replace(place, () => content));
+}

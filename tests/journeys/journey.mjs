@@ -7,7 +7,7 @@ export const journeys = [];
  * A way through the page, as a visitor goes it.
  *
  * @param {string} name what holds at its end
- * @param {Journey["walk"]} walk opens the page as often as it likes
+ * @param {Journey["walk"]} walk opens the page as often as it likes; under another `url` if it has a server of its own
  * @param {{ needs?: Journey["needs"] }} [options] the browser it needs
  */
 export function journey(name, walk, { needs = "gpu" } = {}) {

@@ -6,11 +6,10 @@ import path from "node:path";
 import { launch } from "./browser.mjs";
 import { journeys } from "./journey.mjs";
 import { asFilm } from "./pictures.mjs";
-import { serve } from "./server.mjs";
+import { DIST, serve } from "./server.mjs";
 import { SAMPLE, Visitor } from "./visitor.mjs";
 
 const HERE = import.meta.dirname;
-const DIST = path.resolve(process.env.ROSTO_DIST ?? path.join(HERE, "../../dist"));
 const BELOW = "/some/where/";
 const LIMIT_MS = 180_000;
 
@@ -31,8 +30,8 @@ for (const one of chosen) {
   const started = performance.now();
   const visitors = [];
   try {
-    await within(LIMIT_MS, one.walk(async (options) => {
-      const visitor = await Visitor.arrive(await browserFor(one.needs), server.url, options);
+    await within(LIMIT_MS, one.walk(async ({ url = server.url, ...options } = {}) => {
+      const visitor = await Visitor.arrive(await browserFor(one.needs), url, options);
       visitors.push(visitor);
       return visitor;
     }));

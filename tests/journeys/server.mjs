@@ -3,6 +3,9 @@ import { stat } from "node:fs/promises";
 import { createServer } from "node:http";
 import path from "node:path";
 
+/** The built page. */
+export const DIST = path.resolve(process.env.ROSTO_DIST ?? path.join(import.meta.dirname, "../../dist"));
+
 const TYPES = {
   ".css": "text/css",
   ".html": "text/html; charset=utf-8",
@@ -15,14 +18,20 @@ const TYPES = {
 };
 
 /**
- * Serves a folder below a path of its own, as a static host would.
+ * Serves a folder below a path of its own, as a static host would, until it is disturbed.
+ *
+ * @typedef {(name: string, response: import("node:http").ServerResponse) => boolean} Disturbance is told the file that is
+ *   asked for, "" for the page, and whether it takes charge of the answer it returns
  *
  * @param {string} folder
  * @param {string} below such as "/some/path/"
  */
 export async function serve(folder, below) {
+  /** @type {Disturbance | undefined} */
+  let disturbance;
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url, "http://localhost");
+    if (disturbance?.(pathname.slice(below.length), response)) return;
     const file = pathname.startsWith(below) && fileFor(folder, decodeURIComponent(pathname.slice(below.length)));
     const found = file && (await stat(file).catch(() => undefined));
     if (!found?.isFile()) return response.writeHead(404).end();
@@ -32,6 +41,10 @@ export async function serve(folder, below) {
   });
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
   return {
+    /** @param {Disturbance} [by] nothing ends it */
+    disturb: (by) => {
+      disturbance = by;
+    },
     url: `http://127.0.0.1:${server.address().port}${below}`,
     close: () => {
       server.closeAllConnections();

@@ -64,6 +64,7 @@ setUpCamera(openFile);
 onAction("sample", () => loadSample().then(openFile, showPhotoTrouble));
 keeper.offer((work) => openWork(work));
 countRequests(loadTheRest());
+dispatchEvent(new Event("started"));
 
 /** The 3D view and every panel that works on it; nothing where the browser cannot draw in 3D. */
 async function openBench() {

@@ -1,0 +1,89 @@
+import assert from "node:assert/strict";
+import { journey } from "./journey.mjs";
+
+/** Answers to the request for a module that leave the page without it. */
+const TROUBLES = [
+  { file: "words/pt.js", what: "is not found", answer: { status: 404 } },
+  { file: "wasm/rosto-studio-web.js", what: "is refused", answer: { status: 500 } },
+  { file: "js/main.js", what: "is a page of somebody else's", answer: { status: 200, contentType: "text/html", body: "<p>Log in" } },
+  { file: "page/tabs.js", what: "cannot be read", answer: { status: 200, contentType: "text/javascript", body: "export const = ;" } },
+];
+
+for (const { file, what, answer } of TROUBLES) {
+  journey(`a page whose ${file} ${what} says so in both languages, and can be loaded again`, async (open) => {
+    const visitor = await open({ before: (context) => context.route(`**/${file}`, (route) => route.fulfill(answer)) });
+    const { page } = visitor;
+    await page.waitForSelector("#not-started");
+    const text = await page.innerText("#not-started");
+    assert.match(text, /A part of the page did not load/);
+    assert.match(text, /Uma parte da página não carregou/);
+    // A module that cannot be read is an error of the page's, and the only one.
+    assert.equal(visitor.broken.splice(0).length, what === "cannot be read" ? 1 : 0);
+
+    await page.context().unroute(`**/${file}`);
+    await page.click("#start-again");
+    await page.waitForSelector("body[data-bench='open']");
+    assert.ok(await page.isHidden("#not-started"));
+  });
+}
+
+journey("a page whose modules do not come says so, and takes it back when they do", async (open) => {
+  let deliver = () => {};
+  const held = new Promise((resolve) => (deliver = () => resolve(undefined)));
+  /** @type {Promise<import("playwright-core").Page>} */
+  let arriving = Promise.reject(new Error("no page"));
+  arriving.catch(() => {});
+  const arrived = open({
+    before: async (context) => {
+      await context.clock.install();
+      await context.route("**/js/words/pt.js", async (route) => {
+        await held;
+        await route.continue();
+      });
+      arriving = context.waitForEvent("page");
+    },
+  });
+  await new Promise((resolve) => setTimeout(resolve, 1000));
+  const page = await arriving;
+  await page.waitForSelector("#not-started", { state: "attached" });
+  assert.ok(await page.isHidden("#not-started"));
+  await page.clock.fastForward(20_000);
+  await page.waitForSelector("#not-started");
+  deliver();
+  await arrived;
+  await page.waitForSelector("#not-started", { state: "hidden" });
+});
+
+for (const [what, block] of /** @type {const} */ ([["cannot be read", blockStorage], ["takes nothing", fillStorage]])) {
+  journey(`with a storage that ${what} the page works, and only forgets`, async (open) => {
+    const visitor = await open({ colorScheme: "light", before: (context) => context.addInitScript(block) });
+    const { page } = visitor;
+    await page.waitForSelector("body[data-bench='open']");
+    await page.selectOption("#language", "pt");
+    assert.equal(await page.innerText("#welcome-title"), "Solte aqui a foto de um rosto");
+    await page.click("#theme");
+    assert.equal(await page.getAttribute("html", "data-theme"), "dark");
+    await page.click("#theme");
+    assert.equal(await page.getAttribute("html", "data-theme"), "light");
+    await visitor.dropSample();
+
+    await page.reload();
+    await page.waitForSelector("body[data-bench='open']");
+    assert.equal(await page.innerText("#welcome-title"), "Drop a photo of a face");
+  });
+}
+
+/** Runs in the page before its own scripts. */
+function blockStorage() {
+  const denied = () => {
+    throw new DOMException("denied", "SecurityError");
+  };
+  Object.defineProperty(window, "localStorage", { get: denied });
+}
+
+/** Runs in the page before its own scripts. */
+function fillStorage() {
+  Storage.prototype.setItem = () => {
+    throw new DOMException("full", "QuotaExceededError");
+  };
+}
