@@ -64,3 +64,56 @@ journey("a photo that takes the worker down leaves the work and a message", asyn
   assert.deepEqual(await visitor.meshJson("mm"), work);
   await visitor.dropSample();
 });
+
+journey("a worker that never comes is given up after a minute, and the next photo starts another", async (open) => {
+  let silences = true;
+  const visitor = await open({
+    before: async (context) => {
+      await context.clock.install();
+      await context.route(WORKER_MODULE, (route) => (silences ? undefined : route.continue()));
+    },
+  });
+  const { page } = visitor;
+  await page.waitForSelector("body[data-bench='open']");
+  await visitor.drop(await readFile(SAMPLE), "portrait.png");
+  await page.waitForSelector("#progress-title:has-text('Loading the face networks')");
+  await page.waitForTimeout(2000);
+  await page.clock.fastForward(50_000);
+  assert.ok(await page.isVisible("#progress"), "it was given up too soon");
+  await page.clock.fastForward(15_000);
+  const { code, text } = await visitor.notice();
+  assert.equal(code, "not-loaded");
+  assert.match(text, /try again/);
+  assert.ok(await page.isHidden("#progress"));
+
+  silences = false;
+  await visitor.dropSample();
+  assert.ok(await page.isHidden("#notice"));
+});
+
+journey("the bar shows how much of the whole is done, and never goes back", async (open) => {
+  const visitor = await open({
+    before: (context) =>
+      context.addInitScript(() => {
+        window.told = [];
+        const listen = Worker.prototype.addEventListener;
+        Worker.prototype.addEventListener = function (type, listener, ...rest) {
+          const heard = (event) => {
+            listener(event);
+            if (event.data?.type !== "progress") return;
+            window.told.push({ fraction: event.data.fraction, bar: document.getElementById("progress-bar").value });
+          };
+          listen.call(this, type, type === "message" ? heard : listener, ...rest);
+        };
+      }),
+  });
+  for (let photo = 0; photo < 2; photo += 1) {
+    await visitor.page.evaluate(() => window.told.splice(0));
+    await visitor.dropSample();
+    const told = await visitor.page.evaluate(() => window.told);
+    assert.ok(told.length >= 3);
+    for (const { fraction, bar } of told) assert.equal(bar, fraction);
+    const bars = told.map(({ bar }) => bar);
+    assert.deepEqual(bars, bars.toSorted((a, b) => a - b));
+  }
+});

@@ -22,16 +22,16 @@ export function showLoading() {
 }
 
 /**
- * Shows how far the photo has come.
+ * Shows how far the photo has come. Within a photo the bar never goes back.
  *
- * @param {Stage} stage
- * @param {number} fraction of this stage, 0 to 1
+ * @param {Stage} stage at work now
+ * @param {number} fraction how much of the whole is done, 0 to 1
  */
 export function showStage(stage, fraction) {
+  const bar = byId("progress-bar", HTMLProgressElement);
+  bar.value = phase === "working" ? Math.max(bar.value, fraction) : fraction;
   setPhase("working");
-  const step = STAGES.indexOf(stage);
-  byId("progress-bar", HTMLProgressElement).value = (step + fraction) / STAGES.length;
-  markSteps(step);
+  markSteps(STAGES.indexOf(stage));
 }
 
 /** Takes the progress away. */

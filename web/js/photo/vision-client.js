@@ -6,8 +6,11 @@
  * @typedef {{ resolve: (found: FoundFaces) => void, reject: (error: unknown) => void, report: (stage: Stage, fraction: number) => void }} Waiting
  */
 
-/** A worker silent for this long in the middle of a photo is taken for dead. */
+/** A worker silent for this long while a photo waits is taken for dead; one that loads tells of every part that arrives. */
 const SILENCE_MS = 60_000;
+
+/** Larger photos are refused unread; the worker's own limit is the same. */
+const MAX_PHOTO_BYTES = 40_000_000;
 
 /** Thrown to whoever waits for a photo that a newer one has replaced. */
 export class Replaced extends Error {}
@@ -22,7 +25,7 @@ export class VisionClient {
   #silence = 0;
   #starts = 0;
   #isReady = false;
-  /** @type {Promise<void>} */
+  /** Resolves once the worker has loaded, or once it is clear that it will not. @type {Promise<void>} */
   ready;
   /** @type {() => void} */
   #nowReady = () => {};
@@ -58,13 +61,17 @@ export class VisionClient {
    * @param {(stage: Stage, fraction: number) => void} report
    * @returns {Promise<FoundFaces>}
    */
-  find(photo, maxFaces, report) {
+  async find(photo, maxFaces, report) {
     this.#rejectAll(new Replaced());
+    if (photo.size > MAX_PHOTO_BYTES) {
+      throw { code: "too-many-bytes", message: `${photo.size} bytes; the limit is ${MAX_PHOTO_BYTES}`, hint: "" };
+    }
     this.start();
     const id = ++this.#lastId;
     return new Promise((resolve, reject) => {
       this.#waiting.set(id, { resolve, reject, report });
       this.#post({ type: "find", id, photo, maxFaces });
+      this.#watchSilence();
     });
   }
 
@@ -79,16 +86,18 @@ export class VisionClient {
    */
   #hear(worker, reply) {
     if (worker !== this.#worker) return;
+    this.#watchSilence();
     switch (reply.type) {
       case "alive":
         return this.#noticeDeath(worker, reply.lock);
+      case "loading":
+        return;
       case "ready":
         this.#isReady = true;
         return this.#nowReady();
       case "unusable":
         return this.#bury(worker, reply.error);
       case "progress":
-        this.#watchSilence();
         return this.#waiting.get(reply.id)?.report(reply.stage, reply.fraction);
       case "found":
         return this.#settle(reply.id)?.resolve(reply.found);
@@ -130,6 +139,7 @@ export class VisionClient {
   #bury(worker, error) {
     worker.terminate();
     if (worker === this.#worker) this.#worker = undefined;
+    this.#nowReady();
     this.#rejectAll(error);
   }
 
@@ -149,9 +159,15 @@ export class VisionClient {
   #watchSilence() {
     clearTimeout(this.#silence);
     if (this.#waiting.size === 0) return;
-    this.#silence = setTimeout(() => {
-      if (this.#worker) this.#replace(this.#worker, `silent for ${SILENCE_MS / 1000} s`);
-    }, SILENCE_MS);
+    this.#silence = setTimeout(() => this.#endSilence(), SILENCE_MS);
+  }
+
+  /** A worker that never came is not started again by itself: the next photo does that. */
+  #endSilence() {
+    const message = `silent for ${SILENCE_MS / 1000} s`;
+    if (!this.#worker) return;
+    if (this.#isReady) this.#replace(this.#worker, message);
+    else this.#bury(this.#worker, { code: "not-loaded", message, hint: "" });
   }
 
   #untilReady() {

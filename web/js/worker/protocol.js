@@ -26,6 +26,7 @@
  * @typedef {{ type: "find", id: number, photo: Blob, maxFaces: number }} Request
  *
  * @typedef {{ type: "alive", lock: string }
+ *   | { type: "loading" }
  *   | { type: "ready" }
  *   | { type: "unusable", error: Trouble }
  *   | { type: "progress", id: number, stage: Stage, fraction: number }

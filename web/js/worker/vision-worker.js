@@ -16,6 +16,9 @@ navigator.locks.request(lock, () => {
   return new Promise(() => {});
 });
 
+/** So often, at most, the page hears that something is arriving. */
+const TELL_EVERY_MS = 1000;
+
 const vision = load();
 vision.then(
   () => tell({ type: "ready" }),
@@ -26,18 +29,40 @@ page.addEventListener("message", (event) => answer(event.data));
 
 async function load() {
   const [, detector, landmarks] = await Promise.all([
-    init(),
-    fetchBytes("face_detector.onnx"),
-    fetchBytes("face_landmarks.onnx"),
+    init({ module_or_path: fetched("../../wasm/rosto-vision-web_bg.wasm") }),
+    fetchBytes("../../assets/face_detector.onnx"),
+    fetchBytes("../../assets/face_landmarks.onnx"),
   ]);
   return new Vision(detector, landmarks);
 }
 
-/** @param {string} name */
-async function fetchBytes(name) {
-  const response = await fetch(new URL(`../../assets/${name}`, import.meta.url));
-  if (!response.ok) throw new Error(`${name}: ${response.status}`);
+/** @param {string} address */
+async function fetchBytes(address) {
+  const response = await fetched(address);
   return new Uint8Array(await response.arrayBuffer());
+}
+
+/**
+ * A file of the page. While it arrives the page hears of it: a slow connection is not a dead one.
+ *
+ * @param {string} address from here
+ */
+async function fetched(address) {
+  const response = await fetch(new URL(address, import.meta.url));
+  if (!response.ok) throw new Error(`${address}: ${response.status}`);
+  tellOfArrival(response.clone()).catch(() => {});
+  return response;
+}
+
+/** @param {Response} response a copy, read to see it come; whoever reads the other one hears of what goes wrong */
+async function tellOfArrival(response) {
+  const reader = response.body?.getReader();
+  let told_ms = -Infinity;
+  while (reader && !(await reader.read()).done) {
+    if (performance.now() - told_ms < TELL_EVERY_MS) continue;
+    told_ms = performance.now();
+    tell({ type: "loading" });
+  }
 }
 
 /** @param {Request} request */
