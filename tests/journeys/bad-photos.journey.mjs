@@ -13,7 +13,7 @@ journey("what is no photo of a face gets a message each, and the page works on",
 
   const jpeg = await asJpeg(visitor.page, await readFile(SAMPLE));
   const photos = [
-    { bytes: faceless(), name: "sky.png", code: "no-face", says: /No face found/ },
+    { bytes: faceless(), name: "sky.png", code: "no-face-found", says: /No face found/ },
     { bytes: text(), name: "diary.jpg", code: "not-a-picture", says: /not a picture/ },
     { bytes: jpeg.subarray(0, jpeg.length / 2), name: "half.jpg", code: "damaged-picture", says: /damaged or incomplete/ },
     { bytes: heic(), name: "IMG_0001.HEIC", code: "unsupported-format", says: /Most Compatible/ },
@@ -25,7 +25,7 @@ journey("what is no photo of a face gets a message each, and the page works on",
     await visitor.page.waitForSelector("#progress", { state: "hidden" });
     assert.match((await visitor.notice()).text, says);
     assert.match(await visitor.page.locator("#photo-error").innerText(), says);
-    if (code === "no-face") await visitor.page.keyboard.press("Escape");
+    if (code === "no-face-found") await visitor.page.keyboard.press("Escape");
     else await visitor.page.click("#notice-close");
     assert.ok(await visitor.page.isHidden("#notice"));
     assert.deepEqual(await visitor.meshJson("mm"), work, `${name} changed the work on screen`);

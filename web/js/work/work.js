@@ -28,7 +28,7 @@
  */
 export function faceOf(found, index) {
   const face = found.faces[index];
-  if (!face) throw { code: "no-face", message: "no face in the photo", hint: "" };
+  if (!face) throw { code: "no-face-found", message: "no face in the photo", hint: "" };
   const { width_px, height_px, pictureWidth_px, pictureHeight_px, picture } = found;
   const { landmarks, colours } = face;
   return { width_px, height_px, landmarks, colours, pictureWidth_px, pictureHeight_px, picture };
