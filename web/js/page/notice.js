@@ -4,7 +4,7 @@ import { byId } from "./dom.js";
 /**
  * @typedef {import("../worker/protocol.js").Trouble} Trouble
  * @typedef {"one-of-several"} Remark
- * @typedef {{ words: () => { title: string, hint: string }, code: string, isPhotos: boolean }} Notice
+ * @typedef {{ kind: "trouble" | "remark", code: string, words: () => { title: string, hint: string }, isPhotos: boolean }} Notice
  */
 
 /** @type {Notice | undefined} */
@@ -47,7 +47,7 @@ export function showPhotoTrouble(thrown) {
  */
 export function showRemark(remark, values) {
   const words = () => ({ title: say(`remark.${remark}`, values), hint: say(`remark.${remark}.hint`, values) });
-  show({ words, code: remark, isPhotos: false });
+  show({ kind: "remark", code: remark, words, isPhotos: false });
 }
 
 /** Takes the notice away. */
@@ -70,9 +70,10 @@ export function setKeeping(isKept) {
  * @returns {Trouble}
  */
 export function asTrouble(thrown) {
-  if (typeof thrown === "object" && thrown !== null && "code" in thrown && "message" in thrown) {
-    const hint = "hint" in thrown ? String(thrown.hint) : "";
-    return { code: String(thrown.code), message: String(thrown.message), hint };
+  // A browser's own exceptions have codes that are numbers.
+  if (typeof thrown === "object" && thrown !== null && "code" in thrown && typeof thrown.code === "string") {
+    const { message = "", hint = "" } = /** @type {Partial<Trouble>} */ (thrown);
+    return { code: thrown.code, message, hint };
   }
   return { code: "other", message: String(thrown), hint: "" };
 }
@@ -93,7 +94,7 @@ function show(notice) {
 function troubled(thrown, isPhotos) {
   const { code } = asTrouble(thrown);
   if (!isWord(`error.${code}`)) console.error(thrown);
-  return { words: () => wordsFor(code), code, isPhotos };
+  return { kind: "trouble", code, words: () => wordsFor(code), isPhotos };
 }
 
 function write() {
@@ -103,6 +104,7 @@ function write() {
   photoError.hidden = !shown?.isPhotos;
   if (!shown) return;
   const { title, hint } = shown.words();
+  notice.dataset["kind"] = shown.kind;
   notice.dataset["code"] = shown.code;
   byId("notice-title", HTMLParagraphElement).textContent = title;
   byId("notice-hint", HTMLParagraphElement).textContent = hint;

@@ -1,3 +1,6 @@
+/** A server that has not sent it all by then is not going to. */
+const PATIENCE_MS = 60_000;
+
 /** @type {Promise<Blob> | undefined} */
 let sample;
 
@@ -11,7 +14,11 @@ export function loadSample() {
 }
 
 async function fetchSample() {
-  const response = await fetch(new URL("../../assets/sample.png", import.meta.url));
-  if (!response.ok) throw { code: "not-loaded", message: `sample.png: ${response.status}`, hint: "" };
-  return response.blob();
+  try {
+    const response = await fetch(new URL("../../assets/sample.png", import.meta.url), { signal: AbortSignal.timeout(PATIENCE_MS) });
+    if (!response.ok) throw new Error(`status ${response.status}`);
+    return await response.blob();
+  } catch (error) {
+    throw { code: "not-loaded", message: `sample.png: ${error}`, hint: "" };
+  }
 }
