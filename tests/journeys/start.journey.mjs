@@ -73,6 +73,20 @@ for (const [what, block] of /** @type {const} */ ([["cannot be read", blockStora
   });
 }
 
+for (const status of [404, "lost"]) {
+  journey(`a sample that is ${status} gets a notice, and can be tried again`, async (open) => {
+    const visitor = await open({
+      before: (context) => context.route("**/assets/sample.png", (route) => (status === "lost" ? route.abort() : route.fulfill({ status }))),
+    });
+    const { page } = visitor;
+    await page.click("#welcome [data-action='sample']");
+    assert.equal((await visitor.notice()).code, "not-loaded");
+    await page.context().unroute("**/assets/sample.png");
+    await page.click("#welcome [data-action='sample']");
+    await visitor.untilFace();
+  });
+}
+
 /** Runs in the page before its own scripts. */
 function blockStorage() {
   const denied = () => {

@@ -1,5 +1,8 @@
 /** @typedef {import("../worker/protocol.js").Verdict} Verdict */
 
+/** The page counts as loaded without it after this long; it may still come. */
+const START_PATIENCE_MS = 60_000;
+
 /** A file is handed over unchecked rather than later than this. */
 const PATIENCE_MS = 5000;
 
@@ -14,6 +17,7 @@ export class Validator {
   /** Starts it. Resolves when it is there, or when it is clear that it will not be. */
   start() {
     return new Promise((/** @type {(value: void) => void} */ resolve) => {
+      setTimeout(resolve, START_PATIENCE_MS);
       const worker = new Worker(new URL("../worker/validator-worker.js", import.meta.url));
       worker.addEventListener("message", ({ data }) => {
         if (data.ready) {
