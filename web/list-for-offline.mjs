@@ -16,7 +16,7 @@ const dist = process.env.TRUNK_STAGING_DIR ?? "dist";
 const names = (await readdir(dist, { recursive: true, withFileTypes: true }))
   .filter((entry) => entry.isFile())
   .map((entry) => path.relative(dist, path.join(entry.parentPath, entry.name)).replaceAll(path.sep, "/"))
-  .filter((name) => !name.endsWith(".d.ts") && name !== PAGE && name !== "service-worker.js")
+  .filter((name) => !name.startsWith(".") && !name.endsWith(".d.ts") && name !== PAGE && name !== "service-worker.js")
   .sort();
 const files = await Promise.all(names.map(async (name) => [name, `sha256-${sha256(await read(name)).digest("base64")}`]));
 

@@ -104,7 +104,8 @@ journey("no photo is taken of a video that has no size yet", async (open) => {
   });
   const { page } = visitor;
   await page.click("#welcome [data-action='camera']");
-  await page.waitForFunction(() => !document.getElementById("camera-preview").paused);
+  await page.waitForFunction(() => document.getElementById("camera-preview").readyState >= HTMLMediaElement.HAVE_FUTURE_DATA);
+  await visitor.frames(10);
   assert.ok(await page.isDisabled("#camera-shutter"));
   await page.evaluate(() => {
     window.videoHasSize = true;
