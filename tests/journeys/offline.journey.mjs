@@ -49,6 +49,11 @@ journey("a page of a newer version comes from the network with all its files, or
     for (const file of ["css/base.css", "js/main.js", "js/words/en.js", "wasm/rosto-vision-web_bg.wasm", "assets/sample.png"]) {
       assert.ok(asked.includes(file), `${file} came from the store of an older version`);
     }
+    // The browser ends a service worker that has had nothing to do for a while.
+    await stopServiceWorkers(visitor.page);
+    asked.length = 0;
+    await visitor.page.evaluate(() => fetch("js/main.js"));
+    assert.deepEqual(asked, ["js/main.js"]);
 
     server.disturb((name, response) => (name === "" ? send(response, newer) : name === "js/words/pt.js" && fail(response, 503)));
     await visitor.page.reload();
@@ -88,6 +93,14 @@ async function withServer(use) {
   } finally {
     server.close();
   }
+}
+
+/** @param {import("playwright-core").Page} page */
+async function stopServiceWorkers(page) {
+  const browser = await page.context().newCDPSession(page);
+  await browser.send("ServiceWorker.enable");
+  await browser.send("ServiceWorker.stopAllWorkers");
+  await browser.detach();
 }
 
 /** @param {import("./visitor.mjs").Visitor} visitor */

@@ -93,7 +93,7 @@ function show(notice) {
  */
 function troubled(thrown, isPhotos) {
   const { code } = asTrouble(thrown);
-  if (!isWord(`error.${code}`)) console.error(thrown);
+  if (code === "other" || !isWord(`error.${code}`)) console.error(thrown);
   return { kind: "trouble", code, words: () => wordsFor(code), isPhotos };
 }
 

@@ -302,7 +302,7 @@ export const pt = {
   "error.bad-face.hint": "Tente uma foto em que o rosto esteja maior e voltado para a câmera.",
   "error.not-a-file": "O que foi solto ou colado não é um arquivo",
   "error.not-a-file.hint": "Um endereço ou um texto não pode ser aberto: salve primeiro a imagem neste aparelho e solte a própria imagem.",
-  "error.folder": "Não dá para abrir uma pasta",
+  "error.folder": "Uma pasta não pode ser aberta",
   "error.folder.hint": "Solte a própria foto.",
   "error.not-a-picture": "Este arquivo não é uma imagem",
   "error.not-a-picture.hint": "Escolha uma foto em JPEG, PNG ou WebP.",
