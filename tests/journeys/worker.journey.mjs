@@ -1,8 +1,10 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
+import path from "node:path";
 import { journey } from "./journey.mjs";
 import { colourCount } from "./pixels.mjs";
 import { faceless } from "./pictures.mjs";
+import { DIST, serve } from "./server.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 const WORKER_MODULE = "**/rosto-vision-web_bg.wasm";
@@ -89,6 +91,38 @@ journey("a worker that never comes is given up after a minute, and the next phot
   silences = false;
   await visitor.dropSample();
   assert.ok(await page.isHidden("#notice"));
+});
+
+journey("a worker on a slow connection is waited for", async (open) => {
+  const module = "wasm/rosto-vision-web_bg.wasm";
+  const bytes = await readFile(path.join(DIST, module));
+  const piece_bytes = Math.ceil(bytes.length / 6);
+  const server = await serve(DIST, "/slow/");
+  /** @type {import("node:http").ServerResponse | undefined} */
+  let response;
+  server.disturb((name, answer) => {
+    if (name !== module) return false;
+    response = answer.writeHead(200, { "content-type": "application/wasm", "content-length": bytes.length });
+    return true;
+  });
+  try {
+    const visitor = await open({ url: server.url, before: (context) => context.clock.install() });
+    const { page } = visitor;
+    await page.waitForSelector("body[data-bench='open']");
+    await visitor.drop(await readFile(SAMPLE), "portrait.png");
+    await page.waitForSelector("#progress-title:has-text('Loading the face networks')");
+    for (let at = 0; at < bytes.length; at += piece_bytes) {
+      response?.write(bytes.subarray(at, at + piece_bytes));
+      // The worker tells of what arrives once in a second.
+      await page.waitForTimeout(1500);
+      if (at + piece_bytes < bytes.length) await page.clock.fastForward(40_000);
+    }
+    response?.end();
+    await visitor.untilFace();
+    assert.ok(await page.isHidden("#notice"));
+  } finally {
+    server.close();
+  }
 });
 
 journey("the bar shows how much of the whole is done, and never goes back", async (open) => {
