@@ -10,7 +10,7 @@ journey("a double click opens one camera, and Escape stops it", async (open) => 
   await visitor.page.dblclick("#welcome [data-action='camera']");
   await visitor.page.waitForSelector("#camera-shutter:enabled");
   await visitor.page.keyboard.press("Escape");
-  await visitor.page.waitForSelector("#camera", { state: "hidden" });
+  await untilClosed(visitor.page);
   assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
 
   // Once more, and the other way out.
@@ -30,7 +30,7 @@ journey("two presses before the page has answered either ask for the camera once
   });
   await visitor.page.waitForSelector("#camera-shutter:enabled");
   await visitor.page.keyboard.press("Escape");
-  await visitor.page.waitForSelector("#camera", { state: "hidden" });
+  await untilClosed(visitor.page);
   assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
 }, needs);
 
@@ -42,20 +42,20 @@ journey("the dialog is there while the browser asks, and a camera allowed after 
   assert.match(await page.innerText("#camera-status"), /Allow the camera/);
   assert.ok(await page.isDisabled("#camera-shutter"));
   await page.keyboard.press("Escape");
-  await page.waitForSelector("#camera", { state: "hidden" });
+  await untilClosed(page);
   await page.evaluate(() => window.allowCamera());
   await page.waitForFunction(() => window.cameraTracks.length === 1 && window.cameraTracks[0].readyState === "ended");
 
   // Closed and opened again while the browser asks: its one answer serves the dialog that is open.
   await page.click("#welcome [data-action='camera']");
   await page.keyboard.press("Escape");
-  await page.waitForSelector("#camera", { state: "hidden" });
+  await untilClosed(page);
   await page.click("#welcome [data-action='camera']");
   await page.evaluate(() => window.allowCamera());
   await page.waitForSelector("#camera-shutter:enabled");
   assert.deepEqual(await camera(visitor), { asked: 2, tracks: 2, live: 1 });
   await page.keyboard.press("Escape");
-  await page.waitForSelector("#camera", { state: "hidden" });
+  await untilClosed(page);
   assert.equal((await camera(visitor)).live, 0);
 }, needs);
 
@@ -83,7 +83,7 @@ journey("Escape during the countdown takes no photo", async (open) => {
   await page.click("#camera-shutter:enabled");
   await page.waitForFunction(() => /[123]/.test(document.getElementById("camera-countdown").textContent));
   await page.keyboard.press("Escape");
-  await page.waitForSelector("#camera", { state: "hidden" });
+  await untilClosed(page);
   // Open again: the first countdown must not take the second one's photo.
   await page.click("#welcome [data-action='camera']");
   await page.waitForTimeout(4500);
@@ -113,6 +113,16 @@ journey("no photo is taken of a video that has no size yet", async (open) => {
   });
   await page.waitForSelector("#camera-shutter:enabled");
 }, needs);
+
+/**
+ * Waits until the dialog is gone and nothing of the camera runs, which the browser tells the page a moment later.
+ *
+ * @param {import("playwright-core").Page} page
+ */
+async function untilClosed(page) {
+  await page.waitForSelector("#camera", { state: "hidden" });
+  await page.waitForFunction(() => window.cameraTracks.every((track) => track.readyState === "ended"), undefined, { timeout: 5000 });
+}
 
 /** How often the page asked for the camera, the tracks it was given, and how many of them still run. */
 function camera(/** @type {import("./visitor.mjs").Visitor} */ visitor) {

@@ -38,7 +38,8 @@ class Camera {
   /** @param {(photo: Blob) => void} open */
   constructor(open) {
     this.#open = open;
-    // The event comes late: by then the dialog may be open again.
+    this.#dialog.addEventListener("cancel", () => this.#close());
+    // This one comes late: by then the dialog may be open again.
     this.#dialog.addEventListener("close", () => this.#dialog.open || this.#close());
     this.#video.addEventListener("resize", () => this.#write());
     this.#shutter.addEventListener("click", (event) => isFirst(event) && this.#countDown());
