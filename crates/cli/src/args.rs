@@ -1,5 +1,6 @@
 use std::path::PathBuf;
 
+use clap::builder::RangedU64ValueParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use rosto_face::{Region, Triangulation};
 use rosto_studio::{FaceSlider, Hold, Operator};
@@ -11,7 +12,7 @@ const EXIT_CODES: &str = "\
 Exit codes:
   0  done; for `landmarks`, also when a picture shows no face
   1  something failed that should not have
-  2  the command line or the edits file is not understood
+  2  the command line or the edits file is not understood, or asks for something that would change nothing
   3  a photo cannot be read: missing, no picture, damaged or too large
   4  no face in the photo
   5  an edit cannot be made: no such vertex, an anchor that is the handle, no number
@@ -51,7 +52,8 @@ pub struct LandmarksTask {
     #[arg(required = true, value_name = "PHOTO")]
     pub photos: Vec<PathBuf>,
     /// How many faces to look for in each photo, the most certain ones first
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true,
+        value_parser = RangedU64ValueParser::<usize>::new().range(1..))]
     pub max_faces: usize,
 }
 
@@ -59,16 +61,17 @@ pub struct LandmarksTask {
 pub struct MeshTask {
     /// JPEG, PNG or WebP; - reads standard input
     pub photo: PathBuf,
-    /// The file to write; its name ends in .glb, .gltf, .obj, .ply, .stl or .json
+    /// The file to write, whole or not at all; its name ends in .glb, .gltf, .obj, .ply, .stl or .json
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// How the landmarks are joined: with holes for eyes and mouth, or closed
     #[arg(long, value_enum, default_value_t)]
     pub topology: Topology,
     /// How often every triangle is cut in four (Loop subdivision); colours come from the photo
-    #[arg(long, value_name = "TIMES", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=4))]
+    #[arg(long, value_name = "TIMES", default_value_t = 0, allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(0..=4))]
     pub density: u32,
-    /// How a GLB is painted
+    /// How a GLB or glTF is painted
     #[arg(long, value_enum, default_value_t)]
     pub paint: Paint,
     /// Writes the face unedited, with each edit as a named morph target at weight 1; for .glb and .gltf with --units mm
@@ -107,7 +110,7 @@ pub struct EditArguments {
     #[arg(long = "slider", value_name = "SLIDER:MM", allow_hyphen_values = true, long_help = slider_help())]
     pub sliders: Vec<SliderEdit>,
     /// Brings both sides closer to each other, by a share from 0 to 1
-    #[arg(long, value_name = "SHARE")]
+    #[arg(long, value_name = "SHARE", allow_negative_numbers = true, value_parser = follow::share)]
     pub symmetrise: Option<f64>,
 }
 
@@ -119,19 +122,19 @@ pub struct FollowArguments {
     #[arg(long, value_enum, default_value_t)]
     pub operator: OperatorName,
     /// How firmly handles and anchors are held: "exact", or the weight of a soft constraint
-    #[arg(long, value_name = "exact|WEIGHT", default_value = "1", value_parser = follow::hold)]
+    #[arg(long, value_name = "exact|WEIGHT", allow_negative_numbers = true, default_value = "1", value_parser = follow::hold)]
     pub hold: Hold,
     /// What stays in place: two random vertices, the face's oval, everything further away than a radius, or only --pin
     #[arg(long, value_name = "random|oval|outside:RADIUS|pins", default_value = "random", value_parser = follow::anchors)]
     pub anchors: follow::Rule,
     /// Chooses the random anchors
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
     pub seed: u64,
     /// A vertex that stays in place, beside the others; repeatable
-    #[arg(long = "pin", value_name = "VERTEX")]
+    #[arg(long = "pin", value_name = "VERTEX", allow_negative_numbers = true)]
     pub pins: Vec<u32>,
     /// Lets nothing move further than this from what is moved, along the surface, in the units of the edits
-    #[arg(long, value_name = "RADIUS")]
+    #[arg(long, value_name = "RADIUS", allow_negative_numbers = true, value_parser = follow::radius)]
     pub radius: Option<f64>,
     /// Moves the other side of the face by the mirrored offset; needs --units mm
     #[arg(long)]
@@ -162,10 +165,11 @@ pub struct PaperTask {
     #[arg(short, long, value_name = "DIR", default_value = "rosto-paper")]
     pub output: PathBuf,
     /// Chooses the vertices and their anchors; each further run takes the next seed
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
     pub seed: u64,
     /// How many runs, with other vertices and anchors, the statistics are over
-    #[arg(long, value_name = "N", default_value_t = 20)]
+    #[arg(long, value_name = "N", default_value_t = 20, allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u64).range(1..))]
     pub runs: u64,
 }
 

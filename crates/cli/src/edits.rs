@@ -79,7 +79,7 @@ fn vertex_of_level(text: &str) -> Result<(u32, u32), String> {
 }
 
 fn vertex(text: &str) -> Result<u32, String> {
-    text.trim().parse().map_err(|_| format!("{text:?} is no vertex: a number from 0 to 467 is"))
+    text.trim().parse().map_err(|_| format!("{text:?} is no vertex: a whole number such as 4 is"))
 }
 
 fn offset(text: &str) -> Result<DVec3, String> {
@@ -105,11 +105,19 @@ struct EditDto {
     anchors: Option<Vec<u32>>,
 }
 
-/// Reads a JSON file of edits.
+/// Millions of edits, more than anybody waits for.
+const MAX_BYTES: usize = 16_000_000;
+
+/// Reads a JSON file of edits, with or without a byte-order mark.
 pub fn read(path: &Path) -> Result<Vec<Edit>, CliError> {
-    let refused = |reason: String| CliError::EditsFile { path: path.to_owned(), reason };
-    let edits: Vec<EditDto> =
-        serde_json::from_slice(&files::read(path)?).map_err(|reason| refused(reason.to_string()))?;
+    let unreadable = |reason| CliError::EditsUnreadable { path: path.to_owned(), reason };
+    let bytes = files::read(path, MAX_BYTES).map_err(unreadable)?;
+    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
+        return Err(CliError::EditsUtf16 { path: path.to_owned() });
+    }
+    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
+    let refused = |reason: serde_json::Error| CliError::EditsFile { path: path.to_owned(), reason: reason.to_string() };
+    let edits: Vec<EditDto> = serde_json::from_slice(text).map_err(refused)?;
     let edit = |EditDto { vertex, level, offset, anchors }| Edit { level, vertex, offset: offset.into(), anchors };
     Ok(edits.into_iter().map(edit).collect())
 }

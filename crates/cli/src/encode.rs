@@ -22,9 +22,10 @@ pub enum Format {
 }
 
 impl Format {
-    /// By the ending of the file's name.
+    /// By the ending of the file's name, in capitals or not.
     pub fn of(path: &Path) -> Result<Self, CliError> {
-        match path.extension().and_then(|extension| extension.to_str()) {
+        let extension = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
+        match extension.as_deref() {
             Some("glb") => Ok(Self::Glb),
             Some("gltf") => Ok(Self::Gltf),
             Some("obj") => Ok(Self::Obj),
@@ -42,6 +43,9 @@ pub fn encode(face: &FaceModel, document: &Document, task: &MeshTask, format: Fo
         Units::Image => model_from_image(face, document.positions()),
         Units::Mm => document.positions().to_vec(),
     };
+    if let Some(vertex) = document.positions().iter().position(|position| !position.is_finite()) {
+        return Err(CliError::NotFinite { vertex });
+    }
     let uvs: Vec<DVec2> = document.from_cage(face.uvs());
     let colours_srgb = if task.density == 0 { face.colours_srgb().to_vec() } else { face.colours_under(&uvs) };
     let model = Model {

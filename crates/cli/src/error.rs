@@ -1,42 +1,66 @@
-use std::io;
-use std::path::PathBuf;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use rosto_export::ExportError;
 use rosto_face::FaceError;
 use rosto_landmarks::LandmarksError;
-use rosto_laplacian::LaplacianError;
 use rosto_photo::PhotoError;
 use rosto_studio::StudioError;
 use thiserror::Error;
 
+use crate::files::{self, ReadError};
+use crate::terminal;
+
+mod hint;
+
 /// Why the program cannot do what it was asked.
 #[derive(Debug, Error)]
 pub enum CliError {
-    #[error("{}: {reason}", path.display())]
-    Unreadable { path: PathBuf, reason: io::Error },
-    #[error("{}: {reason}", path.display())]
+    #[error("{flag} would change nothing: {reason}")]
+    Useless { flag: &'static str, reason: &'static str },
+    #[error("standard input is asked for twice, and can be read once")]
+    StandardInputTwice,
+    #[error("{}: this is {}, and would be overwritten", named(path), named(input))]
+    OverInput { path: PathBuf, input: PathBuf },
+    #[error("{}: {reason}", named(path))]
+    Unreadable { path: PathBuf, reason: ReadError },
+    #[error("{}: {reason}", named(path))]
     NoPicture { path: PathBuf, reason: PhotoError },
-    #[error("{}: no face found", path.display())]
+    #[error("{}: no face found", named(path))]
     NoFace { path: PathBuf },
-    #[error("{}: {reason}", path.display())]
+    #[error("{}: {reason}", named(path))]
     NoModel { path: PathBuf, reason: FaceError },
     #[error("{count} of the photos could not be read")]
     SomePhotosFailed { count: usize },
-    #[error("{}: {reason}", path.display())]
+    #[error("{count} of the photos could not be read, {by_networks} of them because of the networks")]
+    NetworksFailed { count: usize, by_networks: usize },
+    #[error("{}: {reason}", named(path))]
+    EditsUnreadable { path: PathBuf, reason: ReadError },
+    #[error("{}: {reason}", named(path))]
     EditsFile { path: PathBuf, reason: String },
+    #[error("{}: this is UTF-16 text", named(path))]
+    EditsUtf16 { path: PathBuf },
     #[error("edit {number} ({what}): {reason}")]
     Edit { number: usize, what: String, reason: StudioError },
-    #[error("{}: unknown kind of file", path.display())]
+    #[error("the edits take vertex {vertex} to where no number reaches")]
+    NotFinite { vertex: usize },
+    #[error("{}: unknown kind of file", named(path))]
     UnknownFormat { path: PathBuf },
-    #[error("{}: {reason}", path.display())]
+    #[error("{}: {reason}", named(path))]
     Unwritable { path: PathBuf, reason: io::Error },
     #[error("standard output: {0}")]
     Output(io::Error),
-    #[error("the face networks are not in {}", looked_in.iter().map(|path| path.display().to_string()).collect::<Vec<_>>().join(", nor in "))]
+    #[error("the face networks are not in {}", looked_in.iter().map(|path| named(path)).collect::<Vec<_>>().join(", nor in "))]
     NetworksMissing { looked_in: Vec<PathBuf> },
+    #[error("{}: this network is missing; the other one is there", named(path))]
+    NetworkMissing { path: PathBuf },
+    #[error("{}: {reason}", named(path))]
+    NetworkUnreadable { path: PathBuf, reason: ReadError },
     #[error(transparent)]
     Networks(#[from] LandmarksError),
+    #[error("{}: the networks answer with a face that has no place: landmark {landmark} is not finite", named(path))]
+    NoPlace { path: PathBuf, landmark: usize },
     #[error(transparent)]
     Export(#[from] ExportError),
     #[error(transparent)]
@@ -46,65 +70,47 @@ pub enum CliError {
 impl CliError {
     /// Says on standard error what went wrong and what to do.
     pub fn report(&self) {
-        eprintln!("rosto: {self}");
+        let mut text = format!("rosto: {}\n", terminal::escaped(&self.to_string()));
         if let Some(hint) = self.hint() {
-            eprintln!("  {hint}");
+            text += &format!("  {hint}\n");
         }
+        // Where nobody can be told, the exit code still tells.
+        let _ = io::stderr().write_all(text.as_bytes());
     }
 
     pub fn is_broken_pipe(&self) -> bool {
         matches!(self, Self::Output(reason) if reason.kind() == io::ErrorKind::BrokenPipe)
     }
 
+    /// Whether the networks are to blame, and not what they were shown.
+    pub fn is_of_networks(&self) -> bool {
+        self.code() == 7
+    }
+
     /// As `--help` lists them.
     pub fn exit_code(&self) -> ExitCode {
-        ExitCode::from(match self {
-            Self::EditsFile { .. } | Self::UnknownFormat { .. } => 2,
+        ExitCode::from(self.code())
+    }
+
+    fn code(&self) -> u8 {
+        match self {
+            Self::Useless { .. } | Self::StandardInputTwice | Self::OverInput { .. } | Self::UnknownFormat { .. } => 2,
+            Self::EditsUnreadable { .. } | Self::EditsFile { .. } | Self::EditsUtf16 { .. } => 2,
             Self::Unreadable { .. } | Self::NoPicture { .. } | Self::SomePhotosFailed { .. } => 3,
             Self::NoFace { .. } => 4,
             // An offset of 1e300 can be made, but not written.
-            Self::Edit { .. } | Self::Export(ExportError::NotFinite { .. }) => 5,
+            Self::Edit { .. } | Self::NotFinite { .. } | Self::Export(ExportError::NotFinite { .. }) => 5,
             Self::Unwritable { .. } | Self::Output(_) => 6,
-            Self::NetworksMissing { .. } | Self::Networks(LandmarksError::NetworkDamaged { .. }) => 7,
-            Self::NoModel { .. } | Self::Networks(_) | Self::Export(_) | Self::Studio(_) => 1,
-        })
-    }
-
-    fn hint(&self) -> Option<&'static str> {
-        match self {
-            Self::Unreadable { reason, .. } if reason.kind() == io::ErrorKind::NotFound => {
-                Some("Check the file's name.")
-            }
-            Self::NoPicture { reason, .. } => Some(reason.hint()),
-            Self::NoFace { .. } => Some("The face should fill a tenth of the picture or more and look at the camera."),
-            Self::EditsFile { .. } => {
-                Some(r#"It should hold a list such as [{"vertex": 4, "offset": [0, 0, 1], "anchors": [10, 152]}]."#)
-            }
-            Self::Edit { reason: StudioError::Laplacian(reason), .. } => edit_hint(reason),
-            Self::Edit { reason: StudioError::NoMirror, .. } => {
-                Some("Add --units mm; a vertex of a denser mesh also needs --topology canonical.")
-            }
-            Self::Edit { reason: StudioError::TooCoarse { .. }, .. } => Some("Give --density as many or more."),
-            Self::UnknownFormat { .. } => Some("End its name in .glb, .gltf, .obj, .ply, .stl or .json."),
-            Self::Unwritable { .. } => Some("Check that the folder is there and may be written to."),
-            Self::NetworksMissing { .. } => {
-                Some("Run `cargo xtask setup` in the source tree, or name their folder with --networks.")
-            }
-            Self::Networks(LandmarksError::NetworkDamaged { .. }) => {
-                Some("Run `cargo xtask setup` to obtain them again.")
-            }
-            _ => None,
+            Self::NetworksMissing { .. } | Self::NetworkMissing { .. } | Self::NetworkUnreadable { .. } => 7,
+            Self::Networks(_) | Self::NetworksFailed { .. } | Self::NoPlace { .. } => 7,
+            Self::NoModel { .. } | Self::Export(_) | Self::Studio(_) => 1,
         }
     }
 }
 
-fn edit_hint(reason: &LaplacianError) -> Option<&'static str> {
-    match reason {
-        LaplacianError::NoSuchVertex { .. } => {
-            Some("The landmarks are numbered 0 to 467; VERTEX@LEVEL is one of a denser mesh.")
-        }
-        LaplacianError::PinnedHandle { .. } => Some("Name anchors other than the vertex that is moved."),
-        LaplacianError::Repeated { .. } => Some("Name each anchor once."),
-        _ => None,
+fn named(path: &Path) -> String {
+    match files::is_standard_input(path) {
+        true => "standard input".to_owned(),
+        false => path.display().to_string(),
     }
 }

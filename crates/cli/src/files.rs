@@ -1,23 +1,52 @@
-use std::io::{Read, Write};
+//! What is read: files and standard input, never more than a limit. And lines for standard output.
+
+use std::fs::File;
+use std::io::{self, Read, Write};
 use std::path::Path;
-use std::{fs, io};
+
+use thiserror::Error;
 
 use crate::error::CliError;
 
-/// The whole file; `-` is standard input.
-pub fn read(path: &Path) -> Result<Vec<u8>, CliError> {
-    let bytes = if path.as_os_str() == "-" { read_input() } else { fs::read(path) };
-    bytes.map_err(|reason| CliError::Unreadable { path: path.to_owned(), reason })
+/// Why bytes cannot be had.
+#[derive(Debug, Error)]
+pub enum ReadError {
+    #[error(transparent)]
+    Io(#[from] io::Error),
+    #[error("there is nothing in it")]
+    Empty,
+    /// `found_bytes` is one more than the limit where nothing says how much would follow.
+    #[error("it has {found_bytes} bytes or more; the limit is {max_bytes}")]
+    TooManyBytes { found_bytes: usize, max_bytes: usize },
 }
 
-fn read_input() -> io::Result<Vec<u8>> {
+/// `-` stands for standard input.
+pub fn is_standard_input(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+/// The whole file; `-` is standard input. Stops at the first byte beyond the limit.
+pub fn read(path: &Path, max_bytes: usize) -> Result<Vec<u8>, ReadError> {
+    if is_standard_input(path) {
+        return read_at_most(io::stdin().lock(), max_bytes);
+    }
+    let file = File::open(path)?;
+    // A device or a pipe says 0.
+    let found_bytes = usize::try_from(file.metadata()?.len()).unwrap_or(usize::MAX);
+    if found_bytes > max_bytes {
+        return Err(ReadError::TooManyBytes { found_bytes, max_bytes });
+    }
+    read_at_most(file, max_bytes)
+}
+
+fn read_at_most(input: impl Read, max_bytes: usize) -> Result<Vec<u8>, ReadError> {
     let mut bytes = Vec::new();
-    io::stdin().read_to_end(&mut bytes)?;
-    Ok(bytes)
-}
-
-pub fn write(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
-    fs::write(path, bytes).map_err(|reason| CliError::Unwritable { path: path.to_owned(), reason })
+    input.take(max_bytes as u64 + 1).read_to_end(&mut bytes)?;
+    match bytes.len() {
+        0 => Err(ReadError::Empty),
+        found_bytes if found_bytes > max_bytes => Err(ReadError::TooManyBytes { found_bytes, max_bytes }),
+        _ => Ok(bytes),
+    }
 }
 
 /// Writes a line to standard output.

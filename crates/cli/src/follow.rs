@@ -21,6 +21,20 @@ pub fn hold(text: &str) -> Result<Hold, String> {
     }
 }
 
+/// A length, in the units of the edits.
+pub fn radius(text: &str) -> Result<f64, String> {
+    let radius: Option<f64> = text.parse().ok();
+    radius
+        .filter(|radius| *radius > 0.0 && radius.is_finite())
+        .ok_or_else(|| "a radius is a positive number".to_owned())
+}
+
+/// How much of a whole.
+pub fn share(text: &str) -> Result<f64, String> {
+    let share: Option<f64> = text.parse().ok();
+    share.filter(|share| (0.0..=1.0).contains(share)).ok_or_else(|| "a share is a number from 0 to 1".to_owned())
+}
+
 /// `random`, `oval`, `outside:RADIUS` or `pins`.
 pub fn anchors(text: &str) -> Result<Rule, String> {
     match text.split_once(':') {
@@ -28,7 +42,7 @@ pub fn anchors(text: &str) -> Result<Rule, String> {
         None if text == "oval" => Ok(Rule::Oval),
         None if text == "pins" => Ok(Rule::PinsOnly),
         Some(("outside", radius)) => match radius.parse() {
-            Ok(radius) if radius >= 0.0 => Ok(Rule::Outside { radius }),
+            Ok(radius) if (0.0..f64::INFINITY).contains(&radius) => Ok(Rule::Outside { radius }),
             _ => Err(format!("{radius:?} is no radius")),
         },
         _ => Err("give random, oval, outside:RADIUS or pins".to_owned()),
@@ -64,6 +78,18 @@ mod tests {
         assert!(hold("0").is_err() && hold("-1").is_err() && hold("inf").is_err() && hold("firm").is_err());
         assert_eq!(anchors("outside:30"), Ok(Rule::Outside { radius: 30.0 }));
         assert_eq!(anchors("oval"), Ok(Rule::Oval));
-        assert!(anchors("outside").is_err() && anchors("outside:nan").is_err() && anchors("everything").is_err());
+        assert!(
+            anchors("outside").is_err()
+                && anchors("outside:nan").is_err()
+                && anchors("outside:inf").is_err()
+                && anchors("everything").is_err()
+        );
+    }
+
+    #[test]
+    fn lengths_and_shares_are_what_can_be_one() {
+        assert_eq!((radius("2.5"), share("0.25")), (Ok(2.5), Ok(0.25)));
+        assert!(["0", "-5", "nan", "inf", "wide"].iter().all(|text| radius(text).is_err()));
+        assert!(["-0.1", "1.1", "nan", "half"].iter().all(|text| share(text).is_err()));
     }
 }

@@ -23,6 +23,9 @@ struct FaceDto {
 
 /// `rosto landmarks`: a line for each photo that can be read, a message for each that cannot.
 pub fn run(task: &LandmarksTask, networks: Option<&Path>) -> Result<(), CliError> {
+    if task.photos.iter().filter(|photo| files::is_standard_input(photo)).count() > 1 {
+        return Err(CliError::StandardInputTwice);
+    }
     let finder = networks::load(networks)?;
     let options = FindOptions { max_faces: task.max_faces, ..FindOptions::default() };
     let mut failures = Vec::new();
@@ -35,15 +38,17 @@ pub fn run(task: &LandmarksTask, networks: Option<&Path>) -> Result<(), CliError
             }
         }
     }
-    match failures.len() {
-        0 => Ok(()),
-        count => Err(CliError::SomePhotosFailed { count }),
+    let by_networks = failures.iter().filter(|failure| failure.is_of_networks()).count();
+    match (failures.len(), by_networks) {
+        (0, _) => Ok(()),
+        (count, 0) => Err(CliError::SomePhotosFailed { count }),
+        (count, by_networks) => Err(CliError::NetworksFailed { count, by_networks }),
     }
 }
 
 fn line(path: &Path, finder: &FaceFinder, options: &FindOptions) -> Result<String, CliError> {
     let photo = portrait::open(path)?;
-    let faces = finder.find(&photo, options)?;
+    let faces = portrait::faces(&photo, path, finder, options)?;
     let dto = PhotoDto {
         photo: path.to_string_lossy(),
         width: photo.width(),

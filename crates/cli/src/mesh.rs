@@ -6,7 +6,8 @@ use rosto_studio::{Anchors, Command, Document, Frame, Grip, Rest, StudioError};
 use crate::args::{EditArguments, FollowArguments, MeshTask, Units};
 use crate::encode::{self, Format, MM_PER_M};
 use crate::error::CliError;
-use crate::{edits, files, follow, networks, portrait};
+use crate::request::{self, Given};
+use crate::{edits, files, follow, networks, output, portrait};
 
 /// A command with the words that a message names it by.
 struct Step {
@@ -21,15 +22,22 @@ impl Step {
 }
 
 /// `rosto mesh`: photo to edited mesh.
-pub fn run(task: &MeshTask, networks: Option<&Path>) -> Result<(), CliError> {
+pub fn run(task: &MeshTask, given: &Given<'_>, networks: Option<&Path>) -> Result<(), CliError> {
     // What is wrong with the request is said before any work is done.
+    let inputs: Vec<&Path> =
+        [Some(&task.photo), task.edits.file.as_ref()].into_iter().flatten().map(|p| &**p).collect();
+    if inputs.iter().filter(|input| files::is_standard_input(input)).count() > 1 {
+        return Err(CliError::StandardInputTwice);
+    }
+    output::check(&task.output, &inputs)?;
     let format = Format::of(&task.output)?;
+    request::check(task, format, given)?;
     let steps = steps(&task.edits, &task.follow)?;
     let photo = portrait::open(&task.photo)?;
     let face = portrait::face(&photo, &task.photo, &networks::load(networks)?)?;
     let face = portrait::model(&photo, &face, task.topology.into(), &task.photo)?;
     let document = edited(&face, steps, task)?;
-    files::write(&task.output, &encode::encode(&face, &document, task, format)?)
+    output::write(&task.output, &encode::encode(&face, &document, task, format)?)
 }
 
 /// All that was asked for, in the order that `--help` promises.
@@ -40,7 +48,9 @@ fn steps(asked: &EditArguments, follow: &FollowArguments) -> Result<Vec<Step>, C
     edits.extend(asked.vertices.iter().cloned());
     for edit in edits {
         let mut settings = follow::settings(follow, steps.len(), unit);
-        if let Some(anchors) = edit.anchors {
+        if let Some(mut anchors) = edit.anchors {
+            // Pins stay beside whatever else does.
+            anchors.extend(follow.pins.iter().filter(|pin| !anchors.contains(pin)).copied().collect::<Vec<_>>());
             settings.anchors = Anchors::explicit(anchors);
         }
         let what = match edit.level {

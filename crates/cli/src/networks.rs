@@ -1,23 +1,40 @@
+use std::env;
 use std::path::{Path, PathBuf};
-use std::{env, fs};
 
 use rosto_landmarks::FaceFinder;
 
 use crate::error::CliError;
+use crate::files;
 
 const DETECTOR: &str = "face_detector.onnx";
 const LANDMARKS: &str = "face_landmarks.onnx";
 
+/// Both together are a fiftieth of this.
+const MAX_BYTES: usize = 64_000_000;
+
 /// Loads both networks from the first place that has them; a folder that was named is the only place.
 pub fn load(named: Option<&Path>) -> Result<FaceFinder, CliError> {
-    let places = match named.map(Path::to_owned).or_else(|| env::var_os("ROSTO_NETWORKS").map(PathBuf::from)) {
+    let by_variable = || env::var_os("ROSTO_NETWORKS").filter(|folder| !folder.is_empty()).map(PathBuf::from);
+    let places = match named.map(Path::to_owned).or_else(by_variable) {
         Some(folder) => vec![folder],
         None => usual_places(),
     };
-    let Some(folder) = places.iter().find(|folder| folder.join(DETECTOR).is_file()) else {
-        return Err(CliError::NetworksMissing { looked_in: places });
-    };
-    Ok(FaceFinder::new(&read(folder, DETECTOR)?, &read(folder, LANDMARKS)?)?)
+    let folder = place(&places)?;
+    Ok(FaceFinder::new(&read(&folder.join(DETECTOR))?, &read(&folder.join(LANDMARKS))?)?)
+}
+
+/// The first place that has both; one that has half of them is worth a word.
+fn place(places: &[PathBuf]) -> Result<&Path, CliError> {
+    let files = |folder: &Path| [DETECTOR, LANDMARKS].map(|name| folder.join(name));
+    let missing = |folder: &PathBuf| files(folder).into_iter().filter(|file| !file.is_file()).collect::<Vec<_>>();
+    if let Some(folder) = places.iter().find(|folder| missing(folder).is_empty()) {
+        return Ok(folder);
+    }
+    let half = places.iter().map(missing).find(|missing| missing.len() == 1).and_then(|mut missing| missing.pop());
+    Err(match half {
+        Some(path) => CliError::NetworkMissing { path },
+        None => CliError::NetworksMissing { looked_in: places.to_vec() },
+    })
 }
 
 fn usual_places() -> Vec<PathBuf> {
@@ -26,6 +43,6 @@ fn usual_places() -> Vec<PathBuf> {
     beside_program.into_iter().chain([source_tree]).collect()
 }
 
-fn read(folder: &Path, name: &str) -> Result<Vec<u8>, CliError> {
-    fs::read(folder.join(name)).map_err(|_| CliError::NetworksMissing { looked_in: vec![folder.to_owned()] })
+fn read(path: &Path) -> Result<Vec<u8>, CliError> {
+    files::read(path, MAX_BYTES).map_err(|reason| CliError::NetworkUnreadable { path: path.to_owned(), reason })
 }

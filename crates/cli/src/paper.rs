@@ -11,17 +11,21 @@ use rosto_studio::paper::{Experiment, Method, MethodOutcome, Plan, PlotWords, Tr
 use crate::args::PaperTask;
 use crate::encode::model_from_image;
 use crate::error::CliError;
-use crate::{files, networks, portrait};
+use crate::{files, networks, output, portrait};
 
 mod report;
 
 /// An edit is timed this often, and the median counts.
 const REPETITIONS: usize = 5;
 
+const FIGURES: [&str; 3] = ["figure-3.glb", "figure-4.glb", "figure-5.glb"];
+const PLOT: &str = "times.svg";
+
 const PLOT_PX: [f64; 2] = [640.0, 400.0];
 
 /// `rosto paper`: the paper's experiment on this photo and this machine, over many seeds and every way of editing.
 pub fn run(task: &PaperTask, networks: Option<&Path>) -> Result<(), CliError> {
+    check_output(task)?;
     let photo = portrait::open(&task.photo)?;
     let finder = networks::load(networks)?;
     let started = Instant::now();
@@ -40,8 +44,23 @@ pub fn run(task: &PaperTask, networks: Option<&Path>) -> Result<(), CliError> {
     let paper = &all[0].1;
     write_figures(&face, &paper[0], &task.output)?;
     let plot = svg(paper, PLOT_PX, &plot_words());
-    files::write(&task.output.join("times.svg"), plot.as_bytes())?;
+    output::write(&task.output.join(PLOT), plot.as_bytes())?;
     files::print(&report::markdown(extraction, generation, paper, &outcomes, &task.output))
+}
+
+/// Refuses, before any work is done, a folder that is none or whose files are the photo.
+fn check_output(task: &PaperTask) -> Result<(), CliError> {
+    match fs::metadata(&task.output) {
+        Ok(there) if there.is_dir() => {
+            let mut names = FIGURES.into_iter().chain([PLOT]);
+            names.try_for_each(|name| output::check(&task.output.join(name), &[&task.photo]))
+        }
+        Ok(_) => {
+            let reason = io::ErrorKind::NotADirectory.into();
+            Err(CliError::Unwritable { path: task.output.clone(), reason })
+        }
+        Err(_) => Ok(()),
+    }
 }
 
 fn plot_words() -> PlotWords {
@@ -52,7 +71,7 @@ fn plot_words() -> PlotWords {
 
 /// A trial for each seed.
 fn trials(experiment: &Experiment, method: Method, task: &PaperTask) -> Result<Vec<Trial>, LaplacianError> {
-    let seeds = (0..task.runs.max(1)).map(|run| task.seed.wrapping_add(run));
+    let seeds = (0..task.runs).map(|run| task.seed.wrapping_add(run));
     seeds.map(|seed| trial(experiment, method, seed)).collect()
 }
 
@@ -84,15 +103,12 @@ fn write_figures(face: &FaceModel, trial: &Trial, folder: &Path) -> Result<(), C
     let unwritable = |reason: io::Error| CliError::Unwritable { path: folder.to_owned(), reason };
     fs::create_dir_all(folder).map_err(unwritable)?;
     let rounds = trial.after_rounds().iter().map(Vec::as_slice);
-    let figures =
-        ["figure-3", "figure-4", "figure-5"].into_iter().zip([face.positions_image()].into_iter().chain(rounds));
-    for (name, positions) in figures {
+    let figures = FIGURES.into_iter().zip([face.positions_image()].into_iter().chain(rounds));
+    for (file, positions) in figures {
         let positions_m = model_from_image(face, positions);
+        let name = file.trim_end_matches(".glb");
         let options = GlbOptions { paint: Paint::VertexColours, name, ..GlbOptions::default() };
-        files::write(
-            &folder.join(name).with_extension("glb"),
-            &glb(&Model::of_face(face).at(&positions_m), &options)?,
-        )?;
+        output::write(&folder.join(file), &glb(&Model::of_face(face).at(&positions_m), &options)?)?;
     }
     Ok(())
 }

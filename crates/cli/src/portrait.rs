@@ -2,23 +2,41 @@ use std::path::Path;
 
 use rosto_face::{FaceInput, FaceModel, Triangulation};
 use rosto_landmarks::{Face, FaceFinder, FindOptions};
-use rosto_photo::{Limits, Photo};
+use rosto_photo::{Limits, Photo, PhotoError};
 
 use crate::error::CliError;
-use crate::files;
+use crate::files::{self, ReadError};
 
 /// The texture needs no more than this, and the page hands over no more, so that both write the same file.
 const MAX_PICTURE_SIDE_PX: u32 = 2048;
 
+/// Reads no more of the file than a picture may have.
 pub fn open(path: &Path) -> Result<Photo, CliError> {
-    let bytes = files::read(path)?;
+    let limits = Limits::default();
     let no_picture = |reason| CliError::NoPicture { path: path.to_owned(), reason };
-    rosto_photo::decode(&bytes, &Limits::default()).map_err(no_picture)
+    let bytes = files::read(path, limits.max_bytes).map_err(|reason| match reason {
+        ReadError::TooManyBytes { found_bytes, max_bytes } => {
+            no_picture(PhotoError::TooManyBytes { found_bytes, max_bytes })
+        }
+        reason => CliError::Unreadable { path: path.to_owned(), reason },
+    })?;
+    rosto_photo::decode(&bytes, &limits).map_err(no_picture)
+}
+
+/// The faces in a photo, the most certain one first, every landmark with a place.
+pub fn faces(photo: &Photo, path: &Path, finder: &FaceFinder, options: &FindOptions) -> Result<Vec<Face>, CliError> {
+    let faces = finder.find(photo, options)?;
+    // A network whose weights are not what they were may answer with anything.
+    let nowhere = |face: &Face| face.landmarks.iter().position(|place| !place.iter().all(|at| at.is_finite()));
+    match faces.iter().find_map(nowhere) {
+        Some(landmark) => Err(CliError::NoPlace { path: path.to_owned(), landmark }),
+        None => Ok(faces),
+    }
 }
 
 /// The most certain face in a photo.
 pub fn face(photo: &Photo, path: &Path, finder: &FaceFinder) -> Result<Face, CliError> {
-    let faces = finder.find(photo, &FindOptions::default())?;
+    let faces = faces(photo, path, finder, &FindOptions::default())?;
     faces.into_iter().next().ok_or_else(|| CliError::NoFace { path: path.to_owned() })
 }
 

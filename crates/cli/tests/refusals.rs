@@ -11,12 +11,7 @@ use common::*;
 /// Runs `rosto mesh PHOTO -o FILE MORE...` and checks exit code and message.
 fn refused(photo: &Path, output: &str, more: &[&str], expected: i32, words: &[&str]) {
     let target = scratch(output);
-    let arguments = ["mesh", photo.to_str().unwrap(), "-o", target.to_str().unwrap()];
-    let run = rosto(arguments.iter().chain(more));
-    let said = said(&run);
-    assert_eq!(code(&run), expected, "{said}");
-    assert!(words.iter().all(|word| said.contains(word)), "{words:?} in {said}");
-    assert!(run.stdout.is_empty(), "messages go to standard error");
+    assert_refused(&mesh(photo, &target, more), expected, words);
     assert!(!target.exists(), "nothing is written");
 }
 
@@ -38,10 +33,14 @@ fn no_face() {
 #[test]
 fn edits_that_cannot_be_made() {
     let edit = |edit, words: &[&str]| refused(&portrait(), "a.json", &["--edit", edit], 5, words);
-    edit("468:0,0,0.1", &["edit 1 (vertex 468)", "no vertex 468", "0 to 467"]);
+    edit("468:0,0,0.1", &["edit 1 (vertex 468)", "no vertex 468", "numbered 0 to 467"]);
     edit("4:0,0,0.1:4,10", &["edit 1 (vertex 4)", "handle and an anchor", "other than the vertex"]);
     edit("4:0,0,0.1:10,10", &["vertex 10 is listed twice"]);
     edit("4:0,0,0.1:10,9999", &["no vertex 9999"]);
+    let dense = ["--density", "1", "--edit", "9999@1:0,0,0.1"];
+    refused(&portrait(), "a.json", &dense, 5, &["no vertex 9999", "numbered 0 to 1"]);
+    let far = ["--hold", "exact", "--edit", "4:0,0,1e308", "--edit", "4:0,0,1e308"];
+    refused(&portrait(), "a.json", &far, 5, &["where no number reaches", "smaller offsets"]);
 }
 
 #[test]

@@ -5,6 +5,7 @@ use rosto_studio::paper::{Claims, DEGREES, MethodOutcome, Spread, TABLE_1, Task,
 use rosto_studio::{Hold, project::operator_name};
 
 use super::REPETITIONS;
+use crate::terminal;
 
 const ROUND_NAMES: [&str; 2] = ["(−0.005, −0.005, −0.005)", "(0.1, 0.1, −0.1)"];
 
@@ -53,7 +54,7 @@ fn note(runs: usize, folder: &Path) -> String {
         "Each edit is made from nothing (operator, factor, solve, displacement) and timed as the median of \
          {REPETITIONS}. What follows is over {runs} runs with random vertices and anchors, as median [quartiles]. \
          The meshes of Figures 3 to 5 and a plot of the times are in {}.",
-        folder.display()
+        terminal::escaped(&folder.display().to_string())
     )
 }
 

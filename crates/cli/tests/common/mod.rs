@@ -45,6 +45,38 @@ pub fn said(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).unwrap()
 }
 
+/// An empty folder of this name among the test's own.
+pub fn scratch_folder(name: &str) -> PathBuf {
+    let folder = scratch(name);
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// The names in a folder, sorted.
+pub fn names_in(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+/// `rosto mesh PHOTO -o OUTPUT MORE...`.
+pub fn mesh(photo: &Path, output: &Path, more: &[&str]) -> Output {
+    let arguments = [OsStr::new("mesh"), photo.as_os_str(), OsStr::new("-o"), output.as_os_str()];
+    rosto(arguments.into_iter().chain(more.iter().map(OsStr::new)))
+}
+
+/// Checks exit code and message of a run that can do nothing.
+pub fn assert_refused(run: &Output, expected: i32, words: &[&str]) {
+    let said = said(run);
+    assert_eq!(code(run), expected, "{said}");
+    assert!(words.iter().all(|word| said.contains(word)), "{words:?} in {said}");
+    assert!(run.stdout.is_empty(), "messages go to standard error");
+}
+
 /// `rosto mesh` of the portrait to a JSON file.
 pub fn mesh_json(name: &str, more: &[&str]) -> Value {
     let path = scratch(name);

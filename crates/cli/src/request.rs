@@ -1,0 +1,83 @@
+//! Flags that would change nothing are refused: whoever gives them expects something of them.
+
+use clap::ArgMatches;
+use clap::parser::ValueSource;
+
+use crate::args::{EditArguments, MeshTask, Units};
+use crate::encode::Format;
+use crate::error::CliError;
+use crate::follow::Rule;
+
+/// The options that shape edits, by their names in [`crate::args::FollowArguments`].
+const FOLLOWING: [(&str, &str); 8] = [
+    ("operator", "--operator"),
+    ("hold", "--hold"),
+    ("anchors", "--anchors"),
+    ("seed", "--seed"),
+    ("pins", "--pin"),
+    ("radius", "--radius"),
+    ("mirror", "--mirror"),
+    ("turn_details", "--turn-details"),
+];
+
+/// Which arguments somebody gave, and did not leave to their defaults.
+pub struct Given<'a>(pub &'a ArgMatches);
+
+impl Given<'_> {
+    fn has(&self, id: &str) -> bool {
+        self.0.value_source(id) == Some(ValueSource::CommandLine)
+    }
+}
+
+/// Refuses what would change nothing in `rosto mesh`.
+pub fn check(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), CliError> {
+    check_format(task, format, given)?;
+    check_following(task, given)
+}
+
+fn check_format(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), CliError> {
+    let is_gltf = matches!(format, Format::Glb | Format::Gltf);
+    if given.has("paint") && !is_gltf {
+        return useless("--paint", "it is for .glb and .gltf");
+    }
+    match task.morph_targets {
+        true if !is_gltf => useless("--morph-targets", "only .glb and .gltf hold them"),
+        true if task.edits.units != Units::Mm => useless("--morph-targets", "they need --units mm"),
+        true if !moves(&task.edits) && task.edits.sliders.is_empty() && task.edits.symmetrise.is_none() => {
+            useless("--morph-targets", "there is no edit to make one of")
+        }
+        _ => Ok(()),
+    }
+}
+
+fn check_following(task: &MeshTask, given: &Given<'_>) -> Result<(), CliError> {
+    if !moves(&task.edits)
+        && let Some((_, flag)) = FOLLOWING.into_iter().find(|(id, _)| given.has(id))
+    {
+        return useless(flag, "it shapes --edit, --edits and --region, and none is given");
+    }
+    let asks_rule = asks_rule(&task.edits);
+    if given.has("anchors") && !asks_rule {
+        return useless("--anchors", "every edit names its own");
+    }
+    match given.has("seed") {
+        true if task.follow.anchors != Rule::Random => useless("--seed", "--anchors leaves nothing to chance"),
+        true if !asks_rule => useless("--seed", "every edit names its anchors"),
+        _ => Ok(()),
+    }
+}
+
+/// Whether there is an edit that takes its settings from the command line. A file counts, whatever is in it: a script may
+/// well write an empty list.
+fn moves(edits: &EditArguments) -> bool {
+    edits.file.is_some() || !edits.vertices.is_empty() || !edits.regions.is_empty()
+}
+
+/// Whether the rule for anchors is asked.
+fn asks_rule(edits: &EditArguments) -> bool {
+    edits.file.is_some() || !edits.regions.is_empty() || edits.vertices.iter().any(|edit| edit.anchors.is_none())
+}
+
+fn useless(flag: &'static str, reason: &'static str) -> Result<(), CliError> {
+    Err(CliError::Useless { flag, reason })
+}

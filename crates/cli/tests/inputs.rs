@@ -1,0 +1,130 @@
+//! What is read: within limits, once, and named in a way that says what is wrong with it.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use std::ffi::OsStr;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use common::*;
+
+/// `rosto landmarks` of one photo.
+fn landmarks(photo: &Path) -> Output {
+    rosto([OsStr::new("landmarks"), photo.as_os_str()])
+}
+
+/// In a shell that grants the program so much memory.
+#[cfg(target_os = "linux")]
+fn with_memory_kb(kilobytes: u32, arguments: &[&OsStr], input: Stdio) -> Output {
+    let script = format!("ulimit -v {kilobytes}; exec \"$@\"");
+    let mut shell = Command::new("sh");
+    shell.args(["-c", &script, "sh", env!("CARGO_BIN_EXE_rosto")]).args(arguments).stdin(input).output().unwrap()
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_has_no_end_is_left_at_the_limit() {
+    let zeros = || fs::File::open("/dev/zero").unwrap();
+    let target = scratch("endless.json");
+    let of = |words: &[&'static str]| words.iter().map(OsStr::new).collect::<Vec<_>>();
+    let photo = ["mesh".into(), portrait().into_os_string(), "-o".into(), target.clone().into_os_string()];
+    let with = |more: [&'static str; 2]| photo.iter().map(|word| &**word).chain(more.map(OsStr::new)).collect();
+    let cases: [(Vec<&OsStr>, i32, &str); 5] = [
+        (of(&["landmarks", "/dev/zero"]), 3, "the limit is 40000000"),
+        (of(&["landmarks", "-"]), 3, "the limit is 40000000"),
+        (with(["--edits", "/dev/zero"]), 2, "the limit is 16000000"),
+        (with(["--edits", "-"]), 2, "the limit is 16000000"),
+        (of(&["mesh", "/dev/zero", "-o", "endless.json"]), 3, "the limit is 40000000"),
+    ];
+    for (arguments, expected, words) in cases {
+        // Room for the program and its networks, and not for much more.
+        let run = with_memory_kb(400_000, &arguments, zeros().into());
+        assert_refused(&run, expected, &[words]);
+    }
+    assert!(!target.exists() && !Path::new("endless.json").exists());
+}
+
+#[test]
+fn a_file_beyond_the_limit_is_refused_by_its_length() {
+    let folder = scratch_folder("giants");
+    let giant = |name: &str| {
+        let path = folder.join(name);
+        fs::File::create(&path).unwrap().set_len(30_000_000_000).unwrap();
+        path
+    };
+    assert_refused(&landmarks(&giant("giant.jpg")), 3, &["giant.jpg", "30000000000", "Scale the picture down"]);
+    fs::copy(portrait().with_file_name("face_detector.onnx"), folder.join("face_detector.onnx")).unwrap();
+    giant("face_landmarks.onnx");
+    let networks = ["--networks", folder.to_str().unwrap()];
+    let run = mesh(&portrait(), &scratch("giant.json"), &networks);
+    assert_refused(&run, 7, &["face_landmarks.onnx", "the limit is 64000000"]);
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn folders_and_empty_files_are_no_photos() {
+    let folder = scratch_folder("photos");
+    assert_refused(&landmarks(&folder), 3, &["photos", "Name a file in that folder"]);
+    assert_refused(&landmarks(&scratch_file("empty.jpg", b"")), 3, &["empty.jpg: there is nothing in it", "Choose"]);
+    assert_refused(&landmarks(Path::new("-")), 3, &["standard input: there is nothing in it"]);
+}
+
+#[test]
+fn standard_input_is_read_once() {
+    let target = scratch("twice.json");
+    let words = ["standard input", "twice"];
+    assert_refused(&rosto(["landmarks", "-", "-"]), 2, &words);
+    assert_refused(&mesh(Path::new("-"), &target, &["--edits", "-"]), 2, &words);
+}
+
+#[test]
+fn a_file_of_edits_is_the_command_lines_matter() {
+    let target = scratch("edits-out.json");
+    let run = |file: &Path| mesh(&portrait(), &target, &["--edits", file.to_str().unwrap()]);
+    assert_refused(&run(&scratch("missing-edits.json")), 2, &["missing-edits.json", "Check the file's name"]);
+    assert_refused(&run(&scratch_folder("edits-folder")), 2, &["edits-folder", "Name a file"]);
+    assert_refused(&run(&scratch_file("empty-edits.json", b"")), 2, &["empty-edits.json: there is nothing in it"]);
+    for start in [b"\xff\xfe", b"\xfe\xff"] {
+        let file = scratch_file("utf16.json", &[&start[..], b"[\0]\0"].concat());
+        assert_refused(&run(&file), 2, &["utf16.json: this is UTF-16 text", "UTF-8"]);
+    }
+    assert!(!target.exists());
+    let plain = br#"[{"vertex": 4, "offset": [0, 0, -0.05]}]"#;
+    let marked = scratch_file("marked.json", &[&b"\xef\xbb\xbf"[..], plain].concat());
+    let by_marked = mesh_json("by-marked.json", &["--edits", marked.to_str().unwrap()]);
+    let plain = scratch_file("unmarked.json", plain);
+    assert_eq!(by_marked, mesh_json("by-unmarked.json", &["--edits", plain.to_str().unwrap()]));
+}
+
+#[cfg(unix)]
+#[test]
+fn what_a_terminal_obeys_is_shown_and_not_said() {
+    let name = "\u{1b}]0;owned\u{7}\u{1b}[2J\u{9b}1m.jpg";
+    let file = scratch_file("colourful.json", "[{\"vertex\": 4, \"\\u001b[31m\": 1}]".as_bytes());
+    let folder = format!("no-{name}");
+    let runs = [
+        landmarks(Path::new(name)),
+        mesh(&portrait(), Path::new(&format!("{name}.stp")), &[]),
+        mesh(&portrait(), &scratch("controlled.json"), &["--networks", &folder]),
+        mesh(&portrait(), &scratch("controlled.json"), &["--edits", file.to_str().unwrap()]),
+        mesh(&portrait(), &scratch("controlled.json"), &["--region", &format!("{name}:0,0,1")]),
+        rosto([name]),
+    ];
+    for run in runs {
+        assert_ne!(code(&run), 0);
+        let said = said(&run);
+        assert!(said.chars().all(|character| character == '\n' || !character.is_control()), "{said:?}");
+    }
+    assert!(said(&landmarks(Path::new(name))).contains(r"\u{1b}]0;owned\u{7}"));
+}
+
+#[test]
+fn who_closes_standard_error_still_gets_the_exit_code() {
+    let Ok(full) = fs::File::create("/dev/full") else { return };
+    let mut program = Command::new(env!("CARGO_BIN_EXE_rosto"));
+    let status = program.args(["landmarks", "nowhere.jpg"]).stderr(Stdio::from(full)).status().unwrap();
+    assert_eq!(status.code(), Some(3));
+}

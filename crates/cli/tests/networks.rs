@@ -1,0 +1,76 @@
+//! Networks that are missing, halves of a pair, or not what they were.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+#[path = "../../../tests/seeded.rs"]
+mod seeded;
+
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Output;
+
+use common::*;
+use seeded::Seeded;
+
+const NAMES: [&str; 2] = ["face_detector.onnx", "face_landmarks.onnx"];
+
+/// A folder with these of the two networks, as they are.
+fn copies(folder: &str, names: &[&str]) -> PathBuf {
+    let folder = scratch_folder(folder);
+    for name in names {
+        fs::copy(portrait().with_file_name(name), folder.join(name)).unwrap();
+    }
+    folder
+}
+
+fn landmarks(networks: &Path) -> Output {
+    rosto([OsStr::new("landmarks"), portrait().as_os_str(), OsStr::new("--networks"), networks.as_os_str()])
+}
+
+#[test]
+fn half_a_pair_names_the_other_half() {
+    for (there, missing) in [(0, 1), (1, 0)] {
+        let folder = copies("half-a-pair", &[NAMES[there]]);
+        let path = folder.join(NAMES[missing]);
+        assert_refused(&landmarks(&folder), 7, &[path.to_str().unwrap(), "missing", "cargo xtask setup"]);
+    }
+}
+
+/// A folder whose landmark network has 400 bytes flipped among the weights that give the points: the file reads as before,
+/// and the network is as sure of the face as before.
+fn with_flipped_weights(name: &str, seed: u64) -> PathBuf {
+    let folder = copies(name, &NAMES);
+    let path = folder.join(NAMES[1]);
+    let mut network = fs::read(&path).unwrap();
+    let last = |name: &[u8]| network.windows(name.len()).rposition(|bytes| bytes == name).unwrap();
+    // After the name, a tag and a length of three bytes; before the next name, what describes its tensor.
+    let (start, end) = (last(b"conv2d_21/Kernel") + 20, last(b"conv2d_21/Bias") - 10);
+    let mut random = Seeded::new(seed);
+    for _ in 0..400 {
+        network[start + random.below(end - start)] ^= 1 + random.below(255) as u8;
+    }
+    fs::write(path, network).unwrap();
+    folder
+}
+
+#[test]
+fn flipped_weights_are_a_damaged_network_and_no_face_without_a_place() {
+    for seed in 1..=4 {
+        let folder = with_flipped_weights("flipped-weights", seed);
+        assert_refused(&landmarks(&folder), 7, &["cargo xtask setup"]);
+        let output = scratch("flipped.json");
+        let networks = ["--networks", folder.to_str().unwrap()];
+        assert_refused(&mesh(&portrait(), &output, &networks), 7, &["cargo xtask setup"]);
+        assert!(!output.exists());
+    }
+}
+
+#[test]
+fn of_a_batch_with_damaged_networks_and_missing_photos_the_networks_are_told() {
+    let folder = with_flipped_weights("flipped-for-a-batch", 1);
+    let photos = [scratch("nowhere-at-all.png"), portrait()];
+    let run = rosto(["landmarks".into(), "--networks".into(), folder].into_iter().chain(photos));
+    assert_refused(&run, 7, &["nowhere-at-all.png", "2 of the photos could not be read, 1 of them"]);
+}

@@ -1,0 +1,154 @@
+//! A file is written whole or not at all, and never over what is read.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![cfg(unix)]
+
+mod common;
+
+use std::fs;
+use std::os::unix::fs::{PermissionsExt, symlink};
+use std::os::unix::process::ExitStatusExt;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use common::*;
+
+const GOOD: &[u8] = b"a good file of last week";
+
+/// `rosto mesh` of the portrait where no file may grow beyond a few kilobytes; `first` is said to the shell before.
+fn mesh_cut_short(first: &str, output: &Path) -> Output {
+    let script = format!("{first} ulimit -f 4; exec \"$@\"");
+    let mut shell = Command::new("sh");
+    shell.args(["-c", &script, "sh", env!("CARGO_BIN_EXE_rosto"), "mesh"]).arg(portrait()).arg("-o").arg(output);
+    shell.output().unwrap()
+}
+
+#[test]
+fn a_program_killed_while_it_writes_leaves_the_good_file_whole() {
+    let folder = scratch_folder("killed");
+    let file = folder.join("face.glb");
+    fs::write(&file, GOOD).unwrap();
+    let run = mesh_cut_short("", &file);
+    assert_eq!(run.status.signal(), Some(25), "SIGXFSZ, in the middle of a write");
+    assert_eq!(fs::read(&file).unwrap(), GOOD);
+    let stray: Vec<String> = names_in(&folder).into_iter().filter(|name| name != "face.glb").collect();
+    assert!(stray.iter().all(|name| name.starts_with(".rosto-unfinished-")), "{stray:?}");
+}
+
+#[test]
+fn a_write_that_fails_leaves_the_good_file_and_nothing_beside_it() {
+    let folder = scratch_folder("failed");
+    let file = folder.join("face.glb");
+    for before in [None, Some(GOOD)] {
+        if let Some(good) = before {
+            fs::write(&file, good).unwrap();
+        }
+        let run = mesh_cut_short("trap '' XFSZ;", &file);
+        assert_refused(&run, 6, &["face.glb", "too low"]);
+        assert_eq!(fs::read(&file).ok().as_deref(), before);
+        assert_eq!(names_in(&folder).len(), usize::from(before.is_some()));
+    }
+}
+
+#[test]
+fn the_figures_of_the_paper_are_each_written_whole() {
+    let folder = scratch_folder("failed-paper");
+    let figure = folder.join("figure-3.glb");
+    fs::write(&figure, GOOD).unwrap();
+    let script = "trap '' XFSZ; ulimit -f 4; exec \"$@\"";
+    let mut shell = Command::new("sh");
+    shell.args(["-c", script, "sh", env!("CARGO_BIN_EXE_rosto"), "paper", "--runs", "1"]).arg(portrait());
+    let run = shell.arg("-o").arg(&folder).output().unwrap();
+    assert_refused(&run, 6, &["figure-3.glb"]);
+    assert_eq!((fs::read(&figure).unwrap().as_slice(), names_in(&folder).len()), (GOOD, 1));
+}
+
+#[test]
+fn a_full_disk_is_called_one() {
+    let folder = scratch_folder("full");
+    let full = folder.join("full.json");
+    symlink("/dev/full", &full).unwrap();
+    let run = mesh(&portrait(), &full, &[]);
+    assert_refused(&run, 6, &["full.json", "The disk is full"]);
+    assert!(!said(&run).contains("Check that the folder"), "{}", said(&run));
+    let mut program = Command::new(env!("CARGO_BIN_EXE_rosto"));
+    let device = fs::File::create("/dev/full").unwrap();
+    let run = program.args([Path::new("landmarks"), &portrait()]).stdout(device).output().unwrap();
+    assert_refused(&run, 6, &["standard output", "The disk is full"]);
+}
+
+#[test]
+fn links_devices_and_pipes_stay_what_they_are() {
+    let folder = scratch_folder("links");
+    fs::create_dir(folder.join("elsewhere")).unwrap();
+    let (link, target) = (folder.join("link.json"), folder.join("elsewhere/face.json"));
+    symlink("elsewhere/face.json", &link).unwrap();
+    // To nothing yet, and then to a file.
+    for _ in 0..2 {
+        assert_eq!(code(&mesh(&portrait(), &link, &[])), 0);
+        assert!(link.is_symlink() && fs::read(&target).unwrap().starts_with(b"{\"units\""));
+    }
+    let out = folder.join("out.json");
+    symlink("/dev/stdout", &out).unwrap();
+    let run = mesh(&portrait(), &out, &[]);
+    assert_eq!((code(&run), run.stdout), (0, fs::read(&target).unwrap()));
+
+    let pipe = folder.join("pipe.json");
+    assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let reader = std::thread::spawn({
+        let pipe = pipe.clone();
+        move || fs::read(pipe).unwrap()
+    });
+    assert_eq!(code(&mesh(&portrait(), &pipe, &[])), 0);
+    assert_eq!(reader.join().unwrap(), fs::read(&target).unwrap());
+    assert_eq!(names_in(&folder), ["elsewhere", "link.json", "out.json", "pipe.json"]);
+}
+
+#[test]
+fn a_file_keeps_its_permissions_and_a_new_one_gets_the_usual_ones() {
+    let folder = scratch_folder("permissions");
+    let mode = |name: &str| fs::metadata(folder.join(name)).unwrap().permissions().mode() & 0o777;
+    fs::write(folder.join("usual"), GOOD).unwrap();
+    let (new, private) = (folder.join("new.json"), folder.join("private.json"));
+    fs::write(&private, GOOD).unwrap();
+    fs::set_permissions(&private, fs::Permissions::from_mode(0o600)).unwrap();
+    for file in [&new, &private] {
+        assert_eq!(code(&mesh(&portrait(), file, &[])), 0);
+    }
+    assert_eq!((mode("new.json"), mode("private.json")), (mode("usual"), 0o600));
+}
+
+#[test]
+fn what_is_read_is_not_written_over() {
+    let folder = scratch_folder("over");
+    let photo = folder.join("photo.glb");
+    fs::copy(portrait(), &photo).unwrap();
+    symlink("photo.glb", folder.join("link.glb")).unwrap();
+    fs::hard_link(&photo, folder.join("hard.glb")).unwrap();
+    let same = folder.join("../over/photo.glb");
+    for output in [&photo, &same, &folder.join("link.glb"), &folder.join("hard.glb")] {
+        assert_refused(&mesh(&photo, output, &[]), 2, &["photo.glb", "overwritten", "another name"]);
+    }
+    let mut program = Command::new(env!("CARGO_BIN_EXE_rosto"));
+    program.args(["mesh", "-", "-o"]).arg(&photo).stdin(fs::File::open(&photo).unwrap());
+    assert_refused(&program.output().unwrap(), 2, &["standard input", "overwritten"]);
+    assert_eq!(fs::read(&photo).unwrap(), fs::read(portrait()).unwrap());
+
+    let edits = folder.join("edits.json");
+    fs::write(&edits, "[]").unwrap();
+    let run = mesh(&portrait(), &edits, &["--edits", edits.to_str().unwrap()]);
+    assert_refused(&run, 2, &["edits.json", "overwritten"]);
+    fs::copy(&photo, folder.join("figure-4.glb")).unwrap();
+    let run = rosto([Path::new("paper"), &folder.join("figure-4.glb"), Path::new("-o"), &folder]);
+    assert_refused(&run, 2, &["figure-4.glb", "overwritten"]);
+}
+
+#[test]
+fn folders_in_the_place_of_files_and_files_in_the_place_of_folders() {
+    let folder = scratch_folder("folder.glb");
+    assert_refused(&mesh(&portrait(), &folder, &[]), 6, &["folder.glb", "Name a file in that folder"]);
+    let file = scratch_file("no-folder", GOOD);
+    let run = rosto([Path::new("paper"), &portrait(), Path::new("-o"), &file]);
+    assert_refused(&run, 6, &["no-folder", "Name a folder"]);
+    assert_eq!(fs::read(file).unwrap(), GOOD);
+}

@@ -1,0 +1,96 @@
+//! Flags that would change nothing are refused, with the reason, before any work.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::*;
+
+fn refused(output: &str, more: &[&str], words: &[&str]) {
+    let target = scratch(output);
+    assert_refused(&mesh(&portrait(), &target, more), 2, words);
+    assert!(!target.exists(), "nothing is written");
+}
+
+#[test]
+fn morph_targets_where_there_can_be_none() {
+    let edit = ["--morph-targets", "--edit", "4:0,0,1"];
+    let in_mm = [&edit[..], &["--units", "mm"]].concat();
+    for extension in ["obj", "ply", "stl", "json"] {
+        refused(&format!("morphs.{extension}"), &in_mm, &["--morph-targets", ".glb and .gltf"]);
+    }
+    refused("morphs.glb", &edit, &["--morph-targets", "--units mm"]);
+    refused("morphs.glb", &["--morph-targets", "--units", "mm"], &["--morph-targets", "no edit"]);
+}
+
+#[test]
+fn paint_for_formats_that_have_no_choice() {
+    for extension in ["obj", "ply", "stl", "json"] {
+        refused(&format!("paint.{extension}"), &["--paint", "texture"], &["--paint", ".glb and .gltf"]);
+    }
+}
+
+#[test]
+fn settings_of_edits_that_nobody_asked_for() {
+    for flag in [
+        &["--operator", "L"][..],
+        &["--hold", "exact"],
+        &["--anchors", "oval"],
+        &["--seed", "1"],
+        &["--pin", "4"],
+        &["--radius", "2"],
+        &["--mirror"],
+        &["--turn-details"],
+    ] {
+        refused("settings.json", flag, &[flag[0], "none is given"]);
+        refused("settings.json", &[flag, &["--units", "mm", "--slider", "jaw-width:4"]].concat(), &[flag[0]]);
+    }
+    refused("settings.json", &["--seed", "1", "--anchors", "oval", "--edit", "4:0,0,1"], &["--seed", "chance"]);
+    refused("settings.json", &["--seed", "1", "--edit", "4:0,0,1:10,152"], &["--seed", "names its anchors"]);
+    refused("settings.json", &["--anchors", "oval", "--edit", "4:0,0,1:10,152"], &["--anchors", "names its own"]);
+}
+
+#[test]
+fn numbers_that_mean_nothing() {
+    let edit = ["--edit", "4:0,0,1"];
+    for radius in ["-5", "0", "nan", "inf", "-inf"] {
+        let radius = format!("--radius={radius}");
+        refused("numbers.json", &[&edit[..], &[&radius]].concat(), &["--radius", "positive number"]);
+    }
+    for (flag, number) in
+        [("--radius", "-5"), ("--hold", "-1"), ("--seed", "-1"), ("--pin", "-1"), ("--symmetrise", "-1")]
+    {
+        let target = scratch("negative.json");
+        let run = mesh(&portrait(), &target, &[&edit[..], &[flag, number]].concat());
+        assert_refused(&run, 2, &[flag, number]);
+        assert!(!said(&run).contains("tip:"), "no tip that cannot work: {}", said(&run));
+    }
+    refused("numbers.json", &["--symmetrise", "nan"], &["--symmetrise", "0 to 1"]);
+    refused("numbers.json", &[&edit[..], &["--anchors", "outside:inf"]].concat(), &["no radius"]);
+    let photo = portrait();
+    let photo = photo.to_str().unwrap();
+    assert_refused(&rosto(["landmarks", photo, "--max-faces", "0"]), 2, &["--max-faces", "0 is not in 1.."]);
+    let folder = scratch("no-runs");
+    let run = rosto(["paper", photo, "-o", folder.to_str().unwrap(), "--runs", "0"]);
+    assert_refused(&run, 2, &["--runs", "0 is not in 1.."]);
+    assert!(!folder.exists());
+}
+
+#[test]
+fn a_pin_stays_beside_the_anchors_that_an_edit_names() {
+    let edit = ["--hold", "exact", "--edit", "4:0,0,-0.05:10,152"];
+    let rest = triples(&mesh_json("pin-rest.json", &[])["positions"]);
+    let free = triples(&mesh_json("pin-free.json", &edit)["positions"]);
+    let pinned =
+        triples(&mesh_json("pin-held.json", &[&edit[..], &["--pin", "5", "--pin", "10"]].concat())["positions"]);
+    assert!(free[5] != rest[5] && pinned[5] == rest[5]);
+}
+
+#[test]
+fn names_end_in_capitals_too() {
+    for (name, start) in [("CAPITALS.GLB", &b"glTF"[..]), ("Capitals.Json", b"{\"units\"")] {
+        let path = scratch(name);
+        assert_eq!(code(&mesh(&portrait(), &path, &[])), 0);
+        assert!(std::fs::read(path).unwrap().starts_with(start), "{name}");
+    }
+}
