@@ -3,10 +3,12 @@ use std::path::Path;
 use glam::{DVec2, DVec3};
 use rosto_export::{GlbOptions, JsonMesh, Model, Morph, Source, glb, gltf, mesh_json, obj, ply, stl};
 use rosto_face::FaceModel;
-use rosto_studio::{Document, project};
+use rosto_studio::{Document, Entry, project};
 
 use crate::args::{MeshTask, Paint, Units};
 use crate::error::CliError;
+use crate::model_history::model_history;
+use crate::terminal;
 
 pub const MM_PER_M: f64 = 1000.0;
 
@@ -73,13 +75,12 @@ fn gltf_as<T>(
     task: &MeshTask,
     write: impl Fn(&Model<'_>, &GlbOptions<'_>) -> Result<T, rosto_export::ExportError>,
 ) -> Result<T, CliError> {
-    // Edits in metres can be carried on with; those in a picture's coordinates belong to another document.
-    let in_metres = task.edits.units == Units::Mm;
     let entries = document.history().entries();
-    let history = (in_metres && !entries.is_empty()).then(|| project::to_json(entries));
+    let in_metres = task.edits.units == Units::Mm;
+    let in_model = if in_metres { entries.to_vec() } else { carried_over(face, document)? };
+    let history = (!in_model.is_empty()).then(|| project::to_json(&in_model));
     let triangulation = face.triangulation();
-    let source = Source { face, triangulation, density: task.density, history: history.as_deref() };
-    let source = (in_metres || entries.is_empty()).then_some(source);
+    let source = Some(Source { face, triangulation, density: task.density, history: history.as_deref() });
     let layers = if in_metres && task.morph_targets { document.displacements() } else { Vec::new() };
     let named = entries.iter().zip(&layers);
     let morphs: Vec<Morph<'_>> =
@@ -91,6 +92,17 @@ fn gltf_as<T>(
     let options = GlbOptions { paint, morphs: &morphs, source, ..GlbOptions::default() };
     let model = if morphs.is_empty() { *model } else { model.at(document.rest()) };
     Ok(write(&model, &options)?)
+}
+
+/// The history for the file, with a word on what it lacks.
+fn carried_over(face: &FaceModel, document: &Document) -> Result<Vec<Entry>, CliError> {
+    let history = model_history(face, document)?;
+    for label in &history.left_out {
+        terminal::note(&format!(
+            "the file shows {label:?}, but opens again without it: an edit of a denser mesh with such settings needs --units mm"
+        ));
+    }
+    Ok(history.entries)
 }
 
 fn json(document: &Document, colours_srgb: &[[u8; 3]], units: Units) -> String {

@@ -8,6 +8,7 @@ mod files;
 mod follow;
 mod landmarks;
 mod mesh;
+mod model_history;
 mod networks;
 mod output;
 mod paper;

@@ -1,11 +1,12 @@
 use std::path::Path;
 
 use rosto_face::{FaceModel, Language};
-use rosto_studio::{Anchors, Command, Document, Frame, Grip, Rest, StudioError};
+use rosto_studio::{Anchors, Command, Document, Grip, Rest, StudioError};
 
 use crate::args::{EditArguments, FollowArguments, MeshTask, Units};
 use crate::encode::{self, Format, MM_PER_M};
 use crate::error::CliError;
+use crate::model_history::image_rest;
 use crate::request::{self, Given};
 use crate::{edits, files, follow, networks, output, portrait};
 
@@ -85,7 +86,7 @@ fn document_unit(units: Units) -> f64 {
 
 fn edited(face: &FaceModel, steps: Vec<Step>, task: &MeshTask) -> Result<Document, CliError> {
     let rest = match task.edits.units {
-        Units::Image => Rest::new(face.topology().clone(), face.positions_image().to_vec(), Frame::Other),
+        Units::Image => image_rest(face),
         Units::Mm => Rest::of_face(face),
     };
     let mut document = Document::new(rest)?;

@@ -1,5 +1,13 @@
 //! What a terminal would take for commands, made visible.
 
+use std::io::{self, Write};
+
+/// Says on standard error what is worth knowing and no failure.
+pub fn note(text: &str) {
+    // Where nobody listens, nothing is lost that the work depends on.
+    let _ = writeln!(io::stderr(), "rosto: {}", escaped(text));
+}
+
 /// One line of text without control characters and without those that turn its direction: `ESC[2J` in the name of a file
 /// stays what it is.
 pub fn escaped(text: &str) -> String {
