@@ -1,4 +1,5 @@
-//! The browser the tests drive: Chromium or Chrome, with the driver of the same version.
+//! The browsers the tests drive: Chromium or Chrome with the driver of the same version for all of them, and Firefox and
+//! WebKit for the way through the page that has to work in every engine.
 
 use crate::failure::{Failure, Outcome};
 use crate::process::{Run, find_program};
@@ -13,6 +14,58 @@ const ELSEWHERE: [&str; 2] = [
     "/Applications/Chromium.app/Contents/MacOS/Chromium",
 ];
 const DRIVER: &str = "chromedriver";
+
+/// What the journey through the other engines needs: the programs that do, under any of their names, and what to install.
+const ENGINES: [Engine; 3] = [
+    Engine { name: "Xvfb", programs: &["Xvfb"], packages: &versions::DEBIAN_SCREEN, why: "Firefox and WebKit draw on it" },
+    Engine {
+        name: "Firefox",
+        programs: &["firefox-esr", "firefox"],
+        packages: &versions::DEBIAN_FIREFOX,
+        why: "a test runs the page in it",
+    },
+    Engine {
+        name: "WebKit",
+        programs: &["WebKitWebDriver"],
+        packages: &versions::DEBIAN_WEBKIT,
+        why: "a test runs the page in it",
+    },
+];
+
+struct Engine {
+    name: &'static str,
+    programs: &'static [&'static str],
+    packages: &'static [&'static str],
+    why: &'static str,
+}
+
+/// Installs the engines beside Chromium that are missing, and says which of them could not be had.
+///
+/// Each comes by itself: where one cannot be had, the others are tested all the same.
+pub fn obtain_engines() -> Vec<Failure> {
+    ENGINES.iter().filter_map(|engine| engine.obtain().err()).collect()
+}
+
+impl Engine {
+    fn obtain(&self) -> Outcome {
+        if self.is_here() {
+            return Ok(());
+        }
+        progress::announce(self.name, self.why);
+        let started = Instant::now();
+        let installed = apt::install(self.packages);
+        if !self.is_here() {
+            let missing = Failure::new(format!("{} cannot be had, so the page is not tested in it", self.name));
+            return Err(installed.as_ref().err().iter().fold(missing, |missing, cause| missing.because(cause)));
+        }
+        progress::done(self.name, started);
+        Ok(())
+    }
+
+    fn is_here(&self) -> bool {
+        self.programs.iter().any(|program| find_program(program).is_some())
+    }
+}
 
 /// Chooses the browser by hand.
 pub const BROWSER_VARIABLE: &str = "ROSTO_BROWSER";

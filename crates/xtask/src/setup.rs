@@ -1,7 +1,7 @@
 //! Obtains everything a task needs, and only what is missing.
 
-use crate::browser::Browser;
-use crate::failure::Outcome;
+use crate::browser::{Browser, obtain_engines};
+use crate::failure::{Failure, Outcome};
 use crate::process::Run;
 use crate::toolchain::{Toolchain, require_component};
 use crate::{networks, npm, portrait, tools, workspace};
@@ -13,6 +13,7 @@ pub struct Kit {
     toolchain: Toolchain,
     programs: Vec<PathBuf>,
     browser: Option<Browser>,
+    missing_engines: Vec<Failure>,
 }
 
 /// What is needed to build and serve the page.
@@ -22,7 +23,7 @@ pub fn for_page() -> Outcome<Kit> {
     portrait::obtain()?;
     let toolchain = Toolchain::obtain()?;
     let programs = vec![tools::wasm_bindgen()?.obtain()?, tools::trunk().obtain()?, npm::programs()];
-    Ok(Kit { toolchain, programs, browser: None })
+    Ok(Kit { toolchain, programs, browser: None, missing_engines: Vec::new() })
 }
 
 /// What is needed to test it, too.
@@ -32,6 +33,7 @@ pub fn for_tests() -> Outcome<Kit> {
     let mut kit = for_page()?;
     kit.programs.push(tools::wasm_pack().obtain()?);
     kit.browser = Some(Browser::obtain()?);
+    kit.missing_engines = obtain_engines();
     Ok(kit)
 }
 
@@ -50,6 +52,11 @@ impl Kit {
     /// The browser, where the tests need one.
     pub fn browser(&self) -> Option<&Browser> {
         self.browser.as_ref()
+    }
+
+    /// Why an engine beside Chromium is not there, for each that could not be had.
+    pub fn missing_engines(&self) -> &[Failure] {
+        &self.missing_engines
     }
 }
 

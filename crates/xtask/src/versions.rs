@@ -56,3 +56,12 @@ pub const DEBIAN_TOOLCHAIN: [&str; 5] = ["rustc-web", "cargo-web", "rust-web-src
 
 /// Debian's packages with a browser and its driver.
 pub const DEBIAN_BROWSER: [&str; 2] = ["chromium", "chromium-driver"];
+
+/// Debian's packages with a screen that nobody sees, and what draws on it in software.
+pub const DEBIAN_SCREEN: [&str; 3] = ["xvfb", "libgl1-mesa-dri", "libegl1"];
+
+/// Debian's package with Firefox.
+pub const DEBIAN_FIREFOX: [&str; 1] = ["firefox-esr"];
+
+/// Debian's package with WebKitGTK, a small browser around it and its driver.
+pub const DEBIAN_WEBKIT: [&str; 1] = ["webkit2gtk-driver"];

@@ -155,6 +155,7 @@ fn page() -> Vec<Step> {
             check("types", quiet(kit.run("npm")?).args(["run", "--silent", "check"]))
         }),
         Step::new("journeys", "a visitor's ways through the page, in headless Chrome", journeys),
+        Step::new("engines", "the core way through the page in Chromium, Firefox and WebKit, by WebGL2", engines),
     ]
 }
 
@@ -163,6 +164,15 @@ fn journeys(kit: &Kit) -> Outcome<Report> {
     over_the_workspace(&["test", "--quiet", "--no-run"]).within(STEP_LIMIT).run()?.checked()?;
     let program = workspace::target().join("debug").join("rosto");
     tests("journeys", quiet(kit.run("npm")?).args(["run", "--silent", "journeys"]).env("ROSTO_CLI", program))
+}
+
+/// Each engine is a test; one that could not be had fails, with the reason.
+fn engines(kit: &Kit) -> Outcome<Report> {
+    let report = tests("engines", quiet(kit.run("npm")?).args(["run", "--silent", "engines"]))?;
+    let missing: String = kit.missing_engines().iter().map(|failure| format!("{failure}\n")).collect();
+    let table: String = report.output.lines().filter(|line| line.starts_with('|')).map(|row| format!("  {row}\n")).collect();
+    print!("{table}");
+    Ok(Report { output: format!("{missing}{}", report.output), ..report })
 }
 
 /// A program whose success is one test.

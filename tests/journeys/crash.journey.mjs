@@ -1,0 +1,44 @@
+import assert from "node:assert/strict";
+import { journey } from "./journey.mjs";
+
+journey("a landmark without anything to hold the face, another density, and the page goes on", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  await page.click("#section-landmark .more > summary");
+  await page.selectOption("#anchors", "pinned");
+  for (const density of ["1", "2", "0"]) {
+    await visitor.unfold("section-view");
+    await page.selectOption("#density", density);
+    await visitor.frames(3);
+    assert.equal(await page.inputValue("#density"), density);
+    await wander(visitor);
+  }
+  visitor.checkNothingBroke();
+
+  // It still does what it is for.
+  await visitor.findLandmark("bottom of the chin");
+  await page.selectOption("#anchors", "oval");
+  const before = await visitor.meshJson("mm");
+  await visitor.offset("y", -6);
+  const edited = await visitor.meshJson("mm");
+  assert.notDeepEqual(edited.positions, before.positions);
+  await page.click("#toolbar [data-action='undo']");
+  assert.deepEqual(await visitor.meshJson("mm"), before);
+  await page.click("#toolbar [data-action='redo']");
+  assert.deepEqual(await visitor.meshJson("mm"), edited);
+});
+
+/** Moves the pointer over the face, clicks on it, drags, and takes back what that did. */
+async function wander(visitor) {
+  const { page } = visitor;
+  const box = await page.locator("#viewport").boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  for (const [right, down] of [[0, 0], [30, -20], [-40, 30], [5, 45]]) await page.mouse.move(x + right, y + down, { steps: 3 });
+  await page.mouse.click(x + 12, y + 20);
+  await visitor.drag({ x: x + 12, y: y + 20 }, { x: 25, y: -10 });
+  await page.focus("#viewport");
+  await page.keyboard.press("Control+z");
+  await visitor.frames(3);
+}

@@ -1,0 +1,17 @@
+import { journey } from "./journey.mjs";
+import { CONTEXT, Visit, inWords, wishes } from "./restless/visit.mjs";
+
+/** 500 actions in all. */
+const SEEDS = [1, 2, 3, 4];
+const ACTIONS = 125;
+
+for (const seed of SEEDS) {
+  journey(`a restless visitor does ${ACTIONS} things at random, by seed ${seed}, and nothing breaks`, async (open) => {
+    const visitor = await open(CONTEXT);
+    const { actions, finding } = await (await Visit.of(visitor)).go(wishes(seed, ACTIONS));
+    if (!finding) return;
+    const log = actions.map((action, at) => `${at + 1}. ${inWords(action)}`).join("\n");
+    const again = `npm run restless -- --seed ${seed} --upto ${actions.length}`;
+    throw new Error(`${finding.message}\n${finding.stack ?? ""}\nagain: ${again}\n${log}`);
+  });
+}
