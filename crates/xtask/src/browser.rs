@@ -17,7 +17,12 @@ const DRIVER: &str = "chromedriver";
 
 /// What the journey through the other engines needs: the programs that do, under any of their names, and what to install.
 const ENGINES: [Engine; 3] = [
-    Engine { name: "Xvfb", programs: &["Xvfb"], packages: &versions::DEBIAN_SCREEN, why: "Firefox and WebKit draw on it" },
+    Engine {
+        name: "Xvfb",
+        programs: &["Xvfb"],
+        packages: &versions::DEBIAN_SCREEN,
+        why: "Firefox and WebKit draw on it",
+    },
     Engine {
         name: "Firefox",
         programs: &["firefox-esr", "firefox"],
@@ -43,7 +48,9 @@ struct Engine {
 ///
 /// Each comes by itself: where one cannot be had, the others are tested all the same.
 pub fn obtain_engines() -> Vec<Failure> {
-    ENGINES.iter().filter_map(|engine| engine.obtain().err()).collect()
+    let missing: Vec<Failure> = ENGINES.iter().filter_map(|engine| engine.obtain().err()).collect();
+    missing.iter().for_each(|failure| progress::note(&failure.to_string()));
+    missing
 }
 
 impl Engine {

@@ -1,4 +1,4 @@
-import { mkdtemp } from "node:fs/promises";
+import { mkdtemp, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { launch } from "../browser.mjs";
@@ -32,7 +32,10 @@ export async function chromium() {
     },
     screenshot: () => page.screenshot(),
     troubles: async () => troubles,
-    close: () => browser.close(),
+    close: async () => {
+      await browser.close();
+      await rm(downloads, { recursive: true, force: true });
+    },
   };
 }
 

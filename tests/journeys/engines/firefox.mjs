@@ -100,7 +100,7 @@ async function driver(to, browser, folder, downloads) {
       const ended = once(browser, "exit");
       await to.ask("browser.close", {}).catch(() => browser.kill());
       await ended;
-      await rm(folder, { recursive: true, force: true });
+      await rm(folder, { recursive: true, force: true, maxRetries: 10, retryDelay: 200 });
     },
   };
 }

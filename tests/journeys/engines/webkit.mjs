@@ -39,7 +39,8 @@ export async function webkit(env) {
     const ended = once(server, "exit");
     server.kill();
     await ended;
-    await rm(home, { recursive: true, force: true });
+    // Its processes end a little later and still write what they keep.
+    await rm(home, { recursive: true, force: true, maxRetries: 10, retryDelay: 200 });
   };
   try {
     return await driver(`http://127.0.0.1:${port}/session`, downloads, close);

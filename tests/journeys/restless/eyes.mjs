@@ -28,7 +28,7 @@
 
 /** Gives the page eyes under the name `__eyes`; runs in the page, before its own scripts. */
 export function openEyes() {
-  const USABLE = "button, input:not([type=file]), select, summary, [role=button], a[href], .slider-label";
+  const USABLE = "button, input:not([type=file]), select, summary, [role=button], .slider-label";
 
   /** @param {Element} element */
   const surface = (element) => (element.matches("input[type=radio], input[type=checkbox]") && element.closest("label")) || element;
@@ -106,7 +106,7 @@ export function openEyes() {
     aim: (/** @type {string} */ at) => {
       const element = document.querySelector(at);
       if (!element || !visibleBox(element)) return null;
-      surface(element).scrollIntoView({ block: "nearest" });
+      surface(element).scrollIntoView({ block: "center" });
       return boxOf(element);
     },
     /** Puts the focus into a field, with all that is in it selected. */

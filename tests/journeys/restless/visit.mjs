@@ -23,7 +23,7 @@ const OF_THE_PAGE = new Set(["internal", "other", "bad-vertex", "bad-choice", "n
 
 /** What a browser context of a restless visitor is like. */
 export const CONTEXT = {
-  viewport: { width: 640, height: 440 },
+  viewport: { width: 760, height: 480 },
   hasTouch: true,
   before: (/** @type {import("playwright-core").BrowserContext} */ context) => context.addInitScript(openEyes),
 };

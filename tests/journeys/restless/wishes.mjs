@@ -43,7 +43,7 @@ const SLIDER_KEYS = ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "Home", 
 const DRAG_KEYS = ["Escape", "x", "y", "z", "x", "Control+z", "w", "b", "Tab"];
 
 const SIZES = [
-  [6, [640, 440]],
+  [6, [760, 480]],
   [2, [1024, 640]],
   [2, [390, 700]],
   [1, [280, 300]],

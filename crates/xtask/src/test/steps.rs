@@ -170,7 +170,8 @@ fn journeys(kit: &Kit) -> Outcome<Report> {
 fn engines(kit: &Kit) -> Outcome<Report> {
     let report = tests("engines", quiet(kit.run("npm")?).args(["run", "--silent", "engines"]))?;
     let missing: String = kit.missing_engines().iter().map(|failure| format!("{failure}\n")).collect();
-    let table: String = report.output.lines().filter(|line| line.starts_with('|')).map(|row| format!("  {row}\n")).collect();
+    let table: String =
+        report.output.lines().filter(|line| line.starts_with('|')).map(|row| format!("  {row}\n")).collect();
     print!("{table}");
     Ok(Report { output: format!("{missing}{}", report.output), ..report })
 }
