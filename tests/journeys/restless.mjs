@@ -41,7 +41,7 @@ server.close();
 
 /** @param {number} seed @param {number} upto */
 async function replay(seed, upto) {
-  const { finding } = await visit(wishes(seed, upto), (action, number) => console.log(`${number}. ${inWords(action)}`));
+  const { finding } = await visit(wishes(seed, upto), { tell: (action, number) => console.log(`${number}. ${inWords(action)}`) });
   console.log(finding ? `✗ ${finding.message}\n${finding.stack ?? ""}` : "✓ nothing was found");
   process.exitCode = finding ? 1 : 0;
 }
@@ -54,9 +54,11 @@ async function wander(wanted, firstSeed, minutes) {
   let done = 0;
   let acting_ms = 0;
   for (let seed = firstSeed; done < wanted && isInTime(); seed++) {
-    const visited = await visit(wishes(seed, Math.min(ACTIONS_PER_VISIT, wanted - done)));
+    const isKnown = (message) => findings.has(kindOf(message));
+    const visited = await visit(wishes(seed, Math.min(ACTIONS_PER_VISIT, wanted - done)), { isKnown });
     done += visited.actions.length;
     acting_ms += visited.took_ms;
+    for (const message of visited.known) findings.get(kindOf(message)).count += 1;
     if (visited.finding) await note(findings, seed, visited, isInTime);
     if (visited.finding || seed % 10 === 0) console.log(progress(done, acting_ms, findings));
   }
@@ -83,14 +85,14 @@ async function note(findings, seed, visited, isInTime) {
 }
 
 /** A browser context of its own for each visit, and a fresh browser now and then. */
-async function visit(wishes, tell) {
+async function visit(wishes, how) {
   if (visits++ % VISITS_PER_BROWSER === 0 || !browser?.isConnected()) {
     await browser?.close().catch(() => {});
     browser = await launch({ film: await film() });
   }
   const visitor = await Visitor.arrive(browser, server.url, CONTEXT);
   try {
-    return await (await Visit.of(visitor)).go(wishes, tell);
+    return await (await Visit.of(visitor)).go(wishes, how);
   } finally {
     await visitor.leave().catch(() => {});
   }

@@ -32,7 +32,7 @@ export async function core(driver, url, pictures) {
   const picture = (/** @type {string} */ name) => shot(driver, path.join(pictures, `${driver.engine.toLowerCase()}-${name}.png`));
 
   await driver.open(url);
-  await until(driver, `document.querySelector("#welcome").checkVisibility()`, "the welcome");
+  await until(driver, `document.querySelector("#privacy-count[data-requests='0']")`, "the page with all its parts");
   await picture("arrived");
   await drop(driver, await readFile(SAMPLE));
   await untilFace(driver);

@@ -8,6 +8,7 @@
  * @property {"button" | "tick" | "select" | "range" | "number" | "text" | "colour" | "fold" | "label"} kind
  * @property {string} action its `data-action`, if it has one
  * @property {number} options of a select
+ * @property {boolean} open whether a fold shows what is in it
  *
  * @typedef {object} Box in CSS px of the window
  * @property {number} x
@@ -76,6 +77,7 @@ export function openEyes() {
     kind: kindOf(element),
     action: element.getAttribute("data-action") ?? "",
     options: element.matches("select") ? element.options.length : 0,
+    open: element.parentElement?.hasAttribute("open") ?? false,
   });
 
   const look = () => {

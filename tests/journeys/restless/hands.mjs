@@ -15,6 +15,7 @@ const LONG_PRESS_MS = 520;
 /** A file is opened within this time, or the visitor goes on. */
 const OPENING_MS = 30_000;
 
+const MOUSE = new Set(["down", "move", "up"]);
 const BUTTONS = { left: 1, right: 2, middle: 4 };
 
 /** Does what a visitor wishes, with real input wherever the browser's protocol has it. */
@@ -65,6 +66,10 @@ export class Hands {
         return this.#bring(action.files, action.by, action.wait);
       case "storm":
         return this.#storm(action.presses);
+      case "shuffle":
+        return this.page.evaluate((choices) => {
+          for (const { at, value } of choices) value === null ? window["__eyes"].press(at) : window["__eyes"].set(at, value);
+        }, action.choices);
       case "resize":
         return this.page.setViewportSize(action);
       case "media":
@@ -113,7 +118,8 @@ export class Hands {
     const x = (/** @type {number} */ share) => box.x + 8 + share * (box.width - 16);
     const steps = [0.3, 0.7, 1].map((share) => x(from + share * (to - from)));
     await this.input.send("Input.dispatchMouseEvent", { type: "mousePressed", x: x(from), y, button: "left", clickCount: 1 });
-    for (const at of steps) await this.input.send("Input.dispatchMouseEvent", { type: "mouseMoved", x: at, y, button: "left", buttons: 1 });
+    const moved = steps.map((at) => this.input.send("Input.dispatchMouseEvent", { type: "mouseMoved", x: at, y, button: "left", buttons: 1 }));
+    await Promise.all(moved);
     await this.input.send("Input.dispatchMouseEvent", { type: "mouseReleased", x: x(to), y, button: "left", clickCount: 1 });
   }
 
@@ -126,14 +132,18 @@ export class Hands {
   async #pointer(box, moves) {
     if (!box) return;
     const at = ({ x = 0.5, y = 0.5 }) => ({ x: box.x + x * box.width, y: box.y + y * box.height });
+    // The mouse does not wait for the page; whatever else comes in between waits for the mouse.
+    let mouse = Promise.resolve();
     for (const move of moves) {
+      if (!MOUSE.has(move.type)) await mouse;
       if (move.type === "pause") await new Promise((resolve) => setTimeout(resolve, LONG_PRESS_MS));
       else if (move.type === "key") await this.page.keyboard.press(move.key);
       else if (move.type === "cancel") await this.#cancel();
       else if (move.type === "fingers") await this.#fingers(move.places.map(at));
       else if (move.type === "wheel") await this.input.send("Input.dispatchMouseEvent", { type: "mouseWheel", ...at(move), deltaX: 0, deltaY: move.dy, modifiers: move.held ?? 0 });
-      else await this.#mouse(move, at(move));
+      else mouse = this.#mouse(move, at(move));
     }
+    await mouse;
     if (this.#touching) await this.#fingers([]);
   }
 

@@ -10,7 +10,7 @@ import { wish } from "./wishes.mjs";
  * @typedef {import("./wishes.mjs").Action} Action
  * @typedef {import("./eyes.mjs").Seen} Seen
  * @typedef {{ message: string, stack?: string }} Finding
- * @typedef {{ actions: Action[], finding?: Finding, took_ms: number }} Visited
+ * @typedef {{ actions: Action[], finding?: Finding, known: string[], took_ms: number }} Visited `known`: findings that were passed over
  */
 
 /** What the page must draw a frame within. */
@@ -20,6 +20,10 @@ const ACTION_MS = 90_000;
 
 /** Trouble that ordinary use must never cause: it says that the page is at odds with itself. */
 const OF_THE_PAGE = new Set(["internal", "other", "bad-vertex", "bad-choice", "no-selection"]);
+
+/** Frames that are waited for after an action, and after the last one. */
+const FRAMES = 1;
+const LAST_FRAMES = 3;
 
 /** What a browser context of a restless visitor is like. */
 export const CONTEXT = {
@@ -55,6 +59,8 @@ export class Visit {
   /** @type {Action[]} */
   actions = [];
   #trouble = /** @type {Finding[]} */ ([]);
+  #known = /** @type {string[]} */ ([]);
+  #isKnown = (/** @type {string} */ _) => false;
   #visitor;
   #hands;
 
@@ -72,11 +78,14 @@ export class Visit {
 
   /**
    * @param {Generator<Action | undefined, void, Seen>} wishes
-   * @param {(action: Action, number: number) => void} [tell] called before each action
+   * @param {object} [how]
+   * @param {(action: Action, number: number) => void} [how.tell] called before each action
+   * @param {(message: string) => boolean} [how.isKnown] whether a notice was found before: it does not end the visit
    * @returns {Promise<Visited>}
    */
-  async go(wishes, tell = () => {}) {
+  async go(wishes, { tell = () => {}, isKnown = () => false } = {}) {
     const started = performance.now();
+    this.#isKnown = isKnown;
     wishes.next();
     let finding;
     try {
@@ -87,11 +96,12 @@ export class Visit {
         await within(ACTION_MS, this.#perform(next.value, seen), "an action did not come to its end");
         seen = await this.#look();
       }
+      await this.#look(LAST_FRAMES);
     } catch (error) {
       finding = { message: String(error?.message ?? error).split("\n")[0], stack: error?.stack };
     }
     // What the page said explains what the visitor ran into.
-    return { actions: this.actions, finding: this.#trouble[0] ?? finding, took_ms: performance.now() - started };
+    return { actions: this.actions, finding: this.#trouble[0] ?? finding, known: this.#known, took_ms: performance.now() - started };
   }
 
   /** @param {Action} action @param {Seen} seen */
@@ -101,17 +111,24 @@ export class Visit {
     if (wrong) this.#trouble.push({ message: wrong });
   }
 
-  /** What the page shows in its next frame but one. @returns {Promise<Seen>} */
-  async #look() {
-    const seen = await within(ANSWER_MS, this.#settled(), "the page does not answer");
-    if (OF_THE_PAGE.has(seen.trouble)) this.#trouble.push({ message: `notice ${seen.trouble}: ${seen.said}` });
+  /** What the page shows after its next frames. @returns {Promise<Seen>} */
+  async #look(frames = FRAMES) {
+    const seen = await within(ANSWER_MS, this.#settled(frames), "the page does not answer");
+    if (!OF_THE_PAGE.has(seen.trouble)) return seen;
+    const message = `notice ${seen.trouble}: ${seen.said}`;
+    if (!this.#isKnown(message)) this.#trouble.push({ message });
+    else {
+      this.#known.push(message);
+      await this.#visitor.page.evaluate(() => window["__eyes"].press("#notice-close"));
+    }
     return seen;
   }
 
-  async #settled() {
+  /** @param {number} frames */
+  async #settled(frames) {
     for (;;) {
       try {
-        return await this.#visitor.page.evaluate(() => window["__eyes"].settle(2));
+        return await this.#visitor.page.evaluate((frames) => window["__eyes"].settle(frames), frames);
       } catch (error) {
         // The page was being left for its reloaded self.
         if (!/context was destroyed|navigation/i.test(String(error))) throw error;

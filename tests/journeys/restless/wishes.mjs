@@ -17,6 +17,7 @@
  *   | { do: "keys", keys: string[], focus: boolean }
  *   | { do: "files", files: string[], by: "drop" | "paste", wait: boolean }
  *   | { do: "storm", presses: string[] }
+ *   | { do: "shuffle", choices: { at: string, label: string, value: string | number | null }[] }
  *   | { do: "resize", width: number, height: number }
  *   | { do: "media", media: { colorScheme?: "light" | "dark", reducedMotion?: "reduce" | "no-preference" } }
  *   | { do: "reload", goOn: boolean }
@@ -57,6 +58,10 @@ const FILES = [[5, "portrait"], [1, "two faces"], [1, "no face"], [1, "damaged p
 /** What takes long is done less often. */
 const SHARE_OF_SLOW = { "run-paper": 0.15, camera: 0.4, "close-camera": 0.5 };
 
+/** Most of the time goes into shaping. */
+const SHUFFLED = new Set(["section-landmark", "section-view", "section-history"]);
+const SHARE_OF_GROUP = { "section-landmark": 4, "section-view": 1.5, "section-history": 1.5 };
+
 /**
  * @param {Chance} chance
  * @param {Seen} seen
@@ -66,7 +71,8 @@ export function wish(chance, seen) {
   if (seen.dialog) return chance.is(0.7) ? useControl(chance, seen) : anyKeys(chance);
   if (seen.state !== "face" && !seen.busy) return beforeTheFace(chance, seen);
   const wishes = /** @type {const} */ ([
-    [44, useControl],
+    [36, useControl],
+    [8, shuffle],
     [24, onTheView],
     [4, onThePhoto],
     [9, anyKeys],
@@ -103,10 +109,33 @@ function beforeTheFace(chance, seen) {
 function useControl(chance, seen) {
   const groups = [...new Set(seen.controls.map(({ group }) => group))];
   if (groups.length === 0) return anyKeys(chance);
-  const group = chance.one(groups);
-  const control = chance.one(seen.controls.filter((one) => one.group === group));
+  const group = chance.weighted(groups.map((name) => [SHARE_OF_GROUP[name] ?? 1, name]));
+  const control = chance.weighted(seen.controls.filter((one) => one.group === group).map((one) => [shareOf(one), one]));
   if (!chance.is(SHARE_OF_SLOW[control.action] ?? 1)) return anyKeys(chance);
   return use(chance, control);
+}
+
+/**
+ * Several choices at once, faster than the page draws: modes meet that rarely meet otherwise.
+ *
+ * @param {Chance} chance
+ * @param {Seen} seen
+ * @returns {Action}
+ */
+function shuffle(chance, seen) {
+  const choosable = seen.controls.filter(({ kind, group }) => (kind === "select" || kind === "tick") && SHUFFLED.has(group));
+  if (choosable.length === 0) return useControl(chance, seen);
+  const choices = several(chance, 2, 5, () => {
+    const { at, label, kind, options } = chance.weighted(choosable.map((one) => [one.kind === "select" ? 3 : 1, one]));
+    return { at, label, value: kind === "select" ? chooseOption(chance, at, options) : null };
+  });
+  return { do: "shuffle", choices };
+}
+
+/** What decides how the face follows is tried most, and folds stay open more often than not. @param {Control} control */
+function shareOf({ kind, open }) {
+  if (kind === "fold") return open ? 0.2 : 4;
+  return kind === "select" ? 3 : kind === "tick" ? 1.5 : 1;
 }
 
 /**
