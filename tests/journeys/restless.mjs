@@ -19,6 +19,7 @@ const REPORT = path.join(ROOT, "target/torture/restless.json");
 const ACTIONS_PER_VISIT = 250;
 const VISITS_PER_BROWSER = 12;
 const LAST_SHOWN = 15;
+const SHRINKING_MS = 120_000;
 
 const { values } = parseArgs({
   options: {
@@ -41,7 +42,10 @@ server.close();
 
 /** @param {number} seed @param {number} upto */
 async function replay(seed, upto) {
-  const { finding } = await visit(wishes(seed, upto), { tell: (action, number) => console.log(`${number}. ${inWords(action)}`) });
+  let done = 0;
+  const tell = (action) => console.log(`${++done}. ${inWords(action)}`);
+  // The long run passed over notices that it had noted before.
+  const { finding } = await visit(wishes(seed, upto), { tell, isKnown: () => done < upto });
   console.log(finding ? `✗ ${finding.message}\n${finding.stack ?? ""}` : "✓ nothing was found");
   process.exitCode = finding ? 1 : 0;
 }
@@ -79,9 +83,11 @@ async function note(findings, seed, visited, isInTime) {
   console.log(`✗ ${message}\n  again: npm run restless -- --seed ${at.seed} --upto ${at.upto}`);
   const finding = { message, count: 1, seeds: [at], stack, last: visited.actions.slice(-LAST_SHOWN).map(inWords) };
   findings.set(kind, finding);
-  const shortest = await shrink(visited, visit, isInTime);
-  if (shortest.length < visited.actions.length) finding.shortest = shortest.map(inWords);
-  for (const line of finding.shortest ?? finding.last) console.log(`    ${line}`);
+  const since = performance.now();
+  const shortest = await shrink(visited, visit, () => isInTime() && performance.now() - since < SHRINKING_MS);
+  if (shortest.length >= visited.actions.length) return;
+  finding.shortest = shortest.map(inWords);
+  console.log(`  the same after ${shortest.length} actions`);
 }
 
 /** A browser context of its own for each visit, and a fresh browser now and then. */
@@ -115,7 +121,7 @@ async function report(figures) {
   await writeFile(REPORT, `${JSON.stringify(figures, null, 2)}\n`);
   for (const { message, count, seeds, last, shortest } of figures.findings) {
     console.log(`\n✗ ${message}\n  ${count} times; by ${seeds.slice(0, 5).map(({ seed, upto }) => `--seed ${seed} --upto ${upto}`).join(", ")}`);
-    for (const line of shortest ?? last) console.log(`    ${line}`);
+    for (const line of (shortest ?? last).slice(-LAST_SHOWN)) console.log(`    ${line}`);
   }
   const { actions, seconds, actionsPerSecond, findings } = figures;
   const times = findings.reduce((sum, { count }) => sum + count, 0);

@@ -18,16 +18,17 @@ const ARRIVE = { do: "files", files: ["portrait"], by: "drop", wait: true };
  * left out; all actions if no shorter way is found.
  *
  * @param {Visited} visited that ended with a finding
- * @param {(wishes: ReturnType<typeof recorded>) => Promise<Visited>} visit makes a visit of its own
+ * @param {(wishes: ReturnType<typeof recorded>, how: { isKnown: (message: string) => boolean }) => Promise<Visited>} visit makes a visit of its own
  * @param {() => boolean} mayGoOn whether there is time for another try
  * @returns {Promise<Action[]>}
  */
 export async function shrink({ actions, finding }, visit, mayGoOn) {
   let tries = 0;
+  const isKnown = (/** @type {string} */ message) => kindOf(message) !== kindOf(finding.message);
   const leadsThere = async (/** @type {Action[]} */ tried) => {
     if (tries++ >= MOST_TRIES || !mayGoOn()) return false;
-    const again = await visit(recorded(tried));
-    return again.finding !== undefined && kindOf(again.finding.message) === kindOf(finding.message);
+    const again = await visit(recorded(tried), { isKnown });
+    return again.finding !== undefined && !isKnown(again.finding.message);
   };
   let fewest = actions;
   for (const last of LASTS.filter((last) => last < actions.length)) {
