@@ -40,7 +40,7 @@ impl Format {
 }
 
 /// The bytes of the edited face's file.
-pub fn encode(face: &FaceModel, document: &Document, task: &MeshTask, format: Format) -> Result<Vec<u8>, CliError> {
+pub fn encode(face: &FaceModel, document: &mut Document, task: &MeshTask, format: Format) -> Result<Vec<u8>, CliError> {
     let positions_m = match task.edits.units {
         Units::Image => model_from_image(face, document.positions()),
         Units::Mm => document.positions().to_vec(),
@@ -48,6 +48,8 @@ pub fn encode(face: &FaceModel, document: &Document, task: &MeshTask, format: Fo
     if let Some(vertex) = document.positions().iter().position(|position| !position.is_finite()) {
         return Err(CliError::NotFinite { vertex });
     }
+    let layers = if task.morph_targets { document.displacements() } else { Vec::new() };
+    let document = &*document;
     let uvs: Vec<DVec2> = document.from_cage(face.uvs());
     let colours_srgb = if task.density == 0 { face.colours_srgb().to_vec() } else { face.colours_under(&uvs) };
     let model = Model {
@@ -58,8 +60,8 @@ pub fn encode(face: &FaceModel, document: &Document, task: &MeshTask, format: Fo
         picture: face.picture(),
     };
     Ok(match format {
-        Format::Glb => gltf_as(face, &model, document, task, glb)?,
-        Format::Gltf => gltf_as(face, &model, document, task, gltf)?.into_bytes(),
+        Format::Glb => gltf_as(face, &model, document, &layers, task, glb)?,
+        Format::Gltf => gltf_as(face, &model, document, &layers, task, gltf)?.into_bytes(),
         Format::Obj => obj(&model)?.into_bytes(),
         Format::Ply => ply(&model)?,
         Format::Stl => stl(&model)?,
@@ -72,6 +74,7 @@ fn gltf_as<T>(
     face: &FaceModel,
     model: &Model<'_>,
     document: &Document,
+    layers: &[Vec<DVec3>],
     task: &MeshTask,
     write: impl Fn(&Model<'_>, &GlbOptions<'_>) -> Result<T, rosto_export::ExportError>,
 ) -> Result<T, CliError> {
@@ -81,8 +84,7 @@ fn gltf_as<T>(
     let history = (!in_model.is_empty()).then(|| project::to_json(&in_model));
     let triangulation = face.triangulation();
     let source = Some(Source { face, triangulation, density: task.density, history: history.as_deref() });
-    let layers = if in_metres && task.morph_targets { document.displacements() } else { Vec::new() };
-    let named = entries.iter().zip(&layers);
+    let named = entries.iter().zip(layers);
     let morphs: Vec<Morph<'_>> =
         named.map(|(entry, layer)| Morph { name: &entry.label, displacements_m: layer, weight: 1.0 }).collect();
     let paint = match task.paint {

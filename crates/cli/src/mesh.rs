@@ -37,8 +37,8 @@ pub fn run(task: &MeshTask, given: &Given<'_>, networks: Option<&Path>) -> Resul
     let photo = portrait::open(&task.photo)?;
     let face = portrait::face(&photo, &task.photo, &networks::load(networks)?)?;
     let face = portrait::model(&photo, &face, task.topology.into(), &task.photo)?;
-    let document = edited(&face, steps, task)?;
-    output::write(&task.output, &encode::encode(&face, &document, task, format)?)
+    let mut document = edited(&face, steps, task)?;
+    output::write(&task.output, &encode::encode(&face, &mut document, task, format)?)
 }
 
 /// All that was asked for, in the order that `--help` promises.

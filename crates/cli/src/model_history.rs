@@ -27,7 +27,7 @@ pub fn model_history(face: &FaceModel, document: &Document) -> Result<ModelHisto
     let model_from_image = face.image_from_model().matrix3.inverse();
     let image_entries = document.history().entries();
     // Over the cage alone; what waits for a denser mesh leaves it as it is.
-    let cage = Document::replay(image_rest(face), image_entries.to_vec())?;
+    let mut cage = Document::replay(image_rest(face), image_entries.to_vec())?;
     let mut history = ModelHistory { entries: Vec::new(), left_out: Vec::new() };
     for (entry, way) in image_entries.iter().zip(cage.displacements()) {
         match &entry.command {

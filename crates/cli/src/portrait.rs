@@ -16,7 +16,7 @@ pub fn open(path: &Path) -> Result<Photo, CliError> {
     let no_picture = |reason| CliError::NoPicture { path: path.to_owned(), reason };
     let bytes = files::read(path, limits.max_bytes).map_err(|reason| match reason {
         ReadError::TooManyBytes { found_bytes, max_bytes } => {
-            no_picture(PhotoError::TooManyBytes { found_bytes, max_bytes })
+            no_picture(PhotoError::TooManyBytes { found_bytes: found_bytes as u64, max_bytes: max_bytes as u64 })
         }
         reason => CliError::Unreadable { path: path.to_owned(), reason },
     })?;

@@ -1,5 +1,5 @@
 use glam::DVec3;
-use rosto_export::{GlbOptions, JsonMesh, Model, Morph, Source, glb, mesh_json};
+use rosto_export::{GlbOptions, JsonMesh, Model, Morph, Source, glb, mesh_json, project};
 
 use crate::error::SessionError;
 use crate::{OpenFace, Session};
@@ -69,6 +69,21 @@ impl Session {
             let model = if edits == EditsAs::Shape { model } else { model.at(document.rest()) };
             Ok(glb(&model, &options)?)
         })
+    }
+
+    /// The face and its work as a project file; `png` is its whole upright picture.
+    ///
+    /// # Errors
+    /// [`SessionError::NoFace`] or [`SessionError::Export`].
+    pub fn project(&self, png: &[u8]) -> Result<Vec<u8>, SessionError> {
+        let face = self.open_face()?;
+        let source = Source {
+            face: face.model(),
+            triangulation: face.triangulation(),
+            density: face.document().density(),
+            history: Some(&face.history_json()),
+        };
+        Ok(project::write(&source, png)?)
     }
 
     /// Does something with the mesh that is shown.

@@ -88,6 +88,15 @@ impl Studio {
         Ok(future_to_promise(async move { Ok(Snapshot::from(picture.await.map_err(Trouble::from)?).into()) }))
     }
 
+    /// The project file: landmarks, edits, and the photo as the PNG that is given.
+    ///
+    /// # Errors
+    /// `no-face` or `cannot-export`.
+    #[wasm_bindgen(js_name = projectFile)]
+    pub fn project_file(&self, png: &[u8]) -> Result<Vec<u8>, JsValue> {
+        Ok(self.session.project(png).map_err(Trouble::from)?)
+    }
+
     /// The edits as versioned JSON.
     ///
     /// # Errors

@@ -22,13 +22,13 @@ use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
 pub use modes::{
-    AnchorsName, AxisName, ChangeName, DetailsName, ExportEditsName, ExportPaintName, ExportShadingName, HandName,
-    HoldName, LanguageName, MeshFormatName, OperatorName, PaintName, PointerName, PresetName, RefusalName, TaskName,
-    ThemeName, TriangulationName, UnitsName, ViewName,
+    AnchorsName, AxisName, ChangeName, DetailsName, ExportEditsName, ExportPaintName, ExportShadingName, FileKindName,
+    HandName, HoldName, LanguageName, MeshFormatName, OperatorName, PaintName, PointerName, PresetName, RefusalName,
+    TaskName, ThemeName, TriangulationName, UnitsName, ViewName,
 };
 pub use paper::{PaperClaims, PaperMethod, PaperRow, PaperRun};
 pub use renderer::{Renderer, create_renderer};
-pub use reopened::{ReopenedFace, reopen_glb};
+pub use reopened::{ReopenedFace, reopen_glb, reopen_project, sniff_file};
 pub use state::{NamedRegion, NamedSlider, ScreenPoint, Snapshot, StudioEntry, StudioRange, StudioState, StudioTick};
 pub use studio::Studio;
 

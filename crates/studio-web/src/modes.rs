@@ -248,6 +248,18 @@ pub enum TriangulationName {
     Canonical = "canonical",
 }
 
+/// What a file is.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FileKindName {
+    /// Binary glTF.
+    Glb = "glb",
+    /// A project that was saved here.
+    Project = "project",
+    /// Anything else, such as a photo.
+    Other = "other",
+}
+
 /// What the paper's Table 1 times.
 #[wasm_bindgen]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,12 +1,11 @@
-use rosto_export::{Reopened, reopen};
+use rosto_export::{FileKind, Reopened, project, reopen, sniff};
 use rosto_face::Triangulation;
-use rosto_studio::project;
 use wasm_bindgen::prelude::*;
 
-use crate::modes::TriangulationName;
+use crate::modes::{FileKindName, TriangulationName};
 use crate::trouble::Trouble;
 
-/// What a GLB of ours holds, for `openFace` and `openEdits`. `free()` it when everything has been taken out.
+/// What a file of ours holds, for `openWork`. `free()` it when everything has been taken out.
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct ReopenedFace {
@@ -16,18 +15,30 @@ pub struct ReopenedFace {
     triangulation: Triangulation,
     density: u32,
     edits: String,
+    changed_elsewhere: bool,
     picture_size_px: [u32; 2],
-    crop_at_px: [i32; 2],
+    place_px: [i32; 2],
+    placed_size_px: [u32; 2],
     pixels: Pixels,
 }
 
 /// The picture, in the form in which the file leaves it.
 #[derive(Debug)]
 enum Pixels {
-    /// A JPEG that belongs at its place in the picture.
-    Jpeg(Vec<u8>),
+    /// A JPEG or PNG that belongs at its place in the picture.
+    Encoded { bytes: Vec<u8>, media_type: &'static str },
     /// The whole picture, RGBA.
     Painted(Vec<u8>),
+}
+
+/// Tells what a file is by its first 4 096 bytes.
+#[wasm_bindgen(js_name = sniffFile)]
+pub fn sniff_file(start: &[u8]) -> FileKindName {
+    match sniff(start) {
+        FileKind::Glb => FileKindName::Glb,
+        FileKind::Project => FileKindName::Project,
+        FileKind::Other => FileKindName::Other,
+    }
 }
 
 /// Reads a GLB that was downloaded here or written by the command line. No picture is decoded.
@@ -36,16 +47,30 @@ enum Pixels {
 /// `damaged-glb`, `foreign-glb` or `newer-glb`.
 #[wasm_bindgen(js_name = reopenGlb)]
 pub fn reopen_glb(bytes: &[u8]) -> Result<ReopenedFace, JsValue> {
-    Ok(reopen(bytes).map_err(Trouble::from)?.into())
+    Ok(reopen(bytes).map_err(Trouble::of_glb)?.into())
+}
+
+/// Reads a project that was saved here. Its picture is not decoded.
+///
+/// # Errors
+/// `bad-project` or `newer-project`.
+#[wasm_bindgen(js_name = reopenProject)]
+pub fn reopen_project(bytes: &[u8]) -> Result<ReopenedFace, JsValue> {
+    Ok(project::read(bytes).map_err(Trouble::of_project)?.into())
 }
 
 impl From<Reopened<'_>> for ReopenedFace {
     fn from(face: Reopened<'_>) -> Self {
-        let (picture_size_px, crop_at_px, pixels) = match face.texture {
-            Some(texture) => (texture.picture_size_px, texture.at_px, Pixels::Jpeg(texture.encoded.to_vec())),
+        let (picture_size_px, place_px, placed_size_px, pixels) = match face.texture {
+            Some(texture) => {
+                let media_type = texture.media_type();
+                let pixels = Pixels::Encoded { bytes: texture.encoded.to_vec(), media_type };
+                (texture.picture_size_px, texture.at_px, texture.size_px, pixels)
+            }
             None => {
                 let painted = face.painted();
-                ([painted.width, painted.height], [0, 0], Pixels::Painted(painted.rgba))
+                let size = [painted.width, painted.height];
+                (size, [0, 0], size, Pixels::Painted(painted.rgba))
             }
         };
         Self {
@@ -54,9 +79,11 @@ impl From<Reopened<'_>> for ReopenedFace {
             colours: face.colours_srgb.concat(),
             triangulation: face.triangulation,
             density: face.density,
-            edits: face.history.unwrap_or_else(|| project::to_json(&[])),
+            edits: face.history.unwrap_or_else(|| rosto_studio::project::to_json(&[])),
+            changed_elsewhere: face.changed_elsewhere,
             picture_size_px,
-            crop_at_px,
+            place_px,
+            placed_size_px,
             pixels,
         }
     }
@@ -92,13 +119,13 @@ impl ReopenedFace {
         self.triangulation.into()
     }
 
-    /// How often the mesh was subdivided, for `setDensity`.
+    /// How often the mesh was subdivided.
     #[wasm_bindgen(getter)]
     pub fn density(&self) -> u32 {
         self.density
     }
 
-    /// The edits, for `openEdits`.
+    /// The edits as versioned JSON.
     #[wasm_bindgen(getter)]
     pub fn edits(&self) -> String {
         self.edits.clone()
@@ -116,33 +143,34 @@ impl ReopenedFace {
         self.picture_size_px[1]
     }
 
-    /// Left of the part of the picture that the file holds, in px.
-    #[wasm_bindgen(getter, js_name = cropLeft)]
-    pub fn crop_left(&self) -> i32 {
-        self.crop_at_px[0]
+    /// Whether another program has changed the mesh, which opens as it was saved here.
+    #[wasm_bindgen(getter, js_name = changedElsewhere)]
+    pub fn changed_elsewhere(&self) -> bool {
+        self.changed_elsewhere
     }
 
-    /// Top of that part in px.
-    #[wasm_bindgen(getter, js_name = cropTop)]
-    pub fn crop_top(&self) -> i32 {
-        self.crop_at_px[1]
+    /// Where in the picture the file's part of it lies, in px: left, top, width, height.
+    pub fn place(&self) -> Vec<i32> {
+        let [left, top] = self.place_px;
+        let [width, height] = self.placed_size_px.map(|side| side as i32);
+        vec![left, top, width, height]
     }
 
-    /// That part as a JPEG file; undefined where the file holds no photo.
-    #[wasm_bindgen(js_name = takeJpeg)]
-    pub fn take_jpeg(&mut self) -> Option<Vec<u8>> {
-        match &mut self.pixels {
-            Pixels::Jpeg(jpeg) => Some(std::mem::take(jpeg)),
+    /// The media type of that part; undefined where the file holds no photo.
+    #[wasm_bindgen(getter, js_name = mediaType)]
+    pub fn media_type(&self) -> Option<String> {
+        match &self.pixels {
+            Pixels::Encoded { media_type, .. } => Some((*media_type).to_owned()),
             Pixels::Painted(_) => None,
         }
     }
 
-    /// What stands in for the photo where the file holds none: the landmarks' colours blended over the face, RGBA.
-    #[wasm_bindgen(js_name = takePainted)]
-    pub fn take_painted(&mut self) -> Option<Vec<u8>> {
+    /// That part as an encoded picture or, where the file holds none, what stands in for the photo: the landmarks' colours
+    /// blended over the face, RGBA.
+    #[wasm_bindgen(js_name = takePicture)]
+    pub fn take_picture(&mut self) -> Vec<u8> {
         match &mut self.pixels {
-            Pixels::Jpeg(_) => None,
-            Pixels::Painted(rgba) => Some(std::mem::take(rgba)),
+            Pixels::Encoded { bytes, .. } | Pixels::Painted(bytes) => std::mem::take(bytes),
         }
     }
 }

@@ -43,6 +43,25 @@ impl Trouble {
         Self::new("bad-face", "no picture was opened for this face", "Open the photo again.")
     }
 
+    /// Of a GLB that cannot be opened again.
+    pub fn of_glb(error: ReopenError) -> Self {
+        let (code, hint) = match error {
+            ReopenError::Foreign => ("foreign-glb", "Open a GLB that was made here, or a photo."),
+            ReopenError::Newer { .. } => ("newer-glb", "Reload the page to get its newest version."),
+            _ => ("damaged-glb", "Copy or download it again, or open the photo."),
+        };
+        Self::new(code, error.to_string(), hint)
+    }
+
+    /// Of a project file that cannot be opened.
+    pub fn of_project(error: ReopenError) -> Self {
+        let (code, hint) = match error {
+            ReopenError::Newer { .. } => ("newer-project", "Reload the page to get its newest version."),
+            _ => ("bad-project", "It may be incomplete. Open the photo instead."),
+        };
+        Self::new(code, error.to_string(), hint)
+    }
+
     pub fn bad_choice() -> Self {
         Self::new("bad-choice", "there is no such choice", "Use one of the names in the module's types.")
     }
@@ -119,17 +138,6 @@ impl From<StudioError> for Trouble {
 impl From<ExportError> for Trouble {
     fn from(error: ExportError) -> Self {
         Self::new("cannot-export", error.to_string(), "Undo the last edit and try again.")
-    }
-}
-
-impl From<ReopenError> for Trouble {
-    fn from(error: ReopenError) -> Self {
-        let (code, hint) = match error {
-            ReopenError::Foreign => ("foreign-glb", "Open a GLB that was made here, or a photo."),
-            ReopenError::Newer { .. } => ("newer-glb", "Reload the page to get its newest version."),
-            _ => ("damaged-glb", "Copy or download it again, or open the photo."),
-        };
-        Self::new(code, error.to_string(), hint)
     }
 }
 
