@@ -24,6 +24,8 @@ for (const [what, disturbance] of Object.entries(TROUBLES)) {
       await visitor.untilLoaded();
       server.disturb(disturbance);
       await visitor.page.reload();
+      // The browser looks for a newer service worker by itself, at a time of its own, and the page's wish has to wait.
+      await visitor.page.evaluate(() => void navigator.serviceWorker.ready.then((kept) => kept.update()).catch(() => {}));
       await visitor.page.click("#welcome [data-action='sample']");
       await visitor.untilFace();
       await visitor.untilLoaded();
