@@ -30,9 +30,9 @@ for (const { file, what, answer } of TROUBLES) {
 journey("a page whose modules do not come says so, and takes it back when they do", async (open) => {
   let deliver = () => {};
   const held = new Promise((resolve) => (deliver = () => resolve(undefined)));
-  /** @type {Promise<import("playwright-core").Page>} */
-  let arriving = Promise.reject(new Error("no page"));
-  arriving.catch(() => {});
+  /** @type {(page: import("playwright-core").Page) => void} */
+  let show = () => {};
+  const shown = new Promise((/** @type {(page: import("playwright-core").Page) => void} */ resolve) => (show = resolve));
   const arrived = open({
     before: async (context) => {
       await context.clock.install();
@@ -40,11 +40,12 @@ journey("a page whose modules do not come says so, and takes it back when they d
         await held;
         await route.continue();
       });
-      arriving = context.waitForEvent("page");
+      context.once("page", show);
     },
   });
-  await new Promise((resolve) => setTimeout(resolve, 1000));
-  const page = await arriving;
+  // Whoever waits for it below hears of a failure.
+  arrived.catch(() => {});
+  const page = await shown;
   await page.waitForSelector("#not-started", { state: "attached" });
   assert.ok(await page.isHidden("#not-started"));
   await page.clock.fastForward(20_000);
