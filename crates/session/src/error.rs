@@ -42,6 +42,16 @@ pub enum SessionError {
         /// How many it may have.
         most: usize,
     },
+    /// An entry of a history moves something further than anything is moved.
+    #[error("entry {entry} of the history moves something by {distance_m} m; the limit is {most_m} m")]
+    BadHistory {
+        /// Which entry, from 0.
+        entry: usize,
+        /// How far it moves it, in metres.
+        distance_m: f64,
+        /// How far it may, in metres.
+        most_m: f64,
+    },
     /// The text does not hold preferences.
     #[error("the preferences have no usable {field:?}")]
     Preferences {

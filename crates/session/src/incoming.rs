@@ -1,5 +1,5 @@
 use rosto_face::{FaceInput, FaceModel, Photo, Triangulation};
-use rosto_studio::{Amount, Command, Document, Entry, MAX_DENSITY, Rest, project};
+use rosto_studio::{Amount, Document, Entry, MAX_DENSITY, Rest, project};
 
 use crate::error::{SessionError, within};
 use crate::open_face::{MAX_OFFSET_M, OpenFace};
@@ -42,17 +42,18 @@ impl Work {
         if entries.len() > MOST_ENTRIES {
             return Err(SessionError::TooManyEntries { found: entries.len(), most: MOST_ENTRIES });
         }
-        entries.iter().try_for_each(check_amount)?;
+        entries.iter().map(|entry| entry.command.amount()).enumerate().try_for_each(check_amount)?;
         Ok(entries)
     }
 }
 
 /// Refuses what no hand can have done and no screen can show.
-fn check_amount(entry: &Entry) -> Result<(), SessionError> {
-    let Command::Move { .. } = &entry.command else { return Ok(()) };
-    match entry.command.amount() {
-        Amount::Distance(distance_m) => within("an offset in m", distance_m, -MAX_OFFSET_M, MAX_OFFSET_M).map(|_| ()),
-        Amount::Share(_) => Ok(()),
+fn check_amount((entry, amount): (usize, Amount)) -> Result<(), SessionError> {
+    match amount {
+        Amount::Distance(distance_m) if !(distance_m.abs() <= MAX_OFFSET_M) => {
+            Err(SessionError::BadHistory { entry, distance_m, most_m: MAX_OFFSET_M })
+        }
+        _ => Ok(()),
     }
 }
 

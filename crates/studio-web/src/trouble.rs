@@ -13,7 +13,7 @@ const TYPES: &str = r#"
 export type StudioErrorCode =
     | "no-webgpu" | "no-webgl" | "no-adapter" | "no-device" | "canvas-in-use" | "device-lost"
     | "no-face" | "no-selection" | "bad-vertex" | "bad-face" | "bad-number" | "bad-choice"
-    | "cannot-solve" | "cannot-export" | "bad-project" | "newer-project" | "damaged-glb" | "foreign-glb" | "newer-glb"
+    | "cannot-solve" | "cannot-export" | "bad-project" | "bad-history" | "too-new" | "damaged-glb" | "foreign-glb" | "newer-glb"
     | "not-drawn" | "internal";
 /** What is thrown: `message` says what happened, `hint` what to do next. */
 export interface StudioError extends Error { code: StudioErrorCode; hint: string }
@@ -56,7 +56,7 @@ impl Trouble {
     /// Of a project file that cannot be opened.
     pub fn of_project(error: ReopenError) -> Self {
         let (code, hint) = match error {
-            ReopenError::Newer { .. } => ("newer-project", "Reload the page to get its newest version."),
+            ReopenError::Newer { .. } => ("too-new", "Reload the page to get its newest version."),
             _ => ("bad-project", "It may be incomplete. Open the photo instead."),
         };
         Self::new(code, error.to_string(), hint)
@@ -104,7 +104,9 @@ impl From<SessionError> for Trouble {
             SessionError::NothingSelected => ("no-selection", "Choose a point first."),
             SessionError::NoSuchVertex { .. } => ("bad-vertex", "Choose a point that there is."),
             SessionError::OutOfRange { .. } => ("bad-number", "Give a number within these limits."),
-            SessionError::TooManyEntries { .. } => ("bad-project", "Open the photo instead."),
+            SessionError::TooManyEntries { .. } | SessionError::BadHistory { .. } => {
+                ("bad-history", "Open an earlier copy of it, or the photo instead.")
+            }
             SessionError::Preferences { .. } => ("bad-choice", "Make the choices again."),
             SessionError::Face(error) => return error.into(),
             SessionError::Project(error) => return error.into(),
@@ -127,7 +129,7 @@ impl From<StudioError> for Trouble {
         let message = error.to_string();
         match error {
             StudioError::Entry { .. } | StudioError::TooDense { .. } => {
-                Self::new("bad-project", message, "It may be damaged. Open the photo instead.")
+                Self::new("bad-history", message, "Open an earlier copy of it, or the photo instead.")
             }
             StudioError::NoSuchEntry { .. } => Self::new("bad-number", message, "Choose an entry of the list."),
             _ => Self::new("cannot-solve", message, "Choose another point, other anchors or a larger radius."),
@@ -144,8 +146,8 @@ impl From<ExportError> for Trouble {
 impl From<ProjectError> for Trouble {
     fn from(error: ProjectError) -> Self {
         let (code, hint) = match error {
-            ProjectError::Newer { .. } => ("newer-project", "Reload the page to get its newest version."),
-            _ => ("bad-project", "It may be incomplete. Open the photo instead."),
+            ProjectError::Newer { .. } => ("too-new", "Reload the page to get its newest version."),
+            _ => ("bad-history", "Open an earlier copy of it, or the photo instead."),
         };
         Self::new(code, error.to_string(), hint)
     }

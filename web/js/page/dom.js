@@ -47,6 +47,15 @@ export function chosenColour(input) {
 }
 
 /**
+ * A colour as an input of type color takes it.
+ *
+ * @param {Uint8Array} channels 0 to 255 each
+ */
+export function hex(channels) {
+  return `#${[...channels].map((channel) => channel.toString(16).padStart(2, "0")).join("")}`;
+}
+
+/**
  * Runs `action` when any element with `data-action="name"` is pressed.
  *
  * @param {string} name

@@ -4,7 +4,7 @@ import { download } from "../page/download.js";
 import { showTrouble } from "../page/notice.js";
 import { afterNextFrame } from "../page/tasks.js";
 import { say } from "../words/words.js";
-import { projectFile } from "../work/project-file.js";
+import { pngOf } from "../work/pixels.js";
 import { VerdictLine } from "./verdict-line.js";
 
 /**
@@ -35,7 +35,7 @@ export function setUpExportPanel(bench, keeper, validator) {
   for (const format of /** @type {const} */ (["obj", "ply", "stl"])) {
     onAction(`download-${format}`, () => save(nameOf(bench, format), MESH_FORMATS[format], () => bench.studio.exportMesh(format)));
   }
-  onAction("save-project", () => saveProject(keeper));
+  onAction("save-project", () => saveProject(bench, keeper).catch(showTrouble));
   onAction("download-picture", () => savePicture(bench));
   onAction("download-json", () => {
     const units = /** @type {UnitsName} */ (chosen("export-units"));
@@ -80,12 +80,15 @@ function nameOf(bench, ending) {
   return name;
 }
 
-/** @param {WorkKeeper} keeper */
-async function saveProject(keeper) {
-  const { work } = keeper;
-  if (!work) return;
-  const file = await projectFile(work);
-  save("face.rosto", file.type, () => file);
+/**
+ * @param {Workbench} bench
+ * @param {WorkKeeper} keeper
+ */
+async function saveProject(bench, keeper) {
+  const { face } = keeper;
+  if (!face) return;
+  const png = new Uint8Array(await (await pngOf(face)).arrayBuffer());
+  save("face.rosto", "application/octet-stream", () => bench.studio.projectFile(png));
 }
 
 /**

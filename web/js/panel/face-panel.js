@@ -5,15 +5,15 @@ import { Slider } from "./slider.js";
 
 /**
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
- * @typedef {import("../viewport/workbench.js").StudioState} StudioState
- * @typedef {import("../../wasm/rosto-studio-web.js").NamedSlider} NamedSlider
+ * @typedef {import("../viewport/workbench.js").StudioTick} StudioTick
+ * @typedef {{ id: string, label: string, rangeMm: number }} Named
  */
 
 const STEP_MM = 0.1;
 
 /** The ready-made sliders, and symmetry. */
 export class FacePanel {
-  /** @type {NamedSlider[]} in the page's language */
+  /** @type {Named[]} in the page's language */
   #named = [];
   #sliders;
   #bench;
@@ -21,10 +21,10 @@ export class FacePanel {
   /** @param {Workbench} bench */
   constructor(bench) {
     this.#bench = bench;
-    inEveryLanguage(() => (this.#named = bench.studio.faceSliders(language())));
+    inEveryLanguage(() => (this.#named = namesOf(bench)));
     this.#sliders = this.#named.map(({ id, rangeMm }, place) => this.#makeSlider(id, rangeMm, place));
     byId("face-sliders", HTMLFieldSetElement).append(...this.#sliders.map((slider) => slider.element));
-    bench.onChange((state) => this.#show(state));
+    bench.onTick((tick) => this.#show(tick));
     onAction("symmetrise", () => this.#symmetrise());
   }
 
@@ -61,8 +61,21 @@ export class FacePanel {
     announce(say("symmetrised", { n: share.value }));
   }
 
-  /** @param {StudioState} state */
+  /** @param {StudioTick} tick */
   #show({ slidersMm }) {
     for (const [place, slider] of this.#sliders.entries()) slider.value = slidersMm[place] ?? 0;
   }
+}
+
+/**
+ * @param {Workbench} bench
+ * @returns {Named[]}
+ */
+function namesOf(bench) {
+  const named = bench.ask((studio) => studio.faceSliders(language())) ?? [];
+  return named.map((slider) => {
+    const { id, label, rangeMm } = slider;
+    slider.free();
+    return { id, label, rangeMm };
+  });
 }

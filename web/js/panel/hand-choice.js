@@ -15,35 +15,34 @@ import { inEveryLanguage, language, say } from "../words/words.js";
  */
 export function setUpHandChoice(bench) {
   const regions = byId("region", HTMLSelectElement);
-  byId("hand", HTMLFieldSetElement).addEventListener("change", async () => {
-    showFields();
-    await untilWaitIsSaid();
-    bench.act((studio) => studio.setHand(chosenHand()));
+  byId("hand", HTMLFieldSetElement).addEventListener("change", async ({ target }) => {
+    const hand = /** @type {HandName} */ (/** @type {HTMLInputElement} */ (target).value);
+    if (hand === "point") await untilWaitIsSaid();
+    bench.act((studio) => studio.setHand(hand));
   });
   regions.addEventListener("change", () => {
     bench.act((studio) => studio.selectRegion(regions.value));
-    announce(say("landmark.selected", { name: bench.studio.selectionName(language()) ?? "" }));
+    announce(say("landmark.selected", { name: bench.ask((studio) => studio.selectionName(language())) ?? "" }));
   });
-  bench.onChange(({ selectedRegion }) => (regions.value = selectedRegion ?? ""));
+  bench.onChange(({ hand, selectedRegion }) => {
+    regions.value = selectedRegion ?? "";
+    showFields(hand);
+  });
   inEveryLanguage(() => listRegions(bench, regions));
 }
 
-/** What a click takes: one landmark, the region around it, or any point. */
-export function chosenHand() {
-  const chosen = document.querySelector("input[name='hand']:checked");
-  return /** @type {HandName} */ (chosen instanceof HTMLInputElement ? chosen.value : "landmark");
-}
-
-/** Where any point can be taken, a dense mesh needs a moment to get ready: the words come first. */
+/** A dense mesh needs a moment to get its points ready: the words come first. */
 export async function untilWaitIsSaid() {
-  if (chosenHand() !== "point") return;
   byId("landmark-help", HTMLParagraphElement).textContent = say("hand.preparing");
   await afterNextFrame();
 }
 
-function showFields() {
-  const byRegion = chosenHand() === "region";
-  byId("point-field", HTMLDivElement).hidden = chosenHand() !== "point";
+/** @param {HandName} hand */
+function showFields(hand) {
+  const byRegion = hand === "region";
+  const choice = document.querySelector(`input[name='hand'][value='${hand}']`);
+  if (choice instanceof HTMLInputElement) choice.checked = true;
+  byId("point-field", HTMLDivElement).hidden = hand !== "point";
   byId("region-field", HTMLDivElement).hidden = !byRegion;
   byId("landmark-field", HTMLDivElement).hidden = byRegion;
   byId("skip-link", HTMLAnchorElement).href = byRegion ? "#region" : "#landmark-search";
@@ -58,9 +57,10 @@ function listRegions(bench, list) {
   const none = make("option", undefined, say("region.none"));
   none.value = "";
   none.hidden = true;
-  const named = bench.studio.regions(language()).map(({ id, label }) => {
-    const option = make("option", undefined, label);
-    option.value = id;
+  const named = (bench.ask((studio) => studio.regions(language())) ?? []).map((region) => {
+    const option = make("option", undefined, region.label);
+    option.value = region.id;
+    region.free();
     return option;
   });
   list.replaceChildren(none, ...named);

@@ -1,14 +1,16 @@
 import { announce } from "../page/announce.js";
 import { byId, enableAction, make, onAction } from "../page/dom.js";
 import { setUpEditKeys } from "../viewport/shortcuts.js";
-import { inEveryLanguage, language, say, sayNumber } from "../words/words.js";
+import { inEveryLanguage, isWord, language, say, sayNumber } from "../words/words.js";
 
 /**
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
  * @typedef {import("../viewport/workbench.js").StudioState} StudioState
  * @typedef {import("../../wasm/rosto-studio-web.js").StudioEntry} StudioEntry
- * @typedef {import("../words/words.js").WordKey} WordKey
  */
+
+/** The list shows no more entries than this: the others are there, and can be taken back. */
+const LISTED = 100;
 
 /**
  * The list of edits, undo, redo and reset.
@@ -17,11 +19,7 @@ import { inEveryLanguage, language, say, sayNumber } from "../words/words.js";
  */
 export function setUpHistoryPanel(bench) {
   const undo = () => {
-    bench.act((studio) => {
-      // What is still moving becomes an edit first, and is what undo takes back.
-      studio.commit();
-      studio.undo();
-    });
+    bench.act((studio) => studio.undo());
     announce(say("undone"));
   };
   const redo = () => {
@@ -32,7 +30,7 @@ export function setUpHistoryPanel(bench) {
   onAction("redo", redo);
   onAction("reset-selection", () => {
     bench.act((studio) => studio.resetSelection());
-    announce(say("was-reset.one", { name: bench.studio.selectionName(language()) ?? "" }));
+    announce(say("was-reset.one", { name: bench.ask((studio) => studio.selectionName(language())) ?? "" }));
   });
   onAction("reset", () => {
     bench.act((studio) => studio.reset());
@@ -47,16 +45,17 @@ export function setUpHistoryPanel(bench) {
  * @param {StudioState} state
  * @param {Workbench} bench
  */
-function show(state, bench) {
-  // While an edit is in progress, the list stays as it is.
-  if (state.editing) return;
-  const { entries } = state;
-  enableAction("undo", state.canUndo);
-  enableAction("redo", state.canRedo);
-  enableAction("reset-selection", state.canResetSelection);
-  enableAction("reset", entries.length > 0);
-  byId("history-empty", HTMLParagraphElement).hidden = entries.length > 0;
-  byId("history", HTMLOListElement).replaceChildren(...entries.map((entry) => row(entry, bench)).reverse());
+function show({ canUndo, canRedo, canResetSelection, entryCount }, bench) {
+  enableAction("undo", canUndo);
+  enableAction("redo", canRedo);
+  enableAction("reset-selection", canResetSelection);
+  enableAction("reset", entryCount > 0);
+  byId("history-empty", HTMLParagraphElement).hidden = entryCount > 0;
+  const entries = bench.studio.latestEntries(LISTED, language());
+  const rows = entries.map((entry) => row(entry, bench)).reverse();
+  for (const entry of entries) entry.free();
+  if (entryCount > entries.length) rows.push(make("li", "earlier", say("history.earlier", { n: entryCount - entries.length })));
+  byId("history", HTMLOListElement).replaceChildren(...rows);
 }
 
 /**
@@ -65,11 +64,9 @@ function show(state, bench) {
  * @param {StudioEntry} entry
  * @param {Workbench} bench
  */
-function row(entry, bench) {
-  const { index, amount, unit, enabled, waitsForDensity } = entry;
-  const name = bench.studio.entryName(index, language());
+function row({ index, name, amount, unit, enabled, waitsForDensity, impossible }, bench) {
   const item = make("li");
-  item.toggleAttribute("data-off", !enabled);
+  item.toggleAttribute("data-off", !enabled || impossible);
   const takesPart = make("input");
   takesPart.type = "checkbox";
   takesPart.checked = enabled;
@@ -80,8 +77,9 @@ function row(entry, bench) {
   const howMuch = `${sayNumber(amount, unit === "%" ? 0 : 1)} ${unit}`;
   item.append(takesPart, make("span", "what", name), make("span", "how-much", howMuch));
   if (waitsForDensity !== undefined) {
-    const points = say(/** @type {WordKey} */ (`density.${waitsForDensity}`));
-    item.append(make("span", "waits", say("history.waits", { points })));
+    const key = `density.${waitsForDensity}`;
+    item.append(make("span", "waits", say("history.waits", { points: isWord(key) ? say(key) : "" })));
   }
+  if (impossible) item.append(make("span", "waits", say("history.impossible")));
   return item;
 }

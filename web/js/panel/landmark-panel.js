@@ -1,17 +1,15 @@
 import { announce } from "../page/announce.js";
 import { byId, make } from "../page/dom.js";
 import { inEveryLanguage, language, say, sayNumber } from "../words/words.js";
-import { chosenHand } from "./hand-choice.js";
 import { Slider } from "./slider.js";
 
 /**
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
  * @typedef {import("../viewport/workbench.js").StudioState} StudioState
+ * @typedef {import("../viewport/workbench.js").StudioTick} StudioTick
  */
 
 const LANDMARKS = 468;
-const REACH_MM = 40;
-const STEP_MM = 0.1;
 /** More anchors than this are only counted. */
 const NAMED_ANCHORS = 6;
 const AXES = /** @type {const} */ (["x", "y", "z"]);
@@ -20,29 +18,32 @@ const AXES = /** @type {const} */ (["x", "y", "z"]);
 export class LandmarkPanel {
   #search = byId("landmark-search", HTMLInputElement);
   #help = byId("landmark-help", HTMLParagraphElement);
-  #sliders = AXES.map((axis) => this.#makeSlider(axis));
+  #sliders;
   #kept_mm = [0, 0, 0];
   #bench;
 
   /** @param {Workbench} bench */
   constructor(bench) {
     this.#bench = bench;
+    const { min, max, step, neutral } = bench.studio.offsetRange;
+    this.#sliders = AXES.map((axis) => this.#makeSlider(axis, { min, max, step, neutral }));
     byId("landmark-sliders", HTMLFieldSetElement).append(...this.#sliders.map((slider) => slider.element));
     this.#search.addEventListener("change", () => this.#find(this.#search.value));
     bench.onChange((state) => this.#show(state));
+    bench.onTick((tick) => this.#follow(tick));
     inEveryLanguage(() => this.#listNames());
   }
 
-  /** @param {"x" | "y" | "z"} axis */
-  #makeSlider(axis) {
+  /**
+   * @param {"x" | "y" | "z"} axis
+   * @param {{ min: number, max: number, step: number, neutral: number }} range
+   */
+  #makeSlider(axis, range) {
     return new Slider({
       label: `landmark.${axis}`,
       longLabel: `landmark.${axis}.long`,
       unit: "mm",
-      min: -REACH_MM,
-      max: REACH_MM,
-      step: STEP_MM,
-      neutral: 0,
+      ...range,
       axis,
       onInput: () => this.#preview(),
       onCommit: () => this.#commit(),
@@ -59,26 +60,31 @@ export class LandmarkPanel {
   #commit() {
     this.#bench.act((studio) => studio.commit());
     const [x = "", y = "", z = ""] = this.#sliders.map((slider) => sayNumber(slider.value, 1));
-    announce(say("landmark.moved", { name: this.#bench.studio.selectionName(language()) ?? "", x, y, z }));
+    announce(say("landmark.moved", { name: this.#selectionName(), x, y, z }));
   }
 
   /** @param {string} text */
   #find(text) {
-    const vertex = this.#bench.studio.vertexCalled(text, language());
+    const vertex = this.#bench.ask((studio) => studio.vertexCalled(text, language()));
     this.#search.toggleAttribute("aria-invalid", vertex === undefined);
     if (vertex === undefined) {
-      this.#help.textContent = say(chosenHand() === "point" ? "point.unknown" : "landmark.unknown", { text });
+      const isPoint = byId("point-field", HTMLDivElement).hidden === false;
+      this.#help.textContent = say(isPoint ? "point.unknown" : "landmark.unknown", { text });
       announce(this.#help.textContent);
       return;
     }
-    this.#bench.act((studio) => studio.takeAt(vertex));
+    this.#bench.act((studio) => studio.selectAt(vertex));
     announce(say("landmark.selected", { name: this.#search.value }));
+  }
+
+  #selectionName() {
+    return this.#bench.ask((studio) => studio.selectionName(language())) ?? "";
   }
 
   #listNames() {
     const options = Array.from({ length: LANDMARKS }, (_, landmark) => {
       const option = make("option");
-      option.value = this.#bench.studio.landmarkLabel(landmark, language());
+      option.value = this.#bench.ask((studio) => studio.landmarkLabel(landmark, language())) ?? "";
       return option;
     });
     byId("landmark-names", HTMLDataListElement).replaceChildren(...options);
@@ -86,25 +92,43 @@ export class LandmarkPanel {
 
   /** @param {StudioState} state */
   #show(state) {
-    byId("landmark-sliders", HTMLFieldSetElement).disabled = state.selected === undefined;
-    const help = state.selectedInPlane ? "landmark.in-plane" : /** @type {const} */ (`${chosenHand()}.help`);
-    if (document.activeElement !== this.#search) this.#help.textContent = say(help);
+    byId("landmark-sliders", HTMLFieldSetElement).disabled = state.selected === undefined || state.refusal !== undefined;
+    if (document.activeElement !== this.#search) this.#help.textContent = say(helpFor(state));
     const [alongX] = this.#sliders;
     if (alongX) alongX.disabled = state.selectedInPlane;
-    if (state.selected === undefined) return;
-    this.#search.value = this.#bench.studio.selectionName(language()) ?? "";
-    this.#search.removeAttribute("aria-invalid");
     this.#kept_mm = [state.keptXMm, state.keptYMm, state.keptZMm];
-    const moving_mm = [state.offsetXMm, state.offsetYMm, state.offsetZMm];
+    this.#search.value = this.#selectionName();
+    this.#search.removeAttribute("aria-invalid");
+    this.#showAnchors([...state.anchors], state.selected !== undefined);
+  }
+
+  /** @param {StudioTick} tick */
+  #follow({ offsetXMm, offsetYMm, offsetZMm }) {
+    const moving_mm = [offsetXMm, offsetYMm, offsetZMm];
     for (const [axis, slider] of this.#sliders.entries()) {
       slider.value = (this.#kept_mm[axis] ?? 0) + (moving_mm[axis] ?? 0);
     }
-    const anchors = [...this.#bench.studio.anchors()];
+  }
+
+  /**
+   * @param {number[]} anchors
+   * @param {boolean} isSelected whether they are anchors of anything
+   */
+  #showAnchors(anchors, isSelected) {
     const list = byId("landmark-anchors", HTMLParagraphElement);
     const named = anchors.length <= NAMED_ANCHORS;
-    list.textContent = named
-      ? say("landmark.anchors", { list: anchors.join(", ") })
-      : say("landmark.anchors.many", { n: anchors.length });
+    const text = named ? say("landmark.anchors", { list: anchors.join(", ") }) : say("landmark.anchors.many", { n: anchors.length });
+    list.textContent = isSelected ? text : "";
     list.dataset["anchors"] = anchors.join(" ");
   }
+}
+
+/**
+ * What may help with what is selected, or with selecting.
+ *
+ * @param {StudioState} state
+ */
+function helpFor({ hand, refusal, selectedInPlane }) {
+  if (refusal) return /** @type {const} */ (`refusal.${refusal}`);
+  return selectedInPlane ? "landmark.in-plane" : /** @type {const} */ (`${hand}.help`);
 }

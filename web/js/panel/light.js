@@ -1,16 +1,10 @@
-import { byId, chosenColour } from "../page/dom.js";
+import { byId, chosenColour, hex } from "../page/dom.js";
 import { Slider } from "./slider.js";
 
 /**
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
  * @typedef {import("../words/words.js").WordKey} WordKey
  */
-
-/** The light comes from the upper left until someone moves it. */
-const AZIMUTH_DEG = -35;
-const ELEVATION_DEG = 40;
-const STRENGTH_PERCENT = 100;
-const AMBIENT_PERCENT = 40;
 
 /** Radius of the small sphere in its own units. */
 const SPHERE = 40;
@@ -21,29 +15,47 @@ const SPHERE = 40;
  * @param {Workbench} bench
  */
 export function setUpLight(bench) {
+  const [azimuth_deg = 0, elevation_deg = 0, strength = 1, ambient = 0] = currentLight(bench);
   const apply = () => {
-    bench.look((studio) => studio.setLight(azimuth.value, elevation.value, strength.value / 100));
-    showSun(azimuth.value, elevation.value);
+    const [around = 0, height = 0, direct = 0, even = 0] = sliders.map(({ value }) => value);
+    bench.act((studio) => studio.setLight(around, height, direct / 100, even / 100));
+    showSun(around, height);
   };
-  const azimuth = slider("light.azimuth", "light.azimuth.long", "°", [-180, 180], AZIMUTH_DEG, apply);
-  const elevation = slider("light.elevation", "light.elevation.long", "°", [-90, 90], ELEVATION_DEG, apply);
-  const strength = slider("light.strength", "light.strength.long", "%", [0, 200], STRENGTH_PERCENT, apply);
-  const ambient = slider("light.ambient", "light.ambient.long", "%", [0, 100], AMBIENT_PERCENT, () =>
-    bench.look((studio) => studio.setAmbient(ambient.value / 100)),
-  );
-  const sliders = [azimuth, elevation, strength, ambient].map(({ element }) => element);
-  byId("light-sliders", HTMLDivElement).append(...sliders);
+  const sliders = [
+    slider("light.azimuth", "light.azimuth.long", "°", [-180, 180], azimuth_deg, apply),
+    slider("light.elevation", "light.elevation.long", "°", [-90, 90], elevation_deg, apply),
+    slider("light.strength", "light.strength.long", "%", [0, 200], 100 * strength, apply),
+    slider("light.ambient", "light.ambient.long", "%", [0, 100], 100 * ambient, apply),
+  ];
+  byId("light-sliders", HTMLDivElement).append(...sliders.map(({ element }) => element));
+  const [around, height] = sliders;
   onSphereDrag((azimuth_deg, elevation_deg) => {
-    azimuth.value = azimuth_deg;
-    elevation.value = elevation_deg;
+    if (around) around.value = azimuth_deg;
+    if (height) height.value = elevation_deg;
     apply();
   });
   const colour = byId("light-colour", HTMLInputElement);
   colour.addEventListener("input", () => {
     const { red, green, blue } = chosenColour(colour);
-    bench.look((studio) => studio.setLightColour(red, green, blue));
+    bench.act((studio) => studio.setLightColour(red, green, blue));
   });
-  apply();
+  bench.onChange(({ light, lightColour }) => {
+    for (const [place, slider] of sliders.entries()) slider.value = (light[place] ?? 0) * (place < 2 ? 1 : 100);
+    colour.value = hex(lightColour);
+    showSun(light[0] ?? 0, light[1] ?? 0);
+  });
+}
+
+/**
+ * Azimuth and elevation in degrees, strength, and that of the light from everywhere.
+ *
+ * @param {Workbench} bench
+ */
+function currentLight(bench) {
+  const state = bench.studio.state();
+  const light = [...state.light];
+  state.free();
+  return light;
 }
 
 /**

@@ -52,8 +52,10 @@ export class Slider {
     });
   }
 
+  /** What is being typed counts as far as the ends; a drag may have gone further. */
   get value() {
-    return Number(this.#number.value);
+    const value = Number(this.#number.value);
+    return "typing" in this.#number.dataset ? this.#within(value) : value;
   }
 
   /** Does not disturb a number that is being typed. */
@@ -77,12 +79,13 @@ export class Slider {
     input.addEventListener("input", () => {
       if (input.type === "number") input.dataset["typing"] = "";
       if (Number.isNaN(input.valueAsNumber)) return;
-      this.value = input.valueAsNumber;
+      if (input.type === "range") this.value = input.valueAsNumber;
+      else this.#range.value = String(this.value);
       onInput();
     });
     input.addEventListener("change", () => {
       delete input.dataset["typing"];
-      this.value = Number.isNaN(input.valueAsNumber) ? this.#options.neutral : input.valueAsNumber;
+      this.value = Number.isNaN(input.valueAsNumber) ? this.#options.neutral : this.#within(input.valueAsNumber);
       onInput();
       if (!byKey) return onCommit();
       clearTimeout(this.#pending);
@@ -97,6 +100,11 @@ export class Slider {
       this.#pending = 0;
       onCancel();
     });
+  }
+
+  /** @param {number} value */
+  #within(value) {
+    return Math.min(this.#options.max, Math.max(this.#options.min, value));
   }
 
   #flush() {

@@ -1,4 +1,4 @@
-import { byId, chosenColour, onAction } from "../page/dom.js";
+import { byId, chosenColour, hex, onAction } from "../page/dom.js";
 import { inEveryLanguage, say } from "../words/words.js";
 import { untilWaitIsSaid } from "./hand-choice.js";
 import { setUpLight } from "./light.js";
@@ -10,8 +10,6 @@ import { Slider } from "./slider.js";
  * @typedef {import("../../wasm/rosto-studio-web.js").TriangulationName} TriangulationName
  */
 
-const TURNTABLE_DEG_PER_S = 24;
-
 /**
  * How the face is painted, lit and looked at.
  *
@@ -22,54 +20,41 @@ export function setUpViewPanel(bench) {
   setUpLight(bench);
   setUpBackground(bench);
   setUpBeforeAfter(bench);
-  onCheck("wireframe", (shown) => bench.look((studio) => studio.setWireframe(shown)));
+  onCheck("wireframe", (shown) => bench.act((studio) => studio.setWireframe(shown)));
   bench.canvas.addEventListener("keydown", (event) => {
     if (event.key.toLowerCase() === "w" && !event.ctrlKey && !event.metaKey) byId("wireframe", HTMLInputElement).click();
   });
-  onCheck("dots", (shown) => bench.look((studio) => studio.setDots(shown)));
-  onCheck("turntable", (turns) => bench.look((studio) => studio.setTurntable(turns ? TURNTABLE_DEG_PER_S : 0)));
-  inEveryLanguage(nameDensities);
-  for (const select of densities()) {
-    select.addEventListener("change", async () => {
-      await untilWaitIsSaid();
-      chooseDensity(bench, Number(select.value));
-    });
-  }
-  byId("triangulation", HTMLSelectElement).addEventListener("change", () => chooseTriangulation(bench, chosenTriangulation()));
-  chooseTriangulation(bench, chosenTriangulation());
-  onAction("reset-view", () => bench.look((studio) => studio.view("reset")));
+  onCheck("dots", (shown) => bench.act((studio) => studio.setDots(shown)));
+  onCheck("turntable", (turns) => bench.act((studio) => studio.setTurntable(turns)));
+  setUpMesh(bench);
+  onAction("reset-view", () => bench.act((studio) => studio.view("reset")));
   for (const side of /** @type {const} */ (["front", "left", "top"])) {
-    onAction(`view-${side}`, () => bench.look((studio) => studio.view(side)));
+    onAction(`view-${side}`, () => bench.act((studio) => studio.view(side)));
   }
   followMotionSetting(bench);
 }
 
-/** Whether eyes and mouth are open or filled. */
-export function chosenTriangulation() {
-  return /** @type {TriangulationName} */ (byId("triangulation", HTMLSelectElement).value);
-}
-
-/**
- * @param {Workbench} bench
- * @param {TriangulationName} triangulation
- */
-export function chooseTriangulation(bench, triangulation) {
-  byId("triangulation", HTMLSelectElement).value = triangulation;
-  bench.act((studio) => studio.setTriangulation(triangulation));
-}
-
-/** How often the mesh that is shown and exported is subdivided. */
-export function chosenDensity() {
-  return Number(byId("density", HTMLSelectElement).value);
-}
-
-/**
- * @param {Workbench} bench
- * @param {number} density
- */
-export function chooseDensity(bench, density) {
-  for (const select of densities()) select.value = String(density);
-  bench.act((studio) => studio.setDensity(density));
+/** @param {Workbench} bench */
+function setUpMesh(bench) {
+  const triangulation = byId("triangulation", HTMLSelectElement);
+  inEveryLanguage(nameDensities);
+  for (const select of densities()) {
+    select.addEventListener("change", async () => {
+      const density = Number(select.value);
+      if (!byId("point-field", HTMLDivElement).hidden) await untilWaitIsSaid();
+      bench.act((studio) => studio.setDensity(density));
+    });
+  }
+  triangulation.addEventListener("change", () => {
+    bench.act((studio) => studio.setTriangulation(/** @type {TriangulationName} */ (triangulation.value)));
+  });
+  bench.onChange((state) => {
+    triangulation.value = state.triangulation;
+    for (const select of densities()) select.value = String(state.density);
+    byId("wireframe", HTMLInputElement).checked = state.wireframe;
+    byId("dots", HTMLInputElement).checked = state.dots;
+    byId("turntable", HTMLInputElement).checked = state.turntable;
+  });
 }
 
 /** Writes the choices anew in the page's language. */
@@ -96,13 +81,19 @@ function setUpPaint(bench) {
     if (paint === "response") text.textContent = say("legend.response");
     if (paint === "distortion") text.textContent = say("legend.distortion");
   };
-  byId("paint", HTMLFieldSetElement).addEventListener("change", (event) => {
-    const { value } = /** @type {HTMLInputElement} */ (event.target);
-    legend.dataset["paint"] = value;
-    legend.hidden = value !== "response" && value !== "distortion";
+  const show = (/** @type {PaintName} */ paint) => {
+    const choice = document.querySelector(`input[name='paint'][value='${paint}']`);
+    if (choice instanceof HTMLInputElement) choice.checked = true;
+    legend.dataset["paint"] = paint;
+    legend.hidden = paint !== "response" && paint !== "distortion";
     write();
-    bench.look((studio) => studio.setPaint(/** @type {PaintName} */ (value)));
+  };
+  byId("paint", HTMLFieldSetElement).addEventListener("change", (event) => {
+    const paint = /** @type {PaintName} */ (/** @type {HTMLInputElement} */ (event.target).value);
+    bench.act((studio) => studio.setPaint(paint));
+    show(paint);
   });
+  bench.onChange(({ paint }) => show(paint));
   inEveryLanguage(write);
 }
 
@@ -112,12 +103,16 @@ function setUpBackground(bench) {
   const plain = byId("background-plain", HTMLInputElement);
   const apply = () => {
     const { red, green, blue } = chosenColour(colour);
-    bench.look((studio) => (plain.checked ? studio.setBackdrop(red, green, blue) : studio.setGround()));
+    bench.act((studio) => (plain.checked ? studio.setBackdrop(red, green, blue) : studio.setGround()));
   };
   plain.addEventListener("change", apply);
   colour.addEventListener("input", () => {
     plain.checked = true;
     apply();
+  });
+  bench.onChange(({ backdrop }) => {
+    plain.checked = backdrop.length > 0;
+    if (plain.checked) colour.value = hex(backdrop);
   });
 }
 
@@ -128,7 +123,7 @@ function setUpBackground(bench) {
  */
 function setUpBeforeAfter(bench) {
   const button = byId("compare", HTMLButtonElement);
-  const apply = () => bench.look((studio) => studio.setBefore(slider.value / 100));
+  const apply = () => bench.act((studio) => studio.setBefore(slider.value / 100));
   const slider = new Slider({
     label: "before",
     longLabel: "before.long",
@@ -144,7 +139,7 @@ function setUpBeforeAfter(bench) {
   byId("before-slider", HTMLFieldSetElement).append(slider.element);
   const hold = (/** @type {boolean} */ held) => {
     button.setAttribute("aria-pressed", String(held));
-    bench.look((studio) => studio.setBefore(held ? 1 : slider.value / 100));
+    bench.act((studio) => studio.setBefore(held ? 1 : slider.value / 100));
   };
   button.addEventListener("pointerdown", () => hold(true));
   for (const end of ["pointerup", "pointerleave", "pointercancel", "blur"]) button.addEventListener(end, () => hold(false));
@@ -172,7 +167,7 @@ function onCheck(id, apply) {
 /** @param {Workbench} bench */
 function followMotionSetting(bench) {
   const setting = matchMedia("(prefers-reduced-motion: reduce)");
-  const apply = () => bench.look((studio) => studio.setReducedMotion(setting.matches));
+  const apply = () => bench.act((studio) => studio.setReducedMotion(setting.matches));
   setting.addEventListener("change", apply);
   apply();
 }

@@ -4,16 +4,19 @@ import { nextTask } from "../page/tasks.js";
 const STRIP_PX = 2 ** 18;
 
 /**
- * Gives the studio the picture of a face, some rows at a time.
+ * Gives the studio the picture of a face, some rows at a time, for as long as it is wanted. Resolves to whether it was to
+ * the end.
  *
- * @param {import("../viewport/workbench.js").Studio} studio
+ * @param {import("../viewport/workbench.js").Workbench} bench
  * @param {import("../work/work.js").OpenedFace} face
+ * @param {() => boolean} isWanted
  */
-export async function openPicture(studio, { picture, pictureWidth_px: width, pictureHeight_px: height }) {
+export async function openPicture(bench, { picture, pictureWidth_px: width, pictureHeight_px: height }, isWanted) {
   const strip_bytes = 4 * width * Math.ceil(STRIP_PX / width);
-  studio.openPicture(width, height);
-  for (let at = 0; at < picture.length; at += strip_bytes) {
-    studio.addPictureRows(picture.subarray(at, at + strip_bytes));
+  bench.attempt((studio) => studio.openPicture(width, height));
+  for (let at = 0; at < picture.length && isWanted(); at += strip_bytes) {
+    bench.attempt((studio) => studio.addPictureRows(picture.subarray(at, at + strip_bytes)));
     await nextTask();
   }
+  return isWanted();
 }

@@ -1,6 +1,8 @@
-import { LandmarkDrag } from "./landmark-drag.js";
-
-/** @typedef {import("./workbench.js").Workbench} Workbench */
+/**
+ * @typedef {import("./workbench.js").Workbench} Workbench
+ * @typedef {import("../../wasm/rosto-studio-web.js").AxisName} AxisName
+ * @typedef {import("../../wasm/rosto-studio-web.js").PointerName} PointerName
+ */
 /** @typedef {{ x: number, y: number, button: number }} Press in CSS px of the window */
 /** @typedef {{ x: number, y: number, apart: number }} Spread the fingers' middle and distance, in CSS px */
 
@@ -9,6 +11,8 @@ const CLICK_SLOP_PX = 4;
 
 /** A finger that rests for this long picks what lies under it. */
 const LONG_PRESS_MS = 450;
+
+const AXIS_KEYS = /** @type {Record<string, AxisName>} */ ({ x: "x", y: "y", z: "z" });
 
 /** One notch of a wheel zooms by about a tenth. */
 const ZOOM_PER_WHEEL_PX = 0.001;
@@ -24,19 +28,19 @@ export class Gestures {
   #mayClick = false;
   #moved_px = 0;
   #longPress = 0;
+  /** Whether the press has taken hold of something that it drags. */
+  #hasTaken = false;
   #bench;
   #told;
-  #drag;
 
   /**
    * @param {Workbench} bench
-   * @param {{ pick: (x_px: number, y_px: number) => void, pin: (x_px: number, y_px: number) => void, hover: (x_px: number, y_px: number) => void, leave: () => void, widen: (factor: number) => void }} told
-   *   places in device pixels of the canvas
+   * @param {{ hover: (x_px: number, y_px: number) => void, leave: () => void, widened: () => void }} told places in
+   *   device pixels of the canvas
    */
   constructor(bench, told) {
     this.#bench = bench;
     this.#told = told;
-    this.#drag = new LandmarkDrag(bench, told);
     const { canvas } = bench;
     canvas.addEventListener("pointerdown", (event) => this.#press(event));
     canvas.addEventListener("pointermove", (event) => this.#move(event));
@@ -45,6 +49,7 @@ export class Gestures {
     canvas.addEventListener("pointerleave", () => told.leave());
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
     canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
+    addEventListener("keydown", (event) => this.#key(event), { capture: true });
   }
 
   /** @param {PointerEvent} event */
@@ -55,7 +60,8 @@ export class Gestures {
     this.#mayClick = this.#pressed.size === 1 && event.button === 0;
     if (this.#pressed.size > 1) return this.#stopPress();
     this.#moved_px = 0;
-    if (event.button === 0) this.#drag.press(...this.#place(event), event.pointerType);
+    this.#hasTaken = false;
+    if (event.button === 0) this.#take(...this.#place(event), event.pointerType);
     if (event.pointerType === "touch") this.#waitForLongPress(event);
   }
 
@@ -72,7 +78,7 @@ export class Gestures {
     this.#mayClick = false;
     clearTimeout(this.#longPress);
     if (this.#pressed.size > 1) this.#pinch(before, spreadOf(this.#pressed));
-    else if (this.#drag.isReady) this.#drag.move(...this.#place(event), event.shiftKey);
+    else if (this.#hasTaken) this.#drag(...this.#place(event), event.shiftKey);
     else this.#turn(dx, dy, from.button !== 0 || event.shiftKey);
   }
 
@@ -80,11 +86,12 @@ export class Gestures {
   #release(event) {
     clearTimeout(this.#longPress);
     this.#pressed.delete(event.pointerId);
-    this.#drag.release();
+    this.#hasTaken = false;
+    this.#bench.act((studio) => studio.release());
     if (!this.#mayClick) return;
     this.#mayClick = false;
-    if (event.altKey) this.#told.pin(...this.#place(event));
-    else this.#told.pick(...this.#place(event));
+    const place = this.#place(event);
+    this.#bench.act((studio) => (event.altKey ? studio.pinUnder(...place) : studio.selectUnder(...place)));
   }
 
   /** @param {PointerEvent} event */
@@ -96,7 +103,47 @@ export class Gestures {
 
   #stopPress() {
     clearTimeout(this.#longPress);
-    this.#drag.cancel();
+    this.#hasTaken = false;
+    if (this.#isDragging) this.#bench.act((studio) => studio.cancel());
+    this.#bench.act((studio) => studio.release());
+  }
+
+  get #isDragging() {
+    return this.#bench.ask((studio) => studio.dragging) ?? false;
+  }
+
+  /**
+   * Takes hold of what lies under the pointer, if anything does.
+   *
+   * @param {number} x_px
+   * @param {number} y_px
+   * @param {string} pointerType
+   */
+  #take(x_px, y_px, pointerType) {
+    const pointer = /** @type {PointerName} */ (pointerType);
+    this.#hasTaken = this.#bench.ask((studio) => studio.press(x_px, y_px, pointer)) ?? false;
+  }
+
+  /**
+   * @param {number} x_px
+   * @param {number} y_px
+   * @param {boolean} fine
+   */
+  #drag(x_px, y_px, fine) {
+    this.#bench.act((studio) => studio.drag(x_px, y_px, fine));
+  }
+
+  /** @param {KeyboardEvent} event while something is dragged: along an axis, or back to where it was */
+  #key(event) {
+    if (!this.#isDragging || event.ctrlKey || event.metaKey) return;
+    const axis = AXIS_KEYS[event.key.toLowerCase()];
+    if (event.key === "Escape") {
+      event.stopPropagation();
+      this.#bench.act((studio) => studio.cancel());
+    } else if (axis) {
+      event.preventDefault();
+      this.#bench.act((studio) => studio.dragAlong(axis));
+    }
   }
 
   /** @param {PointerEvent} event */
@@ -106,8 +153,8 @@ export class Gestures {
     this.#longPress = setTimeout(() => {
       // What follows is a drag of what was picked, or nothing.
       this.#mayClick = false;
-      this.#told.pick(...place);
-      this.#drag.press(...place, "touch");
+      this.#bench.act((studio) => studio.selectUnder(...place));
+      this.#take(...place, "touch");
     }, LONG_PRESS_MS);
   }
 
@@ -116,8 +163,9 @@ export class Gestures {
     event.preventDefault();
     const scroll_px = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * 16 : event.deltaY;
     const factor = Math.exp(-scroll_px * ZOOM_PER_WHEEL_PX);
-    if (this.#drag.isMoving) this.#drag.widen(factor);
-    else this.#bench.look((studio) => studio.zoom(factor));
+    if (!this.#isDragging) return this.#bench.act((studio) => studio.zoom(factor));
+    this.#bench.act((studio) => studio.widen(1 / factor));
+    this.#told.widened();
   }
 
   /**
@@ -127,7 +175,7 @@ export class Gestures {
    */
   #turn(dx, dy, pans) {
     const ratio = devicePixelRatio;
-    this.#bench.look((studio) => (pans ? studio.pan(dx * ratio, dy * ratio) : studio.orbit(dx * ratio, dy * ratio)));
+    this.#bench.act((studio) => (pans ? studio.pan(dx * ratio, dy * ratio) : studio.orbit(dx * ratio, dy * ratio)));
   }
 
   /**
@@ -138,10 +186,8 @@ export class Gestures {
    */
   #pinch(before, after) {
     const ratio = devicePixelRatio;
-    this.#bench.look((studio) => {
-      studio.pan((after.x - before.x) * ratio, (after.y - before.y) * ratio);
-      if (before.apart > 0 && after.apart > 0) studio.zoom(after.apart / before.apart);
-    });
+    this.#bench.act((studio) => studio.pan((after.x - before.x) * ratio, (after.y - before.y) * ratio));
+    if (before.apart > 0 && after.apart > 0) this.#bench.act((studio) => studio.zoom(after.apart / before.apart));
   }
 
   /**

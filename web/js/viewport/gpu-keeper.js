@@ -32,7 +32,7 @@ export class GpuKeeper {
       this.#lose();
     });
     canvas.addEventListener("webglcontextrestored", () => this.#replace());
-    this.#watch();
+    this.watch(studio);
   }
 
   /** Whether there is anything to draw with. */
@@ -40,34 +40,48 @@ export class GpuKeeper {
     return this.#isThere;
   }
 
-  /** WebGPU gives another device at once. */
-  async #watch() {
-    await this.#studio.gpuLost();
+  /**
+   * Sees to the GPU of this studio, and no longer to that of another. WebGPU gives another device at once.
+   *
+   * @param {Studio} studio
+   */
+  async watch(studio) {
+    this.#studio = studio;
+    this.#found();
+    await studio.gpuLost();
+    if (studio !== this.#studio) return;
     this.#lose();
     await this.#replace();
   }
 
   #lose() {
     this.#isThere = false;
+    clearTimeout(this.#patience);
     this.#patience = setTimeout(() => this.#tell("it was not given back"), PATIENCE_MS);
   }
 
+  #found() {
+    this.#isThere = true;
+    clearTimeout(this.#patience);
+  }
+
   async #replace() {
+    const studio = this.#studio;
     try {
-      this.#studio.useRenderer(await studioModule().createRenderer(this.#canvas));
-      this.#isThere = true;
-      this.#watch();
+      const renderer = await studioModule().createRenderer(this.#canvas);
+      if (studio !== this.#studio) return;
+      studio.useRenderer(renderer);
+      this.watch(studio);
       this.#whenBack();
       hideNotice();
     } catch (error) {
-      this.#tell(asTrouble(error).message);
-    } finally {
-      clearTimeout(this.#patience);
+      if (studio === this.#studio) this.#tell(asTrouble(error).message);
     }
   }
 
   /** @param {string} message */
   #tell(message) {
+    clearTimeout(this.#patience);
     showTrouble({ code: "device-lost", message, hint: "" });
   }
 }

@@ -1,6 +1,5 @@
 import { byId } from "../page/dom.js";
 import { Gestures } from "./gestures.js";
-import { isAtLandmark } from "./landmark-drag.js";
 import { language, say, sayNumber } from "../words/words.js";
 
 /**
@@ -18,55 +17,49 @@ export class LandmarkMarks {
   #selected;
   /** @type {number | undefined} */
   #hovered;
-  /** @type {number | undefined} while a drag goes on whose reach was changed */
-  #reach_mm;
+  /** How far an edit reaches, in mm. */
+  #radius_mm = 0;
+  /** Whether that was changed by the drag that goes on. */
+  #isWidened = false;
 
   /**
    * @param {Workbench} bench
    * @param {PhotoOverlay} overlay
-   * @param {(factor: number) => number} widen changes how far an edit reaches, in mm
    */
-  constructor(bench, overlay, widen) {
+  constructor(bench, overlay) {
     this.bench = bench;
     this.overlay = overlay;
     bench.onChange((state) => {
       this.#selected = state.selected;
-      if (!state.editing) this.#reach_mm = undefined;
+      this.#radius_mm = state.radiusMm;
+      if (!bench.studio.dragging) this.#isWidened = false;
+      // What was under the pointer may be another one by now, or none.
+      this.#hovered = undefined;
       this.#write();
     });
     bench.onFrame(() => this.#place());
     new Gestures(bench, {
-      pick: (x_px, y_px) => this.#take(bench.studio.pick(x_px, y_px)),
-      pin: (x_px, y_px) => this.#pin(bench.studio.pick(x_px, y_px)),
       hover: (x_px, y_px) => this.#point(x_px, y_px),
-      leave: () => this.hover(undefined),
-      widen: (factor) => (this.#reach_mm = widen(factor)),
+      leave: () => this.#pointAt(undefined),
+      widened: () => {
+        this.#isWidened = true;
+        this.#write();
+      },
     });
-    overlay.listen({ hover: (landmark) => this.hover(landmark), choose: (landmark) => this.#take(landmark) });
+    overlay.listen({
+      hover: (landmark) => this.#pointAt(landmark),
+      choose: (landmark) => bench.act((studio) => studio.selectAt(landmark)),
+    });
   }
 
   /**
-   * Marks a landmark that the pointer is over, on the photo or nowhere.
+   * Marks a landmark that the pointer is over on the photo, or nowhere.
    *
    * @param {number | undefined} landmark
    */
-  hover(landmark) {
-    this.bench.look((studio) => studio.hoverVertex(landmark));
+  #pointAt(landmark) {
+    this.bench.act((studio) => studio.pointAt(landmark));
     this.#name(landmark);
-  }
-
-  /**
-   * Takes what is there in hand, or lets go where there is nothing.
-   *
-   * @param {number | undefined} landmark
-   */
-  #take(landmark) {
-    this.bench.act((studio) => (landmark === undefined ? studio.select() : studio.takeAt(landmark)));
-  }
-
-  /** @param {number | undefined} landmark */
-  #pin(landmark) {
-    if (landmark !== undefined) this.bench.act((studio) => studio.togglePin(landmark));
   }
 
   /**
@@ -74,13 +67,10 @@ export class LandmarkMarks {
    * @param {number} y_px
    */
   #point(x_px, y_px) {
-    this.bench.look((studio) => {
-      const landmark = studio.hover(x_px, y_px);
-      const isOnLandmark = landmark !== undefined && isAtLandmark(studio, landmark, x_px, y_px, "mouse");
-      const movable = isOnLandmark || studio.pickAxis(x_px, y_px, "mouse") !== undefined;
-      this.bench.canvas.classList.toggle("over-landmark", movable);
-      this.#name(landmark);
-    });
+    const vertex = this.bench.ask((studio) => studio.hover(x_px, y_px));
+    this.bench.canvas.classList.toggle("over-landmark", this.bench.ask((studio) => studio.movable) ?? false);
+    this.bench.requestFrame();
+    this.#name(vertex);
   }
 
   /** @param {number | undefined} landmark */
@@ -93,21 +83,18 @@ export class LandmarkMarks {
   #write() {
     this.overlay.mark(this.#selected, this.#hovered);
     const named = this.#hovered ?? this.#selected;
-    this.#tag.hidden = named === undefined;
-    if (named !== undefined) this.#tag.textContent = this.#nameOf(named);
+    const name = named === undefined ? undefined : this.bench.ask((studio) => studio.nameAt(named, language()));
+    this.#tag.hidden = name === undefined;
+    if (name === undefined) return;
+    const reach = { name, mm: sayNumber(this.#radius_mm, 0) };
+    this.#tag.textContent = this.#isWidened ? say("landmark.reach", reach) : name;
     this.#place();
-  }
-
-  /** @param {number} landmark */
-  #nameOf(landmark) {
-    const name = this.bench.studio.nameAt(landmark, language());
-    return this.#reach_mm === undefined ? name : say("landmark.reach", { name, mm: sayNumber(this.#reach_mm, 0) });
   }
 
   #place() {
     const named = this.#hovered ?? this.#selected;
     if (named === undefined) return;
-    const place = this.bench.studio.screenPosition(named);
+    const place = this.bench.ask((studio) => studio.screenPosition(named));
     if (!place) return;
     const ratio = devicePixelRatio;
     const left_px = Math.round(place.x / ratio + 14);

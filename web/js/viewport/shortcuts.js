@@ -46,10 +46,10 @@ function moveByArrow(bench, event) {
   if (!arrow) return false;
   const [dx, dy] = arrow.map((way) => way * STEP_PX * devicePixelRatio);
   if (dx === undefined || dy === undefined) return false;
-  bench.look((studio) => {
-    if (event.altKey) studio.zoom(dy < 0 ? ZOOM_STEP : 1 / ZOOM_STEP);
-    else if (event.shiftKey && (event.ctrlKey || event.metaKey)) studio.pan(dx, dy);
-    else studio.orbit(dx, dy);
+  bench.act((studio) => {
+    if (event.altKey) return studio.zoom(dy < 0 ? ZOOM_STEP : 1 / ZOOM_STEP);
+    if (event.shiftKey && (event.ctrlKey || event.metaKey)) return studio.pan(dx, dy);
+    return studio.orbit(dx, dy);
   });
   return true;
 }
@@ -63,7 +63,7 @@ function chooseView(bench, event) {
   const views = /** @type {const} */ ({ f: "front", l: "left", t: "top", " ": "reset" });
   const key = event.key.toLowerCase();
   if (!(key in views)) return false;
-  bench.look((studio) => studio.view(views[/** @type {keyof typeof views} */ (key)]));
+  bench.act((studio) => studio.view(views[/** @type {keyof typeof views} */ (key)]));
   return true;
 }
 

@@ -1,23 +1,37 @@
-import { asTrouble, showTrouble } from "../page/notice.js";
+import { asTrouble, hideNotice, showTrouble } from "../page/notice.js";
 import { GpuKeeper } from "./gpu-keeper.js";
-import { openStudio } from "./studio-module.js";
+import { openStudio, restartStudio } from "./studio-module.js";
 
 /**
  * @typedef {import("../../wasm/rosto-studio-web.js").Studio} Studio
  * @typedef {import("../../wasm/rosto-studio-web.js").StudioState} StudioState
+ * @typedef {import("../../wasm/rosto-studio-web.js").StudioTick} StudioTick
+ * @typedef {import("../../wasm/rosto-studio-web.js").ChangeName} ChangeName
  */
+
+/** A module that trapped so many times within a minute is not started again. */
+const MOST_RESTARTS = 3;
+const RESTARTS_WITHIN_MS = 60_000;
 
 /**
  * Holds the studio, which holds the user's work, and tells the page when anything about it has changed. It draws
- * only in an animation frame, and asks for one only when there is something new to see.
+ * only in an animation frame, and asks for one only when there is something new to see. A studio whose module traps is
+ * replaced by a new one.
  */
 export class Workbench {
   #frameIsComing = false;
+  #isBroken = false;
+  /** @type {number[]} when the module was started again, in ms */
+  #restarts = [];
   #gpu;
   /** @type {Set<(state: StudioState) => void>} */
   #changeListeners = new Set();
+  /** @type {Set<(tick: StudioTick) => void>} */
+  #tickListeners = new Set();
   /** @type {Set<() => void>} */
   #frameListeners = new Set();
+  /** @type {Set<() => Promise<void>>} */
+  #restartListeners = new Set();
 
   /**
    * Opens a studio on the canvas; throws `{code: "no-webgl", …}` where the browser cannot draw in 3D.
@@ -40,32 +54,56 @@ export class Workbench {
   }
 
   /**
-   * Changes something that the panel shows: listeners are told, and a frame is drawn.
+   * Carries an intent out and tells who shows what it has changed; what goes wrong is shown.
    *
-   * @param {(studio: Studio) => void} change
+   * @param {(studio: Studio) => ChangeName | void} intent
    */
-  act(change) {
-    this.look(change);
-    this.announce();
+  act(intent) {
+    try {
+      this.attempt(intent);
+    } catch (error) {
+      this.#fail(error);
+    }
   }
 
   /**
-   * Changes only what is seen, such as the camera.
+   * The same, but what goes wrong is thrown.
    *
-   * @param {(studio: Studio) => void} change
+   * @param {(studio: Studio) => ChangeName | void} intent
    */
-  look(change) {
-    try {
-      change(this.studio);
-    } catch (error) {
-      showTrouble(error);
-    }
-    this.requestFrame();
+  attempt(intent) {
+    if (this.#isBroken) return;
+    const changed = intent(this.studio);
+    if (changed !== "nothing") this.requestFrame();
+    if (changed === "document") this.announce();
+    if (changed === "tick") this.#tellTick();
   }
 
-  /** @param {(state: StudioState) => void} listener */
+  /**
+   * What the studio answers; nothing while it cannot.
+   *
+   * @template T
+   * @param {(studio: Studio) => T} question
+   * @returns {T | undefined}
+   */
+  ask(question) {
+    if (this.#isBroken) return undefined;
+    try {
+      return question(this.studio);
+    } catch (error) {
+      this.#fail(error);
+      return undefined;
+    }
+  }
+
+  /** @param {(state: StudioState) => void} listener is told whenever the document or a choice has changed */
   onChange(listener) {
     this.#changeListeners.add(listener);
+  }
+
+  /** @param {(tick: StudioTick) => void} listener is told that as well, and each tick of an edit in progress */
+  onTick(listener) {
+    this.#tickListeners.add(listener);
   }
 
   /** @param {() => void} listener runs after each frame drawn */
@@ -73,11 +111,18 @@ export class Workbench {
     this.#frameListeners.add(listener);
   }
 
+  /** @param {() => Promise<void>} listener brings the work back after the studio was replaced by an empty one */
+  onRestart(listener) {
+    this.#restartListeners.add(listener);
+  }
+
   /** Tells every listener how things stand. */
   announce() {
-    const state = this.studio.state();
-    for (const listener of this.#changeListeners) listener(state);
+    const state = this.ask((studio) => studio.state());
+    if (!state) return;
+    for (const listener of this.#changeListeners) this.ask(() => listener(state));
     state.free();
+    this.#tellTick();
   }
 
   /** Draws in the next animation frame. */
@@ -90,23 +135,66 @@ export class Workbench {
     });
   }
 
+  #tellTick() {
+    const tick = this.ask((studio) => studio.tick());
+    if (!tick) return;
+    for (const listener of this.#tickListeners) this.ask(() => listener(tick));
+    tick.free();
+  }
+
   /** @param {number} time_ms */
   #draw(time_ms) {
-    if (!this.#gpu.isThere) return;
+    if (!this.#gpu.isThere || this.#isBroken) return;
     try {
       const wantsMore = this.studio.draw(time_ms);
       for (const listener of this.#frameListeners) listener();
       if (wantsMore) this.requestFrame();
     } catch (error) {
-      if (asTrouble(error).code !== "device-lost") showTrouble(error);
+      if (asTrouble(error).code !== "device-lost") this.#fail(error);
     }
   }
+
+  /** @param {unknown} error */
+  #fail(error) {
+    if (error instanceof WebAssembly.RuntimeError) this.#restart(error);
+    else if (!this.#isBroken) showTrouble(error);
+  }
+
+  /**
+   * After a trap the module's memory is in an unknown state, and none of its methods may be called again.
+   *
+   * @param {WebAssembly.RuntimeError} trap
+   */
+  async #restart(trap) {
+    if (this.#isBroken) return;
+    this.#isBroken = true;
+    console.warn("the page's module is started again:", trap);
+    const now_ms = performance.now();
+    this.#restarts = [...this.#restarts.filter((at_ms) => now_ms - at_ms < RESTARTS_WITHIN_MS), now_ms];
+    try {
+      if (this.#restarts.length > MOST_RESTARTS) throw { code: "internal", message: trap.message, hint: "" };
+      this.studio = await restartStudio(this.canvas);
+      this.#gpu.watch(this.studio);
+      this.#isBroken = false;
+      this.#fitSize?.();
+      for (const listener of this.#restartListeners) await listener();
+      this.announce();
+      hideNotice();
+      showTrouble({ code: "restarted", message: trap.message, hint: "" });
+    } catch (error) {
+      showTrouble(error);
+    }
+  }
+
+  /** @type {(() => void) | undefined} */
+  #fitSize;
 
   #followSize() {
     const observer = new ResizeObserver(([entry]) => {
       if (!entry) return;
       const size = deviceSize(entry);
-      this.look((studio) => studio.resize(size.width_px, size.height_px, devicePixelRatio));
+      this.#fitSize = () => this.act((studio) => studio.resize(size.width_px, size.height_px, devicePixelRatio));
+      this.#fitSize();
     });
     observer.observe(this.canvas);
   }

@@ -4,12 +4,25 @@
  * @param {ImageBitmap} bitmap is closed
  * @param {number} width px
  * @param {number} height px
- * @param {{ left: number, top: number }} [place] of the bitmap in the picture, px
+ * @param {ArrayLike<number>} [place] of the bitmap in the picture, px: left, top, width, height
  */
-export function pixelsOf(bitmap, width, height, place = { left: 0, top: 0 }) {
+export function pixelsOf(bitmap, width, height, { 0: left = 0, 1: top = 0, 2: placeWidth = width, 3: placeHeight = height } = []) {
   const context = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
   if (!context) throw new Error("no 2D canvas");
-  context.drawImage(bitmap, place.left, place.top);
+  context.imageSmoothingQuality = "high";
+  context.drawImage(bitmap, left, top, placeWidth, placeHeight);
   bitmap.close();
   return new Uint8Array(context.getImageData(0, 0, width, height).data.buffer);
+}
+
+/**
+ * The picture of a face as a PNG file, without loss.
+ *
+ * @param {import("./work.js").OpenedFace} face
+ */
+export function pngOf({ picture, pictureWidth_px, pictureHeight_px }) {
+  const canvas = new OffscreenCanvas(pictureWidth_px, pictureHeight_px);
+  const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (picture.buffer));
+  canvas.getContext("2d")?.putImageData(new ImageData(pixels, pictureWidth_px, pictureHeight_px), 0, 0);
+  return canvas.convertToBlob({ type: "image/png" });
 }

@@ -1,77 +1,174 @@
 import { byId } from "../page/dom.js";
-import { chosenDensity, chosenTriangulation } from "../panel/view-panel.js";
-import { keepEdits, keepFace, keptWork } from "./kept-work.js";
+import { setKeeping, showTrouble } from "../page/notice.js";
+import { freeSlots, keepDone, keepFace, keepLastWords, lockOf, prune, workIn } from "./slots.js";
 
 /**
  * @typedef {import("./work.js").Work} Work
+ * @typedef {import("./work.js").Done} Done
  * @typedef {import("./work.js").OpenedFace} OpenedFace
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
  */
 
-/** Faces and edits are kept this long after the last change. */
-const PAUSE_MS = 300;
+/** What is done is kept this long after the last change. */
+const PAUSE_MS = 200;
 
-/** Keeps the work in this browser, so that a reload or a crash loses nothing, and offers it on the next visit. */
+/** This tab's slot outlives a reload. */
+const SLOT = "rosto.slot";
+
+/**
+ * Keeps the work in this browser, so that a reload or a crash loses nothing, and offers it on the next visit. The face on
+ * the screen has a slot of its own, which is this tab's for as long as the face is open.
+ */
 export class WorkKeeper {
   /** @type {OpenedFace | undefined} */
   #face;
+  /** @type {Done | undefined} */
+  #done;
   /** @type {Workbench | undefined} */
   #bench;
-  #kept = "";
+  #slot = "";
+  /** @type {() => void} */
+  #letGo = () => {};
   #pause = 0;
+  #hasComplained = false;
+  /** One write after the other. */
+  #writing = Promise.resolve();
+
+  constructor() {
+    addEventListener("pagehide", () => this.#sayLastWords());
+    document.addEventListener("visibilitychange", () => {
+      if (document.visibilityState === "hidden") this.#sayLastWords();
+    });
+  }
+
+  /** The face on the screen. */
+  get face() {
+    return this.#face;
+  }
 
   /**
-   * Offers the work of the last visit.
+   * The work as it was last kept.
    *
-   * @param {(work: Work) => void} open
+   * @returns {Work | undefined}
+   */
+  get kept() {
+    return this.#face && this.#done && { face: this.#face, ...this.#done };
+  }
+
+  /**
+   * Offers the work of the last visit: this tab's own or, in a new one, the latest that no tab has open.
+   *
+   * @param {(read: () => Promise<Work>) => void} open
    */
   async offer(open) {
+    const slots = await freeSlots().catch(() => []);
+    const own = slots.find((slot) => slot === ownSlot());
+    const slot = own ?? slots[0];
+    if (slot === undefined || this.#face) return;
     const button = byId("continue", HTMLButtonElement);
-    const work = await keptWork().catch(() => undefined);
-    if (!work || this.#face) return;
     button.hidden = false;
-    button.addEventListener("click", () => open(work), { once: true });
+    button.addEventListener("click", () => open(() => this.#reopen(slot)));
   }
 
   /** @param {Workbench} bench */
   follow(bench) {
     this.#bench = bench;
-    bench.onChange((state) => {
-      if (!this.#face || state.editing) return;
+    bench.onChange(() => {
+      if (!this.#face) return;
       clearTimeout(this.#pause);
-      this.#pause = setTimeout(() => this.#keepEdits(), PAUSE_MS);
+      this.#pause = setTimeout(() => this.#keepDone(), PAUSE_MS);
     });
   }
 
   /**
-   * Takes charge of a face that has just been opened.
+   * Takes charge of a face that has just been opened, in a slot of its own.
    *
    * @param {OpenedFace} face
    */
   take(face) {
-    this.#face = face;
-    const { work } = this;
-    if (!work) return;
-    const { edits, triangulation, density } = work;
-    this.#kept = JSON.stringify([edits, triangulation, density]);
-    // Not in the task that brings the face to the screen; and a browser that keeps nothing is no reason to stop working.
-    setTimeout(() => keepFace(face, { edits, triangulation, density }).catch(() => {}), PAUSE_MS);
+    this.#keepDone();
+    this.#letGo();
+    const slot = crypto.randomUUID();
+    [this.#slot, this.#face, this.#done] = [slot, face, this.#standing()];
+    rememberSlot(slot);
+    this.#hold(slot);
+    // Not in the task that brings the face to the screen.
+    setTimeout(() => this.#write(() => keepFace(slot, face)), PAUSE_MS);
+    const done = this.#done;
+    if (done) this.#write(() => keepDone(slot, done));
+    this.#write(prune);
   }
 
-  /** The work as it stands. */
-  get work() {
-    if (!this.#face || !this.#bench) return undefined;
-    const edits = this.#bench.studio.editsJson();
-    return { face: this.#face, edits, triangulation: chosenTriangulation(), density: chosenDensity() };
+  /** @param {string} slot */
+  async #reopen(slot) {
+    try {
+      const work = await workIn(slot);
+      if (!work) throw new Error("the slot is empty");
+      return work;
+    } catch (error) {
+      throw { code: "bad-kept-work", message: String(error), hint: "" };
+    }
   }
 
-  #keepEdits() {
-    const { work } = this;
-    if (!work) return;
-    const { edits, triangulation, density } = work;
-    const now = JSON.stringify([edits, triangulation, density]);
-    if (now === this.#kept) return;
-    this.#kept = now;
-    keepEdits({ edits, triangulation, density }).catch(() => {});
+  /** @param {string} slot is this tab's until `#letGo` */
+  #hold(slot) {
+    navigator.locks.request(lockOf(slot), () => new Promise((/** @type {(value: void) => void} */ resolve) => (this.#letGo = resolve)));
+  }
+
+  /** @returns {Done | undefined} what was done to the face as it stands */
+  #standing() {
+    return this.#bench?.ask((studio) => {
+      const state = studio.state();
+      const { triangulation, density } = state;
+      state.free();
+      return { edits: studio.editsJson(), triangulation, density, preferences: studio.preferences() };
+    });
+  }
+
+  #keepDone() {
+    clearTimeout(this.#pause);
+    const slot = this.#slot;
+    const done = this.#face && this.#standing();
+    if (!done || JSON.stringify(done) === JSON.stringify(this.#done)) return;
+    this.#done = done;
+    this.#write(() => keepDone(slot, done));
+  }
+
+  /** A page that is left may not live to see the database's answer. */
+  #sayLastWords() {
+    const before = this.#done;
+    this.#keepDone();
+    if (this.#done && this.#done !== before) keepLastWords(this.#slot, this.#done);
+  }
+
+  /** @param {() => Promise<void>} write */
+  #write(write) {
+    const written = this.#writing.then(write);
+    this.#writing = written.then(() => setKeeping(true), (error) => this.#complain(error));
+  }
+
+  /** @param {unknown} error */
+  #complain(error) {
+    setKeeping(false);
+    if (this.#hasComplained) return;
+    this.#hasComplained = true;
+    showTrouble({ code: "not-kept", message: String(error), hint: "" });
+  }
+}
+
+function ownSlot() {
+  try {
+    return sessionStorage.getItem(SLOT);
+  } catch {
+    return null;
+  }
+}
+
+/** @param {string} slot */
+function rememberSlot(slot) {
+  try {
+    sessionStorage.setItem(SLOT, slot);
+  } catch {
+    // The next visit then offers the latest work.
   }
 }

@@ -1,11 +1,13 @@
 /**
- * Everything needed to go on with a face: what the worker found, and the edits made since.
+ * Everything needed to go on with a face: what the worker found, and what was done since.
  *
- * @typedef {object} Work
- * @property {OpenedFace} face
+ * @typedef {{ face: OpenedFace } & Done} Work
+ *
+ * @typedef {object} Done
  * @property {string} edits the studio's own versioned JSON
  * @property {TriangulationName} triangulation that the edits were made on
  * @property {number} density how often the mesh is subdivided
+ * @property {string} [preferences] choices and view, as the studio tells them
  *
  * @typedef {import("../../wasm/rosto-studio-web.js").TriangulationName} TriangulationName
  *
