@@ -11,6 +11,9 @@ pub(crate) struct CodePoints {
     pub(crate) full_range: bool,
 }
 
+/// From a signal to linear light, both 0..1 but for highlights.
+type Curve = fn(f64) -> f64;
+
 /// What a picture says of its colours.
 pub(crate) enum Told {
     /// Nothing that is understood.
@@ -58,7 +61,7 @@ impl CodePoints {
     }
 
     /// Table 3 of H.273: from a signal to linear light, and what that light means.
-    fn curve(self) -> Option<(fn(f64) -> f64, Light)> {
+    fn curve(self) -> Option<(Curve, Light)> {
         Some(match self.transfer {
             1 | 6 | 11 | 12 | 14 | 15 => (bt709, Light::OfTheScreen),
             4 => (|signal| signal.powf(2.2), Light::OfTheScreen),
