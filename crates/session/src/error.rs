@@ -76,3 +76,8 @@ pub enum SessionError {
 pub(crate) fn within(what: &'static str, value: f64, least: f64, most: f64) -> Result<f64, SessionError> {
     if value >= least && value <= most { Ok(value) } else { Err(SessionError::OutOfRange { what, value, least, most }) }
 }
+
+/// A factor within reason: however far a wheel is turned, it is turned. Refuses what is no number.
+pub(crate) fn bounded_factor(factor: f64) -> Result<f64, SessionError> {
+    within("the factor", factor, f64::NEG_INFINITY, f64::INFINITY).map(|factor| factor.clamp(1e-3, 1e3))
+}

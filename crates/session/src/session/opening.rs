@@ -37,8 +37,9 @@ impl Session {
     }
 
     pub(super) fn frame(&mut self) {
+        // As it was found: edits that come with it move it no more than those that are made later.
         if let Some(face) = &self.face {
-            self.stage.frame(face.document().positions());
+            self.stage.frame(face.document().rest());
         }
     }
 

@@ -1,7 +1,7 @@
 use rosto_stage::{Glide, Light, Paint};
 
 use super::{Outcome, Session};
-use crate::error::within;
+use crate::error::{bounded_factor, within};
 use crate::{Changed, Intent, Motion, SessionError};
 
 /// How things look.
@@ -25,7 +25,7 @@ impl Session {
             Intent::Orbit(by_px) if by_px.is_finite() => self.stage.camera_mut().orbit(by_px.x, by_px.y),
             Intent::Pan(by_px) if by_px.is_finite() => self.stage.camera_mut().pan(by_px.x, by_px.y),
             Intent::Zoom(factor) => {
-                let factor = within("the factor", factor, 1e-6, 1e6)?;
+                let factor = bounded_factor(factor)?;
                 self.stage.camera_mut().zoom(factor);
             }
             Intent::Look(view) => self.stage.camera_mut().look(view),

@@ -5,7 +5,7 @@ use rosto_studio::Switch;
 use super::opening::prepare;
 use super::{Outcome, Session};
 use crate::choices::RADIUS_MM;
-use crate::error::within;
+use crate::error::bounded_factor;
 use crate::gesture::Gesture;
 use crate::{Changed, Choices, Selection, SelectionMode, SessionError};
 
@@ -75,8 +75,10 @@ impl Session {
     }
 
     pub(super) fn widen(&mut self, factor: f64) -> Outcome {
-        within("the factor", factor, 1e-6, 1e6)?;
-        let radius_mm = (self.choices.radius_mm * factor).clamp(RADIUS_MM.least, RADIUS_MM.most);
+        let factor = bounded_factor(factor)?;
+        // Whole steps, as the panel shows them.
+        let radius_mm = (self.choices.radius_mm * factor / RADIUS_MM.step).round() * RADIUS_MM.step;
+        let radius_mm = radius_mm.clamp(RADIUS_MM.least, RADIUS_MM.most);
         self.choose(self.choices.reaching(radius_mm)?)
     }
 }
