@@ -21,7 +21,7 @@ pub enum CliError {
     Useless { flag: &'static str, reason: &'static str },
     #[error("standard input is asked for twice, and can be read once")]
     StandardInputTwice,
-    #[error("{}: this is {}, and would be overwritten", named(path), named(input))]
+    #[error("{}: {} is read, and would be overwritten", named(path), named(input))]
     OverInput { path: PathBuf, input: PathBuf },
     #[error("{}: {reason}", named(path))]
     Unreadable { path: PathBuf, reason: ReadError },

@@ -29,9 +29,11 @@ fn with_memory_kb(kilobytes: u32, arguments: &[&OsStr], input: Stdio) -> Output 
 fn what_has_no_end_is_left_at_the_limit() {
     let zeros = || fs::File::open("/dev/zero").unwrap();
     let target = scratch("endless.json");
-    let of = |words: &[&'static str]| words.iter().map(OsStr::new).collect::<Vec<_>>();
+    let of = |words: &[&'static str]| words.iter().map(|word| OsStr::new(*word)).collect::<Vec<_>>();
     let photo = ["mesh".into(), portrait().into_os_string(), "-o".into(), target.clone().into_os_string()];
-    let with = |more: [&'static str; 2]| photo.iter().map(|word| &**word).chain(more.map(OsStr::new)).collect();
+    let with = |more: [&'static str; 2]| -> Vec<&OsStr> {
+        photo.iter().map(|word| &**word).chain(more.map(OsStr::new)).collect()
+    };
     let cases: [(Vec<&OsStr>, i32, &str); 5] = [
         (of(&["landmarks", "/dev/zero"]), 3, "the limit is 40000000"),
         (of(&["landmarks", "-"]), 3, "the limit is 40000000"),

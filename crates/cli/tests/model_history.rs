@@ -82,7 +82,7 @@ fn edits_whose_weights_know_the_topology_alone_stay_what_they_are() {
             assert_eq!(labels, ["upper nose tip", "left brow"], "no entry more than was asked for");
         }
     }
-    let exact = ["--hold", "exact", "--density", "2", "--edit", "4:0,0.02,-0.05:10,152", "--edit", "7000@2:0,0,-0.02"];
+    let exact = ["--hold", "exact", "--density", "2", "--edit", "4:0,0.02,-0.05:10,152", "--edit", "6000@2:0,0,-0.02"];
     assert_eq!(assert_opens_again("image-dense", &exact).history().entries().len(), 2);
 }
 
@@ -92,7 +92,7 @@ fn edits_that_know_lengths_become_the_way_that_each_landmark_went() {
         ("image-lengths", &["--operator", "inverse-length"][..]),
         ("image-cotangent", &["--operator", "cotangent", "--anchors", "oval", "--hold", "exact"]),
         ("image-radius", &["--radius", "0.2"]),
-        ("image-outside", &["--anchors", "outside:0.3"]),
+        ("image-outside", &["--anchors", "outside:0.1"]),
         ("image-turned", &["--turn-details", "--anchors", "oval"]),
     ] {
         for topology in ["tessellation", "canonical"] {
