@@ -10,6 +10,8 @@ pub enum Format {
     WebP,
     Icc,
     Glb,
+    /// A line of JSON, landmarks, colours, a PNG.
+    Project,
     Json,
     /// Only bytes.
     Plain,
@@ -64,6 +66,7 @@ pub fn of(format: Format, bytes: &[u8]) -> Anatomy {
         Format::WebP => riff(bytes),
         Format::Icc => icc(bytes),
         Format::Glb => glb(bytes),
+        Format::Project => project(bytes),
         Format::Json | Format::Plain => Anatomy::default(),
     }
 }
@@ -83,10 +86,26 @@ pub fn png_chunks(bytes: &[u8]) -> Vec<Range<usize>> {
     chunks
 }
 
-/// The JSON chunk of a GLB.
-pub fn glb_json(bytes: &[u8]) -> Option<Range<usize>> {
-    let end = 20_usize.checked_add(little(12, 4).read(bytes)? as usize)?;
-    (end <= bytes.len()).then_some(20..end)
+/// Where the text is in a file that has text.
+pub fn json(format: Format, bytes: &[u8]) -> Option<Range<usize>> {
+    match format {
+        Format::Json => Some(0..bytes.len()),
+        Format::Project => Some(0..bytes.iter().position(|&byte| byte == b'\n')?),
+        Format::Glb => {
+            let end = 20_usize.checked_add(little(12, 4).read(bytes)? as usize)?;
+            (end <= bytes.len()).then_some(20..end)
+        }
+        _ => None,
+    }
+}
+
+/// Where a PNG begins in a file that has one.
+pub fn png_in(format: Format, bytes: &[u8]) -> Option<usize> {
+    match format {
+        Format::Png => Some(0),
+        Format::Project => bytes.windows(4).position(|window| window == b"\x89PNG"),
+        _ => None,
+    }
 }
 
 fn big(at: usize, width: usize) -> Field {
@@ -129,6 +148,15 @@ fn png(bytes: &[u8]) -> Anatomy {
     let animation = parts.iter().filter(|chunk| &bytes[chunk.start + 4..chunk.start + 8] == b"fcTL");
     let frames = animation.flat_map(|chunk| (0..5).map(|field| big(chunk.start + 8 + 4 * field, 4)));
     Anatomy { fields: lengths.chain(header).chain(frames).collect(), parts }
+}
+
+fn project(bytes: &[u8]) -> Anatomy {
+    let start = png_in(Format::Project, bytes).unwrap_or(bytes.len());
+    let picture = png(&bytes[start..]);
+    let line = json(Format::Project, bytes).map_or(0, |line| line.end + 1).min(start);
+    let chunks = picture.parts.iter().map(|chunk| start + chunk.start..start + chunk.end);
+    let fields = picture.fields.iter().map(|field| Field { at: start + field.at, ..*field });
+    Anatomy { parts: [0..line, line..start].into_iter().chain(chunks).collect(), fields: fields.collect() }
 }
 
 fn riff(bytes: &[u8]) -> Anatomy {

@@ -8,19 +8,53 @@ use crate::seeded::Seeded;
 /// other changes have left.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Mutation {
-    Flip { at: u64, bit: u8 },
-    Set { at: u64, byte: u8 },
-    Cut { at: u64 },
+    Flip {
+        at: u64,
+        bit: u8,
+    },
+    Set {
+        at: u64,
+        byte: u8,
+    },
+    Cut {
+        at: u64,
+    },
     /// A number that says how long or large something is.
-    Field { which: u64, value: u64 },
+    Field {
+        which: u64,
+        value: u64,
+    },
     /// Four bytes or two or one, anywhere.
-    Number { at: u64, width: usize, order: Order, value: u64 },
-    Repeat { which: u64, before: u64 },
-    Drop { which: u64 },
-    Swap { which: u64, with: u64 },
+    Number {
+        at: u64,
+        width: usize,
+        order: Order,
+        value: u64,
+    },
+    Repeat {
+        which: u64,
+        before: u64,
+    },
+    Drop {
+        which: u64,
+    },
+    Swap {
+        which: u64,
+        with: u64,
+    },
     /// Bytes of another seed take the place of as many here, or come in between.
-    Splice { seed: u64, from: u64, length: u64, at: u64, between: bool },
-    Fill { at: u64, length: u64, byte: u8 },
+    Splice {
+        seed: u64,
+        from: u64,
+        length: u64,
+        at: u64,
+        between: bool,
+    },
+    Fill {
+        at: u64,
+        length: u64,
+        byte: u8,
+    },
     Json(json::Change),
 }
 
@@ -30,14 +64,13 @@ const MOST_BYTES: usize = 1 << 18;
 impl Mutation {
     /// One of those that make sense for the format.
     pub fn random(random: &mut Seeded, format: Format) -> Self {
-        let text = format == Format::Json || (format == Format::Glb && random.below(4) != 0);
+        let text = format == Format::Json || (matches!(format, Format::Glb | Format::Project) && random.below(4) != 0);
         if text && random.below(8) != 0 {
             return Self::Json(json::Change::random(random));
         }
         let at = random.bits();
         match random.below(14) {
-            0..3 => Self::Flip { at, bit: random.below(8) as u8 },
-            3..5 => Self::Set { at, byte: byte(random) },
+            0..5 => Self::of_a_byte(random),
             5 => Self::Cut { at },
             6..9 => Self::Field { which: at, value: random.bits() },
             9 => {
@@ -58,10 +91,20 @@ impl Mutation {
         }
     }
 
+    /// One that leaves everything else where it is: a file stays as it is built where that takes little of it.
+    pub fn of_a_byte(random: &mut Seeded) -> Self {
+        let at = random.bits();
+        match random.below(5) {
+            0..3 => Self::Flip { at, bit: random.below(8) as u8 },
+            _ => Self::Set { at, byte: byte(random) },
+        }
+    }
+
     /// Makes the change; `seeds` are the files that bytes can be taken from.
     pub fn apply(&self, bytes: &mut Vec<u8>, format: Format, seeds: &[Vec<u8>]) {
         let place = |at: u64, count: usize| (at % count.max(1) as u64) as usize;
-        let at = |at: u64| place(at, bytes.len());
+        let length_now = bytes.len();
+        let at = |at: u64| place(at, length_now);
         match *self {
             Self::Flip { at: here, bit } => set(bytes, at(here), |byte| byte ^ 1 << bit),
             Self::Set { at: here, byte } => set(bytes, at(here), |_| byte),
@@ -70,12 +113,12 @@ impl Mutation {
                 let fields = anatomy::of(format, bytes).fields;
                 let Some(&field) = fields.get(place(which, fields.len())) else { return };
                 let present = field.read(bytes).unwrap_or(0);
-                field.write(bytes, interesting(value, present, bytes.len()));
+                field.write(bytes, interesting(value, present, length_now));
             }
             Self::Number { at: here, width, order, value } => {
                 let field = anatomy::Field { at: at(here), width, order };
                 let present = field.read(bytes).unwrap_or(0);
-                field.write(bytes, interesting(value, present, bytes.len()));
+                field.write(bytes, interesting(value, present, length_now));
             }
             Self::Repeat { which, before } => {
                 let parts = anatomy::of(format, bytes).parts;
@@ -134,8 +177,7 @@ fn swap(bytes: &mut Vec<u8>, format: Format, which: u64, with: u64) {
 
 /// A change to the text; in a GLB the lengths around it are put right, else nothing of it would be read.
 fn change_json(bytes: &mut Vec<u8>, format: Format, change: json::Change) {
-    let text = if format == Format::Glb { anatomy::glb_json(bytes) } else { Some(0..bytes.len()) };
-    let Some(range) = text else { return };
+    let Some(range) = anatomy::json(format, bytes) else { return };
     let mut changed = change.apply(&bytes[range.clone()]);
     if changed.len() > MOST_BYTES {
         return;
@@ -148,7 +190,7 @@ fn change_json(bytes: &mut Vec<u8>, format: Format, change: json::Change) {
         bytes[8..12].copy_from_slice(&total.to_le_bytes());
         bytes[12..16].copy_from_slice(&length.to_le_bytes());
     } else {
-        *bytes = changed;
+        bytes.splice(range, changed);
     }
 }
 

@@ -9,6 +9,8 @@ cargo xtask TASK
   dist          build the page for the web into dist/, and show its sizes
   test [STEP…]  check and test everything, or only the named steps
   bench [WHAT…] measure against the paper and the peers; --write updates docs/benchmarks.md
+  torture       broken bytes and random visitors, for hours; --write updates docs/torture.md
+                  [--inputs N] [--actions N] [--page-actions N]; 0 leaves a part out
   screenshots   take the documentation's pictures of the page, and axe-core's report
   help          this text
 

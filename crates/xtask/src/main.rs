@@ -1,4 +1,5 @@
-//! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `test`, `bench`, `screenshots`.
+//! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `test`, `bench`, `torture`,
+//! `screenshots`.
 
 mod apt;
 mod bench;
@@ -7,7 +8,9 @@ mod cache;
 mod debian;
 mod dist;
 mod failure;
+mod figures;
 mod help;
+mod machine;
 mod networks;
 mod npm;
 mod portrait;
@@ -20,6 +23,7 @@ mod size;
 mod test;
 mod toolchain;
 mod tools;
+mod torture;
 mod versions;
 mod workspace;
 
@@ -46,6 +50,7 @@ fn run(arguments: &[String]) -> Outcome<ExitCode> {
         ["dist"] => dist::run(),
         ["test", steps @ ..] => test::run(steps),
         ["bench", arguments @ ..] => bench::run(arguments),
+        ["torture", arguments @ ..] => torture::run(arguments),
         ["screenshots"] => screenshots::run(),
         [] | ["help" | "-h" | "--help"] => {
             print!("{}", help::TEXT);

@@ -1,0 +1,99 @@
+use glam::DVec3;
+use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
+use rosto_export::{GlbOptions, Model, Morph, Paint, Shading, Source, glb};
+use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, Triangulation, canonical_positions_m, canonical_uvs};
+use rosto_studio::{
+    AnchorKind, Anchors, Command, Details, Entry, Frame, Grip, Hold, Mirror, Operator, Reach, Rest, Settings, Switch,
+    project,
+};
+
+const SIDE_PX: u32 = 40;
+
+/// The canonical face, which histories are replayed over.
+pub fn canonical_rest() -> Rest {
+    Rest::new(Triangulation::Canonical.topology(), canonical_positions_m(), Frame::Model)
+}
+
+/// Histories with every command and every setting.
+pub fn histories() -> Vec<String> {
+    let by_default = || Settings::default();
+    let anchored = |kind, pins: &[u32]| Settings { anchors: Anchors { kind, pins: pins.to_vec() }, ..by_default() };
+    let exact = Settings { hold: Hold::Exact, mirror: Mirror::On, ..by_default() };
+    let near = Settings { reach: Reach::Within { radius: 0.05 }, operator: Operator::Cotangent, ..by_default() };
+    let turned = Settings { details: Details::Turned, ..anchored(AnchorKind::PinsOnly, &[10, 152]) };
+    let far = Settings { hold: Hold::Soft { weight: 0.25 }, ..anchored(AnchorKind::Outside { radius: 0.06 }, &[10]) };
+    let nudge = DVec3::new(0.0, 0.001, 0.01);
+    let lists = [
+        vec![],
+        vec![step("nose", &[1], by_default(), &[nudge])],
+        vec![
+            step("mouth", &[61, 291], exact, &[nudge, -nudge]),
+            Entry { switch: Switch::Off, ..step("chin \"é\"", &[152], near, &[nudge]) },
+            symmetrised(0.5),
+        ],
+        vec![
+            step("random", &[4], anchored(AnchorKind::Random { seed: 7 }, &[]), &[nudge]),
+            step("far", &[33, 263], far, &[nudge, nudge]),
+            symmetrised(1.0),
+        ],
+        vec![step("turned", &[1], turned, &[nudge]), symmetrised(0.0)],
+    ];
+    lists.iter().map(|entries| project::to_json(entries)).collect()
+}
+
+fn step(label: &str, handles: &[u32], settings: Settings, offsets: &[DVec3]) -> Entry {
+    let grip = Grip { level: 0, handles: handles.to_vec(), settings };
+    let command = Command::Move { grip, offsets: offsets.to_vec() };
+    Entry { label: label.to_owned(), command, switch: Switch::On }
+}
+
+fn symmetrised(share: f64) -> Entry {
+    Entry { label: "symmetrise".to_owned(), command: Command::Symmetrise { share }, switch: Switch::On }
+}
+
+/// GLBs of ours: painted both ways, in both triangulations, with a history and a morph target and without.
+pub fn glbs(histories: &[String]) -> Vec<Vec<u8>> {
+    let displacements_m = vec![DVec3::Z * 0.001; LANDMARK_COUNT];
+    let morph = Morph { name: "nose", displacements_m: &displacements_m, weight: 0.5 };
+    let kinds = [Triangulation::Canonical, Triangulation::Tessellation].into_iter().zip([Shading::Lit, Shading::Unlit]);
+    let painted = kinds.flat_map(|kind| [Paint::Texture, Paint::VertexColours].map(|paint| (kind, paint)));
+    let with_history = painted.zip(histories.iter().skip(1).cycle());
+    let write = |(((triangulation, shading), paint), history): (((_, _), Paint), &String)| {
+        let face = face(triangulation);
+        let source = Some(Source { face: &face, triangulation, density: 0, history: Some(history) });
+        let morphs = if paint == Paint::Texture { std::slice::from_ref(&morph) } else { &[] };
+        let options = GlbOptions { paint, shading, morphs, source, ..GlbOptions::default() };
+        glb(&Model::of_face(&face), &options).expect("invariant: the canonical face can be written")
+    };
+    with_history.map(write).collect()
+}
+
+/// Projects with every history.
+pub fn projects(histories: &[String]) -> Vec<Vec<u8>> {
+    let face = face(Triangulation::Tessellation);
+    let mut png = Vec::new();
+    let written =
+        PngEncoder::new(&mut png).write_image(face.picture().pixels(), SIDE_PX, SIDE_PX, ExtendedColorType::Rgb8);
+    written.expect("invariant: the picture can be written");
+    let write = |history: &String| {
+        let triangulation = face.triangulation();
+        let source = Source { face: &face, triangulation, density: 0, history: Some(history) };
+        rosto_export::project::write(&source, &png)
+    };
+    histories.iter().map(|history| write(history).expect("invariant: the canonical face can be written")).collect()
+}
+
+/// The canonical face laid flat over a small picture.
+fn face(triangulation: Triangulation) -> FaceModel {
+    let level = |at: u32| (at * 255 / (SIDE_PX - 1)) as u8;
+    let pixels = (0..SIDE_PX).flat_map(|y| (0..SIDE_PX).flat_map(move |x| [level(x), level(y), 60])).collect();
+    let picture = Photo::from_rgb(SIDE_PX, SIDE_PX, pixels).expect("invariant: three bytes a pixel");
+    let depths_m = canonical_positions_m();
+    let uvs = canonical_uvs();
+    let places = uvs.iter().zip(&depths_m);
+    let landmarks: Vec<[f32; 3]> =
+        places.map(|(uv, at)| [uv.x as f32 * 0.5 + 0.2, uv.y as f32 * 0.5 + 0.2, -at.z as f32 * 3.0]).collect();
+    let colours: Vec<[u8; 3]> = landmarks.iter().map(|&[x, y, _]| picture.colour_under(x.into(), y.into())).collect();
+    let input = FaceInput { landmarks: &landmarks, width: SIDE_PX, height: SIDE_PX, colours: &colours, picture };
+    FaceModel::new(input, triangulation).expect("invariant: the canonical face fits itself")
+}
