@@ -67,7 +67,9 @@ impl Case {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::findings::Failure;
     use crate::kinds::Verdict;
+    use crate::watch::observe;
 
     fn seeds() -> Seeds {
         Seeds::new(std::path::Path::new(""))
@@ -86,6 +88,23 @@ mod tests {
                 assert_eq!(kind.read(seed, &seeds), Verdict::Accepted, "{} {which}", kind.name());
             }
         }
+    }
+
+    #[test]
+    fn what_was_once_found_is_found_no_more() {
+        let seeds = seeds();
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/torture/found");
+        let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+        let inputs = files.filter(|path| path.extension().is_none_or(|extension| extension != "md"));
+        let mut found = Vec::new();
+        for path in inputs {
+            let name = path.file_name().unwrap().to_string_lossy().into_owned();
+            let kind = Kind::ALL.into_iter().find(|kind| name.split('-').next() == Some(kind.name())).unwrap();
+            let bytes = std::fs::read(&path).unwrap();
+            let seen = observe(|| kind.read(&bytes, &seeds));
+            found.extend(Failure::of(kind, &bytes, &seeds, &seen).map(|failure| format!("{name}: {}", failure.cause)));
+        }
+        assert!(found.is_empty(), "{found:#?}");
     }
 
     #[test]
