@@ -50,7 +50,7 @@ impl Work {
 /// Refuses what no hand can have done and no screen can show.
 fn check_amount((entry, amount): (usize, Amount)) -> Result<(), SessionError> {
     match amount {
-        Amount::Distance(distance_m) if !(distance_m.abs() <= MAX_OFFSET_M) => {
+        Amount::Distance(distance_m) if !distance_m.is_finite() || distance_m.abs() > MAX_OFFSET_M => {
             Err(SessionError::BadHistory { entry, distance_m, most_m: MAX_OFFSET_M })
         }
         _ => Ok(()),
