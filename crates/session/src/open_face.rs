@@ -274,12 +274,13 @@ impl OpenFace {
         choices: &Choices,
     ) -> Result<(), SessionError> {
         self.commit(choices);
-        let selected = self.selected().zip(self.selected_m());
+        let is_point = mode == SelectionMode::Point || matches!(self.selection, Some(Selection::Point { .. }));
+        let selected = self.selected().zip(self.selected_m()).filter(|_| is_point);
         self.document.set_density(density)?;
-        if let (SelectionMode::Point, Some((vertex, place_m))) = (mode, selected) {
+        if let Some((vertex, place_m)) = selected {
             let is_there = (vertex as usize) < self.document.rest().len();
             let vertex = if is_there { vertex } else { self.nearest(place_m) };
-            self.selection = Some(self.at(vertex, mode));
+            self.selection = Some(self.at(vertex, SelectionMode::Point));
         }
         self.rows.read(&self.document, 0);
         self.hold(choices);
