@@ -5,6 +5,7 @@ import { hideProgress, showLoading, showStage } from "./page/progress.js";
 import { nextTask } from "./page/tasks.js";
 import { openPicture } from "./photo/open-picture.js";
 import { Replaced } from "./photo/vision-client.js";
+import { isTrap } from "./viewport/studio-module.js";
 import { kindOf, readSavedFile } from "./work/saved-file.js";
 import { bitmapOf, faceOf } from "./work/work.js";
 
@@ -109,7 +110,8 @@ export class Opening {
       if (!isOpen) return;
       this.#welcome(incoming);
     } catch (error) {
-      if (isWanted() && !(error instanceof Replaced)) showPhotoTrouble(error);
+      if (isTrap(error)) (await this.#room.bench)?.fail(error);
+      else if (isWanted() && !(error instanceof Replaced)) showPhotoTrouble(error);
     } finally {
       if (isWanted()) hideProgress();
     }

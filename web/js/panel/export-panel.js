@@ -1,7 +1,6 @@
 import { announce } from "../page/announce.js";
 import { byId, onAction } from "../page/dom.js";
 import { download } from "../page/download.js";
-import { showTrouble } from "../page/notice.js";
 import { afterNextFrame } from "../page/tasks.js";
 import { say } from "../words/words.js";
 import { pngOf } from "../work/pixels.js";
@@ -30,16 +29,16 @@ export function setUpExportPanel(bench, keeper, validator) {
   onAction("check-glb", () => checked(bench, validator, verdict));
   onAction("download-glb", async () => {
     const file = await checked(bench, validator, verdict);
-    if (file) save(nameOf(bench, "glb"), "model/gltf-binary", () => file);
+    if (file) save(bench, nameOf(bench, "glb"), "model/gltf-binary", () => file);
   });
   for (const format of /** @type {const} */ (["obj", "ply", "stl"])) {
-    onAction(`download-${format}`, () => save(nameOf(bench, format), MESH_FORMATS[format], () => bench.studio.exportMesh(format)));
+    onAction(`download-${format}`, () => save(bench, nameOf(bench, format), MESH_FORMATS[format], () => bench.studio.exportMesh(format)));
   }
-  onAction("save-project", () => saveProject(bench, keeper).catch(showTrouble));
+  onAction("save-project", () => saveProject(bench, keeper).catch((error) => bench.fail(error)));
   onAction("download-picture", () => savePicture(bench));
   onAction("download-json", () => {
     const units = /** @type {UnitsName} */ (chosen("export-units"));
-    save(nameOf(bench, "json"), "application/json", () => bench.studio.meshJson(units));
+    save(bench, nameOf(bench, "json"), "application/json", () => bench.studio.meshJson(units));
   });
 }
 
@@ -62,7 +61,7 @@ async function checked(bench, validator, line) {
     return file;
   } catch (error) {
     line.show("nothing");
-    showTrouble(error);
+    bench.fail(error);
     return undefined;
   }
 }
@@ -74,10 +73,13 @@ async function checked(bench, validator, line) {
  * @param {string} ending
  */
 function nameOf(bench, ending) {
-  const state = bench.studio.state();
-  const name = `rosto-${state.vertexCount}.${ending}`;
-  state.free();
-  return name;
+  const count = bench.ask((studio) => {
+    const state = studio.state();
+    const { vertexCount } = state;
+    state.free();
+    return vertexCount;
+  });
+  return `rosto-${count ?? 0}.${ending}`;
 }
 
 /**
@@ -88,7 +90,7 @@ async function saveProject(bench, keeper) {
   const { face } = keeper;
   if (!face) return;
   const png = new Uint8Array(await (await pngOf(face)).arrayBuffer());
-  save("face.rosto", "application/octet-stream", () => bench.studio.projectFile(png));
+  save(bench, "face.rosto", "application/octet-stream", () => bench.studio.projectFile(png));
 }
 
 /**
@@ -106,23 +108,24 @@ async function savePicture(bench) {
     canvas.getContext("2d")?.putImageData(new ImageData(pixels, snapshot.width, snapshot.height), 0, 0);
     snapshot.free();
     const png = await canvas.convertToBlob({ type: "image/png" });
-    save("rosto.png", "image/png", () => png);
+    save(bench, "rosto.png", "image/png", () => png);
   } catch (error) {
-    showTrouble(error);
+    bench.fail(error);
   }
 }
 
 /**
+ * @param {Workbench} bench
  * @param {string} name
  * @param {string} type
  * @param {() => Uint8Array | string | Blob} produce
  */
-function save(name, type, produce) {
+function save(bench, name, type, produce) {
   try {
     download(produce(), name, type);
     announce(say("export.done", { file: name }));
   } catch (error) {
-    showTrouble(error);
+    bench.fail(error);
   }
 }
 

@@ -52,10 +52,13 @@ export function setUpLight(bench) {
  * @param {Workbench} bench
  */
 function currentLight(bench) {
-  const state = bench.studio.state();
-  const light = [...state.light];
-  state.free();
-  return light;
+  const light = bench.ask((studio) => {
+    const state = studio.state();
+    const { light } = state;
+    state.free();
+    return light;
+  });
+  return [...(light ?? [])];
 }
 
 /**

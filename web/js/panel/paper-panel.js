@@ -1,6 +1,5 @@
 import { announce } from "../page/announce.js";
 import { byId, enableAction, make, onAction } from "../page/dom.js";
-import { showTrouble } from "../page/notice.js";
 import { inEveryLanguage, say, sayNumber } from "../words/words.js";
 import { Stopwatch } from "./stopwatch.js";
 
@@ -62,7 +61,7 @@ export class PaperPanel {
         announce(say("paper.done"));
       } else run.free();
     } catch (error) {
-      showTrouble(error);
+      this.#bench.fail(error);
     }
     byId("paper-progress", HTMLProgressElement).hidden = true;
     enableAction("run-paper", true);

@@ -6,7 +6,7 @@ import { asTrouble } from "../page/notice.js";
  * download. Both have the same face to the page.
  *
  * @typedef {import("../../wasm/rosto-studio-web.js").Studio} Studio
- * @typedef {{ (from?: { module_or_path: WebAssembly.Module }): Promise<unknown>, __wbindgen_wasm_module?: WebAssembly.Module }} Instantiate
+ * @typedef {(from: { module_or_path: WebAssembly.Module }) => Promise<unknown>} Instantiate
  * @typedef {Pick<typeof forWebGpu, "createRenderer" | "reopenGlb" | "reopenProject" | "sniffFile" | "start"> & { default: Instantiate }} StudioModule
  */
 
@@ -15,10 +15,21 @@ const WITHOUT_WEBGPU = new Set(["no-webgpu", "no-adapter", "no-device"]);
 
 /** @type {StudioModule} */
 let inUse = forWebGpu;
-/** The scripts of the module once more, each as new as on the first day; fetched before they are needed. */
-let spares = 0;
-/** @type {Promise<StudioModule> | undefined} */
-let spare;
+/**
+ * Fetched and compiled once, for as many instances as there will be.
+ *
+ * @type {WebAssembly.Module | undefined}
+ */
+let compiled;
+/** As many instances in a row are at hand without a network. */
+const SPARES = 3;
+/**
+ * The scripts of the module once more, each as new as on the first day; fetched before they are needed.
+ *
+ * @type {Promise<StudioModule>[]}
+ */
+const spares = [];
+let spareCount = 0;
 
 /** The module that the studio runs in; whatever else is asked of the module is asked of this one. */
 export function studioModule() {
@@ -47,17 +58,35 @@ export async function openStudio(canvas) {
     }
   }
   fallback = true;
+  compiled = undefined;
   inUse = await loaded(import("../../wasm/rosto-studio-webgl.js"));
   return started(canvas);
 }
 
+/**
+ * Whether the module's memory is in an unknown state. After a trap the objects that were in use then are locked for ever,
+ * which is an error and no trap: the module's glue throws it.
+ *
+ * @param {unknown} error
+ * @returns {error is Error}
+ */
+export function isTrap(error) {
+  return error instanceof WebAssembly.RuntimeError || (error instanceof Error && /wbindgen_throw/.test(error.stack ?? ""));
+}
+
 /** Fetches what starting again needs, so that it then needs no network. */
 export async function prepareRestart() {
-  spares += 1;
-  const name = fallback ? "rosto-studio-webgl" : "rosto-studio-web";
-  // Another address is another instance, with memory of its own.
-  spare = import(`../../wasm/${name}.js?again=${spares}`);
-  await spare.catch(() => {});
+  while (spares.length < SPARES) spares.push(anotherModule());
+  await Promise.allSettled(spares);
+}
+
+/** Another address is another instance, with memory of its own. */
+function anotherModule() {
+  spareCount += 1;
+  /** @type {Promise<StudioModule>} */
+  const another = import(`../../wasm/${moduleName()}.js?again=${spareCount}`);
+  another.catch(() => {});
+  return another;
 }
 
 /**
@@ -67,20 +96,34 @@ export async function prepareRestart() {
  * @returns {Promise<Studio>}
  */
 export async function restartStudio(canvas) {
-  const compiled = inUse.default.__wbindgen_wasm_module;
-  if (!spare) prepareRestart();
-  inUse = await loaded(/** @type {Promise<StudioModule>} */ (spare));
-  spare = undefined;
-  await loaded(inUse.default(compiled && { module_or_path: compiled }));
+  inUse = await loaded(spares.shift() ?? anotherModule());
+  await loaded(instantiate());
   if (fallback) await freshContext(canvas);
-  prepareRestart();
   return inUse.start(canvas);
 }
 
 /** @param {HTMLCanvasElement} canvas */
 async function started(canvas) {
-  await loaded(inUse.default());
+  await loaded(instantiate());
   return inUse.start(canvas);
+}
+
+async function instantiate() {
+  compiled ??= await compile(new URL(`../../wasm/${moduleName()}_bg.wasm`, import.meta.url));
+  await inUse.default({ module_or_path: compiled });
+}
+
+/** @param {URL} address */
+async function compile(address) {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`${response.status} for ${address}`);
+  // Not every server knows the type, which compiling while it comes asks for.
+  const isTyped = response.headers.get("content-type") === "application/wasm";
+  return isTyped ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+}
+
+function moduleName() {
+  return fallback ? "rosto-studio-webgl" : "rosto-studio-web";
 }
 
 /**

@@ -1,6 +1,6 @@
 import { asTrouble, hideNotice, showTrouble } from "../page/notice.js";
 import { GpuKeeper } from "./gpu-keeper.js";
-import { openStudio, restartStudio } from "./studio-module.js";
+import { isTrap, openStudio, restartStudio } from "./studio-module.js";
 
 /**
  * @typedef {import("../../wasm/rosto-studio-web.js").Studio} Studio
@@ -62,7 +62,7 @@ export class Workbench {
     try {
       this.attempt(intent);
     } catch (error) {
-      this.#fail(error);
+      this.fail(error);
     }
   }
 
@@ -91,9 +91,19 @@ export class Workbench {
     try {
       return question(this.studio);
     } catch (error) {
-      this.#fail(error);
+      this.fail(error);
       return undefined;
     }
+  }
+
+  /**
+   * Shows what went wrong with the studio; one whose module trapped is replaced.
+   *
+   * @param {unknown} error
+   */
+  fail(error) {
+    if (isTrap(error)) this.#restart(error);
+    else if (!this.#isBroken) showTrouble(error);
   }
 
   /** @param {(state: StudioState) => void} listener is told whenever the document or a choice has changed */
@@ -150,20 +160,14 @@ export class Workbench {
       for (const listener of this.#frameListeners) listener();
       if (wantsMore) this.requestFrame();
     } catch (error) {
-      if (asTrouble(error).code !== "device-lost") this.#fail(error);
+      if (asTrouble(error).code !== "device-lost") this.fail(error);
     }
-  }
-
-  /** @param {unknown} error */
-  #fail(error) {
-    if (error instanceof WebAssembly.RuntimeError) this.#restart(error);
-    else if (!this.#isBroken) showTrouble(error);
   }
 
   /**
    * After a trap the module's memory is in an unknown state, and none of its methods may be called again.
    *
-   * @param {WebAssembly.RuntimeError} trap
+   * @param {Error} trap
    */
   async #restart(trap) {
     if (this.#isBroken) return;

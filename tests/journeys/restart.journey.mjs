@@ -1,0 +1,153 @@
+import assert from "node:assert/strict";
+import { journey } from "./journey.mjs";
+import { meanColour } from "./pixels.mjs";
+
+for (const { drawn, needs, module } of [
+  { drawn: "WebGPU", needs: "gpu", module: "rosto-studio-web" },
+  { drawn: "WebGL2", needs: "webgl", module: "rosto-studio-webgl" },
+]) {
+  journey(
+    `a module whose memory is spoilt under ${drawn} is started again, twice, with the work, the choices and the look`,
+    async (open) => {
+      const visitor = await open();
+      const { page } = visitor;
+      await visitor.untilLoaded();
+      const start = await workOn(visitor);
+      const work = await visitor.meshJson("mm");
+      const stands = await standing(visitor);
+      await page.mouse.move(4, 4);
+      const view = await visitor.view();
+
+      await page.evaluate(spoil, { module: `${module}.js` });
+      await moveOverTheFace(visitor);
+      await untilRestarted(visitor);
+      assert.match((await visitor.notice()).text, /started again\s+Your work is back as it was/);
+      await expectTheSame(visitor, { work, stands, view });
+
+      for (const again of [1, 2]) {
+        await page.keyboard.press("Escape");
+        await page.waitForSelector("#notice", { state: "hidden" });
+        await page.evaluate(spoil, { module: `${module}.js?again=${again}` });
+        await page.focus("#viewport");
+        // A change of the camera by key.
+        await page.keyboard.press("ArrowLeft");
+        await untilRestarted(visitor);
+        if (again === 2) break;
+        await expectTheSame(visitor, { work, stands, view });
+      }
+      assert.deepEqual(await visitor.meshJson("mm"), work);
+      await page.click("#toolbar [data-action='undo']");
+      await page.click("#toolbar [data-action='undo']");
+      assert.deepEqual(await visitor.meshJson("mm"), start);
+      await page.click("#toolbar [data-action='redo']");
+      await page.click("#toolbar [data-action='redo']");
+      assert.deepEqual(await visitor.meshJson("mm"), work);
+      assert.equal(await page.getAttribute("#privacy-count", "data-requests"), "0");
+    },
+    { needs },
+  );
+}
+
+journey("a panic while a file is made or opened starts the module again, and the next try has an answer", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.untilLoaded();
+  await workOn(visitor);
+  const work = await visitor.meshJson("mm");
+  const project = await visitor.download("save-project");
+
+  await page.evaluate(panicIn, { module: "rosto-studio-web.js", type: "Studio", method: "meshJson" });
+  await page.click("#section-export [data-action='download-json']");
+  await untilRestarted(visitor);
+  assert.deepEqual(await visitor.meshJson("mm"), work);
+
+  await page.keyboard.press("Escape");
+  await page.evaluate(panicIn, { module: "rosto-studio-web.js?again=1", type: "Studio", method: "openWork" });
+  await visitor.drop(project, "face.rosto");
+  await untilRestarted(visitor);
+  assert.deepEqual(await visitor.meshJson("mm"), work);
+  await visitor.drop(project, "face.rosto");
+  await page.waitForSelector("#notice", { state: "hidden" });
+  await visitor.untilFace();
+  assert.deepEqual(await visitor.meshJson("mm"), work);
+  await page.click("#toolbar [data-action='undo']");
+  assert.notDeepEqual(await visitor.meshJson("mm"), work);
+});
+
+/** Two edits on a finer mesh, with other choices and another view; resolves to the mesh before them. */
+async function workOn(visitor) {
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.unfold("section-view");
+  await page.selectOption("#density", "1");
+  await page.check("input[name='paint'][value='colours']", { force: true });
+  await page.locator("#light-sliders input[type=number]").first().fill("80");
+  const start = await visitor.meshJson("mm");
+  await visitor.prefer("paper");
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("z", 9);
+  await visitor.slide("nose-width", 4);
+  // Nothing is selected any more: what is in hand does not come back.
+  const { x, y } = await visitor.besideTheFace();
+  await page.mouse.click(x, y);
+  return start;
+}
+
+/** What is chosen. */
+async function standing(visitor) {
+  const { page } = visitor;
+  return {
+    density: await page.inputValue("#density"),
+    paint: await page.isChecked("input[name='paint'][value='colours']"),
+    preset: await page.isChecked("#preset-paper"),
+    history: await visitor.history(),
+  };
+}
+
+async function expectTheSame(visitor, { work, stands, view }) {
+  assert.deepEqual(await standing(visitor), stands);
+  assert.deepEqual(await visitor.meshJson("mm"), work);
+  // Near the pointer, the face shows its landmarks.
+  await visitor.page.mouse.move(4, 4);
+  // The camera looks at the face as at one that was just opened, and so a little nearer or further.
+  const look = await visitor.view();
+  for (const left of [0.42, 0.48, 0.54]) {
+    const patch = { left, top: 0.4, right: left + 0.05, bottom: 0.5 };
+    const [wanted, seen] = [meanColour(view, patch), meanColour(look, patch)];
+    const furthest = Math.max(...wanted.map((level, channel) => Math.abs(level - seen[channel])));
+    assert.ok(furthest < 8, `colours are ${furthest} levels off at ${left} of the width`);
+  }
+}
+
+async function moveOverTheFace({ page }) {
+  const box = await page.locator("#viewport").boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.move(box.x + box.width / 2 + 30, box.y + box.height / 2 + 8, { steps: 3 });
+}
+
+async function untilRestarted(visitor) {
+  await visitor.page.waitForSelector("#notice[data-code='restarted']");
+  await visitor.frames(3);
+}
+
+/** Runs in the page: every byte of the module's memory is overwritten. */
+async function spoil({ module }) {
+  const address = new URL(`wasm/${module}`, document.baseURI).href;
+  const { default: instantiate } = await import(address);
+  const { memory } = await instantiate();
+  new Uint8Array(memory.buffer).fill(0xff);
+}
+
+/** Runs in the page: the next call of that method traps, as a panic does. */
+async function panicIn({ module, type, method }) {
+  const address = new URL(`wasm/${module}`, document.baseURI).href;
+  const prototype = (await import(address))[type].prototype;
+  const call = prototype[method];
+  // (module (func (export "panic") unreachable))
+  const code = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 7, 9, 1, 5, 112, 97, 110, 105, 99, 0, 0, 10, 5, 1, 3, 0, 0, 11];
+  const { instance } = await WebAssembly.instantiate(new Uint8Array(code));
+  prototype[method] = function (...values) {
+    prototype[method] = call;
+    return instance.exports.panic(...values);
+  };
+}
