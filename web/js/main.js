@@ -98,11 +98,12 @@ async function loadTheRest() {
  * @param {Workbench} opened
  */
 async function workAgain(opened) {
+  const work = keeper.lose();
   const theme = document.documentElement.dataset["theme"] === "dark" ? "dark" : "light";
   opened.act((studio) => studio.setTheme(theme));
   opened.act((studio) => studio.setReducedMotion(matchMedia("(prefers-reduced-motion: reduce)").matches));
   opened.act((studio) => studio.showCanonical());
-  if (keeper.kept) await opening.restore(keeper.kept);
+  if (work) await opening.restore(work);
   paper?.forget(undefined);
 }
 

@@ -145,6 +145,7 @@ export class Opening {
     const opened = await bench;
     if (opened && !(await openPicture(opened, face, isWanted))) return false;
     if (!isWanted()) return false;
+    keeper.finish();
     opened?.attempt((studio) => {
       const { landmarks, width_px, height_px, colours } = face;
       if (!done) return studio.openFace(landmarks, width_px, height_px, colours);

@@ -23,14 +23,16 @@ export function lockOf(slot) {
   return `rosto-slot-${slot}`;
 }
 
-/** The slots that no tab holds, the latest first. */
+/** The slots that have a face and that no tab holds, the latest first. */
 export async function freeSlots() {
+  const faces = new Set(await result((await open(FACES, "readonly")).getAllKeys()));
   const store = await open(DONE, "readonly");
   const [names, done] = await Promise.all([result(store.getAllKeys()), result(store.getAll())]);
   const { held = [] } = await navigator.locks.query();
   const isHeld = new Set(held.map(({ name }) => name));
   const slots = names.map((name, place) => ({ slot: String(name), at: Math.max(done[place]?.at ?? 0, lastWords(String(name))?.at ?? 0) }));
-  return slots.filter(({ slot }) => !isHeld.has(lockOf(slot))).sort((one, other) => other.at - one.at).map(({ slot }) => slot);
+  const free = slots.filter(({ slot }) => faces.has(slot) && !isHeld.has(lockOf(slot)));
+  return free.sort((one, other) => other.at - one.at).map(({ slot }) => slot);
 }
 
 /**
@@ -93,8 +95,15 @@ export async function prune() {
   for (const slot of (await freeSlots()).slice(MOST_KEPT)) await drop(slot);
 }
 
+/** @param {string} slot is dropped unless a tab holds it */
+export async function dropIfFree(slot) {
+  await navigator.locks.request(lockOf(slot), { ifAvailable: true }, async (lock) => {
+    if (lock) await drop(slot);
+  });
+}
+
 /** @param {string} slot */
-export async function drop(slot) {
+async function drop(slot) {
   forgetLastWords(slot);
   await result((await open(FACES, "readwrite")).delete(slot));
   await result((await open(DONE, "readwrite")).delete(slot));

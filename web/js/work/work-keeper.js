@@ -1,6 +1,6 @@
 import { byId } from "../page/dom.js";
 import { setKeeping, showTrouble } from "../page/notice.js";
-import { freeSlots, keepDone, keepFace, keepLastWords, lockOf, prune, workIn } from "./slots.js";
+import { dropIfFree, freeSlots, keepDone, keepFace, keepLastWords, lockOf, prune, workIn } from "./slots.js";
 
 /**
  * @typedef {import("./work.js").Work} Work
@@ -31,6 +31,10 @@ export class WorkKeeper {
   #letGo = () => {};
   #pause = 0;
   #hasComplained = false;
+  /** Whether the studio has lost the work, which is not back yet: what the studio holds is not to be kept, then. */
+  #isLost = false;
+  /** @type {{ slot: string, face: OpenedFace } | undefined} what was read to be opened again */
+  #reopened;
   /** One write after the other. */
   #writing = Promise.resolve();
 
@@ -44,15 +48,6 @@ export class WorkKeeper {
   /** The face on the screen. */
   get face() {
     return this.#face;
-  }
-
-  /**
-   * The work as it was last kept.
-   *
-   * @returns {Work | undefined}
-   */
-  get kept() {
-    return this.#face && this.#done && { face: this.#face, ...this.#done };
   }
 
   /**
@@ -70,6 +65,17 @@ export class WorkKeeper {
     button.addEventListener("click", () => open(() => this.#reopen(slot)));
   }
 
+  /**
+   * The work as it was last kept, which the studio has lost.
+   *
+   * @returns {Work | undefined}
+   */
+  lose() {
+    this.#isLost = true;
+    clearTimeout(this.#pause);
+    return this.#face && this.#done && { face: this.#face, ...this.#done };
+  }
+
   /** @param {Workbench} bench */
   follow(bench) {
     this.#bench = bench;
@@ -80,20 +86,27 @@ export class WorkKeeper {
     });
   }
 
+  /** Keeps what was done last, before the studio is given another face. */
+  finish() {
+    this.#keepDone();
+  }
+
   /**
    * Takes charge of a face that has just been opened, in a slot of its own.
    *
    * @param {OpenedFace} face
    */
   take(face) {
-    this.#keepDone();
+    clearTimeout(this.#pause);
     this.#letGo();
     const slot = crypto.randomUUID();
+    const before = this.#isLost ? this.#slot : this.#reopened?.face === face ? this.#reopened.slot : undefined;
+    [this.#isLost, this.#reopened] = [false, undefined];
     [this.#slot, this.#face, this.#done] = [slot, face, this.#standing()];
     rememberSlot(slot);
     this.#hold(slot);
     // Not in the task that brings the face to the screen.
-    setTimeout(() => this.#write(() => keepFace(slot, face)), PAUSE_MS);
+    setTimeout(() => this.#write(() => move(slot, face, before)), PAUSE_MS);
     const done = this.#done;
     if (done) this.#write(() => keepDone(slot, done));
     this.#write(prune);
@@ -104,6 +117,7 @@ export class WorkKeeper {
     try {
       const work = await workIn(slot);
       if (!work) throw new Error("the slot is empty");
+      this.#reopened = { slot, face: work.face };
       return work;
     } catch (error) {
       throw { code: "bad-kept-work", message: String(error), hint: "" };
@@ -128,7 +142,7 @@ export class WorkKeeper {
   #keepDone() {
     clearTimeout(this.#pause);
     const slot = this.#slot;
-    const done = this.#face && this.#standing();
+    const done = this.#face && !this.#isLost && this.#standing();
     if (!done || JSON.stringify(done) === JSON.stringify(this.#done)) return;
     this.#done = done;
     this.#write(() => keepDone(slot, done));
@@ -154,6 +168,18 @@ export class WorkKeeper {
     this.#hasComplained = true;
     showTrouble({ code: "not-kept", message: String(error), hint: "" });
   }
+}
+
+/**
+ * Keeps a face in its slot, after which the one that it was in before is of no more use.
+ *
+ * @param {string} slot
+ * @param {OpenedFace} face
+ * @param {string} [before]
+ */
+async function move(slot, face, before) {
+  await keepFace(slot, face);
+  if (before !== undefined) await dropIfFree(before);
 }
 
 function ownSlot() {

@@ -1,0 +1,113 @@
+import assert from "node:assert/strict";
+import { journey } from "./journey.mjs";
+import { Visitor } from "./visitor.mjs";
+
+journey("an edit a moment before a reload, or before the tab is closed, is kept", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  const address = page.url();
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("z", 3);
+  await page.waitForTimeout(600);
+
+  await typeAndGo(page, 7, "reload");
+  await page.waitForSelector("#continue:not([hidden])");
+  await page.click("#continue");
+  await visitor.untilFace();
+  assert.equal(await noseOut(visitor), 7);
+
+  await page.waitForTimeout(600);
+  const other = await page.context().newPage();
+  await typeAndGo(page, -5, "stay");
+  await page.close({ runBeforeUnload: true });
+  const next = new Visitor(other);
+  await other.goto(address);
+  await other.waitForSelector("#continue:not([hidden])");
+  await other.click("#continue");
+  await next.untilFace();
+  assert.equal(await noseOut(next), -5);
+  await other.click("#toolbar [data-action='undo']");
+  assert.equal(await noseOut(next), 7);
+  next.checkNothingBroke();
+});
+
+for (const [how, refuse] of /** @type {const} */ ([
+  ["throws", refuseByThrowing],
+  ["answers with an error", refuseByError],
+  ["is full", refuseByFullness],
+])) {
+  journey(`where the database ${how}, the page says once that nothing is kept, and the work goes on`, async (open) => {
+    const visitor = await open({ before: (context) => context.addInitScript(refuse) });
+    const { page } = visitor;
+    await visitor.dropSample();
+    await page.waitForSelector("#notice[data-code='not-kept']");
+    assert.match((await visitor.notice()).text, /keeps nothing\s+Save the project/);
+    await page.keyboard.press("Escape");
+    await page.waitForSelector("#notice", { state: "hidden" });
+
+    const found = await visitor.meshJson("mm");
+    await visitor.findLandmark("nose tip");
+    await visitor.offset("z", 9);
+    const work = await visitor.meshJson("mm");
+    assert.notDeepEqual(work, found);
+    await page.waitForTimeout(600);
+    assert.ok(await page.isHidden("#notice"), "it is said again");
+    const project = await visitor.download("save-project");
+    await page.click("#toolbar [data-action='undo']");
+    assert.deepEqual(await visitor.meshJson("mm"), found);
+    await visitor.drop(project, "face.rosto");
+    await visitor.untilFace();
+    await page.waitForSelector("#history li", { state: "attached" });
+    assert.deepEqual(await visitor.meshJson("mm"), work);
+    assert.ok(await page.isHidden("#notice"), "it is said again");
+  });
+}
+
+/** How far the nose tip was moved out, mm. */
+async function noseOut(visitor) {
+  await visitor.findLandmark("nose tip");
+  return Number(await visitor.page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]"));
+}
+
+/** Types a number and reloads in the same task, unless the page is to stay. */
+async function typeAndGo(page, offset_mm, next) {
+  const field = "#landmark-sliders [data-axis='z'] input[type=number]";
+  await page.evaluate(
+    ({ field, offset_mm, next }) => {
+      const input = document.querySelector(field);
+      input.value = String(offset_mm);
+      input.dispatchEvent(new Event("input"));
+      input.dispatchEvent(new Event("change"));
+      if (next === "reload") location.reload();
+    },
+    { field, offset_mm, next },
+  );
+}
+
+/** Runs in the page, as everything below: as some browsers do in private windows. */
+function refuseByThrowing() {
+  IDBFactory.prototype.open = () => {
+    throw new DOMException("The operation is insecure.", "SecurityError");
+  };
+}
+
+function refuseByError() {
+  IDBFactory.prototype.open = () => {
+    const request = Object.create(IDBOpenDBRequest.prototype, {
+      error: { value: new DOMException("A mutation operation was attempted on a database that did not allow mutations.", "InvalidStateError") },
+      onerror: { value: null, writable: true },
+      onsuccess: { value: null, writable: true },
+      onblocked: { value: null, writable: true },
+      onupgradeneeded: { value: null, writable: true },
+    });
+    setTimeout(() => request.onerror?.(new Event("error")));
+    return request;
+  };
+}
+
+function refuseByFullness() {
+  IDBObjectStore.prototype.put = () => {
+    throw new DOMException("The disk is full.", "QuotaExceededError");
+  };
+}

@@ -1,0 +1,122 @@
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { journey } from "./journey.mjs";
+import { asJpeg } from "./pictures.mjs";
+import { SAMPLE, Visitor } from "./visitor.mjs";
+
+journey("two tabs keep two works: each comes back with its own face and edits", async (open) => {
+  const first = await open();
+  const { page } = first;
+  const address = page.url();
+  await first.dropSample();
+  await first.findLandmark("nose tip");
+  await first.offset("z", 9);
+
+  const second = await anotherTab(first, address);
+  // The first tab's work is not offered while it is open there.
+  assert.ok(await second.page.isHidden("#continue"));
+  await second.drop(await asJpeg(page, await readFile(SAMPLE), { width: 640, height: 480 }), "other.jpg");
+  await second.untilFace();
+  await second.findLandmark("bottom of the chin");
+  await second.offset("y", -6);
+  const others = await standing(second);
+
+  await page.bringToFront();
+  await first.offset("y", 4);
+  const work = await standing(first);
+  assert.notDeepEqual(work.mesh, others.mesh);
+  await untilKept(first, 2);
+
+  await page.reload();
+  await continueIn(first);
+  assert.deepEqual(await standing(first), work);
+  await second.page.reload();
+  await continueIn(second);
+  assert.deepEqual(await standing(second), others);
+
+  // Both are closed; the next two tabs find both, the latest first.
+  await page.close();
+  const third = await anotherTab(second, address);
+  await second.page.close();
+  await continueIn(third);
+  assert.deepEqual(await standing(third), work);
+  const fourth = await anotherTab(third, address);
+  await continueIn(fourth);
+  assert.deepEqual(await standing(fourth), others);
+  // Opening them again has made no copies, which would drive other works out.
+  await fourth.page.waitForTimeout(1000);
+  assert.equal((await slots(fourth)).length, 2);
+  for (const visitor of [second, third, fourth]) visitor.checkNothingBroke();
+});
+
+journey("a tab writes its own slot alone, and a new face does not write over the one before", async (open) => {
+  const first = await open();
+  const { page } = first;
+  await first.dropSample();
+  await first.findLandmark("nose tip");
+  await first.offset("z", 9);
+  await untilKept(first, 1);
+  const [kept] = await slots(first);
+
+  const second = await anotherTab(first, page.url());
+  await second.dropSample();
+  await second.findLandmark("bottom of the chin");
+  await second.offset("y", -6);
+  await untilKept(second, 2);
+  assert.deepEqual((await slots(first)).find(({ slot }) => slot === kept.slot), kept);
+
+  // Another photo in the first tab: what was done to the one before stays as it was.
+  await first.drop(await asJpeg(page, await readFile(SAMPLE), { width: 640, height: 480 }), "other.jpg");
+  await first.untilFace();
+  await untilKept(first, 3);
+  const now = await slots(first);
+  assert.equal(now.length, 3);
+  assert.deepEqual(now.find(({ slot }) => slot === kept.slot)?.edits, kept.edits);
+  second.checkNothingBroke();
+});
+
+/** @param {Visitor} visitor */
+async function anotherTab(visitor, address) {
+  const other = new Visitor(await visitor.page.context().newPage());
+  await other.page.goto(address);
+  await other.untilLoaded();
+  return other;
+}
+
+async function continueIn(visitor) {
+  await visitor.page.bringToFront();
+  await visitor.page.waitForSelector("#continue:not([hidden])");
+  await visitor.page.click("#continue");
+  await visitor.untilFace();
+}
+
+/** What is open, and what has been done to it. */
+async function standing(visitor) {
+  await visitor.page.bringToFront();
+  return { mesh: await visitor.meshJson("mm"), history: await visitor.history() };
+}
+
+/** Waits until so many works are kept, and what was done last is among them. */
+async function untilKept(visitor, count) {
+  for (let tries = 0; (await slots(visitor)).length < count; tries += 1) {
+    assert.ok(tries < 50, `only ${(await slots(visitor)).length} works are kept`);
+    await visitor.page.waitForTimeout(100);
+  }
+  await visitor.page.waitForTimeout(600);
+}
+
+/** The slots that have a face, with what was done to it. */
+function slots({ page }) {
+  return page.evaluate(async () => {
+    const answer = (request) => new Promise((resolve) => (request.onsuccess = () => resolve(request.result)));
+    const database = await answer(indexedDB.open("rosto"));
+    const transaction = database.transaction(["faces", "done"]);
+    const [names, faces, done] = await Promise.all([
+      answer(transaction.objectStore("done").getAllKeys()),
+      answer(transaction.objectStore("faces").getAllKeys()),
+      answer(transaction.objectStore("done").getAll()),
+    ]);
+    database.close();
+    return names.map((slot, place) => ({ slot, ...done[place] })).filter(({ slot }) => faces.includes(slot));
+  });
+}
