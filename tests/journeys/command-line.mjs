@@ -26,6 +26,23 @@ export async function meshByCommandLine(photo, options) {
 }
 
 /**
+ * A GLB that the command line makes of a photo.
+ *
+ * @param {string} photo
+ * @param {string[]} options of `rosto mesh`
+ */
+export async function glbByCommandLine(photo, options) {
+  const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
+  try {
+    const file = path.join(folder, "mesh.glb");
+    await promisify(execFile)(program(), ["mesh", photo, "-o", file, ...options]);
+    return await readFile(file);
+  } finally {
+    await rm(folder, { recursive: true });
+  }
+}
+
+/**
  * What `rosto paper` finds about each operator and constraint on a photo.
  *
  * @param {string} photo
