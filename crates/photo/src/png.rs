@@ -21,6 +21,7 @@ pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError>
     let mut reader = reader(bytes, limits)?;
     let (width, height) = reader.info().size();
     limits.check_size(width, height)?;
+    check_palette(reader.info())?;
     let layout = layout(&reader)?;
     let mut decoded = vec![0; width as usize * height as usize * usize::from(layout.bytes_per_pixel())];
     read_rows(&mut reader, &mut decoded)?;
@@ -52,6 +53,16 @@ fn reader<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Reader<Source<'a>>, Ph
     decoder.set_ignore_text_chunk(true);
     decoder.set_transformations(Transformations::EXPAND);
     decoder.read_info().map_err(|error| refused(&error, "it ends before its first row"))
+}
+
+/// Refuses a palette that is not of whole colours, over which the decoder panics; one of no or too many it refuses itself.
+fn check_palette(info: &Info<'_>) -> Result<(), PhotoError> {
+    match info.palette.as_deref().map_or(0, <[u8]>::len) {
+        bytes if info.color_type == png::ColorType::Indexed && !bytes.is_multiple_of(3) => {
+            Err(damaged(Format::Png, format!("{bytes} bytes are no palette of whole colours, three bytes each")))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// How the decoder lays out a pixel.

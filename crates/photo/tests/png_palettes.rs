@@ -1,0 +1,45 @@
+//! PNG files whose palettes are not of whole colours.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use rosto_photo::{Limits, Photo, PhotoError, decode};
+
+fn read(bytes: &[u8]) -> Result<Photo, PhotoError> {
+    decode(bytes, &Limits::default())
+}
+
+fn reason(bytes: &[u8]) -> String {
+    match read(bytes).unwrap_err() {
+        PhotoError::Damaged { reason, .. } => reason,
+        other => panic!("{other}"),
+    }
+}
+
+/// One pixel of the first colour, in a palette of that many bytes.
+fn indexed_png(palette_bytes: usize, colour: png::ColorType) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, 1, 1);
+    encoder.set_color(colour);
+    encoder.set_palette(vec![7; palette_bytes]);
+    encoder.write_header().unwrap().write_image_data(&vec![0; colour.samples()]).unwrap();
+    bytes
+}
+
+#[test]
+fn a_palette_is_of_whole_colours_and_of_256_at_most() {
+    for palette_bytes in [3, 6, 48, 768] {
+        assert_eq!(read(&indexed_png(palette_bytes, png::ColorType::Indexed)).unwrap().pixel(0, 0), [7; 3]);
+    }
+    for palette_bytes in [4, 5, 20, 767] {
+        let said = reason(&indexed_png(palette_bytes, png::ColorType::Indexed));
+        assert!(said.starts_with(&format!("{palette_bytes} bytes ")), "{said}");
+    }
+    for palette_bytes in [1, 2, 769, 771, 1000] {
+        assert!(reason(&indexed_png(palette_bytes, png::ColorType::Indexed)).contains("PLTE"));
+    }
+}
+
+#[test]
+fn a_palette_that_is_only_suggested_may_be_of_any_length() {
+    assert_eq!(read(&indexed_png(20, png::ColorType::Rgb)).unwrap().pixel(0, 0), [0; 3]);
+}
