@@ -8,7 +8,7 @@ use image::{ImageDecoder, ImageError};
 use crate::code_points::Told;
 use crate::format::Format;
 use crate::jpeg::{self, Ending};
-use crate::{Limits, Photo, PhotoError, icc, orientation, pixels, png};
+use crate::{Limits, Photo, PhotoError, icc, orientation, pixels, png, webp};
 
 /// Decodes a JPEG, PNG or WebP file to an upright picture. Of an animation, the first frame.
 ///
@@ -21,6 +21,7 @@ pub fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError> {
         Format::Jpeg => decode_jpeg(bytes, limits),
         Format::Png => png::decode(bytes, limits),
         Format::WebP => {
+            webp::check_chunks(bytes)?;
             let decoder = WebPDecoder::new(Cursor::new(bytes)).map_err(|error| refused(format, error))?;
             finish(decoder, format, limits)
         }

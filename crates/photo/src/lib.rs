@@ -19,6 +19,7 @@ mod pixels;
 mod png;
 mod primaries;
 mod resize;
+mod webp;
 
 pub use decode::decode;
 pub use error::PhotoError;
