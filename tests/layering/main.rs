@@ -11,7 +11,7 @@ mod sources;
 use graph::Graph;
 
 /// The crates that know neither browser, clock, file, network, environment nor random source.
-const CORE: [&str; 9] = [
+const CORE: [&str; 10] = [
     "rosto-mesh",
     "rosto-laplacian",
     "rosto-photo",
@@ -19,12 +19,13 @@ const CORE: [&str; 9] = [
     "rosto-face",
     "rosto-studio",
     "rosto-export",
+    "rosto-session",
     "rosto-stage",
     "rosto-viewport",
 ];
 
 /// Which crates of the workspace each crate may know.
-const MAY_KNOW: [(&str, &[&str]); 15] = [
+const MAY_KNOW: [(&str, &[&str]); 16] = [
     ("rosto-mesh", &[]),
     ("rosto-laplacian", &["rosto-mesh"]),
     ("rosto-photo", &[]),
@@ -32,11 +33,13 @@ const MAY_KNOW: [(&str, &[&str]); 15] = [
     ("rosto-face", &["rosto-mesh", "rosto-photo"]),
     ("rosto-studio", &["rosto-face", "rosto-laplacian", "rosto-mesh"]),
     ("rosto-export", &["rosto-face", "rosto-mesh"]),
+    ("rosto-session", &["rosto-export", "rosto-face", "rosto-laplacian", "rosto-mesh", "rosto-stage", "rosto-studio"]),
     ("rosto-stage", &["rosto-mesh"]),
     ("rosto-viewport", &["rosto-mesh", "rosto-stage"]),
     (
         "rosto-studio-web",
         &[
+            "rosto-session",
             "rosto-studio",
             "rosto-stage",
             "rosto-viewport",
@@ -119,6 +122,15 @@ fn webgl_is_in_the_module_of_its_own_alone() {
 fn the_command_line_draws_nothing() {
     let reached = Graph::of_host().reachable("rosto-cli");
     assert!(!reached.iter().any(|name| name.starts_with("wgpu") || name == "rosto-viewport"));
+}
+
+#[test]
+fn a_session_needs_neither_a_browser_nor_a_gpu() {
+    let reached = Graph::of_host().reachable("rosto-session");
+    assert!(reached.contains("rosto-stage"), "{reached:?}");
+    let absent = ["wgpu", "web-sys", "js-sys", "wasm-bindgen"];
+    let found: Vec<_> = reached.iter().filter(|name| absent.iter().any(|prefix| name.starts_with(prefix))).collect();
+    assert!(found.is_empty(), "rosto-session reaches {found:?}");
 }
 
 #[test]
