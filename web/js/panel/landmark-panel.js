@@ -118,7 +118,7 @@ export class LandmarkPanel {
     const list = byId("landmark-anchors", HTMLParagraphElement);
     const named = anchors.length <= NAMED_ANCHORS;
     const text = named ? say("landmark.anchors", { list: anchors.join(", ") }) : say("landmark.anchors.many", { n: anchors.length });
-    list.textContent = isSelected ? text : "";
+    list.textContent = isSelected && anchors.length > 0 ? text : "";
     list.dataset["anchors"] = anchors.join(" ");
   }
 }

@@ -59,6 +59,7 @@ export class Workbench {
    * @param {(studio: Studio) => ChangeName | void} intent
    */
   act(intent) {
+    if (this.#isBroken) return;
     try {
       this.attempt(intent);
     } catch (error) {
@@ -72,7 +73,7 @@ export class Workbench {
    * @param {(studio: Studio) => ChangeName | void} intent
    */
   attempt(intent) {
-    if (this.#isBroken) return;
+    if (this.#isBroken) throw { code: "internal", message: "the studio is being started again", hint: "" };
     const changed = intent(this.studio);
     if (changed !== "nothing") this.requestFrame();
     if (changed === "document") this.announce();

@@ -100,7 +100,8 @@ export class WorkKeeper {
     clearTimeout(this.#pause);
     this.#letGo();
     const slot = crypto.randomUUID();
-    const before = this.#isLost ? this.#slot : this.#reopened?.face === face ? this.#reopened.slot : undefined;
+    // The same face again, whose work was lost or kept.
+    const before = face === this.#face ? this.#slot : face === this.#reopened?.face ? this.#reopened.slot : undefined;
     [this.#isLost, this.#reopened] = [false, undefined];
     [this.#slot, this.#face, this.#done] = [slot, face, this.#standing()];
     rememberSlot(slot);
