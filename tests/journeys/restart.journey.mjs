@@ -74,6 +74,39 @@ journey("a panic while a file is made or opened starts the module again, and the
   assert.notDeepEqual(await visitor.meshJson("mm"), work);
 });
 
+journey("another face that is opened while the module starts again leaves the work where it is kept", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.untilLoaded();
+  await visitor.dropSample();
+  const other = await visitor.download("save-project");
+  await workOn(visitor);
+  await page.waitForTimeout(600);
+  const kept = (await histories(page)).filter((edits) => edits.includes("nose tip"));
+  assert.equal(kept.length, 1);
+
+  await page.evaluate(spoil, { module: "rosto-studio-web.js" });
+  await page.focus("#viewport");
+  await page.keyboard.press("ArrowLeft");
+  await visitor.drop(other, "other.rosto");
+  await untilRestarted(visitor);
+  await visitor.drop(other, "other.rosto");
+  await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
+  await page.waitForTimeout(1000);
+  assert.deepEqual((await histories(page)).filter((edits) => edits.includes("nose tip")), kept);
+});
+
+/** The histories that are kept, as JSON. */
+function histories(page) {
+  return page.evaluate(async () => {
+    const answer = (request) => new Promise((resolve) => (request.onsuccess = () => resolve(request.result)));
+    const database = await answer(indexedDB.open("rosto"));
+    const done = await answer(database.transaction("done").objectStore("done").getAll());
+    database.close();
+    return done.map(({ edits }) => edits);
+  });
+}
+
 /** Two edits on a finer mesh, with other choices and another view; resolves to the mesh before them. */
 async function workOn(visitor) {
   const { page } = visitor;
