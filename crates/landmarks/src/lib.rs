@@ -14,6 +14,7 @@ mod finder;
 mod golden_stages;
 mod homography;
 mod mesh;
+mod names;
 mod network;
 mod operators;
 mod prelu;

@@ -2,8 +2,9 @@ use std::sync::Arc;
 
 use tract_onnx::prelude::*;
 use tract_onnx::tract_core::internal::ensure;
+use tract_onnx::tract_hir::internal::TractErrorContext;
 
-use crate::{LandmarksError, operators};
+use crate::{LandmarksError, names, operators};
 
 /// A network made ready to run: one square RGB picture in, two lists of numbers out.
 pub(crate) struct Network {
@@ -69,8 +70,11 @@ impl Network {
 
 fn optimised(onnx: &[u8], side: usize, outputs: [&str; 2]) -> TractResult<Arc<TypedRunnableModel>> {
     let mut bytes = onnx;
-    let model = operators::onnx()
-        .model_for_read(&mut bytes)?
+    let reader = operators::onnx();
+    let proto = reader.proto_model_for_read(&mut bytes)?;
+    names::check(proto.graph.as_ref().context("there is no graph in it")?)?;
+    let model = reader
+        .model_for_proto_model(&proto)?
         .with_input_fact(0, f32::fact([1, 3, side, side]).into())?
         .with_outputs_by_name(outputs)?
         .into_typed()?;

@@ -58,3 +58,17 @@ fn one_weight_that_is_infinite_is_named_when_the_network_is_read() {
     assert_eq!(network, "landmark");
     assert!(reason.contains("weight"), "{reason}");
 }
+
+#[test]
+fn a_network_in_which_one_letter_of_a_name_is_another_is_refused() {
+    let (detector, landmarks) = (assets::detector_onnx(), assets::landmarks_onnx());
+    // Where the node that gives this output names it; field 2 of a node, 9 letters.
+    let output = b"\x12\x09conv2d_31";
+    let at = landmarks.windows(output.len()).position(|window| window == output).unwrap();
+    let mut renamed = landmarks;
+    renamed[at + 5] = b'w';
+    let error = FaceFinder::new(&detector, &renamed).err().unwrap();
+    let LandmarksError::NetworkDamaged { network, reason } = error else { panic!("{error}") };
+    assert_eq!(network, "landmark");
+    assert!(reason.contains("conv2d_31"), "{reason}");
+}
