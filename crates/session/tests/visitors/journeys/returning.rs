@@ -1,0 +1,158 @@
+use glam::DVec3;
+use rosto_export::GlbOptions;
+use rosto_face::{Language, Triangulation};
+use rosto_session::{
+    EditsAs, Intent, Motion, Preset, Selection, SelectionMode, Session, SessionError, Turntable, Units,
+};
+use rosto_stage::{Background, Dots, Light, Paint, Srgb, Wireframe};
+use rosto_studio::{Anchors, Command, Details, Entry, FaceSlider, Grip, Mirror, Settings, Standing, Switch, project};
+use serde_json::Value;
+
+use super::{act, face, move_by, place_px, positions, select, state};
+use crate::faces::{found, open, session, worked_on};
+use crate::invariants::{hold, hold_deeply, seen};
+
+/// Everything other than it is at first.
+fn choose_otherwise(session: &mut Session) {
+    let light = Light { azimuth_deg: -30.0, strength: 0.75, colour: Srgb([200, 190, 180]), ..Light::default() };
+    for intent in [
+        Intent::Mode(SelectionMode::Region),
+        Intent::Preset(Preset::Paper),
+        Intent::Details(Details::Turned),
+        Intent::Mirror(Mirror::On),
+        Intent::Radius(33.0),
+        Intent::Paint(Paint::Clay),
+        Intent::Wireframe(Wireframe::Hidden),
+        Intent::Background(Background::Plain(Srgb([1, 2, 3]))),
+        Intent::Turntable(Turntable::Turns),
+        Intent::Dots(Dots::All),
+        Intent::Light(light),
+        Intent::Triangulation(Triangulation::Tessellation),
+        Intent::Density(2),
+    ] {
+        act(session, intent);
+    }
+}
+
+#[test]
+fn choices_and_view_are_put_again_in_another_session() {
+    let mut one = Session::new(1);
+    choose_otherwise(&mut one);
+    let mut other = Session::new(2);
+    assert_ne!(other.state(), one.state());
+    act(&mut other, Intent::Prefer(one.preferences()));
+    assert_eq!(other.state(), one.state());
+    assert_eq!(other.preferences(), one.preferences());
+    open(&mut other, found());
+    let shown = (face(&other).triangulation(), face(&other).document().density());
+    assert_eq!(shown, (Triangulation::Tessellation, 2), "the next face is joined and subdivided as preferred");
+    let mut usual = Session::new(3);
+    act(&mut usual, Intent::Prefer(Session::new(4).preferences()));
+    assert_eq!(usual.state(), Session::new(5).state());
+}
+
+#[test]
+fn an_open_face_keeps_its_mesh_and_takes_all_other_preferences() {
+    let mut one = Session::new(1);
+    act(&mut one, Intent::Motion(Motion::Reduced));
+    choose_otherwise(&mut one);
+    let mut other = session();
+    select(&mut other, Selection::Landmark(4));
+    act(&mut other, Intent::Preview(DVec3::Z));
+    act(&mut other, Intent::Prefer(one.preferences()));
+    let (wanted, now) = (one.state(), other.state());
+    assert_eq!((now.mode, now.choices, now.light, now.dots), (wanted.mode, wanted.choices, wanted.light, wanted.dots));
+    assert_eq!(now.view.paint, Paint::Clay);
+    assert_eq!((now.view.triangulation, now.view.density), (Triangulation::Canonical, 0));
+    let now = now.face.unwrap();
+    assert!(matches!(now.selection, Some(Selection::Region(_))), "what is selected follows the mode");
+    assert_eq!((now.counts[0], now.entry_count), (468, 1), "the edit in progress is kept");
+    hold_deeply(&other).unwrap();
+}
+
+#[test]
+fn damaged_preferences_are_refused_and_change_nothing() {
+    let mut session = session();
+    select(&mut session, Selection::Landmark(4));
+    act(&mut session, Intent::Preview(DVec3::Z));
+    let (before, usual) = (seen(&session), session.preferences());
+    let mut otherwise = Session::new(1);
+    choose_otherwise(&mut otherwise);
+    let text = otherwise.preferences();
+    let mut refused = |damaged: String| {
+        let refusal = session.apply(Intent::Prefer(damaged.clone()));
+        let is_known = matches!(refusal, Err(SessionError::Preferences { .. } | SessionError::OutOfRange { .. }));
+        assert!(is_known, "{damaged}: {refusal:?}");
+        assert_eq!((seen(&session), session.preferences()), (before.clone(), usual.clone()), "{damaged}");
+    };
+    for damaged in ["", "{}", "[]", "null", "7", &text[..text.len() / 2], &text.replace("33", "1e9")] {
+        refused(damaged.to_owned());
+    }
+    let Ok(Value::Object(whole)) = serde_json::from_str(&text) else { panic!("an object") };
+    for field in whole.keys() {
+        let mut without = whole.clone();
+        without.remove(field);
+        refused(Value::Object(without.clone()).to_string());
+        for damaged in [Value::Null, Value::from("mud"), Value::from(-1e300), Value::from(vec![1e300; 4])] {
+            without.insert(field.clone(), damaged);
+            refused(Value::Object(without.clone()).to_string());
+        }
+    }
+}
+
+/// An edit of a mesh that is denser than any on the screen, as the command line makes it.
+fn dense_history() -> String {
+    let settings = Settings { anchors: Anchors::default(), ..Settings::default() };
+    let grip = Grip { level: 4, handles: vec![20_000], settings };
+    let command = Command::Move { grip, offsets: vec![DVec3::new(0.0, 0.0, 0.004)] };
+    project::to_json(&[Entry { label: "dense".to_owned(), command, switch: Switch::On }])
+}
+
+#[test]
+fn work_on_a_denser_mesh_than_is_shown_opens_with_its_entry_waiting() {
+    let mut session = session();
+    open(&mut session, worked_on(&dense_history(), Triangulation::Canonical, 4));
+    assert_eq!((session.view().density, face(&session).document().density()), (3, 3));
+    assert_eq!(face(&session).rows()[0].standing, Standing::Waits { level: 4 });
+    assert_eq!(positions(&session), face(&session).document().rest());
+    assert!(session.entry_name(0, Language::English).unwrap().starts_with("point 20,000"));
+    assert!(session.entry_name(0, Language::Portuguese).unwrap().starts_with("ponto 20.000"));
+    everything_works(&mut session);
+    assert_eq!(face(&session).rows()[0].standing, Standing::Waits { level: 4 });
+    hold_deeply(&session).unwrap();
+    let saved = face(&session).history_json();
+    open(&mut session, worked_on(&saved, Triangulation::Canonical, 4));
+    assert_eq!(face(&session).history_json(), saved);
+}
+
+/// Selecting, moving, taking back, switching, pointing, saving and other densities.
+fn everything_works(session: &mut Session) {
+    select(session, Selection::Landmark(4));
+    move_by(session, DVec3::Z * 2.0);
+    act(session, Intent::Slide(FaceSlider::NoseWidth, 1.0));
+    act(session, Intent::Commit);
+    assert_eq!(state(session).entry_count, 3);
+    let edited = positions(session);
+    for (intent, same) in [
+        (Intent::Undo, false),
+        (Intent::Redo, true),
+        (Intent::Switch(0, Switch::Off), true),
+        (Intent::Switch(0, Switch::On), true),
+        (Intent::Switch(1, Switch::Off), false),
+        (Intent::Switch(1, Switch::On), true),
+    ] {
+        act(session, intent.clone());
+        assert_eq!(positions(session) == edited, same, "{intent:?}");
+        hold(session).unwrap();
+    }
+    let nose = place_px(session, 4);
+    act(session, Intent::Hover(Some(nose)));
+    assert_eq!(session.under().vertex, Some(4));
+    assert!(session.mesh_json(Units::Millimetres).unwrap().len() > 100_000);
+    assert_eq!(&session.glb(GlbOptions::default(), EditsAs::Shape).unwrap()[..4], b"glTF");
+    for density in [0, 1, 3] {
+        act(session, Intent::Density(density));
+        hold(session).unwrap();
+    }
+    assert_eq!(positions(session), edited);
+}

@@ -1,0 +1,265 @@
+use glam::DVec3;
+use rosto_face::{Language, Region, Triangulation, midline, mirror_of};
+use rosto_laplacian::LaplacianError;
+use rosto_session::{AnchorChoice, Intent, Selection, SelectionMode, Session, SessionError, landmark_label};
+use rosto_studio::{Hold, Mirror, Standing, StudioError, Switch};
+
+use super::{act, face, move_by, place_px, positions, select, select_points, state, way_mm};
+use crate::faces::{SIZE_PX, session};
+use crate::invariants::hold;
+
+const NOSE_TIP: u32 = 1;
+const CHIN: u32 = 199;
+
+fn selection(session: &Session) -> Option<Selection> {
+    face(session).selection()
+}
+
+#[test]
+fn a_region_moves_as_one_on_both_sides() {
+    let mut session = session();
+    let brow = Selection::Region(Region::LeftBrow);
+    select(&mut session, brow);
+    let before = positions(&session);
+    let offset_mm = DVec3::new(1.0, 2.0, 0.5);
+    move_by(&mut session, offset_mm);
+    for vertex in brow.handles() {
+        assert!(way_mm(&session, &before, vertex).distance(offset_mm) < 1e-9);
+        let mirrored = DVec3::new(-offset_mm.x, offset_mm.y, offset_mm.z);
+        assert!(way_mm(&session, &before, mirror_of(vertex)).distance(mirrored) < 1e-9);
+    }
+    let entries = face(&session).document().history().entries();
+    assert_eq!((selection(&session), entries.len(), entries[0].label.as_str()), (Some(brow), 1, "left brow"));
+    assert!(state(&session).kept_mm.distance(offset_mm) < 1e-9);
+}
+
+#[test]
+fn asking_again_takes_the_next_larger_region() {
+    let mut session = session();
+    act(&mut session, Intent::Mode(SelectionMode::Region));
+    let mut seen = Vec::new();
+    for _ in 0..4 {
+        act(&mut session, Intent::SelectAt(NOSE_TIP));
+        seen.push(selection(&session).unwrap());
+    }
+    let [tip, nose] = [Region::NoseTip, Region::Nose].map(Selection::Region);
+    assert_eq!(seen, [tip, nose, tip, nose]);
+}
+
+#[test]
+fn what_is_selected_follows_the_choice_between_landmark_and_region() {
+    let mut session = session();
+    act(&mut session, Intent::Mode(SelectionMode::Region));
+    assert_eq!(selection(&session), None);
+    act(&mut session, Intent::Mode(SelectionMode::Landmark));
+    select(&mut session, Selection::Landmark(4));
+    act(&mut session, Intent::Mode(SelectionMode::Region));
+    let region = Selection::Region(Region::containing(4)[0]);
+    assert_eq!(selection(&session), Some(region));
+    assert!(face(&session).holds(4) && !face(&session).holds(152));
+    act(&mut session, Intent::Mode(SelectionMode::Region));
+    assert_eq!(selection(&session), Some(region));
+    act(&mut session, Intent::Mode(SelectionMode::Landmark));
+    assert_eq!(selection(&session), Some(Selection::Landmark(region.middle())));
+}
+
+#[test]
+fn only_what_has_edits_in_force_can_be_reset() {
+    let mut session = session();
+    let [nose, lips] = [Region::Nose, Region::Lips].map(Selection::Region);
+    assert_eq!(session.apply(Intent::ResetSelected), Err(SessionError::NothingSelected));
+    select(&mut session, nose);
+    let before = positions(&session);
+    move_by(&mut session, DVec3::Z * 2.0);
+    assert!(state(&session).can_reset_selection);
+    select(&mut session, lips);
+    assert!(!state(&session).can_reset_selection);
+    select(&mut session, nose);
+    act(&mut session, Intent::ResetSelected);
+    assert!(!state(&session).can_reset_selection);
+    assert_eq!(positions(&session), before);
+}
+
+#[test]
+fn what_is_its_own_mirror_image_moves_in_the_plane_while_the_mirror_is_on() {
+    let mut session = session();
+    let one_sided = [Selection::Landmark(61), Selection::Region(Region::LeftBrow)];
+    let whole = [Selection::Landmark(NOSE_TIP), Selection::Region(Region::Nose)];
+    for (selections, in_plane) in [(one_sided, false), (whole, true)] {
+        for selection in selections {
+            act(&mut session, Intent::Mirror(Mirror::On));
+            select(&mut session, selection);
+            assert_eq!(state(&session).moves_in_plane, in_plane, "{selection:?}");
+            let before = positions(&session);
+            act(&mut session, Intent::Preview(DVec3::X));
+            let way_mm = way_mm(&session, &before, selection.middle());
+            assert_eq!(way_mm.x.abs() < 1e-9, in_plane, "{selection:?} moves by {way_mm} mm");
+            act(&mut session, Intent::Cancel);
+            act(&mut session, Intent::Mirror(Mirror::Off));
+            assert!(!state(&session).moves_in_plane);
+        }
+    }
+}
+
+#[test]
+fn the_reach_of_what_moves_in_the_mirrors_plane_is_whole() {
+    let mut session = session();
+    act(&mut session, Intent::Hold(Hold::Soft { weight: 1.0 }));
+    assert_eq!((session.choices().anchors, session.choices().mirror), (AnchorChoice::Oval, Mirror::On));
+    let landmarks = midline().into_iter().map(Selection::Landmark);
+    for selection in landmarks.chain([Region::Nose, Region::Lips, Region::Chin].map(Selection::Region)) {
+        select(&mut session, selection);
+        let before = positions(&session);
+        act(&mut session, Intent::Preview(DVec3::Y));
+        let (reach, moved) = (session.tick().reach, way_mm(&session, &before, selection.middle()).y);
+        assert!((reach - moved).abs() < 1e-9, "{selection:?}: a reach of {reach}, and it moves by {moved}");
+        // Neighbours that are held, too, may carry one of a region a little further than its offset.
+        let is_alone = matches!(selection, Selection::Landmark(_));
+        assert!(reach > 0.2 && (reach < 1.0 || !is_alone), "{selection:?}: {reach}");
+        act(&mut session, Intent::Cancel);
+    }
+}
+
+#[test]
+fn what_nothing_else_holds_is_selected_and_stays_until_something_is_pinned() {
+    let mut session = session();
+    act(&mut session, Intent::Anchors(AnchorChoice::PinsOnly));
+    select(&mut session, Selection::Landmark(NOSE_TIP));
+    let refusal = state(&session).refusal;
+    assert!(matches!(refusal, Some(StudioError::Laplacian(LaplacianError::Unanchored { .. }))), "{refusal:?}");
+    let before = positions(&session);
+    act(&mut session, Intent::Preview(DVec3::Z * 5.0));
+    assert_eq!((positions(&session), session.tick().is_editing), (before.clone(), false));
+    act(&mut session, Intent::Commit);
+    assert_eq!(state(&session).entry_count, 0);
+    let chin = place_px(&session, CHIN);
+    act(&mut session, Intent::PinUnder(chin));
+    assert_eq!((state(&session).refusal, state(&session).anchors), (None, vec![CHIN]));
+    act(&mut session, Intent::Preview(DVec3::Z * 5.0));
+    assert!((way_mm(&session, &before, NOSE_TIP).z - 5.0).abs() < 1e-9);
+    assert!(way_mm(&session, &before, CHIN).length() < 1e-9);
+}
+
+#[test]
+fn the_pointer_moves_over_another_density_while_nothing_holds_what_is_selected() {
+    let mut session = session();
+    let middle = (glam::UVec2::from(SIZE_PX).as_dvec2()) / 2.0;
+    for mode in [SelectionMode::Landmark, SelectionMode::Point] {
+        act(&mut session, Intent::Mode(mode));
+        act(&mut session, Intent::Anchors(AnchorChoice::PinsOnly));
+        select(&mut session, Selection::Landmark(NOSE_TIP));
+        for density in [2, 0, 1, 3, 0] {
+            act(&mut session, Intent::Hover(Some(middle)));
+            act(&mut session, Intent::Density(density));
+            assert!(state(&session).refusal.is_some(), "nothing is pinned");
+            act(&mut session, Intent::Hover(Some(middle)));
+            let under = session.under().vertex.unwrap();
+            assert!((under as usize) < session.state().selectable, "{under} at {density}");
+            hold(&session).unwrap();
+        }
+    }
+    select(&mut session, Selection::Landmark(CHIN));
+    act(&mut session, Intent::Pin(Switch::On));
+    select(&mut session, Selection::Landmark(NOSE_TIP));
+    act(&mut session, Intent::Density(1));
+    assert_eq!(state(&session).refusal, None);
+}
+
+/// How far what is selected is from a place, both at rest, in metres.
+fn away_m(session: &Session, place_m: DVec3) -> f64 {
+    face(session).document().rest()[face(session).selected().unwrap() as usize].distance(place_m)
+}
+
+#[test]
+fn any_point_is_a_landmark_at_468_points_and_one_of_the_dense_mesh_above() {
+    let mut session = session();
+    select_points(&mut session, 0);
+    act(&mut session, Intent::SelectAt(61));
+    assert_eq!(selection(&session), Some(Selection::Landmark(61)));
+    act(&mut session, Intent::Density(2));
+    act(&mut session, Intent::SelectAt(7_256));
+    let beyond = |vertex, count| Err(SessionError::NoSuchVertex { vertex, count });
+    assert_eq!(session.apply(Intent::SelectAt(7_257)), beyond(7_257, 7_257));
+    act(&mut session, Intent::SelectAt(5_000));
+    assert_eq!(selection(&session), Some(Selection::Point { level: 2, vertex: 5_000 }));
+    let place_m = face(&session).document().rest()[5_000];
+    act(&mut session, Intent::Density(3));
+    assert_eq!(selection(&session), Some(Selection::Point { level: 3, vertex: 5_000 }));
+    act(&mut session, Intent::Density(1));
+    assert!(matches!(selection(&session), Some(Selection::Point { level: 1, .. })));
+    assert!(away_m(&session, place_m) < 0.006);
+    let point = selection(&session).unwrap();
+    act(&mut session, Intent::Mode(SelectionMode::Landmark));
+    assert!(matches!(selection(&session), Some(Selection::Landmark(_))));
+    assert!(away_m(&session, place_m) < 0.012);
+    assert_eq!(session.apply(Intent::SelectAt(468)), beyond(468, 468));
+    for (mode, is_region) in [(SelectionMode::Point, false), (SelectionMode::Region, true)] {
+        select(&mut session, point);
+        act(&mut session, Intent::Mode(mode));
+        assert_eq!(matches!(selection(&session), Some(Selection::Region(_))), is_region);
+    }
+    act(&mut session, Intent::Mode(SelectionMode::Point));
+    select(&mut session, point);
+    act(&mut session, Intent::Density(0));
+    assert!(matches!(selection(&session), Some(Selection::Landmark(_))));
+}
+
+#[test]
+fn a_point_moves_with_its_mirror_image_and_waits_under_its_name_while_the_mesh_is_coarser() {
+    let mut session = session();
+    select_points(&mut session, 1);
+    act(&mut session, Intent::SelectAt(1_500));
+    let before = positions(&session);
+    move_by(&mut session, DVec3::new(1.0, 0.0, 2.0));
+    let partner = face(&session).document().partner(1, 1_500).unwrap();
+    for (vertex, x) in [(1_500, 1.0), (partner, -1.0)] {
+        assert!(way_mm(&session, &before, vertex).distance(DVec3::new(x, 0.0, 2.0)) < 1e-9);
+    }
+    let now = state(&session);
+    assert_eq!((now.kept_mm.z, now.can_mirror, now.can_reset_selection), (2.0, true, true));
+    let entry_name = |session: &Session, language| session.entry_name(0, language).unwrap();
+    let label = face(&session).document().history().entries()[0].label.clone();
+    assert!(label.starts_with("point 1,500 near the "), "{label}");
+    assert_eq!(entry_name(&session, Language::English), label);
+    assert_eq!(session.selection_name(Language::English), Some(label.clone()));
+    assert_eq!(face(&session).rows()[0].standing, Standing::InForce);
+    act(&mut session, Intent::Density(0));
+    assert_eq!(face(&session).rows()[0].standing, Standing::Waits { level: 1 });
+    assert_eq!(entry_name(&session, Language::English), label);
+    assert!(entry_name(&session, Language::Portuguese).starts_with("ponto 1.500 perto d"));
+    assert_eq!(positions(&session), face(&session).document().rest());
+}
+
+#[test]
+fn landmarks_are_called_by_their_name_and_number_once() {
+    for (language, nose_tip) in [(Language::English, "nose tip · 1"), (Language::Portuguese, "ponta do nariz · 1")] {
+        assert_eq!(landmark_label(NOSE_TIP, language), nose_tip);
+        let mut session = session();
+        assert_eq!(session.vertex_called(&nose_tip.to_uppercase(), language), Some(NOSE_TIP));
+        select(&mut session, Selection::Landmark(NOSE_TIP));
+        move_by(&mut session, DVec3::Z);
+        assert_eq!(session.selection_name(language).as_deref(), Some(nose_tip));
+        assert_eq!(session.entry_name(0, language).as_deref(), Ok(nose_tip));
+        for landmark in 0..468 {
+            let label = landmark_label(landmark, language);
+            assert!(label.ends_with(&format!(" · {landmark}")), "{label}");
+            assert_eq!(label.matches(&landmark.to_string()).count(), 1, "{label}");
+        }
+    }
+}
+
+#[test]
+fn points_have_no_mirror_image_with_eyes_and_mouth_open_and_are_moved_alone() {
+    let mut session = session();
+    select_points(&mut session, 1);
+    act(&mut session, Intent::SelectAt(1_500));
+    let place_m = face(&session).document().rest()[1_500];
+    act(&mut session, Intent::Triangulation(Triangulation::Tessellation));
+    assert!(away_m(&session, place_m) < 0.002);
+    assert!(!state(&session).can_mirror);
+    act(&mut session, Intent::Preview(DVec3::Z));
+    assert_eq!(face(&session).document().handles().len(), 1);
+    select(&mut session, Selection::Landmark(61));
+    assert!(state(&session).can_mirror);
+    assert_eq!(face(&session).document().handles().len(), 2);
+}

@@ -1,0 +1,85 @@
+use rosto_session::{Intent, Selection, Session};
+use rosto_studio::{Document, FaceSlider, Rest, Subject, Switch};
+
+use super::{act, face, positions, select, state};
+use crate::faces::{bits, session};
+use glam::DVec3;
+
+/// Drags a slider to where it is to stand.
+fn slide(session: &mut Session, slider: FaceSlider, to_mm: f64) {
+    for tick in 1..=8 {
+        act(session, Intent::Slide(slider, to_mm * f64::from(tick) / 8.0));
+    }
+    act(session, Intent::Commit);
+}
+
+fn stands_at(session: &Session, slider: FaceSlider) -> f64 {
+    let place = FaceSlider::ALL.iter().position(|one| *one == slider).unwrap();
+    session.tick().sliders_mm[place]
+}
+
+#[test]
+fn a_slider_stands_where_its_entries_in_force_add_up_to() {
+    let mut session = session();
+    let slider = FaceSlider::NoseWidth;
+    slide(&mut session, slider, 2.0);
+    slide(&mut session, FaceSlider::ChinLength, -3.0);
+    slide(&mut session, slider, 1.5);
+    assert_eq!(state(&session).entry_count, 3);
+    assert!((stands_at(&session, slider) - 1.5).abs() < 1e-9);
+    act(&mut session, Intent::Switch(0, Switch::Off));
+    assert!((stands_at(&session, slider) + 0.5).abs() < 1e-9);
+    act(&mut session, Intent::Undo);
+    act(&mut session, Intent::Undo);
+    assert!((stands_at(&session, slider) - 2.0).abs() < 1e-9);
+    act(&mut session, Intent::Redo);
+    assert!((stands_at(&session, slider) - 1.5).abs() < 1e-9);
+    assert!((stands_at(&session, FaceSlider::ChinLength) + 3.0).abs() < 1e-9);
+}
+
+#[test]
+fn a_drag_of_a_slider_is_the_command_of_its_amount() {
+    let mut session = session();
+    slide(&mut session, FaceSlider::JawWidth, 4.0);
+    let entries = face(&session).document().history().entries();
+    assert_eq!((entries.len(), entries[0].label.as_str()), (1, "jaw width"));
+    let mut applied = Document::new(Rest::of_face(face(&session).model())).unwrap();
+    applied.apply("", FaceSlider::JawWidth.command(0.004)).unwrap();
+    let dragged = positions(&session);
+    assert!(dragged.iter().zip(applied.positions()).all(|(a, b)| a.distance(*b) < 1e-15));
+    assert_ne!(bits(&dragged), bits(applied.rest()));
+}
+
+#[test]
+fn a_slider_put_back_or_let_go_of_leaves_no_entry() {
+    let mut session = session();
+    let slider = FaceSlider::LipFullness;
+    let rest = positions(&session);
+    act(&mut session, Intent::Slide(slider, 2.0));
+    assert!(session.tick().is_editing && (stands_at(&session, slider) - 2.0).abs() < 1e-12);
+    assert_ne!(positions(&session), rest);
+    act(&mut session, Intent::Cancel);
+    assert_eq!((positions(&session), stands_at(&session, slider)), (rest.clone(), 0.0));
+    act(&mut session, Intent::Slide(slider, 2.0));
+    act(&mut session, Intent::Slide(slider, 0.0));
+    act(&mut session, Intent::Commit);
+    assert_eq!((state(&session).entry_count, positions(&session)), (0, rest));
+}
+
+#[test]
+fn the_selection_is_held_again_after_a_slider() {
+    let mut session = session();
+    select(&mut session, Selection::Landmark(61));
+    let document = face(&session).document();
+    let (grip, follow) = (document.grip().cloned(), document.follow().cloned().unwrap());
+    act(&mut session, Intent::Preview(DVec3::Y));
+    slide(&mut session, FaceSlider::EyeSize, 1.0);
+    let subjects: Vec<Subject> = face(&session).rows().iter().map(|row| row.subject).collect();
+    assert_eq!(subjects, [Subject::Landmark(61), Subject::Slider(FaceSlider::EyeSize)]);
+    assert!(grip.is_some());
+    assert_eq!(face(&session).document().grip().cloned(), grip);
+    let fields = face(&session).follow_fields()[0].unwrap();
+    assert_eq!(fields.len(), follow.direct.len());
+    assert!(fields.iter().zip(follow.direct).all(|(now, before)| (now - before).abs() < 1e-12));
+    assert_eq!(state(&session).kept_mm.y, 1.0);
+}
