@@ -4,8 +4,9 @@
 
 use rosto_face::canonical_positions_m;
 use rosto_studio_web::{
-    AnchorsName, AxisName, ExportEditsName, ExportPaintName, ExportShadingName, HandName, HoldName, LanguageName,
-    PaintName, Studio, UnitsName, start,
+    AnchorsName, AxisName, ChangeName, ExportEditsName, ExportPaintName, ExportShadingName, HandName, LanguageName,
+    PaintName, PointerName, PresetName, RefusalName, ScreenPoint, Studio, StudioEntry, TriangulationName, UnitsName,
+    start,
 };
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
@@ -15,6 +16,7 @@ use web_sys::HtmlCanvasElement;
 wasm_bindgen_test_configure!(run_in_browser);
 
 const NOSE_TIP: u32 = 1;
+const CHIN: u32 = 199;
 const SIDE_PX: u32 = 320;
 const PHOTO_PX: u32 = 64;
 
@@ -28,8 +30,8 @@ fn canvas() -> HtmlCanvasElement {
 /// An empty studio that stands still.
 async fn empty() -> Studio {
     let mut studio = start(canvas()).await.unwrap();
-    studio.resize(SIDE_PX, SIDE_PX, Some(1.0));
-    studio.set_reduced_motion(true);
+    studio.resize(SIDE_PX, SIDE_PX, 1.0).unwrap();
+    studio.set_reduced_motion(true).unwrap();
     studio
 }
 
@@ -40,18 +42,40 @@ async fn studio() -> Studio {
     studio
 }
 
+fn landmarks() -> Vec<f32> {
+    let found = |p: &glam::DVec3| [0.5 + 3.0 * p.x, 0.5 - 3.0 * p.y, -3.0 * p.z].map(|coordinate| coordinate as f32);
+    canonical_positions_m().iter().flat_map(found).collect()
+}
+
+fn colours() -> Vec<u8> {
+    [210, 120, 90].repeat(468)
+}
+
 fn open(studio: &mut Studio) {
-    let landmarks: Vec<f32> = canonical_positions_m()
-        .iter()
-        .flat_map(|p| [0.5 + 3.0 * p.x, 0.5 - 3.0 * p.y, -3.0 * p.z].map(|coordinate| coordinate as f32))
-        .collect();
     let picture: Vec<u8> = [210, 120, 90, 255].repeat((PHOTO_PX * PHOTO_PX) as usize);
-    let colours = [210, 120, 90].repeat(468);
     studio.open_picture(PHOTO_PX, PHOTO_PX).unwrap();
     for rows in picture.chunks((4 * PHOTO_PX * 5) as usize) {
         studio.add_picture_rows(rows).unwrap();
     }
-    studio.open_face(&landmarks, PHOTO_PX, PHOTO_PX, &colours).unwrap();
+    studio.open_face(&landmarks(), PHOTO_PX, PHOTO_PX, &colours()).unwrap();
+}
+
+/// The same face in the same picture, with edits that were made before.
+fn open_work(studio: &mut Studio, density: u32, edits: &str) -> Result<ChangeName, JsValue> {
+    let triangulation = TriangulationName::Canonical;
+    studio.open_work(&landmarks(), PHOTO_PX, PHOTO_PX, &colours(), triangulation, density, edits.to_owned())
+}
+
+fn entries(studio: &Studio) -> Vec<StudioEntry> {
+    studio.latest_entries(u32::MAX, LanguageName::English).unwrap()
+}
+
+/// Presses the mouse on a vertex, which is to be taken hold of, and drags it.
+fn grab(studio: &mut Studio, vertex: u32, by_px: [f64; 2]) -> ScreenPoint {
+    let from = studio.screen_position(vertex).unwrap();
+    assert!(studio.press(from.x, from.y, PointerName::Mouse).unwrap());
+    studio.drag(from.x + by_px[0], from.y + by_px[1], false).unwrap();
+    from
 }
 
 async fn pixels(studio: &mut Studio) -> Vec<u8> {
@@ -69,8 +93,7 @@ fn code(thrown: &JsValue) -> String {
 }
 
 fn in_paper_mode(studio: &mut Studio) {
-    studio.set_hold(HoldName::Soft).unwrap();
-    studio.set_anchor_choice(AnchorsName::Random).unwrap();
+    studio.choose_preset(PresetName::Paper).unwrap();
 }
 
 #[wasm_bindgen_test]
@@ -80,7 +103,7 @@ async fn the_empty_state_is_drawn_and_nothing_can_be_edited() {
     assert!(!studio.draw(0.0).unwrap());
     assert!(pixels(&mut studio).await.iter().any(|&channel| channel != 0));
     assert!(!studio.state().has_face);
-    assert_eq!(studio.pick(160.0, 160.0), None);
+    assert_eq!(studio.hover(160.0, 160.0).unwrap(), None);
     assert_eq!(code(&studio.select(Some(NOSE_TIP)).unwrap_err()), "no-face");
     assert_eq!(code(&studio.mesh_json(UnitsName::Image).unwrap_err()), "no-face");
     assert!(studio.landmark_name(NOSE_TIP, LanguageName::English).unwrap().contains("nose tip"));
@@ -90,10 +113,10 @@ async fn the_empty_state_is_drawn_and_nothing_can_be_edited() {
 #[wasm_bindgen_test]
 async fn the_empty_state_turns_unless_less_motion_is_asked_for() {
     let mut studio = empty().await;
-    studio.set_reduced_motion(false);
+    studio.set_reduced_motion(false).unwrap();
     studio.show_canonical().unwrap();
     assert!(studio.draw(0.0).unwrap() && studio.draw(16.0).unwrap());
-    studio.set_reduced_motion(true);
+    studio.set_reduced_motion(true).unwrap();
     assert!(!studio.draw(32.0).unwrap());
 }
 
@@ -116,19 +139,20 @@ async fn an_edit_changes_the_picture_is_one_entry_and_can_be_undone() {
     in_paper_mode(&mut studio);
     let before = (pixels(&mut studio).await, studio.mesh_json(UnitsName::Millimetres).unwrap());
     studio.select(Some(NOSE_TIP)).unwrap();
-    assert_eq!(studio.anchors().len(), 2);
+    assert_eq!(studio.state().anchors.len(), 2);
     for tick in 1..=20 {
-        studio.preview(0.0, 0.0, f64::from(tick)).unwrap();
+        assert_eq!(studio.preview(0.0, 0.0, f64::from(tick)).unwrap(), ChangeName::Tick);
     }
-    assert!(studio.state().editing && studio.state().reach > 0.1);
-    studio.commit().unwrap();
-    let state = studio.state();
-    assert_eq!(state.entries.len(), 1);
-    let entry = &state.entries[0];
+    assert!(studio.tick().editing && studio.tick().reach > 0.1);
+    assert_eq!(studio.commit().unwrap(), ChangeName::Document);
+    let (state, entries) = (studio.state(), entries(&studio));
+    assert_eq!((state.entry_count, entries.len()), (1, 1));
+    let entry = &entries[0];
     let name = studio.landmark_name(NOSE_TIP, LanguageName::English).unwrap();
-    assert_eq!((entry.amount, entry.unit.as_str(), entry.enabled, &entry.label), (20.0, "mm", true, &name));
+    assert_eq!((entry.amount, entry.unit.as_str(), entry.enabled), (20.0, "mm", true));
+    assert_eq!(entry.name, format!("{name} · {NOSE_TIP}"));
+    assert!(studio.edits_json().unwrap().contains(&format!("{name:?}")));
     assert_eq!((state.kept_x_mm, state.kept_y_mm, state.kept_z_mm), (0.0, 0.0, 20.0));
-    assert_eq!(studio.entry_name(0, LanguageName::English).unwrap(), format!("{name} · {NOSE_TIP}"));
     let after = studio.mesh_json(UnitsName::Millimetres).unwrap();
     assert_ne!(after, before.1);
     studio.select(None).unwrap();
@@ -158,44 +182,64 @@ async fn cancelling_and_committing_nothing_leave_no_trace() {
 #[wasm_bindgen_test]
 async fn a_dragged_landmark_follows_the_pointer() {
     let mut studio = studio().await;
-    studio.set_hold(HoldName::Exact).unwrap();
-    studio.set_anchor_choice(AnchorsName::Oval).unwrap();
+    studio.set_mirror(false).unwrap();
     studio.select(Some(NOSE_TIP)).unwrap();
-    let from = studio.screen_position(NOSE_TIP).unwrap();
-    studio.grab(NOSE_TIP, from.x, from.y).unwrap();
-    studio.drag_to(from.x + 24.0, from.y - 10.0, None, None).unwrap();
+    let from = grab(&mut studio, NOSE_TIP, [24.0, -10.0]);
     let to = studio.screen_position(NOSE_TIP).unwrap();
     assert!((to.x - from.x - 24.0).abs() < 1e-6 && (to.y - from.y + 10.0).abs() < 1e-6, "{to:?}");
-    studio.drag_to(from.x + 24.0, from.y - 10.0, Some(AxisName::X), None).unwrap();
-    let state = studio.state();
-    assert!(state.offset_x_mm > 1.0 && state.offset_y_mm == 0.0 && state.offset_z_mm == 0.0);
+    assert!(studio.dragging());
+    assert_eq!(studio.drag_along(AxisName::X).unwrap(), ChangeName::Tick);
+    let tick = studio.tick();
+    assert!(tick.offset_x_mm > 1.0 && tick.offset_y_mm == 0.0 && tick.offset_z_mm == 0.0);
     studio.cancel().unwrap();
     assert_eq!(studio.screen_position(NOSE_TIP), Some(from));
+    assert_eq!(studio.drag(from.x + 50.0, from.y, false).unwrap(), ChangeName::Nothing);
+    studio.release().unwrap();
+    assert!(!studio.dragging() && studio.state().entry_count == 0);
 }
 
 #[wasm_bindgen_test]
-async fn what_is_seen_can_be_picked() {
-    let studio = studio().await;
-    let places = studio.screen_positions();
-    assert_eq!(places.len(), 3 * 468);
-    let facing = (0..468).filter(|&v| places[3 * v + 2] == 1.0).count();
-    assert!(facing > 300, "{facing}");
-    let nose = studio.screen_position(NOSE_TIP).unwrap();
-    assert_eq!(studio.pick(nose.x, nose.y), Some(NOSE_TIP));
-    assert_eq!(studio.pick(1.0, 1.0), None);
+async fn what_is_seen_can_be_pointed_at() {
+    let mut studio = studio().await;
+    let places: Vec<ScreenPoint> = (0..468).map(|vertex| studio.screen_position(vertex).unwrap()).collect();
+    assert_eq!(studio.screen_position(468), None);
+    let seen = (0..468).filter(|&vertex| {
+        let place = places[vertex as usize];
+        studio.hover(place.x, place.y).unwrap() == Some(vertex)
+    });
+    let seen = seen.count();
+    assert!(seen > 300, "{seen}");
+    let nose = places[NOSE_TIP as usize];
+    assert_eq!(studio.hover(nose.x, nose.y).unwrap(), Some(NOSE_TIP));
+    assert!(studio.movable());
+    assert_eq!(studio.hover(1.0, 1.0).unwrap(), None);
+    assert!(!studio.movable());
 }
 
 #[wasm_bindgen_test]
 async fn refusals_say_why_and_keep_the_face() {
     let mut studio = studio().await;
     assert_eq!(code(&studio.select(Some(468)).unwrap_err()), "bad-vertex");
+    assert_eq!(code(&studio.set_pinned(true).unwrap_err()), "no-selection");
+    studio.set_anchor_choice(AnchorsName::Pinned).unwrap();
     studio.select(Some(NOSE_TIP)).unwrap();
-    assert_eq!(code(&studio.set_anchors(&[NOSE_TIP, 7]).unwrap_err()), "bad-anchors");
-    assert_eq!(code(&studio.preview(1.0, 0.0, 0.0).unwrap_err()), "no-selection");
-    studio.set_anchors(&[7, 152]).unwrap();
-    assert_eq!(studio.anchors(), [7, 152]);
+    let mesh = studio.mesh_json(UnitsName::Millimetres).unwrap();
+    assert_eq!(studio.state().refusal, Some(RefusalName::Unanchored));
     studio.preview(1.0, 0.0, 0.0).unwrap();
-    assert_eq!(code(&studio.open_edits("{}").unwrap_err()), "bad-project");
+    assert_eq!(studio.mesh_json(UnitsName::Millimetres).unwrap(), mesh);
+    for pin in [7, 152] {
+        studio.select(Some(pin)).unwrap();
+        studio.set_pinned(true).unwrap();
+    }
+    studio.select(Some(NOSE_TIP)).unwrap();
+    assert_eq!((studio.state().refusal, studio.state().anchors), (None, vec![7, 152]));
+    studio.preview(0.0, 1.0, 0.0).unwrap();
+    assert_ne!(studio.mesh_json(UnitsName::Millimetres).unwrap(), mesh);
+    studio.cancel().unwrap();
+    for (edits, why) in [("{}", "bad-history"), (r#"{"rosto":"history","version":99,"entries":[]}"#, "too-new")] {
+        assert_eq!(code(&open_work(&mut studio, 0, edits).unwrap_err()), why);
+    }
+    assert_eq!(code(&studio.set_density(4).unwrap_err()), "bad-number");
     assert_eq!(code(&studio.open_picture(0, 2).unwrap_err()), "bad-face");
     for wrong in [7, 12] {
         studio.open_picture(1, 2).unwrap();
@@ -206,6 +250,7 @@ async fn refusals_say_why_and_keep_the_face() {
     studio.add_picture_rows(&[0; 16]).unwrap();
     assert_eq!(code(&studio.open_face(&[0.5; 1404], 64, 64, &[0; 1404]).unwrap_err()), "bad-face", "one point");
     assert!(studio.state().has_face);
+    assert_eq!(studio.mesh_json(UnitsName::Millimetres).unwrap(), mesh);
 }
 
 #[wasm_bindgen_test]
@@ -218,13 +263,17 @@ async fn edits_come_back_from_their_text_at_every_density() {
     let (edits, mesh) = (studio.edits_json().unwrap(), studio.mesh_json(UnitsName::Millimetres).unwrap());
     open(&mut studio);
     assert_ne!(studio.mesh_json(UnitsName::Millimetres).unwrap(), mesh);
-    studio.open_edits(&edits).unwrap();
+    open_work(&mut studio, 0, &edits).unwrap();
     assert_eq!(studio.mesh_json(UnitsName::Millimetres).unwrap(), mesh);
     for (density, vertices) in [(1, 468 + 1322), (0, 468)] {
         studio.set_density(density).unwrap();
         assert_eq!(studio.state().vertex_count, vertices);
         assert!(!pixels(&mut studio).await.is_empty());
     }
+    assert_eq!(studio.mesh_json(UnitsName::Millimetres).unwrap(), mesh);
+    open_work(&mut studio, 1, &edits).unwrap();
+    assert_eq!((studio.state().density, studio.state().vertex_count), (1, 468 + 1322));
+    studio.set_density(0).unwrap();
     assert_eq!(studio.mesh_json(UnitsName::Millimetres).unwrap(), mesh);
 }
 
@@ -260,43 +309,59 @@ async fn a_sliders_ticks_on_the_gpu_show_what_its_commit_keeps() {
 #[wasm_bindgen_test]
 async fn a_region_is_dragged_by_any_of_its_landmarks() {
     let mut studio = studio().await;
-    studio.set_hold(HoldName::Exact).unwrap();
-    studio.set_anchor_choice(AnchorsName::Oval).unwrap();
+    studio.set_mirror(false).unwrap();
     studio.select_region("nose").unwrap();
-    assert!(studio.holds(NOSE_TIP) && !studio.holds(152));
-    let from = studio.screen_position(NOSE_TIP).unwrap();
-    studio.grab(NOSE_TIP, from.x, from.y).unwrap();
-    studio.drag_to(from.x + 12.0, from.y - 10.0, None, None).unwrap();
+    let from = grab(&mut studio, NOSE_TIP, [12.0, -10.0]);
     let to = studio.screen_position(NOSE_TIP).unwrap();
     assert!((to.x - from.x - 12.0).abs() < 1e-6 && (to.y - from.y + 10.0).abs() < 1e-6, "{to:?}");
-    studio.commit().unwrap();
-    assert_eq!(studio.state().entries[0].label, "nose");
-    studio.grab(152, 10.0, 10.0).unwrap();
-    assert_eq!((studio.selected(), studio.state().selected_region), (Some(152), None));
+    studio.release().unwrap();
+    assert_eq!(entries(&studio)[0].name, "nose");
+    grab(&mut studio, CHIN, [0.0; 2]);
+    assert_eq!((studio.state().selected, studio.state().selected_region), (Some(CHIN), None));
+    studio.release().unwrap();
     studio.set_hand(HandName::Region).unwrap();
     assert_eq!(studio.state().selected_region.as_deref(), Some("chin"));
-    studio.grab(NOSE_TIP, from.x, from.y).unwrap();
+    grab(&mut studio, NOSE_TIP, [0.0; 2]);
+    studio.release().unwrap();
     assert_eq!(studio.state().selected_region.as_deref(), Some("nose-tip"));
+    assert_eq!(entries(&studio).len(), 1);
     assert_eq!(studio.name_at(NOSE_TIP, LanguageName::English).unwrap(), "tip of the nose");
     assert_eq!(studio.name_at(152, LanguageName::Portuguese).unwrap(), "queixo");
-    studio.take_at(NOSE_TIP).unwrap();
+    studio.select_at(NOSE_TIP).unwrap();
     assert_eq!(studio.state().selected_region.as_deref(), Some("nose"));
     assert_eq!(code(&studio.select_region("ear").unwrap_err()), "bad-choice");
 }
 
 #[wasm_bindgen_test]
-async fn what_is_in_hand_is_pinned_whole_and_a_landmark_by_itself() {
+async fn what_is_selected_is_pinned_whole_and_what_is_under_the_pointer_by_itself() {
     let mut studio = studio().await;
     in_paper_mode(&mut studio);
     studio.select_region("chin").unwrap();
-    assert!(!studio.pinned());
+    assert!(!studio.state().pinned);
     studio.set_pinned(true).unwrap();
-    assert!(studio.pinned());
-    studio.toggle_pin(NOSE_TIP).unwrap();
+    assert!(studio.state().pinned);
+    let nose = studio.screen_position(NOSE_TIP).unwrap();
+    studio.pin_under(nose.x, nose.y).unwrap();
     studio.set_anchor_choice(AnchorsName::Pinned).unwrap();
     studio.select(Some(61)).unwrap();
-    assert!(!studio.pinned() && studio.anchors().contains(&152) && studio.anchors().contains(&NOSE_TIP));
-    studio.toggle_pin(NOSE_TIP).unwrap();
-    assert!(!studio.anchors().contains(&NOSE_TIP));
-    assert_eq!(code(&studio.toggle_pin(468).unwrap_err()), "bad-vertex");
+    let state = studio.state();
+    assert!(!state.pinned && state.anchors.contains(&152) && state.anchors.contains(&NOSE_TIP));
+    studio.pin_under(nose.x, nose.y).unwrap();
+    assert!(!studio.state().anchors.contains(&NOSE_TIP));
+    assert_eq!(studio.pin_under(1.0, 1.0).unwrap(), ChangeName::Nothing);
+}
+
+#[wasm_bindgen_test]
+async fn choices_and_view_are_put_again_from_their_text() {
+    let mut studio = studio().await;
+    studio.choose_preset(PresetName::Paper).unwrap();
+    studio.set_paint(PaintName::Clay).unwrap();
+    studio.set_radius(33.0).unwrap();
+    let (preferences, chosen) = (studio.preferences(), studio.state());
+    let mut later = self::studio().await;
+    assert_ne!(later.state(), chosen);
+    later.prefer(preferences.clone()).unwrap();
+    assert_eq!(later.state(), chosen);
+    assert_eq!(code(&later.prefer(preferences.replace("clay", "mud")).unwrap_err()), "bad-choice");
+    assert_eq!(later.state(), chosen);
 }
