@@ -67,7 +67,7 @@ pub struct Tick {
     pub offset_mm: DVec3,
     /// Where each ready-made slider stands, in mm.
     pub sliders_mm: [f64; FaceSlider::ALL.len()],
-    /// Share of its offset that the vertex selected reaches, 0..1.
+    /// Share of its offset that the vertex selected reaches: 1 is all of it.
     pub reach: f64,
 }
 

@@ -53,7 +53,7 @@ pub fn reopen_glb(bytes: &[u8]) -> Result<ReopenedFace, JsValue> {
 /// Reads a project that was saved here. Its picture is not decoded.
 ///
 /// # Errors
-/// `bad-project` or `newer-project`.
+/// `bad-project` or `too-new`.
 #[wasm_bindgen(js_name = reopenProject)]
 pub fn reopen_project(bytes: &[u8]) -> Result<ReopenedFace, JsValue> {
     Ok(project::read(bytes).map_err(Trouble::of_project)?.into())

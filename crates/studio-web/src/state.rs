@@ -215,7 +215,7 @@ pub struct StudioTick {
     /// Where each ready-made slider stands, in mm: the sum of its entries that are in force, and the edit in progress.
     #[wasm_bindgen(readonly, js_name = slidersMm)]
     pub sliders_mm: Vec<f64>,
-    /// Share of its offset that what is selected reaches, 0..1.
+    /// Share of its offset that what is selected reaches: 1 is all of it.
     #[wasm_bindgen(readonly)]
     pub reach: f64,
 }

@@ -100,7 +100,7 @@ impl Studio {
     /// subdivided, and the edits as versioned JSON. Everything is checked before anything is replaced.
     ///
     /// # Errors
-    /// `bad-face`, `bad-project` or `newer-project`.
+    /// `bad-face`, `bad-history` or `too-new`.
     #[wasm_bindgen(js_name = openWork)]
     #[expect(clippy::too_many_arguments, reason = "JavaScript names them in the object that it takes them from")]
     pub fn open_work(
