@@ -45,9 +45,6 @@ pub fn encode(face: &FaceModel, document: &mut Document, task: &MeshTask, format
         Units::Image => model_from_image(face, document.positions()),
         Units::Mm => document.positions().to_vec(),
     };
-    if let Some(vertex) = document.positions().iter().position(|position| !position.is_finite()) {
-        return Err(CliError::NotFinite { vertex });
-    }
     let layers = if task.morph_targets { document.displacements() } else { Vec::new() };
     let document = &*document;
     let uvs: Vec<DVec2> = document.from_cage(face.uvs());

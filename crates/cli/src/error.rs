@@ -43,8 +43,6 @@ pub enum CliError {
     EditsUtf16 { path: PathBuf },
     #[error("edit {number} ({what}): {reason}")]
     Edit { number: usize, what: String, reason: StudioError },
-    #[error("the edits take vertex {vertex} to where no number reaches")]
-    NotFinite { vertex: usize },
     #[error("{}: unknown kind of file", named(path))]
     UnknownFormat { path: PathBuf },
     #[error("{}: {reason}", named(path))]
@@ -99,7 +97,7 @@ impl CliError {
             Self::Unreadable { .. } | Self::NoPicture { .. } | Self::SomePhotosFailed { .. } => 3,
             Self::NoFace { .. } => 4,
             // An offset of 1e300 can be made, but not written.
-            Self::Edit { .. } | Self::NotFinite { .. } | Self::Export(ExportError::NotFinite { .. }) => 5,
+            Self::Edit { .. } | Self::Export(ExportError::NotFinite { .. }) => 5,
             Self::Unwritable { .. } | Self::Output(_) => 6,
             Self::NetworksMissing { .. } | Self::NetworkMissing { .. } | Self::NetworkUnreadable { .. } => 7,
             Self::Networks(_) | Self::NetworksFailed { .. } | Self::NoPlace { .. } => 7,

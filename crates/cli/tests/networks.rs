@@ -68,9 +68,10 @@ fn flipped_weights_are_a_damaged_network_and_no_face_without_a_place() {
 }
 
 #[test]
-fn of_a_batch_with_damaged_networks_and_missing_photos_the_networks_are_told() {
+fn damaged_networks_are_told_before_any_photo_is_looked_at() {
     let folder = with_flipped_weights("flipped-for-a-batch", 1);
     let photos = [scratch("nowhere-at-all.png"), portrait()];
     let run = rosto(["landmarks".into(), "--networks".into(), folder].into_iter().chain(photos));
-    assert_refused(&run, 7, &["nowhere-at-all.png", "2 of the photos could not be read, 1 of them"]);
+    assert_refused(&run, 7, &["the landmark network is damaged", "cargo xtask setup"]);
+    assert!(!String::from_utf8_lossy(&run.stderr).contains("nowhere-at-all.png"));
 }

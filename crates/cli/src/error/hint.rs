@@ -32,7 +32,6 @@ impl CliError {
                 Some("Add --units mm; a vertex of a denser mesh also needs --topology canonical.")
             }
             Self::Edit { reason: StudioError::TooCoarse { .. }, .. } => Some("Give --density as many or more."),
-            Self::NotFinite { .. } => Some("Give smaller offsets."),
             Self::UnknownFormat { .. } => Some("End its name in .glb, .gltf, .obj, .ply, .stl or .json."),
             Self::Unwritable { reason, .. } => Some(write_hint(reason)),
             Self::Output(reason) if is_full(reason) => Some("The disk is full: make room, or write elsewhere."),
@@ -82,6 +81,7 @@ fn edit_hint(reason: &LaplacianError) -> Option<Cow<'static, str>> {
         ))),
         LaplacianError::PinnedHandle { .. } => Some("Name anchors other than the vertex that is moved.".into()),
         LaplacianError::Repeated { .. } => Some("Name each anchor once.".into()),
+        LaplacianError::NotFinite { .. } => Some("Give smaller offsets.".into()),
         _ => None,
     }
 }

@@ -17,7 +17,7 @@ use crate::wishes;
 const ACTIONS: u64 = 100_000;
 const LONGEST: usize = 400;
 /// Every so many actions, everything is read, written, taken back and replayed.
-const DEEPLY_EVERY: usize = 20;
+const DEEPLY_EVERY: usize = 50;
 
 #[test]
 fn random_visitors_break_nothing() {
