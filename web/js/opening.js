@@ -42,6 +42,8 @@ const MAX_FACES = 8;
  */
 export class Opening {
   #newest = 0;
+  /** One face is brought in after the other: each takes several tasks. @type {Promise<unknown>} */
+  #last = Promise.resolve();
   #room;
   /** @type {FoundFaces | undefined} the faces of the photo that is open */
   #found;
@@ -89,13 +91,12 @@ export class Opening {
   }
 
   /**
-   * Brings work back to a studio that has lost it.
+   * Brings work back to a studio that has lost it. What is on its way comes after it.
    *
    * @param {Work} work
    */
   async restore(work) {
-    const ticket = ++this.#newest;
-    await this.#bringIn(await ready(work), () => ticket === this.#newest);
+    await this.#inTurn(await ready(work), () => true);
   }
 
   /** @param {(isWanted: () => boolean) => Promise<Incoming>} read */
@@ -106,7 +107,7 @@ export class Opening {
     hideProgress();
     try {
       const incoming = await read(isWanted);
-      const isOpen = isWanted() && (await this.#bringIn(incoming, isWanted));
+      const isOpen = isWanted() && (await this.#inTurn(incoming, isWanted));
       if (!isOpen) return;
       this.#welcome(incoming);
     } catch (error) {
@@ -131,6 +132,16 @@ export class Opening {
       if (isWanted()) showStage(stage, fraction);
     });
     return { face: faceOf(found, 0), bitmap: found.bitmap, found, extraction_ms: performance.now() - begun_ms };
+  }
+
+  /**
+   * @param {Incoming} incoming
+   * @param {() => boolean} isWanted
+   */
+  #inTurn(incoming, isWanted) {
+    const broughtIn = this.#last.then(() => this.#bringIn(incoming, isWanted));
+    this.#last = broughtIn.catch(() => {});
+    return broughtIn;
   }
 
   /**

@@ -51,6 +51,7 @@ impl Session {
         self.face.as_ref()
     }
 
+    /// The same where there must be one.
     pub(crate) fn open_face(&self) -> Result<&OpenFace, SessionError> {
         self.face.as_ref().ok_or(SessionError::NoFace)
     }

@@ -24,6 +24,8 @@ export class WorkKeeper {
   #face;
   /** @type {Done | undefined} */
   #done;
+  /** As much of it as the database has. @type {Done | undefined} */
+  #stored;
   /** @type {Workbench | undefined} */
   #bench;
   #slot = "";
@@ -108,8 +110,7 @@ export class WorkKeeper {
     this.#hold(slot);
     // Not in the task that brings the face to the screen.
     setTimeout(() => this.#write(() => move(slot, face, before)), PAUSE_MS);
-    const done = this.#done;
-    if (done) this.#write(() => keepDone(slot, done));
+    if (this.#done) this.#put(slot, this.#done);
     this.#write(prune);
   }
 
@@ -127,7 +128,8 @@ export class WorkKeeper {
 
   /** @param {string} slot is this tab's until `#letGo` */
   #hold(slot) {
-    navigator.locks.request(lockOf(slot), () => new Promise((/** @type {(value: void) => void} */ resolve) => (this.#letGo = resolve)));
+    const held = new Promise((/** @type {(value: void) => void} */ resolve) => (this.#letGo = resolve));
+    navigator.locks.request(lockOf(slot), () => held);
   }
 
   /** @returns {Done | undefined} what was done to the face as it stands */
@@ -146,14 +148,24 @@ export class WorkKeeper {
     const done = this.#face && !this.#isLost && this.#standing();
     if (!done || JSON.stringify(done) === JSON.stringify(this.#done)) return;
     this.#done = done;
-    this.#write(() => keepDone(slot, done));
+    this.#put(slot, done);
+  }
+
+  /**
+   * @param {string} slot
+   * @param {Done} done
+   */
+  #put(slot, done) {
+    this.#write(async () => {
+      await keepDone(slot, done);
+      this.#stored = done;
+    });
   }
 
   /** A page that is left may not live to see the database's answer. */
   #sayLastWords() {
-    const before = this.#done;
     this.#keepDone();
-    if (this.#done && this.#done !== before) keepLastWords(this.#slot, this.#done);
+    if (this.#done && this.#done !== this.#stored) keepLastWords(this.#slot, this.#done);
   }
 
   /** @param {() => Promise<void>} write */

@@ -18,11 +18,12 @@ impl Session {
             within("an offset in mm", along, -most_mm, most_mm)?;
         }
         let Some(face) = &mut self.face else { return Ok(Changed::Nothing) };
-        if face.slider().is_some() {
+        let was_sliding = face.slider().is_some();
+        if was_sliding {
             face.commit(&self.choices);
         }
         face.preview(offset_mm)?;
-        Ok(Changed::Tick)
+        Ok(if was_sliding { Changed::Document } else { Changed::Tick })
     }
 
     pub(super) fn slide(&mut self, slider: FaceSlider, to_mm: f64) -> Outcome {

@@ -8,6 +8,8 @@ use crate::{Changed, Intent, Motion, SessionError};
 impl Session {
     /// What changes only how things look.
     pub(super) fn see(&mut self, intent: Intent) -> Outcome {
+        // Distortion is worked out with each tick, and only while it is painted.
+        let begins = intent == Intent::Paint(Paint::Scalar);
         match intent {
             Intent::Paint(paint) => self.view.paint = paint,
             Intent::Wireframe(wireframe) => self.view.wireframe = wireframe,
@@ -37,8 +39,7 @@ impl Session {
             _ => {}
         }
         self.view.show_on(&mut self.stage, self.face.is_none());
-        // Only the painted distortion is worked out with each tick.
-        Ok(if self.view.paint == Paint::Scalar { Changed::Tick } else { Changed::View })
+        Ok(if begins { Changed::Tick } else { Changed::View })
     }
 }
 
