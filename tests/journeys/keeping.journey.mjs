@@ -32,6 +32,21 @@ journey("an edit a moment before a reload, or before the tab is closed, is kept"
   next.checkNothingBroke();
 });
 
+journey("an edit is kept however long before the reload it was made", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  // Around the pause after which the database is told, it has been asked and has not answered.
+  for (const [place, wait_ms] of [185, 200, 205, 210, 220, 240].entries()) {
+    await visitor.findLandmark("nose tip");
+    await typeAndGo(page, place + 2, "reload", wait_ms);
+    await page.click("#continue");
+    await visitor.untilFace();
+    assert.equal(await noseOut(visitor), place + 2, `${wait_ms} ms`);
+  }
+});
+
 for (const [how, refuse] of /** @type {const} */ ([
   ["throws", refuseByThrowing],
   ["answers with an error", refuseByError],
@@ -71,17 +86,18 @@ async function noseOut(visitor) {
 }
 
 /** Types a number and reloads in the same task, unless the page is to stay. */
-async function typeAndGo(page, offset_mm, next) {
+async function typeAndGo(page, offset_mm, next, wait_ms = 0) {
   const field = "#landmark-sliders [data-axis='z'] input[type=number]";
   await page.evaluate(
-    ({ field, offset_mm, next }) => {
+    async ({ field, offset_mm, next, wait_ms }) => {
       const input = document.querySelector(field);
       input.value = String(offset_mm);
       input.dispatchEvent(new Event("input"));
       input.dispatchEvent(new Event("change"));
+      if (wait_ms > 0) await new Promise((resolve) => setTimeout(resolve, wait_ms));
       if (next === "reload") location.reload();
     },
-    { field, offset_mm, next },
+    { field, offset_mm, next, wait_ms },
   );
 }
 

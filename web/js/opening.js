@@ -91,12 +91,13 @@ export class Opening {
   }
 
   /**
-   * Brings work back to a studio that has lost it. What is on its way comes after it.
+   * Brings work back to a studio that has lost it.
    *
    * @param {Work} work
    */
   async restore(work) {
-    await this.#inTurn(await ready(work), () => true);
+    const ticket = ++this.#newest;
+    await this.#inTurn(await ready(work), () => ticket === this.#newest);
   }
 
   /** @param {(isWanted: () => boolean) => Promise<Incoming>} read */
