@@ -85,10 +85,18 @@ journey("another face that is opened while the module starts again leaves the wo
   const kept = (await histories(page)).filter((edits) => edits.includes("nose tip"));
   assert.equal(kept.length, 1);
 
+  const transfer = await page.evaluateHandle((base64) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], "other.rosto"));
+    return transfer;
+  }, Buffer.from(other).toString("base64"));
   await page.evaluate(spoil, { module: "rosto-studio-web.js" });
-  await page.focus("#viewport");
-  await page.keyboard.press("ArrowLeft");
-  await visitor.drop(other, "other.rosto");
+  // In one task, so that the file comes before the module is there again.
+  await page.evaluate((dataTransfer) => {
+    const options = { bubbles: true, cancelable: true };
+    document.getElementById("viewport").dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft", ...options }));
+    document.getElementById("stage").dispatchEvent(new DragEvent("drop", { dataTransfer, ...options }));
+  }, transfer);
   await untilRestarted(visitor);
   await visitor.drop(other, "other.rosto");
   await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
