@@ -2,18 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use rosto_photo::{Limits, Photo, PhotoError, decode};
+mod support;
 
-fn read(bytes: &[u8]) -> Result<Photo, PhotoError> {
-    decode(bytes, &Limits::default())
-}
-
-fn reason(bytes: &[u8]) -> String {
-    match read(bytes).unwrap_err() {
-        PhotoError::Damaged { reason, .. } => reason,
-        other => panic!("{other}"),
-    }
-}
+use support::{read, reason};
 
 /// One pixel of the first colour, in a palette of that many bytes.
 fn indexed_png(palette_bytes: usize, colour: png::ColorType) -> Vec<u8> {

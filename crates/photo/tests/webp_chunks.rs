@@ -5,19 +5,7 @@
 mod support;
 
 use image::metadata::Orientation;
-use rosto_photo::{Limits, Photo, PhotoError, decode};
-use support::{Format, blocks, file, stored_for};
-
-fn read(bytes: &[u8]) -> Result<Photo, PhotoError> {
-    decode(bytes, &Limits::default())
-}
-
-fn reason(bytes: &[u8]) -> String {
-    match read(bytes).unwrap_err() {
-        PhotoError::Damaged { reason, .. } => reason,
-        other => panic!("{other}"),
-    }
-}
+use support::{Format, blocks, file, read, reason, stored_for};
 
 /// A WebP of the blocks, turned by EXIF, and where that chunk begins: it is the last.
 fn webp() -> (Vec<u8>, usize) {

@@ -5,6 +5,7 @@
 use image::codecs::{jpeg::JpegEncoder, png::PngEncoder, webp::WebPEncoder};
 use image::metadata::Orientation;
 use image::{DynamicImage, ExtendedColorType, ImageEncoder, RgbImage};
+use rosto_photo::{Limits, Photo, PhotoError, decode};
 
 /// Formats that are written for the tests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -72,4 +73,17 @@ fn crc32(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(u32::MAX, |crc, &byte| {
         (0..8).fold(crc ^ u32::from(byte), |crc, _| (crc >> 1) ^ (0xEDB8_8320 & (crc & 1).wrapping_neg()))
     })
+}
+
+/// The picture in a file, within the usual limits.
+pub fn read(bytes: &[u8]) -> Result<Photo, PhotoError> {
+    decode(bytes, &Limits::default())
+}
+
+/// Why a damaged picture is refused.
+pub fn reason(bytes: &[u8]) -> String {
+    match read(bytes).expect_err("a damaged picture") {
+        PhotoError::Damaged { reason, .. } => reason,
+        other => panic!("{other}"),
+    }
 }
