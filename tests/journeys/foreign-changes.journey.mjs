@@ -42,12 +42,7 @@ journey("a GLB of the command line's finest mesh opens, with an edit that waits,
 });
 
 journey("a GLB whose texture another program has halved opens with the photo in its place", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 6);
-  const work = await visitor.meshJson("mm");
+  const { visitor, page, work } = await withAnEdit(open);
   const parts = partsOfGlb(await visitor.download("download-glb"));
   const at = parts.json.images[0].bufferView;
   const halved = withView(parts, at, await halfAsLarge(page, viewOf(parts, at)));
@@ -71,12 +66,7 @@ journey("a GLB whose texture another program has halved opens with the photo in 
 });
 
 journey("a GLB whose shape another program has changed opens as it was saved, and the page says so", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 6);
-  const work = await visitor.meshJson("mm");
+  const { visitor, page, work } = await withAnEdit(open);
   const glb = await visitor.download("download-glb");
   const parts = partsOfGlb(glb);
   const at = parts.json.accessors[parts.json.meshes[0].primitives[0].attributes.POSITION].bufferView;
@@ -92,6 +82,15 @@ journey("a GLB whose shape another program has changed opens as it was saved, an
   await visitor.untilFace();
   assert.ok(await page.isHidden("#notice"));
 });
+
+/** A visitor with one edit of the sample, and the mesh that it has led to. */
+async function withAnEdit(open) {
+  const visitor = await open();
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("z", 6);
+  return { visitor, page: visitor.page, work: await visitor.meshJson("mm") };
+}
 
 /** Nothing is selected any more, and the pointer is away: the view shows no marks. */
 async function letGo(visitor) {
