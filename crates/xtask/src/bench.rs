@@ -15,7 +15,8 @@ use record::Record;
 use std::process::ExitCode;
 use std::time::Instant;
 
-const DOCUMENT: Document = Document { file: "docs/benchmarks.md", task: "bench" };
+/// Where the figures go.
+pub const DOCUMENT: Document = Document { file: "docs/benchmarks.md", task: "bench", figures: "figures" };
 const GROWTH: &str = "docs/images/growth.svg";
 
 /// Measures and prints the tables; `--write` puts them into the document, and draws how time grows with size.

@@ -9,6 +9,8 @@ pub struct Document {
     pub file: &'static str,
     /// As on the command line.
     pub task: &'static str,
+    /// Which of the document's figures, as they are called in the mark before them.
+    pub figures: &'static str,
 }
 
 const END: &str = "<!-- end of figures -->\n";
@@ -25,7 +27,7 @@ impl Document {
     }
 
     fn begin(&self) -> String {
-        format!("<!-- figures: written by `cargo xtask {} --write` -->\n", self.task)
+        format!("<!-- {}: written by `cargo xtask {} --write` -->\n", self.figures, self.task)
     }
 
     /// The document with what stands between its two marks replaced.
@@ -42,22 +44,23 @@ impl Document {
 mod tests {
     use super::*;
 
-    const DOCUMENT: Document = Document { file: "docs/bench.md", task: "bench" };
+    const DOCUMENT: Document = Document { file: "docs/bench.md", task: "bench", figures: "figures" };
 
     #[test]
     fn only_the_figures_are_replaced() {
         let begin = DOCUMENT.begin();
-        let document = format!("# Title\nprose\n{begin}old\n{END}more\n");
-        let updated = DOCUMENT.with_figures(&document, "new\n").unwrap();
-        assert_eq!(updated, format!("# Title\nprose\n{begin}new\n{END}more\n"));
+        let others = Document { figures: "others", ..DOCUMENT }.begin();
+        let document = |figures: &str| format!("# Title\n{others}1\n{END}prose\n{begin}{figures}{END}more\n");
+        let updated = DOCUMENT.with_figures(&document("old\n"), "new\n").unwrap();
+        assert_eq!(updated, document("new\n"));
         assert!(DOCUMENT.with_figures("no marks", "new").is_err());
     }
 
     #[test]
     fn every_document_with_figures_has_its_marks() {
-        for (file, task) in [("docs/benchmarks.md", "bench"), ("docs/torture.md", "torture")] {
-            let document = std::fs::read_to_string(workspace::root().join(file)).unwrap();
-            assert!(Document { file, task }.with_figures(&document, "").is_ok(), "{file}");
+        for document in [crate::bench::DOCUMENT].into_iter().chain(crate::torture::documents()) {
+            let present = std::fs::read_to_string(workspace::root().join(document.file)).unwrap();
+            assert!(document.with_figures(&present, "").is_ok(), "{}: {}", document.file, document.figures);
         }
     }
 }

@@ -11,8 +11,6 @@ use parts::Part;
 use std::process::ExitCode;
 use std::time::Instant;
 
-const DOCUMENT: Document = Document { file: "docs/torture.md", task: "torture" };
-
 /// How much of each part is done.
 #[derive(Clone, Debug, PartialEq)]
 struct Amounts {
@@ -27,7 +25,6 @@ pub fn run(arguments: &[&str]) -> Outcome<ExitCode> {
     let amounts = Amounts::read(arguments)?;
     let kit = setup::for_tests()?;
     let mut found_nothing = true;
-    let mut tables = Vec::new();
     for part in parts::chosen(&amounts) {
         progress::announce(part.name, &format!("{} {}", table::grouped(part.amount), part.what));
         if let Some(missing) = (part.missing)() {
@@ -40,21 +37,33 @@ pub fn run(arguments: &[&str]) -> Outcome<ExitCode> {
             found_nothing = false;
             println!("{}", ended.describe());
         }
-        tables.push(part.table(&ended));
+        let table = part.table(&ended);
+        println!("\n{table}");
+        // At once: the next part takes hours.
+        if amounts.write {
+            part.document().update(&table)?;
+        }
         progress::done(part.name, started);
-    }
-    let tables = tables.join("\n");
-    println!("\n{tables}");
-    if amounts.write {
-        DOCUMENT.update(&tables)?;
     }
     Ok(if found_nothing { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
 impl Part {
+    /// Where its figures go.
+    fn document(&self) -> Document {
+        Document { file: "docs/torture.md", task: "torture", figures: self.name }
+    }
+
     fn table(&self, ended: &crate::process::Ended) -> String {
         table::of(self.title, self.amount, ended.took, ended.success, &ended.output)
     }
+}
+
+/// Where the figures of all parts go.
+#[cfg(test)]
+pub fn documents() -> impl Iterator<Item = Document> {
+    let all = Amounts { inputs: 1, actions: 1, page_actions: 1, write: true };
+    parts::chosen(&all).into_iter().map(|part| part.document())
 }
 
 impl Amounts {
