@@ -12,13 +12,18 @@ const HEADER_BYTES: u64 = 8;
 /// What stands in a frame of an animation before its own chunks: place, size, duration and flags.
 const FRAME_BYTES: u64 = 16;
 
-/// Refuses a file that ends within a chunk of the picture or its metadata, because the decoder allocates what a chunk
-/// claims before it looks how much there is. What it does not read may be missing: the byte that pads the last chunk,
-/// later frames of an animation, and chunks of unknown names.
+/// Refuses a file that ends within a chunk of the picture or its metadata, or whose picture is larger than the file says
+/// it is, because the decoder allocates what a chunk claims before it looks whether that can be. What it does not read
+/// may be missing: the byte that pads the last chunk, later frames of an animation, and chunks of unknown names.
 ///
 /// # Errors
 /// [`PhotoError::Damaged`].
 pub(crate) fn check_chunks(bytes: &[u8]) -> Result<(), PhotoError> {
+    check_lengths(bytes)?;
+    check_sizes(bytes)
+}
+
+fn check_lengths(bytes: &[u8]) -> Result<(), PhotoError> {
     let whole_file = bytes.len() as u64;
     match read(bytes).find(|chunk| chunk.is_known() && chunk.end() > whole_file) {
         None => Ok(()),
@@ -26,6 +31,19 @@ pub(crate) fn check_chunks(bytes: &[u8]) -> Result<(), PhotoError> {
             let there = whole_file - chunk.start - HEADER_BYTES;
             let name = chunk.name.escape_ascii();
             Err(damaged(Format::WebP, format!("{there} of the {} bytes of its chunk {name} are there", chunk.length)))
+        }
+    }
+}
+
+/// A lossy picture has its size at its head, and an extended file its own before it.
+fn check_sizes(bytes: &[u8]) -> Result<(), PhotoError> {
+    let Some((width, height)) = Chunk::at(bytes, FIRST).and_then(|chunk| chunk.canvas_size(bytes)) else {
+        return Ok(());
+    };
+    match read(bytes).filter_map(|chunk| chunk.lossy_size(bytes)).find(|&(w, h)| w > width || h > height) {
+        None => Ok(()),
+        Some((w, h)) => {
+            Err(damaged(Format::WebP, format!("its picture is {w} × {h} px in a file of {width} × {height} px")))
         }
     }
 }
@@ -61,6 +79,25 @@ impl Chunk {
     /// Where the content ends.
     fn end(&self) -> u64 {
         self.start + HEADER_BYTES + u64::from(self.length)
+    }
+
+    /// Of the whole picture in px, if this is the head of an extended file.
+    fn canvas_size(&self, bytes: &[u8]) -> Option<(u32, u32)> {
+        let [_, _, _, _, a, b, c, d, e, f] = *self.content(bytes, b"VP8X")?;
+        Some((u32::from_le_bytes([a, b, c, 0]) + 1, u32::from_le_bytes([d, e, f, 0]) + 1))
+    }
+
+    /// In px, if this is a lossy picture: behind a tag and a mark, 14 bits of width and of height.
+    fn lossy_size(&self, bytes: &[u8]) -> Option<(u32, u32)> {
+        let [.., a, b, c, d] = *self.content::<10>(bytes, b"VP8 ")?;
+        let size = |low, high| u32::from(u16::from_le_bytes([low, high]) & 0x3FFF);
+        Some((size(a, b), size(c, d)))
+    }
+
+    /// What the content begins with, if the chunk has this name and there is so much.
+    fn content<'a, const N: usize>(&self, bytes: &'a [u8], name: &[u8; 4]) -> Option<&'a [u8; N]> {
+        let start = usize::try_from(self.start + HEADER_BYTES).ok()?;
+        if &self.name == name { bytes.get(start..)?.first_chunk() } else { None }
     }
 
     fn is_known(&self) -> bool {

@@ -1,4 +1,4 @@
-//! WebP files whose chunks claim more than there is.
+//! WebP files whose chunks claim more than there is, or more than can be.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -62,4 +62,18 @@ fn chunks_that_nobody_reads_and_what_comes_behind_the_file_may_claim_anything() 
     let claims_much = [b"ABCD".as_slice(), &[0xFF; 4]].concat();
     assert_eq!(read(&[&whole[..], &claims_much].concat()).unwrap(), expected);
     assert_eq!(read(&[&whole[..], b"\0\0\0"].concat()).unwrap(), expected);
+}
+
+#[test]
+fn a_lossy_picture_that_claims_to_be_larger_than_its_file_is_damaged() {
+    let whole = include_bytes!("../../../tests/torture/seeds/lossy-alpha.webp");
+    let photo = read(whole).unwrap();
+    let size_at = place_of(whole, b"VP8 ") + 8 + 6;
+    for (place, said) in [(size_at, "its picture is 16383 × "), (size_at + 2, " × 16383 px in a file of ")] {
+        let mut bytes = whole.to_vec();
+        bytes[place..place + 2].copy_from_slice(&[0xFF; 2]);
+        let reason = reason(&bytes);
+        assert!(reason.contains(said), "{reason}");
+        assert!(reason.ends_with(&format!("{} × {} px", photo.width(), photo.height())), "{reason}");
+    }
 }
