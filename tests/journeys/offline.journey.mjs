@@ -48,7 +48,7 @@ journey("a page of a newer version comes from the network with all its files, or
     });
     await visitor.page.reload();
     await visitor.untilLoaded();
-    for (const file of ["css/base.css", "js/main.js", "js/words/en.js", "wasm/rosto-vision-web_bg.wasm", "assets/sample.png"]) {
+    for (const file of ["css/base.css", "js/main.js", "words/en.json", "wasm/rosto-vision-web_bg.wasm", "assets/sample.png"]) {
       assert.ok(asked.includes(file), `${file} came from the store of an older version`);
     }
     // The browser ends a service worker that has had nothing to do for a while.
@@ -57,9 +57,10 @@ journey("a page of a newer version comes from the network with all its files, or
     await visitor.page.evaluate(() => fetch("js/main.js"));
     assert.deepEqual(asked, ["js/main.js"]);
 
-    server.disturb((name, response) => (name === "" ? send(response, newer) : name === "js/words/pt.js" && fail(response, 503)));
+    server.disturb((name, response) => (name === "" ? send(response, newer) : name === "words/pt.json" && fail(response, 503)));
     await visitor.page.reload();
     await visitor.page.waitForSelector("#not-started");
+    assert.match(visitor.broken.splice(0).join("\n"), /503 for the words of pt/);
 
     // The older version is still whole.
     server.disturb(() => true);

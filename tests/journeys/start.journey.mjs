@@ -3,13 +3,13 @@ import { journey } from "./journey.mjs";
 
 /** Answers to the request for a module that leave the page without it. */
 const TROUBLES = [
-  { file: "words/pt.js", what: "is not found", answer: { status: 404 } },
-  { file: "wasm/rosto-studio-web.js", what: "is refused", answer: { status: 500 } },
-  { file: "js/main.js", what: "is a page of somebody else's", answer: { status: 200, contentType: "text/html", body: "<p>Log in" } },
-  { file: "page/tabs.js", what: "cannot be read", answer: { status: 200, contentType: "text/javascript", body: "export const = ;" } },
+  { file: "words/pt.json", what: "is not found", answer: { status: 404 }, errors: 1 },
+  { file: "wasm/rosto-studio-web.js", what: "is refused", answer: { status: 500 }, errors: 0 },
+  { file: "js/main.js", what: "is a page of somebody else's", answer: { status: 200, contentType: "text/html", body: "<p>Log in" }, errors: 0 },
+  { file: "page/tabs.js", what: "cannot be read", answer: { status: 200, contentType: "text/javascript", body: "export const = ;" }, errors: 1 },
 ];
 
-for (const { file, what, answer } of TROUBLES) {
+for (const { file, what, answer, errors } of TROUBLES) {
   journey(`a page whose ${file} ${what} says so in both languages, and can be loaded again`, async (open) => {
     const visitor = await open({ before: (context) => context.route(`**/${file}`, (route) => route.fulfill(answer)) });
     const { page } = visitor;
@@ -17,8 +17,8 @@ for (const { file, what, answer } of TROUBLES) {
     const text = await page.innerText("#not-started");
     assert.match(text, /A part of the page did not load/);
     assert.match(text, /Uma parte da página não carregou/);
-    // A module that cannot be read is an error of the page's, and the only one.
-    assert.equal(visitor.broken.splice(0).length, what === "cannot be read" ? 1 : 0);
+    // What arrives and cannot be read is an error of the page's, and the only one.
+    assert.equal(visitor.broken.splice(0).length, errors);
 
     await page.context().unroute(`**/${file}`);
     await page.click("#start-again");
@@ -36,7 +36,7 @@ journey("a page whose modules do not come says so, and takes it back when they d
   const arrived = open({
     before: async (context) => {
       await context.clock.install();
-      await context.route("**/js/words/pt.js", async (route) => {
+      await context.route("**/words/pt.json", async (route) => {
         await held;
         await route.continue();
       });

@@ -1,11 +1,10 @@
 import assert from "node:assert/strict";
 import { readFile, readdir } from "node:fs/promises";
 import path from "node:path";
-import { en } from "../../web/js/words/en.js";
-import { pt } from "../../web/js/words/pt.js";
 import { journey } from "./journey.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
+const [en, pt] = await Promise.all(["en", "pt"].map(wordsOf));
 
 /** Where codes of troubles are written, and what stands around them. */
 const SOURCES = [
@@ -78,4 +77,9 @@ async function allCodes() {
   }
   for (const property of PROPERTIES) found.delete(property);
   return found;
+}
+
+/** @param {string} language */
+async function wordsOf(language) {
+  return JSON.parse(await readFile(path.join(ROOT, `web/words/${language}.json`), "utf8"));
 }

@@ -1,12 +1,11 @@
 import { remember, remembered } from "../page/remember.js";
-import { en } from "./en.js";
-import { pt } from "./pt.js";
 
-/** @typedef {keyof typeof en} WordKey */
+/** @typedef {keyof typeof import("../../words/en.json")} WordKey */
 /** @typedef {Record<WordKey, string>} Words */
 /** @typedef {"en" | "pt"} Language */
 
-/** @type {Record<Language, Words>} */
+const [en, pt] = await Promise.all([wordsOf("en"), wordsOf("pt")]);
+/** Every word of the page; each language has the same keys, and `{name}` in a text is filled in. */
 const LANGUAGES = { en, pt };
 
 /** @type {Language} */
@@ -37,7 +36,7 @@ export function say(key, values = {}) {
  * @returns {key is WordKey}
  */
 export function isWord(key) {
-  return key in en;
+  return key in LANGUAGES.en;
 }
 
 /**
@@ -88,6 +87,16 @@ export function sayNumber(value, decimals) {
     minimumFractionDigits: decimals,
     maximumFractionDigits: decimals,
   }).format(tidy);
+}
+
+/**
+ * @param {Language} name
+ * @returns {Promise<Words>}
+ */
+async function wordsOf(name) {
+  const response = await fetch(new URL(`../../words/${name}.json`, import.meta.url));
+  if (!response.ok) throw new Error(`${response.status} for the words of ${name}`);
+  return response.json();
 }
 
 /** @returns {Language} */
