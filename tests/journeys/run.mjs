@@ -1,7 +1,8 @@
-// Walks every journey through the built page, or those whose names contain the words given, and counts. With --timed, the
-// ones that measure instead: what they find depends on what else the machine does.
+// Walks every journey through the built page, or those whose names contain the words given, and counts. Two are walked at
+// a time, each in a browser of its own, where the machine has two cores. With --timed, the ones that measure instead, one
+// by one: what they find depends on what else the machine does.
 import { mkdtemp, readFile, readdir, writeFile } from "node:fs/promises";
-import { tmpdir } from "node:os";
+import { availableParallelism, tmpdir } from "node:os";
 import path from "node:path";
 import { launch } from "./browser.mjs";
 import { journeys } from "./journey.mjs";
@@ -13,53 +14,26 @@ const HERE = import.meta.dirname;
 const BELOW = "/some/where/";
 const LIMIT_MS = 180_000;
 
-const ending = process.argv.includes("--timed") ? ".timed.mjs" : ".journey.mjs";
-for (const file of (await readdir(HERE)).filter((name) => name.endsWith(ending)).sort()) {
-  await import(path.join(HERE, file));
-}
+/** @typedef {import("./journey.mjs").Journey["needs"]} Needs */
 
-const wanted = process.argv.slice(2).filter((word) => word !== "--timed").join(" ");
-const chosen = journeys.filter(({ name }) => name.includes(wanted));
-const server = await serve(DIST, BELOW);
-/** @type {Map<string, import("playwright-core").Browser>} */
-const browsers = new Map();
-let passed = 0;
-let failed = 0;
+/** The browsers of one lane, each launched when it is first needed. */
+class Browsers {
+  /** @type {Map<Needs, import("playwright-core").Browser>} */
+  #open = new Map();
 
-for (const one of chosen) {
-  const started = performance.now();
-  const visitors = [];
-  try {
-    await within(LIMIT_MS, one.walk(async ({ url = server.url, ...options } = {}) => {
-      const visitor = await Visitor.arrive(await browserFor(one.needs), url, options);
-      visitors.push(visitor);
-      return visitor;
-    }));
-    for (const visitor of visitors) visitor.checkNothingBroke();
-    passed += 1;
-    console.log(`✓ ${one.name} (${seconds(started)})`);
-  } catch (error) {
-    failed += 1;
-    console.log(`✗ ${one.name} (${seconds(started)})\n${indent(error?.stack ?? String(error))}`);
-    for (const visitor of visitors) for (const line of visitor.said) console.log(indent(`page: ${line}`));
-  } finally {
-    for (const visitor of visitors) await visitor.leave();
+  /** @param {Needs} needs */
+  async for(needs) {
+    const open = this.#open.get(needs) ?? (await launchFor(needs));
+    this.#open.set(needs, open);
+    return open;
+  }
+
+  async close() {
+    for (const browser of this.#open.values()) await browser.close();
   }
 }
 
-for (const browser of browsers.values()) await browser.close();
-server.close();
-console.log(`journeys: ${passed} passed, ${failed} failed`);
-process.exitCode = failed === 0 && passed > 0 ? 0 : 1;
-
-/** @param {import("./journey.mjs").Journey["needs"]} needs */
-async function browserFor(needs) {
-  const open = browsers.get(needs) ?? (await launchFor(needs));
-  browsers.set(needs, open);
-  return open;
-}
-
-/** @param {import("./journey.mjs").Journey["needs"]} needs */
+/** @param {Needs} needs */
 async function launchFor(needs) {
   if (needs === "no-gpu") return launch({ gpu: "none" });
   if (needs === "webgl") return launch({ gpu: "webgl" });
@@ -67,6 +41,54 @@ async function launchFor(needs) {
   const film = path.join(await mkdtemp(path.join(tmpdir(), "rosto-")), "portrait.y4m");
   await writeFile(film, asFilm(await readFile(SAMPLE), 5));
   return launch({ film });
+}
+
+const isTimed = process.argv.includes("--timed");
+const LANES = isTimed ? 1 : Math.min(2, availableParallelism());
+
+const ending = isTimed ? ".timed.mjs" : ".journey.mjs";
+for (const file of (await readdir(HERE)).filter((name) => name.endsWith(ending)).sort()) {
+  await import(path.join(HERE, file));
+}
+
+const wanted = process.argv.slice(2).filter((word) => word !== "--timed").join(" ");
+const waiting = journeys.filter(({ name }) => name.includes(wanted));
+const server = await serve(DIST, BELOW);
+let passed = 0;
+let failed = 0;
+
+await Promise.all(Array.from({ length: LANES }, walkInLane));
+server.close();
+console.log(`journeys: ${passed} passed, ${failed} failed`);
+process.exitCode = failed === 0 && passed > 0 ? 0 : 1;
+
+/** One journey after the other, as long as any is waiting. */
+async function walkInLane() {
+  const browsers = new Browsers();
+  for (let next = waiting.shift(); next; next = waiting.shift()) await walk(next, browsers);
+  await browsers.close();
+}
+
+/** @param {import("./journey.mjs").Journey} journey @param {Browsers} browsers */
+async function walk({ name, needs, walk }, browsers) {
+  const started = performance.now();
+  const visitors = [];
+  try {
+    await within(LIMIT_MS, walk(async ({ url = server.url, ...options } = {}) => {
+      const visitor = await Visitor.arrive(await browsers.for(needs), url, options);
+      visitors.push(visitor);
+      return visitor;
+    }));
+    for (const visitor of visitors) visitor.checkNothingBroke();
+    passed += 1;
+    console.log(`✓ ${name} (${seconds(started)})`);
+  } catch (error) {
+    failed += 1;
+    console.log(`✗ ${name} (${seconds(started)})\n${indent(error?.stack ?? String(error))}`);
+    for (const visitor of visitors) for (const line of visitor.said) console.log(indent(`page: ${line}`));
+  } finally {
+    for (const visitor of visitors) await visitor.leave();
+  }
 }
 
 /**
