@@ -1,3 +1,5 @@
+use std::collections::HashSet;
+
 use rosto_laplacian::LaplacianError;
 
 use super::Document;
@@ -30,12 +32,15 @@ impl Document {
         }
     }
 
-    /// Refuses a grip on what no mesh of its density has, or on more than there is memory for.
+    /// Refuses a grip on what no mesh of its density has, on a vertex twice, or on more than there is memory for.
     pub(super) fn check_grip(&self, grip: &Grip) -> Result<(), StudioError> {
         let vertex_count = self.vertices_at(grip.level)?;
         let pins = &grip.settings.anchors.pins;
         if let Some(&vertex) = grip.handles.iter().chain(pins).find(|vertex| **vertex as usize >= vertex_count) {
             return Err(LaplacianError::NoSuchVertex { vertex, vertex_count }.into());
+        }
+        if let Some(vertex) = repeated(&grip.handles) {
+            return Err(LaplacianError::Repeated { vertex }.into());
         }
         let (handles, most) = (grip.handles.len(), MOST_RESPONSES / vertex_count);
         if handles > most { Err(StudioError::TooManyHandles { handles, most }) } else { Ok(()) }
@@ -55,4 +60,10 @@ impl Document {
         }
         Ok(vertices)
     }
+}
+
+/// A vertex that is listed more than once.
+fn repeated(vertices: &[u32]) -> Option<u32> {
+    let mut seen = HashSet::new();
+    vertices.iter().copied().find(|&vertex| !seen.insert(vertex))
 }

@@ -72,12 +72,22 @@ fn an_entry_without_an_answer_on_other_triangles_is_passed_over_and_comes_back()
 }
 
 #[test]
-fn a_file_that_names_what_no_mesh_has_is_refused_whether_or_not_the_entry_counts() {
+fn a_file_that_names_what_no_mesh_has_or_one_vertex_twice_is_refused_whether_or_not_the_entry_counts() {
     let far = |level| point(level, vec![9_999], Settings::default());
     let pinned = point(0, vec![4], Settings { anchors: Anchors::explicit(vec![468]), ..Settings::default() });
     let many = point(3, (0..20_000).collect(), Settings::default());
-    let cases =
-        [(far(0), true), (far(1), true), (far(2), true), (far(3), false), (far(5), true), (pinned, true), (many, true)];
+    let twice = |mirror| point(0, vec![61, 61, 291], Settings { mirror, ..Settings::default() });
+    let cases = [
+        (far(0), true),
+        (far(1), true),
+        (far(2), true),
+        (far(3), false),
+        (far(5), true),
+        (pinned, true),
+        (many, true),
+        (twice(Mirror::Off), true),
+        (twice(Mirror::On), true),
+    ];
     for (command, refused) in cases {
         for switch in [Switch::On, Switch::Off] {
             let entry = Entry { label: String::new(), command: command.clone(), switch };
