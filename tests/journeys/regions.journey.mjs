@@ -29,6 +29,11 @@ journey("a region moves as one by its sliders, under its name, as the command li
   await page.selectOption("#language", "pt");
   assert.deepEqual(await visitor.history(), ["sobrancelha esquerda", "sobrancelha esquerda"]);
   assert.equal(await page.locator("#region option:checked").innerText(), "sobrancelha esquerda");
+
+  // The choice of none is hidden, and yet there for whoever fills the page in by program.
+  await page.selectOption("#region", "");
+  assert.ok(await page.isHidden("#landmark-tag"), "something is still selected");
+  assert.ok(await page.isHidden("#notice"));
 });
 
 journey("a region's landmarks are marked, and it is dragged by any of them and by its gizmo", async (open) => {

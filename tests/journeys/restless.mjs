@@ -87,7 +87,7 @@ async function note(findings, seed, visited, isInTime) {
   const shortest = await shrink(visited, visit, () => isInTime() && performance.now() - since < SHRINKING_MS);
   if (shortest.length >= visited.actions.length) return;
   finding.shortest = shortest.map(inWords);
-  console.log(`  the same after ${shortest.length} actions`);
+  console.log([`  the same after ${shortest.length} actions:`, ...finding.shortest].join("\n    "));
 }
 
 /** A browser context of its own for each visit, and a fresh browser now and then. */

@@ -21,8 +21,9 @@ export function setUpHandChoice(bench) {
     bench.act((studio) => studio.setHand(hand));
   });
   regions.addEventListener("change", () => {
-    bench.act((studio) => studio.selectRegion(regions.value));
-    announce(say("landmark.selected", { name: bench.ask((studio) => studio.selectionName(language())) ?? "" }));
+    const { value } = regions;
+    bench.act((studio) => (value === "" ? studio.select() : studio.selectRegion(value)));
+    if (value !== "") announce(say("landmark.selected", { name: bench.ask((studio) => studio.selectionName(language())) ?? "" }));
   });
   bench.onChange(({ hand, selectedRegion }) => {
     regions.value = selectedRegion ?? "";
