@@ -11,6 +11,9 @@ import { validateGlb } from "../validate-glb.mjs";
 const KEPT_MS = 1_000;
 const DOWNLOAD_MS = 20_000;
 
+/** What the files are called that the page offers. */
+const ENDINGS = { "save-project": ".rosto", "download-glb": ".glb", "download-json": ".json" };
+
 /** @type {Record<"undo-redo" | "history" | "glb" | "reload", (hands: Hands) => Promise<string | undefined>>} */
 const CHECKS = { "undo-redo": undoAndRedo, history: historyInFile, glb: validGlb, reload: reloaded };
 
@@ -103,7 +106,8 @@ function mesh(hands) {
 /** @param {Hands} hands @param {string} action */
 async function download({ page }, action) {
   const [file] = await Promise.all([
-    page.waitForEvent("download", { timeout: DOWNLOAD_MS }),
+    // A picture that was asked for before may come in between.
+    page.waitForEvent("download", { predicate: (file) => file.suggestedFilename().endsWith(ENDINGS[action]), timeout: DOWNLOAD_MS }),
     page.evaluate((action) => window["__eyes"].press(`#section-export [data-action="${action}"]`), action),
   ]);
   return readFile(await file.path());
