@@ -6,8 +6,9 @@ import { nextTask } from "./page/tasks.js";
 import { openPicture } from "./photo/open-picture.js";
 import { Replaced } from "./photo/vision-client.js";
 import { isTrap } from "./viewport/studio-module.js";
+import { bitmapOf } from "./work/pixels.js";
 import { kindOf, readSavedFile } from "./work/saved-file.js";
-import { bitmapOf, faceOf } from "./work/work.js";
+import { faceOf } from "./work/work.js";
 
 /**
  * @typedef {import("./viewport/workbench.js").Workbench} Workbench

@@ -1,8 +1,8 @@
 import { inEveryLanguage, isWord, say } from "../words/words.js";
 import { byId } from "./dom.js";
+import { asTrouble } from "./trouble.js";
 
 /**
- * @typedef {import("../worker/protocol.js").Trouble} Trouble
  * @typedef {"one-of-several"} Remark
  * @typedef {{ kind: "trouble" | "remark", code: string, words: () => { title: string, hint: string }, isPhotos: boolean }} Notice
  */
@@ -63,19 +63,6 @@ export function hideNotice() {
 export function setKeeping(isKept) {
   keeps = isKept;
   write();
-}
-
-/**
- * @param {unknown} thrown
- * @returns {Trouble}
- */
-export function asTrouble(thrown) {
-  // A browser's own exceptions have codes that are numbers.
-  if (typeof thrown === "object" && thrown !== null && "code" in thrown && typeof thrown.code === "string") {
-    const { message = "", hint = "" } = /** @type {Partial<Trouble>} */ (thrown);
-    return { code: thrown.code, message, hint };
-  }
-  return { code: "other", message: String(thrown), hint: "" };
 }
 
 /** @param {Notice | undefined} notice */

@@ -73,12 +73,7 @@ async function checked(bench, validator, line) {
  * @param {string} ending
  */
 function nameOf(bench, ending) {
-  const count = bench.ask((studio) => {
-    const state = studio.state();
-    const { vertexCount } = state;
-    state.free();
-    return vertexCount;
-  });
+  const count = bench.read(({ vertexCount }) => vertexCount);
   return `rosto-${count ?? 0}.${ending}`;
 }
 
@@ -103,11 +98,9 @@ async function savePicture(bench) {
   const { width, height } = bench.canvas;
   try {
     const snapshot = await bench.studio.snapshot(2 * width, 2 * height, transparent);
-    const canvas = new OffscreenCanvas(snapshot.width, snapshot.height);
-    const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (snapshot.takePixels().buffer));
-    canvas.getContext("2d")?.putImageData(new ImageData(pixels, snapshot.width, snapshot.height), 0, 0);
+    const size = { pictureWidth_px: snapshot.width, pictureHeight_px: snapshot.height };
+    const png = await pngOf({ picture: snapshot.takePixels(), ...size });
     snapshot.free();
-    const png = await canvas.convertToBlob({ type: "image/png" });
     save(bench, "rosto.png", "image/png", () => png);
   } catch (error) {
     bench.fail(error);

@@ -15,7 +15,7 @@ const SPHERE = 40;
  * @param {Workbench} bench
  */
 export function setUpLight(bench) {
-  const [azimuth_deg = 0, elevation_deg = 0, strength = 1, ambient = 0] = currentLight(bench);
+  const [azimuth_deg = 0, elevation_deg = 0, strength = 1, ambient = 0] = bench.read(({ light }) => [...light]) ?? [];
   const apply = () => {
     const [around = 0, height = 0, direct = 0, even = 0] = sliders.map(({ value }) => value);
     bench.act((studio) => studio.setLight(around, height, direct / 100, even / 100));
@@ -44,21 +44,6 @@ export function setUpLight(bench) {
     colour.value = hex(lightColour);
     showSun(light[0] ?? 0, light[1] ?? 0);
   });
-}
-
-/**
- * Azimuth and elevation in degrees, strength, and that of the light from everywhere.
- *
- * @param {Workbench} bench
- */
-function currentLight(bench) {
-  const light = bench.ask((studio) => {
-    const state = studio.state();
-    const { light } = state;
-    state.free();
-    return light;
-  });
-  return [...(light ?? [])];
 }
 
 /**

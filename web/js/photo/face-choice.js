@@ -1,5 +1,6 @@
 import { byId, make } from "../page/dom.js";
 import { inEveryLanguage, say } from "../words/words.js";
+import { faceBox } from "./face-box.js";
 
 /** @typedef {import("../worker/protocol.js").FoundFaces} FoundFaces */
 
@@ -78,9 +79,7 @@ async function thumbnail(found, index) {
  */
 function boxOf(found, index) {
   const landmarks = found.faces[index]?.landmarks ?? new Float32Array();
-  const xs = landmarks.filter((_, at) => at % 3 === 0).map((x) => x * found.pictureWidth_px);
-  const ys = landmarks.filter((_, at) => at % 3 === 1).map((y) => y * found.pictureHeight_px);
-  const [left, right, top, bottom] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
-  const side = Math.max(right - left, bottom - top) * (1 + 2 * MARGIN);
-  return { left: Math.round((left + right - side) / 2), top: Math.round((top + bottom - side) / 2), side: Math.round(side) };
+  const { x, y, side: size } = faceBox(landmarks, found.pictureWidth_px, found.pictureHeight_px);
+  const side = size * (1 + 2 * MARGIN);
+  return { left: Math.round(x - side / 2), top: Math.round(y - side / 2), side: Math.round(side) };
 }

@@ -1,5 +1,6 @@
 import { byId } from "../page/dom.js";
 import { inEveryLanguage, say } from "../words/words.js";
+import { faceBox } from "./face-box.js";
 
 /** @typedef {import("../work/work.js").OpenedFace} OpenedFace */
 
@@ -167,15 +168,13 @@ export class PhotoOverlay {
  * @param {{ width: number, height: number }} picture px
  */
 function aroundFace(landmarks, picture) {
-  const xs = landmarks.filter((_, at) => at % 3 === 0).map((x) => x * picture.width);
-  const ys = landmarks.filter((_, at) => at % 3 === 1).map((y) => y * picture.height);
-  const [left, right, top, bottom] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
-  const side = AROUND_FACE * Math.max(right - left, bottom - top);
+  const { x, y, side: size } = faceBox(landmarks, picture.width, picture.height);
+  const side = AROUND_FACE * size;
   const width = Math.min(side, picture.width);
   const height = Math.min(side, picture.height);
   return {
-    left: within((left + right - width) / 2, picture.width - width),
-    top: within((top + bottom - height) / 2, picture.height - height),
+    left: within(x - width / 2, picture.width - width),
+    top: within(y - height / 2, picture.height - height),
     width,
     height,
   };

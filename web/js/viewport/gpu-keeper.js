@@ -1,4 +1,5 @@
-import { asTrouble, hideNotice, showTrouble } from "../page/notice.js";
+import { hideNotice, showTrouble } from "../page/notice.js";
+import { asTrouble } from "../page/trouble.js";
 import { studioModule } from "./studio-module.js";
 
 /** @typedef {import("../../wasm/rosto-studio-web.js").Studio} Studio */

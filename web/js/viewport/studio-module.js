@@ -1,5 +1,5 @@
 import * as forWebGpu from "../../wasm/rosto-studio-web.js";
-import { asTrouble } from "../page/notice.js";
+import { asTrouble } from "../page/trouble.js";
 
 /**
  * The page's module is built twice: for WebGPU, and for WebGL2 as a larger one, which only browsers without WebGPU

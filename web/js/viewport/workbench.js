@@ -1,4 +1,5 @@
-import { asTrouble, hideNotice, showTrouble } from "../page/notice.js";
+import { hideNotice, showTrouble } from "../page/notice.js";
+import { asTrouble } from "../page/trouble.js";
 import { GpuKeeper } from "./gpu-keeper.js";
 import { isTrap, openStudio, restartStudio } from "./studio-module.js";
 
@@ -95,6 +96,22 @@ export class Workbench {
       this.fail(error);
       return undefined;
     }
+  }
+
+  /**
+   * What is taken out of the state; nothing while there is none.
+   *
+   * @template T
+   * @param {(state: StudioState, studio: Studio) => T} take
+   * @returns {T | undefined}
+   */
+  read(take) {
+    return this.ask((studio) => {
+      const state = studio.state();
+      const taken = take(state, studio);
+      state.free();
+      return taken;
+    });
   }
 
   /**

@@ -1,3 +1,5 @@
+/** @typedef {{ picture: Uint8Array, pictureWidth_px: number, pictureHeight_px: number }} Picture RGBA, row by row */
+
 /**
  * The pixels of a picture, RGBA row by row, with a bitmap laid into it; what it leaves free is transparent.
  *
@@ -16,13 +18,27 @@ export function pixelsOf(bitmap, width, height, { 0: left = 0, 1: top = 0, 2: pl
 }
 
 /**
- * The picture of a face as a PNG file, without loss.
+ * A picture ready to be drawn.
  *
- * @param {import("./work.js").OpenedFace} face
+ * @param {Picture} picture
  */
-export function pngOf({ picture, pictureWidth_px, pictureHeight_px }) {
-  const canvas = new OffscreenCanvas(pictureWidth_px, pictureHeight_px);
-  const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (picture.buffer));
-  canvas.getContext("2d")?.putImageData(new ImageData(pixels, pictureWidth_px, pictureHeight_px), 0, 0);
+export function bitmapOf(picture) {
+  return createImageBitmap(imageData(picture));
+}
+
+/**
+ * A picture as a PNG file, without loss.
+ *
+ * @param {Picture} picture
+ */
+export function pngOf(picture) {
+  const canvas = new OffscreenCanvas(picture.pictureWidth_px, picture.pictureHeight_px);
+  canvas.getContext("2d")?.putImageData(imageData(picture), 0, 0);
   return canvas.convertToBlob({ type: "image/png" });
+}
+
+/** @param {Picture} picture */
+function imageData({ picture, pictureWidth_px, pictureHeight_px }) {
+  const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (picture.buffer));
+  return new ImageData(pixels, pictureWidth_px, pictureHeight_px);
 }

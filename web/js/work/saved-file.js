@@ -1,4 +1,5 @@
 import { studioModule } from "../viewport/studio-module.js";
+import { bytesOf } from "./bytes.js";
 import { pixelsOf } from "./pixels.js";
 
 /**
@@ -56,14 +57,5 @@ async function pictureOf(reopened, kind) {
     return pixelsOf(bitmap, pictureWidth, pictureHeight, reopened.place());
   } catch (error) {
     throw { code: kind === "glb" ? "damaged-glb" : "bad-project", message: String(error), hint: "" };
-  }
-}
-
-/** @param {Blob} file */
-async function bytesOf(file) {
-  try {
-    return new Uint8Array(await file.arrayBuffer());
-  } catch (error) {
-    throw { code: "unreadable-file", message: String(error), hint: "" };
   }
 }

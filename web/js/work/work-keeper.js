@@ -134,10 +134,7 @@ export class WorkKeeper {
 
   /** @returns {Done | undefined} what was done to the face as it stands */
   #standing() {
-    return this.#bench?.ask((studio) => {
-      const state = studio.state();
-      const { triangulation, density } = state;
-      state.free();
+    return this.#bench?.read(({ triangulation, density }, studio) => {
       return { edits: studio.editsJson(), triangulation, density, preferences: studio.preferences() };
     });
   }

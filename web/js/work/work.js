@@ -35,13 +35,3 @@ export function faceOf(found, index) {
   const { landmarks, colours } = face;
   return { width_px, height_px, landmarks, colours, pictureWidth_px, pictureHeight_px, picture };
 }
-
-/**
- * The picture of a face, ready to be drawn.
- *
- * @param {OpenedFace} face
- */
-export function bitmapOf({ picture, pictureWidth_px, pictureHeight_px }) {
-  const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (picture.buffer));
-  return createImageBitmap(new ImageData(pixels, pictureWidth_px, pictureHeight_px));
-}

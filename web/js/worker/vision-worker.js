@@ -6,6 +6,9 @@
  * @typedef {import("./protocol.js").FoundFaces} FoundFaces
  */
 import init, { Vision } from "../../wasm/rosto-vision-web.js";
+import { asTrouble } from "../page/trouble.js";
+import { bytesOf } from "../work/bytes.js";
+import { bitmapOf } from "../work/pixels.js";
 
 const page = /** @type {DedicatedWorkerGlobalScope} */ (/** @type {unknown} */ (self));
 
@@ -68,23 +71,14 @@ async function tellOfArrival(response) {
 /** @param {Request} request */
 async function answer({ id, photo, maxFaces }) {
   try {
-    const bytes = await readPhoto(photo);
+    const bytes = await bytesOf(photo);
     const faces = find(await vision, bytes, maxFaces, id);
     const found = { ...faces, bitmap: await bitmapOf(faces) };
     tell({ type: "found", id, found }, [found.bitmap, ...buffersOf(found)]);
   } catch (error) {
     // After a trap the module's memory is in an unknown state: the page starts another worker.
     if (error instanceof WebAssembly.RuntimeError) tell({ type: "trapped", id, message: error.message });
-    else tell({ type: "failed", id, error: asTrouble(error, "other") });
-  }
-}
-
-/** @param {Blob} photo */
-async function readPhoto(photo) {
-  try {
-    return new Uint8Array(await photo.arrayBuffer());
-  } catch (error) {
-    throw { code: "unreadable-file", message: String(error), hint: "" };
+    else tell({ type: "failed", id, error: asTrouble(error) });
   }
 }
 
@@ -118,12 +112,6 @@ function find(vision, bytes, maxFaces, id) {
   }
 }
 
-/** @param {Omit<FoundFaces, "bitmap">} found */
-function bitmapOf({ picture, pictureWidth_px, pictureHeight_px }) {
-  const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (picture.buffer));
-  return createImageBitmap(new ImageData(pixels, pictureWidth_px, pictureHeight_px));
-}
-
 /** @param {FoundFaces} found */
 function buffersOf(found) {
   const arrays = [found.picture, ...found.faces.flatMap((face) => [face.landmarks, face.colours])];
@@ -136,16 +124,4 @@ function buffersOf(found) {
  */
 function tell(reply, transfer = []) {
   page.postMessage(reply, transfer);
-}
-
-/**
- * @param {unknown} error
- * @param {string} code for an error that brings none
- */
-function asTrouble(error, code) {
-  if (typeof error === "object" && error !== null && "code" in error && typeof error.code === "string") {
-    const { message = "", hint = "" } = /** @type {{ message?: string, hint?: string }} */ (error);
-    return { code: error.code, message, hint };
-  }
-  return { code, message: String(error), hint: "" };
 }
