@@ -98,8 +98,9 @@ function history({ page }) {
   return page.evaluate(() => [...document.querySelectorAll("#history li")].map((item) => `${item.querySelector("input")?.checked ? "" : "off: "}${item.textContent?.trim()}`));
 }
 
-/** @param {Hands} hands */
-function mesh(hands) {
+/** The mesh in millimetres: a reload forgets what was chosen for files. @param {Hands} hands */
+async function mesh(hands) {
+  await hands.page.evaluate(() => window["__eyes"].press("input[name='export-units'][value='mm']"));
   return download(hands, "download-json");
 }
 
