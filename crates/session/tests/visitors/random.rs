@@ -16,6 +16,8 @@ use crate::wishes;
 
 const ACTIONS: u64 = 100_000;
 const LONGEST: usize = 400;
+/// A long run tells of itself.
+const TOLD_EVERY: u64 = 100_000;
 /// Every so many actions, everything is read, written, taken back and replayed.
 const DEEPLY_EVERY: usize = 50;
 
@@ -43,7 +45,11 @@ fn walk(actions: u64, seed: u64) -> u64 {
     let mut done = 0;
     while done < actions {
         let sequence = intents.new_tree(&mut runner).unwrap();
+        let before = done;
         done += sequence.current().len() as u64;
+        if done / TOLD_EVERY > before / TOLD_EVERY {
+            println!("  visitor {seed}: {done} of {actions} actions");
+        }
         let outcome = runner.run_one(sequence, |intents| visit(&intents).map_err(TestCaseError::fail));
         if let Err(TestError::Fail(reason, shortest)) = outcome {
             panic!("{reason}, after\n{shortest:#?}");
