@@ -3,13 +3,13 @@ import { writeFile } from "node:fs/promises";
 import path from "node:path";
 import { AUDIENCES, AXE_VERSION, audits } from "./accessibility.mjs";
 import { launch } from "./browser.mjs";
-import { serve } from "./server.mjs";
+import { DIST, serve } from "./server.mjs";
 import { Visitor } from "./visitor.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
 const REPORT = "docs/accessibility.md";
 
-const server = await serve(path.resolve(process.env.ROSTO_DIST ?? path.join(ROOT, "dist")), "/");
+const server = await serve(DIST, "/");
 const browser = await launch();
 const rows = [];
 const unsure = new Set();

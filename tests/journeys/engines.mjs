@@ -6,10 +6,9 @@ import { core } from "./engines/core.mjs";
 import { openDisplay } from "./engines/display.mjs";
 import { firefox } from "./engines/firefox.mjs";
 import { webkit } from "./engines/webkit.mjs";
-import { serve } from "./server.mjs";
+import { DIST, serve } from "./server.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
-const DIST = path.resolve(process.env.ROSTO_DIST ?? path.join(ROOT, "dist"));
 const PICTURES = path.join(ROOT, "target/engines");
 
 const ENGINES = { chromium, firefox: onDisplay(firefox), webkit: onDisplay(webkit) };

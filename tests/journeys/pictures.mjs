@@ -1,5 +1,9 @@
+import { mkdtemp, readFile, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import path from "node:path";
 import { PNG } from "pngjs";
 import { crc32 } from "node:zlib";
+import { SAMPLE } from "./visitor.mjs";
 
 /** The head in the sample portrait, px. */
 const FACE_IN_PORTRAIT = { x: 110, y: 10, width: 220, height: 220 };
@@ -81,13 +85,20 @@ async function redraw(page, png, how) {
   return Buffer.from(base64, "base64");
 }
 
+/** The file of a film of the sample portrait, for a fake camera to play. */
+export async function portraitFilm() {
+  const file = path.join(await mkdtemp(path.join(tmpdir(), "rosto-")), "portrait.y4m");
+  await writeFile(file, asFilm(await readFile(SAMPLE), 5));
+  return file;
+}
+
 /**
- * A short film of one still, in YUV 4:2:0: what a fake camera plays.
+ * A short film of one still, in YUV 4:2:0.
  *
  * @param {Uint8Array} png
  * @param {number} frames
  */
-export function asFilm(png, frames) {
+function asFilm(png, frames) {
   const { width, height, data } = PNG.sync.read(Buffer.from(png));
   const luma = Buffer.alloc(width * height);
   const blue = Buffer.alloc((width / 2) * (height / 2));

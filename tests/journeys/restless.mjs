@@ -2,19 +2,17 @@
 // [--minutes M]. It goes on after a finding, and ends with figures, which target/torture/restless.json holds as well. Two
 // visits go on at a time, each in a browser of its own, where the machine has two cores.
 // --seed S --upto K does the first K actions of one visit again and shows them.
-import { mkdir, mkdtemp, readFile, writeFile } from "node:fs/promises";
-import { availableParallelism, tmpdir } from "node:os";
+import { mkdir, writeFile } from "node:fs/promises";
+import { availableParallelism } from "node:os";
 import path from "node:path";
 import { parseArgs } from "node:util";
-import { asFilm } from "./pictures.mjs";
+import { portraitFilm } from "./pictures.mjs";
 import { Run, Visits } from "./restless/lanes.mjs";
 import { kindOf, shrink } from "./restless/shrink.mjs";
 import { inWords, wishes } from "./restless/visit.mjs";
-import { serve } from "./server.mjs";
-import { SAMPLE } from "./visitor.mjs";
+import { DIST, serve } from "./server.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
-const DIST = path.resolve(process.env.ROSTO_DIST ?? path.join(ROOT, "dist"));
 const REPORT = path.join(ROOT, "target/torture/restless.json");
 const LANES = Math.min(2, availableParallelism());
 const LAST_SHOWN = 15;
@@ -30,8 +28,7 @@ const { values } = parseArgs({
 });
 const started = performance.now();
 const server = await serve(DIST, "/some/where/");
-const film = path.join(await mkdtemp(path.join(tmpdir(), "rosto-")), "portrait.y4m");
-await writeFile(film, asFilm(await readFile(SAMPLE), 5));
+const film = await portraitFilm();
 
 if (values.upto) await replay(Number(values.seed), Number(values.upto));
 else await wander(Number(values.actions), Number(values.seed), Number(values.minutes));

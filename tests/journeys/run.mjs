@@ -1,14 +1,14 @@
 // Walks every journey through the built page, or those whose names contain the words given, and counts. Two are walked at
 // a time, each in a browser of its own, where the machine has two cores. With --timed, the ones that measure instead, one
 // by one: what they find depends on what else the machine does.
-import { mkdtemp, readFile, readdir, writeFile } from "node:fs/promises";
-import { availableParallelism, tmpdir } from "node:os";
+import { readdir } from "node:fs/promises";
+import { availableParallelism } from "node:os";
 import path from "node:path";
 import { launch } from "./browser.mjs";
 import { journeys } from "./journey.mjs";
-import { asFilm } from "./pictures.mjs";
+import { portraitFilm } from "./pictures.mjs";
 import { DIST, serve } from "./server.mjs";
-import { SAMPLE, Visitor } from "./visitor.mjs";
+import { Visitor } from "./visitor.mjs";
 
 const HERE = import.meta.dirname;
 const BELOW = "/some/where/";
@@ -38,9 +38,7 @@ async function launchFor(needs) {
   if (needs === "no-gpu") return launch({ gpu: "none" });
   if (needs === "webgl") return launch({ gpu: "webgl" });
   if (needs !== "camera") return launch();
-  const film = path.join(await mkdtemp(path.join(tmpdir(), "rosto-")), "portrait.y4m");
-  await writeFile(film, asFilm(await readFile(SAMPLE), 5));
-  return launch({ film });
+  return launch({ film: await portraitFilm() });
 }
 
 const isTimed = process.argv.includes("--timed");
@@ -65,12 +63,12 @@ process.exitCode = failed === 0 && passed > 0 ? 0 : 1;
 /** One journey after the other, as long as any is waiting. */
 async function walkInLane() {
   const browsers = new Browsers();
-  for (let next = waiting.shift(); next; next = waiting.shift()) await walk(next, browsers);
+  for (let next = waiting.shift(); next; next = waiting.shift()) await walkOne(next, browsers);
   await browsers.close();
 }
 
 /** @param {import("./journey.mjs").Journey} journey @param {Browsers} browsers */
-async function walk({ name, needs, walk }, browsers) {
+async function walkOne({ name, needs, walk }, browsers) {
   const started = performance.now();
   const visitors = [];
   try {

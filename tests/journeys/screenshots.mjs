@@ -2,7 +2,7 @@
 import { mkdir, writeFile } from "node:fs/promises";
 import path from "node:path";
 import { launch } from "./browser.mjs";
-import { serve } from "./server.mjs";
+import { DIST, serve } from "./server.mjs";
 import { Visitor } from "./visitor.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
@@ -32,7 +32,7 @@ const PICTURES = {
 };
 
 const wanted = process.argv.slice(2);
-const server = await serve(path.resolve(process.env.ROSTO_DIST ?? path.join(ROOT, "dist")), "/");
+const server = await serve(DIST, "/");
 const browser = await launch();
 await mkdir(IMAGES, { recursive: true });
 for (const [name, { options, act }] of Object.entries(PICTURES)) {

@@ -146,10 +146,9 @@ export class Workbench {
 
   /** Tells every listener how things stand. */
   announce() {
-    const state = this.ask((studio) => studio.state());
-    if (!state) return;
-    for (const listener of this.#changeListeners) this.ask(() => listener(state));
-    state.free();
+    this.read((state) => {
+      for (const listener of this.#changeListeners) this.ask(() => listener(state));
+    });
     this.#tellTick();
   }
 

@@ -36,7 +36,7 @@ export function say(key, values = {}) {
  * @returns {key is WordKey}
  */
 export function isWord(key) {
-  return key in LANGUAGES.en;
+  return key in en;
 }
 
 /**
