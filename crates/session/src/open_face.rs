@@ -1,13 +1,17 @@
-use glam::{DMat3, DVec2, DVec3};
-use rosto_face::{FaceModel, LANDMARK_COUNT, Language, Triangulation};
-use rosto_studio::{Command, Details, Document, FaceSlider, Frame, Hold, Rest, StudioError, Subject, Switch, project};
+mod mesh;
+mod movement;
+mod outputs;
 
+use glam::DVec3;
+use rosto_face::{FaceModel, Language, Triangulation};
+use rosto_studio::{Command, Details, Document, FaceSlider, StudioError, Subject, Switch};
+
+use crate::Selection;
 use crate::choices::Choices;
 use crate::error::SessionError;
 use crate::rows::{Row, Rows};
 use crate::selection::Moving;
 use crate::slider_follow::{self, SliderFollow};
-use crate::{Selection, SelectionMode};
 
 pub(crate) const M_PER_MM: f64 = 1.0 / 1000.0;
 pub(crate) const MM_PER_M: f64 = 1000.0;
@@ -264,155 +268,5 @@ impl OpenFace {
         self.document.apply(&label, Command::Symmetrise { share })?;
         self.rows.read(&self.document, first);
         Ok(())
-    }
-
-    /// Shows the cage subdivided so many times. A point that is selected becomes that of the new mesh.
-    pub(crate) fn set_density(
-        &mut self,
-        density: u32,
-        mode: SelectionMode,
-        choices: &Choices,
-    ) -> Result<(), SessionError> {
-        self.commit(choices);
-        let is_point = mode == SelectionMode::Point || matches!(self.selection, Some(Selection::Point { .. }));
-        let selected = self.selected().zip(self.selected_m()).filter(|_| is_point);
-        self.document.set_density(density)?;
-        if let Some((vertex, place_m)) = selected {
-            let is_there = (vertex as usize) < self.document.rest().len();
-            let vertex = if is_there { vertex } else { self.nearest(place_m) };
-            self.selection = Some(self.at(vertex, SelectionMode::Point));
-        }
-        self.rows.read(&self.document, 0);
-        self.hold(choices);
-        Ok(())
-    }
-
-    /// Joins the landmarks by other triangles; the edits are carried out again. Points that were pinned are free again.
-    pub(crate) fn set_triangulation(
-        &mut self,
-        triangulation: Triangulation,
-        choices: &Choices,
-    ) -> Result<(), SessionError> {
-        let density = self.document.density();
-        self.commit(choices);
-        let place_m = self.selected_m();
-        let rest = Rest::new(triangulation.topology(), self.model.positions_m().to_vec(), Frame::Model);
-        let mut document = self.document.over(rest)?;
-        document.set_density(density)?;
-        (self.document, self.triangulation) = (document, triangulation);
-        self.pins.retain(|pin| (*pin as usize) < LANDMARK_COUNT);
-        if let (Some(Selection::Point { level, .. }), Some(place_m)) = (self.selection, place_m) {
-            self.selection = Some(Selection::Point { level, vertex: self.nearest(place_m) });
-        }
-        self.rows.read(&self.document, 0);
-        self.hold(choices);
-        Ok(())
-    }
-
-    /// The edits as versioned JSON.
-    pub fn history_json(&self) -> String {
-        project::to_json(self.document.history().entries())
-    }
-
-    /// Positions in MediaPipe's normalised picture coordinates.
-    pub fn positions_image(&self) -> Vec<DVec3> {
-        let image_from_model: DMat3 = self.model.image_from_model().matrix3;
-        let moved = self.document.positions().iter().zip(self.document.rest());
-        let moved = moved.map(|(now, before)| image_from_model * (*now - *before));
-        let rest = self.document.from_cage(self.model.positions_image());
-        rest.into_iter().zip(moved).map(|(before, moved)| before + moved).collect()
-    }
-
-    /// Positions in millimetres.
-    pub fn positions_mm(&self) -> Vec<DVec3> {
-        self.document.positions().iter().map(|&position| position * MM_PER_M).collect()
-    }
-
-    /// Places in the picture for every vertex shown.
-    pub fn uvs(&self) -> Vec<DVec2> {
-        self.document.from_cage(self.model.uvs())
-    }
-
-    /// Colours for every vertex shown: the landmarks' own, and the photo's for those that were added between them.
-    pub fn colours_srgb(&self, uvs: &[DVec2]) -> Vec<[u8; 3]> {
-        let own = self.model.colours_srgb();
-        match self.document.density() {
-            0 => own.to_vec(),
-            _ => uvs.iter().map(|uv| self.model.picture().colour_under(uv.x, uv.y)).collect(),
-        }
-    }
-
-    /// For each vertex shown, how much longer its edges are than in the face as it was found: −1 for 20 % or more
-    /// shorter, 1 for 20 % or more longer.
-    pub fn stretch(&self) -> Vec<f64> {
-        let (topology, rest, now) = (self.document.topology(), self.document.rest(), self.document.positions());
-        let mut sums = vec![(0.0, 0.0); topology.vertex_count()];
-        for edge in topology.edges() {
-            let [a, b] = edge.map(|end| end as usize);
-            let (before, after) = (rest[a].distance(rest[b]), now[a].distance(now[b]));
-            for end in [a, b] {
-                sums[end].0 += before;
-                sums[end].1 += after;
-            }
-        }
-        let ratio = |(before, after): (f64, f64)| if before > 0.0 { after / before - 1.0 } else { 0.0 };
-        sums.into_iter().map(|sum| (ratio(sum) / 0.2).clamp(-1.0, 1.0)).collect()
-    }
-
-    /// Where a slider stands, in mm: the sum of its entries that are in force, and the edit in progress.
-    pub fn slider_mm(&self, slider: FaceSlider) -> f64 {
-        let moving_mm = match self.moving {
-            Moving::Slider { slider: moved, by_mm } if moved == slider => by_mm,
-            _ => 0.0,
-        };
-        self.rows.in_force_mm(Subject::Slider(slider)) + moving_mm
-    }
-
-    /// The sum in mm of the entries in force that moved what is selected.
-    pub fn kept_mm(&self) -> DVec3 {
-        let Some(selection) = self.selection else { return DVec3::ZERO };
-        let entries = self.document.history().entries();
-        let offsets = self.rows.in_force(selection.subject()).filter_map(|row| match &entries[row.index].command {
-            Command::Move { offsets, .. } => offsets.first(),
-            Command::Symmetrise { .. } => None,
-        });
-        offsets.sum::<DVec3>() * MM_PER_M
-    }
-
-    /// Whether the history holds edits in force of what is selected.
-    pub fn can_reset_selection(&self) -> bool {
-        self.selection.is_some_and(|selection| self.rows.in_force(selection.subject()).next().is_some())
-    }
-
-    /// Whether what is selected is its own mirror image and the mirror is on, so that it cannot move along x.
-    pub fn moves_in_plane(&self) -> bool {
-        let Some(selection) = self.selection else { return false };
-        let handles = selection.handles();
-        let is_mirrored = self.document.grip().is_some_and(|grip| grip.settings.mirror == rosto_studio::Mirror::On);
-        let partner = |handle: u32| self.document.partner(selection.level(), handle);
-        let is_own_image = |&handle: &u32| partner(handle).is_some_and(|partner| handles.contains(&partner));
-        is_mirrored && handles.iter().all(is_own_image)
-    }
-
-    /// Share of its offset that the vertex selected reaches: 1 is all of it. What moves in the mirror's plane is moved by both its
-    /// own offset and the mirrored one.
-    pub fn reach(&self) -> f64 {
-        match (self.document.grip().map(|grip| grip.settings.hold), self.selected(), self.document.follow()) {
-            (Some(Hold::Exact), ..) => 1.0,
-            (Some(_), Some(vertex), Some(follow)) => {
-                let share = |field: &[f64]| field.get(vertex as usize).copied().unwrap_or(0.0);
-                share(&follow.direct) + if self.moves_in_plane() { share(&follow.mirrored) } else { 0.0 }
-            }
-            _ => 0.0,
-        }
-    }
-
-    /// Number of neighbours of the vertex selected: of a landmark, in the cage.
-    pub fn degree(&self) -> u32 {
-        match self.selection {
-            Some(Selection::Point { vertex, .. }) => self.document.topology().degree(vertex) as u32,
-            Some(other) => self.triangulation.topology().degree(other.middle()) as u32,
-            None => 0,
-        }
     }
 }

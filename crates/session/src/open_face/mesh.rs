@@ -1,0 +1,53 @@
+use rosto_face::{LANDMARK_COUNT, Triangulation};
+use rosto_studio::{Frame, Rest};
+
+use super::OpenFace;
+use crate::choices::Choices;
+use crate::error::SessionError;
+use crate::{Selection, SelectionMode};
+
+/// Another mesh for the same edits.
+impl OpenFace {
+    /// Shows the cage subdivided so many times. A point that is selected becomes that of the new mesh.
+    pub(crate) fn set_density(
+        &mut self,
+        density: u32,
+        mode: SelectionMode,
+        choices: &Choices,
+    ) -> Result<(), SessionError> {
+        self.commit(choices);
+        let is_point = mode == SelectionMode::Point || matches!(self.selection, Some(Selection::Point { .. }));
+        let selected = self.selected().zip(self.selected_m()).filter(|_| is_point);
+        self.document.set_density(density)?;
+        if let Some((vertex, place_m)) = selected {
+            let is_there = (vertex as usize) < self.document.rest().len();
+            let vertex = if is_there { vertex } else { self.nearest(place_m) };
+            self.selection = Some(self.at(vertex, SelectionMode::Point));
+        }
+        self.rows.read(&self.document, 0);
+        self.hold(choices);
+        Ok(())
+    }
+
+    /// Joins the landmarks by other triangles; the edits are carried out again. Points that were pinned are free again.
+    pub(crate) fn set_triangulation(
+        &mut self,
+        triangulation: Triangulation,
+        choices: &Choices,
+    ) -> Result<(), SessionError> {
+        let density = self.document.density();
+        self.commit(choices);
+        let place_m = self.selected_m();
+        let rest = Rest::new(triangulation.topology(), self.model.positions_m().to_vec(), Frame::Model);
+        let mut document = self.document.over(rest)?;
+        document.set_density(density)?;
+        (self.document, self.triangulation) = (document, triangulation);
+        self.pins.retain(|pin| (*pin as usize) < LANDMARK_COUNT);
+        if let (Some(Selection::Point { level, .. }), Some(place_m)) = (self.selection, place_m) {
+            self.selection = Some(Selection::Point { level, vertex: self.nearest(place_m) });
+        }
+        self.rows.read(&self.document, 0);
+        self.hold(choices);
+        Ok(())
+    }
+}

@@ -1,0 +1,57 @@
+use glam::{DMat3, DVec2, DVec3};
+use rosto_studio::project;
+
+use super::{MM_PER_M, OpenFace};
+
+/// What is shown and written of it.
+impl OpenFace {
+    /// The edits as versioned JSON.
+    pub fn history_json(&self) -> String {
+        project::to_json(self.document.history().entries())
+    }
+
+    /// Positions in MediaPipe's normalised picture coordinates.
+    pub fn positions_image(&self) -> Vec<DVec3> {
+        let image_from_model: DMat3 = self.model.image_from_model().matrix3;
+        let moved = self.document.positions().iter().zip(self.document.rest());
+        let moved = moved.map(|(now, before)| image_from_model * (*now - *before));
+        let rest = self.document.from_cage(self.model.positions_image());
+        rest.into_iter().zip(moved).map(|(before, moved)| before + moved).collect()
+    }
+
+    /// Positions in millimetres.
+    pub fn positions_mm(&self) -> Vec<DVec3> {
+        self.document.positions().iter().map(|&position| position * MM_PER_M).collect()
+    }
+
+    /// Places in the picture for every vertex shown.
+    pub fn uvs(&self) -> Vec<DVec2> {
+        self.document.from_cage(self.model.uvs())
+    }
+
+    /// Colours for every vertex shown: the landmarks' own, and the photo's for those that were added between them.
+    pub fn colours_srgb(&self, uvs: &[DVec2]) -> Vec<[u8; 3]> {
+        let own = self.model.colours_srgb();
+        match self.document.density() {
+            0 => own.to_vec(),
+            _ => uvs.iter().map(|uv| self.model.picture().colour_under(uv.x, uv.y)).collect(),
+        }
+    }
+
+    /// For each vertex shown, how much longer its edges are than in the face as it was found: −1 for 20 % or more
+    /// shorter, 1 for 20 % or more longer.
+    pub fn stretch(&self) -> Vec<f64> {
+        let (topology, rest, now) = (self.document.topology(), self.document.rest(), self.document.positions());
+        let mut sums = vec![(0.0, 0.0); topology.vertex_count()];
+        for edge in topology.edges() {
+            let [a, b] = edge.map(|end| end as usize);
+            let (before, after) = (rest[a].distance(rest[b]), now[a].distance(now[b]));
+            for end in [a, b] {
+                sums[end].0 += before;
+                sums[end].1 += after;
+            }
+        }
+        let ratio = |(before, after): (f64, f64)| if before > 0.0 { after / before - 1.0 } else { 0.0 };
+        sums.into_iter().map(|sum| (ratio(sum) / 0.2).clamp(-1.0, 1.0)).collect()
+    }
+}
