@@ -98,6 +98,8 @@ journey("on a dense mesh a point that is not there is not said to be between 0 a
   await visitor.unfold("section-landmark");
   await page.check("input[name='hand'][value='point']", { force: true });
   await page.selectOption("#point-density", "2");
+  // The denser mesh comes after the words that announce it have been drawn.
+  await visitor.frames(3);
   await visitor.findLandmark("7000");
   assert.equal(await visitor.point(), 7_000);
   for (const language of ["en", "pt"]) {
