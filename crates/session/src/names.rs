@@ -1,6 +1,6 @@
 use rosto_face::{LANDMARK_COUNT, Language, landmark_name};
 
-use crate::selecting::landmark_label;
+use crate::open_face::landmark_label;
 use crate::{Session, SessionError};
 
 /// What things are called.

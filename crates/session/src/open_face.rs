@@ -1,6 +1,7 @@
 mod mesh;
 mod movement;
 mod outputs;
+mod selecting;
 
 use glam::DVec3;
 use rosto_face::{FaceModel, Language, Triangulation};
@@ -12,6 +13,7 @@ use crate::error::SessionError;
 use crate::rows::{Row, Rows};
 use crate::selection::Moving;
 use crate::slider_follow::{self, SliderFollow};
+pub use selecting::landmark_label;
 
 pub(crate) const M_PER_MM: f64 = 1.0 / 1000.0;
 pub(crate) const MM_PER_M: f64 = 1000.0;

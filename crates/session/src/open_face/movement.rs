@@ -42,8 +42,8 @@ impl OpenFace {
         is_mirrored && handles.iter().all(is_own_image)
     }
 
-    /// Share of its offset that the vertex selected reaches: 1 is all of it. What moves in the mirror's plane is moved by both its
-    /// own offset and the mirrored one.
+    /// Share of its offset that the vertex selected reaches: 1 is all of it. What moves in the mirror's plane is moved by
+    /// both its own offset and the mirrored one.
     pub fn reach(&self) -> f64 {
         match (self.document.grip().map(|grip| grip.settings.hold), self.selected(), self.document.follow()) {
             (Some(Hold::Exact), ..) => 1.0,

@@ -3,8 +3,8 @@ use rosto_face::{LANDMARK_COUNT, Language, Region, landmark_name};
 use rosto_mesh::{Ray, Surface};
 use rosto_studio::Subject;
 
+use super::OpenFace;
 use crate::error::SessionError;
-use crate::open_face::OpenFace;
 use crate::{Selection, SelectionMode};
 
 /// What is selected where, and what it is called.
