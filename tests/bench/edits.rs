@@ -8,7 +8,7 @@ use glam::DVec3;
 use rosto_face::{Triangulation, canonical_positions_m};
 use rosto_laplacian::{Constraints, LaplacianSystem, Operator, Response};
 use rosto_mesh::{LoopSubdivision, Topology};
-use rosto_studio::{Document, Frame, Grip, Rest};
+use rosto_studio::{CoordinateFrame, Document, EditSpec, Rest};
 use wasm_bindgen::prelude::*;
 
 const HANDLE: u32 = 1;
@@ -36,9 +36,9 @@ impl Bench {
         let rest = dense.apply(&canonical_positions_m());
         let system = LaplacianSystem::new(dense.topology(), &rest, Operator::UniformSymmetric)?;
         let response = system.respond(&constraints())?;
-        let mut document = Document::new(Rest::new(cage, canonical_positions_m(), Frame::Model))?;
+        let mut document = Document::new(Rest::new(cage, canonical_positions_m(), CoordinateFrame::Model))?;
         document.set_density(levels)?;
-        document.hold(Grip { handles: vec![HANDLE], ..Grip::default() })?;
+        document.hold(EditSpec { handles: vec![HANDLE], ..EditSpec::default() })?;
         document.preview(&[OFFSET_M])?;
         Ok(Self { topology: dense.topology().clone(), edited: rest.clone(), rest, system, response, document })
     }

@@ -3,7 +3,7 @@ use std::path::PathBuf;
 use clap::builder::RangedU64ValueParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use rosto_face::{Region, Triangulation};
-use rosto_studio::{FaceSlider, Hold, Operator};
+use rosto_studio::{ConstraintKind, FaceSlider, Operator};
 
 use crate::edits::{Edit, RegionEdit, SliderEdit};
 use crate::follow;
@@ -73,7 +73,7 @@ pub struct MeshTask {
     pub density: u32,
     /// How a GLB or glTF is painted
     #[arg(long, value_enum, default_value_t)]
-    pub paint: Paint,
+    pub paint: BaseColour,
     /// Writes the face unedited, with each edit as a named morph target at weight 1; for .glb and .gltf with --units mm
     #[arg(long)]
     pub morph_targets: bool,
@@ -122,8 +122,8 @@ pub struct FollowArguments {
     #[arg(long, value_enum, default_value_t)]
     pub operator: OperatorName,
     /// How firmly handles and anchors are held: "exact", or the weight of a soft constraint
-    #[arg(long, value_name = "exact|WEIGHT", allow_negative_numbers = true, default_value = "1", value_parser = follow::hold)]
-    pub hold: Hold,
+    #[arg(long = "hold", value_name = "exact|WEIGHT", allow_negative_numbers = true, default_value = "1", value_parser = follow::hold)]
+    pub constraint: ConstraintKind,
     /// What stays in place: two random vertices, the face's oval, everything further away than a radius, or only --pin
     #[arg(long, value_name = "random|oval|outside:RADIUS|pins", default_value = "random", value_parser = follow::anchors)]
     pub anchors: follow::Rule,
@@ -233,7 +233,7 @@ pub enum Units {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub enum Paint {
+pub enum BaseColour {
     /// The photo as texture
     #[default]
     Texture,

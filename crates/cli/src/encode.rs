@@ -5,7 +5,7 @@ use rosto_export::{GlbOptions, JsonMesh, Model, Morph, Source, glb, gltf, mesh_j
 use rosto_face::FaceModel;
 use rosto_studio::{Document, Entry, project};
 
-use crate::args::{MeshTask, Paint, Units};
+use crate::args::{BaseColour, MeshTask, Units};
 use crate::error::CliError;
 use crate::model_history::model_history;
 use crate::terminal;
@@ -84,11 +84,11 @@ fn gltf_as<T>(
     let named = entries.iter().zip(layers);
     let morphs: Vec<Morph<'_>> =
         named.map(|(entry, layer)| Morph { name: &entry.label, displacements_m: layer, weight: 1.0 }).collect();
-    let paint = match task.paint {
-        Paint::Texture => rosto_export::Paint::Texture,
-        Paint::Colors => rosto_export::Paint::VertexColours,
+    let base_colour = match task.paint {
+        BaseColour::Texture => rosto_export::BaseColour::Texture,
+        BaseColour::Colors => rosto_export::BaseColour::VertexColours,
     };
-    let options = GlbOptions { paint, morphs: &morphs, source, ..GlbOptions::default() };
+    let options = GlbOptions { base_colour, morphs: &morphs, source, ..GlbOptions::default() };
     let model = if morphs.is_empty() { *model } else { model.at(document.rest()) };
     Ok(write(&model, &options)?)
 }

@@ -1,4 +1,4 @@
-use rosto_studio::{AnchorKind, Anchors, Details, Hold, Mirror, Reach, Settings};
+use rosto_studio::{AnchorKind, Anchors, ConstraintKind, Details, Mirror, RegionOfInfluence, Settings};
 
 use crate::args::FollowArguments;
 
@@ -12,11 +12,11 @@ pub enum Rule {
 }
 
 /// `exact`, or the weight of a soft constraint.
-pub fn hold(text: &str) -> Result<Hold, String> {
+pub fn hold(text: &str) -> Result<ConstraintKind, String> {
     let weight: Option<f64> = text.parse().ok();
     match (text, weight) {
-        ("exact", _) => Ok(Hold::Exact),
-        (_, Some(weight)) if weight > 0.0 && weight.is_finite() => Ok(Hold::Soft { weight }),
+        ("exact", _) => Ok(ConstraintKind::Hard),
+        (_, Some(weight)) if weight > 0.0 && weight.is_finite() => Ok(ConstraintKind::Soft { weight }),
         _ => Err("give \"exact\" or a positive weight".to_owned()),
     }
 }
@@ -59,11 +59,13 @@ pub fn settings(arguments: &FollowArguments, number: usize, unit: f64) -> Settin
     };
     Settings {
         operator: arguments.operator.into(),
-        hold: arguments.hold,
+        constraint: arguments.constraint,
         anchors: Anchors { kind, pins: arguments.pins.clone() },
-        reach: arguments.radius.map_or(Reach::Whole, |radius| Reach::Within { radius: radius * unit }),
+        reach: arguments
+            .radius
+            .map_or(RegionOfInfluence::Whole, |radius| RegionOfInfluence::Within { radius: radius * unit }),
         mirror: if arguments.mirror { Mirror::On } else { Mirror::Off },
-        details: if arguments.turn_details { Details::Turned } else { Details::Kept },
+        details: if arguments.turn_details { Details::AsRigidAsPossible } else { Details::Kept },
     }
 }
 
@@ -73,8 +75,8 @@ mod tests {
 
     #[test]
     fn holds_and_rules_are_read_by_their_names() {
-        assert_eq!(hold("exact"), Ok(Hold::Exact));
-        assert_eq!(hold("2.5"), Ok(Hold::Soft { weight: 2.5 }));
+        assert_eq!(hold("exact"), Ok(ConstraintKind::Hard));
+        assert_eq!(hold("2.5"), Ok(ConstraintKind::Soft { weight: 2.5 }));
         assert!(hold("0").is_err() && hold("-1").is_err() && hold("inf").is_err() && hold("firm").is_err());
         assert_eq!(anchors("outside:30"), Ok(Rule::Outside { radius: 30.0 }));
         assert_eq!(anchors("oval"), Ok(Rule::Oval));

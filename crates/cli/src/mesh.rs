@@ -1,7 +1,7 @@
 use std::path::Path;
 
 use rosto_face::{FaceModel, Language};
-use rosto_studio::{Anchors, Command, Document, Grip, Rest, StudioError};
+use rosto_studio::{Anchors, Command, Document, EditSpec, Rest, StudioError};
 
 use crate::args::{EditArguments, FollowArguments, MeshTask, Units};
 use crate::encode::{self, Format, MM_PER_M};
@@ -58,14 +58,14 @@ fn steps(asked: &EditArguments, follow: &FollowArguments) -> Result<Vec<Step>, C
             0 => format!("vertex {}", edit.vertex),
             level => format!("vertex {}@{level}", edit.vertex),
         };
-        let grip = Grip { level: edit.level, handles: vec![edit.vertex], settings };
-        steps.push(Step::new(what, Command::Move { grip, offsets: vec![edit.offset * unit] }));
+        let spec = EditSpec { level: edit.level, handles: vec![edit.vertex], settings };
+        steps.push(Step::new(what, Command::Move { spec, offsets: vec![edit.offset * unit] }));
     }
     for edit in &asked.regions {
         let handles = edit.region.vertices();
         let offsets = vec![edit.offset * unit; handles.len()];
-        let grip = Grip { level: 0, handles, settings: follow::settings(follow, steps.len(), unit) };
-        steps.push(Step::new(edit.region.id(), Command::Move { grip, offsets }));
+        let spec = EditSpec { level: 0, handles, settings: follow::settings(follow, steps.len(), unit) };
+        steps.push(Step::new(edit.region.id(), Command::Move { spec, offsets }));
     }
     for edit in &asked.sliders {
         steps.push(Step::new(edit.slider.id(), edit.slider.command(edit.amount_mm / MM_PER_M)));
@@ -99,12 +99,12 @@ fn edited(face: &FaceModel, steps: Vec<Step>, task: &MeshTask) -> Result<Documen
 
 fn apply(document: &mut Document, command: Command) -> Result<(), StudioError> {
     // A document lets such an edit wait for a denser mesh, and none will come here.
-    if let Command::Move { grip, .. } = &command
-        && grip.level > document.density()
+    if let Command::Move { spec, .. } = &command
+        && spec.level > document.density()
     {
-        return Err(StudioError::TooCoarse { level: grip.level, density: document.density() });
+        return Err(StudioError::TooCoarse { level: spec.level, density: document.density() });
     }
     // The page calls its entries so, too: both write the same file.
-    let label = document.name_of(command.subject(), Language::English);
+    let label = document.name_of(command.target(), Language::English);
     document.apply(&label, command)
 }

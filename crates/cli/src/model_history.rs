@@ -3,8 +3,8 @@
 use glam::{DMat3, DVec3};
 use rosto_face::FaceModel;
 use rosto_studio::{
-    AnchorKind, Anchors, Command, Details, Document, Entry, Frame, Grip, Hold, Mirror, Operator, Reach, Rest, Settings,
-    StudioError,
+    AnchorKind, Anchors, Command, ConstraintKind, CoordinateFrame, Details, Document, EditSpec, Entry, Mirror,
+    Operator, RegionOfInfluence, Rest, Settings, StudioError,
 };
 
 /// What a file holds of edits that were made in image coordinates.
@@ -16,13 +16,13 @@ pub struct ModelHistory {
 
 /// The landmarks as the picture has them.
 pub fn image_rest(face: &FaceModel) -> Rest {
-    Rest::new(face.topology().clone(), face.positions_image().to_vec(), Frame::Other)
+    Rest::new(face.topology().clone(), face.positions_image().to_vec(), CoordinateFrame::Other)
 }
 
 /// The history of a document over [`image_rest`].
 ///
 /// The frames differ by an affine map. An edit whose weights know only the mesh's topology commutes with it, so that the
-/// same grip with its offsets carried over does the same. Any other becomes the way that each landmark went.
+/// same spec with its offsets carried over does the same. Any other becomes the way that each landmark went.
 pub fn model_history(face: &FaceModel, document: &Document) -> Result<ModelHistory, StudioError> {
     let model_from_image = face.image_from_model().matrix3.inverse();
     let image_entries = document.history().entries();
@@ -31,11 +31,11 @@ pub fn model_history(face: &FaceModel, document: &Document) -> Result<ModelHisto
     let mut history = ModelHistory { entries: Vec::new(), left_out: Vec::new() };
     for (entry, way) in image_entries.iter().zip(cage.displacements()) {
         match &entry.command {
-            Command::Move { grip, offsets } if knows_topology_alone(&grip.settings) => {
+            Command::Move { spec, offsets } if knows_topology_alone(&spec.settings) => {
                 let offsets = carried(offsets, model_from_image);
-                history.entries.push(with(entry, Command::Move { grip: grip.clone(), offsets }));
+                history.entries.push(with(entry, Command::Move { spec: spec.clone(), offsets }));
             }
-            Command::Move { grip, .. } if grip.level > 0 => history.left_out.push(entry.label.clone()),
+            Command::Move { spec, .. } if spec.level > 0 => history.left_out.push(entry.label.clone()),
             _ => {
                 let placed = placed(&carried(&way, model_from_image));
                 history.entries.extend(placed.into_iter().map(|command| with(entry, command)));
@@ -48,7 +48,7 @@ pub fn model_history(face: &FaceModel, document: &Document) -> Result<ModelHisto
 fn knows_topology_alone(settings: &Settings) -> bool {
     let operator = matches!(settings.operator, Operator::UniformSymmetric | Operator::Uniform | Operator::Degree);
     let anchors = !matches!(settings.anchors.kind, AnchorKind::Outside { .. });
-    let reach = settings.reach == Reach::Whole && settings.details == Details::Kept;
+    let reach = settings.reach == RegionOfInfluence::Whole && settings.details == Details::Kept;
     operator && anchors && reach && settings.mirror == Mirror::Off
 }
 
@@ -76,8 +76,9 @@ fn placed(way: &[DVec3]) -> Vec<Command> {
     let command = |handles: Vec<u32>| {
         let pins = all().filter(|vertex| handles.binary_search(vertex).is_err()).collect();
         let offsets = handles.iter().map(|&handle| way[handle as usize]).collect();
-        let settings = Settings { hold: Hold::Exact, anchors: Anchors::explicit(pins), ..Settings::default() };
-        Command::Move { grip: Grip { level: 0, handles, settings }, offsets }
+        let settings =
+            Settings { constraint: ConstraintKind::Hard, anchors: Anchors::explicit(pins), ..Settings::default() };
+        Command::Move { spec: EditSpec { level: 0, handles, settings }, offsets }
     };
     groups.into_iter().map(command).collect()
 }

@@ -3,7 +3,7 @@ use std::time::{Duration, Instant};
 use std::{fs, io};
 
 use glam::DVec3;
-use rosto_export::{GlbOptions, Model, Paint, glb};
+use rosto_export::{BaseColour, GlbOptions, Model, glb};
 use rosto_face::{FaceModel, Triangulation};
 use rosto_laplacian::LaplacianError;
 use rosto_studio::paper::{Experiment, Method, MethodOutcome, Plan, PlotWords, Trial, svg};
@@ -107,7 +107,7 @@ fn write_figures(face: &FaceModel, trial: &Trial, folder: &Path) -> Result<(), C
     for (file, positions) in figures {
         let positions_m = model_from_image(face, positions);
         let name = file.trim_end_matches(".glb");
-        let options = GlbOptions { paint: Paint::VertexColours, name, ..GlbOptions::default() };
+        let options = GlbOptions { base_colour: BaseColour::VertexColours, name, ..GlbOptions::default() };
         output::write(&folder.join(file), &glb(&Model::of_face(face).at(&positions_m), &options)?)?;
     }
     Ok(())

@@ -11,7 +11,7 @@ use crate::follow::Rule;
 /// The options that shape edits, by their names in [`crate::args::FollowArguments`].
 const FOLLOWING: [(&str, &str); 8] = [
     ("operator", "--operator"),
-    ("hold", "--hold"),
+    ("constraint", "--hold"),
     ("anchors", "--anchors"),
     ("seed", "--seed"),
     ("pins", "--pin"),

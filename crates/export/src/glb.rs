@@ -14,7 +14,7 @@ pub(crate) use source::{VERSION, fingerprint, history_object, triangulation_from
 
 /// How the face is painted. Never both ways at once, which would multiply the photo by itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Paint {
+pub enum BaseColour {
     /// The photo as the base-colour texture: a power-of-two crop around the face, encoded as JPEG.
     #[default]
     Texture,
@@ -24,7 +24,7 @@ pub enum Paint {
 
 /// Whether light falls on the face.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Shading {
+pub enum Material {
     /// Physically based and matt.
     #[default]
     Lit,
@@ -47,9 +47,9 @@ pub struct Morph<'a> {
 #[derive(Debug, Clone, Copy)]
 pub struct GlbOptions<'a> {
     /// How the face is painted.
-    pub paint: Paint,
+    pub base_colour: BaseColour,
     /// Whether light falls on it.
-    pub shading: Shading,
+    pub material: Material,
     /// Name of the node and the mesh.
     pub name: &'a str,
     /// Morph targets; none by default.
@@ -64,8 +64,8 @@ pub struct GlbOptions<'a> {
 impl Default for GlbOptions<'_> {
     fn default() -> Self {
         Self {
-            paint: Paint::default(),
-            shading: Shading::default(),
+            base_colour: BaseColour::default(),
+            material: Material::default(),
             name: "face",
             morphs: &[],
             source: None,
@@ -151,11 +151,11 @@ fn paint(
 ) -> Result<Painted, ExportError> {
     let mut crop = None;
     let mut surface = json!({"metallicFactor": 0.0, "roughnessFactor": 0.9});
-    match options.paint {
-        Paint::VertexColours => {
+    match options.base_colour {
+        BaseColour::VertexColours => {
             attributes.insert("COLOR_0".into(), builder.colours(&attributes::linear_colours(model)).into());
         }
-        Paint::Texture => {
+        BaseColour::Texture => {
             let texture = texture::crop(model, options.max_texture_px)?;
             attributes.insert("TEXCOORD_0".into(), builder.vectors2(&texture.uvs).into());
             let view = builder.image(&texture.jpeg);
@@ -167,7 +167,7 @@ fn paint(
         }
     }
     let mut material = json!({"name": "skin", "doubleSided": true, "pbrMetallicRoughness": surface});
-    if options.shading == Shading::Unlit {
+    if options.material == Material::Unlit {
         material["extensions"] = json!({"KHR_materials_unlit": {}});
         root.insert("extensionsUsed".into(), json!(["KHR_materials_unlit"]));
     }

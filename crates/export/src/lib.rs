@@ -17,7 +17,7 @@ mod stl;
 
 pub use colour::linear_from_srgb;
 pub use error::ExportError;
-pub use glb::{GlbOptions, Morph, Paint, Shading, Source, glb, gltf};
+pub use glb::{BaseColour, GlbOptions, Material, Morph, Source, glb, gltf};
 pub use mesh_json::{JsonMesh, mesh_json};
 pub use model::Model;
 pub use obj::obj;

@@ -86,7 +86,7 @@ fn a_face_larger_than_the_texture_is_scaled_down_and_stays_in_place() {
 #[test]
 fn vertex_colours_are_linear_and_exclude_the_texture() {
     let face = face(Triangulation::Canonical);
-    let options = GlbOptions { paint: Paint::VertexColours, ..GlbOptions::default() };
+    let options = GlbOptions { base_colour: BaseColour::VertexColours, ..GlbOptions::default() };
     let file = Glb::read(&glb(&Model::of_face(&face), &options).unwrap());
     assert!(file.json.get("images").is_none() && file.json.get("textures").is_none());
     assert!(file.json["meshes"][0]["primitives"][0]["attributes"].get("TEXCOORD_0").is_none());
@@ -113,7 +113,7 @@ fn morph_targets_source_and_unlit_are_carried_by_name() {
     let wider = vec![DVec3::X * 0.01; 468];
     let morphs = [Morph { name: "jaw wider", displacements_m: &wider, weight: 0.5 }];
     let options = GlbOptions {
-        shading: Shading::Unlit,
+        material: Material::Unlit,
         morphs: &morphs,
         source: Some(source(&face, Some(r#"{"version":1}"#))),
         ..GlbOptions::default()

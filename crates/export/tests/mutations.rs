@@ -57,9 +57,9 @@ fn open(reopened: &Reopened<'_>) {
 fn a_damaged_glb_is_refused_or_opens() {
     let face = face(Triangulation::Tessellation);
     let mut opened = 0;
-    for paint in [Paint::Texture, Paint::VertexColours] {
+    for base_colour in [BaseColour::Texture, BaseColour::VertexColours] {
         let source = Some(source(&face, Some(r#"{"entries":[]}"#)));
-        let file = glb(&Model::of_face(&face), &GlbOptions { paint, source, ..GlbOptions::default() }).unwrap();
+        let file = glb(&Model::of_face(&face), &GlbOptions { base_colour, source, ..GlbOptions::default() }).unwrap();
         let text = 20 + u32::from_le_bytes(file[12..16].try_into().unwrap()) as usize;
         for seed in 0..CASES / 2 {
             if let Ok(reopened) = reopen(&mutated(&file, text, &mut Seeded::new(seed))) {

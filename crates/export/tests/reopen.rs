@@ -13,22 +13,22 @@ use rosto_face::{FaceInput, FaceModel, Triangulation};
 
 const HISTORY: &str = r#"{"entries":[0.1,"é"],"version":1}"#;
 
-fn file(triangulation: Triangulation, paint: Paint) -> Vec<u8> {
+fn file(triangulation: Triangulation, base_colour: BaseColour) -> Vec<u8> {
     let face = face(triangulation);
     let source = Some(Source { density: 2, ..source(&face, Some(HISTORY)) });
-    glb(&Model::of_face(&face), &GlbOptions { paint, source, ..GlbOptions::default() }).unwrap()
+    glb(&Model::of_face(&face), &GlbOptions { base_colour, source, ..GlbOptions::default() }).unwrap()
 }
 
 #[test]
 fn the_face_comes_back_as_it_was_saved() {
     for triangulation in [Triangulation::Tessellation, Triangulation::Canonical] {
-        for paint in [Paint::Texture, Paint::VertexColours] {
+        for base_colour in [BaseColour::Texture, BaseColour::VertexColours] {
             let saved = face(triangulation);
-            let bytes = file(triangulation, paint);
+            let bytes = file(triangulation, base_colour);
             let opened = reopen(&bytes).unwrap();
             assert_eq!((opened.triangulation, opened.density), (triangulation, 2));
             assert_eq!(opened.history.as_deref(), Some(HISTORY));
-            assert_eq!(opened.texture.is_some(), paint == Paint::Texture);
+            assert_eq!(opened.texture.is_some(), base_colour == BaseColour::Texture);
             let [width, height] = opened.photo_size_px;
             let input = FaceInput {
                 landmarks: &opened.landmarks,
@@ -47,7 +47,7 @@ fn the_face_comes_back_as_it_was_saved() {
 
 #[test]
 fn the_texture_lies_where_it_was_cut_out() {
-    let bytes = file(Triangulation::Canonical, Paint::Texture);
+    let bytes = file(Triangulation::Canonical, BaseColour::Texture);
     let texture = reopen(&bytes).unwrap().texture.unwrap();
     assert_eq!(texture.picture_size_px, [SIDE, SIDE]);
     let crop = rosto_photo::decode(texture.encoded, &rosto_photo::Limits::default()).unwrap();
@@ -61,7 +61,7 @@ fn the_texture_lies_where_it_was_cut_out() {
 
 #[test]
 fn without_a_photo_the_colours_are_painted_where_the_face_is() {
-    let bytes = file(Triangulation::Canonical, Paint::VertexColours);
+    let bytes = file(Triangulation::Canonical, BaseColour::VertexColours);
     let opened = reopen(&bytes).unwrap();
     let picture = opened.painted();
     assert_eq!((picture.width, picture.height), (SIDE, SIDE));
@@ -95,7 +95,7 @@ fn a_file_of_another_program_or_a_later_version_is_told_apart() {
 
 #[test]
 fn a_file_that_ends_too_early_is_refused_wherever_it_ends() {
-    let bytes = file(Triangulation::Tessellation, Paint::Texture);
+    let bytes = file(Triangulation::Tessellation, BaseColour::Texture);
     for end in (0..bytes.len()).step_by(61).chain(0..64) {
         assert!(reopen(&bytes[..end]).is_err(), "opened with {end} of {} bytes", bytes.len());
     }
@@ -103,7 +103,7 @@ fn a_file_that_ends_too_early_is_refused_wherever_it_ends() {
 
 #[test]
 fn places_outside_the_file_and_pictures_too_large_to_hold_are_refused() {
-    let bytes = file(Triangulation::Tessellation, Paint::Texture);
+    let bytes = file(Triangulation::Tessellation, BaseColour::Texture);
     let view = Glb::read(&bytes).json["images"][0]["bufferView"].as_u64().unwrap();
     let length = Glb::read(&bytes).json["bufferViews"][view as usize]["byteLength"].as_u64().unwrap();
     for (from, to) in [
@@ -118,7 +118,7 @@ fn places_outside_the_file_and_pictures_too_large_to_hold_are_refused() {
 
 #[test]
 fn a_texture_that_was_halved_elsewhere_still_tells_how_large_it_is_in_the_picture() {
-    let bytes = file(Triangulation::Canonical, Paint::Texture);
+    let bytes = file(Triangulation::Canonical, BaseColour::Texture);
     let whole = reopen(&bytes).unwrap().texture.unwrap();
     let crop = rosto_photo::decode(whole.encoded, &rosto_photo::Limits::default()).unwrap();
     assert_eq!(whole.size_px, [crop.width(), crop.height()]);
@@ -132,7 +132,7 @@ fn a_texture_that_was_halved_elsewhere_still_tells_how_large_it_is_in_the_pictur
 
 #[test]
 fn a_file_that_does_not_tell_the_size_of_its_texture_shows_it_by_its_uvs() {
-    let bytes = file(Triangulation::Canonical, Paint::Texture);
+    let bytes = file(Triangulation::Canonical, BaseColour::Texture);
     let size_px = reopen(&bytes).unwrap().texture.unwrap().size_px;
     let crop = rosto_photo::decode(reopen(&bytes).unwrap().texture.unwrap().encoded, &rosto_photo::Limits::default());
     let untold = |json: String| json.replace("\"crop_size_px\"", "\"_\"");
@@ -145,8 +145,8 @@ fn a_file_that_does_not_tell_the_size_of_its_texture_shows_it_by_its_uvs() {
 
 #[test]
 fn a_mesh_that_was_changed_elsewhere_says_so() {
-    for paint in [Paint::Texture, Paint::VertexColours] {
-        let bytes = file(Triangulation::Canonical, paint);
+    for base_colour in [BaseColour::Texture, BaseColour::VertexColours] {
+        let bytes = file(Triangulation::Canonical, base_colour);
         assert!(!reopen(&bytes).unwrap().changed_elsewhere);
         let glb = Glb::read(&bytes);
         let view = glb.json["accessors"][glb.attribute("POSITION")]["bufferView"].as_u64().unwrap() as usize;
@@ -163,7 +163,7 @@ fn a_mesh_that_was_changed_elsewhere_says_so() {
 
 #[test]
 fn a_mesh_that_was_only_stored_otherwise_is_unchanged() {
-    let bytes = file(Triangulation::Canonical, Paint::VertexColours);
+    let bytes = file(Triangulation::Canonical, BaseColour::VertexColours);
     let glb = Glb::read(&bytes);
     let positions = glb.floats::<3>(glb.attribute("POSITION"));
     // Each position between two other numbers, at the end of the file, as programs do that interleave.
@@ -184,7 +184,7 @@ fn a_mesh_that_was_only_stored_otherwise_is_unchanged() {
 
 #[test]
 fn what_could_not_be_opened_is_refused() {
-    let bytes = file(Triangulation::Canonical, Paint::VertexColours);
+    let bytes = file(Triangulation::Canonical, BaseColour::VertexColours);
     let landmarks = Glb::read(&bytes).json["scenes"][0]["extras"]["landmarks"].as_str().unwrap().to_owned();
     let zeros = "A".repeat(landmarks.len());
     let sizes = format!("\"photo_px\":[{SIDE},{SIDE}]");
@@ -250,7 +250,7 @@ proptest! {
 
     #[test]
     fn a_damaged_file_is_read_or_refused(at in any::<prop::sample::Index>(), byte in any::<u8>()) {
-        let mut bytes = file(Triangulation::Tessellation, Paint::VertexColours);
+        let mut bytes = file(Triangulation::Tessellation, BaseColour::VertexColours);
         let at = at.index(bytes.len());
         bytes[at] = byte;
         if let Ok(opened) = reopen(&bytes) {

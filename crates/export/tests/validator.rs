@@ -20,10 +20,12 @@ fn khronos_finds_no_error_warning_information_or_hint() {
     let mut paths = Vec::new();
     for triangulation in [Triangulation::Tessellation, Triangulation::Canonical] {
         let face = face(triangulation);
-        for (paint, shading) in [(Paint::Texture, Shading::Lit), (Paint::VertexColours, Shading::Unlit)] {
+        for (base_colour, material) in
+            [(BaseColour::Texture, Material::Lit), (BaseColour::VertexColours, Material::Unlit)]
+        {
             for morphs in [&[][..], &morphs] {
                 let source = Some(source(&face, Some(r#"{"a":[1,null]}"#)));
-                let options = GlbOptions { paint, shading, morphs, source, ..GlbOptions::default() };
+                let options = GlbOptions { base_colour, material, morphs, source, ..GlbOptions::default() };
                 let path = folder.join(format!("{}.glb", paths.len()));
                 std::fs::write(&path, glb(&Model::of_face(&face), &options).unwrap()).unwrap();
                 paths.push(path);

@@ -5,7 +5,7 @@ use rosto_photo::Photo;
 use crate::LandmarksError;
 use crate::anchors::{ANCHOR_COUNT, anchors};
 use crate::network::Network;
-use crate::region::{PictureSize, Region, RegionPx};
+use crate::region_of_interest::{PictureSize, RegionOfInterest, RegionPx};
 use crate::suppression;
 use crate::warp::{self, Outside};
 
@@ -88,10 +88,10 @@ impl PictureSize {
 
 impl Detection {
     /// The square to look for landmarks in, turned so that the line between the eyes is level.
-    pub(crate) fn face_region(&self, picture: PictureSize) -> Region {
+    pub(crate) fn face_region(&self, picture: PictureSize) -> RegionOfInterest {
         let size = [0, 1].map(|axis| self.max[axis] - self.min[axis]);
         let centre = [0, 1].map(|axis| self.min[axis] + size[axis] / 2.0);
-        Region::around(centre, size, [self.keypoints[0], self.keypoints[1]], picture)
+        RegionOfInterest::around(centre, size, [self.keypoints[0], self.keypoints[1]], picture)
     }
 
     /// The same in other coordinates; of a box that gets turned, the box around it.

@@ -2,7 +2,7 @@ use rosto_photo::Photo;
 
 use crate::detector::{Detection, Detector};
 use crate::mesh::{MeshNetwork, region_of};
-use crate::region::{PictureSize, Region};
+use crate::region_of_interest::{PictureSize, RegionOfInterest};
 use crate::{LandmarksError, search};
 
 /// Finds faces in pictures. Both networks are prepared once and kept.
@@ -14,7 +14,7 @@ pub struct FaceFinder {
 /// How to look for faces. The defaults are MediaPipe's in its static image mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FindOptions {
-    /// Look at no more than this many of the best detections. 1 by default.
+    /// RenderSettings at no more than this many of the best detections. 1 by default.
     pub max_faces: usize,
     /// Where to look.
     pub search: Search,
@@ -56,7 +56,7 @@ pub struct Face {
     /// in the mean.
     pub landmarks: Vec<[f32; 3]>,
     /// Where the landmark network looked.
-    pub region: Region,
+    pub region: RegionOfInterest,
 }
 
 /// What is being worked on while faces are looked for.

@@ -5,7 +5,7 @@ use rosto_photo::Photo;
 use crate::LandmarksError;
 use crate::detector::sigmoid;
 use crate::network::Network;
-use crate::region::{PictureSize, Region};
+use crate::region_of_interest::{PictureSize, RegionOfInterest};
 use crate::warp::{self, Outside};
 
 /// Number of landmarks of a face.
@@ -36,7 +36,7 @@ impl MeshNetwork {
     }
 
     /// Looks at one region of the picture.
-    pub(crate) fn look(&self, photo: &Photo, region: &Region) -> Result<Mesh, LandmarksError> {
+    pub(crate) fn look(&self, photo: &Photo, region: &RegionOfInterest) -> Result<Mesh, LandmarksError> {
         let [points, flag] = self.raw(photo, region)?;
         let landmarks: Vec<[f32; 3]> =
             points.as_chunks::<3>().0.iter().map(|&point| in_picture(point, region)).collect();
@@ -46,7 +46,7 @@ impl MeshNetwork {
     }
 
     /// The network's outputs, undecoded: points `[468, 3]` in px of its input, and the logit of the face flag.
-    pub(crate) fn raw(&self, photo: &Photo, region: &Region) -> Result<[Vec<f32>; 2], LandmarksError> {
+    pub(crate) fn raw(&self, photo: &Photo, region: &RegionOfInterest) -> Result<[Vec<f32>; 2], LandmarksError> {
         let region_px = region.px(PictureSize::of(photo));
         let fill =
             |planes: &mut [f32]| warp::fill_planes(planes, photo, &region_px, Outside::NearestEdge, SCALE_AND_OFFSET);
@@ -55,7 +55,7 @@ impl MeshNetwork {
 }
 
 /// From px of the network's input to the picture's normalised coordinates.
-fn in_picture(point: [f32; 3], region: &Region) -> [f32; 3] {
+fn in_picture(point: [f32; 3], region: &RegionOfInterest) -> [f32; 3] {
     let [x, y, z] = point.map(|value| value / SIDE as f32);
     let (dx, dy) = (x - 0.5, y - 0.5);
     let (sin, cos) = (region.rotation_rad.sin(), region.rotation_rad.cos());
@@ -67,11 +67,16 @@ fn in_picture(point: [f32; 3], region: &Region) -> [f32; 3] {
 }
 
 /// The region that landmarks themselves suggest: around all of them, the eyes level.
-pub(crate) fn region_of(landmarks: &[[f32; 3]], picture: PictureSize) -> Region {
+pub(crate) fn region_of(landmarks: &[[f32; 3]], picture: PictureSize) -> RegionOfInterest {
     let along = |axis: usize| landmarks.iter().map(move |landmark| landmark[axis]);
     let min = [0, 1].map(|axis| along(axis).fold(f32::INFINITY, f32::min));
     let max = [0, 1].map(|axis| along(axis).fold(f32::NEG_INFINITY, f32::max));
     let size = [0, 1].map(|axis| max[axis] - min[axis]);
     let centre = [0, 1].map(|axis| min[axis] + size[axis] / 2.0);
-    Region::around(centre, size, EYE_CORNERS.map(|corner| [landmarks[corner][0], landmarks[corner][1]]), picture)
+    RegionOfInterest::around(
+        centre,
+        size,
+        EYE_CORNERS.map(|corner| [landmarks[corner][0], landmarks[corner][1]]),
+        picture,
+    )
 }

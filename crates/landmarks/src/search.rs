@@ -5,7 +5,7 @@ use std::f32::consts::{FRAC_PI_2, PI};
 use rosto_photo::Photo;
 
 use crate::detector::{Detection, Detector};
-use crate::region::{PictureSize, RegionPx};
+use crate::region_of_interest::{PictureSize, RegionPx};
 use crate::{LandmarksError, Search, suppression};
 
 /// Everything that looks like a face, best first.

@@ -7,7 +7,7 @@
 use rosto_photo::Photo;
 
 use crate::homography::{self, Matrix};
-use crate::region::RegionPx;
+use crate::region_of_interest::RegionPx;
 
 /// What lies outside the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

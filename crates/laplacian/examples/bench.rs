@@ -57,10 +57,10 @@ fn paper_edits(topology: &Topology, rest: &[DVec3]) {
 /// Algorithm 2 of the paper, to the letter: the matrix is inverted anew for every axis.
 fn by_pseudo_inverses(operator: &DMatrix<f64>, rest: &[DVec3]) -> [DVector<f64>; 3] {
     let n = operator.ncols();
-    let held = [ANCHORS[0], ANCHORS[1], HANDLE].map(|vertex| vertex as usize);
+    let constrained = [ANCHORS[0], ANCHORS[1], HANDLE].map(|vertex| vertex as usize);
     [0, 1, 2].map(|axis| {
         let mut stacked = operator.clone().insert_rows(n, 3, 0.0);
-        held.iter().enumerate().for_each(|(row, &vertex)| stacked[(n + row, vertex)] = 1.0);
+        constrained.iter().enumerate().for_each(|(row, &vertex)| stacked[(n + row, vertex)] = 1.0);
         let mut target = &stacked * DVector::from_iterator(n, rest.iter().map(|position| position[axis]));
         target[n + 2] += OFFSET[axis];
         stacked.pseudo_inverse(1e-12).unwrap() * target
@@ -127,9 +127,9 @@ fn constraints() -> Constraints<'static> {
 /// `N = KᵀK + I_a + I_b + I_e` with `K = L_s`.
 fn normal_matrix(topology: &Topology, rest: &[DVec3]) -> CsrMatrix<f64> {
     let operator = Operator::UniformSymmetric.matrix(topology, rest).unwrap();
-    let mut held = CooMatrix::new(rest.len(), rest.len());
-    [HANDLE, ANCHORS[0], ANCHORS[1]].iter().for_each(|&vertex| held.push(vertex as usize, vertex as usize, 1.0));
-    operator.transpose() * operator + CsrMatrix::from(&held)
+    let mut constrained = CooMatrix::new(rest.len(), rest.len());
+    [HANDLE, ANCHORS[0], ANCHORS[1]].iter().for_each(|&vertex| constrained.push(vertex as usize, vertex as usize, 1.0));
+    operator.transpose() * operator + CsrMatrix::from(&constrained)
 }
 
 fn canonical_face() -> (Topology, Vec<DVec3>) {

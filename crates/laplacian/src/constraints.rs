@@ -1,36 +1,36 @@
 use rosto_mesh::Topology;
 
-use crate::{LaplacianError, Region};
+use crate::{Falloff, LaplacianError};
 
-/// How firmly handles and anchors are held to their places.
+/// Whether handles and anchors meet their targets softly (penalty) or hard (equality).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Hold {
+pub enum ConstraintKind {
     /// `weight·‖x'ᵢ − target‖²` joins what is minimised; the paper's weight is 1.
     Soft {
         /// Positive; the greater, the firmer.
         weight: f64,
     },
     /// Handles land on their targets and anchors stay.
-    Exact,
+    Hard,
 }
 
-impl Default for Hold {
+impl Default for ConstraintKind {
     fn default() -> Self {
         Self::Soft { weight: 1.0 }
     }
 }
 
-impl Hold {
-    /// `1/weight`: 0 for an exact hold.
+impl ConstraintKind {
+    /// `1/weight`: 0 for a hard constraint.
     pub(crate) fn compliance(self) -> f64 {
         match self {
             Self::Soft { weight } => weight.recip(),
-            Self::Exact => 0.0,
+            Self::Hard => 0.0,
         }
     }
 }
 
-/// Which vertices are moved, which are held, how firmly, and how far the edit may reach.
+/// Which vertices are moved, which are constrained, how firmly, and how far the edit may reach.
 ///
 /// Every component of the mesh that has a handle needs an anchor; a component without a handle stays as it is.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -39,23 +39,23 @@ pub struct Constraints<'a> {
     pub handles: &'a [u32],
     /// Vertices that are to stay, each once, none of them a handle.
     pub anchors: &'a [u32],
-    /// How firmly both are held.
-    pub hold: Hold,
+    /// Whether both are soft or hard constraints.
+    pub kind: ConstraintKind,
     /// Where the edit fades out; `None` reaches everywhere.
-    pub region: Option<&'a Region>,
+    pub falloff: Option<&'a Falloff>,
 }
 
 impl Constraints<'_> {
     /// Handles first, then anchors.
-    pub(crate) fn held(&self) -> Vec<u32> {
+    pub(crate) fn constrained(&self) -> Vec<u32> {
         self.handles.iter().chain(self.anchors).copied().collect()
     }
 
     /// Refuses what has no answer; `component` names each vertex's component.
     pub(crate) fn check(&self, component: &[u32]) -> Result<(), LaplacianError> {
         self.check_vertices(component.len())?;
-        self.check_hold()?;
-        self.check_region(component.len())?;
+        self.check_kind()?;
+        self.check_falloff(component.len())?;
         let anchored = |handle: &&u32| {
             self.anchors.iter().any(|&anchor| component[anchor as usize] == component[**handle as usize])
         };
@@ -90,15 +90,17 @@ impl Constraints<'_> {
         Ok(())
     }
 
-    fn check_hold(&self) -> Result<(), LaplacianError> {
-        match self.hold {
-            Hold::Soft { weight } if !(weight > 0.0 && weight.is_finite()) => Err(LaplacianError::Weight { weight }),
+    fn check_kind(&self) -> Result<(), LaplacianError> {
+        match self.kind {
+            ConstraintKind::Soft { weight } if !(weight > 0.0 && weight.is_finite()) => {
+                Err(LaplacianError::Weight { weight })
+            }
             _ => Ok(()),
         }
     }
 
-    fn check_region(&self, vertex_count: usize) -> Result<(), LaplacianError> {
-        let Some(falloff) = self.region.map(Region::falloff) else { return Ok(()) };
+    fn check_falloff(&self, vertex_count: usize) -> Result<(), LaplacianError> {
+        let Some(falloff) = self.falloff.map(Falloff::weights) else { return Ok(()) };
         if falloff.len() != vertex_count {
             return Err(LaplacianError::LengthMismatch { expected: vertex_count, found: falloff.len() });
         }

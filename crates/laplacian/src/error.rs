@@ -38,7 +38,7 @@ pub enum LaplacianError {
         /// The vertex.
         vertex: u32,
     },
-    /// A vertex cannot be moved and held at once.
+    /// A vertex cannot be moved and constrained at once.
     #[error("vertex {vertex} is a handle and an anchor at once")]
     PinnedHandle {
         /// The vertex.

@@ -3,7 +3,7 @@ use nalgebra_sparse::{CooMatrix, CsrMatrix};
 use rosto_mesh::Topology;
 
 use crate::factor::Factor;
-use crate::grounded::grounded;
+use crate::gauge_fixed::gauge_fixed;
 use crate::weights::unit_scale;
 use crate::{LaplacianError, Operator, check_positions};
 
@@ -43,7 +43,7 @@ impl Geodesics {
             heat: Factor::new(&heat_matrix(topology, &positions, &laplacian))?,
             positions,
             scale,
-            poisson: Factor::new(&grounded(&laplacian, &component))?,
+            poisson: Factor::new(&gauge_fixed(&laplacian, &component))?,
             component,
         })
     }

@@ -10,15 +10,15 @@
 //!
 //! ```
 //! use glam::DVec3;
-//! use rosto_laplacian::{Constraints, Hold, LaplacianSystem, Operator};
+//! use rosto_laplacian::{Constraints, ConstraintKind, LaplacianSystem, Operator};
 //! use rosto_mesh::Topology;
 //!
 //! // A tent of four corners and a top. The top is pulled up; two corners opposite each other stay.
 //! let topology = Topology::new(5, vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]])?;
 //! let rest = [DVec3::X, DVec3::Y, -DVec3::X, -DVec3::Y, DVec3::Z];
 //! let system = LaplacianSystem::new(&topology, &rest, Operator::UniformSymmetric)?;
-//! let held = Constraints { handles: &[4], anchors: &[0, 2], hold: Hold::Exact, ..Default::default() };
-//! let response = system.respond(&held)?;
+//! let constrained = Constraints { handles: &[4], anchors: &[0, 2], kind: ConstraintKind::Hard, ..Default::default() };
+//! let response = system.respond(&constrained)?;
 //!
 //! let mut edited = rest;
 //! response.displace(&rest, &[DVec3::Z], &mut edited);
@@ -31,34 +31,34 @@
 
 mod anchored;
 mod anchors;
-mod bordered;
 mod constraints;
+mod dirichlet;
 mod distortion;
-mod eliminated;
 mod error;
 mod factor;
+mod falloff;
+mod gauge_fixed;
 mod geodesics;
-mod grounded;
 mod kernels;
 mod operator;
 mod peaks;
-mod region;
 mod response;
 mod rigid;
 mod rotation;
+mod saddle_point;
 mod system;
 mod weights;
 
 pub use anchored::AnchoredSystem;
 pub use anchors::random_anchors;
-pub use constraints::{Constraints, Hold};
+pub use constraints::{ConstraintKind, Constraints};
 pub use distortion::{Distortion, DistortionSummary, Extreme};
 pub use error::LaplacianError;
 pub use factor::Factor;
+pub use falloff::Falloff;
 pub use geodesics::Geodesics;
 pub use operator::Operator;
 pub use peaks::{Peak, peaks};
-pub use region::Region;
 pub use response::Response;
 pub use rigid::{RigidEdit, RigidOptions, RigidSystem};
 pub use system::LaplacianSystem;

@@ -1,6 +1,6 @@
 use glam::DVec3;
 
-use crate::{Constraints, Hold};
+use crate::{ConstraintKind, Constraints};
 
 /// How every vertex follows each handle; built once for a set of constraints, then applied for any offsets.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,12 +12,12 @@ pub struct Response {
 
 impl Response {
     pub(crate) fn new(constraints: &Constraints<'_>, mut fields: Vec<f64>) -> Self {
-        if let Some(region) = constraints.region {
-            let falloff = region.falloff();
-            for (field, &handle) in fields.chunks_exact_mut(falloff.len()).zip(constraints.handles) {
-                // A handle held exactly still arrives where the region is already fading.
-                let whole = if constraints.hold == Hold::Exact { falloff[handle as usize] } else { 1.0 };
-                field.iter_mut().zip(falloff).for_each(|(value, share)| *value *= share / whole);
+        if let Some(falloff) = constraints.falloff {
+            let weights = falloff.weights();
+            for (field, &handle) in fields.chunks_exact_mut(weights.len()).zip(constraints.handles) {
+                // A hard constrained handle still arrives where the region is already fading.
+                let whole = if constraints.kind == ConstraintKind::Hard { weights[handle as usize] } else { 1.0 };
+                field.iter_mut().zip(weights).for_each(|(value, share)| *value *= share / whole);
             }
         }
         Self { handles: constraints.handles.to_vec(), fields }

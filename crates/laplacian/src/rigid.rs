@@ -3,9 +3,9 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 use rosto_mesh::Topology;
 
-use crate::grounded::{GroundedForm, HeldForm};
+use crate::gauge_fixed::{ConstrainedForm, GaugeFixedForm};
 use crate::rotation::best_rotation;
-use crate::{Constraints, Hold, LaplacianError, Operator, Region};
+use crate::{ConstraintKind, Constraints, Falloff, LaplacianError, Operator};
 
 /// As-rigid-as-possible edits (Sorkine and Alexa 2007; in the form of Chao et al. 2010), in which details turn with the
 /// surface.
@@ -27,7 +27,7 @@ struct Rest {
     triangles: Vec<[u32; 3]>,
     /// `c_tk`, for the side opposite corner `k`.
     shares: Vec<[f64; 3]>,
-    form: GroundedForm,
+    form: GaugeFixedForm,
 }
 
 /// A side of a triangle: from where, to where, and its share of the edge's weight.
@@ -36,9 +36,9 @@ type Side = (usize, usize, f64);
 /// An as-rigid-as-possible edit with its handles and anchors chosen.
 pub struct RigidEdit {
     rest: Arc<Rest>,
-    held: HeldForm,
+    constrained: ConstrainedForm,
     handles: usize,
-    region: Option<Region>,
+    falloff: Option<Falloff>,
 }
 
 /// When to stop taking turns.
@@ -69,7 +69,7 @@ impl RigidSystem {
             positions: positions.to_vec(),
             triangles: topology.triangles().to_vec(),
             shares: symmetric.triangle_shares(topology, positions),
-            form: GroundedForm::new(topology, &laplacian)?,
+            form: GaugeFixedForm::new(topology, &laplacian)?,
         };
         Ok(Self { rest: Arc::new(rest) })
     }
@@ -78,10 +78,10 @@ impl RigidSystem {
     ///
     /// # Errors
     /// As [`LaplacianSystem::respond`](crate::LaplacianSystem::respond).
-    pub fn hold(&self, constraints: &Constraints<'_>) -> Result<RigidEdit, LaplacianError> {
-        let held = self.rest.form.hold(constraints)?;
-        let (handles, region) = (constraints.handles.len(), constraints.region.cloned());
-        Ok(RigidEdit { rest: Arc::clone(&self.rest), held, handles, region })
+    pub fn constrain(&self, constraints: &Constraints<'_>) -> Result<RigidEdit, LaplacianError> {
+        let constrained = self.rest.form.constrain(constraints)?;
+        let (handles, falloff) = (constraints.handles.len(), constraints.falloff.cloned());
+        Ok(RigidEdit { rest: Arc::clone(&self.rest), constrained, handles, falloff })
     }
 }
 
@@ -89,7 +89,7 @@ impl RigidEdit {
     /// Lets `positions` settle for one offset for each handle, and returns the energy before the first turn and after
     /// each. What `positions` hold is where it starts: the rest, a δ-coordinate edit, or the last tick of a drag.
     ///
-    /// In a region, the displacement is faded out once it has settled.
+    /// With a falloff, the displacement is faded out once it has settled.
     ///
     /// # Errors
     /// [`LaplacianError::BadlyScaled`] should the factor break down.
@@ -104,7 +104,7 @@ impl RigidEdit {
     ) -> Result<Vec<f64>, LaplacianError> {
         assert_eq!(offsets.len(), self.handles, "one offset for each handle");
         assert_eq!(positions.len(), self.rest.positions.len(), "one position for each vertex");
-        let mut targets = vec![DVec3::ZERO; self.held.held().len()];
+        let mut targets = vec![DVec3::ZERO; self.constrained.constrained().len()];
         targets[..offsets.len()].copy_from_slice(offsets);
         self.start(&targets, positions);
         let mut rotations = self.rest.rotations(positions);
@@ -123,10 +123,10 @@ impl RigidEdit {
         Ok(energies)
     }
 
-    /// Puts exactly held vertices where they belong, so that the first energy is that of an admissible shape.
+    /// Puts hard constrained vertices where they belong, so that the first energy is that of an admissible shape.
     fn start(&self, targets: &[DVec3], positions: &mut [DVec3]) {
-        if self.held.is_exact() {
-            for (&vertex, &target) in self.held.held().iter().zip(targets) {
+        if self.constrained.is_exact() {
+            for (&vertex, &target) in self.constrained.constrained().iter().zip(targets) {
                 positions[vertex as usize] = self.rest.positions[vertex as usize] + target;
             }
         }
@@ -145,9 +145,11 @@ impl RigidEdit {
         let missed = |(&vertex, &target): (&u32, &DVec3)| {
             (positions[vertex as usize] - self.rest.positions[vertex as usize] - target).length_squared()
         };
-        let holding = match self.held.hold() {
-            Hold::Soft { weight } => weight * self.held.held().iter().zip(targets).map(missed).sum::<f64>(),
-            Hold::Exact => 0.0,
+        let holding = match self.constrained.kind() {
+            ConstraintKind::Soft { weight } => {
+                weight * self.constrained.constrained().iter().zip(targets).map(missed).sum::<f64>()
+            }
+            ConstraintKind::Hard => 0.0,
         };
         self.rest.triangles().map(bent).sum::<f64>() + holding
     }
@@ -171,15 +173,15 @@ impl RigidEdit {
         for axis in 0..3 {
             let load: Vec<f64> = load.iter().map(|load| load[axis]).collect();
             let targets: Vec<f64> = targets.iter().map(|target| target[axis]).collect();
-            self.held.minimise(&self.rest.form, Some(&load), &targets, &mut moved)?;
+            self.constrained.minimise(&self.rest.form, Some(&load), &targets, &mut moved)?;
             positions.iter_mut().zip(&moved).for_each(|(position, moved)| position[axis] += moved);
         }
         Ok(())
     }
 
     fn fade(&self, targets: &[DVec3], positions: &mut [DVec3]) {
-        let Some(region) = &self.region else { return };
-        for ((position, &rest), &share) in positions.iter_mut().zip(&self.rest.positions).zip(region.falloff()) {
+        let Some(falloff) = &self.falloff else { return };
+        for ((position, &rest), &share) in positions.iter_mut().zip(&self.rest.positions).zip(falloff.weights()) {
             *position = rest + share * (*position - rest);
         }
         self.start(targets, positions);

@@ -3,8 +3,8 @@ use nalgebra_sparse::CsrMatrix;
 use nalgebra_sparse::csr::CsrRow;
 use rosto_mesh::Topology;
 
-use crate::grounded::{GroundedForm, MANY_HELD};
-use crate::{AnchoredSystem, Constraints, Hold, LaplacianError, Operator, Response};
+use crate::gauge_fixed::{GaugeFixedForm, MANY_CONSTRAINED};
+use crate::{AnchoredSystem, ConstraintKind, Constraints, LaplacianError, Operator, Response};
 
 /// Everything about δ-coordinate edits that depends on the mesh and operator alone; built once.
 ///
@@ -12,7 +12,7 @@ use crate::{AnchoredSystem, Constraints, Hold, LaplacianError, Operator, Respons
 /// moved, so only the displacement is solved for: `N = KᵀK + Σ wᵢeᵢeᵢᵀ`, `N g = wₑ·eₑ`, `X' = X + g Δᵀ`.
 pub struct LaplacianSystem {
     operator: CsrMatrix<f64>,
-    form: GroundedForm,
+    form: GaugeFixedForm,
 }
 
 impl LaplacianSystem {
@@ -24,7 +24,7 @@ impl LaplacianSystem {
     pub fn new(topology: &Topology, positions: &[DVec3], operator: Operator) -> Result<Self, LaplacianError> {
         let operator = operator.matrix(topology, positions)?;
         let squared = operator.transpose() * &operator;
-        Ok(Self { form: GroundedForm::new(topology, &squared)?, operator })
+        Ok(Self { form: GaugeFixedForm::new(topology, &squared)?, operator })
     }
 
     /// The matrix `K`.
@@ -46,7 +46,7 @@ impl LaplacianSystem {
     }
 
     /// How much an edit leaves of what it minimises: `‖K X' − K X‖² + Σ w‖x'ᵢ − targetᵢ‖²`, in the square of the positions'
-    /// unit. An exact hold adds nothing.
+    /// unit. A hard constraint adds nothing.
     ///
     /// # Panics
     /// If there is not one offset for each handle, or not one position for each vertex.
@@ -54,9 +54,9 @@ impl LaplacianSystem {
         assert_eq!(offsets.len(), constraints.handles.len(), "one offset for each handle");
         let moved: Vec<DVec3> = edited.iter().zip(rest).map(|(after, before)| after - before).collect();
         let bent: f64 = self.deltas(&moved).iter().map(|delta| delta.length_squared()).sum();
-        let Hold::Soft { weight } = constraints.hold else { return bent };
+        let ConstraintKind::Soft { weight } = constraints.kind else { return bent };
         let targets = offsets.iter().copied().chain(std::iter::repeat(DVec3::ZERO));
-        let missed = constraints.held().into_iter().zip(targets);
+        let missed = constraints.constrained().into_iter().zip(targets);
         bent + weight * missed.map(|(vertex, target)| (moved[vertex as usize] - target).length_squared()).sum::<f64>()
     }
 
@@ -66,7 +66,7 @@ impl LaplacianSystem {
     /// # Errors
     /// As for [`Self::respond`].
     pub fn anchored(&self, constraints: &Constraints<'_>) -> Result<Option<AnchoredSystem>, LaplacianError> {
-        let are_many = constraints.anchors.len() >= MANY_HELD;
+        let are_many = constraints.anchors.len() >= MANY_CONSTRAINED;
         are_many.then(|| AnchoredSystem::new(&self.form, constraints)).transpose()
     }
 
@@ -75,13 +75,13 @@ impl LaplacianSystem {
     /// # Errors
     /// For constraints that name no vertex, contradict each other, or leave a handle's piece of the mesh unanchored.
     pub fn respond(&self, constraints: &Constraints<'_>) -> Result<Response, LaplacianError> {
-        let held = self.form.hold(constraints)?;
+        let constrained = self.form.constrain(constraints)?;
         let n = self.operator.nrows();
         let mut fields = vec![0.0; n * constraints.handles.len()];
-        let mut targets = vec![0.0; held.held().len()];
+        let mut targets = vec![0.0; constrained.constrained().len()];
         for (handle, field) in fields.chunks_exact_mut(n).enumerate() {
             targets[handle] = 1.0;
-            held.minimise(&self.form, None, &targets, field)?;
+            constrained.minimise(&self.form, None, &targets, field)?;
             targets[handle] = 0.0;
         }
         Ok(Response::new(constraints, fields))

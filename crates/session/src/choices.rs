@@ -1,4 +1,6 @@
-use rosto_studio::{AnchorKind, Anchors, Details, Document, Grip, Hold, Mirror, Operator, Reach, Settings};
+use rosto_studio::{
+    AnchorKind, Anchors, ConstraintKind, Details, Document, EditSpec, Mirror, Operator, RegionOfInfluence, Settings,
+};
 
 use crate::Selection;
 use crate::error::{SessionError, within};
@@ -30,7 +32,7 @@ pub struct Choices {
     /// The Laplacian.
     pub operator: Operator,
     /// How firmly handles and anchors are held.
-    pub hold: Hold,
+    pub constraint: ConstraintKind,
     /// What stays in place beside the pins.
     pub anchors: AnchorChoice,
     /// Whether the edit reaches no further than the radius.
@@ -71,7 +73,7 @@ impl Preset {
     pub fn choices(self, radius_mm: f64) -> Choices {
         let paper = Choices {
             operator: Operator::default(),
-            hold: Hold::default(),
+            constraint: ConstraintKind::default(),
             anchors: AnchorChoice::Random,
             is_nearby: false,
             radius_mm,
@@ -82,7 +84,7 @@ impl Preset {
             Self::Paper => paper,
             Self::Sculpt => Choices {
                 operator: Operator::Cotangent,
-                hold: Hold::Exact,
+                constraint: ConstraintKind::Hard,
                 anchors: AnchorChoice::Oval,
                 mirror: Mirror::On,
                 ..paper
@@ -112,9 +114,9 @@ impl Choices {
         Ok(Self { is_nearby: true, radius_mm, ..self })
     }
 
-    /// The grip on what is selected; `seed` chooses random anchors. What is selected moves even if it is pinned, and points
+    /// The spec on what is selected; `seed` chooses random anchors. What is selected moves even if it is pinned, and points
     /// of denser meshes cannot be held while landmarks move.
-    pub(crate) fn grip(&self, selection: Selection, pins: &[u32], seed: u64, document: &Document) -> Grip {
+    pub(crate) fn spec(&self, selection: Selection, pins: &[u32], seed: u64, document: &Document) -> EditSpec {
         let (level, handles) = (selection.level(), selection.handles());
         let partner = |vertex: u32| document.partner(level, vertex);
         let can_mirror = partner(selection.middle()).is_some();
@@ -131,13 +133,19 @@ impl Choices {
         };
         let pins = pins.iter().copied().filter(|&pin| is_there(pin) && !moves(pin)).collect();
         let reach = match self.is_nearby {
-            true => Reach::Within { radius: self.radius_mm * M_PER_MM },
-            false => Reach::Whole,
+            true => RegionOfInfluence::Within { radius: self.radius_mm * M_PER_MM },
+            false => RegionOfInfluence::Whole,
         };
         let anchors = Anchors { kind, pins };
-        let settings =
-            Settings { operator: self.operator, hold: self.hold, anchors, reach, mirror, details: self.details };
-        Grip { level, handles, settings }
+        let settings = Settings {
+            operator: self.operator,
+            constraint: self.constraint,
+            anchors,
+            reach,
+            mirror,
+            details: self.details,
+        };
+        EditSpec { level, handles, settings }
     }
 }
 
@@ -145,15 +153,15 @@ impl Choices {
 mod tests {
     use super::*;
     use rosto_face::{Triangulation, canonical_positions_m};
-    use rosto_studio::{Frame, Rest};
+    use rosto_studio::{CoordinateFrame, Rest};
 
     #[test]
     fn a_pin_gives_way_to_the_hand_that_takes_it() {
-        let rest = Rest::new(Triangulation::Canonical.topology(), canonical_positions_m(), Frame::Model);
+        let rest = Rest::new(Triangulation::Canonical.topology(), canonical_positions_m(), CoordinateFrame::Model);
         let document = Document::new(rest).unwrap();
         let pins_for = |handle: u32, mirror: Mirror| {
             let choices = Choices { mirror, ..Choices::default() };
-            choices.grip(Selection::Landmark(handle), &[61, 152, 9_000], 1, &document).settings.anchors.pins
+            choices.spec(Selection::Landmark(handle), &[61, 152, 9_000], 1, &document).settings.anchors.pins
         };
         assert_eq!(pins_for(61, Mirror::Off), [152]);
         assert_eq!(pins_for(291, Mirror::Off), [61, 152]);

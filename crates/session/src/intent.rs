@@ -1,7 +1,7 @@
 use glam::{DVec2, DVec3};
 use rosto_face::Triangulation;
-use rosto_stage::{Axis, Background, Dots, Light, NamedView, Paint, Pointer, Theme, Wireframe};
-use rosto_studio::{Details, FaceSlider, Hold, Mirror, Operator, Switch};
+use rosto_stage::{Axis, Background, Dots, Light, NamedView, Pointer, ShadingMode, Theme, Wireframe};
+use rosto_studio::{ConstraintKind, Details, FaceSlider, Mirror, Operator, Switch};
 
 use crate::drag::Pace;
 use crate::{AnchorChoice, Incoming, Motion, Preset, Selection, SelectionMode, Turntable};
@@ -36,7 +36,7 @@ pub enum Intent {
     /// How the surface's details are described.
     Operator(Operator),
     /// How firmly handles and anchors are held.
-    Hold(Hold),
+    Constraint(ConstraintKind),
     /// Whether details turn with the surface.
     Details(Details),
     /// Which vertices stay beside those pinned by hand.
@@ -91,7 +91,7 @@ pub enum Intent {
     Triangulation(Triangulation),
 
     /// How the surface is coloured.
-    Paint(Paint),
+    Shading(ShadingMode),
     /// Whether edges are drawn over it.
     Wireframe(Wireframe),
     /// Which landmarks show as dots.
@@ -115,7 +115,7 @@ pub enum Intent {
     /// Comes closer by a factor above 1, goes away by one below.
     Zoom(f64),
     /// Goes to a named view.
-    Look(NamedView),
+    GoTo(NamedView),
     /// The canvas has another size in px, and so many px make a CSS px.
     Resize([u32; 2], f64),
 }

@@ -20,7 +20,7 @@ mod rows;
 mod seeds;
 mod selection;
 mod session;
-mod slider_follow;
+mod slider_influence;
 mod state;
 mod view;
 

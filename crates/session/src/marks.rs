@@ -37,8 +37,8 @@ pub(crate) fn show(stage: &mut Stage, face: Option<&OpenFace>, choices: &Choices
 }
 
 fn show_plane(stage: &mut Stage, mirror_plane: MirrorPlane) {
-    if stage.look().mirror_plane != mirror_plane {
-        stage.look_mut().mirror_plane = mirror_plane;
+    if stage.render_settings().mirror_plane != mirror_plane {
+        stage.render_settings_mut().mirror_plane = mirror_plane;
     }
 }
 
@@ -47,8 +47,8 @@ pub(crate) fn show_offset(stage: &mut Stage, face: Option<&OpenFace>) {
     let following = face.filter(|face| !face.turns_details());
     stage.set_offsets_m(following.map(OpenFace::follow_offsets_m).unwrap_or_default());
     let glow = if face.is_some_and(OpenFace::is_moving) { GLOW } else { 0.0 };
-    if stage.look().glow != glow {
-        stage.look_mut().glow = glow;
+    if stage.render_settings().glow != glow {
+        stage.render_settings_mut().glow = glow;
     }
     stage.ask_for_a_frame();
 }

@@ -8,7 +8,7 @@ impl Session {
     /// The name of what is selected.
     pub fn selection_name(&self, language: Language) -> Option<String> {
         let face = self.face()?;
-        face.selection().map(|selection| face.label(selection.subject(), language))
+        face.selection().map(|selection| face.label(selection.target(), language))
     }
 
     /// What a drag that starts at a vertex moves: what is selected, if the vertex is part of it, or what is selected there.
@@ -18,7 +18,7 @@ impl Session {
     pub fn name_at(&self, vertex: u32, language: Language) -> Result<String, SessionError> {
         let Some(face) = self.face() else { return Ok(landmark_label(known_landmark(vertex)?, language)) };
         let selection = face.at_or_held(face.known(vertex, self.mode())?, self.mode());
-        Ok(face.label(selection.subject(), language))
+        Ok(face.label(selection.target(), language))
     }
 
     /// The vertex that is meant by a number, or the landmark that is meant by its name, in any case of its letters; none
@@ -41,7 +41,7 @@ impl Session {
         let face = self.open_face()?;
         let count = face.rows().len();
         let row = face.rows().get(index).ok_or(rosto_studio::StudioError::NoSuchEntry { index, count })?;
-        Ok(face.label(row.subject, language))
+        Ok(face.label(row.target, language))
     }
 }
 

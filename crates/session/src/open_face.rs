@@ -5,14 +5,14 @@ mod selecting;
 
 use glam::DVec3;
 use rosto_face::{FaceModel, Language, Triangulation};
-use rosto_studio::{Command, Details, Document, FaceSlider, StudioError, Subject, Switch};
+use rosto_studio::{Command, Details, Document, EditTarget, FaceSlider, StudioError, Switch};
 
 use crate::Selection;
 use crate::choices::Choices;
 use crate::error::SessionError;
 use crate::rows::{Row, Rows};
 use crate::selection::Moving;
-use crate::slider_follow::{self, SliderFollow};
+use crate::slider_influence::{self, SliderFollow};
 pub use selecting::landmark_label;
 
 pub(crate) const M_PER_MM: f64 = 1.0 / 1000.0;
@@ -37,7 +37,7 @@ pub struct OpenFace {
     seed: u64,
     moving: Moving,
     /// Of the slider that was moved last.
-    slider_follow: SliderFollow,
+    slider_influence: SliderFollow,
     /// What each handle does for an amount of 1, while a slider moves.
     ways: Vec<DVec3>,
     /// Room for one offset for each handle.
@@ -57,7 +57,7 @@ impl OpenFace {
             pins: Vec::new(),
             seed: 0,
             moving: Moving::Nothing,
-            slider_follow: SliderFollow::default(),
+            slider_influence: SliderFollow::default(),
             ways: Vec::new(),
             offsets_m: Vec::new(),
             rows,
@@ -127,13 +127,13 @@ impl OpenFace {
 
     /// Whether what is held does not follow in a straight line.
     pub fn turns_details(&self) -> bool {
-        self.document.grip().is_some_and(|grip| grip.settings.details == Details::Turned)
+        self.document.spec().is_some_and(|spec| spec.settings.details == Details::AsRigidAsPossible)
     }
 
     /// How every vertex shown follows the edit in progress, for [`Self::follow_offsets_m`].
     pub fn follow_fields(&self) -> [Option<&[f64]>; 2] {
         let fields = match (self.slider(), self.document.follow()) {
-            (Some(_), _) => [&self.slider_follow.a, &self.slider_follow.b],
+            (Some(_), _) => [&self.slider_influence.a, &self.slider_influence.b],
             (None, Some(follow)) => [&follow.direct, &follow.mirrored],
             (None, None) => return [None, None],
         };
@@ -144,8 +144,8 @@ impl OpenFace {
     pub fn follow_offsets_m(&self) -> [DVec3; 2] {
         match self.moving {
             Moving::Nothing => [DVec3::ZERO; 2],
-            Moving::Selection { offset_mm } => slider_follow::offsets(offset_mm * M_PER_MM),
-            Moving::Slider { slider, by_mm } => slider_follow::slider_offsets(slider, by_mm * M_PER_MM),
+            Moving::Selection { offset_mm } => slider_influence::offsets(offset_mm * M_PER_MM),
+            Moving::Slider { slider, by_mm } => slider_influence::slider_offsets(slider, by_mm * M_PER_MM),
         }
     }
 
@@ -171,8 +171,8 @@ impl OpenFace {
         self.moving = Moving::Nothing;
         self.refusal = None;
         let Some(selection) = self.selection else { return self.document.release() };
-        let grip = choices.grip(selection, &self.pins, self.seed, &self.document);
-        if let Err(reason) = self.document.hold(grip) {
+        let spec = choices.spec(selection, &self.pins, self.seed, &self.document);
+        if let Err(reason) = self.document.hold(spec) {
             self.document.release();
             self.refusal = Some(reason);
         }
@@ -194,18 +194,18 @@ impl OpenFace {
     /// One tick: no solve, no allocation. What has no answer stays where it is, as the refusal says; and where nothing is
     /// selected, nothing happens: what moved it may speak after what it was for has gone.
     pub(crate) fn preview(&mut self, offset_mm: DVec3) -> Result<(), SessionError> {
-        let Some(grip) = self.document.grip() else { return Ok(()) };
+        let Some(spec) = self.document.spec() else { return Ok(()) };
         self.offsets_m.clear();
-        self.offsets_m.resize(grip.handles.len(), offset_mm * M_PER_MM);
+        self.offsets_m.resize(spec.handles.len(), offset_mm * M_PER_MM);
         self.move_to(Moving::Selection { offset_mm })
     }
 
     /// Takes a ready-made slider in hand, unless it is: one solve. An edit of something else is kept first.
     pub(crate) fn take_slider(&mut self, slider: FaceSlider, choices: &Choices) -> Result<(), SessionError> {
         self.commit(choices);
-        let taken = self.document.hold(slider.grip());
+        let taken = self.document.hold(slider.spec());
         let follow = taken.and_then(|()| SliderFollow::of(&mut self.document, slider));
-        self.slider_follow = follow.inspect_err(|_| self.hold(choices))?;
+        self.slider_influence = follow.inspect_err(|_| self.hold(choices))?;
         self.ways = slider.offsets_m(1.0);
         self.refusal = None;
         self.moving = Moving::Slider { slider, by_mm: 0.0 };
@@ -214,7 +214,7 @@ impl OpenFace {
 
     /// One tick of the slider in hand: no solve, no allocation. `to_mm` is where it is to stand, all its entries counted.
     pub(crate) fn slide(&mut self, slider: FaceSlider, to_mm: f64) -> Result<(), SessionError> {
-        let by_mm = to_mm - self.rows.in_force_mm(Subject::Slider(slider));
+        let by_mm = to_mm - self.rows.in_force_mm(EditTarget::Slider(slider));
         self.offsets_m.clear();
         self.offsets_m.extend(self.ways.iter().map(|way| *way * (by_mm * M_PER_MM)));
         self.move_to(Moving::Slider { slider, by_mm })
@@ -234,14 +234,14 @@ impl OpenFace {
 
     /// Keeps the edit in progress as one entry; nothing moved is no entry. After a slider, the selection is held again.
     pub(crate) fn commit(&mut self, choices: &Choices) {
-        let subject = match (self.moving, self.selection) {
-            (Moving::Selection { offset_mm }, Some(selection)) if offset_mm != DVec3::ZERO => Some(selection.subject()),
-            (Moving::Slider { slider, by_mm }, _) if by_mm.abs() > LEAST_MM => Some(Subject::Slider(slider)),
+        let target = match (self.moving, self.selection) {
+            (Moving::Selection { offset_mm }, Some(selection)) if offset_mm != DVec3::ZERO => Some(selection.target()),
+            (Moving::Slider { slider, by_mm }, _) if by_mm.abs() > LEAST_MM => Some(EditTarget::Slider(slider)),
             _ => None,
         };
-        if let Some(subject) = subject {
+        if let Some(target) = target {
             let first = self.document.history().entries().len();
-            self.document.commit(&self.document.name_of(subject, Language::English));
+            self.document.commit(&self.document.name_of(target, Language::English));
             self.rows.read(&self.document, first);
         }
         self.cancel(choices);
@@ -266,7 +266,7 @@ impl OpenFace {
     /// Brings the two sides of the face closer, as an entry of the history.
     pub(crate) fn symmetrise(&mut self, share: f64, choices: &Choices) -> Result<(), SessionError> {
         self.commit(choices);
-        let (label, first) = (Subject::Symmetry.name(Language::English), self.document.history().entries().len());
+        let (label, first) = (EditTarget::Symmetry.name(Language::English), self.document.history().entries().len());
         self.document.apply(&label, Command::Symmetrise { share })?;
         self.rows.read(&self.document, first);
         Ok(())

@@ -3,9 +3,9 @@
 //! Fields that are missing or not understood are refused as a whole: nobody's half of a preference is guessed.
 
 use rosto_face::Triangulation;
-use rosto_stage::{Background, Dots, Light, Paint, Srgb, Wireframe};
+use rosto_stage::{Background, Dots, Light, ShadingMode, Srgb, Wireframe};
 use rosto_studio::project::{operator_from_name, operator_name};
-use rosto_studio::{Details, Hold, Mirror};
+use rosto_studio::{ConstraintKind, Details, Mirror};
 use serde_json::{Value, json};
 
 use crate::error::SessionError;
@@ -27,13 +27,13 @@ const MODES: Words<SelectionMode> =
     &[(SelectionMode::Landmark, "landmark"), (SelectionMode::Region, "region"), (SelectionMode::Point, "point")];
 const ANCHORS: Words<AnchorChoice> =
     &[(AnchorChoice::Random, "random"), (AnchorChoice::Oval, "oval"), (AnchorChoice::PinsOnly, "pins")];
-const PAINTS: Words<Paint> = &[
-    (Paint::Photo, "photo"),
-    (Paint::Colours, "colours"),
-    (Paint::Clay, "clay"),
-    (Paint::Normals, "normals"),
-    (Paint::Response, "response"),
-    (Paint::Scalar, "distortion"),
+const PAINTS: Words<ShadingMode> = &[
+    (ShadingMode::Photo, "photo"),
+    (ShadingMode::Colours, "colours"),
+    (ShadingMode::Clay, "clay"),
+    (ShadingMode::Normals, "normals"),
+    (ShadingMode::Response, "response"),
+    (ShadingMode::Distortion, "distortion"),
 ];
 const DOTS: Words<Dots> = &[(Dots::None, "none"), (Dots::NearPointer, "near"), (Dots::All, "all")];
 const TRIANGULATIONS: Words<Triangulation> =
@@ -42,32 +42,32 @@ const TRIANGULATIONS: Words<Triangulation> =
 impl Session {
     /// Choices and view as text, for [`Intent::Prefer`](crate::Intent::Prefer).
     pub fn preferences(&self) -> String {
-        let (choices, view, look) = (self.choices(), self.view(), self.stage().look());
-        let hold = match choices.hold {
-            Hold::Soft { weight } => json!({ "soft": weight }),
-            Hold::Exact => json!("exact"),
+        let (choices, view, settings) = (self.choices(), self.view(), self.stage().render_settings());
+        let constraint = match choices.constraint {
+            ConstraintKind::Soft { weight } => json!({ "soft": weight }),
+            ConstraintKind::Hard => json!("exact"),
         };
         let background = match view.background {
             Background::Plain(Srgb(colour)) => json!(colour),
             Background::Ground | Background::Transparent => json!("ground"),
         };
-        let light = &look.light;
+        let light = &settings.light;
         json!({
             "mode": word(MODES, self.mode()),
             "operator": operator_name(choices.operator),
-            "hold": hold,
+            "hold": constraint,
             "anchors": word(ANCHORS, choices.anchors),
             "nearby": choices.is_nearby,
             "radius_mm": choices.radius_mm,
             "mirror": choices.mirror == Mirror::On,
-            "turned": choices.details == Details::Turned,
-            "paint": word(PAINTS, view.paint),
+            "turned": choices.details == Details::AsRigidAsPossible,
+            "paint": word(PAINTS, view.shading),
             "wireframe": view.wireframe == Wireframe::Shown,
             "background": background,
             "turntable": view.turntable == Turntable::Turns,
             "triangulation": word(TRIANGULATIONS, view.triangulation),
             "density": view.density,
-            "dots": word(DOTS, look.dots),
+            "dots": word(DOTS, settings.dots),
             "light": [light.azimuth_deg, light.elevation_deg, light.strength, light.ambient],
             "light_colour": light.colour.0,
         })
@@ -81,23 +81,25 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
     let value: Value = serde_json::from_str(text).map_err(|_| missing("JSON"))?;
     let flag = |field: &'static str| value[field].as_bool().ok_or(missing(field));
     let number = |field: &'static str| value[field].as_f64().ok_or(missing(field));
-    let hold = match &value["hold"] {
-        Value::String(word) if word == "exact" => Hold::Exact,
-        soft => Hold::Soft { weight: soft["soft"].as_f64().filter(|weight| *weight > 0.0).ok_or(missing("hold"))? },
+    let constraint = match &value["hold"] {
+        Value::String(word) if word == "exact" => ConstraintKind::Hard,
+        soft => ConstraintKind::Soft {
+            weight: soft["soft"].as_f64().filter(|weight| *weight > 0.0).ok_or(missing("hold"))?,
+        },
     };
     let choices = Choices {
         operator: value["operator"].as_str().and_then(operator_from_name).ok_or(missing("operator"))?,
-        hold,
+        constraint,
         anchors: meant(ANCHORS, &value["anchors"]).ok_or(missing("anchors"))?,
         is_nearby: false,
         radius_mm: number("radius_mm")?,
         mirror: if flag("mirror")? { Mirror::On } else { Mirror::Off },
-        details: if flag("turned")? { Details::Turned } else { Details::Kept },
+        details: if flag("turned")? { Details::AsRigidAsPossible } else { Details::Kept },
     };
     let choices = Choices { is_nearby: flag("nearby")?, ..choices.reaching(choices.radius_mm)? };
     let density = value["density"].as_u64().filter(|density| *density <= crate::DENSEST_SHOWN.into());
     let view = View {
-        paint: meant(PAINTS, &value["paint"]).ok_or(missing("paint"))?,
+        shading: meant(PAINTS, &value["paint"]).ok_or(missing("paint"))?,
         wireframe: if flag("wireframe")? { Wireframe::Shown } else { Wireframe::Hidden },
         background: background(&value["background"]).ok_or(missing("background"))?,
         turntable: if flag("turntable")? { Turntable::Turns } else { Turntable::Still },

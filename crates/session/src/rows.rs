@@ -1,4 +1,4 @@
-use rosto_studio::{Amount, Document, Standing, Subject};
+use rosto_studio::{Amount, Document, EditTarget, Standing};
 
 /// One entry of the history, as people read it.
 #[derive(Debug, Clone, PartialEq)]
@@ -6,7 +6,7 @@ pub struct Row {
     /// Place in the history, from 0.
     pub index: usize,
     /// What it works on.
-    pub subject: Subject,
+    pub target: EditTarget,
     /// How far it moves what it moves, in mm, or how many per cent of the asymmetry it takes away.
     pub amount: f64,
     /// What `amount` counts: "mm" or "%".
@@ -40,18 +40,18 @@ impl Rows {
                 Amount::Share(share) => (share * 100.0, "%"),
             };
             let standing = document.standing(index).cloned().unwrap_or_default();
-            self.rows.push(Row { index, subject: entry.command.subject(), amount, unit, standing });
+            self.rows.push(Row { index, target: entry.command.target(), amount, unit, standing });
         }
     }
 
-    /// The entries in force that work on `subject`.
-    pub fn in_force(&self, subject: Subject) -> impl Iterator<Item = &Row> {
+    /// The entries in force that work on `target`.
+    pub fn in_force(&self, target: EditTarget) -> impl Iterator<Item = &Row> {
         let counts = |row: &Row| !matches!(row.standing, Standing::Off | Standing::Impossible(_));
-        self.rows.iter().filter(move |row| counts(row) && row.subject == subject)
+        self.rows.iter().filter(move |row| counts(row) && row.target == target)
     }
 
     /// What those add up to, in mm.
-    pub fn in_force_mm(&self, subject: Subject) -> f64 {
-        self.in_force(subject).map(|row| row.amount).sum()
+    pub fn in_force_mm(&self, target: EditTarget) -> f64 {
+        self.in_force(target).map(|row| row.amount).sum()
     }
 }

@@ -1,6 +1,6 @@
 use glam::DVec3;
 use rosto_face::{Region, canonical_positions_m, mirror_of};
-use rosto_studio::{FaceSlider, Subject};
+use rosto_studio::{EditTarget, FaceSlider};
 
 /// What a click or a drag selects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -67,11 +67,11 @@ impl Selection {
     }
 
     /// What the history calls it.
-    pub fn subject(self) -> Subject {
+    pub fn target(self) -> EditTarget {
         match self {
-            Self::Landmark(landmark) => Subject::Landmark(landmark),
-            Self::Region(region) => Subject::Region(region),
-            Self::Point { level, vertex } => Subject::Point { level, vertex },
+            Self::Landmark(landmark) => EditTarget::Landmark(landmark),
+            Self::Region(region) => EditTarget::Region(region),
+            Self::Point { level, vertex } => EditTarget::Point { level, vertex },
         }
     }
 }

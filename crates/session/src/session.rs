@@ -27,7 +27,7 @@ pub struct Session {
     seeds: Seeds,
 }
 
-type Outcome = Result<Changed, SessionError>;
+type Result<T = Changed, E = SessionError> = std::result::Result<T, E>;
 
 impl Session {
     /// A session in which no face is open; `seed` leads to all random anchors that are ever drawn.
@@ -100,7 +100,7 @@ impl Session {
     ///
     /// # Errors
     /// [`SessionError`] for what cannot be done; the session is as it was before.
-    pub fn apply(&mut self, intent: Intent) -> Outcome {
+    pub fn apply(&mut self, intent: Intent) -> Result {
         let changed = self.carry_out(intent)?;
         if changed >= Changed::Document {
             self.check_pointer();
@@ -112,7 +112,7 @@ impl Session {
         Ok(changed)
     }
 
-    fn carry_out(&mut self, intent: Intent) -> Outcome {
+    fn carry_out(&mut self, intent: Intent) -> Result {
         match intent {
             Intent::Open(incoming) => self.open(*incoming),
             Intent::Close => self.close(),
@@ -129,7 +129,7 @@ impl Session {
             Intent::PinUnder(place_px) => self.toggle_pin_at(place_px),
             Intent::Preset(preset) => self.choose(preset.choices(self.choices.radius_mm)),
             Intent::Operator(operator) => self.choose(Choices { operator, ..self.choices }),
-            Intent::Hold(hold) => self.choose(Choices { hold, ..self.choices }),
+            Intent::Constraint(constraint) => self.choose(Choices { constraint, ..self.choices }),
             Intent::Details(details) => self.choose(Choices { details, ..self.choices }),
             Intent::Anchors(anchors) => self.choose(Choices { anchors, ..self.choices }),
             Intent::Mirror(mirror) => self.choose(Choices { mirror, ..self.choices }),

@@ -82,8 +82,8 @@ impl Session {
             choices: *self.choices(),
             preset: self.choices().preset(),
             view: *self.view(),
-            light: self.stage().look().light,
-            dots: self.stage().look().dots,
+            light: self.stage().render_settings().light,
+            dots: self.stage().render_settings().dots,
         }
     }
 

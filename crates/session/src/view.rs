@@ -1,5 +1,5 @@
 use rosto_face::Triangulation;
-use rosto_stage::{Background, Paint, Stage, Wireframe};
+use rosto_stage::{Background, ShadingMode, Stage, Wireframe};
 
 /// How fast the empty state turns.
 const IDLE_TURN_DEG_PER_S: f64 = 14.0;
@@ -10,7 +10,7 @@ const TURNTABLE_DEG_PER_S: f64 = 24.0;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
     /// How the surface is coloured.
-    pub paint: Paint,
+    pub shading: ShadingMode,
     /// Whether edges are drawn.
     pub wireframe: Wireframe,
     /// What lies behind.
@@ -49,7 +49,7 @@ impl Default for View {
     /// The face filled in, as a hand expects it, in the photo's colours.
     fn default() -> Self {
         Self {
-            paint: Paint::default(),
+            shading: ShadingMode::default(),
             wireframe: Wireframe::default(),
             background: Background::default(),
             turntable: Turntable::default(),
@@ -68,9 +68,9 @@ impl View {
             (false, _, Turntable::Turns) => TURNTABLE_DEG_PER_S,
             _ => 0.0,
         });
-        let look = stage.look_mut();
-        look.background = if is_empty { Background::Transparent } else { self.background };
-        look.paint = if is_empty { Paint::Bare } else { self.paint };
-        look.wireframe = if is_empty { Wireframe::Shown } else { self.wireframe };
+        let settings = stage.render_settings_mut();
+        settings.background = if is_empty { Background::Transparent } else { self.background };
+        settings.shading = if is_empty { ShadingMode::Bare } else { self.shading };
+        settings.wireframe = if is_empty { Wireframe::Shown } else { self.wireframe };
     }
 }

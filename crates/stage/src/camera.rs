@@ -105,7 +105,7 @@ impl Camera {
         self.now.azimuth += radians;
     }
 
-    /// Moves along the view plane so that what is at the target's depth follows the pointer.
+    /// Moves along the view plane so that what is at the subject's depth follows the pointer.
     pub fn pan(&mut self, dx_px: f64, dy_px: f64) {
         let m_per_px = self.m_per_px_at_distance(self.distance_m(&self.goal));
         let offset_m = (self.up() * dy_px - self.right() * dx_px) * m_per_px;

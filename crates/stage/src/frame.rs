@@ -2,14 +2,14 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
 
 use crate::markers::Axis;
-use crate::{Camera, Dots, Look, Paint};
+use crate::{Camera, Dots, RenderSettings, ShadingMode};
 
 /// What every shader reads once a frame, in the layout of a uniform buffer.
 ///
 /// The viewport's `shaders/frame.wgsl` has the same fields in the same order, and a test of its own compares the sizes.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
-pub struct Frame {
+pub struct FrameUniforms {
     clip_from_model: [f32; 16],
     eye_m: [f32; 3],
     pixel_ratio: f32,
@@ -43,9 +43,9 @@ pub struct Frame {
 /// Stands for "no vertex" in what shaders read.
 const NO_VERTEX: u32 = u32::MAX;
 
-/// What a frame shows beside the camera and the look.
+/// What a frame shows beside the camera and the settings.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Moment {
+pub(crate) struct FrameInputs {
     pub pixel_ratio: f64,
     pub offsets_m: [DVec3; 2],
     pub before: f64,
@@ -56,51 +56,51 @@ pub(crate) struct Moment {
     pub gizmo_axis: Option<Axis>,
 }
 
-impl Frame {
-    pub(crate) fn new(camera: &Camera, look: &Look, moment: &Moment) -> Self {
-        let palette = look.theme.palette();
-        let light = &look.light;
+impl FrameUniforms {
+    pub(crate) fn new(camera: &Camera, settings: &RenderSettings, inputs: &FrameInputs) -> Self {
+        let palette = settings.theme.palette();
+        let light = &settings.light;
         Self {
             clip_from_model: camera.clip_from_model().as_mat4().to_cols_array(),
             eye_m: camera.eye_m().as_vec3().to_array(),
-            pixel_ratio: moment.pixel_ratio as f32,
+            pixel_ratio: inputs.pixel_ratio as f32,
             light_direction: light.direction(camera).as_vec3().to_array(),
             light_strength: light.brightness() as f32,
             light_colour: light.colour.to_linear(),
             ambient: light.ambient as f32,
-            offset_a_m: moment.offsets_m[0].as_vec3().to_array(),
-            before: moment.before as f32,
-            offset_b_m: moment.offsets_m[1].as_vec3().to_array(),
-            glow: look.glow as f32,
+            offset_a_m: inputs.offsets_m[0].as_vec3().to_array(),
+            before: inputs.before as f32,
+            offset_b_m: inputs.offsets_m[1].as_vec3().to_array(),
+            glow: settings.glow as f32,
             right: camera.right().as_vec3().to_array(),
             m_per_px: camera.m_per_px_at_distance(1.0) as f32,
             up: camera.up().as_vec3().to_array(),
-            paint: paint_code(look.paint),
-            ground_m: moment.ground_m.as_vec3().to_array(),
+            paint: shading_code(settings.shading),
+            ground_m: inputs.ground_m.as_vec3().to_array(),
             radius_m: camera.radius_m() as f32,
             viewport_px: camera.size_px().as_vec2().to_array(),
-            pointer_px: moment.pointer_px.unwrap_or(DVec2::splat(-1e6)).as_vec2().to_array(),
+            pointer_px: inputs.pointer_px.unwrap_or(DVec2::splat(-1e6)).as_vec2().to_array(),
             ink: palette.ink.with_alpha(palette.ink_alpha),
             halo: palette.halo.with_alpha(palette.shadow_alpha),
             accent: palette.accent.with_alpha(1.0),
             ground_top: palette.ground_top.with_alpha(1.0),
             ground_bottom: palette.ground_bottom.with_alpha(1.0),
-            dots: u32::from(look.dots == Dots::All),
-            hovered: moment.hovered.unwrap_or(NO_VERTEX),
-            gizmo_vertex: moment.gizmo.unwrap_or(NO_VERTEX),
-            gizmo_axis: moment.gizmo_axis.map_or(NO_VERTEX, |axis| axis as u32),
+            dots: u32::from(settings.dots == Dots::All),
+            hovered: inputs.hovered.unwrap_or(NO_VERTEX),
+            gizmo_vertex: inputs.gizmo.unwrap_or(NO_VERTEX),
+            gizmo_axis: inputs.gizmo_axis.map_or(NO_VERTEX, |axis| axis as u32),
         }
     }
 }
 
 /// The numbers that `shaders/surface.wgsl` switches on.
-fn paint_code(paint: Paint) -> u32 {
-    match paint {
-        Paint::Photo => 0,
-        Paint::Colours => 1,
-        Paint::Clay | Paint::Bare => 2,
-        Paint::Normals => 3,
-        Paint::Response => 4,
-        Paint::Scalar => 5,
+fn shading_code(shading: ShadingMode) -> u32 {
+    match shading {
+        ShadingMode::Photo => 0,
+        ShadingMode::Colours => 1,
+        ShadingMode::Clay | ShadingMode::Bare => 2,
+        ShadingMode::Normals => 3,
+        ShadingMode::Response => 4,
+        ShadingMode::Distortion => 5,
     }
 }

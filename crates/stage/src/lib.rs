@@ -8,14 +8,14 @@ mod camera;
 mod colour;
 mod frame;
 mod light;
-mod look;
 mod markers;
+mod render_settings;
 mod stage;
 
 pub use camera::{Camera, Glide, NamedView};
 pub use colour::Srgb;
-pub use frame::Frame;
+pub use frame::FrameUniforms;
 pub use light::Light;
-pub use look::{Background, Dots, Look, MirrorPlane, Paint, Palette, Theme, Wireframe};
 pub use markers::{Axis, Mark, MarkKind, Pointer};
+pub use render_settings::{Background, Dots, MirrorPlane, Palette, RenderSettings, ShadingMode, Theme, Wireframe};
 pub use stage::{Stage, Step};

@@ -1,7 +1,7 @@
 use glam::{DVec2, DVec3};
 
-use crate::frame::{Frame, Moment};
-use crate::{Axis, Camera, Look, Mark, Pointer};
+use crate::frame::{FrameInputs, FrameUniforms};
+use crate::{Axis, Camera, Mark, Pointer, RenderSettings};
 
 /// How long a face takes from the photo's plane into depth.
 const ARRIVAL_MS: f64 = 500.0;
@@ -12,7 +12,7 @@ const LONGEST_STEP_S: f64 = 0.1;
 #[derive(Debug, Clone)]
 pub struct Stage {
     camera: Camera,
-    look: Look,
+    settings: RenderSettings,
     marks: Vec<Mark>,
     offsets_m: [DVec3; 2],
     ground_m: DVec3,
@@ -50,7 +50,7 @@ impl Default for Stage {
     fn default() -> Self {
         Self {
             camera: Camera::default(),
-            look: Look::default(),
+            settings: RenderSettings::default(),
             marks: Vec::new(),
             offsets_m: [DVec3::ZERO; 2],
             ground_m: DVec3::ZERO,
@@ -80,14 +80,14 @@ impl Stage {
     }
 
     /// How the mesh is shown.
-    pub fn look(&self) -> &Look {
-        &self.look
+    pub fn render_settings(&self) -> &RenderSettings {
+        &self.settings
     }
 
     /// How the mesh is shown, to be changed; asks for a frame.
-    pub fn look_mut(&mut self) -> &mut Look {
+    pub fn render_settings_mut(&mut self) -> &mut RenderSettings {
         self.changed = true;
-        &mut self.look
+        &mut self.settings
     }
 
     /// Frames a mesh from the front, and puts the ground under it.
@@ -158,7 +158,7 @@ impl Stage {
         self.set(|stage| &mut stage.turntable_deg_per_s, degrees_per_second);
     }
 
-    /// Lets the mesh come from where it was before ([`Look::before`]) in half a second, from the next frame on.
+    /// Lets the mesh come from where it was before ([`RenderSettings::before`]) in half a second, from the next frame on.
     pub fn start_arrival(&mut self) {
         self.set(|stage| &mut stage.arrival, Arrival::Asked);
     }
@@ -184,8 +184,8 @@ impl Stage {
     }
 
     /// What shaders read for this frame.
-    pub fn uniforms(&self) -> Frame {
-        let moment = Moment {
+    pub fn uniforms(&self) -> FrameUniforms {
+        let inputs = FrameInputs {
             pixel_ratio: self.pixel_ratio,
             offsets_m: self.offsets_m,
             before: self.blend_before(),
@@ -195,7 +195,7 @@ impl Stage {
             gizmo: self.gizmo,
             gizmo_axis: self.gizmo_axis,
         };
-        Frame::new(&self.camera, &self.look, &moment)
+        FrameUniforms::new(&self.camera, &self.settings, &inputs)
     }
 
     /// What the GPU reads for each mark: vertex and kind; kinds 4 to 6 are the letters of the axes.
@@ -213,7 +213,7 @@ impl Stage {
 
     fn blend_before(&self) -> f64 {
         match (self.arrival, self.last_ms) {
-            (Arrival::Over, _) => self.look.before,
+            (Arrival::Over, _) => self.settings.before,
             (Arrival::Since(start_ms), Some(now_ms)) => {
                 (1.0 - ((now_ms - start_ms) / ARRIVAL_MS).clamp(0.0, 1.0)).powi(3)
             }

@@ -4,11 +4,11 @@ use rosto_studio::{FaceSlider, Mirror, Switch};
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
+use crate::error::FacadeError;
 use crate::modes::{
     AnchorsName, AxisName, ChangeName, DetailsName, HoldName, OperatorName, PointerName, PresetName, TriangulationName,
 };
 use crate::state::{StudioState, StudioTick};
-use crate::trouble::Trouble;
 
 fn switch(is_on: bool) -> Switch {
     if is_on { Switch::On } else { Switch::Off }
@@ -40,8 +40,8 @@ impl Studio {
     /// # Errors
     /// `bad-choice`.
     #[wasm_bindgen(js_name = setHold)]
-    pub fn set_hold(&mut self, hold: HoldName) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Hold(hold.hold()?))
+    pub fn set_hold(&mut self, constraint: HoldName) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Constraint(constraint.hold()?))
     }
 
     /// Whether details turn with the surface.
@@ -138,7 +138,7 @@ impl Studio {
     /// # Errors
     /// `no-face`, `bad-choice` or `bad-number`.
     pub fn slide(&mut self, slider: &str, #[wasm_bindgen(js_name = toMm)] to_mm: f64) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Slide(FaceSlider::from_id(slider).ok_or_else(Trouble::bad_choice)?, to_mm))
+        self.act(Intent::Slide(FaceSlider::from_id(slider).ok_or_else(FacadeError::bad_choice)?, to_mm))
     }
 
     /// Keeps the edit in progress as one entry of the history; nothing moved is no entry.

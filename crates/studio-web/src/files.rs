@@ -1,13 +1,13 @@
-use rosto_export::{GlbOptions, Paint, Shading, obj, ply, stl};
+use rosto_export::{BaseColour, GlbOptions, Material, obj, ply, stl};
 use rosto_session::{EditsAs, Units};
 use rosto_stage::Background;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::future_to_promise;
 
 use crate::Studio;
+use crate::error::FacadeError;
 use crate::modes::{ExportEditsName, ExportPaintName, ExportShadingName, MeshFormatName, UnitsName};
 use crate::state::Snapshot;
-use crate::trouble::Trouble;
 
 /// What leaves the page.
 #[wasm_bindgen]
@@ -21,9 +21,9 @@ impl Studio {
         let units = match units {
             UnitsName::Image => Units::Image,
             UnitsName::Millimetres => Units::Millimetres,
-            _ => return Err(Trouble::bad_choice().into()),
+            _ => return Err(FacadeError::bad_choice().into()),
         };
-        Ok(self.session.mesh_json(units).map_err(Trouble::from)?)
+        Ok(self.session.mesh_json(units).map_err(FacadeError::from)?)
     }
 
     /// The face as a binary glTF file, at the density that is shown, with what opens it again in the scene's extras.
@@ -38,21 +38,24 @@ impl Studio {
         edits: ExportEditsName,
     ) -> Result<Vec<u8>, JsValue> {
         let paint = match paint {
-            ExportPaintName::Texture => Paint::Texture,
-            ExportPaintName::VertexColours => Paint::VertexColours,
-            _ => return Err(Trouble::bad_choice().into()),
+            ExportPaintName::Texture => BaseColour::Texture,
+            ExportPaintName::VertexColours => BaseColour::VertexColours,
+            _ => return Err(FacadeError::bad_choice().into()),
         };
         let shading = match shading {
-            ExportShadingName::Lit => Shading::Lit,
-            ExportShadingName::Unlit => Shading::Unlit,
-            _ => return Err(Trouble::bad_choice().into()),
+            ExportShadingName::Lit => Material::Lit,
+            ExportShadingName::Unlit => Material::Unlit,
+            _ => return Err(FacadeError::bad_choice().into()),
         };
         let edits = match edits {
             ExportEditsName::Shape => EditsAs::Shape,
             ExportEditsName::MorphTargets => EditsAs::MorphTargets,
-            _ => return Err(Trouble::bad_choice().into()),
+            _ => return Err(FacadeError::bad_choice().into()),
         };
-        Ok(self.session.glb(GlbOptions { paint, shading, ..GlbOptions::default() }, edits).map_err(Trouble::from)?)
+        Ok(self
+            .session
+            .glb(GlbOptions { base_colour: paint, material: shading, ..GlbOptions::default() }, edits)
+            .map_err(FacadeError::from)?)
     }
 
     /// The face, at the density that is shown, as a file of another kind.
@@ -67,7 +70,7 @@ impl Studio {
             MeshFormatName::Stl => Ok(Some(stl(&model)?)),
             _ => Ok(None),
         });
-        Ok(bytes.map_err(Trouble::from)?.ok_or_else(Trouble::bad_choice)?)
+        Ok(bytes.map_err(FacadeError::from)?.ok_or_else(FacadeError::bad_choice)?)
     }
 
     /// A picture of the view in any size; transparent where there is no face, if asked so.
@@ -84,8 +87,8 @@ impl Studio {
         let background = if transparent { Background::Transparent } else { self.session.view().background };
         let picture = self.viewport.snapshot(self.session.stage(), [width_px, height_px], background);
         self.session.stage_mut().ask_for_a_frame();
-        let picture = picture.map_err(Trouble::from)?;
-        Ok(future_to_promise(async move { Ok(Snapshot::from(picture.await.map_err(Trouble::from)?).into()) }))
+        let picture = picture.map_err(FacadeError::from)?;
+        Ok(future_to_promise(async move { Ok(Snapshot::from(picture.await.map_err(FacadeError::from)?).into()) }))
     }
 
     /// The project file: landmarks, edits, and the photo as the PNG that is given.
@@ -94,7 +97,7 @@ impl Studio {
     /// `no-face` or `cannot-export`.
     #[wasm_bindgen(js_name = projectFile)]
     pub fn project_file(&self, png: &[u8]) -> Result<Vec<u8>, JsValue> {
-        Ok(self.session.project(png).map_err(Trouble::from)?)
+        Ok(self.session.project(png).map_err(FacadeError::from)?)
     }
 
     /// The edits as versioned JSON.

@@ -5,6 +5,7 @@
 //! an `await`.
 
 mod editing;
+mod error;
 mod files;
 mod modes;
 mod names;
@@ -16,7 +17,6 @@ mod seeing;
 mod selecting;
 mod state;
 mod studio;
-mod trouble;
 
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;

@@ -4,11 +4,11 @@
 
 use rosto_face::{Language, Triangulation};
 use rosto_session::{AnchorChoice, Changed, Preset, SelectionMode};
-use rosto_stage::{Axis, NamedView, Paint, Pointer, Theme};
-use rosto_studio::{Details, Hold, Operator};
+use rosto_stage::{Axis, NamedView, Pointer, ShadingMode, Theme};
+use rosto_studio::{ConstraintKind, Details, Operator};
 use wasm_bindgen::prelude::*;
 
-use crate::trouble::{Outcome, Trouble};
+use crate::error::{FacadeError, Result};
 
 /// How the surface is coloured.
 #[wasm_bindgen]
@@ -275,71 +275,71 @@ pub enum TaskName {
 }
 
 impl PaintName {
-    pub(crate) fn paint(self) -> Outcome<Paint> {
+    pub(crate) fn paint(self) -> Result<ShadingMode> {
         match self {
-            Self::Photo => Ok(Paint::Photo),
-            Self::Colours => Ok(Paint::Colours),
-            Self::Clay => Ok(Paint::Clay),
-            Self::Normals => Ok(Paint::Normals),
-            Self::Response => Ok(Paint::Response),
-            Self::Distortion => Ok(Paint::Scalar),
-            _ => Err(Trouble::bad_choice()),
+            Self::Photo => Ok(ShadingMode::Photo),
+            Self::Colours => Ok(ShadingMode::Colours),
+            Self::Clay => Ok(ShadingMode::Clay),
+            Self::Normals => Ok(ShadingMode::Normals),
+            Self::Response => Ok(ShadingMode::Response),
+            Self::Distortion => Ok(ShadingMode::Distortion),
+            _ => Err(FacadeError::bad_choice()),
         }
     }
 }
 
-impl From<Paint> for PaintName {
-    fn from(paint: Paint) -> Self {
-        match paint {
-            Paint::Photo | Paint::Bare => Self::Photo,
-            Paint::Colours => Self::Colours,
-            Paint::Clay => Self::Clay,
-            Paint::Normals => Self::Normals,
-            Paint::Response => Self::Response,
-            Paint::Scalar => Self::Distortion,
+impl From<ShadingMode> for PaintName {
+    fn from(shading: ShadingMode) -> Self {
+        match shading {
+            ShadingMode::Photo | ShadingMode::Bare => Self::Photo,
+            ShadingMode::Colours => Self::Colours,
+            ShadingMode::Clay => Self::Clay,
+            ShadingMode::Normals => Self::Normals,
+            ShadingMode::Response => Self::Response,
+            ShadingMode::Distortion => Self::Distortion,
         }
     }
 }
 
 impl ViewName {
-    pub(crate) fn view(self) -> Outcome<NamedView> {
+    pub(crate) fn view(self) -> Result<NamedView> {
         match self {
             Self::Front => Ok(NamedView::Front),
             Self::Left => Ok(NamedView::Left),
             Self::Top => Ok(NamedView::Top),
             Self::Reset => Ok(NamedView::Reset),
-            _ => Err(Trouble::bad_choice()),
+            _ => Err(FacadeError::bad_choice()),
         }
     }
 }
 
 impl ThemeName {
-    pub(crate) fn theme(self) -> Outcome<Theme> {
+    pub(crate) fn theme(self) -> Result<Theme> {
         match self {
             Self::Light => Ok(Theme::Light),
             Self::Dark => Ok(Theme::Dark),
-            _ => Err(Trouble::bad_choice()),
+            _ => Err(FacadeError::bad_choice()),
         }
     }
 }
 
 impl LanguageName {
-    pub(crate) fn language(self) -> Outcome<Language> {
+    pub(crate) fn language(self) -> Result<Language> {
         match self {
             Self::English => Ok(Language::English),
             Self::Portuguese => Ok(Language::Portuguese),
-            _ => Err(Trouble::bad_choice()),
+            _ => Err(FacadeError::bad_choice()),
         }
     }
 }
 
 impl AxisName {
-    pub(crate) fn axis(self) -> Outcome<Axis> {
+    pub(crate) fn axis(self) -> Result<Axis> {
         match self {
             Self::X => Ok(Axis::X),
             Self::Y => Ok(Axis::Y),
             Self::Z => Ok(Axis::Z),
-            _ => Err(Trouble::bad_choice()),
+            _ => Err(FacadeError::bad_choice()),
         }
     }
 }
@@ -355,12 +355,12 @@ impl From<SelectionMode> for HandName {
 }
 
 impl HandName {
-    pub(crate) fn mode(self) -> Outcome<SelectionMode> {
+    pub(crate) fn mode(self) -> Result<SelectionMode> {
         match self {
             Self::Landmark => Ok(SelectionMode::Landmark),
             Self::Region => Ok(SelectionMode::Region),
             Self::Point => Ok(SelectionMode::Point),
-            _ => Err(Trouble::bad_choice()),
+            _ => Err(FacadeError::bad_choice()),
         }
     }
 }
@@ -378,14 +378,14 @@ impl From<Operator> for OperatorName {
 }
 
 impl OperatorName {
-    pub(crate) fn operator(self) -> Outcome<Operator> {
+    pub(crate) fn operator(self) -> Result<Operator> {
         match self {
             Self::UniformSymmetric => Ok(Operator::UniformSymmetric),
             Self::Uniform => Ok(Operator::Uniform),
             Self::Degree => Ok(Operator::Degree),
             Self::InverseLength => Ok(Operator::InverseLength),
             Self::Cotangent => Ok(Operator::Cotangent),
-            _ => Err(Trouble::bad_choice()),
+            _ => Err(FacadeError::bad_choice()),
         }
     }
 }
@@ -394,17 +394,17 @@ impl From<Details> for DetailsName {
     fn from(value: Details) -> Self {
         match value {
             Details::Kept => Self::Kept,
-            Details::Turned => Self::Turned,
+            Details::AsRigidAsPossible => Self::Turned,
         }
     }
 }
 
 impl DetailsName {
-    pub(crate) fn details(self) -> Outcome<Details> {
+    pub(crate) fn details(self) -> Result<Details> {
         match self {
             Self::Kept => Ok(Details::Kept),
-            Self::Turned => Ok(Details::Turned),
-            _ => Err(Trouble::bad_choice()),
+            Self::Turned => Ok(Details::AsRigidAsPossible),
+            _ => Err(FacadeError::bad_choice()),
         }
     }
 }
@@ -420,12 +420,12 @@ impl From<AnchorChoice> for AnchorsName {
 }
 
 impl AnchorsName {
-    pub(crate) fn anchors(self) -> Outcome<AnchorChoice> {
+    pub(crate) fn anchors(self) -> Result<AnchorChoice> {
         match self {
             Self::Random => Ok(AnchorChoice::Random),
             Self::Oval => Ok(AnchorChoice::Oval),
             Self::Pinned => Ok(AnchorChoice::PinsOnly),
-            _ => Err(Trouble::bad_choice()),
+            _ => Err(FacadeError::bad_choice()),
         }
     }
 }
@@ -440,11 +440,11 @@ impl From<Preset> for PresetName {
 }
 
 impl PresetName {
-    pub(crate) fn preset(self) -> Outcome<Preset> {
+    pub(crate) fn preset(self) -> Result<Preset> {
         match self {
             Self::Sculpt => Ok(Preset::Sculpt),
             Self::Paper => Ok(Preset::Paper),
-            _ => Err(Trouble::bad_choice()),
+            _ => Err(FacadeError::bad_choice()),
         }
     }
 }
@@ -459,27 +459,27 @@ impl From<Triangulation> for TriangulationName {
 }
 
 impl TriangulationName {
-    pub(crate) fn triangulation(self) -> Outcome<Triangulation> {
+    pub(crate) fn triangulation(self) -> Result<Triangulation> {
         match self {
             Self::Tessellation => Ok(Triangulation::Tessellation),
             Self::Canonical => Ok(Triangulation::Canonical),
-            _ => Err(Trouble::bad_choice()),
+            _ => Err(FacadeError::bad_choice()),
         }
     }
 }
 
-impl From<Hold> for HoldName {
-    fn from(hold: Hold) -> Self {
-        if hold == Hold::Exact { Self::Exact } else { Self::Soft }
+impl From<ConstraintKind> for HoldName {
+    fn from(constraint: ConstraintKind) -> Self {
+        if constraint == ConstraintKind::Hard { Self::Exact } else { Self::Soft }
     }
 }
 
 impl HoldName {
-    pub(crate) fn hold(self) -> Outcome<Hold> {
+    pub(crate) fn hold(self) -> Result<ConstraintKind> {
         match self {
-            Self::Soft => Ok(Hold::default()),
-            Self::Exact => Ok(Hold::Exact),
-            _ => Err(Trouble::bad_choice()),
+            Self::Soft => Ok(ConstraintKind::default()),
+            Self::Exact => Ok(ConstraintKind::Hard),
+            _ => Err(FacadeError::bad_choice()),
         }
     }
 }

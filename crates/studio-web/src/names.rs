@@ -4,9 +4,9 @@ use rosto_studio::FaceSlider;
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
+use crate::error::FacadeError;
 use crate::modes::LanguageName;
 use crate::state::{NamedRegion, NamedSlider, StudioEntry, StudioRange};
-use crate::trouble::Trouble;
 
 /// What things are called, and what numbers go through.
 #[wasm_bindgen]
@@ -17,7 +17,7 @@ impl Studio {
     /// `bad-vertex` or `bad-choice`.
     #[wasm_bindgen(js_name = landmarkName)]
     pub fn landmark_name(&self, vertex: u32, language: LanguageName) -> Result<String, JsValue> {
-        let vertex = rosto_session::known_landmark(vertex).map_err(Trouble::from)?;
+        let vertex = rosto_session::known_landmark(vertex).map_err(FacadeError::from)?;
         Ok(landmark_name(vertex, language.language()?))
     }
 
@@ -27,7 +27,7 @@ impl Studio {
     /// `bad-vertex` or `bad-choice`.
     #[wasm_bindgen(js_name = landmarkLabel)]
     pub fn landmark_label(&self, vertex: u32, language: LanguageName) -> Result<String, JsValue> {
-        let vertex = rosto_session::known_landmark(vertex).map_err(Trouble::from)?;
+        let vertex = rosto_session::known_landmark(vertex).map_err(FacadeError::from)?;
         Ok(landmark_label(vertex, language.language()?))
     }
 
@@ -46,7 +46,7 @@ impl Studio {
     /// `bad-vertex` or `bad-choice`.
     #[wasm_bindgen(js_name = nameAt)]
     pub fn name_at(&self, vertex: u32, language: LanguageName) -> Result<String, JsValue> {
-        Ok(self.session.name_at(vertex, language.language()?).map_err(Trouble::from)?)
+        Ok(self.session.name_at(vertex, language.language()?).map_err(FacadeError::from)?)
     }
 
     /// The vertex that is meant by a number, or the landmark that is meant by its name, in any case of its letters;
@@ -69,7 +69,7 @@ impl Studio {
         let Some(face) = self.session.face() else { return Ok(Vec::new()) };
         let rows = face.rows();
         let latest = &rows[rows.len().saturating_sub(most as usize)..];
-        let entry = |row| StudioEntry::of(row, face.label(row.subject, language));
+        let entry = |row| StudioEntry::of(row, face.label(row.target, language));
         Ok(latest.iter().map(entry).collect())
     }
 

@@ -5,12 +5,12 @@ use rosto_face::{FaceInput, FaceModel, Photo, Triangulation};
 use rosto_studio::paper::{
     Claims, DEGREES, Experiment, Method, MethodOutcome, OFFSETS, Plan, PlotWords, TABLE_1, TableRow, Task, Trial, svg,
 };
-use rosto_studio::{Hold, StudioError};
+use rosto_studio::{ConstraintKind, StudioError};
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
+use crate::error::{FacadeError, Result};
 use crate::modes::{HoldName, OperatorName, TaskName};
-use crate::trouble::{Outcome, Trouble};
 
 /// The paper's experiment on the open face, apart from the work on it.
 ///
@@ -105,7 +105,7 @@ impl PaperRun {
             let outcome = MethodOutcome::of(&self.experiment, method, trials);
             PaperMethod {
                 operator: method.operator.into(),
-                hold: if method.hold == Hold::Exact { HoldName::Exact } else { HoldName::Soft },
+                constraint: if method.constraint == ConstraintKind::Hard { HoldName::Exact } else { HoldName::Soft },
                 time_ms: outcome.time_ms.median,
                 bent: outcome.bent.median,
                 stretch: outcome.stretch.median,
@@ -143,7 +143,7 @@ impl PaperRun {
 }
 
 impl PaperRun {
-    fn new(face: &FaceModel, runs: u32, seed: u32) -> Outcome<Self> {
+    fn new(face: &FaceModel, runs: u32, seed: u32) -> Result<Self> {
         let positions_image = face.positions_image();
         let experiment = Experiment::new(Triangulation::Tessellation.topology(), positions_image.to_vec())
             .map_err(StudioError::from)?;
@@ -159,7 +159,7 @@ impl PaperRun {
         Ok(Self { face, experiment, generation_ms: None, trials, runs: runs as usize, place: 0, made: None })
     }
 
-    fn step(&mut self) -> Outcome<()> {
+    fn step(&mut self) -> Result<()> {
         if self.generation_ms.is_none() {
             return self.face.generate();
         }
@@ -177,9 +177,9 @@ impl PaperRun {
 
 impl Landmarks {
     /// Landmarks to coloured mesh. The photo is not a part of it: it only lends its colours, which are there.
-    fn generate(&self) -> Outcome<()> {
+    fn generate(&self) -> Result<()> {
         let picture = Photo::from_rgb(1, 1, vec![0; 3])
-            .map_err(|error| Trouble::new("internal", error.to_string(), "Open the photo again."))?;
+            .map_err(|error| FacadeError::new("internal", error.to_string(), "Open the photo again."))?;
         let [width, height] = self.photo_size_px;
         let input = FaceInput { landmarks: &self.landmarks, width, height, colours: &self.colours, picture };
         FaceModel::new(input, Triangulation::Tessellation)?;
@@ -217,7 +217,7 @@ pub struct PaperMethod {
     pub operator: OperatorName,
     /// How firmly handle and anchors were held.
     #[wasm_bindgen(readonly)]
-    pub hold: HoldName,
+    pub constraint: HoldName,
     /// Time for an edit, ms.
     #[wasm_bindgen(readonly, js_name = timeMs)]
     pub time_ms: f64,

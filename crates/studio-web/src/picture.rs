@@ -1,7 +1,7 @@
 use rosto_face::Photo;
 use rosto_viewport::{PictureOnGpu, Viewport, ViewportError};
 
-use crate::trouble::{Outcome, Trouble};
+use crate::error::{FacadeError, Result};
 
 /// The upright photo of a face: its pixels, for files and colours, and the same on the GPU.
 #[derive(Debug, Clone)]
@@ -12,7 +12,7 @@ pub(crate) struct OpenPicture {
 
 impl OpenPicture {
     /// The same picture on another GPU.
-    pub fn on(&self, viewport: &Viewport) -> Outcome<Self> {
+    pub fn on(&self, viewport: &Viewport) -> Result<Self> {
         let on_gpu = viewport.reserve_picture(self.photo.width(), self.photo.height())?;
         viewport.write_picture_rows(&on_gpu, 0, &rgba_of(&self.photo))?;
         viewport.finish_picture(&on_gpu);
@@ -31,14 +31,14 @@ pub(crate) struct IncomingPicture {
 }
 
 impl IncomingPicture {
-    pub fn new(viewport: &Viewport, width: u32, height: u32) -> Outcome<Self> {
+    pub fn new(viewport: &Viewport, width: u32, height: u32) -> Result<Self> {
         let on_gpu = viewport.reserve_picture(width, height)?;
         let rgb = Vec::with_capacity(width as usize * height as usize * 3);
         Ok(Self { width, height, rgb, on_gpu })
     }
 
     /// Takes the next rows, RGBA; alpha is left out. Gives the picture back, once it is whole.
-    pub fn add(mut self, viewport: &Viewport, rgba: &[u8]) -> Outcome<Result<OpenPicture, Self>> {
+    pub fn add(mut self, viewport: &Viewport, rgba: &[u8]) -> Result<Result<OpenPicture, Self>> {
         let row_bytes = self.width as usize * 3;
         let first_row = (self.rgb.len() / row_bytes) as u32;
         viewport.write_picture_rows(&self.on_gpu, first_row, rgba)?;
@@ -48,7 +48,7 @@ impl IncomingPicture {
         }
         viewport.finish_picture(&self.on_gpu);
         let (width, height, found) = (self.width, self.height, self.rgb.len());
-        let bad = |_| Trouble::from(ViewportError::BadPicture { width, height, found });
+        let bad = |_| FacadeError::from(ViewportError::BadPicture { width, height, found });
         let photo = Photo::from_rgb(width, height, self.rgb).map_err(bad)?;
         Ok(Ok(OpenPicture { photo, on_gpu: self.on_gpu }))
     }

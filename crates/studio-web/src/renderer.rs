@@ -2,7 +2,7 @@ use rosto_viewport::{Backend, Gpu, Target, Viewport};
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
-use crate::trouble::{Outcome, Trouble};
+use crate::error::{FacadeError, Result};
 
 /// A GPU bound to a canvas. A lost one is replaced with `studio.useRenderer(await createRenderer(canvas))`.
 #[wasm_bindgen]
@@ -26,9 +26,13 @@ impl Renderer {
     }
 }
 
-async fn bind(canvas: HtmlCanvasElement) -> Outcome<Renderer> {
+async fn bind(canvas: HtmlCanvasElement) -> Result<Renderer> {
     if Backend::OF_THIS_BUILD == Backend::WebGpu && !browser_has_webgpu() {
-        return Err(Trouble::new("no-webgpu", "this browser has no WebGPU", "Use a current Chrome, Edge or Safari."));
+        return Err(FacadeError::new(
+            "no-webgpu",
+            "this browser has no WebGPU",
+            "Use a current Chrome, Edge or Safari.",
+        ));
     }
     let (gpu, target) = gpu_and_target(canvas).await?;
     Ok(Renderer { viewport: Viewport::new(gpu, target) })
@@ -40,12 +44,12 @@ fn browser_has_webgpu() -> bool {
 }
 
 #[cfg(target_arch = "wasm32")]
-async fn gpu_and_target(canvas: HtmlCanvasElement) -> Outcome<(Gpu, Target)> {
+async fn gpu_and_target(canvas: HtmlCanvasElement) -> Result<(Gpu, Target)> {
     Ok(Target::canvas(canvas).await?)
 }
 
 /// Only a browser has canvases; elsewhere this crate is built for its tests alone.
 #[cfg(not(target_arch = "wasm32"))]
-async fn gpu_and_target(_: HtmlCanvasElement) -> Outcome<(Gpu, Target)> {
+async fn gpu_and_target(_: HtmlCanvasElement) -> Result<(Gpu, Target)> {
     Ok((Gpu::request().await?, Target::offscreen()))
 }

@@ -2,8 +2,8 @@ use rosto_export::{FileKind, Reopened, project, reopen, sniff};
 use rosto_face::Triangulation;
 use wasm_bindgen::prelude::*;
 
+use crate::error::FacadeError;
 use crate::modes::{FileKindName, TriangulationName};
-use crate::trouble::Trouble;
 
 /// What a file of ours holds, for `openWork`. `free()` it when everything has been taken out.
 #[wasm_bindgen]
@@ -47,7 +47,7 @@ pub fn sniff_file(start: &[u8]) -> FileKindName {
 /// `damaged-glb`, `foreign-glb` or `newer-glb`.
 #[wasm_bindgen(js_name = reopenGlb)]
 pub fn reopen_glb(bytes: &[u8]) -> Result<ReopenedFace, JsValue> {
-    Ok(reopen(bytes).map_err(Trouble::of_glb)?.into())
+    Ok(reopen(bytes).map_err(FacadeError::of_glb)?.into())
 }
 
 /// Reads a project that was saved here. Its picture is not decoded.
@@ -56,7 +56,7 @@ pub fn reopen_glb(bytes: &[u8]) -> Result<ReopenedFace, JsValue> {
 /// `bad-project` or `too-new`.
 #[wasm_bindgen(js_name = reopenProject)]
 pub fn reopen_project(bytes: &[u8]) -> Result<ReopenedFace, JsValue> {
-    Ok(project::read(bytes).map_err(Trouble::of_project)?.into())
+    Ok(project::read(bytes).map_err(FacadeError::of_project)?.into())
 }
 
 impl From<Reopened<'_>> for ReopenedFace {

@@ -48,7 +48,7 @@ impl Studio {
     /// # Errors
     /// `bad-choice`.
     pub fn view(&mut self, name: ViewName) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Look(name.view()?))
+        self.act(Intent::GoTo(name.view()?))
     }
 
     /// Lets the face turn by itself, or stand still.
@@ -75,7 +75,7 @@ impl Studio {
     /// `bad-choice`.
     #[wasm_bindgen(js_name = setPaint)]
     pub fn set_paint(&mut self, paint: PaintName) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Paint(paint.paint()?))
+        self.act(Intent::Shading(paint.paint()?))
     }
 
     /// Draws the edges over the surface.
@@ -110,7 +110,7 @@ impl Studio {
         strength: f64,
         ambient: f64,
     ) -> Result<ChangeName, JsValue> {
-        let colour = self.session.stage().look().light.colour;
+        let colour = self.session.stage().render_settings().light.colour;
         self.act(Intent::Light(Light { azimuth_deg, elevation_deg, strength, colour, ambient }))
     }
 
@@ -120,7 +120,7 @@ impl Studio {
     /// None of its own.
     #[wasm_bindgen(js_name = setLightColour)]
     pub fn set_light_colour(&mut self, red: u8, green: u8, blue: u8) -> Result<ChangeName, JsValue> {
-        let light = self.session.stage().look().light;
+        let light = self.session.stage().render_settings().light;
         self.act(Intent::Light(Light { colour: Srgb([red, green, blue]), ..light }))
     }
 

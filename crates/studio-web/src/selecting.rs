@@ -5,8 +5,8 @@ use rosto_studio::Switch;
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
+use crate::error::FacadeError;
 use crate::modes::{ChangeName, HandName};
-use crate::trouble::Trouble;
 
 /// Selecting landmarks, regions and points, and pinning them. Places are device pixels from the canvas' top left.
 #[wasm_bindgen]
@@ -25,7 +25,7 @@ impl Studio {
     /// `no-face` or `bad-choice`.
     #[wasm_bindgen(js_name = selectRegion)]
     pub fn select_region(&mut self, region: &str) -> Result<ChangeName, JsValue> {
-        let region = Region::from_id(region).ok_or_else(Trouble::bad_choice)?;
+        let region = Region::from_id(region).ok_or_else(FacadeError::bad_choice)?;
         self.act(Intent::Select(Some(Selection::Region(region))))
     }
 

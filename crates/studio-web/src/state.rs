@@ -64,7 +64,7 @@ pub struct StudioState {
     pub operator: OperatorName,
     /// How firmly landmarks and anchors are held.
     #[wasm_bindgen(readonly)]
-    pub hold: HoldName,
+    pub constraint: HoldName,
     /// Whether details turn with the surface.
     #[wasm_bindgen(readonly)]
     pub details: DetailsName,
@@ -158,7 +158,7 @@ impl StudioState {
             anchors: face.map(|face| face.anchors.clone()).unwrap_or_default(),
             preset: state.preset.map(Into::into),
             operator: choices.operator.into(),
-            hold: choices.hold.into(),
+            constraint: choices.constraint.into(),
             details: choices.details.into(),
             anchor_choice: choices.anchors.into(),
             mirror: choices.mirror == Mirror::On,
@@ -166,7 +166,7 @@ impl StudioState {
             radius_mm: choices.radius_mm,
             triangulation: view.triangulation.into(),
             density: view.density,
-            paint: view.paint.into(),
+            paint: view.shading.into(),
             wireframe: view.wireframe == Wireframe::Shown,
             dots: state.dots == Dots::All,
             turntable: view.turntable == Turntable::Turns,

@@ -1,14 +1,14 @@
 use rosto_face::{Triangulation, canonical_positions_m};
 use rosto_session::{Changed, Incoming, Intent, Motion, OpenFace, Session, Work};
-use rosto_stage::Paint;
+use rosto_stage::ShadingMode;
 use rosto_viewport::{MeshInput, PictureOnGpu, Viewport};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::future_to_promise;
 
+use crate::error::{FacadeError, Result};
 use crate::modes::{ChangeName, TriangulationName};
 use crate::picture::{IncomingPicture, OpenPicture};
 use crate::renderer::Renderer;
-use crate::trouble::{Outcome, Trouble};
 
 /// Seeds stay exact as JavaScript's numbers.
 const SEEDS: f64 = 9_007_199_254_740_992.0;
@@ -71,7 +71,7 @@ impl Studio {
     /// `bad-face` for a part of a row or more rows than there are; the picture is then to be opened anew.
     #[wasm_bindgen(js_name = addPictureRows)]
     pub fn add_picture_rows(&mut self, rgba: &[u8]) -> Result<(), JsValue> {
-        let incoming = self.incoming_picture.take().ok_or_else(Trouble::no_picture)?;
+        let incoming = self.incoming_picture.take().ok_or_else(FacadeError::no_picture)?;
         match incoming.add(&self.viewport, rgba)? {
             Ok(whole) => self.next_picture = Some(whole),
             Err(part) => self.incoming_picture = Some(part),
@@ -146,7 +146,7 @@ impl Studio {
     /// # Errors
     /// `device-lost`.
     pub fn draw(&mut self, #[wasm_bindgen(js_name = timeMs)] time_ms: f64) -> Result<bool, JsValue> {
-        Ok(self.viewport.draw(self.session.stage_mut(), time_ms).map_err(Trouble::from)?)
+        Ok(self.viewport.draw(self.session.stage_mut(), time_ms).map_err(FacadeError::from)?)
     }
 
     /// Choices and view as text, for `prefer`: the page need not understand it to keep it.
@@ -171,14 +171,14 @@ impl Studio {
 
     /// The one door for everything that changes the session: carries an intent out and shows what it has changed.
     pub(crate) fn act(&mut self, intent: Intent) -> Result<ChangeName, JsValue> {
-        let changed = self.session.apply(intent).map_err(Trouble::from)?;
+        let changed = self.session.apply(intent).map_err(FacadeError::from)?;
         self.show(changed)?;
         Ok(changed.into())
     }
 
     /// The open face.
-    pub(crate) fn face(&self) -> Outcome<&OpenFace> {
-        self.session.face().ok_or_else(Trouble::no_face)
+    pub(crate) fn face(&self) -> Result<&OpenFace> {
+        self.session.face().ok_or_else(FacadeError::no_face)
     }
 
     fn open(
@@ -187,8 +187,8 @@ impl Studio {
         photo_size_px: [u32; 2],
         colours: &[u8],
         work: Option<Work>,
-    ) -> Outcome<ChangeName> {
-        let picture = self.next_picture.clone().ok_or_else(Trouble::no_picture)?;
+    ) -> Result<ChangeName> {
+        let picture = self.next_picture.clone().ok_or_else(FacadeError::no_picture)?;
         let incoming = Incoming {
             landmarks: landmarks.as_chunks::<3>().0.to_vec(),
             photo_size_px,
@@ -206,7 +206,7 @@ impl Studio {
     }
 
     /// Brings to the GPU what has changed.
-    fn show(&mut self, changed: Changed) -> Outcome<()> {
+    fn show(&mut self, changed: Changed) -> Result<()> {
         if changed >= Changed::Mesh {
             self.show_mesh()?;
         }
@@ -220,7 +220,7 @@ impl Studio {
         Ok(())
     }
 
-    fn show_mesh(&mut self) -> Outcome<()> {
+    fn show_mesh(&mut self) -> Result<()> {
         let picture = self.picture.as_ref().map(|picture| &picture.on_gpu);
         match self.session.face() {
             Some(face) => show_face(&mut self.viewport, face, picture),
@@ -229,26 +229,26 @@ impl Studio {
     }
 
     /// The shape that the edit in progress starts from, and how it is going to be followed.
-    fn show_shape(&mut self) -> Outcome<()> {
+    fn show_shape(&mut self) -> Result<()> {
         let Some(face) = self.session.face() else { return Ok(()) };
         self.viewport.set_positions(face.document().committed())?;
         Ok(self.viewport.set_fields(face.follow_fields())?)
     }
 
     /// Three numbers of the stage, unless details turn or distortion is painted.
-    fn show_tick(&mut self) -> Outcome<()> {
+    fn show_tick(&mut self) -> Result<()> {
         let Some(face) = self.session.face() else { return Ok(()) };
         if face.turns_details() {
             self.viewport.set_positions(face.document().positions())?;
         }
-        if self.session.view().paint == Paint::Scalar {
+        if self.session.view().shading == ShadingMode::Distortion {
             self.viewport.set_scalars(&face.stretch())?;
         }
         Ok(())
     }
 }
 
-fn show_face(viewport: &mut Viewport, face: &OpenFace, picture: Option<&PictureOnGpu>) -> Outcome<()> {
+fn show_face(viewport: &mut Viewport, face: &OpenFace, picture: Option<&PictureOnGpu>) -> Result<()> {
     let uvs = face.uvs();
     viewport.show(&MeshInput {
         topology: face.document().topology(),
@@ -260,7 +260,7 @@ fn show_face(viewport: &mut Viewport, face: &OpenFace, picture: Option<&PictureO
     Ok(viewport.set_before(face.document().rest())?)
 }
 
-fn show_canonical(viewport: &mut Viewport) -> Outcome<()> {
+fn show_canonical(viewport: &mut Viewport) -> Result<()> {
     Ok(viewport.show(&MeshInput {
         topology: &Triangulation::Canonical.topology(),
         positions_m: &canonical_positions_m(),

@@ -1,5 +1,5 @@
 use glam::DVec3;
-use rosto_laplacian::{Hold, Operator};
+use rosto_laplacian::{ConstraintKind, Operator};
 
 /// One change to the mesh, as the history keeps it.
 #[derive(Debug, Clone, PartialEq)]
@@ -7,8 +7,8 @@ pub enum Command {
     /// Moves handles; the rest follows by δ-coordinates.
     Move {
         /// Which vertices are moved, and how the rest follows.
-        grip: Grip,
-        /// One offset for each handle of the grip, in the document's unit.
+        spec: EditSpec,
+        /// One offset for each handle of the spec, in the document's unit.
         offsets: Vec<DVec3>,
     },
     /// Brings the two sides of the face closer to each other.
@@ -20,7 +20,7 @@ pub enum Command {
 
 /// Vertices taken hold of together, and how the rest of the mesh is to follow them.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Grip {
+pub struct EditSpec {
     /// How often the mesh that the handles belong to was subdivided: 0 is the cage itself. What is moved there is carried
     /// over to the denser meshes.
     pub level: u32,
@@ -36,11 +36,11 @@ pub struct Settings {
     /// The Laplacian, over the mesh at rest.
     pub operator: Operator,
     /// How firmly handles and anchors are held.
-    pub hold: Hold,
+    pub constraint: ConstraintKind,
     /// What stays in place.
     pub anchors: Anchors,
     /// How far the edit reaches.
-    pub reach: Reach,
+    pub reach: RegionOfInfluence,
     /// Whether the other side of the face takes part.
     pub mirror: Mirror,
     /// Whether details turn with the surface.
@@ -90,7 +90,7 @@ pub enum AnchorKind {
 
 /// How far an edit reaches.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum Reach {
+pub enum RegionOfInfluence {
     /// Over the whole mesh.
     #[default]
     Whole,
@@ -108,7 +108,7 @@ pub enum Details {
     #[default]
     Kept,
     /// They turn: as rigid as possible. Solved anew for every offset, so that a tick costs several solves.
-    Turned,
+    AsRigidAsPossible,
 }
 
 /// Whether the other side of the face takes part in an edit.

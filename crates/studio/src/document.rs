@@ -2,8 +2,8 @@ mod checks;
 mod editing;
 mod past;
 mod points;
+mod replay_cache;
 mod retriangulate;
-mod shapes;
 
 use std::iter::Sum;
 use std::ops::Mul;
@@ -11,13 +11,13 @@ use std::ops::Mul;
 use glam::DVec3;
 use rosto_mesh::Topology;
 
-use crate::grip::Held;
 use crate::level::{Level, Rest};
-use crate::shape::Shape;
-use crate::{Entry, Follow, History, Standing, StudioError};
+use crate::level_positions::LevelPositions;
+use crate::prepared_edit::PreparedEdit;
+use crate::{Entry, History, InfluenceWeights, Standing, StudioError};
 pub use checks::MAX_DENSITY;
 use editing::Preview;
-use shapes::Shapes;
+use replay_cache::ReplayCache;
 
 /// A mesh at rest, the history of commands over it, and the edit in progress.
 ///
@@ -31,10 +31,10 @@ pub struct Document {
     levels: Vec<Level>,
     density: u32,
     history: History,
-    shapes: Shapes,
-    held: Option<Held>,
+    replayed: ReplayCache,
+    held: Option<PreparedEdit>,
     /// Of what is held.
-    follow: Option<Follow>,
+    follow: Option<InfluenceWeights>,
     preview: Preview,
 }
 
@@ -46,10 +46,10 @@ impl Document {
     pub fn new(rest: Rest) -> Result<Self, StudioError> {
         let mut levels = vec![Level::new(rest)];
         levels[0].system(rosto_laplacian::Operator::default())?;
-        let unedited = Shape::at_rest(&levels);
+        let unedited = LevelPositions::at_rest(&levels);
         let preview = Preview::none(&unedited);
-        let (history, shapes) = (History::default(), Shapes::new(unedited));
-        Ok(Self { levels, density: 0, history, shapes, held: None, follow: None, preview })
+        let (history, replayed) = (History::default(), ReplayCache::new(unedited));
+        Ok(Self { levels, density: 0, history, replayed, held: None, follow: None, preview })
     }
 
     /// A document with these entries, as a project file holds them; see [`crate::project`]. Each can be taken back.
@@ -78,7 +78,7 @@ impl Document {
             Some(Standing::Impossible(reason)) => Some((index, reason.clone())),
             _ => None,
         };
-        match (0..document.shapes.count()).find_map(impossible) {
+        match (0..document.replayed.count()).find_map(impossible) {
             Some(entry) => Err(refused(entry)),
             None => Ok(document),
         }
@@ -113,7 +113,7 @@ impl Document {
 
     /// Its positions after the last entry, without the edit in progress.
     pub fn committed(&self) -> &[DVec3] {
-        self.shapes.last().densest()
+        self.replayed.last().densest()
     }
 
     /// How often the mesh that is shown was subdivided.
@@ -122,7 +122,7 @@ impl Document {
     }
 
     /// Shows the cage subdivided so many times (Loop), each time with four times as many triangles. Edits made on a denser
-    /// mesh than this one wait until it is shown again. An edit in progress is cancelled, and the grip let go.
+    /// mesh than this one wait until it is shown again. An edit in progress is cancelled, and the spec let go.
     ///
     /// # Errors
     /// [`StudioError::TooDense`] beyond [`MAX_DENSITY`]; the document is as before.
@@ -131,9 +131,9 @@ impl Document {
         self.release();
         self.subdivide_to(density);
         self.density = density;
-        let unedited = Shape::at_rest(&self.levels[..=density as usize]);
+        let unedited = LevelPositions::at_rest(&self.levels[..=density as usize]);
         self.preview = Preview::none(&unedited);
-        self.shapes = Shapes::new(unedited);
+        self.replayed = ReplayCache::new(unedited);
         self.follow_history(0);
         Ok(())
     }

@@ -31,10 +31,10 @@ pub enum StudioError {
     /// The document's coordinates have no mirror plane, or its triangles no mirror image.
     #[error("only a face in the model's own frame, with triangles that are their own mirror image, can be mirrored")]
     NoMirror,
-    /// A grip is meant for a denser mesh than the one there is.
+    /// A spec is meant for a denser mesh than the one there is.
     #[error("the edit is meant for {level} subdivisions, and the mesh has {density}")]
     TooCoarse {
-        /// The grip's level.
+        /// The spec's level.
         level: u32,
         /// The document's density.
         density: u32,

@@ -1,7 +1,8 @@
 use glam::DVec3;
 use rosto_face::{FaceModel, LANDMARK_COUNT, oval};
 use rosto_laplacian::{
-    AnchoredSystem, Constraints, Geodesics, Hold, LaplacianError, LaplacianSystem, Operator, Region, Response,
+    AnchoredSystem, ConstraintKind, Constraints, Falloff, Geodesics, LaplacianError, LaplacianSystem, Operator,
+    Response,
 };
 use rosto_mesh::{LoopSubdivision, Topology};
 
@@ -10,7 +11,7 @@ use crate::mirror::MirrorTable;
 
 /// Which coordinates a document's positions are in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Frame {
+pub enum CoordinateFrame {
     /// The face model's: its mirror plane is x = 0.
     Model,
     /// Any other, such as a picture's: there is no mirror plane.
@@ -28,16 +29,16 @@ pub struct Rest {
 
 impl Rest {
     /// A mesh at rest, in any unit. In the model's frame, a mesh of landmarks has their mirror pairs.
-    pub fn new(topology: Topology, positions: Vec<DVec3>, frame: Frame) -> Self {
+    pub fn new(topology: Topology, positions: Vec<DVec3>, frame: CoordinateFrame) -> Self {
         let is_face = topology.vertex_count() == LANDMARK_COUNT;
         let oval = if is_face { oval().to_vec() } else { longest_boundary(&topology) };
-        let mirror = (is_face && frame == Frame::Model).then(MirrorTable::of_landmarks);
+        let mirror = (is_face && frame == CoordinateFrame::Model).then(MirrorTable::of_landmarks);
         Self { topology, positions, oval, mirror }
     }
 
     /// A face in its own frame, in metres.
     pub fn of_face(face: &FaceModel) -> Self {
-        Self::new(face.topology().clone(), face.positions_m().to_vec(), Frame::Model)
+        Self::new(face.topology().clone(), face.positions_m().to_vec(), CoordinateFrame::Model)
     }
 }
 
@@ -59,7 +60,7 @@ pub(crate) struct Level {
 
 struct Anchored {
     operator: Operator,
-    hold: Hold,
+    constraint: ConstraintKind,
     anchors: Vec<u32>,
     system: AnchoredSystem,
 }
@@ -105,11 +106,12 @@ impl Level {
         operator: Operator,
         constraints: &Constraints<'_>,
     ) -> Result<Response, LaplacianError> {
-        let (hold, anchors) = (constraints.hold, constraints.anchors);
-        let is_for = |one: &Anchored| one.operator == operator && one.hold == hold && one.anchors == anchors;
+        let (constraint, anchors) = (constraints.kind, constraints.anchors);
+        let is_for =
+            |one: &Anchored| one.operator == operator && one.constraint == constraint && one.anchors == anchors;
         if !self.anchored.as_ref().is_some_and(is_for) {
             let system = self.system(operator)?.anchored(constraints)?;
-            self.anchored = system.map(|system| Anchored { operator, hold, anchors: anchors.to_vec(), system });
+            self.anchored = system.map(|system| Anchored { operator, constraint, anchors: anchors.to_vec(), system });
         }
         match &self.anchored {
             Some(anchored) => anchored.system.respond(constraints),
@@ -118,8 +120,8 @@ impl Level {
     }
 
     /// What is nearer to `sources` than `radius`, along the surface at rest.
-    pub(crate) fn region(&mut self, sources: &[u32], radius: f64) -> Result<Region, LaplacianError> {
-        Region::within(radius, &self.distances(sources)?)
+    pub(crate) fn falloff(&mut self, sources: &[u32], radius: f64) -> Result<Falloff, LaplacianError> {
+        Falloff::within(radius, &self.distances(sources)?)
     }
 
     /// Distance of each vertex from `sources`, along the surface at rest.

@@ -1,8 +1,8 @@
 use glam::DVec3;
 use rosto_face::{Language, Region};
-use rosto_laplacian::Hold;
+use rosto_laplacian::ConstraintKind;
 
-use crate::{AnchorKind, Anchors, Command, Grip, Mirror, Settings};
+use crate::{AnchorKind, Anchors, Command, EditSpec, Mirror, Settings};
 
 /// A ready-made change of a feature: a documented set of mirrored, exactly held handles, with pins around them.
 ///
@@ -36,7 +36,7 @@ pub enum FaceSlider {
 const ROUNDING_M: f64 = 1e-12;
 
 /// What a slider holds: landmarks of the midline and of the subject's right.
-struct Recipe {
+struct Definition {
     /// Landmark, and its displacement for a slider at 1.
     handles: Vec<(u32, DVec3)>,
     pins: &'static [u32],
@@ -89,20 +89,20 @@ impl FaceSlider {
     }
 
     /// What to take hold of.
-    pub fn grip(self) -> Grip {
-        let recipe = self.recipe();
+    pub fn spec(self) -> EditSpec {
+        let definition = self.definition();
         let settings = Settings {
-            hold: Hold::Exact,
-            anchors: Anchors { kind: recipe.oval, pins: recipe.pins.to_vec() },
+            constraint: ConstraintKind::Hard,
+            anchors: Anchors { kind: definition.oval, pins: definition.pins.to_vec() },
             mirror: Mirror::On,
             ..Settings::default()
         };
-        Grip { level: 0, handles: recipe.handles.into_iter().map(|(landmark, _)| landmark).collect(), settings }
+        EditSpec { level: 0, handles: definition.handles.into_iter().map(|(landmark, _)| landmark).collect(), settings }
     }
 
-    /// The offsets in metres of [`Self::grip`]'s handles for the slider at `amount_m`.
+    /// The offsets in metres of [`Self::spec`]'s handles for the slider at `amount_m`.
     pub fn offsets_m(self, amount_m: f64) -> Vec<DVec3> {
-        self.recipe().handles.into_iter().map(|(_, way)| way * amount_m).collect()
+        self.definition().handles.into_iter().map(|(_, way)| way * amount_m).collect()
     }
 
     /// The two axes of the model that every vertex's way is in the plane of.
@@ -118,7 +118,7 @@ impl FaceSlider {
 
     /// The whole change.
     pub fn command(self, amount_m: f64) -> Command {
-        Command::Move { grip: self.grip(), offsets: self.offsets_m(amount_m) }
+        Command::Move { spec: self.spec(), offsets: self.offsets_m(amount_m) }
     }
 
     /// How far a command moves this slider, in metres; `None` for one that does something else.
@@ -126,9 +126,9 @@ impl FaceSlider {
     /// Sliders are linear and do not depend on what was done before, so that the amounts of several such commands add up
     /// to where the slider stands.
     pub fn amount_m(self, command: &Command) -> Option<f64> {
-        let Command::Move { grip, offsets } = command else { return None };
+        let Command::Move { spec, offsets } = command else { return None };
         let ways = self.offsets_m(1.0);
-        if offsets.len() != ways.len() || *grip != self.grip() {
+        if offsets.len() != ways.len() || *spec != self.spec() {
             return None;
         }
         let along = |offsets: &[DVec3]| offsets.iter().zip(&ways).map(|(offset, way)| offset.dot(*way)).sum::<f64>();
@@ -137,7 +137,7 @@ impl FaceSlider {
         offsets.iter().zip(&ways).all(is_along).then_some(amount_m)
     }
 
-    fn recipe(self) -> Recipe {
+    fn definition(self) -> Definition {
         let handles = |list: &[(u32, [f64; 3])]| list.iter().map(|&(v, way)| (v, DVec3::from(way))).collect();
         let whole = |region: Region, way: DVec3| region.vertices().into_iter().map(|v| (v, way)).collect();
         let (inside, outline) = (AnchorKind::Oval, AnchorKind::PinsOnly);
@@ -193,7 +193,7 @@ impl FaceSlider {
                 (handles(&ends), &[61, 4, 33, 133, 234, 168], outline)
             }
         };
-        Recipe { handles, pins, oval }
+        Definition { handles, pins, oval }
     }
 
     /// Identifier, English name, Portuguese name.

@@ -36,10 +36,10 @@ static ALLOCATOR: Counting = Counting;
 fn ticks_after_the_first_allocate_nothing() {
     for (mirror, density) in [(Mirror::Off, 0), (Mirror::On, 0), (Mirror::On, 2)] {
         let topology = Triangulation::Canonical.topology();
-        let mut document = Document::new(Rest::new(topology, canonical_positions_m(), Frame::Model)).unwrap();
+        let mut document = Document::new(Rest::new(topology, canonical_positions_m(), CoordinateFrame::Model)).unwrap();
         document.set_density(density).unwrap();
         let settings = Settings { mirror, ..Settings::default() };
-        document.hold(Grip { level: 0, handles: vec![61, 17], settings }).unwrap();
+        document.hold(EditSpec { level: 0, handles: vec![61, 17], settings }).unwrap();
         document.preview(&[DVec3::X, DVec3::Y]).unwrap();
         let before = ALLOCATIONS.with(Cell::get);
         for tick in 0..100 {

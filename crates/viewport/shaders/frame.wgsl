@@ -1,5 +1,5 @@
 // What every shader reads once a frame. `src/frame.rs` has the same fields in the same order.
-struct Frame {
+struct FrameUniforms {
     clip_from_model: mat4x4f,
     eye_m: vec3f,
     pixel_ratio: f32,
@@ -31,7 +31,7 @@ struct Frame {
     gizmo_axis: u32,
 }
 
-@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(0) var<uniform> frame: FrameUniforms;
 
 const NO_VERTEX = 0xffffffffu;
 

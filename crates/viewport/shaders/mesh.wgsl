@@ -1,19 +1,19 @@
 // The mesh, and where its vertices are at this moment. What is known of each vertex fills whole texels of a texture,
 // vertex after vertex and row after row: WebGL2 has no storage buffers.
-struct Shape {
+struct Geometry {
     position_m: vec3f,
     normal: vec3f,
 }
 
 struct Follow {
-    turn_a: vec3f,
+    normal_derivative_a: vec3f,
     field_a: f32,
-    turn_b: vec3f,
+    normal_derivative_b: vec3f,
     field_b: f32,
     cross: f32,
 }
 
-struct Skin {
+struct VertexAttributes {
     uv: vec2f,
     scalar: f32,
     colour: vec3f,
@@ -22,7 +22,7 @@ struct Skin {
 @group(1) @binding(0) var shapes: texture_2d<f32>;
 @group(1) @binding(1) var shapes_before: texture_2d<f32>;
 @group(1) @binding(2) var follows: texture_2d<f32>;
-@group(1) @binding(3) var skins: texture_2d<f32>;
+@group(1) @binding(3) var attributes: texture_2d<f32>;
 @group(1) @binding(4) var photo: texture_2d<f32>;
 @group(1) @binding(5) var photo_sampler: sampler;
 
@@ -33,16 +33,16 @@ fn place(texel: u32) -> vec2u {
     return vec2u(texel % ROW, texel / ROW);
 }
 
-fn shape(vertex: u32) -> Shape {
+fn geometry(vertex: u32) -> Geometry {
     let position = textureLoad(shapes, place(2u * vertex), 0);
     let normal = textureLoad(shapes, place(2u * vertex + 1u), 0);
-    return Shape(position.xyz, normal.xyz);
+    return Geometry(position.xyz, normal.xyz);
 }
 
-fn shape_before(vertex: u32) -> Shape {
+fn shape_before(vertex: u32) -> Geometry {
     let position = textureLoad(shapes_before, place(2u * vertex), 0);
     let normal = textureLoad(shapes_before, place(2u * vertex + 1u), 0);
-    return Shape(position.xyz, normal.xyz);
+    return Geometry(position.xyz, normal.xyz);
 }
 
 fn follow(vertex: u32) -> Follow {
@@ -52,15 +52,15 @@ fn follow(vertex: u32) -> Follow {
     return Follow(a.xyz, a.w, b.xyz, b.w, both.x);
 }
 
-fn skin(vertex: u32) -> Skin {
-    let first = textureLoad(skins, place(2u * vertex), 0);
-    let colour = textureLoad(skins, place(2u * vertex + 1u), 0);
-    return Skin(first.xy, first.z, colour.rgb);
+fn vertex_attributes(vertex: u32) -> VertexAttributes {
+    let first = textureLoad(attributes, place(2u * vertex), 0);
+    let colour = textureLoad(attributes, place(2u * vertex + 1u), 0);
+    return VertexAttributes(first.xy, first.z, colour.rgb);
 }
 
 fn position_m(vertex: u32) -> vec3f {
     let follow = follow(vertex);
-    let edited = shape(vertex).position_m + follow.field_a * frame.offset_a_m + follow.field_b * frame.offset_b_m;
+    let edited = geometry(vertex).position_m + follow.field_a * frame.offset_a_m + follow.field_b * frame.offset_b_m;
     return mix(edited, shape_before(vertex).position_m, frame.before);
 }
 
@@ -68,7 +68,7 @@ fn normal(vertex: u32) -> vec3f {
     let follow = follow(vertex);
     let a = frame.offset_a_m;
     let b = frame.offset_b_m;
-    let edited = shape(vertex).normal + cross(follow.turn_a, a) + cross(follow.turn_b, b) + cross(a, b) * follow.cross;
+    let edited = geometry(vertex).normal + cross(follow.normal_derivative_a, a) + cross(follow.normal_derivative_b, b) + cross(a, b) * follow.cross;
     let blended = mix(edited, shape_before(vertex).normal, frame.before);
     let size = length(blended);
     return select(vec3f(0.0, 0.0, 1.0), blended / size, size > 0.0);

@@ -19,7 +19,7 @@ const SCALAR = 5u;
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Corner {
-    let skin = skin(index);
+    let skin = vertex_attributes(index);
     var corner: Corner;
     corner.model_m = position_m(index);
     corner.clip = frame.clip_from_model * vec4f(corner.model_m, 1.0);

@@ -11,9 +11,9 @@ mod passes;
 mod photo;
 mod pipelines;
 mod shaders;
-mod shape;
 mod snapshot;
 mod target;
+mod vertex;
 mod vertex_data;
 mod viewport;
 

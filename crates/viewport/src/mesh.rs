@@ -3,7 +3,7 @@ use rosto_mesh::Topology;
 use wgpu::util::DeviceExt;
 
 use crate::pipelines::Pipelines;
-use crate::shape::{Follow, Shape, Skin, follows, shapes};
+use crate::vertex::{Geometry, InfluenceWeights, VertexAttributes, follows, geometry};
 use crate::vertex_data::VertexData;
 use crate::{Gpu, PictureOnGpu, ViewportError, photo};
 
@@ -27,11 +27,11 @@ pub struct MeshInput<'a> {
 pub(crate) struct MeshOnGpu {
     topology: Topology,
     positions_m: Vec<DVec3>,
-    shapes: VertexData<Shape>,
-    shapes_before: VertexData<Shape>,
-    follows: VertexData<Follow>,
-    skins: VertexData<Skin>,
-    skin_list: Vec<Skin>,
+    geometry: VertexData<Geometry>,
+    geometry_before: VertexData<Geometry>,
+    follows: VertexData<InfluenceWeights>,
+    attributes: VertexData<VertexAttributes>,
+    attribute_list: Vec<VertexAttributes>,
     pub indices: wgpu::Buffer,
     pub edges: wgpu::Buffer,
     pub bindings: wgpu::BindGroup,
@@ -44,26 +44,27 @@ impl MeshOnGpu {
         blank: &PictureOnGpu,
         input: &MeshInput<'_>,
     ) -> Result<Self, ViewportError> {
-        let skin_list = skins(input)?;
+        let attribute_list = attributes(input)?;
         check_length("positions", input.positions_m.len(), input.topology)?;
         let photo = input.picture.unwrap_or(blank);
-        let shape_list = shapes(input.topology, input.positions_m);
-        let shapes = VertexData::new(gpu, &shape_list)?;
-        let shapes_before = VertexData::new(gpu, &shape_list)?;
-        let follows = VertexData::new(gpu, &vec![Follow::default(); skin_list.len()])?;
-        let skins = VertexData::new(gpu, &skin_list)?;
-        let textures = [shapes.view(), shapes_before.view(), follows.view(), skins.view(), photo.view.clone()];
+        let geometry_list = geometry(input.topology, input.positions_m);
+        let geometry_now = VertexData::new(gpu, &geometry_list)?;
+        let geometry_before = VertexData::new(gpu, &geometry_list)?;
+        let follows = VertexData::new(gpu, &vec![InfluenceWeights::default(); attribute_list.len()])?;
+        let attributes = VertexData::new(gpu, &attribute_list)?;
+        let textures =
+            [geometry_now.view(), geometry_before.view(), follows.view(), attributes.view(), photo.view.clone()];
         Ok(Self {
             bindings: bindings(gpu, &pipelines.mesh_layout, &textures),
             indices: filled(gpu, bytemuck::cast_slice(input.topology.triangles()), wgpu::BufferUsages::INDEX),
             edges: filled(gpu, bytemuck::cast_slice(input.topology.edges()), wgpu::BufferUsages::VERTEX),
             topology: input.topology.clone(),
             positions_m: input.positions_m.to_vec(),
-            shapes,
-            shapes_before,
+            geometry: geometry_now,
+            geometry_before,
             follows,
-            skins,
-            skin_list,
+            attributes,
+            attribute_list,
         })
     }
 
@@ -86,13 +87,13 @@ impl MeshOnGpu {
     pub fn write_positions(&mut self, gpu: &Gpu, positions_m: &[DVec3]) -> Result<(), ViewportError> {
         check_length("positions", positions_m.len(), &self.topology)?;
         self.positions_m.copy_from_slice(positions_m);
-        self.shapes.write(gpu, &shapes(&self.topology, positions_m));
+        self.geometry.write(gpu, &geometry(&self.topology, positions_m));
         Ok(())
     }
 
     pub fn write_before(&self, gpu: &Gpu, positions_m: &[DVec3]) -> Result<(), ViewportError> {
         check_length("positions", positions_m.len(), &self.topology)?;
-        self.shapes_before.write(gpu, &shapes(&self.topology, positions_m));
+        self.geometry_before.write(gpu, &geometry(&self.topology, positions_m));
         Ok(())
     }
 
@@ -106,8 +107,8 @@ impl MeshOnGpu {
 
     pub fn write_scalars(&mut self, gpu: &Gpu, scalars: &[f64]) -> Result<(), ViewportError> {
         check_length("scalars", scalars.len(), &self.topology)?;
-        self.skin_list.iter_mut().zip(scalars).for_each(|(skin, &scalar)| skin.scalar = scalar as f32);
-        self.skins.write(gpu, &self.skin_list);
+        self.attribute_list.iter_mut().zip(scalars).for_each(|(skin, &scalar)| skin.scalar = scalar as f32);
+        self.attributes.write(gpu, &self.attribute_list);
         Ok(())
     }
 }
@@ -117,7 +118,7 @@ fn check_length(what: &'static str, found: usize, topology: &Topology) -> Result
     if found == expected { Ok(()) } else { Err(ViewportError::LengthMismatch { what, expected, found }) }
 }
 
-fn skins(input: &MeshInput<'_>) -> Result<Vec<Skin>, ViewportError> {
+fn attributes(input: &MeshInput<'_>) -> Result<Vec<VertexAttributes>, ViewportError> {
     if !input.colours_srgb.is_empty() {
         check_length("colours", input.colours_srgb.len(), input.topology)?;
     }
@@ -126,10 +127,10 @@ fn skins(input: &MeshInput<'_>) -> Result<Vec<Skin>, ViewportError> {
     }
     let skin = |vertex: usize| {
         let colour = input.colours_srgb.get(vertex).copied().unwrap_or([255; 3]);
-        Skin {
+        VertexAttributes {
             uv: input.uvs.get(vertex).map_or([0.0; 2], |uv| uv.as_vec2().to_array()),
             colour: colour.map(|channel| f32::from(channel) / 255.0),
-            ..Skin::default()
+            ..VertexAttributes::default()
         }
     };
     Ok((0..input.topology.vertex_count()).map(skin).collect())

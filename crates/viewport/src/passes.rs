@@ -1,4 +1,4 @@
-use rosto_stage::{Background, Dots, Look, MirrorPlane, Paint, Stage, Wireframe};
+use rosto_stage::{Background, Dots, MirrorPlane, RenderSettings, ShadingMode, Stage, Wireframe};
 
 use crate::Viewport;
 use crate::pipelines::Twin;
@@ -22,7 +22,7 @@ pub(crate) fn record(
             depth_slice: None,
             resolve_target: Some(resolved),
             ops: wgpu::Operations {
-                load: wgpu::LoadOp::Clear(empty_colour(stage.look().background)),
+                load: wgpu::LoadOp::Clear(empty_colour(stage.render_settings().background)),
                 store: wgpu::StoreOp::Discard,
             },
         })],
@@ -34,7 +34,7 @@ pub(crate) fn record(
         ..Default::default()
     });
     pass.set_bind_group(0, &viewport.frame_bindings, &[]);
-    record_backdrop(viewport, stage.look(), &mut pass);
+    record_backdrop(viewport, stage.render_settings(), &mut pass);
     record_mesh(viewport, stage, &mut pass);
 }
 
@@ -48,8 +48,8 @@ fn empty_colour(background: Background) -> wgpu::Color {
     }
 }
 
-fn record_backdrop(viewport: &Viewport, look: &Look, pass: &mut wgpu::RenderPass<'_>) {
-    if look.background == Background::Ground {
+fn record_backdrop(viewport: &Viewport, settings: &RenderSettings, pass: &mut wgpu::RenderPass<'_>) {
+    if settings.background == Background::Ground {
         pass.set_pipeline(&viewport.pipelines.background);
         pass.draw(0..3, 0..1);
     }
@@ -58,25 +58,25 @@ fn record_backdrop(viewport: &Viewport, look: &Look, pass: &mut wgpu::RenderPass
 fn record_mesh(viewport: &Viewport, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
     let Some(mesh) = &viewport.mesh else { return };
     let pipelines = &viewport.pipelines;
-    let look = stage.look();
+    let settings = stage.render_settings();
     pass.set_bind_group(1, &mesh.bindings, &[]);
     pass.set_index_buffer(mesh.indices.slice(..), wgpu::IndexFormat::Uint32);
-    pass.set_pipeline(if look.paint == Paint::Bare { &pipelines.bare } else { &pipelines.surface });
+    pass.set_pipeline(if settings.shading == ShadingMode::Bare { &pipelines.bare } else { &pipelines.surface });
     pass.draw_indexed(0..mesh.index_count(), 0, 0..1);
-    if look.background == Background::Ground && look.paint != Paint::Bare {
+    if settings.background == Background::Ground && settings.shading != ShadingMode::Bare {
         pass.set_pipeline(&pipelines.ground);
         pass.draw(0..6, 0..1);
     }
-    if look.wireframe == Wireframe::Shown {
+    if settings.wireframe == Wireframe::Shown {
         pass.set_pipeline(&pipelines.wire);
         pass.set_vertex_buffer(0, mesh.edges.slice(..));
         pass.draw(0..6, 0..mesh.edge_count());
     }
-    if look.mirror_plane == MirrorPlane::Shown {
+    if settings.mirror_plane == MirrorPlane::Shown {
         pass.set_pipeline(&pipelines.mirror);
         pass.draw(0..6, 0..1);
     }
-    if look.dots != Dots::None {
+    if settings.dots != Dots::None {
         pass.set_pipeline(&pipelines.dots);
         pass.draw(0..6, 0..LANDMARKS.min(mesh.vertex_count()));
     }

@@ -41,7 +41,7 @@ enum Role {
     SeenThrough { alpha: f64 },
 }
 
-struct Recipe<'a> {
+struct PipelineSpec<'a> {
     name: &'static str,
     text: &'static str,
     entries: [&'static str; 2],
@@ -63,13 +63,13 @@ impl Pipelines {
         let backdrop = pipeline_layout(gpu, &[Some(&frame_layout)]);
         let over_mesh = pipeline_layout(gpu, &[Some(&frame_layout), Some(&mesh_layout)]);
         let build = |layout: &wgpu::PipelineLayout, name, text, role| {
-            pipeline(gpu, format, layout, &Recipe { name, text, entries: MAIN, role, words: &[] })
+            pipeline(gpu, format, layout, &PipelineSpec { name, text, entries: MAIN, role, words: &[] })
         };
         let twin = |name, text, entries, words, alpha| {
-            let one = |role| pipeline(gpu, format, &over_mesh, &Recipe { name, text, entries, role, words });
+            let one = |role| pipeline(gpu, format, &over_mesh, &PipelineSpec { name, text, entries, role, words });
             Twin { seen: one(Role::Overlay), hidden: one(Role::SeenThrough { alpha }) }
         };
-        let wire = Recipe { name: "wire", text: shaders::WIRE, entries: MAIN, role: Role::Overlay, words: &PAIR };
+        let wire = PipelineSpec { name: "wire", text: shaders::WIRE, entries: MAIN, role: Role::Overlay, words: &PAIR };
         Self {
             background: build(&backdrop, "background", shaders::BACKGROUND, Role::Backdrop),
             ground: build(&backdrop, "ground", shaders::GROUND, Role::Overlay),
@@ -135,34 +135,34 @@ fn pipeline(
     gpu: &Gpu,
     format: wgpu::TextureFormat,
     layout: &wgpu::PipelineLayout,
-    recipe: &Recipe<'_>,
+    spec: &PipelineSpec<'_>,
 ) -> wgpu::RenderPipeline {
     let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some(recipe.name),
-        source: wgpu::ShaderSource::Wgsl(Cow::Borrowed(recipe.text)),
+        label: Some(spec.name),
+        source: wgpu::ShaderSource::Wgsl(Cow::Borrowed(spec.text)),
     });
-    let constants: &[(&str, f64)] = match recipe.role {
+    let constants: &[(&str, f64)] = match spec.role {
         Role::SeenThrough { alpha } => &[("alpha", alpha)],
         _ => &[],
     };
     let options = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
     gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some(recipe.name),
+        label: Some(spec.name),
         layout: Some(layout),
         vertex: wgpu::VertexState {
             module: &module,
-            entry_point: Some(recipe.entries[0]),
+            entry_point: Some(spec.entries[0]),
             compilation_options: options.clone(),
-            buffers: recipe.words,
+            buffers: spec.words,
         },
         primitive: Default::default(),
-        depth_stencil: Some(depth(recipe.role)),
+        depth_stencil: Some(depth(spec.role)),
         multisample: wgpu::MultisampleState { count: SAMPLES, ..Default::default() },
         fragment: Some(wgpu::FragmentState {
             module: &module,
-            entry_point: Some(recipe.entries[1]),
+            entry_point: Some(spec.entries[1]),
             compilation_options: options,
-            targets: &[Some(colour(recipe.role, format))],
+            targets: &[Some(colour(spec.role, format))],
         }),
         multiview_mask: None,
         cache: None,

@@ -16,10 +16,10 @@ pub(crate) const SHRINK: &str = shader!("shrink");
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
-    use rosto_stage::Frame;
+    use rosto_stage::FrameUniforms;
 
     use super::*;
-    use crate::shape::{Follow, Shape, Skin};
+    use crate::vertex::{Geometry, InfluenceWeights, VertexAttributes};
 
     const ALL: [(&str, &str); 9] = [
         ("background", BACKGROUND),
@@ -68,9 +68,9 @@ mod tests {
     #[test]
     fn structs_have_the_same_size_in_rust_and_in_the_shaders() {
         let surface = module(SURFACE);
-        assert_eq!(size_of_struct(&surface, "Frame"), size_of::<Frame>());
-        assert_eq!(size_of_struct(&surface, "Shape"), size_of::<Shape>());
-        assert_eq!(size_of_struct(&surface, "Follow"), size_of::<Follow>());
-        assert_eq!(size_of_struct(&surface, "Skin"), size_of::<Skin>());
+        assert_eq!(size_of_struct(&surface, "FrameUniforms"), size_of::<FrameUniforms>());
+        assert_eq!(size_of_struct(&surface, "Geometry"), size_of::<Geometry>());
+        assert_eq!(size_of_struct(&surface, "InfluenceWeights"), size_of::<InfluenceWeights>());
+        assert_eq!(size_of_struct(&surface, "VertexAttributes"), size_of::<VertexAttributes>());
     }
 }

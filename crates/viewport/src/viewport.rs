@@ -1,7 +1,7 @@
 use std::future::Future;
 
 use glam::DVec3;
-use rosto_stage::{Background, Frame, Stage};
+use rosto_stage::{Background, FrameUniforms, Stage};
 
 use crate::mesh::{MeshOnGpu, filled};
 use crate::pipelines::Pipelines;
@@ -31,7 +31,7 @@ impl Viewport {
         let pipelines = Pipelines::new(&gpu, target.format);
         let frame = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("frame"),
-            size: size_of::<Frame>() as u64,
+            size: size_of::<FrameUniforms>() as u64,
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
@@ -117,7 +117,7 @@ impl Viewport {
         self.mesh.as_mut().map_or(Ok(()), |mesh| mesh.write_positions(&self.gpu, positions_m))
     }
 
-    /// Sets the shape that `rosto_stage::Look::before` blends to. Nothing without a mesh.
+    /// Sets the shape that `rosto_stage::RenderSettings::before` blends to. Nothing without a mesh.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
@@ -134,7 +134,7 @@ impl Viewport {
         self.mesh.as_ref().map_or(Ok(()), |mesh| mesh.write_fields(&self.gpu, fields))
     }
 
-    /// Sets the values, −1 to 1, that `rosto_stage::Paint::Scalar` shows. Nothing without a mesh.
+    /// Sets the values, −1 to 1, that `rosto_stage::ShadingMode::Distortion` shows. Nothing without a mesh.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
@@ -202,7 +202,7 @@ impl Viewport {
         let scale = f64::from(size[1]) / stage.camera().size_px().y;
         resized.camera_mut().resize(size[0], size[1]);
         resized.set_pixel_ratio(stage.pixel_ratio() * scale);
-        resized.look_mut().background = background;
+        resized.render_settings_mut().background = background;
         let texture = self.still(size);
         let attachments = Attachments::new(&self.gpu, self.target.format, size);
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());

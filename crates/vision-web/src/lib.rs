@@ -3,9 +3,9 @@
 //! Everything that goes wrong is thrown as an `Error` with a stable `code` and a `hint` beside its `message`. A panic
 //! is a bug and traps: the page then ends the worker and starts another.
 
+mod error;
 mod found;
 mod progress;
-mod trouble;
 mod vision;
 
 pub use found::Found;

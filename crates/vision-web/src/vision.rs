@@ -3,9 +3,9 @@ use rosto_landmarks::{FaceFinder, FindOptions};
 use rosto_photo::{Limits, decode};
 use wasm_bindgen::prelude::*;
 
+use crate::error;
 use crate::found::Found;
 use crate::progress::{Progress, Step};
-use crate::trouble;
 
 /// Finds faces in photos. Made once; holds the two networks.
 #[wasm_bindgen]
@@ -22,7 +22,7 @@ impl Vision {
     #[wasm_bindgen(constructor)]
     pub fn new(detector: &[u8], landmarks: &[u8]) -> Result<Self, Error> {
         console_error_panic_hook::set_once();
-        Ok(Self { finder: FaceFinder::new(detector, landmarks).map_err(trouble::of_landmarks)? })
+        Ok(Self { finder: FaceFinder::new(detector, landmarks).map_err(error::of_landmarks)? })
     }
 
     /// Looks for at most `max_faces` faces in a photo (the bytes of a JPEG, PNG or WebP file), best first. `report` is
@@ -42,12 +42,12 @@ impl Vision {
     ) -> Result<Found, Error> {
         let progress = Progress::new(report);
         progress.tell(Step::Decoding);
-        let photo = decode(bytes, &Limits::default()).map_err(trouble::of_photo)?;
+        let photo = decode(bytes, &Limits::default()).map_err(error::of_photo)?;
         let options = FindOptions { max_faces: max_faces as usize, ..FindOptions::default() };
         let faces = self
             .finder
             .find_with_progress(&photo, &options, |stage| progress.tell(Step::Finding(stage)))
-            .map_err(trouble::of_landmarks)?;
+            .map_err(error::of_landmarks)?;
         progress.tell(Step::Finishing);
         Ok(Found::new(&photo, &faces))
     }

@@ -1,6 +1,6 @@
 //! Debian packages: the only way in which set-up touches the system, and only for what is missing.
 
-use crate::failure::{Failure, Outcome};
+use crate::failure::{Failure, Result};
 use crate::process::{Run, find_program};
 use std::time::Duration;
 
@@ -8,7 +8,7 @@ const LIMIT: Duration = Duration::from_secs(900);
 const LOCK_WAIT: &str = "DPkg::Lock::Timeout=120";
 
 /// Installs packages with apt-get, as root or through `sudo -n`.
-pub fn install(packages: &[&str]) -> Outcome {
+pub fn install(packages: &[&str]) -> Result {
     let by_hand = format!("install them yourself: apt-get install {}", packages.join(" "));
     if find_program("apt-get").is_none() {
         return Err(Failure::new("this machine has no apt-get").advice(by_hand));
@@ -26,7 +26,7 @@ pub fn install(packages: &[&str]) -> Outcome {
     })
 }
 
-fn apt_get(verb: &str, packages: &[&str]) -> Outcome<crate::process::Ended> {
+fn apt_get(verb: &str, packages: &[&str]) -> Result<crate::process::Ended> {
     let sudo = (!is_root()).then_some("sudo");
     let run = match sudo {
         // -n: a password prompt in the middle of a set-up would look like a hang.

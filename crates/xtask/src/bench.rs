@@ -8,7 +8,7 @@ mod record;
 mod sources;
 mod table;
 
-use crate::failure::{Failure, Outcome};
+use crate::failure::{Failure, Result};
 use crate::figures::Document;
 use crate::{cache, machine, progress, setup, workspace};
 use record::Record;
@@ -20,7 +20,7 @@ pub const DOCUMENT: Document = Document { file: "docs/benchmarks.md", task: "ben
 const GROWTH: &str = "docs/images/growth.svg";
 
 /// Measures and prints the tables; `--write` puts them into the document, and draws how time grows with size.
-pub fn run(arguments: &[&str]) -> Outcome<ExitCode> {
+pub fn run(arguments: &[&str]) -> Result<ExitCode> {
     let (options, wanted): (Vec<&str>, Vec<&str>) = arguments.iter().partition(|argument| argument.starts_with('-'));
     let write = match options.as_slice() {
         [] => false,
@@ -49,7 +49,7 @@ pub fn run(arguments: &[&str]) -> Outcome<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn draw_growth(records: &[Record]) -> Outcome {
+fn draw_growth(records: &[Record]) -> Result {
     let title = "Factorisation and one solve, on one thread";
     let Some(picture) = plot::growth("edit", title, records) else { return Ok(()) };
     cache::write(&workspace::root().join(GROWTH), picture)

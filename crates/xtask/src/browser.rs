@@ -1,7 +1,7 @@
 //! The browsers the tests drive: Chromium or Chrome with the driver of the same version for all of them, and Firefox and
 //! WebKit for the way through the page that has to work in every engine.
 
-use crate::failure::{Failure, Outcome};
+use crate::failure::{Failure, Result};
 use crate::process::{Run, find_program};
 use crate::{apt, progress, versions};
 use std::ffi::OsString;
@@ -54,7 +54,7 @@ pub fn obtain_engines() -> Vec<Failure> {
 }
 
 impl Engine {
-    fn obtain(&self) -> Outcome {
+    fn obtain(&self) -> Result {
         if self.is_here() {
             return Ok(());
         }
@@ -90,7 +90,7 @@ pub struct Browser {
 
 impl Browser {
     /// Finds one, or installs Debian's.
-    pub fn obtain() -> Outcome<Self> {
+    pub fn obtain() -> Result<Self> {
         if let Some(found) = Self::find().filter(|browser| browser.driver.is_some()) {
             return Ok(found);
         }

@@ -2,13 +2,13 @@
 //!
 //! A folder appears in the cache under its final name only when it is complete.
 
-use crate::failure::{Doing, Failure, Outcome};
+use crate::failure::{Doing, Failure, Result};
 use crate::versions::PinnedFile;
 use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
 
 /// `$XDG_CACHE_HOME/rosto`, by default `~/.cache/rosto`.
-pub fn folder() -> Outcome<PathBuf> {
+pub fn folder() -> Result<PathBuf> {
     let from_xdg = std::env::var_os("XDG_CACHE_HOME").map(PathBuf::from).filter(|path| path.is_absolute());
     let base = from_xdg.or_else(|| std::env::home_dir().map(|home| home.join(".cache")));
     let base = base.ok_or_else(|| {
@@ -18,17 +18,17 @@ pub fn folder() -> Outcome<PathBuf> {
 }
 
 /// The folder of a tool at a version.
-pub fn tool(name: &str, version: &str) -> Outcome<PathBuf> {
+pub fn tool(name: &str, version: &str) -> Result<PathBuf> {
     Ok(folder()?.join("tools").join(format!("{name}-{version}")))
 }
 
 /// The folder of something downloaded, at a version.
-pub fn download(name: &str, version: &str) -> Outcome<PathBuf> {
+pub fn download(name: &str, version: &str) -> Result<PathBuf> {
     Ok(folder()?.join("downloads").join(format!("{name}-{version}")))
 }
 
 /// Makes `folder` by filling a folder beside it and moving it into place once `fill` succeeds.
-pub fn build_folder(folder: &Path, fill: impl FnOnce(&Path) -> Outcome) -> Outcome {
+pub fn build_folder(folder: &Path, fill: impl FnOnce(&Path) -> Result) -> Result {
     let mut name = folder.file_name().expect("invariant: a cached folder has a name").to_owned();
     name.push(format!(".partial-{}", std::process::id()));
     let partial = folder.with_file_name(name);
@@ -44,7 +44,7 @@ pub fn build_folder(folder: &Path, fill: impl FnOnce(&Path) -> Outcome) -> Outco
 }
 
 /// Refuses a file in `folder` whose sha256 is not the pinned one.
-pub fn check(folder: &Path, pinned: &PinnedFile) -> Outcome<PathBuf> {
+pub fn check(folder: &Path, pinned: &PinnedFile) -> Result<PathBuf> {
     let file = folder.join(pinned.path);
     let found = sha256_of(&file)?;
     if found == pinned.sha256 {
@@ -56,7 +56,7 @@ pub fn check(folder: &Path, pinned: &PinnedFile) -> Outcome<PathBuf> {
 }
 
 /// Lower-case hexadecimal sha256 of a file.
-pub fn sha256_of(file: &Path) -> Outcome<String> {
+pub fn sha256_of(file: &Path) -> Result<String> {
     let bytes = std::fs::read(file).doing(format!("reading {}", file.display()))?;
     Ok(sha256(&bytes))
 }
@@ -67,21 +67,21 @@ pub fn sha256(bytes: &[u8]) -> String {
 }
 
 /// Copies a file, creating the folder it goes to.
-pub fn copy(from: &Path, to: &Path) -> Outcome {
+pub fn copy(from: &Path, to: &Path) -> Result {
     let folder = to.parent().expect("invariant: a file's path has a parent");
     std::fs::create_dir_all(folder).doing(format!("creating {}", folder.display()))?;
     std::fs::copy(from, to).doing(format!("copying {} to {}", from.display(), to.display())).map(|_| ())
 }
 
 /// Writes a small file, creating the folder it goes to.
-pub fn write(file: &Path, contents: impl AsRef<[u8]>) -> Outcome {
+pub fn write(file: &Path, contents: impl AsRef<[u8]>) -> Result {
     let folder = file.parent().expect("invariant: a file's path has a parent");
     std::fs::create_dir_all(folder).doing(format!("creating {}", folder.display()))?;
     std::fs::write(file, contents).doing(format!("writing {}", file.display()))
 }
 
 /// Lets a script be run as a program.
-pub fn make_executable(file: &Path) -> Outcome {
+pub fn make_executable(file: &Path) -> Result {
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
@@ -92,12 +92,12 @@ pub fn make_executable(file: &Path) -> Outcome {
 }
 
 /// Removes a file.
-pub fn remove_file(file: &Path) -> Outcome {
+pub fn remove_file(file: &Path) -> Result {
     std::fs::remove_file(file).doing(format!("removing {}", file.display()))
 }
 
 /// Removes a folder if it is there.
-pub fn remove_folder(folder: &Path) -> Outcome {
+pub fn remove_folder(folder: &Path) -> Result {
     match std::fs::remove_dir_all(folder) {
         Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
             Err(Failure::new(format!("removing {}: {error}", folder.display())))

@@ -4,7 +4,7 @@
 //! libraries, by link, with the wasm32 library built here; small scripts named `rustc` and `cargo` point Debian's
 //! programs at it.
 
-use crate::failure::{Doing, Failure, Outcome};
+use crate::failure::{Doing, Failure, Result};
 use crate::process::Run;
 use crate::toolchain::{WASM, has_target};
 use crate::{apt, cache, versions};
@@ -16,14 +16,14 @@ const CARGO: &str = "/usr/bin/cargo";
 const BUILD_LIMIT: Duration = Duration::from_secs(1800);
 
 /// The sysroot, if it has been built for the compiler that Debian's packages provide now.
-pub fn already_built() -> Outcome<Option<PathBuf>> {
+pub fn already_built() -> Result<Option<PathBuf>> {
     let Ok(version) = version() else { return Ok(None) };
     let folder = cache::tool("rust-wasm32", &version)?;
     Ok(has_target(&folder).then_some(folder))
 }
 
 /// Installs the packages and builds the sysroot.
-pub fn build() -> Outcome<PathBuf> {
+pub fn build() -> Result<PathBuf> {
     apt::install(&versions::DEBIAN_TOOLCHAIN)?;
     let folder = cache::tool("rust-wasm32", &version()?)?;
     cache::build_folder(&folder, |partial| {
@@ -34,13 +34,13 @@ pub fn build() -> Outcome<PathBuf> {
     Ok(folder)
 }
 
-fn version() -> Outcome<String> {
+fn version() -> Result<String> {
     let printed = Run::new(RUSTC).arg("--version").quietly()?.checked()?;
     let version = printed.split_whitespace().nth(1).map(str::to_owned);
     version.ok_or_else(|| Failure::new(format!("{RUSTC} does not say its version: {printed}")))
 }
 
-fn build_library(sysroot: &Path) -> Outcome {
+fn build_library(sysroot: &Path) -> Result {
     let empty = sysroot.join("empty");
     let manifest = "[package]\nname = \"empty\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[workspace]\n";
     cache::write(&empty.join("Cargo.toml"), manifest)?;
@@ -61,7 +61,7 @@ fn build_library(sysroot: &Path) -> Outcome {
 }
 
 /// The host's libraries and linkers, by link, so that build scripts and procedural macros compile.
-fn link_host(sysroot: &Path) -> Outcome {
+fn link_host(sysroot: &Path) -> Result {
     let rustlib = Path::new("/usr/lib/rustlib");
     for entry in std::fs::read_dir(rustlib).doing("listing Debian's Rust libraries")?.flatten() {
         let host = sysroot.join("lib/rustlib").join(entry.file_name());
@@ -75,7 +75,7 @@ fn link_host(sysroot: &Path) -> Outcome {
     Ok(())
 }
 
-fn write_programs(partial: &Path, sysroot: &Path) -> Outcome {
+fn write_programs(partial: &Path, sysroot: &Path) -> Result {
     let bin = partial.join("bin");
     let at = sysroot.display();
     program(&bin, "rustc", &format!("exec {RUSTC} --sysroot '{at}' \"$@\""))?;
@@ -91,18 +91,18 @@ fn write_programs(partial: &Path, sysroot: &Path) -> Outcome {
     Ok(())
 }
 
-fn program(bin: &Path, name: &str, script: &str) -> Outcome {
+fn program(bin: &Path, name: &str, script: &str) -> Result {
     let file = bin.join(name);
     cache::write(&file, format!("#!/bin/sh\n{script}\n"))?;
     cache::make_executable(&file)
 }
 
 #[cfg(unix)]
-fn link(original: &Path, link: &Path) -> Outcome {
+fn link(original: &Path, link: &Path) -> Result {
     std::os::unix::fs::symlink(original, link).doing(format!("linking {}", link.display()))
 }
 
 #[cfg(not(unix))]
-fn link(original: &Path, _: &Path) -> Outcome {
+fn link(original: &Path, _: &Path) -> Result {
     Err(Failure::new(format!("{} exists on Debian only", original.display())))
 }

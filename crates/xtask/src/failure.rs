@@ -3,7 +3,7 @@
 use std::fmt;
 
 /// Result of a task.
-pub type Outcome<T = ()> = Result<T, Failure>;
+pub type Result<T = (), E = Failure> = std::result::Result<T, E>;
 
 /// A failure that a person can act on.
 #[derive(Debug)]
@@ -60,11 +60,11 @@ fn list(out: &mut fmt::Formatter<'_>, title: &str, entries: &[String]) -> fmt::R
 /// Says what was being done when an input or output error happened.
 pub trait Doing<T> {
     /// Turns the error into a [`Failure`] that begins with `doing`.
-    fn doing(self, doing: impl fmt::Display) -> Outcome<T>;
+    fn doing(self, doing: impl fmt::Display) -> Result<T>;
 }
 
-impl<T, E: fmt::Display> Doing<T> for Result<T, E> {
-    fn doing(self, doing: impl fmt::Display) -> Outcome<T> {
+impl<T, E: fmt::Display> Doing<T> for std::result::Result<T, E> {
+    fn doing(self, doing: impl fmt::Display) -> Result<T> {
         self.map_err(|error| Failure::new(format!("{doing}: {error}")))
     }
 }

@@ -1,6 +1,6 @@
 //! Documents with figures that a task writes.
 
-use crate::failure::{Failure, Outcome};
+use crate::failure::{Failure, Result};
 use crate::{cache, machine, workspace};
 
 /// A document, and the task that writes its figures.
@@ -17,7 +17,7 @@ const END: &str = "<!-- end of figures -->\n";
 
 impl Document {
     /// Replaces the figures, and says on what machine they were taken.
-    pub fn update(&self, tables: &str) -> Outcome {
+    pub fn update(&self, tables: &str) -> Result {
         let file = workspace::root().join(self.file);
         let empty = || format!("# {}\n\n{}{END}", self.task, self.begin());
         let present = std::fs::read_to_string(&file).unwrap_or_else(|_| empty());
@@ -31,7 +31,7 @@ impl Document {
     }
 
     /// The document with what stands between its two marks replaced.
-    fn with_figures(&self, document: &str, figures: &str) -> Outcome<String> {
+    fn with_figures(&self, document: &str, figures: &str) -> Result<String> {
         let begin = self.begin();
         let missing = || Failure::new(format!("{} has lost the marks between which the figures stand", self.file));
         let (before, rest) = document.split_once(&begin).ok_or_else(missing)?;

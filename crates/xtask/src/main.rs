@@ -27,7 +27,7 @@ mod torture;
 mod versions;
 mod workspace;
 
-use failure::{Failure, Outcome};
+use failure::{Failure, Result};
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -42,7 +42,7 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(arguments: &[String]) -> Outcome<ExitCode> {
+fn run(arguments: &[String]) -> Result<ExitCode> {
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     match words.as_slice() {
         ["setup"] => set_up(),
@@ -63,7 +63,7 @@ fn run(arguments: &[String]) -> Outcome<ExitCode> {
     }
 }
 
-fn set_up() -> Outcome<ExitCode> {
+fn set_up() -> Result<ExitCode> {
     let started = Instant::now();
     setup::for_tests()?;
     println!("Everything is in place ({}).", progress::elapsed(started.elapsed()));

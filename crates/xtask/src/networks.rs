@@ -1,6 +1,6 @@
 //! The two networks the page serves: out of the published npm package, converted to ONNX once.
 
-use crate::failure::{Doing, Outcome};
+use crate::failure::{Doing, Result};
 use crate::versions::{NETWORKS_PACKAGE, PACKED_NETWORKS};
 use crate::{cache, progress, workspace};
 use std::path::Path;
@@ -14,7 +14,7 @@ const LOADER: &str = "face_mesh_solution_packed_assets_loader.js";
 const STAMP: &str = "xtask/networks-made-from";
 
 /// Writes both networks into `web/assets` unless they are there.
-pub fn obtain(node_modules: &Path) -> Outcome {
+pub fn obtain(node_modules: &Path) -> Result {
     let assets = workspace::assets();
     let package = node_modules.join(NETWORKS_PACKAGE);
     let origin = format!("{}\n{}\n", PACKED_NETWORKS.sha256, converter_sha256()?);
@@ -38,11 +38,11 @@ pub fn obtain(node_modules: &Path) -> Outcome {
 }
 
 /// One sha256 over the sources of the converter.
-fn converter_sha256() -> Outcome<String> {
+fn converter_sha256() -> Result<String> {
     let folder = workspace::root().join("crates/model-import/src");
     let entries = std::fs::read_dir(&folder).doing(format!("listing {}", folder.display()))?;
     let mut files: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
     files.sort();
-    let hashes = files.iter().map(|file| cache::sha256_of(file)).collect::<Outcome<Vec<_>>>()?;
+    let hashes = files.iter().map(|file| cache::sha256_of(file)).collect::<Result<Vec<_>>>()?;
     Ok(cache::sha256(hashes.concat().as_bytes()))
 }

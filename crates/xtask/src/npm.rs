@@ -1,6 +1,6 @@
 //! The npm packages of `package-lock.json`: the published networks, and what the page is tested with.
 
-use crate::failure::{Doing, Failure, Outcome};
+use crate::failure::{Doing, Failure, Result};
 use crate::process::{Run, find_program};
 use crate::{progress, workspace};
 use serde_json::Value;
@@ -11,7 +11,7 @@ const LIMIT: Duration = Duration::from_secs(900);
 const OLDEST_NODE: u32 = 20;
 
 /// `node_modules`, as `package-lock.json` says.
-pub fn obtain() -> Outcome<PathBuf> {
+pub fn obtain() -> Result<PathBuf> {
     let folder = workspace::root().join("node_modules");
     check_node()?;
     let lock =
@@ -36,7 +36,7 @@ pub fn programs() -> PathBuf {
     workspace::root().join("node_modules").join(".bin")
 }
 
-fn check_node() -> Outcome {
+fn check_node() -> Result {
     let advice = format!("install Node.js {OLDEST_NODE} or later, with npm");
     for program in ["node", "npm"] {
         if find_program(program).is_none() {

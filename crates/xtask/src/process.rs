@@ -1,6 +1,6 @@
 //! Running other programs: with a log, a time limit, and a message when the program is not there.
 
-use crate::failure::{Doing, Failure, Outcome};
+use crate::failure::{Doing, Failure, Result};
 use crate::progress::Ticker;
 use std::ffi::{OsStr, OsString};
 use std::fs::File;
@@ -106,22 +106,22 @@ impl Run {
     }
 
     /// Runs it, showing its last line now and then. `Err` only if it could not be started.
-    pub fn run(self) -> Outcome<Ended> {
+    pub fn run(self) -> Result<Ended> {
         let mut ticker = Ticker::new();
         self.run_with(|log| ticker.tick(|| last_line(log)))
     }
 
     /// Runs it without showing anything. `Err` only if it could not be started.
-    pub fn quietly(self) -> Outcome<Ended> {
+    pub fn quietly(self) -> Result<Ended> {
         self.run_with(|_| ())
     }
 
     /// Starts it beside this program, with this program's output.
-    pub fn spawn(mut self) -> Outcome<Child> {
+    pub fn spawn(mut self) -> Result<Child> {
         self.command.spawn().map_err(|error| not_started(&self.shown, &error))
     }
 
-    fn run_with(mut self, mut show: impl FnMut(&Path)) -> Outcome<Ended> {
+    fn run_with(mut self, mut show: impl FnMut(&Path)) -> Result<Ended> {
         let kept = self.log.take();
         let log = kept.clone().unwrap_or_else(temporary_log);
         let file = File::create(&log).doing(format!("creating {}", log.display()))?;
@@ -155,7 +155,7 @@ impl Run {
 
 impl Ended {
     /// The output if it succeeded, else a failure with the last lines.
-    pub fn checked(self) -> Outcome<String> {
+    pub fn checked(self) -> Result<String> {
         if self.success { Ok(self.output) } else { Err(Failure::new(self.describe())) }
     }
 

@@ -1,6 +1,6 @@
 //! Serves the page from source, rebuilding when a file changes.
 
-use crate::failure::{Failure, Outcome};
+use crate::failure::{Failure, Result};
 use crate::process::find_program;
 use crate::{progress, setup, workspace};
 use std::net::{Ipv4Addr, SocketAddrV4, TcpListener, TcpStream};
@@ -12,7 +12,7 @@ const PORTS_TRIED: u16 = 100;
 const POLL: Duration = Duration::from_millis(300);
 
 /// Runs until it is interrupted.
-pub fn run() -> Outcome<ExitCode> {
+pub fn run() -> Result<ExitCode> {
     let kit = setup::for_page()?;
     let port = free_port()?;
     if port != FIRST_PORT {
@@ -45,7 +45,7 @@ pub fn run() -> Outcome<ExitCode> {
     Err(Failure::new(format!("the server ended with {ended}")).advice("see what Trunk says above"))
 }
 
-fn free_port() -> Outcome<u16> {
+fn free_port() -> Result<u16> {
     let free = |port: &u16| TcpListener::bind(SocketAddrV4::new(Ipv4Addr::LOCALHOST, *port)).is_ok();
     let mut ports = FIRST_PORT..FIRST_PORT + PORTS_TRIED;
     ports.find(free).ok_or_else(|| {

@@ -1,7 +1,7 @@
 //! Obtains everything a task needs, and only what is missing.
 
 use crate::browser::{Browser, obtain_engines};
-use crate::failure::{Failure, Outcome};
+use crate::failure::{Failure, Result};
 use crate::process::Run;
 use crate::toolchain::{Toolchain, require_component};
 use crate::{networks, npm, portrait, tools, workspace};
@@ -17,7 +17,7 @@ pub struct Kit {
 }
 
 /// What is needed to build and serve the page.
-pub fn for_page() -> Outcome<Kit> {
+pub fn for_page() -> Result<Kit> {
     let node_modules = npm::obtain()?;
     networks::obtain(&node_modules)?;
     portrait::obtain()?;
@@ -27,7 +27,7 @@ pub fn for_page() -> Outcome<Kit> {
 }
 
 /// What is needed to test it, too.
-pub fn for_tests() -> Outcome<Kit> {
+pub fn for_tests() -> Result<Kit> {
     require_component("rustfmt", &["fmt", "--version"])?;
     require_component("clippy", &["clippy", "--version"])?;
     let mut kit = for_page()?;
@@ -39,7 +39,7 @@ pub fn for_tests() -> Outcome<Kit> {
 
 impl Kit {
     /// A program that builds for wasm32 or calls one that does: the wasm32 compiler and all tools are on its PATH.
-    pub fn run(&self, program: impl AsRef<OsStr>) -> Outcome<Run> {
+    pub fn run(&self, program: impl AsRef<OsStr>) -> Result<Run> {
         let folders: Vec<PathBuf> = self.toolchain.path().into_iter().chain(self.programs.iter().cloned()).collect();
         let path = workspace::path_with(&folders)?;
         let found = find_in(&path, program.as_ref());

@@ -1,6 +1,6 @@
 //! What a visitor downloads, and the budget it must stay in.
 
-use crate::failure::{Doing, Outcome};
+use crate::failure::{Doing, Result};
 use crate::process::Run;
 use crate::{cache, workspace};
 use std::path::{Path, PathBuf};
@@ -67,7 +67,7 @@ impl Row {
 }
 
 /// Weighs the built page: each part with a budget, then everything else together.
-pub fn weigh(dist: &Path) -> Outcome<Vec<Row>> {
+pub fn weigh(dist: &Path) -> Result<Vec<Row>> {
     let mut rest = files_below(dist)?;
     let mut rows = Vec::new();
     for budget in &BUDGETS {
@@ -80,7 +80,7 @@ pub fn weigh(dist: &Path) -> Outcome<Vec<Row>> {
         rows.push(Row { name: budget.name.to_owned(), weight, limit: Some(budget.limit) });
     }
     rest.retain(|file| !file.to_string_lossy().ends_with(".d.ts"));
-    let weights = rest.iter().map(|file| weight_of(file)).collect::<Outcome<Vec<_>>>()?;
+    let weights = rest.iter().map(|file| weight_of(file)).collect::<Result<Vec<_>>>()?;
     let weight = weights.into_iter().fold(Weight::default(), Weight::plus);
     rows.push(Row { name: format!("the other {} files", rest.len()), weight, limit: None });
     Ok(rows)
@@ -104,7 +104,7 @@ impl Weight {
     }
 }
 
-fn weight_of(file: &Path) -> Outcome<Weight> {
+fn weight_of(file: &Path) -> Result<Weight> {
     let bytes = std::fs::read(file).doing(format!("reading {}", file.display()))?;
     // Brotli at its best takes half a minute over a large module: the size is remembered by the file's sha256.
     let remembered = workspace::target().join("xtask/brotli-sizes").join(cache::sha256(&bytes));
@@ -119,7 +119,7 @@ fn weight_of(file: &Path) -> Outcome<Weight> {
 
 /// Bytes after brotli at its best, by Node's zlib: a compressor of its own would double the time this program takes to
 /// compile.
-fn brotli_size(file: &Path) -> Outcome<usize> {
+fn brotli_size(file: &Path) -> Result<usize> {
     let node = Run::new("node").args(["--eval", COMPRESS]).arg(file).quietly()?.checked()?;
     node.trim().parse().doing(format!("compressing {}", file.display()))
 }
@@ -128,7 +128,7 @@ fn megabytes(bytes: usize) -> String {
     format!("{:.3}", bytes as f64 / 1e6)
 }
 
-fn files_below(folder: &Path) -> Outcome<Vec<PathBuf>> {
+fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     for entry in std::fs::read_dir(folder).doing(format!("listing {}", folder.display()))?.flatten() {
         let path = entry.path();

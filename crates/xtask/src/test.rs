@@ -5,7 +5,7 @@
 mod counts;
 mod steps;
 
-use crate::failure::{Failure, Outcome};
+use crate::failure::{Failure, Result};
 use crate::{progress, setup};
 use counts::Counts;
 use std::process::ExitCode;
@@ -13,7 +13,7 @@ use std::time::Instant;
 use steps::{Report, Step};
 
 /// Runs all steps, or those named, and closes with one line `N passed, N failed`.
-pub fn run(wanted: &[&str]) -> Outcome<ExitCode> {
+pub fn run(wanted: &[&str]) -> Result<ExitCode> {
     let all = steps::all()?;
     let chosen = choose(all, wanted)?;
     let total = match setup::for_tests() {
@@ -27,7 +27,7 @@ pub fn run(wanted: &[&str]) -> Outcome<ExitCode> {
     Ok(if total.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-fn choose(all: Vec<Step>, wanted: &[&str]) -> Outcome<Vec<Step>> {
+fn choose(all: Vec<Step>, wanted: &[&str]) -> Result<Vec<Step>> {
     let unknown = wanted.iter().find(|name| !all.iter().any(|step| step.is_called(name)));
     if let Some(name) = unknown {
         let names: Vec<&str> = all.iter().map(|step| step.name.as_str()).collect();

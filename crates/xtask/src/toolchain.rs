@@ -1,6 +1,6 @@
 //! A compiler that can build for wasm32: the present one with rustup's target, or Debian's with a library built here.
 
-use crate::failure::{Failure, Outcome};
+use crate::failure::{Failure, Result};
 use crate::process::{Run, find_program};
 use crate::{debian, progress, workspace};
 use std::ffi::OsString;
@@ -25,7 +25,7 @@ pub enum Toolchain {
 
 impl Toolchain {
     /// Finds or obtains it.
-    pub fn obtain() -> Outcome<Self> {
+    pub fn obtain() -> Result<Self> {
         if has_target(&present_sysroot()?) {
             return Ok(Self::Present);
         }
@@ -65,7 +65,7 @@ impl Toolchain {
         }
     }
 
-    fn from_rustup() -> Outcome<Self> {
+    fn from_rustup() -> Result<Self> {
         if find_program("rustup").is_none() {
             return Err(Failure::new("this machine has no rustup"));
         }
@@ -81,7 +81,7 @@ impl Toolchain {
 }
 
 /// Adds a component (rustfmt, clippy) to the present toolchain where `probe` says that it is missing.
-pub fn require_component(component: &str, probe: &[&str]) -> Outcome {
+pub fn require_component(component: &str, probe: &[&str]) -> Result {
     let works =
         || Run::new("cargo").args(probe).current_dir(workspace::root()).quietly().is_ok_and(|ended| ended.success);
     if works() {
@@ -108,7 +108,7 @@ pub fn has_target(sysroot: &Path) -> bool {
     })
 }
 
-fn present_sysroot() -> Outcome<PathBuf> {
+fn present_sysroot() -> Result<PathBuf> {
     let printed = Run::new("rustc").args(["--print", "sysroot"]).current_dir(workspace::root()).quietly()?.checked()?;
     Ok(PathBuf::from(printed.trim()))
 }

@@ -1,6 +1,6 @@
 //! The programs that build and test the page, each installed with cargo into the user's cache.
 
-use crate::failure::{Failure, Outcome};
+use crate::failure::{Failure, Result};
 use crate::process::{Run, find_program};
 use crate::{cache, progress, versions, workspace};
 use std::path::PathBuf;
@@ -32,7 +32,7 @@ pub fn trunk() -> Tool {
 }
 
 /// Writes the JavaScript side of the wasm modules; must be the version of the crate in `Cargo.lock`.
-pub fn wasm_bindgen() -> Outcome<Tool> {
+pub fn wasm_bindgen() -> Result<Tool> {
     let version = workspace::locked_version("wasm-bindgen")?;
     let why = "it joins the WebAssembly modules to JavaScript";
     Ok(Tool { package: "wasm-bindgen-cli", version, program: "wasm-bindgen", features: Features::Default, why })
@@ -47,7 +47,7 @@ pub fn wasm_pack() -> Tool {
 
 impl Tool {
     /// The folder that holds the program, installed if it is not there yet.
-    pub fn obtain(&self) -> Outcome<PathBuf> {
+    pub fn obtain(&self) -> Result<PathBuf> {
         let folder = cache::tool(self.package, &self.version)?;
         let bin = folder.join("bin");
         if bin.join(format!("{}{}", self.program, std::env::consts::EXE_SUFFIX)).is_file() {
@@ -60,7 +60,7 @@ impl Tool {
         Ok(bin)
     }
 
-    fn install(&self, folder: &std::path::Path) -> Outcome {
+    fn install(&self, folder: &std::path::Path) -> Result {
         let target = cache::folder()?.join("build");
         cache::build_folder(folder, |partial| {
             // A light profile: these programs wait for compilers and browsers, they need not be fast themselves.

@@ -4,7 +4,7 @@
 mod parts;
 mod table;
 
-use crate::failure::{Failure, Outcome};
+use crate::failure::{Failure, Result};
 use crate::figures::Document;
 use crate::{progress, setup};
 use parts::Part;
@@ -21,7 +21,7 @@ struct Amounts {
 }
 
 /// Runs all parts, or those whose amount is not 0, and fails if one of them found something.
-pub fn run(arguments: &[&str]) -> Outcome<ExitCode> {
+pub fn run(arguments: &[&str]) -> Result<ExitCode> {
     let amounts = Amounts::read(arguments)?;
     let kit = setup::for_tests()?;
     let mut found_nothing = true;
@@ -67,7 +67,7 @@ pub fn documents() -> impl Iterator<Item = Document> {
 }
 
 impl Amounts {
-    fn read(arguments: &[&str]) -> Outcome<Self> {
+    fn read(arguments: &[&str]) -> Result<Self> {
         let mut amounts = Self { inputs: 10_000_000, actions: 10_000_000, page_actions: 20_000, write: false };
         let mut words = arguments.iter();
         while let Some(&word) = words.next() {

@@ -1,6 +1,6 @@
 //! Where things are in this checkout.
 
-use crate::failure::{Doing, Failure, Outcome};
+use crate::failure::{Doing, Failure, Result};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
@@ -16,7 +16,7 @@ pub fn target() -> PathBuf {
 }
 
 /// Where the logs of the tasks' steps are kept.
-pub fn logs() -> Outcome<PathBuf> {
+pub fn logs() -> Result<PathBuf> {
     let folder = target().join("xtask").join("logs");
     std::fs::create_dir_all(&folder).doing(format!("creating {}", folder.display()))?;
     Ok(folder)
@@ -33,13 +33,13 @@ pub fn dist() -> PathBuf {
 }
 
 /// The version of `package` in `Cargo.lock`.
-pub fn locked_version(package: &str) -> Outcome<String> {
+pub fn locked_version(package: &str) -> Result<String> {
     let lock = std::fs::read_to_string(root().join("Cargo.lock")).doing("reading Cargo.lock")?;
     version_in_lock(&lock, package).ok_or_else(|| Failure::new(format!("Cargo.lock has no package `{package}`")))
 }
 
 /// PATH with `folders` in front.
-pub fn path_with(folders: &[PathBuf]) -> Outcome<OsString> {
+pub fn path_with(folders: &[PathBuf]) -> Result<OsString> {
     let present = std::env::var_os("PATH").unwrap_or_default();
     let all = folders.iter().cloned().chain(std::env::split_paths(&present));
     std::env::join_paths(all).doing("putting PATH together")

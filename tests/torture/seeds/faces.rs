@@ -1,27 +1,31 @@
 use glam::DVec3;
 use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
-use rosto_export::{GlbOptions, Model, Morph, Paint, Shading, Source, glb};
+use rosto_export::{BaseColour, GlbOptions, Material, Model, Morph, Source, glb};
 use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, Triangulation, canonical_positions_m, canonical_uvs};
 use rosto_studio::{
-    AnchorKind, Anchors, Command, Details, Entry, Frame, Grip, Hold, Mirror, Operator, Reach, Rest, Settings, Switch,
-    project,
+    AnchorKind, Anchors, Command, ConstraintKind, CoordinateFrame, Details, EditSpec, Entry, Mirror, Operator,
+    RegionOfInfluence, Rest, Settings, Switch, project,
 };
 
 const SIDE_PX: u32 = 40;
 
 /// The canonical face, which histories are replayed over.
 pub fn canonical_rest() -> Rest {
-    Rest::new(Triangulation::Canonical.topology(), canonical_positions_m(), Frame::Model)
+    Rest::new(Triangulation::Canonical.topology(), canonical_positions_m(), CoordinateFrame::Model)
 }
 
 /// Histories with every command and every setting.
 pub fn histories() -> Vec<String> {
     let by_default = || Settings::default();
     let anchored = |kind, pins: &[u32]| Settings { anchors: Anchors { kind, pins: pins.to_vec() }, ..by_default() };
-    let exact = Settings { hold: Hold::Exact, mirror: Mirror::On, ..by_default() };
-    let near = Settings { reach: Reach::Within { radius: 0.05 }, operator: Operator::Cotangent, ..by_default() };
-    let turned = Settings { details: Details::Turned, ..anchored(AnchorKind::PinsOnly, &[10, 152]) };
-    let far = Settings { hold: Hold::Soft { weight: 0.25 }, ..anchored(AnchorKind::Outside { radius: 0.06 }, &[10]) };
+    let exact = Settings { constraint: ConstraintKind::Hard, mirror: Mirror::On, ..by_default() };
+    let near =
+        Settings { reach: RegionOfInfluence::Within { radius: 0.05 }, operator: Operator::Cotangent, ..by_default() };
+    let turned = Settings { details: Details::AsRigidAsPossible, ..anchored(AnchorKind::PinsOnly, &[10, 152]) };
+    let far = Settings {
+        constraint: ConstraintKind::Soft { weight: 0.25 },
+        ..anchored(AnchorKind::Outside { radius: 0.06 }, &[10])
+    };
     let nudge = DVec3::new(0.0, 0.001, 0.01);
     let lists = [
         vec![],
@@ -42,8 +46,8 @@ pub fn histories() -> Vec<String> {
 }
 
 fn step(label: &str, handles: &[u32], settings: Settings, offsets: &[DVec3]) -> Entry {
-    let grip = Grip { level: 0, handles: handles.to_vec(), settings };
-    let command = Command::Move { grip, offsets: offsets.to_vec() };
+    let spec = EditSpec { level: 0, handles: handles.to_vec(), settings };
+    let command = Command::Move { spec, offsets: offsets.to_vec() };
     Entry { label: label.to_owned(), command, switch: Switch::On }
 }
 
@@ -55,14 +59,16 @@ fn symmetrised(share: f64) -> Entry {
 pub fn glbs(histories: &[String]) -> Vec<Vec<u8>> {
     let displacements_m = vec![DVec3::Z * 0.001; LANDMARK_COUNT];
     let morph = Morph { name: "nose", displacements_m: &displacements_m, weight: 0.5 };
-    let kinds = [Triangulation::Canonical, Triangulation::Tessellation].into_iter().zip([Shading::Lit, Shading::Unlit]);
-    let painted = kinds.flat_map(|kind| [Paint::Texture, Paint::VertexColours].map(|paint| (kind, paint)));
+    let kinds =
+        [Triangulation::Canonical, Triangulation::Tessellation].into_iter().zip([Material::Lit, Material::Unlit]);
+    let painted =
+        kinds.flat_map(|kind| [BaseColour::Texture, BaseColour::VertexColours].map(|base_colour| (kind, base_colour)));
     let with_history = painted.zip(histories.iter().skip(1).cycle());
-    let write = |(((triangulation, shading), paint), history): (((_, _), Paint), &String)| {
+    let write = |(((triangulation, material), base_colour), history): (((_, _), BaseColour), &String)| {
         let face = face(triangulation);
         let source = Some(Source { face: &face, triangulation, density: 0, history: Some(history) });
-        let morphs = if paint == Paint::Texture { std::slice::from_ref(&morph) } else { &[] };
-        let options = GlbOptions { paint, shading, morphs, source, ..GlbOptions::default() };
+        let morphs = if base_colour == BaseColour::Texture { std::slice::from_ref(&morph) } else { &[] };
+        let options = GlbOptions { base_colour, material, morphs, source, ..GlbOptions::default() };
         glb(&Model::of_face(&face), &options).expect("invariant: the canonical face can be written")
     };
     with_history.map(write).collect()

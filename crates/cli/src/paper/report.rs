@@ -2,7 +2,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use rosto_studio::paper::{Claims, DEGREES, MethodOutcome, Spread, TABLE_1, Task, TimedEdit, Trial, spread_ms};
-use rosto_studio::{Hold, project::operator_name};
+use rosto_studio::{ConstraintKind, project::operator_name};
 
 use super::REPETITIONS;
 use crate::terminal;
@@ -85,20 +85,20 @@ fn claims(claims: &Claims) -> String {
     .join("\n")
 }
 
-/// Every operator and hold: time, and what the six edits did to the mesh.
+/// Every operator and constraint: time, and what the six edits did to the mesh.
 fn methods(outcomes: &[MethodOutcome]) -> String {
     let mut lines = vec![
-        "| Operator | Hold | Time per edit (ms) | Bent: ‖δ′ − δ‖ | Longest edge (×) | Triangles turned over | Edits without peaks |"
+        "| Operator | ConstraintKind | Time per edit (ms) | Bent: ‖δ′ − δ‖ | Longest edge (×) | Triangles turned over | Edits without peaks |"
             .to_owned(),
         "|---|---|--:|--:|--:|--:|--:|".to_owned(),
     ];
     for outcome in outcomes {
-        let hold = match outcome.method.hold {
-            Hold::Soft { .. } => "soft",
-            Hold::Exact => "exact",
+        let constraint = match outcome.method.constraint {
+            ConstraintKind::Soft { .. } => "soft",
+            ConstraintKind::Hard => "exact",
         };
         lines.push(format!(
-            "| {} | {hold} | {} | {} | {} | {} | {} of {} |",
+            "| {} | {constraint} | {} | {} | {} | {} | {} of {} |",
             operator_name(outcome.method.operator),
             spread(outcome.time_ms, 3),
             spread(outcome.bent, 4),

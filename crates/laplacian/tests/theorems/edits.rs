@@ -1,6 +1,6 @@
 use glam::DVec3;
 use nalgebra::{DMatrix, DVector};
-use rosto_laplacian::{Constraints, Hold, LaplacianSystem, Operator, Response, random_anchors};
+use rosto_laplacian::{ConstraintKind, Constraints, LaplacianSystem, Operator, Response, random_anchors};
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -8,7 +8,8 @@ use crate::golden::{face, golden};
 use crate::meshes::{Mesh, canonical_face, handle_and_anchors, plane, small, torus};
 use crate::seeded::Seeded;
 
-const HOLDS: [Hold; 3] = [Hold::Soft { weight: 1.0 }, Hold::Soft { weight: 250.0 }, Hold::Exact];
+const HOLDS: [ConstraintKind; 3] =
+    [ConstraintKind::Soft { weight: 1.0 }, ConstraintKind::Soft { weight: 250.0 }, ConstraintKind::Hard];
 
 fn system(mesh: &Mesh, operator: Operator) -> LaplacianSystem {
     LaplacianSystem::new(&mesh.topology, &mesh.positions, operator).unwrap()
@@ -20,15 +21,15 @@ fn moved(response: &Response, mesh: &Mesh, offsets: &[DVec3]) -> Vec<DVec3> {
     out
 }
 
-/// Every small mesh with every operator and hold, one handle and two anchors.
+/// Every small mesh with every operator and constraint, one handle and two anchors.
 fn each(check: impl Fn(&str, &Mesh, &LaplacianSystem, &Constraints<'_>)) {
     for mesh in small() {
         let (handle, anchors) = handle_and_anchors(&mesh);
         for operator in Operator::ALL {
             let system = system(&mesh, operator);
-            for hold in HOLDS {
-                let constraints = Constraints { handles: &[handle], anchors: &anchors, hold, region: None };
-                check(&format!("{operator:?}, {hold:?} on {}", mesh.name), &mesh, &system, &constraints);
+            for kind in HOLDS {
+                let constraints = Constraints { handles: &[handle], anchors: &anchors, kind, falloff: None };
+                check(&format!("{operator:?}, {kind:?} on {}", mesh.name), &mesh, &system, &constraints);
             }
         }
     }
@@ -50,7 +51,7 @@ fn the_answer_is_the_least_of_what_is_minimised() {
         let least = system.residual(constraints, &[offset], &mesh.positions, &best);
         let random = &mut Seeded::new(5);
         for _ in 0..20 {
-            let free = |vertex: usize| constraints.hold != Hold::Exact || !is_held(constraints, vertex);
+            let free = |vertex: usize| constraints.kind != ConstraintKind::Hard || !is_held(constraints, vertex);
             let nudge = |(vertex, &p): (usize, &DVec3)| if free(vertex) { p + 0.01 * random.vector() } else { p };
             let other: Vec<DVec3> = best.iter().enumerate().map(nudge).collect();
             let residual = system.residual(constraints, &[offset], &mesh.positions, &other);
@@ -60,7 +61,7 @@ fn the_answer_is_the_least_of_what_is_minimised() {
 }
 
 fn is_held(constraints: &Constraints<'_>, vertex: usize) -> bool {
-    constraints.handles.iter().chain(constraints.anchors).any(|&held| held as usize == vertex)
+    constraints.handles.iter().chain(constraints.anchors).any(|&constrained| constrained as usize == vertex)
 }
 
 #[test]
@@ -70,9 +71,9 @@ fn exact_handles_land_on_their_targets_and_anchors_stay() {
     for operator in Operator::ALL {
         let system = system(&mesh, operator);
         for _ in 0..10 {
-            let held = random.vertices(9, 468);
-            let (handles, anchors) = held.split_at(4);
-            let constraints = Constraints { handles, anchors, hold: Hold::Exact, region: None };
+            let constrained = random.vertices(9, 468);
+            let (handles, anchors) = constrained.split_at(4);
+            let constraints = Constraints { handles, anchors, kind: ConstraintKind::Hard, falloff: None };
             let offsets: Vec<DVec3> = handles.iter().map(|_| 3.0 * random.vector()).collect();
             let after = moved(&system.respond(&constraints).unwrap(), &mesh, &offsets);
             for (&handle, &offset) in handles.iter().zip(&offsets) {
@@ -87,12 +88,12 @@ fn exact_handles_land_on_their_targets_and_anchors_stay() {
 fn a_firmer_hold_comes_nearer_to_an_exact_one() {
     let mesh = canonical_face();
     let system = system(&mesh, Operator::UniformSymmetric);
-    let field = |hold| {
-        let constraints = Constraints { handles: &[4], anchors: &[10, 152], hold, region: None };
+    let field = |kind| {
+        let constraints = Constraints { handles: &[4], anchors: &[10, 152], kind, falloff: None };
         DVector::from_column_slice(system.respond(&constraints).unwrap().field(0))
     };
-    let exact = field(Hold::Exact);
-    let distances = [1.0, 1e2, 1e4, 1e6].map(|weight| (field(Hold::Soft { weight }) - &exact).amax());
+    let exact = field(ConstraintKind::Hard);
+    let distances = [1.0, 1e2, 1e4, 1e6].map(|weight| (field(ConstraintKind::Soft { weight }) - &exact).amax());
     assert!(distances.windows(2).all(|pair| pair[1] < 0.1 * pair[0]), "{distances:?}");
 }
 
@@ -102,8 +103,8 @@ fn handles_add_up() {
     let random = &mut Seeded::new(2);
     for operator in Operator::ALL {
         let system = system(&mesh, operator);
-        for hold in HOLDS {
-            let constraints = Constraints { handles: &[4, 61, 291], anchors: &[10, 152], hold, region: None };
+        for kind in HOLDS {
+            let constraints = Constraints { handles: &[4, 61, 291], anchors: &[10, 152], kind, falloff: None };
             let response = system.respond(&constraints).unwrap();
             let offsets = [random.vector(), random.vector(), random.vector()];
             let together = moved(&response, &mesh, &offsets);
@@ -140,8 +141,8 @@ fn edits_ride_along_when_a_mesh_is_moved_turned_or_scaled() {
 fn every_piece_of_the_mesh_without_a_handle_stays() {
     let mesh = crate::meshes::apart(&mut Seeded::new(1));
     let component = mesh.topology.components();
-    for hold in HOLDS {
-        let constraints = Constraints { handles: &[0], anchors: &[3, 17], hold, region: None };
+    for kind in HOLDS {
+        let constraints = Constraints { handles: &[0], anchors: &[3, 17], kind, falloff: None };
         let response = system(&mesh, Operator::Cotangent).respond(&constraints).unwrap();
         for (vertex, &share) in response.field(0).iter().enumerate().filter(|(v, _)| component[*v] != 0) {
             assert!(share == 0.0, "vertex {vertex} takes {share:e}");
@@ -153,22 +154,22 @@ fn every_piece_of_the_mesh_without_a_handle_stays() {
 fn by_dense_solve(mesh: &Mesh, operator: Operator, constraints: &Constraints<'_>) -> Vec<DVector<f64>> {
     let k = DMatrix::from(&operator.matrix(&mesh.topology, &mesh.positions).unwrap());
     let n = mesh.vertex_count();
-    let held: Vec<usize> = constraints.handles.iter().chain(constraints.anchors).map(|&v| v as usize).collect();
+    let constrained: Vec<usize> = constraints.handles.iter().chain(constraints.anchors).map(|&v| v as usize).collect();
     let mut normal = k.transpose() * &k;
-    let weight = match constraints.hold {
-        Hold::Soft { weight } => weight,
-        Hold::Exact => 0.0,
+    let weight = match constraints.kind {
+        ConstraintKind::Soft { weight } => weight,
+        ConstraintKind::Hard => 0.0,
     };
-    held.iter().for_each(|&vertex| normal[(vertex, vertex)] += weight);
+    constrained.iter().for_each(|&vertex| normal[(vertex, vertex)] += weight);
     let solve = |&handle: &u32| {
         let mut rhs = DVector::zeros(n);
-        if constraints.hold != Hold::Exact {
+        if constraints.kind != ConstraintKind::Hard {
             rhs[handle as usize] = weight;
             return normal.clone().cholesky().unwrap().solve(&rhs);
         }
         let mut system = normal.clone();
         rhs -= normal.column(handle as usize);
-        for &vertex in &held {
+        for &vertex in &constrained {
             system.row_mut(vertex).fill(0.0);
             system.column_mut(vertex).fill(0.0);
             system[(vertex, vertex)] = 1.0;
@@ -183,7 +184,7 @@ fn assert_equals_dense_solve(mesh: &Mesh, operator: Operator, constraints: &Cons
     let response = system(mesh, operator).respond(constraints).unwrap();
     for (index, expected) in by_dense_solve(mesh, operator, constraints).iter().enumerate() {
         let worst = (DVector::from_column_slice(response.field(index)) - expected).amax();
-        assert!(worst < 1e-10, "{operator:?}, {:?} on {}: {worst:e}", constraints.hold, mesh.name);
+        assert!(worst < 1e-10, "{operator:?}, {:?} on {}: {worst:e}", constraints.kind, mesh.name);
     }
 }
 
@@ -192,10 +193,10 @@ fn one_factor_for_all_constraints_equals_a_factor_for_each() {
     let random = &mut Seeded::new(77);
     for mesh in [canonical_face(), torus(12, 9)] {
         for operator in Operator::ALL {
-            for hold in HOLDS {
-                let held = random.vertices(6, mesh.vertex_count());
-                let (handles, anchors) = held.split_at(2);
-                assert_equals_dense_solve(&mesh, operator, &Constraints { handles, anchors, hold, region: None });
+            for kind in HOLDS {
+                let constrained = random.vertices(6, mesh.vertex_count());
+                let (handles, anchors) = constrained.split_at(2);
+                assert_equals_dense_solve(&mesh, operator, &Constraints { handles, anchors, kind, falloff: None });
             }
         }
     }
@@ -204,9 +205,9 @@ fn one_factor_for_all_constraints_equals_a_factor_for_each() {
 #[test]
 fn the_ground_vertex_may_be_handle_or_anchor() {
     let mesh = canonical_face();
-    for hold in HOLDS {
+    for kind in HOLDS {
         for (handles, anchors) in [([0], [7, 300]), ([7], [0, 300])] {
-            let constraints = Constraints { handles: &handles, anchors: &anchors, hold, region: None };
+            let constraints = Constraints { handles: &handles, anchors: &anchors, kind, falloff: None };
             assert_equals_dense_solve(&mesh, Operator::UniformSymmetric, &constraints);
         }
     }
@@ -215,18 +216,18 @@ fn the_ground_vertex_may_be_handle_or_anchor() {
 #[test]
 fn larger_meshes_are_solved_to_the_same_digits() {
     let mesh = plane(33, 31, &mut Seeded::new(4));
-    for (operator, hold) in [(Operator::UniformSymmetric, HOLDS[0]), (Operator::Cotangent, Hold::Exact)] {
-        let constraints = Constraints { handles: &[500, 30], anchors: &[0, 1087, 700], hold, region: None };
+    for (operator, kind) in [(Operator::UniformSymmetric, HOLDS[0]), (Operator::Cotangent, ConstraintKind::Hard)] {
+        let constraints = Constraints { handles: &[500, 30], anchors: &[0, 1087, 700], kind, falloff: None };
         assert_equals_dense_solve(&mesh, operator, &constraints);
     }
 }
 
 #[test]
 fn hundreds_of_anchors_are_solved_to_the_same_digits() {
-    let held = Seeded::new(6).vertices(310, 468);
-    let (handles, anchors) = held.split_at(3);
-    for hold in HOLDS {
-        let constraints = Constraints { handles, anchors, hold, region: None };
+    let constrained = Seeded::new(6).vertices(310, 468);
+    let (handles, anchors) = constrained.split_at(3);
+    for kind in HOLDS {
+        let constraints = Constraints { handles, anchors, kind, falloff: None };
         assert_equals_dense_solve(&canonical_face(), Operator::UniformSymmetric, &constraints);
     }
 }
@@ -243,16 +244,16 @@ fn mirrored_handles_on_a_symmetric_mesh_give_a_mirrored_displacement() {
     let offset = DVec3::new(0.4, 0.7, -0.3);
     for operator in Operator::ALL {
         let system = system(&mesh, operator);
-        for hold in HOLDS {
+        for kind in HOLDS {
             let handles = [61, mirror(61)];
             let anchors = [234, mirror(234), 10, 152];
-            let response = system.respond(&Constraints { handles: &handles, anchors: &anchors, hold, region: None });
+            let response = system.respond(&Constraints { handles: &handles, anchors: &anchors, kind, falloff: None });
             let after = moved(&response.unwrap(), &mesh, &[offset, flip(offset)]);
             for vertex in 0..468 {
                 let other = mirror(vertex) as usize;
                 let (own, across) =
                     (after[vertex as usize] - mesh.positions[vertex as usize], after[other] - mesh.positions[other]);
-                assert!(own.distance(flip(across)) < 1e-12, "{operator:?}, {hold:?}, vertex {vertex}");
+                assert!(own.distance(flip(across)) < 1e-12, "{operator:?}, {kind:?}, vertex {vertex}");
             }
         }
     }
@@ -280,8 +281,8 @@ fn one_factor_for_many_anchors_serves_all_handles_as_a_factor_for_each_does() {
     let anchors: Vec<u32> = (160..460).collect();
     for operator in Operator::ALL {
         let system = system(&mesh, operator);
-        for hold in HOLDS {
-            let under = |handles| Constraints { handles, anchors: &anchors, hold, region: None };
+        for kind in HOLDS {
+            let under = |handles| Constraints { handles, anchors: &anchors, kind, falloff: None };
             let anchored = system.anchored(&under(&[4])).unwrap().unwrap();
             for handles in [&[4][..], &[1, 61, 152]] {
                 let (once, anew) =
@@ -289,7 +290,7 @@ fn one_factor_for_many_anchors_serves_all_handles_as_a_factor_for_each_does() {
                 for index in 0..handles.len() {
                     let pairs = once.field(index).iter().zip(anew.field(index));
                     let apart = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-                    assert!(apart < 1e-10, "{operator:?}, {hold:?}: {apart}");
+                    assert!(apart < 1e-10, "{operator:?}, {kind:?}: {apart}");
                 }
             }
         }

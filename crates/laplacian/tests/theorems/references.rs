@@ -2,7 +2,7 @@
 //! written by `tests/reference/engine.py`).
 
 use glam::DVec3;
-use rosto_laplacian::{Constraints, Geodesics, Hold, LaplacianSystem, Operator, RigidOptions, RigidSystem};
+use rosto_laplacian::{ConstraintKind, Constraints, Geodesics, LaplacianSystem, Operator, RigidOptions, RigidSystem};
 use rosto_mesh::Topology;
 use serde_json::Value;
 #[cfg(target_arch = "wasm32")]
@@ -84,7 +84,7 @@ fn exact_cotangent_edits_are_libigls_biharmonic_fields() {
         let system = LaplacianSystem::new(&reference.topology, &reference.rest, Operator::Cotangent).unwrap();
         let handles = [reference.handle];
         let constraints =
-            Constraints { handles: &handles, anchors: &reference.anchors, hold: Hold::Exact, region: None };
+            Constraints { handles: &handles, anchors: &reference.anchors, kind: ConstraintKind::Hard, falloff: None };
         let response = system.respond(&constraints).unwrap();
         let difference = response.field(0).iter().zip(reference.numbers("biharmonic")).map(|(a, b)| (a - b).abs());
         let worst = difference.fold(0.0, f64::max);
@@ -98,8 +98,8 @@ fn libigls_harmonic_fields_have_no_delta_but_where_they_are_held() {
         let system = LaplacianSystem::new(&reference.topology, &reference.rest, Operator::Cotangent).unwrap();
         let field: Vec<DVec3> = reference.numbers("harmonic").into_iter().map(DVec3::splat).collect();
         for (vertex, delta) in system.deltas(&field).into_iter().enumerate() {
-            let held = reference.anchors.contains(&(vertex as u32)) || vertex as u32 == reference.handle;
-            assert!(held || delta.length() < 1e-10, "{}: {delta} at {vertex}", reference.name());
+            let constrained = reference.anchors.contains(&(vertex as u32)) || vertex as u32 == reference.handle;
+            assert!(constrained || delta.length() < 1e-10, "{}: {delta} at {vertex}", reference.name());
         }
     }
 }
@@ -113,8 +113,8 @@ fn rigid_edits_settle_where_libigls_do_and_no_higher() {
         let rigid = RigidSystem::new(&reference.topology, &reference.rest, Operator::Cotangent).unwrap();
         let handles = [reference.handle];
         let constraints =
-            Constraints { handles: &handles, anchors: &reference.anchors, hold: Hold::Exact, region: None };
-        let edit = rigid.hold(&constraints).unwrap();
+            Constraints { handles: &handles, anchors: &reference.anchors, kind: ConstraintKind::Hard, falloff: None };
+        let edit = rigid.constrain(&constraints).unwrap();
         let mut theirs = points(&reference.answers["arap"]);
         let their_energy = edit.settle(&[reference.offset], &untouched, &mut theirs).unwrap()[0];
         let mut own = reference.rest.clone();

@@ -1,5 +1,7 @@
 use glam::DVec3;
-use rosto_laplacian::{Constraints, Geodesics, Hold, LaplacianError, LaplacianSystem, Operator, Region, RigidSystem};
+use rosto_laplacian::{
+    ConstraintKind, Constraints, Falloff, Geodesics, LaplacianError, LaplacianSystem, Operator, RigidSystem,
+};
 use rosto_mesh::Topology;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -7,25 +9,25 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use crate::meshes::{apart, canonical_face};
 use crate::seeded::Seeded;
 
-fn refusal(handles: &[u32], anchors: &[u32], hold: Hold) -> LaplacianError {
+fn refusal(handles: &[u32], anchors: &[u32], kind: ConstraintKind) -> LaplacianError {
     let mesh = apart(&mut Seeded::new(1));
-    let constraints = Constraints { handles, anchors, hold, region: None };
+    let constraints = Constraints { handles, anchors, kind, falloff: None };
     let system = LaplacianSystem::new(&mesh.topology, &mesh.positions, Operator::default()).unwrap();
     let rigid = RigidSystem::new(&mesh.topology, &mesh.positions, Operator::default()).unwrap();
     let error = system.respond(&constraints).unwrap_err();
-    assert_eq!(rigid.hold(&constraints).err(), Some(error.clone()));
+    assert_eq!(rigid.constrain(&constraints).err(), Some(error.clone()));
     error
 }
 
 #[test]
 fn constraints_without_an_answer_are_refused_with_the_vertex_at_fault() {
-    let soft = Hold::default();
+    let soft = ConstraintKind::default();
     assert_eq!(refusal(&[], &[1, 2], soft), LaplacianError::NoHandle);
     assert_eq!(refusal(&[3, 4, 3], &[1], soft), LaplacianError::Repeated { vertex: 3 });
     assert_eq!(refusal(&[3], &[1, 5, 1], soft), LaplacianError::Repeated { vertex: 1 });
     assert_eq!(refusal(&[3], &[1, 3], soft), LaplacianError::PinnedHandle { vertex: 3 });
     assert_eq!(refusal(&[3], &[], soft), LaplacianError::Unanchored { handle: 3 });
-    assert_eq!(refusal(&[3, 20], &[1], Hold::Exact), LaplacianError::Unanchored { handle: 20 });
+    assert_eq!(refusal(&[3, 20], &[1], ConstraintKind::Hard), LaplacianError::Unanchored { handle: 20 });
     assert_eq!(refusal(&[31], &[1, 20], soft), LaplacianError::Unanchored { handle: 31 });
     assert_eq!(refusal(&[32], &[1], soft), LaplacianError::NoSuchVertex { vertex: 32, vertex_count: 32 });
     assert_eq!(refusal(&[3], &[1, 99], soft), LaplacianError::NoSuchVertex { vertex: 99, vertex_count: 32 });
@@ -34,12 +36,12 @@ fn constraints_without_an_answer_are_refused_with_the_vertex_at_fault() {
 #[test]
 fn weights_must_be_positive_numbers() {
     for weight in [0.0, -1.0, f64::INFINITY] {
-        assert_eq!(refusal(&[3], &[1], Hold::Soft { weight }), LaplacianError::Weight { weight });
+        assert_eq!(refusal(&[3], &[1], ConstraintKind::Soft { weight }), LaplacianError::Weight { weight });
     }
     let mesh = apart(&mut Seeded::new(1));
     let system = LaplacianSystem::new(&mesh.topology, &mesh.positions, Operator::default()).unwrap();
-    let hold = Hold::Soft { weight: f64::NAN };
-    let error = system.respond(&Constraints { handles: &[3], anchors: &[1], hold, region: None }).unwrap_err();
+    let kind = ConstraintKind::Soft { weight: f64::NAN };
+    let error = system.respond(&Constraints { handles: &[3], anchors: &[1], kind, falloff: None }).unwrap_err();
     assert_eq!(error.to_string(), "a constraint's weight must be positive and finite, not NaN");
 }
 
@@ -71,24 +73,25 @@ fn a_mesh_without_vertices_is_refused() {
 fn regions_must_fit_the_mesh_and_hold_its_handles() {
     let mesh = canonical_face();
     let system = LaplacianSystem::new(&mesh.topology, &mesh.positions, Operator::default()).unwrap();
-    let respond = |region: &Region| {
-        let constraints = Constraints { handles: &[4, 61], anchors: &[10], region: Some(region), ..Default::default() };
+    let respond = |falloff: &Falloff| {
+        let constraints =
+            Constraints { handles: &[4, 61], anchors: &[10], falloff: Some(falloff), ..Default::default() };
         system.respond(&constraints).err()
     };
-    let short = Region::new(vec![1.0; 5]).unwrap();
+    let short = Falloff::new(vec![1.0; 5]).unwrap();
     assert_eq!(respond(&short), Some(LaplacianError::LengthMismatch { expected: 468, found: 5 }));
     let mut falloff = vec![1.0; 468];
     falloff[61] = 0.0;
-    assert_eq!(respond(&Region::new(falloff.clone()).unwrap()), Some(LaplacianError::OutsideRegion { handle: 61 }));
+    assert_eq!(respond(&Falloff::new(falloff.clone()).unwrap()), Some(LaplacianError::OutsideRegion { handle: 61 }));
     falloff[7] = f64::NAN;
-    assert_eq!(Region::new(falloff), Err(LaplacianError::NotFinite { vertex: 7 }));
+    assert_eq!(Falloff::new(falloff), Err(LaplacianError::NotFinite { vertex: 7 }));
     for radius in [0.0, -1.0, f64::INFINITY] {
-        assert_eq!(Region::within(radius, &[0.0; 468]), Err(LaplacianError::Radius { radius }));
+        assert_eq!(Falloff::within(radius, &[0.0; 468]), Err(LaplacianError::Radius { radius }));
     }
 }
 
 #[test]
 fn messages_name_the_vertex() {
-    let message = refusal(&[3], &[1, 3], Hold::Exact).to_string();
+    let message = refusal(&[3], &[1, 3], ConstraintKind::Hard).to_string();
     assert_eq!(message, "vertex 3 is a handle and an anchor at once");
 }

@@ -1,5 +1,5 @@
 use glam::DVec3;
-use rosto_laplacian::{Constraints, Geodesics, Hold, LaplacianSystem, Operator, Region};
+use rosto_laplacian::{ConstraintKind, Constraints, Falloff, Geodesics, LaplacianSystem, Operator};
 use rosto_mesh::{LoopSubdivision, Topology};
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -103,24 +103,25 @@ fn without_sources_everything_is_out_of_reach() {
 #[test]
 fn a_region_fades_from_one_to_zero_without_a_step() {
     let along: Vec<f64> = (0..=1000).map(|k| f64::from(k) / 500.0).collect();
-    let region = Region::within(1.5, &along).unwrap();
-    let falloff = region.falloff();
-    assert_eq!(falloff[0], 1.0);
-    assert!(falloff[750..].iter().all(|&share| share == 0.0));
-    assert!(falloff.windows(2).all(|pair| pair[0] >= pair[1] && pair[0] - pair[1] < 0.0026));
-    assert!(falloff[749] < 1e-6 && falloff[1] > 1.0 - 1e-6);
+    let falloff = Falloff::within(1.5, &along).unwrap();
+    let weights = falloff.weights();
+    assert_eq!(weights[0], 1.0);
+    assert!(weights[750..].iter().all(|&share| share == 0.0));
+    assert!(weights.windows(2).all(|pair| pair[0] >= pair[1] && pair[0] - pair[1] < 0.0026));
+    assert!(weights[749] < 1e-6 && weights[1] > 1.0 - 1e-6);
 }
 
 #[test]
 fn nothing_moves_outside_the_region_and_exact_handles_still_arrive() {
     let mesh = canonical_face();
     let along = distances(&mesh, &[4]);
-    let region = Region::within(4.0, &along).unwrap();
+    let falloff = Falloff::within(4.0, &along).unwrap();
     let other = (0..468).find(|&v| (1.0..2.0).contains(&along[v as usize])).unwrap();
     for operator in Operator::ALL {
         let system = LaplacianSystem::new(&mesh.topology, &mesh.positions, operator).unwrap();
         let handles = [4, other];
-        let constraints = Constraints { handles: &handles, anchors: &[10], hold: Hold::Exact, region: Some(&region) };
+        let constraints =
+            Constraints { handles: &handles, anchors: &[10], kind: ConstraintKind::Hard, falloff: Some(&falloff) };
         let response = system.respond(&constraints).unwrap();
         let mut after = mesh.positions.clone();
         let offsets = [DVec3::new(0.0, 0.5, 1.0), DVec3::new(0.2, 0.0, 0.4)];

@@ -1,5 +1,5 @@
 use glam::DVec3;
-use rosto_laplacian::{Constraints, Hold, LaplacianSystem, Operator, Region, RigidOptions, RigidSystem};
+use rosto_laplacian::{ConstraintKind, Constraints, Falloff, LaplacianSystem, Operator, RigidOptions, RigidSystem};
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -18,15 +18,18 @@ fn the_energy_never_rises_and_the_turns_are_bounded() {
         let (handle, anchors) = handle_and_anchors(&mesh);
         for operator in Operator::ALL {
             let rigid = rigid(&mesh, operator);
-            for hold in [Hold::default(), Hold::Exact] {
-                let constraints = Constraints { handles: &[handle], anchors: &anchors, hold, region: None };
+            for kind in [ConstraintKind::default(), ConstraintKind::Hard] {
+                let constraints = Constraints { handles: &[handle], anchors: &anchors, kind, falloff: None };
                 let mut positions = mesh.positions.clone();
-                let energies =
-                    rigid.hold(&constraints).unwrap().settle(&[DVec3::new(2.0, 1.0, 3.0)], &PATIENT, &mut positions);
+                let energies = rigid.constrain(&constraints).unwrap().settle(
+                    &[DVec3::new(2.0, 1.0, 3.0)],
+                    &PATIENT,
+                    &mut positions,
+                );
                 let energies = energies.unwrap();
                 assert!(energies.len() <= 61);
                 let rises = energies.windows(2).any(|pair| pair[1] > pair[0] * (1.0 + 1e-12));
-                assert!(!rises, "{operator:?}, {hold:?} on {}: {energies:?}", mesh.name);
+                assert!(!rises, "{operator:?}, {kind:?} on {}: {energies:?}", mesh.name);
             }
         }
     }
@@ -38,7 +41,7 @@ fn no_offset_moves_nothing() {
         let (handle, anchors) = handle_and_anchors(&mesh);
         let constraints = Constraints { handles: &[handle], anchors: &anchors, ..Default::default() };
         let mut positions = mesh.positions.clone();
-        let edit = rigid(&mesh, Operator::Cotangent).hold(&constraints).unwrap();
+        let edit = rigid(&mesh, Operator::Cotangent).constrain(&constraints).unwrap();
         edit.settle(&[DVec3::ZERO], &PATIENT, &mut positions).unwrap();
         let worst = positions.iter().zip(&mesh.positions).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
         assert!(worst < 1e-12, "{}: {worst:e}", mesh.name);
@@ -52,13 +55,13 @@ fn handles_that_turn_as_a_body_turn_the_whole_mesh() {
     let turned: Vec<DVec3> = mesh.positions.iter().map(|&position| turn * position + shift).collect();
     let handles = [10, 152, 234, 454, 4, 61, 291];
     let offsets = handles.map(|handle: u32| turned[handle as usize] - mesh.positions[handle as usize]);
-    for hold in [Hold::Soft { weight: 1.0 }, Hold::Exact] {
-        let constraints = Constraints { handles: &handles[1..], anchors: &handles[..1], hold, region: None };
+    for kind in [ConstraintKind::Soft { weight: 1.0 }, ConstraintKind::Hard] {
+        let constraints = Constraints { handles: &handles[1..], anchors: &handles[..1], kind, falloff: None };
         // The one anchor stays, so turn about it.
         let about = mesh.positions[handles[0] as usize];
         let turned: Vec<DVec3> = mesh.positions.iter().map(|&position| about + turn * (position - about)).collect();
         let offsets: Vec<DVec3> = offsets[1..].iter().map(|offset| *offset - offsets[0]).collect();
-        let edit = rigid(&mesh, Operator::Cotangent).hold(&constraints).unwrap();
+        let edit = rigid(&mesh, Operator::Cotangent).constrain(&constraints).unwrap();
         let mut positions = turned.clone();
         let energies = edit.settle(&offsets, &PATIENT, &mut positions).unwrap();
         assert!(energies[0] < 1e-20);
@@ -71,13 +74,17 @@ fn a_bent_strip_keeps_its_lengths_better_than_a_linear_edit() {
     let mesh = plane(24, 3, &mut Seeded::new(30));
     let row = |column: u32| (0..4).map(|row| row * 25 + column).collect::<Vec<_>>();
     let (handles, anchors) = (row(24), row(0));
-    let constraints = Constraints { handles: &handles, anchors: &anchors, hold: Hold::Exact, region: None };
+    let constraints = Constraints { handles: &handles, anchors: &anchors, kind: ConstraintKind::Hard, falloff: None };
     let offsets = vec![DVec3::new(-12.0, 0.0, 10.0); handles.len()];
     let mut linear = mesh.positions.clone();
     let system = LaplacianSystem::new(&mesh.topology, &mesh.positions, Operator::Cotangent).unwrap();
     system.respond(&constraints).unwrap().displace(&mesh.positions, &offsets, &mut linear);
     let mut settled = linear.clone();
-    rigid(&mesh, Operator::Cotangent).hold(&constraints).unwrap().settle(&offsets, &PATIENT, &mut settled).unwrap();
+    rigid(&mesh, Operator::Cotangent)
+        .constrain(&constraints)
+        .unwrap()
+        .settle(&offsets, &PATIENT, &mut settled)
+        .unwrap();
     let stretch = |positions: &[DVec3]| {
         let length = |at: &[DVec3], [a, b]: [u32; 2]| at[a as usize].distance(at[b as usize]);
         let squares =
@@ -91,15 +98,16 @@ fn a_bent_strip_keeps_its_lengths_better_than_a_linear_edit() {
 fn exact_handles_land_and_nothing_moves_outside_a_region() {
     let mesh = canonical_face();
     let falloff = mesh.positions.iter().map(|p| 1.0 - p.distance(mesh.positions[4]) / 5.0).collect();
-    let region = Region::new(falloff).unwrap();
-    let constraints = Constraints { handles: &[4, 45], anchors: &[10], hold: Hold::Exact, region: Some(&region) };
+    let falloff = Falloff::new(falloff).unwrap();
+    let constraints =
+        Constraints { handles: &[4, 45], anchors: &[10], kind: ConstraintKind::Hard, falloff: Some(&falloff) };
     let offsets = [DVec3::new(0.5, 0.0, 1.0), DVec3::new(0.4, 0.0, 0.8)];
     let mut positions = mesh.positions.clone();
-    let edit = rigid(&mesh, Operator::Cotangent).hold(&constraints).unwrap();
+    let edit = rigid(&mesh, Operator::Cotangent).constrain(&constraints).unwrap();
     edit.settle(&offsets, &RigidOptions::default(), &mut positions).unwrap();
     assert_eq!(positions[4], mesh.positions[4] + offsets[0]);
     assert_eq!(positions[45], mesh.positions[45] + offsets[1]);
-    for (vertex, _) in region.falloff().iter().enumerate().filter(|(_, share)| **share == 0.0) {
+    for (vertex, _) in falloff.weights().iter().enumerate().filter(|(_, share)| **share == 0.0) {
         assert_eq!(positions[vertex], mesh.positions[vertex]);
     }
 }

@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 use rosto_laplacian::{
-    Constraints, Distortion, Geodesics, Hold, LaplacianError, LaplacianSystem, Operator, Region, RigidOptions,
-    RigidSystem,
+    ConstraintKind, Constraints, Distortion, Falloff, Geodesics, LaplacianError, LaplacianSystem, Operator,
+    RigidOptions, RigidSystem,
 };
 use rosto_mesh::Topology;
 #[cfg(target_arch = "wasm32")]
@@ -41,26 +41,31 @@ fn all_finite(positions: &[DVec3]) -> bool {
 fn edit(topology: &Topology, rest: &[DVec3], random: &mut Seeded) -> Result<(), LaplacianError> {
     let operator = Operator::ALL[random.below(5)];
     let count = 2 + random.below(4).min(rest.len() - 2);
-    let held = random.vertices(count, rest.len());
-    let (handles, anchors) = held.split_at(1 + random.below(held.len() - 1));
-    let hold = [Hold::default(), Hold::Soft { weight: 1e6 }, Hold::Soft { weight: 1e-6 }, Hold::Exact][random.below(4)];
+    let constrained = random.vertices(count, rest.len());
+    let (handles, anchors) = constrained.split_at(1 + random.below(constrained.len() - 1));
+    let kind = [
+        ConstraintKind::default(),
+        ConstraintKind::Soft { weight: 1e6 },
+        ConstraintKind::Soft { weight: 1e-6 },
+        ConstraintKind::Hard,
+    ][random.below(4)];
     let offsets: Vec<DVec3> =
         handles.iter().map(|_| random.vector() * 10f64.powi(random.below(13) as i32 - 6)).collect();
     let geodesics = Geodesics::new(topology, rest)?;
     let along = geodesics.distances(handles)?;
     assert!(along.iter().all(|distance| *distance >= 0.0));
-    let region = Region::within(random.signed().abs() + 1e-3, &along)?;
-    let region = [None, Some(&region)][random.below(2)];
+    let falloff = Falloff::within(random.signed().abs() + 1e-3, &along)?;
+    let falloff = [None, Some(&falloff)][random.below(2)];
 
     let system = LaplacianSystem::new(topology, rest, operator)?;
-    let constraints = Constraints { handles, anchors, hold, region };
+    let constraints = Constraints { handles, anchors, kind, falloff };
     let mut after = rest.to_vec();
     system.respond(&constraints)?.displace(rest, &offsets, &mut after);
-    assert!(all_finite(&after), "{operator:?}, {hold:?}");
+    assert!(all_finite(&after), "{operator:?}, {kind:?}");
     let bent = Distortion::measure(topology, &system, rest, &after);
     assert!(bent.delta_change.iter().chain(&bent.edge_stretch).chain(&bent.area_ratio).all(|x| x.is_finite()));
 
-    let rigid = RigidSystem::new(topology, rest, operator)?.hold(&constraints)?;
+    let rigid = RigidSystem::new(topology, rest, operator)?.constrain(&constraints)?;
     let energies = rigid.settle(&offsets, &RigidOptions::default(), &mut after)?;
     assert!(all_finite(&after) && energies.iter().all(|energy| energy.is_finite()));
     Ok(())

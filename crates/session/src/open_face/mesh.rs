@@ -1,5 +1,5 @@
 use rosto_face::{LANDMARK_COUNT, Triangulation};
-use rosto_studio::{Frame, Rest};
+use rosto_studio::{CoordinateFrame, Rest};
 
 use super::OpenFace;
 use crate::choices::Choices;
@@ -38,7 +38,7 @@ impl OpenFace {
         let density = self.document.density();
         self.commit(choices);
         let place_m = self.selected_m();
-        let rest = Rest::new(triangulation.topology(), self.model.positions_m().to_vec(), Frame::Model);
+        let rest = Rest::new(triangulation.topology(), self.model.positions_m().to_vec(), CoordinateFrame::Model);
         let mut document = self.document.over(rest)?;
         document.set_density(density)?;
         (self.document, self.triangulation) = (document, triangulation);

@@ -1,7 +1,7 @@
 use glam::DVec3;
 use rosto_face::{LANDMARK_COUNT, Language, Region, landmark_name};
 use rosto_mesh::{Ray, Surface};
-use rosto_studio::Subject;
+use rosto_studio::EditTarget;
 
 use super::OpenFace;
 use crate::error::SessionError;
@@ -71,10 +71,10 @@ impl OpenFace {
         self.selection().is_some_and(|selection| selection.handles().iter().all(is_pinned))
     }
 
-    /// What the page calls a subject: landmarks bring their number along, points the place that they are near.
-    pub fn label(&self, subject: Subject, language: Language) -> String {
-        match subject {
-            Subject::Landmark(landmark) => landmark_label(landmark, language),
+    /// What the page calls a target: landmarks bring their number along, points the place that they are near.
+    pub fn label(&self, target: EditTarget, language: Language) -> String {
+        match target {
+            EditTarget::Landmark(landmark) => landmark_label(landmark, language),
             other => self.document().name_of(other, language),
         }
     }

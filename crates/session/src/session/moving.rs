@@ -3,7 +3,7 @@ use rosto_face::Triangulation;
 use rosto_studio::{Document, FaceSlider, StudioError, Switch};
 
 use super::opening::prepare;
-use super::{Outcome, Session};
+use super::{Result, Session};
 use crate::error::within;
 use crate::gesture::{Gesture, Under};
 use crate::incoming::DENSEST_SHOWN;
@@ -12,7 +12,7 @@ use crate::{Changed, Choices, SessionError};
 
 /// What is done to the face, and taken back.
 impl Session {
-    pub(super) fn preview(&mut self, offset_mm: DVec3) -> Outcome {
+    pub(super) fn preview(&mut self, offset_mm: DVec3) -> Result {
         let most_mm = MAX_OFFSET_M * MM_PER_M;
         for along in offset_mm.to_array() {
             within("an offset in mm", along, -most_mm, most_mm)?;
@@ -26,7 +26,7 @@ impl Session {
         Ok(if was_sliding { Changed::Document } else { Changed::Tick })
     }
 
-    pub(super) fn slide(&mut self, slider: FaceSlider, to_mm: f64) -> Outcome {
+    pub(super) fn slide(&mut self, slider: FaceSlider, to_mm: f64) -> Result {
         let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
         let most_mm = slider.range_m() * MM_PER_M;
         within("a ready-made slider in mm", to_mm, -most_mm - 1e-9, most_mm + 1e-9)?;
@@ -40,14 +40,14 @@ impl Session {
     }
 
     /// Ends an edit in progress, one way or the other.
-    pub(super) fn finish(&mut self, end: impl FnOnce(&mut OpenFace, &Choices)) -> Outcome {
+    pub(super) fn finish(&mut self, end: impl FnOnce(&mut OpenFace, &Choices)) -> Result {
         self.gesture = Gesture::Idle;
         let Some(face) = &mut self.face else { return Ok(Changed::Nothing) };
         end(face, &self.choices);
         Ok(Changed::Document)
     }
 
-    pub(super) fn cancel(&mut self) -> Outcome {
+    pub(super) fn cancel(&mut self) -> Result {
         let was_dragging = self.has_taken();
         let changed = self.finish(OpenFace::cancel)?;
         if was_dragging {
@@ -56,14 +56,14 @@ impl Session {
         Ok(changed)
     }
 
-    pub(super) fn undo(&mut self) -> Outcome {
+    pub(super) fn undo(&mut self) -> Result {
         self.finish(|face, choices| {
             face.commit(choices);
             face.change_history(choices, Document::undo);
         })
     }
 
-    pub(super) fn reset(&mut self) -> Outcome {
+    pub(super) fn reset(&mut self) -> Result {
         self.finish(|face, choices| {
             face.change_history(choices, |document| {
                 document.reset();
@@ -72,12 +72,12 @@ impl Session {
         })
     }
 
-    pub(super) fn reset_selected(&mut self) -> Outcome {
-        let subject = self.open_face()?.selection().ok_or(SessionError::NothingSelected)?.subject();
-        self.finish(|face, choices| face.change_history(choices, |document| document.switch_off(subject)))
+    pub(super) fn reset_selected(&mut self) -> Result {
+        let target = self.open_face()?.selection().ok_or(SessionError::NothingSelected)?.target();
+        self.finish(|face, choices| face.change_history(choices, |document| document.switch_off(target)))
     }
 
-    pub(super) fn switch(&mut self, index: usize, switch: Switch) -> Outcome {
+    pub(super) fn switch(&mut self, index: usize, switch: Switch) -> Result {
         let count = self.open_face()?.document().history().entries().len();
         if index >= count {
             return Err(StudioError::NoSuchEntry { index, count }.into());
@@ -87,7 +87,7 @@ impl Session {
         })
     }
 
-    pub(super) fn symmetrise(&mut self, share: f64) -> Outcome {
+    pub(super) fn symmetrise(&mut self, share: f64) -> Result {
         within("the share", share, 0.0, 1.0)?;
         let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
         face.symmetrise(share, &self.choices)?;
@@ -95,7 +95,7 @@ impl Session {
         Ok(Changed::Document)
     }
 
-    pub(super) fn set_density(&mut self, density: u32) -> Outcome {
+    pub(super) fn set_density(&mut self, density: u32) -> Result {
         within("the density", density.into(), 0.0, DENSEST_SHOWN.into())?;
         if let Some(face) = &mut self.face {
             face.set_density(density, self.mode, &self.choices)?;
@@ -106,7 +106,7 @@ impl Session {
         Ok(Changed::Mesh)
     }
 
-    pub(super) fn set_triangulation(&mut self, triangulation: Triangulation) -> Outcome {
+    pub(super) fn set_triangulation(&mut self, triangulation: Triangulation) -> Result {
         if let Some(face) = &mut self.face {
             face.set_triangulation(triangulation, &self.choices)?;
         }

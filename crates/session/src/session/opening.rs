@@ -1,6 +1,6 @@
 use rosto_face::canonical_positions_m;
 
-use super::{Outcome, Session};
+use super::{Result, Session};
 use crate::gesture::{Gesture, Under};
 use crate::incoming::{self, Incoming};
 use crate::open_face::OpenFace;
@@ -8,7 +8,7 @@ use crate::{Changed, Choices, Motion, Selection, SelectionMode, preferences};
 
 /// What is open.
 impl Session {
-    pub(super) fn open(&mut self, incoming: Incoming) -> Outcome {
+    pub(super) fn open(&mut self, incoming: Incoming) -> Result {
         let mut face = incoming::opened(incoming, (self.view.triangulation, self.view.density))?;
         prepare(&mut face, self.mode, &self.choices, self.seeds.peek());
         self.view.triangulation = face.triangulation();
@@ -23,7 +23,7 @@ impl Session {
         Ok(Changed::Mesh)
     }
 
-    pub(super) fn close(&mut self) -> Outcome {
+    pub(super) fn close(&mut self) -> Result {
         self.face = None;
         (self.gesture, self.under) = (Gesture::Idle, Under::default());
         self.show_empty();
@@ -44,11 +44,11 @@ impl Session {
     }
 
     /// What is in the text takes the place of all choices and of how a face is seen.
-    pub(super) fn prefer(&mut self, text: &str) -> Outcome {
+    pub(super) fn prefer(&mut self, text: &str) -> Result {
         let preferences = preferences::read(text, &self.view)?;
         self.finish(OpenFace::commit)?;
         (self.mode, self.choices, self.view) = (preferences.mode, preferences.choices, preferences.view);
-        let look = self.stage.look_mut();
+        let look = self.stage.render_settings_mut();
         (look.light, look.dots) = (preferences.light, preferences.dots);
         self.view.show_on(&mut self.stage, self.face.is_none());
         let Some(face) = &mut self.face else { return Ok(Changed::Document) };
@@ -65,9 +65,9 @@ pub(super) fn prepare(face: &mut OpenFace, mode: SelectionMode, choices: &Choice
     let level = face.document().density();
     if mode == SelectionMode::Point && level > 0 {
         let any = Selection::Point { level, vertex: 0 };
-        let grip = choices.grip(any, face.pins(), seed, face.document());
+        let spec = choices.spec(any, face.pins(), seed, face.document());
         // One that cannot be held says so when it is selected.
-        let _ = face.document_mut().hold(grip);
+        let _ = face.document_mut().hold(spec);
         face.hold(choices);
     }
 }

@@ -2,7 +2,7 @@ use glam::{DVec2, DVec3};
 use rosto_face::LANDMARK_COUNT;
 use rosto_stage::{Axis, Pointer};
 
-use super::{Outcome, Session};
+use super::{Result, Session};
 use crate::drag::{Drag, Pace};
 use crate::gesture::{self, Gesture, Under};
 use crate::open_face::{MAX_OFFSET_M, MM_PER_M, OpenFace};
@@ -24,7 +24,7 @@ impl Session {
         Changed::View
     }
 
-    pub(super) fn point_at(&mut self, landmark: Option<u32>) -> Outcome {
+    pub(super) fn point_at(&mut self, landmark: Option<u32>) -> Result {
         let count = LANDMARK_COUNT;
         if let Some(vertex) = landmark.filter(|&vertex| vertex as usize >= count) {
             return Err(SessionError::NoSuchVertex { vertex, count });
@@ -69,7 +69,7 @@ impl Session {
         Changed::Nothing
     }
 
-    pub(super) fn drag(&mut self, place_px: DVec2, pace: Pace) -> Outcome {
+    pub(super) fn drag(&mut self, place_px: DVec2, pace: Pace) -> Result {
         if !place_px.is_finite() {
             return Ok(Changed::Nothing);
         }
@@ -83,7 +83,7 @@ impl Session {
     }
 
     /// Selects what the pointer has taken hold of, unless it is selected. An edit in progress is kept.
-    pub(super) fn grab(&mut self, vertex: u32, axis: Option<Axis>, from_px: DVec2) -> Outcome {
+    pub(super) fn grab(&mut self, vertex: u32, axis: Option<Axis>, from_px: DVec2) -> Result {
         let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
         face.commit(&self.choices);
         if !face.holds(vertex) {
@@ -97,13 +97,13 @@ impl Session {
         Ok(Changed::Document)
     }
 
-    pub(super) fn drag_along(&mut self, wanted: Axis) -> Outcome {
+    pub(super) fn drag_along(&mut self, wanted: Axis) -> Result {
         let Gesture::Dragging { axis, .. } = &mut self.gesture else { return Ok(Changed::Nothing) };
         *axis = if *axis == Some(wanted) { None } else { Some(wanted) };
         self.follow_pointer()
     }
 
-    pub(super) fn follow_pointer(&mut self) -> Outcome {
+    pub(super) fn follow_pointer(&mut self) -> Result {
         let (Some(face), Gesture::Dragging { drag, axis, to_px, pace }) = (&mut self.face, &mut self.gesture) else {
             return Ok(Changed::Nothing);
         };
@@ -118,7 +118,7 @@ impl Session {
         Ok(Changed::Tick)
     }
 
-    pub(super) fn release(&mut self) -> Outcome {
+    pub(super) fn release(&mut self) -> Result {
         let is_dragging = self.is_dragging();
         self.gesture = Gesture::Idle;
         if is_dragging { self.finish(OpenFace::commit) } else { Ok(Changed::Nothing) }

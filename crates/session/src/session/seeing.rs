@@ -1,17 +1,17 @@
-use rosto_stage::{Glide, Light, Paint};
+use rosto_stage::{Glide, Light, ShadingMode};
 
-use super::{Outcome, Session};
+use super::{Result, Session};
 use crate::error::{bounded_factor, within};
 use crate::{Changed, Intent, Motion, SessionError};
 
 /// How things look.
 impl Session {
     /// What changes only how things look.
-    pub(super) fn see(&mut self, intent: Intent) -> Outcome {
+    pub(super) fn see(&mut self, intent: Intent) -> Result {
         // Distortion is worked out with each tick, and only while it is painted.
-        let begins = intent == Intent::Paint(Paint::Scalar);
+        let begins = intent == Intent::Shading(ShadingMode::Distortion);
         match intent {
-            Intent::Paint(paint) => self.view.paint = paint,
+            Intent::Shading(paint) => self.view.shading = paint,
             Intent::Wireframe(wireframe) => self.view.wireframe = wireframe,
             Intent::Background(background) => self.view.background = background,
             Intent::Turntable(turntable) => self.view.turntable = turntable,
@@ -20,17 +20,17 @@ impl Session {
                 let glide = if motion == Motion::Reduced { Glide::Off } else { Glide::Smooth };
                 self.stage.camera_mut().set_glide(glide);
             }
-            Intent::Dots(dots) => self.stage.look_mut().dots = dots,
-            Intent::Light(light) => self.stage.look_mut().light = checked(light)?,
-            Intent::Theme(theme) => self.stage.look_mut().theme = theme,
-            Intent::Before(share) => self.stage.look_mut().before = within("the share", share, 0.0, 1.0)?,
+            Intent::Dots(dots) => self.stage.render_settings_mut().dots = dots,
+            Intent::Light(light) => self.stage.render_settings_mut().light = checked(light)?,
+            Intent::Theme(theme) => self.stage.render_settings_mut().theme = theme,
+            Intent::Before(share) => self.stage.render_settings_mut().before = within("the share", share, 0.0, 1.0)?,
             Intent::Orbit(by_px) if by_px.is_finite() => self.stage.camera_mut().orbit(by_px.x, by_px.y),
             Intent::Pan(by_px) if by_px.is_finite() => self.stage.camera_mut().pan(by_px.x, by_px.y),
             Intent::Zoom(factor) => {
                 let factor = bounded_factor(factor)?;
                 self.stage.camera_mut().zoom(factor);
             }
-            Intent::Look(view) => self.stage.camera_mut().look(view),
+            Intent::GoTo(view) => self.stage.camera_mut().look(view),
             Intent::Resize([width, height], pixel_ratio) => {
                 let pixel_ratio = within("px for each CSS px", pixel_ratio, 1e-3, 1e3)?;
                 self.stage.camera_mut().resize(width.max(1), height.max(1));

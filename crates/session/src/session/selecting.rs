@@ -3,7 +3,7 @@ use rosto_face::LANDMARK_COUNT;
 use rosto_studio::Switch;
 
 use super::opening::prepare;
-use super::{Outcome, Session};
+use super::{Result, Session};
 use crate::choices::RADIUS_MM;
 use crate::error::bounded_factor;
 use crate::gesture::Gesture;
@@ -12,7 +12,7 @@ use crate::{Changed, Choices, Selection, SelectionMode, SessionError};
 /// What is selected, and how edits of it spread.
 impl Session {
     /// The first time that points of a dense mesh are to be selected needs a while.
-    pub(super) fn set_mode(&mut self, mode: SelectionMode) -> Outcome {
+    pub(super) fn set_mode(&mut self, mode: SelectionMode) -> Result {
         self.mode = mode;
         let Some(face) = &mut self.face else { return Ok(Changed::Document) };
         face.commit(&self.choices);
@@ -25,7 +25,7 @@ impl Session {
         Ok(Changed::Document)
     }
 
-    pub(super) fn select(&mut self, selection: Option<Selection>) -> Outcome {
+    pub(super) fn select(&mut self, selection: Option<Selection>) -> Result {
         let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
         let there = match selection {
             Some(Selection::Landmark(vertex)) => Some((vertex, LANDMARK_COUNT)),
@@ -44,20 +44,20 @@ impl Session {
         Ok(Changed::Document)
     }
 
-    pub(super) fn select_at(&mut self, vertex: u32) -> Outcome {
+    pub(super) fn select_at(&mut self, vertex: u32) -> Result {
         let face = self.open_face()?;
         let selection = face.at(face.known(vertex, self.mode)?, self.mode);
         self.select(Some(selection))
     }
 
-    pub(super) fn pin_selected(&mut self, switch: Switch) -> Outcome {
+    pub(super) fn pin_selected(&mut self, switch: Switch) -> Result {
         let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
         let handles = face.selection().ok_or(SessionError::NothingSelected)?.handles();
         face.pin(&handles, switch, &self.choices);
         Ok(Changed::Document)
     }
 
-    pub(super) fn toggle_pin_at(&mut self, place_px: DVec2) -> Outcome {
+    pub(super) fn toggle_pin_at(&mut self, place_px: DVec2) -> Result {
         let vertex = self.vertex_at(place_px);
         let (Some(face), Some(vertex)) = (&mut self.face, vertex) else { return Ok(Changed::Nothing) };
         let switch = if face.pins().contains(&vertex) { Switch::Off } else { Switch::On };
@@ -66,7 +66,7 @@ impl Session {
     }
 
     /// An edit in progress goes on with the new choices.
-    pub(super) fn choose(&mut self, choices: Choices) -> Outcome {
+    pub(super) fn choose(&mut self, choices: Choices) -> Result {
         self.choices = choices;
         if let Some(face) = &mut self.face {
             face.hold_on(&self.choices);
@@ -74,7 +74,7 @@ impl Session {
         Ok(Changed::Document)
     }
 
-    pub(super) fn widen(&mut self, factor: f64) -> Outcome {
+    pub(super) fn widen(&mut self, factor: f64) -> Result {
         let factor = bounded_factor(factor)?;
         // Whole steps, as the panel shows them.
         let radius_mm = (self.choices.radius_mm * factor / RADIUS_MM.step).round() * RADIUS_MM.step;

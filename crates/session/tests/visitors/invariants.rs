@@ -2,7 +2,7 @@
 
 use rosto_face::Language;
 use rosto_session::{OpenFace, Selection, Session, State, Tick};
-use rosto_studio::{Document, Frame, History, Mirror, Rest, Standing, project};
+use rosto_studio::{CoordinateFrame, Document, History, Mirror, Rest, Standing, project};
 
 use crate::faces::bits;
 
@@ -51,7 +51,7 @@ pub fn hold(session: &Session) -> Result<(), String> {
     pins.sort_unstable();
     pins.dedup();
     ensure(pins.len() == face.pins().len(), || "a vertex is pinned twice".to_owned())?;
-    ensure(!face.is_moving() || document.grip().is_some(), || "what moves is not held".to_owned())?;
+    ensure(!face.is_moving() || document.spec().is_some(), || "what moves is not held".to_owned())?;
     ensure(face.rows().len() == document.history().entries().len(), || "a row for each entry".to_owned())?;
     mirrored(face)
 }
@@ -71,7 +71,7 @@ pub fn hold_deeply(session: &Session) -> Result<(), String> {
     if face.rows().iter().any(|row| matches!(row.standing, Standing::Impossible(_))) {
         return Ok(());
     }
-    let rest = Rest::new(face.triangulation().topology(), face.model().positions_m().to_vec(), Frame::Model);
+    let rest = Rest::new(face.triangulation().topology(), face.model().positions_m().to_vec(), CoordinateFrame::Model);
     let replayed = Document::open(rest, entries, face.document().density()).map_err(|error| error.to_string())?;
     ensure(bits(replayed.positions()) == bits(face.document().committed()), || {
         "a replay leads to another shape".to_owned()
@@ -80,9 +80,9 @@ pub fn hold_deeply(session: &Session) -> Result<(), String> {
 
 fn mirrored(face: &OpenFace) -> Result<(), String> {
     let document = face.document();
-    let Some(grip) = document.grip().filter(|grip| grip.settings.mirror == Mirror::On) else { return Ok(()) };
+    let Some(spec) = document.spec().filter(|spec| spec.settings.mirror == Mirror::On) else { return Ok(()) };
     let handles = document.handles();
-    let partner = |vertex: u32| document.partner(grip.level, vertex);
+    let partner = |vertex: u32| document.partner(spec.level, vertex);
     let is_closed = handles.iter().all(|&handle| partner(handle).is_some_and(|partner| handles.contains(&partner)));
     ensure(is_closed, || "a handle's partner is no handle".to_owned())
 }

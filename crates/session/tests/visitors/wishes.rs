@@ -4,8 +4,8 @@ use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use rosto_face::{Region, Triangulation};
 use rosto_session::{AnchorChoice, Intent, Pace, Preset, Selection, SelectionMode, Turntable};
-use rosto_stage::{Axis, Background, Dots, Light, NamedView, Paint, Pointer, Srgb, Theme, Wireframe};
-use rosto_studio::{Details, FaceSlider, Hold, Mirror, Operator, Switch};
+use rosto_stage::{Axis, Background, Dots, Light, NamedView, Pointer, ShadingMode, Srgb, Theme, Wireframe};
+use rosto_studio::{ConstraintKind, Details, FaceSlider, Mirror, Operator, Switch};
 
 use crate::faces::{SIZE_PX, found, worked_on};
 
@@ -41,8 +41,8 @@ fn choosing() -> impl Strategy<Value = Intent> {
     prop_oneof![
         any_of(&Preset::ALL).prop_map(Intent::Preset),
         any_of(&Operator::ALL).prop_map(Intent::Operator),
-        any_of(&[Hold::Exact, Hold::Soft { weight: 1.0 }]).prop_map(Intent::Hold),
-        prop_oneof![9 => Just(Details::Kept), 1 => Just(Details::Turned)].prop_map(Intent::Details),
+        any_of(&[ConstraintKind::Hard, ConstraintKind::Soft { weight: 1.0 }]).prop_map(Intent::Constraint),
+        prop_oneof![9 => Just(Details::Kept), 1 => Just(Details::AsRigidAsPossible)].prop_map(Intent::Details),
         any_of(&[AnchorChoice::Random, AnchorChoice::Oval, AnchorChoice::PinsOnly]).prop_map(Intent::Anchors),
         any_of(&[Mirror::On, Mirror::Off]).prop_map(Intent::Mirror),
         switch().prop_map(Intent::Nearby),
@@ -98,11 +98,18 @@ fn mesh() -> impl Strategy<Value = Intent> {
 }
 
 fn seeing() -> impl Strategy<Value = Intent> {
-    let paints =
-        [Paint::Photo, Paint::Colours, Paint::Clay, Paint::Normals, Paint::Response, Paint::Scalar, Paint::Bare];
+    let paints = [
+        ShadingMode::Photo,
+        ShadingMode::Colours,
+        ShadingMode::Clay,
+        ShadingMode::Normals,
+        ShadingMode::Response,
+        ShadingMode::Distortion,
+        ShadingMode::Bare,
+    ];
     let by_px = || (number(), number()).prop_map(|(x, y)| DVec2::new(x, y));
     prop_oneof![
-        any_of(&paints).prop_map(Intent::Paint),
+        any_of(&paints).prop_map(Intent::Shading),
         any_of(&[Wireframe::Shown, Wireframe::Hidden]).prop_map(Intent::Wireframe),
         any_of(&[Dots::None, Dots::NearPointer, Dots::All]).prop_map(Intent::Dots),
         any_of(&[Background::Ground, Background::Plain(Srgb([1, 2, 3]))]).prop_map(Intent::Background),
@@ -113,7 +120,7 @@ fn seeing() -> impl Strategy<Value = Intent> {
         by_px().prop_map(Intent::Orbit),
         by_px().prop_map(Intent::Pan),
         number().prop_map(Intent::Zoom),
-        any_of(&[NamedView::Front, NamedView::Left, NamedView::Top, NamedView::Reset]).prop_map(Intent::Look),
+        any_of(&[NamedView::Front, NamedView::Left, NamedView::Top, NamedView::Reset]).prop_map(Intent::GoTo),
         (0..3_000u32, 0..3_000u32, number()).prop_map(|(width, height, ratio)| Intent::Resize([width, height], ratio)),
         Just(Intent::Resize(SIZE_PX, 1.0)),
     ]

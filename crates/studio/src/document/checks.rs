@@ -3,7 +3,7 @@ use std::collections::HashSet;
 use rosto_laplacian::LaplacianError;
 
 use super::Document;
-use crate::{Command, Entry, Grip, StudioError};
+use crate::{Command, EditSpec, Entry, StudioError};
 
 /// No mesh is subdivided more often.
 pub const MAX_DENSITY: u32 = 4;
@@ -18,31 +18,31 @@ impl Document {
         match &entry.command {
             Command::Symmetrise { share } if (0.0..=1.0).contains(share) => Ok(()),
             &Command::Symmetrise { share } => Err(StudioError::Share { share }),
-            Command::Move { grip, offsets } => {
-                self.check_grip(grip)?;
-                let (expected, found) = (grip.handles.len(), offsets.len());
+            Command::Move { spec, offsets } => {
+                self.check_grip(spec)?;
+                let (expected, found) = (spec.handles.len(), offsets.len());
                 if expected != found {
                     return Err(StudioError::WrongOffsetCount { expected, found });
                 }
                 match offsets.iter().position(|offset| !offset.is_finite()) {
-                    Some(index) => Err(StudioError::OffsetNotFinite { handle: grip.handles[index] }),
+                    Some(index) => Err(StudioError::OffsetNotFinite { handle: spec.handles[index] }),
                     None => Ok(()),
                 }
             }
         }
     }
 
-    /// Refuses a grip on what no mesh of its density has, on a vertex twice, or on more than there is memory for.
-    pub(super) fn check_grip(&self, grip: &Grip) -> Result<(), StudioError> {
-        let vertex_count = self.vertices_at(grip.level)?;
-        let pins = &grip.settings.anchors.pins;
-        if let Some(&vertex) = grip.handles.iter().chain(pins).find(|vertex| **vertex as usize >= vertex_count) {
+    /// Refuses a spec on what no mesh of its density has, on a vertex twice, or on more than there is memory for.
+    pub(super) fn check_grip(&self, spec: &EditSpec) -> Result<(), StudioError> {
+        let vertex_count = self.vertices_at(spec.level)?;
+        let pins = &spec.settings.anchors.pins;
+        if let Some(&vertex) = spec.handles.iter().chain(pins).find(|vertex| **vertex as usize >= vertex_count) {
             return Err(LaplacianError::NoSuchVertex { vertex, vertex_count }.into());
         }
-        if let Some(vertex) = repeated(&grip.handles) {
+        if let Some(vertex) = repeated(&spec.handles) {
             return Err(LaplacianError::Repeated { vertex }.into());
         }
-        let (handles, most) = (grip.handles.len(), MOST_RESPONSES / vertex_count);
+        let (handles, most) = (spec.handles.len(), MOST_RESPONSES / vertex_count);
         if handles > most { Err(StudioError::TooManyHandles { handles, most }) } else { Ok(()) }
     }
 

@@ -4,25 +4,25 @@ use glam::DVec3;
 use rosto_laplacian::{LaplacianError, Response};
 
 use super::Document;
-use crate::grip::Held;
 use crate::level::Level;
-use crate::shape::{Room, Shape};
-use crate::{Details, Entry, Follow, Grip, Standing, StudioError, Switch};
+use crate::level_positions::{LevelPositions, Scratch};
+use crate::prepared_edit::PreparedEdit;
+use crate::{Details, EditSpec, Entry, InfluenceWeights, Standing, StudioError, Switch};
 
-/// The grip's offsets and the positions they lead to, while vertices are being moved.
+/// The spec's offsets and the positions they lead to, while vertices are being moved.
 pub(super) struct Preview {
     offsets: Vec<DVec3>,
     /// Of the mesh that is shown.
     positions: Vec<DVec3>,
-    shape: Shape,
-    room: Room,
+    shape: LevelPositions,
+    room: Scratch,
     under_way: bool,
 }
 
 impl Preview {
-    pub(super) fn none(unedited: &Shape) -> Self {
+    pub(super) fn none(unedited: &LevelPositions) -> Self {
         let (shape, positions) = (unedited.clone(), unedited.densest().to_vec());
-        Self { offsets: Vec::new(), positions, shape, room: Room::default(), under_way: false }
+        Self { offsets: Vec::new(), positions, shape, room: Scratch::default(), under_way: false }
     }
 
     /// Those of the mesh that is shown, while vertices are being moved.
@@ -33,14 +33,14 @@ impl Preview {
 
 /// The edit in progress.
 impl Document {
-    /// Takes hold of vertices: one solve. An edit in progress is cancelled; the grip stays over commits, so that the
+    /// Takes hold of vertices: one solve. An edit in progress is cancelled; the spec stays over commits, so that the
     /// same vertices can be moved again without another solve.
     ///
     /// # Errors
-    /// [`StudioError`] if the grip has no answer; what was held stays held.
-    pub fn hold(&mut self, grip: Grip) -> Result<(), StudioError> {
-        if self.held.as_ref().is_none_or(|held| *held.grip() != grip) {
-            let mut held = self.made_ready(grip)?;
+    /// [`StudioError`] if the spec has no answer; what was held stays held.
+    pub fn hold(&mut self, spec: EditSpec) -> Result<(), StudioError> {
+        if self.held.as_ref().is_none_or(|held| *held.spec() != spec) {
+            let mut held = self.made_ready(spec)?;
             let follow = self.followed(&mut held)?;
             (self.held, self.follow) = (Some(held), Some(follow));
         }
@@ -55,33 +55,33 @@ impl Document {
         self.follow = None;
     }
 
-    /// The grip that is held.
-    pub fn grip(&self) -> Option<&Grip> {
-        self.held.as_ref().map(Held::grip)
+    /// The spec that is held.
+    pub fn spec(&self) -> Option<&EditSpec> {
+        self.held.as_ref().map(PreparedEdit::spec)
     }
 
-    /// All vertices that move by their own offset: the grip's handles, then the partners that the mirror adds.
+    /// All vertices that move by their own offset: the spec's handles, then the partners that the mirror adds.
     pub fn handles(&self) -> &[u32] {
-        self.held.as_ref().map_or(&[], Held::handles)
+        self.held.as_ref().map_or(&[], PreparedEdit::handles)
     }
 
-    /// The vertices that the grip keeps in place.
+    /// The vertices that the spec keeps in place.
     pub fn anchors(&self) -> &[u32] {
-        self.held.as_ref().map_or(&[], Held::anchors)
+        self.held.as_ref().map_or(&[], PreparedEdit::anchors)
     }
 
-    /// How every vertex of the grip's level follows each of [`Self::handles`], if details keep their direction.
+    /// How every vertex of the spec's level follows each of [`Self::handles`], if details keep their direction.
     pub fn response(&self) -> Option<&Response> {
-        self.held.as_ref().map(Held::response)
+        self.held.as_ref().map(PreparedEdit::response)
     }
 
-    /// How every vertex shown follows the grip's handles when they move by one offset and details keep their direction.
+    /// How every vertex shown follows the spec's handles when they move by one offset and details keep their direction.
     /// Where details turn, the first guess that they start from.
-    pub fn follow(&self) -> Option<&Follow> {
+    pub fn follow(&self) -> Option<&InfluenceWeights> {
         self.follow.as_ref()
     }
 
-    /// Moves what is held by one offset for each of the grip's handles, counted from the last commit, in the document's
+    /// Moves what is held by one offset for each of the spec's handles, counted from the last commit, in the document's
     /// unit. Unless details turn: no solve and, after the first call, no allocation.
     ///
     /// # Errors
@@ -89,10 +89,10 @@ impl Document {
     pub fn preview(&mut self, offsets: &[DVec3]) -> Result<(), StudioError> {
         let held = self.held.as_ref().ok_or(StudioError::NothingHeld)?;
         if held.is_stale() {
-            self.held = Some(self.made_ready(held.grip().clone())?);
+            self.held = Some(self.made_ready(held.spec().clone())?);
         }
         let held = self.held.as_mut().ok_or(StudioError::NothingHeld)?;
-        let (from, preview) = (self.shapes.last(), &mut self.preview);
+        let (from, preview) = (self.replayed.last(), &mut self.preview);
         held.check(offsets)?;
         // Should details find no rest, nothing half moved stays.
         preview.under_way = false;
@@ -112,19 +112,19 @@ impl Document {
     /// nothing happens.
     pub fn commit(&mut self, label: &str) {
         if let (true, Some(held)) = (self.preview.under_way, &mut self.held) {
-            let (from, preview) = (self.shapes.last(), &mut self.preview);
+            let (from, preview) = (self.replayed.last(), &mut self.preview);
             if carried(&self.follow, held, &preview.offsets, self.density).is_some() {
                 let moved = preview.shape.displace(&self.levels, from, held, &preview.offsets, &mut preview.room);
                 moved.expect("invariant: the preview has checked these offsets");
             }
             let command = held.command(self.preview.offsets.clone());
             self.history.push(Entry { label: label.to_owned(), command, switch: Switch::On });
-            self.shapes.push(Arc::new(self.preview.shape.clone()), Standing::InForce);
+            self.replayed.push(Arc::new(self.preview.shape.clone()), Standing::InForce);
         }
         self.settle_down();
     }
 
-    /// Drops the edit in progress; the grip stays.
+    /// Drops the edit in progress; the spec stays.
     pub fn cancel(&mut self) {
         self.preview.under_way = false;
     }
@@ -137,24 +137,24 @@ impl Document {
         }
     }
 
-    fn made_ready(&mut self, grip: Grip) -> Result<Held, StudioError> {
-        self.check_grip(&grip)?;
-        made_ready(&mut self.levels, self.density, self.shapes.last(), grip)
+    fn made_ready(&mut self, spec: EditSpec) -> Result<PreparedEdit, StudioError> {
+        self.check_grip(&spec)?;
+        made_ready(&mut self.levels, self.density, self.replayed.last(), spec)
     }
 
-    /// What [`Self::follow`] says of a grip.
-    fn followed(&mut self, held: &mut Held) -> Result<Follow, StudioError> {
-        let from = self.shapes.last();
+    /// What [`Self::follow`] says of a spec.
+    fn followed(&mut self, held: &mut PreparedEdit) -> Result<InfluenceWeights, StudioError> {
+        let from = self.replayed.last();
         let mut kept = None;
-        if held.grip().settings.details == Details::Turned {
-            let mut grip = held.grip().clone();
-            grip.settings.details = Details::Kept;
-            kept = Some(made_ready(&mut self.levels, self.density, from, grip)?);
+        if held.spec().settings.details == Details::AsRigidAsPossible {
+            let mut spec = held.spec().clone();
+            spec.settings.details = Details::Kept;
+            kept = Some(made_ready(&mut self.levels, self.density, from, spec)?);
         }
         let held = kept.as_mut().unwrap_or(held);
         // Not the preview's own: an edit in progress stays as it is should this fail.
-        let (mut shape, mut room) = (Shape::clone(from), Room::default());
-        let handles = held.grip().handles.len();
+        let (mut shape, mut room) = (LevelPositions::clone(from), Scratch::default());
+        let handles = held.spec().handles.len();
         let mut along = |axis: DVec3| {
             shape.displace(&self.levels, from, held, &vec![axis; handles], &mut room)?;
             Ok::<_, StudioError>(shape.densest().iter().zip(from.densest()).map(|(to, at)| *to - *at).collect())
@@ -162,23 +162,33 @@ impl Document {
         let (along_x, along_y): (Vec<DVec3>, Vec<DVec3>) = (along(DVec3::X)?, along(DVec3::Y)?);
         match along_x.iter().chain(&along_y).position(|way| !way.is_finite()) {
             Some(place) => Err(LaplacianError::NotFinite { vertex: (place % along_x.len()) as u32 }.into()),
-            None => Ok(Follow::from_displacements(&along_x, &along_y)),
+            None => Ok(InfluenceWeights::from_displacements(&along_x, &along_y)),
         }
     }
 }
 
-pub(super) fn made_ready(levels: &mut [Level], density: u32, from: &Shape, grip: Grip) -> Result<Held, StudioError> {
-    let level = grip.level;
+pub(super) fn made_ready(
+    levels: &mut [Level],
+    density: u32,
+    from: &LevelPositions,
+    spec: EditSpec,
+) -> Result<PreparedEdit, StudioError> {
+    let level = spec.level;
     if level > density {
         return Err(StudioError::TooCoarse { level, density });
     }
-    Held::new(grip, &mut levels[level as usize], from.at(level))
+    PreparedEdit::new(spec, &mut levels[level as usize], from.at(level))
 }
 
-/// The short way from a grip to a denser mesh that is shown: what each tick would else carry over, level by level. Equal
+/// The short way from a spec to a denser mesh that is shown: what each tick would else carry over, level by level. Equal
 /// to it but for rounding, so that a commit takes the long way, as a replay does.
-fn carried<'a>(follow: &'a Option<Follow>, held: &Held, offsets: &[DVec3], density: u32) -> Option<&'a Follow> {
+fn carried<'a>(
+    follow: &'a Option<InfluenceWeights>,
+    held: &PreparedEdit,
+    offsets: &[DVec3],
+    density: u32,
+) -> Option<&'a InfluenceWeights> {
     let as_one = offsets.iter().all(|offset| *offset == offsets[0]);
-    let Grip { level, settings, .. } = held.grip();
+    let EditSpec { level, settings, .. } = held.spec();
     follow.as_ref().filter(|_| as_one && *level < density && settings.details == Details::Kept)
 }

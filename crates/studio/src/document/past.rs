@@ -3,8 +3,8 @@ use std::sync::Arc;
 use super::Document;
 use super::editing::made_ready;
 use crate::level::Level;
-use crate::shape::{Room, Shape};
-use crate::{Command, Entry, History, Standing, StudioError, Subject, Switch};
+use crate::level_positions::{LevelPositions, Scratch};
+use crate::{Command, EditTarget, Entry, History, Standing, StudioError, Switch};
 
 /// What was done, undone and switched. An entry that has no answer on the mesh that is shown is passed over, so that none
 /// of these can fail half-way.
@@ -16,7 +16,7 @@ impl Document {
 
     /// How an entry of the history takes part in the shape that is shown; none where there is no such entry.
     pub fn standing(&self, index: usize) -> Option<&Standing> {
-        self.shapes.standing(index)
+        self.replayed.standing(index)
     }
 
     /// Carries out a command as one entry of the history.
@@ -26,12 +26,12 @@ impl Document {
     pub fn apply(&mut self, label: &str, command: Command) -> Result<(), StudioError> {
         let entry = Entry { label: label.to_owned(), command, switch: Switch::On };
         self.check(&entry)?;
-        let (shape, standing) = carried_out(&mut self.levels, self.density, self.shapes.last(), &entry);
+        let (shape, standing) = carried_out(&mut self.levels, self.density, self.replayed.last(), &entry);
         if let Standing::Impossible(reason) = standing {
             return Err(reason);
         }
         self.history.push(entry);
-        self.shapes.push(shape, standing);
+        self.replayed.push(shape, standing);
         self.settle_down();
         Ok(())
     }
@@ -69,9 +69,9 @@ impl Document {
         Ok(self.switch_where(|place, _| place == index, switch))
     }
 
-    /// Switches every entry that works on `subject` off, as one change. Returns the first that was on.
-    pub fn switch_off(&mut self, subject: Subject) -> Option<usize> {
-        self.switch_where(|_, entry| entry.command.subject() == subject, Switch::Off)
+    /// Switches every entry that works on `target` off, as one change. Returns the first that was on.
+    pub fn switch_off(&mut self, target: EditTarget) -> Option<usize> {
+        self.switch_where(|_, entry| entry.command.target() == target, Switch::Off)
     }
 
     fn switch_where(&mut self, which: impl Fn(usize, &Entry) -> bool, switch: Switch) -> Option<usize> {
@@ -82,10 +82,10 @@ impl Document {
 
     /// Carries the entries from `first` on out again.
     pub(super) fn follow_history(&mut self, first: usize) {
-        self.shapes.truncate(first);
-        for entry in &self.history.entries()[self.shapes.count()..] {
-            let (shape, standing) = carried_out(&mut self.levels, self.density, self.shapes.last(), entry);
-            self.shapes.push(shape, standing);
+        self.replayed.truncate(first);
+        for entry in &self.history.entries()[self.replayed.count()..] {
+            let (shape, standing) = carried_out(&mut self.levels, self.density, self.replayed.last(), entry);
+            self.replayed.push(shape, standing);
         }
         self.settle_down();
     }
@@ -93,7 +93,7 @@ impl Document {
     /// What each entry displaced the mesh that is shown by; they add up to the way from [`Self::rest`] to
     /// [`Self::committed`].
     pub fn displacements(&mut self) -> Vec<Vec<glam::DVec3>> {
-        let mut from = Arc::clone(self.shapes.unedited());
+        let mut from = Arc::clone(self.replayed.unedited());
         let mut layers = Vec::with_capacity(self.history.entries().len());
         for entry in self.history.entries() {
             let (to, _) = carried_out(&mut self.levels, self.density, &from, entry);
@@ -105,10 +105,15 @@ impl Document {
 }
 
 /// The shape that `entry` makes of the one before it: that one itself, unless the entry is in force.
-fn carried_out(levels: &mut [Level], density: u32, from: &Arc<Shape>, entry: &Entry) -> (Arc<Shape>, Standing) {
+fn carried_out(
+    levels: &mut [Level],
+    density: u32,
+    from: &Arc<LevelPositions>,
+    entry: &Entry,
+) -> (Arc<LevelPositions>, Standing) {
     let standing = match &entry.command {
         _ if entry.switch == Switch::Off => Standing::Off,
-        Command::Move { grip, .. } if grip.level > density => Standing::Waits { level: grip.level },
+        Command::Move { spec, .. } if spec.level > density => Standing::Waits { level: spec.level },
         command => match moved(levels, density, from, command) {
             Ok(shape) => return (Arc::new(shape), Standing::InForce),
             Err(reason) => Standing::Impossible(reason),
@@ -117,12 +122,17 @@ fn carried_out(levels: &mut [Level], density: u32, from: &Arc<Shape>, entry: &En
     (Arc::clone(from), standing)
 }
 
-fn moved(levels: &mut [Level], density: u32, from: &Shape, command: &Command) -> Result<Shape, StudioError> {
+fn moved(
+    levels: &mut [Level],
+    density: u32,
+    from: &LevelPositions,
+    command: &Command,
+) -> Result<LevelPositions, StudioError> {
     let mut shape = from.clone();
     match command {
-        Command::Move { grip, offsets } => {
-            let mut held = made_ready(levels, density, from, grip.clone())?;
-            shape.displace(levels, from, &mut held, offsets, &mut Room::default())?;
+        Command::Move { spec, offsets } => {
+            let mut held = made_ready(levels, density, from, spec.clone())?;
+            shape.displace(levels, from, &mut held, offsets, &mut Scratch::default())?;
         }
         &Command::Symmetrise { share } => shape.symmetrise(levels, share)?,
     }

@@ -2,15 +2,15 @@ use glam::DVec3;
 use rosto_face::{LANDMARK_COUNT, Language, place_near};
 
 use super::Document;
-use crate::Subject;
+use crate::EditTarget;
 
 /// Vertices of the mesh that is shown, beside the landmarks.
 impl Document {
-    /// What people call a subject: of a point of a denser mesh also where it is, once that mesh was shown.
-    pub fn name_of(&self, subject: Subject, language: Language) -> String {
-        let name = subject.name(language);
-        match subject {
-            Subject::Point { level, vertex } => match self.landmark_beside(level, vertex) {
+    /// What people call a target: of a point of a denser mesh also where it is, once that mesh was shown.
+    pub fn name_of(&self, target: EditTarget, language: Language) -> String {
+        let name = target.name(language);
+        match target {
+            EditTarget::Point { level, vertex } => match self.landmark_beside(level, vertex) {
                 Some(landmark) => format!("{name} {}", place_near(landmark, language)),
                 None => name,
             },

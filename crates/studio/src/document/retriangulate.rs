@@ -4,7 +4,7 @@ use super::Document;
 use super::{MAX_DENSITY, points::nearest};
 use crate::level::{Level, Rest};
 use crate::mirror::{MirrorTable, reflected};
-use crate::{Command, Grip, Mirror, StudioError};
+use crate::{Command, EditSpec, Mirror, StudioError};
 
 impl Document {
     /// A document over the same landmarks, joined by other triangles, that goes on with the history of this one and with
@@ -16,18 +16,18 @@ impl Document {
     pub fn over(&mut self, rest: Rest) -> Result<Self, StudioError> {
         let mut document = Self::new(rest)?;
         let levels = self.history.commands().filter_map(|command| match command {
-            Command::Move { grip, .. } => Some(grip.level),
+            Command::Move { spec, .. } => Some(spec.level),
             Command::Symmetrise { .. } => None,
         });
         let highest = levels.filter(|level| *level <= MAX_DENSITY).max().unwrap_or(0);
         self.subdivide_to(highest);
         document.subdivide_to(highest);
         let history = self.history.clone().with_commands(|command| {
-            if let Command::Move { grip, offsets } = command
-                && (1..=highest).contains(&grip.level)
+            if let Command::Move { spec, offsets } = command
+                && (1..=highest).contains(&spec.level)
             {
-                let level = grip.level as usize;
-                carry_over(grip, offsets, &self.levels[level], &document.levels[level]);
+                let level = spec.level as usize;
+                carry_over(spec, offsets, &self.levels[level], &document.levels[level]);
             }
         });
         document.history = history;
@@ -36,24 +36,24 @@ impl Document {
     }
 }
 
-fn carry_over(grip: &mut Grip, offsets: &mut Vec<DVec3>, from: &Level, to: &Level) {
-    if grip.settings.mirror == Mirror::On
+fn carry_over(spec: &mut EditSpec, offsets: &mut Vec<DVec3>, from: &Level, to: &Level) {
+    if spec.settings.mirror == Mirror::On
         && to.mirror().is_err()
         && let Ok(table) = from.mirror()
     {
-        spell_out_mirror(grip, offsets, table);
+        spell_out_mirror(spec, offsets, table);
     }
     let found = |vertex: u32| match from.rest().get(vertex as usize) {
         Some(place) => nearest(to.rest(), *place).unwrap_or(vertex),
         None => vertex,
     };
-    let handles: Vec<u32> = grip.handles.iter().map(|handle| found(*handle)).collect();
-    (grip.handles, *offsets) = merged(&handles, offsets);
-    let pins = &mut grip.settings.anchors.pins;
+    let handles: Vec<u32> = spec.handles.iter().map(|handle| found(*handle)).collect();
+    (spec.handles, *offsets) = merged(&handles, offsets);
+    let pins = &mut spec.settings.anchors.pins;
     pins.iter_mut().for_each(|pin| *pin = found(*pin));
     pins.sort_unstable();
     pins.dedup();
-    pins.retain(|pin| !grip.handles.contains(pin));
+    pins.retain(|pin| !spec.handles.contains(pin));
 }
 
 /// Each handle once: those that have come to lie on one vertex move it by the mean of their offsets.
@@ -69,20 +69,20 @@ fn merged(handles: &[u32], offsets: &[DVec3]) -> (Vec<u32>, Vec<DVec3>) {
 }
 
 /// Where the other mesh has no mirror images, partners become handles of their own.
-fn spell_out_mirror(grip: &mut Grip, offsets: &mut Vec<DVec3>, table: &MirrorTable) {
-    let given = grip.handles.len();
-    grip.handles = table.closure(&grip.handles);
-    for (handle, offset) in grip.handles.iter().zip(offsets.iter_mut()) {
+fn spell_out_mirror(spec: &mut EditSpec, offsets: &mut Vec<DVec3>, table: &MirrorTable) {
+    let given = spec.handles.len();
+    spec.handles = table.closure(&spec.handles);
+    for (handle, offset) in spec.handles.iter().zip(offsets.iter_mut()) {
         if table.partner(*handle) == *handle {
             offset.x = 0.0;
         }
     }
-    let added = grip.handles[given..].iter().map(|handle| {
-        let place = grip.handles[..given].iter().position(|given| table.partner(*given) == *handle);
+    let added = spec.handles[given..].iter().map(|handle| {
+        let place = spec.handles[..given].iter().position(|given| table.partner(*given) == *handle);
         reflected(offsets[place.expect("invariant: a partner was added for one of the handles")])
     });
     let added: Vec<DVec3> = added.collect();
     offsets.extend(added);
-    grip.settings.anchors.pins = table.closure(&grip.settings.anchors.pins);
-    grip.settings.mirror = Mirror::Off;
+    spec.settings.anchors.pins = table.closure(&spec.settings.anchors.pins);
+    spec.settings.mirror = Mirror::Off;
 }

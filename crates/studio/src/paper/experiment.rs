@@ -2,7 +2,8 @@ use std::time::Duration;
 
 use glam::DVec3;
 use rosto_laplacian::{
-    Constraints, Distortion, DistortionSummary, Hold, LaplacianError, LaplacianSystem, Operator, random_anchors,
+    ConstraintKind, Constraints, Distortion, DistortionSummary, LaplacianError, LaplacianSystem, Operator,
+    random_anchors,
 };
 use rosto_mesh::Topology;
 
@@ -18,14 +19,17 @@ pub struct Method {
     /// What δ-coordinates are taken with.
     pub operator: Operator,
     /// How firmly handle and anchors are held.
-    pub hold: Hold,
+    pub constraint: ConstraintKind,
 }
 
 impl Method {
     /// Every operator, softly and exactly held; the paper's own first.
     pub fn all() -> Vec<Self> {
-        let holds = [Hold::default(), Hold::Exact];
-        Operator::ALL.into_iter().flat_map(|operator| holds.map(|hold| Self { operator, hold })).collect()
+        let constraints = [ConstraintKind::default(), ConstraintKind::Hard];
+        Operator::ALL
+            .into_iter()
+            .flat_map(|operator| constraints.map(|constraint| Self { operator, constraint }))
+            .collect()
     }
 }
 
@@ -125,8 +129,8 @@ impl Trial {
     /// [`LaplacianError`] if the edit has no answer.
     pub fn edit(&self, experiment: &Experiment, plan: &Plan) -> Result<Vec<DVec3>, LaplacianError> {
         let system = LaplacianSystem::new(&experiment.topology, &self.positions, self.method.operator)?;
-        let (handles, hold) = ([plan.vertex], self.method.hold);
-        let constraints = Constraints { handles: &handles, anchors: &plan.anchors, hold, region: None };
+        let (handles, constraint) = ([plan.vertex], self.method.constraint);
+        let constraints = Constraints { handles: &handles, anchors: &plan.anchors, kind: constraint, falloff: None };
         let mut edited = self.positions.clone();
         system.respond(&constraints)?.displace(&self.positions, &[OFFSETS[plan.round]], &mut edited);
         Ok(edited)

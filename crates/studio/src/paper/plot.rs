@@ -27,18 +27,18 @@ pub fn svg(trials: &[Trial], size_px: [f64; 2], words: &PlotWords) -> String {
     let edits: Vec<&TimedEdit> = trials.iter().flat_map(Trial::edits).collect();
     let greatest_ms = edits.iter().map(|edit| edit.time.as_secs_f64() * 1e3).fold(0.0, f64::max);
     let [width, height] = size_px;
-    let frame = Frame { width, height, top_ms: round_up(greatest_ms) };
-    let mut shapes = frame.axes(words);
+    let axes = Axes { width, height, top_ms: round_up(greatest_ms) };
+    let mut shapes = axes.axes(words);
     for (round, (class, colour)) in ROUNDS.into_iter().enumerate() {
         let marks: Vec<String> = DEGREES
             .into_iter()
             .enumerate()
             .flat_map(|(column, degree)| {
                 let of_cell = edits.iter().filter(move |edit| edit.plan.degree == degree && edit.plan.round == round);
-                let dots = of_cell.enumerate().map(|(index, edit)| frame.dot(column, round, index, edit));
-                dots.chain([frame.bar(column, round, &edits, degree)]).collect::<Vec<_>>()
+                let dots = of_cell.enumerate().map(|(index, edit)| axes.dot(column, round, index, edit));
+                dots.chain([axes.bar(column, round, &edits, degree)]).collect::<Vec<_>>()
             })
-            .chain([frame.legend(round, words)])
+            .chain([axes.legend(round, words)])
             .collect();
         shapes.push(format!("<g class=\"{class}\" color=\"{colour}\">\n{}\n</g>", marks.join("\n")));
     }
@@ -51,13 +51,13 @@ pub fn svg(trials: &[Trial], size_px: [f64; 2], words: &PlotWords) -> String {
     )
 }
 
-struct Frame {
+struct Axes {
     width: f64,
     height: f64,
     top_ms: f64,
 }
 
-impl Frame {
+impl Axes {
     fn y(&self, ms: f64) -> f64 {
         self.height - BOTTOM - (self.height - TOP - BOTTOM) * ms / self.top_ms
     }

@@ -1,10 +1,10 @@
 use glam::DVec3;
-use rosto_laplacian::Hold;
+use rosto_laplacian::ConstraintKind;
 use serde_json::Value;
 use thiserror::Error;
 
 use super::{VERSION, operator_from_name};
-use crate::{AnchorKind, Anchors, Command, Details, Entry, Grip, Mirror, Reach, Settings, Switch};
+use crate::{AnchorKind, Anchors, Command, Details, EditSpec, Entry, Mirror, RegionOfInfluence, Settings, Switch};
 
 /// Why text is no history.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -59,18 +59,18 @@ fn entry(value: &Value) -> FieldResult<Entry> {
         _ => return Err("switch"),
     };
     let command = match (value.get("move"), value.get("symmetrise")) {
-        (Some(movement), None) => Command::Move { grip: grip(movement)?, offsets: offsets(&movement["offsets"])? },
+        (Some(movement), None) => Command::Move { spec: spec(movement)?, offsets: offsets(&movement["offsets"])? },
         (None, Some(symmetrise)) => Command::Symmetrise { share: symmetrise["share"].as_f64().ok_or("share")? },
         _ => return Err("move or symmetrise"),
     };
     Ok(Entry { label, command, switch })
 }
 
-fn grip(value: &Value) -> FieldResult<Grip> {
+fn spec(value: &Value) -> FieldResult<EditSpec> {
     let operator = value["operator"].as_str().and_then(operator_from_name).ok_or("operator")?;
-    let hold = match &value["hold"] {
-        Value::String(word) if word == "exact" => Hold::Exact,
-        soft => Hold::Soft { weight: soft["soft"].as_f64().ok_or("hold")? },
+    let constraint = match &value["hold"] {
+        Value::String(word) if word == "exact" => ConstraintKind::Hard,
+        soft => ConstraintKind::Soft { weight: soft["soft"].as_f64().ok_or("hold")? },
     };
     let mirror = match value["mirror"].as_str() {
         Some("on") => Mirror::On,
@@ -78,17 +78,17 @@ fn grip(value: &Value) -> FieldResult<Grip> {
         _ => return Err("mirror"),
     };
     let reach = match &value["reach"] {
-        Value::String(word) if word == "whole" => Reach::Whole,
-        within => Reach::Within { radius: within["within"].as_f64().ok_or("reach")? },
+        Value::String(word) if word == "whole" => RegionOfInfluence::Whole,
+        within => RegionOfInfluence::Within { radius: within["within"].as_f64().ok_or("reach")? },
     };
     let details = match value["details"].as_str() {
         Some("kept") => Details::Kept,
-        Some("turned") => Details::Turned,
+        Some("turned") => Details::AsRigidAsPossible,
         _ => return Err("details"),
     };
-    let settings = Settings { operator, hold, anchors: anchors(&value["anchors"])?, reach, mirror, details };
+    let settings = Settings { operator, constraint, anchors: anchors(&value["anchors"])?, reach, mirror, details };
     let level = value["level"].as_u64().and_then(|level| level.try_into().ok()).ok_or("level")?;
-    Ok(Grip { level, handles: vertices(&value["handles"]).ok_or("handles")?, settings })
+    Ok(EditSpec { level, handles: vertices(&value["handles"]).ok_or("handles")?, settings })
 }
 
 fn anchors(value: &Value) -> FieldResult<Anchors> {

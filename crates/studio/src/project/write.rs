@@ -1,8 +1,8 @@
-use rosto_laplacian::Hold;
+use rosto_laplacian::ConstraintKind;
 use serde_json::{Value, json};
 
 use super::{VERSION, operator_name};
-use crate::{AnchorKind, Command, Details, Entry, Grip, Mirror, Reach, Switch};
+use crate::{AnchorKind, Command, Details, EditSpec, Entry, Mirror, RegionOfInfluence, Switch};
 
 /// The entries as JSON text.
 pub fn to_json(entries: &[Entry]) -> String {
@@ -17,20 +17,20 @@ fn entry(entry: &Entry) -> Value {
     };
     let mut object = json!({"label": entry.label, "switch": switch});
     match &entry.command {
-        Command::Move { grip, offsets } => {
+        Command::Move { spec, offsets } => {
             let offsets: Vec<Value> = offsets.iter().map(|offset| json!([offset.x, offset.y, offset.z])).collect();
-            object["move"] = movement(grip, offsets);
+            object["move"] = movement(spec, offsets);
         }
         Command::Symmetrise { share } => object["symmetrise"] = json!({"share": share}),
     }
     object
 }
 
-fn movement(grip: &Grip, offsets: Vec<Value>) -> Value {
-    let settings = &grip.settings;
-    let hold = match settings.hold {
-        Hold::Soft { weight } => json!({"soft": weight}),
-        Hold::Exact => json!("exact"),
+fn movement(spec: &EditSpec, offsets: Vec<Value>) -> Value {
+    let settings = &spec.settings;
+    let constraint = match settings.constraint {
+        ConstraintKind::Soft { weight } => json!({"soft": weight}),
+        ConstraintKind::Hard => json!("exact"),
     };
     let kind = match settings.anchors.kind {
         AnchorKind::PinsOnly => json!("pins"),
@@ -39,8 +39,8 @@ fn movement(grip: &Grip, offsets: Vec<Value>) -> Value {
         AnchorKind::Outside { radius } => json!({"outside": radius}),
     };
     let reach = match settings.reach {
-        Reach::Whole => json!("whole"),
-        Reach::Within { radius } => json!({"within": radius}),
+        RegionOfInfluence::Whole => json!("whole"),
+        RegionOfInfluence::Within { radius } => json!({"within": radius}),
     };
     let mirror = match settings.mirror {
         Mirror::Off => "off",
@@ -48,14 +48,14 @@ fn movement(grip: &Grip, offsets: Vec<Value>) -> Value {
     };
     let details = match settings.details {
         Details::Kept => "kept",
-        Details::Turned => "turned",
+        Details::AsRigidAsPossible => "turned",
     };
     json!({
-        "level": grip.level,
-        "handles": grip.handles,
+        "level": spec.level,
+        "handles": spec.handles,
         "offsets": offsets,
         "operator": operator_name(settings.operator),
-        "hold": hold,
+        "hold": constraint,
         "anchors": {"kind": kind, "pins": settings.anchors.pins},
         "reach": reach,
         "mirror": mirror,

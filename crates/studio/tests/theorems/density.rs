@@ -48,15 +48,15 @@ fn an_edit_of_the_dense_mesh_leaves_the_cage_and_waits_while_the_cage_is_shown()
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
     let cage = bits(document.positions());
     document.set_density(1).unwrap();
-    let settings = Settings { hold: Hold::Exact, ..Settings::default() };
-    let grip = Grip { level: 1, handles: vec![1_000], settings };
-    document.apply("detail", Command::Move { grip: grip.clone(), offsets: vec![DVec3::Z * 0.003] }).unwrap();
+    let settings = Settings { constraint: ConstraintKind::Hard, ..Settings::default() };
+    let spec = EditSpec { level: 1, handles: vec![1_000], settings };
+    document.apply("detail", Command::Move { spec: spec.clone(), offsets: vec![DVec3::Z * 0.003] }).unwrap();
     let moved = document.positions()[1_000] - document.rest()[1_000];
     assert!((moved - DVec3::Z * 0.003).length() < 1e-12);
     let dense = bits(document.positions());
     document.set_density(0).unwrap();
     assert_eq!(bits(document.positions()), cage);
-    assert_eq!(document.hold(grip), Err(StudioError::TooCoarse { level: 1, density: 0 }));
+    assert_eq!(document.hold(spec), Err(StudioError::TooCoarse { level: 1, density: 0 }));
     document.set_density(1).unwrap();
     assert_eq!(bits(document.positions()), dense);
 }
@@ -65,8 +65,8 @@ fn an_edit_of_the_dense_mesh_leaves_the_cage_and_waits_while_the_cage_is_shown()
 fn a_mirrored_edit_of_the_dense_mesh_is_symmetric() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
     document.set_density(1).unwrap();
-    let settings = Settings { mirror: Mirror::On, hold: Hold::Exact, ..Settings::default() };
-    document.hold(Grip { level: 1, handles: vec![1_000], settings }).unwrap();
+    let settings = Settings { mirror: Mirror::On, constraint: ConstraintKind::Hard, ..Settings::default() };
+    document.hold(EditSpec { level: 1, handles: vec![1_000], settings }).unwrap();
     let offset = DVec3::new(0.002, 0.001, 0.003);
     document.preview(&[offset]).unwrap();
     let [handle, partner] = document.handles() else { panic!("two handles") };
@@ -94,9 +94,10 @@ fn on_a_dense_mesh_a_tick_shows_what_its_commit_keeps() {
     ] {
         let mut document = Document::new(canonical(triangulation)).unwrap();
         document.set_density(2).unwrap();
-        let settings = Settings { mirror, hold: Hold::Exact, operator: Operator::Cotangent, ..Settings::default() };
+        let settings =
+            Settings { mirror, constraint: ConstraintKind::Hard, operator: Operator::Cotangent, ..Settings::default() };
         let offsets = vec![DVec3::new(0.004, -0.003, 0.007); handles.len()];
-        document.hold(Grip { handles, settings, ..Grip::default() }).unwrap();
+        document.hold(EditSpec { handles, settings, ..EditSpec::default() }).unwrap();
         document.preview(&offsets).unwrap();
         let shown = document.positions().to_vec();
         document.commit("a tick");
@@ -118,7 +119,7 @@ fn handles_that_move_as_one_tell_how_the_mesh_follows_them() {
         let settings = Settings { mirror, ..Settings::default() };
         let offset = DVec3::new(0.004, -0.003, 0.007);
         let offsets = vec![offset; handles.len()];
-        document.hold(Grip { handles, settings, ..Grip::default() }).unwrap();
+        document.hold(EditSpec { handles, settings, ..EditSpec::default() }).unwrap();
         let follow = document.follow().unwrap().clone();
         document.preview(&offsets).unwrap();
         for (vertex, (now, before)) in document.positions().iter().zip(document.committed()).enumerate() {
@@ -127,17 +128,17 @@ fn handles_that_move_as_one_tell_how_the_mesh_follows_them() {
             assert!(now.distance(predicted) < 1e-12, "vertex {vertex} at density {density}, {mirror:?}");
         }
     }
-    document.hold(Grip { handles: vec![61], ..Grip::default() }).unwrap();
+    document.hold(EditSpec { handles: vec![61], ..EditSpec::default() }).unwrap();
     let kept = document.follow().cloned();
-    let turned = Settings { details: Details::Turned, ..Settings::default() };
-    document.hold(Grip { handles: vec![61], settings: turned, ..Grip::default() }).unwrap();
+    let turned = Settings { details: Details::AsRigidAsPossible, ..Settings::default() };
+    document.hold(EditSpec { handles: vec![61], settings: turned, ..EditSpec::default() }).unwrap();
     assert_eq!(document.follow(), kept.as_ref());
 }
 
 fn detail(level: u32, handle: u32, mirror: Mirror) -> Command {
-    let settings = Settings { mirror, hold: Hold::Exact, ..Settings::default() };
+    let settings = Settings { mirror, constraint: ConstraintKind::Hard, ..Settings::default() };
     let offsets = vec![DVec3::new(0.001, 0.0, 0.003)];
-    Command::Move { grip: Grip { level, handles: vec![handle], settings }, offsets }
+    Command::Move { spec: EditSpec { level, handles: vec![handle], settings }, offsets }
 }
 
 /// Where the last entry moved the mesh furthest, at rest, and how far.

@@ -9,7 +9,7 @@ pub const MIRROR: DVec3 = DVec3::new(-1.0, 1.0, 1.0);
 
 /// The canonical face in metres: exactly symmetric.
 pub fn canonical(triangulation: Triangulation) -> Rest {
-    Rest::new(triangulation.topology(), canonical_positions_m(), Frame::Model)
+    Rest::new(triangulation.topology(), canonical_positions_m(), CoordinateFrame::Model)
 }
 
 /// The sample portrait's face in metres: as asymmetric as faces are.
@@ -33,15 +33,15 @@ fn portrait_landmarks() -> Vec<[f32; 3]> {
     rows.map(|p| [0, 1, 2].map(|axis| p[axis].as_f64().unwrap() as f32)).collect()
 }
 
-/// A mirrored grip of one vertex, held exactly.
-pub fn mirrored_grip(vertex: u32) -> Grip {
-    let settings = Settings { mirror: Mirror::On, hold: Hold::Exact, ..Settings::default() };
-    Grip { level: 0, handles: vec![vertex], settings }
+/// A mirrored spec of one vertex, held exactly.
+pub fn mirrored_grip(vertex: u32) -> EditSpec {
+    let settings = Settings { mirror: Mirror::On, constraint: ConstraintKind::Hard, ..Settings::default() };
+    EditSpec { level: 0, handles: vec![vertex], settings }
 }
 
 pub fn single_move(vertex: u32, offset: DVec3) -> Command {
     Command::Move {
-        grip: Grip { level: 0, handles: vec![vertex], settings: Settings::default() },
+        spec: EditSpec { level: 0, handles: vec![vertex], settings: Settings::default() },
         offsets: vec![offset],
     }
 }

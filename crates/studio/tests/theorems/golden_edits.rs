@@ -28,13 +28,13 @@ fn every_sequence_ends_where_the_pseudo_inverse_does() {
         let canonical = case["topology"] != "tess";
         let triangulation = if canonical { Triangulation::Canonical } else { Triangulation::Tessellation };
         let operator = if case["operator"] == "D-A" { Operator::UniformSymmetric } else { Operator::Uniform };
-        let rest = Rest::new(triangulation.topology(), vectors(&golden["rest_positions"]), Frame::Other);
+        let rest = Rest::new(triangulation.topology(), vectors(&golden["rest_positions"]), CoordinateFrame::Other);
         let mut document = Document::new(rest).unwrap();
         for step in case["steps"].as_array().unwrap() {
             let anchors = Anchors::explicit(step["anchors"].as_array().unwrap().iter().map(vertex).collect());
             let settings = Settings { operator, anchors, ..Settings::default() };
-            let grip = Grip { level: 0, handles: vec![vertex(&step["vertex"])], settings };
-            document.apply("step", Command::Move { grip, offsets: vec![vector(&step["offset"])] }).unwrap();
+            let spec = EditSpec { level: 0, handles: vec![vertex(&step["vertex"])], settings };
+            document.apply("step", Command::Move { spec, offsets: vec![vector(&step["offset"])] }).unwrap();
         }
         let expected = vectors(&case["expected_final"]);
         let worst = document.positions().iter().zip(expected).map(|(a, b)| (*a - b).abs().max_element());

@@ -17,19 +17,19 @@ fn any_command(random: &mut Seeded) -> Command {
     }
     let settings = Settings {
         operator: Operator::ALL[random.below(5)],
-        hold: [Hold::Exact, Hold::Soft { weight: 2.5 }][random.below(2)],
+        constraint: [ConstraintKind::Hard, ConstraintKind::Soft { weight: 2.5 }][random.below(2)],
         anchors: match random.below(4) {
             0 => Anchors::default(),
             1 => Anchors::random(17),
             2 => Anchors { kind: AnchorKind::Outside { radius: 0.05 }, pins: vec![] },
             _ => Anchors::explicit(vec![467]),
         },
-        reach: [Reach::Whole, Reach::Within { radius: 0.06 }][random.below(2)],
+        reach: [RegionOfInfluence::Whole, RegionOfInfluence::Within { radius: 0.06 }][random.below(2)],
         mirror: [Mirror::On, Mirror::Off][random.below(2)],
-        details: [Details::Turned, Details::Kept, Details::Kept, Details::Kept][random.below(4)],
+        details: [Details::AsRigidAsPossible, Details::Kept, Details::Kept, Details::Kept][random.below(4)],
     };
-    let grip = Grip { level: 0, handles: vec![random.below(200) as u32], settings };
-    Command::Move { grip, offsets: vec![random.vector() * 0.02] }
+    let spec = EditSpec { level: 0, handles: vec![random.below(200) as u32], settings };
+    Command::Move { spec, offsets: vec![random.vector() * 0.02] }
 }
 
 fn any_commands(seed: u64) -> Vec<Command> {
@@ -124,10 +124,10 @@ fn cancelling_a_drag_leaves_nothing_behind_and_the_grip_in_hand() {
     document.commit("nothing");
     assert_eq!(bits(document.positions()), rest);
     assert!(document.history().entries().is_empty());
-    assert_eq!(document.grip(), Some(&mirrored_grip(61)));
+    assert_eq!(document.spec(), Some(&mirrored_grip(61)));
     document.preview(&[DVec3::splat(0.01)]).unwrap();
     document.release();
-    assert_eq!((bits(document.positions()), document.grip()), (rest, None));
+    assert_eq!((bits(document.positions()), document.spec()), (rest, None));
 }
 
 #[test]
@@ -204,7 +204,7 @@ fn nothing_to_change_is_no_step() {
     assert!(!document.history().can_undo() && !document.history().can_redo());
     document.apply("one", single_move(4, DVec3::Z * 0.01)).unwrap();
     document.switch(0, Switch::On).unwrap();
-    assert_eq!(document.switch_off(Subject::Landmark(152)), None);
+    assert_eq!(document.switch_off(EditTarget::Landmark(152)), None);
     document.undo().unwrap();
     assert!(document.history().entries().is_empty());
 }
@@ -220,7 +220,7 @@ fn all_edits_of_one_landmark_are_switched_off_together() {
         }
     }
     let all = bits(document.positions());
-    document.switch_off(Subject::Landmark(4)).unwrap();
+    document.switch_off(EditTarget::Landmark(4)).unwrap();
     assert_eq!(bits(document.positions()), bits(others.positions()));
     let on: Vec<bool> = document.history().entries().iter().map(|entry| entry.switch == Switch::On).collect();
     assert_eq!(on, [false, true, false, true, false]);
@@ -266,7 +266,7 @@ fn a_refused_command_changes_nothing() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
     document.apply("one", single_move(4, DVec3::Z * 0.01)).unwrap();
     let before = bits(document.positions());
-    let pinned = Grip {
+    let pinned = EditSpec {
         level: 0,
         handles: vec![4],
         settings: Settings { anchors: Anchors::explicit(vec![4, 9]), ..Settings::default() },
@@ -274,8 +274,8 @@ fn a_refused_command_changes_nothing() {
     let refused = [
         single_move(468, DVec3::Z),
         single_move(4, DVec3::splat(f64::NAN)),
-        Command::Move { grip: pinned, offsets: vec![DVec3::Z] },
-        Command::Move { grip: mirrored_grip(4), offsets: vec![] },
+        Command::Move { spec: pinned, offsets: vec![DVec3::Z] },
+        Command::Move { spec: mirrored_grip(4), offsets: vec![] },
         Command::Symmetrise { share: 1.5 },
     ];
     for command in refused {

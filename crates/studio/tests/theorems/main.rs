@@ -13,7 +13,7 @@ mod robust;
 #[path = "../../../../tests/seeded.rs"]
 mod seeded;
 mod sliders;
-mod subjects;
+mod targets;
 
 #[cfg(target_arch = "wasm32")]
 wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);

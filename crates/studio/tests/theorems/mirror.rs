@@ -28,19 +28,19 @@ fn the_change_is_its_own_mirror_image_and_asymmetry_survives() {
     for _ in 0..16 {
         let settings = Settings {
             operator: Operator::ALL[random.below(5)],
-            hold: [Hold::Exact, Hold::default()][random.below(2)],
+            constraint: [ConstraintKind::Hard, ConstraintKind::default()][random.below(2)],
             anchors: [Anchors::default(), Anchors::random(random.bits())][random.below(2)].clone(),
             mirror: Mirror::On,
             ..Settings::default()
         };
-        let grip = Grip { level: 0, handles: vec![random.below(468) as u32], settings };
+        let spec = EditSpec { level: 0, handles: vec![random.below(468) as u32], settings };
         let offset = random.vector() * 0.02;
         for rest in [canonical(Triangulation::Canonical), portrait(Triangulation::Tessellation)] {
             let mut document = Document::new(rest).unwrap();
-            document.apply("mirrored", Command::Move { grip: grip.clone(), offsets: vec![offset] }).unwrap();
-            assert!(lopsidedness_m(document.rest(), document.positions()) < TOLERANCE_M, "{grip:?}");
+            document.apply("mirrored", Command::Move { spec: spec.clone(), offsets: vec![offset] }).unwrap();
+            assert!(lopsidedness_m(document.rest(), document.positions()) < TOLERANCE_M, "{spec:?}");
             let (before, after) = (asymmetry(document.rest()), asymmetry(document.positions()));
-            assert!(before.iter().zip(after).all(|(b, a)| (*b - a).length() < TOLERANCE_M), "{grip:?}");
+            assert!(before.iter().zip(after).all(|(b, a)| (*b - a).length() < TOLERANCE_M), "{spec:?}");
         }
     }
 }
@@ -58,12 +58,12 @@ fn an_exact_handle_and_its_partner_both_reach_their_targets() {
 
 #[test]
 fn several_mirrored_handles_keep_their_own_offsets() {
-    let settings = Settings { mirror: Mirror::On, hold: Hold::Exact, ..Settings::default() };
+    let settings = Settings { mirror: Mirror::On, constraint: ConstraintKind::Hard, ..Settings::default() };
     let mut document = Document::new(portrait(Triangulation::Canonical)).unwrap();
     let moves =
         [(205, DVec3::new(0.004, 0.0, 0.001)), (61, DVec3::new(0.0, 0.003, 0.0)), (4, DVec3::new(0.0, 0.0, 0.005))];
     let (handles, offsets) = moves.iter().copied().unzip();
-    document.apply("three", Command::Move { grip: Grip { level: 0, handles, settings }, offsets }).unwrap();
+    document.apply("three", Command::Move { spec: EditSpec { level: 0, handles, settings }, offsets }).unwrap();
     for (vertex, offset) in moves {
         let way = |vertex: u32| document.positions()[vertex as usize] - document.rest()[vertex as usize];
         assert!((way(vertex) - offset).length() < TOLERANCE_M, "{vertex}: {}", way(vertex));
@@ -83,12 +83,12 @@ fn the_midline_stays_in_its_plane() {
 
 #[test]
 fn a_whole_region_across_the_midline_moves_without_its_sideways_part() {
-    let settings = Settings { mirror: Mirror::On, hold: Hold::Exact, ..Settings::default() };
+    let settings = Settings { mirror: Mirror::On, constraint: ConstraintKind::Hard, ..Settings::default() };
     let handles = Region::Lips.vertices();
     let offsets = vec![DVec3::new(0.005, 0.0, 0.004); handles.len()];
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
     document
-        .apply("lips", Command::Move { grip: Grip { level: 0, handles: handles.clone(), settings }, offsets })
+        .apply("lips", Command::Move { spec: EditSpec { level: 0, handles: handles.clone(), settings }, offsets })
         .unwrap();
     for vertex in handles {
         let moved = document.positions()[vertex as usize] - document.rest()[vertex as usize];
@@ -112,7 +112,7 @@ fn symmetrising_removes_the_share_of_asymmetry_that_was_asked_for() {
 fn coordinates_of_a_picture_have_no_mirror() {
     let topology = Triangulation::Canonical.topology();
     let positions = rosto_face::canonical_positions_m();
-    let mut document = Document::new(Rest::new(topology, positions, Frame::Other)).unwrap();
+    let mut document = Document::new(Rest::new(topology, positions, CoordinateFrame::Other)).unwrap();
     assert_eq!(document.hold(mirrored_grip(4)), Err(StudioError::NoMirror));
     assert_eq!(document.apply("half", Command::Symmetrise { share: 0.5 }), Err(StudioError::NoMirror));
 }

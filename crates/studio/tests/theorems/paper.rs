@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use rosto_face::Triangulation;
 use rosto_studio::paper::*;
-use rosto_studio::{Anchors, Command, Document, Frame, Grip, Rest, Settings};
+use rosto_studio::{Anchors, Command, CoordinateFrame, Document, EditSpec, Rest, Settings};
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -42,12 +42,12 @@ fn a_trial_moves_each_degree_a_little_and_then_a_lot() {
 fn the_papers_method_is_the_documents_default_edit() {
     let experiment = experiment();
     let trial = trial(&experiment, Method::default(), 3, [1; 6]);
-    let rest = Rest::new(Triangulation::Tessellation.topology(), portrait_image(), Frame::Other);
+    let rest = Rest::new(Triangulation::Tessellation.topology(), portrait_image(), CoordinateFrame::Other);
     let mut document = Document::new(rest).unwrap();
     for edit in trial.edits() {
         let settings = Settings { anchors: Anchors::explicit(edit.plan.anchors.to_vec()), ..Settings::default() };
-        let grip = Grip { level: 0, handles: vec![edit.plan.vertex], settings };
-        document.apply("", Command::Move { grip, offsets: vec![OFFSETS[edit.plan.round]] }).unwrap();
+        let spec = EditSpec { level: 0, handles: vec![edit.plan.vertex], settings };
+        document.apply("", Command::Move { spec, offsets: vec![OFFSETS[edit.plan.round]] }).unwrap();
     }
     let after = trial.after_rounds()[1].iter().zip(document.positions());
     assert!(after.map(|(a, b)| a.distance(*b)).fold(0.0, f64::max) < 1e-12);

@@ -13,14 +13,18 @@ const RADIUS_M: f64 = 0.03;
 
 fn moved(settings: Settings, offset: DVec3) -> Document {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
-    document.hold(Grip { level: 0, handles: vec![205], settings }).unwrap();
+    document.hold(EditSpec { level: 0, handles: vec![205], settings }).unwrap();
     document.preview(&[offset]).unwrap();
     document
 }
 
 #[test]
 fn nothing_moves_outside_the_radius() {
-    let settings = Settings { reach: Reach::Within { radius: RADIUS_M }, hold: Hold::Exact, ..Settings::default() };
+    let settings = Settings {
+        reach: RegionOfInfluence::Within { radius: RADIUS_M },
+        constraint: ConstraintKind::Hard,
+        ..Settings::default()
+    };
     let document = moved(settings, DVec3::Z * 0.01);
     let distances = Geodesics::new(document.topology(), document.rest()).unwrap().distances(&[205]).unwrap();
     let mut inside = 0;
@@ -35,7 +39,8 @@ fn nothing_moves_outside_the_radius() {
 #[test]
 fn anchors_outside_a_radius_stay_exactly() {
     let anchors = Anchors { kind: AnchorKind::Outside { radius: RADIUS_M }, pins: vec![50] };
-    let document = moved(Settings { anchors, hold: Hold::Exact, ..Settings::default() }, DVec3::Z * 0.01);
+    let document =
+        moved(Settings { anchors, constraint: ConstraintKind::Hard, ..Settings::default() }, DVec3::Z * 0.01);
     assert!(document.anchors().len() > 100 && document.anchors().contains(&50));
     for &anchor in document.anchors() {
         let way = document.positions()[anchor as usize] - document.rest()[anchor as usize];
@@ -45,21 +50,22 @@ fn anchors_outside_a_radius_stay_exactly() {
 
 #[test]
 fn turning_details_bend_less_and_still_reach_the_target() {
-    let settings = |details| Settings { details, hold: Hold::Exact, ..Settings::default() };
+    let settings = |details| Settings { details, constraint: ConstraintKind::Hard, ..Settings::default() };
     let stretch = |document: &Document| -> f64 {
         let length = |at: &[DVec3], [a, b]: [u32; 2]| at[a as usize].distance(at[b as usize]);
         let edges = document.topology().edges().iter();
         edges.map(|&edge| (length(document.positions(), edge) / length(document.rest(), edge) - 1.0).powi(2)).sum()
     };
     let offset = DVec3::new(0.0, 0.02, 0.03);
-    let (kept, turned) = (moved(settings(Details::Kept), offset), moved(settings(Details::Turned), offset));
+    let (kept, turned) = (moved(settings(Details::Kept), offset), moved(settings(Details::AsRigidAsPossible), offset));
     assert!((turned.positions()[205] - turned.rest()[205] - offset).length() < 1e-12);
     assert!(stretch(&turned) < stretch(&kept), "{} against {}", stretch(&turned), stretch(&kept));
 }
 
 #[test]
 fn a_turning_drag_can_be_followed_by_another_and_replays_the_same() {
-    let settings = Settings { details: Details::Turned, hold: Hold::Exact, ..Settings::default() };
+    let settings =
+        Settings { details: Details::AsRigidAsPossible, constraint: ConstraintKind::Hard, ..Settings::default() };
     let mut document = moved(settings, DVec3::Z * 0.01);
     document.commit("first");
     document.preview(&[DVec3::X * 0.01]).unwrap();

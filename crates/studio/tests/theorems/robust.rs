@@ -14,7 +14,7 @@ fn entry(command: Command) -> Entry {
 
 fn point(level: u32, handles: Vec<u32>, settings: Settings) -> Command {
     let offsets = vec![DVec3::Z * 0.002; handles.len()];
-    Command::Move { grip: Grip { level, handles, settings }, offsets }
+    Command::Move { spec: EditSpec { level, handles, settings }, offsets }
 }
 
 /// More shapes than are kept: those in between are carried out again.
@@ -38,17 +38,17 @@ fn thousands_of_entries_replay_and_every_step_back_is_bit_for_bit_what_it_was() 
 fn handles_that_come_to_lie_on_one_vertex_of_other_triangles_move_it_together() {
     let mut filled = Document::new(canonical(Triangulation::Canonical)).unwrap();
     filled.set_density(2).unwrap();
-    let settings = Settings { hold: Hold::Exact, ..Settings::default() };
+    let settings = Settings { constraint: ConstraintKind::Hard, ..Settings::default() };
     let crowded: Vec<u32> = (3_000..3_200).collect();
     filled.apply("crowd", point(2, crowded, settings)).unwrap();
     let mut open = filled.over(canonical(Triangulation::Tessellation)).unwrap();
     open.set_density(2).unwrap();
     assert_eq!(open.standing(0), Some(&Standing::InForce));
-    let Command::Move { grip, offsets } = &open.history().entries()[0].command else { panic!("a move") };
-    let mut once = grip.handles.clone();
+    let Command::Move { spec, offsets } = &open.history().entries()[0].command else { panic!("a move") };
+    let mut once = spec.handles.clone();
     once.sort_unstable();
     once.dedup();
-    assert_eq!((once.len(), offsets.len()), (grip.handles.len(), grip.handles.len()));
+    assert_eq!((once.len(), offsets.len()), (spec.handles.len(), spec.handles.len()));
     assert_ne!(bits(open.positions()), bits(open.rest()));
 }
 
@@ -107,8 +107,8 @@ fn a_grip_that_has_no_answer_leaves_the_one_that_is_held() {
     let shown = bits(document.positions());
     let unanchored = Settings { anchors: Anchors::explicit(Vec::new()), ..Settings::default() };
     for handles in [vec![4], vec![468], vec![], vec![4, 4]] {
-        let grip = Grip { level: 0, handles, settings: unanchored.clone() };
-        assert!(document.hold(grip).is_err());
-        assert_eq!((document.grip(), bits(document.positions())), (Some(&mirrored_grip(61)), shown.clone()));
+        let spec = EditSpec { level: 0, handles, settings: unanchored.clone() };
+        assert!(document.hold(spec).is_err());
+        assert_eq!((document.spec(), bits(document.positions())), (Some(&mirrored_grip(61)), shown.clone()));
     }
 }

@@ -1,5 +1,5 @@
 use glam::DVec2;
-use rosto_stage::{Background, Look, Paint};
+use rosto_stage::{Background, RenderSettings, ShadingMode};
 use rosto_viewport::{Target, ViewportError};
 use wasm_bindgen::JsCast;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -23,7 +23,7 @@ async fn the_canvas_shows_what_was_drawn_and_follows_its_size() {
     let canvas = canvas();
     let mut screen = on(canvas.clone()).await;
     screen.show(&dome().input());
-    *screen.stage.look_mut() = Look { paint: Paint::Normals, ..Look::default() };
+    *screen.stage.render_settings_mut() = RenderSettings { shading: ShadingMode::Normals, ..RenderSettings::default() };
     assert!(!screen.draw(0.0));
     let pixels = presented(&canvas);
     let middle = 4 * (SIDE_PX / 2 * SIDE_PX + SIDE_PX / 2) as usize;
@@ -52,7 +52,7 @@ async fn no_canvas_is_larger_than_the_gpu_draws() {
 async fn a_snapshot_has_any_size_and_is_transparent_around_the_mesh() {
     let mut screen = screen().await;
     screen.show(&Sheet::new(1, |_, _| 0.0).input());
-    *screen.stage.look_mut() = plain();
+    *screen.stage.render_settings_mut() = plain();
     let still = screen.viewport.snapshot(&screen.stage, [333, 150], Background::Transparent).unwrap().await.unwrap();
     assert_eq!((still.width, still.height, still.rgba.len()), (333, 150, 4 * 333 * 150));
     assert_eq!(still.pixel(2, 75), [0; 4]);

@@ -1,11 +1,11 @@
 use glam::DVec3;
-use rosto_stage::{Light, Look, Paint};
+use rosto_stage::{Light, RenderSettings, ShadingMode};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 use crate::support::{Sheet, dome, largest_difference, picture, plain, screen};
 
-fn shaded() -> Look {
-    Look { paint: Paint::Clay, light: Light::default(), ..plain() }
+fn shaded() -> RenderSettings {
+    RenderSettings { shading: ShadingMode::Clay, light: Light::default(), ..plain() }
 }
 
 /// A bump around a place, 1 at its middle.
@@ -49,7 +49,7 @@ async fn before_shows_the_shape_as_it_was() {
     screen.viewport.set_positions(&moved).unwrap();
     let edited = picture(&mut screen, shaded()).await;
     assert!(largest_difference(&rest, &edited) > 40);
-    let before = picture(&mut screen, Look { before: 1.0, ..shaded() }).await;
+    let before = picture(&mut screen, RenderSettings { before: 1.0, ..shaded() }).await;
     assert!(largest_difference(&rest, &before) <= 1);
 }
 
@@ -59,7 +59,7 @@ async fn the_response_glows_where_the_mesh_follows() {
     let mut screen = screen().await;
     screen.show(&sheet.input());
     screen.viewport.set_fields([Some(&bump(&sheet, -0.5, 0.0)), None]).unwrap();
-    let seen = picture(&mut screen, Look { paint: Paint::Response, ..plain() }).await;
+    let seen = picture(&mut screen, RenderSettings { shading: ShadingMode::Response, ..plain() }).await;
     let redness = |x: u32| i32::from(seen.pixel(x, 120)[0]) - i32::from(seen.pixel(x, 120)[2]);
     assert!(redness(75) > redness(190) + 60, "{} and {}", redness(75), redness(190));
 }

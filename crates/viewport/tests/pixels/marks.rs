@@ -1,5 +1,5 @@
 use glam::DVec3;
-use rosto_stage::{Axis, Dots, Look, Mark, MarkKind, MirrorPlane, Paint, Pointer, Srgb, Wireframe};
+use rosto_stage::{Axis, Dots, Mark, MarkKind, MirrorPlane, Pointer, RenderSettings, ShadingMode, Srgb, Wireframe};
 use rosto_viewport::Snapshot;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -7,8 +7,8 @@ use crate::support::{SIDE_PX, Sheet, luminance, picture, plain, screen};
 
 const ACCENT: [u8; 3] = [0xb8, 0x49, 0x2f];
 
-fn clay() -> Look {
-    Look { paint: Paint::Clay, ..plain() }
+fn clay() -> RenderSettings {
+    RenderSettings { shading: ShadingMode::Clay, ..plain() }
 }
 
 /// How many pixels within `reach_px` of a place have nearly this colour.
@@ -84,7 +84,7 @@ async fn the_wireframe_darkens_edges_by_less_than_half() {
     let mut screen = screen().await;
     screen.show(&sheet.input());
     let bare = picture(&mut screen, clay()).await;
-    let wired = picture(&mut screen, Look { wireframe: Wireframe::Shown, ..clay() }).await;
+    let wired = picture(&mut screen, RenderSettings { wireframe: Wireframe::Shown, ..clay() }).await;
     let middle = SIDE_PX / 2;
     let row = middle - 12;
     let fills = luminance(bare.pixel(middle, row));
@@ -100,8 +100,8 @@ async fn dots_show_near_the_pointer_or_everywhere() {
     screen.show(&sheet.input());
     let bare = picture(&mut screen, clay()).await;
     screen.stage.set_pointer(Some(glam::DVec2::new(60.0, 120.0)));
-    let near = picture(&mut screen, Look { dots: Dots::NearPointer, ..clay() }).await;
-    let all = picture(&mut screen, Look { dots: Dots::All, ..clay() }).await;
+    let near = picture(&mut screen, RenderSettings { dots: Dots::NearPointer, ..clay() }).await;
+    let all = picture(&mut screen, RenderSettings { dots: Dots::All, ..clay() }).await;
     let changed = |seen: &Snapshot, columns: std::ops::Range<u32>| {
         let places = columns.flat_map(|x| (0..SIDE_PX).map(move |y| (x, y)));
         places.filter(|&(x, y)| seen.pixel(x, y) != bare.pixel(x, y)).count()
@@ -138,7 +138,7 @@ async fn the_mirror_plane_is_a_faint_sheet() {
     screen.show(&Sheet::new(1, |_, _| -5.0).input());
     screen.stage.camera_mut().turn(std::f64::consts::FRAC_PI_2);
     let without = picture(&mut screen, clay()).await;
-    let with = picture(&mut screen, Look { mirror_plane: MirrorPlane::Shown, ..clay() }).await;
+    let with = picture(&mut screen, RenderSettings { mirror_plane: MirrorPlane::Shown, ..clay() }).await;
     let middle = SIDE_PX / 2;
     assert_eq!(without.pixel(middle, middle)[3], 0);
     let alpha = with.pixel(middle, middle)[3];

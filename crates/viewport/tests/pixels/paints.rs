@@ -1,4 +1,4 @@
-use rosto_stage::{Background, Light, Look, Paint, Srgb, Theme};
+use rosto_stage::{Background, Light, RenderSettings, ShadingMode, Srgb, Theme};
 use rosto_viewport::{MeshInput, PictureOnGpu, Viewport};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -11,10 +11,10 @@ async fn without_a_mesh_there_is_nothing_but_the_ground() {
     let mut screen = screen().await;
     let empty = picture(&mut screen, plain()).await;
     assert!(empty.rgba.iter().all(|&channel| channel == 0));
-    let light = picture(&mut screen, Look::default()).await;
+    let light = picture(&mut screen, RenderSettings::default()).await;
     assert_close(light.pixel(MIDDLE, 0), [0xf5, 0xf3, 0xef]);
     assert_close(light.pixel(MIDDLE, SIDE_PX - 1), [0xe7, 0xe3, 0xdb]);
-    let dark = picture(&mut screen, Look { theme: Theme::Dark, ..Look::default() }).await;
+    let dark = picture(&mut screen, RenderSettings { theme: Theme::Dark, ..RenderSettings::default() }).await;
     assert_close(dark.pixel(MIDDLE, 0), [0x1c, 0x1d, 0x20]);
 }
 
@@ -24,7 +24,7 @@ async fn a_plain_background_is_that_colour_right_up_to_the_mesh() {
     screen.show(&dome().input());
     let bare = picture(&mut screen, plain()).await;
     let colour = [12, 180, 250];
-    let seen = picture(&mut screen, Look { background: Background::Plain(Srgb(colour)), ..plain() }).await;
+    let seen = picture(&mut screen, RenderSettings { background: Background::Plain(Srgb(colour)), ..plain() }).await;
     let mut around = 0;
     for (y, x) in (0..SIDE_PX).flat_map(|y| (0..SIDE_PX).map(move |x| (y, x))) {
         match bare.pixel(x, y)[3] {
@@ -45,7 +45,7 @@ async fn unlit_vertex_colours_are_the_colours_that_went_in() {
     let mut screen = screen().await;
     for colour in [[200, 120, 40], [3, 250, 9], [128, 128, 128], [255, 255, 255], [0, 0, 0]] {
         screen.show(&MeshInput { colours_srgb: &[colour; 4], ..sheet.input() });
-        let seen = picture(&mut screen, Look { paint: Paint::Colours, ..plain() }).await;
+        let seen = picture(&mut screen, RenderSettings { shading: ShadingMode::Colours, ..plain() }).await;
         assert_close(seen.pixel(MIDDLE, MIDDLE), colour);
         assert_eq!(seen.pixel(0, 0), [0; 4]);
     }
@@ -57,7 +57,7 @@ async fn vertex_colours_blend_in_linear_light() {
     let mut screen = screen().await;
     let colours = [[0, 0, 0], [255, 255, 255], [0, 0, 0], [255, 255, 255]];
     screen.show(&MeshInput { colours_srgb: &colours, ..sheet.input() });
-    let seen = picture(&mut screen, Look { paint: Paint::Colours, ..plain() }).await;
+    let seen = picture(&mut screen, RenderSettings { shading: ShadingMode::Colours, ..plain() }).await;
     let [red, ..] = seen.pixel(MIDDLE, MIDDLE);
     assert!(red.abs_diff(188) <= 2, "half of the light is 188, not {red}");
 }
@@ -100,7 +100,11 @@ async fn a_fine_photo_seen_small_is_its_mean_in_linear_light() {
 async fn the_side_towards_the_light_is_brighter() {
     let mut screen = screen().await;
     screen.show(&dome().input());
-    let lit = |azimuth_deg| Look { paint: Paint::Clay, light: Light { azimuth_deg, ..Light::default() }, ..plain() };
+    let lit = |azimuth_deg| RenderSettings {
+        shading: ShadingMode::Clay,
+        light: Light { azimuth_deg, ..Light::default() },
+        ..plain()
+    };
     let (left, right) = (MIDDLE - 60, MIDDLE + 60);
     let from_left = picture(&mut screen, lit(-60.0)).await;
     assert!(luminance(from_left.pixel(left, MIDDLE)) > luminance(from_left.pixel(right, MIDDLE)) + 60);
@@ -116,7 +120,7 @@ async fn coloured_light_colours_what_it_falls_on() {
     screen.show(&dome().input());
     let light =
         Light { colour: Srgb([255, 0, 0]), ambient: 0.0, azimuth_deg: 0.0, elevation_deg: 0.0, ..Light::default() };
-    let seen = picture(&mut screen, Look { paint: Paint::Colours, light, ..plain() }).await;
+    let seen = picture(&mut screen, RenderSettings { shading: ShadingMode::Colours, light, ..plain() }).await;
     let [red, green, blue, _] = seen.pixel(MIDDLE, MIDDLE);
     assert!(red > 200 && green == 0 && blue == 0, "{red} {green} {blue}");
 }
@@ -125,7 +129,7 @@ async fn coloured_light_colours_what_it_falls_on() {
 async fn normals_are_shown_as_colours() {
     let mut screen = screen().await;
     screen.show(&dome().input());
-    let seen = picture(&mut screen, Look { paint: Paint::Normals, ..plain() }).await;
+    let seen = picture(&mut screen, RenderSettings { shading: ShadingMode::Normals, ..plain() }).await;
     assert_close(seen.pixel(MIDDLE, MIDDLE), [128, 128, 255]);
     assert!(seen.pixel(MIDDLE + 60, MIDDLE)[0] > 150 && seen.pixel(MIDDLE - 60, MIDDLE)[0] < 106);
     assert!(seen.pixel(MIDDLE, MIDDLE - 60)[1] > 150 && seen.pixel(MIDDLE, MIDDLE + 60)[1] < 106);
@@ -138,7 +142,7 @@ async fn scalars_run_from_blue_over_neutral_to_red() {
     screen.show(&sheet.input());
     let scalars: Vec<f64> = sheet.positions.iter().map(|position| position.x).collect();
     screen.viewport.set_scalars(&scalars).unwrap();
-    let seen = picture(&mut screen, Look { paint: Paint::Scalar, ..plain() }).await;
+    let seen = picture(&mut screen, RenderSettings { shading: ShadingMode::Distortion, ..plain() }).await;
     let [red, _, blue, _] = seen.pixel(MIDDLE - 60, MIDDLE + 10);
     assert!(blue > red + 60, "{red} {blue}");
     let [red, _, blue, _] = seen.pixel(MIDDLE + 60, MIDDLE + 10);
@@ -153,7 +157,7 @@ async fn the_inside_of_the_mask_is_not_the_photo() {
     let mut screen = screen().await;
     screen.show(&MeshInput { colours_srgb: &[[0, 0, 255]; 4], ..sheet.input() });
     screen.stage.camera_mut().turn(std::f64::consts::PI);
-    let seen = picture(&mut screen, Look { paint: Paint::Colours, ..plain() }).await;
+    let seen = picture(&mut screen, RenderSettings { shading: ShadingMode::Colours, ..plain() }).await;
     let [red, _, blue, alpha] = seen.pixel(MIDDLE, MIDDLE);
     assert!(alpha == 255 && red > blue, "{red} {blue} {alpha}");
 }

@@ -1,6 +1,6 @@
 use glam::{DVec2, DVec3};
 use rosto_mesh::Topology;
-use rosto_stage::{Background, Dots, Glide, Light, Look, Stage};
+use rosto_stage::{Background, Dots, Glide, Light, RenderSettings, Stage};
 use rosto_viewport::{MeshInput, Snapshot, Target, Viewport};
 use wasm_bindgen::JsCast;
 use web_sys::HtmlCanvasElement;
@@ -100,14 +100,19 @@ pub fn dome() -> Sheet {
 }
 
 /// Shows a mesh under a look and reads the picture back.
-pub async fn picture(screen: &mut Screen, look: Look) -> Snapshot {
-    *screen.stage.look_mut() = look;
+pub async fn picture(screen: &mut Screen, settings: RenderSettings) -> Snapshot {
+    *screen.stage.render_settings_mut() = look;
     screen.viewport.snapshot(&screen.stage, [SIDE_PX, SIDE_PX], look.background).unwrap().await.unwrap()
 }
 
 /// A look with nothing but the mesh, unshaded.
-pub fn plain() -> Look {
-    Look { background: Background::Transparent, light: Light::FLAT, dots: Dots::None, ..Look::default() }
+pub fn plain() -> RenderSettings {
+    RenderSettings {
+        background: Background::Transparent,
+        light: Light::FLAT,
+        dots: Dots::None,
+        ..RenderSettings::default()
+    }
 }
 
 /// The largest difference of any channel of any pixel.

@@ -1,6 +1,6 @@
 //! The measuring programs and what each needs.
 
-use crate::failure::{Failure, Outcome};
+use crate::failure::{Failure, Result};
 use crate::process::Run;
 use crate::setup::Kit;
 use crate::toolchain::WASM;
@@ -15,7 +15,7 @@ pub struct Source {
     /// What it measures.
     pub what: &'static str,
     /// Runs it; returns what it printed.
-    pub measure: fn(&Kit) -> Outcome<String>,
+    pub measure: fn(&Kit) -> Result<String>,
 }
 
 const LIMIT: Duration = Duration::from_secs(3600);
@@ -37,7 +37,7 @@ const ALL: [Source; 5] = [
 ];
 
 /// Those named, or all.
-pub fn chosen(wanted: &[&str]) -> Outcome<Vec<&'static Source>> {
+pub fn chosen(wanted: &[&str]) -> Result<Vec<&'static Source>> {
     if let Some(unknown) = wanted.iter().find(|name| !ALL.iter().any(|source| source.name == **name)) {
         let names = ALL.iter().map(|source| source.name).collect::<Vec<_>>().join(", ");
         return Err(Failure::new(format!("`{unknown}` is no benchmark")).advice(format!("there are {names}")));
@@ -45,26 +45,26 @@ pub fn chosen(wanted: &[&str]) -> Outcome<Vec<&'static Source>> {
     Ok(ALL.iter().filter(|source| wanted.is_empty() || wanted.contains(&source.name)).collect())
 }
 
-fn engine(_: &Kit) -> Outcome<String> {
+fn engine(_: &Kit) -> Result<String> {
     example("rosto-laplacian", "bench", &[])
 }
 
-fn landmarks(_: &Kit) -> Outcome<String> {
+fn landmarks(_: &Kit) -> Result<String> {
     example("rosto-landmarks", "bench", &[workspace::assets()])
 }
 
-fn example(package: &str, name: &str, arguments: &[PathBuf]) -> Outcome<String> {
+fn example(package: &str, name: &str, arguments: &[PathBuf]) -> Result<String> {
     let cargo = Run::new("cargo").current_dir(workspace::root()).args(["run", "--quiet", "--release", "--locked"]);
     let run = cargo.args(["--package", package, "--example", name, "--"]).args(arguments);
     run.within(LIMIT).run()?.checked()
 }
 
-fn peers(_: &Kit) -> Outcome<String> {
+fn peers(_: &Kit) -> Result<String> {
     let python = python_with_peers()?;
     Run::new(python).arg(workspace::root().join(PEERS)).within(LIMIT).run()?.checked()
 }
 
-fn chrome_edits(kit: &Kit) -> Outcome<String> {
+fn chrome_edits(kit: &Kit) -> Result<String> {
     let build = kit.run("cargo")?.args(["build", "--quiet", "--locked", "--profile", "web", "--target", WASM]);
     build.args(["--package", "rosto-studio-web", "--example", "edits"]).within(LIMIT).run()?.checked()?;
     let module = workspace::target().join(WASM).join("web/examples/edits.wasm");
@@ -73,21 +73,21 @@ fn chrome_edits(kit: &Kit) -> Outcome<String> {
     in_chrome(kit, "tests/bench/chrome-edits.mjs")
 }
 
-fn chrome_landmarks(kit: &Kit) -> Outcome<String> {
+fn chrome_landmarks(kit: &Kit) -> Result<String> {
     in_chrome(kit, "tests/bench/chrome-landmarks.mjs")
 }
 
 /// Runs a script that visits the page as it is built for the web.
-fn in_chrome(kit: &Kit, script: &str) -> Outcome<String> {
+fn in_chrome(kit: &Kit, script: &str) -> Result<String> {
     dist::build(kit)?;
     kit.run("node")?.arg(script).within(LIMIT).run()?.checked()
 }
 
 /// A Python of its own with the peers, made anew when the pinned versions change.
-fn python_with_peers() -> Outcome<PathBuf> {
+fn python_with_peers() -> Result<PathBuf> {
     let root = workspace::root();
     let versions = [REQUIREMENTS, OPTIONAL_REQUIREMENTS].map(|file| cache::sha256_of(&root.join(file)));
-    let identity: String = versions.into_iter().collect::<Outcome<Vec<_>>>()?.concat();
+    let identity: String = versions.into_iter().collect::<Result<Vec<_>>>()?.concat();
     let folder = cache::tool("python", &cache::sha256(identity.as_bytes())[..16])?;
     let python = |folder: &Path| folder.join("bin").join("python");
     let complete = folder.join("complete");

@@ -5,7 +5,7 @@
 
 use super::counts::{self, Counts};
 use crate::browser::Browser;
-use crate::failure::{Doing, Outcome};
+use crate::failure::{Doing, Result};
 use crate::process::{Run, find_program};
 use crate::setup::Kit;
 use crate::toolchain::WASM;
@@ -23,7 +23,7 @@ pub struct Step {
 }
 
 /// What a step does; `Err` if a program it needs could not be started.
-type Work = Box<dyn FnOnce(&Kit) -> Outcome<Report>>;
+type Work = Box<dyn FnOnce(&Kit) -> Result<Report>>;
 
 /// What came of a step.
 pub struct Report {
@@ -47,7 +47,7 @@ impl Step {
         self.name == name || self.name.split(':').next() == Some(name)
     }
 
-    fn new(name: impl Into<String>, what: &'static str, work: impl FnOnce(&Kit) -> Outcome<Report> + 'static) -> Self {
+    fn new(name: impl Into<String>, what: &'static str, work: impl FnOnce(&Kit) -> Result<Report> + 'static) -> Self {
         Self { name: name.into(), what, work: Box::new(work) }
     }
 }
@@ -64,7 +64,7 @@ impl Report {
 }
 
 /// All steps in their order.
-pub fn all() -> Outcome<Vec<Step>> {
+pub fn all() -> Result<Vec<Step>> {
     let web = crates_where(|name, _| name.ends_with("-web"))?;
     let browsers = union(&web, &[WEBGL_MODULE.to_owned()]);
     let tested_on_wasm = crates_where(|_, manifest| manifest.contains("wasm-bindgen-test"))?;
@@ -160,14 +160,14 @@ fn page() -> Vec<Step> {
 }
 
 /// The page's results are compared with those of the command line, as the native tests build it.
-fn journeys(kit: &Kit) -> Outcome<Report> {
+fn journeys(kit: &Kit) -> Result<Report> {
     over_the_workspace(&["test", "--quiet", "--no-run"]).within(STEP_LIMIT).run()?.checked()?;
     let program = workspace::target().join("debug").join("rosto");
     tests("journeys", quiet(kit.run("npm")?).args(["run", "--silent", "journeys"]).env("ROSTO_CLI", program))
 }
 
 /// Each engine is a test; one that could not be had fails, with the reason.
-fn engines(kit: &Kit) -> Outcome<Report> {
+fn engines(kit: &Kit) -> Result<Report> {
     let report = tests("engines", quiet(kit.run("npm")?).args(["run", "--silent", "engines"]))?;
     let missing: String = kit.missing_engines().iter().map(|failure| format!("{failure}\n")).collect();
     let table: String =
@@ -177,27 +177,27 @@ fn engines(kit: &Kit) -> Outcome<Report> {
 }
 
 /// A program whose success is one test.
-fn check(name: &str, run: Run) -> Outcome<Report> {
+fn check(name: &str, run: Run) -> Result<Report> {
     let ended = run.within(STEP_LIMIT).log_to(log(name)?).run()?;
     let counts = Counts::of_one(ended.success);
     Ok(Report { counts, output: format!("{}{}", ended.output, ended.given_up.unwrap_or_default()) })
 }
 
 /// A test runner.
-fn tests(name: &str, run: Run) -> Outcome<Report> {
+fn tests(name: &str, run: Run) -> Result<Report> {
     let ended = run.within(STEP_LIMIT).log_to(log(name)?).run()?;
     let counts = Counts::of_runner(ended.success, &ended.output);
     Ok(Report { counts, output: format!("{}{}", ended.output, ended.given_up.unwrap_or_default()) })
 }
 
 /// A test runner that may have nothing to run.
-fn examples(name: &str, run: Run) -> Outcome<Report> {
+fn examples(name: &str, run: Run) -> Result<Report> {
     let ended = run.within(STEP_LIMIT).log_to(log(name)?).run()?;
     let counts = if ended.success { counts::read(&ended.output) } else { Counts::of_runner(false, &ended.output) };
     Ok(Report { counts, output: ended.output })
 }
 
-fn log(name: &str) -> Outcome<std::path::PathBuf> {
+fn log(name: &str) -> Result<std::path::PathBuf> {
     Ok(workspace::logs()?.join(format!("{name}.log")))
 }
 
@@ -226,7 +226,7 @@ fn union(one: &[String], other: &[String]) -> Vec<String> {
 }
 
 /// Names of the workspace's packages whose name and manifest satisfy `wanted`, sorted.
-fn crates_where(wanted: impl Fn(&str, &str) -> bool) -> Outcome<Vec<String>> {
+fn crates_where(wanted: impl Fn(&str, &str) -> bool) -> Result<Vec<String>> {
     let folder = workspace::root().join("crates");
     let mut found = Vec::new();
     for entry in std::fs::read_dir(&folder).doing("listing the crates")?.flatten() {

@@ -1,7 +1,7 @@
 //! The three parts of the long run, each a program of its own.
 
 use super::Amounts;
-use crate::failure::{Doing, Outcome};
+use crate::failure::{Doing, Result};
 use crate::process::{Ended, Run};
 use crate::setup::Kit;
 use crate::{dist, workspace};
@@ -20,7 +20,7 @@ pub struct Part {
     /// Why it cannot be run, if it cannot.
     pub missing: fn() -> Option<&'static str>,
     /// Runs it to its end.
-    pub run: fn(&Kit, u64) -> Outcome<Ended>,
+    pub run: fn(&Kit, u64) -> Result<Ended>,
 }
 
 const LIMIT: Duration = Duration::from_secs(24 * 3600);
@@ -56,7 +56,7 @@ pub fn chosen(amounts: &Amounts) -> Vec<Part> {
     all.into_iter().filter(|part| part.amount > 0).collect()
 }
 
-fn bytes(_: &Kit, inputs: u64) -> Outcome<Ended> {
+fn bytes(_: &Kit, inputs: u64) -> Result<Ended> {
     let folder = workspace::target().join("torture");
     let cargo = Run::new("cargo").current_dir(workspace::root()).args(["run", "--quiet", "--release", "--locked"]);
     let program = cargo.args(["--package", "rosto-cli", "--example", "torture", "--", "--inputs"]);
@@ -64,19 +64,19 @@ fn bytes(_: &Kit, inputs: u64) -> Outcome<Ended> {
     logged("bytes", program.arg("--folder").arg(folder))
 }
 
-fn session(_: &Kit, actions: u64) -> Outcome<Ended> {
+fn session(_: &Kit, actions: u64) -> Result<Ended> {
     let cargo = Run::new("cargo").current_dir(workspace::root()).args(["test", "--quiet", "--release", "--locked"]);
     let test = cargo.args(["--package", "rosto-session", "random", "--", "--nocapture"]);
     logged("session", test.env("ROSTO_ACTIONS", actions.to_string()))
 }
 
-fn page(kit: &Kit, actions: u64) -> Outcome<Ended> {
+fn page(kit: &Kit, actions: u64) -> Result<Ended> {
     dist::build(kit)?;
     let npm = kit.run("npm")?.args(["run", "--silent", "restless", "--", "--actions"]);
     logged("page", npm.arg(actions.to_string()))
 }
 
-fn logged(name: &str, run: Run) -> Outcome<Ended> {
+fn logged(name: &str, run: Run) -> Result<Ended> {
     run.within(LIMIT).log_to(workspace::logs()?.join(format!("torture-{name}.log"))).run().doing(name)
 }
 

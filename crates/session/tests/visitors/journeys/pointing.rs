@@ -1,6 +1,6 @@
 use glam::{DVec2, DVec3};
 use rosto_session::{Changed, Intent, Pace, Selection, Session};
-use rosto_stage::{Paint, Pointer};
+use rosto_stage::{Pointer, ShadingMode};
 use rosto_studio::FaceSlider;
 
 use super::{act, face, place_px, positions, select, state};
@@ -104,7 +104,7 @@ fn what_has_changed_is_told_no_further_than_it_has() {
         (Intent::Slide(FaceSlider::NoseWidth, 2.0), Changed::Tick),
         (Intent::Orbit(BY_PX), Changed::View),
         (Intent::Hover(Some(BY_PX)), Changed::View),
-        (Intent::Paint(Paint::Scalar), Changed::Tick),
+        (Intent::Shading(ShadingMode::Distortion), Changed::Tick),
         (Intent::Undo, Changed::Document),
         (Intent::Redo, Changed::Document),
         (Intent::Density(1), Changed::Mesh),

@@ -4,8 +4,10 @@ use rosto_face::{Language, Triangulation};
 use rosto_session::{
     EditsAs, Intent, Motion, Preset, Selection, SelectionMode, Session, SessionError, Turntable, Units,
 };
-use rosto_stage::{Background, Dots, Light, Paint, Srgb, Wireframe};
-use rosto_studio::{Anchors, Command, Details, Entry, FaceSlider, Grip, Mirror, Settings, Standing, Switch, project};
+use rosto_stage::{Background, Dots, Light, ShadingMode, Srgb, Wireframe};
+use rosto_studio::{
+    Anchors, Command, Details, EditSpec, Entry, FaceSlider, Mirror, Settings, Standing, Switch, project,
+};
 use serde_json::Value;
 
 use super::{act, face, move_by, place_px, positions, select, state};
@@ -18,10 +20,10 @@ fn choose_otherwise(session: &mut Session) {
     for intent in [
         Intent::Mode(SelectionMode::Region),
         Intent::Preset(Preset::Paper),
-        Intent::Details(Details::Turned),
+        Intent::Details(Details::AsRigidAsPossible),
         Intent::Mirror(Mirror::On),
         Intent::Radius(33.0),
-        Intent::Paint(Paint::Clay),
+        Intent::Shading(ShadingMode::Clay),
         Intent::Wireframe(Wireframe::Hidden),
         Intent::Background(Background::Plain(Srgb([1, 2, 3]))),
         Intent::Turntable(Turntable::Turns),
@@ -62,7 +64,7 @@ fn an_open_face_keeps_its_mesh_and_takes_all_other_preferences() {
     act(&mut other, Intent::Prefer(one.preferences()));
     let (wanted, now) = (one.state(), other.state());
     assert_eq!((now.mode, now.choices, now.light, now.dots), (wanted.mode, wanted.choices, wanted.light, wanted.dots));
-    assert_eq!(now.view.paint, Paint::Clay);
+    assert_eq!(now.view.shading, ShadingMode::Clay);
     assert_eq!((now.view.triangulation, now.view.density), (Triangulation::Canonical, 0));
     let now = now.face.unwrap();
     assert!(matches!(now.selection, Some(Selection::Region(_))), "what is selected follows the mode");
@@ -103,8 +105,8 @@ fn damaged_preferences_are_refused_and_change_nothing() {
 /// An edit of a mesh that is denser than any on the screen, as the command line makes it.
 fn dense_history() -> String {
     let settings = Settings { anchors: Anchors::default(), ..Settings::default() };
-    let grip = Grip { level: 4, handles: vec![20_000], settings };
-    let command = Command::Move { grip, offsets: vec![DVec3::new(0.0, 0.0, 0.004)] };
+    let spec = EditSpec { level: 4, handles: vec![20_000], settings };
+    let command = Command::Move { spec, offsets: vec![DVec3::new(0.0, 0.0, 0.004)] };
     project::to_json(&[Entry { label: "dense".to_owned(), command, switch: Switch::On }])
 }
 

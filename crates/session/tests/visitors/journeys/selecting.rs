@@ -2,7 +2,7 @@ use glam::DVec3;
 use rosto_face::{Language, Region, Triangulation, midline, mirror_of};
 use rosto_laplacian::LaplacianError;
 use rosto_session::{AnchorChoice, Intent, Selection, SelectionMode, Session, SessionError, landmark_label};
-use rosto_studio::{Hold, Mirror, Standing, StudioError, Switch};
+use rosto_studio::{ConstraintKind, Mirror, Standing, StudioError, Switch};
 
 use super::{act, face, move_by, place_px, positions, select, select_points, state, way_mm};
 use crate::faces::{SIZE_PX, session};
@@ -104,7 +104,7 @@ fn what_is_its_own_mirror_image_moves_in_the_plane_while_the_mirror_is_on() {
 #[test]
 fn the_reach_of_what_moves_in_the_mirrors_plane_is_whole() {
     let mut session = session();
-    act(&mut session, Intent::Hold(Hold::Soft { weight: 1.0 }));
+    act(&mut session, Intent::Constraint(ConstraintKind::Soft { weight: 1.0 }));
     assert_eq!((session.choices().anchors, session.choices().mirror), (AnchorChoice::Oval, Mirror::On));
     let landmarks = midline().into_iter().map(Selection::Landmark);
     for selection in landmarks.chain([Region::Nose, Region::Lips, Region::Chin].map(Selection::Region)) {

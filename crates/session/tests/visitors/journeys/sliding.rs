@@ -1,5 +1,5 @@
 use rosto_session::{Intent, Selection, Session};
-use rosto_studio::{Document, FaceSlider, Rest, Subject, Switch};
+use rosto_studio::{Document, EditTarget, FaceSlider, Rest, Switch};
 
 use super::{act, face, positions, select, state};
 use crate::faces::{bits, session};
@@ -71,13 +71,13 @@ fn the_selection_is_held_again_after_a_slider() {
     let mut session = session();
     select(&mut session, Selection::Landmark(61));
     let document = face(&session).document();
-    let (grip, follow) = (document.grip().cloned(), document.follow().cloned().unwrap());
+    let (spec, follow) = (document.spec().cloned(), document.follow().cloned().unwrap());
     act(&mut session, Intent::Preview(DVec3::Y));
     slide(&mut session, FaceSlider::EyeSize, 1.0);
-    let subjects: Vec<Subject> = face(&session).rows().iter().map(|row| row.subject).collect();
-    assert_eq!(subjects, [Subject::Landmark(61), Subject::Slider(FaceSlider::EyeSize)]);
-    assert!(grip.is_some());
-    assert_eq!(face(&session).document().grip().cloned(), grip);
+    let targets: Vec<EditTarget> = face(&session).rows().iter().map(|row| row.target).collect();
+    assert_eq!(targets, [EditTarget::Landmark(61), EditTarget::Slider(FaceSlider::EyeSize)]);
+    assert!(spec.is_some());
+    assert_eq!(face(&session).document().spec().cloned(), spec);
     let fields = face(&session).follow_fields()[0].unwrap();
     assert_eq!(fields.len(), follow.direct.len());
     assert!(fields.iter().zip(follow.direct).all(|(now, before)| (now - before).abs() < 1e-12));

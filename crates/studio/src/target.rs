@@ -4,7 +4,7 @@ use crate::{Command, FaceSlider};
 
 /// What a command works on, as people name it. Files hold the command alone: this is read from it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Subject {
+pub enum EditTarget {
     /// One landmark.
     Landmark(u32),
     /// One vertex of a denser mesh.
@@ -33,7 +33,7 @@ pub enum Amount {
     Share(f64),
 }
 
-impl Subject {
+impl EditTarget {
     /// The name in lower case, such as "nose tip" or "nose width". [`Document::name_of`](crate::Document::name_of) also
     /// says where a point is.
     pub fn name(self, language: Language) -> String {
@@ -61,18 +61,18 @@ fn grouped(number: u32, separator: &str) -> String {
 
 impl Command {
     /// What it works on.
-    pub fn subject(&self) -> Subject {
-        let Self::Move { grip, offsets } = self else { return Subject::Symmetry };
+    pub fn target(&self) -> EditTarget {
+        let Self::Move { spec, offsets } = self else { return EditTarget::Symmetry };
         if let Some(slider) = FaceSlider::ALL.into_iter().find(|slider| slider.amount_m(self).is_some()) {
-            return Subject::Slider(slider);
+            return EditTarget::Slider(slider);
         }
-        let as_one = grip.level == 0 && offsets.windows(2).all(|pair| pair[0] == pair[1]);
-        let region = || Region::ALL.into_iter().find(|region| region.vertices() == grip.handles);
-        match grip.handles[..] {
-            [vertex] if as_one && (vertex as usize) < LANDMARK_COUNT => Subject::Landmark(vertex),
-            [vertex] if grip.level > 0 => Subject::Point { level: grip.level, vertex },
-            [_, _, ..] if as_one => region().map_or(Subject::Vertices(grip.handles.len()), Subject::Region),
-            _ => Subject::Vertices(grip.handles.len()),
+        let as_one = spec.level == 0 && offsets.windows(2).all(|pair| pair[0] == pair[1]);
+        let region = || Region::ALL.into_iter().find(|region| region.vertices() == spec.handles);
+        match spec.handles[..] {
+            [vertex] if as_one && (vertex as usize) < LANDMARK_COUNT => EditTarget::Landmark(vertex),
+            [vertex] if spec.level > 0 => EditTarget::Point { level: spec.level, vertex },
+            [_, _, ..] if as_one => region().map_or(EditTarget::Vertices(spec.handles.len()), EditTarget::Region),
+            _ => EditTarget::Vertices(spec.handles.len()),
         }
     }
 

@@ -2,7 +2,7 @@ use crate::{Light, Srgb};
 
 /// How the surface is coloured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Paint {
+pub enum ShadingMode {
     /// The photo as texture; clay where there is no photo.
     #[default]
     Photo,
@@ -15,7 +15,7 @@ pub enum Paint {
     /// Clay with the response field as a ramp from nothing to the accent.
     Response,
     /// The scalar of each vertex, −1 to 1, from blue over neutral to red.
-    Scalar,
+    Distortion,
     /// Nothing; it hides what lies behind it, so that a wireframe over it shows its near side.
     Bare,
 }
@@ -76,9 +76,9 @@ pub enum MirrorPlane {
 
 /// Everything about how a mesh is shown that is not the mesh, the camera or the marks on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Look {
+pub struct RenderSettings {
     /// How the surface is coloured.
-    pub paint: Paint,
+    pub shading: ShadingMode,
     /// Whether edges are drawn.
     pub wireframe: Wireframe,
     /// Which landmarks show as dots.
@@ -97,10 +97,10 @@ pub struct Look {
     pub glow: f64,
 }
 
-impl Default for Look {
+impl Default for RenderSettings {
     fn default() -> Self {
         Self {
-            paint: Paint::default(),
+            shading: ShadingMode::default(),
             wireframe: Wireframe::default(),
             dots: Dots::default(),
             theme: Theme::default(),

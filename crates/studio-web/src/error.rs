@@ -21,16 +21,16 @@ export interface StudioError extends Error { code: StudioErrorCode; hint: string
 
 /// What goes wrong on the way between the page and the core; reaches the page as an `Error` with `code` and `hint`.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Trouble {
+pub(crate) struct FacadeError {
     pub code: &'static str,
     pub message: String,
     pub hint: &'static str,
 }
 
 /// What façade methods return.
-pub(crate) type Outcome<T> = Result<T, Trouble>;
+pub(crate) type Result<T, E = FacadeError> = std::result::Result<T, E>;
 
-impl Trouble {
+impl FacadeError {
     pub fn new(code: &'static str, message: impl Into<String>, hint: &'static str) -> Self {
         Self { code, message: message.into(), hint }
     }
@@ -67,17 +67,17 @@ impl Trouble {
     }
 }
 
-impl From<Trouble> for JsValue {
-    fn from(trouble: Trouble) -> Self {
-        let error = Error::new(&trouble.message);
+impl From<FacadeError> for JsValue {
+    fn from(failure: FacadeError) -> Self {
+        let error = Error::new(&failure.message);
         // An error object is extensible, so that both always succeed.
-        let _ = Reflect::set(&error, &"code".into(), &trouble.code.into());
-        let _ = Reflect::set(&error, &"hint".into(), &trouble.hint.into());
+        let _ = Reflect::set(&error, &"code".into(), &failure.code.into());
+        let _ = Reflect::set(&error, &"hint".into(), &failure.hint.into());
         error.into()
     }
 }
 
-impl From<ViewportError> for Trouble {
+impl From<ViewportError> for FacadeError {
     fn from(error: ViewportError) -> Self {
         let (code, hint) = match error {
             ViewportError::NoAdapter(_) => ("no-adapter", "Update the browser or the graphics driver."),
@@ -96,7 +96,7 @@ impl From<ViewportError> for Trouble {
     }
 }
 
-impl From<SessionError> for Trouble {
+impl From<SessionError> for FacadeError {
     fn from(error: SessionError) -> Self {
         let message = error.to_string();
         let (code, hint) = match error {
@@ -118,13 +118,13 @@ impl From<SessionError> for Trouble {
     }
 }
 
-impl From<FaceError> for Trouble {
+impl From<FaceError> for FacadeError {
     fn from(error: FaceError) -> Self {
         Self::new("bad-face", error.to_string(), "Try a photo where the face is larger and looks towards the camera.")
     }
 }
 
-impl From<StudioError> for Trouble {
+impl From<StudioError> for FacadeError {
     fn from(error: StudioError) -> Self {
         let message = error.to_string();
         match error {
@@ -137,13 +137,13 @@ impl From<StudioError> for Trouble {
     }
 }
 
-impl From<ExportError> for Trouble {
+impl From<ExportError> for FacadeError {
     fn from(error: ExportError) -> Self {
         Self::new("cannot-export", error.to_string(), "Undo the last edit and try again.")
     }
 }
 
-impl From<ProjectError> for Trouble {
+impl From<ProjectError> for FacadeError {
     fn from(error: ProjectError) -> Self {
         let (code, hint) = match error {
             ProjectError::Newer { .. } => ("too-new", "Reload the page to get its newest version."),

@@ -10,7 +10,7 @@ pub(crate) struct SliderFollow {
 }
 
 impl SliderFollow {
-    /// Asks the document, which holds the slider's grip. An edit in progress is cancelled.
+    /// Asks the document, which holds the slider's spec. An edit in progress is cancelled.
     pub fn of(document: &mut Document, slider: FaceSlider) -> Result<Self, StudioError> {
         document.preview(&slider.offsets_m(1.0))?;
         let ways = document.positions().iter().zip(document.committed()).map(|(now, before)| *now - *before);
@@ -35,7 +35,7 @@ pub(crate) fn offsets(offset: DVec3) -> [DVec3; 2] {
 mod tests {
     use super::*;
     use rosto_face::{Triangulation, canonical_positions_m};
-    use rosto_studio::{Frame, Rest};
+    use rosto_studio::{CoordinateFrame, Rest};
 
     #[test]
     fn two_fields_are_enough_for_every_slider() {
@@ -45,11 +45,11 @@ mod tests {
             *position += 1e-3 * DVec3::new((vertex as f64).sin(), (2.1 * vertex as f64).cos(), 0.0);
         });
         for (triangulation, density) in [(Triangulation::Tessellation, 0), (Triangulation::Canonical, 1)] {
-            let rest = Rest::new(triangulation.topology(), positions.clone(), Frame::Model);
+            let rest = Rest::new(triangulation.topology(), positions.clone(), CoordinateFrame::Model);
             let mut document = Document::new(rest).unwrap();
             document.set_density(density).unwrap();
             for slider in FaceSlider::ALL {
-                document.hold(slider.grip()).unwrap();
+                document.hold(slider.spec()).unwrap();
                 let follow = SliderFollow::of(&mut document, slider).unwrap();
                 document.preview(&slider.offsets_m(0.003)).unwrap();
                 let [to_a, to_b] = slider_offsets(slider, 0.003);

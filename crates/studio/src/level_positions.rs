@@ -1,23 +1,23 @@
 use glam::DVec3;
 
 use crate::StudioError;
-use crate::grip::Held;
 use crate::level::Level;
+use crate::prepared_edit::PreparedEdit;
 
 /// The positions of every level of a document up to the one that is shown.
 #[derive(Debug, Clone)]
-pub(crate) struct Shape {
+pub(crate) struct LevelPositions {
     positions: Vec<Vec<DVec3>>,
 }
 
 /// Room for the way from one shape to the next, so that a tick need not allocate; what it holds has no meaning between
 /// calls.
 #[derive(Default)]
-pub(crate) struct Room {
+pub(crate) struct Scratch {
     moved: Vec<Vec<DVec3>>,
 }
 
-impl Shape {
+impl LevelPositions {
     pub(crate) fn at_rest(levels: &[Level]) -> Self {
         Self { positions: levels.iter().map(|level| level.rest().to_vec()).collect() }
     }
@@ -40,16 +40,16 @@ impl Shape {
         self.positions.last().expect("invariant: there is a cage")
     }
 
-    /// Becomes `from` with the grip's handles moved, carried over to the denser levels.
+    /// Becomes `from` with the spec's handles moved, carried over to the denser levels.
     pub(crate) fn displace(
         &mut self,
         levels: &[Level],
         from: &Self,
-        held: &mut Held,
+        held: &mut PreparedEdit,
         offsets: &[DVec3],
-        room: &mut Room,
+        room: &mut Scratch,
     ) -> Result<(), StudioError> {
-        let at = held.grip().level as usize;
+        let at = held.spec().level as usize;
         held.displace(&levels[at], &from.positions[at], offsets, &mut self.positions[at])?;
         for coarser in 0..at {
             self.positions[coarser].copy_from_slice(&from.positions[coarser]);
@@ -65,12 +65,12 @@ impl Shape {
         }
         let from = self.clone();
         levels[0].mirror()?.symmetrise_shape(share, &mut self.positions[0]);
-        self.carry_over(levels, &from, 0, &mut Room::default());
+        self.carry_over(levels, &from, 0, &mut Scratch::default());
         Ok(())
     }
 
     /// Moves every level above `at` by what `at` was moved by.
-    fn carry_over(&mut self, levels: &[Level], from: &Self, at: usize, room: &mut Room) {
+    fn carry_over(&mut self, levels: &[Level], from: &Self, at: usize, room: &mut Scratch) {
         if at + 1 == self.positions.len() {
             return;
         }
@@ -88,7 +88,7 @@ impl Shape {
     }
 }
 
-impl Room {
+impl Scratch {
     /// Has a place for each position of each level.
     fn fit(&mut self, positions: &[Vec<DVec3>]) {
         self.moved.resize_with(positions.len(), Vec::new);

@@ -12,7 +12,7 @@ use rosto_mesh::Topology;
 /// Position in metres and normal, unscaled, of a vertex.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Pod, Zeroable)]
-pub(crate) struct Shape {
+pub(crate) struct Geometry {
     pub position_m: [f32; 3],
     pub unused: f32,
     pub normal: [f32; 3],
@@ -22,10 +22,10 @@ pub(crate) struct Shape {
 /// How a vertex and its normal follow two handles.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Pod, Zeroable)]
-pub(crate) struct Follow {
-    pub turn_a: [f32; 3],
+pub(crate) struct InfluenceWeights {
+    pub normal_derivative_a: [f32; 3],
     pub field_a: f32,
-    pub turn_b: [f32; 3],
+    pub normal_derivative_b: [f32; 3],
     pub field_b: f32,
     pub cross: f32,
     pub unused: [f32; 3],
@@ -34,7 +34,7 @@ pub(crate) struct Follow {
 /// How a vertex is painted: its place in the photo, its scalar in −1..1, its colour (sRGB, 0..1).
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Pod, Zeroable)]
-pub(crate) struct Skin {
+pub(crate) struct VertexAttributes {
     pub uv: [f32; 2],
     pub scalar: f32,
     pub unused: f32,
@@ -43,23 +43,27 @@ pub(crate) struct Skin {
 }
 
 /// Shapes of all vertices.
-pub(crate) fn shapes(topology: &Topology, positions_m: &[DVec3]) -> Vec<Shape> {
+pub(crate) fn geometry(topology: &Topology, positions_m: &[DVec3]) -> Vec<Geometry> {
     let mut normals = vec![DVec3::ZERO; positions_m.len()];
     for corners in topology.triangles() {
         let [a, b, c] = corners.map(|corner| positions_m[corner as usize]);
         let normal = (b - a).cross(c - a);
         corners.iter().for_each(|&corner| normals[corner as usize] += normal);
     }
-    let shape = |(position, normal): (&DVec3, &DVec3)| Shape {
+    let shape = |(position, normal): (&DVec3, &DVec3)| Geometry {
         position_m: position.as_vec3().to_array(),
         normal: normal.as_vec3().to_array(),
-        ..Shape::default()
+        ..Geometry::default()
     };
     positions_m.iter().zip(&normals).map(shape).collect()
 }
 
 /// How all vertices follow one or two handles with the response fields given; a missing field is zero.
-pub(crate) fn follows(topology: &Topology, positions_m: &[DVec3], fields: [Option<&[f64]>; 2]) -> Vec<Follow> {
+pub(crate) fn follows(
+    topology: &Topology,
+    positions_m: &[DVec3],
+    fields: [Option<&[f64]>; 2],
+) -> Vec<InfluenceWeights> {
     let value = |field: Option<&[f64]>, vertex: u32| field.map_or(0.0, |values| values[vertex as usize]);
     let mut turns = vec![([DVec3::ZERO; 2], 0.0); positions_m.len()];
     for corners in topology.triangles() {
@@ -77,13 +81,13 @@ pub(crate) fn follows(topology: &Topology, positions_m: &[DVec3], fields: [Optio
             *cross_sum += cross;
         }
     }
-    let follow = |(vertex, (turn, cross)): (usize, &([DVec3; 2], f64))| Follow {
-        turn_a: turn[0].as_vec3().to_array(),
+    let follow = |(vertex, (turn, cross)): (usize, &([DVec3; 2], f64))| InfluenceWeights {
+        normal_derivative_a: turn[0].as_vec3().to_array(),
         field_a: value(fields[0], vertex as u32) as f32,
-        turn_b: turn[1].as_vec3().to_array(),
+        normal_derivative_b: turn[1].as_vec3().to_array(),
         field_b: value(fields[1], vertex as u32) as f32,
         cross: *cross as f32,
-        ..Follow::default()
+        ..InfluenceWeights::default()
     };
     turns.iter().enumerate().map(follow).collect()
 }
@@ -113,14 +117,14 @@ mod tests {
         let moved: Vec<DVec3> = (0..positions.len())
             .map(|v| positions[v] + offsets[0] * fields[0][v] + offsets[1] * fields[1][v])
             .collect();
-        let before = shapes(&topology, &positions);
-        let after = shapes(&topology, &moved);
+        let before = geometry(&topology, &positions);
+        let after = geometry(&topology, &moved);
         let follow = follows(&topology, &positions, [Some(&fields[0]), Some(&fields[1])]);
         let [a, b] = offsets.map(|offset| offset.as_vec3());
         for v in 0..positions.len() {
             let normal = Vec3::from(before[v].normal)
-                + Vec3::from(follow[v].turn_a).cross(a)
-                + Vec3::from(follow[v].turn_b).cross(b)
+                + Vec3::from(follow[v].normal_derivative_a).cross(a)
+                + Vec3::from(follow[v].normal_derivative_b).cross(b)
                 + a.cross(b) * follow[v].cross;
             assert!(normal.distance(after[v].normal.into()) < 2e-6, "vertex {v}: {normal} and {:?}", after[v].normal);
         }
@@ -129,6 +133,6 @@ mod tests {
     #[test]
     fn a_missing_field_moves_nothing() {
         let (topology, positions) = fan();
-        assert_eq!(follows(&topology, &positions, [None, None]), vec![Follow::default(); 6]);
+        assert_eq!(follows(&topology, &positions, [None, None]), vec![InfluenceWeights::default(); 6]);
     }
 }

@@ -5,17 +5,20 @@ use sha2::{Digest, Sha256};
 
 use crate::detector::Detector;
 use crate::mesh::{MeshNetwork, region_of};
-use crate::region::{PictureSize, Region, RegionPx};
+use crate::region_of_interest::{PictureSize, RegionOfInterest, RegionPx};
 use crate::warp::{self, Outside};
 
 #[path = "../tests/support/assets.rs"]
 mod assets;
 
 const PORTRAIT: PictureSize = PictureSize { width: 512.0, height: 512.0 };
-const FACE_REGION: Region =
-    Region { centre: [0.439_916_9, 0.254_967_36], size: [0.279_328_8, 0.279_328_8], rotation_rad: 0.094_389 };
-const REGION_FROM_LANDMARKS: Region =
-    Region { centre: [0.439_605_77, 0.241_679_16], size: [0.303_203_05, 0.303_203_05], rotation_rad: 0.050_527_338 };
+const FACE_REGION: RegionOfInterest =
+    RegionOfInterest { centre: [0.439_916_9, 0.254_967_36], size: [0.279_328_8, 0.279_328_8], rotation_rad: 0.094_389 };
+const REGION_FROM_LANDMARKS: RegionOfInterest = RegionOfInterest {
+    centre: [0.439_605_77, 0.241_679_16],
+    size: [0.303_203_05, 0.303_203_05],
+    rotation_rad: 0.050_527_338,
+};
 /// On raw outputs, whose magnitude goes up to 170.
 const TOLERANCE: f32 = 2e-4;
 
@@ -37,8 +40,8 @@ fn crop_sha256(portrait: &Photo, region: &RegionPx, side: usize, outside: Outsid
     Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-fn assert_same_region(found: &Region, expected: &Region) {
-    let numbers = |r: &Region| [r.centre[0], r.centre[1], r.size[0], r.size[1], r.rotation_rad];
+fn assert_same_region(found: &RegionOfInterest, expected: &RegionOfInterest) {
+    let numbers = |r: &RegionOfInterest| [r.centre[0], r.centre[1], r.size[0], r.size[1], r.rotation_rad];
     assert!(largest_difference(&numbers(found), &numbers(expected)) < 1e-5, "{found:?}, expected {expected:?}");
 }
 

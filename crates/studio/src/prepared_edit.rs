@@ -1,14 +1,14 @@
 use glam::DVec3;
-use rosto_laplacian::{Constraints, Region, Response, RigidEdit, RigidOptions, RigidSystem, random_anchors};
+use rosto_laplacian::{Constraints, Falloff, Response, RigidEdit, RigidOptions, RigidSystem, random_anchors};
 
 use crate::level::Level;
 use crate::mirror::reflected;
-use crate::{AnchorKind, Anchors, Command, Details, Grip, Mirror, Reach, StudioError};
+use crate::{AnchorKind, Anchors, Command, Details, EditSpec, Mirror, RegionOfInfluence, StudioError};
 
-/// A grip made ready: anchors chosen, partners joined, response fields solved.
-pub(crate) struct Held {
-    grip: Grip,
-    /// The grip's handles first, then the partners that the mirror adds.
+/// An edit specification made ready: anchors chosen, partners joined, response fields solved.
+pub(crate) struct PreparedEdit {
+    spec: EditSpec,
+    /// The spec's handles first, then the partners that the mirror adds.
     handles: Vec<u32>,
     anchors: Vec<u32>,
     /// For each handle, where its partner stands among the handles; itself where the mirror is off.
@@ -21,28 +21,29 @@ pub(crate) struct Held {
     stale: bool,
 }
 
-impl Held {
+impl PreparedEdit {
     /// Solves for the response fields; `from` are the positions that the edit starts from.
-    pub(crate) fn new(grip: Grip, level: &mut Level, from: &[DVec3]) -> Result<Self, StudioError> {
-        let handles = joined_by_mirror(&grip, &grip.handles, level)?;
-        let region = region(&grip, &handles, level)?;
-        let anchors = anchors(&grip, &handles, level)?;
-        let hold = grip.settings.hold;
-        let constraints = Constraints { handles: &handles, anchors: &anchors, hold, region: region.as_ref() };
-        let response = level.respond(grip.settings.operator, &constraints)?;
-        let rigid = match grip.settings.details {
+    pub(crate) fn new(spec: EditSpec, level: &mut Level, from: &[DVec3]) -> Result<Self, StudioError> {
+        let handles = joined_by_mirror(&spec, &spec.handles, level)?;
+        let falloff = falloff(&spec, &handles, level)?;
+        let anchors = anchors(&spec, &handles, level)?;
+        let constraint = spec.settings.constraint;
+        let constraints =
+            Constraints { handles: &handles, anchors: &anchors, kind: constraint, falloff: falloff.as_ref() };
+        let response = level.respond(spec.settings.operator, &constraints)?;
+        let rigid = match spec.settings.details {
             Details::Kept => None,
-            Details::Turned => {
-                Some(RigidSystem::new(level.topology(), from, grip.settings.operator)?.hold(&constraints)?)
+            Details::AsRigidAsPossible => {
+                Some(RigidSystem::new(level.topology(), from, spec.settings.operator)?.constrain(&constraints)?)
             }
         };
-        let partner_places = partner_places(&grip, &handles, level)?;
+        let partner_places = partner_places(&spec, &handles, level)?;
         let offsets = vec![DVec3::ZERO; handles.len()];
-        Ok(Self { grip, handles, anchors, partner_places, response, rigid, offsets, stale: false })
+        Ok(Self { spec, handles, anchors, partner_places, response, rigid, offsets, stale: false })
     }
 
-    pub(crate) fn grip(&self) -> &Grip {
-        &self.grip
+    pub(crate) fn spec(&self) -> &EditSpec {
+        &self.spec
     }
 
     /// The handles with their partners.
@@ -68,7 +69,7 @@ impl Held {
         self.stale
     }
 
-    /// Writes `from`, moved by one offset for each of the grip's handles, to `out`. Unless details turn: no solve, no
+    /// Writes `from`, moved by one offset for each of the spec's handles, to `out`. Unless details turn: no solve, no
     /// allocation.
     pub(crate) fn displace(
         &mut self,
@@ -80,21 +81,21 @@ impl Held {
         self.check(offsets)?;
         self.offsets.fill(DVec3::ZERO);
         self.offsets[..offsets.len()].copy_from_slice(offsets);
-        if self.grip.settings.mirror == Mirror::On {
+        if self.spec.settings.mirror == Mirror::On {
             self.mirror_offsets(offsets.len());
         }
         self.response.displace(from, &self.offsets, out);
         if let Some(rigid) = &self.rigid {
             rigid.settle(&self.offsets, &RigidOptions::default(), out)?;
         }
-        if self.grip.settings.mirror == Mirror::On {
+        if self.spec.settings.mirror == Mirror::On {
             level.mirror()?.symmetrise_displacement(from, out);
         }
         Ok(())
     }
 
     pub(crate) fn command(&self, offsets: Vec<DVec3>) -> Command {
-        Command::Move { grip: self.grip.clone(), offsets }
+        Command::Move { spec: self.spec.clone(), offsets }
     }
 
     /// Partners that were not taken hold of follow the mirrored offset; those that were meet in the middle, which takes
@@ -112,30 +113,30 @@ impl Held {
         }
     }
 
-    /// Refuses offsets that do not fit the grip.
+    /// Refuses offsets that do not fit the spec.
     pub(crate) fn check(&self, offsets: &[DVec3]) -> Result<(), StudioError> {
-        let (expected, found) = (self.grip.handles.len(), offsets.len());
+        let (expected, found) = (self.spec.handles.len(), offsets.len());
         if expected != found {
             return Err(StudioError::WrongOffsetCount { expected, found });
         }
         match offsets.iter().position(|offset| !offset.is_finite()) {
-            Some(index) => Err(StudioError::OffsetNotFinite { handle: self.grip.handles[index] }),
+            Some(index) => Err(StudioError::OffsetNotFinite { handle: self.spec.handles[index] }),
             None => Ok(()),
         }
     }
 }
 
-/// The vertices, with their partners if the grip is mirrored. A vertex that is not there is left for the solver to refuse.
-fn joined_by_mirror(grip: &Grip, vertices: &[u32], level: &Level) -> Result<Vec<u32>, StudioError> {
+/// The vertices, with their partners if the spec is mirrored. A vertex that is not there is left for the solver to refuse.
+fn joined_by_mirror(spec: &EditSpec, vertices: &[u32], level: &Level) -> Result<Vec<u32>, StudioError> {
     let known = vertices.iter().all(|&vertex| (vertex as usize) < level.rest().len());
-    match grip.settings.mirror {
+    match spec.settings.mirror {
         Mirror::On if known => Ok(level.mirror()?.closure(vertices)),
         _ => Ok(vertices.to_vec()),
     }
 }
 
-fn partner_places(grip: &Grip, handles: &[u32], level: &Level) -> Result<Vec<usize>, StudioError> {
-    if grip.settings.mirror == Mirror::Off {
+fn partner_places(spec: &EditSpec, handles: &[u32], level: &Level) -> Result<Vec<usize>, StudioError> {
+    if spec.settings.mirror == Mirror::Off {
         return Ok((0..handles.len()).collect());
     }
     let table = level.mirror()?;
@@ -143,16 +144,16 @@ fn partner_places(grip: &Grip, handles: &[u32], level: &Level) -> Result<Vec<usi
     Ok(handles.iter().map(|handle| place(handle).expect("invariant: handles are closed under the mirror")).collect())
 }
 
-fn region(grip: &Grip, handles: &[u32], level: &mut Level) -> Result<Option<Region>, StudioError> {
-    Ok(match grip.settings.reach {
-        Reach::Whole => None,
-        Reach::Within { radius } => Some(level.region(handles, radius)?),
+fn falloff(spec: &EditSpec, handles: &[u32], level: &mut Level) -> Result<Option<Falloff>, StudioError> {
+    Ok(match spec.settings.reach {
+        RegionOfInfluence::Whole => None,
+        RegionOfInfluence::Within { radius } => Some(level.falloff(handles, radius)?),
     })
 }
 
 /// The anchors that the settings ask for: pins, and those of the rule that are no handles.
-fn anchors(grip: &Grip, handles: &[u32], level: &mut Level) -> Result<Vec<u32>, StudioError> {
-    let Anchors { kind, pins } = &grip.settings.anchors;
+fn anchors(spec: &EditSpec, handles: &[u32], level: &mut Level) -> Result<Vec<u32>, StudioError> {
+    let Anchors { kind, pins } = &spec.settings.anchors;
     let vertex_count = level.rest().len();
     let by_rule = match *kind {
         AnchorKind::PinsOnly => Vec::new(),
@@ -168,9 +169,9 @@ fn anchors(grip: &Grip, handles: &[u32], level: &mut Level) -> Result<Vec<u32>, 
         .iter()
         .filter(|&&handle| (handle as usize) < vertex_count)
         .for_each(|&handle| taken[handle as usize] = true);
-    let mut anchors = joined_by_mirror(grip, pins, level)?;
+    let mut anchors = joined_by_mirror(spec, pins, level)?;
     anchors.iter().filter(|&&pin| (pin as usize) < vertex_count).for_each(|&pin| taken[pin as usize] = true);
-    for anchor in joined_by_mirror(grip, &by_rule, level)? {
+    for anchor in joined_by_mirror(spec, &by_rule, level)? {
         if !std::mem::replace(&mut taken[anchor as usize], true) {
             anchors.push(anchor);
         }

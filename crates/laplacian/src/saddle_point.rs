@@ -1,11 +1,11 @@
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 
-use crate::{Hold, LaplacianError};
+use crate::{ConstraintKind, LaplacianError};
 
-/// The small symmetric system that is left when all but the held vertices are eliminated; see [`crate::grounded`].
-pub(crate) struct Bordered {
-    held: Vec<u32>,
-    /// The components that have a held vertex.
+/// The small saddle-point (KKT) system that is left when all but the constrained vertices are eliminated; see [`crate::gauge_fixed`].
+pub(crate) struct SaddlePoint {
+    constrained: Vec<u32>,
+    /// The components that have a constrained vertex.
     touched: Vec<u32>,
     system: LU<f64, Dyn, Dyn>,
 }
@@ -16,33 +16,38 @@ pub(crate) struct Coefficients {
     constants: Vec<(u32, f64)>,
 }
 
-impl Bordered {
-    /// `entry(i, j)` is `Φ` between the `i`-th and `j`-th held vertex; it is asked for `i ≤ j` only.
-    pub(crate) fn new(held: &[u32], component: &[u32], hold: Hold, entry: impl Fn(usize, usize) -> f64) -> Self {
-        let mut touched: Vec<u32> = held.iter().map(|&vertex| component[vertex as usize]).collect();
+impl SaddlePoint {
+    /// `entry(i, j)` is `Φ` between the `i`-th and `j`-th constrained vertex; it is asked for `i ≤ j` only.
+    pub(crate) fn new(
+        constrained: &[u32],
+        component: &[u32],
+        kind: ConstraintKind,
+        entry: impl Fn(usize, usize) -> f64,
+    ) -> Self {
+        let mut touched: Vec<u32> = constrained.iter().map(|&vertex| component[vertex as usize]).collect();
         touched.sort_unstable();
         touched.dedup();
-        let k = held.len();
+        let k = constrained.len();
         let mut system = DMatrix::zeros(k + touched.len(), k + touched.len());
         for j in 0..k {
             for i in 0..=j {
                 let value = entry(i, j);
                 (system[(i, j)], system[(j, i)]) = (value, value);
             }
-            system[(j, j)] += hold.compliance();
-            let own = k + touched.partition_point(|&other| other < component[held[j] as usize]);
+            system[(j, j)] += kind.compliance();
+            let own = k + touched.partition_point(|&other| other < component[constrained[j] as usize]);
             (system[(own, j)], system[(j, own)]) = (1.0, 1.0);
         }
-        Self { held: held.to_vec(), touched, system: system.lu() }
+        Self { constrained: constrained.to_vec(), touched, system: system.lu() }
     }
 
-    /// The coefficients for the given target at each held vertex.
+    /// The coefficients for the given target at each constrained vertex.
     pub(crate) fn solve(&self, targets: impl Iterator<Item = f64>) -> Result<Coefficients, LaplacianError> {
-        let k = self.held.len();
+        let k = self.constrained.len();
         let padded = targets.chain(std::iter::repeat(0.0));
         let mut x = DVector::from_iterator(k + self.touched.len(), padded.take(k + self.touched.len()));
         if !self.system.solve_mut(&mut x) || x.iter().any(|value| !value.is_finite()) {
-            return Err(LaplacianError::BadlyScaled { vertex: self.held[0] });
+            return Err(LaplacianError::BadlyScaled { vertex: self.constrained[0] });
         }
         let (columns, constants) = x.as_slice().split_at(k);
         Ok(Coefficients {

@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 /// A rotated rectangle in a picture, normalised: x and widths in units of the picture's width, y and heights in units
 /// of its height.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Region {
+pub struct RegionOfInterest {
     /// Centre (x, y), normalised.
     pub centre: [f32; 2],
     /// Width and height, normalised; a square in pixels has two different numbers in a picture that is not square.
@@ -27,7 +27,7 @@ pub(crate) struct PictureSize {
     pub(crate) height: f32,
 }
 
-impl Region {
+impl RegionOfInterest {
     /// The square around something with the box `size` and `centre` (normalised) whose horizontal runs from `start` to
     /// `end`: side 1.5 × the longer side of the box in px, turned so that start → end points right.
     pub(crate) fn around(centre: [f32; 2], size: [f32; 2], [start, end]: [[f32; 2]; 2], picture: PictureSize) -> Self {

@@ -1,7 +1,7 @@
 use std::sync::Arc;
 
 use crate::Standing;
-use crate::shape::Shape;
+use crate::level_positions::LevelPositions;
 
 /// What the kept shapes may take together, in bytes.
 const BUDGET_BYTES: usize = 48 << 20;
@@ -10,16 +10,16 @@ const LATEST: usize = 8;
 
 /// The shape after each entry of the history, and how each entry stands. What history alone would give: shapes are kept as
 /// far as memory allows, and the others are carried out again from the nearest one before.
-pub(super) struct Shapes {
-    unedited: Arc<Shape>,
-    after: Vec<Option<Arc<Shape>>>,
+pub(super) struct ReplayCache {
+    unedited: Arc<LevelPositions>,
+    after: Vec<Option<Arc<LevelPositions>>>,
     standings: Vec<Standing>,
     kept_bytes: usize,
     budget_bytes: usize,
 }
 
-impl Shapes {
-    pub fn new(unedited: Shape) -> Self {
+impl ReplayCache {
+    pub fn new(unedited: LevelPositions) -> Self {
         let (after, standings) = (Vec::new(), Vec::new());
         Self { unedited: Arc::new(unedited), after, standings, kept_bytes: 0, budget_bytes: BUDGET_BYTES }
     }
@@ -28,12 +28,12 @@ impl Shapes {
         self.after.len()
     }
 
-    pub fn unedited(&self) -> &Arc<Shape> {
+    pub fn unedited(&self) -> &Arc<LevelPositions> {
         &self.unedited
     }
 
     /// The shape after the last entry: always kept.
-    pub fn last(&self) -> &Arc<Shape> {
+    pub fn last(&self) -> &Arc<LevelPositions> {
         self.after.last().and_then(Option::as_ref).unwrap_or(&self.unedited)
     }
 
@@ -41,8 +41,8 @@ impl Shapes {
         self.standings.get(index)
     }
 
-    pub fn push(&mut self, shape: Arc<Shape>, standing: Standing) {
-        // Shapes that entries share count once: one that changes nothing shares that of the one before.
+    pub fn push(&mut self, shape: Arc<LevelPositions>, standing: Standing) {
+        // ReplayCache that entries share count once: one that changes nothing shares that of the one before.
         self.kept_bytes += if Arc::ptr_eq(&shape, self.last()) { 0 } else { shape.bytes() };
         self.after.push(Some(shape));
         self.standings.push(standing);
@@ -87,14 +87,14 @@ impl Shapes {
 mod tests {
     use super::*;
     use crate::level::{Level, Rest};
-    use crate::{Frame, Standing};
+    use crate::{CoordinateFrame, Standing};
     use rosto_face::{Triangulation, canonical_positions_m};
 
     #[test]
     fn memory_stays_within_its_budget_and_the_latest_shapes_stay() {
-        let rest = Rest::new(Triangulation::Canonical.topology(), canonical_positions_m(), Frame::Model);
-        let shape = Shape::at_rest(&[Level::new(rest)]);
-        let mut shapes = Shapes::new(shape.clone());
+        let rest = Rest::new(Triangulation::Canonical.topology(), canonical_positions_m(), CoordinateFrame::Model);
+        let shape = LevelPositions::at_rest(&[Level::new(rest)]);
+        let mut shapes = ReplayCache::new(shape.clone());
         shapes.budget_bytes = 20 * shape.bytes();
         for _ in 0..1000 {
             shapes.push(Arc::new(shape.clone()), Standing::InForce);

@@ -7,14 +7,14 @@ use crate::mirror::reflected;
 ///
 /// Dimensionless. Whatever the mirror and the density do to an edit, it stays linear in Δ, unless details turn.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Follow {
+pub struct InfluenceWeights {
     /// `a`, one for each vertex shown.
     pub direct: Vec<f64>,
     /// `b`; empty unless the mirror takes part.
     pub mirrored: Vec<f64>,
 }
 
-impl Follow {
+impl InfluenceWeights {
     /// From what an offset of one unit along x, and one along y, displace the mesh by.
     pub(crate) fn from_displacements(along_x: &[DVec3], along_y: &[DVec3]) -> Self {
         let half = |sign: f64| along_y.iter().zip(along_x).map(|(y, x)| 0.5 * (y.y + sign * x.x)).collect();

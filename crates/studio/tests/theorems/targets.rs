@@ -13,7 +13,7 @@ use crate::faces::*;
 fn of_region(region: Region, offset: DVec3) -> Command {
     let handles = region.vertices();
     let offsets = vec![offset; handles.len()];
-    Command::Move { grip: Grip { level: 0, handles, settings: Settings::default() }, offsets }
+    Command::Move { spec: EditSpec { level: 0, handles, settings: Settings::default() }, offsets }
 }
 
 #[test]
@@ -21,7 +21,7 @@ fn every_slider_is_told_from_what_it_does_with_its_amount() {
     for slider in FaceSlider::ALL {
         for amount_m in [-0.004, 0.0011] {
             let command = slider.command(amount_m);
-            assert_eq!(command.subject(), Subject::Slider(slider));
+            assert_eq!(command.target(), EditTarget::Slider(slider));
             let Amount::Distance(found_m) = command.amount() else { panic!("{slider:?} is a distance") };
             assert!((found_m - amount_m).abs() < 1e-15, "{slider:?}: {found_m}");
             let others = FaceSlider::ALL.into_iter().filter(|other| *other != slider);
@@ -32,10 +32,10 @@ fn every_slider_is_told_from_what_it_does_with_its_amount() {
 
 #[test]
 fn a_slider_with_one_handle_off_its_way_is_none() {
-    let Command::Move { grip, mut offsets } = FaceSlider::JawWidth.command(0.004) else { panic!("it moves") };
+    let Command::Move { spec, mut offsets } = FaceSlider::JawWidth.command(0.004) else { panic!("it moves") };
     offsets[2].y += 1e-6;
-    let command = Command::Move { grip: grip.clone(), offsets };
-    assert_eq!(command.subject(), Subject::Vertices(grip.handles.len()));
+    let command = Command::Move { spec: spec.clone(), offsets };
+    assert_eq!(command.target(), EditTarget::Vertices(spec.handles.len()));
     assert_eq!(FaceSlider::JawWidth.amount_m(&command), None);
 }
 
@@ -44,26 +44,26 @@ fn regions_and_landmarks_are_told_from_their_handles() {
     let offset = DVec3::new(0.0, 0.003, 0.004);
     for region in Region::ALL {
         let command = of_region(region, offset);
-        assert_eq!(command.subject(), Subject::Region(region));
+        assert_eq!(command.target(), EditTarget::Region(region));
         assert_eq!(command.amount(), Amount::Distance(0.005));
     }
-    assert_eq!(single_move(4, offset).subject(), Subject::Landmark(4));
-    let grip = Grip { level: 2, handles: vec![4], ..Grip::default() };
-    let dense = Command::Move { grip, offsets: vec![offset] };
-    assert_eq!(dense.subject(), Subject::Point { level: 2, vertex: 4 });
-    assert_eq!(Command::Symmetrise { share: 0.3 }.subject(), Subject::Symmetry);
+    assert_eq!(single_move(4, offset).target(), EditTarget::Landmark(4));
+    let spec = EditSpec { level: 2, handles: vec![4], ..EditSpec::default() };
+    let dense = Command::Move { spec, offsets: vec![offset] };
+    assert_eq!(dense.target(), EditTarget::Point { level: 2, vertex: 4 });
+    assert_eq!(Command::Symmetrise { share: 0.3 }.target(), EditTarget::Symmetry);
     assert_eq!(Command::Symmetrise { share: 0.3 }.amount(), Amount::Share(0.3));
 }
 
 #[test]
 fn subjects_have_names_of_their_own_in_each_language() {
-    let regions = Region::ALL.map(Subject::Region);
-    let sliders = FaceSlider::ALL.map(Subject::Slider);
-    let point = Subject::Point { level: 3, vertex: 12_045 };
-    let subjects = [&regions[..], &sliders, &[Subject::Symmetry, Subject::Vertices(3), point]].concat();
+    let regions = Region::ALL.map(EditTarget::Region);
+    let sliders = FaceSlider::ALL.map(EditTarget::Slider);
+    let point = EditTarget::Point { level: 3, vertex: 12_045 };
+    let targets = [&regions[..], &sliders, &[EditTarget::Symmetry, EditTarget::Vertices(3), point]].concat();
     for language in [Language::English, Language::Portuguese] {
-        let names: BTreeSet<String> = subjects.iter().map(|subject| subject.name(language)).collect();
-        assert_eq!(names.len(), subjects.len());
+        let names: BTreeSet<String> = targets.iter().map(|target| target.name(language)).collect();
+        assert_eq!(names.len(), targets.len());
         assert!(names.iter().all(|name| *name == name.to_lowercase()));
     }
 }
@@ -71,7 +71,8 @@ fn subjects_have_names_of_their_own_in_each_language() {
 #[test]
 fn a_point_of_a_denser_mesh_is_named_by_its_number_and_the_part_of_the_face_around_it() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
-    let name = |document: &Document, vertex, language| document.name_of(Subject::Point { level: 1, vertex }, language);
+    let name =
+        |document: &Document, vertex, language| document.name_of(EditTarget::Point { level: 1, vertex }, language);
     assert_eq!(name(&document, 1_045, Language::Portuguese), "ponto 1.045", "that mesh was never shown");
     document.set_density(1).unwrap();
     assert_eq!(name(&document, 1, Language::English), "point 1 near the tip of the nose");
@@ -81,7 +82,7 @@ fn a_point_of_a_denser_mesh_is_named_by_its_number_and_the_part_of_the_face_arou
     assert!(name(&document, 1_045, Language::English).starts_with("point 1,045 near the "));
     let (of_coarse, of_dense) = (document.nearest_on(0, 425), document.nearest_on(1, 1_045));
     assert_eq!((of_coarse, of_dense), (Some(425), Some(1_045)));
-    assert_eq!(document.name_of(Subject::Landmark(1), Language::English), "nose tip");
+    assert_eq!(document.name_of(EditTarget::Landmark(1), Language::English), "nose tip");
 }
 
 #[test]

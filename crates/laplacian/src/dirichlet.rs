@@ -1,0 +1,74 @@
+use nalgebra_sparse::{CooMatrix, CsrMatrix};
+
+use crate::factor::Factor;
+use crate::{ConstraintKind, LaplacianError};
+
+/// A form whose constrained vertices are worked into the matrix before it is factored, however many they are.
+///
+/// Soft constraints add their weight to the diagonal. Hard constrained vertices leave the system (Dirichlet elimination): their rows and columns become the
+/// identity's, and what they pull on their neighbours moves to the right-hand side.
+pub(crate) struct Dirichlet {
+    constrained: Vec<u32>,
+    kind: ConstraintKind,
+    factor: Factor,
+    /// For hard constraints, the entries between free vertices (rows) and constrained ones (by index into `constrained`).
+    pull: Vec<(usize, usize, f64)>,
+}
+
+impl Dirichlet {
+    /// From `B = Q + Σ e_g e_gᵀ`, where the gauge vertex of a component is the one that names it.
+    pub(crate) fn new(
+        gauge_fixed: &CsrMatrix<f64>,
+        component: &[u32],
+        constrained: &[u32],
+        kind: ConstraintKind,
+    ) -> Result<Self, LaplacianError> {
+        let n = component.len();
+        let mut index = vec![None; n];
+        constrained.iter().enumerate().for_each(|(k, &vertex)| index[vertex as usize] = Some(k));
+        let mut touched = vec![false; n];
+        constrained.iter().for_each(|&vertex| touched[component[vertex as usize] as usize] = true);
+
+        let mut entries = CooMatrix::new(n, n);
+        let mut pull = Vec::new();
+        for (i, j, &value) in gauge_fixed.triplet_iter() {
+            let ground = if i == j && touched[i] { 1.0 } else { 0.0 };
+            match (kind, index[i], index[j]) {
+                (ConstraintKind::Soft { weight }, Some(_), _) if i == j => entries.push(i, j, value - ground + weight),
+                (ConstraintKind::Hard, Some(_), _) if i == j => entries.push(i, j, 1.0),
+                (ConstraintKind::Hard, None, Some(k)) => pull.push((i, k, value)),
+                (ConstraintKind::Hard, Some(_), _) => {}
+                _ => entries.push(i, j, value - ground),
+            }
+        }
+        Ok(Self { constrained: constrained.to_vec(), kind, factor: Factor::new(&CsrMatrix::from(&entries))?, pull })
+    }
+
+    /// Whether these vertices, and no others, are constrained so.
+    pub(crate) fn holds(&self, constrained: &[u32], kind: ConstraintKind) -> bool {
+        self.constrained == constrained && self.kind == kind
+    }
+
+    /// Solves for a load on free vertices, in place.
+    pub(crate) fn solve(&self, load: &mut [f64]) {
+        self.factor.solve(load);
+    }
+
+    /// See [`ConstrainedForm::minimise`](crate::gauge_fixed::ConstrainedForm::minimise).
+    pub(crate) fn minimise(&self, load: Option<&[f64]>, targets: &[f64], out: &mut [f64]) {
+        match load {
+            Some(load) => out.copy_from_slice(load),
+            None => out.fill(0.0),
+        }
+        for (&vertex, target) in self.constrained.iter().zip(targets) {
+            match self.kind {
+                ConstraintKind::Soft { weight } => out[vertex as usize] += weight * target,
+                ConstraintKind::Hard => out[vertex as usize] = *target,
+            }
+        }
+        for &(free, constrained, value) in &self.pull {
+            out[free] -= value * targets[constrained];
+        }
+        self.factor.solve(out);
+    }
+}

@@ -1,0 +1,132 @@
+//! Constrained minimisation with one factor for all constraints.
+//!
+//! Of a positive semi-definite form `Q`, whose kernel is the constants on each component of the mesh, the factor of
+//! `B = Q + Σ e_g e_gᵀ` is kept, with one gauge vertex `g` for each component: its lowest, which only has to be
+//! some vertex, since nothing that is asked of the form depends on it. Minimising
+//! `dᵀQd − 2rᵀd + Σ wᵢ(dᵢ − sᵢ)²` over constrained vertices `S`, for a load `r` that sums to 0, then asks for no new factor.
+//! With `Φ = B⁻¹`:
+//! ```text
+//! d = Φ r + Φ_S c + P t    with   ⎡ W⁻¹ + Φ_SS  P_S ⎤ ⎡ c ⎤ = ⎡ s − (Φ r)_S ⎤
+//!                                 ⎣    P_Sᵀ      0  ⎦ ⎣ t ⎦   ⎣      0      ⎦
+//! ```
+//! where `P` holds the indicators of the components. This is Woodbury's formula for `N = Q + Σ wᵢeᵢeᵢᵀ`, with the gauge
+//! taken out by `Φ e_g = P_g` (as `Q·1 = 0`), so that the choice of gauge leaves no trace. A hard constraint is `1/w = 0`.
+
+use nalgebra_sparse::{CooMatrix, CsrMatrix};
+use rosto_mesh::Topology;
+
+use crate::dirichlet::Dirichlet;
+use crate::factor::{Factor, HalfSolved};
+use crate::saddle_point::SaddlePoint;
+use crate::{ConstraintKind, Constraints, LaplacianError};
+
+/// From this many constrained vertices on, a factor of their own is cheaper than the saddle-point system, which grows as the cube.
+pub(crate) const MANY_CONSTRAINED: usize = 256;
+
+/// The form `Q`, factored once in a way that serves any constraints.
+pub(crate) struct GaugeFixedForm {
+    component: Vec<u32>,
+    /// `B`.
+    matrix: CsrMatrix<f64>,
+    factor: Factor,
+}
+
+/// The form under constraints: what is left to choose are targets and load.
+pub(crate) struct ConstrainedForm {
+    constrained: Vec<u32>,
+    kind: ConstraintKind,
+    method: Method,
+}
+
+/// How a constrained form is minimised; both ways give the same numbers.
+enum Method {
+    /// The columns `Φ_S` are half solved, and the rest of the work is a saddle-point (KKT) system.
+    SaddlePoint(Vec<HalfSolved>, SaddlePoint),
+    /// The constrained vertices are worked into a factor of their own.
+    Dirichlet(Box<Dirichlet>),
+}
+
+impl GaugeFixedForm {
+    pub(crate) fn new(topology: &Topology, form: &CsrMatrix<f64>) -> Result<Self, LaplacianError> {
+        let component = topology.components();
+        let matrix = gauge_fixed(form, &component);
+        let factor = Factor::new(&matrix)?;
+        Ok(Self { component, matrix, factor })
+    }
+
+    pub(crate) fn component(&self) -> &[u32] {
+        &self.component
+    }
+
+    /// `B`.
+    pub(crate) fn matrix(&self) -> &CsrMatrix<f64> {
+        &self.matrix
+    }
+
+    /// Checks the constraints and does all the work that does not depend on targets.
+    pub(crate) fn constrain(&self, constraints: &Constraints<'_>) -> Result<ConstrainedForm, LaplacianError> {
+        constraints.check(&self.component)?;
+        let (constrained, kind) = (constraints.constrained(), constraints.kind);
+        let method = if constrained.len() >= MANY_CONSTRAINED {
+            Method::Dirichlet(Box::new(Dirichlet::new(&self.matrix, &self.component, &constrained, kind)?))
+        } else {
+            let halves = self.factor.half_solve(&constrained);
+            let entry = |i: usize, j: usize| self.factor.inverse_entry(&halves[i], &halves[j]);
+            let saddle_point = SaddlePoint::new(&constrained, &self.component, kind, entry);
+            Method::SaddlePoint(halves, saddle_point)
+        };
+        Ok(ConstrainedForm { constrained, kind, method })
+    }
+}
+
+impl ConstrainedForm {
+    /// The vertices that `targets` belong to: handles, then anchors.
+    pub(crate) fn constrained(&self) -> &[u32] {
+        &self.constrained
+    }
+
+    pub(crate) fn kind(&self) -> ConstraintKind {
+        self.kind
+    }
+
+    pub(crate) fn is_exact(&self) -> bool {
+        self.kind == ConstraintKind::Hard
+    }
+
+    /// Writes the minimiser for one target for each constrained vertex, and a load that sums to 0 over each component.
+    pub(crate) fn minimise(
+        &self,
+        form: &GaugeFixedForm,
+        load: Option<&[f64]>,
+        targets: &[f64],
+        out: &mut [f64],
+    ) -> Result<(), LaplacianError> {
+        match &self.method {
+            Method::SaddlePoint(halves, saddle_point) => {
+                let mut rows = load.map_or_else(|| vec![0.0; out.len()], |load| form.factor.forward(load));
+                let rest =
+                    halves.iter().zip(targets).map(|(half, target)| target - form.factor.inverse_row(half, &rows));
+                let c = saddle_point.solve(rest)?;
+                halves.iter().zip(&c.columns).for_each(|(half, &c)| form.factor.add(half, c, &mut rows));
+                form.factor.backward(rows, out);
+                c.add_constants(&form.component, out);
+            }
+            Method::Dirichlet(dirichlet) => dirichlet.minimise(load, targets, out),
+        }
+        if self.is_exact() {
+            // Exact up to rounding so far; now to the last bit.
+            self.constrained.iter().zip(targets).for_each(|(&vertex, &target)| out[vertex as usize] = target);
+        }
+        Ok(())
+    }
+}
+
+/// `Q + Σ e_g e_gᵀ`; the gauge vertex of a component is its lowest.
+pub(crate) fn gauge_fixed(form: &CsrMatrix<f64>, component: &[u32]) -> CsrMatrix<f64> {
+    let n = component.len();
+    let mut gauges = CooMatrix::new(n, n);
+    for vertex in (0..n).filter(|&vertex| component[vertex] as usize == vertex) {
+        gauges.push(vertex, vertex, 1.0);
+    }
+    form + CsrMatrix::from(&gauges)
+}
