@@ -78,7 +78,7 @@ journey("a point is moved by sliders on both sides, waits while the mesh is coar
   assert.equal(both.length, 2, "the other side did not follow");
 
   await page.selectOption("#point-density", "0");
-  assert.deepEqual(await visitor.history(), ["point 1,500 near the " + (await visitor.history())[0].split(" near the ")[1]]);
+  assert.deepEqual(await visitor.history(), [`point 1,500 near the ${(await visitor.history())[0].split(" near the ")[1]}`]);
   assert.match(await page.innerText("#history .waits"), /1,833 points/);
   assert.match(await page.inputValue("#landmark-search"), / · \d+$/);
   assert.equal((await visitor.meshJson("mm")).positions.length, LANDMARKS);

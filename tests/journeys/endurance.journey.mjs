@@ -155,7 +155,8 @@ async function countObjects() {
   const counts = {};
   for (const [name, type] of Object.entries(module)) {
     if (typeof type !== "function" || typeof type.__wrap !== "function") continue;
-    const count = (counts[name] = { made: 0, freed: 0 });
+    const count = { made: 0, freed: 0 };
+    counts[name] = count;
     const { __wrap: wrap } = type;
     type.__wrap = (...values) => {
       count.made += 1;

@@ -38,7 +38,6 @@ journey("a region moves as one by its sliders, under its name, as the command li
 
 journey("a region's landmarks are marked, and it is dragged by any of them and by its gizmo", async (open) => {
   const visitor = await open();
-  const { page } = visitor;
   await visitor.dropSample();
   await visitor.findLandmark("nose tip");
   const noseTip = await visitor.tagged();

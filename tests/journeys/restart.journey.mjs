@@ -188,7 +188,7 @@ async function panicIn({ module, type, method }) {
   // (module (func (export "panic") unreachable))
   const code = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 7, 9, 1, 5, 112, 97, 110, 105, 99, 0, 0, 10, 5, 1, 3, 0, 0, 11];
   const { instance } = await WebAssembly.instantiate(new Uint8Array(code));
-  prototype[method] = function (...values) {
+  prototype[method] = (...values) => {
     prototype[method] = call;
     return instance.exports.panic(...values);
   };

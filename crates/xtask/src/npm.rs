@@ -20,7 +20,7 @@ pub fn obtain() -> Result<PathBuf> {
     if is_installed(&lock, &installed) {
         return Ok(folder);
     }
-    progress::announce("npm packages", "the published networks, the type checker and the page's tests");
+    progress::announce("npm packages", "the published networks, the type checker, the linter and the page's tests");
     let started = Instant::now();
     let install = Run::new("npm").args(["ci", "--no-audit", "--no-fund"]).current_dir(workspace::root());
     install.within(LIMIT).run()?.checked().map_err(|cause| {

@@ -52,7 +52,10 @@ export class Chance {
    */
   weighted(weighted) {
     let left = this.next() * weighted.reduce((sum, [weight]) => sum + weight, 0);
-    for (const [weight, value] of weighted) if ((left -= weight) < 0) return value;
+    for (const [weight, value] of weighted) {
+      left -= weight;
+      if (left < 0) return value;
+    }
     return weighted.at(-1)[1];
   }
 }

@@ -51,7 +51,7 @@ export class Hands {
       case "set":
         return this.page.evaluate(([at, value]) => window["__eyes"].set(at, value), [action.at, action.value]);
       case "enter":
-        return this.#enter(action.at, action.text, action.then);
+        return this.#enter(action.at, action.text, action.lastKey);
       case "slide":
         if (await this.#focus(action.at)) await this.#keys(action.keys);
         return;
@@ -102,12 +102,12 @@ export class Hands {
     return this.page.evaluate((at) => window["__eyes"].enter(at), at);
   }
 
-  /** @param {string} at @param {string} text @param {string | null} then */
-  async #enter(at, text, then) {
+  /** @param {string} at @param {string} text @param {string | null} lastKey */
+  async #enter(at, text, lastKey) {
     if (!(await this.#focus(at))) return;
     if (text === "") await this.page.keyboard.press("Delete");
     else await this.input.send("Input.insertText", { text });
-    if (then) await this.page.keyboard.press(then);
+    if (lastKey) await this.page.keyboard.press(lastKey);
   }
 
   /** @param {string} at @param {number} from @param {number} to shares of the slider's width */

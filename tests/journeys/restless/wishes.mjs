@@ -10,7 +10,7 @@
  *
  * @typedef {{ do: "press" | "doublePress", at: string, label: string }
  *   | { do: "set", at: string, label: string, value: string | number }
- *   | { do: "enter", at: string, label: string, text: string, then: string | null }
+ *   | { do: "enter", at: string, label: string, text: string, lastKey: string | null }
  *   | { do: "slide", at: string, label: string, keys: string[] }
  *   | { do: "pull", at: string, label: string, from: number, to: number }
  *   | { do: "pointer", on: "view" | "photo", how: string, moves: Move[] }
@@ -148,8 +148,8 @@ function use(chance, control) {
   if (kind === "select") return { do: "set", at, label, value: chooseOption(chance, at, options) };
   if (kind === "colour") return { do: "set", at, label, value: `#${chance.below(0x1000000).toString(16).padStart(6, "0")}` };
   if (kind === "label") return { do: "doublePress", at, label };
-  if (kind === "number") return { do: "enter", at, label, text: chance.one(NUMBERS), then: chance.one(["Tab", "Enter", "Escape", null, "ArrowUp"]) };
-  if (kind === "text") return { do: "enter", at, label, text: chance.one(TEXTS), then: chance.one(["Enter", "Enter", "Tab", "Escape", null]) };
+  if (kind === "number") return { do: "enter", at, label, text: chance.one(NUMBERS), lastKey: chance.one(["Tab", "Enter", "Escape", null, "ArrowUp"]) };
+  if (kind === "text") return { do: "enter", at, label, text: chance.one(TEXTS), lastKey: chance.one(["Enter", "Enter", "Tab", "Escape", null]) };
   if (kind !== "range") return press(control);
   if (chance.is(0.5)) return { do: "pull", at, label, from: chance.next(), to: chance.next() };
   return { do: "slide", at, label, keys: several(chance, 1, 6, () => chance.one(SLIDER_KEYS)) };

@@ -71,6 +71,7 @@ pub fn all() -> Result<Vec<Step>> {
     let mut steps = vec![
         Step::new("format", "rustfmt", |_| check("format", cargo().args(["fmt", "--all", "--check"]))),
         native_lint(browsers.clone()),
+        scripts_lint(),
         wasm_lint("lint-wasm", "clippy on wasm32, for what runs in the browser", union(&web, &tested_on_wasm)),
         wasm_lint("lint-webgl", "the same, for browsers without WebGPU", vec![WEBGL_MODULE.to_owned()]),
         rustdoc(browsers),
@@ -88,6 +89,12 @@ fn native_lint(browsers: Vec<String>) -> Step {
             .args(["clippy", "--workspace", "--all-targets", "--locked", "--keep-going"])
             .args(excluding(&browsers));
         check("lint", clippy.arg("--").args(DENY))
+    })
+}
+
+fn scripts_lint() -> Step {
+    Step::new("lint-js", "Biome over the page's JavaScript and the tests'", |kit| {
+        check("lint-js", quiet(kit.run("npm")?).args(["run", "--silent", "lint"]))
     })
 }
 
