@@ -8,6 +8,7 @@ cargo xtask TASK
   serve         build the page and serve it on 127.0.0.1:8080, or the next free port
   dist          build the page for the web into dist/, and show its sizes
   test [STEP…]  check and test everything, or only the named steps
+  deny          check licences, bans and sources of all that is compiled, as deny.toml wants them
   bench [WHAT…] measure against the paper and the peers; --write updates docs/benchmarks.md
   torture       broken bytes and random visitors, for hours; --write updates docs/torture.md
                   [--inputs N] [--actions N] [--page-actions N]; 0 leaves a part out

@@ -1,4 +1,4 @@
-//! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `test`, `bench`, `torture`,
+//! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `test`, `deny`, `bench`, `torture`,
 //! `screenshots`.
 
 mod apt;
@@ -6,6 +6,7 @@ mod bench;
 mod browser;
 mod cache;
 mod debian;
+mod deny;
 mod dist;
 mod failure;
 mod figures;
@@ -49,6 +50,7 @@ fn run(arguments: &[String]) -> Result<ExitCode> {
         ["serve"] => serve::run(),
         ["dist"] => dist::run(),
         ["test", steps @ ..] => test::run(steps),
+        ["deny"] => deny::run(),
         ["bench", arguments @ ..] => bench::run(arguments),
         ["torture", arguments @ ..] => torture::run(arguments),
         ["screenshots"] => screenshots::run(),

@@ -1,4 +1,4 @@
-//! The programs that build and test the page, each installed with cargo into the user's cache.
+//! The programs that build, test and check, each installed with cargo into the user's cache.
 
 use crate::failure::{Failure, Result};
 use crate::process::{Run, find_program};
@@ -43,6 +43,13 @@ pub fn wasm_pack() -> Tool {
     let why = "it runs the WebAssembly tests in a browser";
     let version = versions::WASM_PACK.to_owned();
     Tool { package: "wasm-pack", version, program: "wasm-pack", features: Features::Default, why }
+}
+
+/// Checks what the workspace depends on.
+pub fn cargo_deny() -> Tool {
+    let why = "it checks licences, bans and sources of what is compiled";
+    let version = versions::CARGO_DENY.to_owned();
+    Tool { package: "cargo-deny", version, program: "cargo-deny", features: Features::Default, why }
 }
 
 impl Tool {

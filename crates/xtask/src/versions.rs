@@ -10,6 +10,9 @@ pub const TRUNK: &str = "0.22.1";
 /// Runs the wasm tests in headless Chrome.
 pub const WASM_PACK: &str = "0.15.1";
 
+/// Checks licences, bans and sources of what is compiled.
+pub const CARGO_DENY: &str = "0.20.2";
+
 /// A file of which only the one with this sha256 is accepted.
 pub struct PinnedFile {
     /// Path below the folder that holds it.
