@@ -10,26 +10,30 @@ mod texture;
 
 use container::Builder;
 pub use source::Source;
-pub(crate) use source::{VERSION, fingerprint, history_object, triangulation_from_name, triangulation_name};
+pub(crate) use source::{VERSION, fingerprint, history_object};
 
-/// How the face is painted. Never both ways at once, which would multiply the photo by itself.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum BaseColour {
-    /// The photo as the base-colour texture: a power-of-two crop around the face, encoded as JPEG.
-    #[default]
-    Texture,
-    /// One linear colour for each vertex, 16 bits a channel.
-    VertexColours,
+rosto_named::named! {
+    /// How the face is painted. Never both ways at once, which would multiply the photo by itself.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum BaseColour {
+        /// The photo as the base-colour texture: a power-of-two crop around the face, encoded as JPEG.
+        #[default]
+        Texture = "texture",
+        /// One linear colour for each vertex, 16 bits a channel.
+        VertexColours = "colours",
+    }
 }
 
-/// Whether light falls on the face.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Material {
-    /// Physically based and matt.
-    #[default]
-    Lit,
-    /// As photographed, by `KHR_materials_unlit`.
-    Unlit,
+rosto_named::named! {
+    /// Whether light falls on the face.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum Material {
+        /// Physically based and matt.
+        #[default]
+        Lit = "lit",
+        /// As photographed, by `KHR_materials_unlit`.
+        Unlit = "unlit",
+    }
 }
 
 /// A named displacement that a viewer can blend in: a glTF morph target.

@@ -12,7 +12,7 @@
 use rosto_face::LANDMARK_COUNT;
 use serde_json::Value;
 
-use crate::glb::{history_object, triangulation_name};
+use crate::glb::history_object;
 use crate::reopen::fields::{bounded, colours, density, field, integer, landmarks, object, version};
 use crate::reopen::texture::{MAX_PICTURE_SIDE_PX, PNG_SIGNATURE, png_size};
 use crate::reopen::triangulation;
@@ -39,7 +39,7 @@ pub fn write(source: &Source<'_>, png: &[u8]) -> Result<Vec<u8>, ExportError> {
         return Err(ExportError::NotPng);
     }
     let [width, height] = source.face.photo_size_px();
-    let triangulation = triangulation_name(source.triangulation);
+    let triangulation = source.triangulation.id();
     // The name of the format comes first, where earlier readers look for it.
     let header = format!(
         r#"{{"format":"{FORMAT}","version":{VERSION},"width_px":{width},"height_px":{height},"triangulation":"{triangulation}","density":{},"edits":{edits}}}"#,

@@ -2,7 +2,7 @@ use rosto_face::Triangulation;
 use serde_json::Value;
 use thiserror::Error;
 
-use crate::glb::{VERSION, fingerprint, triangulation_from_name};
+use crate::glb::{VERSION, fingerprint};
 
 mod chunks;
 pub(crate) mod fields;
@@ -107,7 +107,7 @@ pub fn reopen(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
 }
 
 pub(crate) fn triangulation(name: &Value) -> Result<Triangulation, ReopenError> {
-    name.as_str().and_then(triangulation_from_name).ok_or_else(field("triangulation"))
+    name.as_str().and_then(Triangulation::from_id).ok_or_else(field("triangulation"))
 }
 
 /// Whether the positions are others than those that the extras tell of.

@@ -1,66 +1,40 @@
 use crate::mirror_of;
 
-/// The parts that the face is divided into: every landmark lies in exactly one.
-///
-/// A part is given by its landmarks on the midline and on the subject's right; the left half is their mirror image.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Area {
-    Forehead,
-    Glabella,
-    Temple,
-    Brow,
-    UpperEyelid,
-    EyeCorner,
-    LowerEyelid,
-    UnderBrow,
-    UnderEye,
-    Cheekbone,
-    Cheek,
-    SideOfFace,
-    NoseBridge,
-    NoseSide,
-    NoseTip,
-    NoseWing,
-    Nostril,
-    Philtrum,
-    UpperLip,
-    MouthCorner,
-    LowerLip,
-    ChinCrease,
-    SmileLine,
-    Chin,
-    Jaw,
+rosto_named::named! {
+    /// The parts that the face is divided into: every landmark lies in exactly one.
+    ///
+    /// A part is given by its landmarks on the midline and on the subject's right; the left half is their mirror image.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub(crate) enum Area {
+        Forehead = "forehead",
+        Glabella = "glabella",
+        Temple = "temple",
+        Brow = "brow",
+        UpperEyelid = "upper-eyelid",
+        EyeCorner = "eye-corner",
+        LowerEyelid = "lower-eyelid",
+        UnderBrow = "under-brow",
+        UnderEye = "under-eye",
+        Cheekbone = "cheekbone",
+        Cheek = "cheek",
+        SideOfFace = "side-of-face",
+        NoseBridge = "nose-bridge",
+        NoseSide = "nose-side",
+        NoseTip = "nose-tip",
+        NoseWing = "nose-wing",
+        Nostril = "nostril",
+        Philtrum = "philtrum",
+        UpperLip = "upper-lip",
+        MouthCorner = "mouth-corner",
+        LowerLip = "lower-lip",
+        ChinCrease = "chin-crease",
+        SmileLine = "smile-line",
+        Chin = "chin",
+        Jaw = "jaw",
+    }
 }
 
 impl Area {
-    pub(crate) const ALL: [Self; 25] = [
-        Self::Forehead,
-        Self::Glabella,
-        Self::Temple,
-        Self::Brow,
-        Self::UpperEyelid,
-        Self::EyeCorner,
-        Self::LowerEyelid,
-        Self::UnderBrow,
-        Self::UnderEye,
-        Self::Cheekbone,
-        Self::Cheek,
-        Self::SideOfFace,
-        Self::NoseBridge,
-        Self::NoseSide,
-        Self::NoseTip,
-        Self::NoseWing,
-        Self::Nostril,
-        Self::Philtrum,
-        Self::UpperLip,
-        Self::MouthCorner,
-        Self::LowerLip,
-        Self::ChinCrease,
-        Self::SmileLine,
-        Self::Chin,
-        Self::Jaw,
-    ];
-
     /// The landmarks of the midline and of the subject's right.
     pub(crate) fn right_half(self) -> &'static [u16] {
         match self {

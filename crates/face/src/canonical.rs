@@ -6,14 +6,16 @@ use crate::tables::{CANONICAL, POSITIONS, TESSELLATION, UVS};
 /// How many landmarks MediaPipe's face mesh has; a landmark's index is its vertex.
 pub const LANDMARK_COUNT: usize = 468;
 
-/// The two published ways to join the landmarks by triangles. Both wind counter-clockwise for the viewer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub enum Triangulation {
-    /// `FACEMESH_TESSELATION`, the edges of the paper: 852 triangles, with the eyes and the mouth cut out.
-    #[default]
-    Tessellation,
-    /// The canonical face model's own: 898 triangles, with the eyes and the mouth filled; its own mirror image.
-    Canonical,
+rosto_named::named! {
+    /// The two published ways to join the landmarks by triangles. Both wind counter-clockwise for the viewer.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+    pub enum Triangulation {
+        /// `FACEMESH_TESSELATION`, the edges of the paper: 852 triangles, with the eyes and the mouth cut out.
+        #[default]
+        Tessellation = "tessellation",
+        /// The canonical face model's own: 898 triangles, with the eyes and the mouth filled; its own mirror image.
+        Canonical = "canonical",
+    }
 }
 
 impl Triangulation {

@@ -18,7 +18,7 @@ pub use canonical::{LANDMARK_COUNT, Triangulation, canonical_positions_m, canoni
 pub use contours::oval;
 pub use error::FaceError;
 pub use model::{FaceInput, FaceModel, check_landmarks};
-pub use names::{Language, has_anatomical_name, landmark_name, place_near};
+pub use names::{has_anatomical_name, landmark_id, part_id};
 pub use regions::Region;
 pub use rosto_photo::Photo;
 pub use symmetry::{midline, mirror_of, mirror_pairs};

@@ -1,66 +1,68 @@
 use crate::areas::Area;
-use crate::{Language, mirror_of};
+use crate::mirror_of;
 
-/// A named part of the face, for moving, pinning or finding its landmarks together.
-///
-/// Left and right are the subject's. Regions may overlap: the nose holds its tip, the lips hold both lips.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Region {
-    /// From the hairline to above the brows.
-    Forehead,
-    /// The temple beside the right eye.
-    RightTemple,
-    /// The temple beside the left eye.
-    LeftTemple,
-    /// The right brow.
-    RightBrow,
-    /// The left brow.
-    LeftBrow,
-    /// The right eye: both lids and corners.
-    RightEye,
-    /// The left eye: both lids and corners.
-    LeftEye,
-    /// The right upper lid, from its edge to its crease.
-    RightUpperEyelid,
-    /// The left upper lid, from its edge to its crease.
-    LeftUpperEyelid,
-    /// The right lower lid.
-    RightLowerEyelid,
-    /// The left lower lid.
-    LeftLowerEyelid,
-    /// The whole nose.
-    Nose,
-    /// The ridge from the root of the nose to above its tip.
-    NoseBridge,
-    /// The tip of the nose.
-    NoseTip,
-    /// The right wing of the nose with its nostril.
-    RightNoseWing,
-    /// The left wing of the nose with its nostril.
-    LeftNoseWing,
-    /// The right cheekbone.
-    RightCheekbone,
-    /// The left cheekbone.
-    LeftCheekbone,
-    /// The right cheek below its bone.
-    RightCheek,
-    /// The left cheek below its bone.
-    LeftCheek,
-    /// Both lips and the corners of the mouth.
-    Lips,
-    /// The upper lip.
-    UpperLip,
-    /// The lower lip.
-    LowerLip,
-    /// The chin.
-    Chin,
-    /// The whole jaw: both sides and the chin.
-    Jaw,
-    /// The right side of the jaw.
-    RightJaw,
-    /// The left side of the jaw.
-    LeftJaw,
+rosto_named::named! {
+    /// A named part of the face, for moving, pinning or finding its landmarks together.
+    ///
+    /// Left and right are the subject's. Regions may overlap: the nose holds its tip, the lips hold both lips.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum Region {
+        /// From the hairline to above the brows.
+        Forehead = "forehead",
+        /// The temple beside the right eye.
+        RightTemple = "right-temple",
+        /// The temple beside the left eye.
+        LeftTemple = "left-temple",
+        /// The right brow.
+        RightBrow = "right-brow",
+        /// The left brow.
+        LeftBrow = "left-brow",
+        /// The right eye: both lids and corners.
+        RightEye = "right-eye",
+        /// The left eye: both lids and corners.
+        LeftEye = "left-eye",
+        /// The right upper lid, from its edge to its crease.
+        RightUpperEyelid = "right-upper-eyelid",
+        /// The left upper lid, from its edge to its crease.
+        LeftUpperEyelid = "left-upper-eyelid",
+        /// The right lower lid.
+        RightLowerEyelid = "right-lower-eyelid",
+        /// The left lower lid.
+        LeftLowerEyelid = "left-lower-eyelid",
+        /// The whole nose.
+        Nose = "nose",
+        /// The ridge from the root of the nose to above its tip.
+        NoseBridge = "nose-bridge",
+        /// The tip of the nose.
+        NoseTip = "nose-tip",
+        /// The right wing of the nose with its nostril.
+        RightNoseWing = "right-nose-wing",
+        /// The left wing of the nose with its nostril.
+        LeftNoseWing = "left-nose-wing",
+        /// The right cheekbone.
+        RightCheekbone = "right-cheekbone",
+        /// The left cheekbone.
+        LeftCheekbone = "left-cheekbone",
+        /// The right cheek below its bone.
+        RightCheek = "right-cheek",
+        /// The left cheek below its bone.
+        LeftCheek = "left-cheek",
+        /// Both lips and the corners of the mouth.
+        Lips = "lips",
+        /// The upper lip.
+        UpperLip = "upper-lip",
+        /// The lower lip.
+        LowerLip = "lower-lip",
+        /// The chin.
+        Chin = "chin",
+        /// The whole jaw: both sides and the chin.
+        Jaw = "jaw",
+        /// The right side of the jaw.
+        RightJaw = "right-jaw",
+        /// The left side of the jaw.
+        LeftJaw = "left-jaw",
+    }
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -81,37 +83,6 @@ impl Side {
 }
 
 impl Region {
-    /// Every region, from the forehead down.
-    pub const ALL: [Self; 27] = [
-        Self::Forehead,
-        Self::RightTemple,
-        Self::LeftTemple,
-        Self::RightBrow,
-        Self::LeftBrow,
-        Self::RightEye,
-        Self::LeftEye,
-        Self::RightUpperEyelid,
-        Self::LeftUpperEyelid,
-        Self::RightLowerEyelid,
-        Self::LeftLowerEyelid,
-        Self::Nose,
-        Self::NoseBridge,
-        Self::NoseTip,
-        Self::RightNoseWing,
-        Self::LeftNoseWing,
-        Self::RightCheekbone,
-        Self::LeftCheekbone,
-        Self::RightCheek,
-        Self::LeftCheek,
-        Self::Lips,
-        Self::UpperLip,
-        Self::LowerLip,
-        Self::Chin,
-        Self::Jaw,
-        Self::RightJaw,
-        Self::LeftJaw,
-    ];
-
     /// The region's landmarks, ascending.
     pub fn vertices(self) -> Vec<u32> {
         let (areas, side) = self.definition();
@@ -139,24 +110,6 @@ impl Region {
         let (areas, side) = self.definition();
         let image = (areas, side.mirrored());
         Self::ALL.into_iter().find(|region| region.definition() == image).expect("invariant: sides come in pairs")
-    }
-
-    /// A stable name for files and command lines, such as `left-nose-wing`.
-    pub fn id(self) -> &'static str {
-        self.words().0
-    }
-
-    /// The region whose [`Self::id`] is `id`.
-    pub fn from_id(id: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|region| region.id() == id)
-    }
-
-    /// The region's name for people.
-    pub fn name(self, language: Language) -> &'static str {
-        match language {
-            Language::English => self.words().1,
-            Language::Portuguese => self.words().2,
-        }
     }
 
     fn definition(self) -> (&'static [Area], Side) {
@@ -193,39 +146,6 @@ impl Region {
             Self::Jaw => (&[Area::Jaw, SideOfFace, Area::Chin, ChinCrease], Both),
             Self::RightJaw => (JAW, Right),
             Self::LeftJaw => (JAW, Left),
-        }
-    }
-
-    /// Identifier, English name, Portuguese name.
-    fn words(self) -> (&'static str, &'static str, &'static str) {
-        match self {
-            Self::Forehead => ("forehead", "forehead", "testa"),
-            Self::RightTemple => ("right-temple", "right temple", "têmpora direita"),
-            Self::LeftTemple => ("left-temple", "left temple", "têmpora esquerda"),
-            Self::RightBrow => ("right-brow", "right brow", "sobrancelha direita"),
-            Self::LeftBrow => ("left-brow", "left brow", "sobrancelha esquerda"),
-            Self::RightEye => ("right-eye", "right eye", "olho direito"),
-            Self::LeftEye => ("left-eye", "left eye", "olho esquerdo"),
-            Self::RightUpperEyelid => ("right-upper-eyelid", "right upper eyelid", "pálpebra superior direita"),
-            Self::LeftUpperEyelid => ("left-upper-eyelid", "left upper eyelid", "pálpebra superior esquerda"),
-            Self::RightLowerEyelid => ("right-lower-eyelid", "right lower eyelid", "pálpebra inferior direita"),
-            Self::LeftLowerEyelid => ("left-lower-eyelid", "left lower eyelid", "pálpebra inferior esquerda"),
-            Self::Nose => ("nose", "nose", "nariz"),
-            Self::NoseBridge => ("nose-bridge", "nose bridge", "dorso do nariz"),
-            Self::NoseTip => ("nose-tip", "tip of the nose", "ponta do nariz"),
-            Self::RightNoseWing => ("right-nose-wing", "right nose wing", "asa direita do nariz"),
-            Self::LeftNoseWing => ("left-nose-wing", "left nose wing", "asa esquerda do nariz"),
-            Self::RightCheekbone => ("right-cheekbone", "right cheekbone", "maçã direita do rosto"),
-            Self::LeftCheekbone => ("left-cheekbone", "left cheekbone", "maçã esquerda do rosto"),
-            Self::RightCheek => ("right-cheek", "right cheek", "bochecha direita"),
-            Self::LeftCheek => ("left-cheek", "left cheek", "bochecha esquerda"),
-            Self::Lips => ("lips", "lips", "lábios"),
-            Self::UpperLip => ("upper-lip", "upper lip", "lábio superior"),
-            Self::LowerLip => ("lower-lip", "lower lip", "lábio inferior"),
-            Self::Chin => ("chin", "chin", "queixo"),
-            Self::Jaw => ("jaw", "jaw", "mandíbula"),
-            Self::RightJaw => ("right-jaw", "right side of the jaw", "lado direito da mandíbula"),
-            Self::LeftJaw => ("left-jaw", "left side of the jaw", "lado esquerdo da mandíbula"),
         }
     }
 }

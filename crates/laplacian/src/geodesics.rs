@@ -4,7 +4,7 @@ use rosto_mesh::Topology;
 
 use crate::factor::Factor;
 use crate::gauge_fixed::gauge_fixed;
-use crate::weights::unit_scale;
+use crate::weights::{barycentric_areas, unit_scale};
 use crate::{LaplacianError, Operator, check_positions};
 
 /// A vertex never stores less heat than this share of an average edge's square.
@@ -108,12 +108,8 @@ impl Geodesics {
 fn heat_matrix(topology: &Topology, positions: &[DVec3], laplacian: &CsrMatrix<f64>) -> CsrMatrix<f64> {
     let lengths = topology.edges().iter().map(|&[a, b]| positions[a as usize].distance(positions[b as usize]));
     let step = lengths.sum::<f64>() / topology.edges().len().max(1) as f64;
-    let mut storage = vec![0.0; topology.vertex_count()];
-    for &corners in topology.triangles() {
-        let [a, b, c] = corners.map(|corner| positions[corner as usize] / step);
-        let area = 0.5 * (b - a).cross(c - a).length();
-        corners.iter().for_each(|&corner| storage[corner as usize] += area / 3.0);
-    }
+    let in_steps: Vec<DVec3> = positions.iter().map(|&position| position / step).collect();
+    let storage = barycentric_areas(topology, &in_steps);
     let mut entries = CooMatrix::new(laplacian.nrows(), laplacian.ncols());
     for (vertex, stored) in storage.into_iter().enumerate() {
         entries.push(vertex, vertex, stored.max(MIN_STORAGE));

@@ -4,36 +4,44 @@ use rosto_mesh::Topology;
 
 use crate::{LaplacianError, check_positions, weights};
 
-/// A discrete Laplace–Beltrami operator `K`, which turns positions into δ-coordinates: `δ = K x`.
-///
-/// Every operator is `n × n`, dimensionless (no matter the unit of the positions), positive on the diagonal, has rows that
-/// sum to 0, and so takes no notice of translations; `δᵢ` points from a weighted mean of the neighbours to vertex `i`.
-/// All but [`Operator::Uniform`] are symmetric, positive semi-definite `K = diag(W·1) − W` for edge weights `W`, with one
-/// zero eigenvalue for each component of the mesh.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub enum Operator {
-    /// `L_s = D − Adj`, the paper's default (eq. 4): every edge weighs 1. Knows only the topology.
-    #[default]
-    UniformSymmetric,
-    /// `L = I − D⁻¹·Adj` (eq. 3): each row of `L_s` over its degree; not symmetric. Knows only the topology.
-    Uniform,
-    /// Edge `ij` weighs `(dᵢ + dⱼ) / 2d̄` for degrees `d` with mean `d̄`: well-connected vertices pull more. Knows only the
-    /// topology.
-    Degree,
-    /// Edge `ij` weighs `ℓ̄ / ℓᵢⱼ` for lengths `ℓ` at the start of the edit, with mean `ℓ̄`: close neighbours pull more.
-    /// Clamped to `1/20 … 20`.
-    InverseLength,
-    /// Edge `ij` weighs `½(cot α + cot β)` for the angles that face it (Pinkall and Polthier 1993). On a plane every
-    /// linear function has `δ = 0` inside the rim, however the plane is cut into triangles. Triangles lower than 1/50 of
-    /// their longest side fade into uniform weights, so that no cotangent exceeds 50 and no piece comes loose.
-    Cotangent,
+rosto_named::named! {
+    /// A discrete Laplacian `K`, which turns positions into δ-coordinates: `δ = K x`.
+    ///
+    /// Every operator is `n × n`, dimensionless (no matter the unit of the positions), positive on the diagonal, has rows that
+    /// sum to 0, and so takes no notice of translations; `δᵢ` points from a weighted mean of the neighbours to vertex `i`.
+    /// Each is made of edge weights `W`: `L = diag(W·1) − W` is symmetric and positive semi-definite, with one zero eigenvalue
+    /// for each component of the mesh. `K` is `L` itself, or `L` with scaled rows where the variant says so.
+    ///
+    /// The first four are graph Laplacians: they know how the mesh is joined, and lengths at most. The last two know its
+    /// geometry. An edit minimises `‖K d‖²` of the displacement `d`. With the cotangent stiffness matrix alone that is
+    /// `dᵀLLd`, in which small triangles count for less than their share of the surface; with the mass matrix `M` it is
+    /// `dᵀLM⁻¹Ld`, the discrete `∫‖Δd‖²`, which is the same however densely the surface is sampled.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+    pub enum Operator {
+        /// The combinatorial graph Laplacian `L_s = D − Adj`, the paper's default (eq. 4): every edge weighs 1. Knows only the
+        /// topology.
+        #[default]
+        UniformSymmetric = "L_s",
+        /// The random-walk graph Laplacian `L = I − D⁻¹·Adj` (eq. 3): each row of `L_s` over its degree; not symmetric. Knows
+        /// only the topology.
+        Uniform = "L",
+        /// Edge `ij` weighs `(dᵢ + dⱼ) / 2d̄` for degrees `d` with mean `d̄`: well-connected vertices pull more. Knows only the
+        /// topology.
+        Degree = "degree",
+        /// Edge `ij` weighs `ℓ̄ / ℓᵢⱼ` for lengths `ℓ` at the start of the edit, with mean `ℓ̄`: close neighbours pull more.
+        /// Clamped to `1/20 … 20`.
+        InverseLength = "inverse-length",
+        /// Edge `ij` weighs `½(cot α + cot β)` for the angles that face it (Pinkall and Polthier 1993). On a plane every
+        /// linear function has `δ = 0` inside the rim, however the plane is cut into triangles. Triangles lower than 1/50 of
+        /// their longest side fade into uniform weights, so that no cotangent exceeds 50 and no piece comes loose.
+        Cotangent = "cotangent",
+        /// The rows of [`Operator::Cotangent`] over `√mᵢ`, so that `KᵀK = L M⁻¹ L`; not symmetric. `mᵢ` is a third of the area
+        /// of the triangles around vertex `i` (the lumped, barycentric mass), over the mean of all; at least 1/100.
+        CotangentMass = "cotangent-mass",
+    }
 }
 
 impl Operator {
-    /// All of them, in the order of their definition.
-    pub const ALL: [Self; 5] =
-        [Self::UniformSymmetric, Self::Uniform, Self::Degree, Self::InverseLength, Self::Cotangent];
-
     /// The matrix `K` over a mesh at rest; `positions` in any unit.
     ///
     /// # Errors
@@ -41,7 +49,20 @@ impl Operator {
     pub fn matrix(self, topology: &Topology, positions: &[DVec3]) -> Result<CsrMatrix<f64>, LaplacianError> {
         check_positions(topology, positions)?;
         let symmetric = difference_from_neighbours(topology, &self.edge_weights(topology, positions));
-        Ok(if self == Self::Uniform { over_degree(symmetric) } else { symmetric })
+        Ok(match self {
+            Self::Uniform => over_rows(symmetric, &weights::degrees(topology)),
+            Self::CotangentMass => over_rows(symmetric, &weights::root_masses(topology, positions)),
+            _ => symmetric,
+        })
+    }
+
+    /// The operator with the same edge weights whose rows are not scaled, and which is symmetric.
+    pub(crate) fn symmetric(self) -> Self {
+        match self {
+            Self::Uniform => Self::UniformSymmetric,
+            Self::CotangentMass => Self::Cotangent,
+            symmetric => symmetric,
+        }
     }
 
     /// `W`: one weight for each of [`Topology::edges`].
@@ -50,7 +71,7 @@ impl Operator {
             Self::UniformSymmetric | Self::Uniform => weights::uniform(topology),
             Self::Degree => weights::by_degree(topology),
             Self::InverseLength => weights::by_inverse_length(topology, positions),
-            Self::Cotangent => weights::cotangent(topology, positions),
+            Self::Cotangent | Self::CotangentMass => weights::cotangent(topology, positions),
         }
     }
 
@@ -58,7 +79,7 @@ impl Operator {
     /// such that `Σ shareₖ ‖sideₖ‖²` is not negative, whatever is put for its sides.
     pub(crate) fn triangle_shares(self, topology: &Topology, positions: &[DVec3]) -> Vec<[f64; 3]> {
         match self {
-            Self::Cotangent => weights::cotangent_shares(topology, positions),
+            Self::Cotangent | Self::CotangentMass => weights::cotangent_shares(topology, positions),
             _ => weights::equal_shares(topology, &self.edge_weights(topology, positions)),
         }
     }
@@ -82,10 +103,10 @@ fn difference_from_neighbours(topology: &Topology, weights: &[f64]) -> CsrMatrix
     CsrMatrix::from(&entries)
 }
 
-fn over_degree(mut matrix: CsrMatrix<f64>) -> CsrMatrix<f64> {
-    for mut row in matrix.row_iter_mut() {
-        let degree = row.nnz().saturating_sub(1).max(1) as f64;
-        row.values_mut().iter_mut().for_each(|value| *value /= degree);
+/// Each row over its divisor.
+fn over_rows(mut matrix: CsrMatrix<f64>, divisors: &[f64]) -> CsrMatrix<f64> {
+    for (mut row, divisor) in matrix.row_iter_mut().zip(divisors) {
+        row.values_mut().iter_mut().for_each(|value| *value /= divisor);
     }
     matrix
 }

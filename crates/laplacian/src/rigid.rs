@@ -57,13 +57,13 @@ impl Default for RigidOptions {
 }
 
 impl RigidSystem {
-    /// Takes the edge weights of `operator` ([`Operator::Uniform`] has those of [`Operator::UniformSymmetric`]) and
+    /// Takes the edge weights of `operator` (rows are not scaled here) and
     /// factors `L`. `positions` in any unit.
     ///
     /// # Errors
     /// As [`LaplacianSystem::new`](crate::LaplacianSystem::new).
     pub fn new(topology: &Topology, positions: &[DVec3], operator: Operator) -> Result<Self, LaplacianError> {
-        let symmetric = if operator == Operator::Uniform { Operator::UniformSymmetric } else { operator };
+        let symmetric = operator.symmetric();
         let laplacian = symmetric.matrix(topology, positions)?;
         let rest = Rest {
             positions: positions.to_vec(),

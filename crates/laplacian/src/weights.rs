@@ -6,6 +6,9 @@ use rosto_mesh::Topology;
 /// How far a length may be from the mean before its weight stops changing.
 const MAX_LENGTH_RATIO: f64 = 20.0;
 
+/// A vertex has at least this share of the mean mass.
+const MIN_MASS: f64 = 0.01;
+
 /// Area over the square of the longest side under which a triangle counts as degenerate.
 const MIN_SHAPE: f64 = 0.01;
 
@@ -28,6 +31,32 @@ pub(crate) fn by_inverse_length(topology: &Topology, positions: &[DVec3]) -> Vec
     let mean = lengths.iter().sum::<f64>() / lengths.len() as f64;
     let weight = |length: f64| (mean / length).clamp(1.0 / MAX_LENGTH_RATIO, MAX_LENGTH_RATIO);
     lengths.into_iter().map(|length| if mean > 0.0 { weight(length) } else { 1.0 }).collect()
+}
+
+/// The degree of each vertex; 1 for one on its own.
+pub(crate) fn degrees(topology: &Topology) -> Vec<f64> {
+    (0..topology.vertex_count() as u32).map(|vertex| topology.degree(vertex).max(1) as f64).collect()
+}
+
+/// `√mᵢ` for masses `m` over their mean; a vertex without area around it counts as one with little.
+pub(crate) fn root_masses(topology: &Topology, positions: &[DVec3]) -> Vec<f64> {
+    let scale = unit_scale(positions);
+    let positions: Vec<DVec3> = positions.iter().map(|&position| position * scale).collect();
+    let masses = barycentric_areas(topology, &positions);
+    let mean = masses.iter().sum::<f64>() / masses.len() as f64;
+    let root = |mass: f64| (mass / mean).max(MIN_MASS).sqrt();
+    masses.into_iter().map(|mass| if mean > 0.0 { root(mass) } else { 1.0 }).collect()
+}
+
+/// For each vertex, a third of the area of the triangles around it.
+pub(crate) fn barycentric_areas(topology: &Topology, positions: &[DVec3]) -> Vec<f64> {
+    let mut areas = vec![0.0; topology.vertex_count()];
+    for &corners in topology.triangles() {
+        let [a, b, c] = corners.map(|corner| positions[corner as usize]);
+        let area = 0.5 * (b - a).cross(c - a).length();
+        corners.iter().for_each(|&corner| areas[corner as usize] += area / 3.0);
+    }
+    areas
 }
 
 /// Sums each triangle's share `½ cot` of the corner opposite, which is `e·f / 4A` for the sides `e, f` at that corner.

@@ -45,30 +45,31 @@ pub struct Choices {
     pub details: Details,
 }
 
-/// What stays in place beside the pins.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum AnchorChoice {
-    /// Two random vertices, new for each selection.
-    Random,
-    /// The face's oval.
-    Oval,
-    /// Nothing.
-    PinsOnly,
+rosto_named::named! {
+    /// What stays in place beside the pins.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum AnchorChoice {
+        /// Two random vertices, new for each selection.
+        Random = "random",
+        /// The face's oval.
+        Oval = "oval",
+        /// Nothing.
+        PinsOnly = "pins",
+    }
 }
 
-/// Choices that go together.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Preset {
-    /// What a hand expects: the point goes where it is put, both sides follow, the outline stays.
-    Sculpt,
-    /// The paper's edit.
-    Paper,
+rosto_named::named! {
+    /// Choices that go together.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Preset {
+        /// What a hand expects: the point goes where it is put, both sides follow, the outline stays.
+        Sculpt = "sculpt",
+        /// The paper's edit.
+        Paper = "paper",
+    }
 }
 
 impl Preset {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Sculpt, Self::Paper];
-
     /// The choices; the radius is left as it is, for when it is asked for.
     pub fn choices(self, radius_mm: f64) -> Choices {
         let paper = Choices {

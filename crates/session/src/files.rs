@@ -4,22 +4,26 @@ use rosto_export::{GlbOptions, JsonMesh, Model, Morph, Source, glb, mesh_json, p
 use crate::error::SessionError;
 use crate::{OpenFace, Session};
 
-/// Which coordinates a mesh is written in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Units {
-    /// MediaPipe's normalised ones.
-    Image,
-    /// Millimetres of the model.
-    Millimetres,
+rosto_named::named! {
+    /// Which coordinates a mesh is written in.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Units {
+        /// MediaPipe's normalised ones.
+        Image = "image",
+        /// Millimetres of the model.
+        Millimetres = "mm",
+    }
 }
 
-/// How edits are in a GLB.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum EditsAs {
-    /// As the shape that they lead to.
-    Shape,
-    /// As a morph target each, beside the unedited face.
-    MorphTargets,
+rosto_named::named! {
+    /// How edits are in a GLB.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum EditsAs {
+        /// As the shape that they lead to.
+        Shape = "shape",
+        /// As a morph target each, beside the unedited face.
+        MorphTargets = "morph-targets",
+    }
 }
 
 /// What leaves the session.
@@ -30,12 +34,12 @@ impl Session {
     /// [`SessionError::NoFace`].
     pub fn mesh_json(&self, units: Units) -> Result<String, SessionError> {
         let face = self.open_face()?;
-        let (units, positions) = match units {
-            Units::Image => ("image", face.positions_image()),
-            Units::Millimetres => ("mm", face.positions_mm()),
+        let positions = match units {
+            Units::Image => face.positions_image(),
+            Units::Millimetres => face.positions_mm(),
         };
         Ok(mesh_json(&JsonMesh {
-            units,
+            units: units.id(),
             positions: &positions,
             colours_srgb: &face.colours_srgb(&face.uvs()),
             triangles: face.document().topology().triangles(),

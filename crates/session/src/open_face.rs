@@ -4,7 +4,7 @@ mod outputs;
 mod selecting;
 
 use glam::DVec3;
-use rosto_face::{FaceModel, Language, Triangulation};
+use rosto_face::{FaceModel, Triangulation};
 use rosto_studio::{Command, Details, Document, EditTarget, FaceSlider, StudioError, Switch};
 
 use crate::Selection;
@@ -13,7 +13,6 @@ use crate::error::SessionError;
 use crate::rows::{Row, Rows};
 use crate::selection::Moving;
 use crate::slider_influence::{self, SliderFollow};
-pub use selecting::landmark_label;
 
 pub(crate) const M_PER_MM: f64 = 1.0 / 1000.0;
 pub(crate) const MM_PER_M: f64 = 1000.0;
@@ -241,7 +240,7 @@ impl OpenFace {
         };
         if let Some(target) = target {
             let first = self.document.history().entries().len();
-            self.document.commit(&self.document.name_of(target, Language::English));
+            self.document.commit(&target.to_string());
             self.rows.read(&self.document, first);
         }
         self.cancel(choices);
@@ -266,7 +265,7 @@ impl OpenFace {
     /// Brings the two sides of the face closer, as an entry of the history.
     pub(crate) fn symmetrise(&mut self, share: f64, choices: &Choices) -> Result<(), SessionError> {
         self.commit(choices);
-        let (label, first) = (EditTarget::Symmetry.name(Language::English), self.document.history().entries().len());
+        let (label, first) = (EditTarget::Symmetry.to_string(), self.document.history().entries().len());
         self.document.apply(&label, Command::Symmetrise { share })?;
         self.rows.read(&self.document, first);
         Ok(())

@@ -2,16 +2,18 @@ use glam::DVec3;
 use rosto_face::{Region, canonical_positions_m, mirror_of};
 use rosto_studio::{EditTarget, FaceSlider};
 
-/// What a click or a drag selects.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum SelectionMode {
-    /// One landmark.
-    #[default]
-    Landmark,
-    /// The region around it.
-    Region,
-    /// Any vertex of the mesh that is shown: at 468, the landmarks.
-    Point,
+rosto_named::named! {
+    /// What a click or a drag selects.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum SelectionMode {
+        /// One landmark.
+        #[default]
+        Landmark = "landmark",
+        /// The region around it.
+        Region = "region",
+        /// Any vertex of the mesh that is shown: at 468, the landmarks.
+        Point = "point",
+    }
 }
 
 /// What the visitor has chosen to move.

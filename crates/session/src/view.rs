@@ -1,5 +1,5 @@
 use rosto_face::Triangulation;
-use rosto_stage::{Background, ShadingMode, Stage, Wireframe};
+use rosto_stage::{Background, ShadingMode, Stage, Surface, Wireframe};
 
 /// How fast the empty state turns.
 const IDLE_TURN_DEG_PER_S: f64 = 14.0;
@@ -70,7 +70,8 @@ impl View {
         });
         let settings = stage.render_settings_mut();
         settings.background = if is_empty { Background::Transparent } else { self.background };
-        settings.shading = if is_empty { ShadingMode::Bare } else { self.shading };
+        settings.shading = self.shading;
+        settings.surface = if is_empty { Surface::HiddenLine } else { Surface::Shaded };
         settings.wireframe = if is_empty { Wireframe::Shown } else { self.wireframe };
     }
 }

@@ -12,17 +12,19 @@ const GLIDE_S: f64 = 0.07;
 const STEEPEST: f64 = FRAC_PI_2 - 1e-3;
 const ZOOM_LIMITS: [f64; 2] = [0.35, 12.0];
 
-/// A direction to look from that has a name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum NamedView {
-    /// Straight at the face.
-    Front,
-    /// At the face's own left side, from +X.
-    Left,
-    /// From above, the face looking down the picture.
-    Top,
-    /// As at first: front, centred, at the first distance.
-    Reset,
+rosto_named::named! {
+    /// A direction to look from that has a name.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum NamedView {
+        /// Straight at the face.
+        Front = "front",
+        /// At the face's own left side, from +X.
+        Left = "left",
+        /// From above, the face looking down the picture.
+        Top = "top",
+        /// As at first: front, centred, at the first distance.
+        Reset = "reset",
+    }
 }
 
 /// Whether the camera glides to where it is asked to be, or is there at once.

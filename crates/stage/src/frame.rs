@@ -75,7 +75,7 @@ impl FrameUniforms {
             right: camera.right().as_vec3().to_array(),
             m_per_px: camera.m_per_px_at_distance(1.0) as f32,
             up: camera.up().as_vec3().to_array(),
-            paint: shading_code(settings.shading),
+            paint: settings.shading as u32,
             ground_m: inputs.ground_m.as_vec3().to_array(),
             radius_m: camera.radius_m() as f32,
             viewport_px: camera.size_px().as_vec2().to_array(),
@@ -90,17 +90,5 @@ impl FrameUniforms {
             gizmo_vertex: inputs.gizmo.unwrap_or(NO_VERTEX),
             gizmo_axis: inputs.gizmo_axis.map_or(NO_VERTEX, |axis| axis as u32),
         }
-    }
-}
-
-/// The numbers that `shaders/surface.wgsl` switches on.
-fn shading_code(shading: ShadingMode) -> u32 {
-    match shading {
-        ShadingMode::Photo => 0,
-        ShadingMode::Colours => 1,
-        ShadingMode::Clay | ShadingMode::Bare => 2,
-        ShadingMode::Normals => 3,
-        ShadingMode::Response => 4,
-        ShadingMode::Distortion => 5,
     }
 }

@@ -8,15 +8,17 @@ const GIZMO_START_PX: f64 = 11.0;
 /// Arms at a smaller sine to the line of sight have faded, as that file says too, and are not there.
 const LEAST_SINE: f64 = 0.2;
 
-/// An axis of the model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Axis {
-    /// To the face's left; red.
-    X = 0,
-    /// Up; green.
-    Y = 1,
-    /// Out of the face; blue.
-    Z = 2,
+rosto_named::named! {
+    /// An axis of the model.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Axis {
+        /// To the face's left; red.
+        X = "x",
+        /// Up; green.
+        Y = "y",
+        /// Out of the face; blue.
+        Z = "z",
+    }
 }
 
 /// What points: a finger cannot be as exact as a mouse or a pen.
@@ -39,9 +41,6 @@ impl Pointer {
 }
 
 impl Axis {
-    /// All three.
-    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
-
     /// Unit vector along the axis.
     pub fn direction(self) -> DVec3 {
         match self {

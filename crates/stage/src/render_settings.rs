@@ -1,23 +1,33 @@
 use crate::{Light, Srgb};
 
-/// How the surface is coloured.
+rosto_named::named! {
+    /// How the surface is coloured.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum ShadingMode {
+        /// The photo as texture; clay where there is no photo.
+        #[default]
+        Photo = "photo",
+        /// The colour of each vertex, blended in linear light.
+        Colours = "colours",
+        /// A plain, warm grey.
+        Clay = "clay",
+        /// The direction the surface faces: x, y, z as red, green, blue.
+        Normals = "normals",
+        /// Clay with the response field as a ramp from nothing to the accent.
+        Response = "response",
+        /// The scalar of each vertex, −1 to 1, from blue over neutral to red.
+        Distortion = "distortion",
+    }
+}
+
+/// Whether the surface itself is seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum ShadingMode {
-    /// The photo as texture; clay where there is no photo.
+pub enum Surface {
+    /// It is, by its shading mode.
     #[default]
-    Photo,
-    /// The colour of each vertex, blended in linear light.
-    Colours,
-    /// A plain, warm grey.
-    Clay,
-    /// The direction the surface faces: x, y, z as red, green, blue.
-    Normals,
-    /// Clay with the response field as a ramp from nothing to the accent.
-    Response,
-    /// The scalar of each vertex, −1 to 1, from blue over neutral to red.
-    Distortion,
-    /// Nothing; it hides what lies behind it, so that a wireframe over it shows its near side.
-    Bare,
+    Shaded,
+    /// Only in that it hides what lies behind it: a wireframe over it shows its near side.
+    HiddenLine,
 }
 
 /// Whether edges are drawn over the surface.
@@ -30,26 +40,30 @@ pub enum Wireframe {
     Shown,
 }
 
-/// Which landmarks show as dots.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Dots {
-    /// None.
-    None,
-    /// Those near the pointer.
-    #[default]
-    NearPointer,
-    /// All.
-    All,
+rosto_named::named! {
+    /// Which landmarks show as dots.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum Dots {
+        /// None.
+        None = "none",
+        /// Those near the pointer.
+        #[default]
+        NearPointer = "near",
+        /// All.
+        All = "all",
+    }
 }
 
-/// Light or dark surroundings.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Theme {
-    /// Dark marks on a light, warm ground.
-    #[default]
-    Light,
-    /// Light marks on a dark ground.
-    Dark,
+rosto_named::named! {
+    /// Light or dark surroundings.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum Theme {
+        /// Dark marks on a light, warm ground.
+        #[default]
+        Light = "light",
+        /// Light marks on a dark ground.
+        Dark = "dark",
+    }
 }
 
 /// What lies behind the mesh.
@@ -79,6 +93,8 @@ pub enum MirrorPlane {
 pub struct RenderSettings {
     /// How the surface is coloured.
     pub shading: ShadingMode,
+    /// Whether it is seen.
+    pub surface: Surface,
     /// Whether edges are drawn.
     pub wireframe: Wireframe,
     /// Which landmarks show as dots.
@@ -101,6 +117,7 @@ impl Default for RenderSettings {
     fn default() -> Self {
         Self {
             shading: ShadingMode::default(),
+            surface: Surface::default(),
             wireframe: Wireframe::default(),
             dots: Dots::default(),
             theme: Theme::default(),

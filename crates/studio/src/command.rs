@@ -101,23 +101,27 @@ pub enum RegionOfInfluence {
     },
 }
 
-/// Whether details turn with the surface around them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Details {
-    /// They keep their direction: δ-coordinates as in the paper.
-    #[default]
-    Kept,
-    /// They turn: as rigid as possible. Solved anew for every offset, so that a tick costs several solves.
-    AsRigidAsPossible,
+rosto_named::named! {
+    /// Whether details turn with the surface around them.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum Details {
+        /// They keep their direction: δ-coordinates as in the paper.
+        #[default]
+        Kept = "kept",
+        /// They turn: as rigid as possible. Solved anew for every offset, so that a tick costs several solves.
+        AsRigidAsPossible = "turned",
+    }
 }
 
-/// Whether the other side of the face takes part in an edit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Mirror {
-    /// Each side is on its own.
-    #[default]
-    Off,
-    /// Partners move by the mirrored offset, and vertices of the midline stay in its plane. It is the change that is
-    /// mirrored and not the shape, so that natural asymmetry survives.
-    On,
+rosto_named::named! {
+    /// Whether the other side of the face takes part in an edit.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum Mirror {
+        /// Each side is on its own.
+        #[default]
+        Off = "off",
+        /// Partners move by the mirrored offset, and vertices of the midline stay in its plane. It is the change that is
+        /// mirrored and not the shape, so that natural asymmetry survives.
+        On = "on",
+    }
 }

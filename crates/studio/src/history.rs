@@ -13,14 +13,16 @@ pub struct Entry {
     pub switch: Switch,
 }
 
-/// Whether an entry of the history counts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Switch {
-    /// It does.
-    #[default]
-    On,
-    /// It is passed over, but kept.
-    Off,
+rosto_named::named! {
+    /// Whether an entry of the history counts.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum Switch {
+        /// It does.
+        #[default]
+        On = "on",
+        /// It is passed over, but kept.
+        Off = "off",
+    }
 }
 
 /// How an entry takes part in the shape that is shown.

@@ -12,11 +12,9 @@
 //! document's unit. Every number reads back as the same `f64`, so that a replay gives the same bytes.
 
 mod read;
-mod words;
 mod write;
 
 pub use read::{ProjectError, from_json};
-pub use words::{operator_from_name, operator_name};
 pub use write::to_json;
 
 /// The version that [`to_json`] writes; [`from_json`] reads it and all before.

@@ -1,8 +1,10 @@
-use rosto_face::{LANDMARK_COUNT, Language, Region, landmark_name};
+use std::fmt;
+
+use rosto_face::{LANDMARK_COUNT, Region, landmark_id};
 
 use crate::{Command, FaceSlider};
 
-/// What a command works on, as people name it. Files hold the command alone: this is read from it.
+/// What a command works on. Files hold the command alone: this is read from it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EditTarget {
     /// One landmark.
@@ -34,28 +36,30 @@ pub enum Amount {
 }
 
 impl EditTarget {
-    /// The name in lower case, such as "nose tip" or "nose width". [`Document::name_of`](crate::Document::name_of) also
-    /// says where a point is.
-    pub fn name(self, language: Language) -> String {
-        match (self, language) {
-            (Self::Landmark(landmark), _) => landmark_name(landmark, language),
-            (Self::Point { vertex, .. }, Language::English) => format!("point {}", grouped(vertex, ",")),
-            (Self::Point { vertex, .. }, Language::Portuguese) => format!("ponto {}", grouped(vertex, ".")),
-            (Self::Region(region), _) => region.name(language).to_owned(),
-            (Self::Slider(slider), _) => slider.name(language).to_lowercase(),
-            (Self::Vertices(count), Language::English) => format!("{count} points"),
-            (Self::Vertices(count), Language::Portuguese) => format!("{count} pontos"),
-            (Self::Symmetry, Language::English) => "symmetry".to_owned(),
-            (Self::Symmetry, Language::Portuguese) => "simetria".to_owned(),
+    /// What kind of target it is, by the name that panels know it by.
+    pub fn kind(self) -> &'static str {
+        match self {
+            Self::Landmark(_) => "landmark",
+            Self::Point { .. } => "point",
+            Self::Region(_) => "region",
+            Self::Slider(_) => "slider",
+            Self::Vertices(_) => "vertices",
+            Self::Symmetry => "symmetry",
         }
     }
 }
 
-/// Every three digits, from the right, set apart.
-fn grouped(number: u32, separator: &str) -> String {
-    match number {
-        0..1000 => number.to_string(),
-        _ => format!("{}{separator}{:03}", grouped(number / 1000, separator), number % 1000),
+/// The target's name in files, such as `nose-tip`, `nose-width` or `point-20000@3` for a vertex of the third subdivision.
+impl fmt::Display for EditTarget {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Landmark(landmark) => out.write_str(&landmark_id(*landmark)),
+            Self::Point { level, vertex } => write!(out, "point-{vertex}@{level}"),
+            Self::Region(region) => out.write_str(region.id()),
+            Self::Slider(slider) => out.write_str(slider.id()),
+            Self::Vertices(count) => write!(out, "{count}-vertices"),
+            Self::Symmetry => out.write_str("symmetry"),
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-use rosto_stage::{Background, Dots, MirrorPlane, RenderSettings, ShadingMode, Stage, Wireframe};
+use rosto_stage::{Background, Dots, MirrorPlane, RenderSettings, Stage, Surface, Wireframe};
 
 use crate::Viewport;
 use crate::pipelines::Twin;
@@ -61,9 +61,9 @@ fn record_mesh(viewport: &Viewport, stage: &Stage, pass: &mut wgpu::RenderPass<'
     let settings = stage.render_settings();
     pass.set_bind_group(1, &mesh.bindings, &[]);
     pass.set_index_buffer(mesh.indices.slice(..), wgpu::IndexFormat::Uint32);
-    pass.set_pipeline(if settings.shading == ShadingMode::Bare { &pipelines.bare } else { &pipelines.surface });
+    pass.set_pipeline(if settings.surface == Surface::HiddenLine { &pipelines.bare } else { &pipelines.surface });
     pass.draw_indexed(0..mesh.index_count(), 0, 0..1);
-    if settings.background == Background::Ground && settings.shading != ShadingMode::Bare {
+    if settings.background == Background::Ground && settings.surface == Surface::Shaded {
         pass.set_pipeline(&pipelines.ground);
         pass.draw(0..6, 0..1);
     }

@@ -31,19 +31,6 @@ pub struct Source<'a> {
     pub history: Option<&'a str>,
 }
 
-/// The name of a triangulation in the extras.
-pub(crate) fn triangulation_name(triangulation: Triangulation) -> &'static str {
-    match triangulation {
-        Triangulation::Tessellation => "tessellation",
-        Triangulation::Canonical => "canonical",
-    }
-}
-
-/// The triangulation of that name.
-pub(crate) fn triangulation_from_name(name: &str) -> Option<Triangulation> {
-    [Triangulation::Tessellation, Triangulation::Canonical].into_iter().find(|&one| triangulation_name(one) == name)
-}
-
 /// The extras but for the picture.
 pub(super) fn extras(source: &Source<'_>) -> Result<Value, ExportError> {
     let face = source.face;
@@ -53,7 +40,7 @@ pub(super) fn extras(source: &Source<'_>) -> Result<Value, ExportError> {
         "rosto": "face",
         "version": VERSION,
         "photo_px": face.photo_size_px(),
-        "triangulation": triangulation_name(source.triangulation),
+        "triangulation": source.triangulation.id(),
         "density": source.density,
         "landmarks": BASE64_STANDARD.encode(landmarks.collect::<Vec<u8>>()),
         "colours": BASE64_STANDARD.encode(face.colours_srgb().as_flattened()),

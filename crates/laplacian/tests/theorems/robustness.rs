@@ -39,7 +39,7 @@ fn all_finite(positions: &[DVec3]) -> bool {
 
 /// Edits in every way there is; what is refused must be refused by name.
 fn edit(topology: &Topology, rest: &[DVec3], random: &mut Seeded) -> Result<(), LaplacianError> {
-    let operator = Operator::ALL[random.below(5)];
+    let operator = Operator::ALL[random.below(Operator::ALL.len())];
     let count = 2 + random.below(4).min(rest.len() - 2);
     let constrained = random.vertices(count, rest.len());
     let (handles, anchors) = constrained.split_at(1 + random.below(constrained.len() - 1));

@@ -1,7 +1,6 @@
 use glam::DVec3;
-use rosto_face::{LANDMARK_COUNT, Language, Region, landmark_name};
+use rosto_face::{LANDMARK_COUNT, Region};
 use rosto_mesh::{Ray, Surface};
-use rosto_studio::EditTarget;
 
 use super::OpenFace;
 use crate::error::SessionError;
@@ -71,14 +70,6 @@ impl OpenFace {
         self.selection().is_some_and(|selection| selection.handles().iter().all(is_pinned))
     }
 
-    /// What the page calls a target: landmarks bring their number along, points the place that they are near.
-    pub fn label(&self, target: EditTarget, language: Language) -> String {
-        match target {
-            EditTarget::Landmark(landmark) => landmark_label(landmark, language),
-            other => self.document().name_of(other, language),
-        }
-    }
-
     /// The vertex that a ray meets the mesh nearest to; the landmark nearest to that where landmarks are selected.
     pub(crate) fn pick(&self, ray: &Ray, mode: SelectionMode) -> Option<u32> {
         let positions_m = self.document().positions();
@@ -109,12 +100,4 @@ impl OpenFace {
 fn nearest<'a>(places_m: impl Iterator<Item = &'a DVec3>, to_m: DVec3) -> Option<u32> {
     let distances = places_m.map(|place_m| place_m.distance_squared(to_m)).zip(0..);
     distances.min_by(|(one, _), (other, _)| one.total_cmp(other)).map(|(_, vertex)| vertex)
-}
-
-/// The name with the number, once.
-pub fn landmark_label(landmark: u32, language: Language) -> String {
-    let name = landmark_name(landmark, language);
-    // Landmarks without a name of their own bring their number along.
-    let bare = name.strip_suffix(&format!(" {landmark}")).unwrap_or(&name);
-    format!("{bare} · {landmark}")
 }

@@ -1,20 +1,17 @@
 use glam::DVec3;
-use rosto_face::{LANDMARK_COUNT, Language, place_near};
+use rosto_face::{LANDMARK_COUNT, part_id};
 
 use super::Document;
 use crate::EditTarget;
 
 /// Vertices of the mesh that is shown, beside the landmarks.
 impl Document {
-    /// What people call a target: of a point of a denser mesh also where it is, once that mesh was shown.
-    pub fn name_of(&self, target: EditTarget, language: Language) -> String {
-        let name = target.name(language);
+    /// The part of the face that a point of a denser mesh lies in, such as `left-cheek`, once that mesh was shown; none for
+    /// targets whose own name tells where they are.
+    pub fn part_of(&self, target: EditTarget) -> Option<String> {
         match target {
-            EditTarget::Point { level, vertex } => match self.landmark_beside(level, vertex) {
-                Some(landmark) => format!("{name} {}", place_near(landmark, language)),
-                None => name,
-            },
-            _ => name,
+            EditTarget::Point { level, vertex } => self.landmark_beside(level, vertex).map(part_id),
+            _ => None,
         }
     }
 

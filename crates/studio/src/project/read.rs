@@ -1,9 +1,9 @@
 use glam::DVec3;
-use rosto_laplacian::ConstraintKind;
+use rosto_laplacian::{ConstraintKind, Operator};
 use serde_json::Value;
 use thiserror::Error;
 
-use super::{VERSION, operator_from_name};
+use super::VERSION;
 use crate::{AnchorKind, Anchors, Command, Details, EditSpec, Entry, Mirror, RegionOfInfluence, Settings, Switch};
 
 /// Why text is no history.
@@ -53,11 +53,7 @@ pub fn from_json(text: &str) -> Result<Vec<Entry>, ProjectError> {
 
 fn entry(value: &Value) -> FieldResult<Entry> {
     let label = value["label"].as_str().ok_or("label")?.to_owned();
-    let switch = match value["switch"].as_str() {
-        Some("on") => Switch::On,
-        Some("off") => Switch::Off,
-        _ => return Err("switch"),
-    };
+    let switch = value["switch"].as_str().and_then(Switch::from_id).ok_or("switch")?;
     let command = match (value.get("move"), value.get("symmetrise")) {
         (Some(movement), None) => Command::Move { spec: spec(movement)?, offsets: offsets(&movement["offsets"])? },
         (None, Some(symmetrise)) => Command::Symmetrise { share: symmetrise["share"].as_f64().ok_or("share")? },
@@ -67,25 +63,17 @@ fn entry(value: &Value) -> FieldResult<Entry> {
 }
 
 fn spec(value: &Value) -> FieldResult<EditSpec> {
-    let operator = value["operator"].as_str().and_then(operator_from_name).ok_or("operator")?;
+    let operator = value["operator"].as_str().and_then(Operator::from_id).ok_or("operator")?;
     let constraint = match &value["hold"] {
         Value::String(word) if word == "exact" => ConstraintKind::Hard,
         soft => ConstraintKind::Soft { weight: soft["soft"].as_f64().ok_or("hold")? },
     };
-    let mirror = match value["mirror"].as_str() {
-        Some("on") => Mirror::On,
-        Some("off") => Mirror::Off,
-        _ => return Err("mirror"),
-    };
+    let mirror = value["mirror"].as_str().and_then(Mirror::from_id).ok_or("mirror")?;
     let reach = match &value["reach"] {
         Value::String(word) if word == "whole" => RegionOfInfluence::Whole,
         within => RegionOfInfluence::Within { radius: within["within"].as_f64().ok_or("reach")? },
     };
-    let details = match value["details"].as_str() {
-        Some("kept") => Details::Kept,
-        Some("turned") => Details::AsRigidAsPossible,
-        _ => return Err("details"),
-    };
+    let details = value["details"].as_str().and_then(Details::from_id).ok_or("details")?;
     let settings = Settings { operator, constraint, anchors: anchors(&value["anchors"])?, reach, mirror, details };
     let level = value["level"].as_u64().and_then(|level| level.try_into().ok()).ok_or("level")?;
     Ok(EditSpec { level, handles: vertices(&value["handles"]).ok_or("handles")?, settings })

@@ -1,8 +1,8 @@
 use rosto_laplacian::ConstraintKind;
 use serde_json::{Value, json};
 
-use super::{VERSION, operator_name};
-use crate::{AnchorKind, Command, Details, EditSpec, Entry, Mirror, RegionOfInfluence, Switch};
+use super::VERSION;
+use crate::{AnchorKind, Command, EditSpec, Entry, RegionOfInfluence};
 
 /// The entries as JSON text.
 pub fn to_json(entries: &[Entry]) -> String {
@@ -11,11 +11,7 @@ pub fn to_json(entries: &[Entry]) -> String {
 }
 
 fn entry(entry: &Entry) -> Value {
-    let switch = match entry.switch {
-        Switch::On => "on",
-        Switch::Off => "off",
-    };
-    let mut object = json!({"label": entry.label, "switch": switch});
+    let mut object = json!({"label": entry.label, "switch": entry.switch.id()});
     match &entry.command {
         Command::Move { spec, offsets } => {
             let offsets: Vec<Value> = offsets.iter().map(|offset| json!([offset.x, offset.y, offset.z])).collect();
@@ -42,23 +38,15 @@ fn movement(spec: &EditSpec, offsets: Vec<Value>) -> Value {
         RegionOfInfluence::Whole => json!("whole"),
         RegionOfInfluence::Within { radius } => json!({"within": radius}),
     };
-    let mirror = match settings.mirror {
-        Mirror::Off => "off",
-        Mirror::On => "on",
-    };
-    let details = match settings.details {
-        Details::Kept => "kept",
-        Details::AsRigidAsPossible => "turned",
-    };
     json!({
         "level": spec.level,
         "handles": spec.handles,
         "offsets": offsets,
-        "operator": operator_name(settings.operator),
+        "operator": settings.operator.id(),
         "hold": constraint,
         "anchors": {"kind": kind, "pins": settings.anchors.pins},
         "reach": reach,
-        "mirror": mirror,
-        "details": details,
+        "mirror": settings.mirror.id(),
+        "details": settings.details.id(),
     })
 }

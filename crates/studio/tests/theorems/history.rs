@@ -16,7 +16,7 @@ fn any_command(random: &mut Seeded) -> Command {
         return Command::Symmetrise { share: random.signed().abs() };
     }
     let settings = Settings {
-        operator: Operator::ALL[random.below(5)],
+        operator: Operator::ALL[random.below(Operator::ALL.len())],
         constraint: [ConstraintKind::Hard, ConstraintKind::Soft { weight: 2.5 }][random.below(2)],
         anchors: match random.below(4) {
             0 => Anchors::default(),

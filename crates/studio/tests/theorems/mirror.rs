@@ -27,7 +27,7 @@ fn the_change_is_its_own_mirror_image_and_asymmetry_survives() {
     let mut random = Seeded::new(4);
     for _ in 0..16 {
         let settings = Settings {
-            operator: Operator::ALL[random.below(5)],
+            operator: Operator::ALL[random.below(Operator::ALL.len())],
             constraint: [ConstraintKind::Hard, ConstraintKind::default()][random.below(2)],
             anchors: [Anchors::default(), Anchors::random(random.bits())][random.below(2)].clone(),
             mirror: Mirror::On,
