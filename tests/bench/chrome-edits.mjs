@@ -58,14 +58,14 @@ async function page(levels) {
   await init();
   const studio = await start(document.createElement("canvas"));
   studio.resize(640, 480, 1);
-  studio.setTriangulation("canonical");
+  studio.choose("triangulation", "canonical");
   studio.openPicture(found.pictureWidth, found.pictureHeight);
   studio.addPictureRows(found.takePicture());
   studio.openFace(found.landmarks(0), found.width, found.height, found.colours(0));
 
   const lines = [];
   for (const level of levels) {
-    studio.setDensity(level);
+    studio.choose("density", String(level));
     const vertices = studio.state().vertexCount;
     const landmarks = Array.from({ length: 40 }, (_, place) => place * 11 + 1);
     const select = landmarks.map((landmark) => elapsed(() => studio.select(landmark)));

@@ -7,7 +7,7 @@ journey("a landmark without anything to hold the face, another density, and the 
   await visitor.dropSample();
   await visitor.findLandmark("nose tip");
   await page.click("#section-landmark .more > summary");
-  await page.selectOption("#anchors", "pinned");
+  await page.selectOption("#anchors", "pins");
   for (const density of ["1", "2", "0"]) {
     await visitor.unfold("section-view");
     await page.selectOption("#density", density);

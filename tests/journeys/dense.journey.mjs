@@ -16,7 +16,7 @@ async function arriveAtPoints(open, density) {
   const visitor = await open();
   await visitor.dropSample();
   await visitor.unfold("section-landmark");
-  await visitor.page.check("input[name='hand'][value='point']", { force: true });
+  await visitor.page.check("input[name='selection'][value='point']", { force: true });
   await visitor.page.selectOption("#point-density", String(density));
   await visitor.page.waitForFunction(() => /468/.test(document.getElementById("landmark-help").textContent));
   return visitor;

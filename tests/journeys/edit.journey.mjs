@@ -84,7 +84,7 @@ journey("light, paint and camera change the picture, and the view resets", async
   await visitor.page.locator("#light-sliders input[type=number]").first().fill("80");
   const lit = await visitor.view();
   assert.ok(difference(first, lit) > 0.02, "the light moved without effect");
-  await visitor.page.check("input[name='paint'][value='colours']", { force: true });
+  await visitor.page.check("input[name='shading'][value='colours']", { force: true });
   const painted = await visitor.view();
   assert.ok(difference(lit, painted) > 0.02, "the paint changed without effect");
   const box = await visitor.page.locator("#viewport").boundingBox();

@@ -96,7 +96,7 @@ journey("on a dense mesh a point that is not there is not said to be between 0 a
   const { page } = visitor;
   await visitor.dropSample();
   await visitor.unfold("section-landmark");
-  await page.check("input[name='hand'][value='point']", { force: true });
+  await page.check("input[name='selection'][value='point']", { force: true });
   await page.selectOption("#point-density", "2");
   // The denser mesh comes after the words that announce it have been drawn.
   await visitor.frames(3);

@@ -38,8 +38,8 @@ async function visit(name, launch) {
     row.passed = "yes";
   } catch (error) {
     console.log(`✗ ${row.engine} ${row.version}: ${error?.stack ?? error}`);
-    const troubles = await driver?.troubles().catch(() => []);
-    for (const trouble of troubles ?? []) console.log(`    page: ${trouble}`);
+    const errors = await driver?.errors().catch(() => []);
+    for (const error of errors ?? []) console.log(`    page: ${error}`);
   } finally {
     await driver?.close().catch((error) => console.log(`  ${row.engine} did not close: ${error.message}`));
   }

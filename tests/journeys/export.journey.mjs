@@ -40,7 +40,7 @@ journey("the verdict goes when the face changes, and a GLB holds what is asked f
   await visitor.findLandmark("nose tip");
   await visitor.offset("z", 5);
   await visitor.unfold("section-export");
-  await page.check("input[name='export-paint'][value='colours']", { force: true });
+  await page.check("input[name='base-colour'][value='colours']", { force: true });
   await page.check("#export-unlit");
   await page.check("#export-morphs");
   const { json } = await downloadedGlb(visitor);
@@ -48,7 +48,7 @@ journey("the verdict goes when the face changes, and a GLB holds what is asked f
   assert.deepEqual(json.extensionsUsed, ["KHR_materials_unlit"]);
   assert.ok("COLOR_0" in json.meshes[0].primitives[0].attributes && !json.images);
   assert.equal(json.meshes[0].primitives[0].targets.length, 1);
-  assert.match(json.meshes[0].extras.targetNames[0], /nose tip/);
+  assert.match(json.meshes[0].extras.targetNames[0], /nose-tip/);
   await page.click("#toolbar [data-action='undo']");
   assert.ok(await page.isHidden("#verdict"), "the verdict is of another file");
 });

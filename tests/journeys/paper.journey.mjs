@@ -38,7 +38,7 @@ journey("what each operator and constraint does is what the command line finds",
   await page.click("[data-action='run-paper']");
   await page.waitForSelector("#paper-results:not([hidden])", { timeout: 150_000 });
   const methods = await paperByCommandLine(SAMPLE, ["--runs", "5", "--seed", "0"]);
-  assert.equal(methods.length, 10);
+  assert.equal(methods.length, 12);
   for (const [measure, within] of [["bent", 2e-3], ["stretch", 2e-2], ["flipped", 0], ["smooth", 0]]) {
     await page.selectOption("#paper-measure", measure);
     const here = (await cells(page, "#paper-methods")).flat();

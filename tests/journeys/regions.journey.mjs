@@ -68,7 +68,7 @@ journey("clicks take the region under the pointer, then the larger one, and the 
   const tip = await visitor.tagged();
   const beside = await visitor.besideTheFace();
   await page.mouse.click(beside.x, beside.y);
-  await page.check("input[name='hand'][value='region']", { force: true });
+  await page.check("input[name='selection'][value='region']", { force: true });
   assert.ok(await page.isHidden("#landmark-search"));
   const plain = await visitor.view();
   await page.mouse.move(tip.x, tip.y);
@@ -83,7 +83,7 @@ journey("clicks take the region under the pointer, then the larger one, and the 
     taken.push(await page.inputValue("#region"));
   }
   assert.deepEqual(taken, ["nose-tip", "nose", "nose-tip"]);
-  await page.check("input[name='hand'][value='landmark']", { force: true });
+  await page.check("input[name='selection'][value='landmark']", { force: true });
   assert.ok(await page.isHidden("#region"));
   assert.match(await page.inputValue("#landmark-search"), /· \d+$/);
 });

@@ -57,7 +57,7 @@ journey("a panic while a file is made or opened starts the module again, and the
   const work = await visitor.meshJson("mm");
   const project = await visitor.download("save-project");
 
-  await page.evaluate(panicIn, { module: "rosto-studio-web.js", type: "Studio", method: "meshJson" });
+  await page.evaluate(panicIn, { module: "rosto-studio-web.js", type: "Studio", method: "exportFile" });
   await page.click("#section-export [data-action='download-json']");
   await untilRestarted(visitor);
   assert.deepEqual(await visitor.meshJson("mm"), work);
@@ -122,7 +122,7 @@ async function workOn(visitor) {
   await visitor.dropSample();
   await visitor.unfold("section-view");
   await page.selectOption("#density", "1");
-  await page.check("input[name='paint'][value='colours']", { force: true });
+  await page.check("input[name='shading'][value='colours']", { force: true });
   await page.locator("#light-sliders input[type=number]").first().fill("80");
   const start = await visitor.meshJson("mm");
   await visitor.prefer("paper");
@@ -140,8 +140,8 @@ async function standing(visitor) {
   const { page } = visitor;
   return {
     density: await page.inputValue("#density"),
-    paint: await page.isChecked("input[name='paint'][value='colours']"),
-    preset: await page.isChecked("#preset-paper"),
+    paint: await page.isChecked("input[name='shading'][value='colours']"),
+    preset: await page.isChecked("input[name='preset'][value='paper']"),
     history: await visitor.history(),
   };
 }

@@ -65,7 +65,7 @@ async function edit(visitor) {
 async function paint(visitor, name) {
   await edit(visitor);
   await visitor.unfold("section-view");
-  await visitor.page.check(`input[name="paint"][value="${name}"]`, { force: true });
+  await visitor.page.check(`input[name="shading"][value="${name}"]`, { force: true });
 }
 
 /** @param {Visitor} visitor */
@@ -96,7 +96,7 @@ async function clay(visitor) {
   await visitor.dropSample();
   await foldAllBut(visitor, ["section-view"]);
   await visitor.page.selectOption("#density", "3");
-  await visitor.page.check("input[name='paint'][value='clay']", { force: true });
+  await visitor.page.check("input[name='shading'][value='clay']", { force: true });
   await visitor.page.focus("#viewport");
   for (let press = 0; press < 7; press++) await visitor.page.keyboard.press("ArrowRight");
 }

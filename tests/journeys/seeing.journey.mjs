@@ -3,7 +3,7 @@ import { PNG } from "pngjs";
 import { journey } from "./journey.mjs";
 import { difference } from "./pixels.mjs";
 
-const PAINTS = ["photo", "colours", "clay", "normals", "response", "distortion"];
+const PAINTS = ["picture", "colours", "clay", "normals", "response", "distortion"];
 
 journey("every paint shows the face another way, with a legend where colours are numbers", async (open) => {
   const visitor = await open();
@@ -14,11 +14,11 @@ journey("every paint shows the face another way, with a legend where colours are
   await visitor.unfold("section-view");
   const views = [];
   for (const paint of PAINTS) {
-    await page.check(`input[name="paint"][value="${paint}"]`, { force: true });
+    await page.check(`input[name="shading"][value="${paint}"]`, { force: true });
     views.push(await visitor.view());
-    assert.equal(await page.isVisible("#paint-legend"), paint === "response" || paint === "distortion", paint);
+    assert.equal(await page.isVisible("#shading-legend"), paint === "response" || paint === "distortion", paint);
   }
-  assert.match(await page.innerText("#paint-legend-text"), /%/);
+  assert.match(await page.innerText("#shading-legend"), /%/);
   for (const [one, view] of views.entries()) {
     for (const [other, another] of views.entries()) {
       if (one < other) assert.ok(difference(view, another) > 0.05, `${PAINTS[one]} looks like ${PAINTS[other]}`);
@@ -50,7 +50,7 @@ journey("the light follows the small sphere, and its colour what is chosen", asy
   const { page } = visitor;
   await visitor.dropSample();
   await visitor.unfold("section-view");
-  await page.check("input[name='paint'][value='clay']", { force: true });
+  await page.check("input[name='shading'][value='clay']", { force: true });
   const first = await visitor.view();
   await page.locator("#light-sphere").scrollIntoViewIfNeeded();
   const box = await page.locator("#light-sphere").boundingBox();

@@ -73,7 +73,7 @@ journey("on a phone one finger turns, two move and zoom, and a long press picks"
   const picked = await page.inputValue("#landmark-search");
   await touch.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
   assert.equal(await page.inputValue("#landmark-search"), picked);
-  await page.check("input[name='hand'][value='region']", { force: true });
+  await page.check("input[name='selection'][value='region']", { force: true });
   const region = await page.inputValue("#region");
   await touch.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }] });
   await page.waitForFunction((region) => document.getElementById("region").value !== region, region);

@@ -129,7 +129,7 @@ export class Visitor {
    */
   async chooseRegion(region) {
     await this.unfold("section-landmark");
-    await this.page.check("input[name='hand'][value='region']", { force: true });
+    await this.page.check("input[name='selection'][value='region']", { force: true });
     await this.page.selectOption("#region", region);
     await this.frames(3);
   }

@@ -6,15 +6,15 @@ import { journey } from "./journey.mjs";
 const ROOT = path.resolve(import.meta.dirname, "../..");
 const [en, pt] = await Promise.all(["en", "pt"].map(wordsOf));
 
-/** Where codes of troubles are written, and what stands around them. */
+/** Where codes of errors are written, and what stands around them. */
 const SOURCES = [
-  { folder: "crates/studio-web/src", files: /trouble\.rs$/, codes: /"([a-z]+(?:-[a-z]+)*)"/g },
-  { folder: "crates/vision-web/src", files: /trouble\.rs$/, codes: /"([a-z]+(?:-[a-z]+)*)"/g },
-  { folder: "crates/studio-web/src", files: /\.rs$/, codes: /Trouble::new\(\s*"([a-z-]+)"/g },
-  { folder: "web/js", files: /\.js$/, codes: /(?:code: |giveUp\(|asTrouble\(error, )"([a-z-]+)"/g },
+  { folder: "crates/studio-web/src", files: /error\.rs$/, codes: /"([a-z]+(?:-[a-z]+)*)"/g },
+  { folder: "crates/vision-web/src", files: /error\.rs$/, codes: /"([a-z]+(?:-[a-z]+)*)"/g },
+  { folder: "crates/studio-web/src", files: /\.rs$/, codes: /FacadeError::new\(\s*"([a-z-]+)"/g },
+  { folder: "web/js", files: /\.js$/, codes: /(?:code: |giveUp\(|asPageError\(error, )"([a-z-]+)"/g },
 ];
 
-/** The properties of a trouble, named where its codes are. */
+/** The properties of an error, named where its codes are. */
 const PROPERTIES = ["code", "hint"];
 
 journey("whatever can go wrong has words of the page's own, in every language", async () => {
@@ -31,10 +31,10 @@ journey("a notice never shows what the modules say in English", async (open) => 
   const visitor = await open({ locale: "pt-BR" });
   const { page } = visitor;
   const shown = await page.evaluate(async () => {
-    const { showTrouble } = await import(new URL("js/page/notice.js", document.baseURI).href);
+    const { showError } = await import(new URL("js/page/notice.js", document.baseURI).href);
     const thrown = (code) => Object.assign(new Error("no landmark is held"), { code, hint: "Choose a landmark first." });
     return ["no-selection", "from-a-later-version"].map((code) => {
-      showTrouble(thrown(code));
+      showError(thrown(code));
       return ["notice-title", "notice-hint"].map((id) => document.getElementById(id).innerText);
     });
   });
@@ -47,9 +47,9 @@ journey("a notice never shows what the modules say in English", async (open) => 
 journey("a browser that keeps nothing is promised nothing", async (open) => {
   const visitor = await open();
   const hints = await visitor.page.evaluate(async () => {
-    const { setKeeping, showTrouble } = await import(new URL("js/page/notice.js", document.baseURI).href);
+    const { setKeeping, showError } = await import(new URL("js/page/notice.js", document.baseURI).href);
     const hint = () => document.getElementById("notice-hint").textContent;
-    showTrouble({ code: "device-lost", message: "", hint: "" });
+    showError({ code: "device-lost", message: "", hint: "" });
     const kept = hint();
     setKeeping(false);
     const unkept = hint();

@@ -6,6 +6,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// The packages and their direct dependencies.
+#[derive(Clone)]
 pub struct Graph {
     members: BTreeSet<String>,
     dependencies: BTreeMap<String, BTreeSet<String>>,
@@ -60,10 +61,16 @@ impl Graph {
         let mut waiting = self.direct(package);
         while let Some(next) = waiting.pop() {
             if reached.insert(next.clone()) {
-                waiting.extend(self.direct(&next));
+                waiting.extend(self.dependencies.get(&next).into_iter().flatten().cloned());
             }
         }
         reached
+    }
+
+    /// Plants a dependency.
+    pub fn add(&mut self, package: &str, on: &str) {
+        self.dependencies.entry(package.to_owned()).or_default().insert(on.to_owned());
+        self.dependencies.entry(on.to_owned()).or_default();
     }
 
     fn resolved(target: &str) -> Self {

@@ -1,27 +1,38 @@
-//! Looking through the sources of crates.
+//! The lines of a crate's sources that ship: no comments, no tests.
 
+use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// Fails if a word stands in the sources of one of these packages, outside comments and tests.
-pub fn assert_absent(packages: &[&str], words: &[&str]) {
-    let found: Vec<String> = packages.iter().flat_map(|package| find(package, words)).collect();
-    assert!(found.is_empty(), "not allowed here:\n{}", found.join("\n"));
+/// One line of code.
+#[derive(Clone)]
+pub struct Source {
+    /// File and line.
+    pub place: String,
+    /// What stands there.
+    pub code: String,
 }
 
-fn find(package: &str, words: &[&str]) -> Vec<String> {
-    let folder = package.strip_prefix("rosto-").unwrap();
-    let sources = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(folder).join("src");
-    let files = rust_files(&sources);
-    assert!(!files.is_empty(), "{package} has no sources at {}", sources.display());
-    files.iter().flat_map(|file| find_in(file, words)).collect()
+impl fmt::Display for Source {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "{}: {}", self.place, self.code.trim())
+    }
 }
 
-fn find_in(file: &Path, words: &[&str]) -> Vec<String> {
+/// Every line of a package, its shaders among them.
+pub fn of(package: &str) -> Vec<Source> {
+    let folder = package.strip_prefix("rosto-").unwrap_or(package);
+    let crate_folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(folder);
+    let mut files = files_below(&crate_folder.join("src"), "rs");
+    assert!(!files.is_empty(), "{package} has no sources in {}", crate_folder.display());
+    files.extend(files_below(&crate_folder.join("shaders"), "wgsl"));
+    files.iter().flat_map(|file| lines(file)).collect()
+}
+
+fn lines(file: &Path) -> Vec<Source> {
     let text = std::fs::read_to_string(file).unwrap();
     let shipped = text.lines().take_while(|line| !begins_tests(line)).enumerate();
     let code = shipped.filter(|(_, line)| !line.trim_start().starts_with("//"));
-    code.filter(|(_, line)| words.iter().any(|word| line.contains(word)))
-        .map(|(index, line)| format!("{}:{}: {}", file.display(), index + 1, line.trim()))
+    code.map(|(index, line)| Source { place: format!("{}:{}", file.display(), index + 1), code: line.to_owned() })
         .collect()
 }
 
@@ -29,13 +40,13 @@ fn begins_tests(line: &str) -> bool {
     ["#[cfg(test)]", "#[cfg(all(test"].iter().any(|attribute| line.trim_start().starts_with(attribute))
 }
 
-fn rust_files(folder: &Path) -> Vec<PathBuf> {
+fn files_below(folder: &Path, ending: &str) -> Vec<PathBuf> {
     let mut files = Vec::new();
-    for entry in std::fs::read_dir(folder).unwrap() {
+    for entry in std::fs::read_dir(folder).into_iter().flatten() {
         let path = entry.unwrap().path();
         if path.is_dir() {
-            files.extend(rust_files(&path));
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files.extend(files_below(&path, ending));
+        } else if path.extension().is_some_and(|extension| extension == ending) {
             files.push(path);
         }
     }

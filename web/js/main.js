@@ -2,7 +2,7 @@ import { Opening } from "./opening.js";
 import { setUpDialogs } from "./page/dialogs.js";
 import { byId, onAction } from "./page/dom.js";
 import { setUpHints } from "./page/hint.js";
-import { setUpNotice, showTrouble } from "./page/notice.js";
+import { setUpNotice, showError } from "./page/notice.js";
 import { keepOffline } from "./page/offline.js";
 import { countRequests } from "./page/privacy.js";
 import { setUpProgress } from "./page/progress.js";
@@ -10,13 +10,14 @@ import { setUpTabs } from "./page/tabs.js";
 import { afterNextFrame } from "./page/tasks.js";
 import { setUpTheme } from "./page/theme.js";
 import { Validator } from "./page/validator.js";
+import { setUpChoices } from "./panel/choices.js";
 import { EditOptions } from "./panel/edit-options.js";
 import { setUpExportPanel } from "./panel/export-panel.js";
 import { FacePanel } from "./panel/face-panel.js";
-import { setUpHandChoice } from "./panel/hand-choice.js";
 import { setUpHistoryPanel } from "./panel/history-panel.js";
 import { LandmarkPanel } from "./panel/landmark-panel.js";
 import { PaperPanel } from "./panel/paper-panel.js";
+import { setUpSelectionMode } from "./panel/selection-mode.js";
 import { setUpViewPanel } from "./panel/view-panel.js";
 import { setUpCamera } from "./photo/camera.js";
 import { FaceChoice } from "./photo/face-choice.js";
@@ -28,8 +29,8 @@ import { LandmarkMarks } from "./viewport/landmark-marks.js";
 import { setUpViewKeys } from "./viewport/shortcuts.js";
 import { isFallback, prepareRestart } from "./viewport/studio-module.js";
 import { Workbench } from "./viewport/workbench.js";
-import { inEveryLanguage, language, speak, writeWords } from "./words/words.js";
-import { WorkKeeper } from "./work/work-keeper.js";
+import { inEveryLanguage, language, languages, speak, writeWords } from "./words/words.js";
+import { Autosave } from "./work/autosave.js";
 
 setUpWords();
 setUpNotice();
@@ -40,7 +41,7 @@ setUpDialogs();
 
 const vision = new VisionClient();
 const overlay = new PhotoOverlay();
-const keeper = new WorkKeeper();
+const keeper = new Autosave();
 const validator = new Validator();
 /** @type {PaperPanel | undefined} */
 let paper;
@@ -65,7 +66,8 @@ async function openBench() {
     new LandmarkMarks(opened, overlay);
     setUpViewKeys(opened);
     new LandmarkPanel(opened);
-    setUpHandChoice(opened);
+    setUpSelectionMode(opened);
+    setUpChoices(opened);
     new FacePanel(opened);
     setUpViewPanel(opened);
     setUpHistoryPanel(opened);
@@ -78,7 +80,7 @@ async function openBench() {
     return opened;
   } catch (error) {
     document.body.dataset["bench"] = "closed";
-    showTrouble(error);
+    showError(error);
     return undefined;
   }
 }
@@ -109,6 +111,7 @@ async function workAgain(opened) {
 
 function setUpWords() {
   const choice = byId("language", HTMLSelectElement);
+  choice.replaceChildren(...languages().map(({ id, name }) => new Option(name, id)));
   choice.value = language();
   choice.addEventListener("change", () => speak(choice.value));
   inEveryLanguage(writeWords);

@@ -1,6 +1,6 @@
 import { byId } from "./page/dom.js";
 import { hint } from "./page/hint.js";
-import { hideNotice, showPhotoTrouble, showTrouble } from "./page/notice.js";
+import { hideNotice, showPhotoError, showError } from "./page/notice.js";
 import { hideProgress, showLoading, showStage } from "./page/progress.js";
 import { nextTask } from "./page/tasks.js";
 import { openPicture } from "./photo/open-picture.js";
@@ -29,7 +29,7 @@ import { faceOf } from "./work/work.js";
  * @property {import("./photo/photo-overlay.js").PhotoOverlay} overlay
  * @property {import("./photo/face-choice.js").FaceChoice} faceChoice
  * @property {import("./photo/vision-client.js").VisionClient} vision
- * @property {import("./work/work-keeper.js").WorkKeeper} keeper
+ * @property {import("./work/autosave.js").Autosave} keeper
  * @property {(extraction_ms: number | undefined) => void} opened
  */
 
@@ -114,7 +114,7 @@ export class Opening {
       this.#welcome(incoming);
     } catch (error) {
       if (isTrap(error)) (await this.#room.bench)?.fail(error);
-      else if (isWanted() && !(error instanceof Replaced)) showPhotoTrouble(error);
+      else if (isWanted() && !(error instanceof Replaced)) showPhotoError(error);
     } finally {
       if (isWanted()) hideProgress();
     }
@@ -182,14 +182,14 @@ export class Opening {
     if (matchMedia("(width < 720px)").matches) byId("section-photo", HTMLDetailsElement).open = false;
     if (found !== this.#found || !found) this.#offer(found);
     opened(extraction_ms);
-    if (changedElsewhere) showTrouble({ code: "changed-elsewhere", message: "", hint: "" });
+    if (changedElsewhere) showError({ code: "changed-elsewhere", message: "", hint: "" });
     else if (document.body.dataset["bench"] === "open") hint("drag", "turn");
   }
 
   /** @param {FoundFaces | undefined} found */
   #offer(found) {
     this.#found = found;
-    if (found) this.#room.faceChoice.show(found).catch(showTrouble);
+    if (found) this.#room.faceChoice.show(found).catch(showError);
     else this.#room.faceChoice.hide();
   }
 }

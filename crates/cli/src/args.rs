@@ -1,12 +1,16 @@
 use std::path::PathBuf;
 
 use clap::builder::RangedU64ValueParser;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand};
+use rosto_export::BaseColour;
 use rosto_face::{Region, Triangulation};
 use rosto_studio::{ConstraintKind, FaceSlider, Operator};
 
+use crate::choices::{listed, one_of};
 use crate::edits::{Edit, RegionEdit, SliderEdit};
-use crate::follow;
+use crate::error::endings;
+use crate::settings;
+use crate::units::Units;
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -61,26 +65,28 @@ pub struct LandmarksTask {
 pub struct MeshTask {
     /// JPEG, PNG or WebP; - reads standard input
     pub photo: PathBuf,
-    /// The file to write, whole or not at all; its name ends in .glb, .gltf, .obj, .ply, .stl or .json
-    #[arg(short, long, value_name = "FILE")]
+    /// The file to write, whole or not at all; its name ends as its format is called
+    #[arg(short, long, value_name = "FILE", long_help = output_help())]
     pub output: PathBuf,
     /// How the landmarks are joined: with holes for eyes and mouth, or closed
-    #[arg(long, value_enum, default_value_t)]
-    pub topology: Topology,
+    #[arg(long, default_value = Triangulation::default().id(),
+        value_parser = one_of("triangulation", Triangulation::ALL, Triangulation::id, Triangulation::from_id))]
+    pub topology: Triangulation,
     /// How often every triangle is cut in four (Loop subdivision); colours come from the photo
     #[arg(long, value_name = "TIMES", default_value_t = 0, allow_negative_numbers = true,
         value_parser = clap::value_parser!(u32).range(0..=4))]
     pub density: u32,
-    /// How a GLB or glTF is painted
-    #[arg(long, value_enum, default_value_t)]
-    pub paint: BaseColour,
+    /// What colours a GLB or glTF
+    #[arg(long, alias = "paint", default_value = BaseColour::default().id(),
+        value_parser = one_of("base-colour", BaseColour::ALL, BaseColour::id, BaseColour::from_id))]
+    pub base_colour: BaseColour,
     /// Writes the face unedited, with each edit as a named morph target at weight 1; for .glb and .gltf with --units mm
     #[arg(long)]
     pub morph_targets: bool,
     #[command(flatten)]
     pub edits: EditArguments,
     #[command(flatten)]
-    pub follow: FollowArguments,
+    pub settings: SettingsArguments,
 }
 
 /// What is moved.
@@ -92,7 +98,8 @@ pub struct EditArguments {
     /// "image": MediaPipe's normalised ones, x/W, y/H, z/W, as in the paper. "mm": the model's millimetres, +Y up, +Z out
     /// of the face, the subject's left towards +X. The other formats always hold the model: edits made in image
     /// coordinates are carried over by the map between the two.
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, default_value = Units::default().id(),
+        value_parser = one_of("export.units", Units::ALL, Units::id, Units::from_id))]
     pub units: Units,
     /// A JSON file of edits: [{"vertex": 4, "offset": [0, 0, 1], "anchors": [10, 152]}], with "level" for a denser mesh's
     #[arg(long = "edits", value_name = "FILE")]
@@ -110,23 +117,24 @@ pub struct EditArguments {
     #[arg(long = "slider", value_name = "SLIDER:MM", allow_hyphen_values = true, long_help = slider_help())]
     pub sliders: Vec<SliderEdit>,
     /// Brings both sides closer to each other, by a share from 0 to 1
-    #[arg(long, value_name = "SHARE", allow_negative_numbers = true, value_parser = follow::share)]
+    #[arg(long, value_name = "SHARE", allow_negative_numbers = true, value_parser = settings::share)]
     pub symmetrise: Option<f64>,
 }
 
 /// How the mesh follows what is moved.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "How the mesh follows")]
-pub struct FollowArguments {
+pub struct SettingsArguments {
     /// The Laplacian whose δ-coordinates an edit keeps
-    #[arg(long, value_enum, default_value_t)]
-    pub operator: OperatorName,
+    #[arg(long, default_value = Operator::default().id(),
+        value_parser = one_of("operator", Operator::ALL, Operator::id, Operator::from_id))]
+    pub operator: Operator,
     /// How firmly handles and anchors are held: "exact", or the weight of a soft constraint
-    #[arg(long = "hold", value_name = "exact|WEIGHT", allow_negative_numbers = true, default_value = "1", value_parser = follow::hold)]
+    #[arg(long = "hold", value_name = "exact|WEIGHT", allow_negative_numbers = true, default_value = "1", value_parser = settings::hold)]
     pub constraint: ConstraintKind,
     /// What stays in place: two random vertices, the face's oval, everything further away than a radius, or only --pin
-    #[arg(long, value_name = "random|oval|outside:RADIUS|pins", default_value = "random", value_parser = follow::anchors)]
-    pub anchors: follow::Rule,
+    #[arg(long, value_name = "random|oval|outside:RADIUS|pins", default_value = "random", value_parser = settings::anchors)]
+    pub anchors: settings::Rule,
     /// Chooses the random anchors
     #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
     pub seed: u64,
@@ -134,7 +142,7 @@ pub struct FollowArguments {
     #[arg(long = "pin", value_name = "VERTEX", allow_negative_numbers = true)]
     pub pins: Vec<u32>,
     /// Lets nothing move further than this from what is moved, along the surface, in the units of the edits
-    #[arg(long, value_name = "RADIUS", allow_negative_numbers = true, value_parser = follow::radius)]
+    #[arg(long, value_name = "RADIUS", allow_negative_numbers = true, value_parser = settings::radius)]
     pub radius: Option<f64>,
     /// Moves the other side of the face by the mirrored offset; needs --units mm
     #[arg(long)]
@@ -144,16 +152,19 @@ pub struct FollowArguments {
     pub turn_details: bool,
 }
 
+fn output_help() -> String {
+    format!("The file to write, whole or not at all; its name ends as its format is called.\n\nFormats: {}", endings())
+}
+
 fn region_help() -> String {
-    let names: Vec<&str> = Region::ALL.iter().map(|region| region.id()).collect();
-    format!("A named region and its offset, such as nose:0,0,5; repeatable.\n\nRegions: {}", names.join(", "))
+    let names = listed(Region::ALL, Region::id);
+    format!("A named region and its offset, such as nose:0,0,5; repeatable.\n\nRegions: {names}")
 }
 
 fn slider_help() -> String {
-    let names: Vec<&str> = FaceSlider::ALL.iter().map(|slider| slider.id()).collect();
+    let names = listed(FaceSlider::ALL, FaceSlider::id);
     format!(
-        "A ready-made slider and its amount in mm, such as jaw-width:-4; repeatable. Needs --units mm.\n\nSliders: {}",
-        names.join(", ")
+        "A ready-made slider and its amount in mm, such as jaw-width:-4; repeatable. Needs --units mm.\n\nSliders: {names}"
     )
 }
 
@@ -171,72 +182,4 @@ pub struct PaperTask {
     #[arg(long, value_name = "N", default_value_t = 20, allow_negative_numbers = true,
         value_parser = clap::value_parser!(u64).range(1..))]
     pub runs: u64,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub enum Topology {
-    /// MediaPipe's FACEMESH_TESSELATION, the paper's edges: 852 triangles
-    #[default]
-    Tessellation,
-    /// The canonical face model's: 898 triangles
-    Canonical,
-}
-
-impl From<Topology> for Triangulation {
-    fn from(topology: Topology) -> Self {
-        match topology {
-            Topology::Tessellation => Self::Tessellation,
-            Topology::Canonical => Self::Canonical,
-        }
-    }
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub enum OperatorName {
-    /// D − Adj, the paper's default (eq. 4)
-    #[default]
-    #[value(name = "L_s")]
-    UniformSymmetric,
-    /// I − D⁻¹·Adj (eq. 3)
-    #[value(name = "L")]
-    Uniform,
-    /// Well-connected vertices pull more
-    #[value(name = "degree")]
-    Degree,
-    /// Close neighbours pull more
-    #[value(name = "inverse-length")]
-    InverseLength,
-    /// The angles that face an edge weigh it
-    #[value(name = "cotangent")]
-    Cotangent,
-}
-
-impl From<OperatorName> for Operator {
-    fn from(name: OperatorName) -> Self {
-        match name {
-            OperatorName::UniformSymmetric => Self::UniformSymmetric,
-            OperatorName::Uniform => Self::Uniform,
-            OperatorName::Degree => Self::Degree,
-            OperatorName::InverseLength => Self::InverseLength,
-            OperatorName::Cotangent => Self::Cotangent,
-        }
-    }
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub enum Units {
-    /// MediaPipe's normalised coordinates
-    #[default]
-    Image,
-    /// Millimetres of the model
-    Mm,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub enum BaseColour {
-    /// The photo as texture
-    #[default]
-    Texture,
-    /// The colour under each landmark, as in the paper
-    Colors,
 }

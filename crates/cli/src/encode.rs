@@ -1,47 +1,28 @@
 use std::path::Path;
 
 use glam::{DVec2, DVec3};
-use rosto_export::{GlbOptions, JsonMesh, Model, Morph, Source, glb, gltf, mesh_json, obj, ply, stl};
+use rosto_export::{Choosable, Content, Format, GlbOptions, Model, Morph, Source};
 use rosto_face::FaceModel;
 use rosto_studio::{Document, Entry, project};
 
-use crate::args::{BaseColour, MeshTask, Units};
+use crate::args::MeshTask;
 use crate::error::CliError;
 use crate::model_history::model_history;
 use crate::terminal;
+use crate::units::Units;
 
-pub const MM_PER_M: f64 = 1000.0;
-
-/// The kinds of file that a mesh is written to.
-#[derive(Debug, Clone, Copy)]
-pub enum Format {
-    Glb,
-    Gltf,
-    Obj,
-    Ply,
-    Stl,
-    Json,
+/// The format that a file's name asks for by its ending, in capitals or not.
+pub fn format_of(path: &Path) -> Result<Format, CliError> {
+    let extension = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
+    let format = extension.as_deref().and_then(Format::from_id);
+    format.ok_or_else(|| CliError::UnknownFormat { path: path.to_owned() })
 }
 
-impl Format {
-    /// By the ending of the file's name, in capitals or not.
-    pub fn of(path: &Path) -> Result<Self, CliError> {
-        let extension = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
-        match extension.as_deref() {
-            Some("glb") => Ok(Self::Glb),
-            Some("gltf") => Ok(Self::Gltf),
-            Some("obj") => Ok(Self::Obj),
-            Some("ply") => Ok(Self::Ply),
-            Some("stl") => Ok(Self::Stl),
-            Some("json") => Ok(Self::Json),
-            _ => Err(CliError::UnknownFormat { path: path.to_owned() }),
-        }
-    }
-}
-
-/// The bytes of the edited face's file.
+/// The bytes of the edited face's file; a glTF with what opens it again in its extras and, if asked for, the edits as morph
+/// targets.
 pub fn encode(face: &FaceModel, document: &mut Document, task: &MeshTask, format: Format) -> Result<Vec<u8>, CliError> {
-    let positions_m = match task.edits.units {
+    let units = task.edits.units;
+    let positions_m = match units {
         Units::Image => model_from_image(face, document.positions()),
         Units::Mm => document.positions().to_vec(),
     };
@@ -56,41 +37,30 @@ pub fn encode(face: &FaceModel, document: &mut Document, task: &MeshTask, format
         uvs: &uvs,
         picture: face.picture(),
     };
-    Ok(match format {
-        Format::Glb => gltf_as(face, &model, document, &layers, task, glb)?,
-        Format::Gltf => gltf_as(face, &model, document, &layers, task, gltf)?.into_bytes(),
-        Format::Obj => obj(&model)?.into_bytes(),
-        Format::Ply => ply(&model)?,
-        Format::Stl => stl(&model)?,
-        Format::Json => json(document, &colours_srgb, task.edits.units).into_bytes(),
-    })
-}
-
-/// Writes glTF, binary or text, with what opens it again in its extras and, if asked for, the edits as morph targets.
-fn gltf_as<T>(
-    face: &FaceModel,
-    model: &Model<'_>,
-    document: &Document,
-    layers: &[Vec<DVec3>],
-    task: &MeshTask,
-    write: impl Fn(&Model<'_>, &GlbOptions<'_>) -> Result<T, rosto_export::ExportError>,
-) -> Result<T, CliError> {
     let entries = document.history().entries();
-    let in_metres = task.edits.units == Units::Mm;
-    let in_model = if in_metres { entries.to_vec() } else { carried_over(face, document)? };
-    let history = (!in_model.is_empty()).then(|| project::to_json(&in_model));
+    let history = match format.choosable() {
+        Choosable::Material => history_json(face, document, units)?,
+        Choosable::Nothing | Choosable::Unit => None,
+    };
     let triangulation = face.triangulation();
     let source = Some(Source { face, triangulation, density: task.density, history: history.as_deref() });
-    let named = entries.iter().zip(layers);
+    let named = entries.iter().zip(&layers);
     let morphs: Vec<Morph<'_>> =
         named.map(|(entry, layer)| Morph { name: &entry.label, displacements_m: layer, weight: 1.0 }).collect();
-    let base_colour = match task.paint {
-        BaseColour::Texture => rosto_export::BaseColour::Texture,
-        BaseColour::Colors => rosto_export::BaseColour::VertexColours,
+    let gltf = GlbOptions { base_colour: task.base_colour, morphs: &morphs, source, ..GlbOptions::default() };
+    let in_units: Vec<DVec3> =
+        document.positions().iter().map(|&position| position * units.per_document_unit()).collect();
+    let positions = (units.id(), in_units.as_slice());
+    Ok(format.write(&Content { model, rest_m: document.rest(), gltf, positions })?)
+}
+
+/// The history that a glTF opens again with; none where nothing was edited.
+fn history_json(face: &FaceModel, document: &Document, units: Units) -> Result<Option<String>, CliError> {
+    let entries = match units {
+        Units::Mm => document.history().entries().to_vec(),
+        Units::Image => carried_over(face, document)?,
     };
-    let options = GlbOptions { base_colour, morphs: &morphs, source, ..GlbOptions::default() };
-    let model = if morphs.is_empty() { *model } else { model.at(document.rest()) };
-    Ok(write(&model, &options)?)
+    Ok((!entries.is_empty()).then(|| project::to_json(&entries)))
 }
 
 /// The history for the file, with a word on what it lacks.
@@ -102,15 +72,6 @@ fn carried_over(face: &FaceModel, document: &Document) -> Result<Vec<Entry>, Cli
         ));
     }
     Ok(history.entries)
-}
-
-fn json(document: &Document, colours_srgb: &[[u8; 3]], units: Units) -> String {
-    let (units, scale) = match units {
-        Units::Image => ("image", 1.0),
-        Units::Mm => ("mm", MM_PER_M),
-    };
-    let positions: Vec<DVec3> = document.positions().iter().map(|&position| position * scale).collect();
-    mesh_json(&JsonMesh { units, positions: &positions, colours_srgb, triangles: document.topology().triangles() })
 }
 
 /// Positions in image coordinates, in metres of the model.

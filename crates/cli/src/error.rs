@@ -43,7 +43,7 @@ pub enum CliError {
     EditsUtf16 { path: PathBuf },
     #[error("edit {number} ({what}): {reason}")]
     Edit { number: usize, what: String, reason: StudioError },
-    #[error("{}: unknown kind of file", named(path))]
+    #[error("{}: its name does not end as a format is called: {}", named(path), endings())]
     UnknownFormat { path: PathBuf },
     #[error("{}: {reason}", named(path))]
     Unwritable { path: PathBuf, reason: io::Error },
@@ -111,4 +111,9 @@ fn named(path: &Path) -> String {
         true => "standard input".to_owned(),
         false => path.display().to_string(),
     }
+}
+
+/// How the names of files end, by format.
+pub fn endings() -> String {
+    rosto_export::Format::ALL.map(|format| format!(".{}", format.id())).join(", ")
 }

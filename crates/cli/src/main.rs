@@ -1,11 +1,11 @@
 //! `rosto`: photos of faces to landmarks and edited, coloured meshes, on the command line.
 
 mod args;
+mod choices;
 mod edits;
 mod encode;
 mod error;
 mod files;
-mod follow;
 mod landmarks;
 mod mesh;
 mod model_history;
@@ -14,7 +14,9 @@ mod output;
 mod paper;
 mod portrait;
 mod request;
+mod settings;
 mod terminal;
+mod units;
 
 use std::io::{self, Write};
 use std::process::ExitCode;

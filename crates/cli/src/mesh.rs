@@ -1,14 +1,15 @@
 use std::path::Path;
 
-use rosto_face::{FaceModel, Language};
+use rosto_face::FaceModel;
 use rosto_studio::{Anchors, Command, Document, EditSpec, Rest, StudioError};
 
-use crate::args::{EditArguments, FollowArguments, MeshTask, Units};
-use crate::encode::{self, Format, MM_PER_M};
+use crate::args::{EditArguments, MeshTask, SettingsArguments};
+use crate::encode;
 use crate::error::CliError;
 use crate::model_history::image_rest;
 use crate::request::{self, Given};
-use crate::{edits, files, follow, networks, output, portrait};
+use crate::units::{MM_PER_M, Units};
+use crate::{edits, files, networks, output, portrait, settings};
 
 /// A command with the words that a message names it by.
 struct Step {
@@ -31,40 +32,40 @@ pub fn run(task: &MeshTask, given: &Given<'_>, networks: Option<&Path>) -> Resul
         return Err(CliError::StandardInputTwice);
     }
     output::check(&task.output, &inputs)?;
-    let format = Format::of(&task.output)?;
+    let format = encode::format_of(&task.output)?;
     request::check(task, format, given)?;
-    let steps = steps(&task.edits, &task.follow)?;
+    let steps = steps(&task.edits, &task.settings)?;
     let photo = portrait::open(&task.photo)?;
     let face = portrait::face(&photo, &task.photo, &networks::load(networks)?)?;
-    let face = portrait::model(&photo, &face, task.topology.into(), &task.photo)?;
+    let face = portrait::model(&photo, &face, task.topology, &task.photo)?;
     let mut document = edited(&face, steps, task)?;
     output::write(&task.output, &encode::encode(&face, &mut document, task, format)?)
 }
 
 /// All that was asked for, in the order that `--help` promises.
-fn steps(asked: &EditArguments, follow: &FollowArguments) -> Result<Vec<Step>, CliError> {
-    let unit = document_unit(asked.units);
+fn steps(asked: &EditArguments, settings: &SettingsArguments) -> Result<Vec<Step>, CliError> {
+    let unit = 1.0 / asked.units.per_document_unit();
     let mut steps = Vec::new();
     let mut edits = asked.file.as_deref().map(edits::read).transpose()?.unwrap_or_default();
     edits.extend(asked.vertices.iter().cloned());
     for edit in edits {
-        let mut settings = follow::settings(follow, steps.len(), unit);
+        let mut own = settings::of_edit(settings, steps.len(), unit);
         if let Some(mut anchors) = edit.anchors {
             // Pins stay beside whatever else does.
-            anchors.extend(follow.pins.iter().filter(|pin| !anchors.contains(pin)).copied().collect::<Vec<_>>());
-            settings.anchors = Anchors::explicit(anchors);
+            anchors.extend(settings.pins.iter().filter(|pin| !anchors.contains(pin)).copied().collect::<Vec<_>>());
+            own.anchors = Anchors::explicit(anchors);
         }
         let what = match edit.level {
             0 => format!("vertex {}", edit.vertex),
             level => format!("vertex {}@{level}", edit.vertex),
         };
-        let spec = EditSpec { level: edit.level, handles: vec![edit.vertex], settings };
+        let spec = EditSpec { level: edit.level, handles: vec![edit.vertex], settings: own };
         steps.push(Step::new(what, Command::Move { spec, offsets: vec![edit.offset * unit] }));
     }
     for edit in &asked.regions {
         let handles = edit.region.vertices();
         let offsets = vec![edit.offset * unit; handles.len()];
-        let spec = EditSpec { level: 0, handles, settings: follow::settings(follow, steps.len(), unit) };
+        let spec = EditSpec { level: 0, handles, settings: settings::of_edit(settings, steps.len(), unit) };
         steps.push(Step::new(edit.region.id(), Command::Move { spec, offsets }));
     }
     for edit in &asked.sliders {
@@ -74,14 +75,6 @@ fn steps(asked: &EditArguments, follow: &FollowArguments) -> Result<Vec<Step>, C
         steps.push(Step::new("symmetrise", Command::Symmetrise { share }));
     }
     Ok(steps)
-}
-
-/// The document's unit for one of the command line's: normalised coordinates stay, millimetres become metres.
-fn document_unit(units: Units) -> f64 {
-    match units {
-        Units::Image => 1.0,
-        Units::Mm => 1.0 / MM_PER_M,
-    }
 }
 
 fn edited(face: &FaceModel, steps: Vec<Step>, task: &MeshTask) -> Result<Document, CliError> {
@@ -105,6 +98,6 @@ fn apply(document: &mut Document, command: Command) -> Result<(), StudioError> {
         return Err(StudioError::TooCoarse { level: spec.level, density: document.density() });
     }
     // The page calls its entries so, too: both write the same file.
-    let label = document.name_of(command.target(), Language::English);
+    let label = command.target().to_string();
     document.apply(&label, command)
 }

@@ -4,7 +4,7 @@ use glam::{DMat3, DVec3};
 use rosto_face::FaceModel;
 use rosto_studio::{
     AnchorKind, Anchors, Command, ConstraintKind, CoordinateFrame, Details, Document, EditSpec, Entry, Mirror,
-    Operator, RegionOfInfluence, Rest, Settings, StudioError,
+    RegionOfInfluence, Rest, Settings, StudioError,
 };
 
 /// What a file holds of edits that were made in image coordinates.
@@ -46,7 +46,7 @@ pub fn model_history(face: &FaceModel, document: &Document) -> Result<ModelHisto
 }
 
 fn knows_topology_alone(settings: &Settings) -> bool {
-    let operator = matches!(settings.operator, Operator::UniformSymmetric | Operator::Uniform | Operator::Degree);
+    let operator = settings.operator.knows_only_topology();
     let anchors = !matches!(settings.anchors.kind, AnchorKind::Outside { .. });
     let reach = settings.reach == RegionOfInfluence::Whole && settings.details == Details::Kept;
     operator && anchors && reach && settings.mirror == Mirror::Off

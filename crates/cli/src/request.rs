@@ -2,14 +2,15 @@
 
 use clap::ArgMatches;
 use clap::parser::ValueSource;
+use rosto_export::{Choosable, Format};
 
-use crate::args::{EditArguments, MeshTask, Units};
-use crate::encode::Format;
+use crate::args::{EditArguments, MeshTask};
 use crate::error::CliError;
-use crate::follow::Rule;
+use crate::settings::Rule;
+use crate::units::Units;
 
-/// The options that shape edits, by their names in [`crate::args::FollowArguments`].
-const FOLLOWING: [(&str, &str); 8] = [
+/// The options that shape edits, by their names in [`crate::args::SettingsArguments`].
+const SETTINGS: [(&str, &str); 8] = [
     ("operator", "--operator"),
     ("constraint", "--hold"),
     ("anchors", "--anchors"),
@@ -32,13 +33,13 @@ impl Given<'_> {
 /// Refuses what would change nothing in `rosto mesh`.
 pub fn check(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), CliError> {
     check_format(task, format, given)?;
-    check_following(task, given)
+    check_settings(task, given)
 }
 
 fn check_format(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), CliError> {
-    let is_gltf = matches!(format, Format::Glb | Format::Gltf);
-    if given.has("paint") && !is_gltf {
-        return useless("--paint", "it is for .glb and .gltf");
+    let is_gltf = format.choosable() == Choosable::Material;
+    if given.has("base_colour") && !is_gltf {
+        return useless("--base-colour", "it is for .glb and .gltf");
     }
     match task.morph_targets {
         true if !is_gltf => useless("--morph-targets", "only .glb and .gltf hold them"),
@@ -50,9 +51,9 @@ fn check_format(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<()
     }
 }
 
-fn check_following(task: &MeshTask, given: &Given<'_>) -> Result<(), CliError> {
+fn check_settings(task: &MeshTask, given: &Given<'_>) -> Result<(), CliError> {
     if !moves(&task.edits)
-        && let Some((_, flag)) = FOLLOWING.into_iter().find(|(id, _)| given.has(id))
+        && let Some((_, flag)) = SETTINGS.into_iter().find(|(id, _)| given.has(id))
     {
         return useless(flag, "it shapes --edit, --edits and --region, and none is given");
     }
@@ -61,7 +62,7 @@ fn check_following(task: &MeshTask, given: &Given<'_>) -> Result<(), CliError> {
         return useless("--anchors", "every edit names its own");
     }
     match given.has("seed") {
-        true if task.follow.anchors != Rule::Random => useless("--seed", "--anchors leaves nothing to chance"),
+        true if task.settings.anchors != Rule::Random => useless("--seed", "--anchors leaves nothing to chance"),
         true if !asks_rule => useless("--seed", "every edit names its anchors"),
         _ => Ok(()),
     }

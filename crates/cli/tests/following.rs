@@ -130,7 +130,7 @@ fn morph_targets_hold_each_edit_under_its_name() {
     let length = u32::from_le_bytes(file[12..16].try_into().unwrap()) as usize;
     let json: serde_json::Value = serde_json::from_slice(&file[20..20 + length]).unwrap();
     let mesh = &json["meshes"][0];
-    assert_eq!(mesh["extras"]["targetNames"], serde_json::json!(["upper nose tip", "jaw width"]));
+    assert_eq!(mesh["extras"]["targetNames"], serde_json::json!(["upper-nose-tip", "jaw-width"]));
     assert_eq!(mesh["weights"], serde_json::json!([1.0, 1.0]));
     assert_eq!(mesh["primitives"][0]["targets"].as_array().unwrap().len(), 2);
     assert_eq!(

@@ -79,7 +79,7 @@ fn edits_whose_weights_know_the_topology_alone_stay_what_they_are() {
             let name = format!("image-{operator}-{}", anchors[1]);
             let document = assert_opens_again(&name, &[&edits[..], anchors].concat());
             let labels: Vec<&str> = document.history().entries().iter().map(|entry| &*entry.label).collect();
-            assert_eq!(labels, ["upper nose tip", "left brow"], "no entry more than was asked for");
+            assert_eq!(labels, ["upper-nose-tip", "left-brow"], "no entry more than was asked for");
         }
     }
     let exact = ["--hold", "exact", "--density", "2", "--edit", "4:0,0.02,-0.05:10,152", "--edit", "6000@2:0,0,-0.02"];
@@ -106,8 +106,8 @@ fn edits_that_know_lengths_become_the_way_that_each_landmark_went() {
 fn what_no_landmark_can_express_is_told_and_left_to_the_shape() {
     let point = ["--density", "1", "--operator", "cotangent", "--edit", "4:0,0,-0.05", "--edit", "1200@1:0,0,-0.02"];
     let (document, shown, said) = replayed("image-point", &point);
-    assert!(said.contains("1,200") && said.contains("opens again without it"), "{said}");
-    assert!(document.history().entries().iter().all(|entry| entry.label == "upper nose tip"));
+    assert!(said.contains("point-1200@1") && said.contains("opens again without it"), "{said}");
+    assert!(document.history().entries().iter().all(|entry| entry.label == "upper-nose-tip"));
     assert!(furthest(document.positions(), &shown) > 1e-4, "the shape has it all the same");
 }
 

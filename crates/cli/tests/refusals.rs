@@ -52,7 +52,7 @@ fn requests_that_are_not_understood() {
     request(&["--units", "inches"], &["image"]);
     let file = scratch_file("broken.json", br#"[{"vertex": 4}]"#);
     request(&["--edits", file.to_str().unwrap()], &["broken.json", "offset", "It should hold a list"]);
-    refused(&portrait(), "a.stp", &[], 2, &["a.stp: unknown kind of file", ".glb"]);
+    refused(&portrait(), "a.stp", &[], 2, &["a.stp: its name does not end as a format is called", ".glb"]);
 }
 
 #[test]

@@ -26,7 +26,7 @@ fn morph_targets_where_there_can_be_none() {
 #[test]
 fn paint_for_formats_that_have_no_choice() {
     for extension in ["obj", "ply", "stl", "json"] {
-        refused(&format!("paint.{extension}"), &["--paint", "texture"], &["--paint", ".glb and .gltf"]);
+        refused(&format!("paint.{extension}"), &["--paint", "texture"], &["--base-colour", ".glb and .gltf"]);
     }
 }
 

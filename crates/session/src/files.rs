@@ -1,5 +1,5 @@
 use glam::DVec3;
-use rosto_export::{GlbOptions, JsonMesh, Model, Morph, Source, glb, mesh_json, project};
+use rosto_export::{BaseColour, Choosable, Content, Format, GlbOptions, Material, Model, Morph, Source, project};
 
 use crate::error::SessionError;
 use crate::{OpenFace, Session};
@@ -26,35 +26,30 @@ rosto_named::named! {
     }
 }
 
+/// What is chosen about a file; each format takes what it has a place for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FileOptions {
+    /// What a glTF carries as colour.
+    pub base_colour: BaseColour,
+    /// Whether light falls on it.
+    pub material: Material,
+    /// How it carries the edits.
+    pub edits: EditsAs,
+    /// The unit of JSON's positions.
+    pub units: Units,
+}
+
 /// What leaves the session.
 impl Session {
-    /// The mesh as JSON, as the command line writes it.
-    ///
-    /// # Errors
-    /// [`SessionError::NoFace`].
-    pub fn mesh_json(&self, units: Units) -> Result<String, SessionError> {
-        let face = self.open_face()?;
-        let positions = match units {
-            Units::Image => face.positions_image(),
-            Units::Millimetres => face.positions_mm(),
-        };
-        Ok(mesh_json(&JsonMesh {
-            units: units.id(),
-            positions: &positions,
-            colours_srgb: &face.colours_srgb(&face.uvs()),
-            triangles: face.document().topology().triangles(),
-        }))
-    }
-
-    /// The face as a binary glTF file, at the density that is shown, with what opens it again in the scene's extras. Only
-    /// morph targets ask for a solve.
+    /// The face as a file, at the density that is shown; a glTF with what opens it again in the scene's extras. Only morph
+    /// targets ask for a solve.
     ///
     /// # Errors
     /// [`SessionError::NoFace`] or [`SessionError::Export`].
-    pub fn glb(&mut self, options: GlbOptions<'_>, edits: EditsAs) -> Result<Vec<u8>, SessionError> {
-        let layers = match edits {
-            EditsAs::Shape => Vec::new(),
-            EditsAs::MorphTargets => self.displacements()?,
+    pub fn file(&mut self, format: Format, options: &FileOptions) -> Result<Vec<u8>, SessionError> {
+        let layers = match (format.choosable(), options.edits) {
+            (Choosable::Material, EditsAs::MorphTargets) => self.displacements()?,
+            _ => Vec::new(),
         };
         let face = self.open_face()?;
         let (document, json) = (face.document(), face.history_json());
@@ -68,11 +63,19 @@ impl Session {
         let named = entries.iter().zip(&layers);
         let morphs: Vec<Morph<'_>> =
             named.map(|(entry, layer)| Morph { name: &entry.label, displacements_m: layer, weight: 1.0 }).collect();
-        self.with_model(|model| {
-            let options = GlbOptions { source: Some(source), morphs: &morphs, ..options };
-            let model = if edits == EditsAs::Shape { model } else { model.at(document.rest()) };
-            Ok(glb(&model, &options)?)
-        })
+        let (base_colour, material) = (options.base_colour, options.material);
+        let gltf = GlbOptions { base_colour, material, source: Some(source), morphs: &morphs, ..GlbOptions::default() };
+        let positions = face.positions_in(options.units);
+        let uvs = face.uvs();
+        let model = Model {
+            topology: document.topology(),
+            positions_m: document.positions(),
+            colours_srgb: &face.colours_srgb(&uvs),
+            uvs: &uvs,
+            picture: face.model().picture(),
+        };
+        let positions = (options.units.id(), positions.as_slice());
+        Ok(format.write(&Content { model, rest_m: document.rest(), gltf, positions })?)
     }
 
     /// The face and its work as a project file; `png` is its whole upright picture.
@@ -89,25 +92,16 @@ impl Session {
         };
         Ok(project::write(&source, png)?)
     }
-
-    /// Does something with the mesh that is shown.
-    ///
-    /// # Errors
-    /// [`SessionError::NoFace`], or that of `act`.
-    pub fn with_model<T>(&self, act: impl FnOnce(Model<'_>) -> Result<T, SessionError>) -> Result<T, SessionError> {
-        let face = self.open_face()?;
-        let uvs = face.uvs();
-        act(Model {
-            topology: face.document().topology(),
-            positions_m: face.document().positions(),
-            colours_srgb: &face.colours_srgb(&uvs),
-            uvs: &uvs,
-            picture: face.model().picture(),
-        })
-    }
 }
 
 impl OpenFace {
+    fn positions_in(&self, units: Units) -> Vec<DVec3> {
+        match units {
+            Units::Image => self.positions_image(),
+            Units::Millimetres => self.positions_mm(),
+        }
+    }
+
     /// The landmarks as they lie on the photo: in one plane, as large as the face and where it is. What a face arrives
     /// from.
     pub fn flat_m(&self) -> Vec<DVec3> {

@@ -5,6 +5,7 @@
 //! [`Tick`] while an edit is in progress, and the [`Stage`](rosto_stage::Stage) for what is seen.
 
 mod changed;
+mod choice;
 mod choices;
 mod drag;
 mod error;
@@ -25,10 +26,11 @@ mod state;
 mod view;
 
 pub use changed::Changed;
+pub use choice::Choice;
 pub use choices::{AnchorChoice, Choices, Preset, RADIUS_MM, Range, SLIDER_MM};
 pub use drag::Pace;
 pub use error::SessionError;
-pub use files::{EditsAs, Units};
+pub use files::{EditsAs, FileOptions, Units};
 pub use gesture::Under;
 pub use incoming::{DENSEST_SHOWN, Incoming, MOST_ENTRIES, Work};
 pub use intent::Intent;

@@ -80,7 +80,7 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
     let choices = Choices { is_nearby: flag("nearby")?, ..choices.reaching(choices.radius_mm)? };
     let density = value["density"].as_u64().filter(|density| *density <= crate::DENSEST_SHOWN.into());
     let view = View {
-        shading: word("paint").and_then(ShadingMode::from_id).ok_or(missing("paint"))?,
+        shading: word("paint").and_then(shading).ok_or(missing("paint"))?,
         wireframe: if flag("wireframe")? { Wireframe::Shown } else { Wireframe::Hidden },
         background: background(&value["background"]).ok_or(missing("background"))?,
         turntable: if flag("turntable")? { Turntable::Turns } else { Turntable::Still },
@@ -114,4 +114,9 @@ fn light(value: &Value) -> Option<Light> {
 fn colour(value: &Value) -> Option<Srgb> {
     let channels: Option<Vec<u8>> = value.as_array()?.iter().map(|channel| channel.as_u64()?.try_into().ok()).collect();
     Some(Srgb(channels?.try_into().ok()?))
+}
+
+fn shading(id: &str) -> Option<ShadingMode> {
+    // Earlier texts call the picture by what it is of.
+    ShadingMode::from_id(if id == "photo" { "picture" } else { id })
 }

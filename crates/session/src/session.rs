@@ -4,6 +4,7 @@ mod pointing;
 mod seeing;
 mod selecting;
 
+use rosto_face::LANDMARK_COUNT;
 use rosto_stage::Stage;
 use rosto_studio::{Document, Switch};
 
@@ -42,6 +43,7 @@ impl Session {
             stage: Stage::default(),
             seeds: Seeds::new(seed),
         };
+        session.stage.render_settings_mut().dotted = LANDMARK_COUNT as u32;
         session.show_empty();
         session
     }

@@ -2,7 +2,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
 
 use crate::markers::Axis;
-use crate::{Camera, Dots, RenderSettings, ShadingMode};
+use crate::{Camera, Dots, RenderSettings};
 
 /// What every shader reads once a frame, in the layout of a uniform buffer.
 ///
@@ -24,7 +24,7 @@ pub struct FrameUniforms {
     right: [f32; 3],
     m_per_px: f32,
     up: [f32; 3],
-    paint: u32,
+    shading: u32,
     ground_m: [f32; 3],
     radius_m: f32,
     viewport_px: [f32; 2],
@@ -75,7 +75,7 @@ impl FrameUniforms {
             right: camera.right().as_vec3().to_array(),
             m_per_px: camera.m_per_px_at_distance(1.0) as f32,
             up: camera.up().as_vec3().to_array(),
-            paint: settings.shading as u32,
+            shading: settings.shading as u32,
             ground_m: inputs.ground_m.as_vec3().to_array(),
             radius_m: camera.radius_m() as f32,
             viewport_px: camera.size_px().as_vec2().to_array(),

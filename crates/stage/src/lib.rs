@@ -17,5 +17,7 @@ pub use colour::Srgb;
 pub use frame::FrameUniforms;
 pub use light::Light;
 pub use markers::{Axis, Mark, MarkKind, Pointer};
-pub use render_settings::{Background, Dots, MirrorPlane, Palette, RenderSettings, ShadingMode, Theme, Wireframe};
+pub use render_settings::{
+    Background, Dots, MirrorPlane, Palette, RenderSettings, ShadingMode, Surface, Theme, Wireframe,
+};
 pub use stage::{Stage, Step};

@@ -4,9 +4,9 @@ rosto_named::named! {
     /// How the surface is coloured.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum ShadingMode {
-        /// The photo as texture; clay where there is no photo.
+        /// The picture as texture; clay where there is none.
         #[default]
-        Photo = "photo",
+        Picture = "picture",
         /// The colour of each vertex, blended in linear light.
         Colours = "colours",
         /// A plain, warm grey.
@@ -41,7 +41,7 @@ pub enum Wireframe {
 }
 
 rosto_named::named! {
-    /// Which landmarks show as dots.
+    /// Which of the dotted vertices show as dots.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Dots {
         /// None.
@@ -97,8 +97,10 @@ pub struct RenderSettings {
     pub surface: Surface,
     /// Whether edges are drawn.
     pub wireframe: Wireframe,
-    /// Which landmarks show as dots.
+    /// Which vertices show as dots.
     pub dots: Dots,
+    /// How many vertices, from the first, can show as dots.
+    pub dotted: u32,
     /// Light or dark surroundings.
     pub theme: Theme,
     /// What lies behind.
@@ -120,6 +122,7 @@ impl Default for RenderSettings {
             surface: Surface::default(),
             wireframe: Wireframe::default(),
             dots: Dots::default(),
+            dotted: u32::MAX,
             theme: Theme::default(),
             background: Background::default(),
             mirror_plane: MirrorPlane::default(),

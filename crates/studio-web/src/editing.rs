@@ -1,13 +1,12 @@
 use glam::{DVec2, DVec3};
-use rosto_session::{Intent, Pace};
+use rosto_session::{Choice, Intent, Pace};
+use rosto_stage::Axis;
 use rosto_studio::{FaceSlider, Mirror, Switch};
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
 use crate::error::FacadeError;
-use crate::modes::{
-    AnchorsName, AxisName, ChangeName, DetailsName, HoldName, OperatorName, PointerName, PresetName, TriangulationName,
-};
+use crate::modes::{ChangeName, PointerName};
 use crate::state::{StudioState, StudioTick};
 
 fn switch(is_on: bool) -> Switch {
@@ -17,49 +16,22 @@ fn switch(is_on: bool) -> Switch {
 /// How the face follows.
 #[wasm_bindgen]
 impl Studio {
-    /// Makes all choices of a preset.
+    /// The ids of what there is to choose from, in the order that a panel shows them in. What can be chosen is
+    /// "selection", "preset", "operator", "constraint", "details", "anchors", "shading", "triangulation" and "density".
     ///
     /// # Errors
     /// `bad-choice`.
-    #[wasm_bindgen(js_name = choosePreset)]
-    pub fn choose_preset(&mut self, preset: PresetName) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Preset(preset.preset()?))
+    pub fn choices(&self, choice: &str) -> Result<Vec<String>, JsValue> {
+        Ok(FacadeError::unless(Choice::from_id(choice))?.values())
     }
 
-    /// How the surface's details are described.
+    /// Chooses one of those by its id.
     ///
     /// # Errors
     /// `bad-choice`.
-    #[wasm_bindgen(js_name = setOperator)]
-    pub fn set_operator(&mut self, operator: OperatorName) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Operator(operator.operator()?))
-    }
-
-    /// How firmly landmarks and anchors are held.
-    ///
-    /// # Errors
-    /// `bad-choice`.
-    #[wasm_bindgen(js_name = setHold)]
-    pub fn set_hold(&mut self, constraint: HoldName) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Constraint(constraint.hold()?))
-    }
-
-    /// Whether details turn with the surface.
-    ///
-    /// # Errors
-    /// `bad-choice`.
-    #[wasm_bindgen(js_name = setDetails)]
-    pub fn set_details(&mut self, details: DetailsName) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Details(details.details()?))
-    }
-
-    /// Which vertices stay beside those pinned by hand.
-    ///
-    /// # Errors
-    /// `bad-choice`.
-    #[wasm_bindgen(js_name = setAnchorChoice)]
-    pub fn set_anchor_choice(&mut self, choice: AnchorsName) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Anchors(choice.anchors()?))
+    pub fn choose(&mut self, choice: &str, id: &str) -> Result<ChangeName, JsValue> {
+        let choice = FacadeError::unless(Choice::from_id(choice))?;
+        self.act(FacadeError::unless(choice.intent(id))?)
     }
 
     /// Whether the other side of the face follows.
@@ -96,24 +68,6 @@ impl Studio {
     pub fn widen(&mut self, factor: f64) -> Result<ChangeName, JsValue> {
         self.act(Intent::Widen(factor))
     }
-
-    /// How the landmarks are joined; the edits are carried out again. Points that were pinned are free again.
-    ///
-    /// # Errors
-    /// `bad-choice`.
-    #[wasm_bindgen(js_name = setTriangulation)]
-    pub fn set_triangulation(&mut self, triangulation: TriangulationName) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Triangulation(triangulation.triangulation()?))
-    }
-
-    /// How often the mesh that is shown and exported is subdivided: 0 is the 468 landmarks, 3 the densest.
-    ///
-    /// # Errors
-    /// `bad-number`.
-    #[wasm_bindgen(js_name = setDensity)]
-    pub fn set_density(&mut self, levels: u32) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Density(levels))
-    }
 }
 
 /// Moving what is selected, and the whole face.
@@ -138,7 +92,7 @@ impl Studio {
     /// # Errors
     /// `no-face`, `bad-choice` or `bad-number`.
     pub fn slide(&mut self, slider: &str, #[wasm_bindgen(js_name = toMm)] to_mm: f64) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Slide(FaceSlider::from_id(slider).ok_or_else(FacadeError::bad_choice)?, to_mm))
+        self.act(Intent::Slide(FacadeError::unless(FaceSlider::from_id(slider))?, to_mm))
     }
 
     /// Keeps the edit in progress as one entry of the history; nothing moved is no entry.
@@ -198,8 +152,8 @@ impl Studio {
     /// # Errors
     /// `bad-choice`.
     #[wasm_bindgen(js_name = dragAlong)]
-    pub fn drag_along(&mut self, axis: AxisName) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Along(axis.axis()?))
+    pub fn drag_along(&mut self, axis: &str) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Along(FacadeError::unless(Axis::from_id(axis))?))
     }
 
     /// The pointer is let go: what was dragged is kept.
@@ -265,7 +219,7 @@ impl Studio {
 
     /// How things stand; to be read after each change of the document. `free()` it.
     pub fn state(&self) -> StudioState {
-        StudioState::of(&self.session.state())
+        StudioState::of(&self.session)
     }
 
     /// How far the edit in progress has gone; to be read after each tick. `free()` it.

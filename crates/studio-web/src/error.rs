@@ -43,6 +43,11 @@ impl FacadeError {
         Self::new("bad-face", "no picture was opened for this face", "Open the photo again.")
     }
 
+    /// Of an id that nothing has.
+    pub fn unless<T>(known: Option<T>) -> Result<T> {
+        known.ok_or_else(Self::bad_choice)
+    }
+
     /// Of a GLB that cannot be opened again.
     pub fn of_glb(error: ReopenError) -> Self {
         let (code, hint) = match error {

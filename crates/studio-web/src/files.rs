@@ -1,76 +1,55 @@
-use rosto_export::{BaseColour, GlbOptions, Material, obj, ply, stl};
-use rosto_session::{EditsAs, Units};
+use rosto_export::{BaseColour, Choosable, Format, Material};
+use rosto_session::{EditsAs, FileOptions, Units};
 use rosto_stage::Background;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::future_to_promise;
 
 use crate::Studio;
 use crate::error::FacadeError;
-use crate::modes::{ExportEditsName, ExportPaintName, ExportShadingName, MeshFormatName, UnitsName};
 use crate::state::Snapshot;
 
 /// What leaves the page.
 #[wasm_bindgen]
 impl Studio {
-    /// The mesh as JSON, as the command line writes it.
-    ///
-    /// # Errors
-    /// `no-face` or `bad-choice`.
-    #[wasm_bindgen(js_name = meshJson)]
-    pub fn mesh_json(&self, units: UnitsName) -> Result<String, JsValue> {
-        let units = match units {
-            UnitsName::Image => Units::Image,
-            UnitsName::Millimetres => Units::Millimetres,
-            _ => return Err(FacadeError::bad_choice().into()),
-        };
-        Ok(self.session.mesh_json(units).map_err(FacadeError::from)?)
+    /// The formats about which there is nothing to choose, by their ids.
+    #[wasm_bindgen(getter, js_name = plainFormats)]
+    pub fn plain_formats(&self) -> Vec<String> {
+        let plain = Format::ALL.into_iter().filter(|format| format.choosable() == Choosable::Nothing);
+        plain.map(|format| format.id().to_owned()).collect()
     }
 
-    /// The face as a binary glTF file, at the density that is shown, with what opens it again in the scene's extras.
+    /// The media type of a format's files.
+    ///
+    /// # Errors
+    /// `bad-choice`.
+    #[wasm_bindgen(js_name = mediaType)]
+    pub fn media_type(&self, format: &str) -> Result<String, JsValue> {
+        Ok(FacadeError::unless(Format::from_id(format))?.media_type().to_owned())
+    }
+
+    /// The face as a file, at the density that is shown; a glTF with what opens it again in the scene's extras. Each format
+    /// takes what it has a place for: the base colour ("texture" or "colours"), the material ("lit" or "unlit"), how it
+    /// carries the edits ("shape" or "morph-targets"), the unit of JSON's positions ("mm" or "image").
     ///
     /// # Errors
     /// `no-face`, `bad-choice` or `cannot-export`.
-    #[wasm_bindgen(js_name = exportGlb)]
-    pub fn export_glb(
+    #[wasm_bindgen(js_name = exportFile)]
+    pub fn export_file(
         &mut self,
-        paint: ExportPaintName,
-        shading: ExportShadingName,
-        edits: ExportEditsName,
+        format: &str,
+        #[wasm_bindgen(js_name = baseColour)] base_colour: &str,
+        material: &str,
+        edits: &str,
+        units: &str,
     ) -> Result<Vec<u8>, JsValue> {
-        let paint = match paint {
-            ExportPaintName::Texture => BaseColour::Texture,
-            ExportPaintName::VertexColours => BaseColour::VertexColours,
-            _ => return Err(FacadeError::bad_choice().into()),
+        let options = FileOptions {
+            base_colour: FacadeError::unless(BaseColour::from_id(base_colour))?,
+            material: FacadeError::unless(Material::from_id(material))?,
+            edits: FacadeError::unless(EditsAs::from_id(edits))?,
+            units: FacadeError::unless(Units::from_id(units))?,
         };
-        let shading = match shading {
-            ExportShadingName::Lit => Material::Lit,
-            ExportShadingName::Unlit => Material::Unlit,
-            _ => return Err(FacadeError::bad_choice().into()),
-        };
-        let edits = match edits {
-            ExportEditsName::Shape => EditsAs::Shape,
-            ExportEditsName::MorphTargets => EditsAs::MorphTargets,
-            _ => return Err(FacadeError::bad_choice().into()),
-        };
-        Ok(self
-            .session
-            .glb(GlbOptions { base_colour: paint, material: shading, ..GlbOptions::default() }, edits)
-            .map_err(FacadeError::from)?)
-    }
-
-    /// The face, at the density that is shown, as a file of another kind.
-    ///
-    /// # Errors
-    /// `no-face`, `bad-choice` or `cannot-export`.
-    #[wasm_bindgen(js_name = exportMesh)]
-    pub fn export_mesh(&self, format: MeshFormatName) -> Result<Vec<u8>, JsValue> {
-        let bytes = self.session.with_model(|model| match format {
-            MeshFormatName::Obj => Ok(Some(obj(&model)?.into_bytes())),
-            MeshFormatName::Ply => Ok(Some(ply(&model)?)),
-            MeshFormatName::Stl => Ok(Some(stl(&model)?)),
-            _ => Ok(None),
-        });
-        Ok(bytes.map_err(FacadeError::from)?.ok_or_else(FacadeError::bad_choice)?)
+        let format = FacadeError::unless(Format::from_id(format))?;
+        Ok(self.session.file(format, &options).map_err(FacadeError::from)?)
     }
 
     /// A picture of the view in any size; transparent where there is no face, if asked so.

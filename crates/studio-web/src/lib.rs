@@ -21,15 +21,11 @@ mod studio;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
-pub use modes::{
-    AnchorsName, AxisName, ChangeName, DetailsName, ExportEditsName, ExportPaintName, ExportShadingName, FileKindName,
-    HandName, HoldName, LanguageName, MeshFormatName, OperatorName, PaintName, PointerName, PresetName, RefusalName,
-    TaskName, ThemeName, TriangulationName, UnitsName, ViewName,
-};
+pub use modes::{ChangeName, FileKindName, PointerName, RefusalName, TaskName};
 pub use paper::{PaperClaims, PaperMethod, PaperRow, PaperRun};
 pub use renderer::{Renderer, create_renderer};
 pub use reopened::{ReopenedFace, reopen_glb, reopen_project, sniff_file};
-pub use state::{NamedRegion, NamedSlider, ScreenPoint, Snapshot, StudioEntry, StudioRange, StudioState, StudioTick};
+pub use state::{ScreenPoint, Snapshot, StudioEntry, StudioRange, StudioSlider, StudioState, StudioTarget, StudioTick};
 pub use studio::Studio;
 
 /// Gets a GPU, binds it to the canvas, and opens an empty studio on it.

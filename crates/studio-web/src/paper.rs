@@ -10,7 +10,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::Studio;
 use crate::error::{FacadeError, Result};
-use crate::modes::{HoldName, OperatorName, TaskName};
+use crate::modes::TaskName;
 
 /// The paper's experiment on the open face, apart from the work on it.
 ///
@@ -104,8 +104,8 @@ impl PaperRun {
         let of_method = |(method, trials): (Method, &[Trial])| {
             let outcome = MethodOutcome::of(&self.experiment, method, trials);
             PaperMethod {
-                operator: method.operator.into(),
-                constraint: if method.constraint == ConstraintKind::Hard { HoldName::Exact } else { HoldName::Soft },
+                operator: method.operator.id().to_owned(),
+                constraint: if method.constraint == ConstraintKind::Hard { "exact" } else { "soft" }.to_owned(),
                 time_ms: outcome.time_ms.median,
                 bent: outcome.bent.median,
                 stretch: outcome.stretch.median,
@@ -209,15 +209,15 @@ pub struct PaperRow {
 }
 
 /// What one way of editing took and did: medians over the runs, after all six edits.
-#[wasm_bindgen(inspectable)]
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[wasm_bindgen(getter_with_clone, inspectable)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct PaperMethod {
     /// What δ-coordinates were taken with.
     #[wasm_bindgen(readonly)]
-    pub operator: OperatorName,
+    pub operator: String,
     /// How firmly handle and anchors were held.
     #[wasm_bindgen(readonly)]
-    pub constraint: HoldName,
+    pub constraint: String,
     /// Time for an edit, ms.
     #[wasm_bindgen(readonly, js_name = timeMs)]
     pub time_ms: f64,

@@ -3,7 +3,7 @@ use rosto_face::Triangulation;
 use wasm_bindgen::prelude::*;
 
 use crate::error::FacadeError;
-use crate::modes::{FileKindName, TriangulationName};
+use crate::modes::FileKindName;
 
 /// What a file of ours holds, for `openWork`. `free()` it when everything has been taken out.
 #[wasm_bindgen]
@@ -115,8 +115,8 @@ impl ReopenedFace {
 
     /// How the landmarks are joined.
     #[wasm_bindgen(getter)]
-    pub fn triangulation(&self) -> TriangulationName {
-        self.triangulation.into()
+    pub fn triangulation(&self) -> String {
+        self.triangulation.id().to_owned()
     }
 
     /// How often the mesh was subdivided.

@@ -1,10 +1,11 @@
 use glam::DVec2;
 use rosto_session::{Intent, Motion, Turntable};
-use rosto_stage::{Background, Dots, Light, Srgb, Wireframe};
+use rosto_stage::{Background, Dots, Light, NamedView, Srgb, Theme, Wireframe};
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
-use crate::modes::{ChangeName, PaintName, ThemeName, ViewName};
+use crate::error::FacadeError;
+use crate::modes::ChangeName;
 use crate::state::ScreenPoint;
 
 /// Camera, light, paint and what is under the pointer. Places are device pixels from the canvas' top left. What is not a
@@ -47,8 +48,8 @@ impl Studio {
     ///
     /// # Errors
     /// `bad-choice`.
-    pub fn view(&mut self, name: ViewName) -> Result<ChangeName, JsValue> {
-        self.act(Intent::GoTo(name.view()?))
+    pub fn view(&mut self, name: &str) -> Result<ChangeName, JsValue> {
+        self.act(Intent::GoTo(FacadeError::unless(NamedView::from_id(name))?))
     }
 
     /// Lets the face turn by itself, or stand still.
@@ -67,15 +68,6 @@ impl Studio {
     #[wasm_bindgen(js_name = setReducedMotion)]
     pub fn set_reduced_motion(&mut self, reduced: bool) -> Result<ChangeName, JsValue> {
         self.act(Intent::Motion(if reduced { Motion::Reduced } else { Motion::Usual }))
-    }
-
-    /// How the surface is coloured.
-    ///
-    /// # Errors
-    /// `bad-choice`.
-    #[wasm_bindgen(js_name = setPaint)]
-    pub fn set_paint(&mut self, paint: PaintName) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Shading(paint.paint()?))
     }
 
     /// Draws the edges over the surface.
@@ -129,8 +121,8 @@ impl Studio {
     /// # Errors
     /// `bad-choice`.
     #[wasm_bindgen(js_name = setTheme)]
-    pub fn set_theme(&mut self, theme: ThemeName) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Theme(theme.theme()?))
+    pub fn set_theme(&mut self, theme: &str) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Theme(FacadeError::unless(Theme::from_id(theme))?))
     }
 
     /// Puts the theme's soft ground behind the face, with a shadow under it: the usual one.

@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::Studio;
 use crate::error::FacadeError;
-use crate::modes::{ChangeName, HandName};
+use crate::modes::ChangeName;
 
 /// Selecting landmarks, regions and points, and pinning them. Places are device pixels from the canvas' top left.
 #[wasm_bindgen]
@@ -25,7 +25,7 @@ impl Studio {
     /// `no-face` or `bad-choice`.
     #[wasm_bindgen(js_name = selectRegion)]
     pub fn select_region(&mut self, region: &str) -> Result<ChangeName, JsValue> {
-        let region = Region::from_id(region).ok_or_else(FacadeError::bad_choice)?;
+        let region = FacadeError::unless(Region::from_id(region))?;
         self.act(Intent::Select(Some(Selection::Region(region))))
     }
 
@@ -49,17 +49,6 @@ impl Studio {
         #[wasm_bindgen(js_name = yPx)] y_px: f64,
     ) -> Result<ChangeName, JsValue> {
         self.act(Intent::SelectUnder(DVec2::new(x_px, y_px)))
-    }
-
-    /// What a click or a drag selects from now on. What is selected follows: the region around the landmark, the landmark
-    /// in the middle of the region, or the point at its place. The first time that points of a dense mesh are to be
-    /// selected needs a while.
-    ///
-    /// # Errors
-    /// `bad-choice`.
-    #[wasm_bindgen(js_name = setHand)]
-    pub fn set_hand(&mut self, hand: HandName) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Mode(hand.mode()?))
     }
 
     /// Pins what is selected, so that it stays while others move, or frees it.

@@ -1,19 +1,20 @@
 //! What the page shows, as values it can read.
 
 use rosto_laplacian::LaplacianError;
-use rosto_session::{FaceState, Range, Row, Selection, State, Tick, Turntable};
+use rosto_session::{Choice, FaceState, Range, Row, Selection, Session, Tick, Turntable};
 use rosto_stage::{Background, Dots, Srgb, Wireframe};
-use rosto_studio::{Mirror, Standing, StudioError};
+use rosto_studio::{EditTarget, Mirror, Standing, StudioError};
 use wasm_bindgen::prelude::*;
 
-use crate::modes::{
-    AnchorsName, DetailsName, HandName, HoldName, OperatorName, PaintName, PresetName, RefusalName, TriangulationName,
-};
+use crate::error::FacadeError;
+use crate::modes::RefusalName;
 
 /// Everything the panels show about the session, apart from the edit in progress.
 #[wasm_bindgen(getter_with_clone, inspectable)]
 #[derive(Debug, Clone, PartialEq)]
 pub struct StudioState {
+    /// What is chosen of each choice, in their order.
+    chosen: Vec<Option<String>>,
     /// Whether a face is open.
     #[wasm_bindgen(readonly, js_name = hasFace)]
     pub has_face: bool,
@@ -26,9 +27,6 @@ pub struct StudioState {
     /// Number of triangles shown.
     #[wasm_bindgen(readonly, js_name = triangleCount)]
     pub triangle_count: u32,
-    /// What a click or a drag selects.
-    #[wasm_bindgen(readonly)]
-    pub hand: HandName,
     /// How many vertices it can select, from 0.
     #[wasm_bindgen(readonly)]
     pub selectable: u32,
@@ -56,21 +54,6 @@ pub struct StudioState {
     /// The vertices that stay while what is selected moves.
     #[wasm_bindgen(readonly)]
     pub anchors: Vec<u32>,
-    /// The preset that the choices are, if they are one.
-    #[wasm_bindgen(readonly)]
-    pub preset: Option<PresetName>,
-    /// How the surface's details are described.
-    #[wasm_bindgen(readonly)]
-    pub operator: OperatorName,
-    /// How firmly landmarks and anchors are held.
-    #[wasm_bindgen(readonly)]
-    pub constraint: HoldName,
-    /// Whether details turn with the surface.
-    #[wasm_bindgen(readonly)]
-    pub details: DetailsName,
-    /// Which vertices stay beside those pinned by hand.
-    #[wasm_bindgen(readonly, js_name = anchorChoice)]
-    pub anchor_choice: AnchorsName,
     /// Whether the other side of the face follows.
     #[wasm_bindgen(readonly)]
     pub mirror: bool,
@@ -80,15 +63,6 @@ pub struct StudioState {
     /// That radius, in mm.
     #[wasm_bindgen(readonly, js_name = radiusMm)]
     pub radius_mm: f64,
-    /// How the landmarks are joined.
-    #[wasm_bindgen(readonly)]
-    pub triangulation: TriangulationName,
-    /// How often the mesh is subdivided.
-    #[wasm_bindgen(readonly)]
-    pub density: u32,
-    /// How the surface is coloured.
-    #[wasm_bindgen(readonly)]
-    pub paint: PaintName,
     /// Whether edges are drawn over it.
     #[wasm_bindgen(readonly)]
     pub wireframe: bool,
@@ -130,8 +104,21 @@ pub struct StudioState {
     pub entry_count: u32,
 }
 
+#[wasm_bindgen]
 impl StudioState {
-    pub(crate) fn of(state: &State) -> Self {
+    /// The id of what is chosen, as `choose` takes it; undefined where it is nothing that is offered, such as no preset.
+    ///
+    /// # Errors
+    /// `bad-choice`.
+    pub fn chosen(&self, choice: &str) -> Result<Option<String>, JsValue> {
+        let choice = FacadeError::unless(Choice::from_id(choice))?;
+        Ok(self.chosen[choice as usize].clone())
+    }
+}
+
+impl StudioState {
+    pub(crate) fn of(session: &Session) -> Self {
+        let state = session.state();
         let (face, choices, view) = (state.face.as_ref(), &state.choices, &state.view);
         let count = |which: usize| face.map_or(0, |face| face.counts[which] as u32);
         let is = |what: fn(&FaceState) -> bool| face.is_some_and(what);
@@ -139,11 +126,11 @@ impl StudioState {
         let kept_mm = face.map_or(glam::DVec3::ZERO, |face| face.kept_mm);
         let light = &state.light;
         Self {
+            chosen: Choice::ALL.map(|choice| session.chosen(choice)).to_vec(),
             has_face: face.is_some(),
             vertex_count: count(0),
             edge_count: count(1),
             triangle_count: count(2),
-            hand: state.mode.into(),
             selectable: state.selectable as u32,
             selected: selection.map(Selection::middle),
             selected_region: match selection {
@@ -156,17 +143,9 @@ impl StudioState {
             can_mirror: face.is_none_or(|face| face.can_mirror),
             refusal: face.and_then(|face| face.refusal.as_ref()).map(RefusalName::from),
             anchors: face.map(|face| face.anchors.clone()).unwrap_or_default(),
-            preset: state.preset.map(Into::into),
-            operator: choices.operator.into(),
-            constraint: choices.constraint.into(),
-            details: choices.details.into(),
-            anchor_choice: choices.anchors.into(),
             mirror: choices.mirror == Mirror::On,
             nearby: choices.is_nearby,
             radius_mm: choices.radius_mm,
-            triangulation: view.triangulation.into(),
-            density: view.density,
-            paint: view.shading.into(),
             wireframe: view.wireframe == Wireframe::Shown,
             dots: state.dots == Dots::All,
             turntable: view.turntable == Turntable::Turns,
@@ -240,9 +219,9 @@ pub struct StudioEntry {
     /// Place in the history, from 0.
     #[wasm_bindgen(readonly)]
     pub index: u32,
-    /// What it works on, in the language asked for.
+    /// What it works on.
     #[wasm_bindgen(readonly)]
-    pub name: String,
+    pub target: StudioTarget,
     /// How far it moves what it moves, or how much it does.
     #[wasm_bindgen(readonly)]
     pub amount: f64,
@@ -261,10 +240,10 @@ pub struct StudioEntry {
 }
 
 impl StudioEntry {
-    pub(crate) fn of(row: &Row, name: String) -> Self {
+    pub(crate) fn of(row: &Row, target: StudioTarget) -> Self {
         Self {
             index: row.index as u32,
-            name,
+            target,
             amount: row.amount,
             unit: row.unit.to_owned(),
             enabled: row.standing != Standing::Off,
@@ -301,31 +280,45 @@ impl From<Range> for StudioRange {
     }
 }
 
+/// What an edit works on.
+#[wasm_bindgen(getter_with_clone, inspectable)]
+#[derive(Debug, Clone, PartialEq)]
+pub struct StudioTarget {
+    /// "landmark", "point", "region", "slider", "vertices" or "symmetry".
+    #[wasm_bindgen(readonly)]
+    pub kind: String,
+    /// Its id, such as "nose-tip", "left-brow" or "nose-width".
+    #[wasm_bindgen(readonly)]
+    pub id: String,
+    /// The number of a landmark or point, or how many vertices; undefined for others.
+    #[wasm_bindgen(readonly)]
+    pub number: Option<u32>,
+    /// The part of the face that a point lies in, such as "left-cheek", once its mesh was shown.
+    #[wasm_bindgen(readonly)]
+    pub part: Option<String>,
+}
+
+impl StudioTarget {
+    pub(crate) fn of(target: EditTarget, part: Option<String>) -> Self {
+        let number = match target {
+            EditTarget::Landmark(vertex) | EditTarget::Point { vertex, .. } => Some(vertex),
+            EditTarget::Vertices(count) => Some(count as u32),
+            EditTarget::Region(_) | EditTarget::Slider(_) | EditTarget::Symmetry => None,
+        };
+        Self { kind: target.kind().to_owned(), id: target.to_string(), number, part }
+    }
+}
+
 /// A ready-made slider.
 #[wasm_bindgen(getter_with_clone, inspectable)]
 #[derive(Debug, Clone, PartialEq)]
-pub struct NamedSlider {
-    /// Its name in files and for [`Studio::slide`](crate::Studio::slide), such as "nose-width".
+pub struct StudioSlider {
+    /// Its id, for [`Studio::slide`](crate::Studio::slide), such as "nose-width".
     #[wasm_bindgen(readonly)]
     pub id: String,
-    /// Its name for people.
-    #[wasm_bindgen(readonly)]
-    pub label: String,
     /// How far it goes to either side, in mm.
     #[wasm_bindgen(readonly, js_name = rangeMm)]
     pub range_mm: f64,
-}
-
-/// A part of the face that can be moved as one.
-#[wasm_bindgen(getter_with_clone, inspectable)]
-#[derive(Debug, Clone, PartialEq)]
-pub struct NamedRegion {
-    /// Its name for [`Studio::select_region`](crate::Studio::select_region), such as "left-brow".
-    #[wasm_bindgen(readonly)]
-    pub id: String,
-    /// Its name for people.
-    #[wasm_bindgen(readonly)]
-    pub label: String,
 }
 
 /// A place on the canvas, in device pixels from its top left.

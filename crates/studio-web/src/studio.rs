@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::future_to_promise;
 
 use crate::error::{FacadeError, Result};
-use crate::modes::{ChangeName, TriangulationName};
+use crate::modes::ChangeName;
 use crate::picture::{IncomingPicture, OpenPicture};
 use crate::renderer::Renderer;
 
@@ -109,11 +109,15 @@ impl Studio {
         width: u32,
         height: u32,
         colours: &[u8],
-        triangulation: TriangulationName,
+        triangulation: &str,
         density: u32,
         edits: String,
     ) -> Result<ChangeName, JsValue> {
-        let work = Work { triangulation: triangulation.triangulation()?, density, history: edits };
+        let work = Work {
+            triangulation: FacadeError::unless(Triangulation::from_id(triangulation))?,
+            density,
+            history: edits,
+        };
         Ok(self.open(landmarks, [width, height], colours, Some(work))?)
     }
 

@@ -1,4 +1,4 @@
-// A dot on each landmark: near the pointer, or on all of them.
+// A dot on each vertex that can show as one: near the pointer, or on all of them.
 struct Corner {
     @builtin(position) clip: vec4f,
     @location(0) place_px: vec2f,
@@ -9,8 +9,8 @@ const REACH_PX = 70.0;
 const RADIUS_PX = 2.0;
 
 @vertex
-fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) landmark: u32) -> Corner {
-    let clip = lifted(position_m(landmark), 0.012);
+fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) dotted: u32) -> Corner {
+    let clip = lifted(position_m(dotted), 0.012);
     let away_px = length(place_px(clip) - frame.pointer_px) / frame.pixel_ratio;
     let near = 1.0 - smoothstep(0.35 * REACH_PX, REACH_PX, away_px);
     let strength = max(near, f32(frame.dots) * 0.75);

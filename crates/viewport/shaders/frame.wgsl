@@ -14,7 +14,7 @@ struct FrameUniforms {
     right: vec3f,
     m_per_px: f32,
     up: vec3f,
-    paint: u32,
+    shading: u32,
     ground_m: vec3f,
     radius_m: f32,
     viewport_px: vec2f,

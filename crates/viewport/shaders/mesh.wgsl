@@ -5,7 +5,7 @@ struct Geometry {
     normal: vec3f,
 }
 
-struct Follow {
+struct InfluenceWeights {
     normal_derivative_a: vec3f,
     field_a: f32,
     normal_derivative_b: vec3f,
@@ -23,8 +23,8 @@ struct VertexAttributes {
 @group(1) @binding(1) var shapes_before: texture_2d<f32>;
 @group(1) @binding(2) var follows: texture_2d<f32>;
 @group(1) @binding(3) var attributes: texture_2d<f32>;
-@group(1) @binding(4) var photo: texture_2d<f32>;
-@group(1) @binding(5) var photo_sampler: sampler;
+@group(1) @binding(4) var picture: texture_2d<f32>;
+@group(1) @binding(5) var picture_sampler: sampler;
 
 // Texels in a row; `src/vertex_data.rs` says the same.
 const ROW = 1024u;
@@ -45,11 +45,11 @@ fn shape_before(vertex: u32) -> Geometry {
     return Geometry(position.xyz, normal.xyz);
 }
 
-fn follow(vertex: u32) -> Follow {
+fn follow(vertex: u32) -> InfluenceWeights {
     let a = textureLoad(follows, place(3u * vertex), 0);
     let b = textureLoad(follows, place(3u * vertex + 1u), 0);
     let both = textureLoad(follows, place(3u * vertex + 2u), 0);
-    return Follow(a.xyz, a.w, b.xyz, b.w, both.x);
+    return InfluenceWeights(a.xyz, a.w, b.xyz, b.w, both.x);
 }
 
 fn vertex_attributes(vertex: u32) -> VertexAttributes {

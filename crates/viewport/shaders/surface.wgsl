@@ -11,11 +11,11 @@ struct Corner {
 
 const CLAY = vec3f(0.445, 0.385, 0.330);
 const INSIDE = vec3f(0.23, 0.205, 0.185);
-const PHOTO = 0u;
+const PICTURE = 0u;
 const COLOURS = 1u;
 const NORMALS = 3u;
 const RESPONSE = 4u;
-const SCALAR = 5u;
+const DISTORTION = 5u;
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Corner {
@@ -38,12 +38,12 @@ fn diverging(value: f32) -> vec3f {
     return mix(neutral, far, pow(clamp(abs(value), 0.0, 1.0), 0.7));
 }
 
-fn painted(corner: Corner, photo_colour: vec3f) -> vec3f {
-    switch frame.paint {
-        case PHOTO: { return photo_colour; }
+fn painted(corner: Corner, picture_colour: vec3f) -> vec3f {
+    switch frame.shading {
+        case PICTURE: { return picture_colour; }
         case COLOURS: { return corner.colour; }
         case RESPONSE: { return mix(CLAY, linear_from_srgb(frame.accent.rgb), smoothstep(0.0, 1.0, corner.response)); }
-        case SCALAR: { return diverging(corner.scalar); }
+        case DISTORTION: { return diverging(corner.scalar); }
         default: { return CLAY; }
     }
 }
@@ -51,7 +51,7 @@ fn painted(corner: Corner, photo_colour: vec3f) -> vec3f {
 fn shaded(albedo: vec3f, facing: vec3f, to_eye: vec3f) -> vec3f {
     let direct = max(dot(facing, frame.light_direction), 0.0);
     let light = vec3f(frame.ambient) + frame.light_colour * frame.light_strength * direct;
-    if frame.paint == PHOTO || frame.paint == COLOURS {
+    if frame.shading == PICTURE || frame.shading == COLOURS {
         return albedo * light;
     }
     let half_way = normalize(frame.light_direction + to_eye);
@@ -61,15 +61,15 @@ fn shaded(albedo: vec3f, facing: vec3f, to_eye: vec3f) -> vec3f {
 
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4f {
-    let photo_colour = textureSample(photo, photo_sampler, corner.uv).rgb;
+    let picture_colour = textureSample(picture, picture_sampler, corner.uv).rgb;
     let facing = normalize(select(-corner.normal, corner.normal, front));
     let to_eye = normalize(frame.eye_m - corner.model_m);
-    if frame.paint == NORMALS {
+    if frame.shading == NORMALS {
         return vec4f(0.5 * facing + 0.5, 1.0);
     }
     var albedo = INSIDE;
     if front {
-        albedo = painted(corner, photo_colour);
+        albedo = painted(corner, picture_colour);
     }
     let glow = frame.glow * smoothstep(0.0, 1.0, corner.response);
     return vec4f(mix(srgb_from_linear(shaded(albedo, facing, to_eye)), frame.accent.rgb, 0.6 * glow), 1.0);

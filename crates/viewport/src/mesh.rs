@@ -5,7 +5,7 @@ use wgpu::util::DeviceExt;
 use crate::pipelines::Pipelines;
 use crate::vertex::{Geometry, InfluenceWeights, VertexAttributes, follows, geometry};
 use crate::vertex_data::VertexData;
-use crate::{Gpu, PictureOnGpu, ViewportError, photo};
+use crate::{Gpu, PictureOnGpu, ViewportError, picture};
 
 /// A mesh to show.
 #[derive(Debug, Clone, Copy)]
@@ -46,14 +46,14 @@ impl MeshOnGpu {
     ) -> Result<Self, ViewportError> {
         let attribute_list = attributes(input)?;
         check_length("positions", input.positions_m.len(), input.topology)?;
-        let photo = input.picture.unwrap_or(blank);
+        let picture = input.picture.unwrap_or(blank);
         let geometry_list = geometry(input.topology, input.positions_m);
         let geometry_now = VertexData::new(gpu, &geometry_list)?;
         let geometry_before = VertexData::new(gpu, &geometry_list)?;
         let follows = VertexData::new(gpu, &vec![InfluenceWeights::default(); attribute_list.len()])?;
         let attributes = VertexData::new(gpu, &attribute_list)?;
         let textures =
-            [geometry_now.view(), geometry_before.view(), follows.view(), attributes.view(), photo.view.clone()];
+            [geometry_now.view(), geometry_before.view(), follows.view(), attributes.view(), picture.view.clone()];
         Ok(Self {
             bindings: bindings(gpu, &pipelines.mesh_layout, &textures),
             indices: filled(gpu, bytemuck::cast_slice(input.topology.triangles()), wgpu::BufferUsages::INDEX),
@@ -144,7 +144,7 @@ pub(crate) fn filled(gpu: &Gpu, bytes: &[u8], usage: wgpu::BufferUsages) -> wgpu
 }
 
 fn bindings(gpu: &Gpu, layout: &wgpu::BindGroupLayout, textures: &[wgpu::TextureView; 5]) -> wgpu::BindGroup {
-    let sampler = photo::sampler(gpu);
+    let sampler = picture::sampler(gpu);
     let views = textures.iter().map(wgpu::BindingResource::TextureView);
     let resources = views.chain([wgpu::BindingResource::Sampler(&sampler)]);
     let entries: Vec<_> =

@@ -5,7 +5,6 @@ use crate::pipelines::Twin;
 use crate::target::Attachments;
 
 /// Landmarks that can show as dots come first among the vertices.
-const LANDMARKS: u32 = 468;
 
 /// Records one frame: backdrop, mesh, lines, marks.
 pub(crate) fn record(
@@ -78,7 +77,7 @@ fn record_mesh(viewport: &Viewport, stage: &Stage, pass: &mut wgpu::RenderPass<'
     }
     if settings.dots != Dots::None {
         pass.set_pipeline(&pipelines.dots);
-        pass.draw(0..6, 0..LANDMARKS.min(mesh.vertex_count()));
+        pass.draw(0..6, 0..settings.dotted.min(mesh.vertex_count()));
     }
     record_marks(viewport, stage, pass);
 }

@@ -7,7 +7,7 @@ use crate::mesh::{MeshOnGpu, filled};
 use crate::pipelines::Pipelines;
 use crate::snapshot::{Snapshot, copy};
 use crate::target::{Attachments, Canvas, Target};
-use crate::{Gpu, MeshInput, PictureOnGpu, ViewportError, passes, photo};
+use crate::{Gpu, MeshInput, PictureOnGpu, ViewportError, passes, picture};
 
 /// Draws a mesh on a target, as a stage shows it. What is on the GPU is all that it holds: the stage is the caller's.
 #[derive(Debug)]
@@ -42,7 +42,7 @@ impl Viewport {
         });
         target.configure(&gpu, 1, 1);
         Self {
-            shrink: photo::shrink_pipeline(&gpu),
+            shrink: picture::shrink_pipeline(&gpu),
             attachments: Attachments::new(&gpu, target.format, [1, 1]),
             marks: filled(&gpu, &[], wgpu::BufferUsages::VERTEX),
             mark_count: 0,
@@ -79,7 +79,7 @@ impl Viewport {
     /// # Errors
     /// [`ViewportError::BadPicture`] for one without area, or larger than the GPU takes.
     pub fn reserve_picture(&self, width: u32, height: u32) -> Result<PictureOnGpu, ViewportError> {
-        photo::reserve(&self.gpu, width, height)
+        picture::reserve(&self.gpu, width, height)
     }
 
     /// Writes whole rows of a picture from its row `first_row` on: sRGB with opaque alpha, four bytes a pixel.
@@ -87,12 +87,12 @@ impl Viewport {
     /// # Errors
     /// [`ViewportError::BadPicture`] for a part of a row, or more rows than the picture has.
     pub fn write_picture_rows(&self, picture: &PictureOnGpu, first_row: u32, rgba: &[u8]) -> Result<(), ViewportError> {
-        photo::write_rows(&self.gpu, picture, first_row, rgba)
+        picture::write_rows(&self.gpu, picture, first_row, rgba)
     }
 
     /// Makes a picture ready to be seen small, once all its rows are written; for [`MeshInput::picture`].
     pub fn finish_picture(&self, picture: &PictureOnGpu) {
-        photo::finish(&self.gpu, &self.shrink, picture);
+        picture::finish(&self.gpu, &self.shrink, picture);
     }
 
     /// Shows a mesh in place of the one before. No handle moves it yet: a stage's offsets must be zero until the next
@@ -103,7 +103,7 @@ impl Viewport {
     /// # Errors
     /// [`ViewportError::LengthMismatch`] or [`ViewportError::TooManyVertices`].
     pub fn show(&mut self, input: &MeshInput<'_>) -> Result<(), ViewportError> {
-        let blank = photo::blank(&self.gpu)?;
+        let blank = picture::blank(&self.gpu)?;
         self.mesh = Some(MeshOnGpu::new(&self.gpu, &self.pipelines, &blank, input)?);
         self.before_after_arrival = None;
         Ok(())

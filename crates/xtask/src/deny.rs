@@ -3,7 +3,7 @@
 //! Security advisories are not among the checks here: their database is fetched anew each time, and what it says
 //! changes while the sources stay as they are.
 
-use crate::failure::{Failure, Outcome};
+use crate::failure::{Failure, Result};
 use crate::process::Run;
 use crate::{tools, workspace};
 use std::process::ExitCode;
@@ -13,7 +13,7 @@ const LIMIT: Duration = Duration::from_secs(600);
 const CHECKS: [&str; 3] = ["licenses", "bans", "sources"];
 
 /// Checks every crate in `Cargo.lock`; a warning fails, too.
-pub fn run() -> Outcome<ExitCode> {
+pub fn run() -> Result<ExitCode> {
     let program = tools::cargo_deny().obtain()?.join("cargo-deny");
     let deny = Run::new(program).args(["--locked", "--color", "never", "check", "--deny", "warnings"]).args(CHECKS);
     let ended = deny.current_dir(workspace::root()).within(LIMIT).run()?;

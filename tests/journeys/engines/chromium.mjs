@@ -16,9 +16,9 @@ export async function chromium() {
   const browser = await launch({ gpu: "webgl" });
   const page = await browser.newPage({ viewport: { width: 1024, height: 640 }, acceptDownloads: true });
   /** @type {string[]} */
-  const troubles = [];
-  page.on("pageerror", (error) => troubles.push(String(error)));
-  page.on("console", (message) => message.type() === "error" && troubles.push(message.text()));
+  const errors = [];
+  page.on("pageerror", (error) => errors.push(String(error)));
+  page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
   page.on("download", (download) => download.saveAs(path.join(downloads, download.suggestedFilename())));
   return {
     engine: "Chromium",
@@ -31,7 +31,7 @@ export async function chromium() {
       for (const { actions } of /** @type {any[]} */ (sources)) for (const action of actions) await one(page, action);
     },
     screenshot: () => page.screenshot(),
-    troubles: async () => troubles,
+    errors: async () => errors,
     close: async () => {
       await browser.close();
       await rm(downloads, { recursive: true, force: true });

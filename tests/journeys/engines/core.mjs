@@ -70,7 +70,7 @@ export async function core(driver, url, pictures) {
   await untilEdits(driver, 1);
   await picture("again");
   assert.deepEqual(await mesh(driver, hand), lifted);
-  assert.deepEqual(await driver.troubles(), []);
+  assert.deepEqual(await driver.errors(), []);
   return drawnBy;
 }
 
@@ -156,7 +156,7 @@ async function until(driver, condition, what) {
     if (await driver.evaluate(`return Boolean(${condition})`)) return;
   }
   const notice = await driver.evaluate(`const notice = document.querySelector("#notice"); return notice.hidden ? "" : notice.innerText`);
-  throw new Error(`${what} did not come within ${WAIT_MS / 1000} s. ${notice} ${(await driver.troubles()).join("\n")}`);
+  throw new Error(`${what} did not come within ${WAIT_MS / 1000} s. ${notice} ${(await driver.errors()).join("\n")}`);
 }
 
 /** @param {Driver} driver @param {string} file */

@@ -74,10 +74,10 @@ async function driver(to, browser, folder, downloads) {
   // The tab that is there from the start never has the focus: fields in it do not hear that they are left.
   const { context } = await to.ask("browsingContext.create", { type: "tab" });
   /** @type {string[]} */
-  const troubles = [];
+  const errors = [];
   to.onEvent = ({ level, text, stackTrace }) => {
     const [at] = stackTrace?.callFrames ?? [];
-    if (level === "error") troubles.push(at ? `${text} (${at.url}:${at.lineNumber})` : text);
+    if (level === "error") errors.push(at ? `${text} (${at.url}:${at.lineNumber})` : text);
   };
   await to.ask("session.subscribe", { events: ["log.entryAdded"] });
   return {
@@ -95,7 +95,7 @@ async function driver(to, browser, folder, downloads) {
     },
     act: async (actions) => void (await to.ask("input.performActions", { context, actions })),
     screenshot: async () => Buffer.from((await to.ask("browsingContext.captureScreenshot", { context })).data, "base64"),
-    troubles: async () => troubles,
+    errors: async () => errors,
     close: async () => {
       const ended = once(browser, "exit");
       await to.ask("browser.close", {}).catch(() => browser.kill());

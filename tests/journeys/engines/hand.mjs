@@ -10,7 +10,7 @@
  * @property {(script: string) => Promise<any>} evaluate the value, as JSON can say it, of the body of an async function in the page
  * @property {(sources: object[]) => Promise<void>} act input as WebDriver describes it
  * @property {() => Promise<Buffer>} screenshot PNG
- * @property {() => Promise<string[]>} troubles errors that nobody caught, and those written to the console
+ * @property {() => Promise<string[]>} errors errors that nobody caught, and those written to the console
  * @property {() => Promise<void>} close
  */
 

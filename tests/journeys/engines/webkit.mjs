@@ -59,7 +59,7 @@ async function driver(sessions, downloads, close) {
   await ask("POST", "window/rect", { x: 0, y: 0, width: 1024, height: 720 });
   /** @type {string[]} */
   const before = [];
-  const troubles = () => run("return window.__troubles ?? []");
+  const errors = () => run("return window.__troubles ?? []");
   return {
     engine: "WebKit",
     version: capabilities.browserVersion,
@@ -69,14 +69,14 @@ async function driver(sessions, downloads, close) {
       await run(LISTEN);
     },
     reload: async () => {
-      before.push(...(await troubles()));
+      before.push(...(await errors()));
       await ask("POST", "refresh", {});
       await run(LISTEN);
     },
     evaluate: run,
     act: (actions) => ask("POST", "actions", { actions }),
     screenshot: async () => Buffer.from(await ask("GET", "screenshot"), "base64"),
-    troubles: async () => [...before, ...(await troubles())],
+    errors: async () => [...before, ...(await errors())],
     close: async () => {
       await request("DELETE", `${sessions}/${sessionId}`).catch(() => {});
       await close();

@@ -20,7 +20,7 @@
  * @property {string} state of the page: "empty", "photo" or "face"
  * @property {boolean} busy whether a file is being opened
  * @property {boolean} dialog whether a dialog covers the page
- * @property {string | null} trouble the code of the notice that is shown
+ * @property {string | null} error the code of the notice that is shown
  * @property {string} said what the notice says
  * @property {Control[]} controls
  * @property {Box | null} view the 3D view
@@ -89,7 +89,7 @@ export function openEyes() {
       state: document.body.dataset["state"] ?? "",
       busy: document.getElementById("progress")?.hidden === false,
       dialog: covering !== null,
-      trouble: isTroubled ? (notice.dataset["code"] ?? "") : null,
+      error: isTroubled ? (notice.dataset["code"] ?? "") : null,
       said: isTroubled ? notice.innerText.trim().replaceAll(/\s+/g, " ") : "",
       controls: usable.filter((element) => !element.matches(":disabled") && visibleBox(element)).map(controlOf),
       view: visibleBox(document.getElementById("viewport")),

@@ -3,8 +3,8 @@ import { SAMPLE } from "../visitor.mjs";
 import { faceless, text, twice } from "../pictures.mjs";
 
 /**
- * @typedef {import("./wishes.mjs").Action} Action
- * @typedef {import("./wishes.mjs").Move} Move
+ * @typedef {import("./intents.mjs").Action} Action
+ * @typedef {import("./intents.mjs").Move} Move
  * @typedef {import("./eyes.mjs").Box} Box
  * @typedef {import("./eyes.mjs").Seen} Seen
  */

@@ -1,7 +1,7 @@
 import { recorded } from "./visit.mjs";
 
 /**
- * @typedef {import("./wishes.mjs").Action} Action
+ * @typedef {import("./intents.mjs").Action} Action
  * @typedef {import("./visit.mjs").Visited} Visited
  */
 

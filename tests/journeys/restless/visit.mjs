@@ -4,10 +4,10 @@ import { Chance } from "./chance.mjs";
 import { check } from "./checks.mjs";
 import { openEyes } from "./eyes.mjs";
 import { Hands } from "./hands.mjs";
-import { wish } from "./wishes.mjs";
+import { wish } from "./intents.mjs";
 
 /**
- * @typedef {import("./wishes.mjs").Action} Action
+ * @typedef {import("./intents.mjs").Action} Action
  * @typedef {import("./eyes.mjs").Seen} Seen
  * @typedef {{ message: string, stack?: string }} Finding
  * @typedef {{ actions: Action[], finding?: Finding, known: string[], took_ms: number }} Visited `known`: findings that were passed over
@@ -18,7 +18,7 @@ const ANSWER_MS = 30_000;
 /** Long enough for the slowest thing that one action waits for. */
 const ACTION_MS = 90_000;
 
-/** Trouble that ordinary use must never cause: it says that the page is at odds with itself. */
+/** PageError that ordinary use must never cause: it says that the page is at odds with itself. */
 const OF_THE_PAGE = new Set(["internal", "other", "bad-vertex", "bad-choice", "no-selection"]);
 
 /** Frames that are waited for after an action, and after the last one. */
@@ -58,7 +58,7 @@ export function* recorded(actions) {
 export class Visit {
   /** @type {Action[]} */
   actions = [];
-  #trouble = /** @type {Finding[]} */ ([]);
+  #error = /** @type {Finding[]} */ ([]);
   #known = /** @type {string[]} */ ([]);
   #isKnown = (/** @type {string} */ _) => false;
   #visitor;
@@ -90,7 +90,7 @@ export class Visit {
     let finding;
     try {
       let seen = await this.#look();
-      for (let next = wishes.next(seen); !next.done && !this.#trouble[0]; next = wishes.next(seen)) {
+      for (let next = wishes.next(seen); !next.done && !this.#error[0]; next = wishes.next(seen)) {
         this.actions.push(next.value);
         tell(next.value, this.actions.length);
         await within(ACTION_MS, this.#perform(next.value, seen), "an action did not come to its end");
@@ -101,22 +101,22 @@ export class Visit {
       finding = { message: String(error?.message ?? error).split("\n")[0], stack: error?.stack };
     }
     // What the page said explains what the visitor ran into.
-    return { actions: this.actions, finding: this.#trouble[0] ?? finding, known: this.#known, took_ms: performance.now() - started };
+    return { actions: this.actions, finding: this.#error[0] ?? finding, known: this.#known, took_ms: performance.now() - started };
   }
 
   /** @param {Action} action @param {Seen} seen */
   async #perform(action, seen) {
     if (action.do !== "check") return this.#hands.perform(action, seen);
     const wrong = await check(this.#hands, action.what);
-    if (wrong) this.#trouble.push({ message: wrong });
+    if (wrong) this.#error.push({ message: wrong });
   }
 
   /** What the page shows after its next frames. @returns {Promise<Seen>} */
   async #look(frames = FRAMES) {
     const seen = await within(ANSWER_MS, this.#settled(frames), "the page does not answer");
-    if (!OF_THE_PAGE.has(seen.trouble)) return seen;
-    const message = `notice ${seen.trouble}: ${seen.said}`;
-    if (!this.#isKnown(message)) this.#trouble.push({ message });
+    if (!OF_THE_PAGE.has(seen.error)) return seen;
+    const message = `notice ${seen.error}: ${seen.said}`;
+    if (!this.#isKnown(message)) this.#error.push({ message });
     else {
       this.#known.push(message);
       await this.#visitor.page.evaluate(() => window["__eyes"].press("#notice-close"));
@@ -141,10 +141,10 @@ export class Visit {
     const { page } = this.#visitor;
     page.removeAllListeners("filechooser");
     page.on("filechooser", (chooser) => chooser.setFiles(SAMPLE).catch(() => {}));
-    page.on("pageerror", (error) => this.#trouble.push({ message: `page error: ${error.message}`, stack: error.stack }));
-    page.on("crash", () => this.#trouble.push({ message: "the page's process died" }));
+    page.on("pageerror", (error) => this.#error.push({ message: `page error: ${error.message}`, stack: error.stack }));
+    page.on("crash", () => this.#error.push({ message: "the page's process died" }));
     page.on("console", (message) => {
-      if (message.type() === "error") this.#trouble.push({ message: `console: ${message.text().split("\n")[0]}`, stack: message.text() });
+      if (message.type() === "error") this.#error.push({ message: `console: ${message.text().split("\n")[0]}`, stack: message.text() });
     });
     page.on("download", (download) => this.#pocket(download));
   }

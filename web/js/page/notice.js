@@ -1,10 +1,10 @@
 import { inEveryLanguage, isWord, say } from "../words/words.js";
 import { byId } from "./dom.js";
-import { asTrouble } from "./trouble.js";
+import { asPageError } from "./page-error.js";
 
 /**
  * @typedef {"one-of-several"} Remark
- * @typedef {{ kind: "trouble" | "remark", code: string, words: () => { title: string, hint: string }, isPhotos: boolean }} Notice
+ * @typedef {{ kind: "error" | "remark", code: string, words: () => { title: string, hint: string }, isPhotos: boolean }} Notice
  */
 
 /** @type {Notice | undefined} */
@@ -26,8 +26,8 @@ export function setUpNotice() {
  *
  * @param {unknown} thrown
  */
-export function showTrouble(thrown) {
-  show(troubled(thrown, false));
+export function showError(thrown) {
+  show(noticeOf(thrown, false));
 }
 
 /**
@@ -35,12 +35,12 @@ export function showTrouble(thrown) {
  *
  * @param {unknown} thrown
  */
-export function showPhotoTrouble(thrown) {
-  show(troubled(thrown, true));
+export function showPhotoError(thrown) {
+  show(noticeOf(thrown, true));
 }
 
 /**
- * Says something that is no trouble.
+ * Says something that is no error.
  *
  * @param {Remark} remark
  * @param {Record<string, string | number>} values for its words
@@ -78,10 +78,10 @@ function show(notice) {
  * @param {boolean} isPhotos whether it is said beside the drop zone as well
  * @returns {Notice}
  */
-function troubled(thrown, isPhotos) {
-  const { code } = asTrouble(thrown);
+function noticeOf(thrown, isPhotos) {
+  const { code } = asPageError(thrown);
   if (code === "other" || !isWord(`error.${code}`)) console.error(thrown);
-  return { kind: "trouble", code, words: () => wordsFor(code), isPhotos };
+  return { kind: "error", code, words: () => wordsFor(code), isPhotos };
 }
 
 function write() {
@@ -110,7 +110,7 @@ function wordsFor(code) {
 }
 
 /**
- * @param {string} key of a trouble's words
+ * @param {string} key of an error's words
  * @returns {import("../words/words.js").WordKey}
  */
 function hintOf(key) {

@@ -1,27 +1,22 @@
 import { announce } from "../page/announce.js";
-import { byId, onAction } from "../page/dom.js";
+import { byId, make, onAction } from "../page/dom.js";
 import { download } from "../page/download.js";
 import { afterNextFrame } from "../page/tasks.js";
-import { say } from "../words/words.js";
+import { inEveryLanguage, isWord, say } from "../words/words.js";
 import { pngOf } from "../work/pixels.js";
 import { VerdictLine } from "./verdict-line.js";
 
 /**
  * @typedef {import("../page/validator.js").Validator} Validator
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
- * @typedef {import("../work/work-keeper.js").WorkKeeper} WorkKeeper
- * @typedef {import("../../wasm/rosto-studio-web.js").ExportPaintName} ExportPaintName
- * @typedef {import("../../wasm/rosto-studio-web.js").UnitsName} UnitsName
+ * @typedef {import("../work/autosave.js").Autosave} Autosave
  */
-
-/** MIME types of the files beside GLB. */
-const MESH_FORMATS = /** @type {const} */ ({ obj: "model/obj", ply: "application/octet-stream", stl: "model/stl" });
 
 /**
  * Files made of the face as it stands.
  *
  * @param {Workbench} bench
- * @param {WorkKeeper} keeper
+ * @param {Autosave} keeper
  * @param {Validator} validator
  */
 export function setUpExportPanel(bench, keeper, validator) {
@@ -29,17 +24,53 @@ export function setUpExportPanel(bench, keeper, validator) {
   onAction("check-glb", () => checked(bench, validator, verdict));
   onAction("download-glb", async () => {
     const file = await checked(bench, validator, verdict);
-    if (file) save(bench, nameOf(bench, "glb"), "model/gltf-binary", () => file);
+    if (file) save(bench, nameOf(bench, "glb"), bench.studio.mediaType("glb"), () => file);
   });
-  for (const format of /** @type {const} */ (["obj", "ply", "stl"])) {
-    onAction(`download-${format}`, () => save(bench, nameOf(bench, format), MESH_FORMATS[format], () => bench.studio.exportMesh(format)));
-  }
+  offerPlainFormats(bench);
   onAction("save-project", () => saveProject(bench, keeper).catch((error) => bench.fail(error)));
   onAction("download-picture", () => savePicture(bench));
-  onAction("download-json", () => {
-    const units = /** @type {UnitsName} */ (chosen("export-units"));
-    save(bench, nameOf(bench, "json"), "application/json", () => bench.studio.meshJson(units));
+  onAction("download-json", () => saveAs(bench, "json"));
+}
+
+/**
+ * A button for each format about which there is nothing to choose, with a word on each.
+ *
+ * @param {Workbench} bench
+ */
+function offerPlainFormats(bench) {
+  const formats = bench.studio.plainFormats;
+  const buttons = formats.map((format) => {
+    const button = make("button", "button small", format.toUpperCase());
+    button.type = "button";
+    button.dataset["action"] = `download-${format}`;
+    return button;
   });
+  byId("plain-formats", HTMLDivElement).replaceChildren(...buttons);
+  for (const format of formats) onAction(`download-${format}`, () => saveAs(bench, format));
+  inEveryLanguage(() => {
+    const help = formats.map((format) => `format.${format}.help`).filter(isWord);
+    byId("plain-formats-help", HTMLParagraphElement).textContent = help.map((key) => say(key)).join(" ");
+  });
+}
+
+/**
+ * @param {Workbench} bench
+ * @param {string} format
+ */
+function saveAs(bench, format) {
+  save(bench, nameOf(bench, format), bench.studio.mediaType(format), () => fileOf(bench, format));
+}
+
+/**
+ * The face as a file, as it is asked for.
+ *
+ * @param {Workbench} bench
+ * @param {string} format
+ */
+function fileOf(bench, format) {
+  const material = isChecked("export-unlit") ? "unlit" : "lit";
+  const edits = isChecked("export-morphs") ? "morph-targets" : "shape";
+  return bench.studio.exportFile(format, chosen("base-colour"), material, edits, chosen("export-units"));
 }
 
 /**
@@ -54,8 +85,7 @@ async function checked(bench, validator, line) {
   // The words are on the screen before the file is made.
   await afterNextFrame();
   try {
-    const paint = /** @type {ExportPaintName} */ (chosen("export-paint"));
-    const file = bench.studio.exportGlb(paint, isChecked("export-unlit") ? "unlit" : "lit", isChecked("export-morphs") ? "morph-targets" : "shape");
+    const file = fileOf(bench, "glb");
     const verdict = await validator.check(file);
     line.conclude(verdict ?? "unchecked");
     return file;
@@ -79,7 +109,7 @@ function nameOf(bench, ending) {
 
 /**
  * @param {Workbench} bench
- * @param {WorkKeeper} keeper
+ * @param {Autosave} keeper
  */
 async function saveProject(bench, keeper) {
   const { face } = keeper;

@@ -1,28 +1,29 @@
 import { announce } from "../page/announce.js";
 import { byId, onAction } from "../page/dom.js";
-import { inEveryLanguage, language, say, sayNumber } from "../words/words.js";
+import { sayId } from "../words/names.js";
+import { say, sayNumber } from "../words/words.js";
 import { Slider } from "./slider.js";
 
 /**
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
  * @typedef {import("../viewport/workbench.js").StudioTick} StudioTick
- * @typedef {{ id: string, label: string, rangeMm: number }} Named
  */
 
 const STEP_MM = 0.1;
 
 /** The ready-made sliders, and symmetry. */
 export class FacePanel {
-  /** @type {Named[]} in the page's language */
-  #named = [];
   #sliders;
   #bench;
 
   /** @param {Workbench} bench */
   constructor(bench) {
     this.#bench = bench;
-    inEveryLanguage(() => (this.#named = namesOf(bench)));
-    this.#sliders = this.#named.map(({ id, rangeMm }, place) => this.#makeSlider(id, rangeMm, place));
+    this.#sliders = bench.studio.faceSliders.map((slider) => {
+      const { id, rangeMm } = slider;
+      slider.free();
+      return this.#makeSlider(id, rangeMm);
+    });
     byId("face-sliders", HTMLFieldSetElement).append(...this.#sliders.map((slider) => slider.element));
     bench.onTick((tick) => this.#show(tick));
     onAction("symmetrise", () => this.#symmetrise());
@@ -31,10 +32,9 @@ export class FacePanel {
   /**
    * @param {string} id
    * @param {number} range_mm
-   * @param {number} place among the sliders
    */
-  #makeSlider(id, range_mm, place) {
-    const label = () => this.#named[place]?.label ?? "";
+  #makeSlider(id, range_mm) {
+    const label = () => sayId("slider", id);
     const slider = new Slider({
       label,
       longLabel: () => say("face.slider.long", { name: label() }),
@@ -65,17 +65,4 @@ export class FacePanel {
   #show({ slidersMm }) {
     for (const [place, slider] of this.#sliders.entries()) slider.value = slidersMm[place] ?? 0;
   }
-}
-
-/**
- * @param {Workbench} bench
- * @returns {Named[]}
- */
-function namesOf(bench) {
-  const named = bench.ask((studio) => studio.faceSliders(language())) ?? [];
-  return named.map((slider) => {
-    const { id, label, rangeMm } = slider;
-    slider.free();
-    return { id, label, rangeMm };
-  });
 }

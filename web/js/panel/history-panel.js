@@ -1,7 +1,8 @@
 import { announce } from "../page/announce.js";
 import { byId, enableAction, make, onAction } from "../page/dom.js";
 import { setUpEditKeys } from "../viewport/shortcuts.js";
-import { inEveryLanguage, isWord, language, say, sayNumber } from "../words/words.js";
+import { sayOnce } from "../words/names.js";
+import { inEveryLanguage, isWord, say, sayNumber } from "../words/words.js";
 
 /**
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
@@ -30,7 +31,7 @@ export function setUpHistoryPanel(bench) {
   onAction("redo", redo);
   onAction("reset-selection", () => {
     bench.act((studio) => studio.resetSelection());
-    announce(say("was-reset.one", { name: bench.ask((studio) => studio.selectionName(language())) ?? "" }));
+    announce(say("was-reset.one", { name: bench.ask((studio) => sayOnce(studio.selectedTarget)) ?? "" }));
   });
   onAction("reset", () => {
     bench.act((studio) => studio.reset());
@@ -51,7 +52,7 @@ function show({ canUndo, canRedo, canResetSelection, entryCount }, bench) {
   enableAction("reset-selection", canResetSelection);
   enableAction("reset", entryCount > 0);
   byId("history-empty", HTMLParagraphElement).hidden = entryCount > 0;
-  const entries = bench.studio.latestEntries(LISTED, language());
+  const entries = bench.studio.latestEntries(LISTED);
   const rows = entries.map((entry) => row(entry, bench)).reverse();
   for (const entry of entries) entry.free();
   if (entryCount > entries.length) rows.push(make("li", "earlier", say("history.earlier", { n: entryCount - entries.length })));
@@ -64,7 +65,8 @@ function show({ canUndo, canRedo, canResetSelection, entryCount }, bench) {
  * @param {StudioEntry} entry
  * @param {Workbench} bench
  */
-function row({ index, name, amount, unit, enabled, waitsForDensity, impossible }, bench) {
+function row({ index, target, amount, unit, enabled, waitsForDensity, impossible }, bench) {
+  const name = sayOnce(target) ?? "";
   const item = make("li");
   item.toggleAttribute("data-off", !enabled || impossible);
   const takesPart = make("input");

@@ -1,6 +1,7 @@
 import { announce } from "../page/announce.js";
-import { byId, make } from "../page/dom.js";
-import { inEveryLanguage, language, say, sayNumber } from "../words/words.js";
+import { byId } from "../page/dom.js";
+import { sayNumberedLandmark, sayOnce, vertexCalled } from "../words/names.js";
+import { inEveryLanguage, isWord, say, sayNumber } from "../words/words.js";
 import { Slider } from "./slider.js";
 
 /**
@@ -9,7 +10,6 @@ import { Slider } from "./slider.js";
  * @typedef {import("../viewport/workbench.js").StudioTick} StudioTick
  */
 
-const LANDMARKS = 468;
 /** More anchors than this are only counted. */
 const NAMED_ANCHORS = 6;
 const AXES = /** @type {const} */ (["x", "y", "z"]);
@@ -20,11 +20,14 @@ export class LandmarkPanel {
   #help = byId("landmark-help", HTMLParagraphElement);
   #sliders;
   #kept_mm = [0, 0, 0];
+  #selectable = 0;
+  #landmarkIds;
   #bench;
 
   /** @param {Workbench} bench */
   constructor(bench) {
     this.#bench = bench;
+    this.#landmarkIds = bench.studio.landmarkIds;
     const { min, max, step, neutral } = bench.studio.offsetRange;
     this.#sliders = AXES.map((axis) => this.#makeSlider(axis, { min, max, step, neutral }));
     byId("landmark-sliders", HTMLFieldSetElement).append(...this.#sliders.map((slider) => slider.element));
@@ -65,7 +68,7 @@ export class LandmarkPanel {
 
   /** @param {string} text */
   #find(text) {
-    const vertex = this.#bench.ask((studio) => studio.vertexCalled(text, language()));
+    const vertex = vertexCalled(text, this.#landmarkIds, this.#selectable);
     this.#search.toggleAttribute("aria-invalid", vertex === undefined);
     if (vertex === undefined) {
       const isPoint = byId("point-field", HTMLDivElement).hidden === false;
@@ -78,15 +81,11 @@ export class LandmarkPanel {
   }
 
   #selectionName() {
-    return this.#bench.ask((studio) => studio.selectionName(language())) ?? "";
+    return this.#bench.ask((studio) => sayOnce(studio.selectedTarget)) ?? "";
   }
 
   #listNames() {
-    const options = Array.from({ length: LANDMARKS }, (_, landmark) => {
-      const option = make("option");
-      option.value = this.#bench.ask((studio) => studio.landmarkLabel(landmark, language())) ?? "";
-      return option;
-    });
+    const options = this.#landmarkIds.map((id, number) => new Option("", sayNumberedLandmark(id, number)));
     byId("landmark-names", HTMLDataListElement).replaceChildren(...options);
   }
 
@@ -96,6 +95,7 @@ export class LandmarkPanel {
     if (document.activeElement !== this.#search) this.#help.textContent = say(helpFor(state));
     const [alongX] = this.#sliders;
     if (alongX) alongX.disabled = state.selectedInPlane;
+    this.#selectable = state.selectable;
     this.#kept_mm = [state.keptXMm, state.keptYMm, state.keptZMm];
     this.#search.value = this.#selectionName();
     this.#search.removeAttribute("aria-invalid");
@@ -128,7 +128,9 @@ export class LandmarkPanel {
  *
  * @param {StudioState} state
  */
-function helpFor({ hand, refusal, selectedInPlane }) {
-  if (refusal) return /** @type {const} */ (`refusal.${refusal}`);
-  return selectedInPlane ? "landmark.in-plane" : /** @type {const} */ (`${hand}.help`);
+function helpFor(state) {
+  if (state.refusal) return /** @type {const} */ (`refusal.${state.refusal}`);
+  if (state.selectedInPlane) return "landmark.in-plane";
+  const key = `selection.${state.chosen("selection")}.help`;
+  return isWord(key) ? key : "selection.landmark.help";
 }

@@ -1,5 +1,6 @@
 import { announce } from "../page/announce.js";
 import { byId, enableAction, make, onAction } from "../page/dom.js";
+import { sayId } from "../words/names.js";
 import { inEveryLanguage, say, sayNumber } from "../words/words.js";
 import { Stopwatch } from "./stopwatch.js";
 
@@ -121,11 +122,11 @@ export class PaperPanel {
 function methodRows(methods, measure) {
   const operators = [...new Set(methods.map(({ operator }) => operator))];
   return operators.map((operator) => {
-    const values = /** @type {const} */ (["soft", "exact"]).map((hold) => {
-      const method = methods.find((one) => one.operator === operator && one.hold === hold);
+    const values = /** @type {const} */ (["soft", "exact"]).map((constraint) => {
+      const method = methods.find((one) => one.operator === operator && one.constraint === constraint);
       return sayNumber(method?.[measure] ?? 0, DECIMALS[measure]);
     });
-    return tableRow(say(`paper.operator.${operator}`), values);
+    return tableRow(sayId("operator", operator), values);
   });
 }
 

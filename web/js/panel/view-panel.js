@@ -1,22 +1,15 @@
 import { byId, chosenColour, hex, onAction } from "../page/dom.js";
-import { inEveryLanguage, say } from "../words/words.js";
-import { untilWaitIsSaid } from "./hand-choice.js";
 import { setUpLight } from "./light.js";
 import { Slider } from "./slider.js";
 
-/**
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
- * @typedef {import("../../wasm/rosto-studio-web.js").PaintName} PaintName
- * @typedef {import("../../wasm/rosto-studio-web.js").TriangulationName} TriangulationName
- */
+/** @typedef {import("../viewport/workbench.js").Workbench} Workbench */
 
 /**
- * How the face is painted, lit and looked at.
+ * How the face is lit and looked at.
  *
  * @param {Workbench} bench
  */
 export function setUpViewPanel(bench) {
-  setUpPaint(bench);
   setUpLight(bench);
   setUpBackground(bench);
   setUpBeforeAfter(bench);
@@ -26,75 +19,16 @@ export function setUpViewPanel(bench) {
   });
   onCheck("dots", (shown) => bench.act((studio) => studio.setDots(shown)));
   onCheck("turntable", (turns) => bench.act((studio) => studio.setTurntable(turns)));
-  setUpMesh(bench);
+  bench.onChange((state) => {
+    byId("wireframe", HTMLInputElement).checked = state.wireframe;
+    byId("dots", HTMLInputElement).checked = state.dots;
+    byId("turntable", HTMLInputElement).checked = state.turntable;
+  });
   onAction("reset-view", () => bench.act((studio) => studio.view("reset")));
   for (const side of /** @type {const} */ (["front", "left", "top"])) {
     onAction(`view-${side}`, () => bench.act((studio) => studio.view(side)));
   }
   followMotionSetting(bench);
-}
-
-/** @param {Workbench} bench */
-function setUpMesh(bench) {
-  const triangulation = byId("triangulation", HTMLSelectElement);
-  inEveryLanguage(nameDensities);
-  for (const select of densities()) {
-    select.addEventListener("change", async () => {
-      const density = Number(select.value);
-      if (!byId("point-field", HTMLDivElement).hidden) await untilWaitIsSaid();
-      bench.act((studio) => studio.setDensity(density));
-    });
-  }
-  triangulation.addEventListener("change", () => {
-    bench.act((studio) => studio.setTriangulation(/** @type {TriangulationName} */ (triangulation.value)));
-  });
-  bench.onChange((state) => {
-    triangulation.value = state.triangulation;
-    for (const select of densities()) select.value = String(state.density);
-    byId("wireframe", HTMLInputElement).checked = state.wireframe;
-    byId("dots", HTMLInputElement).checked = state.dots;
-    byId("turntable", HTMLInputElement).checked = state.turntable;
-  });
-}
-
-/** Writes the choices anew in the page's language. */
-function nameDensities() {
-  for (const select of densities()) {
-    const chosen = select.value || "0";
-    const names = /** @type {const} */ (["density.0", "density.1", "density.2", "density.3"]).map((name) => say(name));
-    select.replaceChildren(...names.map((name, times) => new Option(name, String(times))));
-    select.value = chosen;
-  }
-}
-
-/** The same choice stands where points are taken, where the mesh is seen, and where it is exported. */
-function densities() {
-  return /** @type {NodeListOf<HTMLSelectElement>} */ (document.querySelectorAll("select.density"));
-}
-
-/** @param {Workbench} bench */
-function setUpPaint(bench) {
-  const legend = byId("paint-legend", HTMLDivElement);
-  const write = () => {
-    const paint = legend.dataset["paint"];
-    const text = byId("paint-legend-text", HTMLParagraphElement);
-    if (paint === "response") text.textContent = say("legend.response");
-    if (paint === "distortion") text.textContent = say("legend.distortion");
-  };
-  const show = (/** @type {PaintName} */ paint) => {
-    const choice = document.querySelector(`input[name='paint'][value='${paint}']`);
-    if (choice instanceof HTMLInputElement) choice.checked = true;
-    legend.dataset["paint"] = paint;
-    legend.hidden = paint !== "response" && paint !== "distortion";
-    write();
-  };
-  byId("paint", HTMLFieldSetElement).addEventListener("change", (event) => {
-    const paint = /** @type {PaintName} */ (/** @type {HTMLInputElement} */ (event.target).value);
-    bench.act((studio) => studio.setPaint(paint));
-    show(paint);
-  });
-  bench.onChange(({ paint }) => show(paint));
-  inEveryLanguage(write);
 }
 
 /** @param {Workbench} bench */

@@ -134,7 +134,7 @@ export class VisionClient {
 
   /**
    * @param {Worker} worker
-   * @param {import("../worker/protocol.js").Trouble} error
+   * @param {import("../worker/protocol.js").PageError} error
    */
   #bury(worker, error) {
     worker.terminate();

@@ -1,6 +1,7 @@
 import { byId } from "../page/dom.js";
 import { Gestures } from "./gestures.js";
-import { language, say, sayNumber } from "../words/words.js";
+import { sayOnce } from "../words/names.js";
+import { say, sayNumber } from "../words/words.js";
 
 /**
  * @typedef {import("./workbench.js").Workbench} Workbench
@@ -83,7 +84,7 @@ export class LandmarkMarks {
   #write() {
     this.overlay.mark(this.#selected, this.#hovered);
     const named = this.#hovered ?? this.#selected;
-    const name = named === undefined ? undefined : this.bench.ask((studio) => studio.nameAt(named, language()));
+    const name = named === undefined ? undefined : this.bench.ask((studio) => sayOnce(studio.targetAt(named)));
     this.#tag.hidden = name === undefined;
     if (name === undefined) return;
     const reach = { name, mm: sayNumber(this.#radius_mm, 0) };

@@ -1,5 +1,5 @@
 import * as forWebGpu from "../../wasm/rosto-studio-web.js";
-import { asTrouble } from "../page/trouble.js";
+import { asPageError } from "../page/page-error.js";
 
 /**
  * The page's module is built twice: for WebGPU, and for WebGL2 as a larger one, which only browsers without WebGPU
@@ -54,7 +54,7 @@ export async function openStudio(canvas) {
     try {
       return await started(canvas);
     } catch (error) {
-      if (!WITHOUT_WEBGPU.has(asTrouble(error).code)) throw error;
+      if (!WITHOUT_WEBGPU.has(asPageError(error).code)) throw error;
     }
   }
   fallback = true;

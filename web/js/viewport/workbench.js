@@ -1,6 +1,6 @@
-import { hideNotice, showTrouble } from "../page/notice.js";
-import { asTrouble } from "../page/trouble.js";
-import { GpuKeeper } from "./gpu-keeper.js";
+import { hideNotice, showError } from "../page/notice.js";
+import { asPageError } from "../page/page-error.js";
+import { DeviceLossHandler } from "./device-loss.js";
 import { isTrap, openStudio, restartStudio } from "./studio-module.js";
 
 /**
@@ -50,7 +50,7 @@ export class Workbench {
   constructor(canvas, studio) {
     this.canvas = canvas;
     this.studio = studio;
-    this.#gpu = new GpuKeeper(canvas, studio, () => this.requestFrame());
+    this.#gpu = new DeviceLossHandler(canvas, studio, () => this.requestFrame());
     this.#followSize();
   }
 
@@ -121,7 +121,7 @@ export class Workbench {
    */
   fail(error) {
     if (isTrap(error)) this.#restart(error);
-    else if (!this.#isBroken) showTrouble(error);
+    else if (!this.#isBroken) showError(error);
   }
 
   /** @param {(state: StudioState) => void} listener is told whenever the document or a choice has changed */
@@ -177,7 +177,7 @@ export class Workbench {
       for (const listener of this.#frameListeners) listener();
       if (wantsMore) this.requestFrame();
     } catch (error) {
-      if (asTrouble(error).code !== "device-lost") this.fail(error);
+      if (asPageError(error).code !== "device-lost") this.fail(error);
     }
   }
 
@@ -201,9 +201,9 @@ export class Workbench {
       for (const listener of this.#restartListeners) await listener();
       this.announce();
       hideNotice();
-      showTrouble({ code: "restarted", message: trap.message, hint: "" });
+      showError({ code: "restarted", message: trap.message, hint: "" });
     } catch (error) {
-      showTrouble(error);
+      showError(error);
     }
   }
 

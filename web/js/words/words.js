@@ -2,13 +2,12 @@ import { remember, remembered } from "../page/remember.js";
 
 /** @typedef {keyof typeof import("../../words/en.json")} WordKey */
 /** @typedef {Record<WordKey, string>} Words */
-/** @typedef {"en" | "pt"} Language */
 
-const [en, pt] = await Promise.all([wordsOf("en"), wordsOf("pt")]);
-/** Every word of the page; each language has the same keys, and `{name}` in a text is filled in. */
-const LANGUAGES = { en, pt };
+/** @type {{ id: string, name: string, tag: string }[]} the languages of the page; the first is spoken where no other fits */
+const LANGUAGES = await fetched("languages");
+/** @type {Map<string, Words>} every word of the page; each language has the same keys, and `{name}` in a text is filled in */
+const WORDS = new Map(await Promise.all(LANGUAGES.map(async ({ id }) => /** @type {const} */ ([id, await fetched(id)]))));
 
-/** @type {Language} */
 let current = firstLanguage();
 
 /** @type {Set<() => void>} */
@@ -26,7 +25,8 @@ export function language() {
  * @param {Record<string, string | number>} [values]
  */
 export function say(key, values = {}) {
-  return LANGUAGES[current][key].replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
+  const text = wordsOf(current)[key] ?? wordsOf(first())[key];
+  return text.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
 }
 
 /**
@@ -36,7 +36,7 @@ export function say(key, values = {}) {
  * @returns {key is WordKey}
  */
 export function isWord(key) {
-  return key in en;
+  return key in wordsOf(first());
 }
 
 /**
@@ -55,14 +55,14 @@ export function inEveryLanguage(listener) {
  * @param {string} wanted
  */
 export function speak(wanted) {
-  current = wanted === "pt" ? "pt" : "en";
+  current = WORDS.has(wanted) ? wanted : current;
   remember("language", current);
   for (const listener of listeners) listener();
 }
 
 /** Writes the words into every element that asks for them by `data-text` or `data-label`. */
 export function writeWords() {
-  document.documentElement.lang = current === "pt" ? "pt-BR" : "en";
+  document.documentElement.lang = tag();
   for (const element of document.querySelectorAll("[data-text]")) {
     const key = element.getAttribute("data-text") ?? "";
     if (isWord(key)) element.textContent = say(key);
@@ -83,24 +83,40 @@ export function writeWords() {
  */
 export function sayNumber(value, decimals) {
   const tidy = Math.abs(value) < 0.5 * 10 ** -decimals ? 0 : value;
-  return new Intl.NumberFormat(current === "pt" ? "pt-BR" : "en", {
+  return new Intl.NumberFormat(tag(), {
     minimumFractionDigits: decimals,
     maximumFractionDigits: decimals,
   }).format(tidy);
 }
 
-/**
- * @param {Language} name
- * @returns {Promise<Words>}
- */
-async function wordsOf(name) {
+/** The languages that the page speaks, by their own names. */
+export function languages() {
+  return LANGUAGES;
+}
+
+/** The page's language as HTML and the browser know it. */
+function tag() {
+  return LANGUAGES.find(({ id }) => id === current)?.tag ?? current;
+}
+
+/** The language whose words stand in for those that another one lacks. */
+function first() {
+  return LANGUAGES[0]?.id ?? "";
+}
+
+/** @param {string} id */
+function wordsOf(id) {
+  return /** @type {Words} */ (WORDS.get(id));
+}
+
+/** @param {string} name */
+async function fetched(name) {
   const response = await fetch(new URL(`../../words/${name}.json`, import.meta.url));
   if (!response.ok) throw new Error(`${response.status} for the words of ${name}`);
   return response.json();
 }
 
-/** @returns {Language} */
 function firstLanguage() {
   const wanted = remembered("language") ?? navigator.language;
-  return wanted.startsWith("pt") ? "pt" : "en";
+  return LANGUAGES.find(({ id }) => wanted.startsWith(id))?.id ?? first();
 }

@@ -5,11 +5,10 @@
  *
  * @typedef {object} Done
  * @property {string} edits the studio's own versioned JSON
- * @property {TriangulationName} triangulation that the edits were made on
+ * @property {string} triangulation that the edits were made on
  * @property {number} density how often the mesh is subdivided
  * @property {string} [preferences] choices and view, as the studio tells them
  *
- * @typedef {import("../../wasm/rosto-studio-web.js").TriangulationName} TriangulationName
  *
  * @typedef {object} OpenedFace
  * @property {number} width_px of the upright photo in which the landmarks were found

@@ -1,7 +1,7 @@
 /**
  * What went wrong, in the form in which both wasm modules throw it.
  *
- * @typedef {{ code: string, message: string, hint: string }} Trouble
+ * @typedef {{ code: string, message: string, hint: string }} PageError
  */
 
 /**
@@ -28,10 +28,10 @@
  * @typedef {{ type: "alive", lock: string }
  *   | { type: "loading" }
  *   | { type: "ready" }
- *   | { type: "unusable", error: Trouble }
+ *   | { type: "unusable", error: PageError }
  *   | { type: "progress", id: number, stage: Stage, fraction: number }
  *   | { type: "found", id: number, found: FoundFaces }
- *   | { type: "failed", id: number, error: Trouble }
+ *   | { type: "failed", id: number, error: PageError }
  *   | { type: "trapped", id: number, message: string }} Reply
  */
 

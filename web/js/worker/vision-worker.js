@@ -6,7 +6,7 @@
  * @typedef {import("./protocol.js").FoundFaces} FoundFaces
  */
 import init, { Vision } from "../../wasm/rosto-vision-web.js";
-import { asTrouble } from "../page/trouble.js";
+import { asPageError } from "../page/page-error.js";
 import { bytesOf } from "../work/bytes.js";
 import { bitmapOf } from "../work/pixels.js";
 
@@ -25,7 +25,7 @@ const TELL_EVERY_MS = 1000;
 const vision = load();
 vision.then(
   () => tell({ type: "ready" }),
-  (error) => tell({ type: "unusable", error: asTrouble(error, "not-loaded") }),
+  (error) => tell({ type: "unusable", error: asPageError(error, "not-loaded") }),
 );
 
 page.addEventListener("message", (event) => answer(event.data));
@@ -78,7 +78,7 @@ async function answer({ id, photo, maxFaces }) {
   } catch (error) {
     // After a trap the module's memory is in an unknown state: the page starts another worker.
     if (error instanceof WebAssembly.RuntimeError) tell({ type: "trapped", id, message: error.message });
-    else tell({ type: "failed", id, error: asTrouble(error) });
+    else tell({ type: "failed", id, error: asPageError(error) });
   }
 }
 

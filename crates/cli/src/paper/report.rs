@@ -1,8 +1,8 @@
 use std::path::Path;
 use std::time::Duration;
 
+use rosto_studio::ConstraintKind;
 use rosto_studio::paper::{Claims, DEGREES, MethodOutcome, Spread, TABLE_1, Task, TimedEdit, Trial, spread_ms};
-use rosto_studio::{ConstraintKind, project::operator_name};
 
 use super::REPETITIONS;
 use crate::terminal;
@@ -99,7 +99,7 @@ fn methods(outcomes: &[MethodOutcome]) -> String {
         };
         lines.push(format!(
             "| {} | {constraint} | {} | {} | {} | {} | {} of {} |",
-            operator_name(outcome.method.operator),
+            outcome.method.operator.id(),
             spread(outcome.time_ms, 3),
             spread(outcome.bent, 4),
             spread(outcome.stretch, 2),

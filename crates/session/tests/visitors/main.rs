@@ -2,9 +2,10 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod choices;
 mod faces;
+mod intents;
 mod invariants;
 mod journeys;
 mod random;
 mod refusals;
-mod wishes;

@@ -11,8 +11,8 @@ use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestError, Test
 use rosto_session::{Intent, Session};
 
 use crate::faces::session;
+use crate::intents;
 use crate::invariants::{hold, hold_deeply, seen, shape};
-use crate::wishes;
 
 const ACTIONS: u64 = 100_000;
 const LONGEST: usize = 400;
@@ -41,7 +41,7 @@ fn walk(actions: u64, seed: u64) -> u64 {
     let config = Config { cases: u32::MAX, failure_persistence: None, max_shrink_iters: 4_000, ..Config::default() };
     let bytes = seed.to_le_bytes().repeat(4);
     let mut runner = TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &bytes));
-    let intents = proptest::collection::vec(wishes::intent(), 1..LONGEST);
+    let intents = proptest::collection::vec(intents::intent(), 1..LONGEST);
     let mut done = 0;
     while done < actions {
         let sequence = intents.new_tree(&mut runner).unwrap();
@@ -50,7 +50,7 @@ fn walk(actions: u64, seed: u64) -> u64 {
         if done / TOLD_EVERY > before / TOLD_EVERY {
             println!("  visitor {seed}: {done} of {actions} actions");
         }
-        let outcome = runner.run_one(sequence, |intents| visit(&intents).map_err(TestCaseError::fail));
+        let outcome = runner.run_one(sequence, |sequence| visit(&sequence).map_err(TestCaseError::fail));
         if let Err(TestError::Fail(reason, shortest)) = outcome {
             panic!("{reason}, after\n{shortest:#?}");
         }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use glam::DVec3;
-use rosto_face::{Language, Region, Triangulation};
+use rosto_face::{Region, Triangulation};
 use rosto_studio::*;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -56,33 +56,31 @@ fn regions_and_landmarks_are_told_from_their_handles() {
 }
 
 #[test]
-fn subjects_have_names_of_their_own_in_each_language() {
+fn targets_have_ids_of_their_own_within_their_kind() {
     let regions = Region::ALL.map(EditTarget::Region);
     let sliders = FaceSlider::ALL.map(EditTarget::Slider);
+    let landmarks: Vec<EditTarget> = (0..468).map(EditTarget::Landmark).collect();
     let point = EditTarget::Point { level: 3, vertex: 12_045 };
-    let targets = [&regions[..], &sliders, &[EditTarget::Symmetry, EditTarget::Vertices(3), point]].concat();
-    for language in [Language::English, Language::Portuguese] {
-        let names: BTreeSet<String> = targets.iter().map(|target| target.name(language)).collect();
-        assert_eq!(names.len(), targets.len());
-        assert!(names.iter().all(|name| *name == name.to_lowercase()));
-    }
+    let others = [EditTarget::Symmetry, EditTarget::Vertices(3), point];
+    let targets = [&regions[..], &sliders, &landmarks, &others].concat();
+    let ids: BTreeSet<(&str, String)> = targets.iter().map(|target| (target.kind(), target.to_string())).collect();
+    assert_eq!(ids.len(), targets.len());
+    assert_eq!(point.to_string(), "point-12045@3");
+    assert_eq!(EditTarget::Landmark(1).to_string(), "nose-tip");
 }
 
 #[test]
-fn a_point_of_a_denser_mesh_is_named_by_its_number_and_the_part_of_the_face_around_it() {
+fn a_point_of_a_denser_mesh_knows_the_part_of_the_face_around_it() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
-    let name =
-        |document: &Document, vertex, language| document.name_of(EditTarget::Point { level: 1, vertex }, language);
-    assert_eq!(name(&document, 1_045, Language::Portuguese), "ponto 1.045", "that mesh was never shown");
+    let part =
+        |document: &Document, vertex| document.part_of(EditTarget::Point { level: 1, vertex }).unwrap_or_default();
+    assert_eq!(part(&document, 1_045), "", "that mesh was never shown");
     document.set_density(1).unwrap();
-    assert_eq!(name(&document, 1, Language::English), "point 1 near the tip of the nose");
-    assert_eq!(name(&document, 1, Language::Portuguese), "ponto 1 perto da ponta do nariz");
-    assert_eq!(name(&document, 152, Language::Portuguese), "ponto 152 perto do queixo");
-    assert_eq!(name(&document, 425, Language::English), "point 425 near the left cheek");
-    assert!(name(&document, 1_045, Language::English).starts_with("point 1,045 near the "));
+    assert_eq!([1, 152, 425].map(|vertex| part(&document, vertex)), ["nose-tip", "chin", "left-cheek"]);
+    assert_ne!(part(&document, 1_045), "");
     let (of_coarse, of_dense) = (document.nearest_on(0, 425), document.nearest_on(1, 1_045));
     assert_eq!((of_coarse, of_dense), (Some(425), Some(1_045)));
-    assert_eq!(document.name_of(EditTarget::Landmark(1), Language::English), "nose tip");
+    assert_eq!(document.part_of(EditTarget::Landmark(1)), None);
 }
 
 #[test]

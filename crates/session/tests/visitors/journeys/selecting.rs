@@ -1,8 +1,8 @@
 use glam::DVec3;
-use rosto_face::{Language, Region, Triangulation, midline, mirror_of};
+use rosto_face::{Region, Triangulation, midline, mirror_of};
 use rosto_laplacian::LaplacianError;
-use rosto_session::{AnchorChoice, Intent, Selection, SelectionMode, Session, SessionError, landmark_label};
-use rosto_studio::{ConstraintKind, Mirror, Standing, StudioError, Switch};
+use rosto_session::{AnchorChoice, Intent, Selection, SelectionMode, Session, SessionError};
+use rosto_studio::{ConstraintKind, EditTarget, Mirror, Standing, StudioError, Switch};
 
 use super::{act, face, move_by, place_px, positions, select, select_points, state, way_mm};
 use crate::faces::{SIZE_PX, session};
@@ -29,7 +29,7 @@ fn a_region_moves_as_one_on_both_sides() {
         assert!(way_mm(&session, &before, mirror_of(vertex)).distance(mirrored) < 1e-9);
     }
     let entries = face(&session).document().history().entries();
-    assert_eq!((selection(&session), entries.len(), entries[0].label.as_str()), (Some(brow), 1, "left brow"));
+    assert_eq!((selection(&session), entries.len(), entries[0].label.as_str()), (Some(brow), 1, "left-brow"));
     assert!(state(&session).kept_mm.distance(offset_mm) < 1e-9);
 }
 
@@ -217,35 +217,26 @@ fn a_point_moves_with_its_mirror_image_and_waits_under_its_name_while_the_mesh_i
     }
     let now = state(&session);
     assert_eq!((now.kept_mm.z, now.can_mirror, now.can_reset_selection), (2.0, true, true));
-    let entry_name = |session: &Session, language| session.entry_name(0, language).unwrap();
+    let target = EditTarget::Point { level: 1, vertex: 1_500 };
     let label = face(&session).document().history().entries()[0].label.clone();
-    assert!(label.starts_with("point 1,500 near the "), "{label}");
-    assert_eq!(entry_name(&session, Language::English), label);
-    assert_eq!(session.selection_name(Language::English), Some(label.clone()));
+    assert_eq!(label, "point-1500@1");
+    assert_eq!((face(&session).rows()[0].target, session.selected_target()), (target, Some(target)));
+    assert!(face(&session).document().part_of(target).is_some());
     assert_eq!(face(&session).rows()[0].standing, Standing::InForce);
     act(&mut session, Intent::Density(0));
     assert_eq!(face(&session).rows()[0].standing, Standing::Waits { level: 1 });
-    assert_eq!(entry_name(&session, Language::English), label);
-    assert!(entry_name(&session, Language::Portuguese).starts_with("ponto 1.500 perto d"));
+    assert_eq!(face(&session).rows()[0].target, target);
     assert_eq!(positions(&session), face(&session).document().rest());
 }
 
 #[test]
-fn landmarks_are_called_by_their_name_and_number_once() {
-    for (language, nose_tip) in [(Language::English, "nose tip · 1"), (Language::Portuguese, "ponta do nariz · 1")] {
-        assert_eq!(landmark_label(NOSE_TIP, language), nose_tip);
-        let mut session = session();
-        assert_eq!(session.vertex_called(&nose_tip.to_uppercase(), language), Some(NOSE_TIP));
-        select(&mut session, Selection::Landmark(NOSE_TIP));
-        move_by(&mut session, DVec3::Z);
-        assert_eq!(session.selection_name(language).as_deref(), Some(nose_tip));
-        assert_eq!(session.entry_name(0, language).as_deref(), Ok(nose_tip));
-        for landmark in 0..468 {
-            let label = landmark_label(landmark, language);
-            assert!(label.ends_with(&format!(" · {landmark}")), "{label}");
-            assert_eq!(label.matches(&landmark.to_string()).count(), 1, "{label}");
-        }
-    }
+fn what_is_selected_and_what_was_moved_go_by_the_same_target() {
+    let mut session = session();
+    select(&mut session, Selection::Landmark(NOSE_TIP));
+    move_by(&mut session, DVec3::Z);
+    let target = EditTarget::Landmark(NOSE_TIP);
+    assert_eq!((session.selected_target(), face(&session).rows()[0].target), (Some(target), target));
+    assert_eq!(face(&session).document().history().entries()[0].label, "nose-tip");
 }
 
 #[test]

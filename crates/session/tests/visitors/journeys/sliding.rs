@@ -42,7 +42,7 @@ fn a_drag_of_a_slider_is_the_command_of_its_amount() {
     let mut session = session();
     slide(&mut session, FaceSlider::JawWidth, 4.0);
     let entries = face(&session).document().history().entries();
-    assert_eq!((entries.len(), entries[0].label.as_str()), (1, "jaw width"));
+    assert_eq!((entries.len(), entries[0].label.as_str()), (1, "jaw-width"));
     let mut applied = Document::new(Rest::of_face(face(&session).model())).unwrap();
     applied.apply("", FaceSlider::JawWidth.command(0.004)).unwrap();
     let dragged = positions(&session);

@@ -1,5 +1,5 @@
-import { hideNotice, showTrouble } from "../page/notice.js";
-import { asTrouble } from "../page/trouble.js";
+import { hideNotice, showError } from "../page/notice.js";
+import { asPageError } from "../page/page-error.js";
 import { studioModule } from "./studio-module.js";
 
 /** @typedef {import("../../wasm/rosto-studio-web.js").Studio} Studio */
@@ -11,7 +11,7 @@ const PATIENCE_MS = 4000;
  * Gets a GPU back that was lost to a driver's reset or to another page. Nothing of the user's is on it alone: the studio
  * goes on with the next one where it stopped.
  */
-export class GpuKeeper {
+export class DeviceLossHandler {
   #isThere = true;
   #patience = 0;
   #canvas;
@@ -76,13 +76,13 @@ export class GpuKeeper {
       this.#whenBack();
       hideNotice();
     } catch (error) {
-      if (studio === this.#studio) this.#tell(asTrouble(error).message);
+      if (studio === this.#studio) this.#tell(asPageError(error).message);
     }
   }
 
   /** @param {string} message */
   #tell(message) {
     clearTimeout(this.#patience);
-    showTrouble({ code: "device-lost", message, hint: "" });
+    showError({ code: "device-lost", message, hint: "" });
   }
 }

@@ -1,16 +1,16 @@
-/** @typedef {import("../worker/protocol.js").Trouble} Trouble */
+/** @typedef {import("../worker/protocol.js").PageError} PageError */
 
 /**
- * What was thrown as a trouble, whoever threw it.
+ * What was thrown as an error, whoever threw it.
  *
  * @param {unknown} thrown
  * @param {string} [code] for what brings none
- * @returns {Trouble}
+ * @returns {PageError}
  */
-export function asTrouble(thrown, code = "other") {
+export function asPageError(thrown, code = "other") {
   // A browser's own exceptions have codes that are numbers.
   if (typeof thrown === "object" && thrown !== null && "code" in thrown && typeof thrown.code === "string") {
-    const { message = "", hint = "" } = /** @type {Partial<Trouble>} */ (thrown);
+    const { message = "", hint = "" } = /** @type {Partial<PageError>} */ (thrown);
     return { code: thrown.code, message, hint };
   }
   return { code, message: String(thrown), hint: "" };

@@ -1,6 +1,6 @@
 use rosto_studio::{AnchorKind, Anchors, ConstraintKind, Details, Mirror, RegionOfInfluence, Settings};
 
-use crate::args::FollowArguments;
+use crate::args::SettingsArguments;
 
 /// A rule for anchors as the command line names it; random ones get their seed later.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,7 +50,7 @@ pub fn anchors(text: &str) -> Result<Rule, String> {
 }
 
 /// The settings for the edit with this number, counted from 0. `unit` is the document's for one of the command line's.
-pub fn settings(arguments: &FollowArguments, number: usize, unit: f64) -> Settings {
+pub fn of_edit(arguments: &SettingsArguments, number: usize, unit: f64) -> Settings {
     let kind = match arguments.anchors {
         Rule::Random => AnchorKind::Random { seed: arguments.seed.wrapping_add(number as u64) },
         Rule::Oval => AnchorKind::Oval,
@@ -58,7 +58,7 @@ pub fn settings(arguments: &FollowArguments, number: usize, unit: f64) -> Settin
         Rule::PinsOnly => AnchorKind::PinsOnly,
     };
     Settings {
-        operator: arguments.operator.into(),
+        operator: arguments.operator,
         constraint: arguments.constraint,
         anchors: Anchors { kind, pins: arguments.pins.clone() },
         reach: arguments

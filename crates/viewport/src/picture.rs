@@ -16,7 +16,7 @@ pub(crate) fn reserve(gpu: &Gpu, width: u32, height: u32) -> Result<PictureOnGpu
     }
     let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
     let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("photo"),
+        label: Some("picture"),
         size,
         mip_level_count: size.max_mips(wgpu::TextureDimension::D2),
         sample_count: 1,
@@ -61,7 +61,7 @@ pub(crate) fn blank(gpu: &Gpu) -> Result<PictureOnGpu, ViewportError> {
 
 pub(crate) fn sampler(gpu: &Gpu) -> wgpu::Sampler {
     gpu.device.create_sampler(&wgpu::SamplerDescriptor {
-        label: Some("photo"),
+        label: Some("picture"),
         mag_filter: wgpu::FilterMode::Linear,
         min_filter: wgpu::FilterMode::Linear,
         mipmap_filter: wgpu::MipmapFilterMode::Linear,

@@ -93,25 +93,16 @@ fn mesh() -> impl Strategy<Value = Intent> {
         8 => prop_oneof![3 => Just(0), 1 => Just(1)].prop_map(Intent::Density),
         1 => Just(Intent::Density(2)),
         1 => (4..1_000u32).prop_map(Intent::Density),
-        2 => any_of(&[Triangulation::Canonical, Triangulation::Tessellation]).prop_map(Intent::Triangulation),
+        2 => any_of(&Triangulation::ALL).prop_map(Intent::Triangulation),
     ]
 }
 
 fn seeing() -> impl Strategy<Value = Intent> {
-    let paints = [
-        ShadingMode::Photo,
-        ShadingMode::Colours,
-        ShadingMode::Clay,
-        ShadingMode::Normals,
-        ShadingMode::Response,
-        ShadingMode::Distortion,
-        ShadingMode::Bare,
-    ];
     let by_px = || (number(), number()).prop_map(|(x, y)| DVec2::new(x, y));
     prop_oneof![
-        any_of(&paints).prop_map(Intent::Shading),
+        any_of(&ShadingMode::ALL).prop_map(Intent::Shading),
         any_of(&[Wireframe::Shown, Wireframe::Hidden]).prop_map(Intent::Wireframe),
-        any_of(&[Dots::None, Dots::NearPointer, Dots::All]).prop_map(Intent::Dots),
+        any_of(&Dots::ALL).prop_map(Intent::Dots),
         any_of(&[Background::Ground, Background::Plain(Srgb([1, 2, 3]))]).prop_map(Intent::Background),
         any_of(&[Theme::Light, Theme::Dark]).prop_map(Intent::Theme),
         any_of(&[Turntable::Still, Turntable::Turns]).prop_map(Intent::Turntable),

@@ -1,5 +1,5 @@
 import { byId } from "../page/dom.js";
-import { setKeeping, showTrouble } from "../page/notice.js";
+import { setKeeping, showError } from "../page/notice.js";
 import { dropIfFree, freeSlots, keepDone, keepFace, keepLastWords, lockOf, prune, workIn } from "./slots.js";
 
 /**
@@ -19,7 +19,7 @@ const SLOT = "rosto.slot";
  * Keeps the work in this browser, so that a reload or a crash loses nothing, and offers it on the next visit. The face on
  * the screen has a slot of its own, which is this tab's for as long as the face is open.
  */
-export class WorkKeeper {
+export class Autosave {
   /** @type {OpenedFace | undefined} */
   #face;
   /** @type {Done | undefined} */
@@ -134,8 +134,9 @@ export class WorkKeeper {
 
   /** @returns {Done | undefined} what was done to the face as it stands */
   #standing() {
-    return this.#bench?.read(({ triangulation, density }, studio) => {
-      return { edits: studio.editsJson(), triangulation, density, preferences: studio.preferences() };
+    return this.#bench?.read((state, studio) => {
+      const [triangulation = "", density = "0"] = ["triangulation", "density"].map((choice) => state.chosen(choice));
+      return { edits: studio.editsJson(), triangulation, density: Number(density), preferences: studio.preferences() };
     });
   }
 
@@ -176,7 +177,7 @@ export class WorkKeeper {
     setKeeping(false);
     if (this.#hasComplained) return;
     this.#hasComplained = true;
-    showTrouble({ code: "not-kept", message: String(error), hint: "" });
+    showError({ code: "not-kept", message: String(error), hint: "" });
   }
 }
 

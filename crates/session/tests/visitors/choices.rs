@@ -1,0 +1,90 @@
+//! Every entry of the tables can be chosen, is then what is said to be chosen, and has words in every language.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use rosto_export::{Choosable, Format};
+use rosto_face::{LANDMARK_COUNT, Region, has_anatomical_name, landmark_id, part_id};
+use rosto_session::{Choice, Intent, Session};
+use rosto_studio::FaceSlider;
+
+use crate::faces::session;
+
+type Words = BTreeMap<String, String>;
+
+#[test]
+fn what_is_offered_can_be_chosen_and_is_then_what_is_chosen() {
+    for choice in Choice::ALL {
+        let mut session = session();
+        let values = choice.values();
+        assert!(values.len() > 1 && values.iter().collect::<BTreeSet<_>>().len() == values.len(), "{choice:?}");
+        for id in values.iter().chain(values.iter().rev()) {
+            session.apply(choice.intent(id).unwrap()).unwrap();
+            assert_eq!(session.chosen(choice).as_deref(), Some(id.as_str()), "{choice:?}");
+        }
+        assert_eq!(choice.intent("of-nothing"), None);
+        assert_eq!(Choice::from_id(choice.id()), Some(choice));
+    }
+}
+
+#[test]
+fn what_was_chosen_is_chosen_again_in_another_session() {
+    for choice in Choice::ALL.into_iter().filter(|choice| *choice != Choice::Preset) {
+        for id in choice.values() {
+            let mut before = session();
+            before.apply(choice.intent(&id).unwrap()).unwrap();
+            let mut after = Session::new(1);
+            after.apply(Intent::Prefer(before.preferences())).unwrap();
+            assert_eq!(after.chosen(choice), Some(id), "{choice:?}");
+        }
+    }
+}
+
+#[test]
+fn whatever_has_an_id_has_words_in_every_language() {
+    for (language, words) in languages() {
+        let missing: Vec<String> = named().into_iter().filter(|key| !words.contains_key(key)).collect();
+        assert!(missing.is_empty(), "web/words/{language}.json has no words for {missing:?}");
+    }
+}
+
+#[test]
+fn names_tell_things_of_a_kind_apart_in_every_language() {
+    for (language, words) in languages() {
+        for kind in ["landmark", "part", "region", "slider"] {
+            let of_kind =
+                words.iter().filter(|(key, _)| key.starts_with(&format!("{kind}.")) && !key.ends_with(".long"));
+            let names: Vec<&String> = of_kind.map(|(_, name)| name).collect();
+            let different: BTreeSet<&&String> = names.iter().collect();
+            assert_eq!(different.len(), names.len(), "{kind} in {language}");
+        }
+    }
+}
+
+/// The keys of the words that ids ask for.
+fn named() -> Vec<String> {
+    let chosen = Choice::ALL.into_iter().flat_map(|choice| {
+        let values = choice.values().into_iter().map(move |id| format!("{}.{id}", choice.id()));
+        values.chain([choice.id().to_owned()]).filter(|key| key != "preset")
+    });
+    let landmarks = (0..LANDMARK_COUNT as u32).map(|landmark| match has_anatomical_name(landmark) {
+        true => format!("landmark.{}", landmark_id(landmark)),
+        false => format!("part.{}", part_id(landmark)),
+    });
+    let near = (0..LANDMARK_COUNT as u32).map(|landmark| format!("near.{}", part_id(landmark)));
+    let regions = Region::ALL.into_iter().map(|region| format!("region.{}", region.id()));
+    let sliders = FaceSlider::ALL.into_iter().map(|slider| format!("slider.{}", slider.id()));
+    let plain = Format::ALL.into_iter().filter(|format| format.choosable() == Choosable::Nothing);
+    let formats = plain.map(|format| format!("format.{}.help", format.id()));
+    chosen.chain(landmarks).chain(near).chain(regions).chain(sliders).chain(formats).collect()
+}
+
+/// Every language that the page speaks, with its words.
+fn languages() -> Vec<(String, Words)> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../web/words");
+    let read = |name: &str| std::fs::read_to_string(format!("{folder}/{name}.json")).unwrap();
+    let listed: Vec<serde_json::Value> = serde_json::from_str(&read("languages")).unwrap();
+    let ids = listed.iter().map(|language| language["id"].as_str().unwrap().to_owned());
+    let all: Vec<(String, Words)> = ids.map(|id| (id.clone(), serde_json::from_str(&read(&id)).unwrap())).collect();
+    assert!(all.len() > 1);
+    all
+}

@@ -1,0 +1,68 @@
+import { announce } from "../page/announce.js";
+import { byId, make } from "../page/dom.js";
+import { afterNextFrame } from "../page/tasks.js";
+import { sayId, sayOnce } from "../words/names.js";
+import { inEveryLanguage, say } from "../words/words.js";
+
+/**
+ * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ */
+
+/**
+ * What a click selects (one landmark, the region around it, any point of the mesh), and the regions by name.
+ *
+ * @param {Workbench} bench
+ */
+export function setUpSelectionMode(bench) {
+  const regions = byId("region", HTMLSelectElement);
+  regions.addEventListener("change", () => {
+    const { value } = regions;
+    bench.act((studio) => (value === "" ? studio.select() : studio.selectRegion(value)));
+    if (value !== "") announce(say("landmark.selected", { name: bench.ask((studio) => sayOnce(studio.selectedTarget)) ?? "" }));
+  });
+  bench.onChange((state) => {
+    regions.value = state.selectedRegion ?? "";
+    showFields(state.chosen("selection") ?? "");
+  });
+  inEveryLanguage(() => listRegions(bench, regions));
+}
+
+/**
+ * Whether choosing this may take so long that it is said first: the points of a dense mesh have to be got ready.
+ *
+ * @param {string} choice
+ * @param {string} id
+ */
+export function isSlow(choice, id) {
+  const pointsAreSelected = !byId("point-field", HTMLDivElement).hidden;
+  return (choice === "selection" && id === "point") || (choice === "density" && pointsAreSelected);
+}
+
+/** Shows those words before the work begins. */
+export async function untilWaitIsSaid() {
+  byId("landmark-help", HTMLParagraphElement).textContent = say("selection.preparing");
+  await afterNextFrame();
+}
+
+/** @param {string} mode */
+function showFields(mode) {
+  const byRegion = mode === "region";
+  byId("point-field", HTMLDivElement).hidden = mode !== "point";
+  byId("region-field", HTMLDivElement).hidden = !byRegion;
+  byId("landmark-field", HTMLDivElement).hidden = byRegion;
+  byId("skip-link", HTMLAnchorElement).href = byRegion ? "#region" : "#landmark-search";
+}
+
+/**
+ * @param {Workbench} bench
+ * @param {HTMLSelectElement} list
+ */
+function listRegions(bench, list) {
+  const chosen = list.value;
+  const none = make("option", undefined, say("region.none"));
+  none.value = "";
+  none.hidden = true;
+  const named = (bench.ask((studio) => studio.regionIds) ?? []).map((id) => new Option(sayId("region", id), id));
+  list.replaceChildren(none, ...named);
+  list.value = chosen;
+}

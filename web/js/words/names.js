@@ -1,0 +1,96 @@
+import { isWord, say, sayNumber } from "./words.js";
+
+/**
+ * What things are called, by their ids: the studio tells which there are, the words what people call them.
+ *
+ * @typedef {import("../../wasm/rosto-studio-web.js").StudioTarget} StudioTarget
+ * @typedef {Pick<StudioTarget, "kind" | "id" | "number" | "part">} Target
+ */
+
+/**
+ * The name of one thing of a kind; one that nobody has named yet goes by its id.
+ *
+ * @param {string} kind such as "region"
+ * @param {string} id such as "left-brow"
+ */
+export function sayId(kind, id) {
+  const key = `${kind}.${id}`;
+  if (isWord(key)) return say(key);
+  const plain = id.replaceAll("-", " ");
+  return kind === "slider" ? plain.charAt(0).toUpperCase() + plain.slice(1) : plain;
+}
+
+/**
+ * A landmark's name: anatomical, or the part of the face that it lies in with its number.
+ *
+ * @param {string} id such as "left-mouth-corner" or "left-cheek-425"
+ */
+export function sayLandmark(id) {
+  const numbered = /^(?<part>.*)-(?<number>\d+)$/.exec(id)?.groups;
+  return numbered ? `${sayId("part", numbered["part"] ?? "")} ${numbered["number"]}` : sayId("landmark", id);
+}
+
+/**
+ * The same with its number in any case, such as "nose tip · 1".
+ *
+ * @param {string} id
+ * @param {number} number
+ */
+export function sayNumberedLandmark(id, number) {
+  const name = sayLandmark(id);
+  const bare = name.endsWith(` ${number}`) ? name.slice(0, -` ${number}`.length) : name;
+  return `${bare} · ${number}`;
+}
+
+/**
+ * What an edit works on.
+ *
+ * @param {Target} target
+ */
+export function sayTarget({ kind, id, number = 0, part }) {
+  switch (kind) {
+    case "landmark":
+      return sayNumberedLandmark(id, number);
+    case "point": {
+      const name = say("target.point", { n: sayNumber(number, 0) });
+      return part === undefined ? name : `${name} ${sayId("near", part)}`;
+    }
+    case "slider":
+      return sayId("slider", id).toLowerCase();
+    case "vertices":
+      return say("target.vertices", { n: sayNumber(number, 0) });
+    case "symmetry":
+      return say("target.symmetry");
+    default:
+      return sayId(kind, id);
+  }
+}
+
+/**
+ * Says it and frees it; nothing of nothing.
+ *
+ * @param {StudioTarget | undefined} target
+ */
+export function sayOnce(target) {
+  if (!target) return undefined;
+  const { kind, id, number, part } = target;
+  target.free();
+  return sayTarget({ kind, id, number, part });
+}
+
+/**
+ * The vertex that is meant by a number, or the landmark that is meant by its name, in any case of its letters; undefined
+ * where there is none that could be selected.
+ *
+ * @param {string} text
+ * @param {string[]} landmarkIds
+ * @param {number} selectable how many vertices can be selected, from 0
+ */
+export function vertexCalled(text, landmarkIds, selectable) {
+  const wanted = text.trim().toLowerCase();
+  if (/^\d+$/.test(wanted)) return Number(wanted) < selectable ? Number(wanted) : undefined;
+  const isMeant = (/** @type {string} */ id, /** @type {number} */ number) =>
+    [sayLandmark(id), sayNumberedLandmark(id, number)].some((name) => name.toLowerCase() === wanted);
+  const found = landmarkIds.findIndex(isMeant);
+  return found < 0 ? undefined : found;
+}
