@@ -18,7 +18,8 @@ async function engine(levels) {
   for (const level of levels) {
     const bench = new Bench(level);
     const steps = { system: bench.system, select: bench.select, tick: bench.tick, preview: bench.preview };
-    for (const [name, step] of Object.entries(level === 0 ? { ...steps, "paper-edit": bench.edit } : steps)) {
+    const paper = { "paper-edit": bench.edit, "paper-edit-bare": bench.edit_from_nothing };
+    for (const [name, step] of Object.entries(level === 0 ? { ...steps, ...paper } : steps)) {
       const what = { task: `${name}-chrome`, peer: "rosto in Chrome", vertices: bench.vertices };
       lines.push({ what, times_ms: timesOf((times) => step.call(bench, times)) });
     }

@@ -74,6 +74,15 @@ impl Bench {
         Ok(())
     }
 
+    /// The same from nothing: operator, factor, response, and the mesh moved.
+    pub fn edit_from_nothing(&mut self, times: u32) -> Result<(), JsError> {
+        for _ in 0..times {
+            self.system(1)?;
+            self.edit(1)?;
+        }
+        Ok(())
+    }
+
     /// The mesh moved by one slider, with the response at hand.
     pub fn tick(&mut self, times: u32) {
         for _ in 0..times {

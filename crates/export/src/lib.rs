@@ -19,3 +19,8 @@ pub use glb::{BaseColour, GlbOptions, Material, Morph, Source, glb, gltf};
 pub use model::Model;
 pub use reopen::{Painted, PlacedTexture, ReopenError, Reopened, reopen};
 pub use sniff::{FileKind, SNIFFED_BYTES, sniff};
+
+/// The examples of the README are tested with those of the code.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

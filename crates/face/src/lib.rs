@@ -22,3 +22,8 @@ pub use names::{has_anatomical_name, landmark_id, part_id};
 pub use regions::Region;
 pub use rosto_photo::Photo;
 pub use symmetry::{midline, mirror_of, mirror_pairs};
+
+/// The examples of the README are tested with those of the code.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

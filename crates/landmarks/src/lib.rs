@@ -27,3 +27,8 @@ pub use error::LandmarksError;
 pub use finder::{Face, FaceFinder, FindOptions, Passes, Search, Stage};
 pub use mesh::LANDMARK_COUNT;
 pub use region_of_interest::RegionOfInterest;
+
+/// The examples of the README are tested with those of the code.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

@@ -41,11 +41,16 @@ fn main() {
     }
 }
 
-/// From the choice of a vertex to the moved mesh, with the system at hand, and as the paper does it.
+/// From the choice of a vertex to the moved mesh: with the factor at hand, from nothing, and as the paper does it, from
+/// nothing as well.
 fn paper_edits(topology: &Topology, rest: &[DVec3]) {
     let system = LaplacianSystem::new(topology, rest, Operator::UniformSymmetric).unwrap();
     let mut edited = rest.to_vec();
     report("paper-edit", "rosto", rest.len(), || {
+        system.respond(&constraints()).unwrap().displace(rest, &[OFFSET], &mut edited);
+    });
+    report("paper-edit-bare", "rosto", rest.len(), || {
+        let system = LaplacianSystem::new(topology, rest, Operator::UniformSymmetric).unwrap();
         system.respond(&constraints()).unwrap().displace(rest, &[OFFSET], &mut edited);
     });
     let operator = DMatrix::from(system.operator());

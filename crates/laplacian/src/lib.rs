@@ -64,3 +64,8 @@ pub use rigid::{RigidEdit, RigidOptions, RigidSystem};
 pub use system::LaplacianSystem;
 
 use constraints::check_positions;
+
+/// The examples of the README are tested with those of the code.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

@@ -20,3 +20,8 @@ pub use pick::{Hit, Ray, pick};
 pub use subdivision::LoopSubdivision;
 pub use surface::Surface;
 pub use topology::Topology;
+
+/// The examples of the README are tested with those of the code.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

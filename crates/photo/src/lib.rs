@@ -25,3 +25,8 @@ pub use decode::decode;
 pub use error::PhotoError;
 pub use limits::Limits;
 pub use photo::Photo;
+
+/// The examples of the README are tested with those of the code.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

@@ -40,3 +40,8 @@ pub use selection::{Selection, SelectionMode};
 pub use session::Session;
 pub use state::{FaceState, State, Tick};
 pub use view::{Motion, Turntable, View};
+
+/// The examples of the README are tested with those of the code.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

@@ -21,3 +21,8 @@ pub use render_settings::{
     Background, Dots, MirrorPlane, Palette, RenderSettings, ShadingMode, Surface, Theme, Wireframe,
 };
 pub use stage::{Stage, Step};
+
+/// The examples of the README are tested with those of the code.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

@@ -28,3 +28,8 @@ pub use level::{CoordinateFrame, Rest};
 pub use rosto_laplacian::{ConstraintKind, Operator};
 pub use sliders::FaceSlider;
 pub use target::{Amount, EditTarget};
+
+/// The examples of the README are tested with those of the code.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

@@ -24,3 +24,8 @@ pub use picture::PictureOnGpu;
 pub use snapshot::Snapshot;
 pub use target::Target;
 pub use viewport::Viewport;
+
+/// The examples of the README are tested with those of the code.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

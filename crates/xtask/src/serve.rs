@@ -21,7 +21,8 @@ pub fn run() -> Result<ExitCode> {
     // Its own folder, so that a page built for the web in dist/ stays as it is.
     let folder = workspace::target().join("xtask").join("serve");
     // Whatever would write scripts into the page is off: the page's own policy forbids them.
-    let trunk = kit.run("trunk")?.args(["serve", "--no-autoreload=true", "--no-error-reporting=true"]);
+    // The profile that `dist` and the tests build with, too: whoever has run one of the three waits less for the others.
+    let trunk = kit.run("trunk")?.args(["serve", "--release", "--no-autoreload=true", "--no-error-reporting=true"]);
     let trunk =
         trunk.args(["--disable-csp=true", "--disable-address-lookup=true", "--watch", "web", "--watch", "crates"]);
     let trunk = trunk.args(["--address", "127.0.0.1", "--port", &port.to_string(), "--dist"]);

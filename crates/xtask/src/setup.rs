@@ -18,6 +18,12 @@ pub struct Kit {
 
 /// What is needed to build and serve the page.
 pub fn for_page() -> Result<Kit> {
+    let kit = page_kit()?;
+    tools::tidy_up()?;
+    Ok(kit)
+}
+
+fn page_kit() -> Result<Kit> {
     let node_modules = npm::obtain()?;
     networks::obtain(&node_modules)?;
     portrait::obtain()?;
@@ -30,8 +36,9 @@ pub fn for_page() -> Result<Kit> {
 pub fn for_tests() -> Result<Kit> {
     require_component("rustfmt", &["fmt", "--version"])?;
     require_component("clippy", &["clippy", "--version"])?;
-    let mut kit = for_page()?;
+    let mut kit = page_kit()?;
     kit.programs.push(tools::wasm_pack().obtain()?);
+    tools::tidy_up()?;
     kit.browser = Some(Browser::obtain()?);
     kit.missing_engines = obtain_engines();
     Ok(kit)

@@ -14,7 +14,16 @@ pub struct Tool {
     version: String,
     program: &'static str,
     features: Features,
+    speed: Speed,
     why: &'static str,
+}
+
+/// How fast the program itself has to be.
+enum Speed {
+    /// It waits for compilers and browsers: compiled as quickly as can be.
+    Waits,
+    /// It works through megabytes: a little optimised.
+    Works,
 }
 
 /// Which of a crate's features are compiled.
@@ -28,28 +37,42 @@ pub fn trunk() -> Tool {
     let why = "it builds and serves the page";
     // It must be built with one kind of TLS, though all it calls is on PATH already; it need not look for updates.
     let features = Features::Only("rustls");
-    Tool { package: "trunk", version: versions::TRUNK.to_owned(), program: "trunk", features, why }
+    Tool { package: "trunk", version: versions::TRUNK.to_owned(), program: "trunk", features, speed: Speed::Waits, why }
 }
 
 /// Writes the JavaScript side of the wasm modules; must be the version of the crate in `Cargo.lock`.
 pub fn wasm_bindgen() -> Result<Tool> {
     let version = workspace::locked_version("wasm-bindgen")?;
     let why = "it joins the WebAssembly modules to JavaScript";
-    Ok(Tool { package: "wasm-bindgen-cli", version, program: "wasm-bindgen", features: Features::Default, why })
+    Ok(Tool {
+        package: "wasm-bindgen-cli",
+        version,
+        program: "wasm-bindgen",
+        features: Features::Default,
+        speed: Speed::Works,
+        why,
+    })
 }
 
 /// Runs the wasm tests.
 pub fn wasm_pack() -> Tool {
     let why = "it runs the WebAssembly tests in a browser";
     let version = versions::WASM_PACK.to_owned();
-    Tool { package: "wasm-pack", version, program: "wasm-pack", features: Features::Default, why }
+    Tool { package: "wasm-pack", version, program: "wasm-pack", features: Features::Default, speed: Speed::Waits, why }
 }
 
 /// Checks what the workspace depends on.
 pub fn cargo_deny() -> Tool {
     let why = "it checks licences, bans and sources of what is compiled";
     let version = versions::CARGO_DENY.to_owned();
-    Tool { package: "cargo-deny", version, program: "cargo-deny", features: Features::Default, why }
+    Tool {
+        package: "cargo-deny",
+        version,
+        program: "cargo-deny",
+        features: Features::Default,
+        speed: Speed::Works,
+        why,
+    }
 }
 
 impl Tool {
@@ -68,22 +91,19 @@ impl Tool {
     }
 
     fn install(&self, folder: &std::path::Path) -> Result {
-        let target = cache::folder()?.join("build");
         cache::build_folder(folder, |partial| {
-            // A light profile: these programs wait for compilers and browsers, they need not be fast themselves.
             let install = Run::new("cargo")
                 .args(["install", self.package, "--version", &self.version, "--ignore-rust-version", "--root"])
                 .arg(partial)
                 .args(self.features.flags())
-                .env("CARGO_TARGET_DIR", &target)
+                .env("CARGO_TARGET_DIR", build_folder()?)
                 .env("CARGO_PROFILE_RELEASE_LTO", "off")
-                .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1")
+                .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", self.speed.opt_level())
                 .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16")
                 .without_env("RUSTFLAGS")
                 .current_dir(partial);
             install.within(BUILD_LIMIT).run()?.checked().map(|_| ())
-        })?;
-        cache::remove_folder(&target)
+        })
     }
 
     fn missing(&self, cause: &Failure) -> Failure {
@@ -93,6 +113,25 @@ impl Tool {
             return failure.advice("install a C linker first, on Debian: apt-get install build-essential");
         }
         failure.advice("a newer Rust may be needed: rustup update")
+    }
+}
+
+/// Removes what the programs were built from.
+pub fn tidy_up() -> Result {
+    cache::remove_folder(&build_folder()?)
+}
+
+/// One for all: what two of the programs are made of is compiled once.
+fn build_folder() -> Result<PathBuf> {
+    Ok(cache::folder()?.join("build"))
+}
+
+impl Speed {
+    fn opt_level(&self) -> &'static str {
+        match self {
+            Self::Waits => "0",
+            Self::Works => "1",
+        }
     }
 }
 

@@ -24,11 +24,12 @@ const REQUIREMENTS: &str = "tests/bench/requirements.txt";
 /// Needs a C library and a compiler: a peer where it installs, left out where it does not.
 const OPTIONAL_REQUIREMENTS: &str = "tests/bench/requirements-cholmod.txt";
 
-const ALL: [Source; 5] = [
+const ALL: [Source; 6] = [
     Source { name: "engine", what: "editing, beside the paper's dense pseudo-inverse, natively", measure: engine },
     Source { name: "peers", what: "the same in NumPy, SciPy, libigl and CHOLMOD", measure: peers },
     Source { name: "landmarks", what: "photo to landmarks, natively", measure: landmarks },
     Source { name: "chrome-edits", what: "editing in headless Chrome", measure: chrome_edits },
+    Source { name: "chrome-page", what: "a slider's tick on the page with all its listeners", measure: chrome_page },
     Source {
         name: "chrome-landmarks",
         what: "photo to landmarks in headless Chrome, beside MediaPipe's own",
@@ -71,6 +72,10 @@ fn chrome_edits(kit: &Kit) -> Result<String> {
     let bind = kit.run("wasm-bindgen")?.args(["--target", "web", "--no-typescript", "--out-dir"]);
     bind.arg(workspace::target().join("bench")).arg(module).run()?.checked()?;
     in_chrome(kit, "tests/bench/chrome-edits.mjs")
+}
+
+fn chrome_page(kit: &Kit) -> Result<String> {
+    in_chrome(kit, "tests/bench/chrome-page.mjs")
 }
 
 fn chrome_landmarks(kit: &Kit) -> Result<String> {

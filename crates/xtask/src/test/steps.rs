@@ -142,7 +142,9 @@ fn wasm_tests(package: &str, features: &'static [&str]) -> Step {
         let test = quiet(kit.run("wasm-pack")?).args(["test", "--headless", "--chrome"]);
         let driver = kit.browser().and_then(|browser: &Browser| browser.driver.clone());
         let test = driver.iter().fold(test, |test, driver| test.arg("--chromedriver").arg(driver));
-        let test = test.arg(workspace::root().join("crates").join(&folder)).arg("--locked");
+        let test = test.arg(workspace::root().join("crates").join(&folder));
+        // As the page is built, so that both share what they are built of.
+        let test = test.args(["--locked", "--profile", "web"]);
         let test = features.iter().fold(test, |test, feature| test.args(["--features", feature]));
         tests(&format!("wasm-{name}"), test.env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TEST_LIMIT_S))
     })
