@@ -55,3 +55,8 @@ macro_rules! named {
         }
     };
 }
+
+/// The examples of the README are tested with those of the code.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

@@ -1,6 +1,6 @@
 /**
  * @typedef {import("./workbench.js").Workbench} Workbench
- * @typedef {import("../../wasm/rosto-studio-web.js").AxisName} AxisName
+ * @typedef {"x" | "y" | "z"} AxisName
  * @typedef {import("../../wasm/rosto-studio-web.js").PointerName} PointerName
  */
 /** @typedef {{ x: number, y: number, button: number }} Press in CSS px of the window */
