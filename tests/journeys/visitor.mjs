@@ -177,7 +177,7 @@ export class Visitor {
    */
   async prefer(preset) {
     await this.unfold("section-landmark");
-    await this.page.check(`#preset-${preset}`, { force: true });
+    await this.page.check(`input[name="preset"][value="${preset}"]`, { force: true });
   }
 
   /**

@@ -113,6 +113,6 @@ function setUpWords() {
   const choice = byId("language", HTMLSelectElement);
   choice.replaceChildren(...languages().map(({ id, name }) => new Option(name, id)));
   choice.value = language();
-  choice.addEventListener("change", () => speak(choice.value));
+  choice.addEventListener("change", () => speak(choice.value).catch(() => (choice.value = language())));
   inEveryLanguage(writeWords);
 }

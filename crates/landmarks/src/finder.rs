@@ -14,7 +14,7 @@ pub struct FaceFinder {
 /// How to look for faces. The defaults are MediaPipe's in its static image mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FindOptions {
-    /// RenderSettings at no more than this many of the best detections. 1 by default.
+    /// Look at no more than this many of the best detections. 1 by default.
     pub max_faces: usize,
     /// Where to look.
     pub search: Search,

@@ -7,7 +7,7 @@ use crate::{Constraints, LaplacianError, Response};
 /// A system whose anchors are worked into the factor, so that any handles beside them ask for no new one.
 ///
 /// With `A = Q + Σ` of the anchors alone and `U = A⁻¹E` of the handles, the fields are `U (W⁻¹ + EᵀU)⁻¹`, Woodbury's formula
-/// once more; an exact kind is `1/w = 0`.
+/// once more; a hard constraint is `1/w = 0`.
 pub struct AnchoredSystem {
     component: Vec<u32>,
     anchors: Dirichlet,

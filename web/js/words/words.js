@@ -3,12 +3,20 @@ import { remember, remembered } from "../page/remember.js";
 /** @typedef {keyof typeof import("../../words/en.json")} WordKey */
 /** @typedef {Record<WordKey, string>} Words */
 
-/** @type {{ id: string, name: string, tag: string }[]} the languages of the page; the first is spoken where no other fits */
-const LANGUAGES = await fetched("languages");
-/** @type {Map<string, Words>} every word of the page; each language has the same keys, and `{name}` in a text is filled in */
-const WORDS = new Map(await Promise.all(LANGUAGES.map(async ({ id }) => /** @type {const} */ ([id, await fetched(id)]))));
+/** @typedef {{ id: string, name: string, tag: string }} Language */
+
+/** Whose words stand in for those that another language lacks. */
+const FIRST = "en";
+
+/** @type {[Language[], Words]} */
+const [LANGUAGES, firstWords] = await Promise.all([fetched("languages"), fetched(FIRST)]);
+/** @type {Map<string, Words>} every word of the page; `{name}` in a text is filled in */
+const WORDS = new Map([[FIRST, firstWords]]);
 
 let current = firstLanguage();
+await learn(current);
+// The others come while nobody waits for them.
+for (const { id } of LANGUAGES) learn(id).catch(() => {});
 
 /** @type {Set<() => void>} */
 const listeners = new Set();
@@ -25,7 +33,7 @@ export function language() {
  * @param {Record<string, string | number>} [values]
  */
 export function say(key, values = {}) {
-  const text = wordsOf(current)[key] ?? wordsOf(first())[key];
+  const text = WORDS.get(current)?.[key] ?? firstWords[key];
   return text.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
 }
 
@@ -36,7 +44,7 @@ export function say(key, values = {}) {
  * @returns {key is WordKey}
  */
 export function isWord(key) {
-  return key in wordsOf(first());
+  return key in firstWords;
 }
 
 /**
@@ -54,8 +62,9 @@ export function inEveryLanguage(listener) {
  *
  * @param {string} wanted
  */
-export function speak(wanted) {
-  current = WORDS.has(wanted) ? wanted : current;
+export async function speak(wanted) {
+  if (!WORDS.has(wanted)) await learn(wanted);
+  current = wanted;
   remember("language", current);
   for (const listener of listeners) listener();
 }
@@ -99,14 +108,9 @@ function tag() {
   return LANGUAGES.find(({ id }) => id === current)?.tag ?? current;
 }
 
-/** The language whose words stand in for those that another one lacks. */
-function first() {
-  return LANGUAGES[0]?.id ?? "";
-}
-
 /** @param {string} id */
-function wordsOf(id) {
-  return /** @type {Words} */ (WORDS.get(id));
+async function learn(id) {
+  if (!WORDS.has(id)) WORDS.set(id, await fetched(id));
 }
 
 /** @param {string} name */
@@ -118,5 +122,5 @@ async function fetched(name) {
 
 function firstLanguage() {
   const wanted = remembered("language") ?? navigator.language;
-  return LANGUAGES.find(({ id }) => wanted.startsWith(id))?.id ?? first();
+  return LANGUAGES.find(({ id }) => wanted.startsWith(id))?.id ?? FIRST;
 }

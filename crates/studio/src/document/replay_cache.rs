@@ -42,7 +42,7 @@ impl ReplayCache {
     }
 
     pub fn push(&mut self, shape: Arc<LevelPositions>, standing: Standing) {
-        // ReplayCache that entries share count once: one that changes nothing shares that of the one before.
+        // Shapes that entries share count once: one that changes nothing shares that of the one before.
         self.kept_bytes += if Arc::ptr_eq(&shape, self.last()) { 0 } else { shape.bytes() };
         self.after.push(Some(shape));
         self.standings.push(standing);
