@@ -7,6 +7,8 @@ import { report } from "./blank-page.mjs";
 
 const ENTRIES = 40;
 const LOOKS = 60;
+/** A real mouse moves once for each frame. */
+const DRAG_LOOKS = 12;
 /** The browser's clock is coarse: so many events between two looks at it. */
 const EVENTS = 20;
 
@@ -23,10 +25,44 @@ try {
     const { entries, times_ms } = await page.evaluate(tick, { LOOKS, EVENTS });
     if (entries < ENTRIES) throw new Error(`${entries} entries, not ${ENTRIES}`);
     report({ task: "tick-listeners", peer: "rosto in Chrome", vertices }, times_ms);
+    report({ task: "drag-listeners", peer: "rosto in Chrome", vertices }, await drag(visitor));
   }
 } finally {
   await browser.close();
   server.close();
+}
+
+/** A landmark is dragged by the mouse; each look is the mean of the moves between two looks at the clock. */
+async function drag(visitor) {
+  const { page } = visitor;
+  await visitor.findLandmark("nose tip");
+  const tip = await visitor.tagged();
+  await page.evaluate(watchMoves);
+  await page.mouse.move(tip.x, tip.y);
+  await page.mouse.down();
+  const times_ms = [];
+  for (let look = 0; look < DRAG_LOOKS; look += 1) {
+    for (let step = 1; step <= 5; step += 1) await page.mouse.move(tip.x, tip.y - 5 - ((look + step) % 30));
+    times_ms.push(await page.evaluate(() => globalThis.meanMove_ms()));
+  }
+  await page.keyboard.press("Escape");
+  await page.mouse.up();
+  return times_ms;
+}
+
+/** Runs in the browser: times every move of the pointer from before the first listener to behind the last. */
+function watchMoves() {
+  let [start, spent_ms, moves] = [0, 0, 0];
+  addEventListener("pointermove", () => (start = performance.now()), { capture: true });
+  addEventListener("pointermove", () => {
+    spent_ms += performance.now() - start;
+    moves += 1;
+  });
+  globalThis.meanMove_ms = () => {
+    const mean_ms = spent_ms / Math.max(1, moves);
+    [spent_ms, moves] = [0, 0];
+    return mean_ms;
+  };
 }
 
 /** Runs in the browser: as many edits as asked for, each of another landmark. */

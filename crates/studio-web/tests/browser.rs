@@ -48,7 +48,7 @@ fn colours() -> Vec<u8> {
 }
 
 /// The mesh as JSON.
-fn mesh(studio: &mut Studio, units: &str) -> Vec<u8> {
+fn mesh_json(studio: &mut Studio, units: &str) -> Vec<u8> {
     studio.export_file("json", "texture", "lit", "shape", units).unwrap()
 }
 
@@ -137,7 +137,7 @@ async fn a_face_shows_in_its_photos_colours_and_keeps_still() {
 async fn an_edit_changes_the_picture_is_one_entry_and_can_be_undone() {
     let mut studio = studio().await;
     in_paper_mode(&mut studio);
-    let before = (pixels(&mut studio).await, mesh(&mut studio, "mm"));
+    let before = (pixels(&mut studio).await, mesh_json(&mut studio, "mm"));
     studio.select(Some(NOSE_TIP)).unwrap();
     assert_eq!(studio.state().anchors.len(), 2);
     for tick in 1..=20 {
@@ -152,29 +152,29 @@ async fn an_edit_changes_the_picture_is_one_entry_and_can_be_undone() {
     assert_eq!((entry.target.id.as_str(), entry.target.number), ("nose-tip", Some(NOSE_TIP)));
     assert!(studio.edits_json().unwrap().contains("\"nose-tip\""));
     assert_eq!((state.kept_x_mm, state.kept_y_mm, state.kept_z_mm), (0.0, 0.0, 20.0));
-    let after = mesh(&mut studio, "mm");
+    let after = mesh_json(&mut studio, "mm");
     assert_ne!(after, before.1);
     studio.select(None).unwrap();
     let drawn = pixels(&mut studio).await;
     assert!(drawn.iter().zip(&before.0).any(|(now, then)| now.abs_diff(*then) > 30));
     studio.undo().unwrap();
-    assert_eq!(mesh(&mut studio, "mm"), before.1);
+    assert_eq!(mesh_json(&mut studio, "mm"), before.1);
     assert_eq!(pixels(&mut studio).await, before.0);
     studio.redo().unwrap();
-    assert_eq!(mesh(&mut studio, "mm"), after);
+    assert_eq!(mesh_json(&mut studio, "mm"), after);
 }
 
 #[wasm_bindgen_test]
 async fn cancelling_and_committing_nothing_leave_no_trace() {
     let mut studio = studio().await;
-    let before = mesh(&mut studio, "image");
+    let before = mesh_json(&mut studio, "image");
     studio.select(Some(NOSE_TIP)).unwrap();
     studio.preview(3.0, 0.0, 0.0).unwrap();
     studio.cancel().unwrap();
     studio.preview(0.0, 0.0, 0.0).unwrap();
     studio.commit().unwrap();
     assert!(!studio.state().can_undo);
-    assert_eq!(mesh(&mut studio, "image"), before);
+    assert_eq!(mesh_json(&mut studio, "image"), before);
     assert_eq!(code(&studio.preview(f64::NAN, 0.0, 0.0).unwrap_err()), "bad-number");
 }
 
@@ -223,10 +223,10 @@ async fn refusals_say_why_and_keep_the_face() {
     studio.set_mirror(false).unwrap();
     studio.choose("anchors", "pins").unwrap();
     studio.select(Some(NOSE_TIP)).unwrap();
-    let mesh = mesh(&mut studio, "mm");
+    let mesh = mesh_json(&mut studio, "mm");
     assert_eq!(studio.state().refusal, Some(RefusalName::Unanchored));
     studio.preview(1.0, 0.0, 0.0).unwrap();
-    assert_eq!(mesh(&mut studio, "mm"), mesh);
+    assert_eq!(mesh_json(&mut studio, "mm"), mesh);
     for pin in [7, 152] {
         studio.select(Some(pin)).unwrap();
         studio.set_pinned(true).unwrap();
@@ -234,12 +234,12 @@ async fn refusals_say_why_and_keep_the_face() {
     studio.select(Some(NOSE_TIP)).unwrap();
     assert_eq!((studio.state().refusal, studio.state().anchors), (None, vec![7, 152]));
     studio.preview(0.0, 1.0, 0.0).unwrap();
-    assert_ne!(mesh(&mut studio, "mm"), mesh);
+    assert_ne!(mesh_json(&mut studio, "mm"), mesh);
     studio.cancel().unwrap();
     for (edits, why) in [("{}", "bad-history"), (r#"{"rosto":"history","version":99,"entries":[]}"#, "too-new")] {
         assert_eq!(code(&open_work(&mut studio, 0, edits).unwrap_err()), why);
     }
-    assert_eq!(code(&studio.set_density(4).unwrap_err()), "bad-number");
+    assert_eq!(code(&studio.choose("density", "4").unwrap_err()), "bad-choice");
     assert_eq!(code(&studio.open_picture(0, 2).unwrap_err()), "bad-face");
     for wrong in [7, 12] {
         studio.open_picture(1, 2).unwrap();
@@ -250,7 +250,7 @@ async fn refusals_say_why_and_keep_the_face() {
     studio.add_picture_rows(&[0; 16]).unwrap();
     assert_eq!(code(&studio.open_face(&[0.5; 1404], 64, 64, &[0; 1404]).unwrap_err()), "bad-face", "one point");
     assert!(studio.state().has_face);
-    assert_eq!(mesh(&mut studio, "mm"), mesh);
+    assert_eq!(mesh_json(&mut studio, "mm"), mesh);
 }
 
 #[wasm_bindgen_test]
@@ -260,21 +260,24 @@ async fn edits_come_back_from_their_text_at_every_density() {
     studio.select(Some(61)).unwrap();
     studio.preview(2.0, 3.0, 1.0).unwrap();
     studio.commit().unwrap();
-    let (edits, mesh) = (studio.edits_json().unwrap(), mesh(&mut studio, "mm"));
+    let (edits, mesh) = (studio.edits_json().unwrap(), mesh_json(&mut studio, "mm"));
     open(&mut studio);
-    assert_ne!(mesh(&mut studio, "mm"), mesh);
+    assert_ne!(mesh_json(&mut studio, "mm"), mesh);
     open_work(&mut studio, 0, &edits).unwrap();
-    assert_eq!(mesh(&mut studio, "mm"), mesh);
+    assert_eq!(mesh_json(&mut studio, "mm"), mesh);
     for (density, vertices) in [(1, 468 + 1365), (0, 468)] {
-        studio.set_density(density).unwrap();
+        studio.choose("density", &density.to_string()).unwrap();
         assert_eq!(studio.state().vertex_count, vertices);
         assert!(!pixels(&mut studio).await.is_empty());
     }
-    assert_eq!(mesh(&mut studio, "mm"), mesh);
+    assert_eq!(mesh_json(&mut studio, "mm"), mesh);
     open_work(&mut studio, 1, &edits).unwrap();
-    assert_eq!((studio.state().density, studio.state().vertex_count), (1, 468 + 1365));
-    studio.set_density(0).unwrap();
-    assert_eq!(mesh(&mut studio, "mm"), mesh);
+    assert_eq!(
+        (studio.state().chosen("density").unwrap().as_deref(), studio.state().vertex_count),
+        (Some("1"), 468 + 1365)
+    );
+    studio.choose("density", &0.to_string()).unwrap();
+    assert_eq!(mesh_json(&mut studio, "mm"), mesh);
 }
 
 #[wasm_bindgen_test]

@@ -4,8 +4,6 @@ use crate::Viewport;
 use crate::pipelines::Twin;
 use crate::target::Attachments;
 
-/// Landmarks that can show as dots come first among the vertices.
-
 /// Records one frame: backdrop, mesh, lines, marks.
 pub(crate) fn record(
     viewport: &Viewport,

@@ -101,8 +101,8 @@ pub fn dome() -> Sheet {
 
 /// Shows a mesh under a look and reads the picture back.
 pub async fn picture(screen: &mut Screen, settings: RenderSettings) -> Snapshot {
-    *screen.stage.render_settings_mut() = look;
-    screen.viewport.snapshot(&screen.stage, [SIDE_PX, SIDE_PX], look.background).unwrap().await.unwrap()
+    *screen.stage.render_settings_mut() = settings;
+    screen.viewport.snapshot(&screen.stage, [SIDE_PX, SIDE_PX], settings.background).unwrap().await.unwrap()
 }
 
 /// A look with nothing but the mesh, unshaded.

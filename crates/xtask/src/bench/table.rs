@@ -3,7 +3,7 @@
 use super::Record;
 
 /// What the tasks are called for a reader.
-const TITLES: [(&str, &str); 22] = [
+const TITLES: [(&str, &str); 23] = [
     ("paper-edit", "One edit of the paper with the factor at hand, from the choice of the vertex to the moved mesh"),
     ("paper-edit-bare", "One edit of the paper from nothing: operator, factor, response, moved mesh"),
     ("system", "What is done once per mesh: from triangles to factor"),
@@ -23,6 +23,10 @@ const TITLES: [(&str, &str); 22] = [
     (
         "tick-listeners",
         "One slider tick all in: from the input event to the last listener, with 40 entries, in headless Chrome",
+    ),
+    (
+        "drag-listeners",
+        "One move of a drag all in: from the pointer's event to the last listener, with 40 entries, in headless Chrome",
     ),
     ("networks-start-native", "Loading the networks, natively"),
     ("photo-to-landmarks-native", "Photo (512×512 PNG) to landmarks, natively, one thread"),
