@@ -23,6 +23,8 @@ journey("a double click opens one camera, and Escape stops it", async (open) => 
 
 journey("two presses before the page has answered either ask for the camera once", async (open) => {
   const visitor = await open({ before });
+  // A script's press does not wait, as a hand's does, for the page to be there.
+  await visitor.untilLoaded();
   await visitor.page.evaluate(() => {
     const button = document.querySelector("#welcome [data-action='camera']");
     button.click();

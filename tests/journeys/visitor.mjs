@@ -66,6 +66,8 @@ export class Visitor {
    * @param {string} name
    */
   async drop(bytes, name) {
+    // A script drops sooner than any hand: the page's own scripts have run when there are languages to choose from.
+    await this.page.waitForSelector("#language option", { state: "attached" });
     const transfer = await this.page.evaluateHandle(
       ({ base64, name }) => {
         const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
