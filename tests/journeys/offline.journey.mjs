@@ -57,10 +57,10 @@ journey("a page of a newer version comes from the network with all its files, or
     await visitor.page.evaluate(() => fetch("js/main.js"));
     assert.deepEqual(asked, ["js/main.js"]);
 
-    server.disturb((name, response) => (name === "" ? send(response, newer) : name === "words/pt.json" && fail(response, 503)));
+    server.disturb((name, response) => (name === "" ? send(response, newer) : name === "words/en.json" && fail(response, 503)));
     await visitor.page.reload();
     await visitor.page.waitForSelector("#not-started");
-    assert.match(visitor.broken.splice(0).join("\n"), /503 for the words of pt/);
+    assert.match(visitor.broken.splice(0).join("\n"), /503 for the words of en/);
 
     // The older version is still whole.
     server.disturb(() => true);
