@@ -83,7 +83,7 @@ journey("another face that is opened while the module starts again leaves the wo
   const other = await visitor.download("save-project");
   await workOn(visitor);
   await page.waitForTimeout(600);
-  const kept = (await histories(page)).filter((edits) => edits.includes("nose tip"));
+  const kept = (await histories(page)).filter((edits) => edits.includes("nose-tip"));
   assert.equal(kept.length, 1);
 
   const transfer = await page.evaluateHandle((base64) => {
@@ -102,7 +102,7 @@ journey("another face that is opened while the module starts again leaves the wo
   await visitor.drop(other, "other.rosto");
   await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
   await page.waitForTimeout(1000);
-  assert.deepEqual((await histories(page)).filter((edits) => edits.includes("nose tip")), kept);
+  assert.deepEqual((await histories(page)).filter((edits) => edits.includes("nose-tip")), kept);
 });
 
 /** The histories that are kept, as JSON. */
