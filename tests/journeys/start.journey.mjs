@@ -3,7 +3,7 @@ import { journey } from "./journey.mjs";
 
 /** Answers to the request for a module that leave the page without it. */
 const TROUBLES = [
-  { file: "words/pt.json", what: "is not found", answer: { status: 404 }, errors: 1 },
+  { file: "words/en.json", what: "is not found", answer: { status: 404 }, errors: 1 },
   { file: "wasm/rosto-studio-web.js", what: "is refused", answer: { status: 500 }, errors: 0 },
   { file: "js/main.js", what: "is a page of somebody else's", answer: { status: 200, contentType: "text/html", body: "<p>Log in" }, errors: 0 },
   { file: "page/tabs.js", what: "cannot be read", answer: { status: 200, contentType: "text/javascript", body: "export const = ;" }, errors: 1 },
@@ -36,7 +36,7 @@ journey("a page whose modules do not come says so, and takes it back when they d
   const arrived = open({
     before: async (context) => {
       await context.clock.install();
-      await context.route("**/words/pt.json", async (route) => {
+      await context.route("**/words/en.json", async (route) => {
         await held;
         await route.continue();
       });
