@@ -28,8 +28,8 @@ server.close();
 for (const doubt of unsure) console.log(`unsure: ${doubt}`);
 await writeFile(path.join(ROOT, REPORT), `# What axe-core says of the page
 
-By axe-core ${AXE_VERSION} over the built page, state after state; \`cargo xtask screenshots\` writes this table, and a journey
-fails on any violation. "Unsure" is what axe-core leaves to a person: the contrast of text over the 3D view, whose ground it does not see (there
+By axe-core ${AXE_VERSION} over the built page, state after state; \`cargo xtask screenshots\` writes this table, and journeys
+fail on any violation. "Unsure" is what axe-core leaves to a person: the contrast of text over the 3D view, whose ground it does not see (there
 it is 5.6 at worst, of the quiet text on the lower edge of the light theme), and of what is scrolled out of sight, which
 has the same colours as the rest; and whether the skip link works, which the keyboard's journey walks.
 

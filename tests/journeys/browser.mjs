@@ -17,6 +17,9 @@ const GPUS = {
   none: ["--disable-gpu", "--disable-3d-apis"],
 };
 
+/** A WebGPU canvas is drawn and never shown: putting the page together in software as well costs twice what the rest does. */
+const UNSEEN = ["--disable-gpu-compositing"];
+
 const QUIET = [
   "--no-sandbox",
   "--no-first-run",
@@ -37,10 +40,11 @@ const fakeCamera = (/** @type {string} */ film) => [
 /**
  * Starts the system's Chromium without a window.
  *
- * @param {{ gpu?: keyof typeof GPUS, film?: string }} [options] `film`: a .y4m that a fake camera plays
+ * @param {{ gpu?: keyof typeof GPUS, film?: string, seen?: boolean }} [options] `film`: a .y4m that a fake camera plays;
+ *   `seen`: whether the 3D view shows in screenshots
  */
-export function launch({ gpu = "webgpu", film } = {}) {
-  const args = [...QUIET, ...GPUS[gpu], ...(film ? fakeCamera(film) : [])];
+export function launch({ gpu = "webgpu", film, seen = true } = {}) {
+  const args = [...QUIET, ...GPUS[gpu], ...(seen ? [] : UNSEEN), ...(film ? fakeCamera(film) : [])];
   return chromium.launch({ executablePath: executable(), headless: true, args });
 }
 

@@ -63,7 +63,7 @@ journey("any point of the densest mesh is clicked, dragged and undone, as the co
   assert.match((await visitor.history())[0], new RegExp(`^ponto ${vertex.toLocaleString("de")} perto d[ao] `));
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await visitor.meshJson("mm"), start);
-});
+}, { needs: "eyes" });
 
 journey("a point is moved by sliders on both sides, waits while the mesh is coarser, and can be switched off", async (open) => {
   const visitor = await arriveAtPoints(open, 1);

@@ -22,7 +22,7 @@ journey("a dropped portrait becomes a mesh in its own colours", async (open) => 
   for (const [channel, share] of seen.entries()) {
     assert.ok(Math.abs(share - wanted[channel]) < 0.04, `colours ${seen} are far from the portrait's ${wanted}`);
   }
-});
+}, { needs: "eyes" });
 
 journey("moving the nose tip changes picture and mesh as the command line does, and undo restores both", async (open) => {
   const visitor = await open();
@@ -47,7 +47,7 @@ journey("moving the nose tip changes picture and mesh as the command line does, 
   assert.equal(difference(before.view, await visitor.view()), 0, "undo left the picture changed");
   await visitor.page.click("#toolbar [data-action='redo']");
   assert.deepEqual(await visitor.meshJson("mm"), after.mesh);
-});
+}, { needs: "eyes" });
 
 journey("details that turn with the surface follow every tick, and make the command line's mesh", async (open) => {
   const visitor = await open();
@@ -65,7 +65,7 @@ journey("details that turn with the surface follow every tick, and make the comm
   assertSameMesh(await visitor.meshJson("mm"), turned);
   const kept = await meshByCommandLine(SAMPLE, [...options.split(" ").slice(0, -1), "--edit", "61:0,0,14"]);
   assert.throws(() => assertSameMesh(kept, turned), "details that keep their direction make the same mesh");
-});
+}, { needs: "eyes" });
 
 journey("a point is picked by clicking it on the mesh", async (open) => {
   const visitor = await open();
@@ -99,4 +99,4 @@ journey("light, paint and camera change the picture, and the view resets", async
   await visitor.page.click("[data-action='reset-view']");
   await visitor.page.mouse.move(box.x + 4, box.y + 4);
   assert.ok(difference(painted, await visitor.view()) < 0.001, "the view did not come back");
-});
+}, { needs: "eyes" });

@@ -23,9 +23,9 @@ journey("a hint for fingers speaks of fingers", async (open) => {
   await visitor.page.waitForFunction(() => document.getElementById("hint").textContent.includes("finger on the nose"));
 });
 
-for (const needs of /** @type {const} */ (["gpu", "webgl"])) {
+for (const [drawn, needs] of /** @type {const} */ ([["WebGPU", "eyes"], ["WebGL2", "webgl"]])) {
   journey(
-    `before a photo nothing but the wireframe lies over the page's ground: ${needs}`,
+    `before a photo nothing but the wireframe lies over the page's ground: ${drawn}`,
     async (open) => {
       const visitor = await open({ colorScheme: "light", reducedMotion: "reduce" });
       await visitor.untilLoaded();
@@ -50,7 +50,7 @@ for (const [reducedMotion, moves] of /** @type {const} */ ([["no-preference", tr
     assert.equal(difference(first, await shot(visitor)) > 0, moves);
     const longest_ms = await visitor.page.evaluate(longestTransition);
     assert.ok(moves ? longest_ms >= 100 : longest_ms === 0, `a transition of ${longest_ms} ms`);
-  });
+  }, { needs: "eyes" });
 }
 
 /** @param {import("./visitor.mjs").Visitor} visitor */

@@ -3,7 +3,7 @@ import { journey } from "./journey.mjs";
 import { difference } from "./pixels.mjs";
 
 for (const { drawn, needs } of [
-  { drawn: "WebGPU", needs: "gpu" },
+  { drawn: "WebGPU", needs: "eyes" },
   { drawn: "WebGL2", needs: "webgl" },
 ]) {
   journey(

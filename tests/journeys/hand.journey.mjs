@@ -30,7 +30,7 @@ journey("the pointer over a landmark marks it and names it, and lets go of it be
   await visitor.frames(2);
   assert.ok(await page.isHidden("#landmark-tag"));
   assert.equal(await visitor.cursor(), "grab");
-});
+}, { needs: "eyes" });
 
 journey("a landmark follows the pointer in the view plane, slowly with Shift, and glows as it goes", async (open) => {
   const visitor = await open();
@@ -57,7 +57,7 @@ journey("a landmark follows the pointer in the view plane, slowly with Shift, an
   await page.keyboard.up("Shift");
   const fine = way(moved, await visitor.meshJson("mm"), NOSE_TIP);
   assert.ok(Math.abs(fine[1] / usual[1] - 0.1) < 0.02, `${fine[1]} mm beside ${usual[1]}`);
-});
+}, { needs: "eyes" });
 
 journey("X, Y and Z keep a drag to an axis, and Escape puts everything back", async (open) => {
   const visitor = await open();
@@ -96,7 +96,7 @@ journey("X, Y and Z keep a drag to an axis, and Escape puts everything back", as
   await page.focus("#viewport");
   await page.keyboard.press("Escape");
   assert.ok(await page.isHidden("#landmark-tag"), "Escape did not let go");
-});
+}, { needs: "eyes" });
 
 journey("the wheel widens and narrows the reach of a drag, which stays one edit", async (open) => {
   const visitor = await open();
@@ -131,7 +131,7 @@ journey("the wheel widens and narrows the reach of a drag, which stays one edit"
     // No way along the skin is shorter than the straight one.
     if (apart_mm > radii_mm[2]) assert.deepEqual(after.positions[vertex], place, `vertex ${vertex}, ${apart_mm} mm away`);
   }
-});
+}, { needs: "eyes" });
 
 journey("the other side follows where the mirror is on, and its plane is drawn", async (open) => {
   const visitor = await open();
@@ -157,7 +157,7 @@ journey("the other side follows where the mirror is on, and its plane is drawn",
   await page.check("#mirror");
   assert.ok(await alongX.isDisabled(), "what lies on the plane cannot move across it");
   assert.match(await page.innerText("#landmark-help"), /not to one side/);
-});
+}, { needs: "eyes" });
 
 journey("a click with Alt pins a landmark, which then stays, and unpins it", async (open) => {
   const visitor = await open();
@@ -178,7 +178,7 @@ journey("a click with Alt pins a landmark, which then stays, and unpins it", asy
   await page.mouse.click(corner.x, corner.y);
   await page.keyboard.up("Alt");
   assert.ok(!(await visitor.anchors()).includes(MOUTH_CORNERS[0]));
-});
+}, { needs: "eyes" });
 
 journey("every operator and constraint says in a line what it does, and does what the command line does", async (open) => {
   const visitor = await open();
@@ -231,4 +231,4 @@ journey("a landmark is dragged on the densest mesh as on the coarse one", async 
   assert.ok(furthest_mm < 1.5 * Math.hypot(...way(start, moved, NOSE_TIP)), `a vertex went ${furthest_mm} mm`);
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await visitor.meshJson("mm"), start);
-});
+}, { needs: "eyes" });

@@ -88,7 +88,7 @@ journey("the camera follows the keys while the view has the focus", async (open)
   await page.keyboard.press("Alt+ArrowDown");
   await page.keyboard.press("Space");
   assert.ok(difference(start, await visitor.view()) < 0.001, "Space did not reset the view");
-});
+}, { needs: "eyes" });
 
 journey("Tab goes through everything, and shows where it is", async (open) => {
   const visitor = await open();

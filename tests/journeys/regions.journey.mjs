@@ -34,7 +34,7 @@ journey("a region moves as one by its sliders, under its name, as the command li
   await page.selectOption("#region", "");
   assert.ok(await page.isHidden("#landmark-tag"), "something is still selected");
   assert.ok(await page.isHidden("#notice"));
-});
+}, { needs: "eyes" });
 
 journey("a region's landmarks are marked, and it is dragged by any of them and by its gizmo", async (open) => {
   const visitor = await open();
@@ -58,7 +58,7 @@ journey("a region's landmarks are marked, and it is dragged by any of them and b
   assert.deepEqual(await visitor.history(), ["nose", "nose"]);
   const along = way(lifted, await visitor.meshJson("mm"), NOSE_TIP);
   assert.ok(along[1] < -1 && Math.hypot(along[0], along[2]) < 1e-9, `not along y: ${along}`);
-});
+}, { needs: "eyes" });
 
 journey("clicks take the region under the pointer, then the larger one, and the choice of a landmark comes back", async (open) => {
   const visitor = await open();
@@ -86,7 +86,7 @@ journey("clicks take the region under the pointer, then the larger one, and the 
   await page.check("input[name='selection'][value='landmark']", { force: true });
   assert.ok(await page.isHidden("#region"));
   assert.match(await page.inputValue("#landmark-search"), /· \d+$/);
-});
+}, { needs: "eyes" });
 
 journey("one thing is reset by itself, in one step that undo takes back", async (open) => {
   const visitor = await open();

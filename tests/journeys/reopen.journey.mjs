@@ -32,7 +32,7 @@ for (const paint of ["texture", "colours"]) {
     await page.click("#toolbar [data-action='redo']");
     await page.click("#toolbar [data-action='redo']");
     assert.deepEqual(await visitor.meshJson("mm"), work);
-  });
+  }, { needs: "eyes" });
 }
 
 journey("a GLB brings its density and its eyes and mouth along", async (open) => {

@@ -3,7 +3,7 @@ import { journey } from "./journey.mjs";
 import { meanColour } from "./pixels.mjs";
 
 for (const { drawn, needs, module } of [
-  { drawn: "WebGPU", needs: "gpu", module: "rosto-studio-web" },
+  { drawn: "WebGPU", needs: "eyes", module: "rosto-studio-web" },
   { drawn: "WebGL2", needs: "webgl", module: "rosto-studio-webgl" },
 ]) {
   journey(

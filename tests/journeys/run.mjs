@@ -16,6 +16,9 @@ const LIMIT_MS = 180_000;
 
 /** @typedef {import("./journey.mjs").Journey["needs"]} Needs */
 
+/** Browsers whose screenshots do not show the 3D view. @type {Set<Needs>} */
+const UNSEEN = new Set(["gpu", "camera"]);
+
 /** The browsers of one lane, each launched when it is first needed. */
 class Browsers {
   /** @type {Map<Needs, import("playwright-core").Browser>} */
@@ -37,8 +40,8 @@ class Browsers {
 async function launchFor(needs) {
   if (needs === "no-gpu") return launch({ gpu: "none" });
   if (needs === "webgl") return launch({ gpu: "webgl" });
-  if (needs !== "camera") return launch();
-  return launch({ film: await portraitFilm() });
+  const seen = !UNSEEN.has(needs);
+  return needs === "camera" ? launch({ film: await portraitFilm(), seen }) : launch({ seen });
 }
 
 const isTimed = process.argv.includes("--timed");
@@ -74,6 +77,7 @@ async function walkOne({ name, needs, walk }, browsers) {
   try {
     await within(LIMIT_MS, walk(async ({ url = server.url, ...options } = {}) => {
       const visitor = await Visitor.arrive(await browsers.for(needs), url, options);
+      visitor.sees = !UNSEEN.has(needs);
       visitors.push(visitor);
       return visitor;
     }));

@@ -24,7 +24,7 @@ journey("every paint shows the face another way, with a legend where colours are
       if (one < other) assert.ok(difference(view, another) > 0.05, `${PAINTS[one]} looks like ${PAINTS[other]}`);
     }
   }
-});
+}, { needs: "eyes" });
 
 journey("lines, dots, density and open eyes and mouth each change what is drawn, and back", async (open) => {
   const visitor = await open();
@@ -43,7 +43,7 @@ journey("lines, dots, density and open eyes and mouth each change what is drawn,
     await page.selectOption(`#${select}`, usual);
   }
   assert.equal(difference(first, await visitor.view()), 0, "the view did not come back");
-});
+}, { needs: "eyes" });
 
 journey("the light follows the small sphere, and its colour what is chosen", async (open) => {
   const visitor = await open();
@@ -66,7 +66,7 @@ journey("the light follows the small sphere, and its colour what is chosen", asy
   assert.ok(difference(first, fromTheRight) > 0.05);
   await page.fill("#light-colour", "#ff4000");
   assert.ok(difference(fromTheRight, await visitor.view()) > 0.05);
-});
+}, { needs: "eyes" });
 
 journey("the turntable turns until it is switched off", async (open) => {
   const visitor = await open();
@@ -81,7 +81,7 @@ journey("the turntable turns until it is switched off", async (open) => {
   assert.ok(difference(first, turned) > 0.02, "nothing turned");
   await page.waitForTimeout(300);
   assert.equal(difference(turned, await visitor.view()), 0, "it went on turning");
-});
+}, { needs: "eyes" });
 
 journey("the background is a colour of one's own, in the picture too, which can leave it out", async (open) => {
   const visitor = await open();
@@ -101,7 +101,7 @@ journey("the background is a colour of one's own, in the picture too, which can 
   assert.deepEqual(middle(whole), middle(cutOut));
   await page.uncheck("#background-plain");
   assert.notDeepEqual(corner(await visitor.view()), [0x0c, 0xb4, 0xfa, 255]);
-});
+}, { needs: "eyes" });
 
 /** @param {import("./pixels.mjs").Pixels} pixels */
 function corner({ data }) {

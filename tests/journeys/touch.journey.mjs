@@ -88,7 +88,7 @@ journey("on a phone one finger turns, two move and zoom, and a long press picks"
   }
   await touch.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
   assert.equal((await visitor.history()).length, 1, "what a held finger picked did not follow it");
-});
+}, { needs: "eyes" });
 
 journey("on a phone the sheet leaves most of the face free, and nothing scrolls sideways at 360 px", async (open) => {
   const visitor = await open({ ...PHONE, viewport: { width: 360, height: 740 } });

@@ -14,6 +14,8 @@ export class Visitor {
   broken = [];
   /** What the page wrote to the console. */
   said = [];
+  /** Whether screenshots show the 3D view. */
+  sees = true;
 
   /**
    * @param {import("playwright-core").Browser} browser
@@ -254,6 +256,7 @@ export class Visitor {
 
   /** The pixels of the 3D view once it has come to rest, with what floats over it left out. */
   async view() {
+    assert.ok(this.sees, 'screenshots do not show the 3D view here: the journey has to say that it needs "eyes"');
     await this.#showFloating("hidden");
     let shot = await this.#shot();
     for (let tries = 0; tries < MOST_SHOTS; tries += 1) {

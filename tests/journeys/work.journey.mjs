@@ -80,4 +80,4 @@ journey("a key held down shows the face as it was found", async (open) => {
   assert.ok(difference(before, after) > 0.002);
   assert.ok(difference(after, released) === 0, "letting go did not bring the edit back");
   assert.ok(difference(before, held) < difference(after, held), "the held key did not show the face as it was found");
-});
+}, { needs: "eyes" });

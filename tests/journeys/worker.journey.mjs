@@ -28,7 +28,7 @@ journey("the page draws and answers before the worker's module has arrived", asy
   await visitor.page.waitForSelector("#progress-title:has-text('Loading the face networks')");
   deliver();
   await visitor.untilFace();
-});
+}, { needs: "eyes" });
 
 journey("a worker that dies is started again, and the work on screen stays", async (open) => {
   const visitor = await open();

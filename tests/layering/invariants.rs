@@ -46,22 +46,11 @@ const CORE: [&str; 11] = [
     "rosto-export",
     "rosto-stage",
     "rosto-session",
-    "rosto-viewport",
+    VIEWPORT,
 ];
 
-/// Of those, the ones that draw nothing.
-const WITHOUT_GPU: [&str; 10] = [
-    "rosto-named",
-    "rosto-mesh",
-    "rosto-laplacian",
-    "rosto-photo",
-    "rosto-landmarks",
-    "rosto-face",
-    "rosto-studio",
-    "rosto-export",
-    "rosto-stage",
-    "rosto-session",
-];
+/// The one of them that draws.
+const VIEWPORT: &str = "rosto-viewport";
 
 const BROWSER: [&str; 5] = ["web-sys", "js-sys", "wasm-bindgen", "wasm-bindgen-futures", "gloo"];
 const GPU: [&str; 2] = ["wgpu", "naga"];
@@ -83,7 +72,7 @@ pub const INVARIANTS: [Invariant; 13] = [
         says: "No core crate but `viewport` reaches a browser, by however many steps, but for what tract takes along; and \
                only `studio-web` and `vision-web` name web-sys.",
         breaches: |facts| {
-            let without_tract = WITHOUT_GPU.iter().filter(|package| **package != "rosto-landmarks");
+            let without_tract = without_gpu().filter(|package| *package != "rosto-landmarks");
             let reached = without_tract.flat_map(|package| reaches(&facts.wasm, package, &BROWSER));
             reached.chain(named(&facts.declared, &BROWSER, |package| package.ends_with("-web"))).collect()
         },
@@ -103,10 +92,10 @@ pub const INVARIANTS: [Invariant; 13] = [
                does not reach it.",
         breaches: |facts| {
             let others = ["rosto-vision-web", "rosto-cli"];
-            let reached = WITHOUT_GPU.iter().chain(&others).flat_map(|package| {
+            let reached = without_gpu().chain(others).flat_map(|package| {
                 [reaches(&facts.wasm, package, &GPU), reaches(&facts.host, package, &GPU)].concat()
             });
-            reached.chain(named_from(&facts.declared, "wgpu", "rosto-viewport")).collect()
+            reached.chain(named_from(&facts.declared, "wgpu", VIEWPORT)).collect()
         },
         plant: |facts| facts.depend("rosto-mesh", "wgpu"),
     },
@@ -175,6 +164,11 @@ pub const INVARIANTS: [Invariant; 13] = [
         plant: |facts| facts.depend("rosto-photo", "rosto-stage"),
     },
 ];
+
+/// The core crates that draw nothing.
+fn without_gpu() -> impl Iterator<Item = &'static str> {
+    CORE.into_iter().filter(|package| *package != VIEWPORT)
+}
 
 /// Packages of ours that one declares and may not know.
 fn strangers(graph: &Graph, package: &str) -> Vec<String> {

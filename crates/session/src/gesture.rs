@@ -19,7 +19,7 @@ pub(crate) enum Gesture {
     /// Nothing that concerns the session.
     #[default]
     Idle,
-    /// It has taken hold of a vertex, alone or with its region, and has not moved yet.
+    /// It has grabbed a vertex, alone or with its region, and has not moved yet.
     Ready { vertex: u32, axis: Option<Axis>, from_px: DVec2 },
     /// It drags what is selected.
     Dragging { drag: Drag, axis: Option<Axis>, to_px: DVec2, pace: Pace },

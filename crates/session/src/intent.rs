@@ -65,7 +65,7 @@ pub enum Intent {
     PointAt(Option<u32>),
     /// The pointer is pressed: what lies under it may be dragged.
     Press(DVec2, Pointer),
-    /// The pressed pointer goes to a place, and what it has taken follows.
+    /// The pressed pointer goes to a place, and what it has grabbed follows.
     Drag(DVec2, Pace),
     /// What is dragged follows along one axis only; the same axis again frees it.
     Along(Axis),

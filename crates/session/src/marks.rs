@@ -45,7 +45,7 @@ fn show_plane(stage: &mut Stage, mirror_plane: MirrorPlane) {
 /// Makes the stage follow one tick of an edit: three numbers, unless details turn.
 pub(crate) fn show_offset(stage: &mut Stage, face: Option<&OpenFace>) {
     let following = face.filter(|face| !face.turns_details());
-    stage.set_offsets_m(following.map(OpenFace::follow_offsets_m).unwrap_or_default());
+    stage.set_offsets_m(following.map(OpenFace::influence_offsets_m).unwrap_or_default());
     let glow = if face.is_some_and(OpenFace::is_moving) { GLOW } else { 0.0 };
     if stage.render_settings().glow != glow {
         stage.render_settings_mut().glow = glow;

@@ -12,7 +12,7 @@ use crate::choices::Choices;
 use crate::error::SessionError;
 use crate::rows::{Row, Rows};
 use crate::selection::Moving;
-use crate::slider_influence::{self, SliderFollow};
+use crate::slider_influence::{self, SliderInfluence};
 
 pub(crate) const M_PER_MM: f64 = 1.0 / 1000.0;
 pub(crate) const MM_PER_M: f64 = 1000.0;
@@ -36,7 +36,7 @@ pub struct OpenFace {
     seed: u64,
     moving: Moving,
     /// Of the slider that was moved last.
-    slider_influence: SliderFollow,
+    slider_influence: SliderInfluence,
     /// What each handle does for an amount of 1, while a slider moves.
     ways: Vec<DVec3>,
     /// Room for one offset for each handle.
@@ -56,7 +56,7 @@ impl OpenFace {
             pins: Vec::new(),
             seed: 0,
             moving: Moving::Nothing,
-            slider_influence: SliderFollow::default(),
+            slider_influence: SliderInfluence::default(),
             ways: Vec::new(),
             offsets_m: Vec::new(),
             rows,
@@ -129,18 +129,18 @@ impl OpenFace {
         self.document.spec().is_some_and(|spec| spec.settings.details == Details::AsRigidAsPossible)
     }
 
-    /// How every vertex shown follows the edit in progress, for [`Self::follow_offsets_m`].
-    pub fn follow_fields(&self) -> [Option<&[f64]>; 2] {
-        let fields = match (self.slider(), self.document.follow()) {
+    /// How every vertex shown follows the edit in progress, for [`Self::influence_offsets_m`].
+    pub fn influence_fields(&self) -> [Option<&[f64]>; 2] {
+        let fields = match (self.slider(), self.document.influence()) {
             (Some(_), _) => [&self.slider_influence.a, &self.slider_influence.b],
-            (None, Some(follow)) => [&follow.direct, &follow.mirrored],
+            (None, Some(influence)) => [&influence.direct, &influence.mirrored],
             (None, None) => return [None, None],
         };
         fields.map(|field| (!field.is_empty()).then_some(field.as_slice()))
     }
 
-    /// The offsets that [`Self::follow_fields`] are for, in metres.
-    pub fn follow_offsets_m(&self) -> [DVec3; 2] {
+    /// The offsets that [`Self::influence_fields`] are for, in metres.
+    pub fn influence_offsets_m(&self) -> [DVec3; 2] {
         match self.moving {
             Moving::Nothing => [DVec3::ZERO; 2],
             Moving::Selection { offset_mm } => slider_influence::offsets(offset_mm * M_PER_MM),
@@ -203,8 +203,8 @@ impl OpenFace {
     pub(crate) fn take_slider(&mut self, slider: FaceSlider, choices: &Choices) -> Result<(), SessionError> {
         self.commit(choices);
         let taken = self.document.hold(slider.spec());
-        let follow = taken.and_then(|()| SliderFollow::of(&mut self.document, slider));
-        self.slider_influence = follow.inspect_err(|_| self.hold(choices))?;
+        let influence = taken.and_then(|()| SliderInfluence::of(&mut self.document, slider));
+        self.slider_influence = influence.inspect_err(|_| self.hold(choices))?;
         self.ways = slider.offsets_m(1.0);
         self.refusal = None;
         self.moving = Moving::Slider { slider, by_mm: 0.0 };

@@ -88,8 +88,8 @@ impl Session {
         self.under
     }
 
-    /// Whether the pressed pointer has taken hold of something; if not, it turns the face.
-    pub fn has_taken(&self) -> bool {
+    /// Whether the pressed pointer has grabbed something; if not, it turns the face.
+    pub fn has_grabbed(&self) -> bool {
         self.gesture != Gesture::Idle
     }
 

@@ -4,12 +4,12 @@ use rosto_studio::{Document, FaceSlider, StudioError};
 /// How the shown mesh follows a ready-made slider: vertex v moves by `a_v Δ_a + b_v Δ_b`, where Δ_a and Δ_b are those of
 /// [`slider_offsets`]; each tick sends no more than these two to the GPU.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct SliderFollow {
+pub(crate) struct SliderInfluence {
     pub a: Vec<f64>,
     pub b: Vec<f64>,
 }
 
-impl SliderFollow {
+impl SliderInfluence {
     /// Asks the document, which holds the slider's spec. An edit in progress is cancelled.
     pub fn of(document: &mut Document, slider: FaceSlider) -> Result<Self, StudioError> {
         document.preview(&slider.offsets_m(1.0))?;
@@ -50,11 +50,11 @@ mod tests {
             document.set_density(density).unwrap();
             for slider in FaceSlider::ALL {
                 document.hold(slider.spec()).unwrap();
-                let follow = SliderFollow::of(&mut document, slider).unwrap();
+                let influence = SliderInfluence::of(&mut document, slider).unwrap();
                 document.preview(&slider.offsets_m(0.003)).unwrap();
                 let [to_a, to_b] = slider_offsets(slider, 0.003);
                 for (v, (now, before)) in document.positions().iter().zip(document.committed()).enumerate() {
-                    let predicted = *before + to_a * follow.a[v] + to_b * follow.b[v];
+                    let predicted = *before + to_a * influence.a[v] + to_b * influence.b[v];
                     assert!(now.distance(predicted) < 1e-12, "vertex {v}: {}", slider.id());
                 }
                 document.cancel();

@@ -30,12 +30,10 @@ pub struct State {
 /// What panels show of an open face.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FaceState {
-    /// Vertices, edges and triangles shown.
-    pub counts: [usize; 3],
+    /// Vertices shown.
+    pub vertex_count: usize,
     /// What is selected.
     pub selection: Option<Selection>,
-    /// Number of neighbours of the vertex selected.
-    pub degree: u32,
     /// Whether all that is selected is pinned.
     pub is_pinned: bool,
     /// Whether the other side of the face can follow what is selected.
@@ -95,11 +93,10 @@ impl Session {
 
 impl OpenFace {
     fn state(&self) -> FaceState {
-        let (topology, history) = (self.document().topology(), self.document().history());
+        let history = self.document().history();
         FaceState {
-            counts: [topology.vertex_count(), topology.edges().len(), topology.triangles().len()],
+            vertex_count: self.document().topology().vertex_count(),
             selection: self.selection(),
-            degree: self.degree(),
             is_pinned: self.is_pinned(),
             can_mirror: self.can_mirror(),
             moves_in_plane: self.moves_in_plane(),

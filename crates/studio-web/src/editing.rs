@@ -119,7 +119,7 @@ impl Studio {
         self.act(Intent::Symmetrise(per_cent / 100.0))
     }
 
-    /// The pointer is pressed. True if it has taken hold of something, which `drag` moves; if not, it turns the face.
+    /// The pointer is pressed. True if it has grabbed something, which `drag` moves; if not, it turns the face.
     ///
     /// # Errors
     /// None of its own.
@@ -130,10 +130,10 @@ impl Studio {
         pointer: PointerName,
     ) -> Result<bool, JsValue> {
         self.act(Intent::Press(DVec2::new(x_px, y_px), pointer.into()))?;
-        Ok(self.session.has_taken())
+        Ok(self.session.has_grabbed())
     }
 
-    /// The pressed pointer goes on, and what it has taken hold of follows: in the view plane or along an axis; fine is ten
+    /// The pressed pointer goes on, and what it has grabbed follows: in the view plane or along an axis; fine is ten
     /// times slower.
     ///
     /// # Errors

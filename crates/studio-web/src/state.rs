@@ -15,18 +15,9 @@ use crate::modes::RefusalName;
 pub struct StudioState {
     /// What is chosen of each choice, in their order.
     chosen: Vec<Option<String>>,
-    /// Whether a face is open.
-    #[wasm_bindgen(readonly, js_name = hasFace)]
-    pub has_face: bool,
     /// Number of vertices shown.
     #[wasm_bindgen(readonly, js_name = vertexCount)]
     pub vertex_count: u32,
-    /// Number of edges shown.
-    #[wasm_bindgen(readonly, js_name = edgeCount)]
-    pub edge_count: u32,
-    /// Number of triangles shown.
-    #[wasm_bindgen(readonly, js_name = triangleCount)]
-    pub triangle_count: u32,
     /// How many vertices it can select, from 0.
     #[wasm_bindgen(readonly)]
     pub selectable: u32,
@@ -36,9 +27,6 @@ pub struct StudioState {
     /// The selected region, if any.
     #[wasm_bindgen(readonly, js_name = selectedRegion)]
     pub selected_region: Option<String>,
-    /// Number of neighbours of the selected vertex.
-    #[wasm_bindgen(readonly, js_name = selectedDegree)]
-    pub selected_degree: u32,
     /// Whether what is selected is its own mirror image and the mirror is on, so that it cannot move along x.
     #[wasm_bindgen(readonly, js_name = selectedInPlane)]
     pub selected_in_plane: bool,
@@ -120,24 +108,19 @@ impl StudioState {
     pub(crate) fn of(session: &Session) -> Self {
         let state = session.state();
         let (face, choices, view) = (state.face.as_ref(), &state.choices, &state.view);
-        let count = |which: usize| face.map_or(0, |face| face.counts[which] as u32);
         let is = |what: fn(&FaceState) -> bool| face.is_some_and(what);
         let selection = face.and_then(|face| face.selection);
         let kept_mm = face.map_or(glam::DVec3::ZERO, |face| face.kept_mm);
         let light = &state.light;
         Self {
             chosen: Choice::ALL.map(|choice| session.chosen(choice)).to_vec(),
-            has_face: face.is_some(),
-            vertex_count: count(0),
-            edge_count: count(1),
-            triangle_count: count(2),
+            vertex_count: face.map_or(0, |face| face.vertex_count as u32),
             selectable: state.selectable as u32,
             selected: selection.map(Selection::middle),
             selected_region: match selection {
                 Some(Selection::Region(region)) => Some(region.id().to_owned()),
                 _ => None,
             },
-            selected_degree: face.map_or(0, |face| face.degree),
             selected_in_plane: is(|face| face.moves_in_plane),
             pinned: is(|face| face.is_pinned),
             can_mirror: face.is_none_or(|face| face.can_mirror),

@@ -236,7 +236,7 @@ impl Studio {
     fn show_shape(&mut self) -> Result<()> {
         let Some(face) = self.session.face() else { return Ok(()) };
         self.viewport.set_positions(face.document().committed())?;
-        Ok(self.viewport.set_fields(face.follow_fields())?)
+        Ok(self.viewport.set_fields(face.influence_fields())?)
     }
 
     /// Three numbers of the stage, unless details turn or distortion is painted.

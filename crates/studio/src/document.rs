@@ -34,7 +34,7 @@ pub struct Document {
     replayed: ReplayCache,
     held: Option<PreparedEdit>,
     /// Of what is held.
-    follow: Option<InfluenceWeights>,
+    influence: Option<InfluenceWeights>,
     preview: Preview,
 }
 
@@ -49,7 +49,7 @@ impl Document {
         let unedited = LevelPositions::at_rest(&levels);
         let preview = Preview::none(&unedited);
         let (history, replayed) = (History::default(), ReplayCache::new(unedited));
-        Ok(Self { levels, density: 0, history, replayed, held: None, follow: None, preview })
+        Ok(Self { levels, density: 0, history, replayed, held: None, influence: None, preview })
     }
 
     /// A document with these entries, as a project file holds them; see [`crate::project`]. Each can be taken back.

@@ -18,7 +18,7 @@ const ANSWER_MS = 30_000;
 /** Long enough for the slowest thing that one action waits for. */
 const ACTION_MS = 90_000;
 
-/** PageError that ordinary use must never cause: it says that the page is at odds with itself. */
+/** Errors that ordinary use must never cause: they say that the page is at odds with itself. */
 const OF_THE_PAGE = new Set(["internal", "other", "bad-vertex", "bad-choice", "no-selection"]);
 
 /** Frames that are waited for after an action, and after the last one. */

@@ -14,6 +14,7 @@ const [LANGUAGES, firstWords] = await Promise.all([fetched("languages"), fetched
 const WORDS = new Map([[FIRST, firstWords]]);
 
 let current = firstLanguage();
+let newest = current;
 await learn(current);
 // The others come while nobody waits for them.
 for (const { id } of LANGUAGES) learn(id).catch(() => {});
@@ -58,12 +59,14 @@ export function inEveryLanguage(listener) {
 }
 
 /**
- * Changes the page's language and remembers it.
+ * Changes the page's language and remembers it. Of several that are asked for while words are on their way, the last wins.
  *
  * @param {string} wanted
  */
 export async function speak(wanted) {
-  if (!WORDS.has(wanted)) await learn(wanted);
+  newest = wanted;
+  await learn(wanted);
+  if (newest !== wanted) return;
   current = wanted;
   remember("language", current);
   for (const listener of listeners) listener();

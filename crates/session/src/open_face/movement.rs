@@ -2,7 +2,6 @@ use glam::DVec3;
 use rosto_studio::{Command, ConstraintKind, EditTarget, FaceSlider, Mirror};
 
 use super::{MM_PER_M, OpenFace};
-use crate::Selection;
 use crate::selection::Moving;
 
 /// How far, and how, what is selected has moved and can move.
@@ -45,22 +44,13 @@ impl OpenFace {
     /// Share of its offset that the vertex selected reaches: 1 is all of it. What moves in the mirror's plane is moved by
     /// both its own offset and the mirrored one.
     pub fn reach(&self) -> f64 {
-        match (self.document.spec().map(|spec| spec.settings.constraint), self.selected(), self.document.follow()) {
+        match (self.document.spec().map(|spec| spec.settings.constraint), self.selected(), self.document.influence()) {
             (Some(ConstraintKind::Hard), ..) => 1.0,
-            (Some(_), Some(vertex), Some(follow)) => {
+            (Some(_), Some(vertex), Some(influence)) => {
                 let share = |field: &[f64]| field.get(vertex as usize).copied().unwrap_or(0.0);
-                share(&follow.direct) + if self.moves_in_plane() { share(&follow.mirrored) } else { 0.0 }
+                share(&influence.direct) + if self.moves_in_plane() { share(&influence.mirrored) } else { 0.0 }
             }
             _ => 0.0,
-        }
-    }
-
-    /// Number of neighbours of the vertex selected: of a landmark, in the cage.
-    pub fn degree(&self) -> u32 {
-        match self.selection {
-            Some(Selection::Point { vertex, .. }) => self.document.topology().degree(vertex) as u32,
-            Some(other) => self.triangulation.topology().degree(other.middle()) as u32,
-            None => 0,
         }
     }
 }

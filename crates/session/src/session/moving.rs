@@ -48,7 +48,7 @@ impl Session {
     }
 
     pub(super) fn cancel(&mut self) -> Result {
-        let was_dragging = self.has_taken();
+        let was_dragging = self.has_grabbed();
         let changed = self.finish(OpenFace::cancel)?;
         if was_dragging {
             self.gesture = Gesture::Over;

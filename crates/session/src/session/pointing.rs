@@ -82,7 +82,7 @@ impl Session {
         Ok(self.follow_pointer()?.max(grabbed))
     }
 
-    /// Selects what the pointer has taken hold of, unless it is selected. An edit in progress is kept.
+    /// Selects what the pointer has grabbed, unless it is selected. An edit in progress is kept.
     pub(super) fn grab(&mut self, vertex: u32, axis: Option<Axis>, from_px: DVec2) -> Result {
         let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
         face.commit(&self.choices);

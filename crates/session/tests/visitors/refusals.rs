@@ -33,9 +33,9 @@ fn busy() -> Session {
 /// Why an intent is refused, after making sure that nothing else came of it and that all goes on.
 fn refusal(intent: Intent) -> SessionError {
     let mut session = busy();
-    let before = (seen(&session), session.preferences(), session.under(), session.has_taken());
+    let before = (seen(&session), session.preferences(), session.under(), session.has_grabbed());
     let refusal = session.apply(intent).unwrap_err();
-    assert!((seen(&session), session.preferences(), session.under(), session.has_taken()) == before, "{refusal}");
+    assert!((seen(&session), session.preferences(), session.under(), session.has_grabbed()) == before, "{refusal}");
     hold(&session).unwrap();
     session.apply(Intent::Commit).unwrap();
     assert_eq!(session.state().face.unwrap().entry_count, 2);

@@ -41,8 +41,8 @@ impl Document {
     pub fn hold(&mut self, spec: EditSpec) -> Result<(), StudioError> {
         if self.held.as_ref().is_none_or(|held| *held.spec() != spec) {
             let mut held = self.made_ready(spec)?;
-            let follow = self.followed(&mut held)?;
-            (self.held, self.follow) = (Some(held), Some(follow));
+            let influence = self.influence_of(&mut held)?;
+            (self.held, self.influence) = (Some(held), Some(influence));
         }
         self.cancel();
         Ok(())
@@ -52,7 +52,7 @@ impl Document {
     pub fn release(&mut self) {
         self.cancel();
         self.held = None;
-        self.follow = None;
+        self.influence = None;
     }
 
     /// The spec that is held.
@@ -77,8 +77,8 @@ impl Document {
 
     /// How every vertex shown follows the spec's handles when they move by one offset and details keep their direction.
     /// Where details turn, the first guess that they start from.
-    pub fn follow(&self) -> Option<&InfluenceWeights> {
-        self.follow.as_ref()
+    pub fn influence(&self) -> Option<&InfluenceWeights> {
+        self.influence.as_ref()
     }
 
     /// Moves what is held by one offset for each of the spec's handles, counted from the last commit, in the document's
@@ -96,8 +96,8 @@ impl Document {
         held.check(offsets)?;
         // Should details find no rest, nothing half moved stays.
         preview.under_way = false;
-        if let Some(follow) = carried(&self.follow, held, offsets, self.density) {
-            follow.displace(from.densest(), offsets[0], &mut preview.positions);
+        if let Some(influence) = carried(&self.influence, held, offsets, self.density) {
+            influence.displace(from.densest(), offsets[0], &mut preview.positions);
         } else {
             preview.shape.displace(&self.levels, from, held, offsets, &mut preview.room)?;
             preview.positions.copy_from_slice(preview.shape.densest());
@@ -113,7 +113,7 @@ impl Document {
     pub fn commit(&mut self, label: &str) {
         if let (true, Some(held)) = (self.preview.under_way, &mut self.held) {
             let (from, preview) = (self.replayed.last(), &mut self.preview);
-            if carried(&self.follow, held, &preview.offsets, self.density).is_some() {
+            if carried(&self.influence, held, &preview.offsets, self.density).is_some() {
                 let moved = preview.shape.displace(&self.levels, from, held, &preview.offsets, &mut preview.room);
                 moved.expect("invariant: the preview has checked these offsets");
             }
@@ -143,7 +143,7 @@ impl Document {
     }
 
     /// What [`Self::follow`] says of a spec.
-    fn followed(&mut self, held: &mut PreparedEdit) -> Result<InfluenceWeights, StudioError> {
+    fn influence_of(&mut self, held: &mut PreparedEdit) -> Result<InfluenceWeights, StudioError> {
         let from = self.replayed.last();
         let mut kept = None;
         if held.spec().settings.details == Details::AsRigidAsPossible {
@@ -183,12 +183,12 @@ pub(super) fn made_ready(
 /// The short way from a spec to a denser mesh that is shown: what each tick would else carry over, level by level. Equal
 /// to it but for rounding, so that a commit takes the long way, as a replay does.
 fn carried<'a>(
-    follow: &'a Option<InfluenceWeights>,
+    influence: &'a Option<InfluenceWeights>,
     held: &PreparedEdit,
     offsets: &[DVec3],
     density: u32,
 ) -> Option<&'a InfluenceWeights> {
     let as_one = offsets.iter().all(|offset| *offset == offsets[0]);
     let EditSpec { level, settings, .. } = held.spec();
-    follow.as_ref().filter(|_| as_one && *level < density && settings.details == Details::Kept)
+    influence.as_ref().filter(|_| as_one && *level < density && settings.details == Details::Kept)
 }

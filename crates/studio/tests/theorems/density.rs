@@ -120,19 +120,19 @@ fn handles_that_move_as_one_tell_how_the_mesh_follows_them() {
         let offset = DVec3::new(0.004, -0.003, 0.007);
         let offsets = vec![offset; handles.len()];
         document.hold(EditSpec { handles, settings, ..EditSpec::default() }).unwrap();
-        let follow = document.follow().unwrap().clone();
+        let influence = document.influence().unwrap().clone();
         document.preview(&offsets).unwrap();
         for (vertex, (now, before)) in document.positions().iter().zip(document.committed()).enumerate() {
-            let mirrored = follow.mirrored.get(vertex).copied().unwrap_or(0.0);
-            let predicted = *before + offset * follow.direct[vertex] + offset * MIRROR * mirrored;
+            let mirrored = influence.mirrored.get(vertex).copied().unwrap_or(0.0);
+            let predicted = *before + offset * influence.direct[vertex] + offset * MIRROR * mirrored;
             assert!(now.distance(predicted) < 1e-12, "vertex {vertex} at density {density}, {mirror:?}");
         }
     }
     document.hold(EditSpec { handles: vec![61], ..EditSpec::default() }).unwrap();
-    let kept = document.follow().cloned();
+    let kept = document.influence().cloned();
     let turned = Settings { details: Details::AsRigidAsPossible, ..Settings::default() };
     document.hold(EditSpec { handles: vec![61], settings: turned, ..EditSpec::default() }).unwrap();
-    assert_eq!(document.follow(), kept.as_ref());
+    assert_eq!(document.influence(), kept.as_ref());
 }
 
 fn detail(level: u32, handle: u32, mirror: Mirror) -> Command {

@@ -40,6 +40,10 @@ const WASM_TEST_LIMIT_S: &str = "600";
 /// The page's module with the feature `webgl`. Whatever cargo builds together with it gets the feature, too: it is left
 /// out wherever many packages are built.
 const WEBGL_MODULE: &str = "rosto-studio-webgl";
+/// The worker's module.
+const WORKER_MODULE: &str = "rosto-vision-web";
+/// What has the feature `webgl` of its own.
+const VIEW: &str = "rosto-viewport";
 
 impl Step {
     /// Whether the command line means this step: by its name, or by the part before the colon.
@@ -77,8 +81,7 @@ pub fn all() -> Result<Vec<Step>> {
         rustdoc(browsers),
     ];
     steps.extend(native_tests());
-    steps.extend(tested_on_wasm.into_iter().map(|package| wasm_tests(&package, &[])));
-    steps.push(wasm_tests("rosto-viewport", &["webgl"]));
+    steps.extend(wasm_tests(tested_on_wasm));
     steps.extend(page());
     Ok(steps)
 }
@@ -135,18 +138,26 @@ fn over_the_workspace(command: &[&str]) -> Run {
     cargo().args(command.iter().copied()).args(all)
 }
 
-fn wasm_tests(package: &str, features: &'static [&str]) -> Step {
-    let folder = package.trim_start_matches("rosto-").to_owned();
-    let name = [&[folder.as_str()], features].concat().join("-");
-    Step::new(format!("wasm:{name}"), "in headless Chrome", move |kit| {
+/// The tests of each of the page's modules together with the module's own features, and in its profile: so that they and
+/// the page are built of the same.
+fn wasm_tests(tested: Vec<String>) -> Vec<Step> {
+    let (worker, page) = tested.into_iter().partition(|name| name == WORKER_MODULE);
+    vec![
+        wasm_tests_of("page", page, None),
+        wasm_tests_of("webgl", vec![WEBGL_MODULE.to_owned(), VIEW.to_owned()], Some("rosto-viewport/webgl")),
+        wasm_tests_of("worker", worker, None),
+    ]
+}
+
+fn wasm_tests_of(module: &'static str, packages: Vec<String>, feature: Option<&'static str>) -> Step {
+    Step::new(format!("wasm:{module}"), "in headless Chrome", move |kit| {
         let test = quiet(kit.run("wasm-pack")?).args(["test", "--headless", "--chrome"]);
         let driver = kit.browser().and_then(|browser: &Browser| browser.driver.clone());
         let test = driver.iter().fold(test, |test, driver| test.arg("--chromedriver").arg(driver));
-        let test = test.arg(workspace::root().join("crates").join(&folder));
-        // As the page is built, so that both share what they are built of.
-        let test = test.args(["--locked", "--profile", "web"]);
-        let test = features.iter().fold(test, |test, feature| test.args(["--features", feature]));
-        tests(&format!("wasm-{name}"), test.env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TEST_LIMIT_S))
+        let test = test.arg(workspace::root().join("crates/viewport"));
+        let test = test.args(["--locked", "--profile", "web"]).args(only(&packages));
+        let test = feature.iter().fold(test, |test, feature| test.args(["--features", feature]));
+        tests(&format!("wasm-{module}"), test.env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TEST_LIMIT_S))
     })
 }
 

@@ -25,7 +25,7 @@ fn what_is_dragged_is_under_the_pointer_and_is_one_entry() {
         assert_eq!(act(&mut session, Intent::Hover(Some(from))), Changed::View);
         assert!(session.under().is_movable && session.under().vertex == Some(vertex), "{:?}", session.under());
         act(&mut session, Intent::Press(from, Pointer::Fine));
-        assert!(session.has_taken() && !session.is_dragging());
+        assert!(session.has_grabbed() && !session.is_dragging());
         assert_ne!(face(&session).selected(), Some(vertex), "a press alone selects nothing");
         assert_eq!(drag(&mut session, from + BY_PX * 0.5), Changed::Document);
         assert_eq!(drag(&mut session, from + BY_PX), Changed::Tick);
@@ -35,7 +35,7 @@ fn what_is_dragged_is_under_the_pointer_and_is_one_entry() {
         assert!(now.distance(from + BY_PX) < 1e-6, "{vertex} is at {now}");
         assert_eq!(shape(&session), before, "nothing is kept before the pointer is let go");
         assert_eq!(act(&mut session, Intent::Release), Changed::Document);
-        assert!(!session.has_taken() && !session.tick().is_editing);
+        assert!(!session.has_grabbed() && !session.tick().is_editing);
         assert_eq!(state(&session).entry_count, count);
         assert!(place_px(&session, vertex).distance(from + BY_PX) < 1e-6);
         assert_eq!(drag(&mut session, from), Changed::Nothing);
@@ -56,11 +56,11 @@ fn what_is_put_back_in_a_drag_stays_for_the_rest_of_the_press() {
     assert_ne!(positions(&session), before);
     assert_eq!(act(&mut session, Intent::Cancel), Changed::Document);
     assert_eq!(positions(&session), before);
-    assert!(session.has_taken() && !session.is_dragging(), "nor does the rest of the press turn the face");
+    assert!(session.has_grabbed() && !session.is_dragging(), "nor does the rest of the press turn the face");
     assert_eq!(drag(&mut session, from + 2.0 * BY_PX), Changed::Nothing);
     assert_eq!(act(&mut session, Intent::Release), Changed::Nothing);
     assert_eq!((positions(&session), state(&session).entry_count), (before, 0));
-    assert!(!session.has_taken());
+    assert!(!session.has_grabbed());
     act(&mut session, Intent::Press(from, Pointer::Fine));
     drag(&mut session, from + BY_PX);
     act(&mut session, Intent::Release);
@@ -73,10 +73,10 @@ fn a_finger_only_takes_what_is_selected() {
     let (before, from) = (positions(&session), place_px(&session, MOUTH_CORNER));
     let touch = |session: &mut Session, from: DVec2| {
         act(session, Intent::Press(from, Pointer::Coarse));
-        let has_taken = session.has_taken();
+        let has_grabbed = session.has_grabbed();
         drag(session, from + BY_PX);
         act(session, Intent::Release);
-        has_taken
+        has_grabbed
     };
     assert!(!touch(&mut session, from));
     let far = place_px(&session, 334);

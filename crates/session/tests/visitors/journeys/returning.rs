@@ -75,7 +75,7 @@ fn an_open_face_keeps_its_mesh_and_takes_all_other_preferences() {
     assert_eq!((now.view.triangulation, now.view.density), (Triangulation::Canonical, 0));
     let now = now.face.unwrap();
     assert!(matches!(now.selection, Some(Selection::Region(_))), "what is selected follows the mode");
-    assert_eq!((now.counts[0], now.entry_count), (468, 1), "the edit in progress is kept");
+    assert_eq!((now.vertex_count, now.entry_count), (468, 1), "the edit in progress is kept");
     hold_deeply(&other).unwrap();
 }
 

@@ -71,15 +71,15 @@ fn the_selection_is_held_again_after_a_slider() {
     let mut session = session();
     select(&mut session, Selection::Landmark(61));
     let document = face(&session).document();
-    let (spec, follow) = (document.spec().cloned(), document.follow().cloned().unwrap());
+    let (spec, influence) = (document.spec().cloned(), document.influence().cloned().unwrap());
     act(&mut session, Intent::Preview(DVec3::Y));
     slide(&mut session, FaceSlider::EyeSize, 1.0);
     let targets: Vec<EditTarget> = face(&session).rows().iter().map(|row| row.target).collect();
     assert_eq!(targets, [EditTarget::Landmark(61), EditTarget::Slider(FaceSlider::EyeSize)]);
     assert!(spec.is_some());
     assert_eq!(face(&session).document().spec().cloned(), spec);
-    let fields = face(&session).follow_fields()[0].unwrap();
-    assert_eq!(fields.len(), follow.direct.len());
-    assert!(fields.iter().zip(follow.direct).all(|(now, before)| (now - before).abs() < 1e-12));
+    let fields = face(&session).influence_fields()[0].unwrap();
+    assert_eq!(fields.len(), influence.direct.len());
+    assert!(fields.iter().zip(influence.direct).all(|(now, before)| (now - before).abs() < 1e-12));
     assert_eq!(state(&session).kept_mm.y, 1.0);
 }
