@@ -36,11 +36,16 @@ class Browsers {
   }
 }
 
+/** What is timed is timed as visitors have it. @param {Needs} needs */
+function sees(needs) {
+  return isTimed || !UNSEEN.has(needs);
+}
+
 /** @param {Needs} needs */
 async function launchFor(needs) {
   if (needs === "no-gpu") return launch({ gpu: "none" });
   if (needs === "webgl") return launch({ gpu: "webgl" });
-  const seen = !UNSEEN.has(needs);
+  const seen = sees(needs);
   return needs === "camera" ? launch({ film: await portraitFilm(), seen }) : launch({ seen });
 }
 
@@ -77,7 +82,7 @@ async function walkOne({ name, needs, walk }, browsers) {
   try {
     await within(LIMIT_MS, walk(async ({ url = server.url, ...options } = {}) => {
       const visitor = await Visitor.arrive(await browsers.for(needs), url, options);
-      visitor.sees = !UNSEEN.has(needs);
+      visitor.sees = sees(needs);
       visitors.push(visitor);
       return visitor;
     }));
