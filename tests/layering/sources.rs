@@ -20,7 +20,11 @@ impl fmt::Display for Source {
 
 /// Every line of a package, its shaders among them.
 pub fn of(package: &str) -> Vec<Source> {
-    let folder = package.strip_prefix("rosto-").unwrap_or(package);
+    let folder = match package {
+        // The same sources twice, see its manifest.
+        "rosto-studio-webgl" => "studio-web",
+        _ => package.strip_prefix("rosto-").unwrap_or(package),
+    };
     let crate_folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(folder);
     let mut files = files_below(&crate_folder.join("src"), "rs");
     assert!(!files.is_empty(), "{package} has no sources in {}", crate_folder.display());

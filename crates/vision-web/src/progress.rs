@@ -42,6 +42,9 @@ fn stage_and_fraction(step: Step) -> (&'static str, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+
+    wasm_bindgen_test_configure!(run_in_browser);
 
     /// As the page draws it: three stages of the same length.
     fn bar(step: Step) -> f64 {
@@ -50,7 +53,7 @@ mod tests {
         (index.expect("a stage the page knows") as f64 + fraction) / 3.0
     }
 
-    #[test]
+    #[wasm_bindgen_test]
     fn the_bar_never_jumps_by_more_than_a_third_nor_falls_back() {
         for of in 0..5 {
             let meshing = (0..of).map(|face| Step::Finding(Stage::Meshing { face, of }));

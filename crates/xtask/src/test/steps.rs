@@ -37,8 +37,9 @@ const STEP_LIMIT: Duration = Duration::from_secs(3600);
 /// Set for rustdoc and clippy alike: a warning is an error.
 const DENY: [&str; 2] = ["-D", "warnings"];
 const WASM_TEST_LIMIT_S: &str = "600";
-/// The page's module with the feature `webgl`. Whatever cargo builds together with it gets the feature, too: it is left
-/// out wherever many packages are built.
+/// The façades, by a pattern of cargo's. On this machine's target they would be built for nobody.
+const FACADES: &str = "rosto-*-web*";
+/// The page's module with the feature `webgl`. Whatever cargo builds together with it gets the feature, too.
 const WEBGL_MODULE: &str = "rosto-studio-webgl";
 /// The worker's module.
 const WORKER_MODULE: &str = "rosto-vision-web";
@@ -69,16 +70,13 @@ impl Report {
 
 /// All steps in their order.
 pub fn all() -> Result<Vec<Step>> {
-    let web = crates_where(|name, _| name.ends_with("-web"))?;
-    let browsers = union(&web, &[WEBGL_MODULE.to_owned()]);
-    let tested_on_wasm = crates_where(|_, manifest| manifest.contains("wasm-bindgen-test"))?;
+    let tested_on_wasm = tested_on_wasm()?;
     let mut steps = vec![
         Step::new("format", "rustfmt", |_| check("format", cargo().args(["fmt", "--all", "--check"]))),
-        native_lint(browsers.clone()),
+        native_lint(),
         scripts_lint(),
-        wasm_lint("lint-wasm", "clippy on wasm32, for what runs in the browser", union(&web, &tested_on_wasm)),
-        wasm_lint("lint-webgl", "the same, for browsers without WebGPU", vec![WEBGL_MODULE.to_owned()]),
-        rustdoc(browsers),
+        wasm_lint(tested_on_wasm.clone()),
+        rustdoc(),
     ];
     steps.extend(native_tests());
     steps.extend(wasm_tests(tested_on_wasm));
@@ -86,11 +84,9 @@ pub fn all() -> Result<Vec<Step>> {
     Ok(steps)
 }
 
-fn native_lint(browsers: Vec<String>) -> Step {
-    Step::new("lint", "clippy on this machine's target", move |_| {
-        let clippy = cargo()
-            .args(["clippy", "--workspace", "--all-targets", "--locked", "--keep-going"])
-            .args(excluding(&browsers));
+fn native_lint() -> Step {
+    Step::new("lint", "clippy on this machine's target", |_| {
+        let clippy = over_the_workspace(&["clippy"]).args(["--all-targets", "--keep-going"]);
         check("lint", clippy.arg("--").args(DENY))
     })
 }
@@ -101,18 +97,18 @@ fn scripts_lint() -> Step {
     })
 }
 
-fn wasm_lint(name: &'static str, what: &'static str, crates: Vec<String>) -> Step {
-    Step::new(name, what, move |kit| {
+/// The module for WebGL2 is left out: it is made of the same sources.
+fn wasm_lint(crates: Vec<String>) -> Step {
+    Step::new("lint-wasm", "clippy on wasm32, for what runs in the browser", move |kit| {
         let clippy =
             quiet(kit.run("cargo")?).args(["clippy", "--all-targets", "--locked", "--keep-going", "--target", WASM]);
-        check(name, clippy.args(only(&crates)).arg("--").args(DENY))
+        check("lint-wasm", clippy.args(only(&crates)).arg("--").args(DENY))
     })
 }
 
-fn rustdoc(browsers: Vec<String>) -> Step {
-    Step::new("docs", "rustdoc without warnings", move |_| {
-        let doc =
-            cargo().args(["doc", "--workspace", "--no-deps", "--locked", "--keep-going"]).args(excluding(&browsers));
+fn rustdoc() -> Step {
+    Step::new("docs", "rustdoc without warnings", |_| {
+        let doc = over_the_workspace(&["doc"]).args(["--no-deps", "--keep-going"]);
         check("docs", doc.env("RUSTDOCFLAGS", DENY.join(" ")))
     })
 }
@@ -120,22 +116,21 @@ fn rustdoc(browsers: Vec<String>) -> Step {
 fn native_tests() -> Vec<Step> {
     let native = |program: &'static [&'static str]| {
         Step::new("native", "theorems, golden numbers, shaders, layering", move |_| {
-            tests("native", over_the_workspace(program))
+            tests("native", over_the_workspace(program).arg("--no-fail-fast"))
         })
     };
     if find_program("cargo-nextest").is_none() {
         return vec![native(&["test"])];
     }
     let examples = Step::new("examples", "the examples in the documentation", |_| {
-        examples("examples", over_the_workspace(&["test", "--doc"]))
+        examples("examples", over_the_workspace(&["test", "--doc"]).arg("--no-fail-fast"))
     });
     vec![native(&["nextest", "run"]), examples]
 }
 
-/// A command of cargo's that tests what can be tested on this machine's target.
+/// A command of cargo's for all that runs on this machine's target.
 fn over_the_workspace(command: &[&str]) -> Run {
-    let all = ["--workspace", "--exclude", WEBGL_MODULE, "--no-fail-fast", "--locked"];
-    cargo().args(command.iter().copied()).args(all)
+    cargo().args(command.iter().copied()).args(["--workspace", "--exclude", FACADES, "--locked"])
 }
 
 /// The tests of each of the page's modules together with the module's own features, and in its profile: so that they and
@@ -230,30 +225,18 @@ fn quiet(run: Run) -> Run {
     run.env("CARGO_TERM_COLOR", "never").env("NO_COLOR", "1")
 }
 
-fn excluding(packages: &[String]) -> Vec<String> {
-    packages.iter().flat_map(|package| ["--exclude".to_owned(), package.clone()]).collect()
-}
-
 fn only(packages: &[String]) -> Vec<String> {
     packages.iter().flat_map(|package| ["--package".to_owned(), package.clone()]).collect()
 }
 
-fn union(one: &[String], other: &[String]) -> Vec<String> {
-    let mut all: Vec<String> = one.iter().chain(other).cloned().collect();
-    all.sort();
-    all.dedup();
-    all
-}
-
-/// Names of the workspace's packages whose name and manifest satisfy `wanted`, sorted.
-fn crates_where(wanted: impl Fn(&str, &str) -> bool) -> Result<Vec<String>> {
+/// Names of the workspace's packages that have tests for the browser, sorted.
+fn tested_on_wasm() -> Result<Vec<String>> {
     let folder = workspace::root().join("crates");
     let mut found = Vec::new();
     for entry in std::fs::read_dir(&folder).doing("listing the crates")?.flatten() {
         let Ok(manifest) = std::fs::read_to_string(entry.path().join("Cargo.toml")) else { continue };
-        let name = format!("rosto-{}", entry.file_name().to_string_lossy());
-        if wanted(&name, &manifest) {
-            found.push(name);
+        if manifest.contains("wasm-bindgen-test") {
+            found.push(format!("rosto-{}", entry.file_name().to_string_lossy()));
         }
     }
     found.sort();
