@@ -150,13 +150,22 @@ function untilEdits(driver, count) {
   return until(driver, `document.querySelectorAll("#history li").length === ${count}`, `${count} edits in the history`);
 }
 
-/** @param {Driver} driver @param {string} condition @param {string} what */
+/**
+ * Asks until it is so. While a page goes and the next comes, a driver may find nobody to ask: it is asked again.
+ *
+ * @param {Driver} driver @param {string} condition @param {string} what
+ */
 async function until(driver, condition, what) {
+  let unanswered;
   for (const limit = performance.now() + WAIT_MS; performance.now() < limit; await pause()) {
-    if (await driver.evaluate(`return Boolean(${condition})`)) return;
+    try {
+      if (await driver.evaluate(`return Boolean(${condition})`)) return;
+    } catch (error) {
+      unanswered = error;
+    }
   }
   const notice = await driver.evaluate(`const notice = document.querySelector("#notice"); return notice.hidden ? "" : notice.innerText`);
-  throw new Error(`${what} did not come within ${WAIT_MS / 1000} s. ${notice} ${(await driver.errors()).join("\n")}`);
+  throw new Error(`${what} did not come within ${WAIT_MS / 1000} s. ${notice} ${(await driver.errors()).join("\n")}`, { cause: unanswered });
 }
 
 /** @param {Driver} driver @param {string} file */
