@@ -16,9 +16,6 @@ export const AUDIENCES = Object.entries(SIZES).flatMap(([device, viewport]) =>
   })),
 );
 
-/** Each size and each colour scheme once: what the schemes differ in is the same colours at every size. */
-export const FEWEST = AUDIENCES.filter(({ name }) => ["desktop, dark", "phone, light"].includes(name));
-
 const SECTIONS = ["photo", "landmark", "face", "view", "history", "export", "paper"];
 
 /**

@@ -38,7 +38,7 @@ journey("an edit is kept however long before the reload it was made", async (ope
   await visitor.dropSample();
   await visitor.findLandmark("nose tip");
   // Around the pause after which the database is told, it has been asked and has not answered.
-  for (const [place, wait_ms] of [185, 205, 220].entries()) {
+  for (const [place, wait_ms] of [185, 200, 205, 210, 220, 240].entries()) {
     await visitor.findLandmark("nose tip");
     await typeAndGo(page, place + 2, "reload", wait_ms);
     await page.click("#continue");

@@ -44,6 +44,29 @@ journey("a notice never shows what the modules say in English", async (open) => 
   ]);
 });
 
+journey("of two languages chosen while the words of one are on their way, the last is spoken", async (open) => {
+  let deliver = () => {};
+  const held = new Promise((resolve) => (deliver = () => resolve(undefined)));
+  const visitor = await open({
+    before: (context) =>
+      context.route("**/words/pt.json", async (route) => {
+        await held;
+        await route.continue();
+      }),
+  });
+  const { page } = visitor;
+  await page.waitForSelector("#language option", { state: "attached" });
+  await page.selectOption("#language", "pt");
+  await page.selectOption("#language", "en");
+  const arrived = page.waitForResponse("**/words/pt.json");
+  deliver();
+  await (await arrived).finished();
+  await visitor.frames(10);
+  assert.equal(await page.getAttribute("html", "lang"), "en");
+  await page.selectOption("#language", "pt");
+  await page.waitForSelector("html[lang='pt-BR']", { state: "attached" });
+});
+
 journey("a browser that keeps nothing is promised nothing", async (open) => {
   const visitor = await open();
   const hints = await visitor.page.evaluate(async () => {

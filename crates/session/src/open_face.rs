@@ -39,7 +39,7 @@ pub struct OpenFace {
     slider_influence: SliderInfluence,
     /// What each handle does for an amount of 1, while a slider moves.
     ways: Vec<DVec3>,
-    /// Room for one offset for each handle.
+    /// Scratch: one offset for each handle.
     offsets_m: Vec<DVec3>,
     rows: Rows,
 }

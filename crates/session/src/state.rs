@@ -66,7 +66,7 @@ pub struct Tick {
     /// Where each ready-made slider stands, in mm.
     pub sliders_mm: [f64; FaceSlider::ALL.len()],
     /// Share of its offset that the vertex selected reaches: 1 is all of it.
-    pub reach: f64,
+    pub share_reached: f64,
 }
 
 impl Session {
@@ -119,7 +119,7 @@ impl OpenFace {
             is_editing: self.is_moving(),
             offset_mm,
             sliders_mm: FaceSlider::ALL.map(|slider| self.slider_mm(slider)),
-            reach: self.reach(),
+            share_reached: self.share_reached(),
         }
     }
 }

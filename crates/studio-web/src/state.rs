@@ -178,8 +178,8 @@ pub struct StudioTick {
     #[wasm_bindgen(readonly, js_name = slidersMm)]
     pub sliders_mm: Vec<f64>,
     /// Share of its offset that what is selected reaches: 1 is all of it.
-    #[wasm_bindgen(readonly)]
-    pub reach: f64,
+    #[wasm_bindgen(readonly, js_name = shareReached)]
+    pub share_reached: f64,
 }
 
 impl StudioTick {
@@ -190,7 +190,7 @@ impl StudioTick {
             offset_y_mm: tick.offset_mm.y,
             offset_z_mm: tick.offset_mm.z,
             sliders_mm: tick.sliders_mm.to_vec(),
-            reach: tick.reach,
+            share_reached: tick.share_reached,
         }
     }
 }

@@ -142,7 +142,7 @@ async fn an_edit_changes_the_picture_is_one_entry_and_can_be_undone() {
     for tick in 1..=20 {
         assert_eq!(studio.preview(0.0, 0.0, f64::from(tick)).unwrap(), ChangeName::Tick);
     }
-    assert!(studio.tick().editing && studio.tick().reach > 0.1);
+    assert!(studio.tick().editing && studio.tick().share_reached > 0.1);
     assert_eq!(studio.commit().unwrap(), ChangeName::Document);
     let (state, entries) = (studio.state(), entries(&studio));
     assert_eq!((state.entry_count, entries.len()), (1, 1));

@@ -43,7 +43,7 @@ impl OpenFace {
 
     /// Share of its offset that the vertex selected reaches: 1 is all of it. What moves in the mirror's plane is moved by
     /// both its own offset and the mirrored one.
-    pub fn reach(&self) -> f64 {
+    pub fn share_reached(&self) -> f64 {
         match (self.document.spec().map(|spec| spec.settings.constraint), self.selected(), self.document.influence()) {
             (Some(ConstraintKind::Hard), ..) => 1.0,
             (Some(_), Some(vertex), Some(influence)) => {

@@ -15,14 +15,14 @@ pub(super) struct Preview {
     /// Of the mesh that is shown.
     positions: Vec<DVec3>,
     shape: LevelPositions,
-    room: Scratch,
+    scratch: Scratch,
     under_way: bool,
 }
 
 impl Preview {
     pub(super) fn none(unedited: &LevelPositions) -> Self {
         let (shape, positions) = (unedited.clone(), unedited.densest().to_vec());
-        Self { offsets: Vec::new(), positions, shape, room: Scratch::default(), under_way: false }
+        Self { offsets: Vec::new(), positions, shape, scratch: Scratch::default(), under_way: false }
     }
 
     /// Those of the mesh that is shown, while vertices are being moved.
@@ -99,7 +99,7 @@ impl Document {
         if let Some(influence) = carried(&self.influence, held, offsets, self.density) {
             influence.displace(from.densest(), offsets[0], &mut preview.positions);
         } else {
-            preview.shape.displace(&self.levels, from, held, offsets, &mut preview.room)?;
+            preview.shape.displace(&self.levels, from, held, offsets, &mut preview.scratch)?;
             preview.positions.copy_from_slice(preview.shape.densest());
         }
         self.preview.offsets.clear();
@@ -114,7 +114,7 @@ impl Document {
         if let (true, Some(held)) = (self.preview.under_way, &mut self.held) {
             let (from, preview) = (self.replayed.last(), &mut self.preview);
             if carried(&self.influence, held, &preview.offsets, self.density).is_some() {
-                let moved = preview.shape.displace(&self.levels, from, held, &preview.offsets, &mut preview.room);
+                let moved = preview.shape.displace(&self.levels, from, held, &preview.offsets, &mut preview.scratch);
                 moved.expect("invariant: the preview has checked these offsets");
             }
             let command = held.command(self.preview.offsets.clone());
@@ -142,7 +142,7 @@ impl Document {
         made_ready(&mut self.levels, self.density, self.replayed.last(), spec)
     }
 
-    /// What [`Self::follow`] says of a spec.
+    /// What [`Self::influence`] says of a spec.
     fn influence_of(&mut self, held: &mut PreparedEdit) -> Result<InfluenceWeights, StudioError> {
         let from = self.replayed.last();
         let mut kept = None;
@@ -153,10 +153,10 @@ impl Document {
         }
         let held = kept.as_mut().unwrap_or(held);
         // Not the preview's own: an edit in progress stays as it is should this fail.
-        let (mut shape, mut room) = (LevelPositions::clone(from), Scratch::default());
+        let (mut shape, mut scratch) = (LevelPositions::clone(from), Scratch::default());
         let handles = held.spec().handles.len();
         let mut along = |axis: DVec3| {
-            shape.displace(&self.levels, from, held, &vec![axis; handles], &mut room)?;
+            shape.displace(&self.levels, from, held, &vec![axis; handles], &mut scratch)?;
             Ok::<_, StudioError>(shape.densest().iter().zip(from.densest()).map(|(to, at)| *to - *at).collect())
         };
         let (along_x, along_y): (Vec<DVec3>, Vec<DVec3>) = (along(DVec3::X)?, along(DVec3::Y)?);

@@ -111,7 +111,7 @@ fn the_reach_of_what_moves_in_the_mirrors_plane_is_whole() {
         select(&mut session, selection);
         let before = positions(&session);
         act(&mut session, Intent::Preview(DVec3::Y));
-        let (reach, moved) = (session.tick().reach, way_mm(&session, &before, selection.middle()).y);
+        let (reach, moved) = (session.tick().share_reached, way_mm(&session, &before, selection.middle()).y);
         assert!((reach - moved).abs() < 1e-9, "{selection:?}: a reach of {reach}, and it moves by {moved}");
         // Neighbours that are held, too, may carry one of a region a little further than its offset.
         let is_alone = matches!(selection, Selection::Landmark(_));
