@@ -106,13 +106,13 @@ export class Visitor {
     }, count);
   }
 
-  /** Shows a section of the panel, whichever tab or fold hides it. */
+  /** Shows a section of the panel, whichever tab or folds hide it. */
   async unfold(id) {
-    const details = this.page.locator(`#${id}`);
-    const tab = await details.getAttribute("data-tab");
+    const tab = await this.page.locator(`#sections > [data-tab]:is(#${id}, :has(#${id}))`).getAttribute("data-tab");
     const button = this.page.locator(`[data-tab-name="${tab}"]`);
     if (await button.isVisible()) await button.click();
-    if ((await details.getAttribute("open")) === null) await details.locator("summary").click();
+    const folded = this.page.locator(`details:not([open]):is(#${id}, :has(#${id})) > summary`);
+    while ((await folded.count()) > 0) await folded.first().click();
   }
 
   /**
@@ -191,6 +191,7 @@ export class Visitor {
    * @param {number} offset_mm
    */
   async offset(axis, offset_mm) {
+    await this.unfold("section-landmark");
     const field = this.page.locator(`#landmark-sliders [data-axis="${axis}"] input[type=number]`);
     await field.fill(String(offset_mm));
     await field.press("Tab");
@@ -249,7 +250,7 @@ export class Visitor {
     await this.unfold("section-export");
     const [download] = await Promise.all([
       this.page.waitForEvent("download"),
-      this.page.click(`#section-export [data-action="${action}"]`),
+      this.page.click(`#panel [data-action="${action}"]`),
     ]);
     return readFile(await download.path());
   }

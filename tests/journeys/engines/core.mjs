@@ -114,7 +114,8 @@ async function mesh(driver, hand) {
 /** @param {Driver} driver @param {Hand} hand @param {string} action @returns {Promise<Buffer>} */
 async function download(driver, hand, action) {
   for (const name of await readdir(driver.downloads)) await rm(path.join(driver.downloads, name));
-  await hand.click(`#section-export [data-action="${action}"]`);
+  await driver.evaluate(`document.querySelector("#tab-export").click()`);
+  await hand.click(`#panel [data-action="${action}"]`);
   return arrived(driver.downloads, action);
 }
 

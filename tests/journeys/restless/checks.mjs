@@ -109,7 +109,7 @@ async function download({ page }, action) {
   const [file] = await Promise.all([
     // A picture that was asked for before may come in between.
     page.waitForEvent("download", { predicate: (file) => file.suggestedFilename().endsWith(ENDINGS[action]), timeout: DOWNLOAD_MS }),
-    page.evaluate((action) => window["__eyes"].press(`#section-export [data-action="${action}"]`), action),
+    page.evaluate((action) => window["__eyes"].press(`#panel [data-action="${action}"]`), action),
   ]);
   return readFile(await file.path());
 }

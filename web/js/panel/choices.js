@@ -5,6 +5,9 @@ import { isSlow, untilWaitIsSaid } from "./selection-mode.js";
 
 /** @typedef {import("../viewport/workbench.js").Workbench} Workbench */
 
+/** The word under which a choice says that none of its sets of options is on. */
+const OWN = "custom";
+
 /**
  * Fills every list and group of buttons that offers a choice with what the studio has to choose from, and keeps them
  * as the studio says. `data-choice` names the choice; the words `choice.id`, `choice.id.help` and `choice.id.legend` go
@@ -69,12 +72,14 @@ function listOf(list) {
 function groupOf(group, choice) {
   const inputs = () => [...group.querySelectorAll("input")];
   return {
-    offer: (ids) => group.replaceChildren(...ids.map((id) => button(choice, id))),
+    offer: (ids) => group.replaceChildren(...ids.map((id) => button(choice, id)), ...ownChoice(choice)),
     name: (nameOf) => {
       for (const input of inputs()) if (input.nextElementSibling) input.nextElementSibling.textContent = nameOf(input.value);
     },
     show: (id) => {
-      for (const input of inputs()) input.checked = input.value === id;
+      const own = inputs().find(({ value }) => value === OWN);
+      if (own?.parentElement) own.parentElement.hidden = id !== "";
+      for (const input of inputs()) input.checked = input.value === (own && id === "" ? OWN : id);
     },
     chosen: () => inputs().find((input) => input.checked)?.value ?? "",
   };
@@ -92,6 +97,19 @@ function button(choice, id) {
   input.value = id;
   label.append(input, make("span"));
   return label;
+}
+
+/**
+ * What a choice of whole sets of options shows while none of them is on: it tells, and cannot be chosen.
+ *
+ * @param {string} choice
+ */
+function ownChoice(choice) {
+  if (!isWord(`${choice}.${OWN}`)) return [];
+  const label = button(choice, OWN);
+  for (const input of label.querySelectorAll("input")) input.disabled = true;
+  label.hidden = true;
+  return [label];
 }
 
 /**

@@ -61,7 +61,19 @@ export class PhotoOverlay {
     this.#size = { width_px: face.width_px, height_px: face.height_px };
     byId("photo", HTMLDivElement).hidden = false;
     this.#writeCaption();
+    this.#drawThumbnail(picture);
     this.#draw();
+  }
+
+  /** @param {ImageBitmap} picture */
+  #drawThumbnail(picture) {
+    const thumbnail = byId("photo-thumbnail", HTMLCanvasElement);
+    const { left, top, width, height } = this.#crop;
+    const side = Math.min(width, height);
+    const from = { x: left + (width - side) / 2, y: top + (height - side) / 2 };
+    const context = thumbnail.getContext("2d");
+    if (context) context.imageSmoothingQuality = "high";
+    context?.drawImage(picture, from.x, from.y, side, side, 0, 0, thumbnail.width, thumbnail.height);
   }
 
   /**
@@ -157,7 +169,7 @@ export class PhotoOverlay {
 
   #writeCaption() {
     const { width_px: width, height_px: height } = this.#size;
-    byId("photo-caption", HTMLParagraphElement).textContent = say("photo.caption", { width, height });
+    byId("photo-caption", HTMLSpanElement).textContent = say("photo.caption", { width, height });
   }
 }
 
