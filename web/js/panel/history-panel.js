@@ -80,7 +80,7 @@ function row({ index, target, amount, unit, enabled, waitsForDensity, impossible
   item.append(takesPart, make("span", "what", name), make("span", "how-much", howMuch));
   if (waitsForDensity !== undefined) {
     const key = `density.${waitsForDensity}`;
-    item.append(make("span", "waits", say("history.waits", { points: isWord(key) ? say(key) : "" })));
+    item.append(make("span", "waits", say("history.waits", { density: isWord(key) ? say(key) : "" })));
   }
   if (impossible) item.append(make("span", "waits", say("history.impossible")));
   return item;

@@ -20,6 +20,8 @@ export class LandmarkPanel {
   #help = byId("landmark-help", HTMLParagraphElement);
   #sliders;
   #kept_mm = [0, 0, 0];
+  /** @type {number | undefined} */
+  #selected;
   #selectable = 0;
   #landmarkIds;
   #bench;
@@ -32,6 +34,7 @@ export class LandmarkPanel {
     this.#sliders = AXES.map((axis) => this.#makeSlider(axis, { min, max, step, neutral }));
     byId("landmark-sliders", HTMLFieldSetElement).append(...this.#sliders.map((slider) => slider.element));
     this.#search.addEventListener("change", () => this.#find(this.#search.value));
+    this.#search.addEventListener("input", () => bench.read((state) => this.#explain(state)));
     bench.onChange((state) => this.#show(state));
     bench.onTick((tick) => this.#follow(tick));
     inEveryLanguage(() => this.#listNames());
@@ -69,15 +72,29 @@ export class LandmarkPanel {
   /** @param {string} text */
   #find(text) {
     const vertex = vertexCalled(text, this.#landmarkIds, this.#selectable);
-    this.#search.toggleAttribute("aria-invalid", vertex === undefined);
-    if (vertex === undefined) {
-      const isPoint = byId("point-field", HTMLDivElement).hidden === false;
-      this.#help.textContent = say(isPoint ? "point.unknown" : "landmark.unknown", { text });
-      announce(this.#help.textContent);
+    if (vertex === undefined) return this.#missing(text.trim());
+    this.#bench.act((studio) => studio.selectAt(vertex));
+    this.#search.value = this.#selectionName();
+    announce(say("landmark.selected", { name: this.#search.value }));
+  }
+
+  /** Of nothing nothing is sought: the field says again what is selected. @param {string} text */
+  #missing(text) {
+    if (text === "") {
+      this.#search.value = this.#selectionName();
       return;
     }
-    this.#bench.act((studio) => studio.selectAt(vertex));
-    announce(say("landmark.selected", { name: this.#search.value }));
+    this.#search.setAttribute("aria-invalid", "true");
+    this.#help.classList.add("field-error");
+    this.#help.textContent = say(/^\d+$/.test(text) ? "point.unknown" : "landmark.unknown", { text });
+    announce(this.#help.textContent);
+  }
+
+  /** What may help, or why what is selected cannot be moved. @param {StudioState} state */
+  #explain(state) {
+    this.#search.removeAttribute("aria-invalid");
+    this.#help.classList.toggle("field-error", state.refusal !== undefined);
+    this.#help.textContent = say(helpFor(state));
   }
 
   #selectionName() {
@@ -92,13 +109,12 @@ export class LandmarkPanel {
   /** @param {StudioState} state */
   #show(state) {
     byId("landmark-sliders", HTMLFieldSetElement).disabled = state.selected === undefined || state.refusal !== undefined;
-    if (document.activeElement !== this.#search) this.#help.textContent = say(helpFor(state));
-    const [alongX] = this.#sliders;
-    if (alongX) alongX.disabled = state.selectedInPlane;
+    // What is wrong with a name stays said until another is typed or something is selected.
+    if (document.activeElement !== this.#search || state.selected !== this.#selected) this.#explain(state);
+    this.#selected = state.selected;
     this.#selectable = state.selectable;
     this.#kept_mm = [state.keptXMm, state.keptYMm, state.keptZMm];
-    this.#search.value = this.#selectionName();
-    this.#search.removeAttribute("aria-invalid");
+    if (!this.#search.hasAttribute("aria-invalid")) this.#search.value = this.#selectionName();
     this.#showAnchors([...state.anchors], state.selected !== undefined);
   }
 

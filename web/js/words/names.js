@@ -1,3 +1,4 @@
+import { bestMatch } from "./search.js";
 import { isWord, say, sayNumber } from "./words.js";
 
 /**
@@ -56,7 +57,7 @@ export function sayTarget({ kind, id, number = 0, part }) {
       return part === undefined ? name : `${name} ${sayId("near", part)}`;
     }
     case "slider":
-      return sayId("slider", id).toLowerCase();
+      return sayId("slider", id);
     case "vertices":
       return say("target.vertices", { n: sayNumber(number, 0) });
     case "symmetry":
@@ -79,18 +80,15 @@ export function sayOnce(target) {
 }
 
 /**
- * The vertex that is meant by a number, or the landmark that is meant by its name, in any case of its letters; undefined
- * where there is none that could be selected.
+ * The vertex that is meant by a number, or the landmark whose name fits best; undefined where there is none that could be
+ * selected.
  *
  * @param {string} text
  * @param {string[]} landmarkIds
  * @param {number} selectable how many vertices can be selected, from 0
  */
 export function vertexCalled(text, landmarkIds, selectable) {
-  const wanted = text.trim().toLowerCase();
+  const wanted = text.trim();
   if (/^\d+$/.test(wanted)) return Number(wanted) < selectable ? Number(wanted) : undefined;
-  const isMeant = (/** @type {string} */ id, /** @type {number} */ number) =>
-    [sayLandmark(id), sayNumberedLandmark(id, number)].some((name) => name.toLowerCase() === wanted);
-  const found = landmarkIds.findIndex(isMeant);
-  return found < 0 ? undefined : found;
+  return bestMatch(wanted, landmarkIds.map((id, number) => sayNumberedLandmark(id, number)));
 }

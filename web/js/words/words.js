@@ -5,6 +5,9 @@ import { remember, remembered } from "../page/remember.js";
 
 /** @typedef {{ id: string, name: string, tag: string }} Language */
 
+/** Fingers do some things in another way than a mouse. */
+const TOUCH = matchMedia("(pointer: coarse)");
+
 /** Whose words stand in for those that another language lacks. */
 const FIRST = "en";
 
@@ -21,6 +24,7 @@ for (const { id } of LANGUAGES) learn(id).catch(() => {});
 
 /** @type {Set<() => void>} */
 const listeners = new Set();
+TOUCH.addEventListener("change", tellAll);
 
 /** The language the page speaks now. */
 export function language() {
@@ -28,13 +32,16 @@ export function language() {
 }
 
 /**
- * The text of `key` in the page's language, with `{name}` replaced from `values`.
+ * The text of `key` in the page's language, with `{name}` replaced from `values`. Where a finger is what points, `key.touch`
+ * takes its place if there is one.
  *
  * @param {WordKey} key
  * @param {Record<string, string | number>} [values]
  */
 export function say(key, values = {}) {
-  const text = WORDS.get(current)?.[key] ?? firstWords[key];
+  const byTouch = `${key}.touch`;
+  const asked = TOUCH.matches && isWord(byTouch) ? byTouch : key;
+  const text = WORDS.get(current)?.[asked] ?? firstWords[asked];
   return text.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
 }
 
@@ -69,7 +76,7 @@ export async function speak(wanted) {
   if (newest !== wanted) return;
   current = wanted;
   remember("language", current);
-  for (const listener of listeners) listener();
+  tellAll();
 }
 
 /** Writes the words into every element that asks for them by `data-text` or `data-label`. */
@@ -109,6 +116,10 @@ export function languages() {
 /** The page's language as HTML and the browser know it. */
 function tag() {
   return LANGUAGES.find(({ id }) => id === current)?.tag ?? current;
+}
+
+function tellAll() {
+  for (const listener of listeners) listener();
 }
 
 /** @param {string} id */
