@@ -12,7 +12,7 @@ cargo xtask TASK
   bench [WHAT…] measure against the paper and the peers; --write updates docs/benchmarks.md
   torture       broken bytes and random visitors, for hours; --write updates docs/torture.md
                   [--inputs N] [--actions N] [--page-actions N]; 0 leaves a part out
-  screenshots   take the documentation's pictures of the page, and axe-core's report
+  screenshots   take the documentation's pictures of the page, its contact sheets, and axe-core's report
   help          this text
 
 Every task first obtains what it needs. Tools go to $XDG_CACHE_HOME/rosto (by default ~/.cache/rosto) and are shared by

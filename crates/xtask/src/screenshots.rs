@@ -1,4 +1,5 @@
-//! `cargo xtask screenshots`: what the documentation shows of the built page: pictures of it, and axe-core's report.
+//! `cargo xtask screenshots`: what the documentation shows of the built page: pictures of it, the first minute as a strip,
+//! axe-core's report, and every main state in every window, language and theme on one sheet each.
 
 use crate::failure::Result;
 use crate::{dist, progress, setup};
@@ -13,7 +14,8 @@ pub fn run() -> Result<ExitCode> {
     progress::announce("screenshots", "the documentation shows the page as it is");
     let started = Instant::now();
     dist::build(&kit)?;
-    for script in ["screenshots", "accessibility"] {
+    // The last one fails where it finds something that overlaps, is cut or covered; the others are written by then.
+    for script in ["screenshots", "film-strip", "accessibility", "contact-sheet"] {
         kit.run("npm")?.args(["run", "--silent", script]).within(LIMIT).run()?.checked()?;
     }
     progress::done("screenshots", started);

@@ -1,0 +1,26 @@
+/** @typedef {{ id: string, options: import("playwright-core").BrowserContextOptions }} Audience */
+
+const TOUCH = { hasTouch: true, isMobile: true };
+
+/** The windows that the page is looked at in: a desk's, a laptop's, a tablet's, a phone's both ways, and a page at 200 %. */
+export const AUDIENCES = /** @type {Audience[]} */ ([
+  audience(1440, 900),
+  audience(1280, 720),
+  audience(820, 1180, TOUCH),
+  audience(390, 844, { ...TOUCH, deviceScaleFactor: 2 }),
+  audience(844, 390, TOUCH),
+  audience(720, 450),
+]);
+
+/** What a browser of somebody who reads a language asks for. @type {Record<string, string>} */
+export const LOCALES = { en: "en-GB", pt: "pt-BR" };
+
+/**
+ * @param {number} width
+ * @param {number} height
+ * @param {object} [others]
+ * @returns {Audience}
+ */
+function audience(width, height, others = {}) {
+  return { id: `${width}x${height}`, options: { viewport: { width, height }, ...others } };
+}

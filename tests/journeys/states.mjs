@@ -1,0 +1,197 @@
+import { readFile } from "node:fs/promises";
+import { Hand } from "./hand.mjs";
+import { faceless, twice } from "./pictures.mjs";
+import { SAMPLE } from "./visitor.mjs";
+
+/** @typedef {import("./visitor.mjs").Visitor} Visitor */
+
+/**
+ * A state of the page that its visitors know, and the way there from any one before it in the list.
+ *
+ * @typedef {object} State
+ * @property {string} id
+ * @property {(visitor: Visitor) => Promise<void>} enter
+ * @property {(visitor: Visitor) => Promise<void>} [leave]
+ * @property {"front"} [face] where the whole face is seen from the front
+ */
+
+/** @type {State[]} */
+export const STATES = [
+  { id: "empty", enter: (visitor) => visitor.untilLoaded() },
+  { id: "working", enter: startWork, leave: finishWork },
+  { id: "arrived", enter: haveFace, face: "front" },
+  { id: "selected", enter: selectNose, face: "front" },
+  { id: "dragging", enter: holdNose, leave: letNoseGo },
+  { id: "region", enter: selectRegion, leave: backToLandmarks },
+  { id: "compare", enter: compare, leave: stopComparing },
+  { id: "view", enter: (visitor) => openTab(visitor, "view"), leave: (visitor) => openTab(visitor, "shape"), face: "front" },
+  { id: "export", enter: (visitor) => openTab(visitor, "export"), leave: (visitor) => openTab(visitor, "shape") },
+  { id: "downloaded", enter: download, leave: (visitor) => openTab(visitor, "shape") },
+  { id: "notice", enter: fail, leave: closeNotice },
+  { id: "keys", enter: openKeys, leave: closeKeys },
+  { id: "group", enter: openGroup, face: "front" },
+  { id: "returning", enter: comeBack },
+];
+
+/** Lets the worker's answer be held back; for `before` of a visitor. @param {import("playwright-core").BrowserContext} context */
+export function withHeldWork(context) {
+  return context.addInitScript(holdAnswers);
+}
+
+/** @param {Visitor} visitor */
+async function startWork({ page }) {
+  await page.evaluate(() => {
+    window["answersWait"] = true;
+  });
+  await page.waitForSelector("#language option", { state: "attached" });
+  await page.setInputFiles("#photo-file", SAMPLE);
+  await page.waitForSelector("#progress");
+  await page.waitForSelector("[data-step='landmarks'][aria-current]");
+}
+
+/** @param {Visitor} visitor */
+async function finishWork(visitor) {
+  await visitor.page.evaluate(() => window["letAnswersCome"]());
+  await visitor.untilFace();
+}
+
+/** Runs in the page before its own scripts: a worker's findings wait for as long as the page is told so. */
+function holdAnswers() {
+  /** @type {(() => void)[]} */
+  const held = [];
+  const listen = Worker.prototype.addEventListener;
+  Worker.prototype.addEventListener = function (type, listener, ...rest) {
+    const hear = (event) => {
+      if (window["answersWait"] && event.data?.type === "found") held.push(() => listener.call(this, event));
+      else listener.call(this, event);
+    };
+    listen.call(this, type, type === "message" ? hear : listener, ...rest);
+  };
+  window["letAnswersCome"] = () => {
+    window["answersWait"] = false;
+    for (const hear of held.splice(0)) hear();
+  };
+}
+
+/** @param {Visitor} visitor */
+async function haveFace(visitor) {
+  const state = await visitor.page.getAttribute("body", "data-state");
+  if (state !== "face") await visitor.dropSample();
+}
+
+/** @param {Visitor} visitor */
+async function selectNose(visitor) {
+  await haveFace(visitor);
+  await openTab(visitor, "shape");
+  // Its number is its name in every language.
+  await visitor.findLandmark("1");
+  await blur(visitor);
+}
+
+/** @param {Visitor} visitor */
+async function holdNose(visitor) {
+  await selectNose(visitor);
+  const nose = await visitor.tagged();
+  const hand = await Hand.of(visitor);
+  await hand.press(nose);
+  await hand.move(nose, { x: nose.x + 14, y: nose.y - 30 });
+  await visitor.frames(3);
+}
+
+/** @param {Visitor} visitor */
+async function letNoseGo(visitor) {
+  const hand = await Hand.of(visitor);
+  await hand.release();
+  await visitor.frames(3);
+}
+
+/** @param {Visitor} visitor */
+async function selectRegion(visitor) {
+  await haveFace(visitor);
+  await openTab(visitor, "shape");
+  await visitor.chooseRegion("nose");
+  await blur(visitor);
+}
+
+/** @param {Visitor} visitor */
+async function backToLandmarks({ page }) {
+  await page.check("input[name='selection'][value='landmark']", { force: true });
+}
+
+/** @param {Visitor} visitor */
+async function compare(visitor) {
+  await haveFace(visitor);
+  await visitor.page.click("#compare");
+  await visitor.frames(3);
+}
+
+/** @param {Visitor} visitor */
+async function stopComparing({ page }) {
+  if ((await page.getAttribute("#compare", "aria-pressed")) === "true") await page.click("#compare");
+}
+
+/** @param {Visitor} visitor @param {"shape" | "view" | "export"} name */
+async function openTab(visitor, name) {
+  await haveFace(visitor);
+  const tab = visitor.page.locator(`#tab-${name}`);
+  if (await tab.isVisible()) await tab.click();
+  else if (name !== "shape") await visitor.unfold(`section-${name}`);
+  await blur(visitor);
+}
+
+/** @param {Visitor} visitor */
+async function download(visitor) {
+  await haveFace(visitor);
+  await visitor.download("download-glb");
+  // Only a page that shows what it says has a toast.
+  if ((await visitor.page.locator("#toast").count()) > 0) await visitor.page.waitForSelector("#toast");
+}
+
+/** @param {Visitor} visitor */
+async function fail(visitor) {
+  await haveFace(visitor);
+  await visitor.drop(faceless(), "meadow.png");
+  await visitor.notice();
+}
+
+/** @param {Visitor} visitor */
+async function closeNotice({ page }) {
+  await page.click("#notice-close");
+  await page.waitForSelector("#notice", { state: "hidden" });
+}
+
+/** @param {Visitor} visitor */
+async function openKeys({ page }) {
+  await page.evaluate(() => {
+    const dialog = document.getElementById("keys");
+    if (!dialog.open) dialog.showModal();
+  });
+}
+
+/** @param {Visitor} visitor */
+async function closeKeys({ page }) {
+  await page.click("[data-action='close-keys']");
+  await page.waitForSelector("#keys", { state: "hidden" });
+}
+
+/** @param {Visitor} visitor */
+async function openGroup(visitor) {
+  await visitor.drop(await twice(visitor.page, await readFile(SAMPLE)), "the two of us.png");
+  await visitor.untilFace();
+  await visitor.page.waitForSelector("#face-options label:nth-child(2)", { state: "attached" });
+}
+
+/** @param {Visitor} visitor */
+async function comeBack(visitor) {
+  await haveFace(visitor);
+  // Work is kept a moment after it is done.
+  await visitor.page.waitForTimeout(600);
+  await visitor.page.reload();
+  await visitor.page.waitForSelector("#continue:not([hidden])");
+  await visitor.untilLoaded();
+}
+
+/** @param {Visitor} visitor */
+async function blur({ page }) {
+  await page.evaluate(() => document.activeElement?.blur());
+}
