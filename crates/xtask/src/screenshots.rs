@@ -1,5 +1,5 @@
-//! `cargo xtask screenshots`: what the documentation shows of the built page: pictures of it, the first minute as a strip,
-//! axe-core's report, and every main state in every window, language and theme on one sheet each.
+//! `cargo xtask screenshots`: what the documentation shows of the built page: pictures of it, the first minute as a
+//! strip, axe-core's report, and every main state in every window, language and theme on one sheet each.
 
 use crate::failure::Result;
 use crate::{dist, progress, setup};
