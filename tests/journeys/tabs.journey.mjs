@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { journey } from "./journey.mjs";
-import { asJpeg } from "./pictures.mjs";
+import { asJpeg, twice } from "./pictures.mjs";
 import { SAMPLE, Visitor } from "./visitor.mjs";
 
 journey("two tabs keep two works: each comes back with its own face and edits", async (open) => {
@@ -72,6 +72,47 @@ journey("a tab writes its own slot alone, and a new face does not write over the
   const now = await slots(first);
   assert.equal(now.length, 3);
   assert.deepEqual(now.find(({ slot }) => slot === kept.slot)?.edits, kept.edits);
+  second.checkNothingBroke();
+});
+
+journey("a face that was left in one tab and goes on in another comes back in the first as it was left there", async (open) => {
+  const first = await open();
+  const { page } = first;
+  await first.drop(await twice(page, await readFile(SAMPLE)), "group.png");
+  await first.untilFace();
+  await first.findLandmark("nose tip");
+  await first.offset("z", 9);
+  await untilKept(first, 1);
+  const left = await standing(first);
+  const choose = async (index) => {
+    await page.locator("#face-options input").nth(index).click({ force: true });
+    await page.waitForFunction((count) => document.querySelectorAll("#history li").length === count, index === 0 ? 1 : 0);
+  };
+  await choose(1);
+  await untilKept(first, 2);
+
+  const second = await anotherTab(first, page.url());
+  await continueIn(second);
+  assert.deepEqual(await standing(second), left);
+  await second.findLandmark("bottom of the chin");
+  await second.offset("y", -6);
+  const others = await standing(second);
+  await second.page.waitForTimeout(600);
+
+  await page.bringToFront();
+  await choose(0);
+  assert.deepEqual(await standing(first), left);
+  await first.findLandmark("nose tip");
+  await first.offset("y", 2);
+  const work = await standing(first);
+  await untilKept(first, 3);
+  assert.deepEqual(await standing(second), others);
+  for (const [visitor, stands] of [[first, work], [second, others]]) {
+    await visitor.page.bringToFront();
+    await visitor.page.reload();
+    await continueIn(visitor);
+    assert.deepEqual(await standing(visitor), stands);
+  }
   second.checkNothingBroke();
 });
 

@@ -23,7 +23,7 @@ import { setUpCamera } from "./photo/camera.js";
 import { FaceChoice } from "./photo/face-choice.js";
 import { setUpPhotoInput } from "./photo/photo-input.js";
 import { PhotoOverlay } from "./photo/photo-overlay.js";
-import { loadSample } from "./photo/sample.js";
+import { loadSample, showSample } from "./photo/sample.js";
 import { VisionClient } from "./photo/vision-client.js";
 import { LandmarkMarks } from "./viewport/landmark-marks.js";
 import { setUpViewKeys } from "./viewport/shortcuts.js";
@@ -46,14 +46,14 @@ const validator = new Validator();
 /** @type {PaperPanel | undefined} */
 let paper;
 const bench = openBench();
-const faceChoice = new FaceChoice((index) => opening.openFace(index));
+const faceChoice = new FaceChoice((index) => opening.openFace(index), () => opening.goBack());
 const opened = (/** @type {number | undefined} */ extraction_ms) => paper?.forget(extraction_ms);
 const opening = new Opening({ bench, overlay, faceChoice, vision, keeper, opened });
 
 setUpTheme((theme) => bench.then((there) => there?.act((studio) => studio.setTheme(theme))));
 setUpPhotoInput((file) => opening.openFile(file));
-setUpCamera((photo) => opening.openFile(photo));
-onAction("sample", () => opening.openFile(loadSample()));
+setUpCamera((photo) => opening.openFile(photo, "selfie"));
+onAction("sample", () => opening.openFile(loadSample(), "sample"));
 keeper.offer((read) => opening.openWork(read));
 countRequests(loadTheRest());
 dispatchEvent(new Event("started"));
@@ -91,7 +91,7 @@ async function loadTheRest() {
   vision.start();
   await vision.ready;
   await bench;
-  await Promise.allSettled([loadSample(), validator.start(), keepOffline(isFallback()), prepareRestart()]);
+  await Promise.allSettled([showSample(), validator.start(), keepOffline(isFallback()), prepareRestart()]);
 }
 
 /**

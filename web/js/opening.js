@@ -1,28 +1,23 @@
 import { byId } from "./page/dom.js";
-import { hint } from "./page/hint.js";
-import { hideNotice, showPhotoError, showError } from "./page/notice.js";
-import { hideProgress, showLoading, showStage } from "./page/progress.js";
+import { freshen } from "./page/fresh.js";
+import { giveHints } from "./page/hint.js";
+import { hideNotice, showError } from "./page/notice.js";
+import { hideProgress } from "./page/progress.js";
 import { nextTask } from "./page/tasks.js";
 import { openPicture } from "./photo/open-picture.js";
+import { readPhoto } from "./photo/read-photo.js";
 import { Replaced } from "./photo/vision-client.js";
 import { isTrap } from "./viewport/studio-module.js";
-import { bitmapOf } from "./work/pixels.js";
+import { stemOf } from "./work/file-name.js";
+import { fromVisit, fromWork } from "./work/incoming.js";
 import { kindOf, readSavedFile } from "./work/saved-file.js";
-import { faceOf } from "./work/work.js";
 
 /**
  * @typedef {import("./viewport/workbench.js").Workbench} Workbench
  * @typedef {import("./work/work.js").Work} Work
  * @typedef {import("./work/work.js").OpenedFace} OpenedFace
- * @typedef {import("./worker/protocol.js").FoundFaces} FoundFaces
- *
- * @typedef {object} Incoming what is ready to be opened
- * @property {OpenedFace} face
- * @property {ImageBitmap} bitmap its picture
- * @property {import("./work/work.js").Done} [done] what was done to it before
- * @property {FoundFaces} [found] all faces of the photo that it is from
- * @property {number} [extraction_ms] how long finding its landmarks took
- * @property {boolean} [changedElsewhere] whether the file tells of another shape than opens
+ * @typedef {import("./work/incoming.js").Shown} Shown
+ * @typedef {import("./work/incoming.js").Incoming} Incoming
  *
  * @typedef {object} Room where a face is shown
  * @property {Promise<Workbench | undefined>} bench nothing where the browser cannot draw in 3D
@@ -32,9 +27,6 @@ import { faceOf } from "./work/work.js";
  * @property {import("./work/autosave.js").Autosave} keeper
  * @property {(extraction_ms: number | undefined) => void} opened
  */
-
-/** A group photo offers this many faces at most. */
-const MAX_FACES = 8;
 
 /**
  * The one way in for photos, files, the camera, the sample and restored work. The newest wins, and whatever was on its way
@@ -46,8 +38,10 @@ export class Opening {
   /** One face is brought in after the other: each takes several tasks. @type {Promise<unknown>} */
   #last = Promise.resolve();
   #room;
-  /** @type {FoundFaces | undefined} the faces of the photo that is open */
-  #found;
+  /** @type {Shown | undefined} */
+  #now;
+  /** What was shown before, which can be gone back to. @type {Shown | undefined} */
+  #before;
 
   /** @param {Room} room */
   constructor(room) {
@@ -58,15 +52,17 @@ export class Opening {
    * A photo, or a project or GLB that was saved before.
    *
    * @param {Blob | Promise<Blob>} file
+   * @param {string} [name] instead of the file's own
    */
-  openFile(file) {
+  openFile(file, name) {
     return this.#open(async (isWanted) => {
       const blob = await file;
       // The page's own module, which reads saved files, may still be on its way.
       const bench = await this.#room.bench;
       const kind = bench ? await kindOf(blob) : "other";
       if (!isWanted()) throw new Replaced();
-      return kind === "other" ? this.#readPhoto(blob, isWanted) : ready(await readSavedFile(blob, kind));
+      if (kind === "other") return readPhoto(this.#room.vision, blob, name ?? stemOf(blob), isWanted);
+      return fromWork(await readSavedFile(blob, kind));
     });
   }
 
@@ -76,10 +72,14 @@ export class Opening {
    * @param {number} index
    */
   openFace(index) {
-    return this.#open(async () => {
-      if (!this.#found) throw new Replaced();
-      return { face: faceOf(this.#found, index), bitmap: this.#found.bitmap, found: this.#found };
-    });
+    const { faces = [] } = this.#now ?? {};
+    const face = faces[index];
+    return this.#open(() => this.#again(face && { face, faces }));
+  }
+
+  /** The face that was shown before this one. */
+  goBack() {
+    return this.#open(() => this.#again(this.#before));
   }
 
   /**
@@ -88,7 +88,7 @@ export class Opening {
    * @param {() => Promise<Work>} read
    */
   openWork(read) {
-    return this.#open(async () => ready(await read()));
+    return this.#open(async () => fromWork(await read()));
   }
 
   /**
@@ -98,7 +98,8 @@ export class Opening {
    */
   async restore(work) {
     const ticket = ++this.#newest;
-    await this.#inTurn(await ready(work), () => ticket === this.#newest);
+    const { faces = [work.face] } = this.#now ?? {};
+    await this.#inTurn({ ...(await fromWork(work)), faces }, () => ticket === this.#newest);
   }
 
   /** @param {(isWanted: () => boolean) => Promise<Incoming>} read */
@@ -114,26 +115,20 @@ export class Opening {
       this.#welcome(incoming);
     } catch (error) {
       if (isTrap(error)) (await this.#room.bench)?.fail(error);
-      else if (isWanted() && !(error instanceof Replaced)) showPhotoError(error);
+      else if (isWanted() && !(error instanceof Replaced)) showError(error);
     } finally {
       if (isWanted()) hideProgress();
+      this.#room.faceChoice.mark(this.#now?.face);
     }
   }
 
   /**
-   * @param {Blob} photo
-   * @param {() => boolean} isWanted
+   * @param {Shown | undefined} shown in this visit
    * @returns {Promise<Incoming>}
    */
-  async #readPhoto(photo, isWanted) {
-    showLoading();
-    // The worker may have to load before it begins.
-    let begun_ms = NaN;
-    const found = await this.#room.vision.find(photo, MAX_FACES, (stage, fraction) => {
-      if (Number.isNaN(begun_ms)) begun_ms = performance.now();
-      if (isWanted()) showStage(stage, fraction);
-    });
-    return { face: faceOf(found, 0), bitmap: found.bitmap, found, extraction_ms: performance.now() - begun_ms };
+  async #again(shown) {
+    if (!shown || shown.face === this.#now?.face) throw new Replaced();
+    return fromVisit(shown, this.#room.keeper.doneTo(shown.face));
   }
 
   /**
@@ -153,7 +148,7 @@ export class Opening {
    * @param {Incoming} incoming
    * @param {() => boolean} isWanted
    */
-  async #bringIn({ face, bitmap, done }, isWanted) {
+  async #bringIn({ face, faces, bitmap, done }, isWanted) {
     const { bench, overlay, keeper } = this.#room;
     const opened = await bench;
     if (opened && !(await openPicture(opened, face, isWanted))) return false;
@@ -167,41 +162,28 @@ export class Opening {
     const { preferences } = done ?? {};
     if (preferences) opened?.act((studio) => studio.prefer(preferences));
     if (opened) keeper.take(face);
+    // What comes back after a crash has taken no other's place.
+    if (face !== this.#now?.face) this.#before = this.#now;
+    this.#now = { face, faces };
     await nextTask();
     overlay.show(face, bitmap);
     return true;
   }
 
   /** @param {Incoming} incoming that is open now */
-  #welcome({ found, extraction_ms, changedElsewhere }) {
-    const { opened } = this.#room;
+  #welcome({ faces, bitmap, extraction_ms, changedElsewhere, ofThisVisit = false }) {
+    const { bench, opened, faceChoice } = this.#room;
     document.body.dataset["state"] = document.body.dataset["bench"] === "open" ? "face" : "photo";
     byId("welcome", HTMLElement).hidden = true;
     byId("toolbar", HTMLDivElement).hidden = document.body.dataset["bench"] !== "open";
-    // A phone's sheet has no room for the photo beside the tools.
-    if (matchMedia("(width < 720px)").matches) byId("section-photo", HTMLDetailsElement).open = false;
-    if (found !== this.#found || !found) this.#offer(found);
+    // The tools take the place of the photo, which folds to a row; without a view in 3D it is all there is to see.
+    byId("section-photo", HTMLDetailsElement).open = document.body.dataset["state"] === "photo";
+    faceChoice.show(faces, this.#before?.face, bitmap).catch(showError);
+    freshen(ofThisVisit);
+    // What was being typed no longer stands in the way of what is to be shown.
+    bench.then((there) => there?.announce());
     opened(extraction_ms);
     if (changedElsewhere) showError({ code: "changed-elsewhere", message: "", hint: "" });
-    else if (document.body.dataset["bench"] === "open") hint("drag", "turn");
-  }
-
-  /** @param {FoundFaces | undefined} found */
-  #offer(found) {
-    this.#found = found;
-    if (found) this.#room.faceChoice.show(found).catch(showError);
-    else this.#room.faceChoice.hide();
-  }
-}
-
-/**
- * @param {Work & { changedElsewhere?: boolean }} work
- * @returns {Promise<Incoming>}
- */
-async function ready({ face, changedElsewhere = false, ...done }) {
-  try {
-    return { face, bitmap: await bitmapOf(face), done, changedElsewhere };
-  } catch (error) {
-    throw { code: "bad-kept-work", message: String(error), hint: "" };
+    else if (document.body.dataset["bench"] === "open") giveHints();
   }
 }

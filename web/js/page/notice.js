@@ -4,7 +4,7 @@ import { asPageError } from "./page-error.js";
 
 /**
  * @typedef {"one-of-several"} Remark
- * @typedef {{ kind: "error" | "remark", code: string, words: () => { title: string, hint: string }, isPhotos: boolean }} Notice
+ * @typedef {{ kind: "error" | "remark", code: string, words: () => { title: string, hint: string } }} Notice
  */
 
 /** @type {Notice | undefined} */
@@ -27,16 +27,7 @@ export function setUpNotice() {
  * @param {unknown} thrown
  */
 export function showError(thrown) {
-  show(noticeOf(thrown, false));
-}
-
-/**
- * Says so beside the drop zone as well.
- *
- * @param {unknown} thrown
- */
-export function showPhotoError(thrown) {
-  show(noticeOf(thrown, true));
+  show(noticeOf(thrown));
 }
 
 /**
@@ -47,7 +38,7 @@ export function showPhotoError(thrown) {
  */
 export function showRemark(remark, values) {
   const words = () => ({ title: say(`remark.${remark}`, values), hint: say(`remark.${remark}.hint`, values) });
-  show({ kind: "remark", code: remark, words, isPhotos: false });
+  show({ kind: "remark", code: remark, words });
 }
 
 /** Takes the notice away. */
@@ -75,27 +66,23 @@ function show(notice) {
  * What was not foreseen is told to the console as well.
  *
  * @param {unknown} thrown
- * @param {boolean} isPhotos whether it is said beside the drop zone as well
  * @returns {Notice}
  */
-function noticeOf(thrown, isPhotos) {
+function noticeOf(thrown) {
   const { code } = asPageError(thrown);
   if (code === "other" || !isWord(`error.${code}`)) console.error(thrown);
-  return { kind: "error", code, words: () => wordsFor(code), isPhotos };
+  return { kind: "error", code, words: () => wordsFor(code) };
 }
 
 function write() {
   const notice = byId("notice", HTMLDivElement);
-  const photoError = byId("photo-error", HTMLParagraphElement);
   notice.hidden = shown === undefined;
-  photoError.hidden = !shown?.isPhotos;
   if (!shown) return;
   const { title, hint } = shown.words();
   notice.dataset["kind"] = shown.kind;
   notice.dataset["code"] = shown.code;
   byId("notice-title", HTMLParagraphElement).textContent = title;
   byId("notice-hint", HTMLParagraphElement).textContent = hint;
-  photoError.textContent = `${title}. ${hint}`;
 }
 
 /**

@@ -1,8 +1,9 @@
-import { announce } from "../page/announce.js";
 import { byId, make, onAction } from "../page/dom.js";
 import { download } from "../page/download.js";
 import { afterNextFrame } from "../page/tasks.js";
+import { toast } from "../page/toast.js";
 import { inEveryLanguage, isWord, say } from "../words/words.js";
+import { fileName } from "../work/file-name.js";
 import { pngOf } from "../work/pixels.js";
 import { VerdictLine } from "./verdict-line.js";
 
@@ -21,23 +22,26 @@ import { VerdictLine } from "./verdict-line.js";
  */
 export function setUpExportPanel(bench, keeper, validator) {
   const verdict = new VerdictLine(bench);
-  onAction("check-glb", () => checked(bench, validator, verdict));
+  const check = () => checked(bench, meshName(bench, keeper, "glb"), validator, verdict);
+  onAction("check-glb", check);
   onAction("download-glb", async () => {
-    const file = await checked(bench, validator, verdict);
-    if (file) save(bench, nameOf(bench, "glb"), bench.studio.mediaType("glb"), () => file);
+    const name = meshName(bench, keeper, "glb");
+    const file = await check();
+    if (file) save(bench, name, bench.studio.mediaType("glb"), () => file);
   });
-  offerPlainFormats(bench);
+  offerPlainFormats(bench, keeper);
   onAction("save-project", () => saveProject(bench, keeper).catch((error) => bench.fail(error)));
-  onAction("download-picture", () => savePicture(bench));
-  onAction("download-json", () => saveAs(bench, "json"));
+  onAction("download-picture", () => savePicture(bench, keeper));
+  onAction("download-json", () => saveAs(bench, keeper, "json"));
 }
 
 /**
  * A button for each format about which there is nothing to choose, with a word on each.
  *
  * @param {Workbench} bench
+ * @param {Autosave} keeper
  */
-function offerPlainFormats(bench) {
+function offerPlainFormats(bench, keeper) {
   const formats = bench.studio.plainFormats;
   const buttons = formats.map((format) => {
     const button = make("button", "button small", format.toUpperCase());
@@ -46,7 +50,7 @@ function offerPlainFormats(bench) {
     return button;
   });
   byId("plain-formats", HTMLDivElement).replaceChildren(...buttons);
-  for (const format of formats) onAction(`download-${format}`, () => saveAs(bench, format));
+  for (const format of formats) onAction(`download-${format}`, () => saveAs(bench, keeper, format));
   inEveryLanguage(() => {
     const help = formats.map((format) => `format.${format}.help`).filter(isWord);
     byId("plain-formats-help", HTMLParagraphElement).textContent = help.map((key) => say(key)).join(" ");
@@ -55,10 +59,11 @@ function offerPlainFormats(bench) {
 
 /**
  * @param {Workbench} bench
+ * @param {Autosave} keeper
  * @param {string} format
  */
-function saveAs(bench, format) {
-  save(bench, nameOf(bench, format), bench.studio.mediaType(format), () => fileOf(bench, format));
+function saveAs(bench, keeper, format) {
+  save(bench, meshName(bench, keeper, format), bench.studio.mediaType(format), () => fileOf(bench, format));
 }
 
 /**
@@ -77,34 +82,33 @@ function fileOf(bench, format) {
  * The GLB as it is asked for, with the validator's verdict on it shown; nothing if it cannot be made.
  *
  * @param {Workbench} bench
+ * @param {string} name of the file
  * @param {Validator} validator
  * @param {VerdictLine} line
  */
-async function checked(bench, validator, line) {
-  line.show("checking");
+async function checked(bench, name, validator, line) {
+  line.show({ file: name, outcome: "checking" });
   // The words are on the screen before the file is made.
   await afterNextFrame();
   try {
     const file = fileOf(bench, "glb");
     const verdict = await validator.check(file);
-    line.conclude(verdict ?? "unchecked");
+    line.conclude({ file: name, bytes: file.length, outcome: verdict ?? "unchecked" });
     return file;
   } catch (error) {
-    line.show("nothing");
+    line.show(undefined);
     bench.fail(error);
     return undefined;
   }
 }
 
 /**
- * A name that tells the densities apart in a folder of downloads.
- *
  * @param {Workbench} bench
+ * @param {Autosave} keeper
  * @param {string} ending
  */
-function nameOf(bench, ending) {
-  const count = bench.read(({ vertexCount }) => vertexCount);
-  return `rosto-${count ?? 0}.${ending}`;
+function meshName(bench, keeper, ending) {
+  return fileName(keeper.face, ending, bench.read(({ vertexCount }) => vertexCount));
 }
 
 /**
@@ -115,15 +119,17 @@ async function saveProject(bench, keeper) {
   const { face } = keeper;
   if (!face) return;
   const png = new Uint8Array(await (await pngOf(face)).arrayBuffer());
-  save(bench, "face.rosto", "application/octet-stream", () => bench.studio.projectFile(png));
+  save(bench, fileName(face, "rosto"), "application/octet-stream", () => bench.studio.projectFile(png));
 }
 
 /**
  * The view as it is, at twice the size of the screen.
  *
  * @param {Workbench} bench
+ * @param {Autosave} keeper
  */
-async function savePicture(bench) {
+async function savePicture(bench, keeper) {
+  const name = fileName(keeper.face, "png");
   const transparent = isChecked("picture-transparent");
   const { width, height } = bench.canvas;
   try {
@@ -131,7 +137,7 @@ async function savePicture(bench) {
     const size = { pictureWidth_px: snapshot.width, pictureHeight_px: snapshot.height };
     const png = await pngOf({ picture: snapshot.takePixels(), ...size });
     snapshot.free();
-    save(bench, "rosto.png", "image/png", () => png);
+    save(bench, name, "image/png", () => png);
   } catch (error) {
     bench.fail(error);
   }
@@ -146,7 +152,7 @@ async function savePicture(bench) {
 function save(bench, name, type, produce) {
   try {
     download(produce(), name, type);
-    announce(say("export.done", { file: name }));
+    toast(say("export.done", { file: name }));
   } catch (error) {
     bench.fail(error);
   }

@@ -1,5 +1,5 @@
 import { byId, onAction } from "../page/dom.js";
-import { showPhotoError } from "../page/notice.js";
+import { showError } from "../page/notice.js";
 import { inEveryLanguage, say } from "../words/words.js";
 
 const COUNTDOWN_S = 3;
@@ -127,7 +127,7 @@ class Camera {
    */
   #giveUp(code, error) {
     this.#close();
-    showPhotoError({ code, message: String(error), hint: "" });
+    showError({ code, message: String(error), hint: "" });
   }
 
   /** The one way out: nothing that the camera gave stays. */

@@ -1,5 +1,5 @@
 import { byId, isTyping, onAction } from "../page/dom.js";
-import { showPhotoError, showRemark } from "../page/notice.js";
+import { showError, showRemark } from "../page/notice.js";
 
 /** What the page can open, by name; a type alone would let other pictures go first. */
 const OPENS = /\.(jpe?g|png|webp|glb|rosto)$/i;
@@ -86,8 +86,8 @@ function take(transfer, open) {
   const files = items.filter((item) => !item.webkitGetAsEntry()?.isDirectory).map((item) => item.getAsFile());
   const there = files.filter((file) => file !== null);
   if (there.length > 0) openBest(there, open);
-  else if (items.length > 0) showPhotoError({ code: "folder", message: "only folders", hint: "" });
-  else if (transfer.types.length > 0) showPhotoError({ code: "not-a-file", message: transfer.types.join(), hint: "" });
+  else if (items.length > 0) showError({ code: "folder", message: "only folders", hint: "" });
+  else if (transfer.types.length > 0) showError({ code: "not-a-file", message: transfer.types.join(), hint: "" });
 }
 
 /**

@@ -169,7 +169,7 @@ export class PhotoOverlay {
 
   #writeCaption() {
     const { width_px: width, height_px: height } = this.#size;
-    byId("photo-caption", HTMLSpanElement).textContent = say("photo.caption", { width, height });
+    byId("photo-caption", HTMLSpanElement).textContent = width > 0 ? say("photo.caption", { width, height }) : "";
   }
 }
 

@@ -1,5 +1,10 @@
+import { byId } from "../page/dom.js";
+
 /** A server that has not sent it all by then is not going to. */
 const PATIENCE_MS = 60_000;
+
+/** Where the head is in it, px. */
+const HEAD = { left: 120, top: 16, side: 208 };
 
 /** @type {Promise<Blob> | undefined} */
 let sample;
@@ -11,6 +16,17 @@ export function loadSample() {
     throw error;
   });
   return sample;
+}
+
+/** Fetches it, and shows on its button what it is of. */
+export async function showSample() {
+  const canvas = byId("sample-thumbnail", HTMLCanvasElement);
+  const { left, top, side } = HEAD;
+  const face = await createImageBitmap(await loadSample(), left, top, side, side);
+  const context = canvas.getContext("2d");
+  if (context) context.imageSmoothingQuality = "high";
+  context?.drawImage(face, 0, 0, canvas.width, canvas.height);
+  face.close();
 }
 
 async function fetchSample() {

@@ -1,34 +1,36 @@
 import { byId } from "../page/dom.js";
 import { setKeeping, showError } from "../page/notice.js";
-import { dropIfFree, freeSlots, keepDone, keepFace, keepLastWords, lockOf, prune, workIn } from "./slots.js";
+import { ownSlot, rememberSlot } from "./own-slot.js";
+import { freeSlots, keepDone, keepLastWords, lockOf, prune, settle, workIn } from "./slots.js";
 
 /**
  * @typedef {import("./work.js").Work} Work
  * @typedef {import("./work.js").Done} Done
  * @typedef {import("./work.js").OpenedFace} OpenedFace
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ *
+ * @typedef {object} Visited a face that this tab has opened
+ * @property {OpenedFace} face
+ * @property {string} slot where it is kept; no other tab ever holds it
+ * @property {Done} [done] to it when it was last on the screen
+ * @property {Done} [stored] as much of it as the database has
  */
 
 /** What is done is kept this long after the last change. */
 const PAUSE_MS = 200;
 
-/** This tab's slot outlives a reload. */
-const SLOT = "rosto.slot";
-
 /**
- * Keeps the work in this browser, so that a reload or a crash loses nothing, and offers it on the next visit. The face on
- * the screen has a slot of its own, which is this tab's for as long as the face is open.
+ * Keeps the work in this browser, so that a reload or a crash loses nothing, and offers it on the next visit. Each face that
+ * was opened has a slot of its own, which is this tab's for as long as the face is on the screen. What was done to a face is
+ * remembered here, too, for as long as anybody has the face: it can be gone back to where the browser keeps nothing.
  */
 export class Autosave {
-  /** @type {OpenedFace | undefined} */
-  #face;
-  /** @type {Done | undefined} */
-  #done;
-  /** As much of it as the database has. @type {Done | undefined} */
-  #stored;
+  /** The face on the screen. @type {Visited | undefined} */
+  #now;
+  /** @type {WeakMap<OpenedFace, Visited>} */
+  #visited = new WeakMap();
   /** @type {Workbench | undefined} */
   #bench;
-  #slot = "";
   /** @type {() => void} */
   #letGo = () => {};
   #pause = 0;
@@ -49,7 +51,16 @@ export class Autosave {
 
   /** The face on the screen. */
   get face() {
-    return this.#face;
+    return this.#now?.face;
+  }
+
+  /**
+   * What was done to a face when it was last on the screen in this visit; nothing if it never was.
+   *
+   * @param {OpenedFace} face
+   */
+  doneTo(face) {
+    return this.#visited.get(face)?.done;
   }
 
   /**
@@ -61,10 +72,12 @@ export class Autosave {
     const slots = await freeSlots().catch(() => []);
     const own = slots.find((slot) => slot === ownSlot());
     const slot = own ?? slots[0];
-    if (slot === undefined || this.#face) return;
+    if (slot === undefined || this.#now) return;
     const button = byId("continue", HTMLButtonElement);
-    button.hidden = false;
     button.addEventListener("click", () => open(() => this.#reopen(slot)));
+    button.hidden = false;
+    // One button is the first choice, and for who returns it is this one.
+    for (const other of document.querySelectorAll("#welcome .primary")) other.classList.toggle("primary", other === button);
   }
 
   /**
@@ -75,14 +88,14 @@ export class Autosave {
   lose() {
     this.#isLost = true;
     clearTimeout(this.#pause);
-    return this.#face && this.#done && { face: this.#face, ...this.#done };
+    return this.#now?.done && { face: this.#now.face, ...this.#now.done };
   }
 
   /** @param {Workbench} bench */
   follow(bench) {
     this.#bench = bench;
     bench.onChange(() => {
-      if (!this.#face) return;
+      if (!this.#now) return;
       clearTimeout(this.#pause);
       this.#pause = setTimeout(() => this.#keepDone(), PAUSE_MS);
     });
@@ -94,23 +107,22 @@ export class Autosave {
   }
 
   /**
-   * Takes charge of a face that has just been opened, in a slot of its own.
+   * Takes charge of a face that has just been opened, in a slot of its own: the one it had if it is gone back to.
    *
    * @param {OpenedFace} face
    */
   take(face) {
     clearTimeout(this.#pause);
-    this.#letGo();
-    const slot = crypto.randomUUID();
-    // The same face again, whose work was lost or kept.
-    const before = face === this.#face ? this.#slot : face === this.#reopened?.face ? this.#reopened.slot : undefined;
-    [this.#isLost, this.#reopened] = [false, undefined];
-    [this.#slot, this.#face, this.#done] = [slot, face, this.#standing()];
-    rememberSlot(slot);
-    this.#hold(slot);
+    const now = this.#visited.get(face) ?? { face, slot: crypto.randomUUID() };
+    const reopenedFrom = face === this.#reopened?.face ? this.#reopened.slot : undefined;
+    if (now !== this.#now) this.#hold(now.slot);
+    [this.#isLost, this.#reopened, this.#now] = [false, undefined, now];
+    this.#visited.set(face, now);
+    rememberSlot(now.slot);
     // Not in the task that brings the face to the screen.
-    setTimeout(() => this.#write(() => move(slot, face, before)), PAUSE_MS);
-    if (this.#done) this.#put(slot, this.#done);
+    setTimeout(() => this.#write(() => settle(now.slot, face, reopenedFrom)), PAUSE_MS);
+    now.done = this.#standing();
+    if (now.done) this.#put(now, now.done);
     this.#write(prune);
   }
 
@@ -126,10 +138,23 @@ export class Autosave {
     }
   }
 
-  /** @param {string} slot is this tab's until `#letGo` */
+  /**
+   * Lets go of the slot before, and waits with all writing until this one is the tab's.
+   *
+   * @param {string} slot is this tab's until `#letGo`
+   */
   #hold(slot) {
+    this.#letGo();
     const held = new Promise((/** @type {(value: void) => void} */ resolve) => (this.#letGo = resolve));
-    navigator.locks.request(lockOf(slot), () => held);
+    const granted = new Promise((/** @type {(value: void) => void} */ resolve) => {
+      // A browser that refuses the lock refuses the database as well, which then says so.
+      const holding = navigator.locks.request(lockOf(slot), () => {
+        resolve();
+        return held;
+      });
+      holding.catch(() => resolve());
+    });
+    this.#writing = this.#writing.then(() => granted);
   }
 
   /** @returns {Done | undefined} what was done to the face as it stands */
@@ -142,28 +167,29 @@ export class Autosave {
 
   #keepDone() {
     clearTimeout(this.#pause);
-    const slot = this.#slot;
-    const done = this.#face && !this.#isLost && this.#standing();
-    if (!done || JSON.stringify(done) === JSON.stringify(this.#done)) return;
-    this.#done = done;
-    this.#put(slot, done);
+    const now = this.#now;
+    const done = this.#isLost ? undefined : now && this.#standing();
+    if (!now || !done || JSON.stringify(done) === JSON.stringify(now.done)) return;
+    now.done = done;
+    this.#put(now, done);
   }
 
   /**
-   * @param {string} slot
+   * @param {Visited} face
    * @param {Done} done
    */
-  #put(slot, done) {
+  #put(face, done) {
     this.#write(async () => {
-      await keepDone(slot, done);
-      this.#stored = done;
+      await keepDone(face.slot, done);
+      face.stored = done;
     });
   }
 
   /** A page that is left may not live to see the database's answer. */
   #sayLastWords() {
     this.#keepDone();
-    if (this.#done && this.#done !== this.#stored) keepLastWords(this.#slot, this.#done);
+    const { slot, done, stored } = this.#now ?? {};
+    if (slot !== undefined && done && done !== stored) keepLastWords(slot, done);
   }
 
   /** @param {() => Promise<void>} write */
@@ -178,34 +204,5 @@ export class Autosave {
     if (this.#hasComplained) return;
     this.#hasComplained = true;
     showError({ code: "not-kept", message: String(error), hint: "" });
-  }
-}
-
-/**
- * Keeps a face in its slot, after which the one that it was in before is of no more use.
- *
- * @param {string} slot
- * @param {OpenedFace} face
- * @param {string} [before]
- */
-async function move(slot, face, before) {
-  await keepFace(slot, face);
-  if (before !== undefined) await dropIfFree(before);
-}
-
-function ownSlot() {
-  try {
-    return sessionStorage.getItem(SLOT);
-  } catch {
-    return null;
-  }
-}
-
-/** @param {string} slot */
-function rememberSlot(slot) {
-  try {
-    sessionStorage.setItem(SLOT, slot);
-  } catch {
-    // The next visit then offers the latest work.
   }
 }

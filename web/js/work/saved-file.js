@@ -1,5 +1,6 @@
 import { studioModule } from "../viewport/studio-module.js";
 import { bytesOf } from "./bytes.js";
+import { stemOf, stemOfMesh } from "./file-name.js";
 import { pixelsOf } from "./pixels.js";
 
 /**
@@ -36,7 +37,8 @@ export async function readSavedFile(file, kind) {
   try {
     const { width: width_px, height: height_px, edits, triangulation, density, changedElsewhere } = reopened;
     const size = { pictureWidth_px: reopened.pictureWidth, pictureHeight_px: reopened.pictureHeight };
-    const face = { width_px, height_px, landmarks: reopened.landmarks(), colours: reopened.colours() };
+    const name = kind === "glb" && density > 0 ? stemOfMesh(file) : stemOf(file);
+    const face = { name, width_px, height_px, landmarks: reopened.landmarks(), colours: reopened.colours() };
     const picture = await pictureOf(reopened, kind);
     return { face: { ...face, ...size, picture }, edits, triangulation, density, changedElsewhere };
   } finally {

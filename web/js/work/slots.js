@@ -52,12 +52,24 @@ export async function workIn(slot) {
 }
 
 /**
- * Keeps a newly opened face; what is done to it comes later.
+ * Keeps an opened face unless it is there already; what is done to it comes later. The slot that it was reopened from is
+ * then of no more use.
  *
  * @param {string} slot
  * @param {OpenedFace} face
+ * @param {string} [reopenedFrom]
  */
-export async function keepFace(slot, face) {
+export async function settle(slot, face, reopenedFrom) {
+  const isThere = (await result((await open(FACES, "readonly")).getKey(slot))) !== undefined;
+  if (!isThere) await keepFace(slot, face);
+  if (reopenedFrom !== undefined) await dropIfFree(reopenedFrom);
+}
+
+/**
+ * @param {string} slot
+ * @param {OpenedFace} face
+ */
+async function keepFace(slot, face) {
   const put = async (/** @type {object} */ stored) => result((await open(FACES, "readwrite")).put(stored, slot));
   // As a blob the pixels are handed to the database outside the page's own thread; not every browser takes blobs in a
   // private window.
@@ -92,11 +104,11 @@ export function keepLastWords(slot, done) {
 
 /** Forgets the oldest of the works that no tab has open. */
 export async function prune() {
-  for (const slot of (await freeSlots()).slice(MOST_KEPT)) await drop(slot);
+  for (const slot of (await freeSlots()).slice(MOST_KEPT)) await dropIfFree(slot);
 }
 
 /** @param {string} slot is dropped unless a tab holds it */
-export async function dropIfFree(slot) {
+async function dropIfFree(slot) {
   await navigator.locks.request(lockOf(slot), { ifAvailable: true }, async (lock) => {
     if (lock) await drop(slot);
   });

@@ -9,8 +9,8 @@
  * @property {number} density how often the mesh is subdivided
  * @property {string} [preferences] choices and view, as the studio tells them
  *
- *
  * @typedef {object} OpenedFace
+ * @property {string} [name] of the files made of it, without an ending; works kept by earlier versions have none
  * @property {number} width_px of the upright photo in which the landmarks were found
  * @property {number} height_px
  * @property {Float32Array} landmarks 468 × (x/W, y/H, z/W)
@@ -21,16 +21,16 @@
  */
 
 /**
- * One of the faces that the worker found, with the picture they share.
+ * The faces that the worker found, with the picture they share.
  *
  * @param {import("../worker/protocol.js").FoundFaces} found
- * @param {number} index
- * @returns {OpenedFace}
+ * @param {string} name of their photo
+ * @returns {OpenedFace[]}
  */
-export function faceOf(found, index) {
-  const face = found.faces[index];
-  if (!face) throw { code: "no-face-found", message: "no face in the photo", hint: "" };
+export function facesOf(found, name) {
   const { width_px, height_px, pictureWidth_px, pictureHeight_px, picture } = found;
-  const { landmarks, colours } = face;
-  return { width_px, height_px, landmarks, colours, pictureWidth_px, pictureHeight_px, picture };
+  return found.faces.map(({ landmarks, colours }, index) => ({
+    ...{ width_px, height_px, landmarks, colours, pictureWidth_px, pictureHeight_px, picture },
+    name: index === 0 ? name : `${name}-${index + 1}`,
+  }));
 }

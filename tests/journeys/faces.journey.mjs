@@ -1,0 +1,265 @@
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { journey } from "./journey.mjs";
+import { asJpeg, twice } from "./pictures.mjs";
+import { SAMPLE } from "./visitor.mjs";
+
+journey("each face of a group keeps its own edits: going to the other one and back loses nothing", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await openGroup(visitor);
+  await edit(visitor, "nose tip", 9);
+  await edit(visitor, "nose tip", -2);
+  await visitor.unfold("section-view");
+  await page.selectOption("#density", "1");
+  const first = await standing(visitor);
+
+  await choose(visitor, 1);
+  assert.deepEqual(await visitor.history(), []);
+  await visitor.slide("jaw-width", 4);
+  const second = await standing(visitor);
+  assert.notDeepEqual(second.mesh, first.mesh);
+  await visitor.unfold("section-view");
+  await page.check("#wireframe");
+
+  await choose(visitor, 0);
+  assert.deepEqual(await standing(visitor), first);
+  assert.ok(await page.isChecked("#wireframe"), "how the face is looked at went back with it");
+  await page.click("#toolbar [data-action='undo']");
+  assert.notDeepEqual((await standing(visitor)).mesh, first.mesh);
+  await page.click("#toolbar [data-action='redo']");
+
+  await choose(visitor, 1);
+  assert.deepEqual(await standing(visitor), second);
+  // Each has one slot, and one of them is the tab's.
+  await page.waitForTimeout(800);
+  const kept = await works(visitor);
+  assert.deepEqual(kept.map(({ name, isHeld }) => [name, isHeld]).sort(), [["group", false], ["group-2", true]]);
+  assert.match(kept.find(({ name }) => name === "group").edits, /nose-tip/);
+});
+
+journey("the face before is one press away, with its edits, and so is the one that was left for it", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  assert.ok(await page.isHidden("#faces"), "there is nothing to go back to yet");
+  await edit(visitor, "nose tip", 9);
+  const photo = await standing(visitor);
+  const project = await visitor.download("save-project");
+  const glb = await visitor.download("download-glb");
+
+  // Whatever takes the place of a face can be taken back: a project, a GLB, another photo.
+  const others = [
+    { bytes: project, name: "other.rosto" },
+    { bytes: glb, name: "other.glb" },
+    { bytes: await asJpeg(page, await readFile(SAMPLE), { width: 640, height: 480 }), name: "other.jpg" },
+  ];
+  for (const { bytes, name } of others) {
+    await visitor.drop(bytes, name);
+    await untilNamed(visitor, "other");
+    await visitor.slide("jaw-width", 4);
+    const other = await standing(visitor);
+    await goBack(visitor, "portrait");
+    assert.deepEqual(await standing(visitor), photo, name);
+    await goBack(visitor, "other");
+    assert.deepEqual(await standing(visitor), other, name);
+    await goBack(visitor, "portrait");
+  }
+  assert.ok(await page.isHidden("#face-choice"));
+});
+
+journey("a group can be gone back to from another photo, each of its faces as it was left", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await openGroup(visitor);
+  await edit(visitor, "nose tip", 9);
+  const first = await standing(visitor);
+  await choose(visitor, 1);
+  await visitor.slide("jaw-width", 4);
+  const second = await standing(visitor);
+
+  await visitor.drop(await readFile(SAMPLE), "alone.png");
+  await untilNamed(visitor, "alone");
+  assert.ok(await page.isHidden("#face-choice"));
+  await goBack(visitor, "group-2");
+  assert.ok(await page.isVisible("#face-choice"));
+  assert.deepEqual(await chosen(page), [false, true]);
+  assert.deepEqual(await standing(visitor), second);
+  await choose(visitor, 0);
+  assert.deepEqual(await standing(visitor), first);
+});
+
+journey("of faces chosen one right after the other the last is shown, and the strip says so", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await openGroup(visitor);
+  await edit(visitor, "nose tip", 9);
+  const first = await standing(visitor);
+  // In one task, faster than any of them can be opened.
+  await page.evaluate(() => {
+    const [one, other] = document.querySelectorAll("#face-options input");
+    for (const input of [other, one, other, one]) input.click();
+  });
+  await visitor.frames(20);
+  assert.deepEqual(await chosen(page), [true, false]);
+  assert.deepEqual(await standing(visitor), first);
+  // A photo without a face takes nobody's place.
+  await visitor.drop(Buffer.from("no picture"), "broken.jpg");
+  await page.waitForSelector("#notice[data-code='not-a-picture']");
+  assert.deepEqual(await chosen(page), [true, false]);
+  assert.deepEqual(await standing(visitor), first);
+});
+
+journey("where the browser keeps nothing, the face before comes back all the same", async (open) => {
+  const visitor = await open({ before: (context) => context.addInitScript(refuseDatabase) });
+  const { page } = visitor;
+  await openGroup(visitor);
+  await page.waitForSelector("#notice[data-code='not-kept']");
+  await edit(visitor, "nose tip", 9);
+  const first = await standing(visitor);
+  await choose(visitor, 1);
+  await choose(visitor, 0);
+  assert.deepEqual(await standing(visitor), first);
+  await visitor.drop(await readFile(SAMPLE), "alone.png");
+  await untilNamed(visitor, "alone");
+  await goBack(visitor, "group");
+  assert.deepEqual(await standing(visitor), first);
+});
+
+journey("work that went back and forth is there after a reload, the face that was shown last first", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await openGroup(visitor);
+  await edit(visitor, "nose tip", 9);
+  for (const index of [1, 0, 1, 0]) await choose(visitor, index);
+  await edit(visitor, "nose tip", 3);
+  const first = await standing(visitor);
+  await page.waitForTimeout(800);
+  assert.equal((await works(visitor)).length, 2);
+  await page.reload();
+  await page.click("#continue");
+  await visitor.untilFace();
+  assert.deepEqual(await standing(visitor), first);
+});
+
+journey("a module that is started again brings the face back among its group", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.untilLoaded();
+  await openGroup(visitor);
+  await edit(visitor, "nose tip", 9);
+  const first = await standing(visitor);
+  await choose(visitor, 1);
+  await page.evaluate(async () => {
+    const module = "./wasm/rosto-studio-web.js";
+    const { Studio } = await import(new URL(module, document.baseURI).href);
+    Studio.prototype.exportFile = () => {
+      throw new WebAssembly.RuntimeError("unreachable");
+    };
+  });
+  await visitor.unfold("section-export");
+  await page.click("[data-action='download-json']");
+  await page.waitForSelector("#notice[data-code='restarted']");
+  await choose(visitor, 0);
+  assert.deepEqual(await standing(visitor), first);
+});
+
+for (const { width, height } of [{ width: 390, height: 844 }, { width: 844, height: 390 }, { width: 720, height: 450 }]) {
+  journey(`at ${width}×${height} the faces of a group are offered over the stage, and lie over nothing else`, async (open) => {
+    const visitor = await open({ viewport: { width, height } });
+    const { page } = visitor;
+    await visitor.dropSample();
+    await openGroup(visitor);
+    assert.ok(await page.isVisible("#previous-face"));
+    const strip = await page.locator("#faces").boundingBox();
+    const stage = await page.locator("#stage").boundingBox();
+    assert.ok(strip.x >= stage.x && strip.x + strip.width <= stage.x + stage.width && strip.y >= stage.y, JSON.stringify({ strip, stage }));
+    for (const input of await page.locator("#face-options canvas").all()) {
+      const { x, y, width: across } = await input.boundingBox();
+      assert.ok(across >= 40, `a thumbnail of ${across} px`);
+      assert.ok(x >= strip.x && x + across <= strip.x + strip.width && y >= strip.y, "a thumbnail is cut off");
+    }
+    await visitor.drop(Buffer.from("no picture"), "broken.jpg");
+    await visitor.notice();
+    for (const id of ["notice", "privacy", "toolbar"]) {
+      const box = await page.locator(`#${id}`).boundingBox();
+      assert.ok(box.y >= strip.y + strip.height || box.y + box.height <= strip.y, `the faces lie over #${id}`);
+    }
+  });
+}
+
+/** @param {import("./visitor.mjs").Visitor} visitor */
+async function openGroup(visitor) {
+  await visitor.drop(await twice(visitor.page, await readFile(SAMPLE)), "group.png");
+  await visitor.page.waitForSelector("#face-choice:not([hidden])");
+  await visitor.untilFace();
+}
+
+/** @param {import("./visitor.mjs").Visitor} visitor */
+async function edit(visitor, landmark, offset_mm) {
+  await visitor.findLandmark(landmark);
+  await visitor.offset("z", offset_mm);
+}
+
+/** Another face of the group, by its place in the strip. */
+async function choose(visitor, index) {
+  const { page } = visitor;
+  await page.locator("#face-options input").nth(index).click({ force: true });
+  await untilNamed(visitor, index === 0 ? "group" : `group-${index + 1}`);
+}
+
+async function goBack(visitor, name) {
+  await visitor.page.click("#previous-face");
+  await untilNamed(visitor, name);
+}
+
+/** Waits until the face of that name is open: downloads are named after it. */
+async function untilNamed(visitor, name) {
+  const { page } = visitor;
+  for (let tries = 0; ; tries += 1) {
+    await page.waitForSelector("#progress", { state: "hidden" });
+    await visitor.frames(3);
+    await visitor.unfold("section-export");
+    const coming = page.waitForEvent("download");
+    await page.click("[data-action='download-picture']");
+    const file = (await coming).suggestedFilename();
+    if (file === `${name}.png`) return;
+    assert.ok(tries < 40, `${file} is open, not ${name}`);
+    await page.waitForTimeout(100);
+  }
+}
+
+/** What is open, and what has been done to it. */
+async function standing(visitor) {
+  return { mesh: await visitor.meshJson("mm"), history: await visitor.history() };
+}
+
+function chosen(page) {
+  return page.locator("#face-options input").evaluateAll((inputs) => inputs.map(({ checked }) => checked));
+}
+
+/** The works in the browser's database, and whether a tab has them open. */
+function works({ page }) {
+  return page.evaluate(async () => {
+    const answer = (request) => new Promise((resolve) => (request.onsuccess = () => resolve(request.result)));
+    const database = await answer(indexedDB.open("rosto"));
+    const transaction = database.transaction(["faces", "done"]);
+    const [names, faces, done] = await Promise.all([
+      answer(transaction.objectStore("faces").getAllKeys()),
+      answer(transaction.objectStore("faces").getAll()),
+      answer(transaction.objectStore("done").getAll()),
+    ]);
+    const doneKeys = await answer(database.transaction("done").objectStore("done").getAllKeys());
+    database.close();
+    const { held } = await navigator.locks.query();
+    const isHeld = (slot) => held.some(({ name }) => name === `rosto-slot-${slot}`);
+    return names.map((slot, place) => ({ name: faces[place].name, isHeld: isHeld(slot), edits: done[doneKeys.indexOf(slot)]?.edits }));
+  });
+}
+
+/** Runs in the page, as some browsers do in private windows. */
+function refuseDatabase() {
+  IDBFactory.prototype.open = () => {
+    throw new DOMException("The operation is insecure.", "SecurityError");
+  };
+}

@@ -1,0 +1,28 @@
+import { showLoading, showStage } from "../page/progress.js";
+import { facesOf } from "../work/work.js";
+
+/** A group photo offers this many faces at most. */
+const MAX_FACES = 8;
+
+/**
+ * The faces of a photo, the best first, with the progress shown for as long as it is wanted.
+ *
+ * @param {import("./vision-client.js").VisionClient} vision
+ * @param {Blob} photo
+ * @param {string} name
+ * @param {() => boolean} isWanted
+ * @returns {Promise<import("../work/incoming.js").Incoming>}
+ */
+export async function readPhoto(vision, photo, name, isWanted) {
+  showLoading();
+  // The worker may have to load before it begins.
+  let begun_ms = NaN;
+  const found = await vision.find(photo, MAX_FACES, (stage, fraction) => {
+    if (Number.isNaN(begun_ms)) begun_ms = performance.now();
+    if (isWanted()) showStage(stage, fraction);
+  });
+  const faces = facesOf(found, name);
+  const [face] = faces;
+  if (!face) throw { code: "no-face-found", message: "no face in the photo", hint: "" };
+  return { face, faces, bitmap: found.bitmap, extraction_ms: performance.now() - begun_ms };
+}

@@ -1,0 +1,46 @@
+import { bitmapOf } from "./pixels.js";
+
+/**
+ * @typedef {import("./work.js").Work} Work
+ * @typedef {import("./work.js").Done} Done
+ * @typedef {import("./work.js").OpenedFace} OpenedFace
+ *
+ * @typedef {object} Shown
+ * @property {OpenedFace} face
+ * @property {OpenedFace[]} faces all of its photo, itself among them
+ *
+ * @typedef {object} Arrival
+ * @property {ImageBitmap} bitmap the face's picture
+ * @property {Done} [done] what was done to it before
+ * @property {number} [extraction_ms] how long finding its landmarks took
+ * @property {boolean} [changedElsewhere] whether the file tells of another shape than opens
+ * @property {boolean} [ofThisVisit] whether its photo was open before
+ *
+ * @typedef {Shown & Arrival} Incoming what is ready to be opened
+ */
+
+/**
+ * Work out of a file or the browser's database.
+ *
+ * @param {Work & { changedElsewhere?: boolean }} work
+ * @returns {Promise<Incoming>}
+ */
+export async function fromWork({ face, changedElsewhere = false, ...done }) {
+  try {
+    return { face, faces: [face], bitmap: await bitmapOf(face), done, changedElsewhere };
+  } catch (error) {
+    throw { code: "bad-kept-work", message: String(error), hint: "" };
+  }
+}
+
+/**
+ * A face of this visit as it was left. How it is looked at stays as it is.
+ *
+ * @param {Shown} shown
+ * @param {Done | undefined} left nothing if it was never on the screen
+ * @returns {Promise<Incoming>}
+ */
+export async function fromVisit({ face, faces }, left) {
+  const { preferences: _, ...done } = left ?? { edits: "", triangulation: "", density: 0 };
+  return { face, faces, bitmap: await bitmapOf(face), ...(left && { done }), ofThisVisit: true };
+}
