@@ -7,12 +7,11 @@ import { availableParallelism } from "node:os";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { AUDIENCES, LOCALES } from "./audiences.mjs";
-import { findings } from "./boxes.mjs";
 import { launch } from "./browser.mjs";
 import { chinFindings } from "./chin.mjs";
 import { DIST, serve } from "./server.mjs";
 import { writeSheet } from "./sheets.mjs";
-import { STATES, withHeldWork } from "./states.mjs";
+import { STATES, withHeldWork, wrongWith } from "./states.mjs";
 import { Visitor } from "./visitor.mjs";
 
 /** @typedef {"light" | "dark"} Theme */
@@ -38,10 +37,14 @@ const waiting = languages.flatMap((language) => audiences.map((audience) => ({ l
 await Promise.all(Array.from({ length: LANES }, walkInLane));
 await writeSheets();
 server.close();
-const found = shots.flatMap(({ found, state, size, language }) => found.map((what) => `${state} · ${size} · ${language}: ${what}`));
-for (const line of new Set(found)) console.log(line);
-console.log(`contact sheet: ${shots.length} pictures, ${new Set(found).size} findings`);
-process.exitCode = found.length === 0 ? 0 : 1;
+/** Each finding with the pictures that show it. @type {Map<string, string[]>} */
+const found = new Map();
+for (const { found: seen, state, size, language } of shots) {
+  for (const what of seen) found.set(what, [...(found.get(what) ?? []), `${state} ${size} ${language}`]);
+}
+for (const [what, where] of found) console.log(`${what}: ${where.join(", ")}`);
+console.log(`contact sheet: ${shots.length} pictures, ${found.size} findings`);
+process.exitCode = found.size === 0 ? 0 : 1;
 
 async function walkInLane() {
   const browser = await launch();
@@ -83,7 +86,7 @@ async function look(visitor, state, where) {
   for (const theme of themes) {
     await visitor.page.emulateMedia({ colorScheme: theme });
     await visitor.frames(5);
-    const found = theme === themes[0] ? await findings(visitor.page) : [];
+    const found = theme === themes[0] ? await wrongWith(visitor, state) : [];
     const picture = await visitor.page.screenshot();
     if (state.face && theme === themes[0]) found.push(...(await chinFindings(visitor)));
     shots.push({ ...where, theme, picture, found });

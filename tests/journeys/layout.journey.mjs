@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { AUDIENCES } from "./audiences.mjs";
 import { findings, over } from "./boxes.mjs";
 import { journey } from "./journey.mjs";
-import { STATES, withHeldWork } from "./states.mjs";
+import { STATES, withHeldWork, wrongWith } from "./states.mjs";
 
 /** Bottom of the chin. */
 const CHIN = "152";
@@ -19,13 +19,45 @@ for (const { id, options } of AUDIENCES) {
       await state.enter(visitor);
       for (const language of ["en", "pt"]) {
         await speak(visitor, language);
-        for (const what of await findings(visitor.page)) tell(what, `${state.id}, ${language}`);
+        for (const what of await wrongWith(visitor, state)) tell(what, `${state.id}, ${language}`);
       }
       if (state.id === "arrived") for (const name of await overChin(visitor)) tell(`${name} lies over the chin`, state.id);
       await state.leave?.(visitor);
     }
     assert.deepEqual([...found], []);
   });
+}
+
+/** Faults, each put into a page that has none. @type {[string, string, Record<string, string>, RegExp][]} */
+const FAULTS = [
+  ["overlaps", "#hint", { bottom: "24px" }, /#hint and #toolbar overlap by/],
+  ["leaves the window", "#hint", { left: "-40px", transform: "none" }, /#hint leaves #stage sideways by 40 px/],
+  ["is cut", "#photo-change", { width: "24px" }, /the text of #photo-change is \d+ px wider than its box/],
+  ["wraps", "#tab-export", { width: "40px", padding: "0", overflowWrap: "anywhere" }, /the text of #tab-export wraps/],
+  ["is covered", "#hint", { inset: "0", transform: "none", zIndex: "9" }, /#toolbar button\.icon-button is covered by #hint/],
+  ["scrolls sideways", "#section-photo", { width: "400px" }, /#sections scrolls sideways by/],
+];
+
+journey("what overlaps, leaves the window, is cut, wraps, is covered or scrolls sideways is found", async (open) => {
+  const visitor = await open({ viewport: { width: 1280, height: 800 } });
+  const { page } = visitor;
+  await visitor.dropSample();
+  assert.deepEqual(await findings(page), []);
+  for (const [fault, selector, style, sign] of FAULTS) {
+    const undo = await page.evaluate(restyle, { selector, style });
+    const found = await findings(page);
+    assert.ok(found.some((what) => sign.test(what)), `nothing ${fault}: ${found.join("; ")}`);
+    await page.evaluate(restyle, { selector, style: undo });
+  }
+  assert.deepEqual(await findings(page), []);
+});
+
+/** Runs in the page. @returns {Record<string, string>} what takes it back */
+function restyle({ selector, style }) {
+  const element = document.querySelector(selector);
+  const before = Object.fromEntries(Object.keys(style).map((name) => [name, element.style[name]]));
+  Object.assign(element.style, style);
+  return before;
 }
 
 /** What floats over the lowest point of the face. @param {import("./visitor.mjs").Visitor} visitor */

@@ -1,4 +1,5 @@
 import { readFile } from "node:fs/promises";
+import { findings } from "./boxes.mjs";
 import { Hand } from "./hand.mjs";
 import { faceless, twice } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
@@ -36,6 +37,19 @@ export const STATES = [
 /** Lets the worker's answer be held back; for `before` of a visitor. @param {import("playwright-core").BrowserContext} context */
 export function withHeldWork(context) {
   return context.addInitScript(holdAnswers);
+}
+
+/**
+ * What is wrong with a state as it stands: its boxes, and a notice where none belongs.
+ *
+ * @param {Visitor} visitor
+ * @param {State} state
+ * @returns {Promise<string[]>}
+ */
+export async function wrongWith({ page }, { id }) {
+  const notice = page.locator("#notice");
+  const isStray = id !== "notice" && (await notice.isVisible());
+  return [...(isStray ? [`a notice: ${await notice.getAttribute("data-code")}`] : []), ...(await findings(page))];
 }
 
 /** @param {Visitor} visitor */

@@ -1,0 +1,60 @@
+// What the other files here look with. All of it runs in the page.
+
+/** Boxes that share no more than this are apart, in CSS px: browsers lay out in fractions of them. */
+export const SLACK_PX = 1;
+
+/** @param {Element} element */
+export function isSeen(element) {
+  if (element.closest(".visually-hidden, .skip-link, .symbols, svg *")) return false;
+  const { width, height } = element.getBoundingClientRect();
+  return width > 0 && height > 0 && element.checkVisibility({ visibilityProperty: true });
+}
+
+/** @param {Element} element */
+export function nameOf(element) {
+  if (element.id) return `#${element.id}`;
+  const words = (element.textContent ?? "").trim().replaceAll(/\s+/g, " ").slice(0, 32);
+  const kind = element.tagName.toLowerCase() + [...element.classList].map((name) => `.${name}`).join("");
+  const section = element.closest("[id]");
+  return `${section ? `#${section.id} ` : ""}${kind}${words ? ` “${words}”` : ""}`;
+}
+
+/** Whatever floats over the 3D view, each for itself; what has the whole stage to itself for a moment is not meant. */
+export function floats() {
+  const outer = document.querySelectorAll(".stage > :not(.viewport, .visually-hidden, .welcome, .drop-veil, .pulse, .wipe), #toast, #faces");
+  const all = new Set([...outer, ...document.querySelectorAll(".welcome > *")]);
+  return [...all].filter((element) => isSeen(element) && element.checkVisibility({ opacityProperty: true }));
+}
+
+/** @param {Element} one @param {Element} other */
+export function overlap(one, other) {
+  const [a, b] = [one.getBoundingClientRect(), other.getBoundingClientRect()];
+  const width = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+  const height = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+  return width > SLACK_PX && height > SLACK_PX ? `${Math.round(width)} × ${Math.round(height)} px` : undefined;
+}
+
+/** @param {Element} element */
+export function boxes(element) {
+  const { left, right, top, bottom } = element.getBoundingClientRect();
+  return { left, right, top, bottom };
+}
+
+/** How far a box reaches beyond another's edges, sideways and up or down. */
+export function edgeOf(box, frame) {
+  const across = Math.max(frame.left - box.left, box.right - frame.right);
+  const along = Math.max(frame.top - box.top, box.bottom - frame.bottom);
+  return { across: Math.round(across), along: Math.round(along) };
+}
+
+/** @param {Element} element */
+export function hasOwnText(element) {
+  return [...element.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && (node.textContent ?? "").trim() !== "");
+}
+
+/** Where the text of an element stands, line by line. @param {Element} element */
+export function textOf(element) {
+  const range = document.createRange();
+  range.selectNodeContents(element);
+  return [...range.getClientRects()].filter(({ width, height }) => width > 0 && height > 0);
+}

@@ -1,0 +1,93 @@
+// What leaves the window, and text that is cut. It runs in the page.
+import { boxes, edgeOf, hasOwnText, isSeen, nameOf, SLACK_PX, textOf } from "./basics.mjs";
+
+/** A closed list shows its choice beside an arrow this wide, in CSS px. */
+export const SELECT_ARROW_PX = 20;
+
+/** What stands where nobody sees it, though nothing there scrolls. */
+export function leaving(all) {
+  const found = [];
+  for (const element of all) {
+    const isFloat = element.parentElement?.id === "stage" && element.id !== "viewport";
+    if (!isFloat && !hasOwnText(element) && !element.matches("button, input, select, canvas:not(#viewport), progress")) continue;
+    if (element.matches("#drop-veil, #drop-veil *")) continue;
+    const out = outside(element);
+    if (out) found.push(`${nameOf(element)} ${out}`);
+  }
+  return found;
+}
+
+/** @param {Element} element */
+export function outside(element) {
+  const box = boxes(element);
+  let scrolls = false;
+  for (let up = element.parentElement; up && up !== document.documentElement; up = up.parentElement) {
+    const { overflowX, overflowY } = getComputedStyle(up);
+    if (overflowX === "visible" && overflowY === "visible") continue;
+    const { across, along } = edgeOf(box, boxes(up));
+    if (across > SLACK_PX && overflowX !== "visible") return `leaves ${nameOf(up)} sideways by ${across} px`;
+    scrolls ||= /auto|scroll/.test(overflowY);
+    if (!scrolls && along > SLACK_PX && overflowY !== "visible") return `leaves ${nameOf(up)} by ${along} px`;
+  }
+  const { across, along } = edgeOf(box, { left: 0, top: 0, right: innerWidth, bottom: innerHeight });
+  if (across > SLACK_PX) return `leaves the window sideways by ${across} px`;
+  return !scrolls && along > SLACK_PX ? `leaves the window by ${along} px` : undefined;
+}
+
+/** Text wider than its box: it is cut there, or runs over what stands beside it. */
+export function spilling(all) {
+  return all
+    .filter((element) => element.clientWidth > 0 && hasOwnText(element) && getComputedStyle(element).textOverflow !== "ellipsis")
+    .filter(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth + SLACK_PX)
+    .map((element) => `the text of ${nameOf(element)} is ${element.scrollWidth - element.clientWidth} px wider than its box`);
+}
+
+/** What is cut within buttons, labels, segments and fields. */
+export function cutting(all) {
+  const found = [];
+  for (const element of all.filter((one) => one.matches("button, label, summary, [role=tab], .choice-options span"))) {
+    if (element.clientHeight > 0 && element.scrollHeight > element.clientHeight + SLACK_PX) found.push(`${nameOf(element)} is cut by ${element.scrollHeight - element.clientHeight} px`);
+    const out = textOf(element).map((line) => edgeOf(line, boxes(element))).find(({ across, along }) => across > SLACK_PX || along > 2);
+    if (out && !element.matches("label:has(select, input)")) found.push(`the text of ${nameOf(element)} leaves it by ${Math.max(out.across, out.along)} px`);
+    if (element.matches("[role=tab], .choice-options span") && isWrapped(element)) found.push(`the text of ${nameOf(element)} wraps`);
+  }
+  return [...found, ...all.map(cutChoice), ...all.map(cutValue)].filter(Boolean);
+}
+
+/** Segments and tabs keep to one line, whatever the language. @param {Element} element */
+export function isWrapped(element) {
+  const lines = textOf(element).toSorted((a, b) => a.top - b.top);
+  return lines.some((line, place) => place > 0 && line.top >= lines[place - 1].bottom - 2);
+}
+
+/** @param {Element} select */
+export function cutChoice(select) {
+  if (!(select instanceof HTMLSelectElement)) return undefined;
+  const style = getComputedStyle(select);
+  const pen = new OffscreenCanvas(1, 1).getContext("2d");
+  pen.font = `${style.fontWeight} ${style.fontSize} ${style.fontFamily}`;
+  const text = select.selectedOptions[0]?.text ?? "";
+  const room_px = select.clientWidth - Number.parseFloat(style.paddingLeft) - Number.parseFloat(style.paddingRight) - SELECT_ARROW_PX;
+  const lack_px = Math.round(pen.measureText(text).width - room_px);
+  return lack_px > SLACK_PX ? `${nameOf(select)} cuts “${text}” by ${lack_px} px` : undefined;
+}
+
+/** @param {Element} input */
+export function cutValue(input) {
+  if (!(input instanceof HTMLInputElement) || !input.matches("[type=text], [type=number], :not([type])")) return undefined;
+  const lack_px = input.scrollWidth - input.clientWidth;
+  return lack_px > SLACK_PX ? `${nameOf(input)} cuts “${input.value}” by ${lack_px} px` : undefined;
+}
+
+export function sideways() {
+  const found = [];
+  const { scrollWidth, scrollHeight } = document.documentElement;
+  if (scrollWidth > innerWidth) found.push(`the page scrolls sideways by ${scrollWidth - innerWidth} px`);
+  if (scrollHeight > innerHeight) found.push(`the page scrolls by ${scrollHeight - innerHeight} px`);
+  for (const element of [...document.querySelectorAll(".panel, .sections, .section-body, dialog[open]")].filter(isSeen)) {
+    const over_px = element.scrollWidth - element.clientWidth;
+    if (over_px > SLACK_PX) found.push(`${nameOf(element)} scrolls sideways by ${over_px} px`);
+    if (element.matches("dialog") && element.scrollTop > 0) found.push(`${nameOf(element)} opens ${element.scrollTop} px below its top`);
+  }
+  return found;
+}
