@@ -1,11 +1,9 @@
 import assert from "node:assert/strict";
 import { AUDIENCES } from "./audiences.mjs";
-import { findings, over } from "./boxes.mjs";
+import { findings } from "./boxes.mjs";
+import { chinFindings } from "./chin.mjs";
 import { journey } from "./journey.mjs";
 import { STATES, withHeldWork, wrongWith } from "./states.mjs";
-
-/** Bottom of the chin. */
-const CHIN = "152";
 
 const SEEN = ["empty", "working", "arrived", "selected", "view", "export", "downloaded", "notice", "keys", "group", "returning"];
 
@@ -21,12 +19,25 @@ for (const { id, options } of AUDIENCES) {
         await speak(visitor, language);
         for (const what of await wrongWith(visitor, state)) tell(what, `${state.id}, ${language}`);
       }
-      if (state.id === "arrived") for (const name of await overChin(visitor)) tell(`${name} lies over the chin`, state.id);
       await state.leave?.(visitor);
     }
     assert.deepEqual([...found], []);
   });
 }
+
+journey("all of the face is in what a window leaves free, and again whenever the window becomes another", async (open) => {
+  const visitor = await open({ colorScheme: "light" });
+  await visitor.dropSample();
+  const found = [];
+  for (const { id, options } of [...AUDIENCES, ...AUDIENCES.toReversed()]) {
+    await visitor.page.setViewportSize(options.viewport);
+    // Half a second is the longest that the camera glides.
+    await visitor.page.waitForTimeout(500);
+    await visitor.frames(3);
+    for (const what of await chinFindings(visitor)) found.push(`${id}: ${what}`);
+  }
+  assert.deepEqual(found, []);
+}, { needs: "eyes" });
 
 /** Faults, each put into a page that has none. @type {[string, string, Record<string, string>, RegExp][]} */
 const FAULTS = [
@@ -58,14 +69,6 @@ function restyle({ selector, style }) {
   const before = Object.fromEntries(Object.keys(style).map((name) => [name, element.style[name]]));
   Object.assign(element.style, style);
   return before;
-}
-
-/** What floats over the lowest point of the face. @param {import("./visitor.mjs").Visitor} visitor */
-async function overChin(visitor) {
-  await visitor.findLandmark(CHIN);
-  const { x, y } = await visitor.tagged();
-  const names = await over(visitor.page, { left: x - 8, right: x + 8, top: y - 4, bottom: y + 4 });
-  return names.filter((name) => name !== "#landmark-tag");
 }
 
 /** The page in another language, as by its list of them, which phones hide. */
