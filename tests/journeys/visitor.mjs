@@ -107,11 +107,20 @@ export class Visitor {
   }
 
   /** Shows a section of the panel, whichever tab or folds hide it. */
-  async unfold(id) {
-    const tab = await this.page.locator(`#sections > [data-tab]:is(#${id}, :has(#${id}))`).getAttribute("data-tab");
-    const button = this.page.locator(`[data-tab-name="${tab}"]`);
+  unfold(id) {
+    return this.reach(`#${id}`);
+  }
+
+  /**
+   * Shows something of the panel, whichever tab or folds hide it.
+   *
+   * @param {string} selector
+   */
+  async reach(selector) {
+    const tab = await this.page.locator(`#sections > [data-tab]:is(${selector}, :has(${selector}))`).getAttribute("data-tab");
+    const button = this.page.locator(`[data-tab-name="${tab}"]:not([aria-selected="true"])`);
     if (await button.isVisible()) await button.click();
-    const folded = this.page.locator(`details:not([open]):is(#${id}, :has(#${id})) > summary`);
+    const folded = this.page.locator(`details:not([open]):is(${selector}, :has(${selector})) > summary`);
     while ((await folded.count()) > 0) await folded.first().click();
   }
 
@@ -144,8 +153,8 @@ export class Visitor {
     return this.page.evaluate(() => {
       const tag = document.getElementById("landmark-tag");
       const stage = document.getElementById("stage").getBoundingClientRect();
-      const [x = 0, y = 0] = tag.style.translate.split(" ").map(Number.parseFloat);
-      return { x: stage.left + x - 14, y: stage.top + y - 12 };
+      const [x = 0, y = 0] = (tag.dataset.place ?? "").split(" ").map(Number.parseFloat);
+      return { x: stage.left + x, y: stage.top + y };
     });
   }
 

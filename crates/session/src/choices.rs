@@ -8,7 +8,7 @@ use crate::error::{SessionError, within};
 const M_PER_MM: f64 = 1e-3;
 
 /// How far an edit may be told to reach, in mm.
-pub const RADIUS_MM: Range = Range { least: 5.0, most: 120.0, step: 1.0, usual: 40.0 };
+pub const RADIUS_MM: Range = Range { least: 5.0, most: 120.0, step: 1.0, usual: 25.0 };
 
 /// What the sliders of what is selected go through, in mm. A drag may go further.
 pub const SLIDER_MM: Range = Range { least: -40.0, most: 40.0, step: 0.1, usual: 0.0 };
@@ -62,7 +62,8 @@ rosto_named::named! {
     /// Choices that go together.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Preset {
-        /// What a hand expects: the point goes where it is put, both sides follow, the outline stays.
+        /// What a hand expects: the point goes where it is put, what is near it follows on both sides, and the outline stays
+        /// unless it is what is taken.
         Sculpt = "sculpt",
         /// The paper's edit.
         Paper = "paper",
@@ -87,6 +88,7 @@ impl Preset {
                 operator: Operator::Cotangent,
                 constraint: ConstraintKind::Hard,
                 anchors: AnchorChoice::Oval,
+                is_nearby: true,
                 mirror: Mirror::On,
                 ..paper
             },
@@ -127,8 +129,11 @@ impl Choices {
             handles.contains(&vertex) || partner.is_some_and(|partner| handles.contains(&partner))
         };
         let is_there = |vertex: u32| document.vertex_count(level).is_some_and(|count| (vertex as usize) < count);
+        // Taken from between its neighbours, a point of the outline would be a spike: what is near it comes along.
+        let takes_outline = self.is_nearby && handles.iter().any(|&handle| document.is_on_oval(level, handle));
         let kind = match self.anchors {
             AnchorChoice::Random => AnchorKind::Random { seed },
+            AnchorChoice::Oval if takes_outline => AnchorKind::Outside { radius: self.radius_mm * M_PER_MM },
             AnchorChoice::Oval => AnchorKind::Oval,
             AnchorChoice::PinsOnly => AnchorKind::PinsOnly,
         };
@@ -174,7 +179,7 @@ mod tests {
         for preset in Preset::ALL {
             let choices = preset.choices(33.0);
             assert_eq!(choices.preset(), Some(preset));
-            assert_eq!(choices.reaching(33.0).unwrap().preset(), None);
+            assert_eq!(Choices { is_nearby: !choices.is_nearby, ..choices }.preset(), None);
         }
         assert_eq!(Choices::default().preset(), Some(Preset::Sculpt));
     }

@@ -1,6 +1,9 @@
 use glam::{DVec2, DVec3};
 use rosto_stage::{Axis, Camera};
 
+use crate::choices::SLIDER_MM;
+use crate::open_face::MM_PER_M;
+
 /// How much slower a fine drag is.
 const FINE: f64 = 0.1;
 
@@ -20,13 +23,30 @@ pub enum Pace {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Drag {
     start_m: DVec3,
+    /// What the history holds for it, in mm.
+    kept_mm: DVec3,
     pointer_px: DVec2,
     moved_px: DVec2,
 }
 
 impl Drag {
-    pub fn new(start_m: DVec3, pointer_px: DVec2) -> Self {
-        Self { start_m, pointer_px, moved_px: DVec2::ZERO }
+    pub fn new(start_m: DVec3, kept_mm: DVec3, pointer_px: DVec2) -> Self {
+        Self { start_m, kept_mm, pointer_px, moved_px: DVec2::ZERO }
+    }
+
+    /// An offset in mm as far as the sliders of what is dragged go, and whether that is less than all of it. What has gone
+    /// further before stays there.
+    pub fn within_sliders(&self, offset_mm: DVec3) -> (DVec3, bool) {
+        let least_mm = self.kept_mm.min(DVec3::splat(SLIDER_MM.least));
+        let most_mm = self.kept_mm.max(DVec3::splat(SLIDER_MM.most));
+        let reached_mm = (self.kept_mm + offset_mm).clamp(least_mm, most_mm) - self.kept_mm;
+        (reached_mm, reached_mm.distance(offset_mm) > 1e-9)
+    }
+
+    /// How many mm so many px in the picture are where it started.
+    pub fn mm_of_px(&self, camera: &Camera, px: f64) -> f64 {
+        let depth_m = (camera.eye_m() - self.start_m).dot(camera.back());
+        px * camera.m_per_px_at_distance(depth_m) * MM_PER_M
     }
 
     /// The offset in metres after the pointer has gone to `pointer_px`: in the view plane, or along one axis.
@@ -73,14 +93,14 @@ mod tests {
         let start = DVec3::new(0.01, 0.02, 0.05);
         let from = camera.project(start).unwrap();
         let to = from + DVec2::new(40.0, -25.0);
-        let offset = Drag::new(start, from).offset_m(&camera, to, None, Pace::Usual);
+        let offset = Drag::new(start, DVec3::ZERO, from).offset_m(&camera, to, None, Pace::Usual);
         assert!(camera.project(start + offset).unwrap().distance(to) < 1e-9);
     }
 
     #[test]
     fn along_an_axis_only_that_coordinate_changes() {
         let camera = camera();
-        let mut drag = Drag::new(DVec3::ZERO, DVec2::splat(300.0));
+        let mut drag = Drag::new(DVec3::ZERO, DVec3::ZERO, DVec2::splat(300.0));
         let offset = drag.offset_m(&camera, DVec2::new(340.0, 250.0), Some(Axis::X), Pace::Usual);
         assert!(offset.x > 0.0 && offset.y == 0.0 && offset.z == 0.0);
         assert!((camera.project(offset).unwrap().x - 440.0).abs() < 0.5);
@@ -94,7 +114,7 @@ mod tests {
             camera.look(view);
             camera.advance(0.0);
             let axis = if view == NamedView::Front { Axis::Z } else { Axis::X };
-            let mut drag = Drag::new(DVec3::ZERO, DVec2::splat(300.0));
+            let mut drag = Drag::new(DVec3::ZERO, DVec3::ZERO, DVec2::splat(300.0));
             let offset = drag.offset_m(&camera, DVec2::new(500.0, 250.0), Some(axis), Pace::Usual);
             let across = camera.view_plane_offset_m(DVec3::ZERO, DVec2::new(0.0, -50.0)).length();
             assert!(offset.distance(nearer * across) < 1e-12, "{offset}");
@@ -102,9 +122,21 @@ mod tests {
     }
 
     #[test]
+    fn a_drag_goes_as_far_as_the_sliders_and_says_so() {
+        let at = |kept_mm: DVec3| Drag::new(DVec3::ZERO, kept_mm, DVec2::ZERO);
+        let far = DVec3::new(50.0, -30.0, 0.0);
+        assert_eq!(at(DVec3::ZERO).within_sliders(far), (DVec3::new(40.0, -30.0, 0.0), true));
+        assert_eq!(at(DVec3::new(-20.0, 0.0, 0.0)).within_sliders(far), (far, false));
+        let further = DVec3::new(60.0, 0.0, 0.0);
+        assert_eq!(at(further).within_sliders(far), (DVec3::new(0.0, -30.0, 0.0), true));
+        assert_eq!(at(further).within_sliders(-far), (-far, false));
+    }
+
+    #[test]
     fn a_fine_drag_goes_a_tenth_of_the_way() {
         let camera = camera();
-        let go = |pace| Drag::new(DVec3::ZERO, DVec2::ZERO).offset_m(&camera, DVec2::new(100.0, 0.0), None, pace);
+        let drag = || Drag::new(DVec3::ZERO, DVec3::ZERO, DVec2::ZERO);
+        let go = |pace| drag().offset_m(&camera, DVec2::new(100.0, 0.0), None, pace);
         assert!((go(Pace::Usual) * 0.1).distance(go(Pace::Fine)) < 1e-15);
     }
 }

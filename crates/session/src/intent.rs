@@ -1,6 +1,6 @@
 use glam::{DVec2, DVec3};
 use rosto_face::Triangulation;
-use rosto_stage::{Axis, Background, Dots, Light, NamedView, Pointer, ShadingMode, Theme, Wireframe};
+use rosto_stage::{Axis, Background, Dots, Light, NamedView, PictureLight, Pointer, ShadingMode, Theme, Wireframe};
 use rosto_studio::{ConstraintKind, Details, FaceSlider, Mirror, Operator, Switch};
 
 use crate::drag::Pace;
@@ -100,10 +100,16 @@ pub enum Intent {
     Background(Background),
     /// The light.
     Light(Light),
+    /// Whether the light falls on the photo, too, which has its own.
+    PictureLight(PictureLight),
+    /// Whether the vertices that stay in place are marked.
+    MarkAnchors(Switch),
     /// Light or dark surroundings.
     Theme(Theme),
     /// 0 shows the face as edited, 1 as it was found.
     Before(f64),
+    /// The face as it was found up to this share of the canvas' width, 0..1 from the left, and as edited beyond; none ends it.
+    Wipe(Option<f64>),
     /// Whether the face turns by itself.
     Turntable(Turntable),
     /// Whether things move by themselves.
@@ -118,4 +124,23 @@ pub enum Intent {
     GoTo(NamedView),
     /// The canvas has another size in px, and so many px make a CSS px.
     Resize([u32; 2], f64),
+    /// So many px at the canvas' top, right, bottom and left lie under something else: the face is framed in the rest.
+    Cover([f64; 4]),
+}
+
+impl Intent {
+    /// Whether it takes the face in hand, so that it is not to turn by itself any more as it does when it has arrived.
+    pub(crate) fn takes_in_hand(&self) -> bool {
+        matches!(
+            self,
+            Self::Press(..)
+                | Self::Orbit(_)
+                | Self::Pan(_)
+                | Self::Zoom(_)
+                | Self::GoTo(_)
+                | Self::Preview(_)
+                | Self::Slide(..)
+                | Self::Turntable(_)
+        )
+    }
 }

@@ -1,23 +1,25 @@
-use rosto_stage::{Mark, MarkKind, MirrorPlane, Stage};
-use rosto_studio::Mirror;
+use rosto_stage::{Mark, MarkKind, MirrorPlane, RenderSettings, Rim, Stage};
+use rosto_studio::{Mirror, RegionOfInfluence, Settings, Switch};
 
+use crate::Selection;
 use crate::open_face::OpenFace;
-use crate::{Choices, Selection};
+use crate::selection::Moving;
 
 /// How strongly the response glows over the face while something moves.
 const GLOW: f64 = 0.75;
 
-/// Makes the stage show what is selected, held, pinned and pointed at.
-pub(crate) fn show(stage: &mut Stage, face: Option<&OpenFace>, choices: &Choices, pointed: Option<Selection>) {
-    let Some(face) = face else {
+/// Makes the stage show what is selected, pinned and pointed at, and what stays in place if that is asked for. Beside the
+/// shape before, the face is all that is shown.
+pub(crate) fn show(stage: &mut Stage, face: Option<&OpenFace>, anchors: Switch, pointed: Option<Selection>) {
+    let RenderSettings { before, wipe, .. } = *stage.render_settings();
+    let Some(face) = face.filter(|_| before == 0.0 && wipe.is_none()) else {
         stage.set_marks(Vec::new());
         stage.set_gizmo(None);
-        stage.set_hovered(None);
-        return show_plane(stage, MirrorPlane::Hidden);
+        return stage.set_hovered(None);
     };
     // A slider has its own handles and anchors, and shows by its glow alone.
     let selection = face.selection().filter(|_| face.slider().is_none());
-    let anchors = if selection.is_some() { face.document().anchors() } else { &[] };
+    let anchors = if selection.is_some() && anchors == Switch::On { face.document().anchors() } else { &[] };
     let regions = selection.iter().chain(&pointed).filter_map(|selection| match selection {
         Selection::Region(region) => Some(region.vertices()),
         Selection::Landmark(_) | Selection::Point { .. } => None,
@@ -32,23 +34,26 @@ pub(crate) fn show(stage: &mut Stage, face: Option<&OpenFace>, choices: &Choices
     let marks = anchors.chain(pins).chain(region.iter().map(mark(MarkKind::Speck)));
     stage.set_marks(marks.chain(middle.iter().map(mark(MarkKind::Ring))).collect());
     stage.set_gizmo(middle.filter(|_| face.refusal().is_none()));
-    let is_mirrored = middle.is_some() && choices.mirror == Mirror::On && face.can_mirror();
-    show_plane(stage, if is_mirrored { MirrorPlane::Shown } else { MirrorPlane::Hidden });
 }
 
-fn show_plane(stage: &mut Stage, mirror_plane: MirrorPlane) {
-    if stage.render_settings().mirror_plane != mirror_plane {
-        stage.render_settings_mut().mirror_plane = mirror_plane;
-    }
-}
-
-/// Makes the stage follow one tick of an edit: three numbers, unless details turn.
+/// Makes the stage follow one tick of an edit: three numbers, unless details turn. While what is selected moves, its edit's
+/// reach and the mirror's plane are drawn.
 pub(crate) fn show_offset(stage: &mut Stage, face: Option<&OpenFace>) {
     let following = face.filter(|face| !face.turns_details());
     stage.set_offsets_m(following.map(OpenFace::influence_offsets_m).unwrap_or_default());
     let glow = if face.is_some_and(OpenFace::is_moving) { GLOW } else { 0.0 };
-    if stage.render_settings().glow != glow {
-        stage.render_settings_mut().glow = glow;
+    let settings = face.filter(|face| matches!(face.moving(), Moving::Selection { .. })).and_then(settings);
+    let is_near = settings.is_some_and(|settings| settings.reach != RegionOfInfluence::Whole);
+    let is_mirrored = settings.is_some_and(|settings| settings.mirror == Mirror::On);
+    let rim = if is_near { Rim::Shown } else { Rim::Hidden };
+    let mirror_plane = if is_mirrored { MirrorPlane::Shown } else { MirrorPlane::Hidden };
+    let now = RenderSettings { glow, rim, mirror_plane, ..*stage.render_settings() };
+    if *stage.render_settings() != now {
+        *stage.render_settings_mut() = now;
     }
     stage.ask_for_a_frame();
+}
+
+fn settings(face: &OpenFace) -> Option<&Settings> {
+    face.document().spec().map(|spec| &spec.settings)
 }

@@ -5,7 +5,7 @@ mod selecting;
 
 use glam::DVec3;
 use rosto_face::{FaceModel, Triangulation};
-use rosto_studio::{Command, Details, Document, EditTarget, FaceSlider, StudioError, Switch};
+use rosto_studio::{Command, Details, Document, EditTarget, FaceSlider, Mirror, StudioError, Switch};
 
 use crate::Selection;
 use crate::choices::Choices;
@@ -22,6 +22,7 @@ pub const MAX_OFFSET_M: f64 = 0.5;
 
 /// An edit of less is none: what sliders show and what the history adds up to differ by rounding.
 const LEAST_MM: f64 = 1e-6;
+const LEAST_M: f64 = LEAST_MM * M_PER_MM;
 
 /// One open face: its model, its document, and what is selected and moved. Knows neither the page nor the camera.
 pub struct OpenFace {
@@ -35,6 +36,8 @@ pub struct OpenFace {
     pins: Vec<u32>,
     seed: u64,
     moving: Moving,
+    /// Whether the edit in progress has left the mirror's plane, in which what is selected lies: sideways it moves alone.
+    leaves_plane: bool,
     /// Of the slider that was moved last.
     slider_influence: SliderInfluence,
     /// What each handle does for an amount of 1, while a slider moves.
@@ -56,6 +59,7 @@ impl OpenFace {
             pins: Vec::new(),
             seed: 0,
             moving: Moving::Nothing,
+            leaves_plane: false,
             slider_influence: SliderInfluence::default(),
             ways: Vec::new(),
             offsets_m: Vec::new(),
@@ -124,6 +128,11 @@ impl OpenFace {
         }
     }
 
+    /// Whether the edit in progress goes sideways out of the mirror's plane, and so without the mirror.
+    pub fn leaves_plane(&self) -> bool {
+        self.leaves_plane
+    }
+
     /// Whether what is held does not follow in a straight line.
     pub fn turns_details(&self) -> bool {
         self.document.spec().is_some_and(|spec| spec.settings.details == Details::AsRigidAsPossible)
@@ -167,10 +176,16 @@ impl OpenFace {
     /// Takes hold of what is selected again, after choices have changed. What has no answer stays selected, and cannot be
     /// moved until it has one. An edit in progress is dropped.
     pub(crate) fn hold(&mut self, choices: &Choices) {
+        self.leaves_plane = false;
+        self.hold_as_it_moves(choices);
+    }
+
+    fn hold_as_it_moves(&mut self, choices: &Choices) {
         self.moving = Moving::Nothing;
         self.refusal = None;
         let Some(selection) = self.selection else { return self.document.release() };
-        let spec = choices.spec(selection, &self.pins, self.seed, &self.document);
+        let mirror = if self.leaves_plane { Mirror::Off } else { choices.mirror };
+        let spec = Choices { mirror, ..*choices }.spec(selection, &self.pins, self.seed, &self.document);
         if let Err(reason) = self.document.hold(spec) {
             self.document.release();
             self.refusal = Some(reason);
@@ -185,18 +200,26 @@ impl OpenFace {
             Moving::Selection { offset_mm } => {
                 self.hold(choices);
                 // Details that find no rest are where they were.
-                let _ = self.preview(offset_mm);
+                let _ = self.preview(offset_mm, choices);
             }
         }
     }
 
     /// One tick: no solve, no allocation. What has no answer stays where it is, as the refusal says; and where nothing is
-    /// selected, nothing happens: what moved it may speak after what it was for has gone.
-    pub(crate) fn preview(&mut self, offset_mm: DVec3) -> Result<(), SessionError> {
-        let Some(spec) = self.document.spec() else { return Ok(()) };
+    /// selected, nothing happens: what moved it may speak after what it was for has gone. Returns whether it had to be held
+    /// anew, which it is when it leaves the mirror's plane or comes back.
+    pub(crate) fn preview(&mut self, offset_mm: DVec3, choices: &Choices) -> Result<bool, SessionError> {
+        let leaves_plane = offset_mm.x != 0.0 && self.lies_in_plane(choices);
+        let is_anew = leaves_plane != self.leaves_plane;
+        if is_anew {
+            self.leaves_plane = leaves_plane;
+            self.hold_as_it_moves(choices);
+        }
+        let Some(spec) = self.document.spec() else { return Ok(is_anew) };
         self.offsets_m.clear();
         self.offsets_m.resize(spec.handles.len(), offset_mm * M_PER_MM);
-        self.move_to(Moving::Selection { offset_mm })
+        self.move_to(Moving::Selection { offset_mm })?;
+        Ok(is_anew)
     }
 
     /// Takes a ready-made slider in hand, unless it is: one solve. An edit of something else is kept first.
@@ -231,14 +254,14 @@ impl OpenFace {
         Ok(())
     }
 
-    /// Keeps the edit in progress as one entry; nothing moved is no entry. After a slider, the selection is held again.
+    /// Keeps the edit in progress as one entry; one that moves nothing is none. After a slider, the selection is held again.
     pub(crate) fn commit(&mut self, choices: &Choices) {
         let target = match (self.moving, self.selection) {
             (Moving::Selection { offset_mm }, Some(selection)) if offset_mm != DVec3::ZERO => Some(selection.target()),
             (Moving::Slider { slider, by_mm }, _) if by_mm.abs() > LEAST_MM => Some(EditTarget::Slider(slider)),
             _ => None,
         };
-        if let Some(target) = target {
+        if let Some(target) = target.filter(|_| self.has_moved()) {
             let first = self.document.history().entries().len();
             self.document.commit(&target.to_string());
             self.rows.read(&self.document, first);
@@ -249,9 +272,15 @@ impl OpenFace {
     /// Drops the edit in progress.
     pub(crate) fn cancel(&mut self, choices: &Choices) {
         self.document.cancel();
-        if let Moving::Slider { .. } = std::mem::take(&mut self.moving) {
+        let was_slider = matches!(std::mem::take(&mut self.moving), Moving::Slider { .. });
+        if was_slider || self.leaves_plane {
             self.hold(choices);
         }
+    }
+
+    fn has_moved(&self) -> bool {
+        let mut ways = self.document.positions().iter().zip(self.document.committed());
+        ways.any(|(now, before)| now.distance(*before) > LEAST_M)
     }
 
     /// Changes the history by something that the document does, which says the first entry that has changed.
@@ -262,11 +291,15 @@ impl OpenFace {
         }
     }
 
-    /// Brings the two sides of the face closer, as an entry of the history.
+    /// Brings the two sides of the face closer, as an entry of the history; none if they are as close already.
     pub(crate) fn symmetrise(&mut self, share: f64, choices: &Choices) -> Result<(), SessionError> {
         self.commit(choices);
         let (label, first) = (EditTarget::Symmetry.to_string(), self.document.history().entries().len());
-        self.document.apply(&label, Command::Symmetrise { share })?;
+        let command = Command::Symmetrise { share };
+        if self.document.displacement(&command)?.iter().all(|way| way.length() <= LEAST_M) {
+            return Ok(());
+        }
+        self.document.apply(&label, command)?;
         self.rows.read(&self.document, first);
         Ok(())
     }

@@ -1,10 +1,11 @@
 //! Choices and view as JSON text, so that a session that ends can be gone on with in another.
 //!
-//! Fields that are missing or not understood are refused as a whole: nobody's half of a preference is guessed.
+//! Fields that are missing or not understood are refused as a whole: nobody's half of a preference is guessed. Those that
+//! the first version did not have (`photo_light`, `anchors_marked`) stand as usual where they are missing.
 
 use rosto_face::Triangulation;
-use rosto_stage::{Background, Dots, Light, ShadingMode, Srgb, Wireframe};
-use rosto_studio::{ConstraintKind, Details, Mirror, Operator};
+use rosto_stage::{Background, Dots, Light, PictureLight, ShadingMode, Srgb, Wireframe};
+use rosto_studio::{ConstraintKind, Details, Mirror, Operator, Switch};
 use serde_json::{Value, json};
 
 use crate::error::SessionError;
@@ -48,6 +49,8 @@ impl Session {
             "triangulation": view.triangulation.id(),
             "density": view.density,
             "dots": settings.dots.id(),
+            "photo_light": view.picture_light.id(),
+            "anchors_marked": view.anchors == Switch::On,
             "light": [light.azimuth_deg, light.elevation_deg, light.strength, light.ambient],
             "light_colour": light.colour.0,
         })
@@ -86,6 +89,8 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
         turntable: if flag("turntable")? { Turntable::Turns } else { Turntable::Still },
         triangulation: word("triangulation").and_then(Triangulation::from_id).ok_or(missing("triangulation"))?,
         density: density.ok_or(missing("density"))? as u32,
+        picture_light: picture_light(&value["photo_light"]).ok_or(missing("photo_light"))?,
+        anchors: anchors(&value["anchors_marked"]).ok_or(missing("anchors_marked"))?,
         motion: now.motion,
     };
     Ok(Preferences {
@@ -95,6 +100,14 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
         light: light(&value).ok_or(missing("light"))?,
         dots: word("dots").and_then(Dots::from_id).ok_or(missing("dots"))?,
     })
+}
+
+fn picture_light(value: &Value) -> Option<PictureLight> {
+    if value.is_null() { Some(PictureLight::default()) } else { PictureLight::from_id(value.as_str()?) }
+}
+
+fn anchors(value: &Value) -> Option<Switch> {
+    if value.is_null() || !value.as_bool()? { Some(Switch::Off) } else { Some(Switch::On) }
 }
 
 fn background(value: &Value) -> Option<Background> {

@@ -78,6 +78,11 @@ impl Session {
         &self.stage
     }
 
+    /// The same without what tells of tools, for pictures to keep.
+    pub fn clean_stage(&self) -> Stage {
+        self.stage.without_tools()
+    }
+
     /// The same for who draws it: time moves it on.
     pub fn stage_mut(&mut self) -> &mut Stage {
         &mut self.stage
@@ -98,15 +103,25 @@ impl Session {
         matches!(self.gesture, Gesture::Dragging { .. })
     }
 
+    /// Whether what is dragged would go further than its sliders do.
+    pub(crate) fn is_at_end(&self) -> bool {
+        matches!(self.gesture, Gesture::Dragging { is_at_end: true, .. })
+    }
+
     /// Carries out what a visitor wants: all of it, or nothing. Tells what has changed.
     ///
     /// # Errors
     /// [`SessionError`] for what cannot be done; the session is as it was before.
     pub fn apply(&mut self, intent: Intent) -> Result {
+        let is_in_hand = intent.takes_in_hand();
         let changed = self.carry_out(intent)?;
+        if is_in_hand {
+            self.stage.end_swing();
+        }
         if changed >= Changed::Document {
             self.check_pointer();
             self.show_marks();
+            self.keep_in_frame();
         }
         if changed >= Changed::Tick {
             marks::show_offset(&mut self.stage, self.face.as_ref());
@@ -160,8 +175,15 @@ impl Session {
         }
     }
 
+    /// A face that has grown out of the picture is framed again once it is let go.
+    fn keep_in_frame(&mut self) {
+        if let Some(face) = self.face.as_ref().filter(|face| !face.is_moving()) {
+            self.stage.frame_again(face.document().committed());
+        }
+    }
+
     fn show_marks(&mut self) {
         let pointed = self.pointed();
-        marks::show(&mut self.stage, self.face.as_ref(), &self.choices, pointed);
+        marks::show(&mut self.stage, self.face.as_ref(), self.view.anchors, pointed);
     }
 }

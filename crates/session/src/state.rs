@@ -38,8 +38,10 @@ pub struct FaceState {
     pub is_pinned: bool,
     /// Whether the other side of the face can follow what is selected.
     pub can_mirror: bool,
-    /// Whether what is selected is its own mirror image and the mirror is on, so that it cannot move along x.
-    pub moves_in_plane: bool,
+    /// Whether what is selected is its own mirror image and the mirror is on: sideways it moves alone.
+    pub lies_in_plane: bool,
+    /// Whether it does so now.
+    pub leaves_plane: bool,
     /// Why what is selected cannot be moved, if it cannot.
     pub refusal: Option<StudioError>,
     /// Vertices that stay while what is selected moves.
@@ -67,6 +69,8 @@ pub struct Tick {
     pub sliders_mm: [f64; FaceSlider::ALL.len()],
     /// Share of its offset that the vertex selected reaches: 1 is all of it.
     pub share_reached: f64,
+    /// Whether the pointer drags it further than its sliders go.
+    pub is_at_end: bool,
 }
 
 impl Session {
@@ -74,7 +78,7 @@ impl Session {
     pub fn state(&self) -> State {
         let selectable = self.face().map_or(LANDMARK_COUNT, |face| face.within_reach(self.mode()));
         State {
-            face: self.face().map(OpenFace::state),
+            face: self.face().map(|face| face.state(self.choices())),
             mode: self.mode(),
             selectable,
             choices: *self.choices(),
@@ -87,19 +91,21 @@ impl Session {
 
     /// How far the edit in progress has gone. No allocation.
     pub fn tick(&self) -> Tick {
-        self.face().map(OpenFace::tick).unwrap_or_default()
+        let tick = self.face().map(OpenFace::tick).unwrap_or_default();
+        Tick { is_at_end: self.is_at_end(), ..tick }
     }
 }
 
 impl OpenFace {
-    fn state(&self) -> FaceState {
+    fn state(&self, choices: &Choices) -> FaceState {
         let history = self.document().history();
         FaceState {
             vertex_count: self.document().topology().vertex_count(),
             selection: self.selection(),
             is_pinned: self.is_pinned(),
             can_mirror: self.can_mirror(),
-            moves_in_plane: self.moves_in_plane(),
+            lies_in_plane: self.lies_in_plane(choices),
+            leaves_plane: self.leaves_plane(),
             refusal: self.refusal().cloned(),
             anchors: self.document().anchors().to_vec(),
             kept_mm: self.kept_mm(),
@@ -120,6 +126,7 @@ impl OpenFace {
             offset_mm,
             sliders_mm: FaceSlider::ALL.map(|slider| self.slider_mm(slider)),
             share_reached: self.share_reached(),
+            is_at_end: false,
         }
     }
 }

@@ -1,5 +1,6 @@
 use rosto_face::Triangulation;
-use rosto_stage::{Background, ShadingMode, Stage, Surface, Wireframe};
+use rosto_stage::{Background, PictureLight, ShadingMode, Stage, Surface, Wireframe};
+use rosto_studio::Switch;
 
 /// How fast the empty state turns.
 const IDLE_TURN_DEG_PER_S: f64 = 14.0;
@@ -21,6 +22,10 @@ pub struct View {
     pub triangulation: Triangulation,
     /// How often the next face's mesh is subdivided.
     pub density: u32,
+    /// What lights the photo.
+    pub picture_light: PictureLight,
+    /// Whether what stays in place is marked.
+    pub anchors: Switch,
     /// Whether things move by themselves.
     pub motion: Motion,
 }
@@ -55,6 +60,8 @@ impl Default for View {
             turntable: Turntable::default(),
             triangulation: Triangulation::Canonical,
             density: 0,
+            picture_light: PictureLight::default(),
+            anchors: Switch::Off,
             motion: Motion::default(),
         }
     }
@@ -71,6 +78,7 @@ impl View {
         let settings = stage.render_settings_mut();
         settings.background = if is_empty { Background::Transparent } else { self.background };
         settings.shading = self.shading;
+        settings.picture_light = self.picture_light;
         settings.surface = if is_empty { Surface::HiddenLine } else { Surface::Shaded };
         settings.wireframe = if is_empty { Wireframe::Shown } else { self.wireframe };
     }

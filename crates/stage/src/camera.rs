@@ -47,8 +47,32 @@ pub struct Camera {
     centre_m: DVec3,
     radius_m: f64,
     size_px: DVec2,
+    clear: Clear,
+    clear_goal: Clear,
     glide: Glide,
 }
+
+/// The part of the picture that nothing lies over, in shares of its size.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Clear {
+    middle: DVec2,
+    size: DVec2,
+}
+
+impl Clear {
+    const ALL: Self = Self { middle: DVec2::splat(0.5), size: DVec2::ONE };
+
+    fn towards(self, goal: Self, share: f64) -> Self {
+        Self { middle: self.middle.lerp(goal.middle, share), size: self.size.lerp(goal.size, share) }
+    }
+
+    fn is_near(self, other: Self) -> bool {
+        self.middle.distance(other.middle) + self.size.distance(other.size) < 1e-5
+    }
+}
+
+/// However much lies over the picture, this share of it is taken for clear.
+const LEAST_CLEAR: f64 = 0.2;
 
 impl Default for Camera {
     /// Looks at a unit sphere around the origin in a picture of one pixel.
@@ -60,6 +84,8 @@ impl Default for Camera {
             centre_m: DVec3::ZERO,
             radius_m: 1.0,
             size_px: DVec2::ONE,
+            clear: Clear::ALL,
+            clear_goal: Clear::ALL,
             glide: Glide::default(),
         }
     }
@@ -72,6 +98,35 @@ impl Camera {
         self.radius_m = radius_m.max(f64::MIN_POSITIVE);
         self.now = Pose::home(centre_m);
         self.goal = self.now;
+        self.clear = self.clear_goal;
+    }
+
+    /// Frames another radius around the same middle, from where it looks: it glides there.
+    pub fn frame_again(&mut self, radius_m: f64) {
+        let radius_m = radius_m.max(f64::MIN_POSITIVE);
+        self.now.zoom *= radius_m / self.radius_m;
+        self.radius_m = radius_m;
+    }
+
+    /// So many px at the picture's top, right, bottom and left have something lying over them: what is framed fits into
+    /// the rest, and its middle is there. It glides there.
+    pub fn set_covered(&mut self, [top, right, bottom, left]: [f64; 4]) {
+        let share = |px: f64, of_px: f64| if px > 0.0 { (px / of_px).min(1.0) } else { 0.0 };
+        let from = DVec2::new(share(left, self.size_px.x), share(top, self.size_px.y));
+        let to = DVec2::ONE - DVec2::new(share(right, self.size_px.x), share(bottom, self.size_px.y));
+        let size = (to - from).max(DVec2::splat(LEAST_CLEAR));
+        let middle = (0.5 * (from + to)).clamp(0.5 * size, DVec2::ONE - 0.5 * size);
+        self.clear_goal = Clear { middle, size };
+    }
+
+    /// Has what is framed in the middle of the whole picture, as large as it is.
+    pub fn centre(&mut self) {
+        (self.clear.middle, self.clear_goal.middle) = (Clear::ALL.middle, Clear::ALL.middle);
+    }
+
+    /// Middle of what is framed, in metres.
+    pub fn centre_m(&self) -> DVec3 {
+        self.centre_m
     }
 
     /// Radius in metres of what is framed.
@@ -107,6 +162,11 @@ impl Camera {
         self.now.azimuth += radians;
     }
 
+    /// Glides around the upright axis by so much the other way.
+    pub fn turn_back(&mut self, radians: f64) {
+        self.goal.azimuth -= radians;
+    }
+
     /// Moves along the view plane so that what is at the subject's depth follows the pointer.
     pub fn pan(&mut self, dx_px: f64, dy_px: f64) {
         let m_per_px = self.m_per_px_at_distance(self.distance_m(&self.goal));
@@ -139,7 +199,7 @@ impl Camera {
 
     /// Moves on by `seconds`; true while the camera has not arrived.
     pub fn advance(&mut self, seconds: f64) -> bool {
-        if self.now == self.goal {
+        if self.now == self.goal && self.clear == self.clear_goal {
             return false;
         }
         let share = match self.glide {
@@ -147,8 +207,9 @@ impl Camera {
             Glide::Off => 1.0,
         };
         self.now = self.now.towards(&self.goal, share);
-        if self.now.is_near(&self.goal, self.radius_m) {
-            self.now = self.goal;
+        self.clear = self.clear.towards(self.clear_goal, share);
+        if self.now.is_near(&self.goal, self.radius_m) && self.clear.is_near(self.clear_goal) {
+            (self.now, self.clear) = (self.goal, self.clear_goal);
         }
         true
     }
@@ -218,6 +279,36 @@ mod tests {
     }
 
     #[test]
+    fn what_is_framed_fits_into_what_nothing_lies_over() {
+        for covered_px in [[0.0; 4], [40.0, 0.0, 80.0, 0.0], [10.0, 300.0, 20.0, 0.0], [0.0, 0.0, 420.0, 500.0]] {
+            let mut camera = camera();
+            camera.set_covered(covered_px);
+            while camera.advance(0.016) {}
+            let [top, right, bottom, left] = covered_px;
+            let (from, to) = (DVec2::new(left, top), DVec2::new(800.0 - right, 600.0 - bottom));
+            let middle = camera.project(camera.centre_m()).unwrap();
+            assert!(middle.distance(0.5 * (from + to)) < 1e-9, "{covered_px:?}: {middle}");
+            for side in [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z] {
+                let seen = camera.project(camera.centre_m() + side * camera.radius_m()).unwrap();
+                assert!(seen.cmpge(from - 1e-9).all() && seen.cmple(to + 1e-9).all(), "{covered_px:?}: {seen}");
+                let ray = camera.ray(seen);
+                let miss = (camera.centre_m() + side * camera.radius_m() - ray.origin).cross(ray.direction).length();
+                assert!(miss < 1e-12, "{miss}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_has_grown_is_framed_again_without_a_jump() {
+        let mut camera = camera();
+        let (eye_m, clip) = (camera.eye_m(), camera.clip_from_model());
+        camera.frame_again(0.18);
+        assert!(camera.eye_m().distance(eye_m) < 1e-12 && camera.clip_from_model() != clip, "only the depth range");
+        while camera.advance(0.016) {}
+        assert!((camera.eye_m().distance(camera.centre_m()) / eye_m.distance(camera.centre_m()) - 1.5).abs() < 1e-9);
+    }
+
+    #[test]
     fn no_input_drives_the_camera_out_of_reach() {
         let mut camera = camera();
         camera.set_glide(Glide::Off);
@@ -225,6 +316,7 @@ mod tests {
             camera.zoom(factor);
             camera.orbit(1e6, 1e6);
             camera.pan(1e6, -1e6);
+            camera.set_covered([factor, 1e9, -factor, f64::NAN]);
             camera.advance(1.0);
             assert!(camera.clip_from_model().is_finite());
         }

@@ -2,7 +2,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
 
 use crate::markers::Axis;
-use crate::{Camera, Dots, RenderSettings};
+use crate::{Camera, Dots, Light, MirrorPlane, RenderSettings, Rim};
 
 /// What every shader reads once a frame, in the layout of a uniform buffer.
 ///
@@ -38,6 +38,9 @@ pub struct FrameUniforms {
     hovered: u32,
     gizmo_vertex: u32,
     gizmo_axis: u32,
+    rim: f32,
+    mirror_plane: f32,
+    unused: [f32; 2],
 }
 
 /// Stands for "no vertex" in what shaders read.
@@ -59,7 +62,7 @@ pub(crate) struct FrameInputs {
 impl FrameUniforms {
     pub(crate) fn new(camera: &Camera, settings: &RenderSettings, inputs: &FrameInputs) -> Self {
         let palette = settings.theme.palette();
-        let light = &settings.light;
+        let light = &Light::on_surface(settings);
         Self {
             clip_from_model: camera.clip_from_model().as_mat4().to_cols_array(),
             eye_m: camera.eye_m().as_vec3().to_array(),
@@ -89,6 +92,9 @@ impl FrameUniforms {
             hovered: inputs.hovered.unwrap_or(NO_VERTEX),
             gizmo_vertex: inputs.gizmo.unwrap_or(NO_VERTEX),
             gizmo_axis: inputs.gizmo_axis.map_or(NO_VERTEX, |axis| axis as u32),
+            rim: f32::from(u8::from(settings.rim == Rim::Shown)),
+            mirror_plane: f32::from(u8::from(settings.mirror_plane == MirrorPlane::Shown)),
+            unused: [0.0; 2],
         }
     }
 }

@@ -18,7 +18,7 @@ pub use frame::FrameUniforms;
 pub use light::Light;
 pub use markers::{Axis, Mark, MarkKind, Pointer};
 pub use render_settings::{
-    Background, Dots, MirrorPlane, Palette, RenderSettings, ShadingMode, Surface, Theme, Wireframe,
+    Background, Dots, MirrorPlane, Palette, PictureLight, RenderSettings, Rim, ShadingMode, Surface, Theme, Wireframe,
 };
 pub use stage::{Stage, Step};
 

@@ -84,8 +84,30 @@ pub enum MirrorPlane {
     /// Not drawn.
     #[default]
     Hidden,
-    /// The plane x = 0, faintly.
+    /// A hairline where the plane x = 0 cuts the surface.
     Shown,
+}
+
+/// Whether the end of an edit's reach is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Rim {
+    /// Not drawn.
+    #[default]
+    Hidden,
+    /// A line on the surface as far from what moves as the edit reaches.
+    Shown,
+}
+
+rosto_named::named! {
+    /// What lights a surface that is painted with the picture.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum PictureLight {
+        /// Nearly nothing beside the light that the picture was taken in.
+        #[default]
+        Own = "own",
+        /// The lamp, as it lights everything else.
+        Lamp = "lamp",
+    }
 }
 
 /// Everything about how a mesh is shown that is not the mesh, the camera or the marks on it.
@@ -107,6 +129,12 @@ pub struct RenderSettings {
     pub background: Background,
     /// Whether the plane of symmetry is drawn.
     pub mirror_plane: MirrorPlane,
+    /// Whether the end of an edit's reach is drawn.
+    pub rim: Rim,
+    /// What lights the picture.
+    pub picture_light: PictureLight,
+    /// The shape before shows up to this share of the picture's width, 0..1 from the left, and the shape now beyond.
+    pub wipe: Option<f64>,
     /// The light.
     pub light: Light,
     /// 0 shows the mesh as it is, 1 as it was before; between them, a blend.
@@ -126,6 +154,9 @@ impl Default for RenderSettings {
             theme: Theme::default(),
             background: Background::default(),
             mirror_plane: MirrorPlane::default(),
+            rim: Rim::default(),
+            picture_light: PictureLight::default(),
+            wipe: None,
             light: Light::default(),
             before: 0.0,
             glow: 0.0,

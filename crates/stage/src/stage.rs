@@ -1,10 +1,17 @@
+use std::f64::consts::TAU;
+
 use glam::{DVec2, DVec3};
 
 use crate::frame::{FrameInputs, FrameUniforms};
-use crate::{Axis, Camera, Mark, Pointer, RenderSettings};
+use crate::{Axis, Camera, Mark, MirrorPlane, Pointer, RenderSettings, Rim};
 
 /// How long a face takes from the photo's plane into depth.
 const ARRIVAL_MS: f64 = 500.0;
+/// How long it then takes to show a side and to come back, and how far it turns, in radians.
+const SWING_MS: f64 = 1600.0;
+const SWING: f64 = 0.34;
+/// What is framed has this much room around it.
+const ROOM: f64 = 1.12;
 /// The longest step that the camera makes in one frame, so that a page that slept does not jump.
 const LONGEST_STEP_S: f64 = 0.1;
 
@@ -16,6 +23,8 @@ pub struct Stage {
     marks: Vec<Mark>,
     offsets_m: [DVec3; 2],
     ground_m: DVec3,
+    /// How far the mesh that was framed reaches from its middle.
+    framed_m: f64,
     pixel_ratio: f64,
     pointer_px: Option<DVec2>,
     hovered: Option<u32>,
@@ -33,6 +42,11 @@ enum Arrival {
     Over,
     Asked,
     Since(f64),
+    /// It is there, and turns a little and back; the angle is how far it is turned now.
+    Swings {
+        since_ms: f64,
+        angle: f64,
+    },
 }
 
 /// What [`Stage::advance`] found.
@@ -54,6 +68,7 @@ impl Default for Stage {
             marks: Vec::new(),
             offsets_m: [DVec3::ZERO; 2],
             ground_m: DVec3::ZERO,
+            framed_m: 0.0,
             pixel_ratio: 1.0,
             pointer_px: None,
             hovered: None,
@@ -96,9 +111,29 @@ impl Stage {
         let Some(first) = corners.next() else { return };
         let (low, high) = corners.fold((first, first), |(low, high), next| (low.min(next), high.max(next)));
         let centre_m = 0.5 * (low + high);
-        let reach = positions_m.iter().map(|position| position.distance(centre_m)).fold(0.0, f64::max);
-        self.camera_mut().frame(centre_m, 1.12 * reach);
-        self.ground_m = DVec3::new(centre_m.x, low.y - 0.10 * reach, 0.7 * low.z + 0.3 * high.z);
+        let reach_m = reach_m(positions_m, centre_m);
+        self.camera_mut().frame(centre_m, ROOM * reach_m);
+        self.framed_m = reach_m;
+        self.ground_m = DVec3::new(centre_m.x, low.y - 0.10 * reach_m, 0.7 * low.z + 0.3 * high.z);
+    }
+
+    /// Goes back until a mesh that has grown out of what was framed is seen whole, or comes again when it has shrunk.
+    pub fn frame_again(&mut self, positions_m: &[DVec3]) {
+        let radius_m = ROOM * reach_m(positions_m, self.camera.centre_m()).max(self.framed_m);
+        if (radius_m / self.camera.radius_m() - 1.0).abs() > 1e-3 {
+            self.camera_mut().frame_again(radius_m);
+        }
+    }
+
+    /// Without what tells of tools: no marks, gizmo, plane, rim or glow, and what is framed in the middle.
+    pub fn without_tools(&self) -> Self {
+        let mut bare = self.clone();
+        bare.marks.clear();
+        (bare.pointer_px, bare.hovered, bare.gizmo, bare.gizmo_axis) = (None, None, None, None);
+        (bare.settings.mirror_plane, bare.settings.rim, bare.settings.glow) = (MirrorPlane::Hidden, Rim::Hidden, 0.0);
+        bare.settings.wipe = None;
+        bare.camera.centre();
+        bare
     }
 
     /// Offsets in metres of the two handles whose response fields the mesh follows.
@@ -158,9 +193,18 @@ impl Stage {
         self.set(|stage| &mut stage.turntable_deg_per_s, degrees_per_second);
     }
 
-    /// Lets the mesh come from where it was before ([`RenderSettings::before`]) in half a second, from the next frame on.
+    /// Lets the mesh come from where it was before ([`RenderSettings::before`]) in half a second, from the next frame on; then
+    /// it turns a little and back.
     pub fn start_arrival(&mut self) {
         self.set(|stage| &mut stage.arrival, Arrival::Asked);
+    }
+
+    /// Lets a mesh that has arrived stand still, as somebody takes it in hand: what it is turned by it glides back.
+    pub fn end_swing(&mut self) {
+        if let Arrival::Swings { angle, .. } = self.arrival {
+            self.arrival = Arrival::Over;
+            self.camera_mut().turn_back(angle);
+        }
     }
 
     /// Says that something looks different now of which the stage knows nothing: another mesh, a canvas that was lost.
@@ -171,24 +215,33 @@ impl Stage {
     /// Moves everything that moves by itself on to `time_ms`, which is any steady clock's.
     pub fn advance(&mut self, time_ms: f64) -> Step {
         let seconds = self.last_ms.map_or(0.0, |last_ms| ((time_ms - last_ms) * 1e-3).clamp(0.0, LONGEST_STEP_S));
-        let was_arriving = self.arrival != Arrival::Over;
+        let was_moving = self.arrival != Arrival::Over;
+        let was_arriving = self.is_arriving();
         self.advance_arrival(time_ms);
         let turning = self.turntable_deg_per_s != 0.0;
         self.camera.turn(-self.turntable_deg_per_s.to_radians() * seconds);
         let gliding = self.camera.advance(if self.last_ms.is_some() { seconds } else { 0.0 });
-        let arriving = self.arrival != Arrival::Over;
-        let again = turning || gliding || arriving;
+        let again = turning || gliding || self.arrival != Arrival::Over;
         self.last_ms = again.then_some(time_ms);
-        let draw = std::mem::take(&mut self.changed) || again || was_arriving;
-        Step { draw, again, arrived: was_arriving && !arriving }
+        let draw = std::mem::take(&mut self.changed) || again || was_moving;
+        Step { draw, again, arrived: was_arriving && !self.is_arriving() }
     }
 
     /// What shaders read for this frame.
     pub fn uniforms(&self) -> FrameUniforms {
+        self.uniforms_at(self.blend_before())
+    }
+
+    /// The same for the part of it that shows the shape before ([`RenderSettings::wipe`]).
+    pub fn uniforms_before(&self) -> FrameUniforms {
+        self.uniforms_at(1.0)
+    }
+
+    fn uniforms_at(&self, before: f64) -> FrameUniforms {
         let inputs = FrameInputs {
             pixel_ratio: self.pixel_ratio,
             offsets_m: self.offsets_m,
-            before: self.blend_before(),
+            before,
             ground_m: self.ground_m,
             pointer_px: self.pointer_px,
             hovered: self.hovered,
@@ -206,14 +259,26 @@ impl Stage {
     fn advance_arrival(&mut self, time_ms: f64) {
         self.arrival = match self.arrival {
             Arrival::Asked => Arrival::Since(time_ms),
-            Arrival::Since(start_ms) if time_ms - start_ms >= ARRIVAL_MS => Arrival::Over,
+            Arrival::Since(start_ms) if time_ms - start_ms >= ARRIVAL_MS => {
+                Arrival::Swings { since_ms: time_ms, angle: 0.0 }
+            }
+            Arrival::Swings { since_ms, angle: before } => {
+                let share = ((time_ms - since_ms) / SWING_MS).clamp(0.0, 1.0);
+                let angle = SWING * (0.5 - 0.5 * (TAU * share).cos());
+                self.camera.turn(angle - before);
+                if share < 1.0 { Arrival::Swings { since_ms, angle } } else { Arrival::Over }
+            }
             other => other,
         };
     }
 
+    fn is_arriving(&self) -> bool {
+        matches!(self.arrival, Arrival::Asked | Arrival::Since(_))
+    }
+
     fn blend_before(&self) -> f64 {
         match (self.arrival, self.last_ms) {
-            (Arrival::Over, _) => self.settings.before,
+            (Arrival::Over | Arrival::Swings { .. }, _) => self.settings.before,
             (Arrival::Since(start_ms), Some(now_ms)) => {
                 (1.0 - ((now_ms - start_ms) / ARRIVAL_MS).clamp(0.0, 1.0)).powi(3)
             }
@@ -227,6 +292,11 @@ impl Stage {
             self.changed = true;
         }
     }
+}
+
+/// The furthest of these from a place, as far as they are anywhere.
+fn reach_m(positions_m: &[DVec3], from_m: DVec3) -> f64 {
+    positions_m.iter().map(|position| position.distance(from_m)).filter(|away| away.is_finite()).fold(0.0, f64::max)
 }
 
 #[cfg(test)]
@@ -279,8 +349,58 @@ mod tests {
         stage.start_arrival();
         let steps: Vec<Step> = (0..60).map(|frame| stage.advance(1000.0 + f64::from(frame) * 16.0)).collect();
         assert_eq!(steps.iter().filter(|step| step.arrived).count(), 1);
-        assert_eq!(steps.iter().filter(|step| step.draw).count(), 33);
+        assert_eq!(steps.iter().position(|step| step.arrived), Some(32));
         assert_eq!(stage.blend_before(), 0.0);
+    }
+
+    #[test]
+    fn a_face_that_has_arrived_turns_a_little_and_back_unless_it_is_taken_in_hand() {
+        let arrive = |frames: std::ops::Range<u32>, stage: &mut Stage| {
+            frames.map(|frame| (stage.advance(1000.0 + f64::from(frame) * 16.0).again, stage.camera().back().x)).last()
+        };
+        let mut left_alone = settled();
+        left_alone.start_arrival();
+        let (_, turned) = arrive(0..80, &mut left_alone).unwrap();
+        assert!(turned.abs() > 0.2, "{turned}");
+        let (again, turned) = arrive(80..140, &mut left_alone).unwrap();
+        assert!(!again && turned.abs() < 1e-9, "{turned}");
+        let mut taken = settled();
+        taken.start_arrival();
+        arrive(0..80, &mut taken);
+        taken.end_swing();
+        let (again, turned) = arrive(80..112, &mut taken).unwrap();
+        assert!(turned.abs() < 1e-2 && again, "it glides back at once: {turned}");
+    }
+
+    #[test]
+    fn what_has_grown_is_seen_whole_and_what_has_shrunk_as_before() {
+        let mut stage = settled();
+        let square = |side: f64| [DVec3::splat(-side), DVec3::splat(side)];
+        stage.frame(&square(1.0));
+        let usual_m = stage.camera().radius_m();
+        stage.frame_again(&square(1.3));
+        assert!((stage.camera().radius_m() / usual_m - 1.3).abs() < 1e-12);
+        for side in [1.0, 0.5] {
+            stage.frame_again(&square(side));
+            assert!((stage.camera().radius_m() / usual_m - 1.0).abs() < 1e-12);
+        }
+        stage.frame_again(&[DVec3::NAN]);
+        assert!(stage.camera().radius_m().is_finite());
+    }
+
+    #[test]
+    fn a_picture_without_tools_shows_none() {
+        let mut stage = settled();
+        stage.set_marks(vec![Mark { vertex: 4, kind: MarkKind::Ring }]);
+        stage.set_gizmo(Some(4));
+        stage.set_hovered(Some(5));
+        let settings = stage.render_settings_mut();
+        (settings.mirror_plane, settings.rim, settings.glow, settings.wipe) =
+            (MirrorPlane::Shown, Rim::Shown, 0.5, Some(0.5));
+        let bare = stage.without_tools();
+        assert_eq!((bare.mark_words(), bare.gizmo()), (Vec::new(), None));
+        let RenderSettings { mirror_plane, rim, glow, wipe, .. } = *bare.render_settings();
+        assert_eq!((mirror_plane, rim, glow, wipe), (MirrorPlane::Hidden, Rim::Hidden, 0.0, None));
     }
 
     #[test]

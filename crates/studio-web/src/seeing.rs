@@ -1,6 +1,8 @@
 use glam::DVec2;
+use rosto_face::LANDMARK_COUNT;
 use rosto_session::{Intent, Motion, Turntable};
-use rosto_stage::{Background, Dots, Light, NamedView, Srgb, Theme, Wireframe};
+use rosto_stage::{Background, Dots, Light, NamedView, PictureLight, Srgb, Theme, Wireframe};
+use rosto_studio::Switch;
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
@@ -152,6 +154,48 @@ impl Studio {
         self.act(Intent::Before(share))
     }
 
+    /// The face as it was found up to this share of the canvas' width, 0 to 1 from the left, and as edited beyond; undefined
+    /// ends it.
+    ///
+    /// # Errors
+    /// `bad-number`.
+    #[wasm_bindgen(js_name = setWipe)]
+    pub fn set_wipe(&mut self, share: Option<f64>) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Wipe(share))
+    }
+
+    /// So many px at the canvas' top, right, bottom and left lie under something else: the face is framed in the rest.
+    ///
+    /// # Errors
+    /// None of its own.
+    pub fn cover(
+        &mut self,
+        #[wasm_bindgen(js_name = topPx)] top_px: f64,
+        #[wasm_bindgen(js_name = rightPx)] right_px: f64,
+        #[wasm_bindgen(js_name = bottomPx)] bottom_px: f64,
+        #[wasm_bindgen(js_name = leftPx)] left_px: f64,
+    ) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Cover([top_px, right_px, bottom_px, left_px]))
+    }
+
+    /// Marks what stays in place while what is selected moves, or not.
+    ///
+    /// # Errors
+    /// None of its own.
+    #[wasm_bindgen(js_name = setAnchorsMarked)]
+    pub fn set_anchors_marked(&mut self, marked: bool) -> Result<ChangeName, JsValue> {
+        self.act(Intent::MarkAnchors(if marked { Switch::On } else { Switch::Off }))
+    }
+
+    /// Lets the light fall on the photo, too, or leaves it in the light that it was taken in.
+    ///
+    /// # Errors
+    /// None of its own.
+    #[wasm_bindgen(js_name = setPhotoLit)]
+    pub fn set_photo_lit(&mut self, lit: bool) -> Result<ChangeName, JsValue> {
+        self.act(Intent::PictureLight(if lit { PictureLight::Lamp } else { PictureLight::Own }))
+    }
+
     /// Tells where the pointer is: landmarks near it show as dots where they are what it selects, and what is under it is
     /// marked and returned.
     ///
@@ -164,12 +208,6 @@ impl Studio {
     ) -> Result<Option<u32>, JsValue> {
         self.act(Intent::Hover(Some(DVec2::new(x_px, y_px))))?;
         Ok(self.session.under().vertex)
-    }
-
-    /// Whether a drag from where the pointer is moves something.
-    #[wasm_bindgen(getter)]
-    pub fn movable(&self) -> bool {
-        self.session.under().is_movable
     }
 
     /// Marks a landmark that is pointed at elsewhere, such as on the photo; none when the pointer leaves.
@@ -187,5 +225,17 @@ impl Studio {
         let position_m = *self.session.face()?.document().positions().get(vertex as usize)?;
         let place = self.session.stage().camera().project(position_m)?;
         Some(ScreenPoint { x: place.x, y: place.y })
+    }
+
+    /// The box around the landmarks as they appear: left, top, right and bottom; empty without a face.
+    #[wasm_bindgen(js_name = screenBox)]
+    pub fn screen_box(&self) -> Vec<f64> {
+        let Some(face) = self.session.face() else { return Vec::new() };
+        let camera = self.session.stage().camera();
+        let landmarks = face.document().positions().iter().take(LANDMARK_COUNT);
+        let places = landmarks.filter_map(|&position_m| camera.project(position_m));
+        let empty = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+        let (from, to) = places.fold(empty, |(from, to), place| (from.min(place), to.max(place)));
+        vec![from.x, from.y, to.x, to.y]
     }
 }

@@ -2,8 +2,8 @@
 
 use rosto_laplacian::LaplacianError;
 use rosto_session::{Choice, FaceState, Range, Row, Selection, Session, Tick, Turntable};
-use rosto_stage::{Background, Dots, Srgb, Wireframe};
-use rosto_studio::{EditTarget, Mirror, Standing, StudioError};
+use rosto_stage::{Background, Dots, PictureLight, Srgb, Wireframe};
+use rosto_studio::{EditTarget, Mirror, Standing, StudioError, Switch};
 use wasm_bindgen::prelude::*;
 
 use crate::error::FacadeError;
@@ -27,9 +27,12 @@ pub struct StudioState {
     /// The selected region, if any.
     #[wasm_bindgen(readonly, js_name = selectedRegion)]
     pub selected_region: Option<String>,
-    /// Whether what is selected is its own mirror image and the mirror is on, so that it cannot move along x.
+    /// Whether what is selected is its own mirror image and the mirror is on: sideways it moves alone.
     #[wasm_bindgen(readonly, js_name = selectedInPlane)]
     pub selected_in_plane: bool,
+    /// Whether it does so now.
+    #[wasm_bindgen(readonly, js_name = leavesPlane)]
+    pub leaves_plane: bool,
     /// Whether all that is selected is pinned.
     #[wasm_bindgen(readonly)]
     pub pinned: bool,
@@ -54,6 +57,15 @@ pub struct StudioState {
     /// Whether edges are drawn over it.
     #[wasm_bindgen(readonly)]
     pub wireframe: bool,
+    /// Whether what stays in place is marked.
+    #[wasm_bindgen(readonly, js_name = anchorsMarked)]
+    pub anchors_marked: bool,
+    /// Whether the face as it was found is seen beside the face as edited.
+    #[wasm_bindgen(readonly, js_name = isWiping)]
+    pub is_wiping: bool,
+    /// Whether the light falls on the photo, too.
+    #[wasm_bindgen(readonly, js_name = photoLit)]
+    pub photo_lit: bool,
     /// Whether every landmark shows as a dot.
     #[wasm_bindgen(readonly)]
     pub dots: bool,
@@ -121,7 +133,8 @@ impl StudioState {
                 Some(Selection::Region(region)) => Some(region.id().to_owned()),
                 _ => None,
             },
-            selected_in_plane: is(|face| face.moves_in_plane),
+            selected_in_plane: is(|face| face.lies_in_plane),
+            leaves_plane: is(|face| face.leaves_plane),
             pinned: is(|face| face.is_pinned),
             can_mirror: face.is_none_or(|face| face.can_mirror),
             refusal: face.and_then(|face| face.refusal.as_ref()).map(RefusalName::from),
@@ -130,6 +143,9 @@ impl StudioState {
             nearby: choices.is_nearby,
             radius_mm: choices.radius_mm,
             wireframe: view.wireframe == Wireframe::Shown,
+            anchors_marked: view.anchors == Switch::On,
+            is_wiping: session.stage().render_settings().wipe.is_some(),
+            photo_lit: view.picture_light == PictureLight::Lamp,
             dots: state.dots == Dots::All,
             turntable: view.turntable == Turntable::Turns,
             light: vec![light.azimuth_deg, light.elevation_deg, light.strength, light.ambient],
@@ -180,6 +196,9 @@ pub struct StudioTick {
     /// Share of its offset that what is selected reaches: 1 is all of it.
     #[wasm_bindgen(readonly, js_name = shareReached)]
     pub share_reached: f64,
+    /// Whether the pointer drags it further than its sliders go.
+    #[wasm_bindgen(readonly, js_name = isAtEnd)]
+    pub is_at_end: bool,
 }
 
 impl StudioTick {
@@ -191,6 +210,7 @@ impl StudioTick {
             offset_z_mm: tick.offset_mm.z,
             sliders_mm: tick.sliders_mm.to_vec(),
             share_reached: tick.share_reached,
+            is_at_end: tick.is_at_end,
         }
     }
 }

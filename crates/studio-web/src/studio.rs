@@ -204,7 +204,7 @@ impl Studio {
         self.picture = Some(picture);
         self.show(changed)?;
         if let (Motion::Usual, Some(face)) = (self.session.view().motion, self.session.face()) {
-            self.viewport.arrive_from(&face.flat_m())?;
+            self.viewport.arrive_from(&face.flat_m(), face.document().rest())?;
         }
         Ok(changed.into())
     }
@@ -236,7 +236,7 @@ impl Studio {
     fn show_shape(&mut self) -> Result<()> {
         let Some(face) = self.session.face() else { return Ok(()) };
         self.viewport.set_positions(face.document().committed())?;
-        Ok(self.viewport.set_fields(face.influence_fields())?)
+        Ok(self.viewport.set_fields(face.influence_fields(), face.document().reach().as_deref())?)
     }
 
     /// Three numbers of the stage, unless details turn or distortion is painted.

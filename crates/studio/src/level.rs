@@ -1,8 +1,7 @@
 use glam::DVec3;
 use rosto_face::{FaceModel, LANDMARK_COUNT, oval};
 use rosto_laplacian::{
-    AnchoredSystem, ConstraintKind, Constraints, Falloff, Geodesics, LaplacianError, LaplacianSystem, Operator,
-    Response,
+    AnchoredSystem, ConstraintKind, Constraints, Geodesics, LaplacianError, LaplacianSystem, Operator, Response,
 };
 use rosto_mesh::{LoopSubdivision, Topology};
 
@@ -117,11 +116,6 @@ impl Level {
             Some(anchored) => anchored.system.respond(constraints),
             None => self.system(operator)?.respond(constraints),
         }
-    }
-
-    /// What is nearer to `sources` than `radius`, along the surface at rest.
-    pub(crate) fn falloff(&mut self, sources: &[u32], radius: f64) -> Result<Falloff, LaplacianError> {
-        Falloff::within(radius, &self.distances(sources)?)
     }
 
     /// Distance of each vertex from `sources`, along the surface at rest.

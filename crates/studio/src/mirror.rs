@@ -45,6 +45,14 @@ impl MirrorTable {
         closed
     }
 
+    /// Gives each vertex the smaller of its own value and its partner's.
+    pub(crate) fn nearer_of_both(&self, values: &mut [f64]) {
+        for (vertex, &partner) in self.partners.iter().enumerate() {
+            let nearer = values[vertex].min(values[partner as usize]);
+            (values[vertex], values[partner as usize]) = (nearer, nearer);
+        }
+    }
+
     /// Makes the way from `rest` to `moved` its own mirror image: each vertex takes the mean of its own displacement and
     /// its partner's, reflected. What already is one stays as it is, but for rounding.
     ///

@@ -5,6 +5,9 @@ use crate::level::Level;
 use crate::mirror::reflected;
 use crate::{AnchorKind, Anchors, Command, Details, EditSpec, Mirror, RegionOfInfluence, StudioError};
 
+/// Further away than so many radii is all the same.
+const FAR: f64 = 1e3;
+
 /// An edit specification made ready: anchors chosen, partners joined, response fields solved.
 pub(crate) struct PreparedEdit {
     spec: EditSpec,
@@ -14,6 +17,8 @@ pub(crate) struct PreparedEdit {
     /// For each handle, where its partner stands among the handles; itself where the mirror is off.
     partner_places: Vec<usize>,
     response: Response,
+    /// For an edit that does not reach everywhere: the distance of each vertex from the handles, 1 at the radius.
+    reach: Option<Vec<f64>>,
     /// For details that turn: over the positions that the edit starts from.
     rigid: Option<RigidEdit>,
     /// One for each handle; filled anew by each displacement.
@@ -25,7 +30,7 @@ impl PreparedEdit {
     /// Solves for the response fields; `from` are the positions that the edit starts from.
     pub(crate) fn new(spec: EditSpec, level: &mut Level, from: &[DVec3]) -> Result<Self, StudioError> {
         let handles = joined_by_mirror(&spec, &spec.handles, level)?;
-        let falloff = falloff(&spec, &handles, level)?;
+        let (falloff, reach) = falloff(&spec, &handles, level)?.unzip();
         let anchors = anchors(&spec, &handles, level)?;
         let constraint = spec.settings.constraint;
         let constraints =
@@ -39,7 +44,7 @@ impl PreparedEdit {
         };
         let partner_places = partner_places(&spec, &handles, level)?;
         let offsets = vec![DVec3::ZERO; handles.len()];
-        Ok(Self { spec, handles, anchors, partner_places, response, rigid, offsets, stale: false })
+        Ok(Self { spec, handles, anchors, partner_places, response, reach, rigid, offsets, stale: false })
     }
 
     pub(crate) fn spec(&self) -> &EditSpec {
@@ -57,6 +62,12 @@ impl PreparedEdit {
 
     pub(crate) fn response(&self) -> &Response {
         &self.response
+    }
+
+    /// The distance of each vertex of the spec's level from the handles, 1 at the radius; none for an edit that reaches
+    /// everywhere.
+    pub(crate) fn reach(&self) -> Option<&[f64]> {
+        self.reach.as_deref()
     }
 
     /// The positions that the next edit starts from are no longer those that this was made ready for.
@@ -144,11 +155,18 @@ fn partner_places(spec: &EditSpec, handles: &[u32], level: &Level) -> Result<Vec
     Ok(handles.iter().map(|handle| place(handle).expect("invariant: handles are closed under the mirror")).collect())
 }
 
-fn falloff(spec: &EditSpec, handles: &[u32], level: &mut Level) -> Result<Option<Falloff>, StudioError> {
-    Ok(match spec.settings.reach {
-        RegionOfInfluence::Whole => None,
-        RegionOfInfluence::Within { radius } => Some(level.falloff(handles, radius)?),
-    })
+/// How an edit fades out, and the distances by which it does, 1 at the radius. With the mirror, what is near on either side
+/// takes part.
+fn falloff(spec: &EditSpec, handles: &[u32], level: &mut Level) -> Result<Option<(Falloff, Vec<f64>)>, StudioError> {
+    let RegionOfInfluence::Within { radius } = spec.settings.reach else { return Ok(None) };
+    let distances = level.distances(handles)?;
+    let falloff = Falloff::within(radius, &distances)?;
+    // What the surface does not lead to is far away rather than nowhere, so that denser meshes can take means.
+    let mut reach: Vec<f64> = distances.into_iter().map(|distance| (distance / radius).min(FAR)).collect();
+    if spec.settings.mirror == Mirror::On {
+        level.mirror()?.nearer_of_both(&mut reach);
+    }
+    Ok(Some((falloff, reach)))
 }
 
 /// The anchors that the settings ask for: pins, and those of the rule that are no handles.

@@ -29,6 +29,10 @@ struct FrameUniforms {
     hovered: u32,
     gizmo_vertex: u32,
     gizmo_axis: u32,
+    // Whether the end of an edit's reach and the plane of symmetry are drawn on the surface, 0 or 1.
+    rim: f32,
+    mirror_plane: f32,
+    unused: vec2f,
 }
 
 @group(0) @binding(0) var<uniform> frame: FrameUniforms;

@@ -11,6 +11,7 @@ struct InfluenceWeights {
     normal_derivative_b: vec3f,
     field_b: f32,
     cross: f32,
+    reach: f32,
 }
 
 struct VertexAttributes {
@@ -49,7 +50,7 @@ fn follow(vertex: u32) -> InfluenceWeights {
     let a = textureLoad(follows, place(3u * vertex), 0);
     let b = textureLoad(follows, place(3u * vertex + 1u), 0);
     let both = textureLoad(follows, place(3u * vertex + 2u), 0);
-    return InfluenceWeights(a.xyz, a.w, b.xyz, b.w, both.x);
+    return InfluenceWeights(a.xyz, a.w, b.xyz, b.w, both.x, both.y);
 }
 
 fn vertex_attributes(vertex: u32) -> VertexAttributes {

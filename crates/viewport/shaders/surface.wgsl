@@ -7,6 +7,8 @@ struct Corner {
     @location(3) colour: vec3f,
     @location(4) scalar: f32,
     @location(5) response: f32,
+    // Distance from what moves, 1 where an edit ends.
+    @location(6) reach: f32,
 }
 
 const CLAY = vec3f(0.445, 0.385, 0.330);
@@ -28,6 +30,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
     corner.colour = linear_from_srgb(skin.colour);
     corner.scalar = skin.scalar;
     corner.response = response(index);
+    corner.reach = follow(index).reach;
     return corner;
 }
 
@@ -59,18 +62,38 @@ fn shaded(albedo: vec3f, facing: vec3f, to_eye: vec3f) -> vec3f {
     return albedo * light + frame.light_colour * gleam;
 }
 
+// How much of a line of this width, in CSS px, along which `value` is 0 covers a place; `per_px` is how fast it changes.
+fn line_along(value: f32, per_px: f32, width_px: f32) -> f32 {
+    let distance_px = abs(value) / max(per_px, 1e-9);
+    return coverage(distance_px - 0.5 * width_px * frame.pixel_ratio);
+}
+
+// The end of an edit's reach and the plane of symmetry, where they cross the surface.
+fn lines_on(corner: Corner, reach_per_px: f32, x_per_px: f32) -> vec4f {
+    let away = corner.reach - 1.0;
+    let halo = 0.6 * frame.rim * line_along(away, reach_per_px, 4.0);
+    let rim = frame.rim * line_along(away, reach_per_px, 2.0);
+    let plane = 0.8 * frame.mirror_plane * line_along(corner.model_m.x, x_per_px, 1.0);
+    let line = max(rim, plane);
+    return vec4f(mix(frame.halo.rgb, frame.accent.rgb, line), max(line, halo));
+}
+
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4f {
     let picture_colour = textureSample(picture, picture_sampler, corner.uv).rgb;
+    let reach_per_px = fwidth(corner.reach);
+    let x_per_px = fwidth(corner.model_m.x);
     let facing = normalize(select(-corner.normal, corner.normal, front));
     let to_eye = normalize(frame.eye_m - corner.model_m);
+    let lines = lines_on(corner, reach_per_px, x_per_px);
     if frame.shading == NORMALS {
-        return vec4f(0.5 * facing + 0.5, 1.0);
+        return vec4f(mix(0.5 * facing + 0.5, lines.rgb, lines.a), 1.0);
     }
     var albedo = INSIDE;
     if front {
         albedo = painted(corner, picture_colour);
     }
     let glow = frame.glow * smoothstep(0.0, 1.0, corner.response);
-    return vec4f(mix(srgb_from_linear(shaded(albedo, facing, to_eye)), frame.accent.rgb, 0.6 * glow), 1.0);
+    let glowing = mix(srgb_from_linear(shaded(albedo, facing, to_eye)), frame.accent.rgb, 0.6 * glow);
+    return vec4f(mix(glowing, lines.rgb, lines.a), 1.0);
 }

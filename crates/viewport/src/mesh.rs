@@ -50,7 +50,7 @@ impl MeshOnGpu {
         let geometry_list = geometry(input.topology, input.positions_m);
         let geometry_now = VertexData::new(gpu, &geometry_list)?;
         let geometry_before = VertexData::new(gpu, &geometry_list)?;
-        let follows = VertexData::new(gpu, &vec![InfluenceWeights::default(); attribute_list.len()])?;
+        let follows = VertexData::new(gpu, &follows(input.topology, input.positions_m, [None, None], None))?;
         let attributes = VertexData::new(gpu, &attribute_list)?;
         let textures =
             [geometry_now.view(), geometry_before.view(), follows.view(), attributes.view(), picture.view.clone()];
@@ -70,10 +70,6 @@ impl MeshOnGpu {
 
     pub fn vertex_count(&self) -> u32 {
         self.topology.vertex_count() as u32
-    }
-
-    pub fn positions_m(&self) -> &[DVec3] {
-        &self.positions_m
     }
 
     pub fn index_count(&self) -> u32 {
@@ -97,11 +93,16 @@ impl MeshOnGpu {
         Ok(())
     }
 
-    pub fn write_fields(&self, gpu: &Gpu, fields: [Option<&[f64]>; 2]) -> Result<(), ViewportError> {
-        for field in fields.into_iter().flatten() {
+    pub fn write_fields(
+        &self,
+        gpu: &Gpu,
+        fields: [Option<&[f64]>; 2],
+        reach: Option<&[f64]>,
+    ) -> Result<(), ViewportError> {
+        for field in fields.into_iter().chain([reach]).flatten() {
             check_length("responses", field.len(), &self.topology)?;
         }
-        self.follows.write(gpu, &follows(&self.topology, &self.positions_m, fields));
+        self.follows.write(gpu, &follows(&self.topology, &self.positions_m, fields, reach));
         Ok(())
     }
 

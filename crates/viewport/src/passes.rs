@@ -1,4 +1,4 @@
-use rosto_stage::{Background, Dots, MirrorPlane, RenderSettings, Stage, Surface, Wireframe};
+use rosto_stage::{Background, Dots, RenderSettings, Stage, Surface, Wireframe};
 
 use crate::Viewport;
 use crate::pipelines::Twin;
@@ -30,8 +30,17 @@ pub(crate) fn record(
         }),
         ..Default::default()
     });
-    pass.set_bind_group(0, &viewport.frame_bindings, &[]);
+    pass.set_bind_group(0, &viewport.frame.bindings, &[]);
     record_backdrop(viewport, stage.render_settings(), &mut pass);
+    if let Some(share) = stage.render_settings().wipe {
+        let [width, height] = attachments.size;
+        let edge = ((share * f64::from(width)).round() as u32).min(width);
+        pass.set_bind_group(0, &viewport.frame_before.bindings, &[]);
+        pass.set_scissor_rect(0, 0, edge, height);
+        record_mesh(viewport, stage, &mut pass);
+        pass.set_bind_group(0, &viewport.frame.bindings, &[]);
+        pass.set_scissor_rect(edge, 0, width - edge, height);
+    }
     record_mesh(viewport, stage, &mut pass);
 }
 
@@ -68,10 +77,6 @@ fn record_mesh(viewport: &Viewport, stage: &Stage, pass: &mut wgpu::RenderPass<'
         pass.set_pipeline(&pipelines.wire);
         pass.set_vertex_buffer(0, mesh.edges.slice(..));
         pass.draw(0..6, 0..mesh.edge_count());
-    }
-    if settings.mirror_plane == MirrorPlane::Shown {
-        pass.set_pipeline(&pipelines.mirror);
-        pass.draw(0..6, 0..1);
     }
     if settings.dots != Dots::None {
         pass.set_pipeline(&pipelines.dots);

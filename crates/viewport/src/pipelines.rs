@@ -13,7 +13,6 @@ pub(crate) struct Pipelines {
     pub surface: wgpu::RenderPipeline,
     pub bare: wgpu::RenderPipeline,
     pub wire: wgpu::RenderPipeline,
-    pub mirror: wgpu::RenderPipeline,
     pub dots: wgpu::RenderPipeline,
     pub marks: Twin,
     pub gizmo: Twin,
@@ -73,7 +72,6 @@ impl Pipelines {
         Self {
             background: build(&backdrop, "background", shaders::BACKGROUND, Role::Backdrop),
             ground: build(&backdrop, "ground", shaders::GROUND, Role::Overlay),
-            mirror: build(&backdrop, "mirror", shaders::MIRROR, Role::Overlay),
             surface: build(&over_mesh, "surface", shaders::SURFACE, Role::Solid),
             bare: build(&over_mesh, "bare", shaders::SURFACE, Role::DepthOnly),
             dots: build(&over_mesh, "dots", shaders::DOTS, Role::Overlay),

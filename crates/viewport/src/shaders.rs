@@ -6,7 +6,6 @@ macro_rules! shader {
 
 pub(crate) const BACKGROUND: &str = shader!("frame", "background");
 pub(crate) const GROUND: &str = shader!("frame", "ground");
-pub(crate) const MIRROR: &str = shader!("frame", "mirror");
 pub(crate) const SURFACE: &str = shader!("frame", "mesh", "surface");
 pub(crate) const WIRE: &str = shader!("frame", "mesh", "wire");
 pub(crate) const DOTS: &str = shader!("frame", "mesh", "dots");
@@ -21,10 +20,9 @@ mod tests {
     use super::*;
     use crate::vertex::{Geometry, InfluenceWeights, VertexAttributes};
 
-    const ALL: [(&str, &str); 9] = [
+    const ALL: [(&str, &str); 8] = [
         ("background", BACKGROUND),
         ("ground", GROUND),
-        ("mirror", MIRROR),
         ("surface", SURFACE),
         ("wire", WIRE),
         ("dots", DOTS),

@@ -19,7 +19,10 @@ pub(crate) struct Geometry {
     pub unused_too: f32,
 }
 
-/// How a vertex and its normal follow two handles.
+/// What is everywhere further away than an edit reaches.
+const FAR: f64 = 1e3;
+
+/// How a vertex and its normal follow two handles, and how far it is from them.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Pod, Zeroable)]
 pub(crate) struct InfluenceWeights {
@@ -28,7 +31,9 @@ pub(crate) struct InfluenceWeights {
     pub normal_derivative_b: [f32; 3],
     pub field_b: f32,
     pub cross: f32,
-    pub unused: [f32; 3],
+    /// Distance from the handles, 1 where an edit ends.
+    pub reach: f32,
+    pub unused: [f32; 2],
 }
 
 /// How a vertex is painted: its place in the photo, its scalar in −1..1, its colour (sRGB, 0..1).
@@ -58,11 +63,13 @@ pub(crate) fn geometry(topology: &Topology, positions_m: &[DVec3]) -> Vec<Geomet
     positions_m.iter().zip(&normals).map(shape).collect()
 }
 
-/// How all vertices follow one or two handles with the response fields given; a missing field is zero.
+/// How all vertices follow one or two handles with the response fields given, and how far they are from them; a missing field
+/// is zero, and without distances everything is far.
 pub(crate) fn follows(
     topology: &Topology,
     positions_m: &[DVec3],
     fields: [Option<&[f64]>; 2],
+    reach: Option<&[f64]>,
 ) -> Vec<InfluenceWeights> {
     let value = |field: Option<&[f64]>, vertex: u32| field.map_or(0.0, |values| values[vertex as usize]);
     let mut turns = vec![([DVec3::ZERO; 2], 0.0); positions_m.len()];
@@ -87,6 +94,7 @@ pub(crate) fn follows(
         normal_derivative_b: turn[1].as_vec3().to_array(),
         field_b: value(fields[1], vertex as u32) as f32,
         cross: *cross as f32,
+        reach: reach.map_or(FAR, |reach| reach[vertex]) as f32,
         ..InfluenceWeights::default()
     };
     turns.iter().enumerate().map(follow).collect()
@@ -119,7 +127,7 @@ mod tests {
             .collect();
         let before = geometry(&topology, &positions);
         let after = geometry(&topology, &moved);
-        let follow = follows(&topology, &positions, [Some(&fields[0]), Some(&fields[1])]);
+        let follow = follows(&topology, &positions, [Some(&fields[0]), Some(&fields[1])], None);
         let [a, b] = offsets.map(|offset| offset.as_vec3());
         for v in 0..positions.len() {
             let normal = Vec3::from(before[v].normal)
@@ -131,8 +139,12 @@ mod tests {
     }
 
     #[test]
-    fn a_missing_field_moves_nothing() {
+    fn a_missing_field_moves_nothing_and_reaches_nowhere() {
         let (topology, positions) = fan();
-        assert_eq!(follows(&topology, &positions, [None, None]), vec![InfluenceWeights::default(); 6]);
+        let far = InfluenceWeights { reach: FAR as f32, ..InfluenceWeights::default() };
+        assert_eq!(follows(&topology, &positions, [None, None], None), vec![far; 6]);
+        let reach = [0.0, 0.5, 1.0, 1.5, 2.0, 3.0];
+        let near = follows(&topology, &positions, [None, None], Some(&reach));
+        assert!(near.iter().map(|follow| f64::from(follow.reach)).eq(reach));
     }
 }

@@ -1,8 +1,9 @@
 use std::future::Future;
 
 use glam::DVec3;
-use rosto_stage::{Background, FrameUniforms, Stage};
+use rosto_stage::{Background, Stage};
 
+use crate::frame::FrameOnGpu;
 use crate::mesh::{MeshOnGpu, filled};
 use crate::pipelines::Pipelines;
 use crate::snapshot::{Snapshot, copy};
@@ -16,8 +17,9 @@ pub struct Viewport {
     target: Target,
     pub(crate) pipelines: Pipelines,
     shrink: wgpu::RenderPipeline,
-    frame: wgpu::Buffer,
-    pub(crate) frame_bindings: wgpu::BindGroup,
+    pub(crate) frame: FrameOnGpu,
+    /// The same with the shape before, for the other part of a picture that shows both.
+    pub(crate) frame_before: FrameOnGpu,
     attachments: Attachments,
     pub(crate) mesh: Option<MeshOnGpu>,
     before_after_arrival: Option<Vec<DVec3>>,
@@ -29,17 +31,6 @@ impl Viewport {
     /// An empty viewport of 1×1 px.
     pub fn new(gpu: Gpu, target: Target) -> Self {
         let pipelines = Pipelines::new(&gpu, target.format);
-        let frame = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("frame"),
-            size: size_of::<FrameUniforms>() as u64,
-            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
-        let frame_bindings = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("frame"),
-            layout: &pipelines.frame_layout,
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() }],
-        });
         target.configure(&gpu, 1, 1);
         Self {
             shrink: picture::shrink_pipeline(&gpu),
@@ -48,11 +39,11 @@ impl Viewport {
             mark_count: 0,
             mesh: None,
             before_after_arrival: None,
+            frame: FrameOnGpu::new(&gpu, &pipelines),
+            frame_before: FrameOnGpu::new(&gpu, &pipelines),
             gpu,
             target,
             pipelines,
-            frame,
-            frame_bindings,
         }
     }
 
@@ -125,13 +116,13 @@ impl Viewport {
         self.mesh.as_ref().map_or(Ok(()), |mesh| mesh.write_before(&self.gpu, positions_m))
     }
 
-    /// Sets how each vertex follows up to two handles, for [`Stage::set_offsets_m`]; call it after
-    /// [`Self::set_positions`]. Nothing without a mesh.
+    /// Sets how each vertex follows up to two handles, for [`Stage::set_offsets_m`], and how far it is from them: 1 where
+    /// `rosto_stage::Rim` is drawn. Call it after [`Self::set_positions`]. Nothing without a mesh.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
-    pub fn set_fields(&mut self, fields: [Option<&[f64]>; 2]) -> Result<(), ViewportError> {
-        self.mesh.as_ref().map_or(Ok(()), |mesh| mesh.write_fields(&self.gpu, fields))
+    pub fn set_fields(&mut self, fields: [Option<&[f64]>; 2], reach: Option<&[f64]>) -> Result<(), ViewportError> {
+        self.mesh.as_ref().map_or(Ok(()), |mesh| mesh.write_fields(&self.gpu, fields, reach))
     }
 
     /// Sets the values, −1 to 1, that `rosto_stage::ShadingMode::Distortion` shows. Nothing without a mesh.
@@ -142,15 +133,15 @@ impl Viewport {
         self.mesh.as_mut().map_or(Ok(()), |mesh| mesh.write_scalars(&self.gpu, scalars))
     }
 
-    /// Makes ready that the mesh glides from these positions to its own when [`Stage::start_arrival`] is called. Nothing
-    /// without a mesh.
+    /// Makes ready that the mesh glides from these positions to its own when [`Stage::start_arrival`] is called; the shape
+    /// before is `before_m` again when it has arrived. Nothing without a mesh.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
-    pub fn arrive_from(&mut self, positions_m: &[DVec3]) -> Result<(), ViewportError> {
-        if let Some(mesh) = &self.mesh {
-            mesh.write_before(&self.gpu, positions_m)?;
-            self.before_after_arrival = Some(mesh.positions_m().to_vec());
+    pub fn arrive_from(&mut self, positions_m: &[DVec3], before_m: &[DVec3]) -> Result<(), ViewportError> {
+        if self.mesh.is_some() {
+            self.set_before(positions_m)?;
+            self.before_after_arrival = Some(before_m.to_vec());
         }
         Ok(())
     }
@@ -236,7 +227,10 @@ impl Viewport {
     }
 
     fn upload(&mut self, stage: &Stage) {
-        self.gpu.queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&stage.uniforms()));
+        self.frame.write(&self.gpu, &stage.uniforms());
+        if stage.render_settings().wipe.is_some() {
+            self.frame_before.write(&self.gpu, &stage.uniforms_before());
+        }
         let words = stage.mark_words();
         self.mark_count = words.len() as u32;
         let bytes: &[u8] = bytemuck::cast_slice(&words);

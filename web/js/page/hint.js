@@ -1,58 +1,57 @@
 import { inEveryLanguage, say } from "../words/words.js";
 import { byId } from "./dom.js";
+import { remember, remembered } from "./remember.js";
 
-/** @typedef {"drag" | "turn"} Hint */
+/** What a newcomer is told to do, one after the other. */
+const DEEDS = /** @type {const} */ (["drag", "turn"]);
 
-const IDLE_MS = 3000;
+/** @typedef {typeof DEEDS[number]} Deed */
 
-/** Fingers do it in another way. */
-const touch = matchMedia("(pointer: coarse)");
+/** @type {Set<string>} */
+const done = new Set();
+let isOffering = false;
+/** @type {Set<(deed: Deed | undefined) => void>} */
+const listeners = new Set();
 
-/** @type {Hint | undefined} */
-let shown;
-/** Each hint is given once in a visit. */
-const given = new Set();
-let idle = 0;
-
-/** Hints go away with the next press of anything. */
+/** Writes the hints in the page's language. */
 export function setUpHints() {
+  for (const deed of DEEDS) if (remembered(`did.${deed}`)) done.add(deed);
   inEveryLanguage(write);
-  for (const act of ["pointerdown", "keydown", "wheel"]) {
-    addEventListener(act, () => {
-      clearTimeout(idle);
-      show(undefined);
-    }, { capture: true, passive: true });
-  }
+}
+
+/** Gives the first hint that was not followed yet; it stays until it is. */
+export function giveHints() {
+  isOffering = true;
+  write();
 }
 
 /**
- * Gives a hint, and another if nothing happens for a while.
+ * Something was done that a hint may have been about.
  *
- * @param {Hint} now
- * @param {Hint} later
+ * @param {Deed} deed
  */
-export function hint(now, later) {
-  give(now);
-  clearTimeout(idle);
-  idle = setTimeout(() => give(later), IDLE_MS);
-}
-
-/** @param {Hint} key */
-function give(key) {
-  if (given.has(key)) return;
-  given.add(key);
-  show(key);
-}
-
-/** @param {Hint | undefined} key */
-function show(key) {
-  if (shown === key) return;
-  shown = key;
+export function did(deed) {
+  if (done.has(deed)) return;
+  done.add(deed);
+  remember(`did.${deed}`, "yes");
   write();
+}
+
+/** @param {(deed: Deed | undefined) => void} listener is told now and later what is hinted at */
+export function onHint(listener) {
+  listeners.add(listener);
+  listener(hinted());
+}
+
+/** @returns {Deed | undefined} */
+function hinted() {
+  return isOffering ? DEEDS.find((deed) => !done.has(deed)) : undefined;
 }
 
 function write() {
   const element = byId("hint", HTMLParagraphElement);
-  element.hidden = shown === undefined;
-  if (shown) element.textContent = say(touch.matches ? `hint.${shown}.touch` : `hint.${shown}`);
+  const deed = hinted();
+  element.hidden = deed === undefined;
+  if (deed) element.textContent = say(`hint.${deed}`);
+  for (const listener of listeners) listener(deed);
 }

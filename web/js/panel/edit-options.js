@@ -11,6 +11,7 @@ export class EditOptions {
   #mirror = byId("mirror", HTMLInputElement);
   #nearby = byId("nearby", HTMLInputElement);
   #pinned = byId("pinned", HTMLInputElement);
+  #anchorsMarked = byId("anchors-shown", HTMLInputElement);
   #bench;
   #radius;
 
@@ -21,6 +22,7 @@ export class EditOptions {
     this.#mirror.addEventListener("change", () => bench.act((studio) => studio.setMirror(this.#mirror.checked)));
     this.#nearby.addEventListener("change", () => bench.act((studio) => studio.setNearby(this.#nearby.checked)));
     this.#pinned.addEventListener("change", () => bench.act((studio) => studio.setPinned(this.#pinned.checked)));
+    this.#anchorsMarked.addEventListener("change", () => bench.act((studio) => studio.setAnchorsMarked(this.#anchorsMarked.checked)));
     bench.onChange((state) => this.#show(state));
   }
 
@@ -41,7 +43,8 @@ export class EditOptions {
   }
 
   /** @param {StudioState} state */
-  #show({ mirror, nearby, radiusMm, pinned, selected, canMirror }) {
+  #show({ mirror, nearby, radiusMm, pinned, selected, canMirror, anchorsMarked }) {
+    this.#anchorsMarked.checked = anchorsMarked;
     this.#mirror.checked = mirror;
     this.#mirror.disabled = !canMirror;
     byId("mirror-help", HTMLParagraphElement).hidden = canMirror;

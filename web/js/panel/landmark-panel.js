@@ -33,6 +33,8 @@ export class LandmarkPanel {
     const { min, max, step, neutral } = bench.studio.offsetRange;
     this.#sliders = AXES.map((axis) => this.#makeSlider(axis, { min, max, step, neutral }));
     byId("landmark-sliders", HTMLFieldSetElement).append(...this.#sliders.map((slider) => slider.element));
+    // What is typed there is another name.
+    this.#search.addEventListener("focus", () => this.#search.select());
     this.#search.addEventListener("change", () => this.#find(this.#search.value));
     this.#search.addEventListener("input", () => bench.read((state) => this.#explain(state)));
     bench.onChange((state) => this.#show(state));

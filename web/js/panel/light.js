@@ -39,7 +39,15 @@ export function setUpLight(bench) {
     const { red, green, blue } = chosenColour(colour);
     bench.act((studio) => studio.setLightColour(red, green, blue));
   });
-  bench.onChange(({ light, lightColour }) => {
+  const onPhoto = byId("light-photo", HTMLInputElement);
+  onPhoto.addEventListener("change", () => bench.act((studio) => studio.setPhotoLit(onPhoto.checked)));
+  bench.onChange((state) => {
+    const { light, lightColour, photoLit } = state;
+    const isPhoto = state.chosen("shading") === "picture";
+    onPhoto.checked = photoLit;
+    byId("light-photo-field", HTMLLabelElement).hidden = !isPhoto;
+    // A photo has its own light, of which nothing can be moved.
+    byId("lamp", HTMLFieldSetElement).disabled = isPhoto && !photoLit;
     for (const [place, slider] of sliders.entries()) slider.value = (light[place] ?? 0) * (place < 2 ? 1 : 100);
     colour.value = hex(lightColour);
     showSun(light[0] ?? 0, light[1] ?? 0);

@@ -65,10 +65,6 @@ export class Slider {
     if (this.#number.valueAsNumber !== rounded) this.#number.value = String(rounded);
   }
 
-  set disabled(/** @type {boolean} */ disabled) {
-    for (const input of [this.#range, this.#number]) input.disabled = disabled;
-  }
-
   /** @param {HTMLInputElement} input */
   #wire(input) {
     const { min, max, step, onInput, onCommit, onCancel } = this.#options;

@@ -1,6 +1,5 @@
 import { byId, chosenColour, hex, onAction } from "../page/dom.js";
 import { setUpLight } from "./light.js";
-import { Slider } from "./slider.js";
 
 /** @typedef {import("../viewport/workbench.js").Workbench} Workbench */
 
@@ -12,7 +11,6 @@ import { Slider } from "./slider.js";
 export function setUpViewPanel(bench) {
   setUpLight(bench);
   setUpBackground(bench);
-  setUpBeforeAfter(bench);
   onCheck("wireframe", (shown) => bench.act((studio) => studio.setWireframe(shown)));
   bench.canvas.addEventListener("keydown", (event) => {
     if (event.key.toLowerCase() === "w" && !event.ctrlKey && !event.metaKey) byId("wireframe", HTMLInputElement).click();
@@ -47,45 +45,6 @@ function setUpBackground(bench) {
   bench.onChange(({ backdrop }) => {
     plain.checked = backdrop.length > 0;
     if (plain.checked) colour.value = hex(backdrop);
-  });
-}
-
-/**
- * The face as it was found: while a key or a button is held, or by degrees.
- *
- * @param {Workbench} bench
- */
-function setUpBeforeAfter(bench) {
-  const button = byId("compare", HTMLButtonElement);
-  const apply = () => bench.act((studio) => studio.setBefore(slider.value / 100));
-  const slider = new Slider({
-    label: "before",
-    longLabel: "before.long",
-    unit: "%",
-    min: 0,
-    max: 100,
-    step: 1,
-    neutral: 0,
-    onInput: apply,
-    onCommit: apply,
-    onCancel: () => {},
-  });
-  byId("before-slider", HTMLFieldSetElement).append(slider.element);
-  const hold = (/** @type {boolean} */ held) => {
-    button.setAttribute("aria-pressed", String(held));
-    bench.act((studio) => studio.setBefore(held ? 1 : slider.value / 100));
-  };
-  button.addEventListener("pointerdown", () => hold(true));
-  for (const end of ["pointerup", "pointerleave", "pointercancel", "blur"]) button.addEventListener(end, () => hold(false));
-  button.addEventListener("keydown", (event) => {
-    if (event.key === "Enter" || event.key === " ") hold(true);
-  });
-  button.addEventListener("keyup", () => hold(false));
-  bench.canvas.addEventListener("keydown", (event) => {
-    if (event.key.toLowerCase() === "b" && !event.repeat) hold(true);
-  });
-  bench.canvas.addEventListener("keyup", (event) => {
-    if (event.key.toLowerCase() === "b") hold(false);
   });
 }
 

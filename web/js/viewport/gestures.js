@@ -2,15 +2,18 @@
  * @typedef {import("./workbench.js").Workbench} Workbench
  * @typedef {"x" | "y" | "z"} AxisName
  * @typedef {import("../../wasm/rosto-studio-web.js").PointerName} PointerName
+ * @typedef {{ x: number, y: number, button: number }} Press in CSS px of the window
+ * @typedef {{ x: number, y: number, apart: number }} Spread the fingers' middle and distance, in CSS px
+ *
+ * @typedef {object} Told places in device pixels of the canvas
+ * @property {(x_px: number, y_px: number) => void} hover
+ * @property {() => void} leave
+ * @property {() => void} widened
+ * @property {(deed: "drag" | "turn") => void} did
  */
-/** @typedef {{ x: number, y: number, button: number }} Press in CSS px of the window */
-/** @typedef {{ x: number, y: number, apart: number }} Spread the fingers' middle and distance, in CSS px */
 
 /** A press that moves less than this is a click, in CSS px. */
 const CLICK_SLOP_PX = 4;
-
-/** A finger that rests for this long picks what lies under it. */
-const LONG_PRESS_MS = 450;
 
 const AXIS_KEYS = /** @type {Record<string, AxisName>} */ ({ x: "x", y: "y", z: "z" });
 
@@ -18,8 +21,10 @@ const AXIS_KEYS = /** @type {Record<string, AxisName>} */ ({ x: "x", y: "y", z: 
 const ZOOM_PER_WHEEL_PX = 0.001;
 
 /**
- * Turns pointers on the canvas into intents: left drag or one finger orbits, right drag or two fingers pan, wheel or
- * pinch zooms, a click or a long press picks, a click with Alt pins, and a drag that starts on a landmark moves it.
+ * Turns pointers on the canvas into intents. What lights up under the pointer is what a press takes and a drag moves; a drag
+ * that starts beside the face, or with another button, turns it, and with Shift moves it. Two fingers turn, and zoom by
+ * their distance; three move. The wheel zooms. While something is dragged, the wheel or a second finger changes how far that
+ * reaches. A click picks, with Alt it pins.
  */
 export class Gestures {
   /** @type {Map<number, Press>} */
@@ -27,16 +32,14 @@ export class Gestures {
   /** Whether the press can still become a click. */
   #mayClick = false;
   #moved_px = 0;
-  #longPress = 0;
-  /** Whether the press has taken hold of something that it drags. */
-  #hasTaken = false;
+  /** The pointer that has taken hold of something. @type {number | undefined} */
+  #holder;
   #bench;
   #told;
 
   /**
    * @param {Workbench} bench
-   * @param {{ hover: (x_px: number, y_px: number) => void, leave: () => void, widened: () => void }} told places in
-   *   device pixels of the canvas
+   * @param {Told} told
    */
   constructor(bench, told) {
     this.#bench = bench;
@@ -48,21 +51,22 @@ export class Gestures {
     canvas.addEventListener("pointercancel", (event) => this.#lose(event));
     canvas.addEventListener("pointerleave", () => told.leave());
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+    // The middle button would scroll the page.
+    canvas.addEventListener("mousedown", (event) => event.button === 1 && event.preventDefault());
     canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
     addEventListener("keydown", (event) => this.#key(event), { capture: true });
   }
 
   /** @param {PointerEvent} event */
   #press(event) {
-    const { canvas } = this.#bench;
-    canvas.setPointerCapture(event.pointerId);
+    this.#bench.canvas.setPointerCapture(event.pointerId);
     this.#pressed.set(event.pointerId, { x: event.clientX, y: event.clientY, button: event.button });
     this.#mayClick = this.#pressed.size === 1 && event.button === 0;
-    if (this.#pressed.size > 1) return this.#stopPress();
+    // What is being dragged goes on under the first finger.
+    if (this.#pressed.size > 1) return this.#isDragging ? undefined : this.#letGo();
     this.#moved_px = 0;
-    this.#hasTaken = false;
-    if (event.button === 0) this.#take(...this.#place(event), event.pointerType);
-    if (event.pointerType === "touch") this.#waitForLongPress(event);
+    this.#holder = undefined;
+    if (event.button === 0) this.#take(event);
   }
 
   /** @param {PointerEvent} event */
@@ -71,25 +75,27 @@ export class Gestures {
     if (!from) return this.#told.hover(...this.#place(event));
     const before = spreadOf(this.#pressed);
     this.#pressed.set(event.pointerId, { x: event.clientX, y: event.clientY, button: from.button });
-    const dx = event.clientX - from.x;
-    const dy = event.clientY - from.y;
+    const [dx, dy] = [event.clientX - from.x, event.clientY - from.y];
     this.#moved_px += Math.hypot(dx, dy);
     if (this.#moved_px < CLICK_SLOP_PX) return;
     this.#mayClick = false;
-    clearTimeout(this.#longPress);
-    if (this.#pressed.size > 1) this.#pinch(before, spreadOf(this.#pressed));
-    else if (this.#hasTaken) this.#drag(...this.#place(event), event.shiftKey);
-    else this.#turn(dx, dy, from.button !== 0 || event.shiftKey);
+    const after = spreadOf(this.#pressed);
+    if (this.#holder === event.pointerId) this.#drag(event);
+    else if (this.#holder !== undefined) this.#widen(after.apart / before.apart);
+    else if (this.#pressed.size > 1) this.#pinch(before, after);
+    else this.#turn(dx, dy, event.shiftKey);
   }
 
   /** @param {PointerEvent} event */
   #release(event) {
-    clearTimeout(this.#longPress);
     this.#pressed.delete(event.pointerId);
-    this.#hasTaken = false;
-    this.#bench.act((studio) => studio.release());
-    if (!this.#mayClick) return;
+    const isClick = this.#mayClick;
     this.#mayClick = false;
+    // The finger that changed how far the drag reaches.
+    if (this.#holder !== undefined && this.#holder !== event.pointerId) return;
+    this.#holder = undefined;
+    this.#bench.act((studio) => studio.release());
+    if (!isClick) return;
     const place = this.#place(event);
     this.#bench.act((studio) => (event.altKey ? studio.pinUnder(...place) : studio.selectUnder(...place)));
   }
@@ -98,13 +104,12 @@ export class Gestures {
   #lose(event) {
     this.#pressed.delete(event.pointerId);
     this.#mayClick = false;
-    this.#stopPress();
+    if (this.#isDragging) this.#bench.act((studio) => studio.cancel());
+    this.#letGo();
   }
 
-  #stopPress() {
-    clearTimeout(this.#longPress);
-    this.#hasTaken = false;
-    if (this.#isDragging) this.#bench.act((studio) => studio.cancel());
+  #letGo() {
+    this.#holder = undefined;
     this.#bench.act((studio) => studio.release());
   }
 
@@ -115,22 +120,21 @@ export class Gestures {
   /**
    * Takes hold of what lies under the pointer, if anything does.
    *
-   * @param {number} x_px
-   * @param {number} y_px
-   * @param {string} pointerType
+   * @param {PointerEvent} event
    */
-  #take(x_px, y_px, pointerType) {
-    const pointer = /** @type {PointerName} */ (pointerType);
-    this.#hasTaken = this.#bench.ask((studio) => studio.press(x_px, y_px, pointer)) ?? false;
+  #take(event) {
+    const pointer = /** @type {PointerName} */ (event.pointerType);
+    const place = this.#place(event);
+    const hasTaken = this.#bench.ask((studio) => studio.press(...place, pointer)) ?? false;
+    if (hasTaken) this.#holder = event.pointerId;
+    this.#bench.requestFrame();
   }
 
-  /**
-   * @param {number} x_px
-   * @param {number} y_px
-   * @param {boolean} fine
-   */
-  #drag(x_px, y_px, fine) {
-    this.#bench.act((studio) => studio.drag(x_px, y_px, fine));
+  /** @param {PointerEvent} event */
+  #drag(event) {
+    const place = this.#place(event);
+    this.#bench.act((studio) => studio.drag(...place, event.shiftKey));
+    this.#told.did("drag");
   }
 
   /** @param {KeyboardEvent} event while something is dragged: along an axis, or back to where it was */
@@ -146,47 +150,39 @@ export class Gestures {
     }
   }
 
-  /** @param {PointerEvent} event */
-  #waitForLongPress(event) {
-    clearTimeout(this.#longPress);
-    const place = this.#place(event);
-    this.#longPress = setTimeout(() => {
-      // What follows is a drag of what was picked, or nothing.
-      this.#mayClick = false;
-      this.#bench.act((studio) => studio.selectUnder(...place));
-      this.#take(...place, "touch");
-    }, LONG_PRESS_MS);
-  }
-
   /** @param {WheelEvent} event */
   #wheel(event) {
     event.preventDefault();
     const scroll_px = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * 16 : event.deltaY;
     const factor = Math.exp(-scroll_px * ZOOM_PER_WHEEL_PX);
-    if (!this.#isDragging) return this.#bench.act((studio) => studio.zoom(factor));
-    this.#bench.act((studio) => studio.widen(1 / factor));
+    if (this.#isDragging) this.#widen(1 / factor);
+    else this.#bench.act((studio) => studio.zoom(factor));
+  }
+
+  /** @param {number} factor by which a drag reaches further */
+  #widen(factor) {
+    if (!Number.isFinite(factor) || factor <= 0) return;
+    this.#bench.act((studio) => studio.widen(factor));
     this.#told.widened();
   }
 
   /**
    * @param {number} dx in CSS px
    * @param {number} dy
-   * @param {boolean} pans rather than orbits
+   * @param {boolean} moves rather than turns
    */
-  #turn(dx, dy, pans) {
+  #turn(dx, dy, moves) {
     const ratio = devicePixelRatio;
-    this.#bench.act((studio) => (pans ? studio.pan(dx * ratio, dy * ratio) : studio.orbit(dx * ratio, dy * ratio)));
+    this.#bench.act((studio) => (moves ? studio.pan(dx * ratio, dy * ratio) : studio.orbit(dx * ratio, dy * ratio)));
+    if (!moves) this.#told.did("turn");
   }
 
   /**
-   * Two fingers: their middle pans, their distance zooms.
-   *
    * @param {Spread} before
    * @param {Spread} after
    */
   #pinch(before, after) {
-    const ratio = devicePixelRatio;
-    this.#bench.act((studio) => studio.pan((after.x - before.x) * ratio, (after.y - before.y) * ratio));
+    this.#turn(after.x - before.x, after.y - before.y, this.#pressed.size > 2);
     if (before.apart > 0 && after.apart > 0) this.#bench.act((studio) => studio.zoom(after.apart / before.apart));
   }
 
@@ -207,14 +203,14 @@ export class Gestures {
 }
 
 /**
+ * The middle of all fingers, and how far the first two are apart.
+ *
  * @param {Map<number, Press>} pressed
  * @returns {Spread}
  */
 function spreadOf(pressed) {
-  const [first = { x: 0, y: 0 }, second = first] = [...pressed.values()];
-  return {
-    x: (first.x + second.x) / 2,
-    y: (first.y + second.y) / 2,
-    apart: Math.hypot(first.x - second.x, first.y - second.y),
-  };
+  const presses = [...pressed.values()];
+  const [first = { x: 0, y: 0 }, second = first] = presses;
+  const mean = (/** @type {"x" | "y"} */ along) => presses.reduce((sum, press) => sum + press[along], 0) / presses.length;
+  return { x: mean("x"), y: mean("y"), apart: Math.hypot(first.x - second.x, first.y - second.y) };
 }

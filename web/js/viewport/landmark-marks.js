@@ -1,15 +1,16 @@
+import { announce } from "../page/announce.js";
 import { byId } from "../page/dom.js";
-import { Gestures } from "./gestures.js";
+import { did } from "../page/hint.js";
 import { sayOnce } from "../words/names.js";
 import { say, sayNumber } from "../words/words.js";
+import { Gestures } from "./gestures.js";
+import { placeTag } from "./tag-place.js";
 
 /**
  * @typedef {import("./workbench.js").Workbench} Workbench
+ * @typedef {import("./workbench.js").StudioState} StudioState
  * @typedef {import("../photo/photo-overlay.js").PhotoOverlay} PhotoOverlay
  */
-
-/** What stays free beside a name. */
-const MARGIN_PX = 8;
 
 /** Keeps the landmark's name beside it, and the same landmark marked on the photo and on the mesh. */
 export class LandmarkMarks {
@@ -22,6 +23,12 @@ export class LandmarkMarks {
   #radius_mm = 0;
   /** Whether that was changed by the drag that goes on. */
   #isWidened = false;
+  /** Whether what is dragged goes sideways without the mirror. */
+  #leavesPlane = false;
+  /** Whether it is dragged further than it goes. */
+  #isAtEnd = false;
+  /** Why it cannot be moved. @type {string | undefined} */
+  #refusal;
 
   /**
    * @param {Workbench} bench
@@ -30,14 +37,8 @@ export class LandmarkMarks {
   constructor(bench, overlay) {
     this.bench = bench;
     this.overlay = overlay;
-    bench.onChange((state) => {
-      this.#selected = state.selected;
-      this.#radius_mm = state.radiusMm;
-      if (!bench.studio.dragging) this.#isWidened = false;
-      // What was under the pointer may be another one by now, or none.
-      this.#hovered = undefined;
-      this.#write();
-    });
+    bench.onChange((state) => this.#follow(state));
+    bench.onTick(({ isAtEnd }) => this.#setAtEnd(isAtEnd));
     bench.onFrame(() => this.#place());
     new Gestures(bench, {
       hover: (x_px, y_px) => this.#point(x_px, y_px),
@@ -46,11 +47,32 @@ export class LandmarkMarks {
         this.#isWidened = true;
         this.#write();
       },
+      did,
     });
     overlay.listen({
       hover: (landmark) => this.#pointAt(landmark),
       choose: (landmark) => bench.act((studio) => studio.selectAt(landmark)),
     });
+  }
+
+  /** @param {StudioState} state */
+  #follow({ selected, radiusMm, leavesPlane, refusal }) {
+    this.#selected = selected;
+    this.#radius_mm = radiusMm;
+    this.#leavesPlane = leavesPlane;
+    this.#refusal = refusal;
+    if (!this.bench.studio.dragging) this.#isWidened = false;
+    // What was under the pointer may be another one by now, or none.
+    this.#hovered = undefined;
+    this.#write();
+  }
+
+  /** @param {boolean} isAtEnd */
+  #setAtEnd(isAtEnd) {
+    if (isAtEnd === this.#isAtEnd) return;
+    this.#isAtEnd = isAtEnd;
+    this.#write();
+    if (isAtEnd) announce(this.#tag.value);
   }
 
   /**
@@ -69,7 +91,7 @@ export class LandmarkMarks {
    */
   #point(x_px, y_px) {
     const vertex = this.bench.ask((studio) => studio.hover(x_px, y_px));
-    this.bench.canvas.classList.toggle("over-landmark", this.bench.ask((studio) => studio.movable) ?? false);
+    this.bench.canvas.classList.toggle("over-landmark", vertex !== undefined);
     this.bench.requestFrame();
     this.#name(vertex);
   }
@@ -87,9 +109,18 @@ export class LandmarkMarks {
     const name = named === undefined ? undefined : this.bench.ask((studio) => sayOnce(studio.targetAt(named)));
     this.#tag.hidden = name === undefined;
     if (name === undefined) return;
-    const reach = { name, mm: sayNumber(this.#radius_mm, 0) };
-    this.#tag.textContent = this.#isWidened ? say("landmark.reach", reach) : name;
+    this.#tag.value = this.#tell(name);
     this.#place();
+  }
+
+  /** @param {string} name of what is dragged, or pointed at */
+  #tell(name) {
+    const isDragging = this.bench.ask((studio) => studio.dragging) ?? false;
+    if (!isDragging) return name;
+    if (this.#refusal) return say("landmark.refuses", { name });
+    if (this.#isAtEnd) return say("landmark.at-end", { name });
+    if (this.#isWidened) return say("landmark.reach", { name, mm: sayNumber(this.#radius_mm, 0) });
+    return this.#leavesPlane ? say("landmark.alone", { name }) : name;
   }
 
   #place() {
@@ -97,12 +128,11 @@ export class LandmarkMarks {
     if (named === undefined) return;
     const place = this.bench.ask((studio) => studio.screenPosition(named));
     if (!place) return;
-    const ratio = devicePixelRatio;
-    const left_px = Math.round(place.x / ratio + 14);
-    this.#tag.style.translate = `${left_px}px ${Math.round(place.y / ratio + 12)}px`;
-    // Long names are drawn back into the picture.
-    const room_px = this.bench.canvas.clientWidth - left_px - MARGIN_PX;
-    this.#tag.style.marginLeft = `${Math.min(0, room_px - this.#tag.offsetWidth)}px`;
+    const [x, y] = [place.x / devicePixelRatio, place.y / devicePixelRatio];
     place.free();
+    this.#tag.dataset["place"] = `${x} ${y}`;
+    const box = this.bench.ask((studio) => [...studio.screenBox()]) ?? [];
+    const [left = 0, top = 0, right = 0, bottom = 0] = box.map((side) => side / devicePixelRatio);
+    placeTag(this.#tag, { x, y }, { left, top, right, bottom });
   }
 }

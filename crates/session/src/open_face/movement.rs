@@ -2,6 +2,7 @@ use glam::DVec3;
 use rosto_studio::{Command, ConstraintKind, EditTarget, FaceSlider, Mirror};
 
 use super::{MM_PER_M, OpenFace};
+use crate::Choices;
 use crate::selection::Moving;
 
 /// How far, and how, what is selected has moved and can move.
@@ -31,14 +32,23 @@ impl OpenFace {
         self.selection.is_some_and(|selection| self.rows.in_force(selection.target()).next().is_some())
     }
 
-    /// Whether what is selected is its own mirror image and the mirror is on, so that it cannot move along x.
-    pub fn moves_in_plane(&self) -> bool {
+    /// Whether what is selected is its own mirror image and the mirror is on: up, down and out it moves both sides alike, and
+    /// sideways alone.
+    pub fn lies_in_plane(&self, choices: &Choices) -> bool {
+        choices.mirror == Mirror::On && self.is_own_image()
+    }
+
+    fn is_own_image(&self) -> bool {
         let Some(selection) = self.selection else { return false };
         let handles = selection.handles();
-        let is_mirrored = self.document.spec().is_some_and(|spec| spec.settings.mirror == Mirror::On);
         let partner = |handle: u32| self.document.partner(selection.level(), handle);
-        let is_own_image = |&handle: &u32| partner(handle).is_some_and(|partner| handles.contains(&partner));
-        is_mirrored && handles.iter().all(is_own_image)
+        handles.iter().all(|&handle| partner(handle).is_some_and(|partner| handles.contains(&partner)))
+    }
+
+    /// Whether the edit in progress is one of both halves of what is its own mirror image.
+    fn moves_as_own_image(&self) -> bool {
+        let is_mirrored = self.document.spec().is_some_and(|spec| spec.settings.mirror == Mirror::On);
+        is_mirrored && self.is_own_image()
     }
 
     /// Share of its offset that the vertex selected reaches: 1 is all of it. What moves in the mirror's plane is moved by
@@ -48,7 +58,7 @@ impl OpenFace {
             (Some(ConstraintKind::Hard), ..) => 1.0,
             (Some(_), Some(vertex), Some(influence)) => {
                 let share = |field: &[f64]| field.get(vertex as usize).copied().unwrap_or(0.0);
-                share(&influence.direct) + if self.moves_in_plane() { share(&influence.mirrored) } else { 0.0 }
+                share(&influence.direct) + if self.moves_as_own_image() { share(&influence.mirrored) } else { 0.0 }
             }
             _ => 0.0,
         }

@@ -22,8 +22,8 @@ impl Session {
         if was_sliding {
             face.commit(&self.choices);
         }
-        face.preview(offset_mm)?;
-        Ok(if was_sliding { Changed::Document } else { Changed::Tick })
+        let is_held_anew = face.preview(offset_mm, &self.choices)?;
+        Ok(if was_sliding || is_held_anew { Changed::Document } else { Changed::Tick })
     }
 
     pub(super) fn slide(&mut self, slider: FaceSlider, to_mm: f64) -> Result {

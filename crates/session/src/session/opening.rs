@@ -16,6 +16,7 @@ impl Session {
         self.face = Some(face);
         (self.gesture, self.under) = (Gesture::Idle, Under::default());
         self.view.show_on(&mut self.stage, false);
+        self.see_as_edited();
         self.frame();
         if self.view.motion == Motion::Usual {
             self.stage.start_arrival();
@@ -25,9 +26,16 @@ impl Session {
 
     pub(super) fn close(&mut self) -> Result {
         self.face = None;
+        self.see_as_edited();
         (self.gesture, self.under) = (Gesture::Idle, Under::default());
         self.show_empty();
         Ok(Changed::Mesh)
+    }
+
+    /// What was compared with the face before is of another face.
+    fn see_as_edited(&mut self) {
+        let settings = self.stage.render_settings_mut();
+        (settings.before, settings.wipe) = (0.0, None);
     }
 
     pub(super) fn show_empty(&mut self) {

@@ -1,22 +1,20 @@
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 use rosto_face::LANDMARK_COUNT;
 use rosto_stage::{Axis, Pointer};
 
 use super::{Result, Session};
 use crate::drag::{Drag, Pace};
 use crate::gesture::{self, Gesture, Under};
-use crate::open_face::{MAX_OFFSET_M, MM_PER_M, OpenFace};
+use crate::open_face::{MM_PER_M, OpenFace};
 use crate::{Changed, Selection, SessionError};
+
+/// A point of the midline that is dragged sideways by less, in CSS px, stays in the mirror's plane.
+const STICKS_PX: f64 = 10.0;
 
 /// What the pointer is on, and what it drags.
 impl Session {
     pub(super) fn hover(&mut self, place_px: Option<DVec2>) -> Changed {
-        let under = match (&self.face, place_px) {
-            (Some(face), Some(place_px)) if place_px.is_finite() => {
-                gesture::under(face, &self.stage, self.mode, place_px, Pointer::Fine)
-            }
-            _ => Under::default(),
-        };
+        let under = place_px.map_or(Under::default(), |place_px| self.under_at(place_px, Pointer::Fine));
         let shows_dots = self.face.as_ref().is_some_and(|face| face.selects_landmarks(self.mode));
         self.stage.set_pointer(place_px.filter(|_| shows_dots && under.vertex.is_some()));
         self.stage.set_gizmo_axis(under.axis);
@@ -61,12 +59,19 @@ impl Session {
         }
     }
 
+    /// What is taken lights up, under a finger as well, which was not over it before.
     pub(super) fn press(&mut self, place_px: DVec2, pointer: Pointer) -> Changed {
-        self.gesture = match &self.face {
-            Some(face) if place_px.is_finite() => gesture::pressed(face, &self.stage, self.mode, place_px, pointer),
-            _ => Gesture::Idle,
-        };
-        Changed::Nothing
+        let under = self.under_at(place_px, pointer);
+        self.gesture = gesture::pressed(under, place_px);
+        self.set_under(under);
+        Changed::View
+    }
+
+    fn under_at(&self, place_px: DVec2, pointer: Pointer) -> Under {
+        match &self.face {
+            Some(face) if place_px.is_finite() => gesture::under(face, &self.stage, self.mode, place_px, pointer),
+            _ => Under::default(),
+        }
     }
 
     pub(super) fn drag(&mut self, place_px: DVec2, pace: Pace) -> Result {
@@ -89,9 +94,10 @@ impl Session {
         if !face.holds(vertex) {
             self.select_at(vertex)?;
         }
-        let start_m = self.open_face()?.document().committed().get(vertex as usize).copied().unwrap_or_default();
-        let drag = Drag::new(start_m, from_px);
-        self.gesture = Gesture::Dragging { drag, axis, to_px: from_px, pace: Pace::Usual };
+        let face = self.open_face()?;
+        let start_m = face.document().committed().get(vertex as usize).copied().unwrap_or_default();
+        let drag = Drag::new(start_m, face.kept_mm(), from_px);
+        self.gesture = Gesture::Dragging { drag, axis, to_px: from_px, pace: Pace::Usual, is_at_end: false };
         self.stage.set_pointer(None);
         self.set_under(Under::default());
         Ok(Changed::Document)
@@ -104,18 +110,26 @@ impl Session {
     }
 
     pub(super) fn follow_pointer(&mut self) -> Result {
-        let (Some(face), Gesture::Dragging { drag, axis, to_px, pace }) = (&mut self.face, &mut self.gesture) else {
+        let (Some(face), Gesture::Dragging { drag, axis, to_px, pace, is_at_end }) =
+            (&mut self.face, &mut self.gesture)
+        else {
             return Ok(Changed::Nothing);
         };
         self.stage.set_gizmo_axis(*axis);
-        let offset_mm = drag.offset_m(self.stage.camera(), *to_px, *axis, *pace) * MM_PER_M;
-        let most_mm = MAX_OFFSET_M * MM_PER_M;
-        // What cannot be moved stays, as the state says; what is dragged to the end of the world stops before it.
+        let camera = self.stage.camera();
+        let mut offset_mm = drag.offset_m(camera, *to_px, *axis, *pace) * MM_PER_M;
+        // What cannot be moved stays, as the state says.
         if face.refusal().is_some() || !offset_mm.is_finite() {
             return Ok(Changed::Nothing);
         }
-        face.preview(offset_mm.clamp(DVec3::splat(-most_mm), DVec3::splat(most_mm)))?;
-        Ok(Changed::Tick)
+        // No hand is straight: in the mirror's plane stays what is not meant to leave it.
+        let sticks_mm = drag.mm_of_px(camera, STICKS_PX * self.stage.pixel_ratio());
+        if *axis != Some(Axis::X) && offset_mm.x.abs() < sticks_mm && face.lies_in_plane(&self.choices) {
+            offset_mm.x = 0.0;
+        }
+        (offset_mm, *is_at_end) = drag.within_sliders(offset_mm);
+        let is_held_anew = face.preview(offset_mm, &self.choices)?;
+        Ok(if is_held_anew { Changed::Document } else { Changed::Tick })
     }
 
     pub(super) fn release(&mut self) -> Result {

@@ -10,6 +10,7 @@ impl Session {
     pub(super) fn see(&mut self, intent: Intent) -> Result {
         // Distortion is worked out with each tick, and only while it is painted.
         let begins = intent == Intent::Shading(ShadingMode::Distortion);
+        let marks_change = matches!(intent, Intent::Before(_) | Intent::Wipe(_) | Intent::MarkAnchors(_));
         match intent {
             Intent::Shading(paint) => self.view.shading = paint,
             Intent::Wireframe(wireframe) => self.view.wireframe = wireframe,
@@ -24,6 +25,12 @@ impl Session {
             Intent::Light(light) => self.stage.render_settings_mut().light = checked(light)?,
             Intent::Theme(theme) => self.stage.render_settings_mut().theme = theme,
             Intent::Before(share) => self.stage.render_settings_mut().before = within("the share", share, 0.0, 1.0)?,
+            Intent::Wipe(share) => {
+                let share = share.map(|share| within("the share", share, 0.0, 1.0)).transpose()?;
+                self.stage.render_settings_mut().wipe = share;
+            }
+            Intent::PictureLight(light) => self.view.picture_light = light,
+            Intent::MarkAnchors(switch) => self.view.anchors = switch,
             Intent::Orbit(by_px) if by_px.is_finite() => self.stage.camera_mut().orbit(by_px.x, by_px.y),
             Intent::Pan(by_px) if by_px.is_finite() => self.stage.camera_mut().pan(by_px.x, by_px.y),
             Intent::Zoom(factor) => {
@@ -36,9 +43,13 @@ impl Session {
                 self.stage.camera_mut().resize(width.max(1), height.max(1));
                 self.stage.set_pixel_ratio(pixel_ratio);
             }
+            Intent::Cover(covered_px) => self.stage.camera_mut().set_covered(covered_px),
             _ => {}
         }
         self.view.show_on(&mut self.stage, self.face.is_none());
+        if marks_change {
+            self.show_marks();
+        }
         Ok(if begins { Changed::Tick } else { Changed::View })
     }
 }

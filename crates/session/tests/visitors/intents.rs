@@ -4,7 +4,9 @@ use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use rosto_face::{Region, Triangulation};
 use rosto_session::{AnchorChoice, Intent, Pace, Preset, Selection, SelectionMode, Turntable};
-use rosto_stage::{Axis, Background, Dots, Light, NamedView, Pointer, ShadingMode, Srgb, Theme, Wireframe};
+use rosto_stage::{
+    Axis, Background, Dots, Light, NamedView, PictureLight, Pointer, ShadingMode, Srgb, Theme, Wireframe,
+};
 use rosto_studio::{ConstraintKind, Details, FaceSlider, Mirror, Operator, Switch};
 
 use crate::faces::{SIZE_PX, found, worked_on};
@@ -102,6 +104,10 @@ fn seeing() -> impl Strategy<Value = Intent> {
     prop_oneof![
         any_of(&ShadingMode::ALL).prop_map(Intent::Shading),
         any_of(&[Wireframe::Shown, Wireframe::Hidden]).prop_map(Intent::Wireframe),
+        any_of(&PictureLight::ALL).prop_map(Intent::PictureLight),
+        any_of(&[Switch::On, Switch::Off]).prop_map(Intent::MarkAnchors),
+        proptest::option::of(number()).prop_map(Intent::Wipe),
+        [number(), number(), number(), number()].prop_map(Intent::Cover),
         any_of(&Dots::ALL).prop_map(Intent::Dots),
         any_of(&[Background::Ground, Background::Plain(Srgb([1, 2, 3]))]).prop_map(Intent::Background),
         any_of(&[Theme::Light, Theme::Dark]).prop_map(Intent::Theme),

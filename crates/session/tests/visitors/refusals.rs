@@ -256,6 +256,8 @@ fn numbers_that_show_nothing_are_refused() {
         Intent::Zoom(f64::NAN),
         Intent::Resize([800, 600], f64::NAN),
         Intent::Resize([800, 600], 0.0),
+        Intent::Wipe(Some(1.5)),
+        Intent::Wipe(Some(f64::NAN)),
         Intent::Light(Light { strength: f64::NAN, ..Light::default() }),
         Intent::Light(Light { elevation_deg: 91.0, ..Light::default() }),
     ] {

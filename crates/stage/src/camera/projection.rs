@@ -35,7 +35,9 @@ impl Camera {
         let near_m = (distance_m - 4.0 * self.radius_m).max(0.02 * distance_m);
         let far_m = distance_m + 6.0 * self.radius_m;
         let aspect = self.size_px.x / self.size_px.y;
-        perspective(VERTICAL_FIELD_OF_VIEW, aspect, near_m, far_m)
+        let off_middle = (self.clear.middle * 2.0 - DVec2::ONE) * DVec2::new(1.0, -1.0);
+        DMat4::from_translation(off_middle.extend(0.0))
+            * perspective(VERTICAL_FIELD_OF_VIEW, aspect, near_m, far_m)
             * look_at_mat4(self.eye_m(), self.now.target_m, DVec3::Y)
     }
 
@@ -48,7 +50,7 @@ impl Camera {
 
     /// The ray from the eye through a place in the picture; its direction has length 1.
     pub fn ray(&self, place_px: DVec2) -> Ray {
-        let ndc = place_px / self.size_px * 2.0 - DVec2::ONE;
+        let ndc = (place_px / self.size_px - self.clear.middle) * 2.0;
         let half_height = (0.5 * VERTICAL_FIELD_OF_VIEW).tan();
         let half_width = half_height * self.size_px.x / self.size_px.y;
         let direction = self.right() * (ndc.x * half_width) - self.up() * (ndc.y * half_height) - self.back();
@@ -66,10 +68,10 @@ impl Camera {
         2.0 * distance_m * (0.5 * VERTICAL_FIELD_OF_VIEW).tan() / self.size_px.y
     }
 
-    /// The distance that shows the whole sphere, in pictures of any shape, divided by the zoom.
+    /// The distance that shows the whole sphere where nothing lies over the picture, whatever its shape, divided by the zoom.
     pub(super) fn distance_m(&self, pose: &Pose) -> f64 {
-        let half_height = (0.5 * VERTICAL_FIELD_OF_VIEW).tan();
-        let narrower = half_height * (self.size_px.x / self.size_px.y).min(1.0);
+        let clear_px = self.clear.size * self.size_px;
+        let narrower = (0.5 * VERTICAL_FIELD_OF_VIEW).tan() * clear_px.min_element() / self.size_px.y;
         self.radius_m / narrower.atan().sin() / pose.zoom
     }
 }

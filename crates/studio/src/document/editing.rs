@@ -81,6 +81,14 @@ impl Document {
         self.influence.as_ref()
     }
 
+    /// How far each vertex shown is from what is held, along the surface at rest: 1 where an edit ends. None while nothing
+    /// is held, or what is held moves the whole mesh.
+    pub fn reach(&self) -> Option<Vec<f64>> {
+        let held = self.held.as_ref()?;
+        let steps = &self.levels[held.spec().level as usize..self.density as usize];
+        Some(steps.iter().fold(held.reach()?.to_vec(), |reach, level| level.finer().apply(&reach)))
+    }
+
     /// Moves what is held by one offset for each of the spec's handles, counted from the last commit, in the document's
     /// unit. Unless details turn: no solve and, after the first call, no allocation.
     ///

@@ -36,6 +36,16 @@ impl Document {
         Ok(())
     }
 
+    /// What a command would displace the mesh that is shown by, if it were carried out now.
+    ///
+    /// # Errors
+    /// [`StudioError`] if it has no answer.
+    pub fn displacement(&mut self, command: &Command) -> Result<Vec<glam::DVec3>, StudioError> {
+        let from = self.replayed.last();
+        let to = moved(&mut self.levels, self.density, from, command)?;
+        Ok(to.densest().iter().zip(from.densest()).map(|(to, at)| *to - *at).collect())
+    }
+
     /// Takes the last change of the history back: an entry added, entries switched, or all taken away. Returns the first
     /// entry that is no longer what it was; nothing where there was no change.
     pub fn undo(&mut self) -> Option<usize> {

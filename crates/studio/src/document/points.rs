@@ -35,6 +35,11 @@ impl Document {
         level.mirror().ok().filter(|_| known).map(|table| table.partner(vertex))
     }
 
+    /// Whether a vertex of the mesh subdivided so many times lies on the face's oval, or on the mesh's longest boundary.
+    pub fn is_on_oval(&self, level: u32, vertex: u32) -> bool {
+        self.levels.get(level as usize).is_some_and(|level| level.oval().contains(&vertex))
+    }
+
     fn landmark_beside(&self, level: u32, vertex: u32) -> Option<u32> {
         let rest = self.levels.get(level as usize)?.rest();
         let is_face = self.levels[0].rest().len() == LANDMARK_COUNT;

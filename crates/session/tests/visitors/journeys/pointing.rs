@@ -1,14 +1,16 @@
 use glam::{DVec2, DVec3};
-use rosto_session::{Changed, Intent, Pace, Selection, Session};
-use rosto_stage::{Pointer, ShadingMode};
-use rosto_studio::FaceSlider;
+use rosto_face::Region;
+use rosto_session::{Changed, Intent, Pace, SLIDER_MM, Selection, SelectionMode, Session};
+use rosto_stage::{MirrorPlane, Pointer, Rim, ShadingMode};
+use rosto_studio::{FaceSlider, Switch};
 
-use super::{act, face, place_px, positions, select, state};
-use crate::faces::{found, session};
+use super::{act, face, place_px, positions, select, state, way_mm};
+use crate::faces::{SIZE_PX, found, session};
 use crate::invariants::{hold, shape};
 use rosto_session::Motion;
 
 const MOUTH_CORNER: u32 = 61;
+const NOSE_TIP: u32 = 1;
 const BY_PX: DVec2 = DVec2::new(30.0, -20.0);
 
 fn drag(session: &mut Session, to_px: DVec2) -> Changed {
@@ -23,7 +25,7 @@ fn what_is_dragged_is_under_the_pointer_and_is_one_entry() {
         let before = shape(&session);
         let from = place_px(&session, vertex);
         assert_eq!(act(&mut session, Intent::Hover(Some(from))), Changed::View);
-        assert!(session.under().is_movable && session.under().vertex == Some(vertex), "{:?}", session.under());
+        assert_eq!(session.under().vertex, Some(vertex));
         act(&mut session, Intent::Press(from, Pointer::Fine));
         assert!(session.has_grabbed() && !session.is_dragging());
         assert_ne!(face(&session).selected(), Some(vertex), "a press alone selects nothing");
@@ -68,24 +70,203 @@ fn what_is_put_back_in_a_drag_stays_for_the_rest_of_the_press() {
 }
 
 #[test]
-fn a_finger_only_takes_what_is_selected() {
+fn a_finger_takes_what_is_selected_from_further_away_than_a_mouse() {
+    for (pointer, taken) in [(Pointer::Fine, 334), (Pointer::Coarse, MOUTH_CORNER)] {
+        let mut session = session();
+        select(&mut session, Selection::Landmark(MOUTH_CORNER));
+        let ring = place_px(&session, MOUTH_CORNER);
+        // Clear of the gizmo's arms, which point right and up.
+        act(&mut session, Intent::Press(ring + DVec2::new(-18.0, 18.0), pointer));
+        drag(&mut session, ring + BY_PX);
+        let is_kept = face(&session).selected() == Some(MOUTH_CORNER);
+        assert_eq!(is_kept, taken == MOUTH_CORNER, "{:?}", face(&session).selected());
+        act(&mut session, Intent::Release);
+        let far = place_px(&session, 334);
+        act(&mut session, Intent::Press(far, pointer));
+        drag(&mut session, far + BY_PX);
+        assert_eq!(face(&session).selected(), Some(334), "what is not selected is taken as well");
+    }
+}
+
+/// Every place of a grid over the canvas.
+fn grid_px() -> impl Iterator<Item = DVec2> {
+    let size_px = glam::UVec2::from(SIZE_PX).as_dvec2();
+    (0..23).flat_map(move |row| {
+        (0..23).map(move |column| size_px * DVec2::new(f64::from(column) + 0.37, f64::from(row) + 0.41) / 23.0)
+    })
+}
+
+/// Whether a drag from a place where something lights up moves just that, as one entry; none where nothing lights up.
+fn is_taken(session: &mut Session, place_px: DVec2, pointer: Pointer) -> Option<bool> {
+    act(session, Intent::Hover(Some(place_px)));
+    let hovered = session.under().vertex;
+    act(session, Intent::Press(place_px, pointer));
+    let lit = session.under().vertex;
+    assert!(pointer == Pointer::Coarse || lit == hovered);
+    assert_eq!(session.has_grabbed(), lit.is_some(), "{place_px}");
+    let vertex = lit?;
+    drag(session, place_px + DVec2::new(14.0, 11.0));
+    let moved = face(session).selection().map(Selection::handles).unwrap_or_default();
+    act(session, Intent::Release);
+    let is_one_entry = state(session).entry_count == 1;
+    act(session, Intent::Undo);
+    Some(is_one_entry && moved.contains(&vertex))
+}
+
+#[test]
+fn what_lights_up_is_what_a_press_takes_in_every_mode() {
+    for (mode, density) in [
+        (SelectionMode::Landmark, 0),
+        (SelectionMode::Landmark, 1),
+        (SelectionMode::Region, 0),
+        (SelectionMode::Point, 1),
+    ] {
+        for pointer in [Pointer::Fine, Pointer::Coarse] {
+            let mut session = session();
+            act(&mut session, Intent::Density(density));
+            act(&mut session, Intent::Mode(mode));
+            let mut lit_count = 0;
+            for place_px in grid_px() {
+                let Some(is_taken) = is_taken(&mut session, place_px, pointer) else { continue };
+                assert!(is_taken, "{mode:?} at {density}, {pointer:?}, {place_px}");
+                lit_count += 1;
+            }
+            assert!(lit_count > 100, "{lit_count} of {}", grid_px().count());
+        }
+    }
+}
+
+#[test]
+fn a_midline_point_is_never_dead_under_the_hand() {
     let mut session = session();
-    let (before, from) = (positions(&session), place_px(&session, MOUTH_CORNER));
-    let touch = |session: &mut Session, from: DVec2| {
-        act(session, Intent::Press(from, Pointer::Coarse));
-        let has_grabbed = session.has_grabbed();
-        drag(session, from + BY_PX);
-        act(session, Intent::Release);
-        has_grabbed
-    };
-    assert!(!touch(&mut session, from));
-    let far = place_px(&session, 334);
-    select(&mut session, Selection::Landmark(MOUTH_CORNER));
-    assert!(!touch(&mut session, far));
-    assert_eq!((positions(&session), face(&session).selected()), (before, Some(MOUTH_CORNER)));
-    assert!(touch(&mut session, from));
-    assert!(place_px(&session, MOUTH_CORNER).distance(from + BY_PX) < 1e-6);
+    let from = place_px(&session, NOSE_TIP);
+    act(&mut session, Intent::Press(from, Pointer::Fine));
+    let before = positions(&session);
+    drag(&mut session, from + DVec2::new(4.0, -40.0));
+    assert!(!state(&session).leaves_plane, "a hand that goes up is not quite straight");
+    assert!(way_mm(&session, &before, NOSE_TIP).x.abs() < 1e-9);
+    assert_eq!(drag(&mut session, from + DVec2::new(40.0, -3.0)), Changed::Document);
+    assert!(state(&session).leaves_plane);
+    assert!(place_px(&session, NOSE_TIP).distance(from + DVec2::new(40.0, -3.0)) < 1e-6);
+    assert_eq!(drag(&mut session, from + DVec2::new(2.0, 30.0)), Changed::Document);
+    assert!(!state(&session).leaves_plane && way_mm(&session, &before, NOSE_TIP).x.abs() < 1e-9);
+    drag(&mut session, from + DVec2::new(40.0, 0.0));
+    act(&mut session, Intent::Release);
     assert_eq!(state(&session).entry_count, 1);
+    assert!(way_mm(&session, &before, NOSE_TIP).x > 1.0);
+    assert!(!state(&session).leaves_plane && state(&session).lies_in_plane, "the next edit is in the plane again");
+    act(&mut session, Intent::Undo);
+    assert_eq!(positions(&session), before);
+}
+
+#[test]
+fn an_edit_that_moves_nothing_is_none() {
+    let mut session = session();
+    select(&mut session, Selection::Landmark(MOUTH_CORNER));
+    for offset_mm in [DVec3::ZERO, DVec3::splat(1e-8)] {
+        act(&mut session, Intent::Preview(offset_mm));
+        act(&mut session, Intent::Commit);
+        assert_eq!(state(&session).entry_count, 0);
+    }
+    act(&mut session, Intent::Symmetrise(1.0));
+    for share in [1.0, 0.5, 0.0] {
+        act(&mut session, Intent::Symmetrise(share));
+        assert_eq!(state(&session).entry_count, 1, "both sides are mirror images already");
+    }
+}
+
+#[test]
+fn a_drag_ends_where_the_sliders_do_and_says_so() {
+    let mut session = session();
+    let from = place_px(&session, MOUTH_CORNER);
+    act(&mut session, Intent::Press(from, Pointer::Fine));
+    drag(&mut session, from + DVec2::new(0.0, 60.0));
+    assert!(!session.tick().is_at_end);
+    drag(&mut session, from + DVec2::new(0.0, 4_000.0));
+    assert!(session.tick().is_at_end);
+    assert!((session.tick().offset_mm.y - SLIDER_MM.least).abs() < 1e-9, "{}", session.tick().offset_mm);
+    act(&mut session, Intent::Release);
+    assert!(!session.tick().is_at_end);
+    let from = place_px(&session, MOUTH_CORNER);
+    act(&mut session, Intent::Press(from, Pointer::Fine));
+    drag(&mut session, from + DVec2::new(0.0, 50.0));
+    assert!(session.tick().is_at_end && session.tick().offset_mm.y.abs() < 1e-9, "both edits count");
+    act(&mut session, Intent::Release);
+    assert_eq!(state(&session).entry_count, 1);
+}
+
+#[test]
+fn pulling_the_nose_leaves_eyelids_and_teeth_alone() {
+    let lids = [Region::RightUpperEyelid, Region::LeftUpperEyelid, Region::RightLowerEyelid, Region::LeftLowerEyelid];
+    let inner_lips = [13, 14, 78, 308, 82, 312, 87, 317];
+    let far: Vec<u32> = lids.iter().flat_map(|lid| lid.vertices()).chain(inner_lips).collect();
+    for selection in
+        [Selection::Landmark(NOSE_TIP), Selection::Region(Region::NoseTip), Selection::Region(Region::Nose)]
+    {
+        for offset_mm in [DVec3::Z * 12.0, DVec3::X * 12.0, DVec3::Y * 12.0] {
+            let mut session = session();
+            select(&mut session, selection);
+            let before = positions(&session);
+            act(&mut session, Intent::Preview(offset_mm));
+            assert!(way_mm(&session, &before, NOSE_TIP).length() > 11.9);
+            for &vertex in &far {
+                let way_mm = way_mm(&session, &before, vertex);
+                assert!(way_mm.length() < 0.05, "{selection:?} by {offset_mm} moves {vertex} by {way_mm}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_kept_as_a_picture_or_compared_is_the_face_alone() {
+    let mut session = session();
+    select(&mut session, Selection::Landmark(MOUTH_CORNER));
+    act(&mut session, Intent::Pin(Switch::On));
+    act(&mut session, Intent::MarkAnchors(Switch::On));
+    let marks = |session: &Session| session.stage().mark_words().len();
+    let all = marks(&session);
+    assert!(all > 30, "ring, pin, letters and the outline: {all}");
+    assert!(session.clean_stage().mark_words().is_empty() && session.clean_stage().gizmo().is_none());
+    act(&mut session, Intent::MarkAnchors(Switch::Off));
+    assert!((1..all).contains(&marks(&session)));
+    for (begin, end) in [(Intent::Before(1.0), Intent::Before(0.0)), (Intent::Wipe(Some(0.4)), Intent::Wipe(None))] {
+        act(&mut session, begin);
+        assert_eq!((marks(&session), session.stage().gizmo()), (0, None));
+        act(&mut session, end);
+        assert!(marks(&session) > 0);
+    }
+    act(&mut session, Intent::Wipe(Some(0.4)));
+    act(&mut session, Intent::Open(Box::new(found())));
+    let settings = session.stage().render_settings();
+    assert_eq!((settings.before, settings.wipe, face(&session).selection()), (0.0, None, None));
+}
+
+#[test]
+fn the_reach_of_an_edit_and_the_plane_are_drawn_while_it_goes_on() {
+    let mut session = session();
+    let drawn = |session: &Session| {
+        let settings = session.stage().render_settings();
+        (settings.rim == Rim::Shown, settings.mirror_plane == MirrorPlane::Shown)
+    };
+    select(&mut session, Selection::Landmark(NOSE_TIP));
+    assert_eq!(drawn(&session), (false, false));
+    act(&mut session, Intent::Preview(DVec3::Z));
+    assert_eq!(drawn(&session), (true, true));
+    let reach = face(&session).document().reach().unwrap();
+    let way_mm: Vec<f64> =
+        (0..468).map(|v| way_mm(&session, face(&session).document().committed(), v).length()).collect();
+    assert!(
+        reach[NOSE_TIP as usize] == 0.0 && reach.iter().zip(&way_mm).all(|(reach, way)| *reach < 1.0 || *way < 1e-9)
+    );
+    act(&mut session, Intent::Preview(DVec3::X));
+    assert_eq!(drawn(&session), (true, false), "sideways it goes alone");
+    act(&mut session, Intent::Nearby(Switch::Off));
+    assert_eq!(drawn(&session), (false, false));
+    act(&mut session, Intent::Commit);
+    act(&mut session, Intent::Slide(FaceSlider::NoseWidth, 1.0));
+    assert!(!drawn(&session).0);
+    act(&mut session, Intent::Commit);
+    assert_eq!(drawn(&session), (false, false));
 }
 
 #[test]

@@ -81,7 +81,7 @@ fn only_what_has_edits_in_force_can_be_reset() {
 }
 
 #[test]
-fn what_is_its_own_mirror_image_moves_in_the_plane_while_the_mirror_is_on() {
+fn what_is_its_own_mirror_image_moves_both_sides_alike_in_the_plane_and_alone_beside_it() {
     let mut session = session();
     let one_sided = [Selection::Landmark(61), Selection::Region(Region::LeftBrow)];
     let whole = [Selection::Landmark(NOSE_TIP), Selection::Region(Region::Nose)];
@@ -89,14 +89,20 @@ fn what_is_its_own_mirror_image_moves_in_the_plane_while_the_mirror_is_on() {
         for selection in selections {
             act(&mut session, Intent::Mirror(Mirror::On));
             select(&mut session, selection);
-            assert_eq!(state(&session).moves_in_plane, in_plane, "{selection:?}");
+            assert_eq!(state(&session).lies_in_plane, in_plane, "{selection:?}");
             let before = positions(&session);
+            act(&mut session, Intent::Preview(DVec3::new(0.0, 2.0, 1.0)));
+            let sideways =
+                |vertex: u32| way_mm(&session, &before, vertex).x + way_mm(&session, &before, mirror_of(vertex)).x;
+            assert!((0..468).all(|vertex| sideways(vertex).abs() < 1e-9), "{selection:?} moves both sides alike");
             act(&mut session, Intent::Preview(DVec3::X));
             let way_mm = way_mm(&session, &before, selection.middle());
-            assert_eq!(way_mm.x.abs() < 1e-9, in_plane, "{selection:?} moves by {way_mm} mm");
+            assert!(way_mm.distance(DVec3::X) < 1e-9, "{selection:?} moves by {way_mm} mm");
+            assert_eq!(state(&session).leaves_plane, in_plane);
             act(&mut session, Intent::Cancel);
+            assert!(!state(&session).leaves_plane);
             act(&mut session, Intent::Mirror(Mirror::Off));
-            assert!(!state(&session).moves_in_plane);
+            assert!(!state(&session).lies_in_plane);
         }
     }
 }
