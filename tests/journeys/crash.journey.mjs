@@ -6,7 +6,7 @@ journey("a landmark without anything to hold the face, another density, and the 
   const { page } = visitor;
   await visitor.dropSample();
   await visitor.findLandmark("nose tip");
-  await page.click("#section-landmark .more > summary");
+  await visitor.unfold("section-advanced");
   await page.selectOption("#anchors", "pins");
   for (const density of ["1", "2", "0"]) {
     await visitor.unfold("section-view");
@@ -19,6 +19,7 @@ journey("a landmark without anything to hold the face, another density, and the 
 
   // It still does what it is for.
   await visitor.findLandmark("bottom of the chin");
+  await visitor.reach("#anchors");
   await page.selectOption("#anchors", "oval");
   const before = await visitor.meshJson("mm");
   await visitor.offset("y", -6);

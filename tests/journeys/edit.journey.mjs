@@ -53,7 +53,7 @@ journey("details that turn with the surface follow every tick, and make the comm
   const visitor = await open();
   await visitor.dropSample();
   await visitor.findLandmark("61");
-  await visitor.page.click("#section-landmark .more > summary");
+  await visitor.unfold("section-advanced");
   await visitor.page.selectOption("#details", "turned");
   const before = await visitor.view();
   await visitor.page.fill("#landmark-sliders [data-axis='z'] input[type=number]", "14");

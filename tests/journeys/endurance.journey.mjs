@@ -75,7 +75,7 @@ journey("a panel that fails does not keep the others from what they show", async
   // The landmark panel comes long before the history.
   await page.evaluate(() => document.getElementById("landmark-anchors").remove());
   await visitor.slide("nose-width", 4);
-  assert.deepEqual(await visitor.history(), ["nose width"]);
+  assert.deepEqual(await visitor.history(), ["Nose width"]);
   await visitor.slide("nose-width", 0);
   assert.equal((await visitor.history()).length, 2);
   await page.click("#toolbar [data-action='undo']");

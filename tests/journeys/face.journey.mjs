@@ -25,7 +25,7 @@ journey("nose width moves both sides alike, is one entry, and is what the comman
   await visitor.frames(3);
   const amount_mm = await visitor.sliderValue("nose-width");
   assert.ok(amount_mm > 2, `the slider stands at ${amount_mm}`);
-  assert.deepEqual(await visitor.history(), ["nose width"]);
+  assert.deepEqual(await visitor.history(), ["Nose width"]);
 
   const after = await visitor.meshJson("mm");
   const [right, left] = WINGS.map((wing) => way(before, after, wing));
@@ -49,12 +49,14 @@ journey("a slider stands at the sum of its entries, and a double click on its na
   await visitor.slide("lip-fullness", 2);
   await visitor.slide("chin-length", -3);
   await visitor.slide("lip-fullness", 1.5);
-  assert.deepEqual(await visitor.history(), ["lip fullness", "chin length", "lip fullness"]);
+  assert.deepEqual(await visitor.history(), ["Lip fullness", "Chin length", "Lip fullness"]);
+  await visitor.reach("#history");
   await page.locator("#history li input").last().uncheck();
   assert.equal(await visitor.sliderValue("lip-fullness"), -0.5);
   await page.locator("#history li input").last().check();
   assert.equal(await visitor.sliderValue("lip-fullness"), 1.5);
   for (const slider of ["lip-fullness", "chin-length"]) {
+    await visitor.unfold("section-face");
     await page.dblclick(`[data-slider="${slider}"] .slider-label`);
     assert.equal(await visitor.sliderValue(slider), 0);
   }
@@ -72,7 +74,7 @@ journey("the sliders work by keyboard, speak Portuguese, and leave the selected 
   await page.focus("[data-slider='jaw-width'] input[type=range]");
   for (let press = 0; press < 5; press++) await page.keyboard.press("ArrowRight");
   await page.waitForSelector("#history li");
-  assert.deepEqual(await visitor.history(), ["largura da mandíbula"]);
+  assert.deepEqual(await visitor.history(), ["Largura da mandíbula"]);
   assert.match(await page.innerText("#said"), /Largura da mandíbula: 0,5 milímetros/);
   assert.equal(await visitor.sliderValue("jaw-width"), 0.5);
   await visitor.offset("z", 4);
@@ -91,7 +93,7 @@ journey("symmetry is an action with a share, listed and undone like any edit", a
   const after = await visitor.meshJson("mm");
   const [right, left] = WINGS.map((wing) => after.positions[wing]);
   assert.ok(Math.abs(right[0] + left[0]) < 1e-9 && Math.abs(right[1] - left[1]) < 1e-9);
-  assert.match(await page.innerText("#history li"), /symmetry\s*100 %/);
+  assert.match(await page.innerText("#history li"), /Make symmetric\s*100 %/);
   const canonical = ["--units", "mm", "--topology", "canonical"];
   assertSameMesh(after, await meshByCommandLine(SAMPLE, [...canonical, "--symmetrise", "1"]));
   await page.click("#toolbar [data-action='undo']");

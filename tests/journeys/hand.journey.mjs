@@ -63,6 +63,7 @@ journey("X, Y and Z keep a drag to an axis, and Escape puts everything back", as
   const visitor = await open();
   const { page } = visitor;
   await visitor.dropSample();
+  await visitor.reach("#mirror");
   await page.uncheck("#mirror");
   await visitor.findLandmark("nose tip");
   const tip = await visitor.tagged();
@@ -146,6 +147,7 @@ journey("the other side follows where the mirror is on, and its plane is drawn",
   const [right, left] = MOUTH_CORNERS.map(async (corner) => way(start, await visitor.meshJson("mm"), corner));
   assert.ok(Math.abs((await right)[0] + 4) < 1e-9 && Math.abs((await left)[0] - 4) < 1e-9);
   await page.click("#toolbar [data-action='undo']");
+  await visitor.reach("#mirror");
   await page.uncheck("#mirror");
   assert.ok(difference(mirrored, await visitor.view()) > 0.01, "the plane is not drawn");
   await visitor.offset("x", -4);
@@ -154,6 +156,7 @@ journey("the other side follows where the mirror is on, and its plane is drawn",
   const alongX = page.locator("#landmark-sliders [data-axis='x'] input[type=number]");
   await visitor.findLandmark("nose tip");
   assert.ok(await alongX.isEnabled());
+  await visitor.reach("#mirror");
   await page.check("#mirror");
   assert.ok(await alongX.isDisabled(), "what lies on the plane cannot move across it");
   assert.match(await page.innerText("#landmark-help"), /not to one side/);
@@ -185,11 +188,11 @@ journey("every operator and constraint says in a line what it does, and does wha
   const { page } = visitor;
   await visitor.dropSample();
   await visitor.findLandmark("nose tip");
-  await page.click("#section-landmark .more > summary");
   const said = new Set();
   const operators = await page.locator("#operator option").evaluateAll((options) => options.map((option) => option.value));
   assert.ok(operators.length >= 6 && operators.includes("cotangent-mass"), operators.join(" "));
   for (const operator of operators) {
+    await visitor.reach("#operator");
     await page.selectOption("#operator", operator);
     said.add(await page.innerText("#operator-help"));
     const [hold, weight] = operator === "degree" ? ["soft", "1"] : ["exact", "exact"];

@@ -17,6 +17,7 @@ journey("everything from photo to file by keyboard alone", async (open) => {
   assert.match(await page.innerText("#said"), /nose tip · \d+ selected/i);
   const before = await visitor.meshJson("mm");
 
+  await visitor.reach("#landmark-sliders");
   await page.focus("#landmark-sliders [data-axis='z'] input[type=range]");
   for (let press = 0; press < 10; press++) await page.keyboard.press("ArrowRight");
   assert.equal(await page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]"), "1");
@@ -28,6 +29,7 @@ journey("everything from photo to file by keyboard alone", async (open) => {
   await page.keyboard.press("Control+Shift+z");
   assert.notDeepEqual(await visitor.meshJson("mm"), before);
 
+  await visitor.reach("#landmark-sliders");
   await page.focus("#landmark-sliders [data-axis='y'] input[type=number]");
   await page.keyboard.type("3");
   await page.keyboard.press("Enter");
@@ -42,7 +44,7 @@ journey("everything from photo to file by keyboard alone", async (open) => {
   assert.equal(await page.inputValue("#landmark-sliders [data-axis='y'] input[type=number]"), "0");
 });
 
-journey("the first stop of the keyboard leads past everything to the landmarks", async (open) => {
+journey("the first stop of the keyboard leads past everything to the search, whichever tab hides it", async (open) => {
   const visitor = await open();
   const { page } = visitor;
   await visitor.dropSample();
@@ -52,6 +54,12 @@ journey("the first stop of the keyboard leads past everything to the landmarks",
   await page.keyboard.type("nose tip");
   await page.keyboard.press("Enter");
   assert.equal(await visitor.landmark(), 1);
+  await page.click("#tab-view");
+  await page.focus(".skip-link");
+  await page.keyboard.press("Enter");
+  await page.keyboard.type("bottom of the chin");
+  await page.keyboard.press("Enter");
+  assert.equal(await visitor.landmark(), 152);
 });
 
 journey("a question mark lists the keys, but not where text is typed", async (open) => {
@@ -90,42 +98,93 @@ journey("the camera follows the keys while the view has the focus", async (open)
   assert.ok(difference(start, await visitor.view()) < 0.001, "Space did not reset the view");
 }, { needs: "eyes" });
 
-journey("Tab goes through everything, and shows where it is", async (open) => {
-  const visitor = await open();
+/** What Tab reaches with each of the panel's tabs, beside what stands on each of them. */
+const STOPS = {
+  shape: ["section-photo", "photo-change", "Nose width, in millimetres", "symmetrise", "selection", "landmark-search", "preset", "mirror", "reset-selection", "operator", "anchors-shown", "run-paper"],
+  view: ["shading", "wireframe", "density", "view-left"],
+  export: ["base-colour", "export-density", "check-glb", "download-json", "save-project"],
+};
+const EVERYWHERE = ["viewport", "undo", "language", "theme", "open-keys", "open-credits", "download-glb"];
+
+for (const [tab, stops] of Object.entries(STOPS)) {
+  journey(`Tab goes through everything on the tab ${tab}, and shows the whole of a ring around where it is`, async (open) => {
+    const visitor = await open();
+    const { page } = visitor;
+    await visitor.dropSample();
+    await visitor.findLandmark("nose tip");
+    await visitor.offset("z", 3);
+    await visitor.unfold("section-paper");
+    await page.click(`#tab-${tab}`);
+    await page.focus(".skip-link");
+    const seen = new Set();
+    for (;;) {
+      await page.keyboard.press("Tab");
+      const stop = await page.evaluate(focused);
+      if (stop.isKnown) break;
+      seen.add(stop.name);
+      assert.ok(stop.outlined, `${stop.name} does not show that it has the focus`);
+      assert.ok(stop.inSight, `${stop.name} is out of sight`);
+      assert.equal(stop.cutBy, "", `the ring of ${stop.name} is not whole`);
+    }
+    for (const name of [...EVERYWHERE, `tab-${tab}`, ...stops]) assert.ok(seen.has(name), `Tab does not reach ${name}, only ${[...seen].join(", ")}`);
+  });
+}
+
+journey("in a dialog the ring is whole, too", async (open) => {
+  const visitor = await open({ viewport: { width: 720, height: 450 } });
   const { page } = visitor;
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 3);
-  await page.focus(".skip-link");
-  const seen = new Set();
-  for (;;) {
+  for (const dialog of ["keys", "credits"]) {
+    await page.evaluate((dialog) => document.querySelector(`[data-action='open-${dialog}']`).click(), dialog);
     await page.keyboard.press("Tab");
     const stop = await page.evaluate(focused);
-    if (stop.isKnown) break;
-    seen.add(stop.name);
-    assert.ok(stop.outlined, `${stop.name} does not show that it has the focus`);
-    assert.ok(stop.inSight, `${stop.name} is out of sight`);
-  }
-  const expected = ["viewport", "undo", "compare", "language", "theme", "drop-zone", "selection", "landmark-search", "mirror"];
-  for (const name of [...expected, "Nose width, in millimetres", "symmetrise", "shading", "light-colour", "reset-selection", "download-glb", "open-keys", "open-credits"]) {
-    assert.ok(seen.has(name), `Tab does not reach ${name}, only ${[...seen].join(", ")}`);
+    assert.equal(stop.name, `close-${dialog}`);
+    assert.deepEqual([stop.outlined, stop.inSight, stop.cutBy], [true, true, ""]);
+    await page.keyboard.press("Enter");
+    assert.ok(await page.isHidden(`#${dialog}`));
   }
 });
 
 /**
- * What has the focus: a name for it, whether it had the focus before, whether an outline shows it, and whether it is in
- * the window. Runs in the page.
+ * What has the focus: a name for it, whether it had the focus before, whether an outline shows it, whether it is in the
+ * window, and what cuts or covers the outline. Runs in the page.
  */
 function focused() {
   const element = document.activeElement;
-  const name = element.id || element.dataset.action || element.name || element.getAttribute("aria-label") || element.innerText;
+  const fold = element.matches("summary") ? element.parentElement.id : "";
+  const name = element.id || fold || element.dataset.action || element.name || element.getAttribute("aria-label") || element.innerText;
   const isKnown = element === document.body || element.hasAttribute("data-was-focused");
   element.setAttribute("data-was-focused", "");
   // The radio buttons of a segmented choice are their labels.
   const shows = element.type === "radio" ? element.nextElementSibling : element;
-  const { outlineStyle, outlineWidth } = getComputedStyle(shows);
-  const box = shows.getBoundingClientRect();
-  const middle = { x: box.left + box.width / 2, y: box.top + box.height / 2 };
-  const inSight = middle.x > 0 && middle.x < innerWidth && middle.y > 0 && middle.y < innerHeight;
-  return { name, isKnown, outlined: outlineStyle !== "none" && Number.parseFloat(outlineWidth) >= 2, inSight };
+  const { outlineStyle, outlineWidth, outlineOffset } = getComputedStyle(shows);
+  const { left, right, top, bottom } = shows.getBoundingClientRect();
+  const [x, y] = [(left + right) / 2, (top + bottom) / 2];
+  const inSight = x > 0 && x < innerWidth && y > 0 && y < innerHeight;
+  const out = Math.max(0, Number.parseFloat(outlineWidth) + Number.parseFloat(outlineOffset));
+  const ring = { left: left - out, right: right + out, top: top - out, bottom: bottom + out };
+  const outlined = outlineStyle !== "none" && Number.parseFloat(outlineWidth) >= 2;
+  return { name, isKnown, outlined, inSight, cutBy: cutter() ?? "" };
+
+  /** What clips the ring, or lies over the middle of one of its sides. */
+  function cutter() {
+    for (let up = shows.parentElement; up; up = up.parentElement) {
+      if (up !== document.body && getComputedStyle(up).overflow === "visible") continue;
+      const frame = up.getBoundingClientRect();
+      const isCut = ring.left < frame.left - 0.5 || ring.right > frame.right + 0.5 || ring.top < frame.top - 0.5 || ring.bottom > frame.bottom + 0.5;
+      if (isCut) return up.id || up.className || up.tagName;
+    }
+    const sides = [[ring.left + 1, y], [ring.right - 1, y], [x, ring.top + 1], [x, ring.bottom - 1]];
+    const over = sides.map(([x, y]) => document.elementFromPoint(x, y)).find((hit) => hit && liesOver(hit));
+    return over && (over.id || over.className || over.tagName);
+  }
+
+  /** Of what does not belong to the element only what has a layer of its own is drawn over its outline. */
+  function liesOver(hit) {
+    const own = shows.closest("label") ?? shows;
+    for (let up = hit; up && !up.contains(own) && !own.contains(up); up = up.parentElement) {
+      if (getComputedStyle(up).position !== "static") return true;
+    }
+    return false;
+  }
 }

@@ -24,7 +24,7 @@ journey("the paper's experiment runs in the browser, beside its Table 1, and lea
   assert.deepEqual(table.map((row) => row.slice(0, 2)), TABLE_1);
   for (const [row, [, , here_ms]] of table.entries()) assert.ok(here_ms > 0 && here_ms < 60_000, `row ${row}: ${here_ms} ms`);
   assert.equal(await page.locator("#paper-plot circle").count(), 30);
-  assert.deepEqual(await visitor.history(), ["nose width"]);
+  assert.deepEqual(await visitor.history(), ["Nose width"]);
   assert.deepEqual(await visitor.meshJson("mm"), before);
   await page.selectOption("#language", "pt");
   assert.match(await page.innerText("#paper-table tr:nth-child(3) th"), /grau 3/);

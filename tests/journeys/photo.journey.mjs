@@ -58,6 +58,7 @@ journey("the same landmark shows on photo and mesh, whichever side the pointer i
   const visitor = await open();
   const { page } = visitor;
   await visitor.dropSample();
+  await visitor.unfold("section-photo");
   const photo = page.locator("#photo-picture");
   await photo.scrollIntoViewIfNeeded();
   const plain = PNG.sync.read(await photo.screenshot());

@@ -31,6 +31,7 @@ journey("a region moves as one by its sliders, under its name, as the command li
   assert.equal(await page.locator("#region option:checked").innerText(), "sobrancelha esquerda");
 
   // The choice of none is hidden, and yet there for whoever fills the page in by program.
+  await visitor.reach("#region");
   await page.selectOption("#region", "");
   assert.ok(await page.isHidden("#landmark-tag"), "something is still selected");
   assert.ok(await page.isHidden("#notice"));
@@ -68,6 +69,7 @@ journey("clicks take the region under the pointer, then the larger one, and the 
   const tip = await visitor.tagged();
   const beside = await visitor.besideTheFace();
   await page.mouse.click(beside.x, beside.y);
+  await visitor.reach("#selection");
   await page.check("input[name='selection'][value='region']", { force: true });
   assert.ok(await page.isHidden("#landmark-search"));
   const plain = await visitor.view();

@@ -13,6 +13,7 @@ for (const paint of ["texture", "colours"]) {
     await visitor.findLandmark("bottom of the chin");
     await visitor.offset("y", -6);
     const work = await visitor.meshJson("mm");
+    await visitor.reach("#export-units");
     await page.check(`input[name="base-colour"][value="${paint}"]`, { force: true });
     const file = await visitor.download("download-glb");
     // Beside the face, a click lets go of the landmark and takes its marks away.

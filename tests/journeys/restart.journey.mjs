@@ -58,6 +58,7 @@ journey("a panic while a file is made or opened starts the module again, and the
   const project = await visitor.download("save-project");
 
   await page.evaluate(panicIn, { module: "rosto-studio-web.js", type: "Studio", method: "exportFile" });
+  await visitor.reach("#export-units");
   await page.click("#section-export [data-action='download-json']");
   await untilRestarted(visitor);
   assert.deepEqual(await visitor.meshJson("mm"), work);

@@ -99,6 +99,7 @@ journey("the background is a colour of one's own, in the picture too, which can 
   const whole = PNG.sync.read(await visitor.download("download-picture"));
   assert.deepEqual(corner(whole), [0x0c, 0xb4, 0xfa, 255]);
   assert.deepEqual(middle(whole), middle(cutOut));
+  await visitor.reach("#background-plain");
   await page.uncheck("#background-plain");
   assert.notDeepEqual(corner(await visitor.view()), [0x0c, 0xb4, 0xfa, 255]);
 }, { needs: "eyes" });

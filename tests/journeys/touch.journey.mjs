@@ -34,6 +34,7 @@ journey("on a phone two fingers move the face with them and pinch it larger, and
   assert.ok(closer > 1.35 && closer < 1.75, `${closer} times as large`);
   await page.click("#toolbar [data-action='reset-view']");
 
+  await visitor.reach("#mirror");
   await page.uncheck("#mirror");
   await visitor.findLandmark("nose tip");
   const tip = await visitor.tagged();
@@ -73,6 +74,7 @@ journey("on a phone one finger turns, two move and zoom, and a long press picks"
   const picked = await page.inputValue("#landmark-search");
   await touch.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
   assert.equal(await page.inputValue("#landmark-search"), picked);
+  await visitor.reach("#selection");
   await page.check("input[name='selection'][value='region']", { force: true });
   const region = await page.inputValue("#region");
   await touch.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }] });

@@ -50,10 +50,13 @@ journey("history lists the edits, and each can be switched off and on", async (o
   assert.equal(await page.locator("#history li").count(), 2);
 
   const newest = page.locator("#history li input").first();
+  await visitor.reach("#history");
   await newest.uncheck();
   assert.deepEqual(await visitor.meshJson("mm"), nose);
+  await visitor.reach("#history");
   await page.locator("#history li input").first().check();
   assert.deepEqual(await visitor.meshJson("mm"), both);
+  await visitor.reach("#history");
   await page.click("#section-history [data-action='reset']");
   assert.deepEqual(await visitor.meshJson("mm"), start);
   assert.deepEqual(await visitor.history(), []);

@@ -1,0 +1,83 @@
+import assert from "node:assert/strict";
+import { journey } from "./journey.mjs";
+
+/** What is typed, and what of the face is meant by it. */
+const FOUND = {
+  en: [
+    ["nose", /^nose tip · 1$/],
+    ["NOSE TIP", /^nose tip · 1$/],
+    ["nose tip 1", /^nose tip · 1$/],
+    ["chin", /chin/],
+    ["left eye", /^left .*eye/],
+    ["eyelid left", /^left .*eyelid/],
+    ["mouth corner", /mouth corner/],
+    ["columel", /columella/],
+    ["152", /· 152$/],
+    ["7", /· 7$/],
+  ],
+  pt: [
+    ["nariz", /nariz/],
+    ["queixo", /queixo/],
+    ["ponta do nariz", /^ponta do nariz · 1$/],
+    ["olho esquerdo", /olho esquerdo/],
+    ["labio", /lábio/],
+    ["MAÇÃ", /maçã/],
+    ["0", /· 0$/],
+  ],
+};
+
+for (const [language, wishes] of Object.entries(FOUND)) {
+  journey(`a search takes the best match, whatever the case and the accents: ${language}`, async (open) => {
+    const visitor = await open({ locale: language === "pt" ? "pt-BR" : "en-GB" });
+    const { page } = visitor;
+    await visitor.dropSample();
+    for (const [typed, meant] of wishes) {
+      await visitor.findLandmark(typed);
+      assert.match(await page.inputValue("#landmark-search"), meant, typed);
+      assert.equal(await page.getAttribute("#landmark-search", "aria-invalid"), null, typed);
+      assert.ok(await page.isVisible("#landmark-tag"), `${typed} is not in hand`);
+    }
+  });
+}
+
+journey("the best match is the whole name, then its beginning, then words, then a part, and the shortest of equals", async (open) => {
+  const visitor = await open();
+  const found = await visitor.page.evaluate(async () => {
+    const { bestMatch } = await import(new URL("js/words/search.js", document.baseURI).href);
+    const names = ["left outer chin · 9", "chin crease · 18", "chinless · 3", "deep chin · 4", "chin · 199", "right chin line · 2", "Ação · 5"];
+    return ["chin", "chin 199", "chin c", "outer left", "hin", "acao", "· 5", "beard", "", " · "].map((text) => names[bestMatch(text, names) ?? -1]);
+  });
+  const expected = ["chin · 199", "chin · 199", "chin crease · 18", "left outer chin · 9", "chin · 199", "Ação · 5", "Ação · 5", undefined, undefined, undefined];
+  assert.deepEqual(found, expected);
+});
+
+journey("only what nothing is called is an error, which looks like one until something else is typed", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.findLandmark("nose");
+  const look = () => page.locator("#landmark-search").evaluate((field) => {
+    const help = document.getElementById("landmark-help");
+    return { border: getComputedStyle(field).borderTopColor, text: getComputedStyle(help).color, sign: getComputedStyle(help, "::before").content };
+  });
+  const fine = await look();
+  await visitor.findLandmark("moustache");
+  const wrong = await look();
+  assert.equal(await page.getAttribute("#landmark-search", "aria-invalid"), "true");
+  assert.match(await page.innerText("#landmark-help"), /moustache/);
+  assert.match(await page.innerText("#said"), /moustache/);
+  assert.equal(await page.inputValue("#landmark-search"), "moustache");
+  assert.notEqual(wrong.border, fine.border);
+  assert.notEqual(wrong.text, fine.text);
+  assert.equal(wrong.border, wrong.text);
+  assert.match(wrong.sign, /!/);
+  assert.equal(fine.sign, "none");
+
+  await page.locator("#landmark-search").press("Backspace");
+  assert.deepEqual(await look(), fine);
+  await visitor.findLandmark("999");
+  assert.match(await page.innerText("#landmark-help"), /999/);
+  await visitor.findLandmark("");
+  assert.equal(await visitor.landmark(), 1, "of nothing something else was found");
+  assert.deepEqual(await look(), fine);
+});
