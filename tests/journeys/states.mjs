@@ -58,7 +58,7 @@ async function startWork({ page }) {
     window["answersWait"] = true;
   });
   await page.waitForSelector("#language option", { state: "attached" });
-  await page.setInputFiles("#photo-file", SAMPLE);
+  await page.setInputFiles("#photo-file", { name: "portrait.png", mimeType: "image/png", buffer: await readFile(SAMPLE) });
   await page.waitForSelector("#progress");
   await page.waitForSelector("[data-step='landmarks'][aria-current]");
 }
