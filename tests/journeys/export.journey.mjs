@@ -23,9 +23,11 @@ journey("a GLB of every density passes the validator, which says so on the page 
     assert.equal(await page.inputValue("#density"), String(density));
     await page.click("[data-action='check-glb']");
     await page.waitForSelector("#verdict[data-verdict='valid']");
-    assert.match(await page.innerText("#verdict"), /Valid glTF 2\.0: 0 errors, 0 warnings, 0 remarks/);
-    const { name, json } = await downloadedGlb(visitor);
-    assert.equal(name, `rosto-${vertices}.glb`);
+    const verdict = await page.innerText("#verdict");
+    const { name, json, bytes } = await downloadedGlb(visitor);
+    assert.equal(name, density === 0 ? "portrait.glb" : `portrait-${vertices}.glb`);
+    const size = bytes < 1e6 ? `${Math.round(bytes / 1000).toLocaleString("en-GB")} KB` : `${(bytes / 1e6).toFixed(1)} MB`;
+    assert.equal(verdict, `${name}, ${size}: valid glTF 2.0, 0 errors, 0 warnings, 0 remarks`);
     const [{ attributes, indices }] = json.meshes[0].primitives;
     assert.equal(json.accessors[attributes.POSITION].count, vertices);
     assert.equal(json.accessors[indices].count, 3 * triangles);
@@ -76,5 +78,5 @@ async function downloadedGlb(visitor) {
   const { numErrors, numWarnings, numInfos, numHints } = issues;
   assert.deepEqual([numErrors, numWarnings, numInfos, numHints], [0, 0, 0, 0], JSON.stringify(issues.messages));
   const json = JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString());
-  return { name: (await coming).suggestedFilename(), json };
+  return { name: (await coming).suggestedFilename(), json, bytes: bytes.length };
 }

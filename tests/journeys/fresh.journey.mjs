@@ -1,0 +1,98 @@
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { journey } from "./journey.mjs";
+import { asJpeg, twice } from "./pictures.mjs";
+import { SAMPLE } from "./visitor.mjs";
+
+for (const [what, fileOf] of /** @type {const} */ ([
+  ["photo", async ({ page }) => ({ bytes: await asJpeg(page, await readFile(SAMPLE)), name: "new.jpg" })],
+  ["project", async (visitor) => ({ bytes: await visitor.download("save-project"), name: "new.rosto" })],
+  ["GLB", async (visitor) => ({ bytes: await visitor.download("download-glb"), name: "new.glb" })],
+])) {
+  journey(`after a new ${what} no control shows what was selected, typed or scrolled before`, async (open) => {
+    const visitor = await open({ viewport: { width: 1024, height: 480 } });
+    const { page } = visitor;
+    await visitor.untilLoaded();
+    await visitor.dropSample();
+    const { bytes, name } = await fileOf(visitor);
+    const fresh = await controls(page);
+
+    await visitor.chooseRegion("left-brow");
+    await visitor.offset("y", 3);
+    await visitor.unfold("section-face");
+    await page.fill("#symmetrise-share", "80");
+    await visitor.unfold("section-export");
+    await page.click("[data-action='check-glb']");
+    await page.waitForSelector("#verdict[data-verdict='valid']");
+    // Typed, and not entered.
+    await visitor.unfold("section-face");
+    await page.locator("[data-slider='nose-width'] input[type=number]").fill("7");
+    await page.evaluate(() => (document.getElementById("sections").scrollTop = 400));
+    assert.notDeepEqual(await controls(page), fresh);
+
+    await visitor.drop(bytes, name);
+    await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
+    await visitor.frames(5);
+    assert.deepEqual(await controls(page), { ...fresh, tab: "shape", chosenTab: "tab-shape", scroll: 0, verdict: "" });
+    assert.ok(await page.isHidden("#verdict"), "the verdict is of another file");
+    assert.equal(await page.locator("[data-typing]").count(), 0);
+
+    // What was typed for the face before does not come upon this one later.
+    await page.locator("#symmetrise-share").focus();
+    await page.waitForTimeout(1000);
+    assert.deepEqual(await visitor.history(), []);
+    assert.equal(await visitor.sliderValue("nose-width"), 0);
+  });
+}
+
+journey("a search that was not entered is gone with its face", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.unfold("section-landmark");
+  const help = await page.innerText("#landmark-help");
+  await page.fill("#landmark-search", "no such place");
+  await page.press("#landmark-search", "Enter");
+  await page.waitForFunction((help) => document.getElementById("landmark-help").innerText !== help, help);
+  await page.fill("#landmark-search", "the ear");
+  await visitor.drop(await asJpeg(page, await readFile(SAMPLE)), "new.jpg");
+  await page.waitForFunction(() => document.getElementById("landmark-search").value === "");
+  await visitor.untilFace();
+  assert.equal(await page.innerText("#landmark-help"), help);
+  assert.ok(!(await page.locator("#landmark-search").evaluate((field) => field.hasAttribute("aria-invalid"))));
+  assert.ok(await page.isHidden("#notice"));
+});
+
+journey("another face of a group leaves the visitor at the tab where they are", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.drop(await twice(page, await readFile(SAMPLE)), "group.png");
+  await page.waitForSelector("#face-choice:not([hidden])");
+  await visitor.untilFace();
+  await visitor.findLandmark("nose tip");
+  await visitor.unfold("section-face");
+  await page.fill("#symmetrise-share", "80");
+  await visitor.unfold("section-view");
+  await page.locator("#face-options input").nth(1).click({ force: true });
+  await page.waitForFunction(() => document.getElementById("symmetrise-share").value === "50");
+  const { tab, search } = await controls(page);
+  assert.deepEqual({ tab, search }, { tab: "view", search: "" });
+});
+
+/** What the panel shows of a face. */
+function controls(page) {
+  return page.evaluate(() => {
+    const value = (id) => document.getElementById(id).value;
+    return {
+      tab: document.body.dataset.tab,
+      chosenTab: document.querySelector("[role=tab][aria-selected=true]").id,
+      scroll: document.getElementById("sections").scrollTop,
+      region: value("region"),
+      search: value("landmark-search"),
+      share: value("symmetrise-share"),
+      numbers: [...document.querySelectorAll("#face-sliders input, #landmark-sliders input")].map((input) => input.value),
+      verdict: document.getElementById("verdict").innerText,
+      entries: document.querySelectorAll("#history li").length,
+    };
+  });
+}

@@ -1,0 +1,135 @@
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { journey } from "./journey.mjs";
+import { twice } from "./pictures.mjs";
+import { SAMPLE } from "./visitor.mjs";
+
+journey("files are named after the photo, over a reload and out of a file of ours", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.drop(await readFile(SAMPLE), 'ana: "Rio" 7.2.png');
+  await visitor.untilFace();
+  assert.equal(await nameOf(visitor, "download-glb"), "ana Rio 7.2.glb");
+  assert.equal(await nameOf(visitor, "download-json"), "ana Rio 7.2.json");
+  assert.equal(await nameOf(visitor, "download-picture"), "ana Rio 7.2.png");
+  assert.equal(await nameOf(visitor, "save-project"), "ana Rio 7.2.rosto");
+  await page.selectOption("#export-density", "1");
+  assert.equal(await nameOf(visitor, "download-glb"), "ana Rio 7.2-1833.glb");
+  assert.equal(await nameOf(visitor, "download-obj"), "ana Rio 7.2-1833.obj");
+  assert.equal(await nameOf(visitor, "save-project"), "ana Rio 7.2.rosto");
+  const glb = await visitor.download("download-glb");
+  const project = await visitor.download("save-project");
+
+  await page.waitForTimeout(600);
+  await page.reload();
+  await page.click("#continue");
+  await visitor.untilFace();
+  assert.equal(await nameOf(visitor, "save-project"), "ana Rio 7.2.rosto");
+
+  // A name that was given elsewhere holds, and the number of points is not in it twice.
+  for (const { bytes, name, says } of [
+    { bytes: project, name: "bia.rosto", says: "bia-1833.glb" },
+    { bytes: glb, name: "clara-1833.glb", says: "clara-1833.glb" },
+  ]) {
+    await visitor.drop(bytes, name);
+    await page.waitForSelector("#progress", { state: "hidden" });
+    await untilNamed(visitor, "download-glb", says);
+  }
+});
+
+for (const { name, says } of [
+  { name: "image.png", says: "face.rosto" },
+  { name: "..", says: "face.rosto" },
+  { name: "CON.png", says: "face.rosto" },
+  { name: "María\u202egnp.exe.png", says: "Maríagnp.exe.rosto" },
+]) {
+  journey(`a photo called ${JSON.stringify(name)} gives ${says}`, async (open) => {
+    const visitor = await open();
+    await visitor.drop(await readFile(SAMPLE), name);
+    await visitor.untilFace();
+    assert.equal(await nameOf(visitor, "save-project"), says);
+  });
+}
+
+journey("each face of a group has a name of its own", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.drop(await twice(page, await readFile(SAMPLE)), "group.png");
+  await page.waitForSelector("#face-choice:not([hidden])");
+  await visitor.untilFace();
+  assert.equal(await nameOf(visitor, "download-glb"), "group.glb");
+  await page.locator("#face-options input").nth(1).click({ force: true });
+  await untilNamed(visitor, "download-glb", "group-2.glb");
+});
+
+journey(
+  "a photo from the camera is a selfie",
+  async (open) => {
+    const visitor = await open();
+    await visitor.page.click("#welcome [data-action='camera']");
+    await visitor.page.click("#camera-shutter:enabled");
+    await visitor.untilFace();
+    assert.equal(await nameOf(visitor, "save-project"), "selfie.rosto");
+  },
+  { needs: "camera" },
+);
+
+journey("the sample is offered as a small picture, which moves nothing and asks for nothing", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  /** @type {string[]} */
+  const asked = [];
+  await visitor.untilLoaded();
+  page.on("request", (request) => asked.push(request.url()));
+  await page.reload();
+  await page.waitForSelector("#sample-thumbnail");
+  const before = await page.locator("#welcome [data-action='sample']").boundingBox();
+  await visitor.untilLoaded();
+  assert.ok((await coloursOf(page)) > 50, "the thumbnail is empty");
+  assert.deepEqual(await page.locator("#welcome [data-action='sample']").boundingBox(), before);
+  assert.equal(asked.filter((url) => url.endsWith("sample.png")).length, 1);
+  await page.click("#welcome [data-action='sample']");
+  await visitor.untilFace();
+  assert.equal(await nameOf(visitor, "save-project"), "sample.rosto");
+});
+
+journey("who returns is offered first to go on, and only that button stands out", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  assert.deepEqual(await offered(page), [["choose", true], ["camera", false], ["sample", false]]);
+  await visitor.dropSample();
+  await page.waitForTimeout(800);
+  await page.reload();
+  await page.waitForSelector("#continue:not([hidden])");
+  assert.deepEqual(await offered(page), [["continue", true], ["choose", false], ["camera", false], ["sample", false]]);
+});
+
+/** The buttons of the empty page in their order, and whether each stands out. */
+function offered(page) {
+  return page.locator("#welcome button:visible").evaluateAll((buttons) =>
+    buttons.map((button) => [button.dataset.action ?? button.id, button.classList.contains("primary")]),
+  );
+}
+
+function coloursOf(page) {
+  return page.locator("#sample-thumbnail").evaluate((canvas) => {
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    return new Set(new Uint32Array(data.buffer)).size;
+  });
+}
+
+/** The name under which a download comes. */
+async function nameOf(visitor, action) {
+  const coming = visitor.page.waitForEvent("download");
+  await visitor.download(action);
+  return (await coming).suggestedFilename();
+}
+
+async function untilNamed(visitor, action, name) {
+  for (let tries = 0; ; tries += 1) {
+    const now = await nameOf(visitor, action);
+    if (now === name) return;
+    assert.ok(tries < 40, `${now} instead of ${name}`);
+    await visitor.page.waitForTimeout(100);
+  }
+}

@@ -1,0 +1,32 @@
+import assert from "node:assert/strict";
+import { journey } from "./journey.mjs";
+
+/** How long what was done stays on the stage, at most. */
+const GONE_MS = 6000;
+
+for (const { width, height } of [{ width: 1280, height: 720 }, { width: 390, height: 844 }, { width: 844, height: 390 }]) {
+  journey(`at ${width}×${height} a download is seen on the stage for a moment, said once, and covers no tool`, async (open) => {
+    const visitor = await open({ viewport: { width, height } });
+    const { page } = visitor;
+    await visitor.dropSample();
+    assert.ok(await page.isHidden("#toast"));
+    await page.evaluate(hearAll);
+    await visitor.download("save-project");
+    assert.ok(await page.isVisible("#toast"));
+    assert.equal(await page.innerText("#toast"), "portrait.rosto is in your downloads");
+    const [toast, toolbar, stage] = await Promise.all(["toast", "toolbar", "stage"].map((id) => page.locator(`#${id}`).boundingBox()));
+    assert.ok(toast.y + toast.height <= toolbar.y && toast.x >= stage.x && toast.x + toast.width <= stage.x + stage.width);
+    // A screen reader has it from the one place that speaks.
+    assert.equal(await page.getAttribute("#toast", "aria-hidden"), "true");
+    await page.waitForSelector("#toast", { state: "hidden", timeout: GONE_MS });
+    assert.deepEqual(await page.evaluate("heard"), ["portrait.rosto is in your downloads"]);
+  });
+}
+
+/** Runs in the page: whatever a screen reader would say. */
+function hearAll() {
+  const heard = (globalThis["heard"] = []);
+  for (const region of document.querySelectorAll("[role=status], [role=alert], [aria-live]")) {
+    new MutationObserver(() => region.textContent.trim() && heard.push(region.textContent.trim())).observe(region, { childList: true });
+  }
+}
