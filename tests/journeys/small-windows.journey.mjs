@@ -1,0 +1,35 @@
+import assert from "node:assert/strict";
+import { journey } from "./journey.mjs";
+import { STATES, withHeldWork, wrongWith } from "./states.mjs";
+
+/** Windows smaller than, or between, those of the contact sheets. */
+const WINDOWS = [
+  { width: 1024, height: 640 },
+  { width: 640, height: 360, hasTouch: true },
+  { width: 360, height: 640, hasTouch: true },
+  { width: 320, height: 568, hasTouch: true },
+];
+
+const SEEN = ["empty", "working", "arrived", "selected", "view", "export", "notice", "keys"];
+
+for (const { width, height, hasTouch = false } of WINDOWS) {
+  journey(`in a small window of ${width} × ${height} everything is in reach, and nothing overlaps or is cut`, async (open) => {
+    const visitor = await open({ viewport: { width, height }, hasTouch, isMobile: hasTouch, before: withHeldWork });
+    /** @type {string[]} */
+    const found = [];
+    for (const state of STATES.filter(({ id }) => SEEN.includes(id))) {
+      await state.enter(visitor);
+      for (const language of ["en", "pt"]) {
+        await visitor.page.evaluate((language) => {
+          const choice = document.getElementById("language");
+          choice.value = language;
+          choice.dispatchEvent(new Event("change"));
+        }, language);
+        await visitor.frames(2);
+        found.push(...(await wrongWith(visitor, state)).map((finding) => `${finding} (${state.id}, ${language})`));
+      }
+      await state.leave?.(visitor);
+    }
+    assert.deepEqual(found, []);
+  });
+}
