@@ -108,7 +108,8 @@ async function holdNose(visitor) {
   const nose = await visitor.tagged();
   const hand = await Hand.of(visitor);
   await hand.press(nose);
-  await hand.move(nose, { x: nose.x + 14, y: nose.y - 30 });
+  const { height } = await visitor.page.locator("#viewport").boundingBox();
+  await hand.move(nose, { x: nose.x + 0.015 * height, y: nose.y - 0.03 * height });
   await visitor.frames(3);
 }
 

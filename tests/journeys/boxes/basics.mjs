@@ -19,11 +19,12 @@ export function nameOf(element) {
   return `${section ? `#${section.id} ` : ""}${kind}${words ? ` “${words}”` : ""}`;
 }
 
-/** Whatever floats over the 3D view, each for itself; what has the whole stage to itself for a moment is not meant. */
+/** Whatever floats over the 3D view, each for itself; what is as high as the stage and lets presses through is not meant. */
 export function floats() {
-  const outer = document.querySelectorAll(".stage > :not(.viewport, .visually-hidden, .welcome, .drop-veil, .pulse, .wipe), #toast, #faces");
+  const outer = document.querySelectorAll(".stage > :not(.viewport, .visually-hidden, .welcome, .drop-veil, .pulse), #toast, #faces");
   const all = new Set([...outer, ...document.querySelectorAll(".welcome > *")]);
-  return [...all].filter((element) => isSeen(element) && element.checkVisibility({ opacityProperty: true }));
+  const isWhole = (/** @type {Element} */ element) => element.matches(".wipe") && element.clientHeight === element.parentElement?.clientHeight;
+  return [...all].filter((element) => isSeen(element) && element.checkVisibility({ opacityProperty: true }) && !isWhole(element));
 }
 
 /** @param {Element} one @param {Element} other */

@@ -75,6 +75,7 @@ export function cutChoice(select) {
 /** @param {Element} input */
 export function cutValue(input) {
   if (!(input instanceof HTMLInputElement) || !input.matches("[type=text], [type=number], :not([type])")) return undefined;
+  if (getComputedStyle(input).textOverflow === "ellipsis") return undefined;
   const lack_px = input.scrollWidth - input.clientWidth;
   return lack_px > SLACK_PX ? `${nameOf(input)} cuts “${input.value}” by ${lack_px} px` : undefined;
 }

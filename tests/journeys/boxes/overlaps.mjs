@@ -1,5 +1,5 @@
 // What overlaps and what is covered. It runs in the page.
-import { floats, isSeen, nameOf, overlap } from "./basics.mjs";
+import { floats, isSeen, nameOf, overlap, SLACK_PX } from "./basics.mjs";
 
 export function overlapping() {
   const floating = floats();
@@ -52,7 +52,7 @@ export function reachable(element, x, y) {
     const { overflowX, overflowY } = getComputedStyle(up);
     if (overflowX === "visible" && overflowY === "visible") continue;
     const { left, right, top, bottom } = up.getBoundingClientRect();
-    if (x < left || x > right || y < top || y > bottom) return false;
+    if (x < left + SLACK_PX || x > right - SLACK_PX || y < top + SLACK_PX || y > bottom - SLACK_PX) return false;
   }
   return x >= 0 && y >= 0 && x <= innerWidth && y <= innerHeight;
 }
