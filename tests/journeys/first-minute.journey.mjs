@@ -3,24 +3,65 @@ import { PNG } from "pngjs";
 import { journey } from "./journey.mjs";
 import { difference } from "./pixels.mjs";
 
-journey("hints come one after the other, each once, and go with the next press", async (open) => {
+journey("hints wait for the deed, one after the other; a dot pulses where to drag; who comes again knows", async (open) => {
   const visitor = await open();
   const { page } = visitor;
+  const hint = () => page.evaluate(() => (document.getElementById("hint").checkVisibility() ? document.getElementById("hint").textContent : ""));
   await visitor.dropSample();
-  await page.waitForFunction(() => document.getElementById("hint").textContent === "Drag the nose");
-  assert.ok(await page.isVisible("#hint"));
-  await page.waitForFunction(() => document.getElementById("hint").textContent.startsWith("Drag beside the face"));
+  assert.equal(await hint(), "Drag the nose");
+  const [dot, tip] = [await page.locator("#pulse").boundingBox(), await visitor.landmarkPlace(1)];
+  const off_px = Math.hypot(dot.x + dot.width / 2 - tip.x, dot.y + dot.height / 2 - tip.y);
+  assert.ok(off_px < 2, `the dot is ${off_px} px from the nose`);
   const beside = await visitor.besideTheFace();
   await page.mouse.click(beside.x, beside.y);
-  assert.ok(await page.isHidden("#hint"));
+  assert.equal(await hint(), "Drag the nose", "a click is not the deed");
+  await visitor.drag(tip, { x: 0, y: -20 });
+  assert.ok(await page.isHidden("#pulse"));
+  assert.equal(await hint(), "Drag beside the face to turn it");
+  await visitor.drag(beside, { x: 30, y: 0 });
+  assert.equal(await hint(), "");
   await visitor.dropSample();
-  assert.ok(await page.isHidden("#hint"), "a hint was given twice");
+  assert.equal(await hint(), "", "a hint was given twice");
+  await page.reload();
+  await visitor.dropSample();
+  assert.equal(await hint(), "", "a hint was given to who knows");
 });
 
 journey("a hint for fingers speaks of fingers", async (open) => {
   const visitor = await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const { page } = visitor;
   await visitor.dropSample();
-  await visitor.page.waitForFunction(() => document.getElementById("hint").textContent.includes("finger on the nose"));
+  const tip = await visitor.landmarkPlace(1);
+  const touch = await page.context().newCDPSession(page);
+  await touch.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [tip] });
+  for (const up of [10, 20]) await touch.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: [{ x: tip.x, y: tip.y - up }] });
+  await touch.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  assert.match(await page.innerText("#hint"), /two fingers/);
+});
+
+journey("a face that has arrived turns a little and back, but not for who asked for less motion", async (open) => {
+  for (const reducedMotion of /** @type {const} */ (["no-preference", "reduce"])) {
+    const visitor = await open({ reducedMotion });
+    const { page } = visitor;
+    await visitor.untilLoaded();
+    await page.evaluate(() => {
+      globalThis.places = [];
+      const look = () => {
+        globalThis.places.push(document.getElementById("pulse").style.translate);
+        requestAnimationFrame(look);
+      };
+      requestAnimationFrame(look);
+    });
+    await visitor.dropSample();
+    await page.waitForTimeout(reducedMotion === "reduce" ? 1_500 : 6_000);
+    const xs = (await page.evaluate(() => globalThis.places)).map(Number.parseFloat).filter(Number.isFinite);
+    const swing_px = Math.max(...xs) - Math.min(...xs);
+    assert.equal(swing_px > 15, reducedMotion === "no-preference", `${reducedMotion}: the nose swings by ${swing_px} px`);
+    const rest = await page.locator("#pulse").boundingBox();
+    const view = await page.locator("#viewport").boundingBox();
+    assert.ok(Math.abs(rest.x + rest.width / 2 - view.x - view.width / 2) < 12, "it has not come back");
+    await visitor.leave();
+  }
 });
 
 for (const [drawn, needs] of /** @type {const} */ ([["WebGPU", "eyes"], ["WebGL2", "webgl"]])) {

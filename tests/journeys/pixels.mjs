@@ -57,3 +57,40 @@ export function colourCount(pixels) {
   }
   return seen.size;
 }
+
+/**
+ * The same within so many px of a place, which is given in px of the pictures.
+ *
+ * @param {Pixels} a
+ * @param {Pixels} b
+ * @param {{ x: number, y: number }} place
+ * @param {number} reach_px
+ */
+export function differenceNear(a, b, place, reach_px) {
+  return difference(around(a, place, reach_px), around(b, place, reach_px));
+}
+
+/** How many pixels have about the light theme's accent. @param {Pixels} pixels */
+export function accentPixels({ data }) {
+  let count = 0;
+  for (let at = 0; at < data.length; at += 4) {
+    if ([0xb8, 0x49, 0x2f].every((accent, channel) => Math.abs(data[at + channel] - accent) < 16)) count += 1;
+  }
+  return count;
+}
+
+/**
+ * @param {Pixels} pixels
+ * @param {{ x: number, y: number }} place
+ * @param {number} reach_px
+ * @returns {Pixels}
+ */
+function around({ width, data }, { x, y }, reach_px) {
+  const side = 2 * reach_px + 1;
+  const cut = new Uint8Array(4 * side * side);
+  for (let row = 0; row < side; row++) {
+    const from = 4 * ((Math.round(y) - reach_px + row) * width + Math.round(x) - reach_px);
+    cut.set(data.subarray(from, from + 4 * side), 4 * side * row);
+  }
+  return { width: side, height: side, data: cut };
+}

@@ -68,6 +68,84 @@ journey("the light follows the small sphere, and its colour what is chosen", asy
   assert.ok(difference(fromTheRight, await visitor.view()) > 0.05);
 }, { needs: "eyes" });
 
+journey("a photo keeps the light that it was taken in; the lamp is for the others, or for who asks", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.unfold("section-view");
+  assert.ok(await page.locator("#lamp").evaluate((lamp) => lamp.disabled), "the lamp can be moved, and lights nothing");
+  const own = await visitor.view();
+  await page.check("#light-photo");
+  assert.ok(difference(own, await visitor.view()) > 0.05, "the lamp does not light the photo");
+  await page.uncheck("#light-photo");
+  assert.equal(difference(own, await visitor.view()), 0);
+  await page.check("input[name='shading'][value='clay']", { force: true });
+  assert.ok(await page.locator("#lamp").evaluate((lamp) => !lamp.disabled));
+  assert.ok(await page.isHidden("#light-photo"));
+}, { needs: "eyes" });
+
+journey("before and after: all of it while the button or B is held, beside each other by an edge that moves", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  const before = await visitor.view();
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("z", 14);
+  const beside = await visitor.besideTheFace();
+  await page.mouse.click(beside.x, beside.y);
+  const after = await visitor.view();
+  const button = await page.locator("#compare").boundingBox();
+  await page.mouse.move(button.x + 10, button.y + 10);
+  await page.mouse.down();
+  await page.waitForTimeout(500);
+  assert.ok(difference(before, await visitor.view()) < 0.001, "not the face as it was found");
+  await page.mouse.up();
+  assert.ok(await page.isHidden("#wipe"), "a button that was held is no switch");
+  assert.ok(difference(after, await visitor.view()) < 0.001);
+  await page.mouse.click(beside.x, beside.y);
+  await page.keyboard.down("b");
+  assert.ok(difference(before, await visitor.view()) < 0.001);
+  await page.keyboard.up("b");
+
+  await visitor.findLandmark("nose tip");
+  await page.click("#compare");
+  assert.ok(await page.isHidden("#landmark-tag"), "the face alone is compared");
+  for (const [key, shows] of /** @type {const} */ ([["Home", after], ["End", before]])) {
+    await page.focus("#wipe");
+    await page.keyboard.press(key);
+    const seen = await visitor.view();
+    assert.ok(difference(shows, seen) < 0.004, `${key}: ${difference(shows, seen)}`);
+  }
+  const edge = await page.locator("#wipe").boundingBox();
+  const middle = { x: edge.x + edge.width / 2, y: edge.y + edge.height / 2 };
+  await page.mouse.move(edge.x + edge.width - 20, middle.y);
+  await page.mouse.down();
+  await page.mouse.move(middle.x, middle.y, { steps: 4 });
+  await page.mouse.up();
+  const both = await visitor.view();
+  assert.ok(difference(before, both) > 0.001 && difference(after, both) > 0.001);
+  await page.keyboard.press("Escape");
+  assert.ok(await page.isHidden("#wipe"));
+  await page.click("#compare");
+  await visitor.dropSample();
+  assert.ok(await page.isHidden("#wipe"), "another face is compared with nothing yet");
+}, { needs: "eyes" });
+
+journey("a picture that is saved shows the face alone", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  const plain = PNG.sync.read(await visitor.download("download-picture"));
+  await visitor.findLandmark("nose tip");
+  await visitor.reach("#pinned");
+  await page.check("#pinned");
+  await visitor.reach("#anchors-shown");
+  const unmarked = await visitor.view();
+  await page.check("#anchors-shown");
+  assert.ok(difference(unmarked, await visitor.view()) > 0, "what stays is not marked");
+  assert.deepEqual(PNG.sync.read(await visitor.download("download-picture")), plain);
+}, { needs: "eyes" });
+
 journey("the turntable turns until it is switched off", async (open) => {
   const visitor = await open();
   const { page } = visitor;

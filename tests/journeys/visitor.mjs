@@ -158,6 +158,61 @@ export class Visitor {
     });
   }
 
+  /**
+   * Where in the window a landmark is; it is selected for that, and let go of again.
+   *
+   * @param {number} landmark
+   */
+  async landmarkPlace(landmark) {
+    await this.findLandmark(String(landmark));
+    const place = await this.tagged();
+    await this.page.focus("#viewport");
+    await this.page.keyboard.press("Escape");
+    return place;
+  }
+
+  /**
+   * A place of the window in the pixels of {@link view}.
+   *
+   * @param {{ x: number, y: number }} place
+   */
+  async onView({ x, y }) {
+    const box = await this.page.locator("#viewport").boundingBox();
+    const ratio = await this.page.evaluate(() => devicePixelRatio);
+    return { x: (x - box.x) * ratio, y: (y - box.y) * ratio };
+  }
+
+  /**
+   * Goes over the 3D view in so many rows and columns and, wherever something lights up, drags from there. Tells how many
+   * places lit up, and those from which a drag did not move what was lit.
+   *
+   * @param {number} side
+   */
+  async takeAtEach(side) {
+    const { page } = this;
+    const view = await page.locator("#viewport").boundingBox();
+    const turned = [];
+    let lit = 0;
+    for (let place = 0; place < side * side; place++) {
+      const x = view.x + (view.width * ((place % side) + 0.43)) / side;
+      const y = view.y + (view.height * (Math.floor(place / side) + 0.57)) / side;
+      const isStage = await page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.id === "viewport", [x, y]);
+      if (!isStage) continue;
+      await page.mouse.move(x, y);
+      const isLit = (await this.cursor()) === "move";
+      const name = await page.evaluate(() => document.getElementById("landmark-tag").textContent);
+      if (!isLit) continue;
+      lit += 1;
+      await page.mouse.down();
+      await page.mouse.move(x + 14, y + 14, { steps: 2 });
+      await page.mouse.up();
+      const [entry] = await this.history();
+      if (entry !== name) turned.push({ x, y, name, entry });
+      if (entry !== undefined) await page.keyboard.press("Control+z");
+    }
+    return { lit, turned };
+  }
+
   /** A place of the window where the 3D view shows no face. */
   async besideTheFace() {
     const view = await this.page.locator("#viewport").boundingBox();

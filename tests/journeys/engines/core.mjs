@@ -102,8 +102,8 @@ async function tagged(driver) {
   return driver.evaluate(`
     for (let frame = 0; frame < 3; frame++) await new Promise(requestAnimationFrame);
     const stage = document.querySelector("#stage").getBoundingClientRect();
-    const [x = 0, y = 0] = document.querySelector("#landmark-tag").style.translate.split(" ").map(Number.parseFloat);
-    return { x: stage.left + x - 14, y: stage.top + y - 12 };`);
+    const [x = 0, y = 0] = document.querySelector("#landmark-tag").dataset.place.split(" ").map(Number.parseFloat);
+    return { x: stage.left + x, y: stage.top + y };`);
 }
 
 /** @param {Driver} driver @param {Hand} hand */

@@ -41,17 +41,27 @@ export function setUpLight(bench) {
   });
   const onPhoto = byId("light-photo", HTMLInputElement);
   onPhoto.addEventListener("change", () => bench.act((studio) => studio.setPhotoLit(onPhoto.checked)));
+  // What the face is painted with is no change of the document.
+  for (const choice of [byId("shading", HTMLDivElement), onPhoto]) choice.addEventListener("change", () => bench.read(showLamp));
   bench.onChange((state) => {
-    const { light, lightColour, photoLit } = state;
-    const isPhoto = state.chosen("shading") === "picture";
-    onPhoto.checked = photoLit;
-    byId("light-photo-field", HTMLLabelElement).hidden = !isPhoto;
-    // A photo has its own light, of which nothing can be moved.
-    byId("lamp", HTMLFieldSetElement).disabled = isPhoto && !photoLit;
+    const { light, lightColour } = state;
+    showLamp(state);
     for (const [place, slider] of sliders.entries()) slider.value = (light[place] ?? 0) * (place < 2 ? 1 : 100);
     colour.value = hex(lightColour);
     showSun(light[0] ?? 0, light[1] ?? 0);
   });
+}
+
+/**
+ * A photo has its own light, of which nothing can be moved.
+ *
+ * @param {import("../viewport/workbench.js").StudioState} state
+ */
+function showLamp(state) {
+  const isPhoto = state.chosen("shading") === "picture";
+  byId("light-photo", HTMLInputElement).checked = state.photoLit;
+  byId("light-photo-field", HTMLLabelElement).hidden = !isPhoto;
+  byId("lamp", HTMLFieldSetElement).disabled = isPhoto && !state.photoLit;
 }
 
 /**

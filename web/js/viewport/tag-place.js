@@ -2,14 +2,15 @@
 
 /** How far a name stands from what it names, and from the stage's edge, in CSS px. */
 const BESIDE_PX = 14;
+const BELOW_PX = 12;
 const MARGIN_PX = 8;
 
 /** The lowest part of a face, as a share of its height, over which no name is written. */
 const CHIN = 0.22;
 
 /**
- * Puts a name beside a point of the face: to its right, or to its left where the stage ends; for what is at the chin below
- * the face or, where the tools are in the way, at its side.
+ * Puts a name below a point of the face and to its right, clear of the gizmo's arms, or to its left where the stage ends; for
+ * what is at the chin below the face or, where the tools are in the way, at its side.
  *
  * @param {HTMLElement} tag
  * @param {{ x: number, y: number }} point CSS px from the stage's top left
@@ -18,13 +19,13 @@ const CHIN = 0.22;
 export function placeTag(tag, point, face) {
   const stage = { width: tag.parentElement?.clientWidth ?? 0, height: floorOf(tag) };
   const { offsetWidth: width, offsetHeight: height } = tag;
-  const isAtChin = point.y + height / 2 > face.bottom - CHIN * (face.bottom - face.top);
+  const isAtChin = point.y + BELOW_PX + height > face.bottom - CHIN * (face.bottom - face.top);
   const isRoomBelow = face.bottom + MARGIN_PX + height < stage.height;
   const x = isAtChin && !isRoomBelow ? Math.max(point.x, face.right) : point.x;
-  const y = isAtChin && isRoomBelow ? face.bottom + MARGIN_PX + height / 2 : point.y;
+  const y = isAtChin && isRoomBelow ? face.bottom + MARGIN_PX : point.y + BELOW_PX;
   const isRoomRight = x + BESIDE_PX + width + MARGIN_PX <= stage.width;
   const left = isRoomRight ? x + BESIDE_PX : Math.min(x - BESIDE_PX, stage.width - MARGIN_PX) - width;
-  const top = within(y - height / 2, MARGIN_PX, stage.height - height - MARGIN_PX);
+  const top = within(y, MARGIN_PX, stage.height - height - MARGIN_PX);
   tag.style.translate = `${Math.round(Math.max(MARGIN_PX, left))}px ${Math.round(top)}px`;
 }
 

@@ -75,6 +75,6 @@ async fn lists_of_the_wrong_length_are_refused() {
     screen.show(&sheet.input());
     let refused = screen.viewport.set_positions(&sheet.positions[1..]);
     assert_eq!(refused, Err(ViewportError::LengthMismatch { what: "positions", expected: 9, found: 8 }));
-    let refused = screen.viewport.set_fields([None, Some(&[0.0; 3])]);
+    let refused = screen.viewport.set_fields([None, Some(&[0.0; 3])], None);
     assert_eq!(refused, Err(ViewportError::LengthMismatch { what: "responses", expected: 9, found: 3 }));
 }

@@ -1,8 +1,8 @@
 use glam::DVec3;
-use rosto_stage::{Light, RenderSettings, ShadingMode};
+use rosto_stage::{Light, RenderSettings, Rim, ShadingMode};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-use crate::support::{Sheet, dome, largest_difference, picture, plain, screen};
+use crate::support::{SIDE_PX, Sheet, dome, largest_difference, picture, plain, screen};
 
 fn shaded() -> RenderSettings {
     RenderSettings { shading: ShadingMode::Clay, light: Light::default(), ..plain() }
@@ -22,7 +22,7 @@ async fn following_two_handles_looks_as_if_the_mesh_had_been_uploaded() {
     let rest = picture(&mut screen, shaded()).await;
     let (left, right) = (bump(&sheet, -0.4, 0.2), bump(&sheet, 0.5, -0.1));
     let offsets = [DVec3::new(0.2, 0.1, 0.5), DVec3::new(-0.2, 0.1, 0.4)];
-    screen.viewport.set_fields([Some(&left), Some(&right)]).unwrap();
+    screen.viewport.set_fields([Some(&left), Some(&right)], None).unwrap();
     screen.stage.set_offsets_m(offsets);
     let followed = picture(&mut screen, shaded()).await;
     let moved: Vec<DVec3> = sheet
@@ -54,11 +54,50 @@ async fn before_shows_the_shape_as_it_was() {
 }
 
 #[wasm_bindgen_test]
+async fn a_wipe_shows_the_shape_before_on_its_left_and_the_one_now_on_its_right() {
+    let sheet = dome();
+    let mut screen = screen().await;
+    screen.show(&sheet.input());
+    let moved: Vec<DVec3> = sheet.positions.iter().map(|p| *p + DVec3::Z * p.x * 0.4).collect();
+    screen.viewport.set_positions(&moved).unwrap();
+    let now = picture(&mut screen, shaded()).await;
+    let before = picture(&mut screen, RenderSettings { before: 1.0, ..shaded() }).await;
+    for share in [0.0, 0.3, 0.5, 1.0] {
+        let both = picture(&mut screen, RenderSettings { wipe: Some(share), ..shaded() }).await;
+        let edge = (share * f64::from(SIDE_PX)).round() as u32;
+        for (x, y) in (0..SIDE_PX).flat_map(|y| (0..SIDE_PX).map(move |x| (x, y))) {
+            let expected = if x < edge { before.pixel(x, y) } else { now.pixel(x, y) };
+            assert_eq!(both.pixel(x, y), expected, "at {x}, {y} of a wipe at {share}");
+        }
+    }
+}
+
+#[wasm_bindgen_test]
+async fn the_rim_is_a_line_where_the_reach_is_1() {
+    let sheet = Sheet::new(16, |_, _| 0.0);
+    let mut screen = screen().await;
+    screen.show(&sheet.input());
+    let reach: Vec<f64> = sheet.positions.iter().map(|p| p.truncate().length() / 0.5).collect();
+    screen.viewport.set_fields([None, None], Some(&reach)).unwrap();
+    let without = picture(&mut screen, shaded()).await;
+    let with = picture(&mut screen, RenderSettings { rim: Rim::Shown, ..shaded() }).await;
+    let differs = |x: u32, y: u32| with.pixel(x, y) != without.pixel(x, y);
+    let m_per_px = screen.stage.camera().m_per_px_at_distance(screen.stage.camera().eye_m().z);
+    let middle = f64::from(SIDE_PX) / 2.0;
+    for (x, y) in (0..SIDE_PX).flat_map(|y| (0..SIDE_PX).map(move |x| (x, y))) {
+        let away_m = ((f64::from(x) + 0.5 - middle).hypot(f64::from(y) + 0.5 - middle)) * m_per_px;
+        let off_px = (away_m - 0.5).abs() / m_per_px;
+        assert!(off_px < 4.0 || !differs(x, y), "{off_px} px from the rim at {x}, {y}");
+        assert!(off_px > 0.4 || differs(x, y), "{off_px} px from the rim at {x}, {y}");
+    }
+}
+
+#[wasm_bindgen_test]
 async fn the_response_glows_where_the_mesh_follows() {
     let sheet = dome();
     let mut screen = screen().await;
     screen.show(&sheet.input());
-    screen.viewport.set_fields([Some(&bump(&sheet, -0.5, 0.0)), None]).unwrap();
+    screen.viewport.set_fields([Some(&bump(&sheet, -0.5, 0.0)), None], None).unwrap();
     let seen = picture(&mut screen, RenderSettings { shading: ShadingMode::Response, ..plain() }).await;
     let redness = |x: u32| i32::from(seen.pixel(x, 120)[0]) - i32::from(seen.pixel(x, 120)[2]);
     assert!(redness(75) > redness(190) + 60, "{} and {}", redness(75), redness(190));
