@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { journey } from "./journey.mjs";
-import { asJpeg, twice } from "./pictures.mjs";
+import { asJpeg, sixTimes, twice } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 journey("each face of a group keeps its own edits: going to the other one and back loses nothing", async (open) => {
@@ -162,6 +162,25 @@ journey("a module that is started again brings the face back among its group", a
   await page.waitForSelector("#notice[data-code='restarted']");
   await choose(visitor, 0);
   assert.deepEqual(await standing(visitor), first);
+});
+
+journey("more faces than a phone is wide are reached by a swipe, and the one that is chosen is in sight", async (open) => {
+  const visitor = await open({ viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true });
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.drop(await sixTimes(page, await readFile(SAMPLE)), "group.png");
+  await page.waitForSelector("#face-choice:not([hidden])");
+  await visitor.untilFace();
+  const strip = await page.locator("#faces").boundingBox();
+  assert.ok(strip.x >= 0 && strip.x + strip.width <= 360, JSON.stringify(strip));
+  const last = page.locator("#face-options canvas").nth(5);
+  assert.ok((await last.boundingBox()).x > 360, "all fit: nothing is looked at here");
+  await page.locator("#face-options input").nth(5).focus();
+  await page.locator("#face-options input").nth(5).press("Space");
+  await untilNamed(visitor, "group-6");
+  const { x, width } = await last.boundingBox();
+  assert.ok(x > strip.x && x + width < strip.x + strip.width, "the chosen face is out of sight");
+  assert.equal(await page.evaluate("scrollX + document.getElementById('stage').scrollLeft"), 0);
 });
 
 for (const { width, height } of [{ width: 390, height: 844 }, { width: 844, height: 390 }, { width: 720, height: 450 }]) {

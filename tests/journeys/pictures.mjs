@@ -49,7 +49,7 @@ export function enormousPng() {
  * @param {{ width: number, height: number }} [size] px
  */
 export function asJpeg(page, png, size) {
-  return redraw(page, png, { type: "image/jpeg", copies: 1, size, part: size && UPPER_PART });
+  return redraw(page, png, { type: "image/jpeg", size, part: size && UPPER_PART });
 }
 
 /**
@@ -59,21 +59,32 @@ export function asJpeg(page, png, size) {
  * @param {Uint8Array} png
  */
 export function twice(page, png) {
-  return redraw(page, png, { type: "image/png", copies: 2, part: FACE_IN_PORTRAIT });
+  return redraw(page, png, { type: "image/png", columns: 2, part: FACE_IN_PORTRAIT });
+}
+
+/**
+ * Six times the same face, in two rows.
+ *
+ * @param {import("playwright-core").Page} page
+ * @param {Uint8Array} png
+ */
+export function sixTimes(page, png) {
+  return redraw(page, png, { type: "image/png", columns: 3, rows: 2, part: FACE_IN_PORTRAIT });
 }
 
 async function redraw(page, png, how) {
   const base64 = await page.evaluate(
-    async ({ base64, type, copies, size, part }) => {
+    async ({ base64, type, columns = 1, rows = 1, size, part }) => {
       const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
       const picture = await createImageBitmap(new Blob([bytes]));
       const from = part ?? { x: 0, y: 0, width: picture.width, height: picture.height };
-      const { width, height } = size ?? { width: copies * from.width, height: from.height };
+      const { width, height } = size ?? { width: columns * from.width, height: rows * from.height };
       const canvas = new OffscreenCanvas(width, height);
       const context = canvas.getContext("2d");
-      for (let copy = 0; copy < copies; copy++) {
-        const left = (copy * width) / copies;
-        context.drawImage(picture, from.x, from.y, from.width, from.height, left, 0, width / copies, height);
+      const copy = { width: width / columns, height: height / rows };
+      for (let at = 0; at < columns * rows; at++) {
+        const place = { left: (at % columns) * copy.width, top: Math.floor(at / columns) * copy.height };
+        context.drawImage(picture, from.x, from.y, from.width, from.height, place.left, place.top, copy.width, copy.height);
       }
       const blob = await canvas.convertToBlob({ type, quality: 0.9 });
       let letters = "";

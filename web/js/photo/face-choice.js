@@ -51,7 +51,10 @@ export class FaceChoice {
   /** @param {OpenedFace | undefined} shown is the one that is chosen, whatever was pressed meanwhile */
   mark(shown) {
     this.#shown = shown;
-    for (const [index, input] of this.#inputs().entries()) input.checked = this.#faces[index] === shown;
+    for (const [index, input] of this.#inputs().entries()) {
+      input.checked = this.#faces[index] === shown;
+      if (input.checked) input.scrollIntoView({ block: "nearest", inline: "nearest" });
+    }
   }
 
   /** @param {OpenedFace[]} faces */
