@@ -12,15 +12,16 @@ import { Visitor } from "./visitor.mjs";
 
 const WINDOW = { width: 1280, height: 800 };
 const PER_ROW = 3;
-/** About half of the way that a face takes from the photo into depth, by the clock of the frames. */
-const HALF_WAY_MS = 260;
+/** When a face that has come is turned furthest, before it turns back, by the clock of the frames. */
+const TURNED_MS = 1400;
+const STEP_MS = 100;
 
 /** What is done, and where the pointer is at its end. @type {[string, (visitor: Visitor) => Promise<Place | void>][]} */
 const FRAMES = [
   ["Open the page. Nothing is asked for, nothing to install.", (visitor) => visitor.untilLoaded()],
   ["Drop a photo. It is read here, on the device.", (visitor) => state("working").enter(visitor)],
-  ["The photo lifts into a mesh …", seeItArrive],
-  ["… and the page says where to begin.", seeItThere],
+  ["The photo lifts into a mesh, which turns a little …", seeItArrive],
+  ["… and back. A dot says where to begin.", seeItThere],
   ["Drag the nose: what is around it follows.", dragNose],
   ["Let go, and drag beside the face to turn it.", turn],
   ["Or move a ready-made slider.", slide],
@@ -59,12 +60,15 @@ function state(id) {
   return found;
 }
 
-/** A picture takes longer than the arrival, whose frames wait for it half-way. @param {Visitor} visitor */
+/** A picture takes longer than the arrival, whose frames wait for it: they come one by one. @param {Visitor} visitor */
 async function seeItArrive(visitor) {
-  await visitor.page.evaluate((ms) => window["holdFramesAfter"](ms), HALF_WAY_MS);
+  const hold = (/** @type {number} */ ms) => visitor.page.evaluate((ms) => window["holdFramesAfter"](ms), ms);
+  await hold(0);
   await state("working").leave?.(visitor);
-  await visitor.page.waitForFunction(() => window["framesWait"]());
-  await visitor.frames(2);
+  for (let ms = 0; ms <= TURNED_MS; ms += STEP_MS) {
+    await hold(ms);
+    await visitor.frames(3);
+  }
 }
 
 /** Runs in the page before its own scripts: once asked, the frames' time stands still so long after a face has come. */
@@ -83,7 +87,6 @@ function holdFrames() {
   window["holdFramesAfter"] = (ms) => {
     most_ms = ms;
   };
-  window["framesWait"] = () => late_ms > 0;
 }
 
 /** @param {Visitor} visitor */
@@ -97,7 +100,7 @@ async function seeItThere(visitor) {
 async function dragNose(visitor) {
   const nose = await findNose(visitor);
   const hand = await Hand.of(visitor);
-  const to = { x: nose.x + 18, y: nose.y - 34 };
+  const to = { x: nose.x, y: nose.y - 26 };
   await hand.press(nose);
   await hand.move(nose, to);
   await visitor.frames(3);
