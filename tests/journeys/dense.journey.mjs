@@ -115,6 +115,7 @@ journey("edits of points come back from a GLB, and stay where they are when eyes
 
   await page.selectOption("#triangulation", "tessellation", { force: true });
   await visitor.frames(3);
+  await visitor.reach("#mirror");
   assert.ok(await page.isDisabled("#mirror"));
   assert.ok(await page.isVisible("#mirror-help"));
   const opened = await visitor.meshJson("mm");

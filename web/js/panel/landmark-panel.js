@@ -22,6 +22,8 @@ export class LandmarkPanel {
   #kept_mm = [0, 0, 0];
   /** @type {number | undefined} */
   #selected;
+  /** What was sought in vain. @type {string | undefined} */
+  #missed;
   #selectable = 0;
   #landmarkIds;
   #bench;
@@ -37,6 +39,11 @@ export class LandmarkPanel {
     this.#search.addEventListener("focus", () => this.#search.select());
     this.#search.addEventListener("change", () => this.#find(this.#search.value));
     this.#search.addEventListener("input", () => bench.read((state) => this.#explain(state)));
+    this.#search.addEventListener("keydown", ({ key }) => {
+      // What was sought in vain and is typed once more is no change.
+      const isAgain = this.#search.value.trim() === this.#missed && !this.#isWrong;
+      if (key === "Enter" && isAgain) this.#find(this.#search.value);
+    });
     bench.onChange((state) => this.#show(state));
     bench.onTick((tick) => this.#follow(tick));
     inEveryLanguage(() => this.#listNames());
@@ -86,10 +93,21 @@ export class LandmarkPanel {
       this.#search.value = this.#selectionName();
       return;
     }
+    this.#missed = text;
+    this.#sayMissing(text);
+    announce(this.#help.textContent ?? "");
+  }
+
+  /** @param {string} text */
+  #sayMissing(text) {
     this.#search.setAttribute("aria-invalid", "true");
     this.#help.classList.add("field-error");
     this.#help.textContent = say(/^\d+$/.test(text) ? "point.unknown" : "landmark.unknown", { text });
-    announce(this.#help.textContent);
+  }
+
+  /** Whether the field says that what is in it was not found. */
+  get #isWrong() {
+    return this.#search.hasAttribute("aria-invalid");
   }
 
   /** What may help, or why what is selected cannot be moved. @param {StudioState} state */
@@ -112,11 +130,13 @@ export class LandmarkPanel {
   #show(state) {
     byId("landmark-sliders", HTMLFieldSetElement).disabled = state.selected === undefined || state.refusal !== undefined;
     // What is wrong with a name stays said until another is typed or something is selected.
-    if (document.activeElement !== this.#search || state.selected !== this.#selected) this.#explain(state);
+    const staysWrong = this.#isWrong && document.activeElement === this.#search && state.selected === this.#selected;
+    if (staysWrong) this.#sayMissing(this.#missed ?? "");
+    else this.#explain(state);
     this.#selected = state.selected;
     this.#selectable = state.selectable;
     this.#kept_mm = [state.keptXMm, state.keptYMm, state.keptZMm];
-    if (!this.#search.hasAttribute("aria-invalid")) this.#search.value = this.#selectionName();
+    if (!this.#isWrong) this.#search.value = this.#selectionName();
     this.#showAnchors([...state.anchors], state.selected !== undefined);
   }
 
