@@ -5,15 +5,13 @@ import { chinFindings } from "./chin.mjs";
 import { journey } from "./journey.mjs";
 import { STATES, withHeldWork, wrongWith } from "./states.mjs";
 
-const SEEN = ["empty", "working", "arrived", "selected", "view", "export", "downloaded", "notice", "keys", "group", "returning"];
-
 for (const { id, options } of AUDIENCES) {
   journey(`in a window of ${id.replace("x", " × ")} nothing overlaps, is cut or covered, in either language`, async (open) => {
     const visitor = await open({ ...options, colorScheme: "light", before: withHeldWork });
     /** Each finding with the state in which it was first seen. @type {Map<string, string>} */
     const found = new Map();
     const tell = (what, where) => found.set(what, found.get(what) ?? where);
-    for (const state of STATES.filter((state) => SEEN.includes(state.id))) {
+    for (const state of STATES) {
       await state.enter(visitor);
       for (const language of ["en", "pt"]) {
         await speak(visitor, language);
