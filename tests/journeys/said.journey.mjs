@@ -25,7 +25,9 @@ for (const { width, height } of [{ width: 1280, height: 720 }, { width: 390, hei
 
 /** Runs in the page: whatever a screen reader would say. */
 function hearAll() {
-  const heard = (globalThis["heard"] = []);
+  /** @type {string[]} */
+  const heard = [];
+  globalThis["heard"] = heard;
   for (const region of document.querySelectorAll("[role=status], [role=alert], [aria-live]")) {
     new MutationObserver(() => region.textContent.trim() && heard.push(region.textContent.trim())).observe(region, { childList: true });
   }

@@ -1,7 +1,7 @@
 import { byId } from "./dom.js";
 
 /**
- * Takes away what the panel still holds of the face before: what was being typed, and how far its lists were scrolled.
+ * Takes away what the panel still holds of the face before: what was being typed, the tab, and how far it was scrolled.
  *
  * @param {boolean} staysHere whether the visitor goes on where they are: another face of the same visit was chosen
  */
@@ -11,10 +11,8 @@ export function freshen(staysHere) {
   for (const field of panel.querySelectorAll("input[data-typing]")) field.removeAttribute("data-typing");
   const share = byId("symmetrise-share", HTMLInputElement);
   share.value = share.defaultValue;
-  byId("history", HTMLOListElement).scrollTop = 0;
-  if (staysHere) return;
-  panel.querySelector("[role=tab]")?.dispatchEvent(new MouseEvent("click"));
-  byId("sections", HTMLDivElement).scrollTop = 0;
+  // A tab that is chosen begins at its top.
+  if (!staysHere) byId("tab-shape", HTMLButtonElement).click();
 }
 
 /**
