@@ -153,6 +153,8 @@ export class Opening {
     const opened = await bench;
     if (opened && !(await openPicture(opened, face, isWanted))) return false;
     if (!isWanted()) return false;
+    // An edit in progress is one, too.
+    opened?.act((studio) => studio.commit());
     keeper.finish();
     opened?.attempt((studio) => {
       const { landmarks, width_px, height_px, colours } = face;

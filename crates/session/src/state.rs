@@ -42,6 +42,8 @@ pub struct FaceState {
     pub lies_in_plane: bool,
     /// Whether it does so now.
     pub leaves_plane: bool,
+    /// Whether a ready-made slider is in hand, and not what is selected.
+    pub is_sliding: bool,
     /// Why what is selected cannot be moved, if it cannot.
     pub refusal: Option<StudioError>,
     /// Vertices that stay while what is selected moves.
@@ -106,6 +108,7 @@ impl OpenFace {
             can_mirror: self.can_mirror(),
             lies_in_plane: self.lies_in_plane(choices),
             leaves_plane: self.leaves_plane(),
+            is_sliding: self.slider().is_some(),
             refusal: self.refusal().cloned(),
             anchors: self.document().anchors().to_vec(),
             kept_mm: self.kept_mm(),

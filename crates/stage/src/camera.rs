@@ -119,6 +119,11 @@ impl Camera {
         self.clear_goal = Clear { middle, size };
     }
 
+    /// Fits what is framed into what nothing lies over at once, without a glide.
+    pub fn settle_clear(&mut self) {
+        self.clear = self.clear_goal;
+    }
+
     /// Has what is framed in the middle of the whole picture, as large as it is.
     pub fn centre(&mut self) {
         (self.clear.middle, self.clear_goal.middle) = (Clear::ALL.middle, Clear::ALL.middle);

@@ -125,6 +125,17 @@ impl Stage {
         }
     }
 
+    /// So many px at the picture's top, right, bottom and left have something lying over them ([`Camera::set_covered`]). A mesh
+    /// that is just arriving does so in what is left; any other glides there.
+    pub fn set_covered(&mut self, covered_px: [f64; 4]) {
+        let is_arriving = self.is_arriving();
+        let camera = self.camera_mut();
+        camera.set_covered(covered_px);
+        if is_arriving {
+            camera.settle_clear();
+        }
+    }
+
     /// Without what tells of tools: no marks, gizmo, plane, rim or glow, and what is framed in the middle.
     pub fn without_tools(&self) -> Self {
         let mut bare = self.clone();

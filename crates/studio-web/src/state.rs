@@ -33,6 +33,9 @@ pub struct StudioState {
     /// Whether it does so now.
     #[wasm_bindgen(readonly, js_name = leavesPlane)]
     pub leaves_plane: bool,
+    /// Whether a ready-made slider is in hand, and not what is selected.
+    #[wasm_bindgen(readonly, js_name = isSliding)]
+    pub is_sliding: bool,
     /// Whether all that is selected is pinned.
     #[wasm_bindgen(readonly)]
     pub pinned: bool,
@@ -135,6 +138,7 @@ impl StudioState {
             },
             selected_in_plane: is(|face| face.lies_in_plane),
             leaves_plane: is(|face| face.leaves_plane),
+            is_sliding: is(|face| face.is_sliding),
             pinned: is(|face| face.is_pinned),
             can_mirror: face.is_none_or(|face| face.can_mirror),
             refusal: face.and_then(|face| face.refusal.as_ref()).map(RefusalName::from),

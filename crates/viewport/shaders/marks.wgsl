@@ -102,11 +102,16 @@ fn mark_colour(kind: u32) -> vec3f {
     }
 }
 
+// What has a colour of its own lies on skin, in whichever theme.
+fn halo_colour(kind: u32) -> vec3f {
+    return select(vec3f(1.0), frame.halo.rgb, kind == SQUARE || kind == PIN);
+}
+
 @fragment
 fn fragment(corner: Corner) -> @location(0) vec4f {
     let distance_px = outline(corner.place_px, corner.kind) * frame.pixel_ratio;
     let body = coverage(distance_px);
     let halo = coverage(distance_px - 1.25 * frame.pixel_ratio) * 0.85;
     let colour = premultiplied(mark_colour(corner.kind), body);
-    return (colour + premultiplied(frame.halo.rgb, halo) * (1.0 - body)) * alpha * corner.strength;
+    return (colour + premultiplied(halo_colour(corner.kind), halo) * (1.0 - body)) * alpha * corner.strength;
 }

@@ -75,7 +75,7 @@ fn lines_on(corner: Corner, reach_per_px: f32, x_per_px: f32) -> vec4f {
     let rim = frame.rim * line_along(away, reach_per_px, 2.0);
     let plane = 0.8 * frame.mirror_plane * line_along(corner.model_m.x, x_per_px, 1.0);
     let line = max(rim, plane);
-    return vec4f(mix(frame.halo.rgb, frame.accent.rgb, line), max(line, halo));
+    return vec4f(mix(vec3f(1.0), frame.accent.rgb, line), max(line, halo));
 }
 
 @fragment

@@ -65,15 +65,18 @@ function setUpButton(hold, wipe) {
 /** @param {Workbench} bench */
 function setUpWipe(bench) {
   const edge = byId("wipe", HTMLInputElement);
+  const words = byId("wipe-words", HTMLParagraphElement);
   const button = byId("compare", HTMLButtonElement);
   const apply = () => {
     const width = edge.clientWidth;
     const share = (THUMB_PX / 2 + edge.valueAsNumber * (width - THUMB_PX)) / width;
+    words.style.setProperty("--wipe", `${100 * share}%`);
     bench.act((studio) => studio.setWipe(edge.hidden ? undefined : share));
   };
   const show = (/** @type {boolean} */ shown) => {
     if (edge.hidden !== shown) return;
     edge.hidden = !shown;
+    words.hidden = !shown;
     document.body.toggleAttribute("data-comparing", shown);
     button.setAttribute("aria-pressed", String(shown));
     if (shown) edge.value = "0.5";

@@ -56,8 +56,9 @@ export class LandmarkMarks {
   }
 
   /** @param {StudioState} state */
-  #follow({ selected, radiusMm, leavesPlane, refusal }) {
-    this.#selected = selected;
+  #follow({ selected, isSliding, radiusMm, leavesPlane, refusal }) {
+    // A ready-made slider moves something else.
+    this.#selected = isSliding ? undefined : selected;
     this.#radius_mm = radiusMm;
     this.#leavesPlane = leavesPlane;
     this.#refusal = refusal;
