@@ -9,7 +9,7 @@ const DENSEST = 28_881;
 const LANDMARKS = 468;
 
 /** What the page does unless told otherwise, in the command line's words. */
-const AS_THE_PAGE = "--units mm --topology canonical --operator cotangent --hold exact --anchors oval --mirror".split(" ");
+const AS_THE_PAGE = "--units mm --topology canonical --operator cotangent --hold exact --anchors oval --radius 25 --mirror".split(" ");
 
 /** A face at a density, with any of its points to be taken. */
 async function arriveAtPoints(open, density) {

@@ -60,7 +60,7 @@ journey("details that turn with the surface follow every tick, and make the comm
   const moving = await visitor.view();
   assert.ok(difference(before, moving) > 0.002, "the picture did not change while the number was typed");
   await visitor.page.press("#landmark-sliders [data-axis='z'] input[type=number]", "Tab");
-  const options = "--units mm --topology canonical --operator cotangent --hold exact --anchors oval --mirror --turn-details";
+  const options = "--units mm --topology canonical --operator cotangent --hold exact --anchors oval --radius 25 --mirror --turn-details";
   const turned = await meshByCommandLine(SAMPLE, [...options.split(" "), "--edit", "61:0,0,14"]);
   assertSameMesh(await visitor.meshJson("mm"), turned);
   const kept = await meshByCommandLine(SAMPLE, [...options.split(" ").slice(0, -1), "--edit", "61:0,0,14"]);
@@ -80,6 +80,7 @@ journey("light, paint and camera change the picture, and the view resets", async
   const visitor = await open();
   await visitor.dropSample();
   await visitor.unfold("section-view");
+  await visitor.page.check("#light-photo");
   const first = await visitor.view();
   await visitor.page.locator("#light-sliders input[type=number]").first().fill("80");
   const lit = await visitor.view();

@@ -9,8 +9,8 @@ import { faceless, text, twice } from "../pictures.mjs";
  * @typedef {import("./eyes.mjs").Seen} Seen
  */
 
-/** Longer than the page waits before it takes a resting finger for a long press. */
-const LONG_PRESS_MS = 520;
+/** A finger that rests for a while. */
+const REST_MS = 520;
 
 /** A file is opened within this time, or the visitor goes on. */
 const OPENING_MS = 30_000;
@@ -136,7 +136,7 @@ export class Hands {
     let mouse = Promise.resolve();
     for (const move of moves) {
       if (!MOUSE.has(move.type)) await mouse;
-      if (move.type === "pause") await new Promise((resolve) => setTimeout(resolve, LONG_PRESS_MS));
+      if (move.type === "pause") await new Promise((resolve) => setTimeout(resolve, REST_MS));
       else if (move.type === "key") await this.page.keyboard.press(move.key);
       else if (move.type === "cancel") await this.#cancel();
       else if (move.type === "fingers") await this.#fingers(move.places.map(at));
