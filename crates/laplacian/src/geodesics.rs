@@ -15,7 +15,7 @@ const MIN_STORAGE: f64 = 1e-6;
 ///
 /// A spot of heat is left to spread for as long as it takes to cross an edge; distance is the function whose gradient is
 /// nearest to the unit field that runs down that heat. Approximate: it runs through triangles, not only along edges, is
-/// smooth, and is a few per cent off where triangles are coarse or uneven.
+/// smooth, and is a few per cent off where triangles are coarse or uneven, but never shorter than a straight line.
 pub struct Geodesics {
     triangles: Vec<[u32; 3]>,
     /// Brought to about unit size by `scale`, so that no square overflows.
@@ -66,6 +66,7 @@ impl Geodesics {
         let mut distance = self.divergence_of_descent(&heat);
         self.poisson.solve(&mut distance);
         self.measure_from(sources, &mut distance);
+        self.stretch_to_straight_lines(sources, &mut distance);
         Ok(distance)
     }
 
@@ -101,6 +102,17 @@ impl Geodesics {
             *value = if zero.is_finite() { (*value - zero).max(0.0) / self.scale } else { f64::INFINITY };
         }
         sources.iter().for_each(|&source| distance[source as usize] = 0.0);
+    }
+
+    /// No way along a surface is shorter than the straight one, however coarse its triangles are.
+    fn stretch_to_straight_lines(&self, sources: &[u32], distance: &mut [f64]) {
+        for (value, position) in distance.iter_mut().zip(&self.positions) {
+            let squared = |&source: &u32| self.positions[source as usize].distance_squared(*position);
+            let straight = sources.iter().map(squared).fold(f64::INFINITY, f64::min).sqrt() / self.scale;
+            if straight.is_finite() {
+                *value = value.max(straight);
+            }
+        }
     }
 }
 

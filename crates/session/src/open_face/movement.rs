@@ -5,6 +5,9 @@ use super::{MM_PER_M, OpenFace};
 use crate::Choices;
 use crate::selection::Moving;
 
+/// No hand is followed by less than this share: what is shown of a handle is never rounded off so much.
+const LEAST_SHARE: f64 = 0.25;
+
 /// How far, and how, what is selected has moved and can move.
 impl OpenFace {
     /// Where a slider stands, in mm: the sum of its entries that are in force, and the edit in progress.
@@ -54,13 +57,16 @@ impl OpenFace {
     /// Share of its offset that the vertex selected reaches: 1 is all of it. What moves in the mirror's plane is moved by
     /// both its own offset and the mirrored one.
     pub fn share_reached(&self) -> f64 {
-        match (self.document.spec().map(|spec| spec.settings.constraint), self.selected(), self.document.influence()) {
-            (Some(ConstraintKind::Hard), ..) => 1.0,
-            (Some(_), Some(vertex), Some(influence)) => {
-                let share = |field: &[f64]| field.get(vertex as usize).copied().unwrap_or(0.0);
-                share(&influence.direct) + if self.moves_as_own_image() { share(&influence.mirrored) } else { 0.0 }
-            }
-            _ => 0.0,
-        }
+        let (Some(vertex), Some(influence)) = (self.selected(), self.document.influence()) else { return 0.0 };
+        let share = |field: &[f64]| field.get(vertex as usize).copied().unwrap_or(0.0);
+        share(&influence.direct) + if self.moves_as_own_image() { share(&influence.mirrored) } else { 0.0 }
+    }
+
+    /// The offset that takes the vertex selected, as it is shown, by `way_mm`. Where it is a hard constraint of a coarser mesh,
+    /// the one that is shown rounds it off; a soft one is to give way.
+    pub(crate) fn offset_for(&self, way_mm: DVec3) -> DVec3 {
+        let constraint = self.document.spec().map(|spec| spec.settings.constraint);
+        let share = if constraint == Some(ConstraintKind::Hard) { self.share_reached() } else { 1.0 };
+        way_mm / share.clamp(LEAST_SHARE, 1.0)
     }
 }

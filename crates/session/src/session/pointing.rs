@@ -127,7 +127,7 @@ impl Session {
         if *axis != Some(Axis::X) && offset_mm.x.abs() < sticks_mm && face.lies_in_plane(&self.choices) {
             offset_mm.x = 0.0;
         }
-        (offset_mm, *is_at_end) = drag.within_sliders(offset_mm);
+        (offset_mm, *is_at_end) = drag.within_sliders(face.offset_for(offset_mm));
         let is_held_anew = face.preview(offset_mm, &self.choices)?;
         Ok(if is_held_anew { Changed::Document } else { Changed::Tick })
     }

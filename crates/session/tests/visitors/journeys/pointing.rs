@@ -137,6 +137,24 @@ fn what_lights_up_is_what_a_press_takes_in_every_mode() {
 }
 
 #[test]
+fn on_a_denser_mesh_what_is_shown_of_a_landmark_is_under_the_pointer_all_the_same() {
+    for density in 1..=3 {
+        let mut session = session();
+        act(&mut session, Intent::Density(density));
+        for vertex in [NOSE_TIP, MOUTH_CORNER, 334] {
+            let from = place_px(&session, vertex);
+            act(&mut session, Intent::Press(from, Pointer::Fine));
+            drag(&mut session, from + BY_PX);
+            drag(&mut session, from + BY_PX * 1.5);
+            let off_px = place_px(&session, vertex).distance(from + BY_PX * 1.5);
+            assert!(off_px < 1.0, "{vertex} at {density} is {off_px} px away");
+            act(&mut session, Intent::Cancel);
+            act(&mut session, Intent::Release);
+        }
+    }
+}
+
+#[test]
 fn a_midline_point_is_never_dead_under_the_hand() {
     let mut session = session();
     let from = place_px(&session, NOSE_TIP);
