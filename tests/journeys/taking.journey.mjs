@@ -1,0 +1,131 @@
+import assert from "node:assert/strict";
+import { journey } from "./journey.mjs";
+import { way } from "./meshes.mjs";
+import { accentPixels } from "./pixels.mjs";
+
+const NOSE_TIP = 1;
+const FOREHEAD = 151;
+const NOSE_SIDES = [45, 275];
+/** The middles of the upper and the lower lids, and the lips' inner lines. */
+const EYELIDS = [159, 386, 145, 374];
+const INNER_LIPS = [13, 14, 82, 87, 312, 317];
+
+journey("the nose goes sideways, too, without the mirror, and says so", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  assert.ok(await page.isChecked("#mirror"));
+  const tip = await visitor.landmarkPlace(NOSE_TIP);
+  const start = await visitor.meshJson("mm");
+  await page.mouse.move(tip.x, tip.y);
+  await page.mouse.down();
+  await page.mouse.move(tip.x + 40, tip.y, { steps: 5 });
+  assert.equal(await page.innerText("#landmark-tag"), "nose tip · 1, without the mirror");
+  await page.mouse.up();
+  const [dx, dy, dz] = way(start, await visitor.meshJson("mm"), NOSE_TIP);
+  assert.ok(dx > 5 && Math.hypot(dy, dz) < 0.2 * dx, `it went by ${dx}, ${dy}, ${dz}`);
+  assert.deepEqual(await visitor.history(), ["nose tip · 1"]);
+  await page.click("#toolbar [data-action='undo']");
+  await visitor.drag(tip, { x: 3, y: -40 });
+  const moved = await visitor.meshJson("mm");
+  assert.ok(Math.abs(way(start, moved, NOSE_TIP)[0]) < 1e-9, "a hand that goes up is not quite straight");
+  const [right, left] = NOSE_SIDES.map((wing) => way(start, moved, wing));
+  assert.ok(right[1] > 0.1 && Math.abs(right[0] + left[0]) < 1e-9 && Math.abs(right[1] - left[1]) < 1e-9);
+  await page.click("#toolbar [data-action='undo']");
+  await visitor.drag(tip, { x: 0, y: 0 });
+  assert.deepEqual(await visitor.history(), [], "what moves nothing is no edit");
+  await visitor.offset("x", 6);
+  assert.ok(Math.abs(way(start, await visitor.meshJson("mm"), NOSE_TIP)[0] - 6) < 1e-9, "nor does its slider do nothing");
+});
+
+journey("a drag past a slider's end stops there and says so", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  const tip = await visitor.landmarkPlace(NOSE_TIP);
+  const start = await visitor.meshJson("mm");
+  await page.mouse.move(tip.x, tip.y);
+  await page.mouse.down();
+  await page.mouse.move(tip.x, tip.y - 600, { steps: 12 });
+  assert.equal(await page.innerText("#landmark-tag"), "nose tip · 1, as far as it goes");
+  assert.match(await page.innerText("#said"), /as far as it goes/);
+  await page.mouse.up();
+  const slider = page.locator("#landmark-sliders [data-axis='y'] input[type=number]");
+  assert.equal(await slider.inputValue(), await slider.getAttribute("max"));
+  assert.ok(Math.abs(way(start, await visitor.meshJson("mm"), NOSE_TIP)[1] - Number(await slider.inputValue())) < 1e-9);
+});
+
+journey("an edit is near and shows how far it reaches: pulling the nose leaves teeth and eyelids alone", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  assert.ok(await page.isChecked("#nearby") && (await page.isChecked("input[name='preset'][value='sculpt']")));
+  const start = await visitor.meshJson("mm");
+  await visitor.offset("z", 12);
+  const moved = await visitor.meshJson("mm");
+  assert.ok(Math.abs(way(start, moved, NOSE_TIP)[2] - 12) < 1e-9);
+  for (const vertex of [...EYELIDS, ...INNER_LIPS]) {
+    const way_mm = Math.hypot(...way(start, moved, vertex));
+    assert.ok(way_mm < 0.05, `${vertex} goes along by ${way_mm} mm`);
+  }
+  await page.click("#toolbar [data-action='undo']");
+
+  const tip = await visitor.landmarkPlace(NOSE_TIP);
+  const shots = [];
+  for (const nearby of [true, false]) {
+    await visitor.reach("#nearby");
+    await page.setChecked("#nearby", nearby);
+    await page.mouse.move(tip.x, tip.y);
+    await page.mouse.down();
+    // So far that the edit itself is not to be seen, but its reach is.
+    await page.mouse.move(tip.x, tip.y - 8, { steps: 2 });
+    shots.push(await visitor.view());
+    await page.keyboard.press("Escape");
+    await page.mouse.up();
+  }
+  const [near, whole] = shots;
+  assert.ok(accentPixels(near) > accentPixels(whole) + 60, `${accentPixels(near)} and ${accentPixels(whole)} pixels of the accent`);
+}, { needs: "eyes" });
+
+for (const [mode, least] of /** @type {const} */ ([["landmark", 12], ["region", 12], ["point", 12]])) {
+  journey(`what lights up under the pointer is what a press takes: ${mode}`, async (open) => {
+    const visitor = await open();
+    await visitor.dropSample();
+    await visitor.reach("#selection");
+    await visitor.page.check(`input[name='selection'][value='${mode}']`, { force: true });
+    const { lit, turned } = await visitor.takeAtEach(7);
+    assert.ok(lit >= least, `${lit} places light up`);
+    assert.deepEqual(turned, [], "lit places that a press does not take");
+  });
+}
+
+journey("beside the face, or with another button, the face turns; with Shift it moves", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  const tip = await visitor.landmarkPlace(NOSE_TIP);
+  const brow = await visitor.landmarkPlace(FOREHEAD);
+  const beside = await visitor.besideTheFace();
+  /** How the nose and the forehead go when a stroke is made. */
+  const stroke = async (from, button, shift) => {
+    if (shift) await page.keyboard.down("Shift");
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down({ button });
+    await page.mouse.move(from.x + 60, from.y, { steps: 5 });
+    await page.mouse.up({ button });
+    if (shift) await page.keyboard.up("Shift");
+    const [nose, forehead] = [await visitor.landmarkPlace(NOSE_TIP), await visitor.landmarkPlace(FOREHEAD)];
+    await page.click("#toolbar [data-action='reset-view']");
+    await visitor.frames(3);
+    return [nose.x - tip.x, forehead.x - brow.x];
+  };
+  for (const [from, button] of [[beside, "left"], [tip, "right"], [tip, "middle"]]) {
+    const [nose, forehead] = await stroke(from, button, false);
+    assert.ok(nose > forehead + 4, `${button}: the nose went by ${nose} px, the forehead by ${forehead}`);
+    for (const went of await stroke(from, button, true)) {
+      assert.ok(Math.abs(went - 60) < 8, `${button} with Shift: ${went} px`);
+    }
+  }
+  assert.deepEqual(await visitor.history(), []);
+});
