@@ -26,7 +26,7 @@ export async function writeSheet(browser, file, sheet) {
     const size = await page.evaluate(() => [document.body.offsetWidth, document.body.offsetHeight]);
     await page.setViewportSize({ width: size[0], height: size[1] });
     await mkdir(path.dirname(file), { recursive: true });
-    await writeFile(file, await smallEnough(page, sheet.most_bytes ?? 1_500_000));
+    await writeFile(file, await smallEnough(page, sheet.most_bytes ?? 900_000));
   } finally {
     await page.close();
     await rm(folder, { recursive: true });

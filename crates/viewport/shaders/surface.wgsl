@@ -81,8 +81,8 @@ fn lines_on(corner: Corner, reach_per_px: f32, x_per_px: f32) -> vec4f {
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4f {
     let picture_colour = textureSample(picture, picture_sampler, corner.uv).rgb;
-    let reach_per_px = fwidth(corner.reach);
-    let x_per_px = fwidth(corner.model_m.x);
+    let reach_per_px = length(vec2f(dpdx(corner.reach), dpdy(corner.reach)));
+    let x_per_px = length(vec2f(dpdx(corner.model_m.x), dpdy(corner.model_m.x)));
     let facing = normalize(select(-corner.normal, corner.normal, front));
     let to_eye = normalize(frame.eye_m - corner.model_m);
     let lines = lines_on(corner, reach_per_px, x_per_px);
