@@ -34,8 +34,11 @@ journey("the nose goes sideways, too, without the mirror, and says so", async (o
   await page.click("#toolbar [data-action='undo']");
   await visitor.drag(tip, { x: 0, y: 0 });
   assert.deepEqual(await visitor.history(), [], "what moves nothing is no edit");
-  await visitor.offset("x", 6);
-  assert.ok(Math.abs(way(start, await visitor.meshJson("mm"), NOSE_TIP)[0] - 6) < 1e-9, "nor does its slider do nothing");
+  await visitor.drag(tip, { x: 37, y: 0 });
+  const aside = await visitor.meshJson("mm");
+  await visitor.offset("y", 5);
+  const lifted = way(aside, await visitor.meshJson("mm"), NOSE_TIP);
+  assert.ok(lifted[1] > 3 && Math.hypot(lifted[0], lifted[2]) < 1e-9, `what a slider rounds is no move: ${lifted}`);
 });
 
 journey("a drag past a slider's end stops there and says so", async (open) => {

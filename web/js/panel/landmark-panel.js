@@ -20,6 +20,7 @@ export class LandmarkPanel {
   #help = byId("landmark-help", HTMLParagraphElement);
   #sliders;
   #kept_mm = [0, 0, 0];
+  #step_mm = 0;
   /** @type {number | undefined} */
   #selected;
   /** What was sought in vain. @type {string | undefined} */
@@ -33,6 +34,7 @@ export class LandmarkPanel {
     this.#bench = bench;
     this.#landmarkIds = bench.studio.landmarkIds;
     const { min, max, step, neutral } = bench.studio.offsetRange;
+    this.#step_mm = step;
     this.#sliders = AXES.map((axis) => this.#makeSlider(axis, { min, max, step, neutral }));
     byId("landmark-sliders", HTMLFieldSetElement).append(...this.#sliders.map((slider) => slider.element));
     // What is typed there is another name.
@@ -66,9 +68,15 @@ export class LandmarkPanel {
     });
   }
 
-  /** The sliders show the sum of the edits of what is selected; a new one adds to what is there. */
+  /**
+   * The sliders show the sum of the edits of what is selected; a new one adds to what is there. One that only rounds what is
+   * there has not been moved.
+   */
   #preview() {
-    const [dx_mm = 0, dy_mm = 0, dz_mm = 0] = this.#sliders.map((slider, axis) => slider.value - (this.#kept_mm[axis] ?? 0));
+    const [dx_mm = 0, dy_mm = 0, dz_mm = 0] = this.#sliders.map((slider, axis) => {
+      const by_mm = slider.value - (this.#kept_mm[axis] ?? 0);
+      return Math.abs(by_mm) > this.#step_mm / 2 + 1e-9 ? by_mm : 0;
+    });
     this.#bench.act((studio) => studio.preview(dx_mm, dy_mm, dz_mm));
   }
 
