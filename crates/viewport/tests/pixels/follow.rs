@@ -76,12 +76,14 @@ async fn a_wipe_shows_the_shape_before_on_its_left_and_the_one_now_on_its_right(
     for share in [0.0, 0.3, 0.5, 1.0] {
         let both = picture(&mut screen, RenderSettings { wipe: Some(share), ..shaded() }).await;
         let edge = (share * f64::from(SIDE_PX)).round() as u32;
-        for (x, y) in (0..SIDE_PX).flat_map(|y| (0..SIDE_PX).map(move |x| (x, y))) {
-            let expected = if x < edge { before.pixel(x, y) } else { now.pixel(x, y) };
-            let found = both.pixel(x, y);
-            assert!(is_about(found, expected), "{found:?}, not {expected:?}, at {x}, {y} of a wipe at {share}");
-        }
+        let places = (0..SIDE_PX).flat_map(|y| (0..SIDE_PX).map(move |x| (x, y)));
+        let expected = |x: u32, y: u32| if x < edge { before.pixel(x, y) } else { now.pixel(x, y) };
+        // On the outline, a sample may be covered in one way of drawing and not in the other.
+        let off = places.filter(|&(x, y)| !is_about(both.pixel(x, y), expected(x, y))).count();
+        assert!(off <= 24, "{off} pixels of a wipe at {share} are of the other shape");
     }
+    let apart = before.rgba.iter().zip(&now.rgba).filter(|(one, other)| one.abs_diff(**other) > 8).count();
+    assert!(apart > 4_000, "the shapes look alike: {apart}");
 }
 
 #[wasm_bindgen_test]
