@@ -97,7 +97,7 @@ for (const [mode, least] of /** @type {const} */ ([["landmark", 12], ["region", 
     await visitor.dropSample();
     await visitor.reach("#selection");
     await visitor.page.check(`input[name='selection'][value='${mode}']`, { force: true });
-    const { lit, turned } = await visitor.takeAtEach(7);
+    const { lit, turned } = await visitor.takeAtEach(9);
     assert.ok(lit >= least, `${lit} places light up`);
     assert.deepEqual(turned, [], "lit places that a press does not take");
   });
