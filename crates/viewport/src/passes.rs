@@ -32,16 +32,29 @@ pub(crate) fn record(
     });
     pass.set_bind_group(0, &viewport.frame.bindings, &[]);
     record_backdrop(viewport, stage.render_settings(), &mut pass);
-    if let Some(share) = stage.render_settings().wipe {
-        let [width, height] = attachments.size;
-        let edge = ((share * f64::from(width)).round() as u32).min(width);
-        pass.set_bind_group(0, &viewport.frame_before.bindings, &[]);
-        pass.set_scissor_rect(0, 0, edge, height);
-        record_mesh(viewport, stage, &mut pass);
-        pass.set_bind_group(0, &viewport.frame.bindings, &[]);
-        pass.set_scissor_rect(edge, 0, width - edge, height);
+    match stage.render_settings().wipe {
+        Some(share) => record_both(viewport, stage, share, attachments.size, &mut pass),
+        None => record_mesh(viewport, stage, &mut pass),
     }
-    record_mesh(viewport, stage, &mut pass);
+}
+
+/// The shape before up to a share of the picture's width, and the shape now beyond.
+fn record_both(
+    viewport: &Viewport,
+    stage: &Stage,
+    share: f64,
+    [width, height]: [u32; 2],
+    pass: &mut wgpu::RenderPass<'_>,
+) {
+    let edge = ((share * f64::from(width)).round() as u32).min(width);
+    pass.set_bind_group(0, &viewport.frame_before.bindings, &[]);
+    pass.set_scissor_rect(0, 0, edge, height);
+    record_mesh(viewport, stage, pass);
+    pass.set_bind_group(0, &viewport.frame.bindings, &[]);
+    pass.set_scissor_rect(edge, 0, width - edge, height);
+    record_mesh(viewport, stage, pass);
+    // WebGL2 cuts what it brings to the canvas, too.
+    pass.set_scissor_rect(0, 0, width, height);
 }
 
 fn empty_colour(background: Background) -> wgpu::Color {
