@@ -86,15 +86,17 @@ async function shape(visitor) {
 /** @param {Visitor} visitor */
 async function paper(visitor) {
   await visitor.dropSample();
-  await foldAllBut(visitor, ["section-paper"]);
+  await visitor.unfold("section-paper");
+  await foldAllBut(visitor, ["section-advanced", "section-paper"]);
   await visitor.page.click("[data-action='run-paper']");
   await visitor.page.waitForSelector("#paper-results:not([hidden])", { timeout: 150_000 });
+  await visitor.page.locator("#paper-results").evaluate((results) => results.scrollIntoView());
 }
 
 /** @param {Visitor} visitor */
 async function clay(visitor) {
   await visitor.dropSample();
-  await foldAllBut(visitor, ["section-view"]);
+  await visitor.unfold("section-view");
   await visitor.page.selectOption("#density", "3");
   await visitor.page.check("input[name='shading'][value='clay']", { force: true });
   await visitor.page.focus("#viewport");
