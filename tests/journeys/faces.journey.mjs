@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { journey } from "./journey.mjs";
+import { keptWorks } from "./kept.mjs";
 import { asJpeg, sixTimes, twice } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -33,7 +34,7 @@ journey("each face of a group keeps its own edits: going to the other one and ba
   assert.deepEqual(await standing(visitor), second);
   // Each has one slot, and one of them is the tab's.
   await page.waitForTimeout(800);
-  const kept = await works(visitor);
+  const kept = await keptWorks(page);
   assert.deepEqual(kept.map(({ name, isHeld }) => [name, isHeld]).sort(), [["group", false], ["group-2", true]]);
   assert.match(kept.find(({ name }) => name === "group").edits, /nose-tip/);
 });
@@ -66,6 +67,30 @@ journey("the face before is one press away, with its edits, and so is the one th
     await goBack(visitor, "portrait");
   }
   assert.ok(await page.isHidden("#face-choice"));
+});
+
+journey("photos before the last one are there, too, each with its edits and by its name", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  const bytes = await readFile(SAMPLE);
+  const left = new Map();
+  for (const [place, name] of ["ana", "bia", "clara", "dora", "eva"].entries()) {
+    await visitor.drop(bytes, `${name}.png`);
+    await untilNamed(visitor, name);
+    await edit(visitor, "nose tip", place + 2);
+    left.set(name, await standing(visitor));
+  }
+  const offered = () => page.locator("#earlier-faces button").evaluateAll((buttons) => buttons.map((button) => button.title));
+  assert.deepEqual(await offered(), ["Back to clara", "Back to bia"], "beside dora, who is the face before");
+  await page.click("#earlier-faces button[title='Back to bia']");
+  await untilNamed(visitor, "bia");
+  assert.deepEqual(await standing(visitor), left.get("bia"));
+  assert.deepEqual(await offered(), ["Back to dora", "Back to clara"]);
+  await goBack(visitor, "eva");
+  assert.deepEqual(await standing(visitor), left.get("eva"));
+  // Whom the strip has no room for is in the browser's database all the same.
+  await page.waitForTimeout(800);
+  assert.ok((await keptWorks(page)).some(({ name, edits }) => name === "ana" && edits.includes("nose-tip")));
 });
 
 journey("a group can be gone back to from another photo, each of its faces as it was left", async (open) => {
@@ -135,7 +160,7 @@ journey("work that went back and forth is there after a reload, the face that wa
   await edit(visitor, "nose tip", 3);
   const first = await standing(visitor);
   await page.waitForTimeout(800);
-  assert.equal((await works(visitor)).length, 2);
+  assert.equal((await keptWorks(page)).length, 2);
   await page.reload();
   await page.click("#continue");
   await visitor.untilFace();
@@ -262,25 +287,6 @@ async function standing(visitor) {
 
 function chosen(page) {
   return page.locator("#face-options input").evaluateAll((inputs) => inputs.map(({ checked }) => checked));
-}
-
-/** The works in the browser's database, and whether a tab has them open. */
-function works({ page }) {
-  return page.evaluate(async () => {
-    const answer = (request) => new Promise((resolve) => (request.onsuccess = () => resolve(request.result)));
-    const database = await answer(indexedDB.open("rosto"));
-    const transaction = database.transaction(["faces", "done"]);
-    const [names, faces, done] = await Promise.all([
-      answer(transaction.objectStore("faces").getAllKeys()),
-      answer(transaction.objectStore("faces").getAll()),
-      answer(transaction.objectStore("done").getAll()),
-    ]);
-    const doneKeys = await answer(database.transaction("done").objectStore("done").getAllKeys());
-    database.close();
-    const { held } = await navigator.locks.query();
-    const isHeld = (slot) => held.some(({ name }) => name === `rosto-slot-${slot}`);
-    return names.map((slot, place) => ({ name: faces[place].name, isHeld: isHeld(slot), edits: done[doneKeys.indexOf(slot)]?.edits }));
-  });
 }
 
 /** Runs in the page, as some browsers do in private windows. */

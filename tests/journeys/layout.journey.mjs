@@ -14,7 +14,7 @@ for (const { id, options } of AUDIENCES) {
     for (const state of STATES) {
       await state.enter(visitor);
       for (const language of ["en", "pt"]) {
-        await speak(visitor, language);
+        await visitor.speak(language);
         for (const what of await wrongWith(visitor, state)) tell(what, `${state.id}, ${language}`);
       }
       await state.leave?.(visitor);
@@ -67,15 +67,4 @@ function restyle({ selector, style }) {
   const before = Object.fromEntries(Object.keys(style).map((name) => [name, element.style[name]]));
   Object.assign(element.style, style);
   return before;
-}
-
-/** The page in another language, as by its list of them, which phones hide. */
-async function speak(/** @type {import("./visitor.mjs").Visitor} */ visitor, language) {
-  await visitor.page.evaluate((language) => {
-    const choice = document.getElementById("language");
-    choice.value = language;
-    choice.dispatchEvent(new Event("change"));
-  }, language);
-  await visitor.page.waitForFunction((language) => document.documentElement.lang.startsWith(language), language);
-  await visitor.frames(2);
 }

@@ -93,11 +93,7 @@ for (const [size, panel_px] of [[[1280, 720], 320], [[720, 450], 280]]) {
     await visitor.reach("#mirror");
     await page.locator("#mirror").click();
     for (const language of ["en", "pt"]) {
-      await visitor.page.evaluate((language) => {
-        const choice = document.getElementById("language");
-        choice.value = language;
-        choice.dispatchEvent(new Event("change"));
-      }, language);
+      await visitor.speak(language);
       for (const tab of ["shape", "view", "export"]) {
         await page.click(`#tab-${tab}`);
         const heights = await page.locator(".choice-options span").evaluateAll((all) => all.filter((span) => span.checkVisibility()).map((span) => span.offsetHeight));
@@ -116,11 +112,7 @@ for (const [width, height] of [[1280, 720], [720, 450], [844, 390], [360, 640]])
     const { page } = visitor;
     await visitor.dropSample();
     for (const language of ["en", "pt"]) {
-      await page.evaluate((language) => {
-        const choice = document.getElementById("language");
-        choice.value = language;
-        choice.dispatchEvent(new Event("change"));
-      }, language);
+      await visitor.speak(language);
       for (const dialog of ["keys", "credits"]) {
         await page.evaluate((dialog) => document.querySelector(`[data-action='open-${dialog}']`).click(), dialog);
         const box = await page.locator(`#${dialog}`).boundingBox();

@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { journey } from "./journey.mjs";
+import { keptWorks } from "./kept.mjs";
 import { meanColour } from "./pixels.mjs";
 
 for (const { drawn, needs, module } of [
@@ -107,14 +108,8 @@ journey("another face that is opened while the module starts again leaves the wo
 });
 
 /** The histories that are kept, as JSON. */
-function histories(page) {
-  return page.evaluate(async () => {
-    const answer = (request) => new Promise((resolve) => (request.onsuccess = () => resolve(request.result)));
-    const database = await answer(indexedDB.open("rosto"));
-    const done = await answer(database.transaction("done").objectStore("done").getAll());
-    database.close();
-    return done.map(({ edits }) => edits);
-  });
+async function histories(page) {
+  return (await keptWorks(page)).map(({ edits }) => edits);
 }
 
 /** Two edits on a finer mesh, with other choices and another view; resolves to the mesh before them. */

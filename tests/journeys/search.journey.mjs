@@ -77,11 +77,7 @@ journey("only what nothing is called is an error, which looks like one until som
   assert.deepEqual(await look(), fine);
   await visitor.findLandmark("moustache");
   assert.deepEqual(await look(), wrong, "what is typed once more is not sought");
-  await page.evaluate(() => {
-    const choice = document.getElementById("language");
-    choice.value = "pt";
-    choice.dispatchEvent(new Event("change"));
-  });
+  await visitor.speak("pt");
   assert.match(await page.innerText("#landmark-help"), /Nada aqui se chama “moustache”/);
   await visitor.findLandmark("999");
   assert.match(await page.innerText("#landmark-help"), /999/);

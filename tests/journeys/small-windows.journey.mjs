@@ -20,12 +20,7 @@ for (const { width, height, hasTouch = false } of WINDOWS) {
     for (const state of STATES.filter(({ id }) => SEEN.includes(id))) {
       await state.enter(visitor);
       for (const language of ["en", "pt"]) {
-        await visitor.page.evaluate((language) => {
-          const choice = document.getElementById("language");
-          choice.value = language;
-          choice.dispatchEvent(new Event("change"));
-        }, language);
-        await visitor.frames(2);
+        await visitor.speak(language);
         found.push(...(await wrongWith(visitor, state)).map((finding) => `${finding} (${state.id}, ${language})`));
       }
       await state.leave?.(visitor);

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { journey } from "./journey.mjs";
+import { keptWorks } from "./kept.mjs";
 import { asJpeg, twice } from "./pictures.mjs";
 import { SAMPLE, Visitor } from "./visitor.mjs";
 
@@ -45,7 +46,7 @@ journey("two tabs keep two works: each comes back with its own face and edits", 
   assert.deepEqual(await standing(fourth), others);
   // Opening them again has made no copies, which would drive other works out.
   await fourth.page.waitForTimeout(1000);
-  assert.equal((await slots(fourth)).length, 2);
+  assert.equal((await keptWorks(fourth.page)).length, 2);
   for (const visitor of [second, third, fourth]) visitor.checkNothingBroke();
 });
 
@@ -56,20 +57,20 @@ journey("a tab writes its own slot alone, and a new face does not write over the
   await first.findLandmark("nose tip");
   await first.offset("z", 9);
   await untilKept(first, 1);
-  const [kept] = await slots(first);
+  const [kept] = await keptWorks(first.page);
 
   const second = await anotherTab(first, page.url());
   await second.dropSample();
   await second.findLandmark("bottom of the chin");
   await second.offset("y", -6);
   await untilKept(second, 2);
-  assert.deepEqual((await slots(first)).find(({ slot }) => slot === kept.slot), kept);
+  assert.deepEqual((await keptWorks(first.page)).find(({ slot }) => slot === kept.slot), kept);
 
   // Another photo in the first tab: what was done to the one before stays as it was.
   await first.drop(await asJpeg(page, await readFile(SAMPLE), { width: 640, height: 480 }), "other.jpg");
   await first.untilFace();
   await untilKept(first, 3);
-  const now = await slots(first);
+  const now = await keptWorks(first.page);
   assert.equal(now.length, 3);
   assert.deepEqual(now.find(({ slot }) => slot === kept.slot)?.edits, kept.edits);
   second.checkNothingBroke();
@@ -139,25 +140,9 @@ async function standing(visitor) {
 
 /** Waits until so many works are kept, and what was done last is among them. */
 async function untilKept(visitor, count) {
-  for (let tries = 0; (await slots(visitor)).length < count; tries += 1) {
-    assert.ok(tries < 50, `only ${(await slots(visitor)).length} works are kept`);
+  for (let tries = 0; (await keptWorks(visitor.page)).length < count; tries += 1) {
+    assert.ok(tries < 50, `only ${(await keptWorks(visitor.page)).length} works are kept`);
     await visitor.page.waitForTimeout(100);
   }
   await visitor.page.waitForTimeout(600);
-}
-
-/** The slots that have a face, with what was done to it. */
-function slots({ page }) {
-  return page.evaluate(async () => {
-    const answer = (request) => new Promise((resolve) => (request.onsuccess = () => resolve(request.result)));
-    const database = await answer(indexedDB.open("rosto"));
-    const transaction = database.transaction(["faces", "done"]);
-    const [names, faces, done] = await Promise.all([
-      answer(transaction.objectStore("done").getAllKeys()),
-      answer(transaction.objectStore("faces").getAllKeys()),
-      answer(transaction.objectStore("done").getAll()),
-    ]);
-    database.close();
-    return names.map((slot, place) => ({ slot, ...done[place] })).filter(({ slot }) => faces.includes(slot));
-  });
 }

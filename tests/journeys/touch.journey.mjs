@@ -120,11 +120,7 @@ for (const width of [360, 390, 820, 1024, 1280]) {
     const { page } = visitor;
     await visitor.dropSample();
     for (const language of ["en", "pt"]) {
-      await page.evaluate((language) => {
-        const choice = document.getElementById("language");
-        choice.value = language;
-        choice.dispatchEvent(new Event("change"));
-      }, language);
+      await visitor.speak(language);
       const [toolbar, privacy, hint, panel] = await Promise.all(
         ["toolbar", "privacy", "hint", "panel"].map((id) => page.locator(`#${id}`).boundingBox()),
       );

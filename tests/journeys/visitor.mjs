@@ -88,6 +88,21 @@ export class Visitor {
     await this.untilFace();
   }
 
+  /**
+   * Has the page in another language, as by its list of them, which may be out of sight.
+   *
+   * @param {string} language
+   */
+  async speak(language) {
+    await this.page.evaluate((language) => {
+      const choice = document.getElementById("language");
+      choice.value = language;
+      choice.dispatchEvent(new Event("change"));
+    }, language);
+    await this.page.waitForFunction((language) => document.documentElement.lang.startsWith(language), language);
+    await this.frames(2);
+  }
+
   /** Waits until a face is on the canvas. */
   async untilFace() {
     await this.page.waitForSelector("body[data-state='face']");

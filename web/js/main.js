@@ -49,7 +49,7 @@ const validator = new Validator();
 /** @type {PaperPanel | undefined} */
 let paper;
 const bench = openBench();
-const faceChoice = new FaceChoice((index) => opening.openFace(index), () => opening.goBack());
+const faceChoice = new FaceChoice((index) => opening.openFace(index), (face) => opening.goBackTo(face));
 const opened = (/** @type {number | undefined} */ extraction_ms) => paper?.forget(extraction_ms);
 const opening = new Opening({ bench, overlay, faceChoice, vision, keeper, opened });
 

@@ -9,7 +9,7 @@ import { readPhoto } from "./photo/read-photo.js";
 import { Replaced } from "./photo/vision-client.js";
 import { isTrap } from "./viewport/studio-module.js";
 import { stemOf } from "./work/file-name.js";
-import { fromVisit, fromWork } from "./work/incoming.js";
+import { fromVisit, fromWork, shownBefore, wayBack } from "./work/incoming.js";
 import { kindOf, readSavedFile } from "./work/saved-file.js";
 
 /**
@@ -40,8 +40,8 @@ export class Opening {
   #room;
   /** @type {Shown | undefined} */
   #now;
-  /** What was shown before, which can be gone back to. @type {Shown | undefined} */
-  #before;
+  /** What was shown before, the latest first, which can be gone back to. @type {Shown[]} */
+  #before = [];
 
   /** @param {Room} room */
   constructor(room) {
@@ -77,9 +77,13 @@ export class Opening {
     return this.#open(() => this.#again(face && { face, faces }));
   }
 
-  /** The face that was shown before this one. */
-  goBack() {
-    return this.#open(() => this.#again(this.#before));
+  /**
+   * A face that was shown before this one.
+   *
+   * @param {OpenedFace} face
+   */
+  goBackTo(face) {
+    return this.#open(() => this.#again(this.#before.find((shown) => shown.face === face)));
   }
 
   /**
@@ -164,8 +168,7 @@ export class Opening {
     const { preferences } = done ?? {};
     if (preferences) opened?.act((studio) => studio.prefer(preferences));
     if (opened) keeper.take(face);
-    // What comes back after a crash has taken no other's place.
-    if (face !== this.#now?.face) this.#before = this.#now;
+    this.#before = shownBefore([this.#now, ...this.#before], face);
     this.#now = { face, faces };
     await nextTask();
     overlay.show(face, bitmap);
@@ -180,7 +183,7 @@ export class Opening {
     byId("toolbar", HTMLDivElement).hidden = document.body.dataset["bench"] !== "open";
     // The tools take the place of the photo, which folds to a row; without a view in 3D it is all there is to see.
     byId("section-photo", HTMLDetailsElement).open = document.body.dataset["state"] === "photo";
-    faceChoice.show(faces, this.#before?.face, bitmap).catch(showError);
+    faceChoice.show(faces, wayBack(this.#before, faces), bitmap).catch(showError);
     freshen(ofThisVisit);
     // What was being typed no longer stands in the way of what is to be shown.
     bench.then((there) => there?.announce());

@@ -78,11 +78,6 @@ impl Session {
         &self.stage
     }
 
-    /// The same without what tells of tools, for pictures to keep.
-    pub fn clean_stage(&self) -> Stage {
-        self.stage.without_tools()
-    }
-
     /// The same for who draws it: time moves it on.
     pub fn stage_mut(&mut self) -> &mut Stage {
         &mut self.stage

@@ -50,7 +50,7 @@ impl MeshOnGpu {
         let geometry_list = geometry(input.topology, input.positions_m);
         let geometry_now = VertexData::new(gpu, &geometry_list)?;
         let geometry_before = VertexData::new(gpu, &geometry_list)?;
-        let follows = VertexData::new(gpu, &follows(input.topology, input.positions_m, [None, None], None))?;
+        let follows = VertexData::new(gpu, &vec![InfluenceWeights::default(); attribute_list.len()])?;
         let attributes = VertexData::new(gpu, &attribute_list)?;
         let textures =
             [geometry_now.view(), geometry_before.view(), follows.view(), attributes.view(), picture.view.clone()];

@@ -22,9 +22,9 @@ pub(crate) struct Geometry {
 /// What is everywhere further away than an edit reaches.
 const FAR: f64 = 1e3;
 
-/// How a vertex and its normal follow two handles, and how far it is from them.
+/// How a vertex and its normal follow two handles, and how far it is from them; by default not at all, and far.
 #[repr(C)]
-#[derive(Debug, Clone, Copy, PartialEq, Default, Pod, Zeroable)]
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 pub(crate) struct InfluenceWeights {
     pub normal_derivative_a: [f32; 3],
     pub field_a: f32,
@@ -34,6 +34,12 @@ pub(crate) struct InfluenceWeights {
     /// Distance from the handles, 1 where an edit ends.
     pub reach: f32,
     pub unused: [f32; 2],
+}
+
+impl Default for InfluenceWeights {
+    fn default() -> Self {
+        Self { reach: FAR as f32, ..Self::zeroed() }
+    }
 }
 
 /// How a vertex is painted: its place in the photo, its scalar in −1..1, its colour (sRGB, 0..1).
@@ -141,8 +147,7 @@ mod tests {
     #[test]
     fn a_missing_field_moves_nothing_and_reaches_nowhere() {
         let (topology, positions) = fan();
-        let far = InfluenceWeights { reach: FAR as f32, ..InfluenceWeights::default() };
-        assert_eq!(follows(&topology, &positions, [None, None], None), vec![far; 6]);
+        assert_eq!(follows(&topology, &positions, [None, None], None), vec![InfluenceWeights::default(); 6]);
         let reach = [0.0, 0.5, 1.0, 1.5, 2.0, 3.0];
         let near = follows(&topology, &positions, [None, None], Some(&reach));
         assert!(near.iter().map(|follow| f64::from(follow.reach)).eq(reach));

@@ -108,7 +108,8 @@ async function checked(bench, name, validator, line) {
  * @param {string} ending
  */
 function meshName(bench, keeper, ending) {
-  return fileName(keeper.face, ending, bench.read(({ vertexCount }) => vertexCount));
+  const points = bench.read((state) => (state.chosen("density") === "0" ? undefined : state.vertexCount));
+  return fileName(keeper.face, ending, points);
 }
 
 /**

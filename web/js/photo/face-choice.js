@@ -8,11 +8,14 @@ const THUMBNAIL_PX = 56;
 /** How much of the photo around a face its thumbnail shows, in sizes of the face. */
 const MARGIN = 0.25;
 
-/** Over the stage: the faces of a photo that has several, and the way back to the face that was shown before. */
+/** Over the stage: the faces of a photo that has several, and the way back to those that were shown before. */
 export class FaceChoice {
   #strip = byId("faces", HTMLElement);
   #group = byId("face-choice", HTMLFieldSetElement);
   #previous = byId("previous-face", HTMLButtonElement);
+  #earlier = byId("earlier-faces", HTMLDivElement);
+  /** Shown before, the latest first. @type {OpenedFace[]} */
+  #before = [];
   /** @type {OpenedFace[]} */
   #faces = [];
   /** @type {OpenedFace | undefined} */
@@ -20,32 +23,51 @@ export class FaceChoice {
   /** @type {WeakMap<OpenedFace, Promise<ImageBitmap>>} */
   #thumbnails = new WeakMap();
   #choose;
+  #goBackTo;
 
   /**
    * @param {(index: number) => void} choose
-   * @param {() => void} goBack
+   * @param {(face: OpenedFace) => void} goBackTo
    */
-  constructor(choose, goBack) {
+  constructor(choose, goBackTo) {
     this.#choose = choose;
-    this.#previous.addEventListener("click", goBack);
+    this.#goBackTo = goBackTo;
+    this.#previous.addEventListener("click", () => this.#before[0] && goBackTo(this.#before[0]));
     inEveryLanguage(() => this.#write());
   }
 
   /**
-   * Offers the faces of a photo and the one that was shown before them; nothing to choose shows nothing.
+   * Offers the faces of a photo and those that were shown before them; nothing to choose shows nothing.
    *
    * @param {OpenedFace[]} faces
-   * @param {OpenedFace | undefined} before
+   * @param {OpenedFace[]} before the latest first
    * @param {ImageBitmap} bitmap the picture of the faces
    */
   async show(faces, before, bitmap) {
     const isGroup = faces.length > 1;
     for (const face of faces) this.#thumbnailOf(face, bitmap);
-    if (faces !== this.#faces) this.#offer(faces);
     this.#group.hidden = !isGroup;
-    this.#previous.hidden = before === undefined;
-    this.#strip.hidden = !isGroup && before === undefined;
-    await this.#draw(byId("previous-thumbnail", HTMLCanvasElement), before);
+    this.#previous.hidden = before.length === 0;
+    this.#strip.hidden = !isGroup && before.length === 0;
+    this.#before = before;
+    const [latest, ...earlier] = before;
+    const drawn = [this.#draw(byId("previous-thumbnail", HTMLCanvasElement), latest), ...this.#offerEarlier(earlier)];
+    if (faces !== this.#faces) drawn.push(...this.#offer(faces));
+    await Promise.all(drawn);
+  }
+
+  /** @param {OpenedFace[]} faces of earlier photos */
+  #offerEarlier(faces) {
+    const buttons = faces.map((face) => {
+      const button = make("button", "previous-face");
+      button.type = "button";
+      button.addEventListener("click", () => this.#goBackTo(face));
+      return { button, canvas: make("canvas"), face };
+    });
+    for (const { button, canvas } of buttons) button.append(canvas);
+    this.#earlier.replaceChildren(...buttons.map(({ button }) => button));
+    this.#write();
+    return buttons.map(({ canvas, face }) => this.#draw(canvas, face));
   }
 
   /** @param {OpenedFace | undefined} shown is the one that is chosen, whatever was pressed meanwhile */
@@ -60,25 +82,22 @@ export class FaceChoice {
   /** @param {OpenedFace[]} faces */
   #offer(faces) {
     this.#faces = faces;
-    const options = faces.length < 2 ? [] : faces.map((face, index) => this.#option(face, index));
-    byId("face-options", HTMLDivElement).replaceChildren(...options);
+    const options = faces.length < 2 ? [] : faces.map((face, index) => ({ face, canvas: make("canvas"), label: this.#option(index) }));
+    for (const { label, canvas } of options) label.append(canvas);
+    byId("face-options", HTMLDivElement).replaceChildren(...options.map(({ label }) => label));
     this.#write();
     this.mark(this.#shown);
+    return options.map(({ canvas, face }) => this.#draw(canvas, face));
   }
 
-  /**
-   * @param {OpenedFace} face
-   * @param {number} index
-   */
-  #option(face, index) {
+  /** @param {number} index */
+  #option(index) {
     const label = make("label");
     const input = make("input");
     input.type = "radio";
     input.name = "face";
     input.addEventListener("change", () => this.#choose(index));
-    const canvas = make("canvas");
-    label.append(input, canvas);
-    this.#draw(canvas, face);
+    label.append(input);
     return label;
   }
 
@@ -110,6 +129,11 @@ export class FaceChoice {
   #write() {
     byId("face-choice-title", HTMLLegendElement).textContent = say("face.several", { n: this.#faces.length });
     for (const [index, input] of this.#inputs().entries()) input.setAttribute("aria-label", say("face.number", { n: index + 1 }));
+    for (const [index, button] of this.#earlier.querySelectorAll("button").entries()) {
+      const words = say("face.earlier", { name: this.#before[index + 1]?.name ?? "" });
+      button.setAttribute("aria-label", words);
+      button.title = words;
+    }
   }
 
   #inputs() {

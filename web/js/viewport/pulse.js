@@ -20,9 +20,20 @@ export function setUpPulse(bench) {
     dot.style.translate = `${at.x / devicePixelRatio}px ${at.y / devicePixelRatio}px`;
     at.free();
   };
-  onHint((deed) => {
-    dot.hidden = deed !== "drag";
+  let isWanted = false;
+  let isSelected = false;
+  const show = () => {
+    dot.hidden = !isWanted || isSelected;
     place();
+  };
+  onHint((deed) => {
+    isWanted = deed === "drag";
+    show();
+  });
+  // What is selected has a mark of its own.
+  bench.onChange(({ selected }) => {
+    isSelected = selected !== undefined;
+    show();
   });
   bench.onFrame(place);
 }

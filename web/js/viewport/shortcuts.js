@@ -1,4 +1,5 @@
 import { isTyping } from "../page/dom.js";
+import { did } from "../page/hint.js";
 
 /** @typedef {import("./workbench.js").Workbench} Workbench */
 
@@ -49,6 +50,7 @@ function moveByArrow(bench, event) {
   bench.act((studio) => {
     if (event.altKey) return studio.zoom(dy < 0 ? ZOOM_STEP : 1 / ZOOM_STEP);
     if (event.shiftKey && (event.ctrlKey || event.metaKey)) return studio.pan(dx, dy);
+    did("turn");
     return studio.orbit(dx, dy);
   });
   return true;

@@ -42,9 +42,9 @@ export function stemOfMesh(file) {
  *
  * @param {{ name?: string | undefined } | undefined} face
  * @param {string} ending
- * @param {number} [points] tells the densities apart in a folder of downloads
+ * @param {number} [points] of a mesh that was subdivided: they tell the densities apart in a folder of downloads
  */
-export function fileName(face, ending, points = 468) {
+export function fileName(face, ending, points) {
   const stem = face?.name ?? NAMELESS;
-  return points === 468 ? `${stem}.${ending}` : `${stem}-${points}.${ending}`;
+  return points === undefined ? `${stem}.${ending}` : `${stem}-${points}.${ending}`;
 }

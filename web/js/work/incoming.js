@@ -44,3 +44,39 @@ export async function fromVisit({ face, faces }, left) {
   const { preferences: _, ...done } = left ?? { edits: "", triangulation: "", density: 0 };
   return { face, faces, bitmap: await bitmapOf(face), ...(left && { done }), ofThisVisit: true };
 }
+
+/** So many photos of a visit can be gone back to: their pictures stay in memory, those of others in the database alone. */
+const MOST_PHOTOS = 3;
+
+/**
+ * What was shown before a face, the latest first, each face once. What comes back after a crash takes no other's place.
+ *
+ * @param {(Shown | undefined)[]} shown the latest first
+ * @param {OpenedFace} now
+ * @returns {Shown[]}
+ */
+export function shownBefore(shown, now) {
+  const others = shown.filter((one) => one !== undefined).filter(({ face }) => face !== now);
+  const once = others.filter(({ face }, place) => others.findIndex((one) => one.face === face) === place);
+  const pictures = [...new Set(once.map(({ face }) => face.picture))].filter((picture) => picture !== now.picture);
+  const kept = new Set([now.picture, ...pictures.slice(0, MOST_PHOTOS)]);
+  return once.filter(({ face }) => kept.has(face.picture));
+}
+
+/**
+ * The faces that are offered to go back to: the one shown last, and the last one of each other photo.
+ *
+ * @param {Shown[]} before the latest first
+ * @param {OpenedFace[]} faces of the photo that is shown
+ * @returns {OpenedFace[]}
+ */
+export function wayBack(before, faces) {
+  const photos = new Set(faces.map(({ picture }) => picture));
+  return before
+    .filter(({ face }, place) => {
+      const isNew = !photos.has(face.picture);
+      photos.add(face.picture);
+      return place === 0 || isNew;
+    })
+    .map(({ face }) => face);
+}

@@ -236,6 +236,39 @@ fn pulling_the_nose_leaves_eyelids_and_teeth_alone() {
 }
 
 #[test]
+fn a_point_of_the_outline_takes_its_neighbours_along_and_leaves_the_rest_of_it() {
+    const CHIN_TIP: u32 = 152;
+    let (beside, far) = ([148, 377], [10, 234, 454]);
+    let mut session = session();
+    select(&mut session, Selection::Landmark(CHIN_TIP));
+    let before = positions(&session);
+    act(&mut session, Intent::Preview(DVec3::NEG_Y * 8.0));
+    let way_mm = |vertex: u32| way_mm(&session, &before, vertex).length();
+    assert!((way_mm(CHIN_TIP) - 8.0).abs() < 1e-9);
+    for vertex in beside {
+        assert!((1.5..8.0).contains(&way_mm(vertex)), "{vertex} goes along by {} mm: a spike", way_mm(vertex));
+    }
+    assert!(far.iter().all(|&vertex| way_mm(vertex) < 1e-9));
+    act(&mut session, Intent::Cancel);
+    select(&mut session, Selection::Landmark(199));
+    assert!(face(&session).document().anchors().contains(&CHIN_TIP), "the outline stays while another point moves");
+}
+
+#[test]
+fn a_face_that_has_grown_is_framed_again_when_it_is_let_go() {
+    let mut session = session();
+    let radius_m = |session: &Session| session.stage().camera().radius_m();
+    let usual_m = radius_m(&session);
+    select(&mut session, Selection::Landmark(152));
+    act(&mut session, Intent::Preview(DVec3::NEG_Y * 40.0));
+    assert_eq!(radius_m(&session), usual_m, "nothing glides under a hand");
+    act(&mut session, Intent::Commit);
+    assert!(radius_m(&session) > 1.1 * usual_m, "{} and {usual_m}", radius_m(&session));
+    act(&mut session, Intent::Undo);
+    assert!((radius_m(&session) / usual_m - 1.0).abs() < 1e-9);
+}
+
+#[test]
 fn what_is_kept_as_a_picture_or_compared_is_the_face_alone() {
     let mut session = session();
     select(&mut session, Selection::Landmark(MOUTH_CORNER));
@@ -244,7 +277,8 @@ fn what_is_kept_as_a_picture_or_compared_is_the_face_alone() {
     let marks = |session: &Session| session.stage().mark_words().len();
     let all = marks(&session);
     assert!(all > 30, "ring, pin, letters and the outline: {all}");
-    assert!(session.clean_stage().mark_words().is_empty() && session.clean_stage().gizmo().is_none());
+    let clean = session.stage().without_tools();
+    assert!(clean.mark_words().is_empty() && clean.gizmo().is_none());
     act(&mut session, Intent::MarkAnchors(Switch::Off));
     assert!((1..all).contains(&marks(&session)));
     for (begin, end) in [(Intent::Before(1.0), Intent::Before(0.0)), (Intent::Wipe(Some(0.4)), Intent::Wipe(None))] {
