@@ -103,6 +103,34 @@ for (const [mode, least] of /** @type {const} */ ([["landmark", 12], ["region", 
   });
 }
 
+journey("what lights up below a pointer that rests is what a press takes, however the face has moved there", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  const tip = await visitor.landmarkPlace(NOSE_TIP);
+  const { x, y } = { x: tip.x + 45, y: tip.y - 30 };
+  const named = () => page.evaluate(() => document.getElementById("landmark-tag").value);
+  await page.focus("#viewport");
+  await page.mouse.move(x, y);
+  const names = new Set([await named()]);
+  for (const key of ["ArrowLeft", "ArrowLeft", "ArrowUp", "l"]) {
+    await page.keyboard.press(key);
+    await visitor.frames(4);
+    const name = await named();
+    const isLit = (await visitor.cursor()) === "move";
+    names.add(isLit ? name : "nothing");
+    await page.mouse.down();
+    await page.mouse.move(x + 9, y + 9, { steps: 3 });
+    await page.mouse.up();
+    const [entry] = await visitor.history();
+    assert.equal(entry, isLit ? name : undefined, key);
+    await page.keyboard.press("Control+z");
+    if (!isLit) await page.keyboard.press(" ");
+    await page.mouse.move(x, y);
+  }
+  assert.ok(names.size > 3, `the same everywhere: ${[...names]}`);
+});
+
 journey("beside the face, or with another button, the face turns; with Shift it moves", async (open) => {
   const visitor = await open();
   const { page } = visitor;

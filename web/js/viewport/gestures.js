@@ -8,6 +8,7 @@
  * @typedef {object} Told places in device pixels of the canvas
  * @property {(x_px: number, y_px: number) => void} hover
  * @property {() => void} leave
+ * @property {() => void} press what is hinted at from now on is what the press does
  * @property {() => void} widened
  * @property {(deed: "drag" | "turn") => void} did
  */
@@ -60,6 +61,7 @@ export class Gestures {
   /** @param {PointerEvent} event */
   #press(event) {
     this.#bench.canvas.setPointerCapture(event.pointerId);
+    this.#told.press();
     this.#pressed.set(event.pointerId, { x: event.clientX, y: event.clientY, button: event.button });
     this.#mayClick = this.#pressed.size === 1 && event.button === 0;
     // What is being dragged goes on under the first finger.
@@ -95,9 +97,10 @@ export class Gestures {
     if (this.#holder !== undefined && this.#holder !== event.pointerId) return;
     this.#holder = undefined;
     this.#bench.act((studio) => studio.release());
-    if (!isClick) return;
     const place = this.#place(event);
-    this.#bench.act((studio) => (event.altKey ? studio.pinUnder(...place) : studio.selectUnder(...place)));
+    if (isClick) this.#bench.act((studio) => (event.altKey ? studio.pinUnder(...place) : studio.selectUnder(...place)));
+    // A mouse rests where it was let go; a finger is gone.
+    if (event.pointerType !== "touch") this.#told.hover(...place);
   }
 
   /** @param {PointerEvent} event */

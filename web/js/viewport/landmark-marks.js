@@ -19,6 +19,8 @@ export class LandmarkMarks {
   #selected;
   /** @type {number | undefined} */
   #hovered;
+  /** Where the pointer rests over the view, while nothing is pressed. @type {[number, number] | undefined} */
+  #resting_px;
   /** How far an edit reaches, in mm. */
   #radius_mm = 0;
   /** Whether that was changed by the drag that goes on. */
@@ -39,10 +41,19 @@ export class LandmarkMarks {
     this.overlay = overlay;
     bench.onChange((state) => this.#follow(state));
     bench.onTick(({ isAtEnd }) => this.#setAtEnd(isAtEnd));
-    bench.onFrame(() => this.#place());
+    bench.onFrame(() => {
+      this.#lookAgain();
+      this.#place();
+    });
     new Gestures(bench, {
       hover: (x_px, y_px) => this.#point(x_px, y_px),
-      leave: () => this.#pointAt(undefined),
+      leave: () => {
+        this.#resting_px = undefined;
+        this.#pointAt(undefined);
+      },
+      press: () => {
+        this.#resting_px = undefined;
+      },
       widened: () => {
         this.#isWidened = true;
         this.#write();
@@ -91,9 +102,24 @@ export class LandmarkMarks {
    * @param {number} y_px
    */
   #point(x_px, y_px) {
-    const vertex = this.bench.ask((studio) => studio.hover(x_px, y_px));
-    this.bench.canvas.classList.toggle("over-landmark", vertex !== undefined);
+    this.#resting_px = [x_px, y_px];
+    this.#light(this.bench.ask((studio) => studio.hover(x_px, y_px)));
     this.bench.requestFrame();
+  }
+
+  /** The face may have moved below a pointer that rests: what lights up is what a press would take now. */
+  #lookAgain() {
+    const place = this.#resting_px;
+    if (!place) return;
+    const vertex = this.bench.ask((studio) => studio.hover(...place));
+    if (vertex === this.#hovered) return;
+    this.#light(vertex);
+    this.bench.requestFrame();
+  }
+
+  /** @param {number | undefined} vertex below the pointer */
+  #light(vertex) {
+    this.bench.canvas.classList.toggle("over-landmark", vertex !== undefined);
     this.#name(vertex);
   }
 
