@@ -54,7 +54,7 @@ journey("a region's landmarks are marked, and it is dragged by any of them and b
   assert.ok(tip[1] > 1 && Math.abs(tip[1] - wing[1]) < 1e-9, `${tip} and ${wing}`);
   assert.ok(Math.hypot(...chin) < tip[1] / 2, `the chin came along: ${chin}`);
 
-  const middle = await visitor.tagged();
+  const middle = await visitor.selectedPlace();
   await visitor.drag({ x: middle.x, y: middle.y - 50 }, { x: 30, y: 20 });
   assert.deepEqual(await visitor.history(), ["nose", "nose"]);
   const along = way(lifted, await visitor.meshJson("mm"), NOSE_TIP);

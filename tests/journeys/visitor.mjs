@@ -174,13 +174,22 @@ export class Visitor {
   }
 
   /**
+   * Where in the window what is selected is. The pointer goes off the view for that: what it rests on would be named in its
+   * stead.
+   */
+  async selectedPlace() {
+    await this.page.mouse.move(1, 1);
+    return this.tagged();
+  }
+
+  /**
    * Where in the window a landmark is; it is selected for that, and let go of again.
    *
    * @param {number} landmark
    */
   async landmarkPlace(landmark) {
     await this.findLandmark(String(landmark));
-    const place = await this.tagged();
+    const place = await this.selectedPlace();
     await this.page.focus("#viewport");
     await this.page.keyboard.press("Escape");
     return place;
