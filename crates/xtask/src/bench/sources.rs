@@ -94,26 +94,40 @@ fn python_with_peers() -> Result<PathBuf> {
     let versions = [REQUIREMENTS, OPTIONAL_REQUIREMENTS].map(|file| cache::sha256_of(&root.join(file)));
     let identity: String = versions.into_iter().collect::<Result<Vec<_>>>()?.concat();
     let folder = cache::tool("python", &cache::sha256(identity.as_bytes())[..16])?;
-    let python = |folder: &Path| folder.join("bin").join("python");
+    let python = folder.join("bin").join("python");
     let complete = folder.join("complete");
-    if complete.is_file() {
-        return Ok(python(&folder));
+    if !complete.is_file() {
+        progress::note("installing the Python peers");
+        make_environment(&folder)?;
+        install(&python, REQUIREMENTS)?;
+        cache::write(&complete, "")?;
     }
-    progress::note("installing the Python peers");
-    // A virtual environment knows its own path, so it is made in place and marked when complete.
-    cache::remove_folder(&folder)?;
-    Run::new("python3").args(["-m", "venv"]).arg(&folder).within(LIMIT).run()?.checked().map_err(|cause| {
+    // Tried again as long as it is missing: what it needs of the system may have come since.
+    let optional = folder.join("complete-with-optional");
+    if !optional.is_file() {
+        match install(&python, OPTIONAL_REQUIREMENTS) {
+            Ok(()) => cache::write(&optional, "")?,
+            Err(_) => {
+                progress::note("CHOLMOD does not install here (on Debian it needs libsuitesparse-dev); it is left out")
+            }
+        }
+    }
+    Ok(python)
+}
+
+/// A virtual environment knows its own path, so it is made in place.
+fn make_environment(folder: &Path) -> Result {
+    cache::remove_folder(folder)?;
+    Run::new("python3").args(["-m", "venv"]).arg(folder).within(LIMIT).run()?.checked().map_err(|cause| {
         let failure = Failure::new("the Python peers could not be installed").because(&cause);
         failure.advice("install Python 3 with venv, on Debian: apt-get install python3-venv")
     })?;
-    let pip = |file: &str| {
-        let pip = Run::new(python(&folder)).args(["-m", "pip", "install", "--quiet", "-r"]);
-        pip.arg(root.join(file)).within(LIMIT).run()?.checked()
-    };
-    pip(REQUIREMENTS)?;
-    if pip(OPTIONAL_REQUIREMENTS).is_err() {
-        progress::note("CHOLMOD does not install here (on Debian it needs libsuitesparse-dev); it is left out");
-    }
-    cache::write(&complete, "")?;
-    Ok(python(&folder))
+    Ok(())
+}
+
+/// Installs what a file of requirements names.
+fn install(python: &Path, requirements: &str) -> Result {
+    let pip = Run::new(python).args(["-m", "pip", "install", "--quiet", "-r"]);
+    pip.arg(workspace::root().join(requirements)).within(LIMIT).run()?.checked()?;
+    Ok(())
 }
