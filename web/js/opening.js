@@ -115,8 +115,8 @@ export class Opening {
     try {
       const incoming = await read(isWanted);
       const isOpen = isWanted() && (await this.#inTurn(incoming, isWanted));
-      if (!isOpen) return;
-      this.#welcome(incoming);
+      if (isOpen) this.#welcome(incoming);
+      incoming.bitmap.close();
     } catch (error) {
       if (isTrap(error)) (await this.#room.bench)?.fail(error);
       else if (isWanted() && !(error instanceof Replaced)) showError(error);
@@ -171,7 +171,7 @@ export class Opening {
     this.#before = shownBefore([this.#now, ...this.#before], face);
     this.#now = { face, faces };
     await nextTask();
-    overlay.show(face, bitmap);
+    await overlay.show(face, bitmap);
     return true;
   }
 

@@ -16,11 +16,12 @@ const REACH_PX = 10;
 /** The photo with the landmarks of one face drawn on it. Needs no WebGPU. */
 export class PhotoOverlay {
   #canvas = byId("photo-picture", HTMLCanvasElement);
-  /** @type {ImageBitmap | undefined} */
-  #picture;
+  /** What is shown of the picture, no larger than it can be shown. @type {ImageBitmap | undefined} */
+  #part;
   /** @type {Float32Array} */
   #landmarks = new Float32Array();
-  /** The part of the picture that is shown, in its px. */
+  #picture = { width: 0, height: 0 };
+  /** Where in the picture that part is, in its px. */
   #crop = { left: 0, top: 0, width: 1, height: 1 };
   #size = { width_px: 0, height_px: 0 };
   /** @type {number | undefined} */
@@ -48,32 +49,37 @@ export class PhotoOverlay {
   }
 
   /**
-   * Shows the picture and the landmarks of one of its faces.
+   * Shows the picture and the landmarks of one of its faces. Only what is shown is kept, and drawn: the whole picture would
+   * hold the page up on its way to the GPU.
    *
    * @param {OpenedFace} face
    * @param {ImageBitmap} picture
    */
-  show(face, picture) {
-    if (picture !== this.#picture) this.#picture?.close();
-    this.#picture = picture;
+  async show(face, picture) {
+    const crop = aroundFace(face.landmarks, picture);
+    const { left, top, width, height } = crop;
+    const resizeHeight = Math.min(height, Math.round(MAX_HEIGHT_PX * devicePixelRatio));
+    const part = await createImageBitmap(picture, left, top, width, height, { resizeHeight, resizeQuality: "high" });
+    this.#part?.close();
+    this.#part = part;
+    this.#picture = { width: face.pictureWidth_px, height: face.pictureHeight_px };
     this.#landmarks = face.landmarks;
-    this.#crop = aroundFace(face.landmarks, picture);
+    this.#crop = crop;
     this.#size = { width_px: face.width_px, height_px: face.height_px };
     byId("photo", HTMLDivElement).hidden = false;
     this.#writeCaption();
-    this.#drawThumbnail(picture);
+    this.#drawThumbnail(part);
     this.#draw();
   }
 
-  /** @param {ImageBitmap} picture */
-  #drawThumbnail(picture) {
+  /** @param {ImageBitmap} part */
+  #drawThumbnail(part) {
     const thumbnail = byId("photo-thumbnail", HTMLCanvasElement);
-    const { left, top, width, height } = this.#crop;
-    const side = Math.min(width, height);
-    const from = { x: left + (width - side) / 2, y: top + (height - side) / 2 };
+    const side = Math.min(part.width, part.height);
+    const from = { x: (part.width - side) / 2, y: (part.height - side) / 2 };
     const context = thumbnail.getContext("2d");
     if (context) context.imageSmoothingQuality = "high";
-    context?.drawImage(picture, from.x, from.y, side, side, 0, 0, thumbnail.width, thumbnail.height);
+    context?.drawImage(part, from.x, from.y, side, side, 0, 0, thumbnail.width, thumbnail.height);
   }
 
   /**
@@ -90,10 +96,10 @@ export class PhotoOverlay {
   }
 
   #draw() {
-    const picture = this.#picture;
+    const part = this.#part;
     const room_px = byId("photo", HTMLDivElement).clientWidth;
-    if (!picture || room_px === 0) return;
-    const { left, top, width, height } = this.#crop;
+    if (!part || room_px === 0) return;
+    const { width, height } = this.#crop;
     const scale = Math.min(room_px / width, MAX_HEIGHT_PX / height);
     const ratio = devicePixelRatio;
     this.#canvas.width = Math.round(width * scale * ratio);
@@ -102,7 +108,7 @@ export class PhotoOverlay {
     const context = this.#canvas.getContext("2d");
     if (!context) return;
     context.imageSmoothingQuality = "high";
-    context.drawImage(picture, left, top, width, height, 0, 0, this.#canvas.width, this.#canvas.height);
+    context.drawImage(part, 0, 0, this.#canvas.width, this.#canvas.height);
     this.#drawLandmarks(context, ratio);
   }
 
@@ -146,8 +152,8 @@ export class PhotoOverlay {
    */
   #place(landmark) {
     const { left, top, width, height } = this.#crop;
-    const x_px = (this.#landmarks[3 * landmark] ?? 0) * (this.#picture?.width ?? 0);
-    const y_px = (this.#landmarks[3 * landmark + 1] ?? 0) * (this.#picture?.height ?? 0);
+    const x_px = (this.#landmarks[3 * landmark] ?? 0) * this.#picture.width;
+    const y_px = (this.#landmarks[3 * landmark + 1] ?? 0) * this.#picture.height;
     return { x: ((x_px - left) / width) * this.#canvas.width, y: ((y_px - top) / height) * this.#canvas.height };
   }
 
@@ -174,19 +180,19 @@ export class PhotoOverlay {
 }
 
 /**
- * The part of a picture that shows a face with something of what is around it.
+ * The part of a picture that shows a face with something of what is around it, in whole px.
  *
  * @param {Float32Array} landmarks
  * @param {{ width: number, height: number }} picture px
  */
 function aroundFace(landmarks, picture) {
   const { x, y, side: size } = faceBox(landmarks, picture.width, picture.height);
-  const side = AROUND_FACE * size;
+  const side = Math.ceil(AROUND_FACE * size);
   const width = Math.min(side, picture.width);
   const height = Math.min(side, picture.height);
   return {
-    left: within(x - width / 2, picture.width - width),
-    top: within(y - height / 2, picture.height - height),
+    left: within(Math.round(x - width / 2), picture.width - width),
+    top: within(Math.round(y - height / 2), picture.height - height),
     width,
     height,
   };
