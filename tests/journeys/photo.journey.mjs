@@ -1,10 +1,19 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
+import { meshByCommandLine } from "./command-line.mjs";
 import { journey } from "./journey.mjs";
-import { twice } from "./pictures.mjs";
-import { colourCount, difference } from "./pixels.mjs";
+import { asJpeg, dotted, twice } from "./pictures.mjs";
+import { colourCount, difference, middleOf } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
+
+/** Landmarks far from each other and from others, and a colour for each that no skin has. */
+const APART = /** @type {const} */ ([[151, [0, 200, 60]], [50, [30, 60, 255]], [280, [0, 220, 230]], [199, [240, 240, 0]]]);
+/** The sample's width and height. */
+const SIDE_PX = 512;
+
+/** The panel shows no more of a photo. */
+const MOST_SHOWN_PX = 640 * 320;
 
 /** Where the nose is in the portrait, in widths of it. */
 const NOSE_IN_PORTRAIT = 0.44;
@@ -77,3 +86,46 @@ journey("the same landmark shows on photo and mesh, whichever side the pointer i
   await visitor.frames(2);
   assert.ok(difference(plain, PNG.sync.read(await photo.screenshot())) > 0, "the photo does not mark the landmark");
 });
+
+journey("landmarks lie on the panel's photo where they are in the photo", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  const { positions } = await meshByCommandLine(SAMPLE, ["--units", "image"]);
+  const dots = APART.map(([landmark, colour]) => ({ x: positions[landmark][0] * SIDE_PX, y: positions[landmark][1] * SIDE_PX, colour }));
+  await visitor.drop(dotted(await readFile(SAMPLE), dots, 4), "dotted.png");
+  await visitor.untilFace();
+  await visitor.unfold("section-photo");
+  const photo = page.locator("#photo-picture");
+  await photo.scrollIntoViewIfNeeded();
+  const box = await photo.boundingBox();
+  const picture = PNG.sync.read(await photo.screenshot());
+  for (const [landmark, colour] of APART) {
+    const dot = middleOf(picture, colour, 60);
+    assert.ok(dot.x > 0, `the dot on ${landmark} is not shown`);
+    await page.mouse.move(box.x + dot.x, box.y + dot.y);
+    await visitor.frames(2);
+    assert.match(await page.innerText("#landmark-tag"), new RegExp(` · ${landmark}$`), `at ${dot.x}, ${dot.y}`);
+  }
+});
+
+journey("of a large photo the page's own thread draws only what it shows", async (open) => {
+  const visitor = await open({ before: (context) => context.addInitScript(countDrawn) });
+  const { page } = visitor;
+  await visitor.drop(await asJpeg(page, await readFile(SAMPLE), { width: 4000, height: 3000 }), "large.jpg");
+  await visitor.untilFace();
+  await visitor.unfold("section-photo");
+  await visitor.frames(3);
+  const drawn = await page.evaluate(() => globalThis.drawn);
+  assert.ok(drawn.length >= 2, "neither the row's picture nor the photo is drawn");
+  assert.ok(Math.max(...drawn) <= MOST_SHOWN_PX, `pictures of ${drawn} px are drawn`);
+});
+
+/** Runs in the page: notes how many px each picture has that one of its canvases is given. */
+function countDrawn() {
+  const { drawImage } = CanvasRenderingContext2D.prototype;
+  globalThis.drawn = [];
+  CanvasRenderingContext2D.prototype.drawImage = function (picture, ...places) {
+    globalThis.drawn.push(picture.width * picture.height);
+    drawImage.call(this, picture, ...places);
+  };
+}

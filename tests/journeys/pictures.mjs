@@ -21,6 +21,23 @@ export function faceless() {
   return PNG.sync.write(png);
 }
 
+/**
+ * The same picture with dots on it.
+ *
+ * @param {Uint8Array} png
+ * @param {{ x: number, y: number, colour: number[] }[]} dots in px
+ * @param {number} radius_px
+ */
+export function dotted(png, dots, radius_px) {
+  const picture = PNG.sync.read(Buffer.from(png));
+  for (let at = 0; at < picture.data.length; at += 4) {
+    const [column, row] = [(at / 4) % picture.width, Math.floor(at / 4 / picture.width)];
+    const dot = dots.find(({ x, y }) => Math.hypot(column + 0.5 - x, row + 0.5 - y) < radius_px);
+    if (dot) picture.data.set(dot.colour, at);
+  }
+  return PNG.sync.write(picture);
+}
+
 /** A text file; its name will say JPEG. */
 export function text() {
   return Buffer.from("Dear diary, today I was renamed to a photo.\n".repeat(40));

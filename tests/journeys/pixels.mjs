@@ -70,6 +70,24 @@ export function differenceNear(a, b, place, reach_px) {
   return difference(around(a, place, reach_px), around(b, place, reach_px));
 }
 
+/**
+ * The middle of all pixels of about a colour, px; not a number where there are none.
+ *
+ * @param {Pixels} pixels
+ * @param {number[]} colour
+ * @param {number} most by which a channel may differ
+ */
+export function middleOf({ width, data }, colour, most) {
+  const sum = { x: 0, y: 0, count: 0 };
+  for (let at = 0; at < data.length; at += 4) {
+    if (colour.some((value, channel) => Math.abs(data[at + channel] - value) > most)) continue;
+    sum.x += ((at / 4) % width) + 0.5;
+    sum.y += Math.floor(at / 4 / width) + 0.5;
+    sum.count += 1;
+  }
+  return { x: sum.x / sum.count, y: sum.y / sum.count };
+}
+
 /** How many pixels have about the light theme's accent. @param {Pixels} pixels */
 export function accentPixels({ data }) {
   let count = 0;
