@@ -2,10 +2,10 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::Cursor;
 
 use image::codecs::{jpeg::JpegDecoder, webp::WebPDecoder};
-use image::metadata::Orientation;
 use image::{ImageDecoder, ImageError};
 
 use crate::code_points::Told;
+use crate::exif::Exif;
 use crate::format::Format;
 use crate::jpeg::{self, Ending};
 use crate::{Limits, Photo, PhotoError, icc, orientation, pixels, png, webp};
@@ -79,21 +79,23 @@ fn finish(mut decoder: impl ImageDecoder, format: Format, limits: &Limits) -> Re
         format: format.name(),
         reason: format!("{layout:?} pixels"),
     })?;
-    upright(width, height, rgb, icc::told(&profile), orientation::from_exif(&exif))
+    upright(width, height, rgb, icc::told(&profile), &exif)
 }
 
-/// The picture in sRGB, turned upright.
+/// The picture in sRGB, turned upright by its EXIF block.
 pub(crate) fn upright(
     width: u32,
     height: u32,
     mut rgb: Vec<u8>,
     colours: Told,
-    orientation: Orientation,
+    exif: &[u8],
 ) -> Result<Photo, PhotoError> {
     if let Told::Otherwise(conversion) = colours {
         conversion.apply(&mut rgb);
     }
-    Ok(orientation::apply(Photo::from_rgb(width, height, rgb)?, orientation))
+    let exif = Exif::read(exif, width, height);
+    let photo = orientation::apply(Photo::from_rgb(width, height, rgb)?, exif.orientation);
+    Ok(photo.with_focal_length_35mm(exif.focal_length_35mm))
 }
 
 fn refused(format: Format, error: ImageError) -> PhotoError {

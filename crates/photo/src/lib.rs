@@ -9,6 +9,7 @@ mod code_points;
 mod colour;
 mod decode;
 mod error;
+mod exif;
 mod format;
 mod icc;
 mod jpeg;

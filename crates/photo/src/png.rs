@@ -9,7 +9,7 @@ use crate::code_points::{CodePoints, Told, told_by_gamma};
 use crate::decode::{damaged, upright};
 use crate::format::Format;
 use crate::primaries::Primaries;
-use crate::{Limits, Photo, PhotoError, icc, orientation, pixels};
+use crate::{Limits, Photo, PhotoError, icc, pixels};
 
 type Source<'a> = Cursor<&'a [u8]>;
 
@@ -34,7 +34,7 @@ pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError>
     }
     let rgb = pixels::to_rgb(decoded, layout).ok_or_else(|| unread(layout))?;
     let exif = reader.info().exif_metadata.as_deref().unwrap_or_default();
-    upright(width, height, rgb, told(reader.info()), orientation::from_exif(exif))
+    upright(width, height, rgb, told(reader.info()), exif)
 }
 
 /// Width and height out of the header chunk, which the format wants first.

@@ -27,17 +27,22 @@ pub fn blocks() -> RgbImage {
 
 /// The picture as a file that asks its reader to apply `orientation`.
 pub fn file(picture: &RgbImage, format: Format, orientation: Orientation) -> Vec<u8> {
+    file_with_exif(picture, format, exif(orientation))
+}
+
+/// The picture as a file with an EXIF block.
+pub fn file_with_exif(picture: &RgbImage, format: Format, exif: Vec<u8>) -> Vec<u8> {
     let mut bytes = Vec::new();
     match format {
-        Format::Jpeg => write(JpegEncoder::new_with_quality(&mut bytes, 100), picture, orientation),
-        Format::Png => write(PngEncoder::new(&mut bytes), picture, orientation),
-        Format::WebP => write(WebPEncoder::new_lossless(&mut bytes), picture, orientation),
+        Format::Jpeg => write(JpegEncoder::new_with_quality(&mut bytes, 100), picture, exif),
+        Format::Png => write(PngEncoder::new(&mut bytes), picture, exif),
+        Format::WebP => write(WebPEncoder::new_lossless(&mut bytes), picture, exif),
     }
     bytes
 }
 
-fn write(mut encoder: impl ImageEncoder, picture: &RgbImage, orientation: Orientation) {
-    encoder.set_exif_metadata(exif(orientation)).expect("the format knows EXIF");
+fn write(mut encoder: impl ImageEncoder, picture: &RgbImage, exif: Vec<u8>) {
+    encoder.set_exif_metadata(exif).expect("the format knows EXIF");
     let (width, height) = picture.dimensions();
     encoder.write_image(picture, width, height, ExtendedColorType::Rgb8).expect("the picture can be written");
 }
