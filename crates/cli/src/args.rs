@@ -4,11 +4,13 @@ use clap::builder::RangedU64ValueParser;
 use clap::{Args, Parser, Subcommand};
 use rosto_export::BaseColour;
 use rosto_face::{Region, Triangulation};
+use rosto_landmarks::FindOptions;
 use rosto_studio::{ConstraintKind, FaceSlider, Operator};
 
 use crate::choices::{listed, one_of};
 use crate::edits::{Edit, RegionEdit, SliderEdit};
 use crate::error::endings;
+use crate::networks::Landmarks;
 use crate::settings;
 use crate::units::Units;
 
@@ -27,7 +29,7 @@ Exit codes:
 #[derive(Debug, Parser)]
 #[command(name = "rosto", version, after_help = EXIT_CODES)]
 pub struct Arguments {
-    /// Folder with face_detector.onnx and face_landmarks.onnx.
+    /// Folder with face_detector.onnx, face_landmarks.onnx and face_landmarks_attention.onnx.
     ///
     /// Otherwise the environment variable ROSTO_NETWORKS names it; otherwise they are looked for next to the program,
     /// then in web/assets of the source tree.
@@ -59,6 +61,33 @@ pub struct LandmarksTask {
     #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true,
         value_parser = RangedU64ValueParser::<usize>::new().range(1..))]
     pub max_faces: usize,
+    #[command(flatten)]
+    pub find: FindArguments,
+}
+
+/// How faces are looked for.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "How faces are found")]
+pub struct FindArguments {
+    /// Does exactly what MediaPipe's Face Mesh does with a single picture: one look, one pass, 468 landmarks
+    #[arg(long)]
+    pub mediapipe: bool,
+    /// With --mediapipe: its refined lips, eyes and irises, 478 landmarks; without it they are always refined
+    #[arg(long)]
+    pub refine: bool,
+}
+
+impl FindArguments {
+    /// The landmark network that these ask for.
+    pub fn landmarks(&self) -> Landmarks {
+        if self.mediapipe && !self.refine { Landmarks::Plain } else { Landmarks::Attention }
+    }
+
+    /// The way of looking that these ask for, for that many faces.
+    pub fn options(&self, max_faces: usize) -> FindOptions {
+        let options = if self.mediapipe { FindOptions::mediapipe() } else { FindOptions::default() };
+        FindOptions { max_faces, ..options }
+    }
 }
 
 #[derive(Debug, Args)]
@@ -83,6 +112,8 @@ pub struct MeshTask {
     /// Writes the face unedited, with each edit as a named morph target at weight 1; for .glb and .gltf with --units mm
     #[arg(long)]
     pub morph_targets: bool,
+    #[command(flatten)]
+    pub find: FindArguments,
     #[command(flatten)]
     pub edits: EditArguments,
     #[command(flatten)]

@@ -26,8 +26,8 @@ pub fn run(task: &LandmarksTask, networks: Option<&Path>) -> Result<(), CliError
     if task.photos.iter().filter(|photo| files::is_standard_input(photo)).count() > 1 {
         return Err(CliError::StandardInputTwice);
     }
-    let finder = networks::load(networks)?;
-    let options = FindOptions { max_faces: task.max_faces, ..FindOptions::default() };
+    let finder = networks::load(networks, task.find.landmarks())?;
+    let options = task.find.options(task.max_faces);
     let mut failures = Vec::new();
     for photo in &task.photos {
         match line(photo, &finder, &options) {

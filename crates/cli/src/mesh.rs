@@ -36,7 +36,8 @@ pub fn run(task: &MeshTask, given: &Given<'_>, networks: Option<&Path>) -> Resul
     request::check(task, format, given)?;
     let steps = steps(&task.edits, &task.settings)?;
     let photo = portrait::open(&task.photo)?;
-    let face = portrait::face(&photo, &task.photo, &networks::load(networks)?)?;
+    let finder = networks::load(networks, task.find.landmarks())?;
+    let face = portrait::face(&photo, &task.photo, &finder, &task.find.options(1))?;
     let face = portrait::model(&photo, &face, task.topology, &task.photo)?;
     let mut document = edited(&face, steps, task)?;
     output::write(&task.output, &encode::encode(&face, &mut document, task, format)?)

@@ -35,8 +35,8 @@ pub fn faces(photo: &Photo, path: &Path, finder: &FaceFinder, options: &FindOpti
 }
 
 /// The most certain face in a photo.
-pub fn face(photo: &Photo, path: &Path, finder: &FaceFinder) -> Result<Face, CliError> {
-    let faces = faces(photo, path, finder, &FindOptions::default())?;
+pub fn face(photo: &Photo, path: &Path, finder: &FaceFinder, options: &FindOptions) -> Result<Face, CliError> {
+    let faces = faces(photo, path, finder, options)?;
     faces.into_iter().next().ok_or_else(|| CliError::NoFace { path: path.to_owned() })
 }
 

@@ -37,7 +37,7 @@ const SCALE_AND_OFFSET: [f32; 2] = [2.0 / 255.0, -1.0];
 
 impl Detector {
     pub(crate) fn new(onnx: &[u8]) -> Result<Self, LandmarksError> {
-        let network = Network::new("detector", onnx, SIDE, ["regressors", "classificators"])?;
+        let network = Network::of_picture("detector", onnx, SIDE, &["regressors", "classificators"])?;
         Ok(Self { network, anchors: anchors() })
     }
 
@@ -51,7 +51,7 @@ impl Detector {
 
     /// The network's outputs, undecoded: boxes `[896, 16]` and score logits `[896]`.
     pub(crate) fn raw(&self, photo: &Photo, region: &RegionPx) -> Result<[Vec<f32>; 2], LandmarksError> {
-        let fill = |planes: &mut [f32]| warp::fill_planes(planes, photo, region, Outside::Zero, SCALE_AND_OFFSET);
+        let fill = |_, planes: &mut [f32]| warp::fill_planes(planes, photo, region, Outside::Zero, SCALE_AND_OFFSET);
         self.network.run(fill, [ANCHOR_COUNT * NUMBERS_PER_BOX, ANCHOR_COUNT])
     }
 

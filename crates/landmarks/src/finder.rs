@@ -1,11 +1,11 @@
 use rosto_photo::Photo;
 
 use crate::detector::{Detection, Detector};
-use crate::mesh::{MeshNetwork, region_of};
+use crate::mesh::{LandmarkNetwork, MeshNetwork, region_of};
 use crate::region_of_interest::{PictureSize, RegionOfInterest};
 use crate::{LandmarksError, search};
 
-/// Finds faces in pictures. Both networks are prepared once and kept.
+/// Finds faces in pictures. The networks are prepared once and kept.
 pub struct FaceFinder {
     detector: Detector,
     mesh: MeshNetwork,
@@ -53,7 +53,8 @@ pub struct Face {
     /// The landmark network's, above 0.5 and up to 1.
     pub presence: f32,
     /// 468 points in MediaPipe's normalised convention: x/W, y/H, z/W; y points down, smaller z is nearer, z is about 0
-    /// in the mean.
+    /// in the mean. With [`LandmarkNetwork::Attention`] 478: ten of the irises follow, the right one first, each its middle
+    /// and four points of its border.
     pub landmarks: Vec<[f32; 3]>,
     /// Where the landmark network looked.
     pub region: RegionOfInterest,
@@ -75,19 +76,26 @@ pub enum Stage {
 
 const MIN_PRESENCE: f32 = 0.5;
 
+impl FindOptions {
+    /// MediaPipe's in its static image mode, for one face.
+    pub fn mediapipe() -> Self {
+        Self { max_faces: 1, search: Search::Once, passes: Passes::One }
+    }
+}
+
 impl Default for FindOptions {
     fn default() -> Self {
-        Self { max_faces: 1, search: Search::default(), passes: Passes::default() }
+        Self::mediapipe()
     }
 }
 
 impl FaceFinder {
-    /// Prepares the two networks from their ONNX files.
+    /// Prepares the networks from their ONNX files.
     ///
     /// # Errors
     /// [`LandmarksError::NetworkDamaged`] if one of them is not the network it should be.
-    pub fn new(detector_onnx: &[u8], landmarks_onnx: &[u8]) -> Result<Self, LandmarksError> {
-        Ok(Self { detector: Detector::new(detector_onnx)?, mesh: MeshNetwork::new(landmarks_onnx)? })
+    pub fn new(detector_onnx: &[u8], landmarks: LandmarkNetwork<'_>) -> Result<Self, LandmarksError> {
+        Ok(Self { detector: Detector::new(detector_onnx)?, mesh: MeshNetwork::new(landmarks)? })
     }
 
     /// The faces in a picture, best detection first; none is an answer, not an error.

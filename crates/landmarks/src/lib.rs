@@ -7,6 +7,7 @@
 //! a `search` that finds faces upside down and small ones, and a second pass that steadies the landmarks.
 
 mod anchors;
+mod attention;
 mod detector;
 mod error;
 mod finder;
@@ -17,6 +18,7 @@ mod mesh;
 mod names;
 mod network;
 mod operators;
+mod part;
 mod prelu;
 mod region_of_interest;
 mod search;
@@ -25,7 +27,7 @@ mod warp;
 
 pub use error::LandmarksError;
 pub use finder::{Face, FaceFinder, FindOptions, Passes, Search, Stage};
-pub use mesh::LANDMARK_COUNT;
+pub use mesh::{LANDMARK_COUNT, LandmarkNetwork};
 pub use region_of_interest::RegionOfInterest;
 
 /// The examples of the README are tested with those of the code.

@@ -1,5 +1,5 @@
 use js_sys::{Error, Function};
-use rosto_landmarks::{FaceFinder, FindOptions};
+use rosto_landmarks::{FaceFinder, FindOptions, LandmarkNetwork};
 use rosto_photo::{Limits, decode};
 use wasm_bindgen::prelude::*;
 
@@ -7,7 +7,7 @@ use crate::error;
 use crate::found::Found;
 use crate::progress::{Progress, Step};
 
-/// Finds faces in photos. Made once; holds the two networks.
+/// Finds faces in photos. Made once; holds the networks.
 #[wasm_bindgen]
 pub struct Vision {
     finder: FaceFinder,
@@ -15,14 +15,16 @@ pub struct Vision {
 
 #[wasm_bindgen]
 impl Vision {
-    /// Prepares the two networks from their ONNX files.
+    /// Prepares the detector and the landmark network with attention from their ONNX files.
     ///
     /// # Errors
     /// Throws `networks-damaged`.
     #[wasm_bindgen(constructor)]
     pub fn new(detector: &[u8], landmarks: &[u8]) -> Result<Self, Error> {
         console_error_panic_hook::set_once();
-        Ok(Self { finder: FaceFinder::new(detector, landmarks).map_err(error::of_landmarks)? })
+        Ok(Self {
+            finder: FaceFinder::new(detector, LandmarkNetwork::Attention(landmarks)).map_err(error::of_landmarks)?,
+        })
     }
 
     /// Looks for at most `max_faces` faces in a photo (the bytes of a JPEG, PNG or WebP file), best first. `report` is

@@ -13,7 +13,7 @@ wasm_bindgen_test_configure!(run_in_dedicated_worker);
 
 // `cargo xtask setup` puts these three there.
 const DETECTOR: &[u8] = include_bytes!("../../../web/assets/face_detector.onnx");
-const LANDMARKS: &[u8] = include_bytes!("../../../web/assets/face_landmarks.onnx");
+const LANDMARKS: &[u8] = include_bytes!("../../../web/assets/face_landmarks_attention.onnx");
 const PORTRAIT: &[u8] = include_bytes!("../../../web/assets/sample.png");
 const GOLDEN: &str = include_str!("../../../tests/golden/landmarks.json");
 

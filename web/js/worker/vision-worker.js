@@ -34,7 +34,7 @@ async function load() {
   const [, detector, landmarks] = await Promise.all([
     init({ module_or_path: fetched("../../wasm/rosto-vision-web_bg.wasm") }),
     fetchBytes("../../assets/face_detector.onnx"),
-    fetchBytes("../../assets/face_landmarks.onnx"),
+    fetchBytes("../../assets/face_landmarks_attention.onnx"),
   ]);
   return new Vision(detector, landmarks);
 }
