@@ -3,7 +3,7 @@ use std::path::PathBuf;
 use clap::builder::RangedU64ValueParser;
 use clap::{Args, Parser, Subcommand};
 use rosto_export::BaseColour;
-use rosto_face::{Region, Triangulation};
+use rosto_face::{Lens, Photo, Region, Triangulation};
 use rosto_landmarks::FindOptions;
 use rosto_studio::{ConstraintKind, FaceSlider, Operator};
 
@@ -11,8 +11,8 @@ use crate::choices::{listed, one_of};
 use crate::edits::{Edit, RegionEdit, SliderEdit};
 use crate::error::endings;
 use crate::networks::Landmarks;
-use crate::settings;
 use crate::units::Units;
+use crate::{portrait, settings};
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -65,6 +65,26 @@ pub struct LandmarksTask {
     pub find: FindArguments,
 }
 
+/// What is known of the camera.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "How the photo was taken; without these, by its lens data or else by the face itself")]
+pub struct CameraArguments {
+    /// How far away the camera stood from the face, in cm
+    #[arg(long, value_name = "CM", allow_negative_numbers = true, value_parser = settings::distance)]
+    pub distance: Option<Lens>,
+    /// The lens' focal length in mm, for a frame of 36 × 24 mm; the photo must be whole, as it was taken
+    #[arg(long = "focal-35mm", value_name = "MM", allow_negative_numbers = true, conflicts_with = "distance",
+        value_parser = settings::focal_length)]
+    pub focal_length: Option<Lens>,
+}
+
+impl CameraArguments {
+    /// What is known of the lens that a photo was taken through.
+    pub fn lens(&self, photo: &Photo) -> Lens {
+        self.distance.or(self.focal_length).unwrap_or_else(|| portrait::lens_of(photo))
+    }
+}
+
 /// How faces are looked for.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "How faces are found")]
@@ -114,6 +134,8 @@ pub struct MeshTask {
     pub morph_targets: bool,
     #[command(flatten)]
     pub find: FindArguments,
+    #[command(flatten)]
+    pub camera: CameraArguments,
     #[command(flatten)]
     pub edits: EditArguments,
     #[command(flatten)]

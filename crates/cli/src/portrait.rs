@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use rosto_face::{FaceInput, FaceModel, Triangulation};
+use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Lens, Triangulation};
 use rosto_landmarks::{Face, FaceFinder, FindOptions};
 use rosto_photo::{Limits, Photo, PhotoError};
 
@@ -40,16 +40,28 @@ pub fn face(photo: &Photo, path: &Path, finder: &FaceFinder, options: &FindOptio
     faces.into_iter().next().ok_or_else(|| CliError::NoFace { path: path.to_owned() })
 }
 
+/// What the photo tells of its lens.
+pub fn lens_of(photo: &Photo) -> Lens {
+    photo.focal_length_35mm().map_or(Lens::Estimated, Lens::Exif)
+}
+
 /// The model of a face in a photo, coloured at full resolution.
-pub fn model(photo: &Photo, face: &Face, triangulation: Triangulation, path: &Path) -> Result<FaceModel, CliError> {
+pub fn model(
+    photo: &Photo,
+    face: &Face,
+    triangulation: Triangulation,
+    lens: Lens,
+    path: &Path,
+) -> Result<FaceModel, CliError> {
     let colour = |&[x, y, _]: &[f32; 3]| photo.colour_under(x.into(), y.into());
-    let colours: Vec<[u8; 3]> = face.landmarks.iter().map(colour).collect();
+    let colours: Vec<[u8; 3]> = face.landmarks.iter().take(LANDMARK_COUNT).map(colour).collect();
     let input = FaceInput {
         landmarks: &face.landmarks,
         width: photo.width(),
         height: photo.height(),
         colours: &colours,
         picture: photo.scaled_down(MAX_PICTURE_SIDE_PX),
+        lens,
     };
     FaceModel::new(input, triangulation).map_err(|reason| CliError::NoModel { path: path.to_owned(), reason })
 }

@@ -12,7 +12,7 @@ impl OpenFace {
 
     /// Positions in MediaPipe's normalised picture coordinates.
     pub fn positions_image(&self) -> Vec<DVec3> {
-        let image_from_model: DMat3 = self.model.image_from_model().matrix3;
+        let image_from_model: DMat3 = self.model.image_from_model();
         let moved = self.document.positions().iter().zip(self.document.rest());
         let moved = moved.map(|(now, before)| image_from_model * (*now - *before));
         let rest = self.document.from_cage(self.model.positions_image());
