@@ -6,7 +6,7 @@ use image::ColorType;
 use png::{BitDepth, DecodingError, Info, Reader, Transformations};
 
 use crate::code_points::{CodePoints, Told, told_by_gamma};
-use crate::decode::{damaged, upright};
+use crate::decode::{Stored, damaged};
 use crate::format::Format;
 use crate::primaries::Primaries;
 use crate::{Limits, Photo, PhotoError, icc, pixels};
@@ -33,8 +33,8 @@ pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError>
             .for_each(|sample| *sample = u16::from_be_bytes(*sample).to_ne_bytes());
     }
     let rgb = pixels::to_rgb(decoded, layout).ok_or_else(|| unread(layout))?;
-    let exif = reader.info().exif_metadata.as_deref().unwrap_or_default();
-    upright(width, height, rgb, told(reader.info()), exif)
+    let exif = reader.info().exif_metadata.as_deref().unwrap_or_default().to_vec();
+    Stored { width, height, rgb, colours: told(reader.info()), exif }.upright()
 }
 
 /// Width and height out of the header chunk, which the format wants first.
