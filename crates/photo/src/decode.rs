@@ -50,7 +50,7 @@ impl Stored {
             format: format.name(),
             reason: format!("{layout:?} pixels"),
         })?;
-        Ok(Self { width, height, rgb, colours: icc::told(&profile), exif })
+        Ok(Self { width, height, rgb, colours: icc::told(&profile, layout), exif })
     }
 
     /// The picture in sRGB, turned upright by its EXIF block.

@@ -34,7 +34,7 @@ pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError>
     }
     let rgb = pixels::to_rgb(decoded, layout).ok_or_else(|| unread(layout))?;
     let exif = reader.info().exif_metadata.as_deref().unwrap_or_default().to_vec();
-    Stored { width, height, rgb, colours: told(reader.info()), exif }.upright()
+    Stored { width, height, rgb, colours: told(reader.info(), layout), exif }.upright()
 }
 
 /// Width and height out of the header chunk, which the format wants first.
@@ -123,7 +123,7 @@ fn interlaced_rows(width: u32, height: u32) -> u32 {
 }
 
 /// What the file says of its colours: the first that is there of code points, profile, sRGB, gamma and primaries.
-fn told(info: &Info<'_>) -> Told {
+fn told(info: &Info<'_>, layout: ColorType) -> Told {
     if let Some(points) = &info.coding_independent_code_points {
         let points = CodePoints {
             primaries: points.color_primaries,
@@ -136,7 +136,7 @@ fn told(info: &Info<'_>) -> Told {
         }
     }
     if let Some(profile) = &info.icc_profile {
-        return icc::told(profile);
+        return icc::told(profile, layout);
     }
     if info.srgb.is_some() {
         return Told::Srgb;

@@ -19,8 +19,12 @@ fn largest_difference(photo: &Photo, expected: &[u8]) -> u8 {
 }
 
 fn png(picture: impl Into<DynamicImage>) -> Vec<u8> {
+    file_of(picture, ImageFormat::Png)
+}
+
+fn file_of(picture: impl Into<DynamicImage>, format: ImageFormat) -> Vec<u8> {
     let mut bytes = std::io::Cursor::new(Vec::new());
-    picture.into().write_to(&mut bytes, ImageFormat::Png).unwrap();
+    picture.into().write_to(&mut bytes, format).unwrap();
     bytes.into_inner()
 }
 
@@ -56,8 +60,15 @@ fn an_exif_header_left_in_a_webp_is_skipped() {
 #[test]
 fn transparency_lies_over_white() {
     let pixels = vec![100, 50, 0, 255, 100, 50, 0, 0, 100, 50, 0, 51];
-    let photo = read(&png(image::RgbaImage::from_raw(3, 1, pixels).unwrap()));
-    assert_eq!(photo.pixels(), [[100, 50, 0], [255, 255, 255], [224, 214, 204]].concat());
+    let eight_bit = DynamicImage::from(image::RgbaImage::from_raw(3, 1, pixels).unwrap());
+    let files = [
+        file_of(eight_bit.clone(), ImageFormat::Png),
+        file_of(eight_bit.clone(), ImageFormat::WebP),
+        file_of(eight_bit.into_rgba16(), ImageFormat::Png),
+    ];
+    for file in files {
+        assert_eq!(read(&file).pixels(), [[100, 50, 0], [255, 255, 255], [224, 214, 204]].concat());
+    }
 }
 
 #[test]
@@ -82,11 +93,18 @@ fn grey_with_transparency_of_sixteen_bits_is_read() {
 
 #[test]
 fn print_colours_become_red_and_blue() {
-    let photo = read(include_bytes!("fixtures/cmyk.jpg"));
-    assert_eq!((photo.width(), photo.height()), (16, 8));
-    let [red, blue] = [photo.pixel(1, 4), photo.pixel(14, 4)];
-    assert!(red[0] > 200 && red[1] < 60 && red[2] < 60, "{red:?}");
-    assert!(blue[0] < 60 && blue[1] < 60 && blue[2] > 200, "{blue:?}");
+    let [inks, luminance_and_black] =
+        [include_bytes!("fixtures/cmyk.jpg").as_slice(), include_bytes!("fixtures/ycck.jpg")];
+    // Adobe's segment has 14 bytes behind its marker; without it, inks are taken as Adobe's programs write them.
+    let adobe = inks.windows(2).position(|two| two == [0xFF, 0xEE]).unwrap();
+    let unnamed = [&inks[..adobe], &inks[adobe + 16..]].concat();
+    for file in [inks, luminance_and_black, &unnamed] {
+        let photo = read(file);
+        assert_eq!((photo.width(), photo.height()), (16, 8));
+        let [red, blue] = [photo.pixel(1, 4), photo.pixel(14, 4)];
+        assert!(red[0] > 200 && red[1] < 60 && red[2] < 60, "{red:?}");
+        assert!(blue[0] < 60 && blue[1] < 60 && blue[2] > 200, "{blue:?}");
+    }
 }
 
 #[test]
