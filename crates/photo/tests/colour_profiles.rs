@@ -176,4 +176,12 @@ fn mutated_profiles_are_applied_or_ignored() {
         let found = [converted([128; 3], damaged.clone()), converted([128; 3], damaged)];
         assert_eq!(found[0], found[1]);
     }
+    let whole = grey_profile(b"Lab ", parametric(&SRGB_CURVE, 3));
+    for _ in 0..500 {
+        let mut damaged = whole.clone();
+        let at = 128 + seeded.below(damaged.len() - 128);
+        damaged[at] = [seeded.bits() as u8, 0, 0xFF, 0x80][seeded.below(4)];
+        let [red, green, blue] = converted_grey(128, damaged);
+        assert!(close([red; 3], [red, green, blue]), "grey became {red}, {green}, {blue}");
+    }
 }
