@@ -34,6 +34,28 @@ impl Exif {
             focal_length_35mm: tiff.and_then(|tiff| tiff.focal_length_35mm([width, height])),
         }
     }
+
+    /// The focal length that a HEIC or AVIF file tells of a picture that has that many px once it is upright. Which way the
+    /// picture lay is not in its EXIF block.
+    pub(crate) fn focal_length_35mm_in_container(file: &[u8], width: u32, height: u32) -> Option<u16> {
+        let block = block_in_container(file)?;
+        let found = |[width, height]: [u32; 2]| Self::read(block, width, height).focal_length_35mm;
+        found([width, height]).or_else(|| found([height, width]))
+    }
+}
+
+/// The EXIF block of a HEIC or AVIF file, and what comes behind it: an item of its own, as ISO/IEC 23008-12 has it (A.2.1),
+/// which is a count of four bytes, as many bytes of a header (six or none), and the block. It is found by how it begins,
+/// as compressed pixels hardly ever do.
+fn block_in_container(file: &[u8]) -> Option<&[u8]> {
+    let begins = |bytes: &[u8; 10]| match bytes {
+        [before @ .., b'I', b'I', 42, 0] | [before @ .., b'M', b'M', 0, 42] => {
+            before == b"Exif\0\0" || before.ends_with(&[0; 4])
+        }
+        _ => false,
+    };
+    let place = file.array_windows().position(begins)?;
+    file.get(place + 6..)
 }
 
 /// A TIFF file without its pictures: directories of numbers.

@@ -1,6 +1,7 @@
 use std::fmt;
 use std::sync::Arc;
 
+use crate::exif::Exif;
 use crate::{PhotoError, resize};
 
 /// An upright sRGB picture: 8-bit RGB, row-major, origin at the top left, at least one pixel; with what the file told of
@@ -53,6 +54,12 @@ impl Photo {
     /// diagonal in px, over 43.27.
     pub fn focal_length_35mm(&self) -> Option<f64> {
         self.focal_length_35mm.map(f64::from)
+    }
+
+    /// The photo with the lens that another file of it tells: the HEIC or AVIF file that it was decoded from elsewhere.
+    pub fn with_lens_of(self, container: &[u8]) -> Self {
+        let focal_length_35mm = Exif::focal_length_35mm_in_container(container, self.width, self.height);
+        self.with_focal_length_35mm(focal_length_35mm)
     }
 
     /// All bytes, three for each pixel, row by row from the top.

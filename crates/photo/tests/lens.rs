@@ -106,6 +106,26 @@ fn a_photo_without_exif_or_from_elsewhere_has_no_focal_length() {
 }
 
 #[test]
+fn the_focal_length_in_the_container_of_a_photo_that_was_decoded_elsewhere_is_found() {
+    let photo = || Photo::from_rgb(30, 40, vec![9; 3600]).unwrap();
+    let in_container = |exif: &[u8]| {
+        let container = [b"\0\0\0\x18ftypheic\0\0\0\0mif1heic MM II*", exif, &[0x9E; 99]].concat();
+        photo().with_lens_of(&container).focal_length_35mm()
+    };
+    // Taken lying, and turned by the container, of which EXIF tells in vain.
+    for endian in [Endian::Little, Endian::Big] {
+        let size = [(0xA002, Long(4032)), (0xA003, Long(3024))];
+        let entries = [size.as_slice(), &[(FOCAL_LENGTH_IN_35MM_FILM, Short(23))]].concat();
+        let block = endian.exif(Orientation::Rotate90, &entries);
+        assert_eq!(in_container(&[b"\0\0\0\x06Exif\0\0", &block[..]].concat()), Some(23.0), "{endian:?}");
+        assert_eq!(in_container(&[&[0; 4], &block[..]].concat()), Some(23.0), "{endian:?}");
+        assert_eq!(in_container(&block[..30]), None, "{endian:?}");
+    }
+    assert_eq!(in_container(&[&[0; 4], &taken_with(23, [3000, 3000])[..]].concat()), None, "it was cut");
+    assert_eq!(photo().with_lens_of(b"").focal_length_35mm(), None);
+}
+
+#[test]
 fn directories_that_lead_nowhere_or_into_each_other_are_passed_over() {
     for (place, offset) in [(4, u32::MAX), (4, 4), (4, 0), (30, u32::MAX), (30, 8), (30, 0), (30, 1 << 20)] {
         let mut exif = taken_with(28, [4, 3]);

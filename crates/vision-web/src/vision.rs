@@ -29,6 +29,7 @@ impl Vision {
 
     /// Looks for at most `max_faces` faces in a photo (the bytes of a JPEG, PNG or WebP file), best first. `report` is
     /// told each stage as it begins and how much of that stage is done, 0 to 1; the stages are taken to be equally long.
+    /// Where the browser has decoded the photo to `bytes`, its `original` file (HEIC, AVIF) still tells the lens.
     ///
     /// # Errors
     /// Throws `not-a-picture`, `unsupported-format`, `damaged-picture`, `too-many-bytes`, `too-many-pixels`,
@@ -41,10 +42,15 @@ impl Vision {
             unchecked_param_type = "(stage: \"decode\" | \"detect\" | \"landmarks\", fraction: number) => void"
         )]
         report: &Function,
+        original: Option<Box<[u8]>>,
     ) -> Result<Found, Error> {
         let progress = Progress::new(report);
         progress.tell(Step::Decoding);
-        let photo = decode(bytes, &Limits::default()).map_err(error::of_photo)?;
+        let decoded = decode(bytes, &Limits::default()).map_err(error::of_photo)?;
+        let photo = match original {
+            Some(original) => decoded.with_lens_of(&original),
+            None => decoded,
+        };
         let options = FindOptions { max_faces: max_faces as usize, ..FindOptions::default() };
         let faces = self
             .finder
