@@ -18,6 +18,6 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
 fn fragment(corner: Corner) -> @location(0) vec4f {
     let away = dot(corner.place, corner.place);
     let rim = 1.0 - smoothstep(0.3, 1.0, away);
-    let seen_from_above = smoothstep(-0.02, 0.02, frame.eye_m.y - frame.ground_m.y);
+    let seen_from_above = smoothstep(-0.04, 0.04, to_eye(frame.ground_m).y);
     return vec4f(0.0, 0.0, 0.0, frame.halo.a * exp(-4.5 * away) * rim * seen_from_above);
 }
