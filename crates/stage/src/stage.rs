@@ -389,6 +389,19 @@ mod tests {
     }
 
     #[test]
+    fn who_is_sent_somewhere_while_it_turns_by_itself_gets_there() {
+        let mut stage = settled();
+        stage.start_arrival();
+        for frame in 0..80 {
+            stage.advance(1000.0 + f64::from(frame) * 16.0);
+        }
+        stage.camera_mut().look(NamedView::Left);
+        stage.end_swing();
+        while stage.advance(stage.last_ms.unwrap_or_default() + 16.0).again {}
+        assert!(stage.camera().back().distance(DVec3::X) < 1e-9, "{}", stage.camera().back());
+    }
+
+    #[test]
     fn what_has_grown_is_seen_whole_and_what_has_shrunk_as_before() {
         let mut stage = settled();
         let square = |side: f64| [DVec3::splat(-side), DVec3::splat(side)];
