@@ -62,7 +62,7 @@ async function page(levels) {
   studio.choose("triangulation", "canonical");
   studio.openPicture(found.pictureWidth, found.pictureHeight);
   studio.addPictureRows(found.takePicture());
-  studio.openFace(found.landmarks(0), found.width, found.height, found.colours(0));
+  studio.openFace(found.landmarks(0), found.width, found.height, found.colours(0), "estimated");
 
   const lines = [];
   for (const level of levels) {

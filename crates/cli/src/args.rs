@@ -3,7 +3,7 @@ use std::path::PathBuf;
 use clap::builder::RangedU64ValueParser;
 use clap::{Args, Parser, Subcommand};
 use rosto_export::BaseColour;
-use rosto_face::{Lens, Photo, Region, Triangulation};
+use rosto_face::{Photo, PhotoLens, Region, Triangulation};
 use rosto_landmarks::FindOptions;
 use rosto_studio::{ConstraintKind, FaceSlider, Operator};
 
@@ -71,16 +71,16 @@ pub struct LandmarksTask {
 pub struct CameraArguments {
     /// How far away the camera stood from the face, in cm
     #[arg(long, value_name = "CM", allow_negative_numbers = true, value_parser = settings::distance)]
-    pub distance: Option<Lens>,
+    pub distance: Option<PhotoLens>,
     /// The lens' focal length in mm, for a frame of 36 × 24 mm; the photo must be whole, as it was taken
     #[arg(long = "focal-35mm", value_name = "MM", allow_negative_numbers = true, conflicts_with = "distance",
         value_parser = settings::focal_length)]
-    pub focal_length: Option<Lens>,
+    pub focal_length: Option<PhotoLens>,
 }
 
 impl CameraArguments {
     /// What is known of the lens that a photo was taken through.
-    pub fn lens(&self, photo: &Photo) -> Lens {
+    pub fn lens(&self, photo: &Photo) -> PhotoLens {
         self.distance.or(self.focal_length).unwrap_or_else(|| portrait::lens_of(photo))
     }
 }

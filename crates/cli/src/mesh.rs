@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use rosto_face::{FaceModel, Lens};
+use rosto_face::{FaceModel, PhotoLens};
 use rosto_studio::{Anchors, Command, Document, EditSpec, Rest, StudioError};
 
 use crate::args::{EditArguments, MeshTask, SettingsArguments};
@@ -48,10 +48,10 @@ pub fn run(task: &MeshTask, given: &Given<'_>, networks: Option<&Path>) -> Resul
 fn taken_from(face: &FaceModel) -> String {
     let camera = face.camera();
     let known = match camera.lens {
-        Lens::Estimated => "read off the face",
-        Lens::Exif(_) => "from the photo's lens data",
-        Lens::Given(_) => "from the focal length given",
-        Lens::Distance(_) | Lens::Parallel => "as given",
+        PhotoLens::Estimated => "read off the face",
+        PhotoLens::Exif(_) => "from the photo's lens data",
+        PhotoLens::Given(_) => "from the focal length given",
+        PhotoLens::Distance(_) | PhotoLens::Parallel => "as given",
     };
     let [distance_cm, error_cm] = [1.0, camera.distance_error].map(|share| share * camera.distance_m * 100.0);
     format!("taken from {distance_cm:.0} cm ± {error_cm:.0}, {known}")

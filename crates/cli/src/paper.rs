@@ -4,7 +4,7 @@ use std::{fs, io};
 
 use glam::DVec3;
 use rosto_export::{BaseColour, GlbOptions, Model, glb};
-use rosto_face::{FaceModel, Lens, Triangulation};
+use rosto_face::{FaceModel, PhotoLens, Triangulation};
 use rosto_landmarks::FindOptions;
 use rosto_laplacian::LaplacianError;
 use rosto_studio::paper::{Experiment, Method, MethodOutcome, Plan, PlotWords, Trial, svg};
@@ -34,7 +34,7 @@ pub fn run(task: &PaperTask, networks: Option<&Path>) -> Result<(), CliError> {
     let face = portrait::face(&photo, &task.photo, &finder, &FindOptions::mediapipe())?;
     let extraction = started.elapsed();
     let started = Instant::now();
-    let face = portrait::model(&photo, &face, Triangulation::Tessellation, Lens::Estimated, &task.photo)?;
+    let face = portrait::model(&photo, &face, Triangulation::Tessellation, PhotoLens::Estimated, &task.photo)?;
     let generation = started.elapsed();
     let unsolved = |reason: LaplacianError| CliError::Studio(reason.into());
     let experiment = Experiment::new(face.topology().clone(), face.positions_image().to_vec()).map_err(unsolved)?;

@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Lens, Triangulation};
+use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, PhotoLens, Triangulation};
 use rosto_landmarks::{Face, FaceFinder, FindOptions};
 use rosto_photo::{Limits, Photo, PhotoError};
 
@@ -41,8 +41,8 @@ pub fn face(photo: &Photo, path: &Path, finder: &FaceFinder, options: &FindOptio
 }
 
 /// What the photo tells of its lens.
-pub fn lens_of(photo: &Photo) -> Lens {
-    photo.focal_length_35mm().map_or(Lens::Estimated, Lens::Exif)
+pub fn lens_of(photo: &Photo) -> PhotoLens {
+    photo.focal_length_35mm().map_or(PhotoLens::Estimated, PhotoLens::Exif)
 }
 
 /// The model of a face in a photo, coloured at full resolution.
@@ -50,7 +50,7 @@ pub fn model(
     photo: &Photo,
     face: &Face,
     triangulation: Triangulation,
-    lens: Lens,
+    lens: PhotoLens,
     path: &Path,
 ) -> Result<FaceModel, CliError> {
     let colour = |&[x, y, _]: &[f32; 3]| photo.colour_under(x.into(), y.into());

@@ -1,4 +1,4 @@
-use rosto_face::Lens;
+use rosto_face::PhotoLens;
 use rosto_studio::{AnchorKind, Anchors, ConstraintKind, Details, Mirror, RegionOfInfluence, Settings};
 
 use crate::args::SettingsArguments;
@@ -31,16 +31,16 @@ pub fn radius(text: &str) -> Result<f64, String> {
 }
 
 /// How far away the camera stood, in cm.
-pub fn distance(text: &str) -> Result<Lens, String> {
+pub fn distance(text: &str) -> Result<PhotoLens, String> {
     const CM_PER_M: f64 = 100.0;
     let distance_m = text.parse::<f64>().ok().map(|distance_cm| distance_cm / CM_PER_M);
-    let lens = distance_m.and_then(|distance_m| Lens::Distance(distance_m).checked().ok());
+    let lens = distance_m.and_then(|distance_m| PhotoLens::Distance(distance_m).checked().ok());
     lens.ok_or_else(|| "a camera stands 10 to 2000 cm away".to_owned())
 }
 
 /// A focal length in mm.
-pub fn focal_length(text: &str) -> Result<Lens, String> {
-    let lens = text.parse().ok().and_then(|focal_length_mm| Lens::Given(focal_length_mm).checked().ok());
+pub fn focal_length(text: &str) -> Result<PhotoLens, String> {
+    let lens = text.parse().ok().and_then(|focal_length_mm| PhotoLens::Given(focal_length_mm).checked().ok());
     lens.ok_or_else(|| "a focal length is 5 to 2000 mm".to_owned())
 }
 

@@ -1,4 +1,4 @@
-use rosto_face::{Lens, Triangulation};
+use rosto_face::{PhotoLens, Triangulation};
 use serde_json::Value;
 use thiserror::Error;
 
@@ -25,7 +25,7 @@ pub struct Reopened<'a> {
     /// Width and height in px of the upright photo that they were found in.
     pub photo_size_px: [u32; 2],
     /// What was known of the photo's lens.
-    pub lens: Lens,
+    pub lens: PhotoLens,
     /// 468 sRGB colours.
     pub colours_srgb: Vec<[u8; 3]>,
     /// How the landmarks are joined.
@@ -111,8 +111,8 @@ pub fn reopen(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
 }
 
 /// What is known of the lens; files of the first version tell nothing, and their faces are seen from infinitely far away.
-pub(crate) fn lens(text: Option<&Value>) -> Result<Lens, ReopenError> {
-    let Some(text) = text else { return Ok(Lens::Parallel) };
+pub(crate) fn lens(text: Option<&Value>) -> Result<PhotoLens, ReopenError> {
+    let Some(text) = text else { return Ok(PhotoLens::Parallel) };
     text.as_str().and_then(|text| text.parse().ok()).ok_or_else(field("lens"))
 }
 

@@ -69,7 +69,7 @@ fn a_file_of_the_first_version_is_a_face_seen_from_infinitely_far_away() {
             .replace("\"points\":468,\"lens\":\"parallel\",", "")
     });
     let opened = project::read(&first).unwrap();
-    assert_eq!((opened.lens, opened.landmarks.len()), (rosto_face::Lens::Parallel, 468));
+    assert_eq!((opened.lens, opened.landmarks.len()), (rosto_face::PhotoLens::Parallel, 468));
 }
 
 #[test]

@@ -12,24 +12,24 @@ use glam::{DAffine3, DQuat, DVec2, DVec3};
 pub(crate) use depth::{drawn_to_canonical, turn_rad};
 pub(crate) use distance::{Evidence, evidence};
 
-use crate::Lens;
+use crate::PhotoLens;
 
 /// The camera that took a photo of a face.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Camera {
-    /// What it was taken from; [`Lens::Estimated`], too, where the photo's own lens data contradict the landmarks.
-    pub lens: Lens,
-    /// In px of the photo; infinite for [`Lens::Parallel`].
+    /// What it was taken from; [`PhotoLens::Estimated`], too, where the photo's own lens data contradict the landmarks.
+    pub lens: PhotoLens,
+    /// In px of the photo; infinite for [`PhotoLens::Parallel`].
     pub focal_px: f64,
     /// Where its axis meets the photo, in px from the top left, y down.
     pub principal_px: DVec2,
-    /// From the camera to the middle of the face, in metres; infinite for [`Lens::Parallel`].
+    /// From the camera to the middle of the face, in metres; infinite for [`PhotoLens::Parallel`].
     pub distance_m: f64,
     /// One standard deviation of the distance, as a share of it: from the landmarks' evidence where it was estimated, and
     /// from the size of the face.
     pub distance_error: f64,
     /// From the model's frame to the camera's: metres, +X right, +Y up, and the camera looks along −Z. Rotation and
-    /// translation alone; for [`Lens::Parallel`] the camera is put two metres away.
+    /// translation alone; for [`PhotoLens::Parallel`] the camera is put two metres away.
     pub camera_from_model: DAffine3,
 }
 

@@ -7,7 +7,7 @@ use rosto_photo::Photo;
 use crate::camera::Camera;
 use crate::irises::{POINT_COUNT, eye_centres};
 use crate::size::Scale;
-use crate::{FaceError, LANDMARK_COUNT, Lens, Triangulation};
+use crate::{FaceError, LANDMARK_COUNT, PhotoLens, Triangulation};
 pub use fitting::check_landmarks;
 use fitting::{Fitted, check_count};
 
@@ -26,7 +26,7 @@ pub struct FaceInput<'a> {
     /// The upright picture for the texture; it may be a scaled-down copy.
     pub picture: Photo,
     /// What is known of the lens that it was taken through.
-    pub lens: Lens,
+    pub lens: PhotoLens,
 }
 
 /// A face from one photo: a metric, coloured and textured triangle mesh.
@@ -47,7 +47,7 @@ pub struct FaceModel {
     image_from_model: DMat3,
     camera: Camera,
     scale: Scale,
-    lens: Lens,
+    lens: PhotoLens,
     colours_srgb: Vec<[u8; 3]>,
     uvs: Vec<DVec2>,
     picture: Photo,
@@ -59,7 +59,7 @@ impl FaceModel {
     ///
     /// The fit is the weighted Procrustes problem over MediaPipe's 33 weighted landmarks in px, (x·W, −y·H, −z·W), with
     /// each on its ray from the camera, estimated from the canonical face to the picture as MediaPipe does, then inverted.
-    /// Depths lean on the canonical face's δ-coordinates, unless the lens is [`Lens::Parallel`].
+    /// Depths lean on the canonical face's δ-coordinates, unless the lens is [`PhotoLens::Parallel`].
     ///
     /// # Errors
     /// [`FaceError`] if there are not 468 or 478 landmarks and 468 colours, if a number is not finite, if the picture has no
@@ -94,7 +94,7 @@ impl FaceModel {
     ///
     /// # Errors
     /// [`FaceError::Lens`] if there is no such lens.
-    pub fn with_lens(&self, lens: Lens) -> Result<Self, FaceError> {
+    pub fn with_lens(&self, lens: PhotoLens) -> Result<Self, FaceError> {
         let Fitted { mut positions_m, camera, scale, image_from_model, .. } =
             Fitted::new(&self.landmarks(), self.photo_size_px, lens)?;
         let irises_m = positions_m.split_off(LANDMARK_COUNT);
@@ -153,7 +153,7 @@ impl FaceModel {
     }
 
     /// What was known of its lens.
-    pub fn lens(&self) -> Lens {
+    pub fn lens(&self) -> PhotoLens {
         self.lens
     }
 

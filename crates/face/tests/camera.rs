@@ -57,7 +57,7 @@ fn landmarks(head: &[DVec3], scene: Scene) -> Vec<[f32; 3]> {
     seen.map(|point| point.map(|coordinate| coordinate as f32)).collect()
 }
 
-fn model(landmarks: &[[f32; 3]], lens: Lens) -> FaceModel {
+fn model(landmarks: &[[f32; 3]], lens: PhotoLens) -> FaceModel {
     let colours = vec![[1, 2, 3]; LANDMARK_COUNT];
     let picture = Photo::from_rgb(1, 1, vec![9, 9, 9]).unwrap();
     let [width, height] = SIZE_PX;
@@ -86,7 +86,7 @@ proptest! {
     ) {
         let scene = Scene { distance_m, pose_deg: [yaw, pitch, roll], size, aside_px, focal_px: 3000.0 * distance_m };
         let seen = landmarks(&head(false), scene);
-        let model = model(&seen, Lens::Given(lens_mm(scene.focal_px)));
+        let model = model(&seen, PhotoLens::Given(lens_mm(scene.focal_px)));
         prop_assert!(furthest_m(model.positions_m(), &canonical_positions_m()) < 2e-6, "f32 comes in");
         let (camera, pose) = (model.camera(), model.camera().pose());
         let found = [pose.yaw_deg, pose.pitch_deg, pose.roll_deg];
@@ -98,9 +98,9 @@ proptest! {
     #[test]
     fn the_model_lies_on_the_photo_where_its_camera_sees_it(
         lens in prop_oneof![
-            Just(Lens::Estimated),
-            (20.0..200.0f64).prop_map(Lens::Given),
-            (0.2..3.0f64).prop_map(Lens::Distance),
+            Just(PhotoLens::Estimated),
+            (20.0..200.0f64).prop_map(PhotoLens::Given),
+            (0.2..3.0f64).prop_map(PhotoLens::Distance),
         ],
         yaw in -40.0..40.0f64,
         seed in 0.0..6.0f64,
@@ -124,11 +124,11 @@ proptest! {
 
     #[test]
     fn a_lens_reads_back_from_its_text(mm in 5.0..2000.0f64, m in 0.1..20.0f64) {
-        for lens in [Lens::Estimated, Lens::Parallel, Lens::Exif(mm), Lens::Given(mm), Lens::Distance(m)] {
-            prop_assert_eq!(lens.to_string().parse::<Lens>().unwrap(), lens);
+        for lens in [PhotoLens::Estimated, PhotoLens::Parallel, PhotoLens::Exif(mm), PhotoLens::Given(mm), PhotoLens::Distance(m)] {
+            prop_assert_eq!(lens.to_string().parse::<PhotoLens>().unwrap(), lens);
         }
         for text in ["", "exif", "exif:", "given:0", "distance:0.05", "distance:NaN", "estimated:3", "near"] {
-            prop_assert!(text.parse::<Lens>().is_err(), "{text}");
+            prop_assert!(text.parse::<PhotoLens>().is_err(), "{text}");
         }
     }
 }
@@ -138,7 +138,7 @@ fn the_distance_of_a_face_that_looks_at_the_camera_is_read_off_it() {
     for distance_m in [0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.6] {
         for pose_deg in [[0.0, 0.0, 0.0], [8.0, 0.0, 20.0], [0.0, -8.0, -70.0], [-6.0, 6.0, 180.0]] {
             let scene = Scene { distance_m, pose_deg, focal_px: 2500.0 * distance_m, ..FRONT };
-            let found_m = model(&landmarks(&head(false), scene), Lens::Estimated).camera().distance_m;
+            let found_m = model(&landmarks(&head(false), scene), PhotoLens::Estimated).camera().distance_m;
             assert!((found_m / distance_m - 1.0).abs() < 0.15, "{distance_m} m at {pose_deg:?}: {found_m}");
         }
     }
@@ -148,12 +148,12 @@ fn the_distance_of_a_face_that_looks_at_the_camera_is_read_off_it() {
 fn lens_data_of_another_picture_are_set_aside() {
     let scene = Scene { distance_m: 0.6, focal_px: 3000.0, ..FRONT };
     let seen = landmarks(&head(false), scene);
-    let sound = model(&seen, Lens::Exif(lens_mm(3000.0)));
-    assert!(matches!(sound.camera().lens, Lens::Exif(_)));
+    let sound = model(&seen, PhotoLens::Exif(lens_mm(3000.0)));
+    assert!(matches!(sound.camera().lens, PhotoLens::Exif(_)));
     // As if all of the frame had been seen, where this is a small part of it.
-    let of_the_whole = Lens::Exif(lens_mm(900.0));
+    let of_the_whole = PhotoLens::Exif(lens_mm(900.0));
     let cut_out = model(&seen, of_the_whole);
-    assert_eq!(cut_out.camera().lens, Lens::Estimated);
+    assert_eq!(cut_out.camera().lens, PhotoLens::Estimated);
     assert_eq!(cut_out.lens(), of_the_whole, "what the photo says stays known");
     assert!((cut_out.camera().distance_m / 0.6 - 1.0).abs() < 0.15);
 }
@@ -169,7 +169,7 @@ fn irises_tell_the_size_and_closed_eyes_do_not() {
             let middle = grown[at];
             grown[at..at + 5].iter_mut().for_each(|p| *p = middle + (*p - middle) / size);
         }
-        let open = model(&landmarks(&grown, scene), Lens::Given(lens_mm(1500.0)));
+        let open = model(&landmarks(&grown, scene), PhotoLens::Given(lens_mm(1500.0)));
         assert_eq!(open.scale().source, ScaleSource::Irises);
         let expected: Vec<DVec3> = canonical_positions_m().iter().map(|&p| p * size).collect();
         assert!(furthest_m(open.positions_m(), &expected) < 0.002, "{size}");
@@ -179,7 +179,7 @@ fn irises_tell_the_size_and_closed_eyes_do_not() {
         for [upper, lower] in [[159, 145], [386, 374]] {
             grown[upper] = grown[lower];
         }
-        let shut = model(&landmarks(&grown, scene), Lens::Given(lens_mm(1500.0)));
+        let shut = model(&landmarks(&grown, scene), PhotoLens::Given(lens_mm(1500.0)));
         assert_eq!(shut.scale().source, ScaleSource::Canonical);
     }
 }
@@ -187,10 +187,10 @@ fn irises_tell_the_size_and_closed_eyes_do_not() {
 #[test]
 fn another_lens_and_back_is_the_same_model() {
     let seen = landmarks(&head(true), Scene { pose_deg: [12.0, 3.0, 0.0], ..FRONT });
-    let near = model(&seen, Lens::Distance(0.3));
-    let far = near.with_lens(Lens::Distance(1.5)).unwrap();
+    let near = model(&seen, PhotoLens::Distance(0.3));
+    let far = near.with_lens(PhotoLens::Distance(1.5)).unwrap();
     assert!(furthest_m(near.positions_m(), far.positions_m()) > 0.001, "the nose comes forward");
-    assert_eq!(far.with_lens(Lens::Distance(0.3)).unwrap().positions_m(), near.positions_m());
+    assert_eq!(far.with_lens(PhotoLens::Distance(0.3)).unwrap().positions_m(), near.positions_m());
     assert!((far.camera().distance_m - 1.5).abs() < 0.01 && (near.camera().distance_m - 0.3).abs() < 0.003);
-    assert!(matches!(near.with_lens(Lens::Distance(0.01)), Err(FaceError::Lens { .. })));
+    assert!(matches!(near.with_lens(PhotoLens::Distance(0.01)), Err(FaceError::Lens { .. })));
 }

@@ -30,7 +30,7 @@ fn portrait() -> Portrait {
 fn model(landmarks: &[[f32; 3]], width: u32, height: u32) -> Result<FaceModel, FaceError> {
     let colours = vec![[1, 2, 3]; landmarks.len()];
     let picture = Photo::from_rgb(1, 1, vec![9, 9, 9]).unwrap();
-    let input = FaceInput { landmarks, width, height, colours: &colours, picture, lens: Lens::Parallel };
+    let input = FaceInput { landmarks, width, height, colours: &colours, picture, lens: PhotoLens::Parallel };
     FaceModel::new(input, Triangulation::Canonical)
 }
 

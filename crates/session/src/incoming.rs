@@ -1,4 +1,4 @@
-use rosto_face::{FaceInput, FaceModel, Lens, Photo, Triangulation};
+use rosto_face::{FaceInput, FaceModel, Photo, PhotoLens, Triangulation};
 use rosto_studio::{Amount, Document, Entry, MAX_DENSITY, Rest, project};
 
 use crate::error::{SessionError, within};
@@ -22,7 +22,7 @@ pub struct Incoming {
     /// The upright picture, perhaps scaled down.
     pub picture: Photo,
     /// What is known of the lens that the photo was taken through.
-    pub lens: Lens,
+    pub lens: PhotoLens,
     /// What was done to the face before; nothing for one that was just found.
     pub work: Option<Work>,
 }

@@ -1,5 +1,5 @@
 use glam::{DVec2, DVec3};
-use rosto_face::Triangulation;
+use rosto_face::{PhotoLens, Triangulation};
 use rosto_stage::{
     Axis, Background, Dots, Lens, Light, NamedView, PictureLight, Pointer, ShadingMode, Theme, Wireframe,
 };
@@ -89,6 +89,9 @@ pub enum Intent {
 
     /// How often the mesh that is shown and exported is subdivided: 0 is the 468 landmarks.
     Density(u32),
+    /// Through which lens the photo was taken, and so from how far away; the model is taken out of it anew, and the edits are
+    /// carried out again.
+    PhotoLens(PhotoLens),
     /// How the landmarks are joined; the edits are carried out again. Points that were pinned are free again.
     Triangulation(Triangulation),
 

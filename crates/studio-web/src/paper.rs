@@ -1,7 +1,7 @@
 use std::time::Duration;
 
 use glam::DVec3;
-use rosto_face::{FaceInput, FaceModel, Lens, Photo, Triangulation};
+use rosto_face::{FaceInput, FaceModel, Photo, PhotoLens, Triangulation};
 use rosto_studio::paper::{
     Claims, DEGREES, Experiment, Method, MethodOutcome, OFFSETS, Plan, PlotWords, TABLE_1, TableRow, Task, Trial, svg,
 };
@@ -187,7 +187,7 @@ impl Landmarks {
             height,
             colours: &self.colours,
             picture,
-            lens: Lens::Parallel,
+            lens: PhotoLens::Parallel,
         };
         FaceModel::new(input, Triangulation::Tessellation)?;
         Ok(())

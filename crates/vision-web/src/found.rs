@@ -1,4 +1,4 @@
-use rosto_landmarks::Face;
+use rosto_landmarks::{Face, LANDMARK_COUNT};
 use rosto_photo::Photo;
 use wasm_bindgen::prelude::*;
 
@@ -7,6 +7,7 @@ use wasm_bindgen::prelude::*;
 pub struct Found {
     width: u32,
     height: u32,
+    focal_length_35mm: Option<f64>,
     faces: Vec<FoundFace>,
     picture_width: u32,
     picture_height: u32,
@@ -28,6 +29,7 @@ impl Found {
         Self {
             width: photo.width(),
             height: photo.height(),
+            focal_length_35mm: photo.focal_length_35mm(),
             faces: faces.iter().map(|face| FoundFace::new(photo, face)).collect(),
             picture_width: picture.width(),
             picture_height: picture.height(),
@@ -47,7 +49,7 @@ impl FoundFace {
         Self {
             score: face.score,
             landmarks: face.landmarks.concat(),
-            colours: face.landmarks.iter().flat_map(colour).collect(),
+            colours: face.landmarks.iter().take(LANDMARK_COUNT).flat_map(colour).collect(),
         }
     }
 }
@@ -70,6 +72,12 @@ impl Found {
         self.height
     }
 
+    /// Focal length of the photo's lens in mm, for a frame of 36 × 24 mm, if its EXIF says so.
+    #[wasm_bindgen(getter, js_name = focalLength35mm)]
+    pub fn focal_length_35mm(&self) -> Option<f64> {
+        self.focal_length_35mm
+    }
+
     /// Number of faces; 0 is an answer.
     #[wasm_bindgen(getter, js_name = faceCount)]
     pub fn face_count(&self) -> u32 {
@@ -81,7 +89,7 @@ impl Found {
         self.face(face).map_or(0.0, |face| face.score)
     }
 
-    /// 468 × (x/W, y/H, z/W); empty for a face that is not there.
+    /// 478 × (x/W, y/H, z/W), those of the irises last; empty for a face that is not there.
     pub fn landmarks(&self, face: u32) -> Vec<f32> {
         self.face(face).map_or_else(Vec::new, |face| face.landmarks.clone())
     }

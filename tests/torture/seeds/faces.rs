@@ -2,7 +2,7 @@ use glam::DVec3;
 use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 use rosto_export::{BaseColour, GlbOptions, Material, Model, Morph, Source, glb};
 use rosto_face::{
-    FaceInput, FaceModel, LANDMARK_COUNT, Lens, Photo, Triangulation, canonical_positions_m, canonical_uvs,
+    FaceInput, FaceModel, LANDMARK_COUNT, Photo, PhotoLens, Triangulation, canonical_positions_m, canonical_uvs,
 };
 use rosto_studio::{
     AnchorKind, Anchors, Command, ConstraintKind, CoordinateFrame, Details, EditSpec, Entry, Mirror, Operator,
@@ -108,7 +108,7 @@ fn face(triangulation: Triangulation) -> FaceModel {
         height: SIDE_PX,
         colours: &colours,
         picture,
-        lens: Lens::Estimated,
+        lens: PhotoLens::Estimated,
     };
     FaceModel::new(input, triangulation).expect("invariant: the canonical face fits itself")
 }

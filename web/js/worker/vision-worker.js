@@ -122,6 +122,7 @@ function find(vision, bytes, maxFaces, id, original) {
     return {
       width_px: found.width,
       height_px: found.height,
+      focalLength_mm: found.focalLength35mm,
       faces,
       pictureWidth_px: found.pictureWidth,
       pictureHeight_px: found.pictureHeight,

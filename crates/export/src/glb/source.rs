@@ -17,7 +17,7 @@ pub(crate) const VERSION: u64 = 2;
 ///  "picture": {"size_px": [512, 512], "crop_at_px": [96, 0], "crop_size_px": [256, 256]}, "history": {},
 ///  "positions_fnv1a": "cbf29ce484222325", "about": {}}
 /// ```
-/// `lens` is what was known of the lens ([`rosto_face::Lens`]); a file of version 1 has none, and its face was seen from
+/// `lens` is what was known of the lens ([`rosto_face::PhotoLens`]); a file of version 1 has none, and its face was seen from
 /// infinitely far away. `about` is [`about`](crate::about), for whoever reads the file without Rosto.
 /// `picture` says where in the upright picture the texture was cut out; a file without texture has none.
 /// `positions_fnv1a` is the 64-bit FNV-1a hash of the bytes of `POSITION`, by which a mesh shows that was changed since.

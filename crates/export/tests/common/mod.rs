@@ -5,7 +5,7 @@
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
 use rosto_export::Source;
-use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Lens, Photo, Triangulation, canonical_uvs};
+use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, PhotoLens, Triangulation, canonical_uvs};
 use serde_json::Value;
 
 pub const SIDE: u32 = 300;
@@ -34,7 +34,7 @@ pub fn face(triangulation: Triangulation) -> FaceModel {
         height: SIDE,
         colours: &colours,
         picture,
-        lens: Lens::Parallel,
+        lens: PhotoLens::Parallel,
     };
     FaceModel::new(input, triangulation).unwrap()
 }

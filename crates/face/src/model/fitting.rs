@@ -7,7 +7,7 @@ use crate::camera::{self, Camera, Evidence};
 use crate::procrustes::{self, Pair, Similarity};
 use crate::size::{self, Scale};
 use crate::tables::PROCRUSTES;
-use crate::{FaceError, LANDMARK_COUNT, Lens, NEAREST_M, Triangulation, canonical_positions_m};
+use crate::{FaceError, LANDMARK_COUNT, NEAREST_M, PhotoLens, Triangulation, canonical_positions_m};
 
 /// Landmarks in the model's frame.
 pub(super) struct Fitted {
@@ -20,7 +20,7 @@ pub(super) struct Fitted {
     factor: f64,
 }
 
-/// Lens data of the photo are set aside if they make what is seen less likely than e to the power of minus this.
+/// PhotoLens data of the photo are set aside if they make what is seen less likely than e to the power of minus this.
 const MOST_CONTRADICTION: f64 = 20.0;
 
 /// Where a parallel camera is put, in m.
@@ -40,16 +40,16 @@ pub(super) fn check_count(what: &'static str, expected: usize, found: usize) -> 
 }
 
 impl Fitted {
-    pub(super) fn new(landmarks: &[[f32; 3]], size_px: [u32; 2], lens: Lens) -> Result<Self, FaceError> {
+    pub(super) fn new(landmarks: &[[f32; 3]], size_px: [u32; 2], lens: PhotoLens) -> Result<Self, FaceError> {
         let seen = in_px(landmarks, size_px)?;
         let principal_px = DVec2::new(f64::from(size_px[0]), -f64::from(size_px[1])) / 2.0;
         let sight = Sight { seen, size_px, principal_px };
         match lens.checked()? {
-            Lens::Parallel => sight.parallel(),
-            Lens::Estimated => sight.estimated(&sight.evidence()?),
-            Lens::Distance(distance_m) => sight.from(distance_m, lens, 0.0),
-            Lens::Given(focal_length_mm) => sight.through(focal_length_mm, lens),
-            Lens::Exif(focal_length_mm) => {
+            PhotoLens::Parallel => sight.parallel(),
+            PhotoLens::Estimated => sight.estimated(&sight.evidence()?),
+            PhotoLens::Distance(distance_m) => sight.from(distance_m, lens, 0.0),
+            PhotoLens::Given(focal_length_mm) => sight.through(focal_length_mm, lens),
+            PhotoLens::Exif(focal_length_mm) => {
                 let fitted = sight.through(focal_length_mm, lens)?;
                 let evidence = sight.evidence()?;
                 let log_likelihood = evidence.log_likelihood(fitted.camera.distance_m / fitted.factor);
@@ -73,20 +73,20 @@ impl Sight {
 
     fn parallel(&self) -> Result<Fitted, FaceError> {
         let px_from_model = fit_canonical_to(&self.seen)?;
-        Ok(self.placed(&self.seen, px_from_model, f64::INFINITY, Lens::Parallel, 0.0))
+        Ok(self.placed(&self.seen, px_from_model, f64::INFINITY, PhotoLens::Parallel, 0.0))
     }
 
     fn estimated(&self, evidence: &Evidence) -> Result<Fitted, FaceError> {
         let focal_px = self.focal_px_for(|px_from_model, _| evidence.distance_m * px_from_model.scale)?;
-        self.seen_through(focal_px, Lens::Estimated, evidence.error)
+        self.seen_through(focal_px, PhotoLens::Estimated, evidence.error)
     }
 
-    fn through(&self, focal_length_mm: f64, lens: Lens) -> Result<Fitted, FaceError> {
+    fn through(&self, focal_length_mm: f64, lens: PhotoLens) -> Result<Fitted, FaceError> {
         self.seen_through(camera::focal_px(focal_length_mm, self.size_px), lens, 0.0)
     }
 
     /// From a distance that is meant for the face in its true size.
-    fn from(&self, distance_m: f64, lens: Lens, error: f64) -> Result<Fitted, FaceError> {
+    fn from(&self, distance_m: f64, lens: PhotoLens, error: f64) -> Result<Fitted, FaceError> {
         let focal_px = self.focal_px_for(|px_from_model, points| {
             let (factor, _) = size::scale(points, 1.0 / px_from_model.scale);
             distance_m / factor * px_from_model.scale
@@ -105,7 +105,7 @@ impl Sight {
         Ok(focal_px)
     }
 
-    fn seen_through(&self, focal_px: f64, lens: Lens, error: f64) -> Result<Fitted, FaceError> {
+    fn seen_through(&self, focal_px: f64, lens: PhotoLens, error: f64) -> Result<Fitted, FaceError> {
         // No part of a face is behind its camera.
         let focal_px = focal_px.max(NEAREST_M * fit_canonical_to(&self.seen)?.scale);
         let (points, px_from_model) = self.unprojected(focal_px)?;
@@ -138,7 +138,14 @@ impl Sight {
         points.map(|(seen, &z)| camera::unprojected(seen.truncate(), z, focal_px, self.principal_px)).collect()
     }
 
-    fn placed(&self, points: &[DVec3], px_from_model: Similarity, focal_px: f64, lens: Lens, error: f64) -> Fitted {
+    fn placed(
+        &self,
+        points: &[DVec3],
+        px_from_model: Similarity,
+        focal_px: f64,
+        lens: PhotoLens,
+        error: f64,
+    ) -> Fitted {
         let (factor, scale) = size::scale(points, 1.0 / px_from_model.scale);
         let model_from_px = px_from_model.inverse();
         let m_per_px = factor / px_from_model.scale;

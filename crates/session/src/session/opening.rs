@@ -1,5 +1,4 @@
-use glam::{DAffine3, DVec3};
-use rosto_face::{FaceModel, canonical_positions_m};
+use rosto_face::canonical_positions_m;
 use rosto_stage::Pinhole;
 
 use super::{Result, Session};
@@ -19,12 +18,18 @@ impl Session {
         (self.gesture, self.under) = (Gesture::Idle, Under::default());
         self.view.show_on(&mut self.stage, false);
         self.see_as_edited();
-        self.stage.set_pinhole(self.face.as_ref().map(|face| taken_by(face.model())));
+        self.show_pinhole();
         self.frame();
         if self.view.motion == Motion::Usual {
             self.stage.start_arrival();
         }
         Ok(Changed::Mesh)
+    }
+
+    /// The photo's camera, in whose view mesh and photo coincide.
+    pub(super) fn show_pinhole(&mut self) {
+        let camera = self.face.as_ref().map(|face| face.model().camera());
+        self.stage.set_pinhole(camera.map(|camera| Pinhole { camera_from_model: camera.camera_from_model }));
     }
 
     pub(super) fn close(&mut self) -> Result {
@@ -70,22 +75,6 @@ impl Session {
         face.select(wanted, &self.choices, self.seeds.draw());
         Ok(Changed::Document)
     }
-}
-
-/// A model is read from its landmarks as if the photo's camera stood infinitely far away; for a view's sake, this is.
-const INFINITELY_FAR_M: f64 = 1e6;
-
-/// The camera that took the photo of a model: in its view, mesh and photo coincide.
-fn taken_by(model: &FaceModel) -> Pinhole {
-    let [width, height] = model.photo_size_px().map(f64::from);
-    // From MediaPipe's normalised coordinates to the camera's axes, all in px.
-    let px_from_image = DAffine3::from_scale(DVec3::new(width, -height, -width));
-    let turned_px = (px_from_image * model.image_from_model()).matrix3;
-    let camera_from_model = DAffine3 {
-        matrix3: turned_px * turned_px.determinant().cbrt().recip(),
-        translation: DVec3::NEG_Z * INFINITELY_FAR_M,
-    };
-    Pinhole { camera_from_model }
 }
 
 /// Gets ready what the first point to be selected would have to wait for: the factors that all points share.

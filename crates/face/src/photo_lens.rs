@@ -6,7 +6,7 @@ use crate::FaceError;
 /// What is known of the lens that a photo was taken through. As text: `estimated`, `parallel`, `exif:26`, `given:26` (mm) or
 /// `distance:0.35` (m).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum Lens {
+pub enum PhotoLens {
     /// Nothing: how far away the camera stood is read off the landmarks.
     #[default]
     Estimated,
@@ -28,7 +28,7 @@ pub const FARTHEST_M: f64 = 20.0;
 /// Focal lengths for a frame of 36 × 24 mm, in mm.
 const FOCAL_LENGTHS_MM: std::ops::RangeInclusive<f64> = 5.0..=2000.0;
 
-impl Lens {
+impl PhotoLens {
     /// Refuses numbers that no camera has.
     ///
     /// # Errors
@@ -43,7 +43,7 @@ impl Lens {
     }
 }
 
-impl fmt::Display for Lens {
+impl fmt::Display for PhotoLens {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Estimated => f.write_str("estimated"),
@@ -55,7 +55,7 @@ impl fmt::Display for Lens {
     }
 }
 
-impl FromStr for Lens {
+impl FromStr for PhotoLens {
     type Err = FaceError;
 
     fn from_str(text: &str) -> Result<Self, FaceError> {
