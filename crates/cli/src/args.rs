@@ -55,10 +55,15 @@ pub struct LandmarksTask {
     /// JPEG, PNG or WebP; - reads standard input
     #[arg(required = true, value_name = "PHOTO")]
     pub photos: Vec<PathBuf>,
-    /// How many faces to look for in each photo, the most certain ones first
-    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true,
+    /// How many faces to tell of each photo at most, the most prominent ones first; 20 if nothing is said, 1 with --mediapipe
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
         value_parser = RangedU64ValueParser::<usize>::new().range(1..))]
-    pub max_faces: usize,
+    pub max_faces: Option<usize>,
+    /// Exactly what MediaPipe's Face Mesh answers for single pictures: one look at the whole picture, one pass for each face
+    ///
+    /// Otherwise turns and parts of the picture are looked at too, and landmarks are found again until they agree.
+    #[arg(long)]
+    pub mediapipe: bool,
 }
 
 #[derive(Debug, Args)]

@@ -25,8 +25,8 @@ impl Vision {
         Ok(Self { finder: FaceFinder::new(detector, landmarks).map_err(error::of_landmarks)? })
     }
 
-    /// Looks for at most `max_faces` faces in a photo (the bytes of a JPEG, PNG or WebP file), best first. `report` is
-    /// told each stage as it begins and how much of that stage is done, 0 to 1; the stages are taken to be equally long.
+    /// Looks for at most `max_faces` faces in a photo (the bytes of a JPEG, PNG or WebP file), the most prominent first.
+    /// `report` is told each stage as it begins and how much of that stage is done, 0 to 1; the stages are taken to be equally long.
     ///
     /// # Errors
     /// Throws `not-a-picture`, `unsupported-format`, `damaged-picture`, `too-many-bytes`, `too-many-pixels`,

@@ -95,7 +95,7 @@ function find(vision, bytes, maxFaces, id) {
   );
   try {
     const faces = Array.from({ length: found.faceCount }, (_, i) => ({
-      score: found.score(i),
+      confidence: found.confidence(i),
       landmarks: found.landmarks(i),
       colours: found.colours(i),
     }));

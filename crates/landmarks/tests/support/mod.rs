@@ -4,6 +4,9 @@
 
 pub mod assets;
 pub mod pictures;
+pub mod scenes;
+#[path = "../../../../tests/seeded.rs"]
+pub mod seeded;
 
 /// The finder with the networks the app serves.
 pub fn finder() -> rosto_landmarks::FaceFinder {
