@@ -78,12 +78,14 @@ pub(crate) fn is_among(detection: &Detection, faces: &[Face]) -> bool {
     faces.iter().any(|face| face.outline().covers(&detection.outline()))
 }
 
-/// Adds a face to the others unless it is one of them; of two that are the same the more certain one stays.
-pub(crate) fn add(faces: &mut Vec<Face>, face: Face) {
+/// The faces and another one, if there is one; of two that are the same the more certain one stays.
+pub(crate) fn with(mut faces: Vec<Face>, face: Option<Face>) -> Vec<Face> {
+    let Some(face) = face else { return faces };
     let outline = face.outline();
     let same = |other: &Face| other.outline().covers(&outline) || outline.covers(&other.outline());
     if faces.iter().all(|other| !same(other) || other.confidence < face.confidence) {
         faces.retain(|other| !same(other));
         faces.push(face);
     }
+    faces
 }

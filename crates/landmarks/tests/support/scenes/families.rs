@@ -180,7 +180,7 @@ fn groups() -> Vec<Scene> {
         let mut scene = portrait("group", format!("group_{count}_cells_{cell_px}_tilt_{tilt}"));
         scene.faces = faces.collect();
         scene.size_px = [(f64::from(columns) * cell_px) as u32, (f64::from(rows) * cell_px) as u32];
-        scene.ground = if seed % 2 == 0 { Ground::Clouds } else { Ground::Cloth };
+        scene.ground = if seed.is_multiple_of(2) { Ground::Clouds } else { Ground::Cloth };
         scene.part = Part::Head;
         scene.seed = seed;
         scene
