@@ -2,13 +2,11 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "../../../tests/seeded.rs"]
-mod seeded;
 mod support;
 
 use rosto_landmarks::{Face, FaceFinder, FindOptions, LandmarksError};
-use seeded::Seeded;
 use support::assets;
+use support::seeded::Seeded;
 
 /// Four hundred bytes of the weights written anew.
 fn flipped(mut onnx: Vec<u8>, seeded: &mut Seeded) -> Vec<u8> {
