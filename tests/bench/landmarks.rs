@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let finder = finder.ok_or("invariant: the finder was made at least once")??;
     let mut faces = 0;
     report("photo-to-landmarks", RUNS, || {
-        let found = decode(&photo, &Limits::default()).map(|photo| finder.find(&photo, &FindOptions::default()));
+        let found = decode(&photo, &Limits::default()).map(|photo| finder.find(&photo, &FindOptions::mediapipe()));
         faces += found.is_ok_and(|found| found.is_ok_and(|found| found.len() == 1)) as usize;
     });
     if faces == RUNS { Ok(()) } else { Err(format!("the face was found {faces} of {RUNS} times").into()) }

@@ -57,10 +57,10 @@ pub struct LandmarksTask {
     /// JPEG, PNG or WebP; - reads standard input
     #[arg(required = true, value_name = "PHOTO")]
     pub photos: Vec<PathBuf>,
-    /// How many faces to look for in each photo, the most certain ones first
-    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true,
+    /// How many faces to tell of each photo at most, the most prominent ones first; 20 if nothing is said, 1 with --mediapipe
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
         value_parser = RangedU64ValueParser::<usize>::new().range(1..))]
-    pub max_faces: usize,
+    pub max_faces: Option<usize>,
     #[command(flatten)]
     pub find: FindArguments,
 }
@@ -90,6 +90,9 @@ impl CameraArguments {
 #[command(next_help_heading = "How faces are found")]
 pub struct FindArguments {
     /// Does exactly what MediaPipe's Face Mesh does with a single picture: one look, one pass, 468 landmarks
+    ///
+    /// Otherwise turns and parts of the picture are looked at too, landmarks are found again until they agree, and lips, eyes
+    /// and irises are refined.
     #[arg(long)]
     pub mediapipe: bool,
     /// With --mediapipe: its refined lips, eyes and irises, 478 landmarks; without it they are always refined
@@ -104,9 +107,9 @@ impl FindArguments {
     }
 
     /// The way of looking that these ask for, for that many faces.
-    pub fn options(&self, max_faces: usize) -> FindOptions {
-        let options = if self.mediapipe { FindOptions::mediapipe() } else { FindOptions::default() };
-        FindOptions { max_faces, ..options }
+    pub fn options(&self, max_faces: Option<usize>) -> FindOptions {
+        let usual = if self.mediapipe { FindOptions::mediapipe() } else { FindOptions::default() };
+        FindOptions { max_faces: max_faces.unwrap_or(usual.max_faces), ..usual }
     }
 }
 

@@ -23,7 +23,7 @@ pub fn open(path: &Path) -> Result<Photo, CliError> {
     rosto_photo::decode(&bytes, &limits).map_err(no_picture)
 }
 
-/// The faces in a photo, the most certain one first, every landmark with a place.
+/// The faces in a photo in the order of the search, every landmark with a place.
 pub fn faces(photo: &Photo, path: &Path, finder: &FaceFinder, options: &FindOptions) -> Result<Vec<Face>, CliError> {
     let faces = finder.find(photo, options)?;
     // A network whose weights are not what they were may answer with anything.
@@ -34,7 +34,7 @@ pub fn faces(photo: &Photo, path: &Path, finder: &FaceFinder, options: &FindOpti
     }
 }
 
-/// The most certain face in a photo.
+/// The most prominent face in a photo.
 pub fn face(photo: &Photo, path: &Path, finder: &FaceFinder, options: &FindOptions) -> Result<Face, CliError> {
     let faces = faces(photo, path, finder, options)?;
     faces.into_iter().next().ok_or_else(|| CliError::NoFace { path: path.to_owned() })

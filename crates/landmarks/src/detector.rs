@@ -28,7 +28,8 @@ pub(crate) struct Detector {
     anchors: Vec<[f32; 2]>,
 }
 
-const SIDE: usize = 128;
+/// Width and height of what the network takes in, in px.
+pub(crate) const SIDE: usize = 128;
 /// Numbers for each anchor: centre, size, six key points, as x, y pairs.
 const NUMBERS_PER_BOX: usize = 16;
 const MIN_SCORE: f32 = 0.5;

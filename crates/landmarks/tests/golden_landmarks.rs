@@ -27,7 +27,7 @@ fn assert_agrees(finder: &FaceFinder, golden: &str, tolerance_px: f64) {
     let pictures = pictures::all(&support::assets::portrait());
     assert_eq!(pictures.len(), golden.as_object().unwrap().len());
     for picture in &pictures {
-        let options = FindOptions { max_faces: picture.max_faces, ..FindOptions::default() };
+        let options = FindOptions { max_faces: picture.max_faces, ..FindOptions::mediapipe() };
         let faces = finder.find(&picture.photo, &options).unwrap();
         let expected = golden[picture.name]["faces"].as_array().unwrap();
         assert_eq!(faces.len(), expected.len(), "number of faces in {}", picture.name);

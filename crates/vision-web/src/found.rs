@@ -15,7 +15,7 @@ pub struct Found {
 }
 
 struct FoundFace {
-    score: f32,
+    confidence: f32,
     landmarks: Vec<f32>,
     colours: Vec<u8>,
 }
@@ -47,7 +47,7 @@ impl FoundFace {
     fn new(photo: &Photo, face: &Face) -> Self {
         let colour = |&[x, y, _]: &[f32; 3]| photo.colour_under(x.into(), y.into());
         Self {
-            score: face.score,
+            confidence: face.confidence,
             landmarks: face.landmarks.concat(),
             colours: face.landmarks.iter().take(LANDMARK_COUNT).flat_map(colour).collect(),
         }
@@ -84,9 +84,9 @@ impl Found {
         self.faces.len() as u32
     }
 
-    /// How sure the detector is of a face, 0.5 to 1; 0 for a face that is not there.
-    pub fn score(&self, face: u32) -> f32 {
-        self.face(face).map_or(0.0, |face| face.score)
+    /// How sure it is that this is a face and that the landmarks lie on it, 0.5 to 1; 0 for a face that is not there.
+    pub fn confidence(&self, face: u32) -> f32 {
+        self.face(face).map_or(0.0, |face| face.confidence)
     }
 
     /// 478 × (x/W, y/H, z/W), those of the irises last; empty for a face that is not there.

@@ -115,7 +115,7 @@ function find(vision, bytes, maxFaces, id, original) {
   const found = vision.find(bytes, maxFaces, report, original);
   try {
     const faces = Array.from({ length: found.faceCount }, (_, i) => ({
-      score: found.score(i),
+      confidence: found.confidence(i),
       landmarks: found.landmarks(i),
       colours: found.colours(i),
     }));

@@ -4,6 +4,9 @@
 
 pub mod assets;
 pub mod pictures;
+pub mod scenes;
+#[path = "../../../../tests/seeded.rs"]
+pub mod seeded;
 
 use rosto_landmarks::{FaceFinder, LandmarkNetwork};
 
