@@ -7,17 +7,19 @@
 //! a `search` that finds faces upside down and small ones, and a second pass that steadies the landmarks.
 
 mod anchors;
+mod constants;
 mod detector;
 mod error;
 mod finder;
 #[cfg(test)]
 mod golden_steps;
+mod graph;
 mod homography;
 mod mesh;
-mod names;
+
+mod layers;
 mod network;
-mod operators;
-mod prelu;
+
 mod region_of_interest;
 mod search;
 mod suppression;
@@ -26,6 +28,8 @@ mod warp;
 pub use error::LandmarksError;
 pub use finder::{Face, FaceFinder, FindOptions, Passes, Search, Stage};
 pub use mesh::LANDMARK_COUNT;
+#[cfg(feature = "bench")]
+pub use network::Network;
 pub use region_of_interest::RegionOfInterest;
 
 /// The examples of the README are tested with those of the code.

@@ -1,13 +1,13 @@
 use std::sync::Arc;
 
+use tract_onnx::Onnx;
 use tract_onnx::prelude::*;
-use tract_onnx::tract_core::internal::ensure;
-use tract_onnx::tract_hir::internal::TractErrorContext;
+use tract_onnx::tract_core::internal::{TractErrorContext, ensure};
 
-use crate::{LandmarksError, names, operators};
+use crate::{LandmarksError, graph};
 
 /// A network made ready to run: one square RGB picture in, two lists of numbers out.
-pub(crate) struct Network {
+pub struct Network {
     name: &'static str,
     side: usize,
     plan: Arc<TypedRunnableModel>,
@@ -15,13 +15,11 @@ pub(crate) struct Network {
 
 impl Network {
     /// Reads an ONNX file whose input is `[1, 3, side, side]`, and asks for two of its outputs by name.
-    pub(crate) fn new(
-        name: &'static str,
-        onnx: &[u8],
-        side: usize,
-        outputs: [&str; 2],
-    ) -> Result<Self, LandmarksError> {
-        let plan = optimised(onnx, side, outputs)
+    ///
+    /// # Errors
+    /// [`LandmarksError::NetworkDamaged`].
+    pub fn new(name: &'static str, onnx: &[u8], side: usize, outputs: [&str; 2]) -> Result<Self, LandmarksError> {
+        let plan = runnable(onnx, side, outputs)
             .map_err(|error| LandmarksError::NetworkDamaged { network: name, reason: format!("{error:#}") })?;
         Ok(Self { name, side, plan })
     }
@@ -29,11 +27,10 @@ impl Network {
     /// Runs on a picture that `fill` writes as three planes (red, green, blue) of `side × side` values; the outputs
     /// must have the given lengths. Whole networks answer every picture with finite numbers, so that others come from
     /// damaged weights.
-    pub(crate) fn run(
-        &self,
-        fill: impl FnOnce(&mut [f32]),
-        lengths: [usize; 2],
-    ) -> Result<[Vec<f32>; 2], LandmarksError> {
+    ///
+    /// # Errors
+    /// [`LandmarksError::NetworkFailed`], [`LandmarksError::NetworkDamaged`].
+    pub fn run(&self, fill: impl FnOnce(&mut [f32]), lengths: [usize; 2]) -> Result<[Vec<f32>; 2], LandmarksError> {
         let outputs = self
             .try_run(fill, lengths)
             .map_err(|error| LandmarksError::NetworkFailed { network: self.name, reason: format!("{error:#}") })?;
@@ -68,30 +65,11 @@ impl Network {
     }
 }
 
-fn optimised(onnx: &[u8], side: usize, outputs: [&str; 2]) -> TractResult<Arc<TypedRunnableModel>> {
+fn runnable(onnx: &[u8], side: usize, outputs: [&str; 2]) -> TractResult<Arc<TypedRunnableModel>> {
     let mut bytes = onnx;
-    let reader = operators::onnx();
-    let proto = reader.proto_model_for_read(&mut bytes)?;
-    names::check(proto.graph.as_ref().context("there is no graph in it")?)?;
-    let model = reader
-        .model_for_proto_model(&proto)?
-        .with_input_fact(0, f32::fact([1, 3, side, side]).into())?
-        .with_outputs_by_name(outputs)?
-        .into_typed()?;
-    check_weights(&model)?;
-    model.into_optimized()?.into_runnable()
-}
-
-/// Fails if a constant of the network is infinite or no number.
-fn check_weights(model: &TypedModel) -> TractResult<()> {
-    for node in &model.nodes {
-        for constant in node.outputs.iter().filter_map(|output| output.fact.konst.as_ref()) {
-            if constant.datum_type().is_float() {
-                let numbers = constant.cast_to::<f32>()?;
-                let wrong = numbers.try_as_plain_ram()?.as_slice::<f32>()?.iter().find(|number| !number.is_finite());
-                ensure!(wrong.is_none(), "{} holds a weight of {}", node.name, wrong.unwrap_or(&f32::NAN));
-            }
-        }
-    }
-    Ok(())
+    let proto = Onnx::default().proto_model_for_read(&mut bytes)?;
+    let model = graph::model(proto.graph.as_ref().context("there is no graph in it")?, &outputs)?;
+    let input = &model.input_fact(0)?.shape;
+    ensure!(model.inputs.len() == 1 && input.as_concrete() == Some(&[1, 3, side, side]), "it reads {input:?}");
+    model.into_runnable()
 }
