@@ -90,7 +90,7 @@ impl Dense {
             for part in parts {
                 add_products(&mut sums, &part.numbers[first * step..], step, &weights[part.weights.clone()]);
             }
-            for (pixel, sums) in sums.into_iter().enumerate() {
+            for (pixel, sums) in sums.iter().enumerate() {
                 let skip = &skip_pixels[pixel * skip.channels..][..skip.channels];
                 let output = &mut output[pixel * self.channels..][..self.channels];
                 finish(sums, slopes, skip.get(block * LANES..).unwrap_or_default(), &mut output[block * LANES..]);
@@ -116,15 +116,15 @@ fn add_products<const P: usize>(sums: &mut [[f32; LANES]; P], numbers: &[f32], s
 
 /// Writes the sums of one pixel's block of channels.
 #[inline(always)]
-fn finish(mut sums: [f32; LANES], slopes: &[f32; LANES], skip: &[f32], output: &mut [f32]) {
-    match skip.first_chunk::<LANES>() {
-        Some(skip) => sums.iter_mut().zip(skip).for_each(|(sum, skip)| *sum += skip),
-        None => sums.iter_mut().zip(skip).for_each(|(sum, skip)| *sum += skip),
-    }
-    let sums: [f32; LANES] = std::array::from_fn(|lane| activated(sums[lane], slopes[lane]));
+fn finish(sums: &[f32; LANES], slopes: &[f32; LANES], skip: &[f32], output: &mut [f32]) {
+    let skip = match skip.first_chunk::<LANES>() {
+        Some(skip) => *skip,
+        None => std::array::from_fn(|lane| skip.get(lane).copied().unwrap_or_default()),
+    };
+    let finished: [f32; LANES] = std::array::from_fn(|lane| activated(sums[lane] + skip[lane], slopes[lane]));
     match output.first_chunk_mut::<LANES>() {
-        Some(output) => *output = sums,
-        None => output.copy_from_slice(&sums[..output.len()]),
+        Some(output) => *output = finished,
+        None => output.iter_mut().zip(finished).for_each(|(output, finished)| *output = finished),
     }
 }
 

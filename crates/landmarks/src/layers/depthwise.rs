@@ -1,3 +1,5 @@
+use std::ops::Range;
+
 use super::activation::activated;
 use super::window::{Span, Window};
 
@@ -46,24 +48,32 @@ impl Depthwise {
         output: &mut [f32],
     ) {
         let channels = self.channels();
-        let [tap_rows, tap_columns] = self.window.kernel;
         let rows = self.window.taps(0, y, height);
         let at = |row: usize, x: usize, column: usize| {
             let pixel = self.window.pixel(0, y, row) * width + self.window.pixel(1, x, column);
-            &picture[pixel * channels..][..channels]
+            &picture[pixel * channels..]
         };
         for Span { places, taps: columns } in spans {
-            let usual = [rows.len(), columns.len(), tap_rows, tap_columns] == [3; 4];
-            for x in places.clone() {
-                let output = &mut output[x * channels..][..channels];
-                if usual {
-                    self.pixel_of_all(std::array::from_fn(|tap| at(tap / 3, x, tap % 3)), output);
-                } else {
-                    let taps = rows.clone().flat_map(|row| columns.clone().map(move |column| (row, column)));
-                    self.pixel(taps.map(|(row, column)| (row * tap_columns + column, at(row, x, column))), output);
+            if rows.len() == 3 && self.is_usual(columns) {
+                let step = self.window.strides[1] * channels;
+                let rows = [0, 1, 2].map(|row| at(row, places.start, 0));
+                let pixels = output[places.start * channels..].chunks_exact_mut(channels);
+                for (x, output) in pixels.take(places.len()).enumerate() {
+                    self.pixel_of_all(rows.map(|row| &row[x * step..]), output);
                 }
+                continue;
+            }
+            for x in places.clone() {
+                let taps = rows.clone().flat_map(|row| columns.clone().map(move |column| (row, column)));
+                let taps = taps.map(|(row, column)| (row * self.window.kernel[1] + column, at(row, x, column)));
+                self.pixel(taps, &mut output[x * channels..][..channels]);
             }
         }
+    }
+
+    /// Whether this is the usual kernel, all of its columns inside.
+    fn is_usual(&self, columns: &Range<usize>) -> bool {
+        [self.window.kernel[0], self.window.kernel[1], columns.len()] == [3; 3] && self.window.dilations[1] == 1
     }
 
     /// One pixel from as many taps as there are.
@@ -80,11 +90,11 @@ impl Depthwise {
         }
     }
 
-    /// The same, with the nine taps of the usual kernel and no sum in between written.
+    /// The same, with the nine taps of the usual kernel, three neighbours in each row, and no sum in between written.
     #[inline(always)]
-    fn pixel_of_all(&self, taps: [&[f32]; USUAL], output: &mut [f32]) {
+    fn pixel_of_all(&self, rows: [&[f32]; 3], output: &mut [f32]) {
         let channels = output.len();
-        let taps = taps.map(|numbers| &numbers[..channels]);
+        let taps: [&[f32]; USUAL] = std::array::from_fn(|tap| &rows[tap / 3][tap % 3 * channels..][..channels]);
         let weights: [&[f32]; USUAL] = std::array::from_fn(|tap| &self.weights[tap * channels..][..channels]);
         let (biases, slopes) = (&self.biases[..channels], &self.slopes[..channels]);
         for channel in 0..channels {
