@@ -3,13 +3,11 @@
 use rosto_photo::Photo;
 use sha2::{Digest, Sha256};
 
+use crate::assets;
 use crate::detector::Detector;
 use crate::mesh::{MeshNetwork, region_of};
 use crate::region_of_interest::{PictureSize, RegionOfInterest, RegionPx};
 use crate::warp::{self, Outside};
-
-#[path = "../tests/support/assets.rs"]
-mod assets;
 
 const PORTRAIT: PictureSize = PictureSize { width: 512.0, height: 512.0 };
 const FACE_REGION: RegionOfInterest =

@@ -7,6 +7,7 @@ mod attributes;
 #[cfg(test)]
 mod same_answers;
 mod waiting;
+mod wiring;
 
 use std::collections::HashMap;
 
@@ -17,9 +18,9 @@ use tract_onnx::prelude::*;
 use tract_onnx::tract_core::internal::{TractErrorContext, bail, ensure};
 
 use crate::constants;
-use crate::layers::{Concat, Layer, MaxPool, Operator, Pad, Permute, Reshape};
+use crate::layers::{Concat, MaxPool, Pad, Permute, Reshape};
 use attributes::Attributes;
-use waiting::{Kind, Waiting};
+use waiting::Waiting;
 
 /// Reads a graph and asks for some of its values by name.
 ///
@@ -61,7 +62,7 @@ enum Value<'a> {
     Constant(&'a TensorProto),
     Wired(Wire),
     /// Layers that are not wired yet, since what follows may become part of them.
-    Waiting(Waiting),
+    Waiting(Box<Waiting>),
     /// A picture with so many channels of zeros after its own.
     WithMoreChannels(Wire, usize),
 }
@@ -172,71 +173,6 @@ impl<'a> Reader<'a> {
                 self.wire(name, Permute { axes }, &[outlet], order).map(Value::Wired)
             }
         }
-    }
-
-    /// Adds a layer to the model.
-    fn wire(&mut self, name: &str, layer: impl Layer, inputs: &[OutletId], order: Order) -> TractResult<Wire> {
-        let operator: Box<dyn TypedOp> = Operator::new(layer).into();
-        let outlets = self.model.wire_node(name, operator, inputs)?;
-        Ok(Wire { outlet: outlets[0], order })
-    }
-
-    /// A value in the order of the file.
-    fn written(&mut self, name: &str) -> TractResult<OutletId> {
-        let wire = self.wired(name)?;
-        match wire.order {
-            Order::AsWritten => Ok(wire.outlet),
-            Order::ChannelsLast => self.permuted(name, wire, CHANNELS_FIRST),
-        }
-    }
-
-    /// A picture, channels last.
-    fn picture(&mut self, name: &str) -> TractResult<OutletId> {
-        let wire = self.wired(name)?;
-        if wire.order == Order::ChannelsLast {
-            return Ok(wire.outlet);
-        }
-        ensure!(self.rank(wire.outlet)? == 4, "{name} is no picture");
-        let outlet = self.permuted(name, wire, CHANNELS_LAST)?;
-        // Once, however many read it.
-        if let Some(value) = self.values.get_mut(name) {
-            *value = Value::Wired(Wire { outlet, order: Order::ChannelsLast });
-        }
-        Ok(outlet)
-    }
-
-    fn permuted(&mut self, name: &str, wire: Wire, axes: [usize; 4]) -> TractResult<OutletId> {
-        let name = format!("{name}/{}", self.model.nodes.len());
-        Ok(self.wire(&name, Permute { axes: axes.to_vec() }, &[wire.outlet], wire.order)?.outlet)
-    }
-
-    /// A value of the model, which layers that waited become.
-    fn wired(&mut self, name: &str) -> TractResult<Wire> {
-        if let Value::Wired(wire) = self.value(name)? {
-            return Ok(*wire);
-        }
-        let (key, value) = self.values.remove_entry(name).with_context(|| format!("nothing before gives {name}"))?;
-        let wire = match value {
-            Value::Wired(wire) => wire,
-            Value::Constant(_) => bail!("{name} is a constant"),
-            Value::WithMoreChannels(wire, more) => {
-                let by_axis = vec![[0, 0], [0, 0], [0, 0], [0, more]];
-                self.wire(name, Pad { by_axis }, &[wire.outlet], Order::ChannelsLast)?
-            }
-            Value::Waiting(Waiting { kind, picture, skip, .. }) => {
-                let inputs: TVec<OutletId> = [picture].into_iter().chain(skip).collect();
-                match kind {
-                    Kind::Depthwise(layer) => self.wire(name, layer, &inputs, Order::ChannelsLast)?,
-                    Kind::Convolution(layer) => self.wire(name, layer, &inputs, Order::ChannelsLast)?,
-                }
-            }
-        };
-        self.values.insert(key, Value::Wired(wire));
-        Ok(wire)
-    }
-
-    fn rank(&self, outlet: OutletId) -> TractResult<usize> {
-        Ok(self.model.outlet_fact(outlet)?.rank())
     }
 
     fn value(&self, name: &str) -> TractResult<&Value<'a>> {

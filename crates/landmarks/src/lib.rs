@@ -7,6 +7,9 @@
 //! a `search` that finds faces upside down and small ones, and a second pass that steadies the landmarks.
 
 mod anchors;
+#[cfg(test)]
+#[path = "../tests/support/assets.rs"]
+mod assets;
 mod constants;
 mod detector;
 mod error;
@@ -22,6 +25,9 @@ mod network;
 
 mod region_of_interest;
 mod search;
+#[cfg(test)]
+#[path = "../../../tests/seeded.rs"]
+mod seeded;
 mod suppression;
 mod warp;
 

@@ -4,15 +4,10 @@ use tract_onnx::Onnx;
 use tract_onnx::pb::ModelProto;
 use tract_onnx::prelude::*;
 
+use crate::assets;
 use crate::region_of_interest::{PictureSize, RegionPx};
+use crate::seeded::Seeded;
 use crate::warp::{self, Outside};
-
-#[path = "../../tests/support/assets.rs"]
-mod assets;
-#[path = "../../../../tests/seeded.rs"]
-mod seeded;
-
-use seeded::Seeded;
 
 /// A network's file, the side of its picture, and its outputs.
 type Case = (Vec<u8>, usize, [&'static str; 2]);

@@ -90,7 +90,7 @@ impl<'a> Reader<'a> {
             }
             groups => bail!("{groups} groups of {channels_in} channels"),
         };
-        Ok(Value::Waiting(waiting))
+        Ok(Value::Waiting(Box::new(waiting)))
     }
 
     /// A convolution over all channels takes along the depthwise one before it.
@@ -112,7 +112,7 @@ impl<'a> Reader<'a> {
         for (input, other) in [(a, b), (b, a)] {
             if let Some(mut waiting) = self.take_waiting(input, Waiting::takes_skip) {
                 waiting.skip = Some(self.skip(other, waiting.channels())?);
-                return Ok(Value::Waiting(waiting));
+                return Ok(Value::Waiting(Box::new(waiting)));
             }
         }
         let wires = [self.wired(a)?, self.wired(b)?];
@@ -146,7 +146,7 @@ impl<'a> Reader<'a> {
         };
         if let Some(waiting) = self.take_waiting(input, fits) {
             let slopes = slopes.unwrap_or_else(|| vec![0.0; waiting.channels()]);
-            return Ok(Value::Waiting(waiting.with_slopes(&slopes)));
+            return Ok(Value::Waiting(Box::new(waiting.with_slopes(&slopes))));
         }
         let wire = match slopes {
             Some(_) => Wire { outlet: self.picture(input)?, order: Order::ChannelsLast },
@@ -162,7 +162,7 @@ impl<'a> Reader<'a> {
         let alone = self.readers.get(name) == Some(&1);
         match self.values.get(name)? {
             Value::Waiting(waiting) if alone && fits(waiting) => match self.values.remove(name)? {
-                Value::Waiting(waiting) => Some(waiting),
+                Value::Waiting(waiting) => Some(*waiting),
                 _ => None,
             },
             _ => None,

@@ -120,7 +120,10 @@ fn strides(shape: &[usize]) -> TVec<usize> {
 /// Writes each number where the steps along its axes lead from `start`.
 fn scatter(numbers: &[f32], shape: &[usize], steps: &[usize], start: usize, output: &mut [f32]) {
     match (shape, steps) {
-        ([extent], [step]) => (0..*extent).for_each(|i| output[start + i * step] = numbers[i]),
+        ([_], [step]) => {
+            let places = output[start..].iter_mut().step_by((*step).max(1));
+            places.zip(numbers).for_each(|(place, number)| *place = *number);
+        }
         ([extent, shape @ ..], [step, steps @ ..]) => {
             let length = shape.iter().product::<usize>().max(1);
             let parts = numbers.chunks_exact(length).take(*extent).enumerate();

@@ -3,11 +3,7 @@
 use std::ops::Range;
 
 use super::*;
-
-#[path = "../../../../tests/seeded.rs"]
-mod seeded;
-
-use seeded::Seeded;
+use crate::seeded::Seeded;
 
 /// A picture channels first.
 struct Planes {
@@ -236,7 +232,7 @@ fn max_pooling_takes_the_largest_number_under_the_window() {
 #[test]
 fn layers_that_move_numbers_put_each_in_its_place() {
     let shape = [2, 3, 4, 5];
-    let numbers: Vec<f32> = (0..120).map(|number| number as f32).collect();
+    let numbers: Vec<f32> = (0..120).map(|i| i as f32).collect();
     let run = |layer: &dyn Layer, inputs: &[Value<'_>]| {
         let shapes: Vec<&[usize]> = inputs.iter().map(|input| input.shape).collect();
         let shape = layer.output_shape(&shapes).unwrap();
@@ -254,12 +250,12 @@ fn layers_that_move_numbers_put_each_in_its_place() {
         (&*permuted_shape, &*padded_shape, &*joined_shape),
         (&[5, 3, 2, 4][..], &[3, 5, 6, 8][..], &[2, 3, 8, 5][..])
     );
-    for i in 0..120 {
+    for (i, &number) in numbers.iter().enumerate() {
         let index = [i / 60, i / 20 % 3, i / 5 % 4, i % 5];
-        assert_eq!(permuted[at(axes.map(|axis| index[axis]), &permuted_shape)], numbers[i]);
-        assert_eq!(padded[at([index[0], index[1] + 2, index[2] + 1, index[3]], &padded_shape)], numbers[i]);
+        assert_eq!(permuted[at(axes.map(|axis| index[axis]), &permuted_shape)], number);
+        assert_eq!(padded[at([index[0], index[1] + 2, index[2] + 1, index[3]], &padded_shape)], number);
         for copy in 0..2 {
-            assert_eq!(joined[at([index[0], index[1], index[2] + 4 * copy, index[3]], &joined_shape)], numbers[i]);
+            assert_eq!(joined[at([index[0], index[1], index[2] + 4 * copy, index[3]], &joined_shape)], number);
         }
     }
     assert_eq!(padded.iter().sum::<f32>(), numbers.iter().sum::<f32>());
