@@ -12,9 +12,10 @@ export const ROOT = path.resolve(import.meta.dirname, "../..");
  * @param {string} folder
  * @param {(argument: Argument) => Promise<Result>} work runs in the browser
  * @param {Argument} argument
+ * @param {Record<string, string>} [beside] further folders, by the name under which the page sees their files
  * @returns {Promise<Result>}
  */
-export async function inBlankPage(folder, work, argument) {
+export async function inBlankPage(folder, work, argument, beside = {}) {
   const browser = await launch();
   const server = await serve(folder, "/");
   try {
@@ -22,6 +23,10 @@ export async function inBlankPage(folder, work, argument) {
     const blank = { contentType: "text/html", body: "<!doctype html><title>bench</title>" };
     await page.route("**/blank.html", (route) => route.fulfill(blank));
     await page.route("**/sample.png", (route) => route.fulfill({ path: path.join(ROOT, "web/assets/sample.png") }));
+    for (const [name, other] of Object.entries(beside)) {
+      const file = (route) => path.join(other, path.basename(new URL(route.request().url()).pathname));
+      await page.route(`**/${name}/*`, (route) => route.fulfill({ path: file(route) }));
+    }
     await page.goto(`${server.url}blank.html`);
     return await page.evaluate(work, argument);
   } finally {

@@ -3,14 +3,11 @@
 use rosto_photo::Photo;
 use sha2::{Digest, Sha256};
 
+use crate::assets;
 use crate::detector::Detector;
 use crate::mesh::{LandmarkNetwork, MeshNetwork, RawMesh, region_of};
 use crate::region_of_interest::{PictureSize, RegionOfInterest, RegionPx};
 use crate::warp::{self, Outside};
-
-#[path = "../tests/support/assets.rs"]
-#[allow(dead_code, reason = "the tests of the whole use the rest")]
-mod assets;
 
 const PORTRAIT: PictureSize = PictureSize { width: 512.0, height: 512.0 };
 const FACE_REGION: RegionOfInterest =

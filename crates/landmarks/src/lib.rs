@@ -1,6 +1,6 @@
 //! Picture to faces: MediaPipe's face networks, run with tract.
 //!
-//! [`FaceFinder`] holds the two networks; [`FaceFinder::find`] takes a picture to its faces, 468 landmarks each, and
+//! [`FaceFinder`] holds two networks; [`FaceFinder::find`] takes a picture to its faces, 468 landmarks each, and
 //! agrees with MediaPipe's Face Mesh in static image mode where it is asked to. The steps, each in its own module: the whole
 //! picture is resampled (`warp`) for the `detector`, whose overlapping boxes are merged (`suppression`); the eyes of a
 //! detection turn it into a square `region`, which is resampled for the landmark network (`mesh`). Beyond MediaPipe, and by
@@ -8,30 +8,39 @@
 //! until the landmarks settle, and drops what is no face.
 
 mod anchors;
+#[cfg(test)]
+#[allow(dead_code, reason = "the tests of the whole use the rest")]
+#[path = "../tests/support/assets.rs"]
+mod assets;
 mod attention;
+mod constants;
 mod detector;
 mod error;
 mod finder;
 #[cfg(test)]
 mod golden_steps;
+mod graph;
 mod homography;
 mod judgement;
+mod layers;
 mod mesh;
-mod names;
 mod network;
-mod operators;
 mod part;
-mod prelu;
 mod prominence;
 mod pyramid;
 mod region_of_interest;
 mod search;
+#[cfg(test)]
+#[path = "../../../tests/seeded.rs"]
+mod seeded;
 mod suppression;
 mod warp;
 
 pub use error::LandmarksError;
 pub use finder::{Face, FaceFinder, FindOptions, Search, Stage};
 pub use mesh::{LANDMARK_COUNT, LandmarkNetwork};
+#[cfg(feature = "bench")]
+pub use network::Network;
 pub use region_of_interest::RegionOfInterest;
 
 /// The examples of the README are tested with those of the code.

@@ -1,13 +1,13 @@
 use std::sync::Arc;
 
+use tract_onnx::Onnx;
 use tract_onnx::prelude::*;
-use tract_onnx::tract_core::internal::ensure;
-use tract_onnx::tract_hir::internal::TractErrorContext;
+use tract_onnx::tract_core::internal::{TractErrorContext, ensure};
 
-use crate::{LandmarksError, names, operators, part};
+use crate::{LandmarksError, graph, part};
 
 /// A network, or a part of one, made ready to run: lists of numbers in, lists of numbers out.
-pub(crate) struct Network {
+pub struct Network {
     name: &'static str,
     inputs: Vec<Input>,
     plan: Arc<TypedRunnableModel>,
@@ -23,12 +23,10 @@ pub(crate) struct Input {
 
 impl Network {
     /// Reads an ONNX file whose only input is a picture `[1, 3, side, side]`, and asks for the outputs named.
-    pub(crate) fn of_picture(
-        name: &'static str,
-        onnx: &[u8],
-        side: usize,
-        outputs: &[&str],
-    ) -> Result<Self, LandmarksError> {
+    ///
+    /// # Errors
+    /// [`LandmarksError::NetworkDamaged`].
+    pub fn of_picture(name: &'static str, onnx: &[u8], side: usize, outputs: &[&str]) -> Result<Self, LandmarksError> {
         Self::part(name, onnx, &[Input { name: "", channels: 3, side }], outputs)
     }
 
@@ -40,7 +38,7 @@ impl Network {
         inputs: &[Input],
         outputs: &[&str],
     ) -> Result<Self, LandmarksError> {
-        let plan = optimised(onnx, inputs, outputs)
+        let plan = runnable(onnx, inputs, outputs)
             .map_err(|error| LandmarksError::NetworkDamaged { network: name, reason: format!("{error:#}") })?;
         Ok(Self { name, inputs: inputs.to_vec(), plan })
     }
@@ -48,7 +46,10 @@ impl Network {
     /// Runs on what `fill` writes for each input (by its number), `channels` planes of `side × side` values; the outputs
     /// must have the given lengths. Whole networks answer every picture with finite numbers, so that others come from
     /// damaged weights.
-    pub(crate) fn run<const N: usize>(
+    ///
+    /// # Errors
+    /// [`LandmarksError::NetworkFailed`], [`LandmarksError::NetworkDamaged`].
+    pub fn run<const N: usize>(
         &self,
         fill: impl FnMut(usize, &mut [f32]),
         lengths: [usize; N],
@@ -99,36 +100,19 @@ impl Network {
     }
 }
 
-fn optimised(onnx: &[u8], inputs: &[Input], outputs: &[&str]) -> TractResult<Arc<TypedRunnableModel>> {
+fn runnable(onnx: &[u8], inputs: &[Input], outputs: &[&str]) -> TractResult<Arc<TypedRunnableModel>> {
     let mut bytes = onnx;
-    let reader = operators::onnx();
-    let mut proto = reader.proto_model_for_read(&mut bytes)?;
-    names::check(proto.graph.as_ref().context("there is no graph in it")?)?;
-    if let (Some(graph), [Input { name: "", .. }, ..]) = (&proto.graph, inputs) {
-        ensure!(graph.input.len() == 1, "{} inputs, expected one", graph.input.len());
-    } else if let Some(graph) = &mut proto.graph {
+    let proto = Onnx::default().proto_model_for_read(&mut bytes)?;
+    let mut graph = proto.graph.context("there is no graph in it")?;
+    if inputs.iter().all(|input| !input.name.is_empty()) {
         let names: Vec<&str> = inputs.iter().map(|input| input.name).collect();
-        part::keep(graph, &names, outputs)?;
+        part::keep(&mut graph, &names, outputs)?;
     }
-    let mut model = reader.model_for_proto_model(&proto)?;
+    let model = graph::model(&graph, outputs)?;
+    ensure!(model.inputs.len() == inputs.len(), "{} inputs, expected {}", model.inputs.len(), inputs.len());
     for (index, &Input { channels, side, .. }) in inputs.iter().enumerate() {
-        model.set_input_fact(index, f32::fact([1, channels, side, side]).into())?;
+        let shape = &model.input_fact(index)?.shape;
+        ensure!(shape.as_concrete() == Some(&[1, channels, side, side]), "it reads {shape:?}");
     }
-    let model = model.with_outputs_by_name(outputs)?.into_typed()?;
-    check_weights(&model)?;
-    model.into_optimized()?.into_runnable()
-}
-
-/// Fails if a constant of the network is infinite or no number.
-fn check_weights(model: &TypedModel) -> TractResult<()> {
-    for node in &model.nodes {
-        for constant in node.outputs.iter().filter_map(|output| output.fact.konst.as_ref()) {
-            if constant.datum_type().is_float() {
-                let numbers = constant.cast_to::<f32>()?;
-                let wrong = numbers.try_as_plain_ram()?.as_slice::<f32>()?.iter().find(|number| !number.is_finite());
-                ensure!(wrong.is_none(), "{} holds a weight of {}", node.name, wrong.unwrap_or(&f32::NAN));
-            }
-        }
-    }
-    Ok(())
+    model.into_runnable()
 }

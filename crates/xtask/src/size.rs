@@ -30,7 +30,7 @@ pub const BUDGETS: [Budget; 4] = [
     Budget {
         name: "worker module",
         files: &["wasm/rosto-vision-web_bg.wasm", "wasm/rosto-vision-web.js"],
-        limit: 1_900_000,
+        limit: 1_600_000,
     },
     Budget {
         name: "networks",

@@ -32,7 +32,7 @@ const ALL: [Source; 6] = [
     Source { name: "chrome-page", what: "a slider's tick on the page with all its listeners", measure: chrome_page },
     Source {
         name: "chrome-landmarks",
-        what: "photo to landmarks in headless Chrome, beside MediaPipe's own",
+        what: "photo to landmarks and each network in headless Chrome, beside MediaPipe's own and onnxruntime-web",
         measure: chrome_landmarks,
     },
 ];
@@ -66,12 +66,18 @@ fn peers(_: &Kit) -> Result<String> {
 }
 
 fn chrome_edits(kit: &Kit) -> Result<String> {
+    example_for_web(kit, &["--package", "rosto-studio-web", "--example", "edits"], "edits.wasm")?;
+    in_chrome(kit, "tests/bench/chrome-edits.mjs")
+}
+
+/// Builds an example as the page is built.
+fn example_for_web(kit: &Kit, example: &[&str], module: &str) -> Result {
     let build = kit.run("cargo")?.args(["build", "--quiet", "--locked", "--profile", "web", "--target", WASM]);
-    build.args(["--package", "rosto-studio-web", "--example", "edits"]).within(LIMIT).run()?.checked()?;
-    let module = workspace::target().join(WASM).join("web/examples/edits.wasm");
+    build.args(example).within(LIMIT).run()?.checked()?;
+    let module = workspace::target().join(WASM).join("web/examples").join(module);
     let bind = kit.run("wasm-bindgen")?.args(["--target", "web", "--no-typescript", "--out-dir"]);
     bind.arg(workspace::target().join("bench")).arg(module).run()?.checked()?;
-    in_chrome(kit, "tests/bench/chrome-edits.mjs")
+    Ok(())
 }
 
 fn chrome_page(kit: &Kit) -> Result<String> {
@@ -79,6 +85,8 @@ fn chrome_page(kit: &Kit) -> Result<String> {
 }
 
 fn chrome_landmarks(kit: &Kit) -> Result<String> {
+    let networks = ["--package", "rosto-vision-web", "--features", "bench", "--example", "networks"];
+    example_for_web(kit, &networks, "networks.wasm")?;
     in_chrome(kit, "tests/bench/chrome-landmarks.mjs")
 }
 

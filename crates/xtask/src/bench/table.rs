@@ -3,7 +3,7 @@
 use super::Record;
 
 /// What the tasks are called for a reader.
-const TITLES: [(&str, &str); 23] = [
+const TITLES: [(&str, &str); 28] = [
     ("paper-edit", "One edit of the paper with the factor at hand, from the choice of the vertex to the moved mesh"),
     ("paper-edit-bare", "One edit of the paper from nothing: operator, factor, response, moved mesh"),
     ("system", "What is done once per mesh: from triangles to factor"),
@@ -33,6 +33,11 @@ const TITLES: [(&str, &str); 23] = [
     ("networks-start-chrome", "Loading program and networks, in headless Chrome"),
     ("first-landmarks-chrome", "The first photo to landmarks, in headless Chrome"),
     ("photo-to-landmarks-chrome", "Photo (512×512 PNG) to landmarks, in headless Chrome, one thread"),
+    ("networks-make-chrome", "Both networks from file to ready, the program being there, in headless Chrome"),
+    ("detector-network-chrome", "The detector network alone, in headless Chrome, one thread"),
+    ("detector-network-least-chrome", "The detector network alone, the quickest run"),
+    ("landmark-network-chrome", "The landmark network alone, in headless Chrome, one thread"),
+    ("landmark-network-least-chrome", "The landmark network alone, the quickest run"),
 ];
 
 /// All figures, in the order in which their tasks first appear.

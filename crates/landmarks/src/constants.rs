@@ -1,0 +1,72 @@
+//! The numbers that an ONNX file holds.
+
+use tract_onnx::pb::TensorProto;
+use tract_onnx::pb::tensor_proto::DataType;
+use tract_onnx::prelude::*;
+use tract_onnx::tract_core::internal::{TractErrorContext, bail, ensure};
+
+/// A constant's extents.
+pub(crate) fn shape(tensor: &TensorProto) -> TractResult<TVec<usize>> {
+    let extents = tensor.dims.iter().map(|&extent| usize::try_from(extent).ok());
+    extents.collect::<Option<_>>().with_context(|| format!("{} has a shape of {:?}", tensor.name, tensor.dims))
+}
+
+/// Numbers of half or single precision, in the order of the file.
+///
+/// # Errors
+/// If there are more or fewer than the constant's shape says, or one is infinite or none.
+pub(crate) fn floats(tensor: &TensorProto) -> TractResult<Vec<f32>> {
+    let numbers: Vec<f32> = match DataType::try_from(tensor.data_type) {
+        Ok(DataType::Float16) => {
+            elements(tensor)?.iter().map(|&bytes| single_from_half(u16::from_le_bytes(bytes))).collect()
+        }
+        Ok(DataType::Float) => elements(tensor)?.iter().map(|&bytes| f32::from_le_bytes(bytes)).collect(),
+        _ => bail!("{} holds numbers of type {}", tensor.name, tensor.data_type),
+    };
+    let wrong = numbers.iter().find(|number| !number.is_finite());
+    ensure!(wrong.is_none(), "{} holds a weight of {}", tensor.name, wrong.unwrap_or(&f32::NAN));
+    Ok(numbers)
+}
+
+/// Whole numbers.
+///
+/// # Errors
+/// If there are more or fewer than the constant's shape says.
+pub(crate) fn integers(tensor: &TensorProto) -> TractResult<Vec<i64>> {
+    let is_whole = tensor.data_type == DataType::Int64 as i32;
+    ensure!(is_whole, "{} holds numbers of type {}", tensor.name, tensor.data_type);
+    Ok(elements(tensor)?.iter().map(|&bytes| i64::from_le_bytes(bytes)).collect())
+}
+
+fn elements<const SIZE: usize>(tensor: &TensorProto) -> TractResult<&[[u8; SIZE]]> {
+    let expected = shape(tensor)?.iter().try_fold(SIZE, |bytes, &extent| bytes.checked_mul(extent));
+    let bytes = tensor.raw_data.len();
+    ensure!(expected == Some(bytes), "{} has {bytes} bytes for a shape of {:?}", tensor.name, tensor.dims);
+    Ok(tensor.raw_data.as_chunks().0)
+}
+
+const TWO_TO_112: f32 = f32::from_bits((127 + 112) << 23);
+
+/// IEEE 754's binary16 to binary32: the exponent and mantissa moved to their places, and the exponent's bias made up for
+/// by a power of two, which is exact for subnormal numbers too.
+fn single_from_half(bits: u16) -> f32 {
+    let bits = u32::from(bits);
+    let magnitude = match bits & 0x7C00 {
+        0x7C00 => f32::from_bits(0x7F80_0000 | (bits & 0x3FF) << 13),
+        _ => f32::from_bits((bits & 0x7FFF) << 13) * TWO_TO_112,
+    };
+    f32::from_bits(magnitude.to_bits() | (bits & 0x8000) << 16)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_half_becomes_the_single_of_the_same_value() {
+        for bits in 0..=u16::MAX {
+            let (single, expected) = (single_from_half(bits), f16::from_bits(bits).to_f32());
+            assert!(single.to_bits() == expected.to_bits() || (single.is_nan() && expected.is_nan()), "{bits:#06x}");
+        }
+    }
+}

@@ -1,0 +1,74 @@
+use tract_onnx::prelude::*;
+use tract_onnx::tract_core::internal::{bail, ensure};
+
+use super::activation::activated;
+use super::window::Window;
+use super::{Layer, Value, picture};
+
+/// The largest number under a window, for each channel by itself.
+pub(crate) struct MaxPool {
+    pub(crate) window: Window,
+}
+
+impl Layer for MaxPool {
+    fn name(&self) -> &'static str {
+        "MaxPool"
+    }
+
+    fn output_shape(&self, inputs: &[&[usize]]) -> TractResult<TVec<usize>> {
+        ensure!(inputs.len() == 1, "{} inputs", inputs.len());
+        let [height, width, channels] = picture(inputs[0])?;
+        let [height, width] = self.window.output([height, width])?;
+        Ok(tvec![1, height, width, channels])
+    }
+
+    fn run(&self, inputs: &[Value<'_>], shape: &[usize], output: &mut [f32]) {
+        let (extents, channels) = ([inputs[0].shape[1], inputs[0].shape[2]], shape[3]);
+        for (at, output) in output.chunks_exact_mut(channels).enumerate() {
+            let place = [at / shape[2], at % shape[2]];
+            let [rows, columns] = [0, 1].map(|axis| self.window.taps(axis, place[axis], extents[axis]));
+            output.fill(f32::NEG_INFINITY);
+            for (row, column) in rows.flat_map(|row| columns.clone().map(move |column| (row, column))) {
+                let pixel = self.window.pixel(0, place[0], row) * extents[1] + self.window.pixel(1, place[1], column);
+                for (largest, &number) in output.iter_mut().zip(&inputs[0].numbers[pixel * channels..]) {
+                    *largest = if number > *largest { number } else { *largest };
+                }
+            }
+        }
+    }
+}
+
+/// The sum of its inputs, one or two of the same shape, activated: a slope for each of the last axis' channels, if there
+/// are slopes.
+pub(crate) struct Sum {
+    pub(crate) slopes: Option<Vec<f32>>,
+}
+
+impl Layer for Sum {
+    fn name(&self) -> &'static str {
+        "Sum"
+    }
+
+    fn output_shape(&self, inputs: &[&[usize]]) -> TractResult<TVec<usize>> {
+        let shape = match *inputs {
+            [input] => input,
+            [a, b] if a == b => a,
+            _ => bail!("values of shapes {inputs:?} are not added"),
+        };
+        if let Some(slopes) = &self.slopes {
+            ensure!(shape.last() == Some(&slopes.len()), "{} slopes for a value of shape {shape:?}", slopes.len());
+        }
+        Ok(shape.into())
+    }
+
+    fn run(&self, inputs: &[Value<'_>], _: &[usize], output: &mut [f32]) {
+        for input in inputs {
+            output.iter_mut().zip(input.numbers).for_each(|(sum, number)| *sum += number);
+        }
+        if let Some(slopes) = &self.slopes {
+            for pixel in output.chunks_exact_mut(slopes.len().max(1)) {
+                pixel.iter_mut().zip(slopes).for_each(|(sum, &slope)| *sum = activated(*sum, slope));
+            }
+        }
+    }
+}
