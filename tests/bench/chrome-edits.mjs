@@ -53,7 +53,7 @@ async function page(levels) {
   const bytes = async (name) => new Uint8Array(await (await fetch(name)).arrayBuffer());
   const { default: initVision, Vision } = await import("./wasm/rosto-vision-web.js");
   await initVision();
-  const vision = new Vision(await bytes("assets/face_detector.onnx"), await bytes("assets/face_landmarks.onnx"));
+  const vision = new Vision(await bytes("assets/face_detector.onnx"), await bytes("assets/face_landmarks_attention.onnx"));
   const found = vision.find(await bytes("sample.png"), 1, () => {});
   const { default: init, start } = await import("./wasm/rosto-studio-web.js");
   await init();
@@ -62,7 +62,7 @@ async function page(levels) {
   studio.choose("triangulation", "canonical");
   studio.openPicture(found.pictureWidth, found.pictureHeight);
   studio.addPictureRows(found.takePicture());
-  studio.openFace(found.landmarks(0), found.width, found.height, found.colours(0));
+  studio.openFace(found.landmarks(0), found.width, found.height, found.colours(0), "estimated");
 
   const lines = [];
   for (const level of levels) {

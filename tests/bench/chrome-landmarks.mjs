@@ -30,7 +30,7 @@ async function rosto(runs) {
   const before = performance.now();
   const { default: init, Vision } = await import("./wasm/rosto-vision-web.js");
   await init();
-  const vision = new Vision(await bytes("assets/face_detector.onnx"), await bytes("assets/face_landmarks.onnx"));
+  const vision = new Vision(await bytes("assets/face_detector.onnx"), await bytes("assets/face_landmarks_attention.onnx"));
   const start_ms = performance.now() - before;
   const find = async () => {
     const started = performance.now();

@@ -2,7 +2,7 @@
 //!
 //! Prints one JSON object a line, as `peers.py` does. Takes the folder with the networks and the sample portrait.
 
-use rosto_landmarks::{FaceFinder, FindOptions};
+use rosto_landmarks::{FaceFinder, FindOptions, LandmarkNetwork};
 use rosto_photo::{Limits, decode};
 use std::path::Path;
 use std::time::Instant;
@@ -12,13 +12,14 @@ const RUNS: usize = 40;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = std::env::args().nth(1).ok_or("usage: landmarks FOLDER")?;
     let read = |name: &str| std::fs::read(Path::new(&folder).join(name));
-    let (detector, landmarks, photo) = (read("face_detector.onnx")?, read("face_landmarks.onnx")?, read("sample.png")?);
+    let (detector, landmarks, photo) =
+        (read("face_detector.onnx")?, read("face_landmarks_attention.onnx")?, read("sample.png")?);
     let mut finder = None;
-    report("networks-start", 5, || finder = Some(FaceFinder::new(&detector, &landmarks)));
+    report("networks-start", 5, || finder = Some(FaceFinder::new(&detector, LandmarkNetwork::Attention(&landmarks))));
     let finder = finder.ok_or("invariant: the finder was made at least once")??;
     let mut faces = 0;
     report("photo-to-landmarks", RUNS, || {
-        let found = decode(&photo, &Limits::default()).map(|photo| finder.find(&photo, &FindOptions::default()));
+        let found = decode(&photo, &Limits::default()).map(|photo| finder.find(&photo, &FindOptions::mediapipe()));
         faces += found.is_ok_and(|found| found.is_ok_and(|found| found.len() == 1)) as usize;
     });
     if faces == RUNS { Ok(()) } else { Err(format!("the face was found {faces} of {RUNS} times").into()) }

@@ -113,7 +113,7 @@ journey("what lights up below a pointer that rests is what a press takes, howeve
   await page.focus("#viewport");
   await page.mouse.move(x, y);
   const names = new Set([await named()]);
-  for (const key of ["ArrowLeft", "ArrowLeft", "ArrowUp", "l"]) {
+  for (const key of ["ArrowLeft", "ArrowLeft", "ArrowUp", "l", "t"]) {
     await page.keyboard.press(key);
     await visitor.frames(4);
     const name = await named();

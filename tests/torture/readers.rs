@@ -2,7 +2,7 @@
 
 use rosto_export::{Reopened, reopen};
 use rosto_face::{FaceInput, FaceModel};
-use rosto_landmarks::{FaceFinder, FindOptions};
+use rosto_landmarks::{FaceFinder, FindOptions, LandmarkNetwork};
 use rosto_photo::{Limits, Photo, decode};
 use rosto_studio::{Document, Rest, project};
 
@@ -54,7 +54,8 @@ pub fn edits(bytes: &[u8]) -> Verdict {
 
 /// Two networks, and what they see in a portrait.
 pub fn networks(detector: &[u8], landmarks: &[u8], portrait: &Photo) -> Verdict {
-    let found = FaceFinder::new(detector, landmarks).and_then(|finder| finder.find(portrait, &FindOptions::default()));
+    let found = FaceFinder::new(detector, LandmarkNetwork::Attention(landmarks))
+        .and_then(|finder| finder.find(portrait, &FindOptions::default()));
     let Ok(faces) = found else { return Verdict::Refused };
     let landmarks = faces.iter().flat_map(|face| &face.landmarks).flatten();
     checked(promise(landmarks.into_iter().all(|number| number.is_finite()), "a landmark is not finite"))
@@ -72,7 +73,7 @@ fn face(opened: &Reopened<'_>) -> Verdict {
     let Ok(picture) = picture else { return Verdict::Refused };
     let [width, height] = opened.photo_size_px;
     let (landmarks, colours) = (&opened.landmarks, &opened.colours_srgb);
-    let input = FaceInput { landmarks, width, height, colours, picture };
+    let input = FaceInput { landmarks, width, height, colours, picture, lens: opened.lens };
     let Ok(model) = FaceModel::new(input, opened.triangulation) else { return Verdict::Refused };
     let finite = model.positions_m().iter().all(|position| position.is_finite());
     match (checked(promise(finite, "a face has a position that is not finite")), &opened.history) {

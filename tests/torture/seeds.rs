@@ -54,5 +54,9 @@ impl Seeds {
 fn networks(assets: &Path) -> Option<Networks> {
     let read = |name: &str| std::fs::read(assets.join(name)).ok();
     let portrait = decode(&read("sample.png")?, &Limits::default()).ok()?;
-    Some(Networks { detector: read("face_detector.onnx")?, landmarks: read("face_landmarks.onnx")?, portrait })
+    Some(Networks {
+        detector: read("face_detector.onnx")?,
+        landmarks: read("face_landmarks_attention.onnx")?,
+        portrait,
+    })
 }

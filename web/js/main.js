@@ -18,6 +18,7 @@ import { setUpHistoryPanel } from "./panel/history-panel.js";
 import { LandmarkPanel } from "./panel/landmark-panel.js";
 import { PaperPanel } from "./panel/paper-panel.js";
 import { setUpSelectionMode } from "./panel/selection-mode.js";
+import { SizePanel } from "./panel/size-panel.js";
 import { setUpViewPanel } from "./panel/view-panel.js";
 import { setUpCamera } from "./photo/camera.js";
 import { FaceChoice } from "./photo/face-choice.js";
@@ -76,6 +77,7 @@ async function openBench() {
     setUpChoices(opened);
     new FacePanel(opened);
     setUpViewPanel(opened);
+    new SizePanel(opened, () => opening.lens);
     setUpHistoryPanel(opened);
     setUpExportPanel(opened, keeper, validator);
     paper = new PaperPanel(opened);

@@ -11,6 +11,7 @@ import { isTrap } from "./viewport/studio-module.js";
 import { stemOf } from "./work/file-name.js";
 import { fromVisit, fromWork, shownBefore, wayBack } from "./work/incoming.js";
 import { kindOf, readSavedFile } from "./work/saved-file.js";
+import { BEFORE_LENSES } from "./work/work.js";
 
 /**
  * @typedef {import("./viewport/workbench.js").Workbench} Workbench
@@ -46,6 +47,11 @@ export class Opening {
   /** @param {Room} room */
   constructor(room) {
     this.#room = room;
+  }
+
+  /** What is known of the lens that the photo on the screen was taken through. */
+  get lens() {
+    return this.#now?.face.lens;
   }
 
   /**
@@ -162,8 +168,10 @@ export class Opening {
     keeper.finish();
     opened?.attempt((studio) => {
       const { landmarks, width_px, height_px, colours } = face;
-      if (!done) return studio.openFace(landmarks, width_px, height_px, colours);
-      return studio.openWork(landmarks, width_px, height_px, colours, done.triangulation, done.density, done.edits);
+      const lens = done?.lens ?? face.lens ?? BEFORE_LENSES;
+      if (!done) return studio.openFace(landmarks, width_px, height_px, colours, lens);
+      const { triangulation, density, edits } = done;
+      return studio.openWork(landmarks, width_px, height_px, colours, lens, triangulation, density, edits);
     });
     const { preferences } = done ?? {};
     if (preferences) opened?.act((studio) => studio.prefer(preferences));

@@ -3,14 +3,16 @@ use std::path::PathBuf;
 use clap::builder::RangedU64ValueParser;
 use clap::{Args, Parser, Subcommand};
 use rosto_export::BaseColour;
-use rosto_face::{Region, Triangulation};
+use rosto_face::{Photo, PhotoLens, Region, Triangulation};
+use rosto_landmarks::FindOptions;
 use rosto_studio::{ConstraintKind, FaceSlider, Operator};
 
 use crate::choices::{listed, one_of};
 use crate::edits::{Edit, RegionEdit, SliderEdit};
 use crate::error::endings;
-use crate::settings;
+use crate::networks::Landmarks;
 use crate::units::Units;
+use crate::{portrait, settings};
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -27,7 +29,7 @@ Exit codes:
 #[derive(Debug, Parser)]
 #[command(name = "rosto", version, after_help = EXIT_CODES)]
 pub struct Arguments {
-    /// Folder with face_detector.onnx and face_landmarks.onnx.
+    /// Folder with face_detector.onnx, face_landmarks.onnx and face_landmarks_attention.onnx.
     ///
     /// Otherwise the environment variable ROSTO_NETWORKS names it; otherwise they are looked for next to the program,
     /// then in web/assets of the source tree.
@@ -55,10 +57,60 @@ pub struct LandmarksTask {
     /// JPEG, PNG or WebP; - reads standard input
     #[arg(required = true, value_name = "PHOTO")]
     pub photos: Vec<PathBuf>,
-    /// How many faces to look for in each photo, the most certain ones first
-    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true,
+    /// How many faces to tell of each photo at most, the most prominent ones first; 20 if nothing is said, 1 with --mediapipe
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
         value_parser = RangedU64ValueParser::<usize>::new().range(1..))]
-    pub max_faces: usize,
+    pub max_faces: Option<usize>,
+    #[command(flatten)]
+    pub find: FindArguments,
+}
+
+/// What is known of the camera.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "How the photo was taken; without these, by its lens data or else by the face itself")]
+pub struct CameraArguments {
+    /// How far away the camera stood from the face, in cm
+    #[arg(long, value_name = "CM", allow_negative_numbers = true, value_parser = settings::distance)]
+    pub distance: Option<PhotoLens>,
+    /// The lens' focal length in mm, for a frame of 36 × 24 mm; the photo must be whole, as it was taken
+    #[arg(long = "focal-35mm", value_name = "MM", allow_negative_numbers = true, conflicts_with = "distance",
+        value_parser = settings::focal_length)]
+    pub focal_length: Option<PhotoLens>,
+}
+
+impl CameraArguments {
+    /// What is known of the lens that a photo was taken through.
+    pub fn lens(&self, photo: &Photo) -> PhotoLens {
+        self.distance.or(self.focal_length).unwrap_or_else(|| portrait::lens_of(photo))
+    }
+}
+
+/// How faces are looked for.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "How faces are found")]
+pub struct FindArguments {
+    /// Does exactly what MediaPipe's Face Mesh does with a single picture: one look, one pass, 468 landmarks
+    ///
+    /// Otherwise turns and parts of the picture are looked at too, landmarks are found again until they agree, and lips, eyes
+    /// and irises are refined.
+    #[arg(long)]
+    pub mediapipe: bool,
+    /// With --mediapipe: its refined lips, eyes and irises, 478 landmarks; without it they are always refined
+    #[arg(long)]
+    pub refine: bool,
+}
+
+impl FindArguments {
+    /// The landmark network that these ask for.
+    pub fn landmarks(&self) -> Landmarks {
+        if self.mediapipe && !self.refine { Landmarks::Plain } else { Landmarks::Attention }
+    }
+
+    /// The way of looking that these ask for, for that many faces.
+    pub fn options(&self, max_faces: Option<usize>) -> FindOptions {
+        let usual = if self.mediapipe { FindOptions::mediapipe() } else { FindOptions::default() };
+        FindOptions { max_faces: max_faces.unwrap_or(usual.max_faces), ..usual }
+    }
 }
 
 #[derive(Debug, Args)]
@@ -83,6 +135,10 @@ pub struct MeshTask {
     /// Writes the face unedited, with each edit as a named morph target at weight 1; for .glb and .gltf with --units mm
     #[arg(long)]
     pub morph_targets: bool,
+    #[command(flatten)]
+    pub find: FindArguments,
+    #[command(flatten)]
+    pub camera: CameraArguments,
     #[command(flatten)]
     pub edits: EditArguments,
     #[command(flatten)]

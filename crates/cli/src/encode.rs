@@ -3,7 +3,7 @@ use std::path::Path;
 use glam::{DVec2, DVec3};
 use rosto_export::{Choosable, Content, Format, GlbOptions, Model, Morph, Source};
 use rosto_face::FaceModel;
-use rosto_studio::{Document, Entry, project};
+use rosto_studio::{Document, Entry, Rest, StudioError, project};
 
 use crate::args::MeshTask;
 use crate::error::CliError;
@@ -23,7 +23,7 @@ pub fn format_of(path: &Path) -> Result<Format, CliError> {
 pub fn encode(face: &FaceModel, document: &mut Document, task: &MeshTask, format: Format) -> Result<Vec<u8>, CliError> {
     let units = task.edits.units;
     let positions_m = match units {
-        Units::Image => model_from_image(face, document.positions()),
+        Units::Image => model_from_image(face, document)?,
         Units::Mm => document.positions().to_vec(),
     };
     let layers = if task.morph_targets { document.displacements() } else { Vec::new() };
@@ -74,8 +74,16 @@ fn carried_over(face: &FaceModel, document: &Document) -> Result<Vec<Entry>, Cli
     Ok(history.entries)
 }
 
-/// Positions in image coordinates, in metres of the model.
-pub fn model_from_image(face: &FaceModel, positions: &[DVec3]) -> Vec<DVec3> {
+/// Positions of a document in image coordinates, in metres of the model: each goes the way there that it went in the picture.
+pub fn model_from_image(face: &FaceModel, document: &Document) -> Result<Vec<DVec3>, StudioError> {
+    let mut unedited = Document::new(Rest::of_face(face))?;
+    unedited.set_density(document.density())?;
+    Ok(carried(face, document.rest(), document.positions(), unedited.positions()))
+}
+
+/// Ways in the picture, from `found` to `shown`, gone in the model from `rest_m`.
+pub fn carried(face: &FaceModel, found: &[DVec3], shown: &[DVec3], rest_m: &[DVec3]) -> Vec<DVec3> {
     let model_from_image = face.image_from_model().inverse();
-    positions.iter().map(|&position| model_from_image.transform_point3(position)).collect()
+    let ways = shown.iter().zip(found).map(|(shown, found)| model_from_image * (*shown - *found));
+    ways.zip(rest_m).map(|(way, rest)| *rest + way).collect()
 }

@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use rosto_landmarks::{FaceFinder, FindOptions};
+use rosto_landmarks::{Face, FaceFinder, FindOptions};
 use serde::Serialize;
 
 use crate::args::LandmarksTask;
@@ -18,7 +18,15 @@ struct PhotoDto<'a> {
 #[derive(Serialize)]
 struct FaceDto {
     score: f32,
+    presence: f32,
+    confidence: f32,
     landmarks: Vec<[f32; 3]>,
+}
+
+impl From<Face> for FaceDto {
+    fn from(Face { score, presence, confidence, landmarks, .. }: Face) -> Self {
+        Self { score, presence, confidence, landmarks }
+    }
 }
 
 /// `rosto landmarks`: a line for each photo that can be read, a message for each that cannot.
@@ -26,8 +34,8 @@ pub fn run(task: &LandmarksTask, networks: Option<&Path>) -> Result<(), CliError
     if task.photos.iter().filter(|photo| files::is_standard_input(photo)).count() > 1 {
         return Err(CliError::StandardInputTwice);
     }
-    let finder = networks::load(networks)?;
-    let options = FindOptions { max_faces: task.max_faces, ..FindOptions::default() };
+    let finder = networks::load(networks, task.find.landmarks())?;
+    let options = task.find.options(task.max_faces);
     let mut failures = Vec::new();
     for photo in &task.photos {
         match line(photo, &finder, &options) {
@@ -53,7 +61,7 @@ fn line(path: &Path, finder: &FaceFinder, options: &FindOptions) -> Result<Strin
         photo: path.to_string_lossy(),
         width: photo.width(),
         height: photo.height(),
-        faces: faces.into_iter().map(|face| FaceDto { score: face.score, landmarks: face.landmarks }).collect(),
+        faces: faces.into_iter().map(FaceDto::from).collect(),
     };
     Ok(serde_json::to_string(&dto).expect("invariant: numbers and text are JSON"))
 }

@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use rosto_face::FaceModel;
+use rosto_face::{FaceModel, PhotoLens};
 use rosto_studio::{Anchors, Command, Document, EditSpec, Rest, StudioError};
 
 use crate::args::{EditArguments, MeshTask, SettingsArguments};
@@ -9,7 +9,7 @@ use crate::error::CliError;
 use crate::model_history::image_rest;
 use crate::request::{self, Given};
 use crate::units::{MM_PER_M, Units};
-use crate::{edits, files, networks, output, portrait, settings};
+use crate::{edits, files, networks, output, portrait, settings, terminal};
 
 /// A command with the words that a message names it by.
 struct Step {
@@ -36,10 +36,25 @@ pub fn run(task: &MeshTask, given: &Given<'_>, networks: Option<&Path>) -> Resul
     request::check(task, format, given)?;
     let steps = steps(&task.edits, &task.settings)?;
     let photo = portrait::open(&task.photo)?;
-    let face = portrait::face(&photo, &task.photo, &networks::load(networks)?)?;
-    let face = portrait::model(&photo, &face, task.topology, &task.photo)?;
+    let finder = networks::load(networks, task.find.landmarks())?;
+    let face = portrait::face(&photo, &task.photo, &finder, &task.find.options(Some(1)))?;
+    let face = portrait::model(&photo, &face, task.topology, task.camera.lens(&photo), &task.photo)?;
+    terminal::note(&taken_from(&face));
     let mut document = edited(&face, steps, task)?;
     output::write(&task.output, &encode::encode(&face, &mut document, task, format)?)
+}
+
+/// From how far away the photo was taken, and how that is known.
+fn taken_from(face: &FaceModel) -> String {
+    let camera = face.camera();
+    let known = match camera.lens {
+        PhotoLens::Estimated => "read off the face",
+        PhotoLens::Exif(_) => "from the photo's lens data",
+        PhotoLens::Given(_) => "from the focal length given",
+        PhotoLens::Distance(_) | PhotoLens::Parallel => "as given",
+    };
+    let [distance_cm, error_cm] = [1.0, camera.distance_error].map(|share| share * camera.distance_m * 100.0);
+    format!("taken from {distance_cm:.0} cm ± {error_cm:.0}, {known}")
 }
 
 /// All that was asked for, in the order that `--help` promises.

@@ -24,7 +24,7 @@ pub fn image_rest(face: &FaceModel) -> Rest {
 /// The frames differ by an affine map. An edit whose weights know only the mesh's topology commutes with it, so that the
 /// same spec with its offsets carried over does the same. Any other becomes the way that each landmark went.
 pub fn model_history(face: &FaceModel, document: &Document) -> Result<ModelHistory, StudioError> {
-    let model_from_image = face.image_from_model().matrix3.inverse();
+    let model_from_image = face.image_from_model().inverse();
     let image_entries = document.history().entries();
     // Over the cage alone; what waits for a denser mesh leaves it as it is.
     let mut cage = Document::replay(image_rest(face), image_entries.to_vec())?;

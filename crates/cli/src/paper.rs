@@ -4,13 +4,15 @@ use std::{fs, io};
 
 use glam::DVec3;
 use rosto_export::{BaseColour, GlbOptions, Model, glb};
-use rosto_face::{FaceModel, Triangulation};
+use rosto_face::{FaceModel, PhotoLens, Triangulation};
+use rosto_landmarks::FindOptions;
 use rosto_laplacian::LaplacianError;
 use rosto_studio::paper::{Experiment, Method, MethodOutcome, Plan, PlotWords, Trial, svg};
 
 use crate::args::PaperTask;
-use crate::encode::model_from_image;
+use crate::encode::carried;
 use crate::error::CliError;
+use crate::networks::Landmarks;
 use crate::{files, networks, output, portrait};
 
 mod report;
@@ -27,12 +29,12 @@ const PLOT_PX: [f64; 2] = [640.0, 400.0];
 pub fn run(task: &PaperTask, networks: Option<&Path>) -> Result<(), CliError> {
     check_output(task)?;
     let photo = portrait::open(&task.photo)?;
-    let finder = networks::load(networks)?;
+    let finder = networks::load(networks, Landmarks::Plain)?;
     let started = Instant::now();
-    let face = portrait::face(&photo, &task.photo, &finder)?;
+    let face = portrait::face(&photo, &task.photo, &finder, &FindOptions::mediapipe())?;
     let extraction = started.elapsed();
     let started = Instant::now();
-    let face = portrait::model(&photo, &face, Triangulation::Tessellation, &task.photo)?;
+    let face = portrait::model(&photo, &face, Triangulation::Tessellation, PhotoLens::Estimated, &task.photo)?;
     let generation = started.elapsed();
     let unsolved = |reason: LaplacianError| CliError::Studio(reason.into());
     let experiment = Experiment::new(face.topology().clone(), face.positions_image().to_vec()).map_err(unsolved)?;
@@ -105,7 +107,7 @@ fn write_figures(face: &FaceModel, trial: &Trial, folder: &Path) -> Result<(), C
     let rounds = trial.after_rounds().iter().map(Vec::as_slice);
     let figures = FIGURES.into_iter().zip([face.positions_image()].into_iter().chain(rounds));
     for (file, positions) in figures {
-        let positions_m = model_from_image(face, positions);
+        let positions_m = carried(face, face.positions_image(), positions, face.positions_m());
         let name = file.trim_end_matches(".glb");
         let options = GlbOptions { base_colour: BaseColour::VertexColours, name, ..GlbOptions::default() };
         output::write(&folder.join(file), &glb(&Model::of_face(face).at(&positions_m), &options)?)?;

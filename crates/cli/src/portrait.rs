@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use rosto_face::{FaceInput, FaceModel, Triangulation};
+use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, PhotoLens, Triangulation};
 use rosto_landmarks::{Face, FaceFinder, FindOptions};
 use rosto_photo::{Limits, Photo, PhotoError};
 
@@ -23,7 +23,7 @@ pub fn open(path: &Path) -> Result<Photo, CliError> {
     rosto_photo::decode(&bytes, &limits).map_err(no_picture)
 }
 
-/// The faces in a photo, the most certain one first, every landmark with a place.
+/// The faces in a photo in the order of the search, every landmark with a place.
 pub fn faces(photo: &Photo, path: &Path, finder: &FaceFinder, options: &FindOptions) -> Result<Vec<Face>, CliError> {
     let faces = finder.find(photo, options)?;
     // A network whose weights are not what they were may answer with anything.
@@ -34,22 +34,34 @@ pub fn faces(photo: &Photo, path: &Path, finder: &FaceFinder, options: &FindOpti
     }
 }
 
-/// The most certain face in a photo.
-pub fn face(photo: &Photo, path: &Path, finder: &FaceFinder) -> Result<Face, CliError> {
-    let faces = faces(photo, path, finder, &FindOptions::default())?;
+/// The most prominent face in a photo.
+pub fn face(photo: &Photo, path: &Path, finder: &FaceFinder, options: &FindOptions) -> Result<Face, CliError> {
+    let faces = faces(photo, path, finder, options)?;
     faces.into_iter().next().ok_or_else(|| CliError::NoFace { path: path.to_owned() })
 }
 
+/// What the photo tells of its lens.
+pub fn lens_of(photo: &Photo) -> PhotoLens {
+    photo.focal_length_35mm().map_or(PhotoLens::Estimated, PhotoLens::Exif)
+}
+
 /// The model of a face in a photo, coloured at full resolution.
-pub fn model(photo: &Photo, face: &Face, triangulation: Triangulation, path: &Path) -> Result<FaceModel, CliError> {
+pub fn model(
+    photo: &Photo,
+    face: &Face,
+    triangulation: Triangulation,
+    lens: PhotoLens,
+    path: &Path,
+) -> Result<FaceModel, CliError> {
     let colour = |&[x, y, _]: &[f32; 3]| photo.colour_under(x.into(), y.into());
-    let colours: Vec<[u8; 3]> = face.landmarks.iter().map(colour).collect();
+    let colours: Vec<[u8; 3]> = face.landmarks.iter().take(LANDMARK_COUNT).map(colour).collect();
     let input = FaceInput {
         landmarks: &face.landmarks,
         width: photo.width(),
         height: photo.height(),
         colours: &colours,
         picture: photo.scaled_down(MAX_PICTURE_SIDE_PX),
+        lens,
     };
     FaceModel::new(input, triangulation).map_err(|reason| CliError::NoModel { path: path.to_owned(), reason })
 }

@@ -1,3 +1,4 @@
+use rosto_face::PhotoLens;
 use rosto_studio::{AnchorKind, Anchors, ConstraintKind, Details, Mirror, RegionOfInfluence, Settings};
 
 use crate::args::SettingsArguments;
@@ -27,6 +28,20 @@ pub fn radius(text: &str) -> Result<f64, String> {
     radius
         .filter(|radius| *radius > 0.0 && radius.is_finite())
         .ok_or_else(|| "a radius is a positive number".to_owned())
+}
+
+/// How far away the camera stood, in cm.
+pub fn distance(text: &str) -> Result<PhotoLens, String> {
+    const CM_PER_M: f64 = 100.0;
+    let distance_m = text.parse::<f64>().ok().map(|distance_cm| distance_cm / CM_PER_M);
+    let lens = distance_m.and_then(|distance_m| PhotoLens::Distance(distance_m).checked().ok());
+    lens.ok_or_else(|| "a camera stands 10 to 2000 cm away".to_owned())
+}
+
+/// A focal length in mm.
+pub fn focal_length(text: &str) -> Result<PhotoLens, String> {
+    let lens = text.parse().ok().and_then(|focal_length_mm| PhotoLens::Given(focal_length_mm).checked().ok());
+    lens.ok_or_else(|| "a focal length is 5 to 2000 mm".to_owned())
 }
 
 /// How much of a whole.

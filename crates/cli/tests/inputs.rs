@@ -59,10 +59,10 @@ fn a_file_beyond_the_limit_is_refused_by_its_length() {
     };
     assert_refused(&landmarks(&giant("giant.jpg")), 3, &["giant.jpg", "30000000000", "Scale the picture down"]);
     fs::copy(portrait().with_file_name("face_detector.onnx"), folder.join("face_detector.onnx")).unwrap();
-    giant("face_landmarks.onnx");
+    giant("face_landmarks_attention.onnx");
     let networks = ["--networks", folder.to_str().unwrap()];
     let run = mesh(&portrait(), &scratch("giant.json"), &networks);
-    assert_refused(&run, 7, &["face_landmarks.onnx", "the limit is 64000000"]);
+    assert_refused(&run, 7, &["face_landmarks_attention.onnx", "the limit is 64000000"]);
     fs::remove_dir_all(folder).unwrap();
 }
 

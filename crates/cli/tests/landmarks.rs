@@ -14,7 +14,7 @@ fn lines(output: &std::process::Output) -> Vec<Value> {
 
 #[test]
 fn the_portrait_has_the_landmarks_that_mediapipe_finds() {
-    let output = rosto([std::ffi::OsStr::new("landmarks"), portrait().as_os_str()]);
+    let output = rosto(["landmarks".into(), portrait(), "--mediapipe".into()]);
     assert_eq!((code(&output), said(&output).as_str()), (0, ""));
     let lines = lines(&output);
     let [photo] = lines.as_slice() else { panic!("one line, not {}", lines.len()) };
@@ -31,6 +31,23 @@ fn the_portrait_has_the_landmarks_that_mediapipe_finds() {
         let off_px = a.iter().zip(b).map(|(a, b)| (a - b).abs() * 512.0).fold(0.0, f64::max);
         assert!(off_px < 0.05, "landmark {landmark} is {off_px} px off");
     }
+}
+
+#[test]
+fn a_portrait_on_its_head_is_found_unless_mediapipe_is_asked() {
+    let path = scratch("on-its-head.png");
+    image::open(portrait()).unwrap().rotate180().save(&path).unwrap();
+    let chin_above_forehead = |output: &std::process::Output| {
+        let line = lines(output).remove(0);
+        let landmarks = triples(&line["faces"][0]["landmarks"]);
+        assert!(line["faces"][0]["confidence"].as_f64().unwrap() > 0.5);
+        landmarks[152][1] < landmarks[10][1]
+    };
+    assert!(chin_above_forehead(&rosto(["landmarks".into(), path.clone()])));
+    assert!(
+        !chin_above_forehead(&rosto(["landmarks".into(), path, "--mediapipe".into()])),
+        "that is MediaPipe's answer"
+    );
 }
 
 #[test]

@@ -8,7 +8,7 @@ use common::*;
 use glam::DVec3;
 use rosto_export::{Reopened, reopen};
 use rosto_face::{FaceInput, FaceModel, Photo};
-use rosto_studio::{Document, Rest, project};
+use rosto_studio::{CoordinateFrame, Document, Rest, project};
 
 fn face_of(opened: &Reopened<'_>) -> FaceModel {
     let [width, height] = opened.photo_size_px;
@@ -18,6 +18,7 @@ fn face_of(opened: &Reopened<'_>) -> FaceModel {
         height,
         colours: &opened.colours_srgb,
         picture: Photo::from_rgb(1, 1, vec![0; 3]).unwrap(),
+        lens: opened.lens,
     };
     FaceModel::new(input, opened.triangulation).unwrap()
 }
@@ -50,7 +51,15 @@ fn replayed(name: &str, more: &[&str]) -> (Document, Vec<DVec3>, String) {
     document.set_density(opened.density).unwrap();
     let in_image = triples(&mesh_json(&format!("{name}.json"), more)["positions"]);
     let model_from_image = face.image_from_model().inverse();
-    let shown: Vec<DVec3> = in_image.into_iter().map(|at| model_from_image.transform_point3(at.into())).collect();
+    let in_image_rest = face.positions_image().to_vec();
+    let in_image_rest = Rest::new(face.topology().clone(), in_image_rest, CoordinateFrame::Other);
+    let mut unedited = Document::new(in_image_rest).unwrap();
+    unedited.set_density(opened.density).unwrap();
+    let shown: Vec<DVec3> = in_image
+        .into_iter()
+        .zip(unedited.positions().iter().zip(document.rest()))
+        .map(|(at, (found, rest))| *rest + model_from_image * (DVec3::from(at) - *found))
+        .collect();
     for (held, shown) in positions_m(&file).iter().zip(&shown) {
         assert!(held.distance(*shown) < 2e-8, "{name}: the file holds 32-bit numbers of {shown}, not {held}");
     }

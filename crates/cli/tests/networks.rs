@@ -14,7 +14,7 @@ use std::process::Output;
 use common::*;
 use seeded::Seeded;
 
-const NAMES: [&str; 2] = ["face_detector.onnx", "face_landmarks.onnx"];
+const NAMES: [&str; 2] = ["face_detector.onnx", "face_landmarks_attention.onnx"];
 
 /// A folder with these of the two networks, as they are.
 fn copies(folder: &str, names: &[&str]) -> PathBuf {

@@ -67,7 +67,7 @@ fn networks_that_are_not_there_or_not_networks() {
     refused(&portrait(), "a.json", &["--networks", empty.to_str().unwrap()], 7, &["empty-folder", "cargo xtask setup"]);
     let broken = scratch("broken-networks");
     std::fs::create_dir_all(&broken).unwrap();
-    for name in ["face_detector.onnx", "face_landmarks.onnx"] {
+    for name in ["face_detector.onnx", "face_landmarks_attention.onnx"] {
         std::fs::write(broken.join(name), b"no network").unwrap();
     }
     refused(&portrait(), "a.json", &["--networks", broken.to_str().unwrap()], 7, &["damaged", "cargo xtask setup"]);

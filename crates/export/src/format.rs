@@ -12,7 +12,7 @@ pub use stl::stl;
 
 use glam::DVec3;
 
-use crate::{ExportError, GlbOptions, Model, glb, gltf};
+use crate::{ExportError, GlbOptions, Model, about, glb, gltf};
 
 rosto_named::named! {
     /// A format that a mesh is written in; its id is how the names of its files end.
@@ -105,6 +105,8 @@ impl<'a> Content<'a> {
 
     fn listed(&self) -> JsonMesh<'a> {
         let (units, positions) = self.positions;
-        JsonMesh { units, positions, colours_srgb: self.model.colours_srgb, triangles: self.model.topology.triangles() }
+        let about = self.gltf.source.map(|source| about(source.face, self.model.positions_m));
+        let triangles = self.model.topology.triangles();
+        JsonMesh { units, positions, colours_srgb: self.model.colours_srgb, triangles, about }
     }
 }

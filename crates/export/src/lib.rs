@@ -3,6 +3,7 @@
 //! Every exporter takes a [`Model`] and documented options and returns the file whole. Positions are metres in the
 //! model's frame (+Y up, +Z out of the face); `f64` becomes `f32` here, and not before.
 
+mod about;
 mod colour;
 mod error;
 mod format;
@@ -12,6 +13,7 @@ pub mod project;
 mod reopen;
 mod sniff;
 
+pub use about::about;
 pub use colour::linear_from_srgb;
 pub use error::ExportError;
 pub use format::{Choosable, Content, Format, JsonMesh, mesh_json, obj, ply, stl};

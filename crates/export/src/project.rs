@@ -1,30 +1,31 @@
 //! The project file: a face with its edits and its photo without loss.
 //!
-//! One line of JSON, then 468 × 3 little-endian `f32` landmarks, 468 × 3 bytes of colours, and the upright picture as a
+//! One line of JSON, then `points` × 3 little-endian `f32` landmarks, 468 × 3 bytes of colours, and the upright picture as a
 //! PNG file to the end:
 //! ```json
-//! {"format": "rosto-project", "version": 1, "width_px": 512, "height_px": 512,
+//! {"format": "rosto-project", "version": 2, "width_px": 512, "height_px": 512, "points": 478, "lens": "exif:26",
 //!  "triangulation": "canonical", "density": 0, "edits": {}}
 //! ```
+//! There are 468 points, or 478 with the irises. Version 1 had neither `points`, which were 468, nor a `lens`.
 //! The sides are those of the photo that the landmarks were found in; the picture may be a smaller copy. Of the edits
 //! only their owner knows more than that they are an object.
 
-use rosto_face::LANDMARK_COUNT;
+use rosto_face::{LANDMARK_COUNT, POINT_COUNT};
 use serde_json::Value;
 
 use crate::glb::history_object;
 use crate::reopen::fields::{bounded, colours, density, field, integer, landmarks, object, version};
 use crate::reopen::texture::{MAX_PICTURE_SIDE_PX, PNG_SIGNATURE, png_size};
-use crate::reopen::triangulation;
+use crate::reopen::{lens, triangulation};
 use crate::sniff::without_bom;
 use crate::{ExportError, PlacedTexture, ReopenError, Reopened, Source};
 
 const FORMAT: &str = "rosto-project";
 
 /// The version that is written.
-const VERSION: u64 = 1;
+const VERSION: u64 = 2;
 
-const LANDMARKS_BYTES: usize = LANDMARK_COUNT * 3 * 4;
+const POINT_BYTES: usize = 3 * 4;
 const COLOURS_BYTES: usize = LANDMARK_COUNT * 3;
 
 /// Writes a project. `png` is the face's whole upright picture, and goes in as it is. Media type:
@@ -41,15 +42,16 @@ pub fn write(source: &Source<'_>, png: &[u8]) -> Result<Vec<u8>, ExportError> {
     let [width, height] = source.face.photo_size_px();
     let triangulation = source.triangulation.id();
     // The name of the format comes first, where earlier readers look for it.
+    let (landmarks, lens) = (source.face.landmarks(), source.face.lens());
     let header = format!(
-        r#"{{"format":"{FORMAT}","version":{VERSION},"width_px":{width},"height_px":{height},"triangulation":"{triangulation}","density":{},"edits":{edits}}}"#,
+        r#"{{"format":"{FORMAT}","version":{VERSION},"width_px":{width},"height_px":{height},"points":{},"lens":"{lens}","triangulation":"{triangulation}","density":{},"edits":{edits}}}"#,
+        landmarks.len(),
         source.density
     );
-    let mut file = Vec::with_capacity(header.len() + 1 + LANDMARKS_BYTES + COLOURS_BYTES + png.len());
+    let mut file = Vec::with_capacity(header.len() + 1 + landmarks.len() * POINT_BYTES + COLOURS_BYTES + png.len());
     file.extend_from_slice(header.as_bytes());
     file.push(b'\n');
-    // The landmarks came as 32-bit numbers, so that nothing is lost here.
-    file.extend(source.face.positions_image().iter().flat_map(|p| p.as_vec3().to_array()).flat_map(f32::to_le_bytes));
+    file.extend(landmarks.into_iter().flatten().flat_map(f32::to_le_bytes));
     file.extend_from_slice(source.face.colours_srgb().as_flattened());
     file.extend_from_slice(png);
     Ok(file)
@@ -72,11 +74,15 @@ pub fn read(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
     version(&header["version"], VERSION)?;
     let (body, found) = (&text[line + 1..], bytes.len());
     let truncated = |missing: usize| ReopenError::Truncated { expected: found.saturating_add(missing), found };
-    let parts = body.split_at_checked(LANDMARKS_BYTES).and_then(|(landmarks, rest)| {
+    let points = header.get("points").map_or(Some(LANDMARK_COUNT as u32), integer);
+    let is_count = |&count: &usize| count == LANDMARK_COUNT || count == POINT_COUNT;
+    let point_count = points.map(|count| count as usize).filter(is_count).ok_or_else(field("points"))?;
+    let landmarks_bytes = point_count * POINT_BYTES;
+    let parts = body.split_at_checked(landmarks_bytes).and_then(|(landmarks, rest)| {
         let (colours, png) = rest.split_at_checked(COLOURS_BYTES)?;
         Some((landmarks, colours, png))
     });
-    let (points, under_them, png) = parts.ok_or_else(|| truncated(LANDMARKS_BYTES + COLOURS_BYTES - body.len()))?;
+    let (points, under_them, png) = parts.ok_or_else(|| truncated(landmarks_bytes + COLOURS_BYTES - body.len()))?;
     let side = |name: &'static str| integer(&header[name]).filter(|&side| side > 0).ok_or_else(field(name));
     let photo_size_px = [side("width_px")?, side("height_px")?];
     let reopened = Reopened {
@@ -85,6 +91,7 @@ pub fn read(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
         colours_srgb: colours(under_them).ok_or_else(field("colours"))?,
         triangulation: triangulation(&header["triangulation"])?,
         density: density(&header["density"]).ok_or_else(field("density"))?,
+        lens: lens(header.get("lens"))?,
         history: Some(object(&header["edits"]).ok_or_else(field("edits"))?),
         texture: None,
         changed_elsewhere: false,

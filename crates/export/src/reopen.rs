@@ -1,4 +1,4 @@
-use rosto_face::Triangulation;
+use rosto_face::{PhotoLens, Triangulation};
 use serde_json::Value;
 use thiserror::Error;
 
@@ -19,10 +19,13 @@ pub use texture::PlacedTexture;
 /// that opens it again, and nothing that could not be opened: the landmarks are those of a face, and no side is 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reopened<'a> {
-    /// 468 landmarks in MediaPipe's normalised convention (x/W, y/H, z/W), bit for bit as they were found.
+    /// 468 landmarks, or 478 with the irises, in MediaPipe's normalised convention (x/W, y/H, z/W), bit for bit as they were
+    /// found.
     pub landmarks: Vec<[f32; 3]>,
     /// Width and height in px of the upright photo that they were found in.
     pub photo_size_px: [u32; 2],
+    /// What was known of the photo's lens.
+    pub lens: PhotoLens,
     /// 468 sRGB colours.
     pub colours_srgb: Vec<[u8; 3]>,
     /// How the landmarks are joined.
@@ -99,11 +102,18 @@ pub fn reopen(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
         colours_srgb: base64(&extras["colours"]).and_then(|bytes| colours(&bytes)).ok_or_else(field("colours"))?,
         triangulation: triangulation(&extras["triangulation"])?,
         density: density(&extras["density"]).ok_or_else(field("density"))?,
+        lens: lens(extras.get("lens"))?,
         history: extras.get("history").map(|history| object(history).ok_or_else(field("history"))).transpose()?,
         texture: extras.get("picture").map(texture).transpose()?,
         changed_elsewhere: changed_elsewhere(extras, &root, chunks.binary),
         landmarks,
     })
+}
+
+/// What is known of the lens; files of the first version tell nothing, and their faces are seen from infinitely far away.
+pub(crate) fn lens(text: Option<&Value>) -> Result<PhotoLens, ReopenError> {
+    let Some(text) = text else { return Ok(PhotoLens::Parallel) };
+    text.as_str().and_then(|text| text.parse().ok()).ok_or_else(field("lens"))
 }
 
 pub(crate) fn triangulation(name: &Value) -> Result<Triangulation, ReopenError> {

@@ -17,6 +17,7 @@ fn every_number_reads_back_as_the_same_f64() {
         positions: &positions,
         colours_srgb: &[[0, 128, 255], [1, 2, 3], [4, 5, 6]],
         triangles: &[[0, 1, 2]],
+        about: None,
     };
     let read: serde_json::Value = serde_json::from_str(&mesh_json(&mesh)).unwrap();
     for (vertex, position) in positions.iter().enumerate() {

@@ -8,7 +8,7 @@ mod seeded;
 
 use common::{face, gradient, png, source};
 use rosto_export::*;
-use rosto_face::{FaceInput, FaceModel, Triangulation};
+use rosto_face::{FaceInput, FaceModel, PhotoLens, Triangulation};
 use seeded::Seeded;
 
 const CASES: u64 = 3000;
@@ -42,7 +42,7 @@ fn mutated(file: &[u8], text: usize, seeded: &mut Seeded) -> Vec<u8> {
 fn open(reopened: &Reopened<'_>) {
     let [width, height] = reopened.photo_size_px;
     let (landmarks, colours) = (&reopened.landmarks, &reopened.colours_srgb);
-    let input = FaceInput { landmarks, width, height, colours, picture: gradient() };
+    let input = FaceInput { landmarks, width, height, colours, picture: gradient(), lens: PhotoLens::Parallel };
     let model = FaceModel::new(input, reopened.triangulation).unwrap();
     assert!(model.positions_m().iter().all(|position| position.is_finite()));
     assert!(reopened.density <= 4);

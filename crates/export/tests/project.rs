@@ -50,15 +50,26 @@ fn the_face_its_edits_and_its_photo_come_back_as_they_were() {
 }
 
 #[test]
-fn the_file_is_laid_out_as_it_has_been_since_version_1() {
+fn the_file_is_laid_out_as_documented() {
     let bytes = file();
-    assert!(bytes.starts_with(br#"{"format":"rosto-project","version":1,"width_px":300,"#));
+    assert!(bytes.starts_with(br#"{"format":"rosto-project","version":2,"width_px":300,"#));
     let (header, body) = parts(&bytes);
     let header: serde_json::Value = serde_json::from_str(&header).unwrap();
     assert_eq!(header["edits"], serde_json::from_str::<serde_json::Value>(EDITS).unwrap());
     assert_eq!((&header["triangulation"], &header["density"]), (&"canonical".into(), &2.into()));
     assert_eq!(body.len(), NUMBERS + png().len());
     assert_eq!(&body[NUMBERS..], png());
+}
+
+#[test]
+fn a_file_of_the_first_version_is_a_face_seen_from_infinitely_far_away() {
+    let first = with_header(|header| {
+        header
+            .replace("\"version\":2,\"width", "\"version\":1,\"width")
+            .replace("\"points\":468,\"lens\":\"parallel\",", "")
+    });
+    let opened = project::read(&first).unwrap();
+    assert_eq!((opened.lens, opened.landmarks.len()), (rosto_face::PhotoLens::Parallel, 468));
 }
 
 #[test]
@@ -99,14 +110,16 @@ fn a_project_is_known_by_its_start_even_behind_long_edits() {
 
 #[test]
 fn a_later_version_is_told_apart() {
-    let newer = with_header(|header| header.replace("\"version\":1,\"width", "\"version\":2,\"width"));
-    assert_eq!(project::read(&newer), Err(ReopenError::Newer { found: 2, known: 1 }));
+    let newer = with_header(|header| header.replace("\"version\":2,\"width", "\"version\":3,\"width"));
+    assert_eq!(project::read(&newer), Err(ReopenError::Newer { found: 3, known: 2 }));
 }
 
 #[test]
 fn what_could_not_be_opened_is_refused_by_the_name_of_its_field() {
     let cases = [
-        ("\"version\":1,\"width", "\"version\":0,\"width", "version"),
+        ("\"version\":2,\"width", "\"version\":0,\"width", "version"),
+        ("\"points\":468", "\"points\":470", "points"),
+        ("\"lens\":\"parallel\"", "\"lens\":\"distance:0\"", "lens"),
         ("\"width_px\":300", "\"width_px\":0", "width_px"),
         ("\"height_px\":300", "\"height_px\":-4", "height_px"),
         ("\"height_px\":300", "\"height\":300", "height_px"),

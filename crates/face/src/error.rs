@@ -28,6 +28,12 @@ pub enum FaceError {
         /// Height in px.
         height: u32,
     },
+    /// There is no such lens, or it has a number that no camera has.
+    #[error("{lens:?} is no lens: estimated, parallel, exif:MM, given:MM (5 to 2000) or distance:M (0.1 to 20)")]
+    Lens {
+        /// As it was given.
+        lens: String,
+    },
     /// All landmarks lie on one point or one line, so that the face faces nowhere.
     #[error("the landmarks lie on one line or point, so the face has neither size nor direction")]
     Degenerate,

@@ -4,23 +4,33 @@
 //! and named regions. "Left" and "right" are the subject's throughout.
 
 mod areas;
+mod camera;
 mod canonical;
 mod contours;
 mod error;
+mod irises;
+mod measures;
 mod model;
 mod names;
+mod photo_lens;
 mod procrustes;
 mod regions;
+mod size;
 mod symmetry;
 mod tables;
 
+pub use camera::{Camera, Pose};
 pub use canonical::{LANDMARK_COUNT, Triangulation, canonical_positions_m, canonical_uvs};
 pub use contours::oval;
 pub use error::FaceError;
+pub use irises::{IRIS_COUNT, POINT_COUNT, iris_id};
+pub use measures::Measure;
 pub use model::{FaceInput, FaceModel, check_landmarks};
 pub use names::{has_anatomical_name, landmark_id, part_id};
+pub use photo_lens::{FARTHEST_M, NEAREST_M, PhotoLens};
 pub use regions::Region;
 pub use rosto_photo::Photo;
+pub use size::{Scale, ScaleSource};
 pub use symmetry::{midline, mirror_of, mirror_pairs};
 
 /// The examples of the README are tested with those of the code.

@@ -1,15 +1,21 @@
-use glam::{DAffine3, DVec2, DVec3};
+mod fitting;
+
+use glam::{DMat3, DVec2, DVec3};
 use rosto_mesh::Topology;
 use rosto_photo::Photo;
 
-use crate::procrustes::{self, Pair, Similarity};
-use crate::tables::PROCRUSTES;
-use crate::{FaceError, LANDMARK_COUNT, Triangulation, canonical_positions_m};
+use crate::camera::Camera;
+use crate::irises::{POINT_COUNT, eye_centres};
+use crate::size::Scale;
+use crate::{FaceError, LANDMARK_COUNT, PhotoLens, Triangulation};
+pub use fitting::check_landmarks;
+use fitting::{Fitted, check_count};
 
 /// What a model is made from.
 #[derive(Debug)]
 pub struct FaceInput<'a> {
-    /// 468 landmarks in MediaPipe's normalised convention: x/W, y/H, z/W, x to the right, y down, z away.
+    /// 468 landmarks, or 478 with the irises, in MediaPipe's normalised convention: x/W, y/H, z/W, x to the right, y down,
+    /// z away.
     pub landmarks: &'a [[f32; 3]],
     /// Width in px of the upright picture that the landmarks were found in.
     pub width: u32,
@@ -19,53 +25,80 @@ pub struct FaceInput<'a> {
     pub colours: &'a [[u8; 3]],
     /// The upright picture for the texture; it may be a scaled-down copy.
     pub picture: Photo,
+    /// What is known of the lens that it was taken through.
+    pub lens: PhotoLens,
 }
 
 /// A face from one photo: a metric, coloured and textured triangle mesh.
 ///
 /// The model's frame is the canonical face's: metres, right-handed, +Y up, +Z out of the face towards the viewer, the
 /// subject's left towards +X. The head's pose is taken out: the face looks along +Z, upright, however the photo was
-/// tilted. Its size is the canonical head's, since a photo does not say how large a head is.
+/// tilted. What perspective did to it is taken out, too, so that the model, seen by [`Self::camera`], lies on the photo. It
+/// is as large as its irises say or, where they cannot be seen, as the canonical head.
 #[derive(Debug, Clone)]
 pub struct FaceModel {
     triangulation: Triangulation,
     topology: Topology,
     photo_size_px: [u32; 2],
     positions_m: Vec<DVec3>,
+    irises_m: Vec<DVec3>,
     positions_image: Vec<DVec3>,
-    image_from_model: DAffine3,
+    irises_image: Vec<DVec3>,
+    image_from_model: DMat3,
+    camera: Camera,
+    scale: Scale,
+    lens: PhotoLens,
     colours_srgb: Vec<[u8; 3]>,
     uvs: Vec<DVec2>,
     picture: Photo,
 }
 
 impl FaceModel {
-    /// Fits the landmarks into the canonical face's frame and takes the photo's colours along.
+    /// Takes the perspective out of the landmarks, fits them into the canonical face's frame and takes the photo's colours
+    /// along.
     ///
-    /// The fit is the weighted Procrustes problem over MediaPipe's 33 weighted landmarks in px, (x·W, −y·H, −z·W),
-    /// estimated from the canonical face to the picture as MediaPipe does, then inverted.
+    /// The fit is the weighted Procrustes problem over MediaPipe's 33 weighted landmarks in px, (x·W, −y·H, −z·W), with
+    /// each on its ray from the camera, estimated from the canonical face to the picture as MediaPipe does, then inverted.
+    /// Depths lean on the canonical face's δ-coordinates, unless the lens is [`PhotoLens::Parallel`].
     ///
     /// # Errors
-    /// [`FaceError`] if there are not 468 landmarks and colours, if one is not finite, if the picture has no area, or
-    /// if the weighted landmarks lie on one line.
+    /// [`FaceError`] if there are not 468 or 478 landmarks and 468 colours, if a number is not finite, if the picture has no
+    /// area, if there is no such lens, or if the weighted landmarks lie on one line.
     pub fn new(input: FaceInput<'_>, triangulation: Triangulation) -> Result<Self, FaceError> {
-        check_count("landmarks", input.landmarks.len())?;
-        check_count("colours", input.colours.len())?;
-        let (px, px_from_model) = fit(input.landmarks, input.width, input.height)?;
-        let positions_image: Vec<DVec3> = input.landmarks.iter().map(|p| DVec3::from(p.map(f64::from))).collect();
-        let px_from_image = px_from_image(input.width, input.height);
-        let model_from_px = px_from_model.inverse();
+        let size = [input.width, input.height];
+        let Fitted { mut positions_m, camera, scale, image_from_model, .. } =
+            Fitted::new(input.landmarks, size, input.lens)?;
+        check_count("colours", LANDMARK_COUNT, input.colours.len())?;
+        let mut positions_image: Vec<DVec3> = input.landmarks.iter().map(|p| DVec3::from(p.map(f64::from))).collect();
+        let irises_image = positions_image.split_off(LANDMARK_COUNT);
+        let irises_m = positions_m.split_off(LANDMARK_COUNT);
         Ok(Self {
             triangulation,
             topology: triangulation.topology(),
-            photo_size_px: [input.width, input.height],
-            positions_m: px.iter().map(|&p| model_from_px.apply(p)).collect(),
-            image_from_model: px_from_image.inverse() * px_from_model.to_affine(),
+            photo_size_px: size,
+            positions_m,
+            irises_m,
+            image_from_model,
+            camera,
+            scale,
+            lens: input.lens,
             colours_srgb: input.colours.to_vec(),
             uvs: positions_image.iter().map(|p| p.truncate()).collect(),
             positions_image,
+            irises_image,
             picture: input.picture,
         })
+    }
+
+    /// The same face seen through another lens.
+    ///
+    /// # Errors
+    /// [`FaceError::Lens`] if there is no such lens.
+    pub fn with_lens(&self, lens: PhotoLens) -> Result<Self, FaceError> {
+        let Fitted { mut positions_m, camera, scale, image_from_model, .. } =
+            Fitted::new(&self.landmarks(), self.photo_size_px, lens)?;
+        let irises_m = positions_m.split_off(LANDMARK_COUNT);
+        Ok(Self { positions_m, irises_m, image_from_model, camera, scale, lens, ..self.clone() })
     }
 
     /// How the landmarks are joined.
@@ -88,14 +121,45 @@ impl FaceModel {
         &self.positions_m
     }
 
+    /// The irises in the same frame: ten points, five of the right one and five of the left, each its middle and four on its
+    /// border ([`iris_id`](crate::iris_id)); none if they were not looked for.
+    pub fn irises_m(&self) -> &[DVec3] {
+        &self.irises_m
+    }
+
+    /// The middles of the right and the left eye in the same frame, which stay when the gaze wanders.
+    pub fn eye_centres_m(&self) -> [DVec3; 2] {
+        eye_centres(&self.positions_m)
+    }
+
     /// 468 positions in MediaPipe's normalised convention (x/W, y/H, z/W), the paper's coordinates.
     pub fn positions_image(&self) -> &[DVec3] {
         &self.positions_image
     }
 
-    /// The map from the model's metres to the coordinates of [`Self::positions_image`].
-    pub fn image_from_model(&self) -> DAffine3 {
+    /// The landmarks, and the irises if they were looked for, bit for bit as they came in.
+    pub fn landmarks(&self) -> Vec<[f32; 3]> {
+        self.positions_image.iter().chain(&self.irises_image).map(|p| p.as_vec3().to_array()).collect()
+    }
+
+    /// What a small way in the model's metres is in the coordinates of [`Self::positions_image`], in the middle of the face.
+    pub fn image_from_model(&self) -> DMat3 {
         self.image_from_model
+    }
+
+    /// The camera that took the photo, and where it stood.
+    pub fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
+    /// What was known of its lens.
+    pub fn lens(&self) -> PhotoLens {
+        self.lens
+    }
+
+    /// How well the face's size is known.
+    pub fn scale(&self) -> Scale {
+        self.scale
     }
 
     /// 468 sRGB colours, the photo's pixel under each landmark.
@@ -119,53 +183,4 @@ impl FaceModel {
     pub fn picture(&self) -> &Photo {
         &self.picture
     }
-}
-
-/// Whether landmarks found in a picture of that size, in px, are those of a face that [`FaceModel::new`] takes.
-///
-/// # Errors
-/// As [`FaceModel::new`].
-pub fn check_landmarks(landmarks: &[[f32; 3]], width: u32, height: u32) -> Result<(), FaceError> {
-    fit(landmarks, width, height).map(|_| ())
-}
-
-fn check_count(what: &'static str, found: usize) -> Result<(), FaceError> {
-    match found {
-        LANDMARK_COUNT => Ok(()),
-        _ => Err(FaceError::WrongCount { what, expected: LANDMARK_COUNT, found }),
-    }
-}
-
-/// The landmarks in px, and the map to them from the model's metres.
-fn fit(landmarks: &[[f32; 3]], width: u32, height: u32) -> Result<(Vec<DVec3>, Similarity), FaceError> {
-    check_count("landmarks", landmarks.len())?;
-    if width == 0 || height == 0 {
-        return Err(FaceError::EmptyPicture { width, height });
-    }
-    if let Some(landmark) = landmarks.iter().position(|p| !p.iter().all(|c| c.is_finite())) {
-        return Err(FaceError::NotFinite { landmark });
-    }
-    let px_from_image = px_from_image(width, height);
-    let px: Vec<DVec3> =
-        landmarks.iter().map(|p| px_from_image.transform_point3(DVec3::from(p.map(f64::from)))).collect();
-    let px_from_model = fit_canonical_to(&px)?;
-    Ok((px, px_from_model))
-}
-
-/// From MediaPipe's normalised coordinates to right-handed px: y up, z towards the viewer.
-fn px_from_image(width: u32, height: u32) -> DAffine3 {
-    let (width, height) = (f64::from(width), f64::from(height));
-    DAffine3::from_scale(DVec3::new(width, -height, -width))
-}
-
-fn fit_canonical_to(px: &[DVec3]) -> Result<Similarity, FaceError> {
-    let canonical = canonical_positions_m();
-    let pairs: Vec<Pair> = PROCRUSTES
-        .iter()
-        .map(|&(landmark, weight)| {
-            let landmark = usize::from(landmark);
-            Pair { source: canonical[landmark], target: px[landmark], weight }
-        })
-        .collect();
-    procrustes::fit(&pairs)
 }

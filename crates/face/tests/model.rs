@@ -30,7 +30,8 @@ fn portrait() -> Portrait {
 fn model(landmarks: &[[f32; 3]], width: u32, height: u32) -> Result<FaceModel, FaceError> {
     let colours = vec![[1, 2, 3]; landmarks.len()];
     let picture = Photo::from_rgb(1, 1, vec![9, 9, 9]).unwrap();
-    FaceModel::new(FaceInput { landmarks, width, height, colours: &colours, picture }, Triangulation::Canonical)
+    let input = FaceInput { landmarks, width, height, colours: &colours, picture, lens: PhotoLens::Parallel };
+    FaceModel::new(input, Triangulation::Canonical)
 }
 
 /// The portrait's landmarks in px after a change made there.
@@ -61,11 +62,13 @@ fn the_portrait_looks_along_z_upright_and_as_large_as_the_canonical_head() {
 }
 
 #[test]
-fn the_model_maps_back_onto_the_picture() {
+fn ways_in_the_model_map_back_onto_the_picture() {
     let portrait = portrait();
     let model = model(&portrait.landmarks, portrait.width, portrait.height).unwrap();
-    for (&metric, &image) in model.positions_m().iter().zip(model.positions_image()) {
-        assert!(model.image_from_model().transform_point3(metric).distance(image) < 1e-12);
+    let (metric, image) = (model.positions_m(), model.positions_image());
+    for landmark in 1..LANDMARK_COUNT {
+        let way = model.image_from_model() * (metric[landmark] - metric[0]);
+        assert!(way.distance(image[landmark] - image[0]) < 1e-12);
     }
 }
 

@@ -28,7 +28,8 @@ pub(crate) struct Detector {
     anchors: Vec<[f32; 2]>,
 }
 
-const SIDE: usize = 128;
+/// Width and height of what the network takes in, in px.
+pub(crate) const SIDE: usize = 128;
 /// Numbers for each anchor: centre, size, six key points, as x, y pairs.
 const NUMBERS_PER_BOX: usize = 16;
 const MIN_SCORE: f32 = 0.5;
@@ -37,7 +38,7 @@ const SCALE_AND_OFFSET: [f32; 2] = [2.0 / 255.0, -1.0];
 
 impl Detector {
     pub(crate) fn new(onnx: &[u8]) -> Result<Self, LandmarksError> {
-        let network = Network::new("detector", onnx, SIDE, ["regressors", "classificators"])?;
+        let network = Network::of_picture("detector", onnx, SIDE, &["regressors", "classificators"])?;
         Ok(Self { network, anchors: anchors() })
     }
 
@@ -51,7 +52,7 @@ impl Detector {
 
     /// The network's outputs, undecoded: boxes `[896, 16]` and score logits `[896]`.
     pub(crate) fn raw(&self, photo: &Photo, region: &RegionPx) -> Result<[Vec<f32>; 2], LandmarksError> {
-        let fill = |planes: &mut [f32]| warp::fill_planes(planes, photo, region, Outside::Zero, SCALE_AND_OFFSET);
+        let fill = |_, planes: &mut [f32]| warp::fill_planes(planes, photo, region, Outside::Zero, SCALE_AND_OFFSET);
         self.network.run(fill, [ANCHOR_COUNT * NUMBERS_PER_BOX, ANCHOR_COUNT])
     }
 

@@ -5,7 +5,7 @@ use sha2::{Digest, Sha256};
 
 use crate::assets;
 use crate::detector::Detector;
-use crate::mesh::{MeshNetwork, region_of};
+use crate::mesh::{LandmarkNetwork, MeshNetwork, RawMesh, region_of};
 use crate::region_of_interest::{PictureSize, RegionOfInterest, RegionPx};
 use crate::warp::{self, Outside};
 
@@ -67,11 +67,11 @@ fn the_detectors_raw_outputs_are_mediapipes() {
 
 #[test]
 fn the_landmark_networks_raw_outputs_are_mediapipes() {
-    let network = MeshNetwork::new(&assets::landmarks_onnx()).unwrap();
-    let [points, flag] = network.raw(&assets::portrait(), &FACE_REGION).unwrap();
+    let network = MeshNetwork::new(LandmarkNetwork::Plain(&assets::landmarks_onnx())).unwrap();
+    let RawMesh { points, flag } = network.raw(&assets::portrait(), &FACE_REGION).unwrap();
     let golden_points = golden(include_bytes!("../../../tests/golden/stages/mesh_points_468x3.f32"));
     let golden_flag = golden(include_bytes!("../../../tests/golden/stages/mesh_flag_logit_1.f32"));
-    let errors = [largest_difference(&points, &golden_points), largest_difference(&flag, &golden_flag)];
+    let errors = [largest_difference(points.as_flattened(), &golden_points), largest_difference(&[flag], &golden_flag)];
     assert!(errors.iter().all(|&error| error < TOLERANCE), "{errors:?}");
 }
 
@@ -84,7 +84,7 @@ fn the_face_region_is_mediapipes() {
 
 #[test]
 fn the_region_landmarks_suggest_is_mediapipes() {
-    let network = MeshNetwork::new(&assets::landmarks_onnx()).unwrap();
+    let network = MeshNetwork::new(LandmarkNetwork::Plain(&assets::landmarks_onnx())).unwrap();
     let mesh = network.look(&assets::portrait(), &FACE_REGION).unwrap();
     assert_same_region(&region_of(&mesh.landmarks, PORTRAIT), &REGION_FROM_LANDMARKS);
 }

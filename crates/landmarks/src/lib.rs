@@ -1,15 +1,18 @@
 //! Picture to faces: MediaPipe's face networks, run with tract.
 //!
-//! [`FaceFinder`] holds the two networks; [`FaceFinder::find`] takes a picture to its faces, 468 landmarks each, and
-//! agrees with MediaPipe's Face Mesh in static image mode. The steps, each in its own module: the whole picture is
-//! resampled (`warp`) for the `detector`, whose overlapping boxes are merged (`suppression`); the eyes of a detection
-//! turn it into a square `region`, which is resampled for the landmark network (`mesh`). Beyond MediaPipe, as options:
-//! a `search` that finds faces upside down and small ones, and a second pass that steadies the landmarks.
+//! [`FaceFinder`] holds two networks; [`FaceFinder::find`] takes a picture to its faces, 468 landmarks each, and
+//! agrees with MediaPipe's Face Mesh in static image mode where it is asked to. The steps, each in its own module: the whole
+//! picture is resampled (`warp`) for the `detector`, whose overlapping boxes are merged (`suppression`); the eyes of a
+//! detection turn it into a square `region`, which is resampled for the landmark network (`mesh`). Beyond MediaPipe, and by
+//! default: a `search` through turns and tiles of the picture at several sizes (`pyramid`), and a `judgement` that looks again
+//! until the landmarks settle, and drops what is no face.
 
 mod anchors;
 #[cfg(test)]
+#[allow(dead_code, reason = "the tests of the whole use the rest")]
 #[path = "../tests/support/assets.rs"]
 mod assets;
+mod attention;
 mod constants;
 mod detector;
 mod error;
@@ -18,11 +21,13 @@ mod finder;
 mod golden_steps;
 mod graph;
 mod homography;
-mod mesh;
-
+mod judgement;
 mod layers;
+mod mesh;
 mod network;
-
+mod part;
+mod prominence;
+mod pyramid;
 mod region_of_interest;
 mod search;
 #[cfg(test)]
@@ -32,8 +37,8 @@ mod suppression;
 mod warp;
 
 pub use error::LandmarksError;
-pub use finder::{Face, FaceFinder, FindOptions, Passes, Search, Stage};
-pub use mesh::LANDMARK_COUNT;
+pub use finder::{Face, FaceFinder, FindOptions, Search, Stage};
+pub use mesh::{LANDMARK_COUNT, LandmarkNetwork};
 #[cfg(feature = "bench")]
 pub use network::Network;
 pub use region_of_interest::RegionOfInterest;

@@ -1,14 +1,15 @@
-//! The landmark network: a face region → 468 points and how sure it is that there is a face.
+//! The landmark networks: a face region → its points and how sure they are that there is a face.
 
 use rosto_photo::Photo;
 
 use crate::LandmarksError;
+use crate::attention::Attention;
 use crate::detector::sigmoid;
 use crate::network::Network;
-use crate::region_of_interest::{PictureSize, RegionOfInterest};
+use crate::region_of_interest::{PictureSize, RegionOfInterest, RegionPx};
 use crate::warp::{self, Outside};
 
-/// Number of landmarks of a face.
+/// Number of landmarks of a face; a finer network adds the irises to them.
 pub const LANDMARK_COUNT: usize = 468;
 
 /// What the network says of one region.
@@ -19,39 +20,76 @@ pub(crate) struct Mesh {
     pub(crate) landmarks: Vec<[f32; 3]>,
 }
 
-/// The landmark network with what surrounds it.
-pub(crate) struct MeshNetwork {
-    network: Network,
+/// A network's answer in px of its input, and the logit of the face flag.
+pub(crate) struct RawMesh {
+    pub(crate) points: Vec<[f32; 3]>,
+    pub(crate) flag: f32,
 }
 
-const SIDE: usize = 192;
+/// Which landmark network there is: the ONNX file.
+#[derive(Debug, Clone, Copy)]
+pub enum LandmarkNetwork<'a> {
+    /// `face_landmarks.onnx`: the 468 landmarks.
+    Plain(&'a [u8]),
+    /// `face_landmarks_attention.onnx`: looks closer at lips and eyes, and finds the irises: 478 points.
+    Attention(&'a [u8]),
+}
+
+/// A landmark network with what surrounds it.
+pub(crate) struct MeshNetwork {
+    network: Kind,
+}
+
+enum Kind {
+    Plain(Network),
+    Attention(Attention),
+}
+
+/// Side of the networks' picture in px.
+pub(crate) const SIDE: usize = 192;
+/// Name of the networks in errors.
+pub(crate) const NAME: &str = "landmark";
 /// u8 to 0..1.
 const SCALE_AND_OFFSET: [f32; 2] = [1.0 / 255.0, 0.0];
 /// Outer corners of the eyes, on the picture's left and right: the horizontal of a face.
 const EYE_CORNERS: [usize; 2] = [33, 263];
 
 impl MeshNetwork {
-    pub(crate) fn new(onnx: &[u8]) -> Result<Self, LandmarksError> {
-        Ok(Self { network: Network::new("landmark", onnx, SIDE, ["conv2d_21", "conv2d_31"])? })
+    pub(crate) fn new(network: LandmarkNetwork<'_>) -> Result<Self, LandmarksError> {
+        let network = match network {
+            LandmarkNetwork::Plain(onnx) => {
+                Kind::Plain(Network::of_picture(NAME, onnx, SIDE, &["conv2d_21", "conv2d_31"])?)
+            }
+            LandmarkNetwork::Attention(onnx) => Kind::Attention(Attention::new(onnx)?),
+        };
+        Ok(Self { network })
     }
 
     /// Looks at one region of the picture.
     pub(crate) fn look(&self, photo: &Photo, region: &RegionOfInterest) -> Result<Mesh, LandmarksError> {
-        let [points, flag] = self.raw(photo, region)?;
-        let landmarks: Vec<[f32; 3]> =
-            points.as_chunks::<3>().0.iter().map(|&point| in_picture(point, region)).collect();
+        let RawMesh { points, flag } = self.raw(photo, region)?;
+        let landmarks: Vec<[f32; 3]> = points.into_iter().map(|point| in_picture(point, region)).collect();
         // Numbers of a damaged network may be finite and leave the numbers here.
-        self.network.check_finite(landmarks.as_flattened().iter())?;
-        Ok(Mesh { presence: sigmoid(flag[0]), landmarks })
+        Network::check_finite(NAME, landmarks.as_flattened().iter())?;
+        Ok(Mesh { presence: sigmoid(flag), landmarks })
     }
 
-    /// The network's outputs, undecoded: points `[468, 3]` in px of its input, and the logit of the face flag.
-    pub(crate) fn raw(&self, photo: &Photo, region: &RegionOfInterest) -> Result<[Vec<f32>; 2], LandmarksError> {
+    /// The network's answer, undecoded.
+    pub(crate) fn raw(&self, photo: &Photo, region: &RegionOfInterest) -> Result<RawMesh, LandmarksError> {
         let region_px = region.px(PictureSize::of(photo));
-        let fill =
-            |planes: &mut [f32]| warp::fill_planes(planes, photo, &region_px, Outside::NearestEdge, SCALE_AND_OFFSET);
-        self.network.run(fill, [LANDMARK_COUNT * 3, 1])
+        let fill = |planes: &mut [f32]| fill_planes(planes, photo, &region_px);
+        match &self.network {
+            Kind::Plain(network) => {
+                let [points, flag] = network.run(|_, planes| fill(planes), [LANDMARK_COUNT * 3, 1])?;
+                Ok(RawMesh { points: points.as_chunks::<3>().0.to_vec(), flag: flag[0] })
+            }
+            Kind::Attention(attention) => attention.run(fill),
+        }
     }
+}
+
+fn fill_planes(planes: &mut [f32], photo: &Photo, region: &RegionPx) {
+    warp::fill_planes(planes, photo, region, Outside::NearestEdge, SCALE_AND_OFFSET);
 }
 
 /// From px of the network's input to the picture's normalised coordinates.

@@ -50,11 +50,6 @@ fn mean(detections: &[Detection], score: f32) -> Detection {
     }
 }
 
-/// Intersection over union of two boxes, 0 if neither has an area.
 fn overlap(a: &Detection, b: &Detection) -> f32 {
-    let area = |[width, height]: [f32; 2]| width.max(0.0) * height.max(0.0);
-    let extent = |d: &Detection| [0, 1].map(|axis| d.max[axis] - d.min[axis]);
-    let shared = area([0, 1].map(|axis| a.max[axis].min(b.max[axis]) - a.min[axis].max(b.min[axis])));
-    let either = area(extent(a)) + area(extent(b)) - shared;
-    if either > 0.0 { shared / either } else { 0.0 }
+    a.outline().overlap(&b.outline())
 }

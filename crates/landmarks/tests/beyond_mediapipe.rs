@@ -1,15 +1,15 @@
-//! The options that find what MediaPipe does not, and what they cost in agreement with it.
+//! What is found beyond MediaPipe: a part of the scenes of docs/robustness.md, which has them all.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod support;
 
-use rosto_landmarks::{Face, FaceFinder, FindOptions, Passes, Search};
+use rosto_landmarks::{Face, FaceFinder, FindOptions, Search, Stage};
 use rosto_photo::Photo;
 use support::pictures;
-
-const THOROUGH: FindOptions = FindOptions { max_faces: 1, search: Search::Thorough, passes: Passes::One };
-const TWO_PASSES: FindOptions = FindOptions { max_faces: 1, search: Search::Once, passes: Passes::Two };
+use support::scenes::canvas::Ground;
+use support::scenes::verdict::Verdict;
+use support::scenes::{self, Model, Scene, families};
 
 fn only_face(finder: &FaceFinder, photo: &Photo, options: &FindOptions) -> Face {
     let mut faces = finder.find(photo, options).unwrap();
@@ -17,75 +17,117 @@ fn only_face(finder: &FaceFinder, photo: &Photo, options: &FindOptions) -> Face 
     faces.remove(0)
 }
 
-/// x and y of each landmark in px of the picture.
-fn positions_px(face: &Face, photo: &Photo) -> Vec<[f64; 2]> {
-    let (width, height) = (f64::from(photo.width()), f64::from(photo.height()));
-    face.landmarks.iter().map(|&[x, y, _]| [f64::from(x) * width, f64::from(y) * height]).collect()
+fn scene(name: &str) -> Scene {
+    families::all().into_iter().find(|scene| scene.name == name).unwrap_or_else(|| panic!("no scene {name}"))
 }
 
-/// Where positions in `pictures::turned(portrait, degrees)` lie in the portrait.
-fn turned_back(positions_px: Vec<[f64; 2]>, degrees: f64) -> Vec<[f64; 2]> {
-    let (sin, cos) = degrees.to_radians().sin_cos();
-    let centre = 511.0 / 2.0;
-    let back = |[x, y]: [f64; 2]| {
-        let (dx, dy) = (x - centre, y - centre);
-        [centre + cos * dx + sin * dy, centre - sin * dx + cos * dy]
-    };
-    positions_px.into_iter().map(back).collect()
-}
-
-fn mean_distance(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
-    let total: f64 = a.iter().zip(b).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])).sum();
-    total / a.len() as f64
-}
-
-#[test]
-fn a_face_on_its_head_gets_the_mesh_it_has_upright() {
-    let (finder, portrait) = (support::finder(), support::assets::portrait());
-    let upright = positions_px(&only_face(&finder, &portrait, &FindOptions::default()), &portrait);
-    for degrees in [135.0, 180.0, -150.0] {
-        let picture = pictures::turned(&portrait, degrees);
-        let found = positions_px(&only_face(&finder, &picture, &THOROUGH), &picture);
-        let distance_px = mean_distance(&turned_back(found, degrees), &upright);
-        assert!(distance_px < 3.0, "{degrees}°: {distance_px} px");
+/// Every face that is there and nothing else, its landmarks within a twentieth of the distance between the eyes.
+fn assert_all_found(names: &[&str]) {
+    let finder = support::finder();
+    let model = Model::new(&finder, &support::assets::portrait());
+    for name in names {
+        let scene = scene(name);
+        let photo = scene.picture(&model);
+        let options = FindOptions { max_faces: 30, ..FindOptions::default() };
+        let verdict = Verdict::of(&scene, &model, &photo, &finder.find(&photo, &options).unwrap());
+        assert_eq!((verdict.right(), verdict.wrong, verdict.twice), (scene.faces.len(), 0, 0), "{name}");
+        assert!(verdict.errors.iter().flatten().all(|&error| error < 0.05), "{name}: {:?}", verdict.errors);
     }
 }
 
 #[test]
-fn a_small_face_in_a_wide_picture_is_found_in_a_tile() {
-    let (finder, portrait) = (support::finder(), support::assets::portrait());
-    let upright = positions_px(&only_face(&finder, &portrait, &FindOptions::default()), &portrait);
-    let (left, top) = (700, 200);
-    let wide = pictures::padded(&portrait, 1600, 900, left, top);
-    assert!(finder.find(&wide, &FindOptions::default()).unwrap().is_empty());
-    let found = positions_px(&only_face(&finder, &wide, &THOROUGH), &wide);
-    let moved: Vec<_> = found.iter().map(|[x, y]| [x - f64::from(left), y - f64::from(top)]).collect();
-    let distance_px = mean_distance(&moved, &upright);
-    assert!(distance_px < 3.0, "{distance_px} px");
+fn faces_turned_by_any_angle_get_the_mesh_they_have_upright() {
+    assert_all_found(&["turned_75_near", "turned_105_far", "turned_135_near", "turned_180_far", "turned_210_near"]);
 }
 
 #[test]
-fn looking_thoroughly_invents_no_face() {
-    let (finder, portrait) = (support::finder(), support::assets::portrait());
-    for picture in [pictures::cropped(&portrait, 280, 240, 200, 200), pictures::toned(&portrait, |_| 0.0)] {
-        assert!(finder.find(&picture, &THOROUGH).unwrap().is_empty());
+fn a_face_of_32_px_between_the_eyes_is_found_in_12_megapixels() {
+    assert_all_found(&["12mp_eyes_32_corner"]);
+}
+
+#[test]
+fn faces_that_the_border_cuts_are_found() {
+    assert_all_found(&["cut_left_30", "cut_bottom_40", "cut_top_30"]);
+}
+
+#[test]
+fn everybody_in_a_group_is_found_once_even_more_than_are_shown() {
+    assert_all_found(&["group_5_cells_280_tilt_20", "group_24_cells_240_tilt_15"]);
+}
+
+#[test]
+fn dark_pale_noisy_and_blurred_faces_are_found() {
+    assert_all_found(&["gamma_3_near", "contrast_10_far", "noise_80_near", "blur_3_near", "jpeg_10_far"]);
+}
+
+#[test]
+fn nothing_is_found_where_nobody_is() {
+    let finder = support::finder();
+    let portrait = support::assets::portrait();
+    let grounds = Ground::ALL.map(|ground| ground.picture(600, 500, 7, &portrait));
+    let portraits_rest = pictures::cropped(&portrait, 280, 240, 200, 200);
+    for (index, picture) in grounds.iter().chain([&portraits_rest]).enumerate() {
+        assert!(finder.find(picture, &FindOptions::default()).unwrap().is_empty(), "picture {index}");
     }
 }
 
 #[test]
-fn two_passes_agree_better_between_pictures_of_one_face() {
-    let (finder, portrait) = (support::finder(), support::assets::portrait());
-    let spread_px = |options: &FindOptions| {
-        let upright = positions_px(&only_face(&finder, &portrait, options), &portrait);
-        let distances = [-45.0, -20.0, 15.0, 30.0, 60.0, 90.0].map(|degrees| {
-            let picture = pictures::turned(&portrait, degrees);
-            let found = positions_px(&only_face(&finder, &picture, options), &picture);
-            mean_distance(&turned_back(found, degrees), &upright)
+fn the_large_face_comes_first_however_many_are_wanted() {
+    let finder = support::finder();
+    let model = Model::new(&finder, &support::assets::portrait());
+    let mut scene = scene("group_2_cells_400_tilt_10");
+    scene.size_px = [900, 700];
+    scene.faces = vec![scenes::Placed::upright([120.0, 110.0], 0.6), scenes::Placed::upright([520.0, 380.0], 2.4)];
+    let photo = scene.picture(&model);
+    for max_faces in [1, 2] {
+        let faces = finder.find(&photo, &FindOptions { max_faces, ..FindOptions::default() }).unwrap();
+        assert_eq!(faces.len(), max_faces);
+        let first_px = scenes::landmarks_px(&faces[0], &photo)[1];
+        assert!((first_px[0] - 520.0).hypot(first_px[1] - 380.0) < 40.0, "{first_px:?}");
+    }
+}
+
+/// How far the landmarks of variants of one face are from those of the portrait, px, as the mean of every other variant.
+fn spread_px(finder: &FaceFinder, model: &Model, options: &FindOptions) -> f64 {
+    let upright = scenes::landmarks_px(&only_face(finder, &model.portrait, options), &model.portrait);
+    let distances = families::variants().into_iter().step_by(2).map(|scene| {
+        let photo = scene.picture(model);
+        let found = scenes::landmarks_px(&only_face(finder, &photo, options), &photo);
+        let truth = model.carried(&upright, &scene.faces[0]);
+        scenes::error(&found, &truth, &scene.faces[0], scene.size_px) * scenes::EYE_DISTANCE_PX
+    });
+    let distances: Vec<f64> = distances.collect();
+    distances.iter().sum::<f64>() / distances.len() as f64
+}
+
+#[test]
+fn thorough_landmarks_agree_better_between_variants_of_one_face() {
+    let finder = support::finder();
+    let model = Model::new(&finder, &support::assets::portrait());
+    let (one, settled) = (
+        spread_px(&finder, &model, &FindOptions::mediapipe()),
+        spread_px(&finder, &model, &FindOptions { max_faces: 1, ..FindOptions::default() }),
+    );
+    assert!(settled < 0.7 * one, "{one} px as MediaPipe does it, {settled} px thoroughly");
+}
+
+#[test]
+fn progress_never_falls_and_ends() {
+    let finder = support::finder();
+    let photo = pictures::padded(&support::assets::portrait(), 1600, 900, 700, 200);
+    let mut shares = Vec::new();
+    let report = |stage| {
+        shares.push(match stage {
+            Stage::Detecting { share } => share,
+            Stage::Meshing { face, of } => 1.0 + face as f32 / of as f32,
         });
-        distances.iter().sum::<f64>() / distances.len() as f64
     };
-    let (one, two) = (spread_px(&FindOptions::default()), spread_px(&TWO_PASSES));
-    assert!(two < 0.6 * one, "{one} px with one pass, {two} px with two");
+    let found = finder.find_with_progress(&photo, &FindOptions::default(), report).unwrap();
+    assert_eq!(found.len(), 1);
+    assert!(
+        shares.is_sorted() && shares[0] == 0.0 && shares.iter().all(|share| (0.0..2.0).contains(share)),
+        "{shares:?}"
+    );
 }
 
 #[test]
@@ -93,7 +135,8 @@ fn tiny_and_thin_pictures_are_looked_at_without_trouble() {
     let finder = support::finder();
     for (width, height) in [(1, 1), (1, 300), (2000, 2), (7, 5)] {
         let picture = Photo::from_rgb(width, height, vec![90; width as usize * height as usize * 3]).unwrap();
-        for options in [FindOptions::default(), THOROUGH] {
+        for search in [Search::Once, Search::Thorough] {
+            let options = FindOptions { search, ..FindOptions::default() };
             assert!(finder.find(&picture, &options).unwrap().is_empty(), "{width}×{height}");
         }
     }

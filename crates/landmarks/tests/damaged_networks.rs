@@ -2,13 +2,11 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "../../../tests/seeded.rs"]
-mod seeded;
 mod support;
 
-use rosto_landmarks::{Face, FaceFinder, FindOptions, LandmarksError, Search};
-use seeded::Seeded;
+use rosto_landmarks::{Face, FaceFinder, FindOptions, LandmarkNetwork, LandmarksError};
 use support::assets;
+use support::seeded::Seeded;
 
 /// Four hundred bytes of the weights written anew.
 fn flipped(mut onnx: Vec<u8>, seeded: &mut Seeded) -> Vec<u8> {
@@ -20,8 +18,10 @@ fn flipped(mut onnx: Vec<u8>, seeded: &mut Seeded) -> Vec<u8> {
 }
 
 fn faces(detector: &[u8], landmarks: &[u8]) -> Result<Vec<Face>, LandmarksError> {
-    let options = FindOptions { max_faces: 3, search: Search::Once, ..FindOptions::default() };
-    FaceFinder::new(detector, landmarks)?.find(&assets::portrait(), &options)
+    let finder = FaceFinder::new(detector, LandmarkNetwork::Plain(landmarks))?;
+    let mut faces = finder.find(&assets::portrait(), &FindOptions::mediapipe())?;
+    faces.extend(finder.find(&assets::portrait(), &FindOptions { max_faces: 3, ..FindOptions::default() })?);
+    Ok(faces)
 }
 
 #[test]
@@ -38,7 +38,7 @@ fn a_network_with_flipped_bytes_is_refused_or_answers_with_finite_numbers() {
             Ok(faces) => {
                 let numbers = faces.iter().flat_map(|face| face.landmarks.as_flattened());
                 assert!(numbers.into_iter().all(|number| number.is_finite()), "seed {seed}");
-                assert!(faces.iter().all(|face| face.presence.is_finite() && face.score.is_finite()), "seed {seed}");
+                assert!(faces.iter().all(|face| face.confidence.is_finite() && face.score.is_finite()), "seed {seed}");
             }
             Err(LandmarksError::NetworkDamaged { .. }) => refused += 1,
             Err(other) => panic!("seed {seed}: {other}"),
@@ -53,7 +53,7 @@ fn one_weight_that_is_infinite_is_named_when_the_network_is_read() {
     let at = landmarks.len() / 2;
     // Whichever byte of a half-precision number comes first, one of the two numbers here is infinite or none.
     landmarks[at..at + 4].fill(0x7C);
-    let error = FaceFinder::new(&assets::detector_onnx(), &landmarks).err().unwrap();
+    let error = FaceFinder::new(&assets::detector_onnx(), LandmarkNetwork::Plain(&landmarks)).err().unwrap();
     let LandmarksError::NetworkDamaged { network, reason } = error else { panic!("{error}") };
     assert_eq!(network, "landmark");
     assert!(reason.contains("weight"), "{reason}");
@@ -67,7 +67,7 @@ fn a_network_in_which_one_letter_of_a_name_is_another_is_refused() {
     let at = landmarks.windows(output.len()).position(|window| window == output).unwrap();
     let mut renamed = landmarks;
     renamed[at + 5] = b'w';
-    let error = FaceFinder::new(&detector, &renamed).err().unwrap();
+    let error = FaceFinder::new(&detector, LandmarkNetwork::Plain(&renamed)).err().unwrap();
     let LandmarksError::NetworkDamaged { network, reason } = error else { panic!("{error}") };
     assert_eq!(network, "landmark");
     assert!(reason.contains("conv2d_31"), "{reason}");

@@ -4,27 +4,36 @@
 
 mod support;
 
-use rosto_landmarks::{Face, FindOptions};
+use rosto_landmarks::{Face, FaceFinder, FindOptions};
 use serde_json::Value;
 use support::pictures::{self, Picture};
 
 const GOLDEN: &str = include_str!("../../../tests/golden/landmarks.json");
-const TOLERANCE_PX: f64 = 0.05;
+/// Lips, eyes and irises refined.
+const GOLDEN_REFINED: &str = include_str!("../../../tests/golden/refined_landmarks.json");
 
 #[test]
 fn every_landmark_is_within_a_twentieth_of_a_pixel_of_mediapipes() {
-    let finder = support::finder();
-    let golden: Value = serde_json::from_str(GOLDEN).unwrap();
+    assert_agrees(&support::finder(), GOLDEN, 0.05);
+}
+
+#[test]
+fn every_refined_landmark_and_iris_is_within_a_tenth_of_a_pixel_of_mediapipes() {
+    assert_agrees(&support::attentive_finder(), GOLDEN_REFINED, 0.1);
+}
+
+fn assert_agrees(finder: &FaceFinder, golden: &str, tolerance_px: f64) {
+    let golden: Value = serde_json::from_str(golden).unwrap();
     let pictures = pictures::all(&support::assets::portrait());
     assert_eq!(pictures.len(), golden.as_object().unwrap().len());
     for picture in &pictures {
-        let options = FindOptions { max_faces: picture.max_faces, ..FindOptions::default() };
+        let options = FindOptions { max_faces: picture.max_faces, ..FindOptions::mediapipe() };
         let faces = finder.find(&picture.photo, &options).unwrap();
         let expected = golden[picture.name]["faces"].as_array().unwrap();
         assert_eq!(faces.len(), expected.len(), "number of faces in {}", picture.name);
         for (face, expected) in faces.iter().zip(expected) {
             let error_px = worst_error_px(picture, face, expected);
-            assert!(error_px < TOLERANCE_PX, "{}: {error_px} px", picture.name);
+            assert!(error_px < tolerance_px, "{}: {error_px} px", picture.name);
         }
     }
 }

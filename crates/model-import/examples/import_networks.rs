@@ -1,6 +1,6 @@
 //! `cargo run -p rosto-model-import --example import_networks -- PACKAGE_FOLDER OUTPUT_FOLDER`
 //!
-//! Writes the two ONNX networks out of an unpacked `@mediapipe/face_mesh` package.
+//! Writes the three ONNX networks out of an unpacked `@mediapipe/face_mesh` package.
 
 use std::error::Error;
 use std::fs;
@@ -16,5 +16,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     let networks = rosto_model_import::import(&loader_js, &packed)?;
     fs::write(output.join("face_detector.onnx"), networks.detector_onnx)?;
     fs::write(output.join("face_landmarks.onnx"), networks.landmarks_onnx)?;
+    fs::write(output.join("face_landmarks_attention.onnx"), networks.attention_onnx)?;
     Ok(())
 }

@@ -15,8 +15,20 @@ use crate::tflite::{FLOAT16, INT32, Kind, Network, Operator, Tensor, Window};
 /// # Errors
 /// If the bytes are no TFLite file, or the network uses what the face networks do not.
 pub fn onnx_from_tflite(tflite: &[u8]) -> Result<Vec<u8>, ImportError> {
-    let network = Network::read(tflite)?;
-    let mut converter = Converter { network: &network, graph: Graph { name: "face".to_owned(), ..Graph::default() } };
+    onnx_of(&Network::read(tflite)?)
+}
+
+/// Converts the part of a TFLite network that computes the tensors named in `outputs` out of those named in `inputs`;
+/// what else the network does is left out.
+///
+/// # Errors
+/// As [`onnx_from_tflite`], and if there is no tensor of such a name.
+pub fn onnx_of_part(tflite: &[u8], inputs: &[&str], outputs: &[&str]) -> Result<Vec<u8>, ImportError> {
+    onnx_of(&Network::read(tflite)?.part(inputs, outputs)?)
+}
+
+fn onnx_of(network: &Network<'_>) -> Result<Vec<u8>, ImportError> {
+    let mut converter = Converter { network, graph: Graph { name: "face".to_owned(), ..Graph::default() } };
     for operator in &network.operators {
         converter.convert(operator)?;
     }
@@ -49,6 +61,7 @@ impl Converter<'_> {
             Kind::Add => self.elementwise("Add", operator),
             Kind::Relu => self.elementwise("Relu", operator),
             Kind::Prelu => self.elementwise("PRelu", operator),
+            Kind::Other => Err(self.unsupported(operator, "the operator")),
         }
     }
 
@@ -213,10 +226,11 @@ mod tests {
     use super::*;
     use crate::support;
 
-    fn models() -> [Model; 2] {
+    fn models() -> [Model; 3] {
         let (loader_js, packed) = support::package();
         let networks = crate::import(&loader_js, &packed).unwrap();
-        [networks.detector_onnx, networks.landmarks_onnx].map(|onnx| Model::decode(onnx.as_slice()).unwrap())
+        [networks.detector_onnx, networks.landmarks_onnx, networks.attention_onnx]
+            .map(|onnx| Model::decode(onnx.as_slice()).unwrap())
     }
 
     fn parameters(graph: &Graph) -> i64 {
@@ -227,7 +241,7 @@ mod tests {
     #[test]
     fn every_weight_arrives_in_half_precision() {
         let counts = models().map(|model| parameters(&model.graph.unwrap()));
-        assert_eq!(counts, [101_390, 604_685]);
+        assert_eq!(counts, [101_390, 604_685, 1_189_226]);
     }
 
     #[test]

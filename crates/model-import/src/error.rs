@@ -46,6 +46,12 @@ pub enum ImportError {
         /// Where in the file.
         offset: usize,
     },
+    /// The network has no tensor of this name to be cut at.
+    #[error("the network has no tensor {name}")]
+    NoSuchTensor {
+        /// The name.
+        name: String,
+    },
     /// The network uses something this converter does not know.
     #[error("operator {operator} ({output}): {what} is not supported")]
     Unsupported {

@@ -1,5 +1,7 @@
 //! The subset of the TFLite schema that the face networks use; field and operator numbers are those of `schema.fbs`.
 
+use std::collections::HashSet;
+
 use crate::ImportError;
 use crate::flatbuffer::Table;
 
@@ -38,15 +40,22 @@ pub(crate) struct Operator {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
     Add,
-    Concatenation { axis: i32 },
+    Concatenation {
+        axis: i32,
+    },
     Convolution(Window),
     DepthwiseConvolution(Window),
     Dequantize,
-    MaxPool { window: Window, kernel: [usize; 2] },
+    MaxPool {
+        window: Window,
+        kernel: [usize; 2],
+    },
     Relu,
     Reshape,
     Pad,
     Prelu,
+    /// An operator that the face networks use only where they are cut.
+    Other,
 }
 
 /// How a kernel moves over a picture. Pairs are height, width.
@@ -93,6 +102,30 @@ impl<'a> Network<'a> {
         let outputs = tensor_indices(&graph, 2, tensors.len())?;
         Ok(Self { tensors, operators, inputs, outputs })
     }
+
+    /// The part of the network that computes the tensors named in `outputs` out of those named in `inputs` and out of
+    /// constants.
+    pub(crate) fn part(mut self, inputs: &[&str], outputs: &[&str]) -> Result<Self, ImportError> {
+        self.inputs = self.named(inputs)?;
+        self.outputs = self.named(outputs)?;
+        let mut wanted: HashSet<usize> = self.outputs.iter().copied().collect();
+        let mut kept = Vec::new();
+        for operator in self.operators.into_iter().rev() {
+            if wanted.contains(&operator.output) && !self.inputs.contains(&operator.output) {
+                wanted.extend(&operator.inputs);
+                kept.push(operator);
+            }
+        }
+        kept.reverse();
+        self.operators = kept;
+        Ok(self)
+    }
+
+    fn named(&self, names: &[&str]) -> Result<Vec<usize>, ImportError> {
+        let index = |name: &str| self.tensors.iter().position(|tensor| tensor.name == name);
+        let missing = |name: &str| ImportError::NoSuchTensor { name: name.to_owned() };
+        names.iter().map(|&name| index(name).ok_or_else(|| missing(name))).collect()
+    }
 }
 
 fn damaged(what: &'static str) -> ImportError {
@@ -122,7 +155,7 @@ fn operator(table: &Table<'_>, codes: &[i32], tensors: &[Tensor<'_>]) -> Result<
     let unsupported =
         |what: String| ImportError::Unsupported { operator: code, output: tensors[output].name.clone(), what };
     let options = table.table(4)?;
-    let kind = kind(code, options.as_ref())?.ok_or_else(|| unsupported("the operator".to_owned()))?;
+    let kind = kind(code, options.as_ref())?;
     let activation = fused_activation(kind, options.as_ref())?;
     if activation != 0 {
         return Err(unsupported(format!("fused activation {activation}")));
@@ -139,13 +172,14 @@ impl Kind {
             Self::Convolution(_) | Self::DepthwiseConvolution(_) => 3,
             Self::Add | Self::Pad | Self::Prelu => 2,
             Self::Concatenation { .. } | Self::Dequantize | Self::MaxPool { .. } | Self::Relu | Self::Reshape => 1,
+            Self::Other => 0,
         }
     }
 }
 
-fn kind(code: i32, options: Option<&Table<'_>>) -> Result<Option<Kind>, ImportError> {
+fn kind(code: i32, options: Option<&Table<'_>>) -> Result<Kind, ImportError> {
     let need = || options.ok_or(damaged("operator options"));
-    Ok(Some(match code {
+    Ok(match code {
         0 => Kind::Add,
         2 => Kind::Concatenation { axis: need()?.i32(0, 0)? },
         3 => Kind::Convolution(window(need()?, Some([5, 4]))?),
@@ -156,8 +190,8 @@ fn kind(code: i32, options: Option<&Table<'_>>) -> Result<Option<Kind>, ImportEr
         22 => Kind::Reshape,
         34 => Kind::Pad,
         54 => Kind::Prelu,
-        _ => return Ok(None),
-    }))
+        _ => Kind::Other,
+    })
 }
 
 fn window(options: &Table<'_>, dilation_fields: Option<[usize; 2]>) -> Result<Window, ImportError> {
@@ -182,7 +216,7 @@ fn fused_activation(kind: Kind, options: Option<&Table<'_>>) -> Result<i8, Impor
         Kind::Convolution(_) => 3,
         Kind::DepthwiseConvolution(_) => 4,
         Kind::MaxPool { .. } => 5,
-        Kind::Dequantize | Kind::Relu | Kind::Reshape | Kind::Pad | Kind::Prelu => return Ok(0),
+        Kind::Dequantize | Kind::Relu | Kind::Reshape | Kind::Pad | Kind::Prelu | Kind::Other => return Ok(0),
     };
     options.map_or(Ok(0), |options| options.i8(field, 0))
 }

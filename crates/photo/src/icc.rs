@@ -1,24 +1,43 @@
-//! Embedded colour profiles to sRGB: those that are three curves and a matrix, as Display P3 of every newer phone is.
+//! Embedded colour profiles to sRGB: those that are three curves and a matrix, as Display P3 of every newer phone is, and
+//! of grey pictures those that are a curve.
 //!
 //! ICC.1:2022. A profile of another kind, or one that cannot be read, is ignored, and the values are taken for sRGB.
 
+use image::ColorType;
+
 use crate::code_points::Told;
 use crate::colour::{Conversion, Light};
+use crate::primaries::SRGB;
 
-/// What a profile asks for.
-pub(crate) fn told(profile: &[u8]) -> Told {
-    conversion(profile).map_or(Told::Srgb, Told::Otherwise)
+/// What a profile asks for in a picture that was stored so.
+pub(crate) fn told(profile: &[u8], layout: ColorType) -> Told {
+    let conversion = match profile.get(16..24) {
+        Some(b"RGB XYZ ") => of_colours(profile),
+        Some(b"GRAYXYZ ") if !layout.has_color() => of_grey(profile, |luminance| luminance),
+        Some(b"GRAYLab ") if !layout.has_color() => of_grey(profile, luminance_of_lightness),
+        _ => None,
+    };
+    conversion.map_or(Told::Srgb, Told::Otherwise)
 }
 
 /// `None` if the profile is as good as sRGB or is not understood.
-fn conversion(profile: &[u8]) -> Option<Conversion> {
-    if profile.get(16..24)? != b"RGB XYZ " {
-        return None;
-    }
+fn of_colours(profile: &[u8]) -> Option<Conversion> {
     let columns = [xyz(tag(profile, b"rXYZ")?)?, xyz(tag(profile, b"gXYZ")?)?, xyz(tag(profile, b"bXYZ")?)?];
     let curves = [tag(profile, b"rTRC")?, tag(profile, b"gTRC")?, tag(profile, b"bTRC")?];
     let [red, green, blue] = curves.map(|curve| Some(table(&Curve::read(curve)?)));
     Conversion::new([red?, green?, blue?], columns, Light::OfTheScreen)
+}
+
+/// The same of a profile whose curve leads to luminance, or to what that can be told from; both 0..1.
+fn of_grey(profile: &[u8], luminance: fn(f32) -> f32) -> Option<Conversion> {
+    let curve = table(&Curve::read(tag(profile, b"kTRC")?)?).into_iter().map(luminance).collect::<Vec<_>>();
+    Conversion::new([curve.clone(), curve.clone(), curve], SRGB.colorants_d50()?, Light::OfTheScreen)
+}
+
+/// CIE 1976, L*/100 to Y.
+fn luminance_of_lightness(lightness: f32) -> f32 {
+    const LINEAR_BELOW: f32 = 0.08;
+    if lightness > LINEAR_BELOW { ((lightness + 0.16) / 1.16).powi(3) } else { lightness / 9.033 }
 }
 
 /// The contents of a tag: signature, offset and size stand in a table behind the 128 bytes of the header.

@@ -1,138 +1,87 @@
-//! Whether a JPEG file is whole.
+//! JPEG files, those too that lack only their end.
 //!
-//! The decoder fills what is missing with grey and calls it a success, as browsers do; half a face is no use here.
+//! The decoder fills what is missing with grey and calls it a success, as browsers do; half a face is no use here. So what
+//! is there is found out beforehand.
 
-const STUFFED_ZERO: u8 = 0x00;
-const RESTART: std::ops::RangeInclusive<u8> = 0xD0..=0xD7;
-const START_OF_IMAGE: u8 = 0xD8;
-const END_OF_IMAGE: u8 = 0xD9;
-const START_OF_SCAN: u8 = 0xDA;
-const PROGRESSIVE: u8 = 0xC2;
-const FILL: u8 = 0xFF;
+mod ending;
 
-/// The end-of-image marker.
-pub(crate) const END: [u8; 2] = [FILL, END_OF_IMAGE];
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::io::Cursor;
 
-/// How a file ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Ending<'a> {
-    /// With the end-of-image marker where it counts: after the scans, not inside an embedded thumbnail.
-    Marked,
-    /// Without it, in what may be the last scan.
-    InLastScan {
-        /// The file without what was filled up behind it.
-        scanned: &'a [u8],
-        /// How many restart markers that scan has so far.
-        restarts: u8,
-    },
-    /// Before what may be the last scan.
-    TooEarly,
-}
+use image::ImageDecoder;
+use image::codecs::jpeg::JpegDecoder;
 
-pub(crate) fn ending(bytes: &[u8]) -> Ending<'_> {
-    let (mut position, mut scans) = (0, Scans::default());
-    while let Some((marker, after)) = next_marker(bytes, position) {
-        position = match marker {
-            END_OF_IMAGE => return Ending::Marked,
-            START_OF_IMAGE => after,
-            _ => match bytes.get(after..after + 2) {
-                Some(length) => after + usize::from(u16::from_be_bytes([length[0], length[1]])),
-                None => return Ending::TooEarly,
-            },
-        };
-        let Some(segment) = bytes.get(after..position) else { return Ending::TooEarly };
-        scans.see(marker, segment);
+use crate::decode::{Stored, damaged, refused};
+use crate::format::Format;
+use crate::{Limits, Photo, PhotoError};
+use ending::{END, Ending, LastScan, ending};
+
+/// One row of so many may be missing.
+const ROWS_FOR_EACH_MISSING: usize = 20;
+
+pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError> {
+    let (width, height) = decoder(bytes)?.dimensions();
+    limits.check_size(width, height)?;
+    match ending(bytes) {
+        Ending::Marked => stored(bytes, limits)?.upright(),
+        Ending::Unmarked { last_scan, nearly_all } => decode_unmarked(last_scan, nearly_all, limits),
     }
-    if !scans.could_be_all() {
-        return Ending::TooEarly;
+}
+
+/// A file that ends without saying so: with the rows that its last scan shows, or else without that scan's refinements.
+fn decode_unmarked(
+    last_scan: Option<LastScan<'_>>,
+    nearly_all: Option<&[u8]>,
+    limits: &Limits,
+) -> Result<Photo, PhotoError> {
+    if let Some(last_scan) = last_scan
+        && let Some(stored) = with_nearly_all_rows(&last_scan, limits)?
+    {
+        return stored.upright();
     }
-    let scanned = without_padding(bytes);
-    let Some(scan) = scanned.get(position..) else { return Ending::TooEarly };
-    let markers = scan.windows(2).filter(|two| two[0] == FILL && RESTART.contains(&two[1])).count();
-    Ending::InLastScan { scanned, restarts: (markers % 8) as u8 }
+    match nearly_all {
+        Some(scans) => stored(&ended(scans, &[]), limits)?.upright(),
+        None => Err(damaged(Format::Jpeg, "it ends before its last row".to_owned())),
+    }
 }
 
-/// What may be put behind a scan to see whether it is whole: bits that differ from the first on, the same behind the
-/// restart marker that would come next.
-pub(crate) fn tails(restarts: u8) -> Vec<Vec<u8>> {
-    const BITS: [[u8; 6]; 3] = [
-        [0x55, 0x33, 0x5A, 0x0F, 0x66, 0x3C],
-        [0xAA, 0xCC, 0xA5, 0xF0, 0x99, 0xC3],
-        [0x12, 0x9D, 0x74, 0xE8, 0x2B, 0xB1],
-    ];
-    let restart = [FILL, RESTART.start() + restarts];
-    let behind = |marker: &[u8], bits: [u8; 6]| [marker, bits.repeat(16).as_slice()].concat();
-    BITS.iter().flat_map(|&bits| [behind(&[], bits), behind(&restart, bits)]).collect()
-}
-
-/// What the scans so far have told of the picture.
-#[derive(Default)]
-struct Scans {
-    progressive: bool,
-    /// Each component's name, and which of its 64 coefficients are there to the last bit.
-    components: Vec<(u8, u64)>,
-    scanning: bool,
-}
-
-impl Scans {
-    /// Takes note of a segment (its two bytes of length included).
-    fn see(&mut self, marker: u8, segment: &[u8]) {
-        self.scanning = marker == START_OF_SCAN;
-        match marker {
-            0xC0..=PROGRESSIVE => {
-                self.progressive = marker == PROGRESSIVE;
-                let names = segment.get(8..).unwrap_or_default().as_chunks::<3>().0;
-                self.components = names.iter().map(|component| (component[0], 0)).collect();
-            }
-            START_OF_SCAN => self.see_scan(segment),
-            _ => {}
+/// The rows of a last scan, those that are missing like the last one that is there; `None` if too many are.
+///
+/// Where the scan is whole, nothing that comes behind it is read; where it is not, whatever comes there shows in the
+/// picture.
+fn with_nearly_all_rows(last_scan: &LastScan<'_>, limits: &Limits) -> Result<Option<Stored>, PhotoError> {
+    let ended_with = |tail: &[u8]| stored(&ended(last_scan.scanned, tail), limits);
+    let mut picture = ended_with(&[])?;
+    let expected = row_digests(&picture);
+    let mut rows = expected.len();
+    for tail in last_scan.tails() {
+        let found = ended_with(&tail).map(|other| row_digests(&other)).unwrap_or_default();
+        rows = rows.min(expected.iter().zip(found).take_while(|(expected, found)| *expected == found).count());
+        if (expected.len() - rows) * ROWS_FOR_EACH_MISSING > expected.len() {
+            return Ok(None);
         }
     }
-
-    fn see_scan(&mut self, segment: &[u8]) {
-        let count = usize::from(segment.get(2).copied().unwrap_or_default());
-        let Some(names) = segment.get(3..3 + 2 * count) else { return };
-        let Some(&[first, last, bits]) = segment.get(3 + 2 * count..).and_then(|rest| rest.first_chunk()) else {
-            return;
-        };
-        let told = match self.progressive {
-            false => u64::MAX,
-            true if bits & 0x0F == 0 && first <= last && last < 64 => (u64::MAX >> (63 - (last - first))) << first,
-            true => 0,
-        };
-        for &[name, _] in names.as_chunks::<2>().0 {
-            self.components
-                .iter_mut()
-                .filter(|component| component.0 == name)
-                .for_each(|component| component.1 |= told);
-        }
-    }
-
-    /// Whether there need not be another scan.
-    fn could_be_all(&self) -> bool {
-        self.scanning && !self.components.is_empty() && self.components.iter().all(|component| component.1 == u64::MAX)
-    }
+    picture.repeat_row_below(rows - 1);
+    Ok(Some(picture))
 }
 
-/// Without zeros that a copy was filled up with, and without half a marker.
-fn without_padding(bytes: &[u8]) -> &[u8] {
-    /// A scan may end with a zero, but hardly with so many.
-    const PADDING: usize = 16;
-    let end = bytes.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1);
-    let bytes = if bytes.len() - end >= PADDING { &bytes[..end] } else { bytes };
-    let end = bytes.iter().rposition(|&byte| byte != FILL).map_or(0, |last| last + 1);
-    &bytes[..end]
+fn ended(scans: &[u8], tail: &[u8]) -> Vec<u8> {
+    [scans, tail, &END].concat()
 }
 
-/// The next marker at or after `position` and the position behind it, past any entropy-coded data.
-fn next_marker(bytes: &[u8], mut position: usize) -> Option<(u8, usize)> {
-    loop {
-        position += bytes.get(position..)?.iter().position(|&byte| byte == 0xFF)? + 1;
-        match *bytes.get(position)? {
-            FILL => {}
-            STUFFED_ZERO => position += 1,
-            restart if RESTART.contains(&restart) => position += 1,
-            marker => return Some((marker, position + 1)),
-        }
-    }
+fn row_digests(picture: &Stored) -> Vec<u64> {
+    let digest = |row: &[u8]| {
+        let mut hasher = DefaultHasher::new();
+        row.hash(&mut hasher);
+        hasher.finish()
+    };
+    picture.rgb.chunks_exact(picture.row_bytes()).map(digest).collect()
+}
+
+fn stored(bytes: &[u8], limits: &Limits) -> Result<Stored, PhotoError> {
+    Stored::read(decoder(bytes)?, Format::Jpeg, limits)
+}
+
+fn decoder(bytes: &[u8]) -> Result<JpegDecoder<Cursor<&[u8]>>, PhotoError> {
+    JpegDecoder::new(Cursor::new(bytes)).map_err(|error| refused(Format::Jpeg, error))
 }

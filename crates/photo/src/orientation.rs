@@ -2,13 +2,6 @@ use image::metadata::Orientation;
 
 use crate::photo::Photo;
 
-/// The orientation an EXIF block asks for; what cannot be read asks for nothing.
-pub(crate) fn from_exif(exif: &[u8]) -> Orientation {
-    // Some writers of WebP and PNG keep the header that only JPEG wants.
-    let tiff = exif.strip_prefix(b"Exif\0\0").unwrap_or(exif);
-    Orientation::from_exif_chunk(tiff).unwrap_or(Orientation::NoTransforms)
-}
-
 /// Turns a picture upright.
 pub(crate) fn apply(photo: Photo, orientation: Orientation) -> Photo {
     if orientation == Orientation::NoTransforms {

@@ -1,14 +1,17 @@
 use std::fmt;
 use std::sync::Arc;
 
+use crate::exif::Exif;
 use crate::{PhotoError, resize};
 
-/// An upright sRGB picture: 8-bit RGB, row-major, origin at the top left, at least one pixel. Its clones share the pixels.
+/// An upright sRGB picture: 8-bit RGB, row-major, origin at the top left, at least one pixel; with what the file told of
+/// its lens. Its clones share the pixels.
 #[derive(Clone, PartialEq, Eq)]
 pub struct Photo {
     width: u32,
     height: u32,
     pixels: Arc<Vec<u8>>,
+    focal_length_35mm: Option<u16>,
 }
 
 impl Photo {
@@ -21,13 +24,17 @@ impl Photo {
         if expected == 0 || expected != pixels.len() as u128 {
             return Err(PhotoError::WrongLength { width, height, found_bytes: pixels.len() });
         }
-        Ok(Self { width, height, pixels: Arc::new(pixels) })
+        Ok(Self::from_valid(width, height, pixels))
     }
 
     /// A picture whose size was checked already.
     pub(crate) fn from_valid(width: u32, height: u32, pixels: Vec<u8>) -> Self {
         debug_assert_eq!(width as usize * height as usize * 3, pixels.len());
-        Self { width, height, pixels: Arc::new(pixels) }
+        Self { width, height, pixels: Arc::new(pixels), focal_length_35mm: None }
+    }
+
+    pub(crate) fn with_focal_length_35mm(self, focal_length_35mm: Option<u16>) -> Self {
+        Self { focal_length_35mm, ..self }
     }
 
     /// Width in px.
@@ -38,6 +45,21 @@ impl Photo {
     /// Height in px.
     pub fn height(&self) -> u32 {
         self.height
+    }
+
+    /// The 35-mm-equivalent focal length of the lens in mm, if the file tells one that is sound: EXIF's
+    /// FocalLengthIn35mmFilm where it is 8 to 400 mm and nothing says that a part of the picture was cut off.
+    ///
+    /// A frame of 36 × 24 mm has a diagonal of 43.27 mm, so that the focal length in px is this, times the picture's
+    /// diagonal in px, over 43.27.
+    pub fn focal_length_35mm(&self) -> Option<f64> {
+        self.focal_length_35mm.map(f64::from)
+    }
+
+    /// The photo with the lens that another file of it tells: the HEIC or AVIF file that it was decoded from elsewhere.
+    pub fn with_lens_of(self, container: &[u8]) -> Self {
+        let focal_length_35mm = Exif::focal_length_35mm_in_container(container, self.width, self.height);
+        self.with_focal_length_35mm(focal_length_35mm)
     }
 
     /// All bytes, three for each pixel, row by row from the top.
@@ -73,7 +95,8 @@ impl Photo {
         }
         let scale = f64::from(limit) / f64::from(long);
         let shrunk = |side: u32| ((f64::from(side) * scale).round() as u32).max(1);
-        resize::area_mean(self, shrunk(self.width), shrunk(self.height))
+        let small = resize::area_mean(self, shrunk(self.width), shrunk(self.height));
+        small.with_focal_length_35mm(self.focal_length_35mm)
     }
 }
 

@@ -6,10 +6,10 @@ use image::ColorType;
 use png::{BitDepth, DecodingError, Info, Reader, Transformations};
 
 use crate::code_points::{CodePoints, Told, told_by_gamma};
-use crate::decode::{damaged, upright};
+use crate::decode::{Stored, damaged};
 use crate::format::Format;
 use crate::primaries::Primaries;
-use crate::{Limits, Photo, PhotoError, icc, orientation, pixels};
+use crate::{Limits, Photo, PhotoError, icc, pixels};
 
 type Source<'a> = Cursor<&'a [u8]>;
 
@@ -33,8 +33,8 @@ pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError>
             .for_each(|sample| *sample = u16::from_be_bytes(*sample).to_ne_bytes());
     }
     let rgb = pixels::to_rgb(decoded, layout).ok_or_else(|| unread(layout))?;
-    let exif = reader.info().exif_metadata.as_deref().unwrap_or_default();
-    upright(width, height, rgb, told(reader.info()), orientation::from_exif(exif))
+    let exif = reader.info().exif_metadata.as_deref().unwrap_or_default().to_vec();
+    Stored { width, height, rgb, colours: told(reader.info(), layout), exif }.upright()
 }
 
 /// Width and height out of the header chunk, which the format wants first.
@@ -123,7 +123,7 @@ fn interlaced_rows(width: u32, height: u32) -> u32 {
 }
 
 /// What the file says of its colours: the first that is there of code points, profile, sRGB, gamma and primaries.
-fn told(info: &Info<'_>) -> Told {
+fn told(info: &Info<'_>, layout: ColorType) -> Told {
     if let Some(points) = &info.coding_independent_code_points {
         let points = CodePoints {
             primaries: points.color_primaries,
@@ -136,7 +136,7 @@ fn told(info: &Info<'_>) -> Told {
         }
     }
     if let Some(profile) = &info.icc_profile {
-        return icc::told(profile);
+        return icc::told(profile, layout);
     }
     if info.srgb.is_some() {
         return Told::Srgb;

@@ -31,12 +31,21 @@ fn parametric(values: &[f64], kind: u8) -> Vec<u8> {
 fn profile(colorants: [[f64; 3]; 3], curve: &[u8]) -> Vec<u8> {
     let xyz = |colorant: [f64; 3]| [b"XYZ \0\0\0\0".to_vec(), colorant.map(fixed).concat()].concat();
     let contents = [xyz(colorants[0]), xyz(colorants[1]), xyz(colorants[2]), curve.to_vec()];
-    let tags: [(&[u8; 4], usize); 6] =
-        [(b"rXYZ", 0), (b"gXYZ", 1), (b"bXYZ", 2), (b"rTRC", 3), (b"gTRC", 3), (b"bTRC", 3)];
+    let tags = [(b"rXYZ", 0), (b"gXYZ", 1), (b"bXYZ", 2), (b"rTRC", 3), (b"gTRC", 3), (b"bTRC", 3)];
+    profile_of(b"RGB XYZ ", &tags, &contents)
+}
+
+/// A profile of a curve from grey to luminance (`XYZ `) or to lightness (`Lab `).
+fn grey_profile(connection: &[u8; 4], curve: Vec<u8>) -> Vec<u8> {
+    profile_of(&[*b"GRAY", *connection].concat(), &[(b"kTRC", 0)], &[curve])
+}
+
+/// A profile from one space to another, of tags that share contents.
+fn profile_of(spaces: &[u8], tags: &[(&[u8; 4], usize)], contents: &[Vec<u8>]) -> Vec<u8> {
     let mut bytes = vec![0; 128];
-    bytes[16..24].copy_from_slice(b"RGB XYZ ");
-    bytes.extend(6_u32.to_be_bytes());
-    for (signature, content) in tags {
+    bytes[16..24].copy_from_slice(spaces);
+    bytes.extend((tags.len() as u32).to_be_bytes());
+    for &(signature, content) in tags {
         let start = 132 + 12 * tags.len() + contents[..content].iter().map(Vec::len).sum::<usize>();
         bytes.extend(signature);
         bytes.extend((start as u32).to_be_bytes());
@@ -47,11 +56,30 @@ fn profile(colorants: [[f64; 3]; 3], curve: &[u8]) -> Vec<u8> {
 }
 
 fn converted(pixel: [u8; 3], profile: Vec<u8>) -> [u8; 3] {
+    read(with_profile(&pixel, ExtendedColorType::Rgb8, profile))
+}
+
+fn converted_grey(grey: u8, profile: Vec<u8>) -> [u8; 3] {
+    read(with_profile(&[grey], ExtendedColorType::L8, profile))
+}
+
+/// A PNG of one pixel.
+fn with_profile(pixel: &[u8], layout: ExtendedColorType, profile: Vec<u8>) -> Vec<u8> {
     let mut png = Vec::new();
     let mut encoder = PngEncoder::new(&mut png);
     encoder.set_icc_profile(profile).unwrap();
-    encoder.write_image(&pixel, 1, 1, ExtendedColorType::Rgb8).unwrap();
-    decode(&png, &Limits::default()).unwrap().pixel(0, 0)
+    encoder.write_image(pixel, 1, 1, layout).unwrap();
+    png
+}
+
+fn read(file: Vec<u8>) -> [u8; 3] {
+    decode(&file, &Limits::default()).unwrap().pixel(0, 0)
+}
+
+/// 8-bit sRGB of linear light.
+fn srgb(light: f64) -> u8 {
+    let encoded = if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 };
+    (255.0 * encoded).round() as u8
 }
 
 fn close(a: [u8; 3], b: [u8; 3]) -> bool {
@@ -93,6 +121,39 @@ fn a_plain_gamma_is_applied_in_either_notation() {
 }
 
 #[test]
+fn grey_becomes_the_grey_of_the_same_luminance() {
+    for value in (0..=255).step_by(5) {
+        let signal = f64::from(value) / 255.0;
+        let by_gamma = grey_profile(b"XYZ ", parametric(&[1.8], 0));
+        assert!(close(converted_grey(value, by_gamma), [srgb(signal.powf(1.8)); 3]), "{value}, gamma 1.8");
+        let by_lightness = grey_profile(b"Lab ", parametric(&[1.0], 0));
+        let lightness = 100.0 * signal;
+        let luminance = if lightness > 8.0 { ((lightness + 16.0) / 116.0).powi(3) } else { lightness / 903.3 };
+        assert!(close(converted_grey(value, by_lightness), [srgb(luminance); 3]), "{value}, lightness");
+        let by_srgb = grey_profile(b"XYZ ", parametric(&SRGB_CURVE, 3));
+        assert_eq!(converted_grey(value, by_srgb), [value; 3]);
+    }
+}
+
+#[test]
+fn a_grey_picture_takes_a_profile_of_colours_but_not_the_other_way_round() {
+    let of_colours = profile(DISPLAY_P3, &parametric(&[1.8], 0));
+    assert!(close(converted_grey(128, of_colours), [146; 3]));
+    for connection in [b"XYZ ", b"Lab "] {
+        assert_eq!(converted([128, 20, 7], grey_profile(connection, parametric(&[1.8], 0))), [128, 20, 7]);
+    }
+}
+
+#[test]
+fn a_profile_of_printing_inks_or_of_tables_is_ignored() {
+    for spaces in [b"CMYKLab ", b"CMYKXYZ ", b"RGB Lab ", b"GRAYHSV "] {
+        let profile = profile_of(spaces, &[(b"A2B0", 0), (b"kTRC", 0)], &[parametric(&[1.8], 0)]);
+        assert_eq!(converted([128, 20, 7], profile.clone()), [128, 20, 7]);
+        assert_eq!(converted_grey(128, profile), [128; 3]);
+    }
+}
+
+#[test]
 fn a_broken_profile_is_ignored() {
     let whole = profile(DISPLAY_P3, &parametric(&SRGB_CURVE, 3));
     for length in (0..whole.len()).step_by(11) {
@@ -114,5 +175,13 @@ fn mutated_profiles_are_applied_or_ignored() {
         }
         let found = [converted([128; 3], damaged.clone()), converted([128; 3], damaged)];
         assert_eq!(found[0], found[1]);
+    }
+    let whole = grey_profile(b"Lab ", parametric(&SRGB_CURVE, 3));
+    for _ in 0..500 {
+        let mut damaged = whole.clone();
+        let at = 128 + seeded.below(damaged.len() - 128);
+        damaged[at] = [seeded.bits() as u8, 0, 0xFF, 0x80][seeded.below(4)];
+        let [red, green, blue] = converted_grey(128, damaged);
+        assert!(close([red; 3], [red, green, blue]), "grey became {red}, {green}, {blue}");
     }
 }

@@ -7,7 +7,7 @@ mod support;
 use image::metadata::Orientation;
 use image::{DynamicImage, ImageFormat};
 use rosto_photo::{Limits, Photo, decode};
-use support::{FORMATS, Format, blocks, file, stored_for};
+use support::{FORMATS, Format, blocks, blocks_with_restarts, file, stored_for};
 
 fn read(bytes: &[u8]) -> Photo {
     decode(bytes, &Limits::default()).unwrap()
@@ -19,8 +19,12 @@ fn largest_difference(photo: &Photo, expected: &[u8]) -> u8 {
 }
 
 fn png(picture: impl Into<DynamicImage>) -> Vec<u8> {
+    file_of(picture, ImageFormat::Png)
+}
+
+fn file_of(picture: impl Into<DynamicImage>, format: ImageFormat) -> Vec<u8> {
     let mut bytes = std::io::Cursor::new(Vec::new());
-    picture.into().write_to(&mut bytes, ImageFormat::Png).unwrap();
+    picture.into().write_to(&mut bytes, format).unwrap();
     bytes.into_inner()
 }
 
@@ -56,8 +60,15 @@ fn an_exif_header_left_in_a_webp_is_skipped() {
 #[test]
 fn transparency_lies_over_white() {
     let pixels = vec![100, 50, 0, 255, 100, 50, 0, 0, 100, 50, 0, 51];
-    let photo = read(&png(image::RgbaImage::from_raw(3, 1, pixels).unwrap()));
-    assert_eq!(photo.pixels(), [[100, 50, 0], [255, 255, 255], [224, 214, 204]].concat());
+    let eight_bit = DynamicImage::from(image::RgbaImage::from_raw(3, 1, pixels).unwrap());
+    let files = [
+        file_of(eight_bit.clone(), ImageFormat::Png),
+        file_of(eight_bit.clone(), ImageFormat::WebP),
+        file_of(eight_bit.into_rgba16(), ImageFormat::Png),
+    ];
+    for file in files {
+        assert_eq!(read(&file).pixels(), [[100, 50, 0], [255, 255, 255], [224, 214, 204]].concat());
+    }
 }
 
 #[test]
@@ -82,11 +93,18 @@ fn grey_with_transparency_of_sixteen_bits_is_read() {
 
 #[test]
 fn print_colours_become_red_and_blue() {
-    let photo = read(include_bytes!("fixtures/cmyk.jpg"));
-    assert_eq!((photo.width(), photo.height()), (16, 8));
-    let [red, blue] = [photo.pixel(1, 4), photo.pixel(14, 4)];
-    assert!(red[0] > 200 && red[1] < 60 && red[2] < 60, "{red:?}");
-    assert!(blue[0] < 60 && blue[1] < 60 && blue[2] > 200, "{blue:?}");
+    let [inks, luminance_and_black] =
+        [include_bytes!("fixtures/cmyk.jpg").as_slice(), include_bytes!("fixtures/ycck.jpg")];
+    // Adobe's segment has 14 bytes behind its marker; without it, inks are taken as Adobe's programs write them.
+    let adobe = inks.windows(2).position(|two| two == [0xFF, 0xEE]).unwrap();
+    let unnamed = [&inks[..adobe], &inks[adobe + 16..]].concat();
+    for file in [inks, luminance_and_black, &unnamed] {
+        let photo = read(file);
+        assert_eq!((photo.width(), photo.height()), (16, 8));
+        let [red, blue] = [photo.pixel(1, 4), photo.pixel(14, 4)];
+        assert!(red[0] > 200 && red[1] < 60 && red[2] < 60, "{red:?}");
+        assert!(blue[0] < 60 && blue[1] < 60 && blue[2] > 200, "{blue:?}");
+    }
 }
 
 #[test]
@@ -122,28 +140,6 @@ fn a_picture_whose_file_lacks_only_its_end_is_whole() {
             }
         }
     }
-}
-
-/// A grey JPEG, one block of 8 × 8 px above the other, a restart marker between any two; without its end mark. Of the
-/// Huffman codes, 0 is "no difference" and "no more", and 10 is "a difference of four bits".
-fn blocks_with_restarts(blocks: u8) -> Vec<u8> {
-    let table = |class: u8, second: u8| {
-        let counts = [1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-        [&[0xFF, 0xC4, 0, 21, class], counts.as_slice(), &[0, second]].concat()
-    };
-    let mut file = vec![0xFF, 0xD8, 0xFF, 0xDB, 0, 67, 0];
-    file.extend([16; 64]);
-    file.extend([0xFF, 0xC0, 0, 11, 8, 0, 8 * blocks, 0, 8, 1, 1, 0x11, 0]);
-    file.extend([table(0x00, 4), table(0x10, 1)].concat());
-    file.extend([0xFF, 0xDD, 0, 4, 0, 1, 0xFF, 0xDA, 0, 8, 1, 1, 0, 0, 63, 0]);
-    for block in 0..blocks {
-        // 10, a difference of 9, "no more", and a bit to fill the byte.
-        file.push(0b1010_0101);
-        if block + 1 < blocks {
-            file.extend([0xFF, 0xD0 + block % 8]);
-        }
-    }
-    file
 }
 
 #[test]

@@ -52,7 +52,12 @@ fn damaged_files_of_every_format_are_pictures_or_refused() {
             assert!(try_all(&whole, head) < CASES, "{format:?}: nothing was damaged");
         }
     }
-    for fixture in [&include_bytes!("fixtures/progressive.jpg")[..], include_bytes!("fixtures/interlaced.png")] {
+    for fixture in [
+        &include_bytes!("fixtures/progressive.jpg")[..],
+        include_bytes!("fixtures/refined.jpg"),
+        include_bytes!("fixtures/ycck.jpg"),
+        include_bytes!("fixtures/interlaced.png"),
+    ] {
         try_all(fixture, fixture.len());
     }
 }

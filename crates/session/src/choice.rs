@@ -2,7 +2,7 @@
 //! are drawn from this table.
 
 use rosto_face::Triangulation;
-use rosto_stage::ShadingMode;
+use rosto_stage::{Lens, ShadingMode};
 use rosto_studio::{ConstraintKind, Details, Operator};
 
 use crate::incoming::DENSEST_SHOWN;
@@ -26,6 +26,8 @@ rosto_named::named! {
         Anchors = "anchors",
         /// How the surface is coloured.
         Shading = "shading",
+        /// From how far away the face is seen.
+        Lens = "lens",
         /// How the landmarks are joined.
         Triangulation = "triangulation",
         /// How often the mesh is subdivided.
@@ -49,6 +51,7 @@ impl Choice {
             Self::Details => owned(&Details::ALL.map(Details::id)),
             Self::Anchors => owned(&AnchorChoice::ALL.map(AnchorChoice::id)),
             Self::Shading => owned(&ShadingMode::ALL.map(ShadingMode::id)),
+            Self::Lens => owned(&Lens::ALL.map(Lens::id)),
             Self::Triangulation => owned(&Triangulation::ALL.map(Triangulation::id)),
             Self::Density => (0..=DENSEST_SHOWN).map(|density| density.to_string()).collect(),
         }
@@ -64,6 +67,7 @@ impl Choice {
             Self::Details => Intent::Details(Details::from_id(id)?),
             Self::Anchors => Intent::Anchors(AnchorChoice::from_id(id)?),
             Self::Shading => Intent::Shading(ShadingMode::from_id(id)?),
+            Self::Lens => Intent::Lens(Lens::from_id(id)?),
             Self::Triangulation => Intent::Triangulation(Triangulation::from_id(id)?),
             Self::Density => Intent::Density(id.parse().ok().filter(|density| *density <= DENSEST_SHOWN)?),
         })
@@ -82,6 +86,7 @@ impl Session {
             Choice::Details => choices.details.id(),
             Choice::Anchors => choices.anchors.id(),
             Choice::Shading => view.shading.id(),
+            Choice::Lens => view.lens.id(),
             Choice::Triangulation => view.triangulation.id(),
             Choice::Density => return Some(view.density.to_string()),
         };

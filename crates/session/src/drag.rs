@@ -45,8 +45,7 @@ impl Drag {
 
     /// How many mm so many px in the picture are where it started.
     pub fn mm_of_px(&self, camera: &Camera, px: f64) -> f64 {
-        let depth_m = (camera.eye_m() - self.start_m).dot(camera.back());
-        px * camera.m_per_px_at_distance(depth_m) * MM_PER_M
+        px * camera.m_per_px_at(self.start_m) * MM_PER_M
     }
 
     /// The offset in metres after the pointer has gone to `pointer_px`: in the view plane, or along one axis.
@@ -67,9 +66,9 @@ impl Drag {
         let ends = [-step_m, step_m].map(|step_m| camera.project(self.start_m + axis.direction() * step_m));
         let [Some(before), Some(after)] = ends else { return 0.0 };
         let px_per_m = (after - before) / (2.0 * step_m);
-        let m_per_px_across = camera.m_per_px_at_distance((camera.eye_m() - self.start_m).dot(camera.back()));
+        let m_per_px_across = camera.m_per_px_at(self.start_m);
         if px_per_m.length() * m_per_px_across < END_ON {
-            return -self.moved_px.y * m_per_px_across * axis.direction().dot(camera.back()).signum();
+            return -self.moved_px.y * m_per_px_across * axis.direction().dot(camera.to_eye(self.start_m)).signum();
         }
         self.moved_px.dot(px_per_m) / px_per_m.length_squared()
     }

@@ -69,7 +69,6 @@ fn selected_beside(face: &OpenFace, stage: &Stage, vertex: u32, place_px: DVec2,
     let reach_px = reach_px(pointer) * stage.pixel_ratio();
     let is_near = camera.project(held_m)?.distance(place_px) <= reach_px;
     // On the other side of the face, it would only seem to be near.
-    let depth_m = (camera.eye_m() - held_m).dot(camera.back());
-    let is_beside = held_m.distance(vertex_m) <= 2.0 * reach_px * camera.m_per_px_at_distance(depth_m);
+    let is_beside = held_m.distance(vertex_m) <= 2.0 * reach_px * camera.m_per_px_at(held_m);
     (is_near && is_beside).then_some(held)
 }

@@ -1,4 +1,4 @@
-use rosto_face::{FaceInput, FaceModel, Photo, Triangulation};
+use rosto_face::{FaceInput, FaceModel, Photo, PhotoLens, Triangulation};
 use rosto_studio::{Amount, Document, Entry, MAX_DENSITY, Rest, project};
 
 use crate::error::{SessionError, within};
@@ -13,7 +13,7 @@ pub const MOST_ENTRIES: usize = 100_000;
 /// Everything that opens a face: what was found in a photo and, of earlier work, what was done since.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Incoming {
-    /// MediaPipe's normalised landmarks: 468.
+    /// MediaPipe's normalised landmarks: 468, or 478 with the irises.
     pub landmarks: Vec<[f32; 3]>,
     /// Width and height in px of the upright photo that they were found in.
     pub photo_size_px: [u32; 2],
@@ -21,6 +21,8 @@ pub struct Incoming {
     pub colours_srgb: Vec<[u8; 3]>,
     /// The upright picture, perhaps scaled down.
     pub picture: Photo,
+    /// What is known of the lens that the photo was taken through.
+    pub lens: PhotoLens,
     /// What was done to the face before; nothing for one that was just found.
     pub work: Option<Work>,
 }
@@ -74,6 +76,7 @@ pub(crate) fn opened(incoming: Incoming, usual: (Triangulation, u32)) -> Result<
         height,
         colours: &incoming.colours_srgb,
         picture: incoming.picture,
+        lens: incoming.lens,
     };
     let model = FaceModel::new(input, triangulation)?;
     let document = Document::open(Rest::of_face(&model), entries, density)?;

@@ -1,6 +1,8 @@
 use glam::{DVec2, DVec3};
-use rosto_face::Triangulation;
-use rosto_stage::{Axis, Background, Dots, Light, NamedView, PictureLight, Pointer, ShadingMode, Theme, Wireframe};
+use rosto_face::{PhotoLens, Triangulation};
+use rosto_stage::{
+    Axis, Background, Dots, Lens, Light, NamedView, PictureLight, Pointer, ShadingMode, Theme, Wireframe,
+};
 use rosto_studio::{ConstraintKind, Details, FaceSlider, Mirror, Operator, Switch};
 
 use crate::drag::Pace;
@@ -87,6 +89,9 @@ pub enum Intent {
 
     /// How often the mesh that is shown and exported is subdivided: 0 is the 468 landmarks.
     Density(u32),
+    /// Through which lens the photo was taken, and so from how far away; the model is taken out of it anew, and the edits are
+    /// carried out again.
+    PhotoLens(PhotoLens),
     /// How the landmarks are joined; the edits are carried out again. Points that were pinned are free again.
     Triangulation(Triangulation),
 
@@ -114,11 +119,13 @@ pub enum Intent {
     Turntable(Turntable),
     /// Whether things move by themselves.
     Motion(Motion),
+    /// From how far away the face is seen; as its photo was taken, it goes to where the photo's camera stood.
+    Lens(Lens),
     /// Turns the face as if the pointer held it, by so many px.
     Orbit(DVec2),
     /// Moves the face with the pointer, by so many px.
     Pan(DVec2),
-    /// Comes closer by a factor above 1, goes away by one below.
+    /// Shows the face larger by a factor above 1, smaller by one below.
     Zoom(f64),
     /// Goes to a named view.
     GoTo(NamedView),
@@ -138,6 +145,7 @@ impl Intent {
                 | Self::Pan(_)
                 | Self::Zoom(_)
                 | Self::GoTo(_)
+                | Self::Lens(_)
                 | Self::Preview(_)
                 | Self::Slide(..)
                 | Self::Turntable(_)

@@ -1,10 +1,10 @@
 //! Choices and view as JSON text, so that a session that ends can be gone on with in another.
 //!
 //! Fields that are missing or not understood are refused as a whole: nobody's half of a preference is guessed. Those that
-//! the first version did not have (`photo_light`, `anchors_marked`) stand as usual where they are missing.
+//! the first version did not have (`photo_light`, `anchors_marked`, `lens`) stand as usual where they are missing.
 
 use rosto_face::Triangulation;
-use rosto_stage::{Background, Dots, Light, PictureLight, ShadingMode, Srgb, Wireframe};
+use rosto_stage::{Background, Dots, Lens, Light, PictureLight, ShadingMode, Srgb, Wireframe};
 use rosto_studio::{ConstraintKind, Details, Mirror, Operator, Switch};
 use serde_json::{Value, json};
 
@@ -43,6 +43,7 @@ impl Session {
             "mirror": choices.mirror == Mirror::On,
             "turned": choices.details == Details::AsRigidAsPossible,
             "paint": view.shading.id(),
+            "lens": view.lens.id(),
             "wireframe": view.wireframe == Wireframe::Shown,
             "background": background,
             "turntable": view.turntable == Turntable::Turns,
@@ -84,6 +85,7 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
     let density = value["density"].as_u64().filter(|density| *density <= crate::DENSEST_SHOWN.into());
     let view = View {
         shading: word("paint").and_then(shading).ok_or(missing("paint"))?,
+        lens: lens(&value["lens"]).ok_or(missing("lens"))?,
         wireframe: if flag("wireframe")? { Wireframe::Shown } else { Wireframe::Hidden },
         background: background(&value["background"]).ok_or(missing("background"))?,
         turntable: if flag("turntable")? { Turntable::Turns } else { Turntable::Still },
@@ -104,6 +106,10 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
 
 fn picture_light(value: &Value) -> Option<PictureLight> {
     if value.is_null() { Some(PictureLight::default()) } else { PictureLight::from_id(value.as_str()?) }
+}
+
+fn lens(value: &Value) -> Option<Lens> {
+    if value.is_null() { Some(Lens::default()) } else { Lens::from_id(value.as_str()?) }
 }
 
 fn anchors(value: &Value) -> Option<Switch> {

@@ -165,6 +165,7 @@ impl Session {
             Intent::Switch(index, switch) => self.switch(index, switch),
             Intent::Symmetrise(share) => self.symmetrise(share),
             Intent::Density(density) => self.set_density(density),
+            Intent::PhotoLens(lens) => self.set_photo_lens(lens),
             Intent::Triangulation(triangulation) => self.set_triangulation(triangulation),
             seen => self.see(seen),
         }

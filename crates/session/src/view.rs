@@ -1,5 +1,5 @@
 use rosto_face::Triangulation;
-use rosto_stage::{Background, PictureLight, ShadingMode, Stage, Surface, Wireframe};
+use rosto_stage::{Background, Lens, PictureLight, ShadingMode, Stage, Surface, Wireframe};
 use rosto_studio::Switch;
 
 /// How fast the empty state turns.
@@ -12,6 +12,8 @@ const TURNTABLE_DEG_PER_S: f64 = 24.0;
 pub struct View {
     /// How the surface is coloured.
     pub shading: ShadingMode,
+    /// From how far away it is seen.
+    pub lens: Lens,
     /// Whether edges are drawn.
     pub wireframe: Wireframe,
     /// What lies behind.
@@ -55,6 +57,7 @@ impl Default for View {
     fn default() -> Self {
         Self {
             shading: ShadingMode::default(),
+            lens: Lens::default(),
             wireframe: Wireframe::default(),
             background: Background::default(),
             turntable: Turntable::default(),
@@ -75,6 +78,7 @@ impl View {
             (false, _, Turntable::Turns) => TURNTABLE_DEG_PER_S,
             _ => 0.0,
         });
+        stage.set_lens(self.lens);
         let settings = stage.render_settings_mut();
         settings.background = if is_empty { Background::Transparent } else { self.background };
         settings.shading = self.shading;

@@ -1,15 +1,21 @@
+mod clear;
+mod eye;
+mod facing;
 mod pose;
 mod projection;
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::{DVec2, DVec3};
 
+use crate::{Lens, Pinhole};
+use clear::Clear;
+pub(crate) use eye::Eye;
+pub(crate) use facing::Facing;
 use pose::Pose;
 
 /// Time constant of the glide towards where the camera is asked to be.
 const GLIDE_S: f64 = 0.07;
-const STEEPEST: f64 = FRAC_PI_2 - 1e-3;
 const ZOOM_LIMITS: [f64; 2] = [0.35, 12.0];
 
 rosto_named::named! {
@@ -22,7 +28,7 @@ rosto_named::named! {
         Left = "left",
         /// From above, the face looking down the picture.
         Top = "top",
-        /// As at first: front, centred, at the first distance.
+        /// As at first: whole and centred, from the front or as its picture was taken.
         Reset = "reset",
     }
 }
@@ -37,52 +43,39 @@ pub enum Glide {
     Off,
 }
 
-/// A camera on a sphere around what it looks at, +Y up; right-handed, metres and radians.
+/// A camera around the middle of what it frames, +Y up; right-handed, metres and radians.
 ///
-/// Pixels are device pixels from the top left. The camera is steered by goals, and [`Camera::advance`] takes it there.
+/// How far its eye is from that middle is its [`Lens`]': zooming and panning cut another part out of the same picture, and
+/// what is framed fills the same share of the view with each lens. Pixels are device pixels from the top left. The camera
+/// is steered by goals, and [`Camera::advance`] takes it there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Camera {
     now: Pose,
     goal: Pose,
+    /// How far it is turned around the upright axis besides.
+    sway: f64,
+    lens: Lens,
+    pinhole: Option<Pinhole>,
     centre_m: DVec3,
-    radius_m: f64,
     size_px: DVec2,
     clear: Clear,
     clear_goal: Clear,
     glide: Glide,
 }
 
-/// The part of the picture that nothing lies over, in shares of its size.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Clear {
-    middle: DVec2,
-    size: DVec2,
-}
-
-impl Clear {
-    const ALL: Self = Self { middle: DVec2::splat(0.5), size: DVec2::ONE };
-
-    fn towards(self, goal: Self, share: f64) -> Self {
-        Self { middle: self.middle.lerp(goal.middle, share), size: self.size.lerp(goal.size, share) }
-    }
-
-    fn is_near(self, other: Self) -> bool {
-        self.middle.distance(other.middle) + self.size.distance(other.size) < 1e-5
-    }
-}
-
-/// However much lies over the picture, this share of it is taken for clear.
-const LEAST_CLEAR: f64 = 0.2;
-
 impl Default for Camera {
     /// Looks at a unit sphere around the origin in a picture of one pixel.
     fn default() -> Self {
-        let home = Pose::home(DVec3::ZERO);
+        let (lens, radius_m) = (Lens::default(), 1.0);
+        let eye = lens.eye(radius_m);
+        let home = Pose { target_m: DVec3::ZERO, facing: Facing::default(), eye, radius_m, zoom: 1.0 };
         Self {
             now: home,
             goal: home,
+            sway: 0.0,
+            lens,
+            pinhole: None,
             centre_m: DVec3::ZERO,
-            radius_m: 1.0,
             size_px: DVec2::ONE,
             clear: Clear::ALL,
             clear_goal: Clear::ALL,
@@ -92,31 +85,26 @@ impl Default for Camera {
 }
 
 impl Camera {
-    /// Frames the sphere `centre_m`, `radius_m` from the front, at once.
+    /// Frames the sphere `centre_m`, `radius_m` from the front, or as its picture was taken, at once.
     pub fn frame(&mut self, centre_m: DVec3, radius_m: f64) {
         self.centre_m = centre_m;
-        self.radius_m = radius_m.max(f64::MIN_POSITIVE);
-        self.now = Pose::home(centre_m);
-        self.goal = self.now;
+        self.goal.radius_m = radius_m.max(f64::MIN_POSITIVE);
+        self.goal = self.home();
+        self.now = self.goal;
+        self.sway = 0.0;
         self.clear = self.clear_goal;
     }
 
     /// Frames another radius around the same middle, from where it looks: it glides there.
     pub fn frame_again(&mut self, radius_m: f64) {
-        let radius_m = radius_m.max(f64::MIN_POSITIVE);
-        self.now.zoom *= radius_m / self.radius_m;
-        self.radius_m = radius_m;
+        self.goal.radius_m = radius_m.max(f64::MIN_POSITIVE);
+        self.goal.eye = self.seen_from().0;
     }
 
     /// So many px at the picture's top, right, bottom and left have something lying over them: what is framed fits into
     /// the rest, and its middle is there. It glides there.
-    pub fn set_covered(&mut self, [top, right, bottom, left]: [f64; 4]) {
-        let share = |px: f64, of_px: f64| if px > 0.0 { (px / of_px).min(1.0) } else { 0.0 };
-        let from = DVec2::new(share(left, self.size_px.x), share(top, self.size_px.y));
-        let to = DVec2::ONE - DVec2::new(share(right, self.size_px.x), share(bottom, self.size_px.y));
-        let size = (to - from).max(DVec2::splat(LEAST_CLEAR));
-        let middle = (0.5 * (from + to)).clamp(0.5 * size, DVec2::ONE - 0.5 * size);
-        self.clear_goal = Clear { middle, size };
+    pub fn set_covered(&mut self, covered_px: [f64; 4]) {
+        self.clear_goal = Clear::without(covered_px, self.size_px);
     }
 
     /// Fits what is framed into what nothing lies over at once, without a glide.
@@ -136,7 +124,7 @@ impl Camera {
 
     /// Radius in metres of what is framed.
     pub fn radius_m(&self) -> f64 {
-        self.radius_m
+        self.goal.radius_m
     }
 
     /// Sets the picture's size in px; at least one pixel each way.
@@ -154,33 +142,85 @@ impl Camera {
         self.glide = glide;
     }
 
-    /// Turns around the target as if the pointer held the face: half a turn for a picture's height.
+    /// From how far away it looks.
+    pub fn lens(&self) -> Lens {
+        self.lens
+    }
+
+    /// Looks from as far away as a lens says, and glides there: what is framed stays as large as it is. With
+    /// [`Lens::AsTaken`] it goes to where the pinhole stood and frames all of it; with the others it stands upright.
+    pub fn set_lens(&mut self, lens: Lens) {
+        if self.lens != lens {
+            self.lens = lens;
+            self.take_up_lens();
+        }
+    }
+
+    /// The camera that took the picture on the mesh, for [`Lens::AsTaken`]; with that one it glides there.
+    pub fn set_pinhole(&mut self, pinhole: Option<Pinhole>) {
+        if self.pinhole != pinhole {
+            self.pinhole = pinhole;
+            self.take_up_lens();
+        }
+    }
+
+    fn take_up_lens(&mut self) {
+        let (eye, facing) = self.seen_from();
+        self.goal.eye = eye;
+        match facing {
+            Some(_) => self.look(NamedView::Reset),
+            None => self.goal.facing.roll = 0.0,
+        }
+    }
+
+    /// The lens' eye, and how it faces what is framed if it is a camera that stood somewhere.
+    fn seen_from(&self) -> (Eye, Option<Facing>) {
+        let taken = self.pinhole.filter(|_| self.lens == Lens::AsTaken);
+        match taken.and_then(|pinhole| pinhole.before(self.centre_m, self.goal.radius_m)) {
+            Some((eye, facing)) => (eye, Some(facing)),
+            None => (self.lens.eye(self.goal.radius_m), None),
+        }
+    }
+
+    fn home(&self) -> Pose {
+        let (eye, facing) = self.seen_from();
+        let facing = facing.unwrap_or_default();
+        Pose { target_m: self.centre_m, facing, eye, radius_m: self.goal.radius_m, zoom: 1.0 }
+    }
+
+    /// Turns around the middle as if the pointer held the face: half a turn for a picture's height.
     pub fn orbit(&mut self, dx_px: f64, dy_px: f64) {
-        let radians_per_px = PI / self.size_px.y;
-        self.goal.azimuth -= dx_px * radians_per_px;
-        self.goal.elevation = (self.goal.elevation + dy_px * radians_per_px).clamp(-STEEPEST, STEEPEST);
+        let facing = &mut self.goal.facing;
+        let radians = DVec2::from_angle(-facing.roll).rotate(DVec2::new(dx_px, dy_px)) * (PI / self.size_px.y);
+        facing.azimuth -= radians.x;
+        facing.elevation = (facing.elevation + radians.y).clamp(-Facing::STEEPEST, Facing::STEEPEST);
     }
 
     /// Turns around the upright axis, at once and without glide.
     pub fn turn(&mut self, radians: f64) {
-        self.goal.azimuth += radians;
-        self.now.azimuth += radians;
+        self.goal.facing.azimuth += radians;
+        self.now.facing.azimuth += radians;
     }
 
-    /// Glides around the upright axis by so much the other way.
-    pub fn turn_back(&mut self, radians: f64) {
-        self.goal.azimuth -= radians;
+    /// Is turned around the upright axis by so much, besides wherever it goes.
+    pub fn sway(&mut self, radians: f64) {
+        self.sway = radians;
     }
 
-    /// Moves along the view plane so that what is at the subject's depth follows the pointer.
+    /// Glides back from that.
+    pub fn end_sway(&mut self) {
+        self.now.facing.azimuth += std::mem::take(&mut self.sway);
+    }
+
+    /// Moves along the view plane so that what is seen follows the pointer.
     pub fn pan(&mut self, dx_px: f64, dy_px: f64) {
-        let m_per_px = self.m_per_px_at_distance(self.distance_m(&self.goal));
-        let offset_m = (self.up() * dy_px - self.right() * dx_px) * m_per_px;
-        let from_centre_m = (self.goal.target_m + offset_m - self.centre_m).clamp_length_max(2.0 * self.radius_m);
+        let axes = self.facing().axes();
+        let offset_m = (axes.y_axis * dy_px - axes.x_axis * dx_px) * self.m_per_px_at_target(&self.goal);
+        let from_centre_m = (self.goal.target_m + offset_m - self.centre_m).clamp_length_max(2.0 * self.radius_m());
         self.goal.target_m = self.centre_m + from_centre_m;
     }
 
-    /// Comes closer by `factor`, away if it is below 1; nothing for a factor that is not positive.
+    /// Shows things larger by `factor`, smaller if it is below 1; nothing for a factor that is not positive.
     pub fn zoom(&mut self, factor: f64) {
         if factor > 0.0 && factor.is_finite() {
             self.goal.zoom = (self.goal.zoom * factor).clamp(ZOOM_LIMITS[0], ZOOM_LIMITS[1]);
@@ -189,17 +229,16 @@ impl Camera {
 
     /// Goes to a named view by the shortest way round.
     pub fn look(&mut self, view: NamedView) {
-        let (azimuth, elevation) = match view {
-            NamedView::Front | NamedView::Reset => (0.0, 0.0),
-            NamedView::Left => (FRAC_PI_2, 0.0),
-            NamedView::Top => (0.0, STEEPEST),
-        };
         if view == NamedView::Reset {
-            self.goal = Pose::home(self.centre_m);
+            self.goal = self.home();
         }
-        let turns = ((self.now.azimuth - azimuth) / TAU).round();
-        self.goal.azimuth = azimuth + turns * TAU;
-        self.goal.elevation = elevation;
+        let facing = match view {
+            NamedView::Reset => self.goal.facing,
+            NamedView::Front => Facing::default(),
+            NamedView::Left => Facing { azimuth: FRAC_PI_2, ..Facing::default() },
+            NamedView::Top => Facing { elevation: Facing::STEEPEST, ..Facing::default() },
+        };
+        self.goal.facing = facing.nearest_to(&self.now.facing);
     }
 
     /// Moves on by `seconds`; true while the camera has not arrived.
@@ -213,117 +252,9 @@ impl Camera {
         };
         self.now = self.now.towards(&self.goal, share);
         self.clear = self.clear.towards(self.clear_goal, share);
-        if self.now.is_near(&self.goal, self.radius_m) && self.clear.is_near(self.clear_goal) {
+        if self.now.is_near(&self.goal) && self.clear.is_near(self.clear_goal) {
             (self.now, self.clear) = (self.goal, self.clear_goal);
         }
         true
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    pub(super) fn camera() -> Camera {
-        let mut camera = Camera::default();
-        camera.resize(800, 600);
-        camera.frame(DVec3::new(0.0, 0.01, 0.02), 0.12);
-        camera
-    }
-
-    #[test]
-    fn panning_takes_the_target_along_with_the_pointer() {
-        let mut camera = camera();
-        camera.set_glide(Glide::Off);
-        camera.pan(30.0, -20.0);
-        camera.advance(0.0);
-        let middle = camera.project(DVec3::new(0.0, 0.01, 0.02)).unwrap();
-        assert!(middle.distance(DVec2::new(430.0, 280.0)) < 1e-9, "{middle}");
-    }
-
-    #[test]
-    fn dragging_to_the_right_turns_the_face_to_the_right() {
-        let mut camera = camera();
-        let nose = DVec3::new(0.0, 0.01, 0.12);
-        camera.orbit(50.0, 0.0);
-        while camera.advance(0.016) {}
-        assert!(camera.project(nose).unwrap().x > 400.0);
-    }
-
-    #[test]
-    fn the_glide_is_independent_of_the_frame_rate_and_ends() {
-        let after = |frames: u32| {
-            let mut camera = camera();
-            camera.orbit(100.0, 30.0);
-            (0..frames).for_each(|_| {
-                camera.advance(0.1 / f64::from(frames));
-            });
-            camera.eye_m()
-        };
-        assert!(after(2).distance(after(24)) < 1e-9);
-        let mut camera = camera();
-        camera.look(NamedView::Left);
-        let frames = std::iter::repeat_with(|| camera.advance(0.016)).take_while(|&moving| moving).count();
-        assert!(frames < 120, "{frames}");
-    }
-
-    #[test]
-    fn named_views_look_along_the_axes_and_take_the_short_way() {
-        let mut camera = camera();
-        camera.set_glide(Glide::Off);
-        camera.turn(3.0 * TAU + 0.4);
-        camera.look(NamedView::Left);
-        camera.advance(0.0);
-        assert!(camera.back().distance(DVec3::X) < 1e-12);
-        camera.look(NamedView::Top);
-        camera.advance(0.0);
-        assert!(camera.back().distance(DVec3::Y) < 2e-3);
-        camera.look(NamedView::Reset);
-        camera.advance(0.0);
-        assert!(camera.back().distance(DVec3::Z) < 1e-12);
-    }
-
-    #[test]
-    fn what_is_framed_fits_into_what_nothing_lies_over() {
-        for covered_px in [[0.0; 4], [40.0, 0.0, 80.0, 0.0], [10.0, 300.0, 20.0, 0.0], [0.0, 0.0, 420.0, 500.0]] {
-            let mut camera = camera();
-            camera.set_covered(covered_px);
-            while camera.advance(0.016) {}
-            let [top, right, bottom, left] = covered_px;
-            let (from, to) = (DVec2::new(left, top), DVec2::new(800.0 - right, 600.0 - bottom));
-            let middle = camera.project(camera.centre_m()).unwrap();
-            assert!(middle.distance(0.5 * (from + to)) < 1e-9, "{covered_px:?}: {middle}");
-            for side in [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z] {
-                let seen = camera.project(camera.centre_m() + side * camera.radius_m()).unwrap();
-                assert!(seen.cmpge(from - 1e-9).all() && seen.cmple(to + 1e-9).all(), "{covered_px:?}: {seen}");
-                let ray = camera.ray(seen);
-                let miss = (camera.centre_m() + side * camera.radius_m() - ray.origin).cross(ray.direction).length();
-                assert!(miss < 1e-12, "{miss}");
-            }
-        }
-    }
-
-    #[test]
-    fn what_has_grown_is_framed_again_without_a_jump() {
-        let mut camera = camera();
-        let (eye_m, clip) = (camera.eye_m(), camera.clip_from_model());
-        camera.frame_again(0.18);
-        assert!(camera.eye_m().distance(eye_m) < 1e-12 && camera.clip_from_model() != clip, "only the depth range");
-        while camera.advance(0.016) {}
-        assert!((camera.eye_m().distance(camera.centre_m()) / eye_m.distance(camera.centre_m()) - 1.5).abs() < 1e-9);
-    }
-
-    #[test]
-    fn no_input_drives_the_camera_out_of_reach() {
-        let mut camera = camera();
-        camera.set_glide(Glide::Off);
-        for factor in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-9, 1e9] {
-            camera.zoom(factor);
-            camera.orbit(1e6, 1e6);
-            camera.pan(1e6, -1e6);
-            camera.set_covered([factor, 1e9, -factor, f64::NAN]);
-            camera.advance(1.0);
-            assert!(camera.clip_from_model().is_finite());
-        }
     }
 }

@@ -11,8 +11,7 @@ use crate::{Camera, Dots, Light, MirrorPlane, RenderSettings, Rim};
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 pub struct FrameUniforms {
     clip_from_model: [f32; 16],
-    eye_m: [f32; 3],
-    pixel_ratio: f32,
+    eye: [f32; 4],
     light_direction: [f32; 3],
     light_strength: f32,
     light_colour: [f32; 3],
@@ -40,7 +39,8 @@ pub struct FrameUniforms {
     gizmo_axis: u32,
     rim: f32,
     mirror_plane: f32,
-    unused: [f32; 2],
+    pixel_ratio: f32,
+    unused: f32,
 }
 
 /// Stands for "no vertex" in what shaders read.
@@ -65,8 +65,7 @@ impl FrameUniforms {
         let light = &Light::on_surface(settings);
         Self {
             clip_from_model: camera.clip_from_model().as_mat4().to_cols_array(),
-            eye_m: camera.eye_m().as_vec3().to_array(),
-            pixel_ratio: inputs.pixel_ratio as f32,
+            eye: camera.eye().as_vec4().to_array(),
             light_direction: light.direction(camera).as_vec3().to_array(),
             light_strength: light.brightness() as f32,
             light_colour: light.colour.to_linear(),
@@ -76,7 +75,7 @@ impl FrameUniforms {
             offset_b_m: inputs.offsets_m[1].as_vec3().to_array(),
             glow: settings.glow as f32,
             right: camera.right().as_vec3().to_array(),
-            m_per_px: camera.m_per_px_at_distance(1.0) as f32,
+            m_per_px: camera.m_per_px() as f32,
             up: camera.up().as_vec3().to_array(),
             shading: settings.shading as u32,
             ground_m: inputs.ground_m.as_vec3().to_array(),
@@ -94,7 +93,8 @@ impl FrameUniforms {
             gizmo_axis: inputs.gizmo_axis.map_or(NO_VERTEX, |axis| axis as u32),
             rim: f32::from(u8::from(settings.rim == Rim::Shown)),
             mirror_plane: f32::from(u8::from(settings.mirror_plane == MirrorPlane::Shown)),
-            unused: [0.0; 2],
+            pixel_ratio: inputs.pixel_ratio as f32,
+            unused: 0.0,
         }
     }
 }

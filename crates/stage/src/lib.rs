@@ -1,4 +1,4 @@
-//! What is seen of a mesh and how: camera, light, look, marks, the gizmo.
+//! What is seen of a mesh and how: camera, lens, light, look, marks, the gizmo.
 //!
 //! A [`Stage`] is plain data and knows no GPU, so that whoever decides what is shown can be tried without one. Whoever
 //! draws it asks [`Stage::advance`] whether to, and reads [`Stage::uniforms`] and [`Stage::mark_words`]. Positions are
@@ -7,6 +7,7 @@
 mod camera;
 mod colour;
 mod frame;
+mod lens;
 mod light;
 mod markers;
 mod render_settings;
@@ -15,6 +16,7 @@ mod stage;
 pub use camera::{Camera, Glide, NamedView};
 pub use colour::Srgb;
 pub use frame::FrameUniforms;
+pub use lens::{Lens, Pinhole};
 pub use light::Light;
 pub use markers::{Axis, Mark, MarkKind, Pointer};
 pub use render_settings::{

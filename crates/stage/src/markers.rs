@@ -91,12 +91,11 @@ pub(crate) fn axis_under(
     pointer: Pointer,
 ) -> Option<Axis> {
     let reach_px = pointer.reach_px();
-    let depth_m = (camera.eye_m() - vertex_m).dot(camera.back());
-    let m_per_css_px = camera.m_per_px_at_distance(depth_m) * pixel_ratio;
+    let m_per_css_px = camera.m_per_px_at(vertex_m) * pixel_ratio;
     if camera.project(vertex_m)?.distance(place_px) < GIZMO_START_PX.max(reach_px) * pixel_ratio {
         return None;
     }
-    let to_eye = (camera.eye_m() - vertex_m).normalize_or_zero();
+    let to_eye = camera.to_eye(vertex_m);
     let distance_px = |axis: Axis| {
         let end = |css_px: f64| camera.project(vertex_m + axis.direction() * css_px * m_per_css_px);
         Some(distance_to_segment(place_px, end(GIZMO_START_PX)?, end(GIZMO_PX)?))

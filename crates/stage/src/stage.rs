@@ -3,7 +3,7 @@ use std::f64::consts::TAU;
 use glam::{DVec2, DVec3};
 
 use crate::frame::{FrameInputs, FrameUniforms};
-use crate::{Axis, Camera, Mark, MirrorPlane, Pointer, RenderSettings, Rim};
+use crate::{Axis, Camera, Lens, Mark, MirrorPlane, Pinhole, Pointer, RenderSettings, Rim};
 
 /// How long a face takes from the photo's plane into depth.
 const ARRIVAL_MS: f64 = 500.0;
@@ -42,11 +42,8 @@ enum Arrival {
     Over,
     Asked,
     Since(f64),
-    /// It is there, and turns a little and back; the angle is how far it is turned now.
-    Swings {
-        since_ms: f64,
-        angle: f64,
-    },
+    /// It is there, and turns a little and back.
+    Swings(f64),
 }
 
 /// What [`Stage::advance`] found.
@@ -123,6 +120,17 @@ impl Stage {
         if (radius_m / self.camera.radius_m() - 1.0).abs() > 1e-3 {
             self.camera_mut().frame_again(radius_m);
         }
+    }
+
+    /// From how far away it is seen ([`Camera::set_lens`]).
+    pub fn set_lens(&mut self, lens: Lens) {
+        self.camera_mut().set_lens(lens);
+    }
+
+    /// The camera that took the picture on the mesh, if it is known: for a mesh that is about to be framed, or that is
+    /// seen ([`Camera::set_pinhole`]).
+    pub fn set_pinhole(&mut self, pinhole: Option<Pinhole>) {
+        self.camera_mut().set_pinhole(pinhole);
     }
 
     /// So many px at the picture's top, right, bottom and left have something lying over them ([`Camera::set_covered`]). A mesh
@@ -212,9 +220,9 @@ impl Stage {
 
     /// Lets a mesh that has arrived stand still, as somebody takes it in hand: what it is turned by it glides back.
     pub fn end_swing(&mut self) {
-        if let Arrival::Swings { angle, .. } = self.arrival {
+        if let Arrival::Swings(_) = self.arrival {
             self.arrival = Arrival::Over;
-            self.camera_mut().turn_back(angle);
+            self.camera_mut().end_sway();
         }
     }
 
@@ -270,14 +278,11 @@ impl Stage {
     fn advance_arrival(&mut self, time_ms: f64) {
         self.arrival = match self.arrival {
             Arrival::Asked => Arrival::Since(time_ms),
-            Arrival::Since(start_ms) if time_ms - start_ms >= ARRIVAL_MS => {
-                Arrival::Swings { since_ms: time_ms, angle: 0.0 }
-            }
-            Arrival::Swings { since_ms, angle: before } => {
-                let share = ((time_ms - since_ms) / SWING_MS).clamp(0.0, 1.0);
-                let angle = SWING * (0.5 - 0.5 * (TAU * share).cos());
-                self.camera.turn(angle - before);
-                if share < 1.0 { Arrival::Swings { since_ms, angle } } else { Arrival::Over }
+            Arrival::Since(start_ms) if time_ms - start_ms >= ARRIVAL_MS => Arrival::Swings(time_ms),
+            Arrival::Swings(start_ms) => {
+                let share = ((time_ms - start_ms) / SWING_MS).clamp(0.0, 1.0);
+                self.camera.sway(if share < 1.0 { SWING * (0.5 - 0.5 * (TAU * share).cos()) } else { 0.0 });
+                if share < 1.0 { self.arrival } else { Arrival::Over }
             }
             other => other,
         };
@@ -289,7 +294,7 @@ impl Stage {
 
     fn blend_before(&self) -> f64 {
         match (self.arrival, self.last_ms) {
-            (Arrival::Over | Arrival::Swings { .. }, _) => self.settings.before,
+            (Arrival::Over | Arrival::Swings(_), _) => self.settings.before,
             (Arrival::Since(start_ms), Some(now_ms)) => {
                 (1.0 - ((now_ms - start_ms) / ARRIVAL_MS).clamp(0.0, 1.0)).powi(3)
             }
@@ -381,6 +386,19 @@ mod tests {
         taken.end_swing();
         let (again, turned) = arrive(80..112, &mut taken).unwrap();
         assert!(turned.abs() < 1e-2 && again, "it glides back at once: {turned}");
+    }
+
+    #[test]
+    fn who_is_sent_somewhere_while_it_turns_by_itself_gets_there() {
+        let mut stage = settled();
+        stage.start_arrival();
+        for frame in 0..80 {
+            stage.advance(1000.0 + f64::from(frame) * 16.0);
+        }
+        stage.camera_mut().look(NamedView::Left);
+        stage.end_swing();
+        while stage.advance(stage.last_ms.unwrap_or_default() + 16.0).again {}
+        assert!(stage.camera().back().distance(DVec3::X) < 1e-9, "{}", stage.camera().back());
     }
 
     #[test]

@@ -17,7 +17,8 @@ fn switch(is_on: bool) -> Switch {
 #[wasm_bindgen]
 impl Studio {
     /// The ids of what there is to choose from, in the order that a panel shows them in. What can be chosen is
-    /// "selection", "preset", "operator", "constraint", "details", "anchors", "shading", "triangulation" and "density".
+    /// "selection", "preset", "operator", "constraint", "details", "anchors", "shading", "lens", "triangulation" and
+    /// "density".
     ///
     /// # Errors
     /// `bad-choice`.

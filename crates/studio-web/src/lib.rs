@@ -7,6 +7,7 @@
 mod editing;
 mod error;
 mod files;
+mod measuring;
 mod modes;
 mod names;
 mod paper;

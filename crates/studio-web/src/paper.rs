@@ -1,7 +1,7 @@
 use std::time::Duration;
 
 use glam::DVec3;
-use rosto_face::{FaceInput, FaceModel, Photo, Triangulation};
+use rosto_face::{FaceInput, FaceModel, Photo, PhotoLens, Triangulation};
 use rosto_studio::paper::{
     Claims, DEGREES, Experiment, Method, MethodOutcome, OFFSETS, Plan, PlotWords, TABLE_1, TableRow, Task, Trial, svg,
 };
@@ -181,7 +181,14 @@ impl Landmarks {
         let picture = Photo::from_rgb(1, 1, vec![0; 3])
             .map_err(|error| FacadeError::new("internal", error.to_string(), "Open the photo again."))?;
         let [width, height] = self.photo_size_px;
-        let input = FaceInput { landmarks: &self.landmarks, width, height, colours: &self.colours, picture };
+        let input = FaceInput {
+            landmarks: &self.landmarks,
+            width,
+            height,
+            colours: &self.colours,
+            picture,
+            lens: PhotoLens::Parallel,
+        };
         FaceModel::new(input, Triangulation::Tessellation)?;
         Ok(())
     }

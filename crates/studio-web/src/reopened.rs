@@ -11,6 +11,7 @@ use crate::modes::FileKindName;
 pub struct ReopenedFace {
     photo_size_px: [u32; 2],
     landmarks: Vec<f32>,
+    lens: String,
     colours: Vec<u8>,
     triangulation: Triangulation,
     density: u32,
@@ -76,6 +77,7 @@ impl From<Reopened<'_>> for ReopenedFace {
         Self {
             photo_size_px: face.photo_size_px,
             landmarks: face.landmarks.concat(),
+            lens: face.lens.to_string(),
             colours: face.colours_srgb.concat(),
             triangulation: face.triangulation,
             density: face.density,
@@ -103,7 +105,13 @@ impl ReopenedFace {
         self.photo_size_px[1]
     }
 
-    /// 468 × (x/W, y/H, z/W).
+    /// What was known of the photo's lens.
+    #[wasm_bindgen(getter)]
+    pub fn lens(&self) -> String {
+        self.lens.clone()
+    }
+
+    /// 468 or 478 × (x/W, y/H, z/W).
     pub fn landmarks(&self) -> Vec<f32> {
         self.landmarks.clone()
     }

@@ -38,7 +38,7 @@ impl Studio {
         self.act(Intent::Pan(DVec2::new(dx_px, dy_px)))
     }
 
-    /// Comes closer by a factor above 1, goes away by one below.
+    /// Shows the face larger by a factor above 1, smaller by one below.
     ///
     /// # Errors
     /// `bad-number`.

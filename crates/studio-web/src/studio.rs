@@ -79,8 +79,9 @@ impl Studio {
         Ok(())
     }
 
-    /// Opens a face of the picture that was opened last: MediaPipe's normalised landmarks (468 × 3) found in a photo of
-    /// `width` × `height` px, and the colour under each landmark (468 × 3, sRGB). What was open before is kept if this
+    /// Opens a face of the picture that was opened last: MediaPipe's normalised landmarks (468 × 3, or 478 × 3 with
+    /// the irises) found in a photo of `width` × `height` px, the colour under each landmark (468 × 3, sRGB), and what is known
+    /// of the photo's lens, as `setPhotoLens` takes it. What was open before is kept if this
     /// one cannot be opened.
     ///
     /// # Errors
@@ -92,8 +93,9 @@ impl Studio {
         width: u32,
         height: u32,
         colours: &[u8],
+        lens: &str,
     ) -> Result<ChangeName, JsValue> {
-        Ok(self.open(landmarks, [width, height], colours, None)?)
+        Ok(self.open(landmarks, [width, height], colours, lens, None)?)
     }
 
     /// The same with the work that was done to it before: how the landmarks were joined, how often the mesh was
@@ -109,6 +111,7 @@ impl Studio {
         width: u32,
         height: u32,
         colours: &[u8],
+        lens: &str,
         triangulation: &str,
         density: u32,
         edits: String,
@@ -118,7 +121,7 @@ impl Studio {
             density,
             history: edits,
         };
-        Ok(self.open(landmarks, [width, height], colours, Some(work))?)
+        Ok(self.open(landmarks, [width, height], colours, lens, Some(work))?)
     }
 
     /// Shows the empty state: the canonical face as a slowly turning wireframe.
@@ -190,6 +193,7 @@ impl Studio {
         landmarks: &[f32],
         photo_size_px: [u32; 2],
         colours: &[u8],
+        lens: &str,
         work: Option<Work>,
     ) -> Result<ChangeName> {
         let picture = self.next_picture.clone().ok_or_else(FacadeError::no_picture)?;
@@ -198,6 +202,7 @@ impl Studio {
             photo_size_px,
             colours_srgb: colours.as_chunks::<3>().0.to_vec(),
             picture: picture.photo.clone(),
+            lens: FacadeError::unless(lens.parse().ok())?,
             work,
         };
         let changed = self.session.apply(Intent::Open(Box::new(incoming)))?;

@@ -58,13 +58,22 @@ fn open(studio: &mut Studio) {
     for rows in picture.chunks((4 * PHOTO_PX * 5) as usize) {
         studio.add_picture_rows(rows).unwrap();
     }
-    studio.open_face(&landmarks(), PHOTO_PX, PHOTO_PX, &colours()).unwrap();
+    studio.open_face(&landmarks(), PHOTO_PX, PHOTO_PX, &colours(), "estimated").unwrap();
 }
 
 /// The same face in the same picture, with edits that were made before.
 fn open_work(studio: &mut Studio, density: u32, edits: &str) -> Result<ChangeName, JsValue> {
     let triangulation = "canonical";
-    studio.open_work(&landmarks(), PHOTO_PX, PHOTO_PX, &colours(), triangulation, density, edits.to_owned())
+    studio.open_work(
+        &landmarks(),
+        PHOTO_PX,
+        PHOTO_PX,
+        &colours(),
+        "estimated",
+        triangulation,
+        density,
+        edits.to_owned(),
+    )
 }
 
 fn entries(studio: &Studio) -> Vec<StudioEntry> {
@@ -242,10 +251,18 @@ async fn refusals_say_why_and_keep_the_face() {
         studio.open_picture(1, 2).unwrap();
         assert_eq!(code(&studio.add_picture_rows(&vec![0; wrong]).unwrap_err()), "bad-face", "{wrong} bytes");
     }
-    assert_eq!(code(&studio.open_face(&[0.4; 1404], 64, 64, &[0; 1404]).unwrap_err()), "bad-face", "no picture");
+    assert_eq!(
+        code(&studio.open_face(&[0.4; 1404], 64, 64, &[0; 1404], "parallel").unwrap_err()),
+        "bad-face",
+        "no picture"
+    );
     studio.open_picture(2, 2).unwrap();
     studio.add_picture_rows(&[0; 16]).unwrap();
-    assert_eq!(code(&studio.open_face(&[0.5; 1404], 64, 64, &[0; 1404]).unwrap_err()), "bad-face", "one point");
+    assert_eq!(
+        code(&studio.open_face(&[0.5; 1404], 64, 64, &[0; 1404], "parallel").unwrap_err()),
+        "bad-face",
+        "one point"
+    );
     assert_eq!(studio.state().vertex_count, 468);
     assert_eq!(mesh_json(&mut studio, "mm"), mesh);
 }

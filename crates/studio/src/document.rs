@@ -9,6 +9,7 @@ use std::iter::Sum;
 use std::ops::Mul;
 
 use glam::DVec3;
+use rosto_laplacian::{Geodesics, LaplacianError};
 use rosto_mesh::Topology;
 
 use crate::level::{Level, Rest};
@@ -114,6 +115,21 @@ impl Document {
     /// Its positions after the last entry, without the edit in progress.
     pub fn committed(&self) -> &[DVec3] {
         self.replayed.last().densest()
+    }
+
+    /// Positions of the landmarks themselves after the last entry, however dense the mesh is that is shown.
+    pub fn cage(&self) -> &[DVec3] {
+        self.replayed.last().at(0)
+    }
+
+    /// From one vertex of the mesh that is shown to another, along its surface and after the last entry, by the heat method.
+    ///
+    /// # Errors
+    /// [`StudioError::Laplacian`] for vertices that are not there, or in a mesh that has no such distances.
+    pub fn along_surface(&self, from: u32, to: u32) -> Result<f64, StudioError> {
+        let missing = |vertex| LaplacianError::NoSuchVertex { vertex, vertex_count: self.topology().vertex_count() };
+        let distances = Geodesics::new(self.topology(), self.committed())?.distances(&[from])?;
+        Ok(*distances.get(to as usize).ok_or(missing(to))?)
     }
 
     /// How often the mesh that is shown was subdivided.

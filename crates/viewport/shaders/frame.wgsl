@@ -1,8 +1,8 @@
 // What every shader reads once a frame. `src/frame.rs` has the same fields in the same order.
 struct FrameUniforms {
     clip_from_model: mat4x4f,
-    eye_m: vec3f,
-    pixel_ratio: f32,
+    // The eye as a homogeneous point: its w, in 1/m, is 0 for one infinitely far away, of which the direction is left.
+    eye: vec4f,
     light_direction: vec3f,
     light_strength: f32,
     light_colour: vec3f,
@@ -12,6 +12,7 @@ struct FrameUniforms {
     offset_b_m: vec3f,
     glow: f32,
     right: vec3f,
+    // Where w is 1 in clip space.
     m_per_px: f32,
     up: vec3f,
     shading: u32,
@@ -32,7 +33,8 @@ struct FrameUniforms {
     // Whether the end of an edit's reach and the plane of symmetry are drawn on the surface, 0 or 1.
     rim: f32,
     mirror_plane: f32,
-    unused: vec2f,
+    pixel_ratio: f32,
+    unused: f32,
 }
 
 @group(0) @binding(0) var<uniform> frame: FrameUniforms;
@@ -73,11 +75,15 @@ fn moved_by_px(clip: vec4f, motion_px: vec2f) -> vec4f {
     return vec4f(clip.xy + motion_px * vec2f(2.0, -2.0) / frame.viewport_px * clip.w, clip.zw);
 }
 
+fn to_eye(point_m: vec3f) -> vec3f {
+    return normalize(frame.eye.xyz - frame.eye.w * point_m);
+}
+
 // The clip position of a point, with the depth it would have a little nearer to the eye, so that what is drawn on the
 // surface is not swallowed by it.
 fn lifted(point_m: vec3f, share_of_radius: f32) -> vec4f {
     let clip = frame.clip_from_model * vec4f(point_m, 1.0);
-    let nearer_m = point_m + normalize(frame.eye_m - point_m) * share_of_radius * frame.radius_m;
+    let nearer_m = point_m + to_eye(point_m) * share_of_radius * frame.radius_m;
     let nearer = frame.clip_from_model * vec4f(nearer_m, 1.0);
     return vec4f(clip.xy, clamp(nearer.z / nearer.w, 0.0, 1.0) * clip.w, clip.w);
 }

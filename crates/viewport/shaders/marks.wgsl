@@ -39,8 +39,7 @@ fn along_axis_m(vertex_m: vec3f, axis: u32, css_px: f32) -> vec3f {
 
 // Arms that point at the viewer fade, as they would cover the vertex and could not be dragged along.
 fn arm_strength(vertex_m: vec3f, axis: u32) -> f32 {
-    let to_eye = normalize(frame.eye_m - vertex_m);
-    return smoothstep(0.10, 0.35, length(cross(to_eye, axis_direction(axis))));
+    return smoothstep(0.10, 0.35, length(cross(to_eye(vertex_m), axis_direction(axis))));
 }
 
 @vertex

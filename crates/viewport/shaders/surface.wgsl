@@ -51,13 +51,13 @@ fn painted(corner: Corner, picture_colour: vec3f) -> vec3f {
     }
 }
 
-fn shaded(albedo: vec3f, facing: vec3f, to_eye: vec3f) -> vec3f {
+fn shaded(albedo: vec3f, facing: vec3f, towards_eye: vec3f) -> vec3f {
     let direct = max(dot(facing, frame.light_direction), 0.0);
     let light = vec3f(frame.ambient) + frame.light_colour * frame.light_strength * direct;
     if frame.shading == PICTURE || frame.shading == COLOURS {
         return albedo * light;
     }
-    let half_way = normalize(frame.light_direction + to_eye);
+    let half_way = normalize(frame.light_direction + towards_eye);
     let gleam = 0.06 * pow(max(dot(facing, half_way), 0.0), 24.0) * frame.light_strength;
     return albedo * light + frame.light_colour * gleam;
 }
@@ -84,7 +84,6 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) 
     let reach_per_px = length(vec2f(dpdx(corner.reach), dpdy(corner.reach)));
     let x_per_px = length(vec2f(dpdx(corner.model_m.x), dpdy(corner.model_m.x)));
     let facing = normalize(select(-corner.normal, corner.normal, front));
-    let to_eye = normalize(frame.eye_m - corner.model_m);
     let lines = lines_on(corner, reach_per_px, x_per_px);
     if frame.shading == NORMALS {
         return vec4f(mix(0.5 * facing + 0.5, lines.rgb, lines.a), 1.0);
@@ -94,6 +93,6 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) 
         albedo = painted(corner, picture_colour);
     }
     let glow = frame.glow * smoothstep(0.0, 1.0, corner.response);
-    let glowing = mix(srgb_from_linear(shaded(albedo, facing, to_eye)), frame.accent.rgb, 0.6 * glow);
+    let glowing = mix(srgb_from_linear(shaded(albedo, facing, to_eye(corner.model_m))), frame.accent.rgb, 0.6 * glow);
     return vec4f(mix(glowing, lines.rgb, lines.a), 1.0);
 }

@@ -18,8 +18,7 @@ fn vertex(@builtin(vertex_index) index: u32, @location(0) ends: vec2u) -> Corner
     let sideways_px = vec2f(-along.y, along.x) * corner.y * half_px;
     let start = select(from_clip, to_clip, corner.x > 0.0);
     let end = select(ends.x, ends.y, corner.x > 0.0);
-    let to_eye = normalize(frame.eye_m - position_m(end));
-    let facing = dot(normal(end), to_eye);
+    let facing = dot(normal(end), to_eye(position_m(end)));
     var out: Corner;
     out.clip = moved_by_px(start, sideways_px);
     out.across_px = corner.y * half_px;

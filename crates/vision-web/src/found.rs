@@ -1,4 +1,4 @@
-use rosto_landmarks::Face;
+use rosto_landmarks::{Face, LANDMARK_COUNT};
 use rosto_photo::Photo;
 use wasm_bindgen::prelude::*;
 
@@ -7,6 +7,7 @@ use wasm_bindgen::prelude::*;
 pub struct Found {
     width: u32,
     height: u32,
+    focal_length_35mm: Option<f64>,
     faces: Vec<FoundFace>,
     picture_width: u32,
     picture_height: u32,
@@ -14,7 +15,7 @@ pub struct Found {
 }
 
 struct FoundFace {
-    score: f32,
+    confidence: f32,
     landmarks: Vec<f32>,
     colours: Vec<u8>,
 }
@@ -28,6 +29,7 @@ impl Found {
         Self {
             width: photo.width(),
             height: photo.height(),
+            focal_length_35mm: photo.focal_length_35mm(),
             faces: faces.iter().map(|face| FoundFace::new(photo, face)).collect(),
             picture_width: picture.width(),
             picture_height: picture.height(),
@@ -45,9 +47,9 @@ impl FoundFace {
     fn new(photo: &Photo, face: &Face) -> Self {
         let colour = |&[x, y, _]: &[f32; 3]| photo.colour_under(x.into(), y.into());
         Self {
-            score: face.score,
+            confidence: face.confidence,
             landmarks: face.landmarks.concat(),
-            colours: face.landmarks.iter().flat_map(colour).collect(),
+            colours: face.landmarks.iter().take(LANDMARK_COUNT).flat_map(colour).collect(),
         }
     }
 }
@@ -70,18 +72,24 @@ impl Found {
         self.height
     }
 
+    /// Focal length of the photo's lens in mm, for a frame of 36 × 24 mm, if its EXIF says so.
+    #[wasm_bindgen(getter, js_name = focalLength35mm)]
+    pub fn focal_length_35mm(&self) -> Option<f64> {
+        self.focal_length_35mm
+    }
+
     /// Number of faces; 0 is an answer.
     #[wasm_bindgen(getter, js_name = faceCount)]
     pub fn face_count(&self) -> u32 {
         self.faces.len() as u32
     }
 
-    /// How sure the detector is of a face, 0.5 to 1; 0 for a face that is not there.
-    pub fn score(&self, face: u32) -> f32 {
-        self.face(face).map_or(0.0, |face| face.score)
+    /// How sure it is that this is a face and that the landmarks lie on it, 0.5 to 1; 0 for a face that is not there.
+    pub fn confidence(&self, face: u32) -> f32 {
+        self.face(face).map_or(0.0, |face| face.confidence)
     }
 
-    /// 468 × (x/W, y/H, z/W); empty for a face that is not there.
+    /// 478 × (x/W, y/H, z/W), those of the irises last; empty for a face that is not there.
     pub fn landmarks(&self, face: u32) -> Vec<f32> {
         self.face(face).map_or_else(Vec::new, |face| face.landmarks.clone())
     }

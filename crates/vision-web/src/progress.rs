@@ -34,7 +34,7 @@ fn stage_and_fraction(step: Step) -> (&'static str, f64) {
     match step {
         Step::Decoding => ("decode", 0.0),
         Step::Finding(Stage::Meshing { face, of }) => ("landmarks", MESHED * face as f64 / of.max(1) as f64),
-        Step::Finding(_) => ("detect", 0.0),
+        Step::Finding(Stage::Detecting { share }) => ("detect", share.into()),
         Step::Finishing => ("landmarks", MESHED),
     }
 }
@@ -56,12 +56,13 @@ mod tests {
     #[wasm_bindgen_test]
     fn the_bar_never_jumps_by_more_than_a_third_nor_falls_back() {
         for of in 0..5 {
+            let detecting = [0.0, 0.5, 1.0].map(|share| Step::Finding(Stage::Detecting { share }));
             let meshing = (0..of).map(|face| Step::Finding(Stage::Meshing { face, of }));
-            let mut steps = vec![Step::Decoding, Step::Finding(Stage::Detecting)];
-            steps.extend(meshing.chain([Step::Finishing]));
+            let mut steps = vec![Step::Decoding];
+            steps.extend(detecting.into_iter().chain(meshing).chain([Step::Finishing]));
             let bars: Vec<f64> = steps.into_iter().map(bar).collect();
             assert_eq!(bars[..2], [0.0, 1.0 / 3.0], "a bar at half before the detector has looked");
-            let last = if of == 0 { 2 } else { bars.len() };
+            let last = if of == 0 { 4 } else { bars.len() };
             assert!(bars[..last].windows(2).all(|two| (0.0..0.334).contains(&(two[1] - two[0]))), "{bars:?}");
             assert!(bars.is_sorted() && bars.iter().all(|bar| (0.0..1.0).contains(bar)), "{bars:?}");
         }

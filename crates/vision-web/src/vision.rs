@@ -1,5 +1,5 @@
 use js_sys::{Error, Function};
-use rosto_landmarks::{FaceFinder, FindOptions};
+use rosto_landmarks::{FaceFinder, FindOptions, LandmarkNetwork};
 use rosto_photo::{Limits, decode};
 use wasm_bindgen::prelude::*;
 
@@ -7,7 +7,7 @@ use crate::error;
 use crate::found::Found;
 use crate::progress::{Progress, Step};
 
-/// Finds faces in photos. Made once; holds the two networks.
+/// Finds faces in photos. Made once; holds the networks.
 #[wasm_bindgen]
 pub struct Vision {
     finder: FaceFinder,
@@ -15,18 +15,21 @@ pub struct Vision {
 
 #[wasm_bindgen]
 impl Vision {
-    /// Prepares the two networks from their ONNX files.
+    /// Prepares the detector and the landmark network with attention from their ONNX files.
     ///
     /// # Errors
     /// Throws `networks-damaged`.
     #[wasm_bindgen(constructor)]
     pub fn new(detector: &[u8], landmarks: &[u8]) -> Result<Self, Error> {
         console_error_panic_hook::set_once();
-        Ok(Self { finder: FaceFinder::new(detector, landmarks).map_err(error::of_landmarks)? })
+        Ok(Self {
+            finder: FaceFinder::new(detector, LandmarkNetwork::Attention(landmarks)).map_err(error::of_landmarks)?,
+        })
     }
 
-    /// Looks for at most `max_faces` faces in a photo (the bytes of a JPEG, PNG or WebP file), best first. `report` is
-    /// told each stage as it begins and how much of that stage is done, 0 to 1; the stages are taken to be equally long.
+    /// Looks for at most `max_faces` faces in a photo (the bytes of a JPEG, PNG or WebP file), the most prominent first.
+    /// `report` is told each stage as it begins and how much of that stage is done, 0 to 1; the stages are taken to be equally
+    /// long. Where the browser has decoded the photo to `bytes`, its `original` file (HEIC, AVIF) still tells the lens.
     ///
     /// # Errors
     /// Throws `not-a-picture`, `unsupported-format`, `damaged-picture`, `too-many-bytes`, `too-many-pixels`,
@@ -39,10 +42,15 @@ impl Vision {
             unchecked_param_type = "(stage: \"decode\" | \"detect\" | \"landmarks\", fraction: number) => void"
         )]
         report: &Function,
+        original: Option<Box<[u8]>>,
     ) -> Result<Found, Error> {
         let progress = Progress::new(report);
         progress.tell(Step::Decoding);
-        let photo = decode(bytes, &Limits::default()).map_err(error::of_photo)?;
+        let decoded = decode(bytes, &Limits::default()).map_err(error::of_photo)?;
+        let photo = match original {
+            Some(original) => decoded.with_lens_of(&original),
+            None => decoded,
+        };
         let options = FindOptions { max_faces: max_faces as usize, ..FindOptions::default() };
         let faces = self
             .finder

@@ -13,7 +13,7 @@ wasm_bindgen_test_configure!(run_in_dedicated_worker);
 
 // `cargo xtask setup` puts these three there.
 const DETECTOR: &[u8] = include_bytes!("../../../web/assets/face_detector.onnx");
-const LANDMARKS: &[u8] = include_bytes!("../../../web/assets/face_landmarks.onnx");
+const LANDMARKS: &[u8] = include_bytes!("../../../web/assets/face_landmarks_attention.onnx");
 const PORTRAIT: &[u8] = include_bytes!("../../../web/assets/sample.png");
 const GOLDEN: &str = include_str!("../../../tests/golden/landmarks.json");
 
@@ -22,7 +22,7 @@ fn vision() -> Vision {
 }
 
 fn find(bytes: &[u8]) -> Result<Found, Error> {
-    vision().find(bytes, 1, &Function::new_no_args(""))
+    vision().find(bytes, 1, &Function::new_no_args(""), None)
 }
 
 /// What a thrown error says under a name.
@@ -68,7 +68,7 @@ fn progress_names_the_stages_in_order_and_never_falls_back() {
             heard.push(&Array::of2(&stage.into(), &fraction.into()));
         })
     };
-    vision().find(PORTRAIT, 1, hear.as_ref().unchecked_ref()).unwrap();
+    vision().find(PORTRAIT, 1, hear.as_ref().unchecked_ref(), None).unwrap();
     let reports: Vec<(String, f64)> = heard.iter().map(|report| stage_and_fraction(&report.into())).collect();
     let names = ["decode", "detect", "landmarks"];
     let bar = |(stage, fraction): &(String, f64)| {

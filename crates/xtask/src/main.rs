@@ -1,5 +1,5 @@
-//! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `test`, `deny`, `bench`, `torture`,
-//! `screenshots`.
+//! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `test`, `deny`, `bench`, `robustness`,
+//! `torture`, `screenshots`.
 
 mod apt;
 mod bench;
@@ -17,6 +17,7 @@ mod npm;
 mod portrait;
 mod process;
 mod progress;
+mod robustness;
 mod screenshots;
 mod serve;
 mod setup;
@@ -52,6 +53,7 @@ fn run(arguments: &[String]) -> Result<ExitCode> {
         ["test", steps @ ..] => test::run(steps),
         ["deny"] => deny::run(),
         ["bench", arguments @ ..] => bench::run(arguments),
+        ["robustness", arguments @ ..] => robustness::run(arguments),
         ["torture", arguments @ ..] => torture::run(arguments),
         ["screenshots"] => screenshots::run(),
         [] | ["help" | "-h" | "--help"] => {

@@ -1,4 +1,4 @@
-//! The two networks the page serves: out of the published npm package, converted to ONNX once.
+//! The networks: out of the published npm package, converted to ONNX once.
 
 use crate::failure::{Doing, Result};
 use crate::versions::{NETWORKS_PACKAGE, PACKED_NETWORKS};
@@ -7,13 +7,13 @@ use std::path::Path;
 use std::time::Instant;
 
 /// Names of the files below [`workspace::assets`].
-pub const FILES: [&str; 2] = ["face_detector.onnx", "face_landmarks.onnx"];
+pub const FILES: [&str; 3] = ["face_detector.onnx", "face_landmarks.onnx", "face_landmarks_attention.onnx"];
 
 const LOADER: &str = "face_mesh_solution_packed_assets_loader.js";
 /// Below the build folder: what the networks were made from, so that another package or converter makes them anew.
 const STAMP: &str = "xtask/networks-made-from";
 
-/// Writes both networks into `web/assets` unless they are there.
+/// Writes the networks into `web/assets` unless they are there.
 pub fn obtain(node_modules: &Path) -> Result {
     let assets = workspace::assets();
     let package = node_modules.join(NETWORKS_PACKAGE);
@@ -29,7 +29,8 @@ pub fn obtain(node_modules: &Path) -> Result {
     let packed = std::fs::read(cache::check(&package, &PACKED_NETWORKS)?).doing("reading the packed networks")?;
     let loader = std::fs::read_to_string(package.join(LOADER)).doing("reading the list of the packed networks")?;
     let networks = rosto_model_import::import(&loader, &packed).doing("converting the networks")?;
-    for (file, bytes) in FILES.iter().zip([networks.detector_onnx, networks.landmarks_onnx]) {
+    let files = [networks.detector_onnx, networks.landmarks_onnx, networks.attention_onnx];
+    for (file, bytes) in FILES.iter().zip(files) {
         cache::write(&assets.join(file), bytes)?;
     }
     cache::write(&stamp, origin)?;

@@ -9,6 +9,9 @@ import { Hand } from "./hand.mjs";
 
 /** @typedef {import("./hand.mjs").Driver} Driver */
 
+/** A face in a format that the browser decodes. */
+const AVIF = new URL("../pictures/drawn-face.avif", import.meta.url);
+
 const WAIT_MS = 120_000;
 const POLL_MS = 100;
 /** Work is kept within this time after the last change. */
@@ -19,7 +22,7 @@ const ARRIVING = /\.(part|crdownload|wkdownload|tmp)$/;
 
 /**
  * The way through the page that has to work in every engine: arrive, drop a photo, edit by number and by hand, undo,
- * download, reload, go on.
+ * download, reload, go on; drop a photo that the browser decodes.
  *
  * @param {Driver} driver
  * @param {string} url
@@ -70,6 +73,10 @@ export async function core(driver, url, pictures) {
   await untilEdits(driver, 1);
   await picture("again");
   assert.deepEqual(await mesh(driver, hand), lifted);
+
+  await drop(driver, await readFile(AVIF));
+  await untilEdits(driver, 0);
+  await picture("decoded");
   assert.deepEqual(await driver.errors(), []);
   return drawnBy;
 }

@@ -1,7 +1,9 @@
 use glam::DVec3;
 use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 use rosto_export::{BaseColour, GlbOptions, Material, Model, Morph, Source, glb};
-use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, Triangulation, canonical_positions_m, canonical_uvs};
+use rosto_face::{
+    FaceInput, FaceModel, LANDMARK_COUNT, Photo, PhotoLens, Triangulation, canonical_positions_m, canonical_uvs,
+};
 use rosto_studio::{
     AnchorKind, Anchors, Command, ConstraintKind, CoordinateFrame, Details, EditSpec, Entry, Mirror, Operator,
     RegionOfInfluence, Rest, Settings, Switch, project,
@@ -100,6 +102,13 @@ fn face(triangulation: Triangulation) -> FaceModel {
     let landmarks: Vec<[f32; 3]> =
         places.map(|(uv, at)| [uv.x as f32 * 0.5 + 0.2, uv.y as f32 * 0.5 + 0.2, -at.z as f32 * 3.0]).collect();
     let colours: Vec<[u8; 3]> = landmarks.iter().map(|&[x, y, _]| picture.colour_under(x.into(), y.into())).collect();
-    let input = FaceInput { landmarks: &landmarks, width: SIDE_PX, height: SIDE_PX, colours: &colours, picture };
+    let input = FaceInput {
+        landmarks: &landmarks,
+        width: SIDE_PX,
+        height: SIDE_PX,
+        colours: &colours,
+        picture,
+        lens: PhotoLens::Estimated,
+    };
     FaceModel::new(input, triangulation).expect("invariant: the canonical face fits itself")
 }

@@ -2,8 +2,8 @@ import { byId, isTyping, onAction } from "../page/dom.js";
 import { showError, showRemark } from "../page/notice.js";
 
 /** What the page can open, by name; a type alone would let other pictures go first. */
-const OPENS = /\.(jpe?g|png|webp|glb|rosto)$/i;
-const OPENS_TYPE = /^(image\/(jpeg|png|webp)|model\/gltf-binary)$/;
+const OPENS = /\.(jpe?g|png|webp|avif|glb|rosto)$/i;
+const OPENS_TYPE = /^(image\/(jpeg|png|webp|avif)|model\/gltf-binary)$/;
 const PICTURE = /^image\//;
 
 /**

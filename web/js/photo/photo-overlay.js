@@ -13,6 +13,10 @@ const AROUND_FACE = 1.6;
 /** A pointer this near a landmark means it, in CSS px. */
 const REACH_PX = 10;
 
+/** Behind these come the points of the irises. */
+const LANDMARK_COUNT = 468;
+const IRIS_POINTS = 5;
+
 /** The photo with the landmarks of one face drawn on it. Needs no WebGPU. */
 export class PhotoOverlay {
   #canvas = byId("photo-picture", HTMLCanvasElement);
@@ -120,13 +124,32 @@ export class PhotoOverlay {
     // Light dots in dark rings show on any skin.
     for (const [colour, size] of /** @type {const} */ ([["rgb(0 0 0 / 0.45)", 3], ["rgb(255 255 255)", 1.5]])) {
       context.fillStyle = colour;
-      for (let landmark = 0; landmark * 3 < this.#landmarks.length; landmark++) {
+      for (let landmark = 0; landmark < LANDMARK_COUNT; landmark++) {
         const { x, y } = this.#place(landmark);
         context.fillRect(x - (size / 2) * ratio, y - (size / 2) * ratio, size * ratio, size * ratio);
+      }
+      for (const iris of this.#irises()) {
+        context.strokeStyle = colour;
+        context.lineWidth = (size / 2) * ratio;
+        context.stroke(iris);
       }
     }
     this.#ring(context, this.#hovered, 4 * ratio, ratio);
     this.#ring(context, this.#selected, 5 * ratio, 2 * ratio);
+  }
+
+  /** The irises as circles around their middles, through the four points on their borders; none where none were found. */
+  #irises() {
+    const circles = [];
+    for (let iris = LANDMARK_COUNT; 3 * (iris + IRIS_POINTS) <= this.#landmarks.length; iris += IRIS_POINTS) {
+      const middle = this.#place(iris);
+      const border = [1, 2, 3, 4].map((point) => this.#place(iris + point));
+      const radius = border.reduce((sum, { x, y }) => sum + Math.hypot(x - middle.x, y - middle.y) / border.length, 0);
+      const circle = new Path2D();
+      circle.arc(middle.x, middle.y, radius, 0, 2 * Math.PI);
+      circles.push(circle);
+    }
+    return circles;
   }
 
   /**
@@ -136,7 +159,7 @@ export class PhotoOverlay {
    * @param {number} width
    */
   #ring(context, vertex, radius, width) {
-    if (vertex === undefined || vertex * 3 >= this.#landmarks.length) return;
+    if (vertex === undefined || vertex >= LANDMARK_COUNT) return;
     const { x, y } = this.#place(vertex);
     context.strokeStyle = getComputedStyle(this.#canvas).color;
     context.lineWidth = width;
@@ -165,7 +188,7 @@ export class PhotoOverlay {
     const y = (event.clientY - box.top) * ratio;
     let nearest;
     let nearest_px = REACH_PX * ratio;
-    for (let landmark = 0; landmark * 3 < this.#landmarks.length; landmark++) {
+    for (let landmark = 0; landmark < LANDMARK_COUNT; landmark++) {
       const place = this.#place(landmark);
       const distance_px = Math.hypot(place.x - x, place.y - y);
       if (distance_px < nearest_px) [nearest, nearest_px] = [landmark, distance_px];

@@ -2,10 +2,10 @@ import { showLoading, showStage } from "../page/progress.js";
 import { facesOf } from "../work/work.js";
 
 /** A group photo offers this many faces at most. */
-const MAX_FACES = 8;
+const MAX_FACES = 20;
 
 /**
- * The faces of a photo, the best first, with the progress shown for as long as it is wanted.
+ * The faces of a photo, the most prominent first, with the progress shown for as long as it is wanted.
  *
  * @param {import("./vision-client.js").VisionClient} vision
  * @param {Blob} photo

@@ -161,7 +161,8 @@ export class Autosave {
   #standing() {
     return this.#bench?.read((state, studio) => {
       const [triangulation = "", density = "0"] = ["triangulation", "density"].map((choice) => state.chosen(choice));
-      return { edits: studio.editsJson(), triangulation, density: Number(density), preferences: studio.preferences() };
+      const [edits, lens, preferences] = [studio.editsJson(), studio.photoLens, studio.preferences()];
+      return { edits, triangulation, density: Number(density), lens, preferences };
     });
   }
 

@@ -7,18 +7,23 @@
  * @property {string} edits the studio's own versioned JSON
  * @property {string} triangulation that the edits were made on
  * @property {number} density how often the mesh is subdivided
+ * @property {string} [lens] what the photo is taken to be taken through, where that is another than was known of it
  * @property {string} [preferences] choices and view, as the studio tells them
  *
  * @typedef {object} OpenedFace
  * @property {string} [name] of the files made of it, without an ending; works kept by earlier versions have none
  * @property {number} width_px of the upright photo in which the landmarks were found
  * @property {number} height_px
- * @property {Float32Array} landmarks 468 × (x/W, y/H, z/W)
+ * @property {Float32Array} landmarks 478 × (x/W, y/H, z/W), those of the irises last; of earlier versions 468
+ * @property {string} [lens] what is known of the photo's lens, as the studio takes it; of earlier versions none
  * @property {Uint8Array} colours 468 × sRGB
  * @property {number} pictureWidth_px
  * @property {number} pictureHeight_px
  * @property {Uint8Array} picture RGBA, upright, row by row
  */
+
+/** What earlier versions knew of a photo's lens: they took the camera to stand infinitely far away. */
+export const BEFORE_LENSES = "parallel";
 
 /**
  * The faces that the worker found, with the picture they share.
@@ -28,9 +33,10 @@
  * @returns {OpenedFace[]}
  */
 export function facesOf(found, name) {
-  const { width_px, height_px, pictureWidth_px, pictureHeight_px, picture } = found;
+  const { width_px, height_px, pictureWidth_px, pictureHeight_px, picture, focalLength_mm } = found;
+  const lens = focalLength_mm === undefined ? "estimated" : `exif:${focalLength_mm}`;
   return found.faces.map(({ landmarks, colours }, index) => ({
-    ...{ width_px, height_px, landmarks, colours, pictureWidth_px, pictureHeight_px, picture },
+    ...{ width_px, height_px, landmarks, lens, colours, pictureWidth_px, pictureHeight_px, picture },
     name: index === 0 ? name : `${name}-${index + 1}`,
   }));
 }

@@ -10,13 +10,14 @@
  * @typedef {"decode" | "detect" | "landmarks"} Stage
  *
  * @typedef {object} FoundFace
- * @property {number} score the detector's, 0 to 1
- * @property {Float32Array} landmarks 468 × (x/W, y/H, z/W), MediaPipe's normalised convention
+ * @property {number} confidence that this is a face and the landmarks lie on it, 0 to 1
+ * @property {Float32Array} landmarks 478 × (x/W, y/H, z/W), MediaPipe's normalised convention; those of the irises last
  * @property {Uint8Array} colours 468 × sRGB
  *
  * @typedef {object} FoundFaces
  * @property {number} width_px of the upright photo in which the landmarks were found
  * @property {number} height_px
+ * @property {number | undefined} focalLength_mm of the lens for a frame of 36 × 24 mm, if the photo says so
  * @property {FoundFace[]} faces best first; empty when there is no face
  * @property {number} pictureWidth_px of the picture, which may be a smaller copy of the photo
  * @property {number} pictureHeight_px

@@ -9,6 +9,7 @@ import init, { Vision } from "../../wasm/rosto-vision-web.js";
 import { asPageError } from "../page/page-error.js";
 import { bytesOf } from "../work/bytes.js";
 import { bitmapOf } from "../work/pixels.js";
+import { decodedByBrowser } from "./browser-decoder.js";
 
 const page = /** @type {DedicatedWorkerGlobalScope} */ (/** @type {unknown} */ (self));
 
@@ -34,7 +35,7 @@ async function load() {
   const [, detector, landmarks] = await Promise.all([
     init({ module_or_path: fetched("../../wasm/rosto-vision-web_bg.wasm") }),
     fetchBytes("../../assets/face_detector.onnx"),
-    fetchBytes("../../assets/face_landmarks.onnx"),
+    fetchBytes("../../assets/face_landmarks_attention.onnx"),
   ]);
   return new Vision(detector, landmarks);
 }
@@ -71,8 +72,7 @@ async function tellOfArrival(response) {
 /** @param {Request} request */
 async function answer({ id, photo, maxFaces }) {
   try {
-    const bytes = await bytesOf(photo);
-    const faces = find(await vision, bytes, maxFaces, id);
+    const faces = await findDecoded(await vision, photo, maxFaces, id);
     const found = { ...faces, bitmap: await bitmapOf(faces) };
     tell({ type: "found", id, found }, [found.bitmap, ...buffersOf(found)]);
   } catch (error) {
@@ -83,25 +83,46 @@ async function answer({ id, photo, maxFaces }) {
 }
 
 /**
+ * Finds faces in a photo, decoded by the module, or by the browser where the module does not read the format.
+ *
+ * @param {Vision} vision
+ * @param {Blob} photo
+ * @param {number} maxFaces
+ * @param {number} id
+ */
+async function findDecoded(vision, photo, maxFaces, id) {
+  const bytes = await bytesOf(photo);
+  try {
+    return find(vision, bytes, maxFaces, id);
+  } catch (error) {
+    const decoded = asPageError(error).code === "unsupported-format" ? await decodedByBrowser(photo) : undefined;
+    if (!decoded) throw error;
+    return find(vision, await bytesOf(decoded), maxFaces, id, bytes);
+  }
+}
+
+/**
  * @param {Vision} vision
  * @param {Uint8Array} bytes
  * @param {number} maxFaces
  * @param {number} id
+ * @param {Uint8Array} [original] the file that the browser decoded to these bytes
  * @returns {Omit<FoundFaces, "bitmap">}
  */
-function find(vision, bytes, maxFaces, id) {
-  const found = vision.find(bytes, maxFaces, (/** @type {import("./protocol.js").Stage} */ stage, /** @type {number} */ fraction) =>
-    tell({ type: "progress", id, stage, fraction }),
-  );
+function find(vision, bytes, maxFaces, id, original) {
+  /** @type {(stage: import("./protocol.js").Stage, fraction: number) => void} */
+  const report = (stage, fraction) => tell({ type: "progress", id, stage, fraction });
+  const found = vision.find(bytes, maxFaces, report, original);
   try {
     const faces = Array.from({ length: found.faceCount }, (_, i) => ({
-      score: found.score(i),
+      confidence: found.confidence(i),
       landmarks: found.landmarks(i),
       colours: found.colours(i),
     }));
     return {
       width_px: found.width,
       height_px: found.height,
+      focalLength_mm: found.focalLength35mm,
       faces,
       pictureWidth_px: found.pictureWidth,
       pictureHeight_px: found.pictureHeight,

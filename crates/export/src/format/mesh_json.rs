@@ -1,9 +1,10 @@
 use std::fmt::Write;
 
 use glam::DVec3;
+use serde_json::Value;
 
 /// What [`mesh_json`] writes.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct JsonMesh<'a> {
     /// The unit of the positions: `image` for MediaPipe's normalised coordinates, `mm` for the model's millimetres.
     pub units: &'a str,
@@ -13,9 +14,11 @@ pub struct JsonMesh<'a> {
     pub colours_srgb: &'a [[u8; 3]],
     /// Triangles, counter-clockwise from outside.
     pub triangles: &'a [[u32; 3]],
+    /// What is known of the face, as a JSON object; none of a mesh that is no face from a photo.
+    pub about: Option<Value>,
 }
 
-/// The mesh as JSON, `{"units","positions","colors","triangles"}`, before any rounding to 32 bits: every number reads
+/// The mesh as JSON, `{"units","positions","colors","triangles","about"}`, before any rounding to 32 bits: every number reads
 /// back as the same `f64`. Colours are sRGB, 0 to 255. Coordinates that are not finite become `null`.
 pub fn mesh_json(mesh: &JsonMesh<'_>) -> String {
     let mut text = String::with_capacity(64 * mesh.positions.len() + 16 * mesh.triangles.len() + 64);
@@ -27,6 +30,10 @@ pub fn mesh_json(mesh: &JsonMesh<'_>) -> String {
     push_rows(&mut text, mesh.colours_srgb.iter().copied(), |text, channel| push_integer(text, channel.into()));
     text.push_str(",\"triangles\":");
     push_rows(&mut text, mesh.triangles.iter().copied(), push_integer);
+    if let Some(about) = &mesh.about {
+        text.push_str(",\"about\":");
+        text.push_str(&about.to_string());
+    }
     text.push('}');
     text
 }

@@ -3,20 +3,22 @@ use rosto_face::{FaceModel, Triangulation};
 use serde_json::{Value, json};
 
 use super::texture::Crop;
-use crate::ExportError;
+use crate::{ExportError, about};
 
 /// The version of the extras that is written.
-pub(crate) const VERSION: u64 = 1;
+pub(crate) const VERSION: u64 = 2;
 
 /// What a face was made from. A file that carries it can be opened again, with its edits: see [`reopen`](crate::reopen).
 ///
 /// It goes into the scene's `extras`, where other programs leave it alone or drop it:
 /// ```json
-/// {"rosto": "face", "version": 1, "photo_px": [512, 512], "triangulation": "canonical", "density": 0,
-///  "landmarks": "468 × 3 little-endian f32 in base64", "colours": "468 × 3 bytes in base64",
+/// {"rosto": "face", "version": 2, "photo_px": [512, 512], "triangulation": "canonical", "density": 0, "lens": "exif:26",
+///  "landmarks": "468 or 478 × 3 little-endian f32 in base64", "colours": "468 × 3 bytes in base64",
 ///  "picture": {"size_px": [512, 512], "crop_at_px": [96, 0], "crop_size_px": [256, 256]}, "history": {},
-///  "positions_fnv1a": "cbf29ce484222325"}
+///  "positions_fnv1a": "cbf29ce484222325", "about": {}}
 /// ```
+/// `lens` is what was known of the lens ([`rosto_face::PhotoLens`]); a file of version 1 has none, and its face was seen from
+/// infinitely far away. `about` is [`about`](crate::about), for whoever reads the file without Rosto.
 /// `picture` says where in the upright picture the texture was cut out; a file without texture has none.
 /// `positions_fnv1a` is the 64-bit FNV-1a hash of the bytes of `POSITION`, by which a mesh shows that was changed since.
 #[derive(Debug, Clone, Copy)]
@@ -34,16 +36,17 @@ pub struct Source<'a> {
 /// The extras but for the picture.
 pub(super) fn extras(source: &Source<'_>) -> Result<Value, ExportError> {
     let face = source.face;
-    // The landmarks came as 32-bit numbers, so that nothing is lost here.
-    let landmarks = face.positions_image().iter().flat_map(|p| p.as_vec3().to_array()).flat_map(f32::to_le_bytes);
+    let landmarks = face.landmarks().into_iter().flatten().flat_map(f32::to_le_bytes);
     let mut extras = json!({
         "rosto": "face",
         "version": VERSION,
         "photo_px": face.photo_size_px(),
         "triangulation": source.triangulation.id(),
         "density": source.density,
+        "lens": face.lens().to_string(),
         "landmarks": BASE64_STANDARD.encode(landmarks.collect::<Vec<u8>>()),
         "colours": BASE64_STANDARD.encode(face.colours_srgb().as_flattened()),
+        "about": about(face, face.positions_m()),
     });
     if let Some(history) = source.history {
         extras["history"] = history_object(history)?;

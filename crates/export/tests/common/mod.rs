@@ -5,7 +5,7 @@
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
 use rosto_export::Source;
-use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, Triangulation, canonical_uvs};
+use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, PhotoLens, Triangulation, canonical_uvs};
 use serde_json::Value;
 
 pub const SIDE: u32 = 300;
@@ -28,7 +28,14 @@ pub fn face(triangulation: Triangulation) -> FaceModel {
         .collect();
     let picture = gradient();
     let colours: Vec<[u8; 3]> = landmarks.iter().map(|&[x, y, _]| picture.colour_under(x.into(), y.into())).collect();
-    let input = FaceInput { landmarks: &landmarks, width: SIDE, height: SIDE, colours: &colours, picture };
+    let input = FaceInput {
+        landmarks: &landmarks,
+        width: SIDE,
+        height: SIDE,
+        colours: &colours,
+        picture,
+        lens: PhotoLens::Parallel,
+    };
     FaceModel::new(input, triangulation).unwrap()
 }
 

@@ -14,6 +14,11 @@ pub fn landmarks_onnx() -> Vec<u8> {
     asset("face_landmarks.onnx")
 }
 
+/// The landmark network with attention as the app serves it.
+pub fn attention_onnx() -> Vec<u8> {
+    asset("face_landmarks_attention.onnx")
+}
+
 /// The sample portrait, 512 × 512 px.
 pub fn portrait() -> Photo {
     rosto_photo::decode(&asset("sample.png"), &Limits::default()).expect("the portrait is a picture")

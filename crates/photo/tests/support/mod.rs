@@ -27,17 +27,22 @@ pub fn blocks() -> RgbImage {
 
 /// The picture as a file that asks its reader to apply `orientation`.
 pub fn file(picture: &RgbImage, format: Format, orientation: Orientation) -> Vec<u8> {
+    file_with_exif(picture, format, exif(orientation))
+}
+
+/// The picture as a file with an EXIF block.
+pub fn file_with_exif(picture: &RgbImage, format: Format, exif: Vec<u8>) -> Vec<u8> {
     let mut bytes = Vec::new();
     match format {
-        Format::Jpeg => write(JpegEncoder::new_with_quality(&mut bytes, 100), picture, orientation),
-        Format::Png => write(PngEncoder::new(&mut bytes), picture, orientation),
-        Format::WebP => write(WebPEncoder::new_lossless(&mut bytes), picture, orientation),
+        Format::Jpeg => write(JpegEncoder::new_with_quality(&mut bytes, 100), picture, exif),
+        Format::Png => write(PngEncoder::new(&mut bytes), picture, exif),
+        Format::WebP => write(WebPEncoder::new_lossless(&mut bytes), picture, exif),
     }
     bytes
 }
 
-fn write(mut encoder: impl ImageEncoder, picture: &RgbImage, orientation: Orientation) {
-    encoder.set_exif_metadata(exif(orientation)).expect("the format knows EXIF");
+fn write(mut encoder: impl ImageEncoder, picture: &RgbImage, exif: Vec<u8>) {
+    encoder.set_exif_metadata(exif).expect("the format knows EXIF");
     let (width, height) = picture.dimensions();
     encoder.write_image(picture, width, height, ExtendedColorType::Rgb8).expect("the picture can be written");
 }
@@ -59,6 +64,28 @@ pub fn stored_for(picture: &RgbImage, orientation: Orientation) -> RgbImage {
     let mut stored = DynamicImage::from(picture.clone());
     stored.apply_orientation(inverse);
     stored.into_rgb8()
+}
+
+/// A grey JPEG, one block of 8 × 8 px above the other, a restart marker between any two; without its end mark. Of the
+/// Huffman codes, 0 is "no difference" and "no more", and 10 is "a difference of four bits".
+pub fn blocks_with_restarts(blocks: u8) -> Vec<u8> {
+    let table = |class: u8, second: u8| {
+        let counts = [1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+        [&[0xFF, 0xC4, 0, 21, class], counts.as_slice(), &[0, second]].concat()
+    };
+    let mut file = vec![0xFF, 0xD8, 0xFF, 0xDB, 0, 67, 0];
+    file.extend([16; 64]);
+    file.extend([0xFF, 0xC0, 0, 11, 8, 0, 8 * blocks, 0, 8, 1, 1, 0x11, 0]);
+    file.extend([table(0x00, 4), table(0x10, 1)].concat());
+    file.extend([0xFF, 0xDD, 0, 4, 0, 1, 0xFF, 0xDA, 0, 8, 1, 1, 0, 0, 63, 0]);
+    for block in 0..blocks {
+        // 10, a difference of 9, "no more", and a bit to fill the byte.
+        file.push(0b1010_0101);
+        if block + 1 < blocks {
+            file.extend([0xFF, 0xD0 + block % 8]);
+        }
+    }
+    file
 }
 
 /// A PNG file with another chunk before its pixels.

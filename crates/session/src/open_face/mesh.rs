@@ -1,5 +1,6 @@
-use rosto_face::{LANDMARK_COUNT, Triangulation};
-use rosto_studio::{CoordinateFrame, Rest};
+use glam::DVec3;
+use rosto_face::{LANDMARK_COUNT, PhotoLens, Triangulation};
+use rosto_studio::{CoordinateFrame, Document, Rest};
 
 use super::OpenFace;
 use crate::choices::Choices;
@@ -35,13 +36,10 @@ impl OpenFace {
         triangulation: Triangulation,
         choices: &Choices,
     ) -> Result<(), SessionError> {
-        let density = self.document.density();
         self.commit(choices);
         let place_m = self.selected_m();
-        let rest = Rest::new(triangulation.topology(), self.model.positions_m().to_vec(), CoordinateFrame::Model);
-        let mut document = self.document.over(rest)?;
-        document.set_density(density)?;
-        (self.document, self.triangulation) = (document, triangulation);
+        self.document = self.over(triangulation, self.model.positions_m().to_vec())?;
+        self.triangulation = triangulation;
         self.pins.retain(|pin| (*pin as usize) < LANDMARK_COUNT);
         if let (Some(Selection::Point { level, .. }), Some(place_m)) = (self.selection, place_m) {
             self.selection = Some(Selection::Point { level, vertex: self.nearest(place_m) });
@@ -49,5 +47,23 @@ impl OpenFace {
         self.rows.read(&self.document, 0);
         self.hold(choices);
         Ok(())
+    }
+
+    /// The face as it is if its photo was taken through that lens; the edits are carried out again.
+    pub(crate) fn set_photo_lens(&mut self, lens: PhotoLens, choices: &Choices) -> Result<(), SessionError> {
+        let model = self.model.with_lens(lens)?;
+        self.commit(choices);
+        self.document = self.over(self.triangulation, model.positions_m().to_vec())?;
+        self.model = model;
+        self.rows.read(&self.document, 0);
+        self.hold(choices);
+        Ok(())
+    }
+
+    fn over(&mut self, triangulation: Triangulation, positions_m: Vec<DVec3>) -> Result<Document, SessionError> {
+        let rest = Rest::new(triangulation.topology(), positions_m, CoordinateFrame::Model);
+        let mut document = self.document.over(rest)?;
+        document.set_density(self.document.density())?;
+        Ok(document)
     }
 }

@@ -1,7 +1,9 @@
 use glam::{DMat3, DVec2, DVec3};
+use rosto_export::about;
 use rosto_studio::project;
 
 use super::{MM_PER_M, OpenFace};
+use crate::SessionError;
 
 /// What is shown and written of it.
 impl OpenFace {
@@ -12,7 +14,7 @@ impl OpenFace {
 
     /// Positions in MediaPipe's normalised picture coordinates.
     pub fn positions_image(&self) -> Vec<DVec3> {
-        let image_from_model: DMat3 = self.model.image_from_model().matrix3;
+        let image_from_model: DMat3 = self.model.image_from_model();
         let moved = self.document.positions().iter().zip(self.document.rest());
         let moved = moved.map(|(now, before)| image_from_model * (*now - *before));
         let rest = self.document.from_cage(self.model.positions_image());
@@ -22,6 +24,23 @@ impl OpenFace {
     /// Positions in millimetres.
     pub fn positions_mm(&self) -> Vec<DVec3> {
         self.document.positions().iter().map(|&position| position * MM_PER_M).collect()
+    }
+
+    /// What is known of the face beside its mesh, as JSON ([`about`]); measures are those of the landmarks as they are edited.
+    pub fn about_json(&self) -> String {
+        about(&self.model, self.document.cage()).to_string()
+    }
+
+    /// From one vertex shown to another in mm: straight, and along the surface.
+    ///
+    /// # Errors
+    /// [`SessionError::Studio`] for a vertex that is not there.
+    pub fn measured_mm(&self, from: u32, to: u32) -> Result<[f64; 2], SessionError> {
+        let along_m = self.document.along_surface(from, to)?;
+        let positions = self.document.committed();
+        let straight_m = positions[from as usize].distance(positions[to as usize]);
+        // The heat method has an error of its own; nothing on a surface is nearer than straight.
+        Ok([straight_m, along_m.max(straight_m)].map(|length_m| length_m * MM_PER_M))
     }
 
     /// Places in the picture for every vertex shown.

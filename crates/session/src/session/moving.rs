@@ -1,5 +1,5 @@
 use glam::DVec3;
-use rosto_face::Triangulation;
+use rosto_face::{PhotoLens, Triangulation};
 use rosto_studio::{Document, FaceSlider, StudioError, Switch};
 
 use super::opening::prepare;
@@ -112,6 +112,17 @@ impl Session {
         }
         self.new_mesh();
         self.view.triangulation = triangulation;
+        Ok(Changed::Mesh)
+    }
+
+    pub(super) fn set_photo_lens(&mut self, lens: PhotoLens) -> Result {
+        let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
+        if face.model().lens() == lens {
+            return Ok(Changed::Nothing);
+        }
+        face.set_photo_lens(lens, &self.choices)?;
+        self.new_mesh();
+        self.show_pinhole();
         Ok(Changed::Mesh)
     }
 

@@ -1,4 +1,5 @@
 use rosto_face::canonical_positions_m;
+use rosto_stage::Pinhole;
 
 use super::{Result, Session};
 use crate::gesture::{Gesture, Under};
@@ -17,11 +18,18 @@ impl Session {
         (self.gesture, self.under) = (Gesture::Idle, Under::default());
         self.view.show_on(&mut self.stage, false);
         self.see_as_edited();
+        self.show_pinhole();
         self.frame();
         if self.view.motion == Motion::Usual {
             self.stage.start_arrival();
         }
         Ok(Changed::Mesh)
+    }
+
+    /// The photo's camera, in whose view mesh and photo coincide.
+    pub(super) fn show_pinhole(&mut self) {
+        let camera = self.face.as_ref().map(|face| face.model().camera());
+        self.stage.set_pinhole(camera.map(|camera| Pinhole { camera_from_model: camera.camera_from_model }));
     }
 
     pub(super) fn close(&mut self) -> Result {
@@ -39,6 +47,7 @@ impl Session {
     }
 
     pub(super) fn show_empty(&mut self) {
+        self.stage.set_pinhole(None);
         self.view.show_on(&mut self.stage, true);
         self.stage.frame(&canonical_positions_m());
         self.stage.camera_mut().turn(-0.5);

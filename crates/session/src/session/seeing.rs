@@ -13,6 +13,7 @@ impl Session {
         let marks_change = matches!(intent, Intent::Before(_) | Intent::Wipe(_) | Intent::MarkAnchors(_));
         match intent {
             Intent::Shading(paint) => self.view.shading = paint,
+            Intent::Lens(lens) => self.view.lens = lens,
             Intent::Wireframe(wireframe) => self.view.wireframe = wireframe,
             Intent::Background(background) => self.view.background = background,
             Intent::Turntable(turntable) => self.view.turntable = turntable,

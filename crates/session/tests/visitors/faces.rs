@@ -1,6 +1,6 @@
 //! Faces to open.
 
-use rosto_face::{LANDMARK_COUNT, Photo, Triangulation, canonical_positions_m};
+use rosto_face::{LANDMARK_COUNT, Photo, PhotoLens, Triangulation, canonical_positions_m};
 use rosto_session::{Incoming, Intent, Session, Work};
 
 pub const SIZE_PX: [u32; 2] = [800, 600];
@@ -16,6 +16,7 @@ pub fn found() -> Incoming {
         photo_size_px: [64, 64],
         colours_srgb: vec![[180, 120, 90]; LANDMARK_COUNT],
         picture: Photo::from_rgb(1, 1, vec![180, 120, 90]).unwrap(),
+        lens: PhotoLens::Parallel,
         work: None,
     }
 }

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use rosto_face::{Region, Triangulation};
 use rosto_session::{AnchorChoice, Intent, Pace, Preset, Selection, SelectionMode, Turntable};
 use rosto_stage::{
-    Axis, Background, Dots, Light, NamedView, PictureLight, Pointer, ShadingMode, Srgb, Theme, Wireframe,
+    Axis, Background, Dots, Lens, Light, NamedView, PictureLight, Pointer, ShadingMode, Srgb, Theme, Wireframe,
 };
 use rosto_studio::{ConstraintKind, Details, FaceSlider, Mirror, Operator, Switch};
 
@@ -103,6 +103,7 @@ fn seeing() -> impl Strategy<Value = Intent> {
     let by_px = || (number(), number()).prop_map(|(x, y)| DVec2::new(x, y));
     prop_oneof![
         any_of(&ShadingMode::ALL).prop_map(Intent::Shading),
+        any_of(&Lens::ALL).prop_map(Intent::Lens),
         any_of(&[Wireframe::Shown, Wireframe::Hidden]).prop_map(Intent::Wireframe),
         any_of(&PictureLight::ALL).prop_map(Intent::PictureLight),
         any_of(&[Switch::On, Switch::Off]).prop_map(Intent::MarkAnchors),

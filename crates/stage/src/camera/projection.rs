@@ -1,44 +1,62 @@
-use glam::dcamera::rh::{proj::directx::perspective, view::look_at_mat4};
-use glam::{DMat4, DVec2, DVec3, DVec4};
+use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 use rosto_mesh::Ray;
 
-use super::Camera;
+use super::facing::Facing;
 use super::pose::Pose;
+use super::{Camera, Clear};
 
-const VERTICAL_FIELD_OF_VIEW: f64 = 0.5;
+/// What is drawn reaches from so many radii before the middle to so many behind it.
+const RADII_BEFORE: f64 = 4.0;
+const RADII_BEHIND: f64 = 6.0;
+/// And no nearer to the eye than this share of its distance.
+const NEAREST: f64 = 0.02;
 
 /// Between the model and the picture.
 impl Camera {
-    /// Where the eye is.
-    pub fn eye_m(&self) -> DVec3 {
-        self.now.target_m + self.now.back() * self.distance_m(&self.now)
-    }
-
     /// Unit vector to the right in the picture.
     pub fn right(&self) -> DVec3 {
-        DVec3::new(self.now.azimuth.cos(), 0.0, -self.now.azimuth.sin())
+        self.facing().axes().x_axis
     }
 
     /// Unit vector up in the picture.
     pub fn up(&self) -> DVec3 {
-        self.now.back().cross(self.right())
+        self.facing().axes().y_axis
     }
 
     /// Unit vector from the picture to the viewer.
     pub fn back(&self) -> DVec3 {
-        self.now.back()
+        self.facing().axes().z_axis
     }
 
-    /// WebGPU clip space (depth 0..1) from the model, for column vectors.
+    /// The eye as a homogeneous point: its place in metres by its nearness, and its nearness in 1/m. That is 0 for one
+    /// infinitely far away, of which the direction is left.
+    pub fn eye(&self) -> DVec4 {
+        let eye = self.now.eye;
+        let to_eye = self.facing().axes() * eye.aside.extend(1.0);
+        (to_eye + self.centre_m * eye.nearness_per_m).extend(eye.nearness_per_m)
+    }
+
+    /// Unit vector from a point to the eye.
+    pub fn to_eye(&self, point_m: DVec3) -> DVec3 {
+        let eye = self.eye();
+        (eye.truncate() - point_m * eye.w).normalize_or(self.back())
+    }
+
+    /// WebGPU clip space (depth 0..1) from the model, for column vectors; w is 1 at the depth of the middle.
     pub fn clip_from_model(&self) -> DMat4 {
-        let distance_m = self.distance_m(&self.now);
-        let near_m = (distance_m - 4.0 * self.radius_m).max(0.02 * distance_m);
-        let far_m = distance_m + 6.0 * self.radius_m;
-        let aspect = self.size_px.x / self.size_px.y;
-        let off_middle = (self.clear.middle * 2.0 - DVec2::ONE) * DVec2::new(1.0, -1.0);
-        DMat4::from_translation(off_middle.extend(0.0))
-            * perspective(VERTICAL_FIELD_OF_VIEW, aspect, near_m, far_m)
-            * look_at_mat4(self.eye_m(), self.now.target_m, DVec3::Y)
+        let (eye, [near_m, far_m]) = (self.now.eye, self.depths_m());
+        let scale = 2.0 * self.px_per_m(&self.now, self.clear) / self.size_px;
+        let shift = (self.clear.middle * 2.0 - DVec2::ONE) * DVec2::new(1.0, -1.0) - self.middle_m(&self.now) * scale;
+        let to_depth = eye.remoteness(far_m) / (far_m - near_m);
+        let by_depth = -(eye.aside * scale + shift * eye.nearness_per_m);
+        let clip_from_view = DMat4::from_cols(
+            DVec4::new(scale.x, 0.0, 0.0, 0.0),
+            DVec4::new(0.0, scale.y, 0.0, 0.0),
+            DVec4::new(by_depth.x, by_depth.y, to_depth, -eye.nearness_per_m),
+            DVec4::new(shift.x, shift.y, -to_depth * near_m, 1.0),
+        );
+        let view_from_model = DMat4::from_mat3(self.view_from_model()) * DMat4::from_translation(-self.centre_m);
+        clip_from_view * view_from_model
     }
 
     /// Where a point appears, in px; none behind the eye.
@@ -48,87 +66,66 @@ impl Camera {
         (clip.w > 0.0).then(|| DVec2::new(0.5 + 0.5 * ndc.x, 0.5 - 0.5 * ndc.y) * self.size_px)
     }
 
-    /// The ray from the eye through a place in the picture; its direction has length 1.
+    /// The ray through a place in the picture, from as near to the eye as anything is drawn; its direction has length 1.
     pub fn ray(&self, place_px: DVec2) -> Ray {
-        let ndc = (place_px / self.size_px - self.clear.middle) * 2.0;
-        let half_height = (0.5 * VERTICAL_FIELD_OF_VIEW).tan();
-        let half_width = half_height * self.size_px.x / self.size_px.y;
-        let direction = self.right() * (ndc.x * half_width) - self.up() * (ndc.y * half_height) - self.back();
-        Ray { origin: self.eye_m(), direction: direction.normalize() }
+        let from_middle_m = (place_px - self.clear.middle * self.size_px) / self.px_per_m(&self.now, self.clear);
+        let plane_m = self.middle_m(&self.now) + from_middle_m * DVec2::new(1.0, -1.0);
+        let (eye, [near_m, _], axes) = (self.now.eye, self.depths_m(), self.facing().axes());
+        Ray {
+            origin: self.centre_m + axes * eye.at_depth_m(plane_m, near_m),
+            direction: (axes * eye.through(plane_m)).normalize(),
+        }
     }
 
     /// The offset in metres, within the view plane, that moves a point by so many px in the picture.
     pub fn view_plane_offset_m(&self, point_m: DVec3, motion_px: DVec2) -> DVec3 {
-        let depth_m = (self.eye_m() - point_m).dot(self.back());
-        (self.right() * motion_px.x - self.up() * motion_px.y) * self.m_per_px_at_distance(depth_m)
+        (self.right() * motion_px.x - self.up() * motion_px.y) * self.m_per_px_at(point_m)
     }
 
-    /// How many metres at distance 1 m from the eye's plane make one px.
-    pub fn m_per_px_at_distance(&self, distance_m: f64) -> f64 {
-        2.0 * distance_m * (0.5 * VERTICAL_FIELD_OF_VIEW).tan() / self.size_px.y
+    /// How many metres within the view plane make one px, as deep as a point lies.
+    pub fn m_per_px_at(&self, point_m: DVec3) -> f64 {
+        self.now.eye.remoteness(self.view_m(point_m).z) * self.m_per_px()
     }
 
-    /// The distance that shows the whole sphere where nothing lies over the picture, whatever its shape, divided by the zoom.
-    pub(super) fn distance_m(&self, pose: &Pose) -> f64 {
-        let clear_px = self.clear.size * self.size_px;
-        let narrower = (0.5 * VERTICAL_FIELD_OF_VIEW).tan() * clear_px.min_element() / self.size_px.y;
-        self.radius_m / narrower.atan().sin() / pose.zoom
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::tests::camera;
-    use super::*;
-    use crate::Glide;
-
-    #[test]
-    fn the_centre_appears_in_the_middle_and_left_is_right() {
-        let camera = camera();
-        let middle = camera.project(DVec3::new(0.0, 0.01, 0.02)).unwrap();
-        assert!(middle.distance(DVec2::new(400.0, 300.0)) < 1e-9, "{middle}");
-        assert!(camera.project(DVec3::new(0.05, 0.01, 0.02)).unwrap().x > 400.0);
-        assert!(camera.project(DVec3::new(0.0, 0.05, 0.02)).unwrap().y < 300.0);
-        assert_eq!(camera.project(camera.eye_m() + camera.back()), None);
+    /// The same as deep as the middle of what is framed.
+    pub fn m_per_px(&self) -> f64 {
+        self.px_per_m(&self.now, self.clear).recip()
     }
 
-    #[test]
-    fn a_ray_through_a_projected_point_meets_it() {
-        let mut camera = camera();
-        camera.set_glide(Glide::Off);
-        camera.orbit(130.0, -70.0);
-        camera.pan(12.0, 5.0);
-        camera.zoom(1.7);
-        camera.advance(0.0);
-        let point = DVec3::new(0.03, -0.04, 0.05);
-        let ray = camera.ray(camera.project(point).unwrap());
-        let miss = (point - ray.origin).cross(ray.direction).length();
-        assert!(miss < 1e-12, "{miss}");
+    /// The same for the goal as deep as its target lies.
+    pub(super) fn m_per_px_at_target(&self, goal: &Pose) -> f64 {
+        goal.eye.remoteness(self.view_m(goal.target_m).z) / self.px_per_m(goal, self.clear)
     }
 
-    #[test]
-    fn a_point_moved_in_the_view_plane_follows_the_pointer() {
-        let mut camera = camera();
-        camera.set_glide(Glide::Off);
-        camera.orbit(90.0, 40.0);
-        camera.advance(0.0);
-        let point = DVec3::new(0.02, 0.03, 0.04);
-        let motion = DVec2::new(25.0, -14.0);
-        let moved = point + camera.view_plane_offset_m(point, motion);
-        let seen = camera.project(moved).unwrap() - camera.project(point).unwrap();
-        assert!(seen.distance(motion) < 1e-9, "{seen}");
+    /// How it faces what it frames now.
+    pub(super) fn facing(&self) -> Facing {
+        let facing = self.now.facing;
+        Facing { azimuth: facing.azimuth + self.sway, ..facing }
     }
 
-    #[test]
-    fn the_whole_sphere_is_seen_in_pictures_of_any_shape() {
-        for (width, height) in [(1200, 500), (500, 1200), (700, 700)] {
-            let mut camera = camera();
-            camera.resize(width, height);
-            let centre = DVec3::new(0.0, 0.01, 0.02);
-            for side in [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z] {
-                let seen = camera.project(centre + side * 0.12).unwrap();
-                assert!(seen.cmpge(DVec2::ZERO).all() && seen.cmple(camera.size_px()).all(), "{seen}");
-            }
-        }
+    fn view_from_model(&self) -> DMat3 {
+        self.facing().axes().transpose()
+    }
+
+    fn view_m(&self, point_m: DVec3) -> DVec3 {
+        self.view_from_model() * (point_m - self.centre_m)
+    }
+
+    /// What of the plane is seen in the middle of what nothing lies over.
+    fn middle_m(&self, pose: &Pose) -> DVec2 {
+        pose.eye.on_plane_m(self.view_m(pose.target_m)) + pose.eye.silhouette_m(pose.radius_m).0
+    }
+
+    /// The scale that fits the whole sphere into what nothing lies over, times the zoom.
+    fn px_per_m(&self, pose: &Pose, clear: Clear) -> f64 {
+        let (_, half_m) = pose.eye.silhouette_m(pose.radius_m);
+        (0.5 * clear.size * self.size_px / half_m).min_element() * pose.zoom
+    }
+
+    /// The depths between which things are drawn, towards the viewer: the nearest and the furthest.
+    fn depths_m(&self) -> [f64; 2] {
+        let radius_m = self.now.radius_m.max(self.goal.radius_m);
+        let nearest_m = (1.0 - NEAREST) / self.now.eye.nearness_per_m;
+        [nearest_m.min(RADII_BEFORE * radius_m), -RADII_BEHIND * radius_m]
     }
 }

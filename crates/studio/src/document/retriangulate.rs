@@ -7,7 +7,7 @@ use crate::mirror::{MirrorTable, reflected};
 use crate::{Command, EditSpec, Mirror, StudioError};
 
 impl Document {
-    /// A document over the same landmarks, joined by other triangles, that goes on with the history of this one and with
+    /// A document over the same landmarks, joined by other triangles or at other places, that goes on with the history of this one and with
     /// all that was undone. What was done to points of a denser mesh is done to those nearest to them there.
     ///
     /// # Errors
@@ -20,6 +20,12 @@ impl Document {
             Command::Symmetrise { .. } => None,
         });
         let highest = levels.filter(|level| *level <= MAX_DENSITY).max().unwrap_or(0);
+        if self.levels[0].topology() == document.levels[0].topology() {
+            // The same vertices, at other places.
+            document.history = self.history.clone();
+            document.follow_history(0);
+            return Ok(document);
+        }
         self.subdivide_to(highest);
         document.subdivide_to(highest);
         let history = self.history.clone().with_commands(|command| {

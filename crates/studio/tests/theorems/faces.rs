@@ -17,7 +17,14 @@ pub fn portrait(triangulation: Triangulation) -> Rest {
     let landmarks = portrait_landmarks();
     let picture = Photo::from_rgb(1, 1, vec![0; 3]).unwrap();
     let colours = [[0; 3]; LANDMARK_COUNT];
-    let input = FaceInput { landmarks: &landmarks, width: 512, height: 512, colours: &colours, picture };
+    let input = FaceInput {
+        landmarks: &landmarks,
+        width: 512,
+        height: 512,
+        colours: &colours,
+        picture,
+        lens: PhotoLens::Parallel,
+    };
     Rest::of_face(&FaceModel::new(input, triangulation).unwrap())
 }
 

@@ -96,7 +96,7 @@ async fn the_rim_is_a_line_where_the_reach_is_1() {
     let without = picture(&mut screen, shaded()).await;
     let with = picture(&mut screen, RenderSettings { rim: Rim::Shown, ..shaded() }).await;
     let differs = |x: u32, y: u32| with.pixel(x, y) != without.pixel(x, y);
-    let m_per_px = screen.stage.camera().m_per_px_at_distance(screen.stage.camera().eye_m().z);
+    let m_per_px = screen.stage.camera().m_per_px_at(DVec3::ZERO);
     let middle = f64::from(SIDE_PX) / 2.0;
     for (x, y) in (0..SIDE_PX).flat_map(|y| (0..SIDE_PX).map(move |x| (x, y))) {
         let away_m = ((f64::from(x) + 0.5 - middle).hypot(f64::from(y) + 0.5 - middle)) * m_per_px;

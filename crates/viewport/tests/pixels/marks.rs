@@ -62,7 +62,7 @@ async fn what_is_hidden_shows_only_faintly() {
     let behind = Sheet::new(8, |x, _| if x > 0.3 { 0.8 } else { 0.0 });
     let mut screen = screen().await;
     screen.show(&behind.input());
-    screen.stage.camera_mut().orbit(100.0, 0.0);
+    screen.stage.camera_mut().orbit(80.0, 0.0);
     screen.draw(0.0);
     let vertex = 4 * 9 + 3;
     let marked = |kind| vec![Mark { vertex, kind }];
@@ -70,7 +70,7 @@ async fn what_is_hidden_shows_only_faintly() {
     screen.stage.set_marks(marked(MarkKind::Dot));
     let seen = picture(&mut screen, clay()).await;
     let full = count_near(&seen, place.x as u32, place.y as u32, 8, ACCENT);
-    screen.stage.camera_mut().orbit(-200.0, 0.0);
+    screen.stage.camera_mut().orbit(-160.0, 0.0);
     screen.draw(0.0);
     let place = screen.stage.camera().project(behind.positions[vertex as usize]).unwrap();
     let seen = picture(&mut screen, clay()).await;

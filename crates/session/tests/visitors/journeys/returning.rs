@@ -5,7 +5,7 @@ use rosto_session::{
     EditsAs, FileOptions, Intent, Motion, Preset, Selection, SelectionMode, Session, SessionError, Turntable, Units,
     View,
 };
-use rosto_stage::{Background, Dots, Light, PictureLight, ShadingMode, Srgb, Wireframe};
+use rosto_stage::{Background, Dots, Lens, Light, PictureLight, ShadingMode, Srgb, Wireframe};
 use rosto_studio::{
     Anchors, Command, Details, EditSpec, Entry, FaceSlider, Mirror, Settings, Standing, Switch, project,
 };
@@ -32,6 +32,7 @@ fn choose_otherwise(session: &mut Session) {
         Intent::Mirror(Mirror::On),
         Intent::Radius(33.0),
         Intent::Shading(ShadingMode::Clay),
+        Intent::Lens(Lens::Near),
         Intent::Wireframe(Wireframe::Hidden),
         Intent::Background(Background::Plain(Srgb([1, 2, 3]))),
         Intent::Turntable(Turntable::Turns),
@@ -118,7 +119,7 @@ fn damaged_preferences_are_refused_and_change_nothing() {
 
 /// Whether earlier preferences do not have a field, and are understood all the same.
 fn is_newer(field: &str) -> bool {
-    ["photo_light", "anchors_marked"].contains(&field)
+    ["photo_light", "anchors_marked", "lens"].contains(&field)
 }
 
 #[test]
@@ -131,7 +132,7 @@ fn preferences_of_an_earlier_version_leave_what_they_do_not_know_as_usual() {
     act(&mut session, Intent::Prefer(Value::Object(earlier).to_string()));
     let usual = View::default();
     let view = session.view();
-    assert_eq!((view.picture_light, view.anchors), (usual.picture_light, usual.anchors));
+    assert_eq!((view.picture_light, view.anchors, view.lens), (usual.picture_light, usual.anchors, usual.lens));
     assert_eq!((view.shading, session.choices()), (otherwise.view().shading, otherwise.choices()));
 }
 

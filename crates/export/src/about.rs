@@ -1,0 +1,42 @@
+//! What is known of a face beside its mesh, as JSON.
+
+use glam::DVec3;
+use rosto_face::{FaceModel, Measure, iris_id};
+use serde_json::{Map, Value, json};
+
+/// How a face was photographed and how large it is:
+/// ```json
+/// {"lens": "exif:26", "distance_m": 0.42, "distance_error": 0.05, "focal_px": 903.2,
+///  "yaw_deg": 1.5, "pitch_deg": -3.0, "roll_deg": 0.2, "size_from": "irises", "size_error": 0.045,
+///  "measures_mm": {"face-width": 132.1}, "irises_mm": {"right-iris-middle": [-31.0, 26.1, 38.2]}}
+/// ```
+/// Errors are one standard deviation, as a share. The measures are those of `positions_m`, the first 468 of which are the
+/// landmarks'; the irises are where they were found. A distance that is infinite is left out, and so is its focal length.
+pub fn about(face: &FaceModel, positions_m: &[DVec3]) -> Value {
+    let (camera, pose, scale) = (face.camera(), face.camera().pose(), face.scale());
+    let rounded = |number: f64, digits: i32| (number * 10_f64.powi(digits)).round() / 10_f64.powi(digits);
+    let measure = |measure: Measure| (measure.id().to_owned(), json!(rounded(measure.of(positions_m) * MM_PER_M, 2)));
+    let iris = |(point, place): (usize, &DVec3)| {
+        (iris_id(point), json!((*place * MM_PER_M).to_array().map(|coordinate| rounded(coordinate, 3))))
+    };
+    let mut about = json!({
+        "lens": camera.lens.to_string(),
+        "yaw_deg": rounded(pose.yaw_deg, 2),
+        "pitch_deg": rounded(pose.pitch_deg, 2),
+        "roll_deg": rounded(pose.roll_deg, 2),
+        "size_from": scale.source.id(),
+        "size_error": rounded(scale.error, 4),
+        "measures_mm": Measure::ALL.into_iter().map(measure).collect::<Map<String, Value>>(),
+    });
+    if camera.distance_m.is_finite() {
+        about["distance_m"] = json!(rounded(camera.distance_m, 4));
+        about["distance_error"] = json!(rounded(camera.distance_error, 4));
+        about["focal_px"] = json!(rounded(camera.focal_px, 2));
+    }
+    if !face.irises_m().is_empty() {
+        about["irises_mm"] = face.irises_m().iter().enumerate().map(iris).collect::<Map<String, Value>>().into();
+    }
+    about
+}
+
+const MM_PER_M: f64 = 1000.0;

@@ -1,0 +1,196 @@
+//! The camera and the size of a face: what a pinhole camera sees is taken apart into the face that it saw.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use glam::{DQuat, DVec2, DVec3};
+use proptest::prelude::*;
+use rosto_face::*;
+
+const SIZE_PX: [u32; 2] = [900, 1200];
+
+/// A head before a camera.
+#[derive(Debug, Clone, Copy)]
+struct Scene {
+    distance_m: f64,
+    /// Yaw, pitch and roll in degrees.
+    pose_deg: [f64; 3],
+    /// Times the canonical face's size.
+    size: f64,
+    /// Where the middle of the face is seen, in px from the principal point.
+    aside_px: [f64; 2],
+    /// How much of the photo's width the face would fill if it were flat, by its eyes.
+    focal_px: f64,
+}
+
+const FRONT: Scene = Scene { distance_m: 0.4, pose_deg: [0.0; 3], size: 1.0, aside_px: [0.0, 0.0], focal_px: 1000.0 };
+
+fn rotation(pose_deg: [f64; 3]) -> DQuat {
+    let [yaw, pitch, roll] = pose_deg.map(f64::to_radians);
+    DQuat::from_euler(glam::EulerRot::YXZ, yaw, pitch, roll)
+}
+
+/// The canonical face, with irises of 11.7 mm at its eyes if asked for, in metres.
+fn head(with_irises: bool) -> Vec<DVec3> {
+    let mut head = canonical_positions_m();
+    if with_irises {
+        let middles = [[159, 145], [386, 374]].map(|[a, b]: [usize; 2]| (head[a] + head[b]) / 2.0);
+        for middle in middles {
+            let around = [DVec3::ZERO, DVec3::X, DVec3::Y, -DVec3::X, -DVec3::Y];
+            head.extend(around.map(|way| middle + way * 0.011_7 / 2.0));
+        }
+    }
+    head
+}
+
+/// What a camera sees of a head, in MediaPipe's convention: depths about their mean, as large as the rest is seen there.
+fn landmarks(head: &[DVec3], scene: Scene) -> Vec<[f32; 3]> {
+    let turned: Vec<DVec3> = head.iter().map(|&p| rotation(scene.pose_deg) * p * scene.size).collect();
+    let mean = turned[..LANDMARK_COUNT].iter().sum::<DVec3>() / LANDMARK_COUNT as f64;
+    let px_per_m = scene.focal_px / scene.distance_m;
+    let aside_m = DVec2::from(scene.aside_px) / px_per_m;
+    let [width, height] = SIZE_PX.map(f64::from);
+    let seen = turned.iter().map(|&p| {
+        let p = p - mean;
+        let at = (p.truncate() + aside_m) * scene.focal_px / (scene.distance_m - p.z);
+        [(at.x + width / 2.0) / width, (height / 2.0 - at.y) / height, -p.z * px_per_m / width]
+    });
+    seen.map(|point| point.map(|coordinate| coordinate as f32)).collect()
+}
+
+fn model(landmarks: &[[f32; 3]], lens: PhotoLens) -> FaceModel {
+    let colours = vec![[1, 2, 3]; LANDMARK_COUNT];
+    let picture = Photo::from_rgb(1, 1, vec![9, 9, 9]).unwrap();
+    let [width, height] = SIZE_PX;
+    FaceModel::new(FaceInput { landmarks, width, height, colours: &colours, picture, lens }, Triangulation::Canonical)
+        .unwrap()
+}
+
+fn furthest_m(a: &[DVec3], b: &[DVec3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max)
+}
+
+/// The lens that has that focal length in px before pictures of [`SIZE_PX`].
+fn lens_mm(focal_px: f64) -> f64 {
+    focal_px * 36_f64.hypot(24.0) / f64::from(SIZE_PX[0]).hypot(f64::from(SIZE_PX[1]))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn a_head_seen_through_a_known_lens_is_found_as_it_is_and_as_it_is_turned(
+        distance_m in 0.25..2.0f64,
+        yaw in -40.0..40.0f64, pitch in -25.0..25.0f64, roll in -50.0..50.0f64,
+        aside_px in prop::array::uniform2(-200.0..200.0f64),
+        size in 0.9..1.1f64,
+    ) {
+        let scene = Scene { distance_m, pose_deg: [yaw, pitch, roll], size, aside_px, focal_px: 3000.0 * distance_m };
+        let seen = landmarks(&head(false), scene);
+        let model = model(&seen, PhotoLens::Given(lens_mm(scene.focal_px)));
+        prop_assert!(furthest_m(model.positions_m(), &canonical_positions_m()) < 2e-6, "f32 comes in");
+        let (camera, pose) = (model.camera(), model.camera().pose());
+        let found = [pose.yaw_deg, pose.pitch_deg, pose.roll_deg];
+        prop_assert!(found.iter().zip([yaw, pitch, roll]).all(|(a, b)| (a - b).abs() < 0.01), "{found:?}");
+        // A photo does not tell a large head from a near one.
+        prop_assert!((camera.distance_m * size / distance_m - 1.0).abs() < 1e-4, "{}", camera.distance_m);
+    }
+
+    #[test]
+    fn the_model_lies_on_the_photo_where_its_camera_sees_it(
+        lens in prop_oneof![
+            Just(PhotoLens::Estimated),
+            (20.0..200.0f64).prop_map(PhotoLens::Given),
+            (0.2..3.0f64).prop_map(PhotoLens::Distance),
+        ],
+        yaw in -40.0..40.0f64,
+        seed in 0.0..6.0f64,
+    ) {
+        let bumpy: Vec<DVec3> = head(true)
+            .iter()
+            .enumerate()
+            .map(|(i, &p)| p + DVec3::new((i as f64 * 0.7 + seed).sin(), (i as f64 * 1.3).cos(), (i as f64).sin()) * 0.002)
+            .collect();
+        let seen = landmarks(&bumpy, Scene { pose_deg: [yaw, 5.0, 3.0], aside_px: [60.0, -40.0], ..FRONT });
+        let model = model(&seen, lens);
+        let camera = model.camera();
+        for (&place, at) in model.positions_m().iter().chain(model.irises_m()).zip(&seen) {
+            let p = camera.camera_from_model.transform_point3(place);
+            prop_assert!(p.z < 0.0, "before the camera");
+            let on_photo = camera.principal_px + DVec2::new(p.x, -p.y) * camera.focal_px / -p.z;
+            let expected = DVec2::new(f64::from(at[0]) * 900.0, f64::from(at[1]) * 1200.0);
+            prop_assert!(on_photo.distance(expected) < 1e-6, "{on_photo} {expected}");
+        }
+    }
+
+    #[test]
+    fn a_lens_reads_back_from_its_text(mm in 5.0..2000.0f64, m in 0.1..20.0f64) {
+        for lens in [PhotoLens::Estimated, PhotoLens::Parallel, PhotoLens::Exif(mm), PhotoLens::Given(mm), PhotoLens::Distance(m)] {
+            prop_assert_eq!(lens.to_string().parse::<PhotoLens>().unwrap(), lens);
+        }
+        for text in ["", "exif", "exif:", "given:0", "distance:0.05", "distance:NaN", "estimated:3", "near"] {
+            prop_assert!(text.parse::<PhotoLens>().is_err(), "{text}");
+        }
+    }
+}
+
+#[test]
+fn the_distance_of_a_face_that_looks_at_the_camera_is_read_off_it() {
+    for distance_m in [0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.6] {
+        for pose_deg in [[0.0, 0.0, 0.0], [8.0, 0.0, 20.0], [0.0, -8.0, -70.0], [-6.0, 6.0, 180.0]] {
+            let scene = Scene { distance_m, pose_deg, focal_px: 2500.0 * distance_m, ..FRONT };
+            let found_m = model(&landmarks(&head(false), scene), PhotoLens::Estimated).camera().distance_m;
+            assert!((found_m / distance_m - 1.0).abs() < 0.15, "{distance_m} m at {pose_deg:?}: {found_m}");
+        }
+    }
+}
+
+#[test]
+fn lens_data_of_another_picture_are_set_aside() {
+    let scene = Scene { distance_m: 0.6, focal_px: 3000.0, ..FRONT };
+    let seen = landmarks(&head(false), scene);
+    let sound = model(&seen, PhotoLens::Exif(lens_mm(3000.0)));
+    assert!(matches!(sound.camera().lens, PhotoLens::Exif(_)));
+    // As if all of the frame had been seen, where this is a small part of it.
+    let of_the_whole = PhotoLens::Exif(lens_mm(900.0));
+    let cut_out = model(&seen, of_the_whole);
+    assert_eq!(cut_out.camera().lens, PhotoLens::Estimated);
+    assert_eq!(cut_out.lens(), of_the_whole, "what the photo says stays known");
+    assert!((cut_out.camera().distance_m / 0.6 - 1.0).abs() < 0.15);
+}
+
+#[test]
+fn irises_tell_the_size_and_closed_eyes_do_not() {
+    for size in [0.85, 1.0, 1.15] {
+        let scene = Scene { focal_px: 1500.0, ..FRONT };
+        // The head is larger, its irises are as everybody's.
+        let mut grown: Vec<DVec3> = head(true).iter().map(|&p| p * size).collect();
+        for eye in 0..2 {
+            let at = LANDMARK_COUNT + 5 * eye;
+            let middle = grown[at];
+            grown[at..at + 5].iter_mut().for_each(|p| *p = middle + (*p - middle) / size);
+        }
+        let open = model(&landmarks(&grown, scene), PhotoLens::Given(lens_mm(1500.0)));
+        assert_eq!(open.scale().source, ScaleSource::Irises);
+        let expected: Vec<DVec3> = canonical_positions_m().iter().map(|&p| p * size).collect();
+        assert!(furthest_m(open.positions_m(), &expected) < 0.002, "{size}");
+        let width_m = Measure::FaceWidth.of(open.positions_m());
+        assert!((width_m / Measure::FaceWidth.of(&expected) - 1.0).abs() < 0.01, "{width_m}");
+        assert!((open.camera().distance_m / 0.4 - 1.0).abs() < 0.01);
+        for [upper, lower] in [[159, 145], [386, 374]] {
+            grown[upper] = grown[lower];
+        }
+        let shut = model(&landmarks(&grown, scene), PhotoLens::Given(lens_mm(1500.0)));
+        assert_eq!(shut.scale().source, ScaleSource::Canonical);
+    }
+}
+
+#[test]
+fn another_lens_and_back_is_the_same_model() {
+    let seen = landmarks(&head(true), Scene { pose_deg: [12.0, 3.0, 0.0], ..FRONT });
+    let near = model(&seen, PhotoLens::Distance(0.3));
+    let far = near.with_lens(PhotoLens::Distance(1.5)).unwrap();
+    assert!(furthest_m(near.positions_m(), far.positions_m()) > 0.001, "the nose comes forward");
+    assert_eq!(far.with_lens(PhotoLens::Distance(0.3)).unwrap().positions_m(), near.positions_m());
+    assert!((far.camera().distance_m - 1.5).abs() < 0.01 && (near.camera().distance_m - 0.3).abs() < 0.003);
+    assert!(matches!(near.with_lens(PhotoLens::Distance(0.01)), Err(FaceError::Lens { .. })));
+}

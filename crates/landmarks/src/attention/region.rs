@@ -1,0 +1,128 @@
+use super::parts::Part;
+use crate::mesh::SIDE;
+
+/// Channels of the trunk's features.
+pub(crate) const FEATURE_CHANNELS: usize = 32;
+/// Rows and columns of the features: one for every four px of the picture.
+pub(crate) const FEATURE_SIDE: usize = 48;
+/// Rows and columns of what a head sees.
+pub(crate) const CROP_SIDE: usize = 16;
+
+/// Px of the picture in one step of the features.
+const PX_PER_FEATURE: f32 = (SIDE / FEATURE_SIDE) as f32;
+/// How much larger a region is than its points' box.
+const ENLARGEMENT: f32 = 1.5;
+
+/// A turned rectangle of the features, as the affine map from a head's crop (0..16 each way) to the features (0..48): two
+/// rows `[per x, per y, constant]`.
+pub(crate) struct FeatureRegion {
+    features_from_crop: [[f32; 3]; 2],
+}
+
+impl FeatureRegion {
+    /// The region around a part of a face whose points are in px of the picture: its two ends level, its box enlarged.
+    pub(crate) fn around(part: &Part, points: &[[f32; 3]]) -> Self {
+        let at = |index: u16| [0, 1].map(|axis| points[usize::from(index)][axis] / PX_PER_FEATURE);
+        let [left, right] = part.ends.map(at);
+        let rotation_rad = (right[1] - left[1]).atan2(right[0] - left[0]);
+        let (sin, cos) = rotation_rad.sin_cos();
+        let levelled = part.points.iter().map(|&index| at(index)).map(|[x, y]| [x * cos + y * sin, y * cos - x * sin]);
+        let start = ([f32::INFINITY; 2], [f32::NEG_INFINITY; 2]);
+        let (min, max) = levelled.fold(start, |(min, max), point| {
+            ([0, 1].map(|axis| point[axis].min(min[axis])), [0, 1].map(|axis| point[axis].max(max[axis])))
+        });
+        let [x, y] = [0, 1].map(|axis| (min[axis] + max[axis]) / 2.0);
+        let centre = [x * cos - y * sin, x * sin + y * cos];
+        let [wide, high] = [0, 1].map(|axis| (max[axis] - min[axis]) * ENLARGEMENT / CROP_SIDE as f32);
+        let rows = [[cos * wide, -sin * high], [sin * wide, cos * high]];
+        let middle = CROP_SIDE as f32 / 2.0;
+        let row = |axis: usize| {
+            let [per_x, per_y] = rows[axis];
+            [per_x, per_y, centre[axis] - middle * (per_x + per_y)]
+        };
+        Self { features_from_crop: [row(0), row(1)] }
+    }
+
+    /// Writes what a head sees, plane by plane: bilinear between the middles of the features, 0 beyond the outermost ones.
+    pub(crate) fn cut(&self, features: &[f32], crop: &mut [f32]) {
+        let planes = features.chunks_exact(FEATURE_SIDE * FEATURE_SIDE);
+        for (plane, crop) in planes.zip(crop.chunks_exact_mut(CROP_SIDE * CROP_SIDE)) {
+            for (index, value) in crop.iter_mut().enumerate() {
+                let [x, y] = [index % CROP_SIDE, index / CROP_SIDE].map(|at| at as f32 + 0.5);
+                let [x, y] =
+                    self.features_from_crop.map(|[per_x, per_y, constant]| per_x * x + per_y * y + constant - 0.5);
+                *value = bilinear(plane, x, y);
+            }
+        }
+    }
+
+    /// A head's answer, pairs in steps of a quarter of its crop's, as positions in px of the picture.
+    pub(crate) fn in_picture(&self, answer: &[f32]) -> impl Iterator<Item = [f32; 2]> {
+        let pairs = answer.as_chunks::<2>().0.iter();
+        pairs.map(|&[x, y]| {
+            self.features_from_crop.map(|[per_x, per_y, constant]| per_x * x + per_y * y + constant * PX_PER_FEATURE)
+        })
+    }
+}
+
+fn bilinear(plane: &[f32], x: f32, y: f32) -> f32 {
+    const LAST: usize = FEATURE_SIDE - 1;
+    let inside = 0.0..=LAST as f32;
+    if !inside.contains(&x) || !inside.contains(&y) {
+        return 0.0;
+    }
+    let (left, top) = (x as usize, y as usize);
+    let (fx, fy) = (x - left as f32, y - top as f32);
+    let at = |row: usize, column: usize| plane[row.min(LAST) * FEATURE_SIDE + column.min(LAST)];
+    let row = |row: usize| (1.0 - fx) * at(row, left) + fx * at(row, left + 1);
+    (1.0 - fy) * row(top) + fy * row(top + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::parts::{LEFT_EYE, LIPS, RIGHT_EYE};
+    use super::*;
+    use crate::LANDMARK_COUNT;
+
+    /// Points all over a picture, the same every time.
+    fn points() -> Vec<[f32; 3]> {
+        (0..LANDMARK_COUNT)
+            .map(|i| [5.0 + (i * 37 % 101) as f32 * 1.6, 9.0 + (i * 53 % 89) as f32 * 1.8, 0.0])
+            .collect()
+    }
+
+    #[test]
+    fn a_region_moves_along_with_its_points() {
+        for part in [&LIPS, &RIGHT_EYE, &LEFT_EYE] {
+            let shifted: Vec<_> = points().iter().map(|&[x, y, z]| [x + 8.0, y - 4.0, z]).collect();
+            let (here, there) = (FeatureRegion::around(part, &points()), FeatureRegion::around(part, &shifted));
+            for (answer, by) in [([3.0, 60.0], [8.0, -4.0]), ([30.0, 1.0], [8.0, -4.0])] {
+                let moved: Vec<_> = here.in_picture(&answer).zip(there.in_picture(&answer)).collect();
+                let [(from, to)] = moved[..] else { panic!("one pair in, {} out", moved.len()) };
+                assert!((0..2).all(|axis| (to[axis] - from[axis] - by[axis]).abs() < 1e-3), "{from:?} {to:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn features_that_are_their_own_position_are_cut_out_where_the_region_lies() {
+        let middle = |at: usize| at as f32 + 0.5;
+        let plane = |value: fn(usize) -> usize| (0..FEATURE_SIDE * FEATURE_SIDE).map(move |index| middle(value(index)));
+        let features: Vec<f32> =
+            plane(|index| index % FEATURE_SIDE).chain(plane(|index| index / FEATURE_SIDE)).collect();
+        let region = FeatureRegion::around(&LIPS, &points());
+        let mut crop = vec![0.0; 2 * CROP_SIDE * CROP_SIDE];
+        region.cut(&features, &mut crop);
+        let (xs, ys) = crop.split_at(CROP_SIDE * CROP_SIDE);
+        let mut inside = 0;
+        for (index, (&x, &y)) in xs.iter().zip(ys).enumerate() {
+            let [u, v] = [middle(index % CROP_SIDE), middle(index / CROP_SIDE)];
+            let expected = region.features_from_crop.map(|[per_x, per_y, constant]| per_x * u + per_y * v + constant);
+            let is_inside = expected.iter().all(|at| (0.5..=FEATURE_SIDE as f32 - 0.5).contains(at));
+            inside += usize::from(is_inside);
+            let expected = if is_inside { expected } else { [0.0; 2] };
+            assert!((x - expected[0]).abs() < 1e-3 && (y - expected[1]).abs() < 1e-3, "{index}: {x} {y} {expected:?}");
+        }
+        assert!(inside > 50 && inside < CROP_SIDE * CROP_SIDE, "{inside} of the crop are inside");
+    }
+}

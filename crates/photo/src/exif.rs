@@ -1,0 +1,123 @@
+//! What EXIF says of how a picture was taken: CIPA DC-008 (Exif 3.0), in the directories of a TIFF 6.0 file.
+//!
+//! Of what cannot be read nothing is known, and no reason to refuse the picture.
+
+use image::metadata::Orientation;
+
+const ORIENTATION: u16 = 0x0112;
+const EXIF_DIRECTORY: u16 = 0x8769;
+const PIXEL_X_DIMENSION: u16 = 0xA002;
+const PIXEL_Y_DIMENSION: u16 = 0xA003;
+const FOCAL_LENGTH_IN_35MM_FILM: u16 = 0xA405;
+
+/// How a picture was taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Exif {
+    /// How the stored picture is turned upright.
+    pub(crate) orientation: Orientation,
+    /// The focal length that takes in as much of a frame of 36 × 24 mm, diagonal by diagonal, in mm.
+    pub(crate) focal_length_35mm: Option<u16>,
+}
+
+impl Exif {
+    /// Reads the block of a stored picture (before it is turned) of that many px.
+    ///
+    /// The focal length is that of the whole frame. It is left out where it is implausible (0 stands for unknown), and
+    /// where the picture has other proportions than EXIF says, since part of it was then cut off.
+    pub(crate) fn read(block: &[u8], width: u32, height: u32) -> Self {
+        let tiff = Tiff::new(block);
+        let orientation = tiff.as_ref().and_then(|tiff| tiff.number(tiff.first, ORIENTATION));
+        Self {
+            orientation: orientation
+                .and_then(|value| Orientation::from_exif(value.try_into().ok()?))
+                .unwrap_or(Orientation::NoTransforms),
+            focal_length_35mm: tiff.and_then(|tiff| tiff.focal_length_35mm([width, height])),
+        }
+    }
+
+    /// The focal length that a HEIC or AVIF file tells of a picture that has that many px once it is upright. Which way the
+    /// picture lay is not in its EXIF block.
+    pub(crate) fn focal_length_35mm_in_container(file: &[u8], width: u32, height: u32) -> Option<u16> {
+        let block = block_in_container(file)?;
+        let found = |[width, height]: [u32; 2]| Self::read(block, width, height).focal_length_35mm;
+        found([width, height]).or_else(|| found([height, width]))
+    }
+}
+
+/// The EXIF block of a HEIC or AVIF file, and what comes behind it: an item of its own, as ISO/IEC 23008-12 has it (A.2.1),
+/// which is a count of four bytes, as many bytes of a header (six or none), and the block. It is found by how it begins,
+/// as compressed pixels hardly ever do.
+fn block_in_container(file: &[u8]) -> Option<&[u8]> {
+    let begins = |bytes: &[u8; 10]| match bytes {
+        [before @ .., b'I', b'I', 42, 0] | [before @ .., b'M', b'M', 0, 42] => {
+            before == b"Exif\0\0" || before.ends_with(&[0; 4])
+        }
+        _ => false,
+    };
+    let place = file.array_windows().position(begins)?;
+    file.get(place + 6..)
+}
+
+/// A TIFF file without its pictures: directories of numbers.
+struct Tiff<'a> {
+    bytes: &'a [u8],
+    big_endian: bool,
+    /// Where the first directory begins.
+    first: u32,
+}
+
+impl<'a> Tiff<'a> {
+    fn new(block: &'a [u8]) -> Option<Self> {
+        // Some writers of WebP and PNG keep the header that only JPEG wants.
+        let bytes = block.strip_prefix(b"Exif\0\0").unwrap_or(block);
+        let big_endian = match bytes.get(..4)? {
+            b"II\x2a\0" => false,
+            b"MM\0\x2a" => true,
+            _ => return None,
+        };
+        let tiff = Self { bytes, big_endian, first: 0 };
+        Some(Self { first: tiff.u32_at(bytes, 4)?, ..tiff })
+    }
+
+    fn focal_length_35mm(&self, stored_px: [u32; 2]) -> Option<u16> {
+        const PLAUSIBLE_MM: std::ops::RangeInclusive<u16> = 8..=400;
+        let directory = self.number(self.first, EXIF_DIRECTORY)?;
+        let number = |tag| self.number(directory, tag);
+        let taken_px = number(PIXEL_X_DIMENSION).zip(number(PIXEL_Y_DIMENSION)).map(<[u32; 2]>::from);
+        let focal_length = u16::try_from(number(FOCAL_LENGTH_IN_35MM_FILM)?).ok()?;
+        let whole = taken_px.is_none_or(|taken_px| taken_px == [0; 2] || same_proportions(taken_px, stored_px));
+        (whole && PLAUSIBLE_MM.contains(&focal_length)).then_some(focal_length)
+    }
+
+    /// The value of a directory's entry that is a single SHORT or LONG.
+    fn number(&self, directory: u32, tag: u16) -> Option<u32> {
+        const SHORT: u16 = 3;
+        const LONG: u16 = 4;
+        let directory = self.bytes.get(usize::try_from(directory).ok()?..)?;
+        let count = usize::from(self.u16_at(directory, 0)?);
+        let entries = directory.get(2..)?.as_chunks::<12>().0;
+        let entry = entries.iter().take(count).find(|entry| self.u16_at(*entry, 0) == Some(tag))?;
+        match (self.u16_at(entry, 2)?, self.u32_at(entry, 4)?) {
+            (SHORT, 1) => self.u16_at(entry, 8).map(u32::from),
+            (LONG, 1) => self.u32_at(entry, 8),
+            _ => None,
+        }
+    }
+
+    fn u16_at(&self, bytes: &[u8], at: usize) -> Option<u16> {
+        let bytes = *bytes.get(at..)?.first_chunk()?;
+        Some(if self.big_endian { u16::from_be_bytes(bytes) } else { u16::from_le_bytes(bytes) })
+    }
+
+    fn u32_at(&self, bytes: &[u8], at: usize) -> Option<u32> {
+        let bytes = *bytes.get(at..)?.first_chunk()?;
+        Some(if self.big_endian { u32::from_be_bytes(bytes) } else { u32::from_le_bytes(bytes) })
+    }
+}
+
+/// Whether one may be the other scaled, with both sides rounded, or both cut off, to whole pixels.
+fn same_proportions(one_px: [u32; 2], other_px: [u32; 2]) -> bool {
+    let [[width, height], [other_width, other_height]] = [one_px, other_px].map(|size_px| size_px.map(u64::from));
+    let one_px_of_the_longest = width.max(height).max(other_width).max(other_height);
+    (width * other_height).abs_diff(height * other_width) <= one_px_of_the_longest
+}

@@ -1,0 +1,56 @@
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use glam::{DMat3, DVec3};
+
+/// How what is looked at faces the viewer, in radians.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Facing {
+    /// 0 looks at the face from +Z; positive from +X.
+    pub azimuth: f64,
+    /// Positive from above.
+    pub elevation: f64,
+    /// How far the camera is turned to its left around its own axis: positive leans what it sees to the right.
+    pub roll: f64,
+}
+
+impl Facing {
+    /// Straight from above, or as good as: there, up still has a direction.
+    pub const STEEPEST: f64 = FRAC_PI_2 - 1e-3;
+
+    /// Of a camera with these axes, which are unit vectors at right angles.
+    pub fn of_axes(right: DVec3, up: DVec3, back: DVec3) -> Self {
+        let upright = Self { azimuth: back.x.atan2(back.z), elevation: back.y.clamp(-1.0, 1.0).asin(), roll: 0.0 };
+        Self { roll: upright.axes().x_axis.dot(-up).atan2(upright.axes().x_axis.dot(right)), ..upright }
+    }
+
+    /// The camera's axes in the model: right and up in the picture, and back to the viewer.
+    pub fn axes(&self) -> DMat3 {
+        let (sin_azimuth, cos_azimuth) = self.azimuth.sin_cos();
+        let (sin_elevation, cos_elevation) = self.elevation.sin_cos();
+        let back = DVec3::new(sin_azimuth * cos_elevation, sin_elevation, cos_azimuth * cos_elevation);
+        let level = DVec3::new(cos_azimuth, 0.0, -sin_azimuth);
+        let (sin_roll, cos_roll) = self.roll.sin_cos();
+        let right = level * cos_roll + back.cross(level) * sin_roll;
+        DMat3::from_cols(right, back.cross(right), back)
+    }
+
+    /// The same by the shortest way round from another.
+    pub fn nearest_to(&self, other: &Self) -> Self {
+        let near = |angle: f64, to: f64| angle + ((to - angle) / TAU).round() * TAU;
+        Self { azimuth: near(self.azimuth, other.azimuth), roll: near(self.roll, other.roll), ..*self }
+    }
+
+    pub fn is_near(&self, other: &Self) -> bool {
+        let apart = [self.azimuth - other.azimuth, self.elevation - other.elevation, self.roll - other.roll];
+        apart.into_iter().all(|radians| radians.abs() < 1e-5)
+    }
+
+    pub fn towards(&self, goal: &Self, share: f64) -> Self {
+        let mix = |from: f64, to: f64| from + (to - from) * share;
+        Self {
+            azimuth: mix(self.azimuth, goal.azimuth),
+            elevation: mix(self.elevation, goal.elevation),
+            roll: mix(self.roll, goal.roll),
+        }
+    }
+}

@@ -1,0 +1,43 @@
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { journey } from "./journey.mjs";
+
+const picture = (name) => readFile(new URL(`pictures/${name}`, import.meta.url));
+
+/** Where the drawn face has its nose tip and its chin, in widths and heights of the picture. */
+const NOSE_TIP = { landmark: 1, x: 0.5, y: 0.64 };
+const CHIN = { landmark: 152, x: 0.5, y: 0.9 };
+/** A hundredth of the photo's height is 2 px. */
+const NEAR = 0.04;
+
+journey("an AVIF, which the browser decodes, becomes a face, upright and in its colours", async (open) => {
+  const visitor = await open();
+  await visitor.drop(await picture("drawn-face.avif"), "me.avif");
+  await visitor.untilFace();
+  assert.ok(await visitor.page.isHidden("#notice"));
+  const { positions, colors: colours } = await visitor.meshJson("image");
+  for (const { landmark, x, y } of [NOSE_TIP, CHIN]) {
+    const [found_x, found_y] = positions[landmark];
+    assert.ok(Math.hypot(found_x - x, found_y - y) < NEAR, `landmark ${landmark} is at ${found_x}, ${found_y}`);
+  }
+  const [red, green, blue] = colours[NOSE_TIP.landmark];
+  assert.ok(red > green + 20 && green > blue + 10, `the nose has the colour ${red}, ${green}, ${blue}`);
+});
+
+journey("an AVIF that is too large, or broken, gets its message, and the page works on", async (open) => {
+  const visitor = await open();
+  const whole = await picture("drawn-face.avif");
+  await visitor.drop(whole, "me.avif");
+  await visitor.untilFace();
+  const work = await visitor.meshJson("mm");
+  for (const { bytes, code } of [
+    { bytes: await picture("enormous.avif"), code: "too-many-pixels" },
+    { bytes: whole.subarray(0, whole.length / 2), code: "unsupported-format" },
+  ]) {
+    await visitor.drop(bytes, "other.avif");
+    await visitor.page.waitForSelector(`#notice[data-code="${code}"]`);
+    await visitor.page.waitForSelector("#progress", { state: "hidden" });
+    await visitor.page.click("#notice-close");
+    assert.deepEqual(await visitor.meshJson("mm"), work);
+  }
+});

@@ -1,0 +1,93 @@
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { PNG } from "pngjs";
+import { journey } from "./journey.mjs";
+import { difference, differenceNear } from "./pixels.mjs";
+import { SAMPLE } from "./visitor.mjs";
+
+const LENSES = ["portrait", "parallel", "near", "as-taken"];
+/** Nose tip, chin, the outer corners of the eyes, the corners of the mouth. */
+const ALL_OVER = [1, 152, 33, 263, 61, 291];
+
+/**
+ * @param {import("./visitor.mjs").Visitor} visitor
+ * @param {string} lens
+ */
+async function chooseLens(visitor, lens) {
+  await visitor.unfold("section-view");
+  await visitor.page.check(`input[name="lens"][value="${lens}"]`, { force: true });
+  await visitor.frames(3);
+}
+
+journey("each lens shows the face another way, on the page and in a picture, and says how", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.unfold("section-view");
+  assert.ok(await page.isChecked("input[name='lens'][value='portrait']"));
+  const [views, pictures, helps] = [[], [], new Set()];
+  for (const lens of LENSES) {
+    await chooseLens(visitor, lens);
+    helps.add(await page.innerText("#lens-help"));
+    views.push(await visitor.view());
+    pictures.push(PNG.sync.read(await visitor.download("download-picture")));
+  }
+  assert.ok(helps.size === LENSES.length && !helps.has(""));
+  const middle = { x: Math.round(views[0].width / 2), y: Math.round(views[0].height / 2) };
+  for (const [one, lens] of LENSES.entries()) {
+    for (const [other, another] of LENSES.entries()) {
+      if (one >= other) continue;
+      assert.ok(differenceNear(views[one], views[other], middle, 200) > 0.02, `${lens} looks like ${another}`);
+      assert.ok(difference(pictures[one], pictures[other]) > 0.01, `${lens} is kept like ${another}`);
+    }
+  }
+  await chooseLens(visitor, "portrait");
+  await page.click("#toolbar [data-action='reset-view']");
+  assert.equal(difference(views[0], await visitor.view()), 0, "the portrait did not come back");
+  assert.deepEqual(await visitor.history(), []);
+}, { needs: "eyes" });
+
+for (const lens of LENSES) {
+  journey(`with a lens, what lights up under the pointer is what a press takes: ${lens}`, async (open) => {
+    const visitor = await open();
+    const { page } = visitor;
+    await visitor.dropSample();
+    await chooseLens(visitor, lens);
+    for (const keys of [[], ["ArrowLeft", "ArrowUp", "Alt+ArrowUp"]]) {
+      await page.focus("#viewport");
+      for (const key of keys) await page.keyboard.press(key);
+      await visitor.frames(3);
+      const { lit, turned } = await visitor.takeAtEach(7);
+      assert.ok(lit >= 7, `${lit} places light up`);
+      assert.deepEqual(turned, [], "lit places that a press does not take");
+    }
+  });
+}
+
+journey("as photographed, the mesh lies where the face is in the photo, and the lens is kept", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await chooseLens(visitor, "as-taken");
+  const { width, height } = PNG.sync.read(await readFile(SAMPLE));
+  const { positions } = await visitor.meshJson("image");
+  const pairs = [];
+  for (const landmark of ALL_OVER) {
+    const [x, y] = positions[landmark];
+    pairs.push({ photo: { x: x * width, y: y * height }, seen: await visitor.landmarkPlace(landmark) });
+  }
+  const [nose, chin] = pairs;
+  const scale = (chin.seen.y - nose.seen.y) / (chin.photo.y - nose.photo.y);
+  assert.ok(scale > 0.1, `${scale}`);
+  for (const { photo, seen } of pairs) {
+    const off = [seen.x - nose.seen.x - scale * (photo.x - nose.photo.x), seen.y - nose.seen.y - scale * (photo.y - nose.photo.y)];
+    assert.ok(Math.hypot(...off) < 1.5, `${off} px off`);
+  }
+  await page.reload();
+  await page.click("#continue");
+  await visitor.untilFace();
+  await visitor.unfold("section-view");
+  assert.ok(await page.isChecked("input[name='lens'][value='as-taken']"));
+  const again = await visitor.landmarkPlace(ALL_OVER[0]);
+  assert.ok(Math.hypot(again.x - nose.seen.x, again.y - nose.seen.y) < 1.5, `the nose is at ${again.x}, ${again.y}`);
+});

@@ -1,0 +1,146 @@
+import { byId, make, onAction } from "../page/dom.js";
+import { sayId, sayLandmark } from "../words/names.js";
+import { inEveryLanguage, say, sayNumber } from "../words/words.js";
+import { Slider } from "./slider.js";
+
+/**
+ * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ *
+ * @typedef {object} About what the studio knows of a face beside its mesh
+ * @property {string} lens
+ * @property {number} [distance_m]
+ * @property {number} [distance_error] one standard deviation, as a share
+ * @property {number} yaw_deg
+ * @property {number} pitch_deg
+ * @property {number} roll_deg
+ * @property {"irises" | "canonical"} size_from
+ * @property {number} size_error
+ * @property {Record<string, number>} measures_mm
+ */
+
+const CM_PER_M = 100;
+const MIN_CM = 15;
+const MAX_CM = 300;
+
+/** How the photo was taken, how large the face is, and a measuring tape. */
+export class SizePanel {
+  #bench;
+  #landmarkIds;
+  #known;
+  #distance;
+  /** @type {number | undefined} where the tape was put first */
+  #from;
+
+  /**
+   * @param {Workbench} bench
+   * @param {() => string | undefined} known what is known of the lens of the photo that is open
+   */
+  constructor(bench, known) {
+    this.#bench = bench;
+    this.#landmarkIds = bench.studio.landmarkIds;
+    this.#known = known;
+    this.#distance = new Slider({
+      ...{ label: "size.distance", longLabel: "size.distance.long", unit: "cm", min: MIN_CM, max: MAX_CM, step: 1 },
+      neutral: 50,
+      onInput: () => this.#take(`distance:${this.#distance.value / CM_PER_M}`),
+      onCommit: () => {},
+      onCancel: () => this.#take(this.#known() ?? "estimated"),
+    });
+    byId("size-distance", HTMLDivElement).append(this.#distance.element);
+    onAction("distance-known", () => this.#take(this.#known() ?? "estimated"));
+    onAction("tape-start", () => this.#start());
+    bench.onChange(() => this.#show());
+    inEveryLanguage(() => this.#show());
+  }
+
+  /** @param {string} lens */
+  #take(lens) {
+    this.#bench.act((studio) => studio.setPhotoLens(lens));
+  }
+
+  #start() {
+    this.#from = this.#bench.read((state) => state.selected);
+    this.#show();
+  }
+
+  #show() {
+    const about = this.#bench.read((_, studio) => (studio.photoLens === undefined ? undefined : studio.about()));
+    if (about === undefined) this.#from = undefined;
+    else this.#write(JSON.parse(about));
+  }
+
+  /** @param {About} about */
+  #write(about) {
+    const distance_cm = about.distance_m === undefined ? undefined : about.distance_m * CM_PER_M;
+    if (distance_cm !== undefined) this.#distance.value = Math.min(MAX_CM, distance_cm);
+    write("size-camera", takenFrom(about, distance_cm));
+    const pose = { yaw: turned(about.yaw_deg), pitch: turned(about.pitch_deg), roll: turned(about.roll_deg) };
+    write("size-pose", say("size.pose", pose));
+    write("size-source", say(about.size_from === "irises" ? "size.by-irises" : "size.canonical"));
+    byId("size-measures", HTMLDListElement).replaceChildren(...Object.entries(about.measures_mm).flatMap((measure) => row(measure, about)));
+    this.#measure(about);
+  }
+
+  /** @param {About} about */
+  #measure({ size_error }) {
+    write("tape-result", this.#measured(size_error));
+  }
+
+  /** @param {number} error one standard deviation, as a share */
+  #measured(error) {
+    const to = this.#bench.read((state) => state.selected);
+    const from = this.#from;
+    if (from === undefined) return say("tape.help");
+    if (to === undefined || to === from) return say("tape.next", { from: this.#name(from) });
+    const [straight = 0, along = 0] = this.#bench.read((_, studio) => studio.measure(from, to)) ?? [];
+    const lengths = { straight: millimetres(straight, error), along: millimetres(along, error) };
+    return say("tape.result", { from: this.#name(from), to: this.#name(to), ...lengths });
+  }
+
+  /** @param {number} vertex */
+  #name(vertex) {
+    const id = this.#landmarkIds[vertex];
+    return id === undefined ? String(vertex) : sayLandmark(id);
+  }
+}
+
+/**
+ * @param {string} id
+ * @param {string} text
+ */
+function write(id, text) {
+  byId(id, HTMLParagraphElement).textContent = text;
+}
+
+/**
+ * @param {About} about
+ * @param {number | undefined} distance_cm
+ */
+function takenFrom({ lens, distance_error = 0 }, distance_cm) {
+  if (distance_cm === undefined) return say("size.parallel");
+  const source = lens.split(":")[0];
+  const key = source === "exif" ? "size.by-lens-data" : source === "estimated" ? "size.by-face" : "size.as-given";
+  const error = Math.max(1, Math.round(distance_cm * distance_error));
+  return say(key, { distance: Math.round(distance_cm), error });
+}
+
+/** @param {number} degrees */
+function turned(degrees) {
+  return `${sayNumber(Math.round(degrees), 0)}°`;
+}
+
+/**
+ * @param {[string, number]} measure
+ * @param {About} about
+ */
+function row([id, length_mm], { size_error }) {
+  return [make("dt", "", sayId("measure", id)), make("dd", "", millimetres(length_mm, size_error))];
+}
+
+/**
+ * @param {number} length_mm
+ * @param {number} error one standard deviation, as a share
+ */
+function millimetres(length_mm, error) {
+  return `${sayNumber(length_mm, 0)} mm ± ${sayNumber(Math.max(1, length_mm * error), 0)}`;
+}
