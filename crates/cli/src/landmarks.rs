@@ -1,6 +1,7 @@
 use std::path::Path;
 
 use rosto_landmarks::{Face, FaceFinder, FindOptions};
+use rosto_photo::Photo;
 use serde::Serialize;
 
 use crate::args::LandmarksTask;
@@ -21,11 +22,16 @@ struct FaceDto {
     presence: f32,
     confidence: f32,
     landmarks: Vec<[f32; 3]>,
+    /// How the photo was taken, how the head is turned, and how large the face is; none of what is no model.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    about: Option<serde_json::Value>,
 }
 
-impl From<Face> for FaceDto {
-    fn from(Face { score, presence, confidence, landmarks, .. }: Face) -> Self {
-        Self { score, presence, confidence, landmarks }
+impl FaceDto {
+    fn new(photo: &Photo, face: Face) -> Self {
+        let about = portrait::about(photo, &face);
+        let Face { score, presence, confidence, landmarks, .. } = face;
+        Self { score, presence, confidence, landmarks, about }
     }
 }
 
@@ -61,7 +67,7 @@ fn line(path: &Path, finder: &FaceFinder, options: &FindOptions) -> Result<Strin
         photo: path.to_string_lossy(),
         width: photo.width(),
         height: photo.height(),
-        faces: faces.into_iter().map(FaceDto::from).collect(),
+        faces: faces.into_iter().map(|face| FaceDto::new(&photo, face)).collect(),
     };
     Ok(serde_json::to_string(&dto).expect("invariant: numbers and text are JSON"))
 }

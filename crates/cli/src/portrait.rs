@@ -40,6 +40,16 @@ pub fn face(photo: &Photo, path: &Path, finder: &FaceFinder, options: &FindOptio
     faces.into_iter().next().ok_or_else(|| CliError::NoFace { path: path.to_owned() })
 }
 
+/// What is known of a face beside where its landmarks are.
+pub fn about(photo: &Photo, face: &Face) -> Option<serde_json::Value> {
+    let colours = [[0; 3]; LANDMARK_COUNT];
+    let picture = Photo::from_rgb(1, 1, vec![0; 3]).ok()?;
+    let (landmarks, width, height) = (face.landmarks.as_slice(), photo.width(), photo.height());
+    let input = FaceInput { landmarks, width, height, colours: &colours, picture, lens: lens_of(photo) };
+    let model = FaceModel::new(input, Triangulation::Canonical).ok()?;
+    Some(rosto_export::about(&model, model.positions_m()))
+}
+
 /// What the photo tells of its lens.
 pub fn lens_of(photo: &Photo) -> PhotoLens {
     photo.focal_length_35mm().map_or(PhotoLens::Estimated, PhotoLens::Exif)

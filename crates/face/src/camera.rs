@@ -29,7 +29,7 @@ pub struct Camera {
     /// from the size of the face.
     pub distance_error: f64,
     /// From the model's frame to the camera's: metres, +X right, +Y up, and the camera looks along −Z. Rotation and
-    /// translation alone; for [`PhotoLens::Parallel`] the camera is put two metres away.
+    /// translation alone; for [`PhotoLens::Parallel`] the camera is put very far away.
     pub camera_from_model: DAffine3,
 }
 

@@ -23,8 +23,8 @@ pub(super) struct Fitted {
 /// PhotoLens data of the photo are set aside if they make what is seen less likely than e to the power of minus this.
 const MOST_CONTRADICTION: f64 = 20.0;
 
-/// Where a parallel camera is put, in m.
-const PARALLEL_M: f64 = 2.0;
+/// Where a camera is put that sees everything from infinitely far away, in m.
+const PARALLEL_M: f64 = 1e6;
 
 /// Whether landmarks found in a picture of that size, in px, are those of a face that
 /// [`FaceModel::new`](crate::FaceModel::new) takes.

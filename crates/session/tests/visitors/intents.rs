@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
-use rosto_face::{Region, Triangulation};
+use rosto_face::{PhotoLens, Region, Triangulation};
 use rosto_session::{AnchorChoice, Intent, Pace, Preset, Selection, SelectionMode, Turntable};
 use rosto_stage::{
     Axis, Background, Dots, Lens, Light, NamedView, PictureLight, Pointer, ShadingMode, Srgb, Theme, Wireframe,
@@ -96,6 +96,17 @@ fn mesh() -> impl Strategy<Value = Intent> {
         1 => Just(Intent::Density(2)),
         1 => (4..1_000u32).prop_map(Intent::Density),
         2 => any_of(&Triangulation::ALL).prop_map(Intent::Triangulation),
+        1 => photo_lens().prop_map(Intent::PhotoLens),
+    ]
+}
+
+fn photo_lens() -> impl Strategy<Value = PhotoLens> {
+    prop_oneof![
+        Just(PhotoLens::Estimated),
+        Just(PhotoLens::Parallel),
+        (0.2..3.0).prop_map(PhotoLens::Distance),
+        (20.0..100.0).prop_map(PhotoLens::Given),
+        number().prop_map(PhotoLens::Distance),
     ]
 }
 

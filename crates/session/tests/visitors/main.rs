@@ -9,3 +9,4 @@ mod invariants;
 mod journeys;
 mod random;
 mod refusals;
+mod taken_from;

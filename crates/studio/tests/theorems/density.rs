@@ -160,7 +160,9 @@ fn an_edit_of_the_dense_mesh_stays_where_it_is_when_the_landmarks_are_joined_by_
         let mut other = canonical_document.over(portrait(Triangulation::Tessellation)).unwrap();
         other.set_density(2).unwrap();
         let ((before, far), (after, as_far)) = (peak(&mut canonical_document), peak(&mut other));
-        assert!(before.distance(after) < 0.002 && (far - as_far).abs() < 1e-4, "{before} and {after}");
+        // Of two mirror images either is the peak.
+        let right = |peak: DVec3| if mirror == Mirror::On { DVec3::new(-peak.x.abs(), peak.y, peak.z) } else { peak };
+        assert!(right(before).distance(right(after)) < 0.002 && (far - as_far).abs() < 1e-4, "{before} and {after}");
         assert_eq!(other.history().entries()[0], canonical_document.history().entries()[0]);
         other.undo().unwrap();
         other.undo().unwrap();

@@ -1,0 +1,73 @@
+//! The distance that a photo was taken from, changed while the face is open.
+
+use glam::DVec3;
+use rosto_face::{Measure, PhotoLens};
+use rosto_session::{Changed, Intent, Session, SessionError};
+
+use crate::faces::{bits, session};
+
+fn positions(session: &Session) -> Vec<DVec3> {
+    session.face().unwrap().document().positions().to_vec()
+}
+
+fn nose_moved() -> Session {
+    let mut session = session();
+    session.apply(Intent::SelectAt(1)).unwrap();
+    session.apply(Intent::Preview(DVec3::new(0.0, 0.0, 5.0))).unwrap();
+    session.apply(Intent::Commit).unwrap();
+    session
+}
+
+#[test]
+fn the_model_follows_its_edits_are_made_again_and_the_way_back_leads_to_the_same_face() {
+    let mut session = nose_moved();
+    let before = positions(&session);
+    assert_eq!(session.apply(Intent::PhotoLens(PhotoLens::Distance(0.3))), Ok(Changed::Mesh));
+    let face = session.face().unwrap();
+    let (edited, found) = (face.document().positions(), face.document().rest());
+    assert!((edited[1].z - found[1].z - 0.005).abs() < 2e-4, "the nose is as far out as before");
+    let width = |positions: &[DVec3]| Measure::FaceWidth.of(positions);
+    assert!(width(found) > 1.02 * width(&before), "what is behind was seen smaller than it is");
+    assert!((face.model().camera().distance_m - 0.3).abs() < 0.003);
+    assert_eq!(session.state().face.unwrap().entry_count, 1);
+    session.apply(Intent::PhotoLens(PhotoLens::Parallel)).unwrap();
+    assert_eq!(bits(&positions(&session)), bits(&before));
+}
+
+#[test]
+fn an_edit_in_progress_is_kept_first_and_the_selection_stays() {
+    let mut session = session();
+    session.apply(Intent::SelectAt(1)).unwrap();
+    session.apply(Intent::Preview(DVec3::new(0.0, 3.0, 0.0))).unwrap();
+    let selection = session.face().unwrap().selection();
+    session.apply(Intent::PhotoLens(PhotoLens::Given(50.0))).unwrap();
+    let state = session.state().face.unwrap();
+    assert_eq!((state.entry_count, state.selection), (1, selection));
+    session.apply(Intent::Undo).unwrap();
+    let face = session.face().unwrap();
+    assert_eq!(bits(face.document().positions()), bits(face.document().rest()));
+}
+
+#[test]
+fn what_no_camera_is_and_a_session_without_a_face_are_refused() {
+    let mut session = nose_moved();
+    let before = bits(&positions(&session));
+    assert!(session.apply(Intent::PhotoLens(PhotoLens::Distance(f64::NAN))).is_err());
+    assert_eq!(bits(&positions(&session)), before);
+    session.apply(Intent::Close).unwrap();
+    assert_eq!(session.apply(Intent::PhotoLens(PhotoLens::Estimated)), Err(SessionError::NoFace));
+}
+
+#[test]
+fn the_tape_measures_straight_and_along_the_skin() {
+    let session = session();
+    let face = session.face().unwrap();
+    let [straight, along] = face.measured_mm(61, 291).unwrap();
+    let positions = face.document().positions();
+    assert!((straight - positions[61].distance(positions[291]) * 1000.0).abs() < 1e-9);
+    assert!(along > 1.02 * straight && along < 1.6 * straight, "{straight} {along}");
+    let [there, back] = [face.measured_mm(4, 234).unwrap(), face.measured_mm(234, 4).unwrap()];
+    assert_eq!(there[0], back[0]);
+    assert!((there[1] / back[1] - 1.0).abs() < 0.1, "{there:?} {back:?}");
+    assert!(face.measured_mm(0, 468).is_err());
+}

@@ -1,0 +1,66 @@
+import assert from "node:assert/strict";
+import { journey } from "./journey.mjs";
+import { difference } from "./pixels.mjs";
+
+/** The measures on the panel: name to length in mm. */
+async function measures(page) {
+  return page.$$eval("#size-measures dt", (names) =>
+    Object.fromEntries(names.map((name) => [name.textContent, Number.parseFloat(name.nextElementSibling.textContent)])));
+}
+
+journey("a face tells from how far it was photographed, and follows when that is changed", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.unfold("section-size");
+  assert.match(await page.innerText("#size-camera"), /about \d+ cm ± \d+, read off the face/);
+  assert.match(await page.innerText("#size-pose"), /Head turned -?\d+° sideways/);
+  const [found, before] = [await measures(page), await visitor.view()];
+  assert.ok(found["Face, width"] > 100 && found["Face, width"] < 180, `${found["Face, width"]} mm wide`);
+  const number = page.locator("#size-distance input[type=number]");
+  const usual = await number.inputValue();
+  await number.fill("25");
+  await number.press("Enter");
+  assert.match(await page.innerText("#size-camera"), /25 cm ± \d+, as you say/);
+  const near = await measures(page);
+  assert.ok(near["Face, width"] > found["Face, width"] * 1.02, "what is behind is larger than a near camera saw it");
+  assert.ok(difference(before, await visitor.view()) > 0.005, "the model did not follow");
+  await page.click("[data-action=distance-known]");
+  assert.equal(await number.inputValue(), usual);
+  assert.deepEqual(await measures(page), found);
+}, { needs: "eyes" });
+
+journey("the tape measures from one point to another, with its error", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.findLandmark("right mouth corner");
+  await visitor.unfold("section-size");
+  await page.click("[data-action=tape-start]");
+  assert.match(await page.innerText("#tape-result"), /From right mouth corner: now select another point/);
+  await visitor.findLandmark("left mouth corner");
+  await visitor.unfold("section-size");
+  const said = await page.innerText("#tape-result");
+  const [straight, along] = [...said.matchAll(/(\d+) mm ± \d+/g)].map(([, length]) => Number(length));
+  const mouth = (await measures(page))["Mouth, width"];
+  assert.equal(straight, mouth, said);
+  assert.ok(along > straight, said);
+});
+
+journey("the distance that was chosen comes back with the work", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.unfold("section-size");
+  const number = page.locator("#size-distance input[type=number]");
+  await number.fill("31");
+  await number.press("Enter");
+  const found = await measures(page);
+  const file = await visitor.download("download-glb");
+  await page.reload();
+  await visitor.drop(file, "rosto.glb");
+  await visitor.untilFace();
+  await visitor.unfold("section-size");
+  assert.equal(await number.inputValue(), "31");
+  assert.equal((await measures(page))["Face, width"], found["Face, width"]);
+});
