@@ -9,7 +9,7 @@ use crate::error::CliError;
 use crate::model_history::image_rest;
 use crate::request::{self, Given};
 use crate::units::{MM_PER_M, Units};
-use crate::{edits, files, networks, output, portrait, settings};
+use crate::{edits, files, networks, output, portrait, settings, terminal};
 
 /// A command with the words that a message names it by.
 struct Step {
@@ -39,9 +39,10 @@ pub fn run(task: &MeshTask, given: &Given<'_>, networks: Option<&Path>) -> Resul
     let finder = networks::load(networks, task.find.landmarks())?;
     let face = portrait::face(&photo, &task.photo, &finder, &task.find.options(Some(1)))?;
     let face = portrait::model(&photo, &face, task.topology, task.camera.lens(&photo), &task.photo)?;
-    files::print(&taken_from(&face))?;
     let mut document = edited(&face, steps, task)?;
-    output::write(&task.output, &encode::encode(&face, &mut document, task, format)?)
+    output::write(&task.output, &encode::encode(&face, &mut document, task, format)?)?;
+    terminal::note(&taken_from(&face));
+    Ok(())
 }
 
 /// From how far away the photo was taken, and how that is known.

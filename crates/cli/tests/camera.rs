@@ -1,0 +1,64 @@
+//! From how far away a photo was taken: by itself, and as somebody says.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::*;
+use serde_json::Value;
+
+/// What `rosto mesh` writes of the portrait beside its mesh, and what it says.
+fn about(name: &str, more: &[&str]) -> (Value, String) {
+    let path = scratch(&format!("{name}.json"));
+    let run = mesh(&portrait(), &path, &[&["--units", "mm"], more].concat());
+    assert_eq!(code(&run), 0, "{}", said(&run));
+    let json: Value = serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap();
+    (json["about"].clone(), said(&run))
+}
+
+fn number(about: &Value, name: &str) -> f64 {
+    about[name].as_f64().unwrap_or_else(|| panic!("{name} in {about}"))
+}
+
+#[test]
+fn a_photo_without_lens_data_tells_its_distance_by_the_face() {
+    let (about, said) = about("by-the-face", &[]);
+    assert!(said.contains("taken from") && said.contains("read off the face"), "{said}");
+    assert_eq!(about["lens"], "estimated");
+    // A portrait from a studio: no selfie.
+    assert!(number(&about, "distance_m") > 0.8, "{about}");
+    assert!(number(&about, "yaw_deg").abs() < 15.0 && number(&about, "roll_deg").abs() < 15.0);
+    let width_mm = number(&about["measures_mm"], "face-width");
+    assert!((100.0..180.0).contains(&width_mm), "{width_mm} mm wide");
+    assert_eq!(about["irises_mm"].as_object().unwrap().len(), 10);
+}
+
+#[test]
+fn what_is_said_of_the_camera_is_taken() {
+    let (near, said) = about("near", &["--distance", "35"]);
+    assert!((number(&near, "distance_m") - 0.35).abs() < 0.005, "{near}");
+    assert!(said.contains("taken from 35 cm"), "{said}");
+    let (through, _) = about("through", &["--focal-35mm", "100"]);
+    let focal_px = 100.0 * 512.0 * 2_f64.sqrt() / 36_f64.hypot(24.0);
+    assert!((number(&through, "focal_px") - focal_px).abs() < 0.01, "{through}");
+    let width = |about: &Value| number(&about["measures_mm"], "face-width");
+    assert!(width(&near) > 1.02 * width(&through), "a near camera sees the temples behind the nose");
+}
+
+#[test]
+fn no_camera_stands_there_or_has_such_a_lens() {
+    for more in [["--distance", "5"], ["--distance", "far"], ["--focal-35mm", "0"], ["--focal-35mm", "nan"]] {
+        assert_refused(&mesh(&portrait(), &scratch("nowhere.json"), &more), 2, &[more[0]]);
+    }
+    let both = ["--distance", "50", "--focal-35mm", "26"];
+    assert_refused(&mesh(&portrait(), &scratch("nowhere.json"), &both), 2, &["--distance", "--focal-35mm"]);
+}
+
+#[test]
+fn refined_landmarks_are_mediapipes_where_that_is_asked_for() {
+    for (flags, expected) in [(&["--mediapipe"][..], 468), (&["--mediapipe", "--refine"], 478), (&[], 478)] {
+        let run = rosto(["landmarks"].into_iter().chain(flags.iter().copied()).chain([portrait().to_str().unwrap()]));
+        let line: Value = serde_json::from_slice(&run.stdout).unwrap();
+        assert_eq!(triples(&line["faces"][0]["landmarks"]).len(), expected, "{flags:?}");
+    }
+}
