@@ -238,4 +238,6 @@ pub struct PaperTask {
     #[arg(long, value_name = "N", default_value_t = 20, allow_negative_numbers = true,
         value_parser = clap::value_parser!(u64).range(1..))]
     pub runs: u64,
+    #[command(flatten)]
+    pub find: FindArguments,
 }

@@ -37,7 +37,7 @@ pub fn run(task: &MeshTask, given: &Given<'_>, networks: Option<&Path>) -> Resul
     let steps = steps(&task.edits, &task.settings)?;
     let photo = portrait::open(&task.photo)?;
     let finder = networks::load(networks, task.find.landmarks())?;
-    let face = portrait::face(&photo, &task.photo, &finder, &task.find.options(Some(1)))?;
+    let face = portrait::face(&photo, &task.photo, &finder, &task.find.options(None))?;
     let face = portrait::model(&photo, &face, task.topology, task.camera.lens(&photo), &task.photo)?;
     let mut document = edited(&face, steps, task)?;
     output::write(&task.output, &encode::encode(&face, &mut document, task, format)?)?;

@@ -5,14 +5,12 @@ use std::{fs, io};
 use glam::DVec3;
 use rosto_export::{BaseColour, GlbOptions, Model, glb};
 use rosto_face::{FaceModel, PhotoLens, Triangulation};
-use rosto_landmarks::FindOptions;
 use rosto_laplacian::LaplacianError;
 use rosto_studio::paper::{Experiment, Method, MethodOutcome, Plan, PlotWords, Trial, svg};
 
 use crate::args::PaperTask;
 use crate::encode::carried;
 use crate::error::CliError;
-use crate::networks::Landmarks;
 use crate::{files, networks, output, portrait};
 
 mod report;
@@ -29,9 +27,9 @@ const PLOT_PX: [f64; 2] = [640.0, 400.0];
 pub fn run(task: &PaperTask, networks: Option<&Path>) -> Result<(), CliError> {
     check_output(task)?;
     let photo = portrait::open(&task.photo)?;
-    let finder = networks::load(networks, Landmarks::Plain)?;
+    let finder = networks::load(networks, task.find.landmarks())?;
     let started = Instant::now();
-    let face = portrait::face(&photo, &task.photo, &finder, &FindOptions::mediapipe())?;
+    let face = portrait::face(&photo, &task.photo, &finder, &task.find.options(None))?;
     let extraction = started.elapsed();
     let started = Instant::now();
     let face = portrait::model(&photo, &face, Triangulation::Tessellation, PhotoLens::Estimated, &task.photo)?;

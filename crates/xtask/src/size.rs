@@ -20,7 +20,7 @@ pub const BUDGETS: [Budget; 4] = [
     Budget {
         name: "page module",
         files: &["wasm/rosto-studio-web_bg.wasm", "wasm/rosto-studio-web.js"],
-        limit: 400_000,
+        limit: 420_000,
     },
     Budget {
         name: "page module for WebGL2",
