@@ -18,6 +18,8 @@ const PICTURES = {
   response: { options: { ...DESKTOP, colorScheme: "light" }, act: (visitor) => paint(visitor, "response") },
   distortion: { options: { ...DESKTOP, colorScheme: "light" }, act: (visitor) => paint(visitor, "distortion") },
   "face-light": { options: { ...DESKTOP, colorScheme: "light" }, act: shape },
+  "size-light": { options: { ...DESKTOP, colorScheme: "light" }, act: measure },
+  "phone-size": { options: { ...PHONE, colorScheme: "light" }, act: measure },
   "paper-dark": { options: { ...DESKTOP, colorScheme: "dark" }, act: paper },
   "clay-dense-dark": { options: { ...DESKTOP, colorScheme: "dark" }, act: clay },
   "phone-empty": { options: { ...PHONE, colorScheme: "light" }, act: async () => {} },
@@ -49,6 +51,17 @@ for (const [name, { options, act }] of Object.entries(PICTURES)) {
 }
 await browser.close();
 server.close();
+
+/** @param {Visitor} visitor */
+async function measure(visitor) {
+  await visitor.dropSample();
+  await visitor.findLandmark("right mouth corner");
+  await visitor.unfold("section-size");
+  await visitor.page.click("[data-action=tape-start]");
+  await visitor.findLandmark("left mouth corner");
+  await visitor.unfold("section-size");
+  await visitor.page.locator("#section-size").evaluate((section) => section.scrollIntoView());
+}
 
 /** @param {Visitor} visitor */
 async function edit(visitor) {

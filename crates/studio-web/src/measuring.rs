@@ -1,4 +1,4 @@
-use rosto_face::PhotoLens;
+use rosto_face::{Measure, PhotoLens};
 use rosto_session::Intent;
 use wasm_bindgen::prelude::*;
 
@@ -16,6 +16,12 @@ impl Studio {
     /// `no-face`.
     pub fn about(&self) -> Result<String, JsValue> {
         Ok(self.face()?.about_json())
+    }
+
+    /// The ids of the usual measures, in the order in which they are shown.
+    #[wasm_bindgen(getter, js_name = measureIds)]
+    pub fn measure_ids(&self) -> Vec<String> {
+        Measure::ALL.map(|measure| measure.id().to_owned()).to_vec()
     }
 
     /// What is taken to be known of the photo's lens; undefined while no face is open.

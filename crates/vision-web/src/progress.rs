@@ -22,21 +22,21 @@ impl<'a> Progress<'a> {
 
     /// What the page does with the news, even throwing, is no concern of the work.
     pub(crate) fn tell(&self, step: Step) {
-        let (stage, fraction) = stage_and_fraction(step);
+        let (stage, fraction) = stage_and_fraction_of_all(step);
         let _ = self.report.call2(&JsValue::NULL, &stage.into(), &fraction.into());
     }
 }
 
-/// The page's name of the stage, and how much of that stage is done by then, 0 to 1. The page gives each stage the same
-/// length.
-fn stage_and_fraction(step: Step) -> (&'static str, f64) {
+/// The page's name of the stage, and how much of the whole is done by then, 0 to 1. Each stage is taken to be a third.
+fn stage_and_fraction_of_all(step: Step) -> (&'static str, f64) {
     const MESHED: f64 = 0.8;
-    match step {
-        Step::Decoding => ("decode", 0.0),
-        Step::Finding(Stage::Meshing { face, of }) => ("landmarks", MESHED * face as f64 / of.max(1) as f64),
-        Step::Finding(Stage::Detecting { share }) => ("detect", share.into()),
-        Step::Finishing => ("landmarks", MESHED),
-    }
+    let (stage, before, fraction) = match step {
+        Step::Decoding => ("decode", 0.0, 0.0),
+        Step::Finding(Stage::Detecting { share }) => ("detect", 1.0, share.into()),
+        Step::Finding(Stage::Meshing { face, of }) => ("landmarks", 2.0, MESHED * face as f64 / of.max(1) as f64),
+        Step::Finishing => ("landmarks", 2.0, MESHED),
+    };
+    (stage, (before + fraction) / 3.0)
 }
 
 #[cfg(test)]
@@ -46,13 +46,6 @@ mod tests {
 
     wasm_bindgen_test_configure!(run_in_browser);
 
-    /// As the page draws it: three stages of the same length.
-    fn bar(step: Step) -> f64 {
-        let (stage, fraction) = stage_and_fraction(step);
-        let index = ["decode", "detect", "landmarks"].iter().position(|&name| name == stage);
-        (index.expect("a stage the page knows") as f64 + fraction) / 3.0
-    }
-
     #[wasm_bindgen_test]
     fn the_bar_never_jumps_by_more_than_a_third_nor_falls_back() {
         for of in 0..5 {
@@ -60,7 +53,7 @@ mod tests {
             let meshing = (0..of).map(|face| Step::Finding(Stage::Meshing { face, of }));
             let mut steps = vec![Step::Decoding];
             steps.extend(detecting.into_iter().chain(meshing).chain([Step::Finishing]));
-            let bars: Vec<f64> = steps.into_iter().map(bar).collect();
+            let bars: Vec<f64> = steps.into_iter().map(|step| stage_and_fraction_of_all(step).1).collect();
             assert_eq!(bars[..2], [0.0, 1.0 / 3.0], "a bar at half before the detector has looked");
             let last = if of == 0 { 4 } else { bars.len() };
             assert!(bars[..last].windows(2).all(|two| (0.0..0.334).contains(&(two[1] - two[0]))), "{bars:?}");

@@ -28,8 +28,7 @@ impl Vision {
     }
 
     /// Looks for at most `max_faces` faces in a photo (the bytes of a JPEG, PNG or WebP file), the most prominent first.
-    /// `report` is told each stage as it begins and how much of that stage is done, 0 to 1; the stages are taken to be equally
-    /// long. Where the browser has decoded the photo to `bytes`, its `original` file (HEIC, AVIF) still tells the lens.
+    /// `report` is told each stage as it begins and how much of the whole is done, 0 to 1. Where the browser has decoded the photo to `bytes`, its `original` file (HEIC, AVIF) still tells the lens.
     ///
     /// # Errors
     /// Throws `not-a-picture`, `unsupported-format`, `damaged-picture`, `too-many-bytes`, `too-many-pixels`,

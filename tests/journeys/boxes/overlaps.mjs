@@ -52,7 +52,7 @@ export function reachable(element, x, y) {
     const { overflowX, overflowY } = getComputedStyle(up);
     if (overflowX === "visible" && overflowY === "visible") continue;
     const { left, right, top, bottom } = up.getBoundingClientRect();
-    if (x < left + SLACK_PX || x > right - SLACK_PX || y < top + SLACK_PX || y > bottom - SLACK_PX) return false;
+    if (x <= left + SLACK_PX || x >= right - SLACK_PX || y <= top + SLACK_PX || y >= bottom - SLACK_PX) return false;
   }
   return x >= 0 && y >= 0 && x <= innerWidth && y <= innerHeight;
 }

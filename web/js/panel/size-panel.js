@@ -26,6 +26,7 @@ const MAX_CM = 300;
 export class SizePanel {
   #bench;
   #landmarkIds;
+  #measureIds;
   #known;
   #distance;
   /** @type {number | undefined} where the tape was put first */
@@ -38,6 +39,7 @@ export class SizePanel {
   constructor(bench, known) {
     this.#bench = bench;
     this.#landmarkIds = bench.studio.landmarkIds;
+    this.#measureIds = bench.studio.measureIds;
     this.#known = known;
     this.#distance = new Slider({
       ...{ label: "size.distance", longLabel: "size.distance.long", unit: "cm", min: MIN_CM, max: MAX_CM, step: 1 },
@@ -77,7 +79,8 @@ export class SizePanel {
     const pose = { yaw: turned(about.yaw_deg), pitch: turned(about.pitch_deg), roll: turned(about.roll_deg) };
     write("size-pose", say("size.pose", pose));
     write("size-source", say(about.size_from === "irises" ? "size.by-irises" : "size.canonical"));
-    byId("size-measures", HTMLDListElement).replaceChildren(...Object.entries(about.measures_mm).flatMap((measure) => row(measure, about)));
+    const rows = this.#measureIds.flatMap((id) => row(id, about));
+    byId("size-measures", HTMLDListElement).replaceChildren(...rows);
     this.#measure(about);
   }
 
@@ -130,11 +133,11 @@ function turned(degrees) {
 }
 
 /**
- * @param {[string, number]} measure
+ * @param {string} id of a measure
  * @param {About} about
  */
-function row([id, length_mm], { size_error }) {
-  return [make("dt", "", sayId("measure", id)), make("dd", "", millimetres(length_mm, size_error))];
+function row(id, { measures_mm, size_error }) {
+  return [make("dt", "", sayId("measure", id)), make("dd", "", millimetres(measures_mm[id] ?? 0, size_error))];
 }
 
 /**
