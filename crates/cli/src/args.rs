@@ -46,7 +46,7 @@ pub enum Task {
     Landmarks(LandmarksTask),
     /// Write the face in a photo as a mesh, edited on request
     #[command(after_help = EXIT_CODES)]
-    Mesh(MeshTask),
+    Mesh(Box<MeshTask>),
     /// Repeat the experiment of the paper on a photo and on this machine
     #[command(after_help = EXIT_CODES)]
     Paper(PaperTask),

@@ -21,7 +21,7 @@ pub fn image_rest(face: &FaceModel) -> Rest {
 
 /// The history of a document over [`image_rest`].
 ///
-/// The frames differ by an affine map. An edit whose weights know only the mesh's topology commutes with it, so that the
+/// Ways in one frame become ways in the other by a linear map. An edit whose weights know only the mesh's topology commutes with it, so that the
 /// same spec with its offsets carried over does the same. Any other becomes the way that each landmark went.
 pub fn model_history(face: &FaceModel, document: &Document) -> Result<ModelHistory, StudioError> {
     let model_from_image = face.image_from_model().inverse();

@@ -44,7 +44,8 @@ pub fn load(named: Option<&Path>, landmarks: Landmarks) -> Result<FaceFinder, Cl
         None => usual_places(),
     };
     let names = [DETECTOR, landmarks.file()];
-    let [detector, onnx] = names.map(|name| place(&places, names).and_then(|folder| read(&folder.join(name))));
+    let folder = place(&places, names)?;
+    let [detector, onnx] = names.map(|name| read(&folder.join(name)));
     Ok(FaceFinder::new(&detector?, landmarks.network(&onnx?))?)
 }
 
