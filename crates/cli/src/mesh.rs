@@ -48,13 +48,13 @@ pub fn run(task: &MeshTask, given: &Given<'_>, networks: Option<&Path>) -> Resul
 /// From how far away the photo was taken, and how that is known.
 fn taken_from(face: &FaceModel) -> String {
     let camera = face.camera();
+    let [distance_cm, error_cm] = [1.0, camera.distance_error].map(|share| share * camera.distance_m * 100.0);
     let known = match camera.lens {
         PhotoLens::Estimated => "read off the face",
         PhotoLens::Exif(_) => "from the photo's lens data",
         PhotoLens::Given(_) => "from the focal length given",
-        PhotoLens::Distance(_) | PhotoLens::Parallel => "as given",
+        PhotoLens::Distance(_) | PhotoLens::Parallel => return format!("taken from {distance_cm:.0} cm, as given"),
     };
-    let [distance_cm, error_cm] = [1.0, camera.distance_error].map(|share| share * camera.distance_m * 100.0);
     format!("taken from {distance_cm:.0} cm ± {error_cm:.0}, {known}")
 }
 

@@ -8,17 +8,18 @@ use serde_json::{Map, Value, json};
 /// ```json
 /// {"lens": "exif:26", "distance_m": 0.42, "distance_error": 0.05, "focal_px": 903.2,
 ///  "yaw_deg": 1.5, "pitch_deg": -3.0, "roll_deg": 0.2, "size_from": "irises", "size_error": 0.045,
-///  "measures_mm": {"face-width": 132.1}, "irises_mm": {"right-iris-middle": [-31.0, 26.1, 38.2]}}
+///  "measures_mm": {"face-width": 132.1}, "eye_centres_mm": {"right": [-31.2, 25.0, 33.1], "left": [31.0, 25.2, 33.0]},
+///  "irises_mm": {"right-iris-middle": [-31.0, 26.1, 38.2]}}
 /// ```
 /// Errors are one standard deviation, as a share. The measures are those of `positions_m`, the first 468 of which are the
-/// landmarks'; the irises are where they were found. A distance that is infinite is left out, and so is its focal length.
+/// landmarks'; irises, and the middles of the eyes, which stay when the gaze wanders, are where they were found. A distance that is infinite is left out, and so is its focal length.
 pub fn about(face: &FaceModel, positions_m: &[DVec3]) -> Value {
     let (camera, pose, scale) = (face.camera(), face.camera().pose(), face.scale());
     let rounded = |number: f64, digits: i32| (number * 10_f64.powi(digits)).round() / 10_f64.powi(digits);
     let measure = |measure: Measure| (measure.id().to_owned(), json!(rounded(measure.of(positions_m) * MM_PER_M, 2)));
-    let iris = |(point, place): (usize, &DVec3)| {
-        (iris_id(point), json!((*place * MM_PER_M).to_array().map(|coordinate| rounded(coordinate, 3))))
-    };
+    let place_mm = |place: DVec3| json!((place * MM_PER_M).to_array().map(|coordinate| rounded(coordinate, 3)));
+    let iris = |(point, place): (usize, &DVec3)| (iris_id(point), place_mm(*place));
+    let [right, left] = face.eye_centres_m();
     let mut about = json!({
         "lens": camera.lens.to_string(),
         "yaw_deg": rounded(pose.yaw_deg, 2),
@@ -27,6 +28,7 @@ pub fn about(face: &FaceModel, positions_m: &[DVec3]) -> Value {
         "size_from": scale.source.id(),
         "size_error": rounded(scale.error, 4),
         "measures_mm": Measure::ALL.into_iter().map(measure).collect::<Map<String, Value>>(),
+        "eye_centres_mm": {"right": place_mm(right), "left": place_mm(left)},
     });
     if camera.distance_m.is_finite() {
         about["distance_m"] = json!(rounded(camera.distance_m, 4));

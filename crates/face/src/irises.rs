@@ -16,13 +16,19 @@ const LIDS: [[u16; 16]; 2] = [
     [263, 249, 390, 373, 374, 380, 381, 382, 362, 466, 388, 387, 386, 385, 384, 398],
 ];
 
+/// Upper and lower lid above and below the middle of the right and of the left eye.
+pub(crate) const MIDDLE_OF_LIDS: [[usize; 2]; 2] = [[159, 145], [386, 374]];
+
+/// Points of one iris: its middle, and four on its border.
+pub(crate) const POINTS_OF_AN_IRIS: usize = IRIS_COUNT / 2;
+
 /// The name for files and programs of a point of an iris, such as `left-iris-top`; sides are the subject's, but for the
 /// points' own, which are the picture's. The right iris comes first.
 ///
 /// # Panics
 /// If `point` is not below [`IRIS_COUNT`].
 pub fn iris_id(point: usize) -> String {
-    const PARTS: [&str; 5] = ["middle", "picture-right", "top", "picture-left", "bottom"];
+    const PARTS: [&str; POINTS_OF_AN_IRIS] = ["middle", "picture-right", "top", "picture-left", "bottom"];
     assert!(point < IRIS_COUNT, "point {point} of {IRIS_COUNT}");
     let side = if point < PARTS.len() { "right" } else { "left" };
     format!("{side}-iris-{}", PARTS[point % PARTS.len()])

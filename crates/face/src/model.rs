@@ -1,15 +1,17 @@
 mod fitting;
+mod seen;
 
 use glam::{DMat3, DVec2, DVec3};
 use rosto_mesh::Topology;
 use rosto_photo::Photo;
 
 use crate::camera::Camera;
-use crate::irises::{POINT_COUNT, eye_centres};
+use crate::irises::eye_centres;
 use crate::size::Scale;
 use crate::{FaceError, LANDMARK_COUNT, PhotoLens, Triangulation};
-pub use fitting::check_landmarks;
-use fitting::{Fitted, check_count};
+use fitting::Fitted;
+use seen::check_count;
+pub use seen::check_landmarks;
 
 /// What a model is made from.
 #[derive(Debug)]

@@ -22,9 +22,9 @@ pub enum PhotoLens {
 }
 
 /// No camera is nearer to a face, in m.
-pub const NEAREST_M: f64 = 0.1;
+pub(crate) const NEAREST_M: f64 = 0.1;
 /// Farther away than this, in m, no distance can be told from another.
-pub const FARTHEST_M: f64 = 20.0;
+const FARTHEST_M: f64 = 20.0;
 /// Focal lengths for a frame of 36 × 24 mm, in mm.
 const FOCAL_LENGTHS_MM: std::ops::RangeInclusive<f64> = 5.0..=2000.0;
 

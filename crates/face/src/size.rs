@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::LANDMARK_COUNT;
+use crate::irises::{MIDDLE_OF_LIDS, POINT_COUNT, POINTS_OF_AN_IRIS};
 
 /// How large a face is, and how that is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,16 +39,14 @@ const MOST_DIFFERENCE: f64 = 0.25;
 /// What the irises say of the size of a face, beside the canonical one's.
 const PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.7..=1.35;
 
-/// Upper and lower lid in the middle of the right and the left eye.
-const LIDS: [[usize; 2]; 2] = [[159, 145], [386, 374]];
-
 /// How many times the canonical face's size this face has, and how well that is known. `unprojected` are its points in px,
 /// those of the irises behind the landmarks, if there are any; `m_per_px` makes the face as large as the canonical one.
 pub(crate) fn scale(unprojected: &[DVec3], m_per_px: f64) -> (f64, Scale) {
     let canonical = (1.0, Scale { source: ScaleSource::Canonical, error: CANONICAL_ERROR });
-    let Some(irises) = unprojected.get(LANDMARK_COUNT..LANDMARK_COUNT + 10) else { return canonical };
-    let [right, left] = [0, 1].map(|eye| diameter(&irises[5 * eye..5 * eye + 5], LIDS[eye].map(|at| unprojected[at])));
-    let (Some(right), Some(left)) = (right, left) else { return canonical };
+    let Some(irises) = unprojected.get(LANDMARK_COUNT..POINT_COUNT) else { return canonical };
+    let (right, left) = irises.split_at(POINTS_OF_AN_IRIS);
+    let [right_lids, left_lids] = MIDDLE_OF_LIDS.map(|lids| lids.map(|lid| unprojected[lid]));
+    let (Some(right), Some(left)) = (diameter(right, right_lids), diameter(left, left_lids)) else { return canonical };
     let (mean, difference) = ((right + left) / 2.0, (right - left).abs() / right.max(left));
     let factor = IRIS_M / (mean * m_per_px);
     if difference > MOST_DIFFERENCE || !PLAUSIBLE.contains(&factor) {

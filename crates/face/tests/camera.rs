@@ -18,7 +18,7 @@ struct Scene {
     size: f64,
     /// Where the middle of the face is seen, in px from the principal point.
     aside_px: [f64; 2],
-    /// How much of the photo's width the face would fill if it were flat, by its eyes.
+    /// Of the lens.
     focal_px: f64,
 }
 

@@ -12,7 +12,7 @@ use std::f32::consts::PI;
 use crate::LandmarksError;
 use crate::detector::{self, Detection, Detector};
 use crate::finder::Face;
-use crate::mesh::{Mesh, MeshNetwork, region_of};
+use crate::mesh::{self, EYE_CORNERS, Mesh, MeshNetwork, region_of};
 use crate::pyramid::Pyramid;
 use crate::region_of_interest::{PictureSize, RegionOfInterest, RegionPx};
 
@@ -43,10 +43,6 @@ const CERTAIN: f32 = 0.8;
 /// How much wider than the region of the landmarks a closer look is: then a face takes a third of it, which suits the
 /// detector best.
 const CLOSER: f32 = 2.0;
-/// What the two networks take in, in px each way.
-const MESH_SIDE: usize = 192;
-/// The outer corners of the eyes.
-const EYE_CORNERS: [usize; 2] = [33, 263];
 
 /// What the landmark network says when it is left to itself.
 struct Settled {
@@ -115,7 +111,7 @@ impl Judge<'_> {
     fn look(&self, region: &RegionOfInterest) -> Result<Mesh, LandmarksError> {
         let picture = PictureSize::of(self.pyramid.photo());
         let share = region.px(picture).size[0] / picture.width.max(picture.height);
-        let copy = self.pyramid.fitting(share, MESH_SIDE);
+        let copy = self.pyramid.fitting(share, mesh::SIDE);
         let shift = shift(picture, PictureSize::of(copy));
         let [x, y] = region.centre;
         let mut mesh = self.mesh.look(copy, &RegionOfInterest { centre: [x - shift[0], y - shift[1]], ..*region })?;

@@ -52,7 +52,7 @@ pub(crate) const NAME: &str = "landmark";
 /// u8 to 0..1.
 const SCALE_AND_OFFSET: [f32; 2] = [1.0 / 255.0, 0.0];
 /// Outer corners of the eyes, on the picture's left and right: the horizontal of a face.
-const EYE_CORNERS: [usize; 2] = [33, 263];
+pub(crate) const EYE_CORNERS: [usize; 2] = [33, 263];
 
 impl MeshNetwork {
     pub(crate) fn new(network: LandmarkNetwork<'_>) -> Result<Self, LandmarksError> {

@@ -27,6 +27,7 @@ export class SizePanel {
   #bench;
   #landmarkIds;
   #measureIds;
+  #section = byId("section-size", HTMLDetailsElement);
   #known;
   #distance;
   /** @type {number | undefined} where the tape was put first */
@@ -51,6 +52,8 @@ export class SizePanel {
     byId("size-distance", HTMLDivElement).append(this.#distance.element);
     onAction("distance-known", () => this.#take(this.#known() ?? "estimated"));
     onAction("tape-start", () => this.#start());
+    // What nobody sees is not written: a tape on a dense mesh takes its time.
+    this.#section.addEventListener("toggle", () => this.#show());
     bench.onChange(() => this.#show());
     inEveryLanguage(() => this.#show());
   }
@@ -66,13 +69,19 @@ export class SizePanel {
   }
 
   #show() {
-    const about = this.#bench.read((_, studio) => (studio.photoLens === undefined ? undefined : studio.about()));
-    if (about === undefined) this.#from = undefined;
-    else this.#write(JSON.parse(about));
+    const face = this.#bench.read(({ vertexCount, selected }, { photoLens }) => ({ vertexCount, selected, photoLens }));
+    // A coarser mesh, or none, may lack the point where the tape begins.
+    if (face?.photoLens === undefined || (this.#from ?? 0) >= face.vertexCount) this.#from = undefined;
+    if (face?.photoLens === undefined || !this.#section.open) return;
+    const about = this.#bench.read((_, studio) => studio.about());
+    if (about) this.#write(JSON.parse(about), face.selected);
   }
 
-  /** @param {About} about */
-  #write(about) {
+  /**
+   * @param {About} about
+   * @param {number | undefined} selected
+   */
+  #write(about, selected) {
     const distance_cm = about.distance_m === undefined ? undefined : about.distance_m * CM_PER_M;
     if (distance_cm !== undefined) this.#distance.value = Math.min(MAX_CM, distance_cm);
     write("size-camera", takenFrom(about, distance_cm));
@@ -81,17 +90,14 @@ export class SizePanel {
     write("size-source", say(about.size_from === "irises" ? "size.by-irises" : "size.canonical"));
     const rows = this.#measureIds.flatMap((id) => row(id, about));
     byId("size-measures", HTMLDListElement).replaceChildren(...rows);
-    this.#measure(about);
+    write("tape-result", this.#measured(about.size_error, selected));
   }
 
-  /** @param {About} about */
-  #measure({ size_error }) {
-    write("tape-result", this.#measured(size_error));
-  }
-
-  /** @param {number} error one standard deviation, as a share */
-  #measured(error) {
-    const to = this.#bench.read((state) => state.selected);
+  /**
+   * @param {number} error one standard deviation, as a share
+   * @param {number | undefined} to
+   */
+  #measured(error, to) {
     const from = this.#from;
     if (from === undefined) return say("tape.help");
     if (to === undefined || to === from) return say("tape.next", { from: this.#name(from) });
@@ -122,9 +128,10 @@ function write(id, text) {
 function takenFrom({ lens, distance_error = 0 }, distance_cm) {
   if (distance_cm === undefined) return say("size.parallel");
   const source = lens.split(":")[0];
-  const key = source === "exif" ? "size.by-lens-data" : source === "estimated" ? "size.by-face" : "size.as-given";
+  const distance = Math.round(distance_cm);
+  if (source === "distance") return say("size.as-given", { distance });
   const error = Math.max(1, Math.round(distance_cm * distance_error));
-  return say(key, { distance: Math.round(distance_cm), error });
+  return say(source === "estimated" ? "size.by-face" : "size.by-lens-data", { distance, error });
 }
 
 /** @param {number} degrees */

@@ -2,12 +2,13 @@
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
-use super::POINT_COUNT;
+use super::seen::{fit_canonical_to, in_px, px_from_image};
 use crate::camera::{self, Camera, Evidence};
-use crate::procrustes::{self, Pair, Similarity};
+use crate::irises::{MIDDLE_OF_LIDS, POINTS_OF_AN_IRIS};
+use crate::photo_lens::NEAREST_M;
+use crate::procrustes::Similarity;
 use crate::size::{self, Scale};
-use crate::tables::PROCRUSTES;
-use crate::{FaceError, LANDMARK_COUNT, NEAREST_M, PhotoLens, Triangulation, canonical_positions_m};
+use crate::{FaceError, LANDMARK_COUNT, PhotoLens, canonical_positions_m};
 
 /// Landmarks in the model's frame.
 pub(super) struct Fitted {
@@ -20,24 +21,11 @@ pub(super) struct Fitted {
     factor: f64,
 }
 
-/// PhotoLens data of the photo are set aside if they make what is seen less likely than e to the power of minus this.
+/// Lens data of the photo are set aside if they make what is seen less likely than e to the power of minus this.
 const MOST_CONTRADICTION: f64 = 20.0;
 
 /// Where a camera is put that sees everything from infinitely far away, in m.
 const PARALLEL_M: f64 = 1e6;
-
-/// Whether landmarks found in a picture of that size, in px, are those of a face that
-/// [`FaceModel::new`](crate::FaceModel::new) takes.
-///
-/// # Errors
-/// As [`FaceModel::new`](crate::FaceModel::new).
-pub fn check_landmarks(landmarks: &[[f32; 3]], width: u32, height: u32) -> Result<(), FaceError> {
-    fit_canonical_to(&in_px(landmarks, [width, height])?).map(|_| ())
-}
-
-pub(super) fn check_count(what: &'static str, expected: usize, found: usize) -> Result<(), FaceError> {
-    if found == expected { Ok(()) } else { Err(FaceError::WrongCount { what, expected, found }) }
-}
 
 impl Fitted {
     pub(super) fn new(landmarks: &[[f32; 3]], size_px: [u32; 2], lens: PhotoLens) -> Result<Self, FaceError> {
@@ -47,7 +35,7 @@ impl Fitted {
         match lens.checked()? {
             PhotoLens::Parallel => sight.parallel(),
             PhotoLens::Estimated => sight.estimated(&sight.evidence()?),
-            PhotoLens::Distance(distance_m) => sight.from(distance_m, lens, 0.0),
+            PhotoLens::Distance(distance_m) => sight.from(distance_m),
             PhotoLens::Given(focal_length_mm) => sight.through(focal_length_mm, lens),
             PhotoLens::Exif(focal_length_mm) => {
                 let fitted = sight.through(focal_length_mm, lens)?;
@@ -77,7 +65,7 @@ impl Sight {
     }
 
     fn estimated(&self, evidence: &Evidence) -> Result<Fitted, FaceError> {
-        let focal_px = self.focal_px_for(|px_from_model, _| evidence.distance_m * px_from_model.scale)?;
+        let focal_px = self.focal_px_for(|_, px_from_model| evidence.distance_m * px_from_model.scale)?;
         self.seen_through(focal_px, PhotoLens::Estimated, evidence.error)
     }
 
@@ -86,21 +74,27 @@ impl Sight {
     }
 
     /// From a distance that is meant for the face in its true size.
-    fn from(&self, distance_m: f64, lens: PhotoLens, error: f64) -> Result<Fitted, FaceError> {
-        let focal_px = self.focal_px_for(|px_from_model, points| {
+    fn from(&self, distance_m: f64) -> Result<Fitted, FaceError> {
+        let focal_px = self.focal_px_for(|points, px_from_model| {
             let (factor, _) = size::scale(points, 1.0 / px_from_model.scale);
             distance_m / factor * px_from_model.scale
         })?;
-        self.seen_through(focal_px, lens, error)
+        self.seen_through(focal_px, PhotoLens::Distance(distance_m), 0.0)
     }
 
-    /// The focal length that depends on how large the face is, which depends on the focal length.
-    fn focal_px_for(&self, of: impl Fn(&Similarity, &[DVec3]) -> f64) -> Result<f64, FaceError> {
-        const STEPS: usize = 6;
-        let mut focal_px = of(&fit_canonical_to(&self.seen)?, &self.seen);
+    /// The focal length that depends on how large the face is, which depends on the focal length: with the depths that were
+    /// found first, which are near enough to begin with.
+    fn focal_px_for(&self, of: impl Fn(&[DVec3], &Similarity) -> f64) -> Result<f64, FaceError> {
+        const ROUGH_STEPS: usize = 5;
+        const STEPS: usize = 2;
+        let mut focal_px = of(&self.seen, &fit_canonical_to(&self.seen)?);
+        for _ in 0..ROUGH_STEPS {
+            let points = self.on_rays(&self.depths(), focal_px);
+            focal_px = of(&points, &fit_canonical_to(&points)?);
+        }
         for _ in 0..STEPS {
             let (points, px_from_model) = self.unprojected(focal_px)?;
-            focal_px = of(&px_from_model, &points);
+            focal_px = of(&points, &px_from_model);
         }
         Ok(focal_px)
     }
@@ -112,18 +106,22 @@ impl Sight {
         Ok(self.placed(&points, px_from_model, focal_px, lens, error))
     }
 
+    /// As they were found.
+    fn depths(&self) -> Vec<f64> {
+        self.seen.iter().map(|point| point.z).collect()
+    }
+
     /// The points on their rays, their depths drawn to the canonical shape, and the canonical face fitted to them.
     fn unprojected(&self, focal_px: f64) -> Result<(Vec<DVec3>, Similarity), FaceError> {
         const STEPS: usize = 2;
-        let topology = Triangulation::Canonical.topology();
         let canonical = canonical_positions_m();
-        let found: Vec<f64> = self.seen.iter().map(|point| point.z).collect();
+        let found = self.depths();
         let mut points = self.on_rays(&found, focal_px);
         let mut px_from_model = fit_canonical_to(&points)?;
         for _ in 0..STEPS {
             let depths: Vec<f64> = canonical.iter().map(|&position| px_from_model.apply(position).z).collect();
             let turn_rad = camera::turn_rad(px_from_model.rotation);
-            let mut drawn = camera::drawn_to_canonical(&topology, &found[..LANDMARK_COUNT], &depths, turn_rad);
+            let mut drawn = camera::drawn_to_canonical(&found[..LANDMARK_COUNT], &depths, turn_rad)?;
             let mean = drawn.iter().sum::<f64>() / drawn.len() as f64;
             drawn.iter_mut().for_each(|z| *z -= mean);
             drawn.extend(with_their_eyes(&drawn, &found));
@@ -157,7 +155,10 @@ impl Sight {
             focal_px,
             principal_px: DVec2::new(self.principal_px.x, -self.principal_px.y),
             distance_m,
-            distance_error: error.hypot(scale.error),
+            distance_error: match lens {
+                PhotoLens::Distance(_) => 0.0,
+                _ => error.hypot(scale.error),
+            },
             camera_from_model: DAffine3::from_mat3_translation(
                 px_from_model.rotation,
                 aside * m_per_px - DVec3::Z * standing_m,
@@ -176,43 +177,6 @@ impl Sight {
 
 /// The irises' depths: as far before or behind the lids as they were found.
 fn with_their_eyes(drawn: &[f64], found: &[f64]) -> Vec<f64> {
-    let lid = |iris: usize| if iris < POINT_COUNT - 5 { 159 } else { 386 };
-    (LANDMARK_COUNT..found.len()).map(|iris| found[iris] + drawn[lid(iris)] - found[lid(iris)]).collect()
-}
-
-/// From MediaPipe's normalised coordinates to right-handed px: y up, z towards the viewer.
-fn px_from_image([width, height]: [u32; 2]) -> DAffine3 {
-    let (width, height) = (f64::from(width), f64::from(height));
-    DAffine3::from_scale(DVec3::new(width, -height, -width))
-}
-
-/// 468 or 478 landmarks in px, y up, z towards the camera and 0 in the mean of the 468.
-fn in_px(landmarks: &[[f32; 3]], [width, height]: [u32; 2]) -> Result<Vec<DVec3>, FaceError> {
-    if landmarks.len() != POINT_COUNT {
-        check_count("landmarks", LANDMARK_COUNT, landmarks.len())?;
-    }
-    if width == 0 || height == 0 {
-        return Err(FaceError::EmptyPicture { width, height });
-    }
-    if let Some(landmark) = landmarks.iter().position(|p| !p.iter().all(|c| c.is_finite())) {
-        return Err(FaceError::NotFinite { landmark });
-    }
-    let px_from_image = px_from_image([width, height]);
-    let mut px: Vec<DVec3> =
-        landmarks.iter().map(|p| px_from_image.transform_point3(DVec3::from(p.map(f64::from)))).collect();
-    let mean = px[..LANDMARK_COUNT].iter().map(|point| point.z).sum::<f64>() / LANDMARK_COUNT as f64;
-    px.iter_mut().for_each(|point| point.z -= mean);
-    Ok(px)
-}
-
-fn fit_canonical_to(px: &[DVec3]) -> Result<Similarity, FaceError> {
-    let canonical = canonical_positions_m();
-    let pairs: Vec<Pair> = PROCRUSTES
-        .iter()
-        .map(|&(landmark, weight)| {
-            let landmark = usize::from(landmark);
-            Pair { source: canonical[landmark], target: px[landmark], weight }
-        })
-        .collect();
-    procrustes::fit(&pairs)
+    let lid = |point: usize| MIDDLE_OF_LIDS[(point - LANDMARK_COUNT) / POINTS_OF_AN_IRIS][0];
+    (LANDMARK_COUNT..found.len()).map(|point| found[point] + drawn[lid(point)] - found[lid(point)]).collect()
 }

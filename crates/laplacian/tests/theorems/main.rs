@@ -3,6 +3,7 @@
 
 mod distortion;
 mod edits;
+mod fairing;
 mod golden;
 mod golden_edits;
 mod meshes;

@@ -31,13 +31,15 @@ impl OpenFace {
         about(&self.model, self.document.cage()).to_string()
     }
 
-    /// From one vertex shown to another in mm: straight, and along the surface.
+    /// From one vertex shown to another in mm: straight, and along the surface. Landmarks are where the cage has them, however
+    /// dense the mesh is.
     ///
     /// # Errors
     /// [`SessionError::Studio`] for a vertex that is not there.
     pub fn measured_mm(&self, from: u32, to: u32) -> Result<[f64; 2], SessionError> {
         let along_m = self.document.along_surface(from, to)?;
-        let positions = self.document.committed();
+        let cage = self.document.cage();
+        let positions = if (from.max(to) as usize) < cage.len() { cage } else { self.document.committed() };
         let straight_m = positions[from as usize].distance(positions[to as usize]);
         // The heat method has an error of its own; nothing on a surface is nearer than straight.
         Ok([straight_m, along_m.max(straight_m)].map(|length_m| length_m * MM_PER_M))
