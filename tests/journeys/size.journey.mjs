@@ -64,3 +64,22 @@ journey("the distance that was chosen comes back with the work", async (open) =>
   assert.equal(await number.inputValue(), "31");
   assert.equal((await measures(page))["Face, width"], found["Face, width"]);
 });
+
+journey("a tape from a point that a coarser mesh has not is taken away, and the page goes on", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.unfold("section-view");
+  await page.selectOption("#density", "1");
+  await visitor.unfold("section-landmark");
+  await page.check("input[name='selection'][value='point']", { force: true });
+  await visitor.findLandmark("1200");
+  await visitor.unfold("section-size");
+  await page.click("[data-action=tape-start]");
+  assert.match(await page.innerText("#tape-result"), /From 1200/);
+  await visitor.unfold("section-view");
+  await page.selectOption("#density", "0");
+  await visitor.findLandmark("nose tip");
+  await visitor.unfold("section-size");
+  assert.match(await page.innerText("#tape-result"), /Select a point/);
+});

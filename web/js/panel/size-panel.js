@@ -52,7 +52,7 @@ export class SizePanel {
     byId("size-distance", HTMLDivElement).append(this.#distance.element);
     onAction("distance-known", () => this.#take(this.#known() ?? "estimated"));
     onAction("tape-start", () => this.#start());
-    // What nobody sees is not written: a tape on a dense mesh takes its time.
+    // A tape on a dense mesh takes its time, and is laid only where it is seen.
     this.#section.addEventListener("toggle", () => this.#show());
     bench.onChange(() => this.#show());
     inEveryLanguage(() => this.#show());
@@ -72,7 +72,7 @@ export class SizePanel {
     const face = this.#bench.read(({ vertexCount, selected }, { photoLens }) => ({ vertexCount, selected, photoLens }));
     // A coarser mesh, or none, may lack the point where the tape begins.
     if (face?.photoLens === undefined || (this.#from ?? 0) >= face.vertexCount) this.#from = undefined;
-    if (face?.photoLens === undefined || !this.#section.open) return;
+    if (face?.photoLens === undefined) return;
     const about = this.#bench.read((_, studio) => studio.about());
     if (about) this.#write(JSON.parse(about), face.selected);
   }
@@ -100,7 +100,7 @@ export class SizePanel {
   #measured(error, to) {
     const from = this.#from;
     if (from === undefined) return say("tape.help");
-    if (to === undefined || to === from) return say("tape.next", { from: this.#name(from) });
+    if (to === undefined || to === from || !this.#section.open) return say("tape.next", { from: this.#name(from) });
     const [straight = 0, along = 0] = this.#bench.read((_, studio) => studio.measure(from, to)) ?? [];
     const lengths = { straight: millimetres(straight, error), along: millimetres(along, error) };
     return say("tape.result", { from: this.#name(from), to: this.#name(to), ...lengths });
