@@ -36,7 +36,7 @@ impl Triangulation {
 
 /// The canonical face: 468 positions in metres, right-handed, +X to the subject's left, +Y up, +Z out of the face.
 ///
-/// It is an average head, not a measured one, and sets the size of every model.
+/// It is an average head, and sets the size of every model whose own cannot be measured.
 pub fn canonical_positions_m() -> Vec<DVec3> {
     const M_PER_UNIT: f64 = 1e-8;
     POSITIONS.iter().map(|p| DVec3::from(p.map(f64::from)) * M_PER_UNIT).collect()

@@ -22,8 +22,8 @@ struct Row {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let finder = support::finder();
-    let model = Model::new(&finder, &support::assets::portrait());
+    let finder = support::attentive_finder();
+    let model = Model::new(&support::finder(), &support::assets::portrait());
     let wanted: Vec<String> = std::env::args().skip(1).collect();
     let rows = rows(&finder, &model, &wanted)?;
     print_found(&rows);

@@ -23,8 +23,8 @@ fn scene(name: &str) -> Scene {
 
 /// Every face that is there and nothing else, its landmarks within a twentieth of the distance between the eyes.
 fn assert_all_found(names: &[&str]) {
-    let finder = support::finder();
-    let model = Model::new(&finder, &support::assets::portrait());
+    let finder = support::attentive_finder();
+    let model = Model::new(&support::finder(), &support::assets::portrait());
     for name in names {
         let scene = scene(name);
         let photo = scene.picture(&model);
@@ -62,7 +62,7 @@ fn dark_pale_noisy_and_blurred_faces_are_found() {
 
 #[test]
 fn nothing_is_found_where_nobody_is() {
-    let finder = support::finder();
+    let finder = support::attentive_finder();
     let portrait = support::assets::portrait();
     let grounds = Ground::ALL.map(|ground| ground.picture(600, 500, 7, &portrait));
     let portraits_rest = pictures::cropped(&portrait, 280, 240, 200, 200);
@@ -73,8 +73,8 @@ fn nothing_is_found_where_nobody_is() {
 
 #[test]
 fn the_large_face_comes_first_however_many_are_wanted() {
-    let finder = support::finder();
-    let model = Model::new(&finder, &support::assets::portrait());
+    let finder = support::attentive_finder();
+    let model = Model::new(&support::finder(), &support::assets::portrait());
     let mut scene = scene("group_2_cells_400_tilt_10");
     scene.size_px = [900, 700];
     scene.faces = vec![scenes::Placed::upright([120.0, 110.0], 0.6), scenes::Placed::upright([520.0, 380.0], 2.4)];
@@ -102,8 +102,8 @@ fn spread_px(finder: &FaceFinder, model: &Model, options: &FindOptions) -> f64 {
 
 #[test]
 fn thorough_landmarks_agree_better_between_variants_of_one_face() {
-    let finder = support::finder();
-    let model = Model::new(&finder, &support::assets::portrait());
+    let finder = support::attentive_finder();
+    let model = Model::new(&support::finder(), &support::assets::portrait());
     let (one, settled) = (
         spread_px(&finder, &model, &FindOptions::mediapipe()),
         spread_px(&finder, &model, &FindOptions { max_faces: 1, ..FindOptions::default() }),
@@ -113,7 +113,7 @@ fn thorough_landmarks_agree_better_between_variants_of_one_face() {
 
 #[test]
 fn progress_never_falls_and_ends() {
-    let finder = support::finder();
+    let finder = support::attentive_finder();
     let photo = pictures::padded(&support::assets::portrait(), 1600, 900, 700, 200);
     let mut shares = Vec::new();
     let report = |stage| {
@@ -132,7 +132,7 @@ fn progress_never_falls_and_ends() {
 
 #[test]
 fn tiny_and_thin_pictures_are_looked_at_without_trouble() {
-    let finder = support::finder();
+    let finder = support::attentive_finder();
     for (width, height) in [(1, 1), (1, 300), (2000, 2), (7, 5)] {
         let picture = Photo::from_rgb(width, height, vec![90; width as usize * height as usize * 3]).unwrap();
         for search in [Search::Once, Search::Thorough] {
