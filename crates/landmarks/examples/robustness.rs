@@ -1,7 +1,7 @@
 //! `cargo run --release -p rosto-landmarks --example robustness [-- FAMILY…]`
 //!
 //! Prints the tables of docs/robustness.md: what is found in pictures in which it is known where the faces are, by this
-//! crate and by MediaPipe, whose answers are `tests/golden/robustness.json`. What was missed is told as it happens.
+//! crate and by MediaPipe, whose answers are `tests/golden/robustness.json`.
 
 #[path = "../tests/support/mod.rs"]
 mod support;
@@ -18,16 +18,18 @@ const GOLDEN: &str = include_str!("../../../tests/golden/robustness.json");
 /// A family's answers, ours and MediaPipe's.
 struct Row {
     family: &'static str,
+    names: Vec<String>,
     verdicts: Vec<[Verdict; 2]>,
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let finder = support::attentive_finder();
-    let model = Model::new(&support::finder(), &support::assets::portrait());
+    let model = Model::new(&finder, &support::assets::portrait());
     let wanted: Vec<String> = std::env::args().skip(1).collect();
     let rows = rows(&finder, &model, &wanted)?;
     print_found(&rows);
     print_errors(&rows);
+    print_not_right(&rows);
     print_spread(&finder, &model)
 }
 
@@ -40,24 +42,25 @@ fn rows(finder: &FaceFinder, model: &Model, wanted: &[String]) -> Result<Vec<Row
         let faces = finder.find(&photo, &FindOptions { max_faces: 30, ..FindOptions::default() })?;
         let own = Verdict::of(&scene, model, &photo, &faces);
         let theirs = Verdict::of_mediapipe(&scene, &golden);
-        if own.right() < scene.faces.len() || own.wrong + own.twice > 0 {
-            let (right, wrong) = (own.right(), own.wrong);
-            eprintln!(
-                "{}: {right} of {} right, {wrong} wrong; MediaPipe {}",
-                scene.name,
-                scene.faces.len(),
-                theirs.right()
-            );
-        }
+        let name = scene.name.clone();
         match rows.last_mut().filter(|row| row.family == scene.family) {
-            Some(row) => row.verdicts.push([own, theirs]),
-            None => rows.push(Row { family: scene.family, verdicts: vec![[own, theirs]] }),
+            Some(row) => row.add(name, [own, theirs]),
+            None => rows.push(Row::new(scene.family, name, [own, theirs])),
         }
     }
     Ok(rows)
 }
 
 impl Row {
+    fn new(family: &'static str, name: String, verdicts: [Verdict; 2]) -> Self {
+        Self { family, names: vec![name], verdicts: vec![verdicts] }
+    }
+
+    fn add(&mut self, name: String, verdicts: [Verdict; 2]) {
+        self.names.push(name);
+        self.verdicts.push(verdicts);
+    }
+
     fn sum(&self, count: impl Fn(&[Verdict; 2]) -> usize) -> usize {
         self.verdicts.iter().map(count).sum()
     }
@@ -96,6 +99,14 @@ fn print_errors(rows: &[Row]) {
         let ([median, worst], [median_theirs, worst_theirs]) = (row.errors(0), row.errors(1));
         println!("| {} | {median} | {median_theirs} | {worst} | {worst_theirs} |", row.family);
     }
+}
+
+/// The pictures in which not everything is right, by name.
+fn print_not_right(rows: &[Row]) {
+    let is_right = |own: &Verdict| own.errors.iter().all(Option::is_some) && own.wrong + own.twice == 0;
+    let pictures = rows.iter().flat_map(|row| row.names.iter().zip(&row.verdicts));
+    let names: Vec<&str> = pictures.filter(|(_, [own, _])| !is_right(own)).map(|(name, _)| name.as_str()).collect();
+    println!("\nNot all right in: {}.", names.join(", "));
 }
 
 /// How far the landmarks of variants of one face lie from those of the face itself, at 62 px between the eyes.

@@ -24,7 +24,7 @@ fn scene(name: &str) -> Scene {
 /// Every face that is there and nothing else, its landmarks within a twentieth of the distance between the eyes.
 fn assert_all_found(names: &[&str]) {
     let finder = support::attentive_finder();
-    let model = Model::new(&support::finder(), &support::assets::portrait());
+    let model = Model::new(&finder, &support::assets::portrait());
     for name in names {
         let scene = scene(name);
         let photo = scene.picture(&model);
@@ -66,7 +66,8 @@ fn nothing_is_found_where_nobody_is() {
     let portrait = support::assets::portrait();
     let grounds = Ground::ALL.map(|ground| ground.picture(600, 500, 7, &portrait));
     let portraits_rest = pictures::cropped(&portrait, 280, 240, 200, 200);
-    for (index, picture) in grounds.iter().chain([&portraits_rest]).enumerate() {
+    let folds = scene("empty_7_4000x3000").picture(&Model::new(&finder, &portrait));
+    for (index, picture) in grounds.iter().chain([&portraits_rest, &folds]).enumerate() {
         assert!(finder.find(picture, &FindOptions::default()).unwrap().is_empty(), "picture {index}");
     }
 }
@@ -74,7 +75,7 @@ fn nothing_is_found_where_nobody_is() {
 #[test]
 fn the_large_face_comes_first_however_many_are_wanted() {
     let finder = support::attentive_finder();
-    let model = Model::new(&support::finder(), &support::assets::portrait());
+    let model = Model::new(&finder, &support::assets::portrait());
     let mut scene = scene("group_2_cells_400_tilt_10");
     scene.size_px = [900, 700];
     scene.faces = vec![scenes::Placed::upright([120.0, 110.0], 0.6), scenes::Placed::upright([520.0, 380.0], 2.4)];
@@ -103,7 +104,7 @@ fn spread_px(finder: &FaceFinder, model: &Model, options: &FindOptions) -> f64 {
 #[test]
 fn thorough_landmarks_agree_better_between_variants_of_one_face() {
     let finder = support::attentive_finder();
-    let model = Model::new(&support::finder(), &support::assets::portrait());
+    let model = Model::new(&finder, &support::assets::portrait());
     let (one, settled) = (
         spread_px(&finder, &model, &FindOptions::mediapipe()),
         spread_px(&finder, &model, &FindOptions { max_faces: 1, ..FindOptions::default() }),
