@@ -3,7 +3,7 @@
 use super::Record;
 
 /// What the tasks are called for a reader.
-const TITLES: [(&str, &str); 28] = [
+const TITLES: [(&str, &str); 29] = [
     ("paper-edit", "One edit of the paper with the factor at hand, from the choice of the vertex to the moved mesh"),
     ("paper-edit-bare", "One edit of the paper from nothing: operator, factor, response, moved mesh"),
     ("system", "What is done once per mesh: from triangles to factor"),
@@ -30,6 +30,10 @@ const TITLES: [(&str, &str); 28] = [
     ),
     ("networks-start-native", "Loading the networks, natively"),
     ("photo-to-landmarks-native", "Photo (512×512 PNG) to landmarks, natively, one thread"),
+    (
+        "photo-to-landmarks-once-native",
+        "The same with one look and one pass, as MediaPipe does it: `rosto landmarks --mediapipe --refine`",
+    ),
     ("networks-start-chrome", "Loading program and networks, in headless Chrome"),
     ("first-landmarks-chrome", "The first photo to landmarks, in headless Chrome"),
     ("photo-to-landmarks-chrome", "Photo (512×512 PNG) to landmarks, in headless Chrome, one thread"),
