@@ -20,7 +20,7 @@ const MAY_KNOW: [(&str, &[&str]); 17] = [
     ("rosto-laplacian", &["mesh", "named"]),
     ("rosto-photo", &[]),
     ("rosto-landmarks", &["photo"]),
-    ("rosto-face", &["mesh", "photo", "named"]),
+    ("rosto-face", &["laplacian", "mesh", "photo", "named"]),
     ("rosto-studio", &["face", "laplacian", "mesh", "named"]),
     ("rosto-export", &["face", "mesh", "named"]),
     ("rosto-stage", &["mesh", "named"]),

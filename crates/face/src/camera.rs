@@ -9,7 +9,7 @@ mod distance;
 
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 
-pub(crate) use depth::{drawn_to_canonical, turn_rad};
+pub(crate) use depth::{CanonicalShape, turn_rad};
 pub(crate) use distance::{Evidence, evidence};
 
 use crate::PhotoLens;

@@ -56,7 +56,7 @@ pub use constraints::{ConstraintKind, Constraints};
 pub use distortion::{Distortion, DistortionSummary, Extreme};
 pub use error::LaplacianError;
 pub use factor::Factor;
-pub use fairing::faired;
+pub use fairing::Fairing;
 pub use falloff::Falloff;
 pub use geodesics::Geodesics;
 pub use operator::Operator;

@@ -1,5 +1,5 @@
 use glam::{DMat3, DVec3};
-use rosto_laplacian::{Operator, faired};
+use rosto_laplacian::{Fairing, Operator};
 
 use crate::{FaceError, Triangulation, canonical_positions_m};
 
@@ -9,19 +9,26 @@ const WEIGHTS: [f64; 2] = [30.0, 1e4];
 /// Turned by this much and less, and by this much and more, in radians.
 const TURNS_RAD: [f64; 2] = [0.175, 0.524];
 
-/// Depths near to those found whose δ-coordinates are near to the canonical face's: the minimum of
-/// `|z − found|² + w |L z − L c|²`, where L is the random-walk graph Laplacian and c the depth of the canonical face, fitted
-/// to the one that was found.
-///
-/// # Errors
-/// [`FaceError::Degenerate`] if a depth is not finite.
-pub(crate) fn drawn_to_canonical(found: &[f64], canonical: &[f64], turn_rad: f64) -> Result<Vec<f64>, FaceError> {
-    // In the difference from the canonical depths, whose δ-coordinates then are to vanish.
-    let away: Vec<f64> = found.iter().zip(canonical).map(|(found, canonical)| found - canonical).collect();
-    let operator = Operator::Uniform.matrix(&Triangulation::Canonical.topology(), &canonical_positions_m());
-    let faired = operator.and_then(|operator| faired(&operator, &away, weight(turn_rad)));
-    let faired = faired.map_err(|_| FaceError::Degenerate)?;
-    Ok(faired.iter().zip(canonical).map(|(away, canonical)| away + canonical).collect())
+/// Draws depths to the shape of the canonical face: [`Self::drawn`] is the minimum of `|z − found|² + w |L z − L c|²`, where
+/// L is the random-walk graph Laplacian and c the depth of the canonical face, fitted to the one that was found.
+pub(crate) struct CanonicalShape(Fairing);
+
+impl CanonicalShape {
+    /// For a head that is turned away by so much ([`turn_rad`]).
+    pub(crate) fn new(turn_rad: f64) -> Result<Self, FaceError> {
+        let operator = Operator::Uniform.matrix(&Triangulation::Canonical.topology(), &canonical_positions_m());
+        let fairing = operator.and_then(|operator| Fairing::new(&operator, weight(turn_rad)));
+        fairing.map(Self).map_err(|_| FaceError::Degenerate)
+    }
+
+    /// # Errors
+    /// [`FaceError::Degenerate`] if a depth is not finite.
+    pub(crate) fn drawn(&self, found: &[f64], canonical: &[f64]) -> Result<Vec<f64>, FaceError> {
+        // In the difference from the canonical depths, whose δ-coordinates then are to vanish.
+        let away: Vec<f64> = found.iter().zip(canonical).map(|(found, canonical)| found - canonical).collect();
+        let faired = self.0.faired(&away).map_err(|_| FaceError::Degenerate)?;
+        Ok(faired.iter().zip(canonical).map(|(away, canonical)| away + canonical).collect())
+    }
 }
 
 /// By how much a head is turned away from the camera that it is seen by.
@@ -47,7 +54,7 @@ mod tests {
     fn what_has_the_canonical_shape_stays_wherever_it_is() {
         let found: Vec<f64> = depths().iter().map(|z| z + 0.3).collect();
         for turn_rad in [0.0, 0.4, 1.0] {
-            let drawn = drawn_to_canonical(&found, &depths(), turn_rad).unwrap();
+            let drawn = CanonicalShape::new(turn_rad).unwrap().drawn(&found, &depths()).unwrap();
             assert!(drawn.iter().zip(&found).all(|(a, b)| (a - b).abs() < 1e-9));
         }
     }
@@ -57,7 +64,7 @@ mod tests {
         let mut found = depths();
         found[50] += 0.01;
         let left = [0.0, 0.35, 0.7].map(|turn_rad| {
-            let drawn = drawn_to_canonical(&found, &depths(), turn_rad).unwrap();
+            let drawn = CanonicalShape::new(turn_rad).unwrap().drawn(&found, &depths()).unwrap();
             let mean = |z: &[f64]| z.iter().sum::<f64>() / z.len() as f64;
             assert!((mean(&drawn) - mean(&found)).abs() < 1e-4, "the whole stays where it is");
             drawn[50] - depths()[50]

@@ -133,39 +133,41 @@ impl View {
         const MOST_STEPS: usize = 8;
         const ENOUGH: f64 = 1e-9;
         for _ in 0..MOST_STEPS {
-            let Some(step) = self.step(canonical, seen_px, distance_m, unit_px_per_m) else { break };
+            let lens = self.lens(distance_m, unit_px_per_m);
+            let Some(step) = self.step(canonical, seen_px, lens) else { break };
             self.take(&step);
             if step.norm() < ENOUGH {
                 break;
             }
         }
+        let lens = self.lens(distance_m, unit_px_per_m);
         let costs = canonical.iter().zip(seen_px).map(|(&position, &seen)| {
-            let error = (self.seen(self.rotation * position, distance_m) - seen) / (unit_px_per_m * SOFT_M);
+            let error = (lens.seen(self.rotation * position, self.aside_m) - seen) * lens.units_per_px;
             2.0 * ((1.0 + error.length_squared()).sqrt() - 1.0)
         });
         costs.sum::<f64>() / canonical.len() as f64
     }
 
-    /// Where a point is seen whose place from the face's middle is `turned`, in the camera's frame.
-    fn seen(&self, turned: DVec3, distance_m: f64) -> DVec2 {
+    fn lens(&self, distance_m: f64, unit_px_per_m: f64) -> Lens {
         let focal_px = self.log_px_per_m.exp() * distance_m;
-        (turned.truncate() + self.aside_m) * focal_px / (distance_m - turned.z)
+        Lens { distance_m, focal_px, units_per_px: 1.0 / (unit_px_per_m * SOFT_M) }
     }
 
-    fn step(&self, canonical: &[DVec3], seen_px: &[DVec2], distance_m: f64, unit: f64) -> Option<Parameters> {
+    fn step(&self, canonical: &[DVec3], seen_px: &[DVec2], lens: Lens) -> Option<Parameters> {
         let mut normal = SMatrix::<f64, 6, 6>::zeros();
         let mut gradient = Parameters::zeros();
-        let focal_px = self.log_px_per_m.exp() * distance_m;
         for (&position, &seen) in canonical.iter().zip(seen_px) {
             let turned = self.rotation * position;
-            let place = self.seen(turned, distance_m);
-            let error = (place - seen) / (unit * SOFT_M);
+            let place = lens.seen(turned, self.aside_m);
+            let error = (place - seen) * lens.units_per_px;
             let weight = 1.0 / (1.0 + error.length_squared()).sqrt();
-            let per_m = focal_px / (distance_m - turned.z);
             for axis in 0..2 {
-                let slope = row(axis, turned, place, per_m, distance_m) / (unit * SOFT_M);
-                normal += slope * slope.transpose() * weight;
-                gradient += slope * (error[axis] * weight);
+                let slope = lens.slope(axis, turned, place);
+                for (i, part) in slope.iter().enumerate() {
+                    gradient[i] += part * error[axis] * weight;
+                    // Half of the products: the factorisation does not read the other half, which mirrors them.
+                    slope[..=i].iter().enumerate().for_each(|(j, other)| normal[(i, j)] += part * other * weight);
+                }
             }
         }
         normal.cholesky().map(|factor| -factor.solve(&gradient))
@@ -179,12 +181,30 @@ impl View {
     }
 }
 
-/// How one coordinate of where a point is seen changes with the parameters.
-fn row(axis: usize, turned: DVec3, place: DVec2, per_m: f64, distance_m: f64) -> Parameters {
-    let along = if axis == 0 { DVec3::X } else { DVec3::Y };
-    // With the point's place in the camera's frame.
-    let by_place = (along + DVec3::Z * (place[axis] / (per_m * (distance_m - turned.z)))) * per_m;
-    let by_turn = turned.cross(by_place);
-    let aside = [0, 1].map(|other| if other == axis { per_m } else { 0.0 });
-    Parameters::from([by_turn.x, by_turn.y, by_turn.z, aside[0], aside[1], place[axis]])
+/// How a camera at a given distance draws what it sees.
+#[derive(Clone, Copy)]
+struct Lens {
+    distance_m: f64,
+    focal_px: f64,
+    /// What errors are counted in: [`SOFT_M`] in the middle of the face.
+    units_per_px: f64,
+}
+
+impl Lens {
+    /// Where a point is seen whose place from the face's middle is `turned`, in the camera's frame.
+    fn seen(&self, turned: DVec3, aside_m: DVec2) -> DVec2 {
+        (turned.truncate() + aside_m) * (self.focal_px / (self.distance_m - turned.z))
+    }
+
+    /// How one coordinate of where a point is seen, in units, changes with the parameters.
+    fn slope(&self, axis: usize, turned: DVec3, place: DVec2) -> [f64; 6] {
+        let along = if axis == 0 { DVec3::X } else { DVec3::Y };
+        let units_per_px_m = self.units_per_px / (self.distance_m - turned.z);
+        let units_per_m = units_per_px_m * self.focal_px;
+        // With the point's place in the camera's frame.
+        let by_place = along * units_per_m + DVec3::Z * (place[axis] * units_per_px_m);
+        let by_turn = turned.cross(by_place);
+        let aside = [0, 1].map(|other| if other == axis { units_per_m } else { 0.0 });
+        [by_turn.x, by_turn.y, by_turn.z, aside[0], aside[1], place[axis] * self.units_per_px]
+    }
 }

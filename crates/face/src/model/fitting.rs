@@ -3,7 +3,7 @@
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 use super::seen::{fit_canonical_to, in_px, px_from_image};
-use crate::camera::{self, Camera, Evidence};
+use crate::camera::{self, Camera, CanonicalShape, Evidence};
 use crate::irises::{MIDDLE_OF_LIDS, POINTS_OF_AN_IRIS};
 use crate::photo_lens::NEAREST_M;
 use crate::procrustes::Similarity;
@@ -31,7 +31,8 @@ impl Fitted {
     pub(super) fn new(landmarks: &[[f32; 3]], size_px: [u32; 2], lens: PhotoLens) -> Result<Self, FaceError> {
         let seen = in_px(landmarks, size_px)?;
         let principal_px = DVec2::new(f64::from(size_px[0]), -f64::from(size_px[1])) / 2.0;
-        let sight = Sight { seen, size_px, principal_px };
+        let shape = CanonicalShape::new(camera::turn_rad(fit_canonical_to(&seen)?.rotation))?;
+        let sight = Sight { seen, size_px, principal_px, shape };
         match lens.checked()? {
             PhotoLens::Parallel => sight.parallel(),
             PhotoLens::Estimated => sight.estimated(&sight.evidence()?),
@@ -52,6 +53,8 @@ struct Sight {
     seen: Vec<DVec3>,
     size_px: [u32; 2],
     principal_px: DVec2,
+    /// What depths are drawn to, as much as the turn of the head asks for.
+    shape: CanonicalShape,
 }
 
 impl Sight {
@@ -120,8 +123,7 @@ impl Sight {
         let mut px_from_model = fit_canonical_to(&points)?;
         for _ in 0..STEPS {
             let depths: Vec<f64> = canonical.iter().map(|&position| px_from_model.apply(position).z).collect();
-            let turn_rad = camera::turn_rad(px_from_model.rotation);
-            let mut drawn = camera::drawn_to_canonical(&found[..LANDMARK_COUNT], &depths, turn_rad)?;
+            let mut drawn = self.shape.drawn(&found[..LANDMARK_COUNT], &depths)?;
             let mean = drawn.iter().sum::<f64>() / drawn.len() as f64;
             drawn.iter_mut().for_each(|z| *z -= mean);
             drawn.extend(with_their_eyes(&drawn, &found));

@@ -1,10 +1,15 @@
 use nalgebra::{DMatrix, DVector};
-use rosto_laplacian::{LaplacianError, Operator, faired};
+use nalgebra_sparse::CsrMatrix;
+use rosto_laplacian::{Fairing, LaplacianError, Operator};
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use crate::meshes::small;
 use crate::seeded::Seeded;
+
+fn faired(operator: &CsrMatrix<f64>, values: &[f64], weight: f64) -> Result<Vec<f64>, LaplacianError> {
+    Fairing::new(operator, weight)?.faired(values)
+}
 
 const WEIGHTS: [f64; 3] = [0.1, 30.0, 1e4];
 
