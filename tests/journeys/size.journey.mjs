@@ -2,10 +2,12 @@ import assert from "node:assert/strict";
 import { journey } from "./journey.mjs";
 import { difference } from "./pixels.mjs";
 
-/** The measures on the panel: name to length in mm. */
+/** The measures on the panel: name to length in mm. Read at once: the panel may replace the list between two looks. */
 async function measures(page) {
-  return page.$$eval("#size-measures dt", (names) =>
-    Object.fromEntries(names.map((name) => [name.textContent, Number.parseFloat(name.nextElementSibling.textContent)])));
+  return page.evaluate(() => {
+    const names = [...document.querySelectorAll("#size-measures dt")];
+    return Object.fromEntries(names.map((name) => [name.textContent, Number.parseFloat(name.nextElementSibling.textContent)]));
+  });
 }
 
 journey("a face tells from how far it was photographed, and follows when that is changed", async (open) => {
