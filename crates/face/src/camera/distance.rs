@@ -36,15 +36,17 @@ const TURNS_RAD: [f64; 2] = [0.21, 0.56];
 const USUAL_M: f64 = 0.45;
 const USUAL_DEVIATION: f64 = 0.6;
 
-/// The network draws faces towards those it has learnt from: it shows this share less of the difference that perspective
-/// makes beside a face seen from the distance below. Measured with cameras of known places before a head of known shape.
-const DRAWN_IN: f64 = 0.2;
+/// The network draws faces towards those it has learnt from: it shows these shares less of the difference that perspective
+/// makes beside a face seen from the distance below, of one that is nearer and of one that is farther away. Measured with
+/// cameras of known places before a head of known shape.
+const DRAWN_IN: [f64; 2] = [0.32, 0.2];
 const DRAWN_TO_M: f64 = 0.6;
 
 /// The distance from which a face seems to be seen whose camera stands that far away.
 fn shown_m(distance_m: f64) -> f64 {
     let usual_per_m = 1.0 / DRAWN_TO_M;
-    1.0 / (usual_per_m + (1.0 - DRAWN_IN) * (1.0 / distance_m - usual_per_m))
+    let drawn_in = DRAWN_IN[usize::from(distance_m > DRAWN_TO_M)];
+    1.0 / (usual_per_m + (1.0 - drawn_in) * (1.0 / distance_m - usual_per_m))
 }
 
 impl Evidence {
