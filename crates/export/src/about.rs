@@ -12,7 +12,8 @@ use serde_json::{Map, Value, json};
 ///  "irises_mm": {"right-iris-middle": [-31.0, 26.1, 38.2]}}
 /// ```
 /// Errors are one standard deviation, as a share. The measures are those of `positions_m`, the first 468 of which are the
-/// landmarks'; irises, and the middles of the eyes, which stay when the gaze wanders, are where they were found. A distance that is infinite is left out, and so is its focal length.
+/// landmarks'; irises, and the middles of the eyes, which stay when the gaze wanders, are where they were found. A distance
+/// that is infinite is left out, and so is its focal length.
 pub fn about(face: &FaceModel, positions_m: &[DVec3]) -> Value {
     let (camera, pose, scale) = (face.camera(), face.camera().pose(), face.scale());
     let rounded = |number: f64, digits: i32| (number * 10_f64.powi(digits)).round() / 10_f64.powi(digits);

@@ -133,20 +133,22 @@ proptest! {
     }
 }
 
-/// From where a face seems to be seen in the network's landmarks: they show a fifth less of the difference that perspective
-/// makes beside a face seen from 60 cm.
+/// From where a face seems to be seen in the network's landmarks: they show a third less of the difference that perspective
+/// makes beside a face seen from 60 cm, or a fifth less where it is farther away.
 fn shown_m(distance_m: f64) -> f64 {
-    1.0 / (1.0 / 0.6 + 0.8 * (1.0 / distance_m - 1.0 / 0.6))
+    let share = if distance_m < 0.6 { 0.68 } else { 0.8 };
+    1.0 / (1.0 / 0.6 + share * (1.0 / distance_m - 1.0 / 0.6))
 }
 
 #[test]
 fn the_distance_of_a_face_that_looks_at_the_camera_is_read_off_it() {
-    for distance_m in [0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.6] {
+    for distance_m in [0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.8, 1.0] {
         for pose_deg in [[0.0, 0.0, 0.0], [8.0, 0.0, 20.0], [0.0, -8.0, -70.0], [-6.0, 6.0, 180.0]] {
             let shown_m = shown_m(distance_m);
             let scene = Scene { distance_m: shown_m, pose_deg, focal_px: 2500.0 * shown_m, ..FRONT };
             let found_m = model(&landmarks(&head(false), scene), PhotoLens::Estimated).camera().distance_m;
-            assert!((found_m / distance_m - 1.0).abs() < 0.15, "{distance_m} m at {pose_deg:?}: {found_m}");
+            let most = if distance_m > 0.6 { 0.08 } else { 0.01 };
+            assert!((found_m / distance_m - 1.0).abs() < most, "{distance_m} m at {pose_deg:?}: {found_m}");
         }
     }
 }

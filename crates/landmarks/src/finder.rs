@@ -44,9 +44,9 @@ pub struct Face {
     /// The landmark network's, 0.5..1.
     pub presence: f32,
     /// How sure it is that this is a face and that the landmarks lie on it: of [`Search::Once`], the presence alone;
-    /// of [`Search::Thorough`], a product of weights for the presence, for how well the last two passes agree, for how sure the
-    /// detector is from near, for how well its eyes, nose and mouth agree with those of the mesh, and for how much more a face
-    /// the right way up it is to the detector than one on its head; above 0.7 then.
+    /// of [`Search::Thorough`], above 0.7, a product of weights for the presence, for how well the last two passes agree,
+    /// for how sure the detector is from near, for how well its eyes, nose and mouth agree with those of the mesh, and for
+    /// how much more a face the right way up it is to the detector than one on its head.
     pub confidence: f32,
     /// 468 points in MediaPipe's normalised convention: x/W, y/H, z/W; y points down, smaller z is nearer, z is about 0
     /// in the mean. With [`LandmarkNetwork::Attention`] 478: ten of the irises follow, the right one first, each its middle
