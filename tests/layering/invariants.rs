@@ -14,14 +14,15 @@ pub struct Invariant {
 }
 
 /// Which crates of the workspace each crate may know; the table of ARCHITECTURE.md in the order of the way of the data.
-const MAY_KNOW: [(&str, &[&str]); 17] = [
+const MAY_KNOW: [(&str, &[&str]); 18] = [
     ("rosto-named", &[]),
     ("rosto-mesh", &[]),
     ("rosto-laplacian", &["mesh", "named"]),
     ("rosto-photo", &[]),
     ("rosto-landmarks", &["photo"]),
     ("rosto-face", &["laplacian", "mesh", "photo", "named"]),
-    ("rosto-studio", &["face", "laplacian", "mesh", "named"]),
+    ("rosto-warp", &["laplacian", "mesh", "photo"]),
+    ("rosto-studio", &["face", "laplacian", "mesh", "named", "warp"]),
     ("rosto-export", &["face", "mesh", "named"]),
     ("rosto-stage", &["mesh", "named"]),
     ("rosto-session", &["export", "face", "laplacian", "mesh", "named", "stage", "studio"]),
@@ -29,7 +30,7 @@ const MAY_KNOW: [(&str, &[&str]); 17] = [
     ("rosto-studio-web", &PAGE_MAY_KNOW),
     ("rosto-studio-webgl", &PAGE_MAY_KNOW),
     ("rosto-vision-web", &["landmarks", "photo"]),
-    ("rosto-cli", &["export", "face", "landmarks", "laplacian", "mesh", "named", "photo", "studio"]),
+    ("rosto-cli", &["export", "face", "landmarks", "laplacian", "mesh", "named", "photo", "studio", "warp"]),
     ("rosto-model-import", &[]),
     ("xtask", &["model-import"]),
 ];
@@ -37,13 +38,14 @@ const MAY_KNOW: [(&str, &[&str]); 17] = [
 const PAGE_MAY_KNOW: [&str; 8] = ["session", "studio", "stage", "viewport", "export", "face", "laplacian", "mesh"];
 
 /// The crates that know neither browser, clock, file, network, environment nor random source.
-const CORE: [&str; 11] = [
+const CORE: [&str; 12] = [
     "rosto-named",
     "rosto-mesh",
     "rosto-laplacian",
     "rosto-photo",
     "rosto-landmarks",
     "rosto-face",
+    "rosto-warp",
     "rosto-studio",
     "rosto-export",
     "rosto-stage",

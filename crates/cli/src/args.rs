@@ -5,7 +5,7 @@ use clap::{Args, Parser, Subcommand};
 use rosto_export::BaseColour;
 use rosto_face::{Photo, PhotoLens, Region, Triangulation};
 use rosto_landmarks::FindOptions;
-use rosto_studio::{ConstraintKind, FaceSlider, Operator};
+use rosto_studio::{ConstraintKind, DEFAULT_RING, FaceSlider, Operator};
 
 use crate::choices::{listed, one_of};
 use crate::edits::{Edit, RegionEdit, SliderEdit};
@@ -47,6 +47,9 @@ pub enum Task {
     /// Write the face in a photo as a mesh, edited on request
     #[command(after_help = EXIT_CODES)]
     Mesh(Box<MeshTask>),
+    /// Write the photo with its face edited
+    #[command(after_help = EXIT_CODES)]
+    Photo(Box<PhotoTask>),
     /// Repeat the experiment of the paper on a photo and on this machine
     #[command(after_help = EXIT_CODES)]
     Paper(PaperTask),
@@ -135,6 +138,37 @@ pub struct MeshTask {
     /// Writes the face unedited, with each edit as a named morph target at weight 1; for .glb and .gltf with --units mm
     #[arg(long)]
     pub morph_targets: bool,
+    #[command(flatten)]
+    pub find: FindArguments,
+    #[command(flatten)]
+    pub camera: CameraArguments,
+    #[command(flatten)]
+    pub edits: EditArguments,
+    #[command(flatten)]
+    pub settings: SettingsArguments,
+}
+
+#[derive(Debug, Args)]
+pub struct PhotoTask {
+    /// JPEG, PNG or WebP; - reads standard input
+    pub photo: PathBuf,
+    /// The file to write, whole or not at all: .jpg or .png, upright, in sRGB, without what the photo's file told of its place
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    /// How far around the face the photo gives way, as a share of the face's longer side
+    #[arg(long, value_name = "SHARE", default_value_t = DEFAULT_RING, allow_negative_numbers = true, value_parser = settings::ring)]
+    pub ring: f64,
+    /// Shows the face as a camera sees it from so many cm
+    #[arg(long = "seen-from", value_name = "CM", allow_negative_numbers = true, value_parser = settings::seen_from)]
+    pub seen_from_m: Option<f64>,
+    /// How the landmarks are joined: with holes for eyes and mouth, or closed
+    #[arg(long, default_value = Triangulation::default().id(),
+        value_parser = one_of("triangulation", Triangulation::ALL, Triangulation::id, Triangulation::from_id))]
+    pub topology: Triangulation,
+    /// How often every triangle is cut in four (Loop subdivision)
+    #[arg(long, value_name = "TIMES", default_value_t = 0, allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(0..=4))]
+    pub density: u32,
     #[command(flatten)]
     pub find: FindArguments,
     #[command(flatten)]

@@ -45,6 +45,10 @@ pub enum CliError {
     Edit { number: usize, what: String, reason: StudioError },
     #[error("{}: its name does not end as a format is called: {}", named(path), endings())]
     UnknownFormat { path: PathBuf },
+    #[error("{}: a photo is written as .jpg or .png", named(path))]
+    NoPictureFormat { path: PathBuf },
+    #[error("{}: {reason}", named(path))]
+    NotEncoded { path: PathBuf, reason: image::ImageError },
     #[error("{}: {reason}", named(path))]
     Unwritable { path: PathBuf, reason: io::Error },
     #[error("standard output: {0}")]
@@ -93,6 +97,7 @@ impl CliError {
     fn code(&self) -> u8 {
         match self {
             Self::Useless { .. } | Self::StandardInputTwice | Self::OverInput { .. } | Self::UnknownFormat { .. } => 2,
+            Self::NoPictureFormat { .. } => 2,
             Self::EditsUnreadable { .. } | Self::EditsFile { .. } | Self::EditsUtf16 { .. } => 2,
             Self::Unreadable { .. } | Self::NoPicture { .. } | Self::SomePhotosFailed { .. } => 3,
             Self::NoFace { .. } => 4,
@@ -101,7 +106,7 @@ impl CliError {
             Self::Unwritable { .. } | Self::Output(_) => 6,
             Self::NetworksMissing { .. } | Self::NetworkMissing { .. } | Self::NetworkUnreadable { .. } => 7,
             Self::Networks(_) | Self::NetworksFailed { .. } | Self::NoPlace { .. } => 7,
-            Self::NoModel { .. } | Self::Export(_) | Self::Studio(_) => 1,
+            Self::NoModel { .. } | Self::NotEncoded { .. } | Self::Export(_) | Self::Studio(_) => 1,
         }
     }
 }

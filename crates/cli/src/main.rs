@@ -12,6 +12,7 @@ mod model_history;
 mod networks;
 mod output;
 mod paper;
+mod photo;
 mod portrait;
 mod request;
 mod settings;
@@ -53,6 +54,7 @@ fn run(arguments: &Arguments, matches: &ArgMatches) -> Result<(), CliError> {
     match &arguments.task {
         Task::Landmarks(task) => landmarks::run(task, networks),
         Task::Mesh(task) => mesh::run(task, &given, networks),
+        Task::Photo(task) => photo::run(task, &given, networks),
         Task::Paper(task) => paper::run(task, networks),
     }
 }

@@ -12,7 +12,7 @@ use crate::units::{MM_PER_M, Units};
 use crate::{edits, files, networks, output, portrait, settings, terminal};
 
 /// A command with the words that a message names it by.
-struct Step {
+pub struct Step {
     what: String,
     command: Command,
 }
@@ -39,7 +39,7 @@ pub fn run(task: &MeshTask, given: &Given<'_>, networks: Option<&Path>) -> Resul
     let finder = networks::load(networks, task.find.landmarks())?;
     let face = portrait::face(&photo, &task.photo, &finder, &task.find.options(None))?;
     let face = portrait::model(&photo, &face, task.topology, task.camera.lens(&photo), &task.photo)?;
-    let mut document = edited(&face, steps, task)?;
+    let mut document = edited(&face, steps, task.edits.units, task.density)?;
     output::write(&task.output, &encode::encode(&face, &mut document, task, format)?)?;
     terminal::note(&taken_from(&face));
     Ok(())
@@ -59,7 +59,7 @@ fn taken_from(face: &FaceModel) -> String {
 }
 
 /// All that was asked for, in the order that `--help` promises.
-fn steps(asked: &EditArguments, settings: &SettingsArguments) -> Result<Vec<Step>, CliError> {
+pub fn steps(asked: &EditArguments, settings: &SettingsArguments) -> Result<Vec<Step>, CliError> {
     let unit = 1.0 / asked.units.per_document_unit();
     let mut steps = Vec::new();
     let mut edits = asked.file.as_deref().map(edits::read).transpose()?.unwrap_or_default();
@@ -93,13 +93,14 @@ fn steps(asked: &EditArguments, settings: &SettingsArguments) -> Result<Vec<Step
     Ok(steps)
 }
 
-fn edited(face: &FaceModel, steps: Vec<Step>, task: &MeshTask) -> Result<Document, CliError> {
-    let rest = match task.edits.units {
+/// The face with all of that done to it.
+pub fn edited(face: &FaceModel, steps: Vec<Step>, units: Units, density: u32) -> Result<Document, CliError> {
+    let rest = match units {
         Units::Image => image_rest(face),
         Units::Mm => Rest::of_face(face),
     };
     let mut document = Document::new(rest)?;
-    document.set_density(task.density)?;
+    document.set_density(density)?;
     for (index, Step { what, command }) in steps.into_iter().enumerate() {
         apply(&mut document, command).map_err(|reason| CliError::Edit { number: index + 1, what, reason })?;
     }

@@ -4,7 +4,7 @@ use clap::ArgMatches;
 use clap::parser::ValueSource;
 use rosto_export::{Choosable, Format};
 
-use crate::args::{EditArguments, MeshTask};
+use crate::args::{EditArguments, MeshTask, SettingsArguments};
 use crate::error::CliError;
 use crate::settings::Rule;
 use crate::units::Units;
@@ -33,7 +33,7 @@ impl Given<'_> {
 /// Refuses what would change nothing in `rosto mesh`.
 pub fn check(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), CliError> {
     check_format(task, format, given)?;
-    check_settings(task, given)
+    check_settings(&task.edits, &task.settings, given)
 }
 
 fn check_format(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), CliError> {
@@ -51,18 +51,19 @@ fn check_format(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<()
     }
 }
 
-fn check_settings(task: &MeshTask, given: &Given<'_>) -> Result<(), CliError> {
-    if !moves(&task.edits)
+/// Refuses settings of edits where there is none that they could shape.
+pub fn check_settings(edits: &EditArguments, settings: &SettingsArguments, given: &Given<'_>) -> Result<(), CliError> {
+    if !moves(edits)
         && let Some((_, flag)) = SETTINGS.into_iter().find(|(id, _)| given.has(id))
     {
         return useless(flag, "it shapes --edit, --edits and --region, and none is given");
     }
-    let asks_rule = asks_rule(&task.edits);
+    let asks_rule = asks_rule(edits);
     if given.has("anchors") && !asks_rule {
         return useless("--anchors", "every edit names its own");
     }
     match given.has("seed") {
-        true if task.settings.anchors != Rule::Random => useless("--seed", "--anchors leaves nothing to chance"),
+        true if settings.anchors != Rule::Random => useless("--seed", "--anchors leaves nothing to chance"),
         true if !asks_rule => useless("--seed", "every edit names its anchors"),
         _ => Ok(()),
     }

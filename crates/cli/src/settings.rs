@@ -1,5 +1,5 @@
 use rosto_face::PhotoLens;
-use rosto_studio::{AnchorKind, Anchors, ConstraintKind, Details, Mirror, RegionOfInfluence, Settings};
+use rosto_studio::{AnchorKind, Anchors, ConstraintKind, Details, Mirror, RING_SHARES, RegionOfInfluence, Settings};
 
 use crate::args::SettingsArguments;
 
@@ -36,6 +36,21 @@ pub fn distance(text: &str) -> Result<PhotoLens, String> {
     let distance_m = text.parse::<f64>().ok().map(|distance_cm| distance_cm / CM_PER_M);
     let lens = distance_m.and_then(|distance_m| PhotoLens::Distance(distance_m).checked().ok());
     lens.ok_or_else(|| "a camera stands 10 to 2000 cm away".to_owned())
+}
+
+/// From how many cm a face is to be seen, in metres.
+pub fn seen_from(text: &str) -> Result<f64, String> {
+    match distance(text)? {
+        PhotoLens::Distance(distance_m) => Ok(distance_m),
+        _ => Err("a distance is a number of cm".to_owned()),
+    }
+}
+
+/// How far a photo gives way around a face, in shares of its longer side.
+pub fn ring(text: &str) -> Result<f64, String> {
+    let ring: Option<f64> = text.parse().ok();
+    let [least, most] = [RING_SHARES.start(), RING_SHARES.end()];
+    ring.filter(|ring| RING_SHARES.contains(ring)).ok_or_else(|| format!("give a share from {least} to {most}"))
 }
 
 /// A focal length in mm.

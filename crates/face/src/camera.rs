@@ -6,6 +6,7 @@
 
 mod depth;
 mod distance;
+mod projection;
 
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 
@@ -23,6 +24,8 @@ pub struct Camera {
     pub focal_px: f64,
     /// Where its axis meets the photo, in px from the top left, y down.
     pub principal_px: DVec2,
+    /// So many px of the photo are a metre as deep as the middle of the face.
+    pub px_per_m: f64,
     /// From the camera to the middle of the face, in metres; infinite for [`PhotoLens::Parallel`].
     pub distance_m: f64,
     /// One standard deviation of the distance, as a share of it: from the landmarks' evidence where it was estimated, and

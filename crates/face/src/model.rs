@@ -154,6 +154,13 @@ impl FaceModel {
         &self.camera
     }
 
+    /// That camera gone back, or come nearer, to a distance from the middle of the face: the face stays where it is in the photo,
+    /// as large as it is.
+    pub fn seen_from(&self, distance_m: f64) -> Camera {
+        let middle_m = self.positions_m.iter().sum::<DVec3>() / self.positions_m.len() as f64;
+        self.camera.at_distance(distance_m, middle_m)
+    }
+
     /// What was known of its lens.
     pub fn lens(&self) -> PhotoLens {
         self.lens

@@ -32,6 +32,7 @@
 mod anchored;
 mod anchors;
 mod constraints;
+mod continuation;
 mod dirichlet;
 mod distortion;
 mod error;
@@ -53,6 +54,7 @@ mod weights;
 pub use anchored::AnchoredSystem;
 pub use anchors::random_anchors;
 pub use constraints::{ConstraintKind, Constraints};
+pub use continuation::Continuation;
 pub use distortion::{Distortion, DistortionSummary, Extreme};
 pub use error::LaplacianError;
 pub use factor::Factor;

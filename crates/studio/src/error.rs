@@ -1,4 +1,5 @@
 use rosto_laplacian::LaplacianError;
+use rosto_warp::WarpError;
 use thiserror::Error;
 
 /// Why a command cannot be carried out. The document is as it was before.
@@ -8,6 +9,9 @@ pub enum StudioError {
     /// The edit has no answer.
     #[error(transparent)]
     Laplacian(#[from] LaplacianError),
+    /// The photo cannot be warped.
+    #[error(transparent)]
+    Warp(#[from] WarpError),
     /// There is not one offset for each handle.
     #[error("{found} offsets for {expected} handles")]
     WrongOffsetCount {

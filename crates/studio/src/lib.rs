@@ -9,6 +9,7 @@ mod command;
 mod document;
 mod error;
 mod history;
+mod in_photo;
 mod influence;
 mod level;
 mod level_positions;
@@ -23,6 +24,7 @@ pub use command::{AnchorKind, Anchors, Command, Details, EditSpec, Mirror, Regio
 pub use document::{Document, MAX_DENSITY};
 pub use error::StudioError;
 pub use history::{Entry, History, Standing, Switch};
+pub use in_photo::{DEFAULT_RING, InPhoto, RING_SHARES};
 pub use influence::InfluenceWeights;
 pub use level::{CoordinateFrame, Rest};
 pub use rosto_laplacian::{ConstraintKind, Operator};

@@ -156,6 +156,7 @@ impl Sight {
             lens,
             focal_px,
             principal_px: DVec2::new(self.principal_px.x, -self.principal_px.y),
+            px_per_m: m_per_px.recip(),
             distance_m,
             distance_error: match lens {
                 PhotoLens::Distance(_) => 0.0,

@@ -1,0 +1,98 @@
+//! `rosto photo`: a photo to the same photo with its face edited.
+
+use std::io::Cursor;
+use std::path::Path;
+
+use image::codecs::jpeg::JpegEncoder;
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder, ImageError};
+use rosto_face::FaceModel;
+use rosto_photo::Photo;
+use rosto_studio::{Document, InPhoto, Rest};
+
+use crate::args::PhotoTask;
+use crate::encode::model_from_image;
+use crate::error::CliError;
+use crate::mesh::{edited, steps};
+use crate::request::{self, Given};
+use crate::units::Units;
+use crate::{files, networks, output, portrait, terminal};
+
+/// Whoever wants the pixels as they are asks for a PNG.
+const JPEG_QUALITY: u8 = 95;
+
+/// `rosto photo`: photo to edited photo.
+pub fn run(task: &PhotoTask, given: &Given<'_>, networks: Option<&Path>) -> Result<(), CliError> {
+    let inputs: Vec<&Path> =
+        [Some(&task.photo), task.edits.file.as_ref()].into_iter().flatten().map(|p| &**p).collect();
+    if inputs.iter().filter(|input| files::is_standard_input(input)).count() > 1 {
+        return Err(CliError::StandardInputTwice);
+    }
+    output::check(&task.output, &inputs)?;
+    let format = PictureFormat::of(&task.output)?;
+    request::check_settings(&task.edits, &task.settings, given)?;
+    let steps = steps(&task.edits, &task.settings)?;
+    let photo = portrait::open(&task.photo)?;
+    let finder = networks::load(networks, task.find.landmarks())?;
+    let face = portrait::face(&photo, &task.photo, &finder, &task.find.options(None))?;
+    let face = portrait::model(&photo, &face, task.topology, task.camera.lens(&photo), &task.photo)?;
+    let document = edited(&face, steps, task.edits.units, task.density)?;
+    output::write(&task.output, &format.encode(&warped(&photo, &face, &document, task)?, &task.output)?)
+}
+
+fn warped(photo: &Photo, face: &FaceModel, document: &Document, task: &PhotoTask) -> Result<Photo, CliError> {
+    let in_model = Document::new(Rest::of_face(face)).and_then(|mut unedited| {
+        unedited.set_density(task.density)?;
+        Ok(unedited)
+    })?;
+    let positions_m = match task.edits.units {
+        Units::Image => model_from_image(face, document)?,
+        Units::Mm => document.positions().to_vec(),
+    };
+    let mut in_photo = InPhoto::new(face, &in_model, task.ring, &[])?;
+    let seen_from = match task.seen_from_m {
+        Some(distance_m) => face.seen_from(distance_m),
+        None => *face.camera(),
+    };
+    in_photo.follow(in_model.rest(), &positions_m, face.camera(), &seen_from);
+    if in_photo.limited_px() > 1.0 {
+        terminal::note(&format!(
+            "the photo stays up to {:.0} px behind the edits, so that nothing in it folds",
+            in_photo.limited_px()
+        ));
+    }
+    Ok(rosto_warp::drawn(photo, in_photo.patch()))
+}
+
+/// What a photo is written as.
+#[derive(Debug, Clone, Copy)]
+enum PictureFormat {
+    Png,
+    Jpeg,
+}
+
+impl PictureFormat {
+    fn of(path: &Path) -> Result<Self, CliError> {
+        let ending = path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
+        match ending.as_deref() {
+            Some("png") => Ok(Self::Png),
+            Some("jpg" | "jpeg") => Ok(Self::Jpeg),
+            _ => Err(CliError::NoPictureFormat { path: path.to_owned() }),
+        }
+    }
+
+    /// Upright sRGB, without any of what the photo's file told of where and when it was taken.
+    fn encode(self, photo: &Photo, path: &Path) -> Result<Vec<u8>, CliError> {
+        let mut bytes = Cursor::new(Vec::new());
+        let (pixels, width, height, colour) = (photo.pixels(), photo.width(), photo.height(), ExtendedColorType::Rgb8);
+        let written = match self {
+            Self::Png => PngEncoder::new(&mut bytes).write_image(pixels, width, height, colour),
+            Self::Jpeg => {
+                JpegEncoder::new_with_quality(&mut bytes, JPEG_QUALITY).write_image(pixels, width, height, colour)
+            }
+        };
+        let refused = |reason: ImageError| CliError::NotEncoded { path: path.to_owned(), reason };
+        written.map_err(refused)?;
+        Ok(bytes.into_inner())
+    }
+}

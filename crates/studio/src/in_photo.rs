@@ -1,0 +1,88 @@
+use std::ops::RangeInclusive;
+
+use glam::{DVec2, DVec3};
+use rosto_face::{Camera, FaceModel};
+use rosto_warp::{Dab, Patch, Subject, Warp, seen};
+
+use crate::{Document, StudioError};
+
+/// How far around the face a photo can give way, in shares of the face's longer side.
+pub const RING_SHARES: RangeInclusive<f64> = 0.1..=0.8;
+
+/// And how far it does if nobody says otherwise.
+pub const DEFAULT_RING: f64 = 0.35;
+
+/// What lies less than this behind the surface is seen all the same, in metres.
+const BEHIND_M: f64 = 0.004;
+
+/// The edits of a face in its photo: what of the mesh the photo's camera sees leads the picture, which gives way around it.
+pub struct InPhoto {
+    /// Vertices of the mesh that lead.
+    vertices: Vec<u32>,
+    from_px: Vec<DVec2>,
+    to_px: Vec<DVec2>,
+    warp: Warp,
+}
+
+impl InPhoto {
+    /// Of the mesh that a document shows. The photo gives way around it by `ring`, a share of the face's longer side within
+    /// [`RING_SHARES`], and stays where `kept` says, in its px.
+    ///
+    /// # Errors
+    /// [`StudioError::Warp`] where too little of the face lies in its photo.
+    pub fn new(face: &FaceModel, document: &Document, ring: f64, kept: &[Dab]) -> Result<Self, StudioError> {
+        let camera = face.camera();
+        let places: Vec<DVec3> = document.rest().iter().map(|&place_m| place(camera, place_m)).collect();
+        Self::over(document.topology().triangles(), &places, face.photo_size_px(), ring, kept)
+    }
+
+    /// The same of a mesh that is seen at these places: px of the photo, y down, and metres towards its camera.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn over(
+        triangles: &[[u32; 3]],
+        places: &[DVec3],
+        size_px: [u32; 2],
+        ring: f64,
+        kept: &[Dab],
+    ) -> Result<Self, StudioError> {
+        let is_seen = seen(triangles, places, BEHIND_M);
+        let vertices: Vec<u32> = (0..places.len() as u32).filter(|&vertex| is_seen[vertex as usize]).collect();
+        let from_px: Vec<DVec2> = vertices.iter().map(|&vertex| places[vertex as usize].truncate()).collect();
+        let ring_px = ring * longer_side(&from_px);
+        let warp = Warp::new(&Subject { size_px, points_px: &from_px, ring_px, kept })?;
+        Ok(Self { vertices, to_px: from_px.clone(), from_px, warp })
+    }
+
+    /// Lets the photo follow vertices from `rest_m` to where they are now, in the model's metres, as `camera` sees them: the photo's own, or
+    /// that one from another distance. One back-substitution for each axis.
+    pub fn follow(&mut self, rest_m: &[DVec3], now_m: &[DVec3], from: &Camera, to: &Camera) {
+        for ((target, from_px), &vertex) in self.to_px.iter_mut().zip(&self.from_px).zip(&self.vertices) {
+            let places = (from.project(rest_m[vertex as usize]), to.project(now_m[vertex as usize]));
+            let (Some(before), Some(after)) = places else { continue };
+            *target = *from_px + (after - before);
+        }
+        self.warp.follow(&self.from_px, &self.to_px);
+    }
+
+    /// What of the photo moves, in its px.
+    pub fn patch(&self) -> &Patch {
+        self.warp.patch()
+    }
+
+    /// By how much the photo stays behind the mesh at most, in px, so that nothing in it folds.
+    pub fn limited_px(&self) -> f64 {
+        self.warp.limited_px()
+    }
+}
+
+fn place(camera: &Camera, place_m: DVec3) -> DVec3 {
+    camera.project(place_m).unwrap_or(DVec2::NAN).extend(camera.towards_camera_m(place_m))
+}
+
+fn longer_side(places: &[DVec2]) -> f64 {
+    let first = places.first().copied().unwrap_or_default();
+    let (low, high) = places.iter().fold((first, first), |(low, high), place| (low.min(*place), high.max(*place)));
+    (high - low).max_element()
+}

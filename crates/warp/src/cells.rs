@@ -1,0 +1,70 @@
+use glam::{DVec2, IVec2};
+
+/// Points sorted into square cells, to find the nearest one quickly.
+pub(crate) struct Cells {
+    from: DVec2,
+    side: f64,
+    count: IVec2,
+    cells: Vec<Vec<DVec2>>,
+}
+
+impl Cells {
+    /// Empty cells of that side over a box.
+    pub(crate) fn over([low, high]: [DVec2; 2], side: f64) -> Self {
+        let count = ((high - low) / side).as_ivec2() + IVec2::ONE;
+        Self { from: low, side, count, cells: vec![Vec::new(); (count.x * count.y) as usize] }
+    }
+
+    pub(crate) fn add(&mut self, point: DVec2) {
+        let cell = self.cell_of(point).clamp(IVec2::ZERO, self.count - IVec2::ONE);
+        self.cells[(cell.y * self.count.x + cell.x) as usize].push(point);
+    }
+
+    /// How far the nearest point is; infinity where none is nearer than `within`.
+    pub(crate) fn distance(&self, place: DVec2, within: f64) -> f64 {
+        let middle = self.cell_of(place);
+        let mut nearest = f64::INFINITY;
+        for ring in 0..=(within / self.side) as i32 + 1 {
+            // Whatever a further ring of cells holds is further away than this.
+            if nearest <= f64::from(ring - 1) * self.side {
+                break;
+            }
+            nearest = self.ring(middle, ring).map(|point| point.distance(place)).fold(nearest, f64::min);
+        }
+        if nearest < within { nearest } else { f64::INFINITY }
+    }
+
+    fn ring(&self, middle: IVec2, ring: i32) -> impl Iterator<Item = DVec2> + '_ {
+        let rows = (middle.y - ring).max(0)..=(middle.y + ring).min(self.count.y - 1);
+        rows.flat_map(move |y| {
+            let is_end = (y - middle.y).abs() == ring;
+            let step = if is_end { 1 } else { (2 * ring).max(1) };
+            let columns = (middle.x - ring..=middle.x + ring).step_by(step as usize);
+            columns.filter(|x| (0..self.count.x).contains(x)).map(move |x| IVec2::new(x, y))
+        })
+        .flat_map(|cell| self.cells[(cell.y * self.count.x + cell.x) as usize].iter().copied())
+    }
+
+    fn cell_of(&self, place: DVec2) -> IVec2 {
+        ((place - self.from) / self.side).floor().as_ivec2()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_of_all_is_found() {
+        let points: Vec<DVec2> =
+            (0..200).map(|i| DVec2::new(f64::from(i * 37 % 101), f64::from(i * 53 % 97))).collect();
+        let mut cells = Cells::over([DVec2::ZERO, DVec2::splat(100.0)], 7.0);
+        points.iter().for_each(|&point| cells.add(point));
+        for i in 0..400 {
+            let place = DVec2::new(f64::from(i * 29 % 173) - 36.0, f64::from(i * 71 % 167) - 33.0);
+            let nearest = points.iter().map(|point| point.distance(place)).fold(f64::INFINITY, f64::min);
+            let expected = if nearest < 25.0 { nearest } else { f64::INFINITY };
+            assert_eq!(cells.distance(place, 25.0), expected, "{place}");
+        }
+    }
+}

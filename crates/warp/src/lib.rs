@@ -1,0 +1,26 @@
+//! A picture that follows points in it, without a seam: what is around the points gives way smoothly, up to a border where
+//! nothing moves.
+//!
+//! [`Warp`] lays a triangulation over a picture (`layout`): the points themselves, and a lattice around and between them.
+//! Wherever the points go, the rest follows with value and slope zero at the border and no bi-Laplacian between, and where a
+//! triangle would fold, the way is shortened (`folds`). [`drawn`] draws the picture so. [`seen`] tells which points of a
+//! surface a camera sees: only those can lead what is in its picture. Knows nothing of faces.
+
+mod cells;
+mod draw;
+mod error;
+mod folds;
+mod layout;
+mod seen;
+mod warp;
+
+pub use draw::drawn;
+pub use error::WarpError;
+pub use layout::{Dab, Subject};
+pub use seen::seen;
+pub use warp::{Patch, Warp};
+
+/// The examples of the README are tested with those of the code.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;
