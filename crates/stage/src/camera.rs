@@ -1,6 +1,7 @@
 mod clear;
 mod eye;
 mod facing;
+mod picture;
 mod pose;
 mod projection;
 
@@ -8,7 +9,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::{DVec2, DVec3};
 
-use crate::{Lens, Pinhole};
+use crate::{Lens, PicturePlane, Pinhole};
 use clear::Clear;
 pub(crate) use eye::Eye;
 pub(crate) use facing::Facing;
@@ -56,6 +57,8 @@ pub struct Camera {
     sway: f64,
     lens: Lens,
     pinhole: Option<Pinhole>,
+    /// The picture that is framed in place of the mesh.
+    framed: Option<PicturePlane>,
     centre_m: DVec3,
     size_px: DVec2,
     clear: Clear,
@@ -75,6 +78,7 @@ impl Default for Camera {
             sway: 0.0,
             lens,
             pinhole: None,
+            framed: None,
             centre_m: DVec3::ZERO,
             size_px: DVec2::ONE,
             clear: Clear::ALL,
@@ -104,7 +108,7 @@ impl Camera {
     /// So many px at the picture's top, right, bottom and left have something lying over them: what is framed fits into
     /// the rest, and its middle is there. It glides there.
     pub fn set_covered(&mut self, covered_px: [f64; 4]) {
-        self.clear_goal = Clear::without(covered_px, self.size_px);
+        self.keep_home(|camera| camera.clear_goal = Clear::without(covered_px, camera.size_px));
     }
 
     /// Fits what is framed into what nothing lies over at once, without a glide.
@@ -129,7 +133,7 @@ impl Camera {
 
     /// Sets the picture's size in px; at least one pixel each way.
     pub fn resize(&mut self, width_px: u32, height_px: u32) {
-        self.size_px = DVec2::new(f64::from(width_px.max(1)), f64::from(height_px.max(1)));
+        self.keep_home(|camera| camera.size_px = DVec2::new(f64::from(width_px.max(1)), f64::from(height_px.max(1))));
     }
 
     /// Size of the picture in px.
@@ -140,6 +144,11 @@ impl Camera {
     /// Chooses whether the camera glides.
     pub fn set_glide(&mut self, glide: Glide) {
         self.glide = glide;
+    }
+
+    /// Whether it glides.
+    pub fn glides(&self) -> bool {
+        self.glide == Glide::Smooth
     }
 
     /// From how far away it looks.
@@ -175,7 +184,7 @@ impl Camera {
 
     /// The lens' eye, and how it faces what is framed if it is a camera that stood somewhere.
     fn seen_from(&self) -> (Eye, Option<Facing>) {
-        let taken = self.pinhole.filter(|_| self.lens == Lens::AsTaken);
+        let taken = self.pinhole.filter(|_| self.lens == Lens::AsTaken || self.framed.is_some());
         match taken.and_then(|pinhole| pinhole.before(self.centre_m, self.goal.radius_m)) {
             Some((eye, facing)) => (eye, Some(facing)),
             None => (self.lens.eye(self.goal.radius_m), None),
@@ -185,7 +194,8 @@ impl Camera {
     fn home(&self) -> Pose {
         let (eye, facing) = self.seen_from();
         let facing = facing.unwrap_or_default();
-        Pose { target_m: self.centre_m, facing, eye, radius_m: self.goal.radius_m, zoom: 1.0 }
+        let home = Pose { target_m: self.centre_m, facing, eye, radius_m: self.goal.radius_m, zoom: 1.0 };
+        self.framed.map_or(home, |picture| self.framing(&picture, home))
     }
 
     /// Turns around the middle as if the pointer held the face: half a turn for a picture's height.
@@ -216,14 +226,15 @@ impl Camera {
     pub fn pan(&mut self, dx_px: f64, dy_px: f64) {
         let axes = self.facing().axes();
         let offset_m = (axes.y_axis * dy_px - axes.x_axis * dx_px) * self.m_per_px_at_target(&self.goal);
-        let from_centre_m = (self.goal.target_m + offset_m - self.centre_m).clamp_length_max(2.0 * self.radius_m());
+        let from_centre_m = (self.goal.target_m + offset_m - self.centre_m).clamp_length_max(self.furthest_m());
         self.goal.target_m = self.centre_m + from_centre_m;
     }
 
     /// Shows things larger by `factor`, smaller if it is below 1; nothing for a factor that is not positive.
     pub fn zoom(&mut self, factor: f64) {
         if factor > 0.0 && factor.is_finite() {
-            self.goal.zoom = (self.goal.zoom * factor).clamp(ZOOM_LIMITS[0], ZOOM_LIMITS[1]);
+            let whole = if self.framed.is_some() { self.home().zoom } else { 1.0 };
+            self.goal.zoom = (self.goal.zoom * factor).clamp(ZOOM_LIMITS[0] * whole, ZOOM_LIMITS[1] * whole);
         }
     }
 

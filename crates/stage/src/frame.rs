@@ -2,7 +2,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
 
 use crate::markers::Axis;
-use crate::{Camera, Dots, Light, MirrorPlane, RenderSettings, Rim};
+use crate::{Camera, Dots, Light, MirrorPlane, PicturePlane, RenderSettings, Rim};
 
 /// What every shader reads once a frame, in the layout of a uniform buffer.
 ///
@@ -40,6 +40,12 @@ pub struct FrameUniforms {
     rim: f32,
     mirror_plane: f32,
     pixel_ratio: f32,
+    picture: f32,
+    picture_origin_m: [f32; 3],
+    picture_width_px: f32,
+    picture_right_m: [f32; 3],
+    picture_height_px: f32,
+    picture_down_m: [f32; 3],
     unused: f32,
 }
 
@@ -57,19 +63,24 @@ pub(crate) struct FrameInputs {
     pub hovered: Option<u32>,
     pub gizmo: Option<u32>,
     pub gizmo_axis: Option<Axis>,
+    pub picture: Option<PicturePlane>,
+    pub picture_share: f64,
 }
 
 impl FrameUniforms {
     pub(crate) fn new(camera: &Camera, settings: &RenderSettings, inputs: &FrameInputs) -> Self {
         let palette = settings.theme.palette();
         let light = &Light::on_surface(settings);
+        // What rises out of the picture has its light, which becomes the lamp's on the way.
+        let lamp = (1.0 - inputs.picture_share) as f32;
+        let picture = inputs.picture.unwrap_or_default();
         Self {
             clip_from_model: camera.clip_from_model().as_mat4().to_cols_array(),
             eye: camera.eye().as_vec4().to_array(),
             light_direction: light.direction(camera).as_vec3().to_array(),
-            light_strength: light.brightness() as f32,
+            light_strength: lamp * light.brightness() as f32,
             light_colour: light.colour.to_linear(),
-            ambient: light.ambient as f32,
+            ambient: 1.0 + lamp * (light.ambient as f32 - 1.0),
             offset_a_m: inputs.offsets_m[0].as_vec3().to_array(),
             before: inputs.before as f32,
             offset_b_m: inputs.offsets_m[1].as_vec3().to_array(),
@@ -94,6 +105,12 @@ impl FrameUniforms {
             rim: f32::from(u8::from(settings.rim == Rim::Shown)),
             mirror_plane: f32::from(u8::from(settings.mirror_plane == MirrorPlane::Shown)),
             pixel_ratio: inputs.pixel_ratio as f32,
+            picture: inputs.picture_share as f32,
+            picture_origin_m: picture.origin_m.as_vec3().to_array(),
+            picture_width_px: picture.size_px.x as f32,
+            picture_right_m: picture.right_m.as_vec3().to_array(),
+            picture_height_px: picture.size_px.y as f32,
+            picture_down_m: picture.down_m.as_vec3().to_array(),
             unused: 0.0,
         }
     }

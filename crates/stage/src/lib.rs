@@ -16,11 +16,12 @@ mod stage;
 pub use camera::{Camera, Glide, NamedView};
 pub use colour::Srgb;
 pub use frame::FrameUniforms;
-pub use lens::{Lens, Pinhole};
+pub use lens::{Lens, PicturePlane, Pinhole};
 pub use light::Light;
 pub use markers::{Axis, Mark, MarkKind, Pointer};
 pub use render_settings::{
-    Background, Dots, MirrorPlane, Palette, PictureLight, RenderSettings, Rim, ShadingMode, Surface, Theme, Wireframe,
+    Background, Dots, MirrorPlane, Palette, PictureLight, RenderSettings, Rim, Scene, ShadingMode, Surface, Theme,
+    Wireframe,
 };
 pub use stage::{Stage, Step};
 

@@ -41,6 +41,18 @@ pub enum Wireframe {
 }
 
 rosto_named::named! {
+    /// What is on the stage.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum Scene {
+        /// The mesh in the round.
+        #[default]
+        Solid = "solid",
+        /// The picture that was taken of it, which follows it; the mesh itself is felt, and not seen.
+        Picture = "picture",
+    }
+}
+
+rosto_named::named! {
     /// Which of the dotted vertices show as dots.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Dots {

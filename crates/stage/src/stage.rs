@@ -3,10 +3,13 @@ use std::f64::consts::TAU;
 use glam::{DVec2, DVec3};
 
 use crate::frame::{FrameInputs, FrameUniforms};
-use crate::{Axis, Camera, Lens, Mark, MirrorPlane, Pinhole, Pointer, RenderSettings, Rim};
+use crate::{Axis, Camera, Lens, Mark, MirrorPlane, PicturePlane, Pinhole, Pointer, RenderSettings, Rim, Scene};
 
-/// How long a face takes from the photo's plane into depth.
+/// How long a picture is seen before what is in it rises, and how long that takes.
+const HOLD_MS: f64 = 250.0;
 const ARRIVAL_MS: f64 = 500.0;
+/// How long the picture takes to come or go.
+const FADE_MS: f64 = 300.0;
 /// How long it then takes to show a side and to come back, and how far it turns, in radians.
 const SWING_MS: f64 = 1600.0;
 const SWING: f64 = 0.34;
@@ -31,12 +34,16 @@ pub struct Stage {
     gizmo: Option<u32>,
     gizmo_axis: Option<Axis>,
     turntable_deg_per_s: f64,
+    picture: Option<PicturePlane>,
+    scene: Scene,
+    /// How much of the picture is seen, 0..1.
+    picture_share: f64,
     arrival: Arrival,
     last_ms: Option<f64>,
     changed: bool,
 }
 
-/// A face's way from the photo's plane into depth.
+/// A mesh's way out of the picture that was taken of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Arrival {
     Over,
@@ -53,8 +60,6 @@ pub struct Step {
     pub draw: bool,
     /// Something will look different in the next frame too.
     pub again: bool,
-    /// The arrival ended in this step.
-    pub arrived: bool,
 }
 
 impl Default for Stage {
@@ -72,6 +77,9 @@ impl Default for Stage {
             gizmo: None,
             gizmo_axis: None,
             turntable_deg_per_s: 0.0,
+            picture: None,
+            scene: Scene::default(),
+            picture_share: 0.0,
             arrival: Arrival::Over,
             last_ms: None,
             changed: true,
@@ -131,6 +139,45 @@ impl Stage {
     /// seen ([`Camera::set_pinhole`]).
     pub fn set_pinhole(&mut self, pinhole: Option<Pinhole>) {
         self.camera_mut().set_pinhole(pinhole);
+    }
+
+    /// The picture that was taken of the mesh, and where it lies; none takes it off the stage.
+    pub fn set_picture(&mut self, picture: Option<PicturePlane>) {
+        if self.picture != picture {
+            self.picture = picture;
+            self.changed = true;
+            match picture {
+                Some(plane) if self.scene == Scene::Picture => self.camera.frame_picture(plane),
+                _ => self.show(Scene::Solid, true),
+            }
+        }
+    }
+
+    /// What is on the stage.
+    pub fn scene(&self) -> Scene {
+        self.scene
+    }
+
+    /// Puts the picture on the stage or takes it off: the camera glides there, and the picture comes or goes. What leaves it
+    /// stays as it faces the viewer, or, `home`, is seen as at first. Nothing without a picture.
+    pub fn show(&mut self, scene: Scene, home: bool) {
+        let Some(picture) = self.picture.filter(|_| scene == Scene::Picture) else {
+            self.scene = Scene::Solid;
+            return self.camera_mut().leave_picture(home);
+        };
+        self.scene = scene;
+        self.camera_mut().frame_picture(picture);
+    }
+
+    /// How much of the picture is seen, 0..1.
+    pub fn picture_share(&self) -> f64 {
+        self.picture_share
+    }
+
+    /// Is where it is going at once: the picture is there, or gone.
+    pub fn settle_picture(&mut self) {
+        self.picture_share = f64::from(u8::from(self.scene == Scene::Picture));
+        self.changed = true;
     }
 
     /// So many px at the picture's top, right, bottom and left have something lying over them ([`Camera::set_covered`]). A mesh
@@ -212,10 +259,13 @@ impl Stage {
         self.set(|stage| &mut stage.turntable_deg_per_s, degrees_per_second);
     }
 
-    /// Lets the mesh come from where it was before ([`RenderSettings::before`]) in half a second, from the next frame on; then
-    /// it turns a little and back.
+    /// Shows the picture from the next frame on, and lets the mesh rise out of it in half a second; then it turns a little and
+    /// back. Nothing without a picture.
     pub fn start_arrival(&mut self) {
-        self.set(|stage| &mut stage.arrival, Arrival::Asked);
+        if self.picture.is_some() {
+            self.set(|stage| &mut stage.arrival, Arrival::Asked);
+            self.picture_share = 1.0;
+        }
     }
 
     /// Lets a mesh that has arrived stand still, as somebody takes it in hand: what it is turned by it glides back.
@@ -235,20 +285,21 @@ impl Stage {
     pub fn advance(&mut self, time_ms: f64) -> Step {
         let seconds = self.last_ms.map_or(0.0, |last_ms| ((time_ms - last_ms) * 1e-3).clamp(0.0, LONGEST_STEP_S));
         let was_moving = self.arrival != Arrival::Over;
-        let was_arriving = self.is_arriving();
         self.advance_arrival(time_ms);
+        let fading = self.advance_picture(seconds);
         let turning = self.turntable_deg_per_s != 0.0;
         self.camera.turn(-self.turntable_deg_per_s.to_radians() * seconds);
         let gliding = self.camera.advance(if self.last_ms.is_some() { seconds } else { 0.0 });
-        let again = turning || gliding || self.arrival != Arrival::Over;
+        self.lift(time_ms);
+        let again = turning || gliding || fading || self.arrival != Arrival::Over;
         self.last_ms = again.then_some(time_ms);
         let draw = std::mem::take(&mut self.changed) || again || was_moving;
-        Step { draw, again, arrived: was_arriving && !self.is_arriving() }
+        Step { draw, again }
     }
 
     /// What shaders read for this frame.
     pub fn uniforms(&self) -> FrameUniforms {
-        self.uniforms_at(self.blend_before())
+        self.uniforms_at(self.settings.before)
     }
 
     /// The same for the part of it that shows the shape before ([`RenderSettings::wipe`]).
@@ -266,6 +317,8 @@ impl Stage {
             hovered: self.hovered,
             gizmo: self.gizmo,
             gizmo_axis: self.gizmo_axis,
+            picture: self.picture,
+            picture_share: self.picture_share,
         };
         FrameUniforms::new(&self.camera, &self.settings, &inputs)
     }
@@ -278,7 +331,7 @@ impl Stage {
     fn advance_arrival(&mut self, time_ms: f64) {
         self.arrival = match self.arrival {
             Arrival::Asked => Arrival::Since(time_ms),
-            Arrival::Since(start_ms) if time_ms - start_ms >= ARRIVAL_MS => Arrival::Swings(time_ms),
+            Arrival::Since(start_ms) if time_ms - start_ms >= HOLD_MS + ARRIVAL_MS => Arrival::Swings(time_ms),
             Arrival::Swings(start_ms) => {
                 let share = ((time_ms - start_ms) / SWING_MS).clamp(0.0, 1.0);
                 self.camera.sway(if share < 1.0 { SWING * (0.5 - 0.5 * (TAU * share).cos()) } else { 0.0 });
@@ -292,14 +345,35 @@ impl Stage {
         matches!(self.arrival, Arrival::Asked | Arrival::Since(_))
     }
 
-    fn blend_before(&self) -> f64 {
-        match (self.arrival, self.last_ms) {
-            (Arrival::Over | Arrival::Swings(_), _) => self.settings.before,
-            (Arrival::Since(start_ms), Some(now_ms)) => {
-                (1.0 - ((now_ms - start_ms) / ARRIVAL_MS).clamp(0.0, 1.0)).powi(3)
+    /// How far it has risen out of the picture.
+    fn risen(&self, time_ms: f64) -> f64 {
+        match self.arrival {
+            Arrival::Since(start_ms) => {
+                let share = ((time_ms - start_ms - HOLD_MS) / ARRIVAL_MS).clamp(0.0, 1.0);
+                share * share * (3.0 - 2.0 * share)
             }
-            _ => 1.0,
+            Arrival::Asked => 0.0,
+            Arrival::Over | Arrival::Swings(_) => 1.0,
         }
+    }
+
+    fn lift(&mut self, time_ms: f64) {
+        if let (true, Some(picture)) = (self.is_arriving(), self.picture) {
+            let risen = self.risen(time_ms);
+            self.camera.lift(picture, risen);
+            self.picture_share = 1.0 - risen;
+        }
+    }
+
+    /// The picture comes or goes, and is drawn while it does.
+    fn advance_picture(&mut self, seconds: f64) -> bool {
+        let goal = f64::from(u8::from(self.scene == Scene::Picture));
+        if self.is_arriving() || self.picture_share == goal {
+            return false;
+        }
+        let step = if self.camera.glides() { 1e3 * seconds / FADE_MS } else { 1.0 };
+        self.picture_share += (goal - self.picture_share).clamp(-step, step);
+        true
     }
 
     fn set<T: PartialEq>(&mut self, field: impl Fn(&mut Self) -> &mut T, value: T) {
@@ -318,7 +392,7 @@ fn reach_m(positions_m: &[DVec3], from_m: DVec3) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Glide, MarkKind, NamedView};
+    use crate::{Glide, MarkKind, NamedView, PicturePlane, Pinhole, Scene};
 
     fn settled() -> Stage {
         let mut stage = Stage::default();
@@ -329,12 +403,12 @@ mod tests {
     #[test]
     fn nothing_is_drawn_unless_something_changed() {
         let mut stage = settled();
-        assert_eq!(stage.advance(16.0), Step { draw: false, again: false, arrived: false });
+        assert_eq!(stage.advance(16.0), Step { draw: false, again: false });
         stage.set_hovered(None);
         stage.set_offsets_m([DVec3::ZERO; 2]);
         assert!(!stage.advance(32.0).draw);
         stage.set_hovered(Some(4));
-        assert_eq!(stage.advance(48.0), Step { draw: true, again: false, arrived: false });
+        assert_eq!(stage.advance(48.0), Step { draw: true, again: false });
         stage.set_marks(vec![Mark { vertex: 4, kind: MarkKind::Ring }]);
         assert!(stage.advance(64.0).draw);
         assert!(!stage.advance(80.0).draw);
@@ -359,14 +433,75 @@ mod tests {
         assert!(!stage.advance(21.0).again);
     }
 
-    #[test]
-    fn a_face_arrives_in_half_a_second_and_once() {
+    /// A stage with a picture 200 px wide of what reaches from −1 to 1, taken from 10 m away.
+    fn with_picture() -> Stage {
         let mut stage = settled();
+        stage.camera_mut().resize(600, 400);
+        let camera_from_model = glam::DAffine3::from_translation(DVec3::new(0.0, 0.0, -10.0));
+        stage.set_pinhole(Some(Pinhole { camera_from_model }));
+        stage.frame(&[DVec3::NEG_ONE, DVec3::ONE]);
+        stage.set_picture(Some(PicturePlane {
+            origin_m: DVec3::new(-2.0, 2.0, 0.0),
+            right_m: DVec3::new(0.02, 0.0, 0.0),
+            down_m: DVec3::new(0.0, -0.02, 0.0),
+            size_px: DVec2::new(200.0, 200.0),
+        }));
+        stage
+    }
+
+    fn run(stage: &mut Stage, frames: std::ops::Range<u32>) -> Vec<Step> {
+        frames.map(|frame| stage.advance(1000.0 + f64::from(frame) * 16.0)).collect()
+    }
+
+    #[test]
+    fn a_mesh_rises_out_of_its_picture_in_half_a_second_and_once() {
+        let mut stage = with_picture();
         stage.start_arrival();
-        let steps: Vec<Step> = (0..60).map(|frame| stage.advance(1000.0 + f64::from(frame) * 16.0)).collect();
-        assert_eq!(steps.iter().filter(|step| step.arrived).count(), 1);
-        assert_eq!(steps.iter().position(|step| step.arrived), Some(32));
-        assert_eq!(stage.blend_before(), 0.0);
+        run(&mut stage, 0..15);
+        assert_eq!(stage.picture_share(), 1.0, "the picture is seen first");
+        run(&mut stage, 15..32);
+        assert!((0.2..0.8).contains(&stage.picture_share()), "{}", stage.picture_share());
+        run(&mut stage, 32..50);
+        assert_eq!(stage.picture_share(), 0.0);
+    }
+
+    #[test]
+    fn the_picture_fills_the_stage_and_lies_where_its_pinhole_saw_it() {
+        let mut stage = with_picture();
+        stage.show(Scene::Picture, true);
+        run(&mut stage, 0..200);
+        assert_eq!((stage.scene(), stage.picture_share()), (Scene::Picture, 1.0));
+        let corner = |x: f64, y: f64| stage.camera().project(DVec3::new(x, y, 0.0)).unwrap();
+        assert!(corner(-2.0, 2.0).distance(DVec2::new(100.0, 0.0)) < 1e-2, "{}", corner(-2.0, 2.0));
+        assert!(corner(2.0, -2.0).distance(DVec2::new(500.0, 400.0)) < 1e-2, "{}", corner(2.0, -2.0));
+    }
+
+    #[test]
+    fn the_picture_fits_into_what_is_clear_whatever_size_that_has() {
+        let mut stage = with_picture();
+        stage.show(Scene::Picture, true);
+        stage.camera_mut().resize(300, 500);
+        stage.set_covered([0.0, 0.0, 100.0, 0.0]);
+        run(&mut stage, 0..200);
+        let corner = stage.camera().project(DVec3::new(-2.0, 2.0, 0.0)).unwrap();
+        assert!(corner.distance(DVec2::new(0.0, 50.0)) < 1e-2, "{corner}");
+    }
+
+    #[test]
+    fn who_turns_out_of_the_picture_sees_the_mesh_from_there() {
+        let mut stage = with_picture();
+        stage.show(Scene::Picture, true);
+        run(&mut stage, 0..200);
+        stage.show(Scene::Solid, false);
+        stage.camera_mut().orbit(100.0, 0.0);
+        let steps = run(&mut stage, 200..400);
+        assert!(steps[0].draw && !steps[199].again);
+        assert_eq!(stage.picture_share(), 0.0);
+        let facing = stage.camera().back();
+        assert!(facing.x < -0.5, "{facing}");
+        stage.show(Scene::Picture, true);
+        stage.set_picture(None);
+        assert_eq!(stage.scene(), Scene::Solid, "without a picture there is none to show");
     }
 
     #[test]
@@ -374,25 +509,25 @@ mod tests {
         let arrive = |frames: std::ops::Range<u32>, stage: &mut Stage| {
             frames.map(|frame| (stage.advance(1000.0 + f64::from(frame) * 16.0).again, stage.camera().back().x)).last()
         };
-        let mut left_alone = settled();
+        let mut left_alone = with_picture();
         left_alone.start_arrival();
-        let (_, turned) = arrive(0..80, &mut left_alone).unwrap();
+        let (_, turned) = arrive(0..96, &mut left_alone).unwrap();
         assert!(turned.abs() > 0.2, "{turned}");
-        let (again, turned) = arrive(80..140, &mut left_alone).unwrap();
+        let (again, turned) = arrive(96..170, &mut left_alone).unwrap();
         assert!(!again && turned.abs() < 1e-9, "{turned}");
-        let mut taken = settled();
+        let mut taken = with_picture();
         taken.start_arrival();
-        arrive(0..80, &mut taken);
+        arrive(0..96, &mut taken);
         taken.end_swing();
-        let (again, turned) = arrive(80..112, &mut taken).unwrap();
+        let (again, turned) = arrive(96..128, &mut taken).unwrap();
         assert!(turned.abs() < 1e-2 && again, "it glides back at once: {turned}");
     }
 
     #[test]
     fn who_is_sent_somewhere_while_it_turns_by_itself_gets_there() {
-        let mut stage = settled();
+        let mut stage = with_picture();
         stage.start_arrival();
-        for frame in 0..80 {
+        for frame in 0..96 {
             stage.advance(1000.0 + f64::from(frame) * 16.0);
         }
         stage.camera_mut().look(NamedView::Left);

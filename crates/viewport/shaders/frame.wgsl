@@ -34,6 +34,13 @@ struct FrameUniforms {
     rim: f32,
     mirror_plane: f32,
     pixel_ratio: f32,
+    // How much of the picture is seen on its plane, 0..1; its top left corner, and one px to the right and down.
+    picture: f32,
+    picture_origin_m: vec3f,
+    picture_width_px: f32,
+    picture_right_m: vec3f,
+    picture_height_px: f32,
+    picture_down_m: vec3f,
     unused: f32,
 }
 

@@ -34,7 +34,7 @@ pub(crate) fn record(
     record_backdrop(viewport, stage.render_settings(), &mut pass);
     match stage.render_settings().wipe {
         Some(share) => record_both(viewport, stage, share, attachments.size, &mut pass),
-        None => record_mesh(viewport, stage, &mut pass),
+        None => record_shape(viewport, stage, &mut pass),
     }
 }
 
@@ -49,10 +49,10 @@ fn record_both(
     let edge = ((share * f64::from(width)).round() as u32).min(width);
     pass.set_bind_group(0, &viewport.frame_before.bindings, &[]);
     pass.set_scissor_rect(0, 0, edge, height);
-    record_mesh(viewport, stage, pass);
+    record_shape(viewport, stage, pass);
     pass.set_bind_group(0, &viewport.frame.bindings, &[]);
     pass.set_scissor_rect(edge, 0, width - edge, height);
-    record_mesh(viewport, stage, pass);
+    record_shape(viewport, stage, pass);
     // WebGL2 cuts what it brings to the canvas, too.
     pass.set_scissor_rect(0, 0, width, height);
 }
@@ -74,15 +74,32 @@ fn record_backdrop(viewport: &Viewport, settings: &RenderSettings, pass: &mut wg
     }
 }
 
+fn record_shape(viewport: &Viewport, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
+    record_sheet(viewport, stage, pass);
+    record_mesh(viewport, stage, pass);
+}
+
+fn record_sheet(viewport: &Viewport, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
+    let Some(sheet) = viewport.sheet.as_ref().filter(|_| stage.picture_share() > 0.0) else { return };
+    pass.set_pipeline(&viewport.pipelines.sheet);
+    pass.set_bind_group(1, &sheet.bindings, &[]);
+    pass.set_vertex_buffer(0, sheet.ways_on_gpu.slice(..));
+    pass.set_index_buffer(sheet.indices.slice(..), wgpu::IndexFormat::Uint32);
+    pass.draw_indexed(0..sheet.index_count, 0, 0..1);
+}
+
 fn record_mesh(viewport: &Viewport, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
     let Some(mesh) = &viewport.mesh else { return };
     let pipelines = &viewport.pipelines;
     let settings = stage.render_settings();
     pass.set_bind_group(1, &mesh.bindings, &[]);
     pass.set_index_buffer(mesh.indices.slice(..), wgpu::IndexFormat::Uint32);
-    pass.set_pipeline(if settings.surface == Surface::HiddenLine { &pipelines.bare } else { &pipelines.surface });
+    // All of the picture hides the mesh, which lies on it.
+    let is_felt = viewport.sheet.is_some() && stage.picture_share() == 1.0;
+    let is_bare = is_felt || settings.surface == Surface::HiddenLine;
+    pass.set_pipeline(if is_bare { &pipelines.bare } else { &pipelines.surface });
     pass.draw_indexed(0..mesh.index_count(), 0, 0..1);
-    if settings.background == Background::Ground && settings.surface == Surface::Shaded {
+    if settings.background == Background::Ground && !is_bare {
         pass.set_pipeline(&pipelines.ground);
         pass.draw(0..6, 0..1);
     }

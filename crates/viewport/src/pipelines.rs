@@ -8,7 +8,9 @@ use crate::{Gpu, shaders};
 pub(crate) struct Pipelines {
     pub frame_layout: wgpu::BindGroupLayout,
     pub mesh_layout: wgpu::BindGroupLayout,
+    pub sheet_layout: wgpu::BindGroupLayout,
     pub background: wgpu::RenderPipeline,
+    pub sheet: wgpu::RenderPipeline,
     pub ground: wgpu::RenderPipeline,
     pub surface: wgpu::RenderPipeline,
     pub bare: wgpu::RenderPipeline,
@@ -34,6 +36,7 @@ const HIDDEN_ARM_ALPHA: f64 = 0.75;
 #[derive(Clone, Copy)]
 enum Role {
     Backdrop,
+    Sheet,
     Solid,
     DepthOnly,
     Overlay,
@@ -53,14 +56,24 @@ const PAIR: [Option<wgpu::VertexBufferLayout<'_>>; 1] = [Some(wgpu::VertexBuffer
     step_mode: wgpu::VertexStepMode::Instance,
     attributes: &[wgpu::VertexAttribute { format: wgpu::VertexFormat::Uint32x2, offset: 0, shader_location: 0 }],
 })];
+const WAY: [Option<wgpu::VertexBufferLayout<'_>>; 1] = [Some(wgpu::VertexBufferLayout {
+    array_stride: 16,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &[
+        wgpu::VertexAttribute { format: wgpu::VertexFormat::Float32x2, offset: 0, shader_location: 0 },
+        wgpu::VertexAttribute { format: wgpu::VertexFormat::Float32x2, offset: 8, shader_location: 1 },
+    ],
+})];
 const MAIN: [&str; 2] = ["vertex", "fragment"];
 
 impl Pipelines {
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat) -> Self {
         let frame_layout = layout(gpu, "frame", &[uniform(0)]);
         let mesh_layout = layout(gpu, "mesh", &[data(0), data(1), data(2), data(3), picture(4), picture_sampler(5)]);
+        let sheet_layout = layout(gpu, "sheet", &[picture(0), picture_sampler(1)]);
         let backdrop = pipeline_layout(gpu, &[Some(&frame_layout)]);
         let over_mesh = pipeline_layout(gpu, &[Some(&frame_layout), Some(&mesh_layout)]);
+        let over_picture = pipeline_layout(gpu, &[Some(&frame_layout), Some(&sheet_layout)]);
         let build = |layout: &wgpu::PipelineLayout, name, text, role| {
             pipeline(gpu, format, layout, &PipelineSpec { name, text, entries: MAIN, role, words: &[] })
         };
@@ -69,7 +82,9 @@ impl Pipelines {
             Twin { seen: one(Role::Overlay), hidden: one(Role::SeenThrough { alpha }) }
         };
         let wire = PipelineSpec { name: "wire", text: shaders::WIRE, entries: MAIN, role: Role::Overlay, words: &PAIR };
+        let sheet = PipelineSpec { name: "sheet", text: shaders::SHEET, entries: MAIN, role: Role::Sheet, words: &WAY };
         Self {
+            sheet: pipeline(gpu, format, &over_picture, &sheet),
             background: build(&backdrop, "background", shaders::BACKGROUND, Role::Backdrop),
             ground: build(&backdrop, "ground", shaders::GROUND, Role::Overlay),
             surface: build(&over_mesh, "surface", shaders::SURFACE, Role::Solid),
@@ -80,6 +95,7 @@ impl Pipelines {
             gizmo: twin("gizmo", shaders::GIZMO, ["arm_vertex", "arm_fragment"], &[], HIDDEN_ARM_ALPHA),
             frame_layout,
             mesh_layout,
+            sheet_layout,
         }
     }
 }
@@ -169,7 +185,7 @@ fn pipeline(
 
 fn depth(role: Role) -> wgpu::DepthStencilState {
     let (write, compare) = match role {
-        Role::Backdrop => (false, wgpu::CompareFunction::Always),
+        Role::Backdrop | Role::Sheet => (false, wgpu::CompareFunction::Always),
         Role::Solid | Role::DepthOnly => (true, wgpu::CompareFunction::Less),
         Role::Overlay => (false, wgpu::CompareFunction::LessEqual),
         Role::SeenThrough { .. } => (false, wgpu::CompareFunction::Greater),
@@ -187,7 +203,7 @@ fn colour(role: Role, format: wgpu::TextureFormat) -> wgpu::ColorTargetState {
     let (blend, write_mask) = match role {
         Role::Backdrop | Role::Solid => (None, wgpu::ColorWrites::ALL),
         Role::DepthOnly => (None, wgpu::ColorWrites::empty()),
-        Role::Overlay | Role::SeenThrough { .. } => {
+        Role::Sheet | Role::Overlay | Role::SeenThrough { .. } => {
             (Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING), wgpu::ColorWrites::ALL)
         }
     };

@@ -11,6 +11,7 @@ pub(crate) const WIRE: &str = shader!("frame", "mesh", "wire");
 pub(crate) const DOTS: &str = shader!("frame", "mesh", "dots");
 pub(crate) const MARKS: &str = shader!("frame", "mesh", "marks");
 pub(crate) const GIZMO: &str = shader!("frame", "mesh", "marks", "gizmo");
+pub(crate) const SHEET: &str = shader!("frame", "sheet");
 pub(crate) const SHRINK: &str = shader!("shrink");
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -20,7 +21,7 @@ mod tests {
     use super::*;
     use crate::vertex::{Geometry, InfluenceWeights, VertexAttributes};
 
-    const ALL: [(&str, &str); 8] = [
+    const ALL: [(&str, &str); 9] = [
         ("background", BACKGROUND),
         ("ground", GROUND),
         ("surface", SURFACE),
@@ -28,6 +29,7 @@ mod tests {
         ("dots", DOTS),
         ("marks", MARKS),
         ("gizmo", GIZMO),
+        ("sheet", SHEET),
         ("shrink", SHRINK),
     ];
 

@@ -1,11 +1,12 @@
 use std::future::Future;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use rosto_stage::{Background, Stage};
 
 use crate::frame::FrameOnGpu;
 use crate::mesh::{MeshOnGpu, filled};
 use crate::pipelines::Pipelines;
+use crate::sheet::{SheetInput, SheetOnGpu};
 use crate::snapshot::{Snapshot, copy};
 use crate::target::{Attachments, Canvas, Target};
 use crate::{Gpu, MeshInput, PictureOnGpu, ViewportError, passes, picture};
@@ -22,7 +23,7 @@ pub struct Viewport {
     pub(crate) frame_before: FrameOnGpu,
     attachments: Attachments,
     pub(crate) mesh: Option<MeshOnGpu>,
-    before_after_arrival: Option<Vec<DVec3>>,
+    pub(crate) sheet: Option<SheetOnGpu>,
     pub(crate) marks: wgpu::Buffer,
     pub(crate) mark_count: u32,
 }
@@ -38,7 +39,7 @@ impl Viewport {
             marks: filled(&gpu, &[], wgpu::BufferUsages::VERTEX),
             mark_count: 0,
             mesh: None,
-            before_after_arrival: None,
+            sheet: None,
             frame: FrameOnGpu::new(&gpu, &pipelines),
             frame_before: FrameOnGpu::new(&gpu, &pipelines),
             gpu,
@@ -96,7 +97,6 @@ impl Viewport {
     pub fn show(&mut self, input: &MeshInput<'_>) -> Result<(), ViewportError> {
         let blank = picture::blank(&self.gpu)?;
         self.mesh = Some(MeshOnGpu::new(&self.gpu, &self.pipelines, &blank, input)?);
-        self.before_after_arrival = None;
         Ok(())
     }
 
@@ -133,17 +133,17 @@ impl Viewport {
         self.mesh.as_mut().map_or(Ok(()), |mesh| mesh.write_scalars(&self.gpu, scalars))
     }
 
-    /// Makes ready that the mesh glides from these positions to its own when [`Stage::start_arrival`] is called; the shape
-    /// before is `before_m` again when it has arrived. Nothing without a mesh.
+    /// Has a picture that was taken of the mesh lie on its plane ([`Stage::set_picture`]), or none.
+    pub fn show_sheet(&mut self, input: Option<&SheetInput<'_>>) {
+        self.sheet = input.map(|input| SheetOnGpu::new(&self.gpu, &self.pipelines, input));
+    }
+
+    /// Moves the places of the picture that move. Nothing without a picture.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
-    pub fn arrive_from(&mut self, positions_m: &[DVec3], before_m: &[DVec3]) -> Result<(), ViewportError> {
-        if self.mesh.is_some() {
-            self.set_before(positions_m)?;
-            self.before_after_arrival = Some(before_m.to_vec());
-        }
-        Ok(())
+    pub fn move_sheet(&mut self, to_px: &[DVec2]) -> Result<(), ViewportError> {
+        self.sheet.as_mut().map_or(Ok(()), |sheet| sheet.follow(&self.gpu, to_px))
     }
 
     /// Draws if anything changed; true asks to be called again in the next frame. `time_ms` is any steady clock's.
@@ -153,9 +153,6 @@ impl Viewport {
     pub fn draw(&mut self, stage: &mut Stage, time_ms: f64) -> Result<bool, ViewportError> {
         self.gpu.check()?;
         let step = stage.advance(time_ms);
-        if step.arrived {
-            self.end_arrival()?;
-        }
         if !step.draw {
             return Ok(step.again);
         }
@@ -238,13 +235,6 @@ impl Viewport {
             self.marks = filled(&self.gpu, bytes, wgpu::BufferUsages::VERTEX);
         } else if !bytes.is_empty() {
             self.gpu.queue.write_buffer(&self.marks, 0, bytes);
-        }
-    }
-
-    fn end_arrival(&mut self) -> Result<(), ViewportError> {
-        match self.before_after_arrival.take() {
-            Some(positions_m) => self.set_before(&positions_m),
-            None => Ok(()),
         }
     }
 }

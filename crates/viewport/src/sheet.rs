@@ -1,0 +1,79 @@
+use glam::DVec2;
+
+use crate::mesh::filled;
+use crate::pipelines::Pipelines;
+use crate::{Gpu, PictureOnGpu, ViewportError, picture};
+
+/// A picture whose places move.
+#[derive(Debug, Clone, Copy)]
+pub struct SheetInput<'a> {
+    /// Its width and height in the px that places are given in, which may be more than it has here.
+    pub size_px: DVec2,
+    /// Places in it that move.
+    pub from_px: &'a [DVec2],
+    /// How they are joined; beyond these triangles nothing moves.
+    pub triangles: &'a [[u32; 3]],
+    /// The picture.
+    pub picture: &'a PictureOnGpu,
+}
+
+/// The same in the GPU's memory: the whole picture as two triangles, and what moves over it.
+#[derive(Debug)]
+pub(crate) struct SheetOnGpu {
+    corners: [DVec2; 4],
+    from_px: Vec<DVec2>,
+    /// Scratch: where each place goes and where it comes from.
+    ways: Vec<[f32; 4]>,
+    pub ways_on_gpu: wgpu::Buffer,
+    pub indices: wgpu::Buffer,
+    pub index_count: u32,
+    pub bindings: wgpu::BindGroup,
+}
+
+impl SheetOnGpu {
+    pub fn new(gpu: &Gpu, pipelines: &Pipelines, input: &SheetInput<'_>) -> Self {
+        let DVec2 { x: width, y: height } = input.size_px;
+        let corners = [DVec2::ZERO, DVec2::new(width, 0.0), input.size_px, DVec2::new(0.0, height)];
+        let whole = [[0, 1, 2], [0, 2, 3]];
+        let moving = input.triangles.iter().map(|triangle| triangle.map(|corner| corner + corners.len() as u32));
+        let triangles: Vec<[u32; 3]> = whole.into_iter().chain(moving).collect();
+        let ways: Vec<[f32; 4]> = corners.iter().chain(input.from_px).map(|place| way(*place, *place)).collect();
+        Self {
+            ways_on_gpu: filled(gpu, bytemuck::cast_slice(&ways), wgpu::BufferUsages::VERTEX),
+            indices: filled(gpu, bytemuck::cast_slice(&triangles), wgpu::BufferUsages::INDEX),
+            index_count: 3 * triangles.len() as u32,
+            bindings: bindings(gpu, pipelines, input.picture),
+            corners,
+            from_px: input.from_px.to_vec(),
+            ways,
+        }
+    }
+
+    pub fn follow(&mut self, gpu: &Gpu, to_px: &[DVec2]) -> Result<(), ViewportError> {
+        let (expected, found) = (self.from_px.len(), to_px.len());
+        if expected != found {
+            return Err(ViewportError::LengthMismatch { what: "places", expected, found });
+        }
+        let moving = &mut self.ways[self.corners.len()..];
+        for (own, (to, from)) in moving.iter_mut().zip(to_px.iter().zip(&self.from_px)) {
+            *own = way(*to, *from);
+        }
+        gpu.queue.write_buffer(&self.ways_on_gpu, 0, bytemuck::cast_slice(&self.ways));
+        Ok(())
+    }
+}
+
+fn way(to_px: DVec2, from_px: DVec2) -> [f32; 4] {
+    let ([to_x, to_y], [from_x, from_y]) = (to_px.as_vec2().to_array(), from_px.as_vec2().to_array());
+    [to_x, to_y, from_x, from_y]
+}
+
+fn bindings(gpu: &Gpu, pipelines: &Pipelines, picture: &PictureOnGpu) -> wgpu::BindGroup {
+    let sampler = picture::sampler(gpu);
+    let entries = [
+        wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&picture.view) },
+        wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&sampler) },
+    ];
+    let layout = &pipelines.sheet_layout;
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("sheet"), layout, entries: &entries })
+}
