@@ -25,17 +25,18 @@ const MAY_KNOW: [(&str, &[&str]); 18] = [
     ("rosto-studio", &["face", "laplacian", "mesh", "named", "warp"]),
     ("rosto-export", &["face", "mesh", "named"]),
     ("rosto-stage", &["mesh", "named"]),
-    ("rosto-session", &["export", "face", "laplacian", "mesh", "named", "stage", "studio"]),
+    ("rosto-session", &["export", "face", "laplacian", "mesh", "named", "stage", "studio", "warp"]),
     ("rosto-viewport", &["mesh", "stage"]),
     ("rosto-studio-web", &PAGE_MAY_KNOW),
     ("rosto-studio-webgl", &PAGE_MAY_KNOW),
-    ("rosto-vision-web", &["landmarks", "photo"]),
+    ("rosto-vision-web", &["landmarks", "photo", "warp"]),
     ("rosto-cli", &["export", "face", "landmarks", "laplacian", "mesh", "named", "photo", "studio", "warp"]),
     ("rosto-model-import", &[]),
     ("xtask", &["model-import"]),
 ];
 
-const PAGE_MAY_KNOW: [&str; 8] = ["session", "studio", "stage", "viewport", "export", "face", "laplacian", "mesh"];
+const PAGE_MAY_KNOW: [&str; 9] =
+    ["warp", "session", "studio", "stage", "viewport", "export", "face", "laplacian", "mesh"];
 
 /// The crates that know neither browser, clock, file, network, environment nor random source.
 const CORE: [&str; 12] = [

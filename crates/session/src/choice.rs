@@ -2,7 +2,7 @@
 //! are drawn from this table.
 
 use rosto_face::Triangulation;
-use rosto_stage::{Lens, ShadingMode};
+use rosto_stage::{Lens, Scene, ShadingMode};
 use rosto_studio::{ConstraintKind, Details, Operator};
 
 use crate::incoming::DENSEST_SHOWN;
@@ -24,6 +24,8 @@ rosto_named::named! {
         Details = "details",
         /// What stays in place beside the pins.
         Anchors = "anchors",
+        /// What is on the stage.
+        Scene = "scene",
         /// How the surface is coloured.
         Shading = "shading",
         /// From how far away the face is seen.
@@ -50,6 +52,7 @@ impl Choice {
             Self::Constraint => owned(&CONSTRAINTS.map(|(id, _)| id)),
             Self::Details => owned(&Details::ALL.map(Details::id)),
             Self::Anchors => owned(&AnchorChoice::ALL.map(AnchorChoice::id)),
+            Self::Scene => owned(&Scene::ALL.map(Scene::id)),
             Self::Shading => owned(&ShadingMode::ALL.map(ShadingMode::id)),
             Self::Lens => owned(&Lens::ALL.map(Lens::id)),
             Self::Triangulation => owned(&Triangulation::ALL.map(Triangulation::id)),
@@ -66,6 +69,7 @@ impl Choice {
             Self::Constraint => Intent::Constraint(CONSTRAINTS.into_iter().find(|(one, _)| *one == id)?.1),
             Self::Details => Intent::Details(Details::from_id(id)?),
             Self::Anchors => Intent::Anchors(AnchorChoice::from_id(id)?),
+            Self::Scene => Intent::Scene(Scene::from_id(id)?),
             Self::Shading => Intent::Shading(ShadingMode::from_id(id)?),
             Self::Lens => Intent::Lens(Lens::from_id(id)?),
             Self::Triangulation => Intent::Triangulation(Triangulation::from_id(id)?),
@@ -85,6 +89,7 @@ impl Session {
             Choice::Constraint => CONSTRAINTS.into_iter().find(|(_, one)| *one == choices.constraint)?.0,
             Choice::Details => choices.details.id(),
             Choice::Anchors => choices.anchors.id(),
+            Choice::Scene => view.scene.id(),
             Choice::Shading => view.shading.id(),
             Choice::Lens => view.lens.id(),
             Choice::Triangulation => view.triangulation.id(),

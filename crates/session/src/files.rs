@@ -101,21 +101,4 @@ impl OpenFace {
             Units::Millimetres => self.positions_mm(),
         }
     }
-
-    /// The landmarks as they lie on the photo: in one plane, as large as the face and where it is. What a face arrives
-    /// from.
-    pub fn flat_m(&self) -> Vec<DVec3> {
-        let image = self.document().from_cage(self.model().positions_image());
-        let [width, height] = self.model().photo_size_px().map(f64::from);
-        let upright = |p: &DVec3| glam::DVec2::new(p.x, -p.y * height / width);
-        let positions_m = self.document().positions();
-        let middle = |sum: DVec3| sum / image.len() as f64;
-        let image_middle = upright(&middle(image.iter().copied().sum()));
-        let model_middle = middle(positions_m.iter().copied().sum());
-        let spread = |sum: f64| (sum / image.len() as f64).sqrt();
-        let image_spread = spread(image.iter().map(|p| upright(p).distance_squared(image_middle)).sum());
-        let model_spread = spread(positions_m.iter().map(|p| (*p - model_middle).truncate().length_squared()).sum());
-        let scale = model_spread / image_spread.max(f64::MIN_POSITIVE);
-        image.iter().map(|p| model_middle + ((upright(p) - image_middle) * scale).extend(0.0)).collect()
-    }
 }

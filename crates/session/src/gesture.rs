@@ -23,6 +23,8 @@ pub(crate) enum Gesture {
     Ready { vertex: u32, axis: Option<Axis>, from_px: DVec2 },
     /// It drags what is selected; at the end of the sliders it goes no further.
     Dragging { drag: Drag, axis: Option<Axis>, to_px: DVec2, pace: Pace, is_at_end: bool },
+    /// It paints what of the photo is kept.
+    Painting,
     /// What it dragged was put back, and the rest of the press does nothing.
     Over,
 }

@@ -3,6 +3,7 @@ use rosto_studio::{Amount, Document, Entry, MAX_DENSITY, Rest, project};
 
 use crate::error::{SessionError, within};
 use crate::open_face::{MAX_OFFSET_M, OpenFace};
+use crate::strokes;
 
 /// How often a mesh is subdivided at most on the screen: [`MAX_DENSITY`] is for files.
 pub const DENSEST_SHOWN: u32 = 3;
@@ -36,6 +37,8 @@ pub struct Work {
     pub density: u32,
     /// The edits as versioned JSON.
     pub history: String,
+    /// What the photo alone holds ([`OpenFace::photo_json`]); earlier works have none.
+    pub photo: Option<String>,
 }
 
 impl Work {
@@ -69,6 +72,8 @@ pub(crate) fn opened(incoming: Incoming, usual: (Triangulation, u32)) -> Result<
         }
         None => (usual.0, usual.1, Vec::new()),
     };
+    let photo = incoming.work.as_ref().and_then(|work| work.photo.as_deref());
+    let photo = photo.map(strokes::read).transpose()?;
     let [width, height] = incoming.photo_size_px;
     let input = FaceInput {
         landmarks: &incoming.landmarks,
@@ -80,5 +85,9 @@ pub(crate) fn opened(incoming: Incoming, usual: (Triangulation, u32)) -> Result<
     };
     let model = FaceModel::new(input, triangulation)?;
     let document = Document::open(Rest::of_face(&model), entries, density)?;
-    Ok(OpenFace::new(model, document))
+    let mut face = OpenFace::new(model, document);
+    if let Some((seen_from_m, strokes)) = photo {
+        face.restore_photo(seen_from_m, strokes);
+    }
+    Ok(face)
 }

@@ -1,7 +1,7 @@
 use glam::{DVec2, DVec3};
 use rosto_face::{PhotoLens, Triangulation};
 use rosto_stage::{
-    Axis, Background, Dots, Lens, Light, NamedView, PictureLight, Pointer, ShadingMode, Theme, Wireframe,
+    Axis, Background, Dots, Lens, Light, NamedView, PictureLight, Pointer, Scene, ShadingMode, Theme, Wireframe,
 };
 use rosto_studio::{ConstraintKind, Details, FaceSlider, Mirror, Operator, Switch};
 
@@ -95,6 +95,20 @@ pub enum Intent {
     /// How the landmarks are joined; the edits are carried out again. Points that were pinned are free again.
     Triangulation(Triangulation),
 
+    /// Puts the photo on the stage, or the face in the round. Who turns the photo turns the face out of it.
+    Scene(Scene),
+    /// How far around the face its photo gives way, as a share of the face's longer side within `rosto_studio::RING_SHARES`.
+    Ring(f64),
+    /// Shows the face in its photo as a camera sees it from so many metres; none as it was taken.
+    SeenFrom(Option<f64>),
+    /// Takes a brush of that radius in CSS px in hand, or none: pressed on the photo, which comes onto the stage, it paints
+    /// what is kept as it is. Undo and redo are for its strokes then.
+    Brush(Option<f64>),
+    /// Takes all strokes away.
+    KeepNothing,
+    /// Turns the face to where an edit in depth is seen, out of the photo if need be.
+    ShowDepth,
+
     /// How the surface is coloured.
     Shading(ShadingMode),
     /// Whether edges are drawn over it.
@@ -146,6 +160,9 @@ impl Intent {
                 | Self::Zoom(_)
                 | Self::GoTo(_)
                 | Self::Lens(_)
+                | Self::Scene(_)
+                | Self::Brush(_)
+                | Self::ShowDepth
                 | Self::Preview(_)
                 | Self::Slide(..)
                 | Self::Turntable(_)

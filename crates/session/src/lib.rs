@@ -23,6 +23,7 @@ mod selection;
 mod session;
 mod slider_influence;
 mod state;
+mod strokes;
 mod view;
 
 pub use changed::Changed;
@@ -34,11 +35,12 @@ pub use files::{EditsAs, FileOptions, Units};
 pub use gesture::Under;
 pub use incoming::{DENSEST_SHOWN, Incoming, MOST_ENTRIES, Work};
 pub use intent::Intent;
-pub use open_face::{MAX_OFFSET_M, OpenFace};
+pub use open_face::{MAX_OFFSET_M, OpenFace, PhotoEdit};
 pub use rows::Row;
 pub use selection::{Selection, SelectionMode};
-pub use session::Session;
+pub use session::{BRUSH_PX, Session};
 pub use state::{FaceState, State, Tick};
+pub use strokes::Strokes;
 pub use view::{Motion, Turntable, View};
 
 /// The examples of the README are tested with those of the code.

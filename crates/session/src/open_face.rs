@@ -1,6 +1,7 @@
 mod mesh;
 mod movement;
 mod outputs;
+mod photo;
 mod selecting;
 
 use glam::DVec3;
@@ -13,6 +14,7 @@ use crate::error::SessionError;
 use crate::rows::{Row, Rows};
 use crate::selection::Moving;
 use crate::slider_influence::{self, SliderInfluence};
+pub use photo::PhotoEdit;
 
 pub(crate) const M_PER_MM: f64 = 1.0 / 1000.0;
 pub(crate) const MM_PER_M: f64 = 1000.0;
@@ -45,6 +47,7 @@ pub struct OpenFace {
     /// Scratch: one offset for each handle.
     offsets_m: Vec<DVec3>,
     rows: Rows,
+    photo: PhotoEdit,
 }
 
 impl OpenFace {
@@ -64,6 +67,7 @@ impl OpenFace {
             ways: Vec::new(),
             offsets_m: Vec::new(),
             rows,
+            photo: PhotoEdit::default(),
         }
     }
 

@@ -1,11 +1,11 @@
 //! Choices and view as JSON text, so that a session that ends can be gone on with in another.
 //!
 //! Fields that are missing or not understood are refused as a whole: nobody's half of a preference is guessed. Those that
-//! the first version did not have (`photo_light`, `anchors_marked`, `lens`) stand as usual where they are missing.
+//! the first version did not have (`photo_light`, `anchors_marked`, `lens`, `scene`, `ring`) stand as usual where they are missing.
 
 use rosto_face::Triangulation;
-use rosto_stage::{Background, Dots, Lens, Light, PictureLight, ShadingMode, Srgb, Wireframe};
-use rosto_studio::{ConstraintKind, Details, Mirror, Operator, Switch};
+use rosto_stage::{Background, Dots, Lens, Light, PictureLight, Scene, ShadingMode, Srgb, Wireframe};
+use rosto_studio::{ConstraintKind, DEFAULT_RING, Details, Mirror, Operator, RING_SHARES, Switch};
 use serde_json::{Value, json};
 
 use crate::error::SessionError;
@@ -42,6 +42,8 @@ impl Session {
             "radius_mm": choices.radius_mm,
             "mirror": choices.mirror == Mirror::On,
             "turned": choices.details == Details::AsRigidAsPossible,
+            "scene": view.scene.id(),
+            "ring": view.ring,
             "paint": view.shading.id(),
             "lens": view.lens.id(),
             "wireframe": view.wireframe == Wireframe::Shown,
@@ -84,6 +86,8 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
     let choices = Choices { is_nearby: flag("nearby")?, ..choices.reaching(choices.radius_mm)? };
     let density = value["density"].as_u64().filter(|density| *density <= crate::DENSEST_SHOWN.into());
     let view = View {
+        scene: scene(&value["scene"]).ok_or(missing("scene"))?,
+        ring: ring(&value["ring"]).ok_or(missing("ring"))?,
         shading: word("paint").and_then(shading).ok_or(missing("paint"))?,
         lens: lens(&value["lens"]).ok_or(missing("lens"))?,
         wireframe: if flag("wireframe")? { Wireframe::Shown } else { Wireframe::Hidden },
@@ -106,6 +110,14 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
 
 fn picture_light(value: &Value) -> Option<PictureLight> {
     if value.is_null() { Some(PictureLight::default()) } else { PictureLight::from_id(value.as_str()?) }
+}
+
+fn scene(value: &Value) -> Option<Scene> {
+    if value.is_null() { Some(Scene::default()) } else { Scene::from_id(value.as_str()?) }
+}
+
+fn ring(value: &Value) -> Option<f64> {
+    if value.is_null() { Some(DEFAULT_RING) } else { value.as_f64().filter(|ring| RING_SHARES.contains(ring)) }
 }
 
 fn lens(value: &Value) -> Option<Lens> {

@@ -1,3 +1,4 @@
+mod in_photo;
 mod moving;
 mod opening;
 mod pointing;
@@ -5,13 +6,15 @@ mod seeing;
 mod selecting;
 
 use rosto_face::LANDMARK_COUNT;
-use rosto_stage::Stage;
+use rosto_stage::{Scene, Stage};
 use rosto_studio::{Document, Switch};
 
 use crate::gesture::{Gesture, Under};
 use crate::open_face::OpenFace;
 use crate::seeds::Seeds;
+use crate::strokes::Strokes;
 use crate::{Changed, Choices, Intent, SelectionMode, SessionError, View, marks};
+pub use in_photo::BRUSH_PX;
 pub(crate) use seeing::checked;
 
 /// Everything of a visitor's session: the open face, what is chosen, selected and moved, and what is seen.
@@ -26,6 +29,7 @@ pub struct Session {
     under: Under,
     stage: Stage,
     seeds: Seeds,
+    brush_px: Option<f64>,
 }
 
 type Result<T = Changed, E = SessionError> = std::result::Result<T, E>;
@@ -42,6 +46,7 @@ impl Session {
             under: Under::default(),
             stage: Stage::default(),
             seeds: Seeds::new(seed),
+            brush_px: None,
         };
         session.stage.render_settings_mut().dotted = LANDMARK_COUNT as u32;
         session.show_empty();
@@ -158,6 +163,9 @@ impl Session {
             Intent::Drag(place_px, pace) => self.drag(place_px, pace),
             Intent::Along(axis) => self.drag_along(axis),
             Intent::Release => self.release(),
+            Intent::Undo if self.brush_px.is_some() => self.change_strokes(Strokes::undo),
+            Intent::Redo if self.brush_px.is_some() => self.change_strokes(Strokes::redo),
+            Intent::KeepNothing => self.change_strokes(Strokes::clear),
             Intent::Undo => self.undo(),
             Intent::Redo => self.finish(|face, choices| face.change_history(choices, Document::redo)),
             Intent::Reset => self.reset(),
@@ -167,13 +175,19 @@ impl Session {
             Intent::Density(density) => self.set_density(density),
             Intent::PhotoLens(lens) => self.set_photo_lens(lens),
             Intent::Triangulation(triangulation) => self.set_triangulation(triangulation),
+            Intent::Scene(scene) => Ok(self.set_scene(scene, true)),
+            Intent::Ring(share) => self.set_ring(share),
+            Intent::SeenFrom(distance_m) => self.set_seen_from(distance_m),
+            Intent::Brush(radius_px) => self.set_brush(radius_px),
+            Intent::ShowDepth => self.show_depth(),
             seen => self.see(seen),
         }
     }
 
     /// A face that has grown out of the picture is framed again once it is let go.
     fn keep_in_frame(&mut self) {
-        if let Some(face) = self.face.as_ref().filter(|face| !face.is_moving()) {
+        let is_free = self.stage.scene() == Scene::Solid;
+        if let Some(face) = self.face.as_ref().filter(|face| is_free && !face.is_moving()) {
             self.stage.frame_again(face.document().committed());
         }
     }

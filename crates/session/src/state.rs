@@ -25,6 +25,8 @@ pub struct State {
     pub light: Light,
     /// Which landmarks show as dots.
     pub dots: Dots,
+    /// The brush in hand: its radius in CSS px.
+    pub brush_px: Option<f64>,
 }
 
 /// What panels show of an open face.
@@ -58,6 +60,16 @@ pub struct FaceState {
     pub can_redo: bool,
     /// How many entries the history has, without what was undone.
     pub entry_count: usize,
+    /// Whether the offsets kept go so nearly along the view that they hardly show from here.
+    pub is_along_view: bool,
+    /// From how far away the face is shown in its photo, in metres.
+    pub seen_from_m: f64,
+    /// Whether that is as it was taken.
+    pub is_as_taken: bool,
+    /// How many strokes of the brush keep something of the photo.
+    pub stroke_count: usize,
+    /// Whether one can be brought back.
+    pub can_redo_stroke: bool,
 }
 
 /// What one tick of an edit changes.
@@ -73,6 +85,8 @@ pub struct Tick {
     pub share_reached: f64,
     /// Whether the pointer drags it further than its sliders go.
     pub is_at_end: bool,
+    /// Whether it goes so nearly along the view that it hardly shows from here.
+    pub is_along_view: bool,
 }
 
 impl Session {
@@ -80,7 +94,11 @@ impl Session {
     pub fn state(&self) -> State {
         let selectable = self.face().map_or(LANDMARK_COUNT, |face| face.within_reach(self.mode()));
         State {
-            face: self.face().map(|face| face.state(self.choices())),
+            face: self.face().map(|face| FaceState {
+                is_along_view: self.is_along_view(face.kept_mm()),
+                ..face.state(self.choices())
+            }),
+            brush_px: self.brush_px(),
             mode: self.mode(),
             selectable,
             choices: *self.choices(),
@@ -94,7 +112,17 @@ impl Session {
     /// How far the edit in progress has gone. No allocation.
     pub fn tick(&self) -> Tick {
         let tick = self.face().map(OpenFace::tick).unwrap_or_default();
-        Tick { is_at_end: self.is_at_end(), ..tick }
+        Tick { is_at_end: self.is_at_end(), is_along_view: self.is_along_view(tick.offset_mm), ..tick }
+    }
+
+    /// Whether what is selected, moved by so much, goes along the view but for 14°.
+    fn is_along_view(&self, offset_mm: DVec3) -> bool {
+        const LEAST_MM: f64 = 0.5;
+        let selected = self.face().and_then(|face| Some((face, face.selected()?)));
+        let place_m = selected.and_then(|(face, vertex)| face.document().positions().get(vertex as usize).copied());
+        let Some(place_m) = place_m.filter(|_| offset_mm.length() > LEAST_MM) else { return false };
+        let along_mm = offset_mm.dot(self.stage().camera().to_eye(place_m));
+        along_mm.abs() > 0.97 * offset_mm.length()
     }
 }
 
@@ -116,6 +144,11 @@ impl OpenFace {
             can_undo: history.can_undo(),
             can_redo: history.can_redo(),
             entry_count: history.entries().len(),
+            is_along_view: false,
+            seen_from_m: self.seen_by().distance_m,
+            is_as_taken: self.photo().seen_from_m().is_none(),
+            stroke_count: self.photo().strokes().count(),
+            can_redo_stroke: self.photo().strokes().can_redo(),
         }
     }
 
@@ -130,6 +163,7 @@ impl OpenFace {
             sliders_mm: FaceSlider::ALL.map(|slider| self.slider_mm(slider)),
             share_reached: self.share_reached(),
             is_at_end: false,
+            is_along_view: false,
         }
     }
 }

@@ -1,6 +1,6 @@
 use rosto_face::Triangulation;
-use rosto_stage::{Background, Lens, PictureLight, ShadingMode, Stage, Surface, Wireframe};
-use rosto_studio::Switch;
+use rosto_stage::{Background, Lens, PictureLight, Scene, ShadingMode, Stage, Surface, Wireframe};
+use rosto_studio::{DEFAULT_RING, Switch};
 
 /// How fast the empty state turns.
 const IDLE_TURN_DEG_PER_S: f64 = 14.0;
@@ -10,6 +10,10 @@ const TURNTABLE_DEG_PER_S: f64 = 24.0;
 /// What was asked for that only a face shows, kept from one face to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
+    /// Whether the photo is on the stage, or the face in the round.
+    pub scene: Scene,
+    /// How far around the face its photo gives way, as a share of the face's longer side.
+    pub ring: f64,
     /// How the surface is coloured.
     pub shading: ShadingMode,
     /// From how far away it is seen.
@@ -56,6 +60,8 @@ impl Default for View {
     /// The face filled in, as a hand expects it, in the photo's colours.
     fn default() -> Self {
         Self {
+            scene: Scene::default(),
+            ring: DEFAULT_RING,
             shading: ShadingMode::default(),
             lens: Lens::default(),
             wireframe: Wireframe::default(),

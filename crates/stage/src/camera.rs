@@ -206,6 +206,11 @@ impl Camera {
         facing.elevation = (facing.elevation + radians.y).clamp(-Facing::STEEPEST, Facing::STEEPEST);
     }
 
+    /// Goes on around the upright axis by so much, and glides there.
+    pub fn turn_towards(&mut self, radians: f64) {
+        self.goal.facing.azimuth += radians;
+    }
+
     /// Turns around the upright axis, at once and without glide.
     pub fn turn(&mut self, radians: f64) {
         self.goal.facing.azimuth += radians;

@@ -1,4 +1,4 @@
-use glam::{DAffine3, DVec2, DVec3};
+use glam::{DAffine3, DVec3};
 
 use crate::camera::{Eye, Facing};
 
@@ -55,18 +55,4 @@ impl Pinhole {
         let facing = Facing::of_axes(model_from_camera.x_axis, model_from_camera.y_axis, model_from_camera.z_axis);
         (eye_m.z > LEAST_RADII_OF_PINHOLE * radius_m && eye_m.is_finite()).then_some((eye, facing))
     }
-}
-
-/// Where the picture that a pinhole took lies in the model: on the plane through the middle of what is framed that its axis
-/// meets at right angles, as large as it is seen there.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct PicturePlane {
-    /// The picture's top left corner, in metres.
-    pub origin_m: DVec3,
-    /// One px to the right.
-    pub right_m: DVec3,
-    /// One px down.
-    pub down_m: DVec3,
-    /// Width and height in px.
-    pub size_px: DVec2,
 }

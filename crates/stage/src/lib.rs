@@ -10,15 +10,17 @@ mod frame;
 mod lens;
 mod light;
 mod markers;
+mod picture_plane;
 mod render_settings;
 mod stage;
 
 pub use camera::{Camera, Glide, NamedView};
 pub use colour::Srgb;
 pub use frame::FrameUniforms;
-pub use lens::{Lens, PicturePlane, Pinhole};
+pub use lens::{Lens, Pinhole};
 pub use light::Light;
 pub use markers::{Axis, Mark, MarkKind, Pointer};
+pub use picture_plane::PicturePlane;
 pub use render_settings::{
     Background, Dots, MirrorPlane, Palette, PictureLight, RenderSettings, Rim, Scene, ShadingMode, Surface, Theme,
     Wireframe,

@@ -174,6 +174,18 @@ impl Stage {
         self.picture_share
     }
 
+    /// The place in the picture, in its px, that is seen at a place on the canvas; none beside it.
+    pub fn picture_px(&self, place_px: DVec2) -> Option<DVec2> {
+        let picture = self.picture?;
+        let place = picture.px_under(&self.camera.ray(place_px))?;
+        (place.cmpge(DVec2::ZERO).all() && place.cmple(picture.size_px).all()).then_some(place)
+    }
+
+    /// Where a place in the picture is seen, in px of the canvas.
+    pub fn place_of(&self, picture_px: DVec2) -> Option<DVec2> {
+        self.camera.project(self.picture?.at(picture_px))
+    }
+
     /// Is where it is going at once: the picture is there, or gone.
     pub fn settle_picture(&mut self) {
         self.picture_share = f64::from(u8::from(self.scene == Scene::Picture));

@@ -7,6 +7,7 @@
 mod editing;
 mod error;
 mod files;
+mod in_photo;
 mod measuring;
 mod modes;
 mod names;
@@ -22,6 +23,7 @@ mod studio;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
+pub use in_photo::PhotoWarp;
 pub use modes::{ChangeName, FileKindName, PointerName, RefusalName, TaskName};
 pub use paper::{PaperClaims, PaperMethod, PaperRow, PaperRun};
 pub use renderer::{Renderer, create_renderer};

@@ -54,6 +54,13 @@ impl IncomingPicture {
     }
 }
 
+/// RGB of RGBA, its alpha left out.
+pub(crate) fn rgb_of(rgba: &[u8]) -> Vec<u8> {
+    let mut rgb = Vec::new();
+    push_rgb(&mut rgb, rgba);
+    rgb
+}
+
 /// Written in place: collected one by one, millions of bytes take three times as long.
 fn push_rgb(rgb: &mut Vec<u8>, rgba: &[u8]) {
     let (start, pixels) = (rgb.len(), rgba.as_chunks::<4>().0);
@@ -63,7 +70,8 @@ fn push_rgb(rgb: &mut Vec<u8>, rgba: &[u8]) {
     }
 }
 
-fn rgba_of(photo: &Photo) -> Vec<u8> {
+/// RGBA of opaque RGB.
+pub(crate) fn rgba_of(photo: &Photo) -> Vec<u8> {
     let pixels = photo.pixels().as_chunks::<3>().0;
     let mut rgba = vec![u8::MAX; pixels.len() * 4];
     for (to, [red, green, blue]) in rgba.as_chunks_mut::<4>().0.iter_mut().zip(pixels) {

@@ -105,6 +105,27 @@ pub struct StudioState {
     /// How many entries the history has, without what was undone.
     #[wasm_bindgen(readonly, js_name = entryCount)]
     pub entry_count: u32,
+    /// Whether the offsets kept go so nearly along the view that they hardly show from here.
+    #[wasm_bindgen(readonly, js_name = isAlongView)]
+    pub is_along_view: bool,
+    /// How far around the face its photo gives way, as a share of the face's longer side.
+    #[wasm_bindgen(readonly)]
+    pub ring: f64,
+    /// From how far away the face is shown in its photo, in metres; infinite where its camera is taken to be very far.
+    #[wasm_bindgen(readonly, js_name = seenFromM)]
+    pub seen_from_m: f64,
+    /// Whether that is as it was taken.
+    #[wasm_bindgen(readonly, js_name = isAsTaken)]
+    pub is_as_taken: bool,
+    /// The brush in hand: its radius in CSS px.
+    #[wasm_bindgen(readonly, js_name = brushPx)]
+    pub brush_px: Option<f64>,
+    /// How many strokes keep something of the photo.
+    #[wasm_bindgen(readonly, js_name = strokeCount)]
+    pub stroke_count: u32,
+    /// Whether one can be brought back.
+    #[wasm_bindgen(readonly, js_name = canRedoStroke)]
+    pub can_redo_stroke: bool,
 }
 
 #[wasm_bindgen]
@@ -165,6 +186,13 @@ impl StudioState {
             can_undo: is(|face| face.can_undo),
             can_redo: is(|face| face.can_redo),
             entry_count: face.map_or(0, |face| face.entry_count as u32),
+            is_along_view: is(|face| face.is_along_view),
+            ring: view.ring,
+            seen_from_m: face.map_or(f64::INFINITY, |face| face.seen_from_m),
+            is_as_taken: is(|face| face.is_as_taken),
+            brush_px: state.brush_px,
+            stroke_count: face.map_or(0, |face| face.stroke_count as u32),
+            can_redo_stroke: is(|face| face.can_redo_stroke),
         }
     }
 }
@@ -203,6 +231,9 @@ pub struct StudioTick {
     /// Whether the pointer drags it further than its sliders go.
     #[wasm_bindgen(readonly, js_name = isAtEnd)]
     pub is_at_end: bool,
+    /// Whether it goes so nearly along the view that it hardly shows from here.
+    #[wasm_bindgen(readonly, js_name = isAlongView)]
+    pub is_along_view: bool,
 }
 
 impl StudioTick {
@@ -215,6 +246,7 @@ impl StudioTick {
             sliders_mm: tick.sliders_mm.to_vec(),
             share_reached: tick.share_reached,
             is_at_end: tick.is_at_end,
+            is_along_view: tick.is_along_view,
         }
     }
 }

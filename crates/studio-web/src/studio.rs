@@ -1,11 +1,12 @@
 use rosto_face::{Triangulation, canonical_positions_m};
-use rosto_session::{Changed, Incoming, Intent, Motion, OpenFace, Session, Work};
+use rosto_session::{Changed, Incoming, Intent, OpenFace, Session, Work};
 use rosto_stage::ShadingMode;
 use rosto_viewport::{MeshInput, PictureOnGpu, Viewport};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::future_to_promise;
 
 use crate::error::{FacadeError, Result};
+use crate::in_photo::PhotoShown;
 use crate::modes::ChangeName;
 use crate::picture::{IncomingPicture, OpenPicture};
 use crate::renderer::Renderer;
@@ -19,10 +20,11 @@ pub struct Studio {
     pub(crate) session: Session,
     pub(crate) viewport: Viewport,
     /// Of the open face.
-    picture: Option<OpenPicture>,
+    pub(crate) picture: Option<OpenPicture>,
     /// Of the face to be opened next.
     next_picture: Option<OpenPicture>,
     incoming_picture: Option<IncomingPicture>,
+    pub(crate) photo_shown: PhotoShown,
 }
 
 #[wasm_bindgen]
@@ -99,7 +101,7 @@ impl Studio {
     }
 
     /// The same with the work that was done to it before: how the landmarks were joined, how often the mesh was
-    /// subdivided, and the edits as versioned JSON. Everything is checked before anything is replaced.
+    /// subdivided, the edits as versioned JSON, and what the photo alone holds. Everything is checked before anything is replaced.
     ///
     /// # Errors
     /// `bad-face`, `bad-history` or `too-new`.
@@ -115,11 +117,13 @@ impl Studio {
         triangulation: &str,
         density: u32,
         edits: String,
+        photo: Option<String>,
     ) -> Result<ChangeName, JsValue> {
         let work = Work {
             triangulation: FacadeError::unless(Triangulation::from_id(triangulation))?,
             density,
             history: edits,
+            photo,
         };
         Ok(self.open(landmarks, [width, height], colours, lens, Some(work))?)
     }
@@ -173,7 +177,14 @@ impl Studio {
 impl Studio {
     pub(crate) fn new(viewport: Viewport) -> Self {
         let session = Session::new((js_sys::Math::random() * SEEDS) as u64);
-        Self { session, viewport, picture: None, next_picture: None, incoming_picture: None }
+        Self {
+            session,
+            viewport,
+            picture: None,
+            next_picture: None,
+            incoming_picture: None,
+            photo_shown: PhotoShown::default(),
+        }
     }
 
     /// The one door for everything that changes the session: carries an intent out and shows what it has changed.
@@ -208,9 +219,6 @@ impl Studio {
         let changed = self.session.apply(Intent::Open(Box::new(incoming)))?;
         self.picture = Some(picture);
         self.show(changed)?;
-        if let (Motion::Usual, Some(face)) = (self.session.view().motion, self.session.face()) {
-            self.viewport.arrive_from(&face.flat_m(), face.document().rest())?;
-        }
         Ok(changed.into())
     }
 
@@ -218,6 +226,7 @@ impl Studio {
     fn show(&mut self, changed: Changed) -> Result<()> {
         if changed >= Changed::Mesh {
             self.show_mesh()?;
+            self.show_photo_as_taken();
         }
         if changed >= Changed::Document {
             self.show_shape()?;
@@ -225,6 +234,7 @@ impl Studio {
         if changed >= Changed::Tick {
             self.show_tick()?;
         }
+        self.show_photo(changed)?;
         self.session.stage_mut().ask_for_a_frame();
         Ok(())
     }

@@ -73,6 +73,7 @@ fn open_work(studio: &mut Studio, density: u32, edits: &str) -> Result<ChangeNam
         triangulation,
         density,
         edits.to_owned(),
+        None,
     )
 }
 

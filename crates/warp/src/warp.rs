@@ -86,10 +86,10 @@ impl Warp {
 }
 
 impl Patch {
-    /// The same in a picture that is so many times as large.
-    pub fn scaled(&self, by: f64) -> Self {
-        let scaled = |places: &[DVec2]| places.iter().map(|place| *place * by).collect();
-        Self { from_px: scaled(&self.from_px), to_px: scaled(&self.to_px), triangles: self.triangles.clone() }
+    /// The same in a part of the picture that begins at a place of it and is so many times as large.
+    pub fn cut(&self, corner_px: DVec2, scale: f64) -> Self {
+        let cut = |places: &[DVec2]| places.iter().map(|place| (*place - corner_px) * scale).collect();
+        Self { from_px: cut(&self.from_px), to_px: cut(&self.to_px), triangles: self.triangles.clone() }
     }
 }
 

@@ -25,6 +25,7 @@ impl OpenFace {
             let vertex = if is_there { vertex } else { self.nearest(place_m) };
             self.selection = Some(self.at(vertex, SelectionMode::Point));
         }
+        self.photo.forget();
         self.rows.read(&self.document, 0);
         self.hold(choices);
         Ok(())
@@ -44,6 +45,7 @@ impl OpenFace {
         if let (Some(Selection::Point { level, .. }), Some(place_m)) = (self.selection, place_m) {
             self.selection = Some(Selection::Point { level, vertex: self.nearest(place_m) });
         }
+        self.photo.forget();
         self.rows.read(&self.document, 0);
         self.hold(choices);
         Ok(())
@@ -55,6 +57,7 @@ impl OpenFace {
         self.commit(choices);
         self.document = self.over(self.triangulation, model.positions_m().to_vec())?;
         self.model = model;
+        self.photo.forget();
         self.rows.read(&self.document, 0);
         self.hold(choices);
         Ok(())

@@ -1,39 +1,38 @@
 use rosto_face::canonical_positions_m;
-use rosto_stage::Pinhole;
 
 use super::{Result, Session};
 use crate::gesture::{Gesture, Under};
 use crate::incoming::{self, Incoming};
 use crate::open_face::OpenFace;
 use crate::{Changed, Choices, Motion, Selection, SelectionMode, preferences};
+use rosto_stage::Scene;
 
 /// What is open.
 impl Session {
     pub(super) fn open(&mut self, incoming: Incoming) -> Result {
         let mut face = incoming::opened(incoming, (self.view.triangulation, self.view.density))?;
+        face.set_ring(self.view.ring);
         prepare(&mut face, self.mode, &self.choices, self.seeds.peek());
         self.view.triangulation = face.triangulation();
         self.view.density = face.document().density();
         self.face = Some(face);
-        (self.gesture, self.under) = (Gesture::Idle, Under::default());
+        (self.gesture, self.under, self.brush_px) = (Gesture::Idle, Under::default(), None);
         self.view.show_on(&mut self.stage, false);
         self.see_as_edited();
+        self.stage.set_pinhole(None);
+        self.frame();
         self.show_pinhole();
         self.frame();
-        if self.view.motion == Motion::Usual {
+        self.stage.show(self.view.scene, true);
+        self.stage.settle_picture();
+        if self.view.motion == Motion::Usual && self.view.scene == Scene::Solid {
             self.stage.start_arrival();
         }
         Ok(Changed::Mesh)
     }
 
-    /// The photo's camera, in whose view mesh and photo coincide.
-    pub(super) fn show_pinhole(&mut self) {
-        let camera = self.face.as_ref().map(|face| face.model().camera());
-        self.stage.set_pinhole(camera.map(|camera| Pinhole { camera_from_model: camera.camera_from_model }));
-    }
-
     pub(super) fn close(&mut self) -> Result {
-        self.face = None;
+        (self.face, self.brush_px) = (None, None);
         self.see_as_edited();
         (self.gesture, self.under) = (Gesture::Idle, Under::default());
         self.show_empty();
@@ -48,6 +47,8 @@ impl Session {
 
     pub(super) fn show_empty(&mut self) {
         self.stage.set_pinhole(None);
+        self.stage.set_picture(None);
+        self.stage.settle_picture();
         self.view.show_on(&mut self.stage, true);
         self.stage.frame(&canonical_positions_m());
         self.stage.camera_mut().turn(-0.5);
@@ -68,7 +69,9 @@ impl Session {
         let look = self.stage.render_settings_mut();
         (look.light, look.dots) = (preferences.light, preferences.dots);
         self.view.show_on(&mut self.stage, self.face.is_none());
+        self.show_scene(true);
         let Some(face) = &mut self.face else { return Ok(Changed::Document) };
+        face.set_ring(self.view.ring);
         // The face keeps its mesh: what is preferred is for the next one.
         (self.view.triangulation, self.view.density) = (face.triangulation(), face.document().density());
         let wanted = face.selected_by(self.mode);

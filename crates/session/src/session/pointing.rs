@@ -14,6 +14,8 @@ const STICKS_PX: f64 = 10.0;
 /// What the pointer is on, and what it drags.
 impl Session {
     pub(super) fn hover(&mut self, place_px: Option<DVec2>) -> Changed {
+        // The brush selects nothing.
+        let place_px = place_px.filter(|_| self.brush_px.is_none());
         let under = place_px.map_or(Under::default(), |place_px| self.under_at(place_px, Pointer::Fine));
         let shows_dots = self.face.as_ref().is_some_and(|face| face.selects_landmarks(self.mode));
         self.stage.set_pointer(place_px.filter(|_| shows_dots && under.vertex.is_some()));
@@ -61,6 +63,9 @@ impl Session {
 
     /// What is taken lights up, under a finger as well, which was not over it before.
     pub(super) fn press(&mut self, place_px: DVec2, pointer: Pointer) -> Changed {
+        if let Some(painted) = self.paint(place_px) {
+            return painted;
+        }
         let under = self.under_at(place_px, pointer);
         self.gesture = gesture::pressed(under, place_px);
         self.set_under(under);
@@ -77,6 +82,9 @@ impl Session {
     pub(super) fn drag(&mut self, place_px: DVec2, pace: Pace) -> Result {
         if !place_px.is_finite() {
             return Ok(Changed::Nothing);
+        }
+        if self.gesture == Gesture::Painting {
+            return Ok(self.go_on_painting(place_px));
         }
         let mut grabbed = Changed::Nothing;
         if let Gesture::Ready { vertex, axis, from_px } = self.gesture {
@@ -133,8 +141,11 @@ impl Session {
     }
 
     pub(super) fn release(&mut self) -> Result {
-        let is_dragging = self.is_dragging();
+        let (is_dragging, was_painting) = (self.is_dragging(), self.gesture == Gesture::Painting);
         self.gesture = Gesture::Idle;
+        if was_painting {
+            return Ok(Changed::Document);
+        }
         if is_dragging { self.finish(OpenFace::commit) } else { Ok(Changed::Nothing) }
     }
 

@@ -1,8 +1,8 @@
-use rosto_stage::{Glide, Light, ShadingMode};
+use rosto_stage::{Glide, Light, NamedView, ShadingMode};
 
 use super::{Result, Session};
 use crate::error::{bounded_factor, within};
-use crate::{Changed, Intent, Motion, SessionError};
+use crate::{Changed, Intent, Motion, SessionError, Turntable};
 
 /// How things look.
 impl Session {
@@ -11,12 +11,18 @@ impl Session {
         // Distortion is worked out with each tick, and only while it is painted.
         let begins = intent == Intent::Shading(ShadingMode::Distortion);
         let marks_change = matches!(intent, Intent::Before(_) | Intent::Wipe(_) | Intent::MarkAnchors(_));
+        let mut left = Changed::Nothing;
         match intent {
             Intent::Shading(paint) => self.view.shading = paint,
             Intent::Lens(lens) => self.view.lens = lens,
             Intent::Wireframe(wireframe) => self.view.wireframe = wireframe,
             Intent::Background(background) => self.view.background = background,
-            Intent::Turntable(turntable) => self.view.turntable = turntable,
+            Intent::Turntable(turntable) => {
+                self.view.turntable = turntable;
+                if turntable == Turntable::Turns {
+                    left = self.leave_photo();
+                }
+            }
             Intent::Motion(motion) => {
                 self.view.motion = motion;
                 let glide = if motion == Motion::Reduced { Glide::Off } else { Glide::Smooth };
@@ -32,13 +38,21 @@ impl Session {
             }
             Intent::PictureLight(light) => self.view.picture_light = light,
             Intent::MarkAnchors(switch) => self.view.anchors = switch,
-            Intent::Orbit(by_px) if by_px.is_finite() => self.stage.camera_mut().orbit(by_px.x, by_px.y),
+            Intent::Orbit(by_px) if by_px.is_finite() => {
+                left = self.leave_photo();
+                self.stage.camera_mut().orbit(by_px.x, by_px.y);
+            }
             Intent::Pan(by_px) if by_px.is_finite() => self.stage.camera_mut().pan(by_px.x, by_px.y),
             Intent::Zoom(factor) => {
                 let factor = bounded_factor(factor)?;
                 self.stage.camera_mut().zoom(factor);
             }
-            Intent::GoTo(view) => self.stage.camera_mut().look(view),
+            Intent::GoTo(view) => {
+                if view != NamedView::Reset {
+                    left = self.leave_photo();
+                }
+                self.stage.camera_mut().look(view);
+            }
             Intent::Resize([width, height], pixel_ratio) => {
                 let pixel_ratio = within("px for each CSS px", pixel_ratio, 1e-3, 1e3)?;
                 self.stage.camera_mut().resize(width.max(1), height.max(1));
@@ -51,7 +65,7 @@ impl Session {
         if marks_change {
             self.show_marks();
         }
-        Ok(if begins { Changed::Tick } else { Changed::View })
+        Ok(left.max(if begins { Changed::Tick } else { Changed::View }))
     }
 }
 

@@ -23,7 +23,7 @@ pub fn found() -> Incoming {
 
 /// The same with work done to it before.
 pub fn worked_on(history: &str, triangulation: Triangulation, density: u32) -> Incoming {
-    Incoming { work: Some(Work { triangulation, density, history: history.to_owned() }), ..found() }
+    Incoming { work: Some(Work { triangulation, density, history: history.to_owned(), photo: None }), ..found() }
 }
 
 /// A session with that face, on a canvas of 800 × 600 px, that stands still.

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use rosto_face::{PhotoLens, Region, Triangulation};
 use rosto_session::{AnchorChoice, Intent, Pace, Preset, Selection, SelectionMode, Turntable};
 use rosto_stage::{
-    Axis, Background, Dots, Lens, Light, NamedView, PictureLight, Pointer, ShadingMode, Srgb, Theme, Wireframe,
+    Axis, Background, Dots, Lens, Light, NamedView, PictureLight, Pointer, Scene, ShadingMode, Srgb, Theme, Wireframe,
 };
 use rosto_studio::{ConstraintKind, Details, FaceSlider, Mirror, Operator, Switch};
 
@@ -21,6 +21,7 @@ pub fn intent() -> impl Strategy<Value = Intent> {
         8 => history(),
         4 => mesh(),
         3 => seeing(),
+        3 => in_photo(),
         1 => opening(),
     ]
 }
@@ -132,6 +133,17 @@ fn seeing() -> impl Strategy<Value = Intent> {
         any_of(&[NamedView::Front, NamedView::Left, NamedView::Top, NamedView::Reset]).prop_map(Intent::GoTo),
         (0..3_000u32, 0..3_000u32, number()).prop_map(|(width, height, ratio)| Intent::Resize([width, height], ratio)),
         Just(Intent::Resize(SIZE_PX, 1.0)),
+    ]
+}
+
+fn in_photo() -> impl Strategy<Value = Intent> {
+    prop_oneof![
+        3 => any_of(&Scene::ALL).prop_map(Intent::Scene),
+        1 => prop_oneof![0.1..0.8, number()].prop_map(Intent::Ring),
+        2 => proptest::option::of(prop_oneof![0.2..3.0, number()]).prop_map(Intent::SeenFrom),
+        2 => proptest::option::of(prop_oneof![4.0..120.0, number()]).prop_map(Intent::Brush),
+        1 => Just(Intent::KeepNothing),
+        1 => Just(Intent::ShowDepth),
     ]
 }
 

@@ -173,7 +173,7 @@ fn a_photo_without_area_is_refused() {
 #[test]
 fn a_density_that_there_is_not_is_refused() {
     for density in [5, 9, u32::MAX] {
-        let work = Work { triangulation: Triangulation::Canonical, density, history: history(&[]) };
+        let work = Work { triangulation: Triangulation::Canonical, density, history: history(&[]), photo: None };
         let refusal = refusal_to_open(Incoming { work: Some(work), ..found() });
         let (least, most) = (0.0, MAX_DENSITY.into());
         assert_eq!(refusal, SessionError::OutOfRange { what: "the density", value: density.into(), least, most });

@@ -1,5 +1,3 @@
-use glam::{DVec2, DVec3};
-
 use super::pose::Pose;
 use super::{Camera, NamedView};
 use crate::PicturePlane;
@@ -29,9 +27,9 @@ impl Camera {
 
     /// Is at once as the pinhole took the picture, and on its way from there by a share: 0 is there, 1 where it goes.
     pub fn lift(&mut self, picture: PicturePlane, share: f64) {
-        let goal = std::mem::replace(&mut self.framed, Some(picture));
+        let framed = self.framed.replace(picture);
         let taken = self.home();
-        self.framed = goal;
+        self.framed = framed;
         self.now = taken.towards(&Pose { facing: self.goal.facing.nearest_to(&taken.facing), ..self.goal }, share);
     }
 
@@ -62,15 +60,5 @@ impl Camera {
         if is_home {
             self.goal = self.home();
         }
-    }
-}
-
-impl PicturePlane {
-    fn middle_m(&self) -> DVec3 {
-        self.origin_m + 0.5 * (self.right_m * self.size_px.x + self.down_m * self.size_px.y)
-    }
-
-    fn size_m(&self) -> DVec2 {
-        DVec2::new(self.right_m.length(), self.down_m.length()) * self.size_px
     }
 }

@@ -1,0 +1,119 @@
+use rosto_face::Camera;
+use rosto_studio::{DEFAULT_RING, InPhoto};
+use rosto_warp::{Dab, Patch};
+
+use super::OpenFace;
+use crate::strokes::Strokes;
+
+/// What is chosen of how a face's edits show in its photo, and the warp that shows them.
+pub struct PhotoEdit {
+    pub(super) seen_from_m: Option<f64>,
+    pub(super) strokes: Strokes,
+    ring: f64,
+    warp: Option<InPhoto>,
+    /// Counts the warps that were made: whoever shows one knows by it whether it is another.
+    version: u32,
+    is_stale: bool,
+}
+
+impl Default for PhotoEdit {
+    fn default() -> Self {
+        Self {
+            seen_from_m: None,
+            strokes: Strokes::default(),
+            ring: DEFAULT_RING,
+            warp: None,
+            version: 0,
+            is_stale: true,
+        }
+    }
+}
+
+impl PhotoEdit {
+    /// From how far away the face is shown in its photo, in metres, if that is not how it was taken.
+    pub fn seen_from_m(&self) -> Option<f64> {
+        self.seen_from_m
+    }
+
+    /// What of the photo is kept as it is.
+    pub fn strokes(&self) -> &Strokes {
+        &self.strokes
+    }
+
+    /// How far around the face the photo gives way, as a share of the face's longer side.
+    pub fn ring(&self) -> f64 {
+        self.ring
+    }
+
+    /// What moves in the photo, in its px, and the number of the warp; none before the first [`OpenFace::follow_in_photo`], or
+    /// where nothing of the face is in its photo.
+    pub fn patch(&self) -> Option<(&Patch, u32)> {
+        self.warp.as_ref().map(|warp| (warp.patch(), self.version))
+    }
+
+    /// Whether the next [`OpenFace::follow_in_photo`] has to factor anew.
+    pub fn waits(&self) -> bool {
+        self.is_stale
+    }
+
+    /// By how much the photo stays behind the mesh at most, in px of the photo, so that nothing in it folds.
+    pub fn limited_px(&self) -> f64 {
+        self.warp.as_ref().map_or(0.0, InPhoto::limited_px)
+    }
+
+    /// The mesh or its camera is another one.
+    pub(super) fn forget(&mut self) {
+        self.is_stale = true;
+    }
+}
+
+/// The face in its photo.
+impl OpenFace {
+    /// How the edits show in the photo.
+    pub fn photo(&self) -> &PhotoEdit {
+        &self.photo
+    }
+
+    /// The camera that sees the face as the photo shows it.
+    pub fn seen_by(&self) -> Camera {
+        self.photo.seen_from_m.map_or(*self.model.camera(), |distance_m| self.model.seen_from(distance_m))
+    }
+
+    /// Lets the photo follow the edits and the edit in progress: a back-substitution for each axis. The first time, and whenever
+    /// the mesh, the ring or what is kept is another, a factorisation.
+    pub fn follow_in_photo(&mut self) {
+        if std::mem::take(&mut self.photo.is_stale) {
+            let kept: Vec<Dab> = self.photo.strokes.dabs().copied().collect();
+            // A face beside its photo leads nothing in it.
+            self.photo.warp = InPhoto::new(&self.model, &self.document, self.photo.ring, &kept).ok();
+            self.photo.version += 1;
+        }
+        let seen_by = self.seen_by();
+        if let Some(warp) = &mut self.photo.warp {
+            warp.follow(self.document.rest(), self.document.positions(), self.model.camera(), &seen_by);
+        }
+    }
+
+    pub(crate) fn set_ring(&mut self, ring: f64) {
+        if self.photo.ring != ring {
+            self.photo.ring = ring;
+            self.photo.forget();
+        }
+    }
+
+    pub(crate) fn set_seen_from(&mut self, distance_m: Option<f64>) {
+        self.photo.seen_from_m = distance_m;
+    }
+
+    /// Changes what is kept of the photo.
+    pub(crate) fn change_strokes(&mut self, change: impl FnOnce(&mut Strokes)) {
+        change(&mut self.photo.strokes);
+        self.photo.forget();
+    }
+
+    /// What the photo alone holds, as it was written by [`Self::photo_json`].
+    pub(crate) fn restore_photo(&mut self, seen_from_m: Option<f64>, strokes: Strokes) {
+        (self.photo.seen_from_m, self.photo.strokes) = (seen_from_m, strokes);
+        self.photo.forget();
+    }
+}

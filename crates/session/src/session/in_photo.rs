@@ -1,0 +1,155 @@
+use glam::{DVec2, DVec3};
+use rosto_stage::{NamedView, PicturePlane, Pinhole, Scene};
+use rosto_studio::RING_SHARES;
+use rosto_warp::Dab;
+
+use super::{Result, Session};
+use crate::error::within;
+use crate::gesture::Gesture;
+use crate::open_face::OpenFace;
+use crate::strokes::{Strokes, seen_from};
+use crate::{Changed, Motion, SessionError};
+
+/// The brush is no finer and no coarser than this, in CSS px.
+pub const BRUSH_PX: [f64; 2] = [4.0, 120.0];
+
+/// How far to the side a face is turned to show how deep an edit goes, in radians.
+const ASIDE: f64 = 0.9;
+
+/// The photo on the stage, and what is done to it alone.
+impl Session {
+    /// The photo's camera, in whose view mesh and photo coincide, and where it has the photo lie.
+    pub(super) fn show_pinhole(&mut self) {
+        let seen_by = self.face.as_ref().map(OpenFace::seen_by);
+        self.stage.set_pinhole(seen_by.map(|camera| Pinhole { camera_from_model: camera.camera_from_model }));
+        let centre_m = self.stage.camera().centre_m();
+        self.stage.set_picture(self.face.as_ref().and_then(|face| plane(face, centre_m)));
+    }
+
+    pub(super) fn set_scene(&mut self, scene: Scene, home: bool) -> Changed {
+        self.view.scene = scene;
+        if scene == Scene::Solid {
+            self.brush_px = None;
+        }
+        self.show_scene(home);
+        Changed::Document
+    }
+
+    pub(super) fn show_scene(&mut self, home: bool) {
+        if self.face.is_some() {
+            self.stage.show(self.view.scene, home);
+        }
+        if self.view.motion == Motion::Reduced {
+            self.stage.settle_picture();
+        }
+        self.keep_in_frame();
+    }
+
+    /// Who turns the photo turns the face out of it.
+    pub(super) fn leave_photo(&mut self) -> Changed {
+        if self.face.is_some() && self.view.scene == Scene::Picture {
+            return self.set_scene(Scene::Solid, false);
+        }
+        Changed::Nothing
+    }
+
+    pub(super) fn set_ring(&mut self, ring: f64) -> Result {
+        self.view.ring = within("the ring's share", ring, *RING_SHARES.start(), *RING_SHARES.end())?;
+        if let Some(face) = &mut self.face {
+            face.set_ring(ring);
+        }
+        Ok(Changed::Document)
+    }
+
+    pub(super) fn set_seen_from(&mut self, distance_m: Option<f64>) -> Result {
+        let distance_m = match distance_m {
+            Some(value) => Some(seen_from(value).ok_or(SessionError::Distance { distance_m: value })?),
+            None => None,
+        };
+        self.face.as_mut().ok_or(SessionError::NoFace)?.set_seen_from(distance_m);
+        self.show_pinhole();
+        Ok(Changed::Document)
+    }
+
+    /// The brush paints on the photo alone.
+    pub(super) fn set_brush(&mut self, radius_px: Option<f64>) -> Result {
+        self.brush_px = radius_px.map(|px| within("the brush in px", px, BRUSH_PX[0], BRUSH_PX[1])).transpose()?;
+        if self.brush_px.is_some() && self.view.scene != Scene::Picture {
+            self.set_scene(Scene::Picture, true);
+        }
+        self.hover(None);
+        Ok(Changed::Document)
+    }
+
+    /// Begins a stroke, if the brush is in hand and the place is on the photo.
+    pub(super) fn paint(&mut self, place_px: DVec2) -> Option<Changed> {
+        let radius_px = self.brush_px? * self.stage.pixel_ratio();
+        let (place, beside) =
+            (self.stage.picture_px(place_px)?, self.stage.picture_px(place_px + DVec2::X * radius_px)?);
+        let dab = Dab { centre_px: place, radius_px: beside.distance(place) };
+        self.gesture = Gesture::Painting;
+        self.face.as_mut()?.change_strokes(|strokes| strokes.begin(dab));
+        Some(Changed::View)
+    }
+
+    pub(super) fn go_on_painting(&mut self, place_px: DVec2) -> Changed {
+        let place = self.stage.picture_px(place_px);
+        if let (Some(face), Some(place)) = (&mut self.face, place) {
+            face.change_strokes(|strokes| strokes.go_on(place));
+        }
+        Changed::View
+    }
+
+    pub(super) fn change_strokes(&mut self, change: impl FnOnce(&mut Strokes)) -> Result {
+        self.gesture = Gesture::Idle;
+        self.face.as_mut().ok_or(SessionError::NoFace)?.change_strokes(change);
+        Ok(Changed::Document)
+    }
+
+    /// Out of the photo and to the side, from where an edit in depth is seen.
+    pub(super) fn show_depth(&mut self) -> Result {
+        self.open_face()?;
+        self.set_scene(Scene::Solid, true);
+        let camera = self.stage.camera_mut();
+        camera.look(NamedView::Front);
+        camera.turn_towards(ASIDE);
+        Ok(Changed::Document)
+    }
+
+    /// The brush in hand: its radius in CSS px.
+    pub fn brush_px(&self) -> Option<f64> {
+        self.brush_px
+    }
+
+    /// Lets the photo follow the edits, as [`OpenFace::follow_in_photo`] says; whoever shows the photo asks for it.
+    pub fn follow_in_photo(&mut self) {
+        if let Some(face) = &mut self.face {
+            face.follow_in_photo();
+        }
+    }
+
+    /// Middles and radii, in px of the canvas, of what of the photo is kept.
+    pub fn kept_on_canvas(&self) -> Vec<[f64; 3]> {
+        let circle = |dab: &Dab| {
+            let at = |place_px: DVec2| self.stage.place_of(place_px);
+            let (middle, beside) = (at(dab.centre_px)?, at(dab.centre_px + DVec2::X * dab.radius_px)?);
+            Some([middle.x, middle.y, middle.distance(beside)])
+        };
+        let face = self.face.as_ref();
+        face.map(|face| face.photo().strokes().dabs().filter_map(circle).collect()).unwrap_or_default()
+    }
+}
+
+/// Where the photo lies in the model, on the plane through the middle of the face that its camera's axis meets at right angles.
+fn plane(face: &OpenFace, centre_m: DVec3) -> Option<PicturePlane> {
+    const STEP_M: f64 = 0.01;
+    let camera = face.seen_by();
+    let model_from_camera = camera.camera_from_model.matrix3.transpose();
+    let (right, up) = (model_from_camera.x_axis, model_from_camera.y_axis);
+    let centre_px = camera.project(centre_m)?;
+    let px_per_m = (camera.project(centre_m + right * STEP_M)?.x - centre_px.x) / STEP_M;
+    let (right_m, down_m) = (right / px_per_m, -up / px_per_m);
+    let origin_m = centre_m - right_m * centre_px.x - down_m * centre_px.y;
+    let size_px = DVec2::from(face.model().photo_size_px().map(f64::from));
+    (px_per_m > 0.0 && origin_m.is_finite()).then_some(PicturePlane { origin_m, right_m, down_m, size_px })
+}

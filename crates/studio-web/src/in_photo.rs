@@ -1,0 +1,222 @@
+use rosto_face::Photo;
+use rosto_session::{BRUSH_PX, Changed, Intent};
+use rosto_studio::{DEFAULT_RING, RING_SHARES};
+use rosto_viewport::{SheetInput, ViewportError};
+use rosto_warp::Patch;
+use wasm_bindgen::prelude::*;
+
+use crate::Studio;
+use crate::error::{FacadeError, Result};
+use crate::modes::ChangeName;
+use crate::picture::{rgb_of, rgba_of};
+use crate::state::StudioRange;
+
+/// The photo as it follows the edits, on the stage and on the panel.
+#[derive(Default)]
+pub(crate) struct PhotoShown {
+    /// Of the warp on the GPU; none while the photo is there as it was taken.
+    version: Option<u32>,
+    panel: Option<PanelPhoto>,
+}
+
+/// The part of the photo that the panel shows, as it was taken.
+struct PanelPhoto {
+    photo: Photo,
+    left_px: f64,
+    top_px: f64,
+    scale: f64,
+}
+
+/// What moves in the photo, for whoever draws all of it.
+#[wasm_bindgen(getter_with_clone)]
+pub struct PhotoWarp {
+    /// Where its points are in the upright photo, x and y in turn, in px.
+    #[wasm_bindgen(readonly, js_name = fromPx)]
+    pub from_px: Vec<f64>,
+    /// Where they go.
+    #[wasm_bindgen(readonly, js_name = toPx)]
+    pub to_px: Vec<f64>,
+    /// Its triangles, three points each.
+    #[wasm_bindgen(readonly)]
+    pub triangles: Vec<u32>,
+}
+
+/// The face in its photo.
+#[wasm_bindgen]
+impl Studio {
+    /// How far around the face the photo gives way, as a share of the face's longer side.
+    ///
+    /// # Errors
+    /// `bad-number`.
+    #[wasm_bindgen(js_name = setRing)]
+    pub fn set_ring(&mut self, share: f64) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Ring(share))
+    }
+
+    /// Between which shares that is.
+    #[wasm_bindgen(getter, js_name = ringRange)]
+    pub fn ring_range(&self) -> StudioRange {
+        StudioRange { min: *RING_SHARES.start(), max: *RING_SHARES.end(), step: 0.01, neutral: DEFAULT_RING }
+    }
+
+    /// Shows the face in its photo as seen from so many metres; undefined as it was taken.
+    ///
+    /// # Errors
+    /// `no-face` or `bad-number`.
+    #[wasm_bindgen(js_name = setSeenFrom)]
+    pub fn set_seen_from(&mut self, distance_m: Option<f64>) -> Result<ChangeName, JsValue> {
+        self.act(Intent::SeenFrom(distance_m))
+    }
+
+    /// Takes the brush that keeps parts of the photo in hand, by its radius in CSS px, or puts it down.
+    ///
+    /// # Errors
+    /// `bad-number`.
+    #[wasm_bindgen(js_name = setBrush)]
+    pub fn set_brush(&mut self, radius_px: Option<f64>) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Brush(radius_px))
+    }
+
+    /// How fine and how coarse the brush can be, in CSS px.
+    #[wasm_bindgen(getter, js_name = brushRange)]
+    pub fn brush_range(&self) -> StudioRange {
+        StudioRange { min: BRUSH_PX[0], max: BRUSH_PX[1], step: 1.0, neutral: 28.0 }
+    }
+
+    /// Takes all strokes of the brush away.
+    ///
+    /// # Errors
+    /// `no-face`.
+    #[wasm_bindgen(js_name = keepNothing)]
+    pub fn keep_nothing(&mut self) -> Result<ChangeName, JsValue> {
+        self.act(Intent::KeepNothing)
+    }
+
+    /// Turns the face to where an edit in depth is seen.
+    ///
+    /// # Errors
+    /// `no-face`.
+    #[wasm_bindgen(js_name = showDepth)]
+    pub fn show_depth(&mut self) -> Result<ChangeName, JsValue> {
+        self.act(Intent::ShowDepth)
+    }
+
+    /// What the photo alone holds, as text for `openWork`; undefined while no face is open.
+    #[wasm_bindgen(getter, js_name = photoEdit)]
+    pub fn photo_edit(&self) -> Option<String> {
+        self.session.face().map(|face| face.photo_json())
+    }
+
+    /// Middles and radii of what of the photo is kept, in device pixels of the canvas: x, y and radius in turn.
+    #[wasm_bindgen(js_name = keptOnCanvas)]
+    pub fn kept_on_canvas(&self) -> Vec<f32> {
+        self.session.kept_on_canvas().into_iter().flatten().map(|px| px as f32).collect()
+    }
+
+    /// Whether the photo waits for `followPhoto`: a factorisation, which takes a task of its own.
+    #[wasm_bindgen(getter, js_name = photoWaits)]
+    pub fn photo_waits(&self) -> bool {
+        self.session.face().is_some_and(|face| face.photo().waits())
+    }
+
+    /// Lets the photo follow the edits, and shows it so.
+    ///
+    /// # Errors
+    /// `device-lost`.
+    #[wasm_bindgen(js_name = followPhoto)]
+    pub fn follow_photo(&mut self) -> Result<(), JsValue> {
+        self.session.follow_in_photo();
+        self.show_sheet()?;
+        self.session.stage_mut().ask_for_a_frame();
+        Ok(())
+    }
+
+    /// By how much the photo stays behind the edits at most, in px of the photo, so that nothing in it folds.
+    #[wasm_bindgen(getter, js_name = photoLimitedPx)]
+    pub fn photo_limited_px(&self) -> f64 {
+        self.session.face().map_or(0.0, |face| face.photo().limited_px())
+    }
+
+    /// The part of the photo that the panel shows, as it was taken: RGBA, `width` px wide, with its top left corner at a place of
+    /// the upright photo, `scale` times its size.
+    ///
+    /// # Errors
+    /// `bad-face`.
+    #[wasm_bindgen(js_name = setPanelPhoto)]
+    pub fn set_panel_photo(
+        &mut self,
+        rgba: &[u8],
+        width: u32,
+        #[wasm_bindgen(js_name = leftPx)] left_px: f64,
+        #[wasm_bindgen(js_name = topPx)] top_px: f64,
+        scale: f64,
+    ) -> Result<(), JsValue> {
+        let height = (rgba.len() / 4).checked_div(width as usize).unwrap_or_default() as u32;
+        let bad = |_| FacadeError::from(ViewportError::BadPicture { width, height, found: rgba.len() });
+        let photo = Photo::from_rgb(width, height, rgb_of(rgba)).map_err(bad)?;
+        self.photo_shown.panel = Some(PanelPhoto { photo, left_px, top_px, scale });
+        Ok(())
+    }
+
+    /// That part with the edits, RGBA; undefined where nothing moves in it, or before there is one.
+    #[wasm_bindgen(js_name = panelPhoto)]
+    pub fn panel_photo(&self) -> Option<Vec<u8>> {
+        let PanelPhoto { photo, left_px, top_px, scale } = self.photo_shown.panel.as_ref()?;
+        let (patch, _) = self.session.face()?.photo().patch()?;
+        let drawn = rosto_warp::drawn(photo, &patch.cut(glam::DVec2::new(*left_px, *top_px), *scale));
+        Some(rgba_of(&drawn))
+    }
+
+    /// What moves in the photo; undefined where nothing does.
+    #[wasm_bindgen(js_name = photoWarp)]
+    pub fn photo_warp(&mut self) -> Option<PhotoWarp> {
+        self.session.follow_in_photo();
+        let (patch, _) = self.session.face()?.photo().patch()?;
+        let flat = |places: &[glam::DVec2]| places.iter().flat_map(|place| place.to_array()).collect();
+        Some(PhotoWarp {
+            from_px: flat(&patch.from_px),
+            to_px: flat(&patch.to_px),
+            triangles: patch.triangles.as_flattened().to_vec(),
+        })
+    }
+}
+
+impl Studio {
+    /// The photo as it was taken, for a face that has just come.
+    pub(crate) fn show_photo_as_taken(&mut self) {
+        self.photo_shown.version = None;
+        self.show_patch(&Patch::default());
+    }
+
+    /// Brings to the GPU where the photo's places are, unless that asks for a factorisation first.
+    pub(crate) fn show_photo(&mut self, changed: Changed) -> Result<()> {
+        let waits = self.session.face().is_none_or(|face| face.photo().waits());
+        if changed < Changed::Tick || waits {
+            return Ok(());
+        }
+        self.session.follow_in_photo();
+        self.show_sheet()
+    }
+
+    fn show_sheet(&mut self) -> Result<()> {
+        let Some((patch, version)) = self.session.face().and_then(|face| face.photo().patch()) else { return Ok(()) };
+        if self.photo_shown.version != Some(version) {
+            self.photo_shown.version = Some(version);
+            let patch = patch.clone();
+            self.show_patch(&patch);
+        }
+        let Some((patch, _)) = self.session.face().and_then(|face| face.photo().patch()) else { return Ok(()) };
+        Ok(self.viewport.move_sheet(&patch.to_px)?)
+    }
+
+    fn show_patch(&mut self, patch: &Patch) {
+        let face_and_picture = self.session.face().zip(self.picture.as_ref());
+        let input = face_and_picture.map(|(face, picture)| SheetInput {
+            size_px: glam::DVec2::from(face.model().photo_size_px().map(f64::from)),
+            from_px: &patch.from_px,
+            triangles: &patch.triangles,
+            picture: &picture.on_gpu,
+        });
+        self.viewport.show_sheet(input.as_ref());
+    }
+}

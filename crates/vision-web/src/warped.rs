@@ -1,0 +1,67 @@
+use glam::DVec2;
+use js_sys::Error;
+use rosto_photo::{Limits, Photo, decode};
+use rosto_warp::{Patch, drawn};
+use wasm_bindgen::prelude::*;
+
+use crate::error;
+
+/// A photo with what was edited in it. `free()` it when everything has been taken out.
+#[wasm_bindgen]
+pub struct Warped {
+    width: u32,
+    height: u32,
+    rgba: Vec<u8>,
+}
+
+#[wasm_bindgen]
+impl Warped {
+    /// Draws a photo (the bytes of a JPEG, PNG or WebP file) upright and at its full size, with its places moved: `from` and
+    /// `to` hold x and y in turn, in px of a copy of the photo `width` px wide, and `triangles` three places each.
+    ///
+    /// # Errors
+    /// Throws what `Vision.find` throws of the photo, and `internal` for triangles that do not fit.
+    #[wasm_bindgen(constructor)]
+    pub fn new(bytes: &[u8], width: u32, from: &[f64], to: &[f64], triangles: &[u32]) -> Result<Self, Error> {
+        console_error_panic_hook::set_once();
+        let photo = decode(bytes, &Limits::default()).map_err(error::of_photo)?;
+        let scale = f64::from(photo.width()) / f64::from(width.max(1));
+        let patch = patch(from, to, triangles).ok_or_else(|| error::internal("triangles that do not fit"))?;
+        Ok(Self::of(&drawn(&photo, &patch.cut(DVec2::ZERO, scale))))
+    }
+
+    /// Width in px.
+    #[wasm_bindgen(getter)]
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Height in px.
+    #[wasm_bindgen(getter)]
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// Its pixels, RGBA; none are left.
+    #[wasm_bindgen(js_name = takePixels)]
+    pub fn take_pixels(&mut self) -> Vec<u8> {
+        std::mem::take(&mut self.rgba)
+    }
+}
+
+impl Warped {
+    fn of(photo: &Photo) -> Self {
+        let mut rgba = vec![u8::MAX; photo.pixels().len() / 3 * 4];
+        for (to, pixel) in rgba.as_chunks_mut::<4>().0.iter_mut().zip(photo.pixels().as_chunks::<3>().0) {
+            to[..3].copy_from_slice(pixel);
+        }
+        Self { width: photo.width(), height: photo.height(), rgba }
+    }
+}
+
+fn patch(from: &[f64], to: &[f64], triangles: &[u32]) -> Option<Patch> {
+    let places = |flat: &[f64]| flat.as_chunks::<2>().0.iter().map(|&place| DVec2::from(place)).collect::<Vec<_>>();
+    let (from_px, to_px, triangles) = (places(from), places(to), triangles.as_chunks::<3>().0.to_vec());
+    let fits = from_px.len() == to_px.len() && triangles.iter().flatten().all(|&corner| (corner as usize) < from_px.len());
+    fits.then_some(Patch { from_px, to_px, triangles })
+}
