@@ -7,6 +7,7 @@ mod support;
 use rosto_landmarks::{FaceFinder, Follower, Origin};
 use rosto_photo::Photo;
 use support::film::{self, FRAME_MS};
+use support::scenes::canvas::Ground;
 use support::scenes::{Model, Placed};
 
 /// What a camera adds, of 255, up and down.
@@ -113,6 +114,23 @@ fn a_face_that_leaves_is_lost_and_one_that_comes_back_is_found() {
     assert!(seen[1..7].iter().all(|&origin| origin == Some(Origin::Followed)), "{seen:?}");
     assert!(seen[11..15].iter().all(Option::is_none), "{seen:?}");
     assert_eq!(seen[15..], [Some(Origin::Detected), Some(Origin::Followed)]);
+}
+
+#[test]
+fn a_face_that_vanishes_is_lost_at_once_whatever_is_behind_it() {
+    let finder = support::attentive_finder();
+    let model = model(&finder);
+    let with_face = film::frame(&model, &[film::middle()], 0.0, 0);
+    for ground in Ground::ALL {
+        let [width, height] = film::SIZE_PX;
+        let empty = ground.picture(width, height, 7, &model.portrait);
+        let found = film::follow(&finder, &[with_face.clone(), empty]);
+        assert!(
+            found[0].is_some() && found[1].is_none(),
+            "{ground:?}: {:?}",
+            found[1].as_ref().map(|face| face.presence)
+        );
+    }
 }
 
 #[test]
