@@ -39,9 +39,10 @@ export async function inBlankPage(folder, work, argument, beside = {}) {
  * Prints the median as one JSON object on a line, as `peers.py` does.
  *
  * @param {{ task: string, peer: string, vertices?: number }} what
- * @param {number[]} times_ms
+ * @param {number[]} figures
+ * @param {"ms" | "px"} [unit]
  */
-export function report(what, times_ms) {
-  const sorted = times_ms.toSorted((a, b) => a - b);
-  console.log(JSON.stringify({ ...what, ms: sorted[sorted.length >> 1], runs: sorted.length }));
+export function report(what, figures, unit = "ms") {
+  const sorted = figures.toSorted((a, b) => a - b);
+  console.log(JSON.stringify({ ...what, [unit]: sorted[sorted.length >> 1], runs: sorted.length }));
 }

@@ -121,13 +121,24 @@ export async function portraitFilm() {
 }
 
 /**
- * A short film of one still, in YUV 4:2:0.
+ * A short film of one still.
  *
  * @param {Uint8Array} png
  * @param {number} frames
  */
 function asFilm(png, frames) {
-  const { width, height, data } = PNG.sync.read(Buffer.from(png));
+  const picture = PNG.sync.read(Buffer.from(png));
+  const frame = yuvOf(picture);
+  const header = Buffer.from(`YUV4MPEG2 W${picture.width} H${picture.height} F25:1 Ip A1:1 C420\n`);
+  return Buffer.concat([header, ...Array.from({ length: frames }, () => frame)]);
+}
+
+/**
+ * A frame of a .y4m, in YUV 4:2:0.
+ *
+ * @param {{ width: number, height: number, data: Uint8Array | Uint8ClampedArray }} picture RGBA
+ */
+export function yuvOf({ width, height, data }) {
   const luma = Buffer.alloc(width * height);
   const blue = Buffer.alloc((width / 2) * (height / 2));
   const red = Buffer.alloc(blue.length);
@@ -141,9 +152,7 @@ function asFilm(png, frames) {
       red[half] = 128 + 0.439 * r - 0.368 * g - 0.071 * b;
     }
   }
-  const frame = Buffer.concat([Buffer.from("FRAME\n"), luma, blue, red]);
-  const header = Buffer.from(`YUV4MPEG2 W${width} H${height} F25:1 Ip A1:1 C420\n`);
-  return Buffer.concat([header, ...Array.from({ length: frames }, () => frame)]);
+  return Buffer.concat([Buffer.from("FRAME\n"), luma, blue, red]);
 }
 
 function chunk(type, data) {

@@ -5,6 +5,7 @@ import { readdir } from "node:fs/promises";
 import { availableParallelism } from "node:os";
 import path from "node:path";
 import { launch } from "./browser.mjs";
+import { movingFilm } from "./film.mjs";
 import { journeys } from "./journey.mjs";
 import { portraitFilm } from "./pictures.mjs";
 import { DIST, serve } from "./server.mjs";
@@ -17,7 +18,7 @@ const LIMIT_MS = 180_000;
 /** @typedef {import("./journey.mjs").Journey["needs"]} Needs */
 
 /** Browsers whose screenshots do not show the 3D view. @type {Set<Needs>} */
-const UNSEEN = new Set(["gpu", "camera"]);
+const UNSEEN = new Set(["gpu", "camera", "moving-camera"]);
 
 /** The browsers of one lane, each launched when it is first needed. */
 class Browsers {
@@ -46,7 +47,9 @@ async function launchFor(needs) {
   if (needs === "no-gpu") return launch({ gpu: "none" });
   if (needs === "webgl") return launch({ gpu: "webgl" });
   const seen = sees(needs);
-  return needs === "camera" ? launch({ film: await portraitFilm(), seen }) : launch({ seen });
+  if (needs === "camera") return launch({ film: await portraitFilm(), seen });
+  if (needs === "moving-camera") return launch({ film: await movingFilm(), seen });
+  return launch({ seen });
 }
 
 const isTimed = process.argv.includes("--timed");

@@ -9,8 +9,8 @@ use crate::{LandmarksError, prominence, search};
 
 /// Finds faces in pictures. The networks are prepared once and kept.
 pub struct FaceFinder {
-    detector: Detector,
-    mesh: MeshNetwork,
+    pub(crate) detector: Detector,
+    pub(crate) mesh: MeshNetwork,
 }
 
 /// How to look for faces. The default is thorough; [`Self::mediapipe`] is what MediaPipe does.
@@ -73,7 +73,8 @@ pub enum Stage {
     },
 }
 
-const MIN_PRESENCE: f32 = 0.5;
+/// What the landmark network is less sure of is no face, as in MediaPipe.
+pub(crate) const MIN_PRESENCE: f32 = 0.5;
 /// In the scenes of docs/robustness.md, right meshes have 0.8 and more, but for faces of which the border leaves little.
 const MIN_CONFIDENCE: f32 = 0.7;
 

@@ -5,7 +5,8 @@
 //! picture is resampled (`warp`) for the `detector`, whose overlapping boxes are merged (`suppression`); the eyes of a
 //! detection turn it into a square `region`, which is resampled for the landmark network (`mesh`). Beyond MediaPipe, and by
 //! default: a `search` through turns and tiles of the picture at several sizes (`pyramid`), and a `judgement` that looks again
-//! until the landmarks settle, and drops what is no face.
+//! until the landmarks settle, and drops what is no face. [`FaceFinder::follow`] takes the frames of a film one by one and looks
+//! where the face was in the frame before (`follow`).
 
 mod anchors;
 #[cfg(test)]
@@ -17,6 +18,7 @@ mod constants;
 mod detector;
 mod error;
 mod finder;
+mod follow;
 #[cfg(test)]
 mod golden_steps;
 mod graph;
@@ -38,6 +40,7 @@ mod warp;
 
 pub use error::LandmarksError;
 pub use finder::{Face, FaceFinder, FindOptions, Search, Stage};
+pub use follow::{FollowedFace, Follower, Origin};
 pub use mesh::{LANDMARK_COUNT, LandmarkNetwork};
 #[cfg(feature = "bench")]
 pub use network::Network;

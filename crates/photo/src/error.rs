@@ -48,7 +48,7 @@ pub enum PhotoError {
         max_pixels: u64,
     },
     /// Width, height and number of bytes do not fit together, or there is no pixel.
-    #[error("{found_bytes} bytes are not {width}×{height} RGB pixels")]
+    #[error("{found_bytes} bytes are not {width}×{height} pixels")]
     WrongLength {
         /// Width in px.
         width: u32,

@@ -2,7 +2,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use crate::exif::Exif;
-use crate::{PhotoError, resize};
+use crate::{PhotoError, pixels, resize};
 
 /// An upright sRGB picture: 8-bit RGB, row-major, origin at the top left, at least one pixel; with what the file told of
 /// its lens. Its clones share the pixels.
@@ -25,6 +25,19 @@ impl Photo {
             return Err(PhotoError::WrongLength { width, height, found_bytes: pixels.len() });
         }
         Ok(Self::from_valid(width, height, pixels))
+    }
+
+    /// A picture from its bytes as browsers and cameras hold them: red, green, blue and a fourth, which is passed over, for
+    /// each pixel.
+    ///
+    /// # Errors
+    /// [`PhotoError::WrongLength`] if the number of bytes is not `width · height · 4`, or 0.
+    pub fn from_rgbx(width: u32, height: u32, pixels: &[u8]) -> Result<Self, PhotoError> {
+        let expected = u128::from(width) * u128::from(height) * 4;
+        if expected == 0 || expected != pixels.len() as u128 {
+            return Err(PhotoError::WrongLength { width, height, found_bytes: pixels.len() });
+        }
+        Ok(Self::from_valid(width, height, pixels::without_the_fourth(pixels)))
     }
 
     /// A picture whose size was checked already.

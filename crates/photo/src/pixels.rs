@@ -20,6 +20,15 @@ pub(crate) fn to_rgb(decoded: Vec<u8>, layout: ColorType) -> Option<Vec<u8>> {
     })
 }
 
+/// The first three of every four bytes.
+pub(crate) fn without_the_fourth(pixels: &[u8]) -> Vec<u8> {
+    let mut rgb = vec![0; pixels.len() / 4 * 3];
+    for (to, from) in rgb.as_chunks_mut::<3>().0.iter_mut().zip(pixels.as_chunks::<4>().0) {
+        *to = [from[0], from[1], from[2]];
+    }
+    rgb
+}
+
 fn rgb_from<const N: usize>(decoded: &[u8], rgb: impl Fn([u8; N]) -> [u8; 3]) -> Vec<u8> {
     decoded.as_chunks::<N>().0.iter().flat_map(|&pixel| rgb(pixel)).collect()
 }

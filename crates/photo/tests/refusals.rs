@@ -142,6 +142,9 @@ fn a_picture_needs_pixels_and_as_many_bytes_as_they_take() {
     assert!(Photo::from_rgb(2, 2, vec![0; 11]).is_err());
     assert!(Photo::from_rgb(u32::MAX, u32::MAX, vec![0; 3]).is_err());
     assert!(Photo::from_rgb(2, 2, vec![0; 12]).is_ok());
+    assert!(Photo::from_rgbx(0, 5, &[]).is_err());
+    assert!(Photo::from_rgbx(2, 2, &[0; 15]).is_err());
+    assert!(Photo::from_rgbx(u32::MAX, u32::MAX, &[0; 4]).is_err());
 }
 
 proptest! {

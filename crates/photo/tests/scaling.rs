@@ -54,6 +54,14 @@ fn the_colour_under_a_position_is_the_pixel_below_its_product_with_the_size() {
 }
 
 #[test]
+fn the_fourth_byte_of_a_pixel_is_passed_over() {
+    let frame: Vec<u8> = (0..24).collect();
+    let photo = Photo::from_rgbx(3, 2, &frame).unwrap();
+    assert_eq!((photo.pixel(0, 0), photo.pixel(2, 1)), ([0, 1, 2], [20, 21, 22]));
+    assert_eq!(photo.pixels().len(), 18);
+}
+
+#[test]
 fn a_position_outside_takes_the_nearest_pixel() {
     let picture = photo(4, 2, |x, y| [x as u8, y as u8, 0]);
     assert_eq!(picture.colour_under(1.0, 1.0), [3, 1, 0]);

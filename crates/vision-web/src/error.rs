@@ -9,7 +9,7 @@ pub(crate) fn of_photo(error: PhotoError) -> Error {
     let code = match error {
         PhotoError::NotAPicture => "not-a-picture",
         PhotoError::UnsupportedFormat { .. } | PhotoError::UnsupportedFeature { .. } => "unsupported-format",
-        PhotoError::Damaged { .. } => "damaged-picture",
+        PhotoError::Damaged { .. } | PhotoError::WrongLength { .. } => "damaged-picture",
         PhotoError::TooManyBytes { .. } => "too-many-bytes",
         PhotoError::TooManyPixels { .. } => "too-many-pixels",
         _ => "internal",

@@ -1,16 +1,17 @@
 use js_sys::{Error, Function};
-use rosto_landmarks::{FaceFinder, FindOptions, LandmarkNetwork};
-use rosto_photo::{Limits, decode};
+use rosto_landmarks::{FaceFinder, FindOptions, Follower, LandmarkNetwork};
+use rosto_photo::{Limits, Photo, decode};
 use wasm_bindgen::prelude::*;
 
 use crate::error;
 use crate::found::Found;
 use crate::progress::{Progress, Step};
 
-/// Finds faces in photos. Made once; holds the networks.
+/// Finds faces in photos, and follows one in a film. Made once; holds the networks.
 #[wasm_bindgen]
 pub struct Vision {
     finder: FaceFinder,
+    follower: Follower,
 }
 
 #[wasm_bindgen]
@@ -24,6 +25,7 @@ impl Vision {
         console_error_panic_hook::set_once();
         Ok(Self {
             finder: FaceFinder::new(detector, LandmarkNetwork::Attention(landmarks)).map_err(error::of_landmarks)?,
+            follower: Follower::default(),
         })
     }
 
@@ -57,5 +59,28 @@ impl Vision {
             .map_err(error::of_landmarks)?;
         progress.tell(Step::Finishing);
         Ok(Found::new(&photo, &faces))
+    }
+    /// Follows a face into the next frame of a film: its 478 × (x/W, y/H, z/W), smoothed over time, or nothing where there is
+    /// no face. `rgba` is the frame row by row, its fourth bytes passed over; `time_ms` says when it was taken, from any
+    /// beginning.
+    ///
+    /// # Errors
+    /// Throws `damaged-picture` if there are not four bytes for each pixel, `networks-damaged` or `internal`.
+    pub fn follow(
+        &mut self,
+        rgba: &[u8],
+        width: u32,
+        height: u32,
+        #[wasm_bindgen(js_name = time_ms)] time_ms: f64,
+    ) -> Result<Option<Vec<f32>>, Error> {
+        let frame = Photo::from_rgbx(width, height, rgba).map_err(error::of_photo)?;
+        let face = self.finder.follow(&mut self.follower, &frame, time_ms).map_err(error::of_landmarks)?;
+        Ok(face.map(|face| face.landmarks.concat()))
+    }
+
+    /// Forgets the face that is followed: the next frame belongs to another film.
+    #[wasm_bindgen(js_name = stopFollowing)]
+    pub fn stop_following(&mut self) {
+        self.follower = Follower::default();
     }
 }

@@ -81,6 +81,41 @@ fn stage_and_fraction(report: &Array) -> (String, f64) {
     (report.get(0).as_string().unwrap(), report.get(1).as_f64().unwrap())
 }
 
+/// The portrait as a browser hands it over, with its size.
+fn frame() -> (Vec<u8>, u32, u32) {
+    let mut found = find(PORTRAIT).unwrap();
+    (found.take_picture(), found.picture_width(), found.picture_height())
+}
+
+#[wasm_bindgen_test]
+fn a_face_is_followed_where_a_photo_of_it_has_it() {
+    let (rgba, width, height) = frame();
+    let (photo, mut vision) = (find(PORTRAIT).unwrap().landmarks(0), vision());
+    for time_ms in [0.0, 33.0, 66.0] {
+        let landmarks = vision.follow(&rgba, width, height, time_ms).unwrap().unwrap();
+        assert_eq!(landmarks.len(), 478 * 3);
+        let off_px: f32 = landmarks.iter().zip(&photo).map(|(a, b)| (a - b).abs() * 512.0).sum();
+        assert!(off_px / (478.0 * 3.0) < 1.0, "{off_px} px in all at {time_ms} ms");
+    }
+}
+
+#[wasm_bindgen_test]
+fn nobody_is_followed_where_nobody_is_and_another_film_begins_anew() {
+    let (rgba, width, height) = frame();
+    let mut vision = vision();
+    assert_eq!(vision.follow(&vec![90; rgba.len()], width, height, 0.0).unwrap(), None);
+    let first = vision.follow(&rgba, width, height, 33.0).unwrap().unwrap();
+    vision.follow(&rgba, width, height, 66.0).unwrap();
+    vision.stop_following();
+    assert_eq!(vision.follow(&rgba, width, height, 99.0).unwrap().unwrap(), first);
+}
+
+#[wasm_bindgen_test]
+fn a_frame_that_is_cut_off_is_thrown() {
+    let error = vision().follow(&[0; 15], 2, 2, 0.0).err().unwrap();
+    assert_eq!(property(&error, "code"), "damaged-picture");
+}
+
 #[wasm_bindgen_test]
 fn what_is_no_picture_is_thrown_with_a_code_a_message_and_a_hint() {
     let error = find(b"only words").err().unwrap();

@@ -1,12 +1,15 @@
+import { Following } from "./following.js";
+
 /**
  * @typedef {import("../worker/protocol.js").Request} Request
  * @typedef {import("../worker/protocol.js").Reply} Reply
  * @typedef {import("../worker/protocol.js").Stage} Stage
  * @typedef {import("../worker/protocol.js").FoundFaces} FoundFaces
+ * @typedef {import("../worker/protocol.js").Followed} Followed
  * @typedef {{ resolve: (found: FoundFaces) => void, reject: (error: unknown) => void, report: (stage: Stage, fraction: number) => void }} Waiting
  */
 
-/** A worker silent for this long while a photo waits is taken for dead; one that loads tells of every part that arrives. */
+/** A worker silent for this long while somebody waits is taken for dead; one that loads tells of every part that arrives. */
 const SILENCE_MS = 60_000;
 
 /** Larger photos are refused unread; the worker's own limit is the same. */
@@ -25,6 +28,7 @@ export class VisionClient {
   #silence = 0;
   #starts = 0;
   #isReady = false;
+  #following = new Following((request, transfer) => this.#post(request, transfer));
   /** Resolves once the worker has loaded, or once it is clear that it will not. @type {Promise<void>} */
   ready;
   /** @type {() => void} */
@@ -75,9 +79,35 @@ export class VisionClient {
     });
   }
 
-  /** @param {Request} request */
-  #post(request) {
-    this.#worker?.postMessage(request);
+  /**
+   * Follows a face into the next frame of a film. The worker has one frame at a time, and one waits: a newer one replaces it,
+   * and its promise resolves to nothing. Frames are handed over, and closed where they do not come back; whoever is given
+   * one closes it. When the worker dies, whoever waits hears so, and may go on with the next frame.
+   *
+   * @param {ImageBitmap} frame upright, of any size; more than 640 px on the longer side are of no use to the networks
+   * @param {number} time_ms when it was taken, from any beginning
+   * @returns {Promise<Followed | undefined>}
+   */
+  follow(frame, time_ms) {
+    this.start();
+    const followed = this.#following.follow(frame, time_ms);
+    // Frames that come while the worker is silent do not prolong its time.
+    if (this.#silence === 0) this.#watchSilence();
+    return followed;
+  }
+
+  /** Forgets the face that is followed. What has not been answered resolves to nothing. */
+  stopFollowing() {
+    this.#following.stop();
+    this.#watchSilence();
+  }
+
+  /**
+   * @param {Request} request
+   * @param {Transferable[]} [transfer]
+   */
+  #post(request, transfer = []) {
+    this.#worker?.postMessage(request, transfer);
   }
 
   /**
@@ -94,6 +124,7 @@ export class VisionClient {
         return;
       case "ready":
         this.#isReady = true;
+        this.#following.open();
         return this.#nowReady();
       case "unusable":
         return this.#bury(worker, reply.error);
@@ -103,6 +134,12 @@ export class VisionClient {
         return this.#settle(reply.id)?.resolve(reply.found);
       case "failed":
         return this.#settle(reply.id)?.reject(reply.error);
+      case "followed":
+        this.#following.hear(reply.id, reply.followed);
+        return this.#watchSilence();
+      case "not-followed":
+        this.#following.fail(reply.id, reply.error);
+        return this.#watchSilence();
       case "trapped":
         return this.#replace(worker, reply.message);
     }
@@ -141,13 +178,15 @@ export class VisionClient {
     if (worker === this.#worker) this.#worker = undefined;
     this.#nowReady();
     this.#rejectAll(error);
+    this.#following.end(error);
+    this.#watchSilence();
   }
 
   /** @param {number} id */
   #settle(id) {
     const waiting = this.#waiting.get(id);
     this.#waiting.delete(id);
-    if (this.#waiting.size === 0) clearTimeout(this.#silence);
+    this.#watchSilence();
     return waiting;
   }
 
@@ -158,8 +197,8 @@ export class VisionClient {
 
   #watchSilence() {
     clearTimeout(this.#silence);
-    if (this.#waiting.size === 0) return;
-    this.#silence = setTimeout(() => this.#endSilence(), SILENCE_MS);
+    const isAnyoneWaiting = this.#waiting.size > 0 || this.#following.isWaiting;
+    this.#silence = isAnyoneWaiting ? setTimeout(() => this.#endSilence(), SILENCE_MS) : 0;
   }
 
   /** A worker that never came is not started again by itself: the next photo does that. */

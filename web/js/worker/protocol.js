@@ -5,7 +5,7 @@
  */
 
 /**
- * What the page and its worker say to each other. Every buffer is transferred, none is copied.
+ * What the page and its worker say to each other. Buffers and bitmaps are transferred, none is copied.
  *
  * @typedef {"decode" | "detect" | "landmarks"} Stage
  *
@@ -24,7 +24,17 @@
  * @property {Uint8Array} picture RGBA, upright, row by row
  * @property {ImageBitmap} bitmap the same picture, ready to be drawn
  *
- * @typedef {{ type: "find", id: number, photo: Blob, maxFaces: number }} Request
+ * @typedef {object} Followed a frame of a film, and the face in it
+ * @property {number} time_ms when it was taken, as it was said
+ * @property {Float32Array} [landmarks] as those of a face in a photo, smoothed over time; none where there is no face
+ * @property {number} width_px of the frame
+ * @property {number} height_px
+ * @property {{ read: number, landmarks: number }} took_ms what the worker spent on its pixels and on finding the landmarks
+ * @property {ImageBitmap} frame that the landmarks belong to, sent back; whoever is given it closes it
+ *
+ * @typedef {{ type: "find", id: number, photo: Blob, maxFaces: number }
+ *   | { type: "follow", id: number, frame: ImageBitmap, time_ms: number }
+ *   | { type: "stop-following" }} Request
  *
  * @typedef {{ type: "alive", lock: string }
  *   | { type: "loading" }
@@ -33,6 +43,8 @@
  *   | { type: "progress", id: number, stage: Stage, fraction: number }
  *   | { type: "found", id: number, found: FoundFaces }
  *   | { type: "failed", id: number, error: PageError }
+ *   | { type: "followed", id: number, followed: Followed }
+ *   | { type: "not-followed", id: number, error: PageError }
  *   | { type: "trapped", id: number, message: string }} Reply
  */
 

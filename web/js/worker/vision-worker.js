@@ -1,5 +1,5 @@
 /**
- * The worker that finds faces. It holds nothing of the user's: the page may end it at any time and start another.
+ * The worker that finds faces and follows them. It holds nothing of the user's: the page may end it at any time and start another.
  *
  * @typedef {import("./protocol.js").Request} Request
  * @typedef {import("./protocol.js").Reply} Reply
@@ -10,6 +10,7 @@ import { asPageError } from "../page/page-error.js";
 import { bytesOf } from "../work/bytes.js";
 import { bitmapOf } from "../work/pixels.js";
 import { decodedByBrowser } from "./browser-decoder.js";
+import { follow } from "./frames.js";
 
 const page = /** @type {DedicatedWorkerGlobalScope} */ (/** @type {unknown} */ (self));
 
@@ -29,7 +30,20 @@ vision.then(
   (error) => tell({ type: "unusable", error: asPageError(error, "not-loaded") }),
 );
 
-page.addEventListener("message", (event) => answer(event.data));
+page.addEventListener("message", (event) => take(event.data));
+
+/** @param {Request} request */
+function take(request) {
+  switch (request.type) {
+    case "find":
+      return answer(request);
+    case "follow":
+      return answerFrame(request);
+    case "stop-following":
+      // A worker that could not load has said so.
+      return vision.then((vision) => vision.stopFollowing(), () => {});
+  }
+}
 
 async function load() {
   const [, detector, landmarks] = await Promise.all([
@@ -69,17 +83,38 @@ async function tellOfArrival(response) {
   }
 }
 
-/** @param {Request} request */
+/** @param {Extract<Request, { type: "find" }>} request */
 async function answer({ id, photo, maxFaces }) {
   try {
     const faces = await findDecoded(await vision, photo, maxFaces, id);
     const found = { ...faces, bitmap: await bitmapOf(faces) };
     tell({ type: "found", id, found }, [found.bitmap, ...buffersOf(found)]);
   } catch (error) {
-    // After a trap the module's memory is in an unknown state: the page starts another worker.
-    if (error instanceof WebAssembly.RuntimeError) tell({ type: "trapped", id, message: error.message });
-    else tell({ type: "failed", id, error: asPageError(error) });
+    tellOfFailure("failed", id, error);
   }
+}
+
+/** @param {Extract<Request, { type: "follow" }>} request */
+async function answerFrame({ id, frame, time_ms }) {
+  try {
+    const followed = follow(await vision, frame, time_ms);
+    const { landmarks } = followed;
+    tell({ type: "followed", id, followed }, landmarks ? [frame, landmarks.buffer] : [frame]);
+  } catch (error) {
+    frame.close();
+    tellOfFailure("not-followed", id, error);
+  }
+}
+
+/**
+ * @param {"failed" | "not-followed"} type
+ * @param {number} id
+ * @param {unknown} error
+ */
+function tellOfFailure(type, id, error) {
+  // After a trap the module's memory is in an unknown state: the page starts another worker.
+  if (error instanceof WebAssembly.RuntimeError) tell({ type: "trapped", id, message: error.message });
+  else tell({ type, id, error: asPageError(error) });
 }
 
 /**

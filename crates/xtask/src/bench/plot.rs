@@ -17,8 +17,10 @@ pub fn growth(task: &str, title: &str, records: &[Record]) -> Option<String> {
     for record in records.iter().filter(|record| record.task == task) {
         let Some(vertices) = record.vertices else { continue };
         match lines.iter_mut().find(|line| line.peer == record.peer) {
-            Some(line) => line.points.push((vertices as f64, record.ms)),
-            None => lines.push(Line { peer: record.peer.clone(), points: vec![(vertices as f64, record.ms)] }),
+            Some(line) => line.points.push((vertices as f64, record.figure.value())),
+            None => {
+                lines.push(Line { peer: record.peer.clone(), points: vec![(vertices as f64, record.figure.value())] })
+            }
         }
     }
     let points = || lines.iter().flat_map(|line| &line.points).copied();
@@ -133,10 +135,11 @@ fn text(x: f64, y: f64, anchor: &str, colour: &str, words: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::record::Figure;
     use super::*;
 
     fn record(peer: &str, vertices: u64, ms: f64) -> Record {
-        Record { task: "edit".into(), peer: peer.into(), vertices: Some(vertices), ms, runs: 3 }
+        Record { task: "edit".into(), peer: peer.into(), vertices: Some(vertices), figure: Figure::Ms(ms), runs: 3 }
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! What the measuring programs print: one JSON object a line,
-//! `{"task": TASK, "peer": PEER, "vertices": N, "ms": MEDIAN, "runs": R}`; `vertices` where it has a meaning.
+//! `{"task": TASK, "peer": PEER, "vertices": N, "ms": MEDIAN, "runs": R}`; `vertices` where it has a meaning, and `px` in
+//! place of `ms` where a length is told.
 
 use serde_json::Value;
 
@@ -12,10 +13,32 @@ pub struct Record {
     pub peer: String,
     /// On a mesh of this size.
     pub vertices: Option<u64>,
-    /// Median time in milliseconds.
-    pub ms: f64,
+    /// The median.
+    pub figure: Figure,
     /// How often it was measured.
     pub runs: u64,
+}
+
+/// What was found, by what it is measured in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Figure {
+    /// A time in milliseconds.
+    Ms(f64),
+    /// A length in a picture.
+    Px(f64),
+}
+
+impl Figure {
+    /// In its own unit.
+    pub fn value(self) -> f64 {
+        match self {
+            Self::Ms(value) | Self::Px(value) => value,
+        }
+    }
+
+    fn from_object(object: &Value) -> Option<Self> {
+        object["ms"].as_f64().map(Self::Ms).or_else(|| object["px"].as_f64().map(Self::Px))
+    }
 }
 
 impl Record {
@@ -30,7 +53,7 @@ impl Record {
             task: value["task"].as_str()?.to_owned(),
             peer: value["peer"].as_str()?.to_owned(),
             vertices: value["vertices"].as_u64(),
-            ms: value["ms"].as_f64()?,
+            figure: Figure::from_object(&value)?,
             runs: value["runs"].as_u64()?,
         })
     }
@@ -47,9 +70,17 @@ mod tests {
 
     #[test]
     fn reads_figures_between_other_lines() {
-        let output =
-            "Compiling\n{\"task\": \"solve\", \"peer\": \"rosto\", \"vertices\": 468, \"ms\": 0.5, \"runs\": 9}\n{}\n";
-        let solve = Record { task: "solve".into(), peer: "rosto".into(), vertices: Some(468), ms: 0.5, runs: 9 };
-        assert_eq!(read(output), [solve]);
+        let output = "Compiling\n{\"task\": \"solve\", \"peer\": \"rosto\", \"vertices\": 468, \"ms\": 0.5, \"runs\": 9}\n{}\n\
+                      {\"task\": \"jitter\", \"peer\": \"rosto\", \"px\": 0.25, \"runs\": 1}\n";
+        let solve = Record {
+            task: "solve".into(),
+            peer: "rosto".into(),
+            vertices: Some(468),
+            figure: Figure::Ms(0.5),
+            runs: 9,
+        };
+        let jitter =
+            Record { task: "jitter".into(), peer: "rosto".into(), vertices: None, figure: Figure::Px(0.25), runs: 1 };
+        assert_eq!(read(output), [solve, jitter]);
     }
 }

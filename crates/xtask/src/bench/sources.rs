@@ -24,7 +24,7 @@ const REQUIREMENTS: &str = "tests/bench/requirements.txt";
 /// Needs a C library and a compiler: a peer where it installs, left out where it does not.
 const OPTIONAL_REQUIREMENTS: &str = "tests/bench/requirements-cholmod.txt";
 
-const ALL: [Source; 6] = [
+const ALL: [Source; 7] = [
     Source { name: "engine", what: "editing, beside the paper's dense pseudo-inverse, natively", measure: engine },
     Source { name: "peers", what: "the same in NumPy, SciPy, libigl and CHOLMOD", measure: peers },
     Source { name: "landmarks", what: "photo to landmarks, natively", measure: landmarks },
@@ -34,6 +34,11 @@ const ALL: [Source; 6] = [
         name: "chrome-landmarks",
         what: "photo to landmarks and each network in headless Chrome, beside MediaPipe's own and onnxruntime-web",
         measure: chrome_landmarks,
+    },
+    Source {
+        name: "chrome-film",
+        what: "following a face through a film in headless Chrome, beside MediaPipe's own",
+        measure: chrome_film,
     },
 ];
 
@@ -88,6 +93,10 @@ fn chrome_landmarks(kit: &Kit) -> Result<String> {
     let networks = ["--package", "rosto-vision-web", "--features", "bench", "--example", "networks"];
     example_for_web(kit, &networks, "networks.wasm")?;
     in_chrome(kit, "tests/bench/chrome-landmarks.mjs")
+}
+
+fn chrome_film(kit: &Kit) -> Result<String> {
+    in_chrome(kit, "tests/bench/chrome-film.mjs")
 }
 
 /// Runs a script that visits the page as it is built for the web.

@@ -1,9 +1,9 @@
 //! Figures as Markdown: one table a task, Rosto first, and how many times longer each peer takes.
 
-use super::Record;
+use super::record::{Figure, Record};
 
 /// What the tasks are called for a reader.
-const TITLES: [(&str, &str); 29] = [
+const TITLES: [(&str, &str); 34] = [
     ("paper-edit", "One edit of the paper with the factor at hand, from the choice of the vertex to the moved mesh"),
     ("paper-edit-bare", "One edit of the paper from nothing: operator, factor, response, moved mesh"),
     ("system", "What is done once per mesh: from triangles to factor"),
@@ -42,6 +42,11 @@ const TITLES: [(&str, &str); 29] = [
     ("detector-network-least-chrome", "The detector network alone, the quickest run"),
     ("landmark-network-chrome", "The landmark network alone, in headless Chrome, one thread"),
     ("landmark-network-least-chrome", "The landmark network alone, the quickest run"),
+    ("film-frame-chrome", "Following a film at 640×480: a frame to its 478 landmarks, in headless Chrome"),
+    ("film-frame-least-chrome", "Following a film, the quickest frame"),
+    ("film-frame-95th-chrome", "Following a film, the frame that 95 of 100 are quicker than"),
+    ("film-jitter-chrome", "How much the landmarks of a face that rests tremble under a camera's noise (RMS)"),
+    ("film-lag-chrome", "How far the landmarks of a face that moves at 200 px/s are behind it, or ahead"),
 ];
 
 /// All figures, in the order in which their tasks first appear.
@@ -66,13 +71,14 @@ fn of_task(task: &str, records: &[Record]) -> String {
     rows.sort_by_key(|record| (record.vertices, !record.is_own()));
     let sized = rows.iter().any(|record| record.vertices.is_some());
     let (size, rule) = if sized { ("vertices | ", "---:|") } else { ("", "") };
-    let mut lines = vec![format!("### {title}\n"), format!("| {size}by | time | times Rosto's | runs |")];
+    let what = if rows.iter().any(|row| matches!(row.figure, Figure::Px(_))) { "length" } else { "time" };
+    let mut lines = vec![format!("### {title}\n"), format!("| {size}by | {what} | times Rosto's | runs |")];
     lines.push(format!("|{rule}---|---:|---:|---:|"));
     for row in &rows {
         let own = rows.iter().find(|other| other.is_own() && other.vertices == row.vertices);
         let size = row.vertices.map_or_else(String::new, |vertices| format!("{vertices} | "));
-        let ratio = own.map_or_else(|| "–".to_owned(), |own| ratio(row.ms / own.ms));
-        lines.push(format!("| {size}{} | {} | {ratio} | {} |", row.peer, duration(row.ms), row.runs));
+        let ratio = own.map_or_else(|| "–".to_owned(), |own| ratio(row.figure.value() / own.figure.value()));
+        lines.push(format!("| {size}{} | {} | {ratio} | {} |", row.peer, readable(row.figure), row.runs));
     }
     lines.join("\n") + "\n"
 }
@@ -82,16 +88,23 @@ fn ratio(ratio: f64) -> String {
     format!("{ratio:.digits$} ×")
 }
 
-/// Milliseconds in the unit that reads best, with three significant digits.
-fn duration(ms: f64) -> String {
-    let (value, unit) = match ms {
+/// In the unit that reads best, with three significant digits.
+fn readable(figure: Figure) -> String {
+    let (value, unit) = match figure {
+        Figure::Px(px) => (px, "px"),
+        Figure::Ms(ms) => duration(ms),
+    };
+    let digits = if value < 10.0 { 2 } else { usize::from(value < 100.0) };
+    format!("{value:.digits$} {unit}")
+}
+
+fn duration(ms: f64) -> (f64, &'static str) {
+    match ms {
         ms if ms < 1e-3 => (ms * 1e6, "ns"),
         ms if ms < 1.0 => (ms * 1e3, "µs"),
         ms if ms < 1e3 => (ms, "ms"),
         ms => (ms / 1e3, "s"),
-    };
-    let digits = if value < 10.0 { 2 } else { usize::from(value < 100.0) };
-    format!("{value:.digits$} {unit}")
+    }
 }
 
 #[cfg(test)]
@@ -99,7 +112,7 @@ mod tests {
     use super::*;
 
     fn record(peer: &str, vertices: Option<u64>, ms: f64) -> Record {
-        Record { task: "solve".into(), peer: peer.into(), vertices, ms, runs: 9 }
+        Record { task: "solve".into(), peer: peer.into(), vertices, figure: Figure::Ms(ms), runs: 9 }
     }
 
     #[test]
@@ -124,9 +137,18 @@ mod tests {
     }
 
     #[test]
-    fn durations_keep_three_digits() {
-        assert_eq!(duration(0.000_25), "250 ns");
-        assert_eq!(duration(0.001_234), "1.23 µs");
-        assert_eq!(duration(45.67), "45.7 ms");
+    fn times_and_lengths_keep_three_digits() {
+        assert_eq!(readable(Figure::Ms(0.000_25)), "250 ns");
+        assert_eq!(readable(Figure::Ms(0.001_234)), "1.23 µs");
+        assert_eq!(readable(Figure::Ms(45.67)), "45.7 ms");
+        assert_eq!(readable(Figure::Px(0.123)), "0.12 px");
+    }
+
+    #[test]
+    fn a_table_of_lengths_says_so() {
+        let of = |peer: &str, px| Record { figure: Figure::Px(px), ..record(peer, None, 0.0) };
+        let table = all(&[of("rosto", 0.1), of("libigl", 0.3)]);
+        assert!(table.contains("| by | length | times Rosto's | runs |"), "{table}");
+        assert!(table.contains("| libigl | 0.30 px | 3.00 × | 9 |"), "{table}");
     }
 }

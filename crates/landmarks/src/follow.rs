@@ -1,0 +1,152 @@
+//! A face from frame to frame, as MediaPipe's Face Mesh does it in its video mode: where to look comes from the landmarks of
+//! the frame before, so that the detector runs only while no face is followed.
+
+mod one_euro;
+mod smoothing;
+
+use rosto_photo::Photo;
+
+use crate::detector::Detection;
+use crate::finder::{FaceFinder, MIN_PRESENCE};
+use crate::mesh::{Mesh, region_of};
+use crate::region_of_interest::{PictureSize, RegionPx};
+use crate::{LandmarksError, RegionOfInterest, prominence};
+use smoothing::Smoother;
+
+/// What is remembered of the frames before; neither pictures nor networks. A new one follows nobody.
+#[derive(Debug, Clone, Default)]
+pub struct Follower {
+    last: Option<Last>,
+}
+
+/// The face of the frame before.
+#[derive(Debug, Clone)]
+struct Last {
+    time_ms: f64,
+    picture: PictureSize,
+    /// Where its landmarks, not smoothed, say that the next frame has it.
+    region: RegionOfInterest,
+    smoother: Smoother,
+}
+
+/// A face in one frame of a film.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FollowedFace {
+    /// The landmark network's, 0.5..1.
+    pub presence: f32,
+    /// As [`Face::landmarks`](crate::Face::landmarks), smoothed over time.
+    pub landmarks: Vec<[f32; 3]>,
+    /// Where the landmark network looked.
+    pub region: RegionOfInterest,
+    /// How it was known where to look.
+    pub origin: Origin,
+}
+
+/// How it was known where a face is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Origin {
+    /// From the frame before.
+    Followed,
+    /// The detector looked at this frame, since no face was followed or the one that was is no longer there.
+    Detected,
+}
+
+/// After a longer pause than this a face is looked for anew: nobody stays where they were.
+const LONGEST_GAP_MS: f64 = 1000.0;
+/// So many of the detector's faces are tried in one frame, so that no frame takes long.
+const MOST_TRIED: usize = 2;
+/// A face whose region is narrower than this is too small for the landmarks to mean anything.
+const NARROWEST_PX: f32 = 8.0;
+
+/// A face in this frame, and what the next one needs.
+struct Found {
+    face: FollowedFace,
+    next_region: RegionOfInterest,
+    smoother: Smoother,
+}
+
+impl FaceFinder {
+    /// The face that is followed, in the next frame of a film; none is an answer, not an error.
+    ///
+    /// The landmark network looks once at the region that the landmarks of the frame before suggest (their box × 1.5, square,
+    /// the outer eye corners level), and the face is followed for as long as it finds one there. Else the detector looks once
+    /// at the frame, the landmark network twice, and the most prominent face is followed from then on. Landmarks are smoothed by the one-euro filter with
+    /// MediaPipe's settings; where to look next comes from those that are not.
+    ///
+    /// `time_ms` says when the frame was taken, from any beginning. A frame of the same moment as the one before moves nothing
+    /// on. After a pause of more than a second, when time runs backwards or is no number, and when frames change their size,
+    /// a face is looked for anew.
+    ///
+    /// # Errors
+    /// As [`Self::find`]; nobody is followed then.
+    pub fn follow(
+        &self,
+        follower: &mut Follower,
+        frame: &Photo,
+        time_ms: f64,
+    ) -> Result<Option<FollowedFace>, LandmarksError> {
+        let picture = PictureSize::of(frame);
+        let last = follower.last.take().filter(|last| last.leads_to(picture, time_ms));
+        let followed = last.map(|last| self.still_there(last, frame, time_ms)).transpose()?.flatten();
+        let found = match followed {
+            Some(found) => Some(found),
+            None => self.anew(frame)?,
+        };
+        Ok(found.map(|Found { face, next_region: region, smoother }| {
+            follower.last = Some(Last { time_ms, picture, region, smoother });
+            face
+        }))
+    }
+
+    /// Where the face of the frame before is by now.
+    fn still_there(&self, last: Last, frame: &Photo, time_ms: f64) -> Result<Option<Found>, LandmarksError> {
+        let picture = PictureSize::of(frame);
+        let Some(Mesh { presence, landmarks }) = self.seen_in(last.region, frame)? else { return Ok(None) };
+        let next_region = region_of(&landmarks, picture);
+        let mut smoother = last.smoother;
+        let landmarks = smoother.next(&landmarks, picture, (time_ms - last.time_ms) / 1000.0);
+        let face = FollowedFace { presence, landmarks, region: last.region, origin: Origin::Followed };
+        Ok(Some(Found { face, next_region, smoother }))
+    }
+
+    /// A face that nobody followed. The landmark network looks twice, as it will in the next frame: what it sees in the
+    /// detector's region is a px off, which would be smoothed away only slowly.
+    fn anew(&self, frame: &Photo) -> Result<Option<Found>, LandmarksError> {
+        let picture = PictureSize::of(frame);
+        let mut detections = self.detector.detect(frame, &RegionPx::whole(picture))?;
+        prominence::sort(&mut detections, picture, Detection::outline);
+        for detection in detections.iter().take(MOST_TRIED) {
+            let Some(first) = self.seen_in(detection.face_region(picture), frame)? else { continue };
+            let region = region_of(&first.landmarks, picture);
+            let Some(Mesh { presence, landmarks }) = self.seen_in(region, frame)? else { continue };
+            let (next_region, smoother) = (region_of(&landmarks, picture), Smoother::new(&landmarks, picture));
+            let face = FollowedFace { presence, landmarks, region, origin: Origin::Detected };
+            return Ok(Some(Found { face, next_region, smoother }));
+        }
+        Ok(None)
+    }
+
+    /// What the landmark network sees there, if that is a face.
+    fn seen_in(&self, region: RegionOfInterest, frame: &Photo) -> Result<Option<Mesh>, LandmarksError> {
+        if !is_worth_a_look(region.px(PictureSize::of(frame)), PictureSize::of(frame)) {
+            return Ok(None);
+        }
+        let mesh = self.mesh.look(frame, &region)?;
+        Ok(Some(mesh).filter(|mesh| mesh.presence > MIN_PRESENCE))
+    }
+}
+
+impl Last {
+    /// Whether a frame may show the same face, not far from here.
+    fn leads_to(&self, picture: PictureSize, time_ms: f64) -> bool {
+        (0.0..=LONGEST_GAP_MS).contains(&(time_ms - self.time_ms)) && self.picture == picture
+    }
+}
+
+/// The landmark network draws a face into whatever it is shown: not into a speck, nor into what lies beyond the border.
+fn is_worth_a_look(region: RegionPx, picture: PictureSize) -> bool {
+    let [x, y] = region.centre;
+    let is_inside = (0.0..=picture.width).contains(&x) && (0.0..=picture.height).contains(&y);
+    // Not so either where a number is none.
+    is_inside && region.size[0] >= NARROWEST_PX && region.rotation_rad.is_finite() && region.size[0].is_finite()
+}

@@ -1,0 +1,202 @@
+//! A face is followed from frame to frame: it does not tremble, does not lag, and is lost and found again.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod support;
+
+use rosto_landmarks::{FaceFinder, Follower, Origin};
+use rosto_photo::Photo;
+use support::film::{self, FRAME_MS};
+use support::scenes::canvas::Ground;
+use support::scenes::{Model, Placed};
+
+/// What a camera adds, of 255, up and down.
+const NOISE: f64 = 8.0;
+
+fn model(finder: &FaceFinder) -> Model {
+    Model::new(finder, &support::assets::portrait())
+}
+
+/// The landmarks in every frame, px; there is a face in each.
+fn followed_px(finder: &FaceFinder, frames: &[Photo]) -> Vec<Vec<[f64; 2]>> {
+    film::follow(finder, frames).iter().map(|face| film::px(face.as_ref().unwrap())).collect()
+}
+
+/// The same, each frame by itself.
+fn fresh_px(finder: &FaceFinder, frames: &[Photo]) -> Vec<Vec<[f64; 2]>> {
+    let fresh = |frame| film::follow_one(finder, &mut Follower::default(), frame, 0.0).unwrap();
+    frames.iter().map(|frame| film::px(&fresh(frame))).collect()
+}
+
+fn shifted(landmarks: &[[f64; 2]], [dx, dy]: [f64; 2]) -> Vec<[f64; 2]> {
+    landmarks.iter().map(|[x, y]| [x + dx, y + dy]).collect()
+}
+
+#[test]
+fn a_still_face_in_a_trembling_picture_rests() {
+    /// By then the region, which follows from the landmarks, has come to rest too.
+    const SETTLED: usize = 10;
+    let finder = support::attentive_finder();
+    let model = model(&finder);
+    let frames: Vec<Photo> = (0..30).map(|number| film::frame(&model, &[film::middle()], NOISE, number)).collect();
+    let followed = followed_px(&finder, &frames);
+    let fresh = film::jitter_px(&fresh_px(&finder, &frames[SETTLED..]));
+    let (whole, settled) = (film::jitter_px(&followed), film::jitter_px(&followed[SETTLED..]));
+    assert!(whole < 0.3, "{whole} px from the first frame on");
+    assert!(settled < 0.15 && settled < 0.4 * fresh, "{settled} px; {fresh} px frame by frame");
+}
+
+#[test]
+fn a_moving_face_is_followed_without_lag() {
+    let finder = support::attentive_finder();
+    let model = model(&finder);
+    for speed_px_s in [100.0, 200.0, 300.0] {
+        let at = |number: u64| 200.0 + speed_px_s * FRAME_MS / 1000.0 * number as f64;
+        let frame = |number| film::frame(&model, &[Placed::upright([at(number), 240.0], 1.6)], NOISE, number);
+        let frames: Vec<Photo> = (0..20).map(frame).collect();
+        let followed = followed_px(&finder, &frames);
+        for number in [1, 4, 10, 19] {
+            let truth = shifted(&followed[0], [at(number) - at(0), 0.0]);
+            let lag_ms = film::lag_ms(&followed[number as usize], &truth, speed_px_s);
+            assert!(lag_ms.abs() < 15.0, "{lag_ms} ms at {speed_px_s} px/s in frame {number}");
+        }
+    }
+}
+
+#[test]
+fn the_detector_looks_once_and_following_says_what_a_fresh_look_says() {
+    let finder = support::attentive_finder();
+    let model = model(&finder);
+    let frame = |number: u64| {
+        let placed = Placed {
+            degrees: 2.0 * number as f64,
+            ..Placed::upright([260.0 + 8.0 * number as f64, 240.0], 1.4 + 0.02 * number as f64)
+        };
+        film::frame(&model, &[placed], 0.0, number)
+    };
+    let frames: Vec<Photo> = (0..12).map(frame).collect();
+    let followed = film::follow(&finder, &frames);
+    let origins: Vec<Origin> = followed.iter().flatten().map(|face| face.origin).collect();
+    assert_eq!(origins[0], Origin::Detected);
+    assert!(origins.len() == 12 && origins[1..].iter().all(|&origin| origin == Origin::Followed), "{origins:?}");
+    for (number, (face, fresh)) in followed.iter().flatten().zip(fresh_px(&finder, &frames)).enumerate() {
+        let apart = film::apart_px(&film::px(face), &fresh);
+        assert!(apart < 2.0, "frame {number}: {apart} px");
+    }
+}
+
+#[test]
+fn landmarks_move_with_the_picture() {
+    let finder = support::attentive_finder();
+    let model = model(&finder);
+    let by = [37.0, -21.0];
+    let [x, y] = film::middle().at_px;
+    let film_at = |at_px: [f64; 2]| -> Vec<Photo> {
+        let placed = |number: u64| Placed::upright([at_px[0] + 3.0 * number as f64, at_px[1]], 1.6);
+        (0..5).map(|number| film::frame(&model, &[placed(number)], 0.0, number)).collect()
+    };
+    let (here, there) = (film_at([x, y]), film_at([x + by[0], y + by[1]]));
+    for (here, there) in followed_px(&finder, &here).iter().zip(followed_px(&finder, &there)) {
+        let apart = film::apart_px(&shifted(here, by), &there);
+        assert!(apart < 0.5, "{apart} px");
+    }
+}
+
+#[test]
+fn a_face_that_leaves_is_lost_and_one_that_comes_back_is_found() {
+    let finder = support::attentive_finder();
+    let model = model(&finder);
+    let at = |x: f64| film::frame(&model, &[Placed::upright([x, 240.0], 1.6)], NOISE, x as u64);
+    let mut places: Vec<f64> = (0..14).map(|number| 400.0 + 30.0 * f64::from(number)).collect();
+    places.extend([2000.0, 320.0, 325.0]);
+    let found = film::follow(&finder, &places.iter().map(|&x| at(x)).collect::<Vec<_>>());
+    let seen: Vec<Option<Origin>> = found.iter().map(|face| face.as_ref().map(|face| face.origin)).collect();
+    assert!(seen[1..7].iter().all(|&origin| origin == Some(Origin::Followed)), "{seen:?}");
+    assert!(seen[11..15].iter().all(Option::is_none), "{seen:?}");
+    assert_eq!(seen[15..], [Some(Origin::Detected), Some(Origin::Followed)]);
+}
+
+#[test]
+fn a_face_that_vanishes_is_lost_at_once_whatever_is_behind_it() {
+    let finder = support::attentive_finder();
+    let model = model(&finder);
+    let with_face = film::frame(&model, &[film::middle()], 0.0, 0);
+    for ground in Ground::ALL {
+        let [width, height] = film::SIZE_PX;
+        let empty = ground.picture(width, height, 7, &model.portrait);
+        let found = film::follow(&finder, &[with_face.clone(), empty]);
+        assert!(
+            found[0].is_some() && found[1].is_none(),
+            "{ground:?}: {:?}",
+            found[1].as_ref().map(|face| face.presence)
+        );
+    }
+}
+
+#[test]
+fn a_face_that_jumps_is_found_in_the_same_frame_and_not_smoothed_on_its_way() {
+    let finder = support::attentive_finder();
+    let model = model(&finder);
+    let at = |x: f64| film::frame(&model, &[Placed::upright([x, 200.0], 1.0)], 0.0, 0);
+    let frames = [at(120.0), at(520.0)];
+    let (followed, fresh) = (film::follow(&finder, &frames), fresh_px(&finder, &frames));
+    let last = followed[1].as_ref().unwrap();
+    assert_eq!(last.origin, Origin::Detected);
+    assert_eq!(film::px(last), fresh[1]);
+}
+
+#[test]
+fn a_long_pause_time_that_runs_backwards_and_another_size_begin_anew() {
+    let finder = support::attentive_finder();
+    let model = model(&finder);
+    let frame = film::frame(&model, &[film::middle()], 0.0, 0);
+    let portrait = support::assets::portrait();
+    for (second, time_ms, origin) in [
+        (&frame, 1033.0, Origin::Followed),
+        (&frame, 2001.0, Origin::Detected),
+        (&frame, 999.0, Origin::Detected),
+        (&frame, f64::NAN, Origin::Detected),
+        (&frame, f64::INFINITY, Origin::Detected),
+        (&portrait, 1033.0, Origin::Detected),
+    ] {
+        let mut follower = Follower::default();
+        film::follow_one(&finder, &mut follower, &frame, 1000.0);
+        let face = film::follow_one(&finder, &mut follower, second, time_ms).unwrap();
+        assert_eq!(face.origin, origin, "{time_ms} ms");
+        assert!(face.landmarks.as_flattened().iter().all(|number| number.is_finite()));
+    }
+}
+
+#[test]
+fn frames_of_one_moment_show_the_face_where_it_was() {
+    let finder = support::attentive_finder();
+    let model = model(&finder);
+    let mut follower = Follower::default();
+    let at = |x: f64| film::frame(&model, &[Placed::upright([x, 240.0], 1.6)], 0.0, 0);
+    let first = film::follow_one(&finder, &mut follower, &at(300.0), 40.0).unwrap();
+    let again = film::follow_one(&finder, &mut follower, &at(310.0), 40.0).unwrap();
+    assert_eq!(first.landmarks, again.landmarks);
+    let later = film::follow_one(&finder, &mut follower, &at(310.0), 73.0).unwrap();
+    assert!(later.landmarks.as_flattened().iter().all(|number| number.is_finite()));
+    assert!(later.landmarks[1][0] > first.landmarks[1][0]);
+}
+
+#[test]
+fn of_two_faces_the_larger_one_is_followed() {
+    let finder = support::attentive_finder();
+    let model = model(&finder);
+    let faces = [Placed::upright([110.0, 240.0], 0.7), Placed::upright([430.0, 240.0], 1.4)];
+    let found = film::follow(&finder, &[film::frame(&model, &faces, 0.0, 0)]);
+    let nose = film::px(found[0].as_ref().unwrap())[1];
+    assert!((nose[0] - 430.0).abs() < 60.0, "{nose:?}");
+}
+
+#[test]
+fn tiny_and_thin_frames_are_followed_without_trouble() {
+    let finder = support::attentive_finder();
+    let mut follower = Follower::default();
+    for (width, height) in [(1, 1), (1, 300), (2000, 2), (7, 5), (7, 5)] {
+        let frame = Photo::from_rgb(width, height, vec![90; width as usize * height as usize * 3]).unwrap();
+        assert_eq!(film::follow_one(&finder, &mut follower, &frame, 0.0), None, "{width}×{height}");
+    }
+}

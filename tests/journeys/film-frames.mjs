@@ -1,0 +1,131 @@
+// A film of the sample portrait's head before a ground that rests, frame by frame; for pages and for Node alike, so that
+// whoever follows the film anywhere sees the same pixels.
+import { Chance } from "./restless/chance.mjs";
+
+export const WIDTH_PX = 640;
+export const HEIGHT_PX = 480;
+export const FRAMES_PER_S = 30;
+
+/** The middle of the face in the portrait, and the head with little around it, px. */
+const MIDDLE = [224, 124];
+const HEAD = { left: 124, top: 0, right: 323, bottom: 235 };
+
+/** What a camera adds to each value, of 255, up and down. */
+const NOISE = 8;
+
+/** So many frames the face rests, before it moves. */
+export const STILL_FRAMES = 60;
+export const SPEED_PX_S = 200;
+/** The face goes so far to the right and to the left of the middle. */
+const REACH_PX = 100;
+/** There and back again takes so long. */
+export const FRAMES = STILL_FRAMES + Math.round((4 * REACH_PX * FRAMES_PER_S) / SPEED_PX_S);
+
+/** The frame's number in its corner, as squares: black for 0, white for 1, the smallest first. */
+const SQUARE = { side_px: 24, apart_px: 32, left_px: 8, top_px: 448, count: 8 };
+
+/**
+ * Where the face lies: `frame = at + scale · R(degrees) · (portrait − MIDDLE)`, the middles of pixels being whole numbers.
+ *
+ * @typedef {{ x: number, y: number, scale: number, degrees: number }} Place
+ *
+ * @typedef {{ width: number, height: number, data: ArrayLike<number> }} Picture RGBA
+ */
+
+/**
+ * In the film for the camera: at rest, then to the right, to the left and back to the middle at one speed. It has no seam.
+ *
+ * @param {number} number of the frame
+ * @returns {Place}
+ */
+export function placeIn(number) {
+  const way = Math.max(0, (number % FRAMES) - STILL_FRAMES) * (SPEED_PX_S / FRAMES_PER_S);
+  const aside = way < REACH_PX ? way : way < 3 * REACH_PX ? 2 * REACH_PX - way : way - 4 * REACH_PX;
+  return { x: WIDTH_PX / 2 + aside, y: HEIGHT_PX / 2, scale: 1.6, degrees: 0 };
+}
+
+/** px per frame to the right in that film, 0 where it turns. @param {number} number */
+export function speedIn(number) {
+  const [before, here, after] = [number - 1, number, number + 1].map((each) => placeIn((each + FRAMES) % FRAMES).x);
+  return Math.abs(here - before - (after - here)) < 1e-6 ? here - before : 0;
+}
+
+/**
+ * Where a point of the portrait, px, is in a frame.
+ *
+ * @param {Place} place
+ * @param {number[]} point x, y
+ */
+export function carried({ x, y, scale, degrees }, [px, py]) {
+  const [cos, sin] = turn(degrees);
+  const [dx, dy] = [px - MIDDLE[0], py - MIDDLE[1]];
+  return [x + scale * (cos * dx - sin * dy), y + scale * (sin * dx + cos * dy)];
+}
+
+/**
+ * One frame, RGBA.
+ *
+ * @param {Picture} portrait the sample, 512 × 512 px
+ * @param {Place} place
+ * @param {number} number of the frame, which is written into its corner; the noise follows from it
+ */
+export function frameOf(portrait, place, number) {
+  const data = new Uint8ClampedArray(4 * WIDTH_PX * HEIGHT_PX);
+  const [cos, sin] = turn(place.degrees);
+  const chance = new Chance(number + 1);
+  for (let y = 0, at = 0; y < HEIGHT_PX; y += 1) {
+    for (let x = 0; x < WIDTH_PX; x += 1, at += 4) {
+      const [dx, dy] = [(x - place.x) / place.scale, (y - place.y) / place.scale];
+      put(data, at, portrait, MIDDLE[0] + cos * dx + sin * dy, MIDDLE[1] - sin * dx + cos * dy);
+      if (data[at + 3] === 0) data.set([(x * 255) / WIDTH_PX, (y * 255) / HEIGHT_PX, 90, 255], at);
+      for (let channel = 0; channel < 3; channel += 1) data[at + channel] += NOISE * (2 * chance.next() - 1);
+    }
+  }
+  for (let bit = 0; bit < SQUARE.count; bit += 1) paint(data, bit, (number >> bit) & 1 ? 255 : 0);
+  return data;
+}
+
+/**
+ * The number in the corner of a frame.
+ *
+ * @param {Picture} frame
+ */
+export function numberOf(frame) {
+  const scale = frame.width / WIDTH_PX;
+  let number = 0;
+  for (let bit = 0; bit < SQUARE.count; bit += 1) {
+    const [x, y] = [SQUARE.left_px + bit * SQUARE.apart_px, SQUARE.top_px].map((side) => side + SQUARE.side_px / 2);
+    const at = 4 * (Math.floor(y * scale) * frame.width + Math.floor(x * scale));
+    if (frame.data[at + 1] > 127) number |= 1 << bit;
+  }
+  return number;
+}
+
+/** Bilinear, where the head is. */
+function put(data, at, { width, data: source }, x, y) {
+  if (x < HEAD.left || y < HEAD.top || x > HEAD.right || y > HEAD.bottom) return;
+  const [left, top] = [Math.floor(x), Math.floor(y)];
+  const [fx, fy] = [x - left, y - top];
+  const start = 4 * (top * width + left);
+  for (let channel = 0; channel < 4; channel += 1) {
+    const tap = (dx, dy) => source[start + channel + 4 * (dy * width + dx)];
+    const upper = tap(0, 0) * (1 - fx) + tap(1, 0) * fx;
+    data[at + channel] = upper * (1 - fy) + (tap(0, 1) * (1 - fx) + tap(1, 1) * fx) * fy;
+  }
+}
+
+function paint(data, bit, value) {
+  for (let y = 0; y < SQUARE.side_px; y += 1) {
+    for (let x = 0; x < SQUARE.side_px; x += 1) {
+      const at = 4 * ((SQUARE.top_px + y) * WIDTH_PX + SQUARE.left_px + bit * SQUARE.apart_px + x);
+      data.fill(value, at, at + 3);
+    }
+  }
+}
+
+/** Rounded, so that no two mathematics libraries disagree about a pixel. */
+function turn(degrees) {
+  const rounded = (value) => Math.round(value * 65_536) / 65_536;
+  const radians = (degrees * Math.PI) / 180;
+  return [rounded(Math.cos(radians)), rounded(Math.sin(radians))];
+}

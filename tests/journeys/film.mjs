@@ -1,0 +1,37 @@
+// The file of a film for a fake camera to play.
+import { createHash } from "node:crypto";
+import { existsSync } from "node:fs";
+import { mkdir, open, readFile, rename } from "node:fs/promises";
+import path from "node:path";
+import { PNG } from "pngjs";
+import { FRAMES, FRAMES_PER_S, HEIGHT_PX, WIDTH_PX, frameOf, placeIn } from "./film-frames.mjs";
+import { yuvOf } from "./pictures.mjs";
+import { SAMPLE } from "./visitor.mjs";
+
+const HERE = import.meta.dirname;
+const FOLDER = path.join(process.env.CARGO_TARGET_DIR ?? path.join(HERE, "../../target"), "films");
+
+/** The film of `placeIn` as a .y4m: written once, and anew when it would be another. */
+export async function movingFilm() {
+  const sources = [SAMPLE, ...["film.mjs", "film-frames.mjs", "pictures.mjs"].map((name) => path.join(HERE, name))];
+  const hash = createHash("sha256");
+  for (const source of sources) hash.update(await readFile(source));
+  const file = path.join(FOLDER, `moving-${hash.digest("hex").slice(0, 16)}.y4m`);
+  if (!existsSync(file)) await write(file);
+  return file;
+}
+
+/** Another test may write the same file: it gets its name when it is whole. */
+async function write(file) {
+  await mkdir(FOLDER, { recursive: true });
+  const unfinished = `${file}.${process.pid}`;
+  const portrait = PNG.sync.read(await readFile(SAMPLE));
+  const output = await open(unfinished, "w");
+  await output.write(`YUV4MPEG2 W${WIDTH_PX} H${HEIGHT_PX} F${FRAMES_PER_S}:1 Ip A1:1 C420\n`);
+  for (let number = 0; number < FRAMES; number += 1) {
+    const data = frameOf(portrait, placeIn(number), number);
+    await output.write(yuvOf({ width: WIDTH_PX, height: HEIGHT_PX, data }));
+  }
+  await output.close();
+  await rename(unfinished, file);
+}

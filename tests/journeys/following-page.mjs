@@ -1,0 +1,70 @@
+// What the journeys of following do in the page: they bring it this file and drive the page's side of the worker with it.
+import { numberOf } from "./film-frames.mjs";
+
+/**
+ * A frame that was answered.
+ *
+ * @typedef {object} Seen
+ * @property {number} number of the frame in the film
+ * @property {number[][] | undefined} landmarks_px x, y
+ * @property {number} answersMeanwhile to other frames, between its being handed over and its answer
+ */
+
+/** The page's side of the worker, loaded; another one than the page's own. */
+export async function client() {
+  const { VisionClient } = await import(new URL("js/photo/vision-client.js", document.baseURI).href);
+  const client = new VisionClient();
+  client.start();
+  await client.ready;
+  return client;
+}
+
+/**
+ * Follows the camera for a while, every frame of it handed over as soon as it is there.
+ *
+ * @param {number} duration_ms
+ */
+export async function watch(duration_ms) {
+  const [vision, video] = await Promise.all([client(), camera()]);
+  /** @type {Seen[]} */
+  const seen = [];
+  const asked = [];
+  const until = performance.now() + duration_ms;
+  while (performance.now() < until) {
+    const time_ms = await nextFrame(video);
+    const before = seen.length;
+    asked.push(
+      vision.follow(await createImageBitmap(video), time_ms).then((followed) => {
+        if (followed) seen.push({ ...whatIsOn(followed), answersMeanwhile: seen.length - before });
+      }),
+    );
+  }
+  await Promise.all(asked);
+  vision.stopFollowing();
+  return seen;
+}
+
+const canvas = new OffscreenCanvas(1, 1);
+const context = canvas.getContext("2d", { willReadFrequently: true });
+
+/** @param {import("../../web/js/worker/protocol.js").Followed} followed */
+function whatIsOn({ frame, landmarks, width_px, height_px }) {
+  Object.assign(canvas, { width: width_px, height: height_px });
+  context.drawImage(frame, 0, 0);
+  frame.close();
+  const number = numberOf(context.getImageData(0, 0, width_px, height_px));
+  const points = landmarks && Array.from({ length: landmarks.length / 3 }, (_, point) => point);
+  return { number, landmarks_px: points?.map((at) => [landmarks[3 * at] * width_px, landmarks[3 * at + 1] * height_px]) };
+}
+
+async function camera() {
+  const video = document.createElement("video");
+  video.srcObject = await navigator.mediaDevices.getUserMedia({ video: { width: 640, height: 480 } });
+  await video.play();
+  return video;
+}
+
+/** When the next frame was taken, ms. */
+function nextFrame(video) {
+  return new Promise((resolve) => video.requestVideoFrameCallback((_, { mediaTime }) => resolve(1000 * mediaTime)));
+}

@@ -1,0 +1,151 @@
+// The worker follows a face through the frames of a camera, as the page's side of it is asked to; the page's controls have
+// no part in it.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import path from "node:path";
+import { FRAMES_PER_S, STILL_FRAMES, carried, placeIn, speedIn } from "./film-frames.mjs";
+import { journey } from "./journey.mjs";
+
+/** @typedef {import("./following-page.mjs").Seen} Seen */
+
+const HERE = import.meta.dirname;
+const GOLDEN = path.join(HERE, "../golden/refined_landmarks.json");
+
+/** The film takes four seconds. */
+const WATCHED_MS = 9000;
+/** So long after the face has come to rest the smoothing has done so, too. */
+const SETTLED_FRAMES = 10;
+
+journey("a camera's face is followed: it rests where the film has it, and does not lag when it moves", async (open) => {
+  const { page } = await open({ before: bringFiles });
+  const seen = await page.evaluate(async (duration_ms) => {
+    const { watch } = await import(new URL("film/following-page.mjs", document.baseURI).href);
+    return watch(duration_ms);
+  }, WATCHED_MS);
+  assert.ok(seen.length > 30, `${seen.length} frames in ${WATCHED_MS} ms`);
+  for (const { number, landmarks_px, answersMeanwhile } of seen) {
+    assert.equal(landmarks_px?.length, 478, `no face in frame ${number}`);
+    assert.ok(answersMeanwhile <= 1, `frame ${number} waited for ${answersMeanwhile} others`);
+  }
+
+  const still = seen.filter(({ number }) => number >= SETTLED_FRAMES && number < STILL_FRAMES);
+  const rest = meanOf(still);
+  assert.ok(jitter_px(still, rest) < 0.3, `it trembles by ${jitter_px(still, rest)} px`);
+  const off_px = apart_px(rest, await truth());
+  assert.ok(off_px < 2, `it is ${off_px} px from where the film has it`);
+
+  const lags_ms = seen.filter(({ number }) => speedIn(number) !== 0).map((frame) => lag_ms(frame, rest));
+  assert.ok(lags_ms.length > 10, `${lags_ms.length} frames show it under way`);
+  const lag = mean(lags_ms);
+  assert.ok(Math.abs(lag) < 60, `it is ${lag} ms behind`);
+}, { needs: "moving-camera" });
+
+journey("of frames that come at once the first and the last are answered, and no bitmap is left over", async (open) => {
+  const { page } = await open({ before: bringFiles });
+  const { answered, left } = await page.evaluate(async () => {
+    const { client } = await import(new URL("film/following-page.mjs", document.baseURI).href);
+    const vision = await client();
+    const frames = await Promise.all(Array.from({ length: 6 }, () => createImageBitmap(new ImageData(64, 48))));
+    const answers = await Promise.all(frames.map((frame, number) => vision.follow(frame, 33 * number)));
+    for (const answer of answers) answer?.frame.close();
+    // A bitmap that was closed or handed over has no size.
+    return { answered: answers.map((answer) => answer?.time_ms ?? null), left: frames.filter(({ width }) => width > 0).length };
+  });
+  assert.deepEqual(answered, [0, null, null, null, null, 165]);
+  assert.equal(left, 0);
+});
+
+journey("a large frame is read smaller, and its landmarks are where they are in it", async (open) => {
+  const { page } = await open({ before: bringFiles });
+  const [small, large] = await page.evaluate(async () => {
+    const { client } = await import(new URL("film/following-page.mjs", document.baseURI).href);
+    const vision = await client();
+    const portrait = await createImageBitmap(await (await fetch(new URL("assets/sample.png", document.baseURI))).blob());
+    const found = [];
+    for (const scale of [1, 3]) {
+      const canvas = new OffscreenCanvas(640 * scale, 480 * scale);
+      canvas.getContext("2d").drawImage(portrait, 80 * scale, 0, 480 * scale, 480 * scale);
+      const { landmarks, width_px, height_px, frame } = await vision.follow(await createImageBitmap(canvas), 0);
+      vision.stopFollowing();
+      frame.close();
+      found.push(Array.from(landmarks, (value, index) => value * [width_px, height_px, width_px][index % 3]));
+    }
+    return found;
+  });
+  // The middle of the first pixel is at 0 in both.
+  const off = (axis) => mean(large.flatMap((at, index) => (index % 3 === axis ? [at - 3 * small[index] - 1] : [])));
+  assert.ok(Math.abs(off(0)) < 0.5 && Math.abs(off(1)) < 0.5, `${off(0)}, ${off(1)} px of 1920 × 1440`);
+});
+
+journey("whoever stops following is answered at once, and a worker that dies is said and replaced", async (open) => {
+  const visitor = await open({ before: bringFiles });
+  const { page } = visitor;
+  // The page's own workers are started by then.
+  await visitor.untilLoaded();
+  const told = await page.evaluate(async () => {
+    const workers = [];
+    const Original = Worker;
+    window.Worker = class extends Original {
+      constructor(...what) {
+        super(...what);
+        workers.push(this);
+      }
+    };
+    const { client } = await import(new URL("film/following-page.mjs", document.baseURI).href);
+    const vision = await client();
+    const frame = () => createImageBitmap(new ImageData(64, 48));
+    const stopped = [vision.follow(await frame(), 0), vision.follow(await frame(), 33)];
+    vision.stopFollowing();
+    const afterStop = await Promise.all(stopped);
+    const next = await vision.follow(await frame(), 66);
+    const lost = [vision.follow(await frame(), 99), vision.follow(await frame(), 132)];
+    // As a trap does: the worker says so, and is of no more use.
+    workers.at(-1).dispatchEvent(new MessageEvent("message", { data: { type: "trapped", id: 1, message: "unreachable" } }));
+    const reasons = (await Promise.allSettled(lost)).map(({ reason }) => reason?.code);
+    const again = await vision.follow(await frame(), 165);
+    return { afterStop: afterStop.map((answer) => answer ?? null), next: next.time_ms, reasons, again: again.time_ms, starts: vision.starts };
+  });
+  assert.deepEqual(told, { afterStop: [null, null], next: 66, reasons: ["worker-died", "worker-died"], again: 165, starts: 2 });
+});
+
+/** These files are there for the page, beside its own. */
+async function bringFiles(/** @type {import("playwright-core").BrowserContext} */ context) {
+  await context.route("**/film/**", (route) => {
+    const [, name] = new URL(route.request().url()).pathname.split("/film/");
+    return route.fulfill({ path: path.join(HERE, name) });
+  });
+}
+
+/** Where the film has the landmarks at rest: the portrait's, as MediaPipe finds them, px. */
+async function truth() {
+  const [face] = JSON.parse(await readFile(GOLDEN, "utf8")).portrait.faces;
+  const points = Array.from({ length: face.length / 3 }, (_, point) => [face[3 * point] / 1000, face[3 * point + 1] / 1000]);
+  return points.map((point) => carried(placeIn(0), point));
+}
+
+function mean(/** @type {number[]} */ numbers) {
+  return numbers.reduce((sum, each) => sum + each, 0) / numbers.length;
+}
+
+/** @param {Seen[]} frames */
+function meanOf(frames) {
+  return frames[0].landmarks_px.map((_, point) => [0, 1].map((axis) => mean(frames.map(({ landmarks_px }) => landmarks_px[point][axis]))));
+}
+
+/** Root of the mean square. @param {Seen[]} frames @param {number[][]} rest */
+function jitter_px(frames, rest) {
+  const squares = frames.map(({ landmarks_px }) => mean(landmarks_px.map(([x, y], point) => (x - rest[point][0]) ** 2 + (y - rest[point][1]) ** 2)));
+  return Math.sqrt(mean(squares));
+}
+
+/** @param {number[][]} a @param {number[][]} b */
+function apart_px(a, b) {
+  return mean(a.map(([x, y], point) => Math.hypot(x - b[point][0], y - b[point][1])));
+}
+
+/** How long ago the face was where the landmarks are. @param {Seen} frame @param {number[][]} rest */
+function lag_ms({ number, landmarks_px }, rest) {
+  const aside = placeIn(number).x - placeIn(0).x;
+  const behind = mean(landmarks_px.map(([x], point) => rest[point][0] + aside - x));
+  return (1000 / FRAMES_PER_S) * (behind / speedIn(number));
+}
