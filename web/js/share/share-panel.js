@@ -1,4 +1,5 @@
 import { byId } from "../page/dom.js";
+import { ClipPanel } from "./clip-panel.js";
 import { faceLooks } from "./face-looks.js";
 import { setUpPairPanel } from "./pair-panel.js";
 
@@ -10,4 +11,5 @@ import { setUpPairPanel } from "./pair-panel.js";
  */
 export function setUpSharePanel(bench, keeper) {
   setUpPairPanel(bench, keeper, () => faceLooks(bench, byId("picture-transparent", HTMLInputElement).checked));
+  new ClipPanel(bench, keeper);
 }
