@@ -49,6 +49,6 @@ function label(context, words, middle_px, height_px) {
   context.fill();
   context.fillStyle = LABEL_COLOURS.letters;
   context.textAlign = "center";
-  context.textBaseline = "middle";
-  context.fillText(words, middle_px, top_px + height / 2);
+  // Half of a capital's height below the middle.
+  context.fillText(words, middle_px, top_px + height / 2 + 0.36 * letter_px);
 }
