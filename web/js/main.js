@@ -26,6 +26,7 @@ import { setUpPhotoInput } from "./photo/photo-input.js";
 import { PhotoOverlay } from "./photo/photo-overlay.js";
 import { loadSample, showSample } from "./photo/sample.js";
 import { VisionClient } from "./photo/vision-client.js";
+import { setUpSharePanel } from "./share/share-panel.js";
 import { setUpBeforeAfter } from "./viewport/before-after.js";
 import { keepStageClear } from "./viewport/clear-stage.js";
 import { LandmarkMarks } from "./viewport/landmark-marks.js";
@@ -80,6 +81,7 @@ async function openBench() {
     new SizePanel(opened, () => opening.lens);
     setUpHistoryPanel(opened);
     setUpExportPanel(opened, keeper, validator);
+    setUpSharePanel(opened, keeper);
     paper = new PaperPanel(opened);
     keeper.follow(opened);
     opened.onRestart(() => workAgain(opened));

@@ -42,9 +42,10 @@ export function stemOfMesh(file) {
  *
  * @param {{ name?: string | undefined } | undefined} face
  * @param {string} ending
- * @param {number} [points] of a mesh that was subdivided: they tell the densities apart in a folder of downloads
+ * @param {number | string} [apart] what tells it apart in a folder of downloads: the number of points of a mesh that was
+ *   subdivided, or what a picture shows
  */
-export function fileName(face, ending, points) {
+export function fileName(face, ending, apart) {
   const stem = face?.name ?? NAMELESS;
-  return points === undefined ? `${stem}.${ending}` : `${stem}-${points}.${ending}`;
+  return apart === undefined ? `${stem}.${ending}` : `${stem}-${apart}.${ending}`;
 }

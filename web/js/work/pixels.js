@@ -23,7 +23,7 @@ export function pixelsOf(bitmap, width, height, { 0: left = 0, 1: top = 0, 2: pl
  * @param {Picture} picture
  */
 export function bitmapOf(picture) {
-  return createImageBitmap(imageData(picture));
+  return createImageBitmap(imageDataOf(picture));
 }
 
 /**
@@ -33,12 +33,16 @@ export function bitmapOf(picture) {
  */
 export function pngOf(picture) {
   const canvas = new OffscreenCanvas(picture.pictureWidth_px, picture.pictureHeight_px);
-  canvas.getContext("2d")?.putImageData(imageData(picture), 0, 0);
+  canvas.getContext("2d")?.putImageData(imageDataOf(picture), 0, 0);
   return canvas.convertToBlob({ type: "image/png" });
 }
 
-/** @param {Picture} picture */
-function imageData({ picture, pictureWidth_px, pictureHeight_px }) {
+/**
+ * A picture as a canvas takes it; its bytes are not copied.
+ *
+ * @param {Picture} picture
+ */
+export function imageDataOf({ picture, pictureWidth_px, pictureHeight_px }) {
   const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (picture.buffer));
   return new ImageData(pixels, pictureWidth_px, pictureHeight_px);
 }

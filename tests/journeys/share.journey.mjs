@@ -1,0 +1,319 @@
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { PNG } from "pngjs";
+import { journey } from "./journey.mjs";
+import { difference, differenceNear } from "./pixels.mjs";
+import { SAMPLE } from "./visitor.mjs";
+
+/** A clip is there by then, however slowly the machine draws. */
+const CLIP_MS = 30_000;
+
+/** As in side-by-side.js: a share of the picture's height. */
+const GAP = 0.008;
+
+/** What is looked at of a clip's frames. */
+const FRAME_PX = 180;
+
+journey("before and after are the halves of one picture, and the view stays as it was", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.drop(await readFile(SAMPLE), "ana.png");
+  await visitor.untilFace();
+  const found = PNG.sync.read(await visitor.download("download-picture"));
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("x", 12);
+  const place = await visitor.onView(await visitor.selectedPlace());
+  const edited = PNG.sync.read(await visitor.download("download-picture"));
+  const before = await standing(visitor);
+  const coming = page.waitForEvent("download");
+  const pair = PNG.sync.read(await visitor.download("download-pair"));
+  assert.equal((await coming).suggestedFilename(), "ana-before-after.png");
+  const [left, right] = halves(pair);
+  for (const [half, alone] of [[left, found], [right, edited]]) {
+    assert.equal(difference(above(half), above(middleOf(alone, half.width))), 0, "a half is not the picture that is saved alone");
+  }
+  const nose = { x: left.width / 2 + 2 * (place.x - before.view.width / 2), y: 2 * place.y };
+  assert.ok(differenceNear(left, right, nose, 60) > 0.2, "the halves show the same nose");
+  assert.equal(differenceNear(left, right, { x: 40, y: 40 }, 30), 0, "they differ where nothing was edited");
+  assert.ok(difference(below(left), below(middleOf(found, left.width))) > 0.005, "there is no caption");
+  assertSame(await standing(visitor), before);
+}, { needs: "eyes" });
+
+journey("a picture of before and after that cannot be made says so and leaves the view as it was", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("x", 12);
+  const before = await standing(visitor);
+  await page.evaluate(refusePictures);
+  await visitor.unfold("section-export");
+  await page.click("[data-action='download-pair']");
+  assert.equal((await visitor.notice()).code, "not-drawn");
+  assertSame(await standing(visitor), before);
+}, { needs: "eyes" });
+
+journey("before and after are handed on where the browser can, and downloaded where it then will not", async (open) => {
+  const visitor = await open({ before: (context) => context.addInitScript(sendFiles) });
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.unfold("section-export");
+  await page.click("[data-action='share-pair']");
+  await page.waitForFunction(() => window["sent"].length === 1);
+  const [sent] = await page.evaluate("sent");
+  assert.deepEqual([sent.name, sent.type], ["portrait-before-after.png", "image/png"]);
+  assert.ok(sent.bytes > 10_000, `${sent.bytes} bytes`);
+  await page.evaluate("answer = 'NotAllowedError'");
+  await visitor.download("share-pair");
+  await page.evaluate("answer = 'AbortError'");
+  await page.click("[data-action='share-pair']");
+  await page.waitForFunction(() => window["sent"].length === 3);
+  assert.ok(await page.isHidden("#notice"));
+});
+
+journey("a browser that hands nothing on has no button for it", async (open) => {
+  const visitor = await open({ before: (context) => context.addInitScript("delete Navigator.prototype.canShare") });
+  await visitor.dropSample();
+  await visitor.unfold("section-export");
+  assert.ok(await visitor.page.isHidden("[data-action='share-pair']"));
+});
+
+journey("the face swings once in a clip of four seconds without any tool, and is then as it was", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.drop(await readFile(SAMPLE), "ana.png");
+  await visitor.untilFace();
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("z", 8);
+  const before = await standing(visitor);
+  await visitor.unfold("section-export");
+  const coming = page.waitForEvent("download", { timeout: CLIP_MS });
+  await page.click("#clip");
+  await page.waitForSelector("#clip-progress");
+  assert.equal(await page.innerText("#clip"), "Cancel (Esc)");
+  assert.equal(await page.innerText("#said"), "Recording the clip");
+  const download = await coming;
+  assert.equal(download.suggestedFilename(), "ana-turning.webm");
+  const bytes = await readFile(await download.path());
+  assert.deepEqual([...bytes.subarray(0, 4)], [0x1a, 0x45, 0xdf, 0xa3], "the bytes are not EBML");
+  assert.ok(await page.isHidden("#clip-progress"));
+  assert.equal(await page.innerText("#clip"), "Record a turning clip");
+  assert.ok(await page.locator("#clip").evaluate((button) => button === document.activeElement), "the focus was lost");
+  assertSame(await standing(visitor), before);
+
+  const { duration_s, width, height, frames } = await played(page.context().browser(), bytes);
+  assert.ok(duration_s > 3.5 && duration_s < 5.5, `${duration_s} s`);
+  assert.deepEqual([width, height], [720, 720]);
+  const [first, ...others] = frames;
+  const last = others.pop();
+  const turned = others.map((frame) => difference(first, frame));
+  assert.ok(Math.max(...turned) > 0.2, `it stands still: ${turned}`);
+  assert.ok(difference(first, last) < 0.05, "it does not come back");
+  assert.equal(accents(first), 0, "a tool is in the clip");
+}, { needs: "eyes" });
+
+for (const { by, stop } of [
+  { by: "Escape", stop: (/** @type {import("./visitor.mjs").Visitor} */ { page }) => page.keyboard.press("Escape") },
+  { by: "the button", stop: (/** @type {import("./visitor.mjs").Visitor} */ { page }) => page.click("#clip") },
+]) {
+  journey(`a clip that is cancelled by ${by} leaves no file and no trace`, async (open) => {
+    const visitor = await open();
+    const { page } = visitor;
+    await visitor.dropSample();
+    await visitor.findLandmark("nose tip");
+    await page.focus("#viewport");
+    await page.keyboard.press("ArrowRight");
+    const before = await standing(visitor);
+    await visitor.unfold("section-export");
+    let downloads = 0;
+    page.on("download", () => (downloads += 1));
+    await page.click("#clip");
+    await halfWay(page);
+    await stop(visitor);
+    await page.waitForSelector("#clip-progress", { state: "hidden" });
+    assert.equal(await page.innerText("#toast"), "The clip is not kept");
+    await page.waitForTimeout(1500);
+    assert.equal(downloads, 0);
+    assertSame(await standing(visitor), before);
+  }, { needs: "eyes" });
+}
+
+journey("a clip ends when the page goes out of sight, and says why", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  const before = await visitor.view();
+  await visitor.unfold("section-export");
+  await page.click("#clip");
+  await halfWay(page);
+  await page.evaluate(() => document.dispatchEvent(new Event("visibilitychange")));
+  await untilInterrupted(page);
+  assert.equal(difference(await visitor.view(), before), 0);
+}, { needs: "eyes" });
+
+journey("a clip ends when another face comes, which is seen as at first", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.drop(await readFile(SAMPLE), "another.png");
+  await page.waitForSelector("#previous-face");
+  await visitor.unfold("section-export");
+  await page.click("#clip");
+  await halfWay(page);
+  await page.click("#previous-face");
+  await untilInterrupted(page);
+  await visitor.untilFace();
+  const opened = await visitor.view();
+  await page.click("#toolbar [data-action='reset-view']");
+  assert.equal(difference(await visitor.view(), opened), 0, "the face is turned by what the clip turned the other");
+}, { needs: "eyes" });
+
+journey("a clip ends when the graphics process crashes, and another can be recorded", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.unfold("section-export");
+  await page.click("#clip");
+  await halfWay(page);
+  const browser = await page.context().browser().newBrowserCDPSession();
+  await browser.send("Browser.crashGpuProcess");
+  await page.waitForSelector("#clip-progress", { state: "hidden", timeout: CLIP_MS });
+  const coming = page.waitForEvent("download", { timeout: CLIP_MS });
+  await page.waitForTimeout(1000);
+  await page.click("#clip");
+  assert.equal((await coming).suggestedFilename(), "portrait-turning.webm");
+}, { needs: "eyes" });
+
+journey("a browser that records nothing says so in place of the button", async (open) => {
+  const visitor = await open({ before: (context) => context.addInitScript("delete window.MediaRecorder") });
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.unfold("section-export");
+  assert.ok(await page.isHidden("#clip"));
+  assert.equal(await page.innerText("#clip-line"), "This browser cannot record a turning clip.");
+  await visitor.speak("pt");
+  assert.equal(await page.innerText("#clip-line"), "Este navegador não grava o rosto girando.");
+});
+
+/** What making a picture or a clip must leave as it is. @param {import("./visitor.mjs").Visitor} visitor */
+async function standing(visitor) {
+  const mesh = await visitor.meshJson("mm");
+  return { mesh, history: await visitor.history(), view: await visitor.view() };
+}
+
+/**
+ * @param {Awaited<ReturnType<typeof standing>>} now
+ * @param {Awaited<ReturnType<typeof standing>>} before
+ */
+function assertSame(now, before) {
+  assert.deepEqual([now.mesh, now.history], [before.mesh, before.history]);
+  assert.equal(difference(now.view, before.view), 0, "the view is not what it was");
+}
+
+/** @param {import("playwright-core").Page} page */
+function halfWay(page) {
+  return page.waitForFunction(() => document.getElementById("clip-progress").value > 0.2);
+}
+
+/** @param {import("playwright-core").Page} page */
+async function untilInterrupted(page) {
+  await page.waitForSelector("#clip-line");
+  assert.match(await page.innerText("#clip-line"), /interrupted/);
+  assert.ok(await page.isHidden("#clip-progress"));
+}
+
+/** The two pictures of one, without the gap between them. @param {PNG} pair */
+function halves(pair) {
+  const width = (pair.width - Math.round(GAP * pair.height)) / 2;
+  return [cut(pair, 0, width), cut(pair, pair.width - width, width)];
+}
+
+/** As much of a picture's middle. @param {PNG} picture @param {number} width */
+function middleOf(picture, width) {
+  return cut(picture, (picture.width - width) / 2, width);
+}
+
+/** What is over the caption. @param {PNG} picture */
+function above(picture) {
+  return rows(picture, 0, Math.floor(0.92 * picture.height));
+}
+
+/** @param {PNG} picture */
+function below(picture) {
+  return rows(picture, Math.floor(0.92 * picture.height), picture.height);
+}
+
+/** @param {PNG} picture @param {number} from @param {number} to */
+function rows({ width, data }, from, to) {
+  return { width, height: to - from, data: data.subarray(4 * width * from, 4 * width * to) };
+}
+
+/** @param {PNG} picture @param {number} left @param {number} width */
+function cut(picture, left, width) {
+  const part = new PNG({ width, height: picture.height });
+  PNG.bitblt(picture, part, left, 0, width, picture.height, 0, 0);
+  return part;
+}
+
+/** How many pixels are as red as the marks. @param {import("./pixels.mjs").Pixels} pixels */
+function accents({ data }) {
+  let count = 0;
+  for (let at = 0; at < data.length; at += 4) if (data[at] > 200 && data[at + 1] < 100 && data[at + 2] < 80) count += 1;
+  return count;
+}
+
+/**
+ * Looks at some frames of a clip, in a page of its own: the page's policy plays no films.
+ *
+ * @param {import("playwright-core").Browser} browser
+ * @param {Buffer} bytes
+ */
+async function played(browser, bytes) {
+  const page = await browser.newPage();
+  const { frames, ...film } = await page.evaluate(watch, { base64: bytes.toString("base64"), side: FRAME_PX });
+  await page.close();
+  const pixels = frames.map((data) => ({ width: FRAME_PX, height: FRAME_PX, data: Uint8Array.from(data) }));
+  return { ...film, frames: pixels };
+}
+
+/** Runs in a page. @param {{ base64: string, side: number }} film */
+async function watch({ base64, side }) {
+  const video = document.createElement("video");
+  const told = (/** @type {string} */ event) => new Promise((resolve) => video.addEventListener(event, resolve, { once: true }));
+  const file = new Blob([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], { type: "video/webm" });
+  const loaded = told("loadeddata");
+  video.src = URL.createObjectURL(file);
+  await loaded;
+  const context = new OffscreenCanvas(side, side).getContext("2d", { willReadFrequently: true });
+  const frames = [];
+  for (const share of [0, 0.25, 0.5, 0.75, 1]) {
+    const sought = told("seeked");
+    video.currentTime = share * video.duration;
+    await sought;
+    context.drawImage(video, 0, 0, side, side);
+    frames.push([...context.getImageData(0, 0, side, side).data]);
+  }
+  return { duration_s: video.duration, width: video.videoWidth, height: video.videoHeight, frames };
+}
+
+/** Runs in the page: the second picture that is asked for is not drawn. */
+async function refusePictures() {
+  const { Studio } = await import(new URL("wasm/rosto-studio-web.js", document.baseURI).href);
+  const snapshot = Studio.prototype.snapshot;
+  let asked = 0;
+  Studio.prototype.snapshot = function (...wishes) {
+    asked += 1;
+    if (asked % 2 === 0) throw Object.assign(new Error("refused"), { code: "not-drawn" });
+    return snapshot.apply(this, wishes);
+  };
+}
+
+/** Runs in the page before its own scripts: a browser that hands files on, or gives the answer that is told. */
+function sendFiles() {
+  window["sent"] = [];
+  navigator.canShare = () => true;
+  navigator.share = async ({ files: [{ name, type, size }] }) => {
+    window["sent"].push({ name, type, bytes: size });
+    if (window["answer"]) throw new DOMException("refused", window["answer"]);
+  };
+}
