@@ -170,8 +170,8 @@ export class Opening {
       const { landmarks, width_px, height_px, colours } = face;
       const lens = done?.lens ?? face.lens ?? BEFORE_LENSES;
       if (!done) return studio.openFace(landmarks, width_px, height_px, colours, lens);
-      const { triangulation, density, edits } = done;
-      return studio.openWork(landmarks, width_px, height_px, colours, lens, triangulation, density, edits);
+      const { triangulation, density, edits, photo } = done;
+      return studio.openWork(landmarks, width_px, height_px, colours, lens, triangulation, density, edits, photo);
     });
     const { preferences } = done ?? {};
     if (preferences) opened?.act((studio) => studio.prefer(preferences));

@@ -22,6 +22,14 @@ pub(crate) const MIDDLE_OF_LIDS: [[usize; 2]; 2] = [[159, 145], [386, 374]];
 /// Points of one iris: its middle, and four on its border.
 pub(crate) const POINTS_OF_AN_IRIS: usize = IRIS_COUNT / 2;
 
+/// The landmarks in the middle of the upper and the lower lid around a point of the irises, counted from 0.
+///
+/// # Panics
+/// If `point` is not below [`IRIS_COUNT`].
+pub fn lids_of(point: usize) -> [usize; 2] {
+    MIDDLE_OF_LIDS[point / POINTS_OF_AN_IRIS]
+}
+
 /// The name for files and programs of a point of an iris, such as `left-iris-top`; sides are the subject's, but for the
 /// points' own, which are the picture's. The right iris comes first.
 ///

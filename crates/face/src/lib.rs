@@ -23,7 +23,7 @@ pub use camera::{Camera, Pose};
 pub use canonical::{LANDMARK_COUNT, Triangulation, canonical_positions_m, canonical_uvs};
 pub use contours::oval;
 pub use error::FaceError;
-pub use irises::{IRIS_COUNT, POINT_COUNT, iris_id};
+pub use irises::{IRIS_COUNT, POINT_COUNT, iris_id, lids_of};
 pub use measures::Measure;
 pub use model::{FaceInput, FaceModel, check_landmarks};
 pub use names::{has_anatomical_name, landmark_id, part_id};

@@ -167,6 +167,14 @@ impl Studio {
         Some(rgba_of(&drawn))
     }
 
+    /// Where the edits have taken the landmarks, and the irises if they were found, on the photo: x and y in turn, in shares of its
+    /// size; undefined while no face is open.
+    #[wasm_bindgen(js_name = photoLandmarks)]
+    pub fn photo_landmarks(&self) -> Option<Vec<f32>> {
+        let places = self.session.face()?.landmarks_in_photo();
+        Some(places.into_iter().flat_map(|place| place.as_vec2().to_array()).collect())
+    }
+
     /// What moves in the photo; undefined where nothing does.
     #[wasm_bindgen(js_name = photoWarp)]
     pub fn photo_warp(&mut self) -> Option<PhotoWarp> {

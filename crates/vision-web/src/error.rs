@@ -27,6 +27,11 @@ pub(crate) fn of_landmarks(error: LandmarksError) -> Error {
     }
 }
 
+/// What should not be.
+pub(crate) fn internal(message: &str) -> Error {
+    thrown("internal", message, "Reload the page.")
+}
+
 fn thrown(code: &str, message: &str, hint: &str) -> Error {
     let error = Error::new(message);
     for (name, value) in [("code", code), ("hint", hint)] {

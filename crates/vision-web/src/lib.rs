@@ -7,6 +7,8 @@ mod error;
 mod found;
 mod progress;
 mod vision;
+mod warped;
 
 pub use found::Found;
 pub use vision::Vision;
+pub use warped::Warped;

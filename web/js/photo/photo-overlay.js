@@ -1,11 +1,15 @@
 import { byId } from "../page/dom.js";
 import { inEveryLanguage, say } from "../words/words.js";
 import { faceBox } from "./face-box.js";
+import { LivePhoto } from "./live-photo.js";
 
 /** @typedef {import("../work/work.js").OpenedFace} OpenedFace */
 
 /** The picture is no taller than this, in CSS px. */
 const MAX_HEIGHT_PX = 320;
+
+/** What the row shows of it while it is folded, in CSS px. */
+const THUMBNAIL_PX = 56;
 
 /** How much of the photo around the face is shown, in sizes of the face. */
 const AROUND_FACE = 1.6;
@@ -32,6 +36,10 @@ export class PhotoOverlay {
   #selected;
   /** @type {number | undefined} */
   #hovered;
+  /** Draws the part with the edits, once there is a studio. @type {LivePhoto | undefined} */
+  #live;
+  /** Where the edits have taken the points, in shares of the photo's size. @type {Float32Array | undefined} */
+  #moved;
 
   constructor() {
     new ResizeObserver(() => this.#draw()).observe(byId("photo", HTMLDivElement));
@@ -39,16 +47,30 @@ export class PhotoOverlay {
   }
 
   /**
-   * Tells which landmark the pointer is over, and which one is clicked.
+   * Follows the edits from now on.
    *
-   * @param {{ hover: (landmark: number | undefined) => void, choose: (landmark: number) => void }} told
+   * @param {import("../viewport/workbench.js").Workbench} bench
+   */
+  follow(bench) {
+    this.#live = new LivePhoto(bench);
+    bench.onPhoto(() => {
+      this.#moved = bench.ask((studio) => studio.photoLandmarks());
+      this.#draw();
+    });
+  }
+
+  /**
+   * Tells which landmark the pointer is over, which one is clicked, and that the photo itself is.
+   *
+   * @param {{ hover: (landmark: number | undefined) => void, choose: (landmark: number) => void, press: () => void }} told
    */
   listen(told) {
     this.#canvas.addEventListener("pointermove", (event) => told.hover(this.#nearest(event)));
     this.#canvas.addEventListener("pointerleave", () => told.hover(undefined));
     this.#canvas.addEventListener("click", (event) => {
       const landmark = this.#nearest(event);
-      if (landmark !== undefined) told.choose(landmark);
+      if (landmark === undefined) told.press();
+      else told.choose(landmark);
     });
   }
 
@@ -69,18 +91,22 @@ export class PhotoOverlay {
     this.#picture = { width: face.pictureWidth_px, height: face.pictureHeight_px };
     this.#landmarks = face.landmarks;
     this.#crop = crop;
+    this.#moved = undefined;
+    this.#live?.take(part, crop, face.width_px / face.pictureWidth_px);
     this.#size = { width_px: face.width_px, height_px: face.height_px };
     byId("photo", HTMLDivElement).hidden = false;
     this.#writeCaption();
-    this.#drawThumbnail(part);
     this.#draw();
   }
 
-  /** @param {ImageBitmap} part */
-  #drawThumbnail(part) {
+  /**
+   * @param {CanvasImageSource} part
+   * @param {{ width: number, height: number }} size
+   */
+  #drawThumbnail(part, size) {
     const thumbnail = byId("photo-thumbnail", HTMLCanvasElement);
-    const side = Math.min(part.width, part.height);
-    const from = { x: (part.width - side) / 2, y: (part.height - side) / 2 };
+    const side = Math.min(size.width, size.height);
+    const from = { x: (size.width - side) / 2, y: (size.height - side) / 2 };
     const context = thumbnail.getContext("2d");
     if (context) context.imageSmoothingQuality = "high";
     context?.drawImage(part, from.x, from.y, side, side, 0, 0, thumbnail.width, thumbnail.height);
@@ -100,9 +126,12 @@ export class PhotoOverlay {
   }
 
   #draw() {
-    const part = this.#part;
+    const taken = this.#part;
+    if (!taken) return;
     const room_px = byId("photo", HTMLDivElement).clientWidth;
-    if (!part || room_px === 0) return;
+    const part = /** @type {ImageBitmap | OffscreenCanvas} */ (this.#live?.drawn((room_px || THUMBNAIL_PX) * devicePixelRatio) ?? taken);
+    this.#drawThumbnail(part, part);
+    if (room_px === 0) return;
     const { width, height } = this.#crop;
     const scale = Math.min(room_px / width, MAX_HEIGHT_PX / height);
     const ratio = devicePixelRatio;
@@ -175,8 +204,8 @@ export class PhotoOverlay {
    */
   #place(landmark) {
     const { left, top, width, height } = this.#crop;
-    const x_px = (this.#landmarks[3 * landmark] ?? 0) * this.#picture.width;
-    const y_px = (this.#landmarks[3 * landmark + 1] ?? 0) * this.#picture.height;
+    const [x_share = 0, y_share = 0] = this.#moved?.subarray(2 * landmark, 2 * landmark + 2) ?? this.#landmarks.subarray(3 * landmark, 3 * landmark + 2);
+    const [x_px, y_px] = [x_share * this.#picture.width, y_share * this.#picture.height];
     return { x: ((x_px - left) / width) * this.#canvas.width, y: ((y_px - top) / height) * this.#canvas.height };
   }
 

@@ -21,7 +21,7 @@ export async function readPhoto(vision, photo, name, isWanted) {
     if (Number.isNaN(begun_ms)) begun_ms = performance.now();
     if (isWanted()) showStage(stage, fraction);
   });
-  const faces = facesOf(found, name);
+  const faces = facesOf(found, name, photo);
   const [face] = faces;
   if (!face) throw { code: "no-face-found", message: "no face in the photo", hint: "" };
   return { face, faces, bitmap: found.bitmap, extraction_ms: performance.now() - begun_ms };

@@ -6,6 +6,8 @@ import { Following } from "./following.js";
  * @typedef {import("../worker/protocol.js").Stage} Stage
  * @typedef {import("../worker/protocol.js").FoundFaces} FoundFaces
  * @typedef {import("../worker/protocol.js").Followed} Followed
+ * @typedef {import("../worker/protocol.js").Edited} Edited
+ * @typedef {{ resolve: (file: Blob) => void, reject: (error: unknown) => void }} WaitingForFile
  * @typedef {{ resolve: (found: FoundFaces) => void, reject: (error: unknown) => void, report: (stage: Stage, fraction: number) => void }} Waiting
  */
 
@@ -24,6 +26,8 @@ export class VisionClient {
   #worker;
   /** @type {Map<number, Waiting>} */
   #waiting = new Map();
+  /** @type {Map<number, WaitingForFile>} */
+  #drawing = new Map();
   #lastId = 0;
   #silence = 0;
   #starts = 0;
@@ -75,6 +79,23 @@ export class VisionClient {
     return new Promise((resolve, reject) => {
       this.#waiting.set(id, { resolve, reject, report });
       this.#post({ type: "find", id, photo, maxFaces });
+      this.#watchSilence();
+    });
+  }
+
+  /**
+   * A photo with what was edited in it, as a file.
+   *
+   * @param {Edited} edited
+   * @returns {Promise<Blob>}
+   */
+  async draw(edited) {
+    this.start();
+    const id = ++this.#lastId;
+    return new Promise((resolve, reject) => {
+      this.#drawing.set(id, { resolve, reject });
+      const buffers = [edited.from_px.buffer, edited.to_px.buffer, edited.triangles.buffer];
+      this.#post({ type: "draw", id, edited }, buffers);
       this.#watchSilence();
     });
   }
@@ -133,7 +154,9 @@ export class VisionClient {
       case "found":
         return this.#settle(reply.id)?.resolve(reply.found);
       case "failed":
-        return this.#settle(reply.id)?.reject(reply.error);
+        return (this.#settle(reply.id) ?? this.#settleFile(reply.id))?.reject(reply.error);
+      case "drawn":
+        return this.#settleFile(reply.id)?.resolve(reply.file);
       case "followed":
         this.#following.hear(reply.id, reply.followed);
         return this.#watchSilence();
@@ -178,6 +201,7 @@ export class VisionClient {
     if (worker === this.#worker) this.#worker = undefined;
     this.#nowReady();
     this.#rejectAll(error);
+    for (const id of [...this.#drawing.keys()]) this.#settleFile(id)?.reject(error);
     this.#following.end(error);
     this.#watchSilence();
   }
@@ -190,6 +214,14 @@ export class VisionClient {
     return waiting;
   }
 
+  /** @param {number} id */
+  #settleFile(id) {
+    const waiting = this.#drawing.get(id);
+    this.#drawing.delete(id);
+    this.#watchSilence();
+    return waiting;
+  }
+
   /** @param {unknown} error */
   #rejectAll(error) {
     for (const id of [...this.#waiting.keys()]) this.#settle(id)?.reject(error);
@@ -197,7 +229,7 @@ export class VisionClient {
 
   #watchSilence() {
     clearTimeout(this.#silence);
-    const isAnyoneWaiting = this.#waiting.size > 0 || this.#following.isWaiting;
+    const isAnyoneWaiting = this.#waiting.size + this.#drawing.size > 0 || this.#following.isWaiting;
     this.#silence = isAnyoneWaiting ? setTimeout(() => this.#endSilence(), SILENCE_MS) : 0;
   }
 

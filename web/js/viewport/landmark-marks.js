@@ -63,6 +63,7 @@ export class LandmarkMarks {
     overlay.listen({
       hover: (landmark) => this.#pointAt(landmark),
       choose: (landmark) => bench.act((studio) => studio.selectAt(landmark)),
+      press: () => bench.act((studio) => studio.choose("scene", "picture")),
     });
   }
 

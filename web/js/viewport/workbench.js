@@ -31,6 +31,9 @@ export class Workbench {
   #tickListeners = new Set();
   /** @type {Set<() => void>} */
   #frameListeners = new Set();
+  /** @type {Set<() => void>} */
+  #photoListeners = new Set();
+  #photoIsComing = false;
   /** @type {Set<() => Promise<void>>} */
   #restartListeners = new Set();
 
@@ -79,6 +82,7 @@ export class Workbench {
     if (changed !== "nothing") this.requestFrame();
     if (changed === "document") this.announce();
     if (changed === "tick") this.#tellTick();
+    if (changed === "document" || changed === "tick") this.#tellPhoto();
   }
 
   /**
@@ -139,6 +143,11 @@ export class Workbench {
     this.#frameListeners.add(listener);
   }
 
+  /** @param {() => void} listener runs when the photo has followed the edits, once a frame at most */
+  onPhoto(listener) {
+    this.#photoListeners.add(listener);
+  }
+
   /** @param {() => Promise<void>} listener brings the work back after the studio was replaced by an empty one */
   onRestart(listener) {
     this.#restartListeners.add(listener);
@@ -160,6 +169,18 @@ export class Workbench {
       this.#frameIsComing = false;
       this.#draw(time_ms);
     });
+  }
+
+  /** What asks for a factorisation gets a task of its own, after the frame: none keeps the page waiting. */
+  #tellPhoto() {
+    if (this.#photoIsComing) return;
+    this.#photoIsComing = true;
+    requestAnimationFrame(() => setTimeout(() => {
+      this.#photoIsComing = false;
+      if (this.ask((studio) => studio.photoWaits)) this.act((studio) => studio.followPhoto());
+      for (const listener of this.#photoListeners) this.ask(() => listener());
+      this.requestFrame();
+    }));
   }
 
   #tellTick() {
@@ -200,6 +221,7 @@ export class Workbench {
       this.#fitSize?.();
       for (const listener of this.#restartListeners) await listener();
       this.announce();
+      this.#tellPhoto();
       hideNotice();
       showError({ code: "restarted", message: trap.message, hint: "" });
     } catch (error) {

@@ -161,8 +161,8 @@ export class Autosave {
   #standing() {
     return this.#bench?.read((state, studio) => {
       const [triangulation = "", density = "0"] = ["triangulation", "density"].map((choice) => state.chosen(choice));
-      const [edits, lens, preferences] = [studio.editsJson(), studio.photoLens, studio.preferences()];
-      return { edits, triangulation, density: Number(density), lens, preferences };
+      const [edits, photo, lens, preferences] = [studio.editsJson(), studio.photoEdit, studio.photoLens, studio.preferences()];
+      return { edits, photo, triangulation, density: Number(density), lens, preferences };
     });
   }
 

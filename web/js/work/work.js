@@ -7,6 +7,7 @@
  * @property {string} edits the studio's own versioned JSON
  * @property {string} triangulation that the edits were made on
  * @property {number} density how often the mesh is subdivided
+ * @property {string} [photo] what the photo alone holds, as the studio tells it; of earlier versions none
  * @property {string} [lens] what the photo is taken to be taken through, where that is another than was known of it
  * @property {string} [preferences] choices and view, as the studio tells them
  *
@@ -17,6 +18,7 @@
  * @property {Float32Array} landmarks 478 × (x/W, y/H, z/W), those of the irises last; of earlier versions 468
  * @property {string} [lens] what is known of the photo's lens, as the studio takes it; of earlier versions none
  * @property {Uint8Array} colours 468 × sRGB
+ * @property {Blob} [photo] the file as it was opened; none of works that were saved without it
  * @property {number} pictureWidth_px
  * @property {number} pictureHeight_px
  * @property {Uint8Array} picture RGBA, upright, row by row
@@ -30,13 +32,14 @@ export const BEFORE_LENSES = "parallel";
  *
  * @param {import("../worker/protocol.js").FoundFaces} found
  * @param {string} name of their photo
+ * @param {Blob} photo
  * @returns {OpenedFace[]}
  */
-export function facesOf(found, name) {
+export function facesOf(found, name, photo) {
   const { width_px, height_px, pictureWidth_px, pictureHeight_px, picture, focalLength_mm } = found;
   const lens = focalLength_mm === undefined ? "estimated" : `exif:${focalLength_mm}`;
   return found.faces.map(({ landmarks, colours }, index) => ({
-    ...{ width_px, height_px, landmarks, lens, colours, pictureWidth_px, pictureHeight_px, picture },
+    ...{ width_px, height_px, landmarks, lens, colours, photo, pictureWidth_px, pictureHeight_px, picture },
     name: index === 0 ? name : `${name}-${index + 1}`,
   }));
 }

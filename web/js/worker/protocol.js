@@ -32,7 +32,16 @@
  * @property {{ read: number, landmarks: number }} took_ms what the worker spent on its pixels and on finding the landmarks
  * @property {ImageBitmap} frame that the landmarks belong to, sent back; whoever is given it closes it
  *
+ * @typedef {object} Edited a photo to be drawn with what was edited in it
+ * @property {Blob} photo the file as it was opened
+ * @property {number} width_px of the upright photo that the places are in
+ * @property {Float64Array} from_px where its places are, x and y in turn
+ * @property {Float64Array} to_px where they go
+ * @property {Uint32Array} triangles three places each
+ * @property {"image/png" | "image/jpeg"} format
+ *
  * @typedef {{ type: "find", id: number, photo: Blob, maxFaces: number }
+ *   | { type: "draw", id: number, edited: Edited }
  *   | { type: "follow", id: number, frame: ImageBitmap, time_ms: number }
  *   | { type: "stop-following" }} Request
  *
@@ -43,6 +52,7 @@
  *   | { type: "progress", id: number, stage: Stage, fraction: number }
  *   | { type: "found", id: number, found: FoundFaces }
  *   | { type: "failed", id: number, error: PageError }
+ *   | { type: "drawn", id: number, file: Blob }
  *   | { type: "followed", id: number, followed: Followed }
  *   | { type: "not-followed", id: number, error: PageError }
  *   | { type: "trapped", id: number, message: string }} Reply

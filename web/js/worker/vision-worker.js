@@ -10,6 +10,7 @@ import { asPageError } from "../page/page-error.js";
 import { bytesOf } from "../work/bytes.js";
 import { bitmapOf } from "../work/pixels.js";
 import { decodedByBrowser } from "./browser-decoder.js";
+import { drawEdited } from "./edited-photo.js";
 import { follow } from "./frames.js";
 
 const page = /** @type {DedicatedWorkerGlobalScope} */ (/** @type {unknown} */ (self));
@@ -37,6 +38,8 @@ function take(request) {
   switch (request.type) {
     case "find":
       return answer(request);
+    case "draw":
+      return answerWithPhoto(request);
     case "follow":
       return answerFrame(request);
     case "stop-following":
@@ -89,6 +92,16 @@ async function answer({ id, photo, maxFaces }) {
     const faces = await findDecoded(await vision, photo, maxFaces, id);
     const found = { ...faces, bitmap: await bitmapOf(faces) };
     tell({ type: "found", id, found }, [found.bitmap, ...buffersOf(found)]);
+  } catch (error) {
+    tellOfFailure("failed", id, error);
+  }
+}
+
+/** @param {Extract<Request, { type: "draw" }>} request */
+async function answerWithPhoto({ id, edited }) {
+  try {
+    await vision;
+    tell({ type: "drawn", id, file: await drawEdited(edited) });
   } catch (error) {
     tellOfFailure("failed", id, error);
   }

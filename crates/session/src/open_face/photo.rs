@@ -1,4 +1,5 @@
-use rosto_face::Camera;
+use glam::DVec2;
+use rosto_face::{Camera, LANDMARK_COUNT, lids_of};
 use rosto_studio::{DEFAULT_RING, InPhoto};
 use rosto_warp::{Dab, Patch};
 
@@ -92,6 +93,26 @@ impl OpenFace {
         if let Some(warp) = &mut self.photo.warp {
             warp.follow(self.document.rest(), self.document.positions(), self.model.camera(), &seen_by);
         }
+    }
+
+    /// Where the landmarks, and the irises if they were found, are in the photo as the edits show in it: shares of its size. The
+    /// irises go along with their lids.
+    pub fn landmarks_in_photo(&self) -> Vec<DVec2> {
+        let size_px = DVec2::from(self.model.photo_size_px().map(f64::from));
+        let (taken_by, seen_by) = (self.model.camera(), self.seen_by());
+        let rest = &self.document.rest()[..LANDMARK_COUNT];
+        let way = |vertex: usize| {
+            let places = (taken_by.project(rest[vertex]), seen_by.project(self.document.positions()[vertex]));
+            places.0.zip(places.1).map_or(DVec2::ZERO, |(before, after)| after - before) / size_px
+        };
+        let found = self.model.landmarks();
+        let taken = |point: usize| DVec2::new(found[point][0].into(), found[point][1].into());
+        (0..found.len())
+            .map(|point| match point.checked_sub(LANDMARK_COUNT) {
+                None => taken(point) + way(point),
+                Some(iris) => taken(point) + 0.5 * lids_of(iris).map(way).into_iter().sum::<DVec2>(),
+            })
+            .collect()
     }
 
     pub(crate) fn set_ring(&mut self, ring: f64) {

@@ -1,0 +1,103 @@
+import { byId, onAction } from "../page/dom.js";
+import { say, sayNumber } from "../words/words.js";
+import { Slider } from "./slider.js";
+
+/**
+ * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../viewport/workbench.js").StudioState} StudioState
+ */
+
+/** Nearer no selfie is taken, and beyond nothing changes that could be seen. */
+const SEEN_FROM_CM = { min: 20, max: 300, step: 1, neutral: 150 };
+/** A photo that stays behind the edits by less shows it to nobody, in px. */
+const LIMIT_SAID_PX = 1.5;
+
+/**
+ * How the edits show in the photo: from how far away it is seen, how far it gives way, and what of it stays.
+ *
+ * @param {Workbench} bench
+ */
+export function setUpInPhotoPanel(bench) {
+  const seenFrom = slider(bench, "in-photo-distance", { label: "in-photo.distance", longLabel: "in-photo.distance.long", unit: "cm", ...SEEN_FROM_CM }, (studio, cm) =>
+    studio.setSeenFrom(cm / 100),
+  );
+  const { min, max, step, neutral } = bench.studio.ringRange;
+  const ring = slider(bench, "in-photo-ring", { label: "in-photo.ring", longLabel: "in-photo.ring.long", unit: "%", ...inPercent({ min, max, step, neutral }) }, (studio, share) =>
+    studio.setRing(share / 100),
+  );
+  onAction("seen-as-taken", () => bench.act((studio) => studio.setSeenFrom()));
+  setUpBrush(bench);
+  setUpDepthNote(bench);
+  bench.onChange((state) => {
+    ring.value = 100 * state.ring;
+    seenFrom.value = Number.isFinite(state.seenFromM) ? 100 * state.seenFromM : SEEN_FROM_CM.max;
+    byId("seen-as-taken", HTMLButtonElement).disabled = state.isAsTaken;
+  });
+  bench.onPhoto(() => sayLimit(bench));
+}
+
+/** @param {Workbench} bench */
+function sayLimit(bench) {
+  const limited_px = bench.ask((studio) => studio.photoLimitedPx) ?? 0;
+  const line = byId("in-photo-limit", HTMLParagraphElement);
+  const text = limited_px > LIMIT_SAID_PX ? say("in-photo.limited", { px: sayNumber(limited_px, 0) }) : "";
+  if (line.textContent !== text) line.textContent = text;
+}
+
+/** @param {Workbench} bench */
+function setUpBrush(bench) {
+  const { min, max, step, neutral } = bench.studio.brushRange;
+  const box = byId("brush", HTMLInputElement);
+  const size = slider(bench, "brush-size", { label: "brush.size", longLabel: "brush.size.long", unit: "px", min, max, step, neutral }, (studio, px) =>
+    box.checked ? studio.setBrush(px) : undefined,
+  );
+  box.addEventListener("change", () => bench.act((studio) => studio.setBrush(box.checked ? size.value : undefined)));
+  onAction("brush-undo", () => bench.act((studio) => studio.undo()));
+  onAction("brush-redo", () => bench.act((studio) => studio.redo()));
+  onAction("brush-clear", () => bench.act((studio) => studio.keepNothing()));
+  bench.onChange(({ brushPx, strokeCount, canRedoStroke }) => {
+    box.checked = brushPx !== undefined;
+    document.body.toggleAttribute("data-brush", brushPx !== undefined);
+    byId("brush-tools", HTMLDivElement).hidden = brushPx === undefined;
+    byId("brush-undo", HTMLButtonElement).disabled = strokeCount === 0;
+    byId("brush-redo", HTMLButtonElement).disabled = !canRedoStroke;
+    byId("brush-clear", HTMLButtonElement).disabled = strokeCount === 0;
+  });
+}
+
+/** An edit that goes along the view can hardly be seen: that is said beside its sliders, with a way to see it. @param {Workbench} bench */
+function setUpDepthNote(bench) {
+  const note = byId("depth-note", HTMLParagraphElement);
+  let isKept = false;
+  bench.onChange(({ isAlongView }) => {
+    isKept = isAlongView;
+    note.hidden = !isAlongView;
+  });
+  bench.onTick(({ editing, isAlongView }) => {
+    note.hidden = !(editing ? isAlongView : isKept);
+  });
+  onAction("show-depth", () => bench.act((studio) => studio.showDepth()));
+}
+
+/**
+ * @param {Workbench} bench
+ * @param {string} id of its place
+ * @param {Pick<import("./slider.js").SliderOptions, "label" | "longLabel" | "unit" | "min" | "max" | "step" | "neutral">} options
+ * @param {(studio: import("../../wasm/rosto-studio-web.js").Studio, value: number) => import("../viewport/workbench.js").ChangeName | void} set
+ */
+function slider(bench, id, options, set) {
+  /** @type {Slider} */
+  const made = new Slider({
+    ...options,
+    onInput: () => bench.act((studio) => set(studio, made.value)),
+    onCommit: () => {},
+    onCancel: () => {},
+  });
+  byId(id, HTMLDivElement).append(made.element);
+  return made;
+}
+
+/** @param {{ min: number, max: number, step: number, neutral: number }} range */
+function inPercent({ min, max, step, neutral }) {
+  return { min: 100 * min, max: 100 * max, step: 100 * step, neutral: 100 * neutral };
+}

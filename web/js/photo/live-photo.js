@@ -1,0 +1,75 @@
+/** @typedef {import("../viewport/workbench.js").Workbench} Workbench */
+
+/**
+ * The part of the photo that is shown beside the stage, with the edits in it. The studio draws it, in whatever size it is
+ * shown in.
+ */
+export class LivePhoto {
+  /** As it was taken. @type {ImageBitmap | undefined} */
+  #part;
+  #crop = { left: 0, top: 0, width: 1, height: 1 };
+  /** How many px of the upright photo make one of the picture that the crop is of. */
+  #photoPerPicture = 1;
+  /** With the edits. */
+  #canvas = new OffscreenCanvas(1, 1);
+  /** Of what the studio was given. @type {string | undefined} */
+  #given;
+  #bench;
+
+  /** @param {Workbench} bench */
+  constructor(bench) {
+    this.#bench = bench;
+  }
+
+  /**
+   * @param {ImageBitmap} part
+   * @param {{ left: number, top: number, width: number, height: number }} crop of the picture
+   * @param {number} photoPerPicture
+   */
+  take(part, crop, photoPerPicture) {
+    this.#part = part;
+    this.#crop = crop;
+    this.#photoPerPicture = photoPerPicture;
+    this.#given = undefined;
+  }
+
+  /**
+   * The part with the edits; as it was taken while the studio has nothing to say.
+   *
+   * @param {number} width device px in which it is wanted
+   * @returns {CanvasImageSource | undefined}
+   */
+  drawn(width) {
+    const part = this.#part;
+    if (!part) return undefined;
+    const wanted = Math.max(1, Math.min(Math.round(width), part.width));
+    this.#give(part, wanted);
+    const rgba = this.#bench.ask((studio) => studio.panelPhoto());
+    if (!rgba) return part;
+    const { width: w, height: h } = this.#canvas;
+    const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (rgba.buffer));
+    this.#canvas.getContext("2d")?.putImageData(new ImageData(pixels, w, h), 0, 0);
+    return this.#canvas;
+  }
+
+  /**
+   * @param {ImageBitmap} part
+   * @param {number} width
+   */
+  #give(part, width) {
+    const key = `${width} ${part.width} ${part.height}`;
+    if (key === this.#given) return;
+    this.#given = key;
+    const height = Math.max(1, Math.round((part.height * width) / part.width));
+    Object.assign(this.#canvas, { width, height });
+    const context = this.#canvas.getContext("2d", { willReadFrequently: true });
+    if (!context) return;
+    context.imageSmoothingQuality = "high";
+    context.drawImage(part, 0, 0, width, height);
+    const rgba = new Uint8Array(context.getImageData(0, 0, width, height).data.buffer);
+    const { left, top } = this.#crop;
+    const per = this.#photoPerPicture;
+    const scale = width / (this.#crop.width * per);
+    this.#bench.act((studio) => studio.setPanelPhoto(rgba, width, left * per, top * per, scale));
+  }
+}

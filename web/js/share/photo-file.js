@@ -1,0 +1,67 @@
+import { byId, onAction } from "../page/dom.js";
+import { download } from "../page/download.js";
+import { showError } from "../page/notice.js";
+import { toast } from "../page/toast.js";
+import { inEveryLanguage, say } from "../words/words.js";
+import { fileName } from "../work/file-name.js";
+import { pngOf } from "../work/pixels.js";
+
+/**
+ * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../work/work.js").OpenedFace} OpenedFace
+ * @typedef {"png" | "jpeg"} PhotoFormat
+ */
+
+/** @type {Record<PhotoFormat, string>} */
+const ENDINGS = { png: "png", jpeg: "jpg" };
+
+/**
+ * The photo with the edits in it, as a file of its full size. The worker draws it: the page's own thread goes on.
+ *
+ * @param {Workbench} bench
+ * @param {{ face: OpenedFace | undefined }} keeper
+ * @param {import("../photo/vision-client.js").VisionClient} vision
+ */
+export function setUpPhotoFile(bench, keeper, vision) {
+  const help = byId("export-photo-help", HTMLParagraphElement);
+  let isWriting = false;
+  const explain = () => {
+    const { face } = keeper;
+    if (isWriting) help.textContent = say("export.photo.wait");
+    else if (face && !face.photo) help.textContent = say("export.photo.small", { width: face.pictureWidth_px, height: face.pictureHeight_px });
+    else help.textContent = say("export.photo.help");
+  };
+  const save = async (/** @type {PhotoFormat} */ format) => {
+    const { face } = keeper;
+    if (!face || isWriting) return;
+    isWriting = true;
+    explain();
+    try {
+      const name = fileName(face, ENDINGS[format], "edited");
+      download(await editedPhoto(bench, face, vision, format), name, `image/${format}`);
+      toast(say("export.saved", { name }));
+    } catch (error) {
+      showError(error);
+    } finally {
+      isWriting = false;
+      explain();
+    }
+  };
+  for (const format of /** @type {const} */ (["png", "jpeg"])) onAction(`download-photo-${format}`, () => save(format));
+  bench.onChange(explain);
+  inEveryLanguage(explain);
+}
+
+/**
+ * @param {Workbench} bench
+ * @param {OpenedFace} face
+ * @param {import("../photo/vision-client.js").VisionClient} vision
+ * @param {PhotoFormat} format
+ */
+async function editedPhoto(bench, face, vision, format) {
+  const warp = bench.ask((studio) => studio.photoWarp());
+  const [from_px, to_px, triangles] = warp ? [warp.fromPx, warp.toPx, warp.triangles] : [new Float64Array(), new Float64Array(), new Uint32Array()];
+  warp?.free();
+  const photo = face.photo ?? (await pngOf(face));
+  return vision.draw({ photo, width_px: face.width_px, from_px, to_px, triangles, format: `image/${format}` });
+}

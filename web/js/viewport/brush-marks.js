@@ -1,0 +1,63 @@
+import { byId } from "../page/dom.js";
+
+/** @typedef {import("./workbench.js").Workbench} Workbench */
+
+/**
+ * What the brush keeps of the photo, tinted over the stage while the brush is in hand, and the brush itself under the pointer.
+ *
+ * @param {Workbench} bench
+ */
+export function setUpBrushMarks(bench) {
+  const canvas = byId("kept", HTMLCanvasElement);
+  /** @type {number | undefined} */
+  let radius_px;
+  /** @type {{ x: number, y: number } | undefined} */
+  let pointer;
+  const draw = () => {
+    const isInHand = radius_px !== undefined;
+    canvas.hidden = !isInHand;
+    if (!isInHand) return;
+    const { width, height } = bench.canvas;
+    Object.assign(canvas, { width, height });
+    const context = canvas.getContext("2d");
+    if (!context) return;
+    const circles = bench.ask((studio) => studio.keptOnCanvas()) ?? new Float32Array();
+    context.fillStyle = getComputedStyle(canvas).color;
+    context.beginPath();
+    for (let at = 0; at < circles.length; at += 3) {
+      const [x = 0, y = 0, radius = 0] = circles.subarray(at, at + 3);
+      context.moveTo(x + radius, y);
+      context.arc(x, y, radius, 0, 2 * Math.PI);
+    }
+    context.fill();
+    if (pointer) ring(context, pointer, radius_px ?? 0);
+  };
+  bench.onChange(({ brushPx }) => {
+    radius_px = brushPx;
+    draw();
+  });
+  bench.onFrame(draw);
+  bench.canvas.addEventListener("pointermove", ({ offsetX, offsetY }) => {
+    pointer = { x: offsetX * devicePixelRatio, y: offsetY * devicePixelRatio };
+    if (radius_px !== undefined) draw();
+  });
+  bench.canvas.addEventListener("pointerleave", () => {
+    pointer = undefined;
+    draw();
+  });
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {{ x: number, y: number }} place
+ * @param {number} radius_px CSS px
+ */
+function ring(context, { x, y }, radius_px) {
+  for (const [colour, width] of /** @type {const} */ ([["rgb(0 0 0 / 0.5)", 3], ["rgb(255 255 255)", 1.5]])) {
+    context.strokeStyle = colour;
+    context.lineWidth = width * devicePixelRatio;
+    context.beginPath();
+    context.arc(x, y, radius_px * devicePixelRatio, 0, 2 * Math.PI);
+    context.stroke();
+  }
+}

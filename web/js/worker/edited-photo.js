@@ -1,0 +1,50 @@
+/**
+ * A photo with what was edited in it, as a file.
+ *
+ * @typedef {import("./protocol.js").Edited} Edited
+ */
+import { Warped } from "../../wasm/rosto-vision-web.js";
+import { asPageError } from "../page/page-error.js";
+import { bytesOf } from "../work/bytes.js";
+import { decodedByBrowser } from "./browser-decoder.js";
+
+/** Visually without loss. */
+const JPEG_QUALITY = 0.95;
+
+/**
+ * The photo at its full size, upright and in sRGB. Of what its file told besides, such as where it was taken, nothing is left.
+ *
+ * @param {Edited} edited
+ * @returns {Promise<Blob>}
+ */
+export async function drawEdited(edited) {
+  const { width, height, pixels } = await drawnDecoded(edited);
+  const canvas = new OffscreenCanvas(width, height);
+  canvas.getContext("2d", { alpha: false, willReadFrequently: true })?.putImageData(new ImageData(pixels, width, height), 0, 0);
+  return canvas.convertToBlob({ type: edited.format, quality: JPEG_QUALITY });
+}
+
+/** @param {Edited} edited whose photo the browser decodes where the module does not read its format */
+async function drawnDecoded(edited) {
+  try {
+    return drawn(await bytesOf(edited.photo), edited);
+  } catch (error) {
+    const decoded = asPageError(error).code === "unsupported-format" ? await decodedByBrowser(edited.photo) : undefined;
+    if (!decoded) throw error;
+    return drawn(await bytesOf(decoded), edited);
+  }
+}
+
+/**
+ * @param {Uint8Array} bytes
+ * @param {Edited} edited
+ */
+function drawn(bytes, { width_px, from_px, to_px, triangles }) {
+  const warped = new Warped(bytes, width_px, from_px, to_px, triangles);
+  try {
+    const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (warped.takePixels().buffer));
+    return { width: warped.width, height: warped.height, pixels };
+  } finally {
+    warped.free();
+  }
+}
