@@ -115,7 +115,7 @@ journey("in the mirror a face is lost and found, a worker that dies is said, and
   assert.deepEqual(await camera(visitor), { asked: 2, tracks: 2, live: 1 });
 
   // The other camera takes its place.
-  await visitor.reach("#section-photo [data-action='camera']");
+  await visitor.unfold("section-photo");
   await page.click("#section-photo [data-action='camera']");
   await page.waitForSelector("#camera-shutter:enabled");
   assert.ok(await page.isHidden("#live"));
@@ -143,7 +143,7 @@ journey("a camera that is refused or unplugged ends the mirror, and says why", a
 
 /** Opens the mirror over the face that is open, and waits until the stage shows it. @param {Visitor} visitor */
 async function openMirror(visitor) {
-  await visitor.reach("#section-photo [data-action='mirror']");
+  await visitor.unfold("section-photo");
   await visitor.page.click("#section-photo [data-action='mirror']");
   await untilShown(visitor);
 }
@@ -258,7 +258,7 @@ function watchCamera() {
   const bitmapOf = window.createImageBitmap.bind(window);
   window.createImageBitmap = async (source, ...options) => {
     if (source instanceof HTMLVideoElement && window.isFrozen) return new Promise(() => {});
-    if (source instanceof HTMLVideoElement && window.isBlank) return bitmapOf(new ImageData(640, 480));
+    if (source instanceof HTMLVideoElement && window.isBlank) return bitmapOf(new ImageData(new Uint8ClampedArray(4 * 640 * 480).fill(200), 640));
     return bitmapOf(source, ...options);
   };
 }
