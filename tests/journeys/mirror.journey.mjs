@@ -104,7 +104,7 @@ journey("in the mirror a face is lost and found, a worker that dies is said, and
   await page.evaluate(() => (window.isBlank = false));
   await page.waitForSelector("#live-keep:enabled");
 
-  await page.evaluate(() => window.killVision());
+  await page.evaluate(() => (window.visionDies = true));
   assert.equal((await visitor.notice()).code, "worker-died");
   await page.waitForSelector("#live-keep:enabled");
 
@@ -265,16 +265,14 @@ function watchCamera() {
 
 /** Runs in the page before its own scripts, too. */
 function watchWorkers() {
-  const workers = [];
   const Original = Worker;
   window.Worker = class extends Original {
-    constructor(url, options) {
-      super(url, options);
-      if (String(url).includes("vision-worker")) workers.push(this);
+    postMessage(message, transfer) {
+      super.postMessage(message, transfer);
+      if (!window.visionDies || message.type !== "follow") return;
+      window.visionDies = false;
+      // As a trap does: the worker says so, and is of no more use.
+      this.dispatchEvent(new MessageEvent("message", { data: { type: "trapped", id: message.id, message: "unreachable" } }));
     }
-  };
-  // As a trap does: the worker says so, and is of no more use.
-  window.killVision = () => {
-    workers.at(-1).dispatchEvent(new MessageEvent("message", { data: { type: "trapped", id: 1, message: "unreachable" } }));
   };
 }
