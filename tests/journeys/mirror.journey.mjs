@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
+import { findings } from "./boxes.mjs";
 import { FRAMES_PER_S, HEIGHT_PX, WIDTH_PX, carried, numberOf, placeIn } from "./film-frames.mjs";
 import { journey } from "./journey.mjs";
 import { differenceNear, meanColour } from "./pixels.mjs";
@@ -71,7 +72,7 @@ journey("what is seen in the mirror is kept as a photo with its edits, and the c
 }, { needs: "moving-camera" });
 
 journey("without a face open, the first one that the camera sees is opened; a double click opens one camera", async (open) => {
-  const visitor = await open({ before });
+  const visitor = await open({ before, viewport: { width: 390, height: 844 } });
   const { page } = visitor;
   await visitor.untilLoaded();
   await page.dblclick("#welcome [data-action='mirror']");
@@ -81,6 +82,7 @@ journey("without a face open, the first one that the camera sees is opened; a do
   const { age, interval_ms, jitter_px } = await untilSteady(visitor);
   assert.ok(age <= 1 + (2 * interval_ms * FRAMES_PER_S) / 1000, `${age} frames old, every ${interval_ms} ms`);
   assert.ok(jitter_px < 0.3, `it trembles by ${jitter_px} px`);
+  assert.deepEqual(await findings(page), [], "on a phone nothing is cut and nothing overlaps");
   await page.keyboard.press("Escape");
   await page.waitForSelector("#live", { state: "hidden" });
   assert.equal(await page.getAttribute("body", "data-state"), "face");
