@@ -500,6 +500,26 @@ mod tests {
     }
 
     #[test]
+    fn what_is_small_in_its_picture_fills_half_the_room_and_the_picture_the_rest() {
+        let mut stage = with_picture();
+        let large = PicturePlane {
+            origin_m: DVec3::new(-3.0, 19.0, 0.0),
+            right_m: DVec3::new(0.1, 0.0, 0.0),
+            down_m: DVec3::new(0.0, -0.1, 0.0),
+            size_px: DVec2::splat(200.0),
+        };
+        stage.set_picture(Some(large));
+        stage.show(Scene::Picture, true);
+        run(&mut stage, 0..300);
+        let at = |x: f64, y: f64| stage.camera().project(DVec3::new(x, y, 0.0)).unwrap();
+        let height_px = at(0.0, -1.0).y - at(0.0, 1.0).y;
+        assert!((80.0..140.0).contains(&height_px), "{height_px} of 400 px");
+        let corners = (large.at(DVec2::ZERO), large.at(large.size_px));
+        let (low, high) = (at(corners.0.x, corners.0.y), at(corners.1.x, corners.1.y));
+        assert!(low.x <= 0.1 && low.y <= 0.1 && high.x >= 599.9 && high.y >= 399.9, "{low} to {high}");
+    }
+
+    #[test]
     fn who_turns_out_of_the_picture_sees_the_mesh_from_there() {
         let mut stage = with_picture();
         stage.show(Scene::Picture, true);

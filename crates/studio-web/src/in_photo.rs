@@ -137,6 +137,12 @@ impl Studio {
         self.session.face().map_or(0.0, |face| face.photo().limited_px())
     }
 
+    /// Width and height of the upright photo in px; empty while no face is open.
+    #[wasm_bindgen(getter, js_name = photoSize)]
+    pub fn photo_size(&self) -> Vec<u32> {
+        self.session.face().map(|face| face.model().photo_size_px().to_vec()).unwrap_or_default()
+    }
+
     /// The part of the photo that the panel shows, as it was taken: RGBA, `width` px wide, with its top left corner at a place of
     /// the upright photo, `scale` times its size.
     ///

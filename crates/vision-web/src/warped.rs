@@ -62,6 +62,7 @@ impl Warped {
 fn patch(from: &[f64], to: &[f64], triangles: &[u32]) -> Option<Patch> {
     let places = |flat: &[f64]| flat.as_chunks::<2>().0.iter().map(|&place| DVec2::from(place)).collect::<Vec<_>>();
     let (from_px, to_px, triangles) = (places(from), places(to), triangles.as_chunks::<3>().0.to_vec());
-    let fits = from_px.len() == to_px.len() && triangles.iter().flatten().all(|&corner| (corner as usize) < from_px.len());
+    let fits =
+        from_px.len() == to_px.len() && triangles.iter().flatten().all(|&corner| (corner as usize) < from_px.len());
     fits.then_some(Patch { from_px, to_px, triangles })
 }

@@ -3,13 +3,19 @@ import { inEveryLanguage, say } from "../words/words.js";
 import { faceBox } from "./face-box.js";
 import { LivePhoto } from "./live-photo.js";
 
-/** @typedef {import("../work/work.js").OpenedFace} OpenedFace */
+/**
+ * @typedef {import("../work/work.js").OpenedFace} OpenedFace
+ * @typedef {import("./live-photo.js").Part} Part
+ */
 
 /** The picture is no taller than this, in CSS px. */
 const MAX_HEIGHT_PX = 320;
 
 /** What the row shows of it while it is folded, in CSS px. */
 const THUMBNAIL_PX = 56;
+
+/** Beside the stage it is no taller than this, in CSS px. */
+const MAX_BESIDE_PX = 720;
 
 /** How much of the photo around the face is shown, in sizes of the face. */
 const AROUND_FACE = 1.6;
@@ -84,7 +90,7 @@ export class PhotoOverlay {
   async show(face, picture) {
     const crop = aroundFace(face.landmarks, picture);
     const { left, top, width, height } = crop;
-    const resizeHeight = Math.min(height, Math.round(MAX_HEIGHT_PX * devicePixelRatio));
+    const resizeHeight = Math.min(height, Math.round(MAX_BESIDE_PX * devicePixelRatio));
     const part = await createImageBitmap(picture, left, top, width, height, { resizeHeight, resizeQuality: "high" });
     this.#part?.close();
     this.#part = part;
@@ -99,14 +105,11 @@ export class PhotoOverlay {
     this.#draw();
   }
 
-  /**
-   * @param {CanvasImageSource} part
-   * @param {{ width: number, height: number }} size
-   */
-  #drawThumbnail(part, size) {
+  /** @param {Part} part */
+  #drawThumbnail(part) {
     const thumbnail = byId("photo-thumbnail", HTMLCanvasElement);
-    const side = Math.min(size.width, size.height);
-    const from = { x: (size.width - side) / 2, y: (size.height - side) / 2 };
+    const side = Math.min(part.width, part.height);
+    const from = { x: (part.width - side) / 2, y: (part.height - side) / 2 };
     const context = thumbnail.getContext("2d");
     if (context) context.imageSmoothingQuality = "high";
     context?.drawImage(part, from.x, from.y, side, side, 0, 0, thumbnail.width, thumbnail.height);
@@ -129,8 +132,10 @@ export class PhotoOverlay {
     const taken = this.#part;
     if (!taken) return;
     const room_px = byId("photo", HTMLDivElement).clientWidth;
-    const part = /** @type {ImageBitmap | OffscreenCanvas} */ (this.#live?.drawn((room_px || THUMBNAIL_PX) * devicePixelRatio) ?? taken);
-    this.#drawThumbnail(part, part);
+    const widest_px = Math.max(room_px, THUMBNAIL_PX, byId("beside", HTMLButtonElement).clientWidth);
+    const part = this.#live?.drawn(widest_px * devicePixelRatio) ?? taken;
+    this.#drawThumbnail(part);
+    drawBeside(part);
     if (room_px === 0) return;
     const { width, height } = this.#crop;
     const scale = Math.min(room_px / width, MAX_HEIGHT_PX / height);
@@ -229,6 +234,14 @@ export class PhotoOverlay {
     const { width_px: width, height_px: height } = this.#size;
     byId("photo-caption", HTMLSpanElement).textContent = width > 0 ? say("photo.caption", { width, height }) : "";
   }
+}
+
+/** @param {Part} part */
+function drawBeside(part) {
+  if (byId("beside", HTMLButtonElement).hidden) return;
+  const canvas = byId("beside-photo", HTMLCanvasElement);
+  Object.assign(canvas, { width: part.width, height: part.height });
+  canvas.getContext("2d")?.drawImage(part, 0, 0);
 }
 
 /**
