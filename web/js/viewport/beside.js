@@ -30,7 +30,7 @@ export function setUpBeside(bench) {
     show();
   };
   button.addEventListener("click", () => {
-    const wanted = photo.hidden;
+    const wanted = Boolean(photo.hidden);
     if (wanted) bench.act((studio) => studio.choose("scene", "solid"));
     want(wanted);
   });
