@@ -1,14 +1,14 @@
 use glam::DVec2;
-use rosto_mesh::Topology;
 
 use crate::layout::Tie;
 
-/// Shortens offsets until no triangle of a flat triangulation is turned over.
+/// Changes offsets until no triangle of a flat triangulation is turned over.
 ///
-/// An offset that all neighbours share folds nothing: around triangles that would fold, offsets become more like those
-/// beside them, as heat spreads; what is still folded then takes all offsets back by one share.
+/// Each triangle that would fold pushes its corners apart, by the least way that gives it back the area it is to keep (one
+/// Newton step on the area, as position-based dynamics does it); a corner goes by the mean of what its triangles ask. A point
+/// that went over others is not freed so: what is folded still becomes more like what is beside it, too, as heat spreads, since
+/// an offset that all neighbours share folds nothing. What is folded even then takes all offsets back by one share.
 pub(crate) struct Unfolding {
-    topology: Topology,
     /// Those that can move.
     triangles: Vec<Flat>,
     /// For each vertex, where its triangles begin in `at_vertices`.
@@ -31,25 +31,32 @@ struct Flat {
 struct Work {
     folded: Vec<u32>,
     corners: Vec<u32>,
-    means: Vec<DVec2>,
     wanted: Vec<DVec2>,
+    /// For each vertex, the sum of what its triangles ask of it, and how many do.
+    asked: Vec<(DVec2, u32)>,
 }
 
 /// A triangle keeps at least this share of its area, so that what is in it can still be seen.
 const LEAST_AREA: f64 = 0.12;
-/// Rounds of spreading, and of halving.
-const ROUNDS: usize = 80;
+/// What is pushed apart gets a little more, so that it need not be again.
+const PUSHED_AREA: f64 = 0.15;
+/// A corner goes so much further than the mean of what is asked of it: triangles that ask the same would wait for each other.
+const EAGERNESS: f64 = 1.5;
+/// Rounds of pushing, from which on every second one spreads, and of halving.
+const ROUNDS: usize = 140;
+const SPREAD_FROM: usize = 70;
 const HALVINGS: usize = 24;
 
 impl Unfolding {
-    pub(crate) fn new(topology: &Topology, places: &[DVec2], ties: &[Tie]) -> Self {
+    pub(crate) fn new(triangles: &[[u32; 3]], places: &[DVec2], ties: &[Tie]) -> Self {
         let stays: Vec<bool> = ties.iter().map(|tie| *tie == Tie::Stays).collect();
         let leads = ties.iter().map(|tie| matches!(tie, Tie::Follows { .. })).collect();
         let can_move = |corners: &&[u32; 3]| corners.iter().any(|&corner| !stays[corner as usize]);
         let triangles: Vec<Flat> =
-            topology.triangles().iter().filter(can_move).map(|&corners| Flat::new(corners, places)).collect();
+            triangles.iter().filter(can_move).map(|&corners| Flat::new(corners, places)).collect();
         let (starts, at_vertices) = by_vertex(&triangles, places.len());
-        Self { topology: topology.clone(), triangles, starts, at_vertices, stays, leads, work: Work::default() }
+        let work = Work { asked: vec![(DVec2::ZERO, 0); places.len()], ..Work::default() };
+        Self { triangles, starts, at_vertices, stays, leads, work }
     }
 
     /// Returns the longest way in px by which the offset of a point that leads was shortened.
@@ -68,8 +75,12 @@ impl Unfolding {
         }
         work.wanted.clear();
         work.wanted.extend_from_slice(offsets);
-        for _ in 0..ROUNDS {
-            self.spread(work, offsets);
+        for round in 0..ROUNDS {
+            match round >= SPREAD_FROM && round % 2 == 0 {
+                true => self.spread(work, offsets),
+                false => self.push(work, offsets),
+            }
+            self.find_folded(work, offsets);
             if work.folded.is_empty() {
                 break;
             }
@@ -84,31 +95,56 @@ impl Unfolding {
     /// Whether it is turned over, or as good as.
     fn is_folded(&self, triangle: u32, offsets: &[DVec2]) -> bool {
         let flat = &self.triangles[triangle as usize];
-        flat.after(offsets) * flat.doubled_area.signum() < LEAST_AREA * flat.doubled_area.abs()
+        let [ab, ac] = flat.after(offsets);
+        ab.perp_dot(ac) * flat.doubled_area.signum() < LEAST_AREA * flat.doubled_area.abs()
     }
 
-    /// One round: corners of what is folded go half the way to the mean of their neighbours. Only beside them can anything
-    /// have changed.
+    /// Corners of what is folded go by what their triangles ask.
+    fn push(&self, work: &mut Work, offsets: &mut [DVec2]) {
+        let Work { folded, corners, asked, .. } = work;
+        corners.clear();
+        for flat in folded.iter().map(|&triangle| &self.triangles[triangle as usize]) {
+            for (corner, push) in flat.corners.into_iter().zip(flat.pushes(offsets, &self.stays)) {
+                let (sum, count) = &mut asked[corner as usize];
+                (*sum, *count) = (*sum + push, *count + 1);
+                corners.push(corner);
+            }
+        }
+        sort_once(corners);
+        for &vertex in corners.iter() {
+            let (sum, count) = std::mem::take(&mut asked[vertex as usize]);
+            offsets[vertex as usize] += sum * (EAGERNESS / f64::from(count));
+        }
+    }
+
+    /// Corners of what is folded go half the way to the mean of their triangles' corners.
     fn spread(&self, work: &mut Work, offsets: &mut [DVec2]) {
-        let Work { folded, corners, means, .. } = work;
+        let Work { folded, corners, asked, .. } = work;
         corners.clear();
         corners.extend(folded.iter().flat_map(|&triangle| self.triangles[triangle as usize].corners));
-        corners.retain(|&vertex| !self.stays[vertex as usize]);
         sort_once(corners);
-        means.clear();
-        means.extend(corners.iter().map(|&vertex| self.mean(vertex, offsets)));
-        for (&vertex, mean) in corners.iter().zip(means) {
-            offsets[vertex as usize] = 0.5 * (offsets[vertex as usize] + *mean);
+        corners.retain(|&vertex| !self.stays[vertex as usize]);
+        for &vertex in corners.iter() {
+            asked[vertex as usize].0 = 0.5 * (self.mean(vertex, offsets) - offsets[vertex as usize]);
         }
+        for &vertex in corners.iter() {
+            offsets[vertex as usize] += std::mem::take(&mut asked[vertex as usize].0);
+        }
+    }
+
+    fn mean(&self, vertex: u32, offsets: &[DVec2]) -> DVec2 {
+        let triangles = self.triangles_at(vertex);
+        let corners = triangles.iter().flat_map(|&triangle| self.triangles[triangle as usize].corners);
+        corners.map(|corner| offsets[corner as usize]).sum::<DVec2>() / (3 * triangles.len()) as f64
+    }
+
+    /// Only beside the corners that went can anything have changed.
+    fn find_folded(&self, work: &mut Work, offsets: &[DVec2]) {
+        let Work { folded, corners, .. } = work;
         folded.clear();
         folded.extend(corners.iter().flat_map(|&vertex| self.triangles_at(vertex)));
         sort_once(folded);
         folded.retain(|&triangle| self.is_folded(triangle, offsets));
-    }
-
-    fn mean(&self, vertex: u32, offsets: &[DVec2]) -> DVec2 {
-        let neighbours = self.topology.neighbours(vertex);
-        neighbours.iter().map(|&other| offsets[other as usize]).sum::<DVec2>() / neighbours.len() as f64
     }
 
     fn triangles_at(&self, vertex: u32) -> &[u32] {
@@ -135,10 +171,23 @@ impl Flat {
         Self { corners, edges: [b - a, c - a], doubled_area: doubled_area([a, b, c]) }
     }
 
-    /// Twice its area with these offsets.
-    fn after(&self, offsets: &[DVec2]) -> f64 {
+    /// Its edges with these offsets.
+    fn after(&self, offsets: &[DVec2]) -> [DVec2; 2] {
         let [a, b, c] = self.corners.map(|corner| offsets[corner as usize]);
-        (self.edges[0] + (b - a)).perp_dot(self.edges[1] + (c - a))
+        [self.edges[0] + (b - a), self.edges[1] + (c - a)]
+    }
+
+    /// The least ways of its corners, but for those that stay, that bring it to the area it is to have, as far as that grows
+    /// with them.
+    fn pushes(&self, offsets: &[DVec2], stays: &[bool]) -> [DVec2; 3] {
+        let [ab, ac] = self.after(offsets);
+        let missing = PUSHED_AREA * self.doubled_area - ab.perp_dot(ac);
+        let slopes = [(ac - ab).perp(), -ac.perp(), ab.perp()];
+        let free = [0, 1, 2].map(|k| if stays[self.corners[k] as usize] { DVec2::ZERO } else { slopes[k] });
+        let steepness: f64 = free.iter().map(|slope| slope.length_squared()).sum();
+        // What is no longer a triangle has no slope to go by: nothing goes further than it is long, or was.
+        let longest = [ab, ac, self.edges[0], self.edges[1]].map(DVec2::length).into_iter().fold(0.0, f64::max);
+        free.map(|slope| (slope * (missing / steepness.max(f64::MIN_POSITIVE))).clamp_length_max(longest))
     }
 
     /// Whether it is not folded with so much of the offsets.

@@ -49,7 +49,7 @@ impl Warp {
         let Layout { points, ties, triangles } = Layout::of(subject)?;
         let topology = Topology::new(points.len(), triangles)?;
         let surroundings = Surroundings::new(&topology, &points, &ties)?;
-        let unfolding = Unfolding::new(&topology, &points, &ties);
+        let unfolding = Unfolding::new(topology.triangles(), &points, &ties);
         let patch = Patch { to_px: points.clone(), from_px: points, triangles: topology.triangles().to_vec() };
         let offsets_px = vec![DVec2::ZERO; ties.len()];
         let longest_px = DVec2::from(subject.size_px.map(f64::from)).length();

@@ -43,6 +43,29 @@ fn lines_that_would_cross_meet_and_that_is_said() {
 }
 
 #[test]
+fn what_folds_in_one_place_takes_nothing_back_in_another() {
+    let points: Vec<DVec2> =
+        (0..150).map(|i| DVec2::new(50.0 + 7.0 * f64::from(i % 15), 60.0 + 8.0 * f64::from(i / 15))).collect();
+    let mut targets = points.clone();
+    // One point goes over its neighbours; far from it a smooth bump.
+    targets[32].x += 30.0;
+    let bump = points[117];
+    let way = |point: DVec2| DVec2::new(5.0, -3.0) * (-(point - bump).length_squared() / 300.0).exp();
+    targets
+        .iter_mut()
+        .zip(&points)
+        .filter(|(_, point)| point.y > 95.0)
+        .for_each(|(target, point)| *target += way(*point));
+    let warp = moved(&points, &targets);
+    assert_whole(warp.patch());
+    assert!(warp.limited_px() > 5.0, "{}", warp.limited_px());
+    for (point, target) in points.iter().zip(&targets).filter(|(point, _)| point.y > 115.0) {
+        let at = warp.patch().from_px.iter().position(|from| from == point).unwrap();
+        assert!(warp.patch().to_px[at].distance(*target) < 1e-9, "{point}");
+    }
+}
+
+#[test]
 fn what_is_limited_is_as_long_as_it_is_said() {
     let mut seeded = Seeded::new(4);
     let points = oval(&mut seeded);
