@@ -91,15 +91,14 @@ impl<'a> Sampler<'a> {
 
     /// The colour at a place, by a cubic through the four pixels around it each way; beyond the edge, the edge goes on.
     fn colour_at(&self, place: DVec2) -> [u8; 3] {
-        let corner = (place - 0.5).floor();
-        let share = (place - 0.5 - corner).as_vec2();
-        let (column, row) = (corner.x as i64 - 1, corner.y as i64 - 1);
+        let ((column, across), (row, down)) = (split(place.x - 0.5), split(place.y - 0.5));
+        let (column, row) = (column - 1, row - 1);
         let is_inside = column >= 0 && row >= 0 && column + 4 <= self.width as i64 && row + 4 <= self.height as i64;
         let rows: [Four; 4] = match is_inside {
             true => std::array::from_fn(|j| self.four(column as usize, row as usize + j)),
             false => std::array::from_fn(|j| self.four_at_the_edge(column, row + j as i64)),
         };
-        mixed(&rows, weights(share.x), weights(share.y))
+        mixed(&rows, weights(across), weights(down))
     }
 
     #[inline]
@@ -118,12 +117,31 @@ impl<'a> Sampler<'a> {
     }
 }
 
-/// First all rows into one, which is the same for each byte, then its four pixels.
+/// The whole number below, and how far it is from there; processors without an instruction for it call a slow function.
+#[inline]
+fn split(place: f64) -> (i64, f32) {
+    let towards_zero = place as i64;
+    let below = towards_zero - i64::from(place < towards_zero as f64);
+    (below, (place - below as f64) as f32)
+}
+
+/// First all rows into one, which is the same for each byte, then its four pixels. Plain loops become vector instructions.
 #[inline]
 fn mixed(rows: &[Four; 4], across: [f32; 4], down: [f32; 4]) -> [u8; 3] {
-    let column: [f32; 12] = std::array::from_fn(|byte| (0..4).map(|j| down[j] * f32::from(rows[j][byte])).sum::<f32>());
+    let mut column = [0.0_f32; 12];
+    for (row, weight) in rows.iter().zip(down) {
+        for (sum, byte) in column.iter_mut().zip(row) {
+            *sum += weight * f32::from(*byte);
+        }
+    }
     // Half up, and what is beyond 0 and 255 ends there.
-    std::array::from_fn(|channel| ((0..4).map(|i| across[i] * column[3 * i + channel]).sum::<f32>() + 0.5) as u8)
+    [0, 1, 2].map(|channel| {
+        let sum = across[0] * column[channel]
+            + across[1] * column[3 + channel]
+            + across[2] * column[6 + channel]
+            + across[3] * column[9 + channel];
+        (sum + 0.5) as u8
+    })
 }
 
 /// Catmull and Rom's weights of the four pixels around a place that is so far from the second to the third.
