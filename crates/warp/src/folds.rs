@@ -32,6 +32,8 @@ struct Work {
     folded: Vec<u32>,
     corners: Vec<u32>,
     wanted: Vec<DVec2>,
+    /// What folds nothing, before it is smoothed.
+    whole: Vec<DVec2>,
     /// For each vertex, the sum of what its triangles ask of it, and how many do.
     asked: Vec<(DVec2, u32)>,
 }
@@ -46,6 +48,9 @@ const EAGERNESS: f64 = 1.5;
 const ROUNDS: usize = 140;
 const SPREAD_FROM: usize = 70;
 const HALVINGS: usize = 24;
+/// How often creases are smoothed, and the rounds of pushing after each time.
+const POLISHINGS: usize = 6;
+const PUSHES_AFTER: usize = 12;
 
 impl Unfolding {
     pub(crate) fn new(triangles: &[[u32; 3]], places: &[DVec2], ties: &[Tie]) -> Self {
@@ -85,8 +90,9 @@ impl Unfolding {
                 break;
             }
         }
-        if !work.folded.is_empty() {
-            self.shorten(offsets);
+        match work.folded.is_empty() {
+            true => self.polish(work, offsets),
+            false => self.shorten(offsets),
         }
         let leading = offsets.iter().zip(&work.wanted).zip(&self.leads).filter(|(_, leads)| **leads);
         leading.map(|((now, wanted), _)| now.distance(*wanted)).fold(0.0, f64::max)
@@ -117,12 +123,40 @@ impl Unfolding {
         }
     }
 
+    /// What was pushed lies in creases: offsets around it become more alike, as long as that can be done without a fold.
+    fn polish(&self, work: &mut Work, offsets: &mut [DVec2]) {
+        for _ in 0..POLISHINGS {
+            work.whole.clear();
+            work.whole.extend_from_slice(offsets);
+            work.corners.clear();
+            let pushed = offsets.iter().zip(&work.wanted).zip(0..).filter(|((now, wanted), _)| now != wanted);
+            work.corners.extend(pushed.map(|(_, vertex)| vertex));
+            self.spread_at(work, offsets);
+            for _ in 0..PUSHES_AFTER {
+                self.find_folded(work, offsets);
+                if work.folded.is_empty() {
+                    break;
+                }
+                self.push(work, offsets);
+            }
+            if !work.folded.is_empty() {
+                offsets.copy_from_slice(&work.whole);
+                return;
+            }
+        }
+    }
+
     /// Corners of what is folded go half the way to the mean of their triangles' corners.
     fn spread(&self, work: &mut Work, offsets: &mut [DVec2]) {
-        let Work { folded, corners, asked, .. } = work;
+        let Work { folded, corners, .. } = &mut *work;
         corners.clear();
         corners.extend(folded.iter().flat_map(|&triangle| self.triangles[triangle as usize].corners));
         sort_once(corners);
+        self.spread_at(work, offsets);
+    }
+
+    fn spread_at(&self, work: &mut Work, offsets: &mut [DVec2]) {
+        let Work { corners, asked, .. } = work;
         corners.retain(|&vertex| !self.stays[vertex as usize]);
         for &vertex in corners.iter() {
             asked[vertex as usize].0 = 0.5 * (self.mean(vertex, offsets) - offsets[vertex as usize]);
