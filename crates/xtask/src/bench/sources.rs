@@ -28,6 +28,7 @@ const ALL: [Source; 7] = [
     Source { name: "engine", what: "editing, beside the paper's dense pseudo-inverse, natively", measure: engine },
     Source { name: "peers", what: "the same in NumPy, SciPy, libigl and CHOLMOD", measure: peers },
     Source { name: "landmarks", what: "photo to landmarks, natively", measure: landmarks },
+    Source { name: "photo", what: "edits in a photo of 12 megapixels, natively", measure: photo },
     Source { name: "chrome-edits", what: "editing in headless Chrome", measure: chrome_edits },
     Source { name: "chrome-page", what: "a slider's tick on the page with all its listeners", measure: chrome_page },
     Source {
@@ -57,6 +58,10 @@ fn engine(_: &Kit) -> Result<String> {
 
 fn landmarks(_: &Kit) -> Result<String> {
     example("rosto-landmarks", "bench", &[workspace::assets()])
+}
+
+fn photo(_: &Kit) -> Result<String> {
+    example("rosto-studio", "photo", &[])
 }
 
 fn example(package: &str, name: &str, arguments: &[PathBuf]) -> Result<String> {
