@@ -1,4 +1,4 @@
-use std::ops::RangeInclusive;
+use std::ops::Range;
 
 use glam::{DAffine2, DMat2, DVec2};
 use rosto_photo::Photo;
@@ -35,7 +35,7 @@ fn draw_triangle(sampler: &Sampler<'_>, from: [DVec2; 3], to: [DVec2; 3], pixels
             continue;
         }
         let start = from_to.transform_point2(DVec2::new(0.5, y));
-        let row_pixels = &mut pixels[3 * (row * sampler.width + columns.start())..];
+        let row_pixels = &mut pixels[3 * (row * sampler.width + columns.start)..];
         for (column, pixel) in columns.zip(row_pixels.as_chunks_mut::<3>().0) {
             *pixel = sampler.colour_at(start + from_to.matrix2.x_axis * column as f64);
         }
@@ -43,10 +43,10 @@ fn draw_triangle(sampler: &Sampler<'_>, from: [DVec2; 3], to: [DVec2; 3], pixels
 }
 
 /// The pixels of a row or column whose middles lie between two places.
-fn whole(low: f64, high: f64, count: usize) -> RangeInclusive<usize> {
+fn whole(low: f64, high: f64, count: usize) -> Range<usize> {
     let first = (low - 0.5).ceil().max(0.0);
-    let last = (high - 0.5).floor().min(count as f64 - 1.0);
-    if first <= last { first as usize..=last as usize } else { 1..=0 }
+    let beyond = (high + 0.5).floor().min(count as f64);
+    first as usize..beyond.max(first) as usize
 }
 
 /// From where to where a horizontal line lies in a triangle.

@@ -105,8 +105,8 @@ impl<'a> Plan<'a> {
     fn lay_points(&mut self) {
         for (point, &place) in self.subject.points_px.iter().enumerate() {
             let is_apart = || self.cells.distance(place, LEAST_APART * self.spacing) == f64::INFINITY;
-            if self.from_edge(place) > 0.0 && is_apart() {
-                let from_still = self.from_edge(place).min(self.from_kept(place));
+            if self.away_from_edge(place) > 0.0 && is_apart() {
+                let from_still = self.away_from_edge(place).min(self.away_from_kept(place));
                 let share = smooth_step(from_still / (TAPER * self.spacing));
                 self.cells.add(place);
                 self.laid.push((place, if share > 0.0 { Tie::Follows { point, share } } else { Tie::Stays }));
@@ -128,10 +128,10 @@ impl<'a> Plan<'a> {
 
     fn lay_node(&mut self, place: DVec2) {
         let room = ROOM * self.spacing;
-        let from_subject = self.from_subject(place);
-        if self.from_edge(place) > room && from_subject > room && from_subject.is_finite() {
+        let from_subject = self.away_from_subject(place);
+        if self.away_from_edge(place) > room && from_subject > room && from_subject.is_finite() {
             let is_within = from_subject < self.subject.ring_px - LAYERS_THAT_STAY * self.spacing;
-            let gives_way = is_within && self.from_kept(place) > 0.0;
+            let gives_way = is_within && self.away_from_kept(place) > 0.0;
             self.laid.push((place, if gives_way { Tie::Free } else { Tie::Stays }));
         }
     }
@@ -143,7 +143,7 @@ impl<'a> Plan<'a> {
         for (from, to) in [(0, 1), (1, 2), (2, 3), (3, 0)].map(|(from, to)| (corners[from], corners[to])) {
             let steps = (from.distance(to) / self.spacing).ceil();
             let places = (0..steps as u32).map(|step| from + (to - from) * (f64::from(step) / steps));
-            let near: Vec<DVec2> = places.filter(|&place| self.from_subject(place).is_finite()).collect();
+            let near: Vec<DVec2> = places.filter(|&place| self.away_from_subject(place).is_finite()).collect();
             self.laid.extend(near.into_iter().map(|place| (place, Tie::Stays)));
         }
     }
@@ -171,18 +171,18 @@ impl<'a> Plan<'a> {
         })
     }
 
-    fn from_edge(&self, place: DVec2) -> f64 {
+    fn away_from_edge(&self, place: DVec2) -> f64 {
         place.min(self.size_px - place).min_element()
     }
 
     /// How far a place is from what is kept.
-    fn from_kept(&self, place: DVec2) -> f64 {
+    fn away_from_kept(&self, place: DVec2) -> f64 {
         let from = |dab: &Dab| dab.centre_px.distance(place) - dab.radius_px;
         self.subject.kept.iter().map(from).fold(f64::INFINITY, f64::min)
     }
 
     /// Infinity for what is beyond the ring.
-    fn from_subject(&self, place: DVec2) -> f64 {
+    fn away_from_subject(&self, place: DVec2) -> f64 {
         self.cells.distance(place, self.subject.ring_px + self.spacing)
     }
 }

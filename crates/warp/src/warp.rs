@@ -121,7 +121,7 @@ impl Surroundings {
 
     /// Fills in the offsets of what gives way.
     fn give_way(&mut self, offsets_px: &mut [DVec2]) {
-        for axis in 0..2 {
+        for axis in [0, 1] {
             for (value, &place) in self.known_values.iter_mut().zip(&self.known) {
                 *value = offsets_px[self.points[place as usize] as usize][axis];
             }
