@@ -108,7 +108,7 @@ fn a_larger_picture_is_warped_in_the_same_way() {
     let mut seeded = Seeded::new(3);
     let points = oval(&mut seeded);
     let warp = moved(&points, &edited(&points, 9.0, &mut seeded));
-    let twice = warp.patch().scaled(2.0);
+    let twice = warp.patch().cut(DVec2::ZERO, 2.0);
     let mut larger = Warp2::of(&points);
     larger.follow(&twice);
     assert!(larger.furthest(&twice) < 1e-6, "{}", larger.furthest(&twice));

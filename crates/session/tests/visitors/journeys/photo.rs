@@ -78,7 +78,8 @@ fn without_an_edit_nothing_in_the_photo_moves_and_an_undo_takes_it_back() {
     assert_eq!(moved(&mut session), 0.0);
     act(&mut session, Intent::SeenFrom(Some(2.0)));
     assert!(moved(&mut session) > 0.2);
-    act(&mut session, Intent::SeenFrom(Some(0.5)));
+    let taken_from_m = face(&session).model().camera().distance_m;
+    act(&mut session, Intent::SeenFrom(Some(taken_from_m)));
     assert!(moved(&mut session) < 1e-6, "from where it was taken it is as it was taken");
     act(&mut session, Intent::SeenFrom(None));
     assert_eq!(moved(&mut session), 0.0);
@@ -164,7 +165,7 @@ fn what_is_painted_stays_and_is_undone_apart_from_the_edits() {
     let moved = |session: &Session| {
         let (patch, _) = face(session).photo().patch().unwrap();
         let at = patch.from_px.iter().position(|from| from.distance(found) < 1e-6).unwrap();
-        patch.to_px[at].distance(found)
+        patch.to_px[at].distance(patch.from_px[at])
     };
     assert_eq!(moved(&session), 0.0);
     act(&mut session, Intent::Undo);
