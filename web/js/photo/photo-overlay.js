@@ -11,6 +11,9 @@ import { LivePhoto } from "./live-photo.js";
 /** The picture is no taller than this, in CSS px. */
 const MAX_HEIGHT_PX = 320;
 
+/** While an edit goes on it is drawn this often. */
+const DRAW_EVERY_MS = 33;
+
 /** What the row shows of it while it is folded, in CSS px. */
 const THUMBNAIL_PX = 56;
 
@@ -46,6 +49,7 @@ export class PhotoOverlay {
   #live;
   /** Where the edits have taken the points, in shares of the photo's size. @type {Float32Array | undefined} */
   #moved;
+  #soon = 0;
 
   constructor() {
     new ResizeObserver(() => this.#draw()).observe(byId("photo", HTMLDivElement));
@@ -59,10 +63,8 @@ export class PhotoOverlay {
    */
   follow(bench) {
     this.#live = new LivePhoto(bench);
-    bench.onPhoto(() => {
-      this.#moved = bench.ask((studio) => studio.photoLandmarks());
-      this.#draw();
-    });
+    byId("section-photo", HTMLDetailsElement).addEventListener("toggle", () => this.#draw());
+    bench.onPhoto(() => this.#drawSoon(bench));
   }
 
   /**
@@ -128,10 +130,25 @@ export class PhotoOverlay {
     this.#draw();
   }
 
+  /**
+   * Not oftener than the eye sees beside what is being done on the stage.
+   *
+   * @param {import("../viewport/workbench.js").Workbench} bench
+   */
+  #drawSoon(bench) {
+    if (this.#soon !== 0) return;
+    this.#soon = setTimeout(() => {
+      this.#soon = 0;
+      this.#moved = bench.ask((studio) => studio.photoLandmarks());
+      this.#draw();
+    }, DRAW_EVERY_MS);
+  }
+
   #draw() {
     const taken = this.#part;
     if (!taken) return;
-    const room_px = byId("photo", HTMLDivElement).clientWidth;
+    const photo = byId("photo", HTMLDivElement);
+    const room_px = photo.checkVisibility() ? photo.clientWidth : 0;
     const widest_px = Math.max(room_px, THUMBNAIL_PX, byId("beside", HTMLButtonElement).clientWidth);
     const part = this.#live?.drawn(widest_px * devicePixelRatio) ?? taken;
     this.#drawThumbnail(part);

@@ -167,7 +167,7 @@ export class Workbench {
     this.#photoIsComing = true;
     requestAnimationFrame(() => setTimeout(() => {
       this.#photoIsComing = false;
-      if (this.ask((studio) => studio.photoWaits)) this.act((studio) => studio.followPhoto());
+      if (this.ask((studio) => studio.photoIsDue)) this.act((studio) => studio.followPhoto());
       for (const listener of this.#photoListeners) this.ask(() => listener());
       this.requestFrame();
     }));
