@@ -1,19 +1,23 @@
 // The sample portrait with three edits in the photo, before and after: docs/images/in-photo.jpg, from the built page.
+import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { PNG } from "pngjs";
 import { launch } from "./browser.mjs";
+import { asJpeg } from "./pictures.mjs";
 import { DIST, serve } from "./server.mjs";
 import { writeSheet } from "./sheets.mjs";
-import { Visitor } from "./visitor.mjs";
+import { SAMPLE, Visitor } from "./visitor.mjs";
 
-/** Head and shoulders in the portrait, px. */
-const PART = { x: 90, y: 0, width: 270, height: 270 };
-const SHOWN_PX = 400;
+/** The portrait is enlarged, so that its face is as large as in a selfie. */
+const ENLARGED = { width: 2048, height: 1536 };
+/** The head in it, px. */
+const PART = { x: 460, y: 60, width: 840, height: 840 };
+const SHOWN_PX = 420;
 
 /** @type {[string, Record<string, number>][]} */
 const EDITS = [
   ["A narrower, shorter nose", { "nose-width": -4, "nose-length": -3 }],
-  ["A narrower jaw, a longer chin, higher cheekbones", { "jaw-width": -8, "chin-length": 5, cheekbones: 4 }],
+  ["A narrower jaw, a longer chin", { "jaw-width": -8, "chin-length": 5 }],
   ["Larger eyes, higher brows, fuller lips", { "eye-size": 2, "brow-height": 4, "lip-fullness": 2 }],
 ];
 
@@ -21,7 +25,8 @@ const file = path.resolve(import.meta.dirname, "../../docs/images/in-photo.jpg")
 const server = await serve(DIST, "/");
 const browser = await launch();
 const visitor = await Visitor.arrive(browser, server.url);
-await visitor.dropSample();
+await visitor.drop(await asJpeg(visitor.page, await readFile(SAMPLE), ENLARGED), "portrait.jpg");
+await visitor.untilFace();
 const before = await photo();
 const after = [];
 for (const [caption, sliders] of EDITS) {
