@@ -43,6 +43,23 @@ export async function glbByCommandLine(photo, options) {
 }
 
 /**
+ * The photo that the command line makes of a photo, as a PNG.
+ *
+ * @param {string} photo
+ * @param {string[]} options of `rosto photo`
+ */
+export async function photoByCommandLine(photo, options) {
+  const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
+  try {
+    const file = path.join(folder, "photo.png");
+    await promisify(execFile)(program(), ["photo", photo, "-o", file, ...options]);
+    return await readFile(file);
+  } finally {
+    await rm(folder, { recursive: true });
+  }
+}
+
+/**
  * What `rosto paper` finds about each operator and constraint on a photo.
  *
  * @param {string} photo

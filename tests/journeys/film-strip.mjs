@@ -13,7 +13,7 @@ import { Visitor } from "./visitor.mjs";
 const WINDOW = { width: 1280, height: 800 };
 const PER_ROW = 3;
 /** When a face that has come is turned furthest, before it turns back, by the clock of the frames. */
-const TURNED_MS = 1400;
+const TURNED_MS = 1600;
 const STEP_MS = 100;
 
 /** What is done, and where the pointer is at its end. @type {[string, (visitor: Visitor) => Promise<Place | void>][]} */
@@ -25,7 +25,7 @@ const FRAMES = [
   ["Drag the nose: what is around it follows.", dragNose],
   ["Let go, and drag beside the face to turn it.", turn],
   ["Or move a ready-made slider.", slide],
-  ["Before and after.", compare],
+  ["The photo follows: one press gives it the stage. Before and after.", compareInPhoto],
   ["Download: a GLB for any 3D program.", download],
 ];
 
@@ -155,6 +155,12 @@ async function compare(visitor) {
   await state("compare").enter(visitor);
   const { x, y, width, height } = await visitor.page.locator("#compare").boundingBox();
   return { x: x + width / 2, y: y + height / 2 };
+}
+
+/** @param {Visitor} visitor */
+async function compareInPhoto(visitor) {
+  await visitor.page.click("#photo-to-stage");
+  return compare(visitor);
 }
 
 /** @param {Visitor} visitor */

@@ -46,6 +46,36 @@ export function difference(a, b) {
 }
 
 /**
+ * The largest step between any channel of two pictures of one size.
+ *
+ * @param {Pixels} a
+ * @param {Pixels} b
+ */
+export function largestStep(a, b) {
+  if (a.width !== b.width || a.height !== b.height) throw new Error("the pictures differ in size");
+  return a.data.reduce((most, value, at) => Math.max(most, Math.abs(value - b.data[at])), 0);
+}
+
+/**
+ * The box, in px, outside of which two pictures of one size are the same.
+ *
+ * @param {Pixels} a
+ * @param {Pixels} b
+ */
+export function differingBox(a, b) {
+  const box = { left: a.width, top: a.height, right: 0, bottom: 0 };
+  for (let at = 0; at < a.data.length; at += 4) {
+    if ([0, 1, 2].every((channel) => a.data[at + channel] === b.data[at + channel])) continue;
+    const [x, y] = [(at / 4) % a.width, Math.floor(at / 4 / a.width)];
+    box.left = Math.min(box.left, x);
+    box.top = Math.min(box.top, y);
+    box.right = Math.max(box.right, x);
+    box.bottom = Math.max(box.bottom, y);
+  }
+  return box;
+}
+
+/**
  * How many different colours there are, of 4096: 1 or 2 in a blank picture.
  *
  * @param {Pixels} pixels

@@ -27,11 +27,35 @@ export async function traced(page, act) {
  * @param {Event[]} events
  */
 export function mainThreadTasks(events) {
-  const threads = events.filter(({ name, args }) => name === "thread_name" && args.name === "CrRendererMain");
-  const main = new Set(threads.map(({ pid, tid }) => `${pid}:${tid}`));
-  const timed = events.filter(({ ph, pid, tid, tdur }) => ph === "X" && tdur && main.has(`${pid}:${tid}`));
+  const timed = onMainThread(events);
   const tasks = timed.filter(({ name }) => name === "RunTask").sort((a, b) => b.tdur - a.tdur);
   return tasks.map((task) => ({ took_ms: task.tdur / 1000, held: partsOf(task, timed) }));
+}
+
+/** How the page's own script comes to run. */
+const ENTRIES = new Set(["EventDispatch", "FunctionCall", "FireAnimationFrame", "TimerFire", "RunMicrotasks"]);
+
+/**
+ * Processor time in ms that the page's script took on its main thread, without what the browser does besides, such as painting.
+ *
+ * @param {Event[]} events
+ */
+export function scriptTime(events) {
+  const entries = onMainThread(events).filter(({ name }) => ENTRIES.has(name)).sort((a, b) => a.ts - b.ts || b.dur - a.dur);
+  let [sum, until] = [0, -Infinity];
+  for (const { ts, dur, tdur } of entries) {
+    if (ts < until) continue;
+    sum += tdur;
+    until = ts + dur;
+  }
+  return sum / 1000;
+}
+
+/** @param {Event[]} events */
+function onMainThread(events) {
+  const threads = events.filter(({ name, args }) => name === "thread_name" && args.name === "CrRendererMain");
+  const main = new Set(threads.map(({ pid, tid }) => `${pid}:${tid}`));
+  return events.filter(({ ph, pid, tid, tdur }) => ph === "X" && tdur && main.has(`${pid}:${tid}`));
 }
 
 /**

@@ -31,6 +31,7 @@ import { VisionClient } from "./photo/vision-client.js";
 import { setUpPhotoFile } from "./share/photo-file.js";
 import { setUpSharePanel } from "./share/share-panel.js";
 import { setUpBeforeAfter } from "./viewport/before-after.js";
+import { setUpBeside } from "./viewport/beside.js";
 import { setUpBrushMarks } from "./viewport/brush-marks.js";
 import { keepStageClear } from "./viewport/clear-stage.js";
 import { LandmarkMarks } from "./viewport/landmark-marks.js";
@@ -81,6 +82,7 @@ async function openBench() {
     keepStageClear(opened);
     setUpViewKeys(opened);
     setUpScene(opened);
+    setUpBeside(opened);
     setUpBrushMarks(opened);
     new LandmarkPanel(opened);
     setUpSelectionMode(opened);

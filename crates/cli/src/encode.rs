@@ -43,7 +43,8 @@ pub fn encode(face: &FaceModel, document: &mut Document, task: &MeshTask, format
         Choosable::Nothing | Choosable::Unit => None,
     };
     let triangulation = face.triangulation();
-    let source = Some(Source { face, triangulation, density: task.density, history: history.as_deref() });
+    let source =
+        Some(Source { face, triangulation, density: task.density, history: history.as_deref(), in_photo: None });
     let named = entries.iter().zip(&layers);
     let morphs: Vec<Morph<'_>> =
         named.map(|(entry, layer)| Morph { name: &entry.label, displacements_m: layer, weight: 1.0 }).collect();

@@ -103,6 +103,8 @@ impl CliError {
             Self::NoFace { .. } => 4,
             // An offset of 1e300 can be made, but not written.
             Self::Edit { .. } | Self::Export(ExportError::NotFinite { .. }) => 5,
+            // Of the face too little is in the photo to be moved there.
+            Self::Studio(StudioError::Warp(_)) => 5,
             Self::Unwritable { .. } | Self::Output(_) => 6,
             Self::NetworksMissing { .. } | Self::NetworkMissing { .. } | Self::NetworkUnreadable { .. } => 7,
             Self::Networks(_) | Self::NetworksFailed { .. } | Self::NoPlace { .. } => 7,

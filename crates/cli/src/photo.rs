@@ -30,7 +30,7 @@ pub fn run(task: &PhotoTask, given: &Given<'_>, networks: Option<&Path>) -> Resu
     }
     output::check(&task.output, &inputs)?;
     let format = PictureFormat::of(&task.output)?;
-    request::check_settings(&task.edits, &task.settings, given)?;
+    request::check_photo(task, given)?;
     let steps = steps(&task.edits, &task.settings)?;
     let photo = portrait::open(&task.photo)?;
     let finder = networks::load(networks, task.find.landmarks())?;
@@ -49,7 +49,7 @@ fn warped(photo: &Photo, face: &FaceModel, document: &Document, task: &PhotoTask
         Units::Image => model_from_image(face, document)?,
         Units::Mm => document.positions().to_vec(),
     };
-    let mut in_photo = InPhoto::new(face, &in_model, task.ring, &[])?;
+    let mut in_photo = InPhoto::new(face, &in_model, task.ring, &task.kept)?;
     let seen_from = match task.seen_from_m {
         Some(distance_m) => face.seen_from(distance_m),
         None => *face.camera(),

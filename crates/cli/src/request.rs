@@ -4,7 +4,7 @@ use clap::ArgMatches;
 use clap::parser::ValueSource;
 use rosto_export::{Choosable, Format};
 
-use crate::args::{EditArguments, MeshTask, SettingsArguments};
+use crate::args::{EditArguments, MeshTask, PhotoTask, SettingsArguments};
 use crate::error::CliError;
 use crate::settings::Rule;
 use crate::units::Units;
@@ -36,6 +36,18 @@ pub fn check(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), C
     check_settings(&task.edits, &task.settings, given)
 }
 
+/// Refuses what would change nothing in `rosto photo`.
+pub fn check_photo(task: &PhotoTask, given: &Given<'_>) -> Result<(), CliError> {
+    if !is_edited(&task.edits) && task.seen_from_m.is_none() {
+        for (id, flag) in [("ring", "--ring"), ("kept", "--keep")] {
+            if given.has(id) {
+                return useless(flag, "nothing in the photo is moved");
+            }
+        }
+    }
+    check_settings(&task.edits, &task.settings, given)
+}
+
 fn check_format(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), CliError> {
     let is_gltf = format.choosable() == Choosable::Material;
     if given.has("base_colour") && !is_gltf {
@@ -44,15 +56,13 @@ fn check_format(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<()
     match task.morph_targets {
         true if !is_gltf => useless("--morph-targets", "only .glb and .gltf hold them"),
         true if task.edits.units != Units::Mm => useless("--morph-targets", "they need --units mm"),
-        true if !moves(&task.edits) && task.edits.sliders.is_empty() && task.edits.symmetrise.is_none() => {
-            useless("--morph-targets", "there is no edit to make one of")
-        }
+        true if !is_edited(&task.edits) => useless("--morph-targets", "there is no edit to make one of"),
         _ => Ok(()),
     }
 }
 
 /// Refuses settings of edits where there is none that they could shape.
-pub fn check_settings(edits: &EditArguments, settings: &SettingsArguments, given: &Given<'_>) -> Result<(), CliError> {
+fn check_settings(edits: &EditArguments, settings: &SettingsArguments, given: &Given<'_>) -> Result<(), CliError> {
     if !moves(edits)
         && let Some((_, flag)) = SETTINGS.into_iter().find(|(id, _)| given.has(id))
     {
@@ -67,6 +77,11 @@ pub fn check_settings(edits: &EditArguments, settings: &SettingsArguments, given
         true if !asks_rule => useless("--seed", "every edit names its anchors"),
         _ => Ok(()),
     }
+}
+
+/// Whether there is an edit at all.
+fn is_edited(edits: &EditArguments) -> bool {
+    moves(edits) || !edits.sliders.is_empty() || edits.symmetrise.is_some()
 }
 
 /// Whether there is an edit that takes its settings from the command line. A file counts, whatever is in it: a script may

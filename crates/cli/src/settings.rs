@@ -1,5 +1,7 @@
+use glam::DVec2;
 use rosto_face::PhotoLens;
 use rosto_studio::{AnchorKind, Anchors, ConstraintKind, Details, Mirror, RING_SHARES, RegionOfInfluence, Settings};
+use rosto_warp::Dab;
 
 use crate::args::SettingsArguments;
 
@@ -51,6 +53,17 @@ pub fn ring(text: &str) -> Result<f64, String> {
     let ring: Option<f64> = text.parse().ok();
     let [least, most] = [RING_SHARES.start(), RING_SHARES.end()];
     ring.filter(|ring| RING_SHARES.contains(ring)).ok_or_else(|| format!("give a share from {least} to {most}"))
+}
+
+/// A round part of a photo, in its px.
+pub fn dab(text: &str) -> Result<Dab, String> {
+    let numbers: Option<Vec<f64>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+    match numbers.as_deref() {
+        Some(&[x, y, radius_px]) if radius_px > 0.0 && [x, y, radius_px].iter().all(|number| number.is_finite()) => {
+            Ok(Dab { centre_px: DVec2::new(x, y), radius_px })
+        }
+        _ => Err("give three numbers, X,Y,RADIUS in px, the radius above 0".to_owned()),
+    }
 }
 
 /// A focal length in mm.
@@ -123,5 +136,13 @@ mod tests {
         assert_eq!((radius("2.5"), share("0.25")), (Ok(2.5), Ok(0.25)));
         assert!(["0", "-5", "nan", "inf", "wide"].iter().all(|text| radius(text).is_err()));
         assert!(["-0.1", "1.1", "nan", "half"].iter().all(|text| share(text).is_err()));
+    }
+
+    #[test]
+    fn what_is_kept_has_a_place_and_a_radius() {
+        let dab_of = |x, y, radius_px| Ok(Dab { centre_px: DVec2::new(x, y), radius_px });
+        assert_eq!((dab("10,20,5"), dab("-1.5, 2, 0.5")), (dab_of(10.0, 20.0, 5.0), dab_of(-1.5, 2.0, 0.5)));
+        let refused = ["10,20", "10,20,0", "10,20,-5", "1,2,3,4", "nan,2,3", "1,2,inf", "here"];
+        assert!(refused.iter().all(|text| dab(text).is_err()));
     }
 }

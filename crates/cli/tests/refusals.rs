@@ -75,7 +75,9 @@ fn networks_that_are_not_there_or_not_networks() {
 
 #[test]
 fn help_lists_the_exit_codes() {
-    for arguments in [&["--help"][..], &["mesh", "--help"], &["landmarks", "--help"], &["paper", "--help"]] {
+    for arguments in
+        [&["--help"][..], &["mesh", "--help"], &["photo", "--help"], &["landmarks", "--help"], &["paper", "--help"]]
+    {
         let run = rosto(arguments);
         let text = String::from_utf8(run.stdout.clone()).unwrap();
         assert_eq!(code(&run), 0);

@@ -6,7 +6,7 @@
 //! {"format": "rosto-project", "version": 2, "width_px": 512, "height_px": 512, "points": 478, "lens": "exif:26",
 //!  "triangulation": "canonical", "density": 0, "edits": {}}
 //! ```
-//! There are 468 points, or 478 with the irises. Version 1 had neither `points`, which were 468, nor a `lens`.
+//! What was done to the photo alone follows as `"in_photo"`, if there is any. There are 468 points, or 478 with the irises. Version 1 had neither `points`, which were 468, nor a `lens`.
 //! The sides are those of the photo that the landmarks were found in; the picture may be a smaller copy. Of the edits
 //! only their owner knows more than that they are an object.
 
@@ -16,7 +16,7 @@ use serde_json::Value;
 use crate::glb::history_object;
 use crate::reopen::fields::{bounded, colours, density, field, integer, landmarks, object, version};
 use crate::reopen::texture::{MAX_PICTURE_SIDE_PX, PNG_SIGNATURE, png_size};
-use crate::reopen::{lens, triangulation};
+use crate::reopen::{in_photo, lens, triangulation};
 use crate::sniff::without_bom;
 use crate::{ExportError, PlacedTexture, ReopenError, Reopened, Source};
 
@@ -43,8 +43,10 @@ pub fn write(source: &Source<'_>, png: &[u8]) -> Result<Vec<u8>, ExportError> {
     let triangulation = source.triangulation.id();
     // The name of the format comes first, where earlier readers look for it.
     let (landmarks, lens) = (source.face.landmarks(), source.face.lens());
+    let in_photo = source.in_photo.map(history_object).transpose()?.map(|edits| format!(r#","in_photo":{edits}"#));
+    let in_photo = in_photo.unwrap_or_default();
     let header = format!(
-        r#"{{"format":"{FORMAT}","version":{VERSION},"width_px":{width},"height_px":{height},"points":{},"lens":"{lens}","triangulation":"{triangulation}","density":{},"edits":{edits}}}"#,
+        r#"{{"format":"{FORMAT}","version":{VERSION},"width_px":{width},"height_px":{height},"points":{},"lens":"{lens}","triangulation":"{triangulation}","density":{},"edits":{edits}{in_photo}}}"#,
         landmarks.len(),
         source.density
     );
@@ -93,6 +95,7 @@ pub fn read(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
         density: density(&header["density"]).ok_or_else(field("density"))?,
         lens: lens(header.get("lens"))?,
         history: Some(object(&header["edits"]).ok_or_else(field("edits"))?),
+        in_photo: in_photo(&header)?,
         texture: None,
         changed_elsewhere: false,
     };

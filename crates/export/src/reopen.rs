@@ -34,6 +34,8 @@ pub struct Reopened<'a> {
     pub density: u32,
     /// The edits as the text of a JSON object.
     pub history: Option<String>,
+    /// What was done to the photo alone, in the same way.
+    pub in_photo: Option<String>,
     /// The photo or the part of it that the file holds; none in a GLB that is painted with colours.
     pub texture: Option<PlacedTexture<'a>>,
     /// Whether the mesh in the file is another one than was written, so that it looks otherwise than what is opened.
@@ -104,6 +106,7 @@ pub fn reopen(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
         density: density(&extras["density"]).ok_or_else(field("density"))?,
         lens: lens(extras.get("lens"))?,
         history: extras.get("history").map(|history| object(history).ok_or_else(field("history"))).transpose()?,
+        in_photo: in_photo(extras)?,
         texture: extras.get("picture").map(texture).transpose()?,
         changed_elsewhere: changed_elsewhere(extras, &root, chunks.binary),
         landmarks,
@@ -114,6 +117,11 @@ pub fn reopen(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
 pub(crate) fn lens(text: Option<&Value>) -> Result<PhotoLens, ReopenError> {
     let Some(text) = text else { return Ok(PhotoLens::Parallel) };
     text.as_str().and_then(|text| text.parse().ok()).ok_or_else(field("lens"))
+}
+
+/// What was done to the photo alone, if the file tells of any.
+pub(crate) fn in_photo(fields: &Value) -> Result<Option<String>, ReopenError> {
+    fields.get("in_photo").map(|edits| object(edits).ok_or_else(field("in_photo"))).transpose()
 }
 
 pub(crate) fn triangulation(name: &Value) -> Result<Triangulation, ReopenError> {

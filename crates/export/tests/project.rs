@@ -189,3 +189,14 @@ fn what_is_no_project_is_not_written() {
     assert_eq!(project::write(&source(&face, Some("null")), &png()), Err(ExportError::HistoryNotAnObject));
     assert_eq!(project::write(&source(&face, Some("{}")), b"GIF89a"), Err(ExportError::NotPng));
 }
+
+#[test]
+fn what_was_done_to_the_photo_alone_comes_back() {
+    let face = face(Triangulation::Canonical);
+    let in_photo = r#"{"kept_px":[[[1.0,2.0,3.0]]],"seen_from_m":1.5}"#;
+    let source = Source { in_photo: Some(in_photo), ..source(&face, Some(EDITS)) };
+    let file = project::write(&source, &png()).unwrap();
+    assert_eq!(project::read(&file).unwrap().in_photo.as_deref(), Some(in_photo));
+    let none = project::write(&Source { in_photo: None, ..source }, &png()).unwrap();
+    assert_eq!(project::read(&none).unwrap().in_photo, None);
+}

@@ -86,6 +86,19 @@ fn the_detector_looks_once_and_following_says_what_a_fresh_look_says() {
 }
 
 #[test]
+fn a_face_that_turns_onto_its_head_is_followed_all_the_way() {
+    let finder = support::attentive_finder();
+    let model = model(&finder);
+    let turned = |number: u64| Placed { degrees: 12.0 * number as f64, ..Placed::upright([320.0, 240.0], 1.3) };
+    let frames: Vec<Photo> = (0..16).map(|number| film::frame(&model, &[turned(number)], 0.0, number)).collect();
+    let followed = film::follow(&finder, &frames);
+    let origins: Vec<_> = followed.iter().map(|face| face.as_ref().map(|face| face.origin)).collect();
+    assert!(origins[1..].iter().all(|&origin| origin == Some(Origin::Followed)), "{origins:?}");
+    let (last, truth) = (film::px(followed[15].as_ref().unwrap()), model.truth_px(&turned(15)));
+    assert!(film::apart_px(&last, &truth) < 4.0, "{} px", film::apart_px(&last, &truth));
+}
+
+#[test]
 fn landmarks_move_with_the_picture() {
     let finder = support::attentive_finder();
     let model = model(&finder);

@@ -2,6 +2,7 @@ use glam::DVec3;
 use rosto_mesh::Topology;
 
 use crate::dirichlet::Dirichlet;
+use crate::factor::Room;
 use crate::gauge_fixed::gauge_fixed;
 use crate::{ConstraintKind, LaplacianError, Operator};
 
@@ -11,6 +12,7 @@ use crate::{ConstraintKind, LaplacianError, Operator};
 pub struct Continuation {
     form: Dirichlet,
     vertices: usize,
+    room: Room,
 }
 
 impl Continuation {
@@ -30,16 +32,17 @@ impl Continuation {
         let operator = operator.matrix(topology, positions)?;
         let squared = gauge_fixed(&(operator.transpose() * &operator), &component);
         let form = Dirichlet::new(&squared, &component, known, ConstraintKind::Hard)?;
-        Ok(Self { form, vertices: component.len() })
+        Ok(Self { form, vertices: component.len(), room: Room::default() })
     }
 
-    /// One value for each vertex, from one for each known one, in the order in which they were named.
+    /// One value for each vertex, from one for each known one, in the order in which they were named. From the second time on
+    /// nothing is allocated.
     ///
     /// # Panics
     /// If `known` has not one value for each known vertex, or `out` not one for each vertex.
-    pub fn continued(&self, known: &[f64], out: &mut [f64]) {
+    pub fn continued(&mut self, known: &[f64], out: &mut [f64]) {
         assert_eq!(out.len(), self.vertices, "one value for each vertex");
-        self.form.minimise(None, known, out);
+        self.form.minimise_in(known, out, &mut self.room);
     }
 }
 
@@ -86,7 +89,7 @@ mod tests {
     fn a_plane_that_is_known_at_two_layers_of_its_rim_goes_on_inside() {
         let (topology, positions) = plane();
         let known = rim(2);
-        let continuation = Continuation::new(&topology, &positions, Operator::CotangentMass, &known).unwrap();
+        let mut continuation = Continuation::new(&topology, &positions, Operator::CotangentMass, &known).unwrap();
         let slope = |vertex: u32| {
             let at = positions[vertex as usize];
             3.0 + 0.5 * at.x - 0.25 * at.y
@@ -104,7 +107,7 @@ mod tests {
         let (topology, positions) = plane();
         let mut known = rim(2);
         known.push(5 * SIDE + 6);
-        let continuation = Continuation::new(&topology, &positions, Operator::CotangentMass, &known).unwrap();
+        let mut continuation = Continuation::new(&topology, &positions, Operator::CotangentMass, &known).unwrap();
         let mut values = vec![0.0; known.len()];
         let (mut once, mut twice) = (vec![0.0; positions.len()], vec![0.0; positions.len()]);
         values[known.len() - 1] = 1.3;

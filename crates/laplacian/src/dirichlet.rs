@@ -1,6 +1,6 @@
 use nalgebra_sparse::{CooMatrix, CsrMatrix};
 
-use crate::factor::Factor;
+use crate::factor::{Factor, Room};
 use crate::{ConstraintKind, LaplacianError};
 
 /// A form whose constrained vertices are worked into the matrix before it is factored, however many they are.
@@ -56,6 +56,17 @@ impl Dirichlet {
 
     /// See [`ConstrainedForm::minimise`](crate::gauge_fixed::ConstrainedForm::minimise).
     pub(crate) fn minimise(&self, load: Option<&[f64]>, targets: &[f64], out: &mut [f64]) {
+        self.right_hand_side(load, targets, out);
+        self.factor.solve(out);
+    }
+
+    /// The same for no load, where there is room already.
+    pub(crate) fn minimise_in(&self, targets: &[f64], out: &mut [f64], room: &mut Room) {
+        self.right_hand_side(None, targets, out);
+        self.factor.solve_in(out, room);
+    }
+
+    fn right_hand_side(&self, load: Option<&[f64]>, targets: &[f64], out: &mut [f64]) {
         match load {
             Some(load) => out.copy_from_slice(load),
             None => out.fill(0.0),
@@ -69,6 +80,5 @@ impl Dirichlet {
         for &(free, constrained, value) in &self.pull {
             out[free] -= value * targets[constrained];
         }
-        self.factor.solve(out);
     }
 }

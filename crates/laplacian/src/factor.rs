@@ -30,6 +30,13 @@ pub struct Factor {
     supernode_of: Vec<usize>,
 }
 
+/// Room for a solve.
+#[derive(Default)]
+pub(crate) struct Room {
+    rows: Vec<f64>,
+    gathered: Vec<f64>,
+}
+
 /// `L⁻¹ P e_v` for one vertex `v`: its values along the path from the supernode of `v` to the root, end to end.
 ///
 /// Paths that meet go on together, so that two columns overlap in a common tail and nowhere else.
@@ -103,9 +110,15 @@ impl Factor {
 
     /// `L⁻¹ P b` for any right-hand side `b`.
     pub(crate) fn forward(&self, b: &[f64]) -> Vec<f64> {
-        let mut rows: Vec<f64> = self.vertex_of.iter().map(|&vertex| b[vertex]).collect();
-        (0..self.supernode_count()).for_each(|s| self.panel(s).eliminate(&mut rows));
+        let mut rows = Vec::new();
+        self.forward_in(b, &mut rows);
         rows
+    }
+
+    fn forward_in(&self, b: &[f64], rows: &mut Vec<f64>) {
+        rows.clear();
+        rows.extend(self.vertex_of.iter().map(|&vertex| b[vertex]));
+        (0..self.supernode_count()).for_each(|s| self.panel(s).eliminate(rows));
     }
 
     /// `e_vᵀ A⁻¹ b` from the half-solved `e_v` and `b`.
@@ -120,8 +133,11 @@ impl Factor {
 
     /// Writes `Pᵀ L⁻ᵀ rows` to `out`: the second half of a solve.
     pub(crate) fn backward(&self, mut rows: Vec<f64>, out: &mut [f64]) {
-        let mut gathered = Vec::new();
-        (0..self.supernode_count()).rev().for_each(|s| self.panel(s).substitute(&mut rows, &mut gathered));
+        self.backward_in(&mut rows, &mut Vec::new(), out);
+    }
+
+    fn backward_in(&self, rows: &mut [f64], gathered: &mut Vec<f64>, out: &mut [f64]) {
+        (0..self.supernode_count()).rev().for_each(|s| self.panel(s).substitute(rows, gathered));
         for (value, &row) in out.iter_mut().zip(&self.row_of) {
             *value = rows[row];
         }
@@ -132,8 +148,14 @@ impl Factor {
     /// # Panics
     /// If `b` has not one value for each row.
     pub fn solve(&self, b: &mut [f64]) {
+        self.solve_in(b, &mut Room::default());
+    }
+
+    /// The same where there is room already: from the second time on it allocates nothing.
+    pub(crate) fn solve_in(&self, b: &mut [f64], Room { rows, gathered }: &mut Room) {
         assert_eq!(b.len(), self.row_of.len(), "one value for each row");
-        self.backward(self.forward(b), b);
+        self.forward_in(b, rows);
+        self.backward_in(rows, gathered, b);
     }
 
     /// The ranges of rows on the path of a half-solved unit vector, with its values there.

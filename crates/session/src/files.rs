@@ -52,13 +52,14 @@ impl Session {
             _ => Vec::new(),
         };
         let face = self.open_face()?;
-        let (document, json) = (face.document(), face.history_json());
+        let (document, json, in_photo) = (face.document(), face.history_json(), face.in_photo_json());
         let entries = document.history().entries();
         let source = Source {
             face: face.model(),
             triangulation: face.triangulation(),
             density: document.density(),
             history: (!entries.is_empty()).then_some(json.as_str()),
+            in_photo: in_photo.as_deref(),
         };
         let named = entries.iter().zip(&layers);
         let morphs: Vec<Morph<'_>> =
@@ -84,11 +85,13 @@ impl Session {
     /// [`SessionError::NoFace`] or [`SessionError::Export`].
     pub fn project(&self, png: &[u8]) -> Result<Vec<u8>, SessionError> {
         let face = self.open_face()?;
+        let in_photo = face.in_photo_json();
         let source = Source {
             face: face.model(),
             triangulation: face.triangulation(),
             density: face.document().density(),
             history: Some(&face.history_json()),
+            in_photo: in_photo.as_deref(),
         };
         Ok(project::write(&source, png)?)
     }

@@ -69,6 +69,12 @@ impl Strokes {
 }
 
 impl OpenFace {
+    /// The same for a file; none where nothing was done to the photo alone.
+    pub(crate) fn in_photo_json(&self) -> Option<String> {
+        let photo = self.photo();
+        (photo.seen_from_m().is_some() || photo.strokes().count() > 0).then(|| self.photo_json())
+    }
+
     /// What the photo alone holds, as JSON text for [`Work::photo`](crate::Work::photo): from where it is seen, and what of it
     /// is kept.
     pub fn photo_json(&self) -> String {

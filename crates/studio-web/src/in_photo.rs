@@ -16,6 +16,8 @@ use crate::state::StudioRange;
 pub(crate) struct PhotoShown {
     /// Of the warp on the GPU; none while the photo is there as it was taken.
     version: Option<u32>,
+    /// Whether the edits have gone on since the photo followed them.
+    is_due: bool,
     panel: Option<PanelPhoto>,
 }
 
@@ -113,10 +115,11 @@ impl Studio {
         self.session.kept_on_canvas().into_iter().flatten().map(|px| px as f32).collect()
     }
 
-    /// Whether the photo waits for `followPhoto`: a factorisation, which takes a task of its own.
-    #[wasm_bindgen(getter, js_name = photoWaits)]
-    pub fn photo_waits(&self) -> bool {
-        self.session.face().is_some_and(|face| face.photo().waits())
+    /// Whether the photo waits for `followPhoto`: on the stage it follows by itself, but for what asks for a factorisation, which
+    /// takes a task of its own.
+    #[wasm_bindgen(getter, js_name = photoIsDue)]
+    pub fn photo_is_due(&self) -> bool {
+        self.photo_shown.is_due || self.photo_waits()
     }
 
     /// Lets the photo follow the edits, and shows it so.
@@ -125,8 +128,7 @@ impl Studio {
     /// `device-lost`.
     #[wasm_bindgen(js_name = followPhoto)]
     pub fn follow_photo(&mut self) -> Result<(), JsValue> {
-        self.session.follow_in_photo();
-        self.show_sheet()?;
+        self.catch_up_photo()?;
         self.session.stage_mut().ask_for_a_frame();
         Ok(())
     }
@@ -135,6 +137,12 @@ impl Studio {
     #[wasm_bindgen(getter, js_name = photoLimitedPx)]
     pub fn photo_limited_px(&self) -> f64 {
         self.session.face().map_or(0.0, |face| face.photo().limited_px())
+    }
+
+    /// Width and height of the upright photo in px; empty while no face is open.
+    #[wasm_bindgen(getter, js_name = photoSize)]
+    pub fn photo_size(&self) -> Vec<u32> {
+        self.session.face().map(|face| face.model().photo_size_px().to_vec()).unwrap_or_default()
     }
 
     /// The part of the photo that the panel shows, as it was taken: RGBA, `width` px wide, with its top left corner at a place of
@@ -196,17 +204,32 @@ impl Studio {
         self.show_patch(&Patch::default());
     }
 
-    /// Brings to the GPU where the photo's places are, unless that asks for a factorisation first.
-    pub(crate) fn show_photo(&mut self, changed: Changed) -> Result<()> {
-        let waits = self.session.face().is_none_or(|face| face.photo().waits());
-        if changed < Changed::Tick || waits {
-            return Ok(());
-        }
+    /// The photo is to follow what has changed, once a frame at most.
+    pub(crate) fn note_for_photo(&mut self, changed: Changed) {
+        self.photo_shown.is_due |= changed >= Changed::Tick && self.session.face().is_some();
+    }
+
+    /// What is about to be drawn shows where the photo's places are now, unless that asks for a factorisation first.
+    pub(crate) fn show_photo(&mut self) -> Result<()> {
+        let is_seen = self.film.is_none() && self.session.stage().picture_share() > 0.0;
+        if self.photo_shown.is_due && is_seen && !self.photo_waits() { self.catch_up_photo() } else { Ok(()) }
+    }
+
+    fn photo_waits(&self) -> bool {
+        self.session.face().is_some_and(|face| face.photo().waits())
+    }
+
+    fn catch_up_photo(&mut self) -> Result<()> {
+        self.photo_shown.is_due = false;
         self.session.follow_in_photo();
         self.show_sheet()
     }
 
     fn show_sheet(&mut self) -> Result<()> {
+        // The mirror's film is there in the photo's place.
+        if self.film.is_some() {
+            return Ok(());
+        }
         let Some((patch, version)) = self.session.face().and_then(|face| face.photo().patch()) else { return Ok(()) };
         if self.photo_shown.version != Some(version) {
             self.photo_shown.version = Some(version);

@@ -87,6 +87,8 @@ impl Studio {
             self.film = None;
             return self.show(changed);
         }
+        // The panel still has the photo.
+        self.note_for_photo(changed);
         if changed >= Changed::Mesh {
             self.show_mesh()?;
             if let Some(film) = &mut self.film {

@@ -16,6 +16,7 @@ pub struct ReopenedFace {
     triangulation: Triangulation,
     density: u32,
     edits: String,
+    in_photo: Option<String>,
     changed_elsewhere: bool,
     picture_size_px: [u32; 2],
     place_px: [i32; 2],
@@ -82,6 +83,7 @@ impl From<Reopened<'_>> for ReopenedFace {
             triangulation: face.triangulation,
             density: face.density,
             edits: face.history.unwrap_or_else(|| rosto_studio::project::to_json(&[])),
+            in_photo: face.in_photo,
             changed_elsewhere: face.changed_elsewhere,
             picture_size_px,
             place_px,
@@ -131,6 +133,12 @@ impl ReopenedFace {
     #[wasm_bindgen(getter)]
     pub fn density(&self) -> u32 {
         self.density
+    }
+
+    /// What was done to the photo alone, as `openWork` takes it; undefined where nothing was.
+    #[wasm_bindgen(getter, js_name = inPhoto)]
+    pub fn in_photo(&self) -> Option<String> {
+        self.in_photo.clone()
     }
 
     /// The edits as versioned JSON.

@@ -162,6 +162,7 @@ impl Studio {
     /// # Errors
     /// `device-lost`.
     pub fn draw(&mut self, #[wasm_bindgen(js_name = timeMs)] time_ms: f64) -> Result<bool, JsValue> {
+        self.show_photo()?;
         Ok(self.viewport.draw(self.session.stage_mut(), time_ms).map_err(FacadeError::from)?)
     }
 
@@ -243,7 +244,7 @@ impl Studio {
         if changed >= Changed::Tick {
             self.show_tick()?;
         }
-        self.show_photo(changed)?;
+        self.note_for_photo(changed);
         self.session.stage_mut().ask_for_a_frame();
         Ok(())
     }

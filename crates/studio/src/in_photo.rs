@@ -60,8 +60,9 @@ impl InPhoto {
     pub fn follow(&mut self, rest_m: &[DVec3], now_m: &[DVec3], from: &Camera, to: &Camera) {
         for ((target, from_px), &vertex) in self.to_px.iter_mut().zip(&self.from_px).zip(&self.vertices) {
             let places = (from.project(rest_m[vertex as usize]), to.project(now_m[vertex as usize]));
-            let (Some(before), Some(after)) = places else { continue };
-            *target = *from_px + (after - before);
+            // What a camera does not see leads nowhere.
+            let way = if let (Some(before), Some(after)) = places { after - before } else { DVec2::ZERO };
+            *target = *from_px + way;
         }
         self.warp.follow(&self.from_px, &self.to_px);
     }

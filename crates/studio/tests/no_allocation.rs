@@ -8,7 +8,7 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use glam::DVec3;
-use rosto_face::{Triangulation, canonical_positions_m};
+use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, PhotoLens, Triangulation, canonical_positions_m};
 use rosto_studio::*;
 
 struct Counting;
@@ -47,4 +47,36 @@ fn ticks_after_the_first_allocate_nothing() {
         }
         assert_eq!(ALLOCATIONS.with(Cell::get), before);
     }
+}
+
+#[test]
+fn a_photo_follows_without_allocating_where_nothing_folds() {
+    let camera = face().camera().to_owned();
+    for density in [0, 2] {
+        let mut document = Document::new(Rest::of_face(&face())).unwrap();
+        document.set_density(density).unwrap();
+        document.hold(FaceSlider::JawWidth.spec()).unwrap();
+        let mut in_photo = InPhoto::new(&face(), &document, DEFAULT_RING, &[]).unwrap();
+        let mut tick = |amount_m: f64| {
+            document.preview(&FaceSlider::JawWidth.offsets_m(amount_m)).unwrap();
+            let before = ALLOCATIONS.with(Cell::get);
+            in_photo.follow(document.rest(), document.positions(), &camera, &camera);
+            assert_eq!(in_photo.limited_px(), 0.0, "nothing folds");
+            ALLOCATIONS.with(Cell::get) - before
+        };
+        tick(0.001);
+        assert!((0..20).all(|step| tick(0.0001 * f64::from(step)) == 0));
+    }
+}
+
+/// The canonical face in the middle of a photo.
+fn face() -> FaceModel {
+    let landmark =
+        |place_m: DVec3| [0.5 + 2.0 * place_m.x, 0.5 - 2.0 * place_m.y, -2.0 * place_m.z].map(|at| at as f32);
+    let landmarks: Vec<[f32; 3]> = canonical_positions_m().into_iter().map(landmark).collect();
+    let colours = vec![[0; 3]; LANDMARK_COUNT];
+    let picture = Photo::from_rgb(1, 1, vec![0; 3]).unwrap();
+    let (width, height, lens) = (640, 640, PhotoLens::Distance(0.5));
+    let input = FaceInput { landmarks: &landmarks, width, height, colours: &colours, picture, lens };
+    FaceModel::new(input, Triangulation::Canonical).unwrap()
 }

@@ -6,19 +6,23 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum WarpError {
-    /// Fewer than three of the points lie in the picture.
-    #[error("only {inside} of the {points} points lie in the picture: nothing can lead it")]
+    /// Fewer than three of the points lie in the picture, or all of them in one place.
+    #[error("{inside} of the {points} points lie in the picture; three in different places are needed to lead it")]
     TooFewPoints {
         /// Those inside.
         inside: usize,
         /// All of them.
         points: usize,
     },
-    /// The ring has no width.
-    #[error("the ring must be wider than 0 px, not {ring_px}")]
+    /// The ring is too narrow or too wide for the points ([`crate::RING_SHARES`]).
+    #[error("the ring must be {least_px:.1} to {most_px:.1} px wide, not {ring_px}")]
     Ring {
         /// The width asked for.
         ring_px: f64,
+        /// The narrowest.
+        least_px: f64,
+        /// The widest.
+        most_px: f64,
     },
     /// The triangulation is none.
     #[error(transparent)]

@@ -16,7 +16,7 @@ mod warp;
 
 pub use draw::drawn;
 pub use error::WarpError;
-pub use layout::{Dab, Subject};
+pub use layout::{Dab, RING_SHARES, Subject};
 pub use seen::seen;
 pub use warp::{Patch, Warp};
 

@@ -14,7 +14,9 @@ const FRONT_SHARE: f64 = 0.4;
 pub fn seen(triangles: &[[u32; 3]], places: &[DVec3], behind: f64) -> Vec<bool> {
     let fronts = fronts(triangles, places);
     let Some(depths) = Depths::of(triangles, places) else { return vec![false; places.len()] };
-    places.iter().zip(fronts).map(|(&place, front)| front > FRONT_SHARE && depths.before(place) <= behind).collect()
+    let is_seen =
+        |(&place, front): (&DVec3, f64)| front > FRONT_SHARE && place.is_finite() && depths.before(place) <= behind;
+    places.iter().zip(fronts).map(is_seen).collect()
 }
 
 /// For each vertex, how much of what its triangles show is the front: −1 to 1.
@@ -41,10 +43,11 @@ struct Depths {
 }
 
 impl Depths {
-    /// None if a place is not finite.
+    /// Of the places that are some; none if they do not extend.
     fn of(triangles: &[[u32; 3]], places: &[DVec3]) -> Option<Self> {
-        let first = *places.first()?;
-        let (low, high) = places.iter().fold((first, first), |(low, high), place| (low.min(*place), high.max(*place)));
+        let mut finite = places.iter().filter(|place| place.is_finite());
+        let first = *finite.next()?;
+        let (low, high) = finite.fold((first, first), |(low, high), place| (low.min(*place), high.max(*place)));
         let size = (high - low).truncate();
         if !(size.max_element() > 0.0 && size.is_finite()) {
             return None;
@@ -52,7 +55,8 @@ impl Depths {
         let per_px = CELLS / size.max_element();
         let [columns, rows] = [size.x, size.y].map(|side| (side * per_px) as usize + 1);
         let mut depths = Self { low, per_px, columns, nearest: vec![f64::NEG_INFINITY; columns * rows] };
-        for corners in triangles {
+        let is_somewhere = |corners: &&[u32; 3]| corners.iter().all(|&corner| places[corner as usize].is_finite());
+        for corners in triangles.iter().filter(is_somewhere) {
             depths.draw(corners.map(|corner| depths.cell(places[corner as usize])));
         }
         Some(depths)

@@ -12,6 +12,8 @@ pub struct Warp {
     ties: Vec<Tie>,
     surroundings: Option<Surroundings>,
     unfolding: Unfolding,
+    /// No offset is longer than the picture's diagonal: its squares stay finite.
+    longest_px: f64,
     offsets_px: Vec<DVec2>,
     limited_px: f64,
 }
@@ -47,13 +49,14 @@ impl Warp {
         let Layout { points, ties, triangles } = Layout::of(subject)?;
         let topology = Topology::new(points.len(), triangles)?;
         let surroundings = Surroundings::new(&topology, &points, &ties)?;
-        let unfolding = Unfolding::new(&topology, &points, &ties);
+        let unfolding = Unfolding::new(topology.triangles(), &points, &ties);
         let patch = Patch { to_px: points.clone(), from_px: points, triangles: topology.triangles().to_vec() };
         let offsets_px = vec![DVec2::ZERO; ties.len()];
-        Ok(Self { patch, ties, surroundings, unfolding, offsets_px, limited_px: 0.0 })
+        let longest_px = DVec2::from(subject.size_px.map(f64::from)).length();
+        Ok(Self { patch, ties, surroundings, unfolding, longest_px, offsets_px, limited_px: 0.0 })
     }
 
-    /// Lets each of the subject's points go to its target, in px of the picture.
+    /// Lets each of the subject's points go to its target, in px of the picture. One whose target is no place stays.
     ///
     /// # Panics
     /// If there is not one target for each of the subject's points.
@@ -77,7 +80,7 @@ impl Warp {
         assert_eq!(points_px.len(), targets_px.len(), "one target for each point");
         for (offset, tie) in self.offsets_px.iter_mut().zip(&self.ties) {
             *offset = match *tie {
-                Tie::Follows { point, share } => (targets_px[point] - points_px[point]) * share,
+                Tie::Follows { point, share } => bounded(targets_px[point] - points_px[point], self.longest_px) * share,
                 Tie::Stays | Tie::Free => DVec2::ZERO,
             };
         }
@@ -97,7 +100,8 @@ impl Warp {
         &self.patch
     }
 
-    /// By how much a point stays behind where it was to go at most, in px, so that nothing folds.
+    /// By how much a point stays behind where it was to go at most, in px, so that nothing folds. What lies beside what stays
+    /// was to go less far.
     pub fn limited_px(&self) -> f64 {
         self.limited_px
     }
@@ -135,7 +139,7 @@ impl Surroundings {
 
     /// Fills in the offsets of what gives way.
     fn give_way(&mut self, offsets_px: &mut [DVec2]) {
-        for axis in 0..2 {
+        for axis in [0, 1] {
             for (value, &place) in self.known_values.iter_mut().zip(&self.known) {
                 *value = offsets_px[self.points[place as usize] as usize][axis];
             }
@@ -145,6 +149,11 @@ impl Surroundings {
             }
         }
     }
+}
+
+/// None where it is no number.
+fn bounded(offset: DVec2, longest: f64) -> DVec2 {
+    if offset.is_nan() { DVec2::ZERO } else { offset.clamp(DVec2::splat(-longest), DVec2::splat(longest)) }
 }
 
 /// These vertices and all their neighbours.

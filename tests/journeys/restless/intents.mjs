@@ -38,7 +38,7 @@ const TEXTS = ["nose tip", "bottom of the chin", "left", "61", "1", "0", "467", 
 /** Every key that the page listens to, and a few that it does not. */
 const KEYS = [
   "ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "Alt+ArrowUp", "Alt+ArrowDown", "Control+Shift+ArrowLeft", "Control+Shift+ArrowUp", "Shift+ArrowLeft",
-  "f", "l", "t", "w", "b", "x", "y", "z", "Space", "Escape", "Enter", "Tab", "Shift+Tab", "?", "Control+z", "Control+Shift+z", "Control+y", "Home", "End", "PageUp", "PageDown", "Delete", "q", "1",
+  "f", "l", "t", "w", "b", "p", "x", "y", "z", "Space", "Escape", "Enter", "Tab", "Shift+Tab", "?", "Control+z", "Control+Shift+z", "Control+y", "Home", "End", "PageUp", "PageDown", "Delete", "q", "1",
 ];
 const SLIDER_KEYS = ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "Home", "End", "PageUp", "PageDown", "Escape"];
 const DRAG_KEYS = ["Escape", "x", "y", "z", "x", "Control+z", "w", "b", "Tab"];

@@ -9,8 +9,8 @@ import { Slider } from "./slider.js";
 
 /** Nearer no selfie is taken, and beyond nothing changes that could be seen. */
 const SEEN_FROM_CM = { min: 20, max: 300, step: 1, neutral: 150 };
-/** A photo that stays behind the edits by less shows it to nobody, in px. */
-const LIMIT_SAID_PX = 1.5;
+/** A photo that stays behind the edits by less shows it to nobody: a share of its longer side. */
+const LIMIT_SAID = 0.006;
 
 /**
  * How the edits show in the photo: from how far away it is seen, how far it gives way, and what of it stays.
@@ -38,9 +38,9 @@ export function setUpInPhotoPanel(bench) {
 
 /** @param {Workbench} bench */
 function sayLimit(bench) {
-  const limited_px = bench.ask((studio) => studio.photoLimitedPx) ?? 0;
+  const [limited_px = 0, side_px = 1] = bench.ask((studio) => [studio.photoLimitedPx, Math.max(...studio.photoSize)]) ?? [];
   const line = byId("in-photo-limit", HTMLParagraphElement);
-  const text = limited_px > LIMIT_SAID_PX ? say("in-photo.limited", { px: sayNumber(limited_px, 0) }) : "";
+  const text = limited_px > LIMIT_SAID * side_px ? say("in-photo.limited", { px: sayNumber(limited_px, 0) }) : "";
   if (line.textContent !== text) line.textContent = text;
 }
 

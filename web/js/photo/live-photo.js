@@ -1,4 +1,7 @@
-/** @typedef {import("../viewport/workbench.js").Workbench} Workbench */
+/**
+ * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {ImageBitmap | OffscreenCanvas} Part
+ */
 
 /**
  * The part of the photo that is shown beside the stage, with the edits in it. The studio draws it, in whatever size it is
@@ -37,7 +40,7 @@ export class LivePhoto {
    * The part with the edits; as it was taken while the studio has nothing to say.
    *
    * @param {number} width device px in which it is wanted
-   * @returns {CanvasImageSource | undefined}
+   * @returns {Part | undefined}
    */
   drawn(width) {
     const part = this.#part;

@@ -3,13 +3,22 @@ import { inEveryLanguage, say } from "../words/words.js";
 import { faceBox } from "./face-box.js";
 import { LivePhoto } from "./live-photo.js";
 
-/** @typedef {import("../work/work.js").OpenedFace} OpenedFace */
+/**
+ * @typedef {import("../work/work.js").OpenedFace} OpenedFace
+ * @typedef {import("./live-photo.js").Part} Part
+ */
 
 /** The picture is no taller than this, in CSS px. */
 const MAX_HEIGHT_PX = 320;
 
+/** While an edit goes on it is drawn this often. */
+const DRAW_EVERY_MS = 33;
+
 /** What the row shows of it while it is folded, in CSS px. */
 const THUMBNAIL_PX = 56;
+
+/** Beside the stage it is no taller than this, in CSS px. */
+const MAX_BESIDE_PX = 720;
 
 /** How much of the photo around the face is shown, in sizes of the face. */
 const AROUND_FACE = 1.6;
@@ -40,6 +49,7 @@ export class PhotoOverlay {
   #live;
   /** Where the edits have taken the points, in shares of the photo's size. @type {Float32Array | undefined} */
   #moved;
+  #soon = 0;
 
   constructor() {
     new ResizeObserver(() => this.#draw()).observe(byId("photo", HTMLDivElement));
@@ -53,10 +63,8 @@ export class PhotoOverlay {
    */
   follow(bench) {
     this.#live = new LivePhoto(bench);
-    bench.onPhoto(() => {
-      this.#moved = bench.ask((studio) => studio.photoLandmarks());
-      this.#draw();
-    });
+    byId("section-photo", HTMLDetailsElement).addEventListener("toggle", () => this.#draw());
+    bench.onPhoto(() => this.#drawSoon(bench));
   }
 
   /**
@@ -84,7 +92,7 @@ export class PhotoOverlay {
   async show(face, picture) {
     const crop = aroundFace(face.landmarks, picture);
     const { left, top, width, height } = crop;
-    const resizeHeight = Math.min(height, Math.round(MAX_HEIGHT_PX * devicePixelRatio));
+    const resizeHeight = Math.min(height, Math.round(MAX_BESIDE_PX * devicePixelRatio));
     const part = await createImageBitmap(picture, left, top, width, height, { resizeHeight, resizeQuality: "high" });
     this.#part?.close();
     this.#part = part;
@@ -99,14 +107,11 @@ export class PhotoOverlay {
     this.#draw();
   }
 
-  /**
-   * @param {CanvasImageSource} part
-   * @param {{ width: number, height: number }} size
-   */
-  #drawThumbnail(part, size) {
+  /** @param {Part} part */
+  #drawThumbnail(part) {
     const thumbnail = byId("photo-thumbnail", HTMLCanvasElement);
-    const side = Math.min(size.width, size.height);
-    const from = { x: (size.width - side) / 2, y: (size.height - side) / 2 };
+    const side = Math.min(part.width, part.height);
+    const from = { x: (part.width - side) / 2, y: (part.height - side) / 2 };
     const context = thumbnail.getContext("2d");
     if (context) context.imageSmoothingQuality = "high";
     context?.drawImage(part, from.x, from.y, side, side, 0, 0, thumbnail.width, thumbnail.height);
@@ -125,12 +130,29 @@ export class PhotoOverlay {
     this.#draw();
   }
 
+  /**
+   * Not oftener than the eye sees beside what is being done on the stage.
+   *
+   * @param {import("../viewport/workbench.js").Workbench} bench
+   */
+  #drawSoon(bench) {
+    if (this.#soon !== 0) return;
+    this.#soon = setTimeout(() => {
+      this.#soon = 0;
+      this.#moved = bench.ask((studio) => studio.photoLandmarks());
+      this.#draw();
+    }, DRAW_EVERY_MS);
+  }
+
   #draw() {
     const taken = this.#part;
     if (!taken) return;
-    const room_px = byId("photo", HTMLDivElement).clientWidth;
-    const part = /** @type {ImageBitmap | OffscreenCanvas} */ (this.#live?.drawn((room_px || THUMBNAIL_PX) * devicePixelRatio) ?? taken);
-    this.#drawThumbnail(part, part);
+    const photo = byId("photo", HTMLDivElement);
+    const room_px = photo.checkVisibility() ? photo.clientWidth : 0;
+    const widest_px = Math.max(room_px, THUMBNAIL_PX, byId("beside", HTMLButtonElement).clientWidth);
+    const part = this.#live?.drawn(widest_px * devicePixelRatio) ?? taken;
+    this.#drawThumbnail(part);
+    drawBeside(part);
     if (room_px === 0) return;
     const { width, height } = this.#crop;
     const scale = Math.min(room_px / width, MAX_HEIGHT_PX / height);
@@ -229,6 +251,14 @@ export class PhotoOverlay {
     const { width_px: width, height_px: height } = this.#size;
     byId("photo-caption", HTMLSpanElement).textContent = width > 0 ? say("photo.caption", { width, height }) : "";
   }
+}
+
+/** @param {Part} part */
+function drawBeside(part) {
+  if (byId("beside", HTMLButtonElement).hidden) return;
+  const canvas = byId("beside-photo", HTMLCanvasElement);
+  Object.assign(canvas, { width: part.width, height: part.height });
+  canvas.getContext("2d")?.drawImage(part, 0, 0);
 }
 
 /**

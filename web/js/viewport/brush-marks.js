@@ -22,7 +22,7 @@ export function setUpBrushMarks(bench) {
     const context = canvas.getContext("2d");
     if (!context) return;
     const circles = bench.ask((studio) => studio.keptOnCanvas()) ?? new Float32Array();
-    context.fillStyle = getComputedStyle(canvas).color;
+    context.fillStyle = hatching(context);
     context.beginPath();
     for (let at = 0; at < circles.length; at += 3) {
       const [x = 0, y = 0, radius = 0] = circles.subarray(at, at + 3);
@@ -45,6 +45,31 @@ export function setUpBrushMarks(bench) {
     pointer = undefined;
     draw();
   });
+}
+
+/**
+ * Lines aslant, light and dark, are seen on any picture.
+ *
+ * @param {CanvasRenderingContext2D} context
+ */
+function hatching(context) {
+  const side = 10;
+  const tile = new OffscreenCanvas(side, side);
+  const draw = tile.getContext("2d");
+  if (!draw) return "rgb(255 255 255 / 0.4)";
+  draw.fillStyle = "rgb(255 255 255 / 0.3)";
+  draw.fillRect(0, 0, side, side);
+  for (const [colour, shift] of /** @type {const} */ ([["rgb(0 0 0 / 0.55)", 0], ["rgb(255 255 255 / 0.9)", 2]])) {
+    draw.strokeStyle = colour;
+    draw.lineWidth = 1.5;
+    for (const from of [-side, 0, side]) {
+      draw.moveTo(from + shift, side);
+      draw.lineTo(from + shift + side, 0);
+    }
+    draw.stroke();
+    draw.beginPath();
+  }
+  return context.createPattern(tile, "repeat") ?? "rgb(255 255 255 / 0.4)";
 }
 
 /**

@@ -14,17 +14,21 @@ const MARGIN_PX = 8;
  * @param {Workbench} bench
  */
 export function keepStageClear(bench) {
+  const beside = byId("beside", HTMLButtonElement);
   const tell = () => {
     const stage = bench.canvas.getBoundingClientRect();
     const isAbove = (/** @type {DOMRect} */ { top, bottom }) => top + bottom < stage.top + stage.bottom;
     const floats = floatsSeen().map((float) => float.getBoundingClientRect());
     const lowest = Math.max(stage.top, ...floats.filter(isAbove).map(({ bottom }) => bottom + MARGIN_PX));
     const highest = Math.min(stage.bottom, ...floats.filter((box) => !isAbove(box)).map(({ top }) => top - MARGIN_PX));
-    const ratio = devicePixelRatio;
-    bench.act((studio) => studio.cover((lowest - stage.top) * ratio, 0, (stage.bottom - highest) * ratio, 0));
+    const { right } = beside.getBoundingClientRect();
+    const left = beside.hidden ? 0 : right - stage.left;
+    const sides = [lowest - stage.top, 0, stage.bottom - highest, left].map((side) => side * devicePixelRatio);
+    const [above = 0, after = 0, below = 0, before = 0] = sides;
+    bench.act((studio) => studio.cover(above, after, below, before));
   };
   const observer = new ResizeObserver(tell);
-  for (const element of [bench.canvas, ...floats()]) observer.observe(element);
+  for (const element of [bench.canvas, beside, ...floats()]) observer.observe(element);
   bench.onRestart(async () => tell());
 }
 

@@ -82,7 +82,7 @@ export class Workbench {
     if (changed !== "nothing") this.requestFrame();
     if (changed === "document") this.announce();
     if (changed === "tick") this.#tellTick();
-    if (changed === "document" || changed === "tick") this.#tellPhoto();
+    if (changed === "document" || changed === "tick") this.tellPhoto();
   }
 
   /**
@@ -161,6 +161,18 @@ export class Workbench {
     this.#tellTick();
   }
 
+  /** Shows the photo as it follows the edits. What asks for a factorisation gets a task of its own, after the frame. */
+  tellPhoto() {
+    if (this.#photoIsComing) return;
+    this.#photoIsComing = true;
+    requestAnimationFrame(() => setTimeout(() => {
+      this.#photoIsComing = false;
+      if (this.ask((studio) => studio.photoIsDue)) this.act((studio) => studio.followPhoto());
+      for (const listener of this.#photoListeners) this.ask(() => listener());
+      this.requestFrame();
+    }));
+  }
+
   /** Draws in the next animation frame. */
   requestFrame() {
     if (this.#frameIsComing) return;
@@ -169,18 +181,6 @@ export class Workbench {
       this.#frameIsComing = false;
       this.#draw(time_ms);
     });
-  }
-
-  /** What asks for a factorisation gets a task of its own, after the frame: none keeps the page waiting. */
-  #tellPhoto() {
-    if (this.#photoIsComing) return;
-    this.#photoIsComing = true;
-    requestAnimationFrame(() => setTimeout(() => {
-      this.#photoIsComing = false;
-      if (this.ask((studio) => studio.photoWaits)) this.act((studio) => studio.followPhoto());
-      for (const listener of this.#photoListeners) this.ask(() => listener());
-      this.requestFrame();
-    }));
   }
 
   #tellTick() {
@@ -221,7 +221,7 @@ export class Workbench {
       this.#fitSize?.();
       for (const listener of this.#restartListeners) await listener();
       this.announce();
-      this.#tellPhoto();
+      this.tellPhoto();
       hideNotice();
       showError({ code: "restarted", message: trap.message, hint: "" });
     } catch (error) {

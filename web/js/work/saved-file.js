@@ -38,10 +38,10 @@ export async function readSavedFile(file, kind) {
     const { width: width_px, height: height_px, edits, triangulation, density, changedElsewhere } = reopened;
     const size = { pictureWidth_px: reopened.pictureWidth, pictureHeight_px: reopened.pictureHeight };
     const name = kind === "glb" && density > 0 ? stemOfMesh(file) : stemOf(file);
-    const { lens } = reopened;
+    const { lens, inPhoto } = reopened;
     const face = { name, width_px, height_px, landmarks: reopened.landmarks(), lens, colours: reopened.colours() };
     const picture = await pictureOf(reopened, kind);
-    return { face: { ...face, ...size, picture }, edits, triangulation, density, changedElsewhere };
+    return { face: { ...face, ...size, picture }, edits, ...(inPhoto !== undefined && { photo: inPhoto }), triangulation, density, changedElsewhere };
   } finally {
     reopened.free();
   }

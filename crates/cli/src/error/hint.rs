@@ -32,7 +32,7 @@ impl CliError {
                 Some("Add --units mm; a vertex of a denser mesh also needs --topology canonical.")
             }
             Self::Edit { reason: StudioError::TooCoarse { .. }, .. } => Some("Give --density as many or more."),
-            Self::UnknownFormat { .. } => Some("End its name so."),
+            Self::UnknownFormat { .. } | Self::NoPictureFormat { .. } => Some("End its name so."),
             Self::Unwritable { reason, .. } => Some(write_hint(reason)),
             Self::Output(reason) if is_full(reason) => Some("The disk is full: make room, or write elsewhere."),
             Self::NetworksMissing { .. } => {

@@ -69,6 +69,12 @@ pub fn mesh(photo: &Path, output: &Path, more: &[&str]) -> Output {
     rosto(arguments.into_iter().chain(more.iter().map(OsStr::new)))
 }
 
+/// `rosto photo PHOTO -o OUTPUT MORE...`.
+pub fn photo(photo: &Path, output: &Path, more: &[&str]) -> Output {
+    let arguments = [OsStr::new("photo"), photo.as_os_str(), OsStr::new("-o"), output.as_os_str()];
+    rosto(arguments.into_iter().chain(more.iter().map(OsStr::new)))
+}
+
 /// Checks exit code and message of a run that can do nothing.
 pub fn assert_refused(run: &Output, expected: i32, words: &[&str]) {
     let said = said(run);

@@ -14,7 +14,7 @@ pub(crate) const VERSION: u64 = 2;
 /// ```json
 /// {"rosto": "face", "version": 2, "photo_px": [512, 512], "triangulation": "canonical", "density": 0, "lens": "exif:26",
 ///  "landmarks": "468 or 478 × 3 little-endian f32 in base64", "colours": "468 × 3 bytes in base64",
-///  "picture": {"size_px": [512, 512], "crop_at_px": [96, 0], "crop_size_px": [256, 256]}, "history": {},
+///  "picture": {"size_px": [512, 512], "crop_at_px": [96, 0], "crop_size_px": [256, 256]}, "history": {}, "in_photo": {},
 ///  "positions_fnv1a": "cbf29ce484222325", "about": {}}
 /// ```
 /// `lens` is what was known of the lens ([`rosto_face::PhotoLens`]); a file of version 1 has none, and its face was seen from
@@ -31,6 +31,8 @@ pub struct Source<'a> {
     pub density: u32,
     /// The edits as the text of a JSON object, in the form that only their owner knows; none if there are none.
     pub history: Option<&'a str>,
+    /// What was done to the photo alone, in the same way.
+    pub in_photo: Option<&'a str>,
 }
 
 /// The extras but for the picture.
@@ -50,6 +52,9 @@ pub(super) fn extras(source: &Source<'_>) -> Result<Value, ExportError> {
     });
     if let Some(history) = source.history {
         extras["history"] = history_object(history)?;
+    }
+    if let Some(in_photo) = source.in_photo {
+        extras["in_photo"] = history_object(in_photo)?;
     }
     Ok(extras)
 }

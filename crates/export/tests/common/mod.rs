@@ -48,7 +48,7 @@ pub fn png() -> Vec<u8> {
 
 /// What opens that face again.
 pub fn source<'a>(face: &'a FaceModel, history: Option<&'a str>) -> Source<'a> {
-    Source { face, triangulation: face.triangulation(), density: 0, history }
+    Source { face, triangulation: face.triangulation(), density: 0, history, in_photo: None }
 }
 
 /// A GLB taken apart.

@@ -1,6 +1,7 @@
 //! What careful visitors do, as theorems: sliders, selecting, moving, pointing, and coming back.
 
 mod lenses;
+mod photo;
 mod pointing;
 mod returning;
 mod selecting;

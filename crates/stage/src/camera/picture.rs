@@ -1,6 +1,11 @@
+use glam::DVec2;
+
 use super::pose::Pose;
 use super::{Camera, NamedView};
 use crate::PicturePlane;
+
+/// What the picture is of fills at least this share of the room, though not all of the picture be seen then.
+const LEAST_SHARE: f64 = 0.5;
 
 /// Framing the picture that was taken of the mesh, rather than the mesh.
 impl Camera {
@@ -33,16 +38,18 @@ impl Camera {
         self.now = taken.towards(&Pose { facing: self.goal.facing.nearest_to(&taken.facing), ..self.goal }, share);
     }
 
-    /// What the picture's plane, through the middle of what is framed, shows of it in the middle of what nothing lies over.
+    /// All of the picture or, where what it is of is small in it, as much of it as the room holds around that.
     pub(super) fn framing(&self, picture: &PicturePlane, home: Pose) -> Pose {
         let axes = home.facing.axes();
         let middle_m = (axes.transpose() * (picture.middle_m() - self.centre_m)).truncate();
         let (aside_m, half_m) = home.eye.silhouette_m(home.radius_m);
-        let target_m = self.centre_m + axes * (middle_m - aside_m).extend(0.0);
-        let room = self.clear_goal.size * self.size_px;
-        let whole = (room / half_m).min_element();
-        let zoom = (room / (0.5 * picture.size_m())).min_element() / whole;
-        Pose { target_m, zoom, ..home }
+        let (room_px, half_picture_m) = (self.clear_goal.size * self.size_px, 0.5 * picture.size_m());
+        let px_per_m = (0.5 * room_px / half_m).min_element();
+        let zoom = ((0.5 * room_px / half_picture_m).min_element() / px_per_m).max(LEAST_SHARE);
+        // As near to what it is of as the picture fills the room.
+        let spare_m = (half_picture_m - 0.5 * room_px / (px_per_m * zoom)).max(DVec2::ZERO);
+        let seen_m = aside_m.clamp(middle_m - spare_m, middle_m + spare_m);
+        Pose { target_m: self.centre_m + axes * (seen_m - aside_m).extend(0.0), zoom, ..home }
     }
 
     /// How far from the middle it may look.

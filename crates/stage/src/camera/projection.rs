@@ -56,8 +56,7 @@ impl Camera {
             DVec4::new(shift.x, shift.y, -to_depth * near_m, 1.0),
         );
         let view_from_model = DMat4::from_mat3(self.view_from_model()) * DMat4::from_translation(-self.centre_m);
-        let clip_from_sides = DMat4::from_scale(DVec3::new(self.sides.sign(), 1.0, 1.0));
-        clip_from_sides * clip_from_view * view_from_model
+        self.clip_from_sides() * clip_from_view * view_from_model
     }
 
     /// Where a point appears, in px; none behind the eye.
@@ -71,7 +70,7 @@ impl Camera {
     pub fn ray(&self, place_px: DVec2) -> Ray {
         let place_px = match self.sides {
             Sides::True => place_px,
-            Sides::Swapped => DVec2::new(self.size_px.x - place_px.x, place_px.y),
+            Sides::Swapped => DVec2::new(2.0 * self.clear.middle.x * self.size_px.x - place_px.x, place_px.y),
         };
         let from_middle_m = (place_px - self.clear.middle * self.size_px) / self.px_per_m(&self.now, self.clear);
         let plane_m = self.middle_m(&self.now) + from_middle_m * DVec2::new(1.0, -1.0);
@@ -106,6 +105,18 @@ impl Camera {
     pub(super) fn facing(&self) -> Facing {
         let facing = self.now.facing;
         Facing { azimuth: facing.azimuth + self.sway, ..facing }
+    }
+
+    /// Sides are swapped about the middle of what nothing lies over.
+    fn clip_from_sides(&self) -> DMat4 {
+        match self.sides {
+            Sides::True => DMat4::IDENTITY,
+            Sides::Swapped => {
+                let mut swapped = DMat4::from_scale(DVec3::new(-1.0, 1.0, 1.0));
+                swapped.w_axis.x = 2.0 * (2.0 * self.clear.middle.x - 1.0);
+                swapped
+            }
+        }
     }
 
     fn view_from_model(&self) -> DMat3 {

@@ -24,12 +24,18 @@ const REQUIREMENTS: &str = "tests/bench/requirements.txt";
 /// Needs a C library and a compiler: a peer where it installs, left out where it does not.
 const OPTIONAL_REQUIREMENTS: &str = "tests/bench/requirements-cholmod.txt";
 
-const ALL: [Source; 7] = [
+const ALL: [Source; 9] = [
     Source { name: "engine", what: "editing, beside the paper's dense pseudo-inverse, natively", measure: engine },
     Source { name: "peers", what: "the same in NumPy, SciPy, libigl and CHOLMOD", measure: peers },
     Source { name: "landmarks", what: "photo to landmarks, natively", measure: landmarks },
+    Source { name: "photo", what: "edits in a photo of 12 megapixels, natively", measure: photo },
     Source { name: "chrome-edits", what: "editing in headless Chrome", measure: chrome_edits },
     Source { name: "chrome-page", what: "a slider's tick on the page with all its listeners", measure: chrome_page },
+    Source {
+        name: "chrome-photo",
+        what: "edits in a photo of 12 megapixels in headless Chrome",
+        measure: chrome_photo,
+    },
     Source {
         name: "chrome-landmarks",
         what: "photo to landmarks and each network in headless Chrome, beside MediaPipe's own and onnxruntime-web",
@@ -57,6 +63,10 @@ fn engine(_: &Kit) -> Result<String> {
 
 fn landmarks(_: &Kit) -> Result<String> {
     example("rosto-landmarks", "bench", &[workspace::assets()])
+}
+
+fn photo(_: &Kit) -> Result<String> {
+    example("rosto-studio", "photo", &[])
 }
 
 fn example(package: &str, name: &str, arguments: &[PathBuf]) -> Result<String> {
@@ -87,6 +97,10 @@ fn example_for_web(kit: &Kit, example: &[&str], module: &str) -> Result {
 
 fn chrome_page(kit: &Kit) -> Result<String> {
     in_chrome(kit, "tests/bench/chrome-page.mjs")
+}
+
+fn chrome_photo(kit: &Kit) -> Result<String> {
+    in_chrome(kit, "tests/bench/chrome-photo.mjs")
 }
 
 fn chrome_landmarks(kit: &Kit) -> Result<String> {

@@ -3,7 +3,7 @@
 use super::record::{Figure, Record};
 
 /// What the tasks are called for a reader.
-const TITLES: [(&str, &str); 34] = [
+const TITLES: [(&str, &str); 41] = [
     ("paper-edit", "One edit of the paper with the factor at hand, from the choice of the vertex to the moved mesh"),
     ("paper-edit-bare", "One edit of the paper from nothing: operator, factor, response, moved mesh"),
     ("system", "What is done once per mesh: from triangles to factor"),
@@ -34,6 +34,13 @@ const TITLES: [(&str, &str); 34] = [
         "photo-to-landmarks-once-native",
         "The same with one look and one pass, as MediaPipe does it: `rosto landmarks --mediapipe --refine`",
     ),
+    ("photo-warp", "A photo of 12 megapixels made ready to follow its face, natively"),
+    ("photo-tick", "One slider tick in the photo, natively"),
+    ("photo-tick-folds", "One slider tick in the photo where it is limited, so that nothing folds, natively"),
+    ("photo-drawn", "The edited photo's 12 megapixels drawn for its file, natively"),
+    ("photo-page-tick", "A slider's tick with a photo of 12 megapixels on the stage, all in on the page's thread"),
+    ("photo-file-jpeg", "The edited photo of 12 megapixels as a JPEG on the page, from the press to the download"),
+    ("photo-file-png", "The same as a PNG"),
     ("networks-start-chrome", "Loading program and networks, in headless Chrome"),
     ("first-landmarks-chrome", "The first photo to landmarks, in headless Chrome"),
     ("photo-to-landmarks-chrome", "Photo (512×512 PNG) to landmarks, in headless Chrome, one thread"),

@@ -119,7 +119,7 @@ fn damaged_preferences_are_refused_and_change_nothing() {
 
 /// Whether earlier preferences do not have a field, and are understood all the same.
 fn is_newer(field: &str) -> bool {
-    ["photo_light", "anchors_marked", "lens"].contains(&field)
+    ["photo_light", "anchors_marked", "lens", "scene", "ring"].contains(&field)
 }
 
 #[test]

@@ -1,0 +1,114 @@
+use std::path::PathBuf;
+
+use clap::Args;
+use clap::builder::RangedU64ValueParser;
+use rosto_export::BaseColour;
+use rosto_face::Triangulation;
+use rosto_studio::DEFAULT_RING;
+use rosto_warp::Dab;
+
+use super::{CameraArguments, EditArguments, FindArguments, SettingsArguments};
+use crate::choices::one_of;
+use crate::error::endings;
+use crate::settings;
+
+#[derive(Debug, Args)]
+pub struct LandmarksTask {
+    /// JPEG, PNG or WebP; - reads standard input
+    #[arg(required = true, value_name = "PHOTO")]
+    pub photos: Vec<PathBuf>,
+    /// How many faces to tell of each photo at most, the most prominent ones first; 20 if nothing is said, 1 with --mediapipe
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+        value_parser = RangedU64ValueParser::<usize>::new().range(1..))]
+    pub max_faces: Option<usize>,
+    #[command(flatten)]
+    pub find: FindArguments,
+}
+
+#[derive(Debug, Args)]
+pub struct MeshTask {
+    /// JPEG, PNG or WebP; - reads standard input
+    pub photo: PathBuf,
+    /// The file to write, whole or not at all; its name ends as its format is called
+    #[arg(short, long, value_name = "FILE", long_help = output_help())]
+    pub output: PathBuf,
+    /// How the landmarks are joined: with holes for eyes and mouth, or closed
+    #[arg(long, default_value = Triangulation::default().id(),
+        value_parser = one_of("triangulation", Triangulation::ALL, Triangulation::id, Triangulation::from_id))]
+    pub topology: Triangulation,
+    /// How often every triangle is cut in four (Loop subdivision); colours come from the photo
+    #[arg(long, value_name = "TIMES", default_value_t = 0, allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(0..=4))]
+    pub density: u32,
+    /// What colours a GLB or glTF
+    #[arg(long, alias = "paint", default_value = BaseColour::default().id(),
+        value_parser = one_of("base-colour", BaseColour::ALL, BaseColour::id, BaseColour::from_id))]
+    pub base_colour: BaseColour,
+    /// Writes the face unedited, with each edit as a named morph target at weight 1; for .glb and .gltf with --units mm
+    #[arg(long)]
+    pub morph_targets: bool,
+    #[command(flatten)]
+    pub find: FindArguments,
+    #[command(flatten)]
+    pub camera: CameraArguments,
+    #[command(flatten)]
+    pub edits: EditArguments,
+    #[command(flatten)]
+    pub settings: SettingsArguments,
+}
+
+#[derive(Debug, Args)]
+pub struct PhotoTask {
+    /// JPEG, PNG or WebP; - reads standard input
+    pub photo: PathBuf,
+    /// The file to write, whole or not at all: .jpg or .png, upright, in sRGB, without what the photo's file told of its place
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    /// How far around the face the photo gives way, as a share of the face's longer side
+    #[arg(long, value_name = "SHARE", default_value_t = DEFAULT_RING, allow_negative_numbers = true, value_parser = settings::ring)]
+    pub ring: f64,
+    /// Keeps what lies within a radius of a place as it is, all three in px of the upright photo; repeatable
+    #[arg(long = "keep", value_name = "X,Y,RADIUS", allow_hyphen_values = true, value_parser = settings::dab)]
+    pub kept: Vec<Dab>,
+    /// Shows the face as a camera sees it from so many cm
+    #[arg(long = "seen-from", value_name = "CM", allow_negative_numbers = true, value_parser = settings::seen_from)]
+    pub seen_from_m: Option<f64>,
+    /// How the landmarks are joined: with holes for eyes and mouth, or closed
+    #[arg(long, default_value = Triangulation::default().id(),
+        value_parser = one_of("triangulation", Triangulation::ALL, Triangulation::id, Triangulation::from_id))]
+    pub topology: Triangulation,
+    /// How often every triangle is cut in four (Loop subdivision)
+    #[arg(long, value_name = "TIMES", default_value_t = 0, allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(0..=4))]
+    pub density: u32,
+    #[command(flatten)]
+    pub find: FindArguments,
+    #[command(flatten)]
+    pub camera: CameraArguments,
+    #[command(flatten)]
+    pub edits: EditArguments,
+    #[command(flatten)]
+    pub settings: SettingsArguments,
+}
+
+#[derive(Debug, Args)]
+pub struct PaperTask {
+    /// JPEG, PNG or WebP; - reads standard input
+    pub photo: PathBuf,
+    /// Folder for the meshes of Figures 3 to 5 and the plot of times; made if it is not there
+    #[arg(short, long, value_name = "DIR", default_value = "rosto-paper")]
+    pub output: PathBuf,
+    /// Chooses the vertices and their anchors; each further run takes the next seed
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
+    pub seed: u64,
+    /// How many runs, with other vertices and anchors, the statistics are over
+    #[arg(long, value_name = "N", default_value_t = 20, allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u64).range(1..))]
+    pub runs: u64,
+    #[command(flatten)]
+    pub find: FindArguments,
+}
+
+fn output_help() -> String {
+    format!("The file to write, whole or not at all; its name ends as its format is called.\n\nFormats: {}", endings())
+}

@@ -1,0 +1,146 @@
+use glam::{DMat2, DVec2};
+use rosto_photo::Photo;
+use rosto_warp::Patch;
+
+use crate::scenes::*;
+use crate::seeded::Seeded;
+
+#[test]
+fn without_a_motion_the_picture_keeps_its_bytes() {
+    let points = oval(&mut Seeded::new(1));
+    let photo = noise();
+    assert_eq!(redrawn(&photo, &warp(&points, &[])), photo, "nothing was asked");
+    assert_eq!(redrawn(&photo, &moved(&points, &points)), photo, "all goes to where it is");
+    let mut there_and_back = moved(&points, &edited(&points, 9.0, &mut Seeded::new(2)));
+    assert_ne!(redrawn(&photo, &there_and_back), photo);
+    there_and_back.follow(&points, &points);
+    assert_eq!(redrawn(&photo, &there_and_back), photo, "nothing is left of what was");
+}
+
+#[test]
+fn beyond_the_ring_every_byte_stays() {
+    let photo = noise();
+    for seed in 0..12 {
+        let mut seeded = Seeded::new(seed);
+        let points = oval(&mut seeded);
+        let after = redrawn(&photo, &moved(&points, &edited(&points, 20.0, &mut seeded)));
+        assert_ne!(after, photo);
+        for ((place, before), (_, after)) in pixels(&photo).zip(pixels(&after)) {
+            assert!(before == after || nearest(&points, place) < RING_PX, "{place} of edit {seed}");
+        }
+    }
+}
+
+/// The picture shows where each of its places came from: on a slope of one level a px, two pixels beside each other come from
+/// places beside each other, as far apart as the map stretches.
+#[test]
+fn there_is_no_seam() {
+    let slopes = painted(|at| [at.x + 20.0, at.y + 20.0, 240.0 - at.x]);
+    for seed in 0..8 {
+        let mut seeded = Seeded::new(seed);
+        let points = oval(&mut seeded);
+        let warp = moved(&points, &edited(&points, 14.0, &mut seeded));
+        // Rounding, and what the cubic makes of rounded slopes.
+        let most = most_stretched(warp.patch()) + 2.0;
+        let after = redrawn(&slopes, &warp);
+        for (x, y) in (1..SIDE).flat_map(|y| (1..SIDE).map(move |x| (x, y))) {
+            let here = after.pixel(x, y);
+            for beside in [after.pixel(x - 1, y), after.pixel(x, y - 1)] {
+                let jump = (0..3).map(|channel| here[channel].abs_diff(beside[channel])).max().unwrap();
+                assert!(f64::from(jump) <= most, "a jump of {jump} at ({x}, {y}) in edit {seed}, at most {most}");
+            }
+        }
+    }
+}
+
+/// How far apart the places of two neighbouring pixels can be at most.
+fn most_stretched(patch: &Patch) -> f64 {
+    let edges = |places: &[DVec2], corners: &[u32; 3]| {
+        let [a, b, c] = corners.map(|corner| places[corner as usize]);
+        DMat2::from_cols(b - a, c - a)
+    };
+    let stretch = |corners: &[u32; 3]| {
+        let back = edges(&patch.from_px, corners) * edges(&patch.to_px, corners).inverse();
+        back.x_axis.length().max(back.y_axis.length())
+    };
+    patch.triangles.iter().map(stretch).fold(1.0, f64::max)
+}
+
+#[test]
+fn what_is_at_a_point_is_found_where_the_point_was_sent() {
+    for seed in 0..12 {
+        let mut seeded = Seeded::new(seed);
+        let points = oval(&mut seeded);
+        let targets = edited(&points, 6.0, &mut seeded);
+        let warp = moved(&points, &targets);
+        assert_eq!(warp.limited_px(), 0.0, "edit {seed}");
+        let chosen = seeded.below(points.len());
+        let dot = |at: DVec2| 255.0 * (-(at - points[chosen]).length_squared() / 4.0).exp();
+        let found = centroid(&redrawn(&painted(|at| [dot(at), 0.0, 0.0]), &warp));
+        assert!(found.distance(targets[chosen]) < 0.5, "edit {seed}: {found} for {}", targets[chosen]);
+    }
+}
+
+fn centroid(photo: &Photo) -> DVec2 {
+    let weighed = pixels(photo).map(|(place, [red, ..])| (place, f64::from(red)));
+    let (sum, all) = weighed.fold((DVec2::ZERO, 0.0), |(sum, all), (place, red)| (sum + place * red, all + red));
+    sum / all
+}
+
+/// Every pixel of what moves is drawn, those on edges and corners of triangles, too: where the source is white, nothing of the
+/// black that was there is left.
+#[test]
+fn no_pixel_is_left_out_between_triangles() {
+    // Points and targets in the middles of pixels, so that edges run through many.
+    let points: Vec<DVec2> = (0..81).map(|i| DVec2::new(f64::from(i % 9), f64::from(i / 9)) * 10.0 + 60.5).collect();
+    let targets: Vec<DVec2> = points.iter().map(|&point| point + DVec2::new(8.0, 4.0)).collect();
+    let warp = moved(&points, &targets);
+    let inside = |at: DVec2| (at - 100.5).abs().max_element();
+    let photo = painted(|at| if inside(at) < 40.0 { [255.0; 3] } else { [0.0; 3] });
+    for (place, colour) in pixels(&redrawn(&photo, &warp)) {
+        let is_within = inside(place - DVec2::new(8.0, 4.0)) < 37.0;
+        assert!(!is_within || colour == [255; 3], "{colour:?} at {place}");
+    }
+}
+
+#[test]
+fn a_larger_picture_is_warped_in_the_same_way() {
+    let mut seeded = Seeded::new(3);
+    let points = oval(&mut seeded);
+    let warp = moved(&points, &edited(&points, 9.0, &mut seeded));
+    let twice = warp.patch().cut(DVec2::ZERO, 2.0);
+    let mut larger = Warp2::of(&points);
+    larger.follow(&twice);
+    assert!(larger.furthest(&twice) < 1e-6, "{}", larger.furthest(&twice));
+}
+
+/// The same subject in a picture twice as large.
+struct Warp2(rosto_warp::Warp, Vec<DVec2>);
+
+impl Warp2 {
+    fn of(points: &[DVec2]) -> Self {
+        let points: Vec<DVec2> = points.iter().map(|point| *point * 2.0).collect();
+        let subject = rosto_warp::Subject {
+            size_px: [2 * SIDE, 2 * SIDE],
+            points_px: &points,
+            ring_px: 2.0 * RING_PX,
+            kept: &[],
+        };
+        Self(rosto_warp::Warp::new(&subject).unwrap(), points)
+    }
+
+    /// Sends each point to where it is in the scaled patch.
+    fn follow(&mut self, patch: &Patch) {
+        let target = |point: &DVec2| {
+            let at = patch.from_px.iter().position(|from| from.distance(*point) < 1e-9).unwrap();
+            patch.to_px[at]
+        };
+        let targets: Vec<DVec2> = self.1.iter().map(target).collect();
+        self.0.follow(&self.1, &targets);
+    }
+
+    fn furthest(&self, patch: &Patch) -> f64 {
+        let apart = self.0.patch().to_px.iter().zip(&patch.to_px).map(|(a, b)| a.distance(*b));
+        apart.fold(0.0, f64::max)
+    }
+}

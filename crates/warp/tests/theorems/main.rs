@@ -1,0 +1,12 @@
+//! What must hold for every warp, whatever moves where.
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
+
+mod borders;
+mod drawing;
+mod folds;
+mod refusals;
+mod scenes;
+#[path = "../../../../tests/seeded.rs"]
+mod seeded;
+mod seeing;
+mod symmetries;

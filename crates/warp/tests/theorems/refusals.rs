@@ -1,0 +1,86 @@
+use glam::DVec2;
+use rosto_warp::{Dab, RING_SHARES, Subject, Warp, WarpError};
+
+use crate::scenes::*;
+use crate::seeded::Seeded;
+
+fn made(size_px: [u32; 2], points_px: &[DVec2], ring_px: f64) -> Result<Warp, WarpError> {
+    Warp::new(&Subject { size_px, points_px, ring_px, kept: &[] })
+}
+
+#[test]
+fn points_that_cannot_lead_are_refused() {
+    let refused = |points: &[DVec2]| made([50, 50], points, 10.0).err();
+    let three = |at: [DVec2; 3]| refused(&at);
+    assert_eq!(refused(&[]), Some(WarpError::TooFewPoints { inside: 0, points: 0 }));
+    assert_eq!(three([DVec2::NAN; 3]), Some(WarpError::TooFewPoints { inside: 0, points: 3 }));
+    assert_eq!(three([DVec2::splat(20.0); 3]), Some(WarpError::TooFewPoints { inside: 3, points: 3 }));
+    let outside = [DVec2::splat(20.0), DVec2::splat(-1.0), DVec2::new(20.0, 50.0)];
+    assert_eq!(three(outside), Some(WarpError::TooFewPoints { inside: 1, points: 3 }));
+    assert!(three([DVec2::splat(20.0), DVec2::splat(25.0), DVec2::splat(f64::INFINITY)]).is_some());
+}
+
+#[test]
+fn rings_are_as_wide_as_they_can_be_solved_for() {
+    let points = oval(&mut Seeded::new(1));
+    for ring_px in [0.0, -3.0, 0.01, 1e9, f64::NAN, f64::INFINITY] {
+        let refused = made([SIDE, SIDE], &points, ring_px).err();
+        assert!(matches!(refused, Some(WarpError::Ring { .. })), "{ring_px}: {refused:?}");
+    }
+    let high = 2.0 * AXES.y;
+    for share in [*RING_SHARES.start() * 1.1, *RING_SHARES.end() * 0.9] {
+        let mut warp = made([SIDE, SIDE], &points, share * high).unwrap();
+        warp.follow(&points, &edited(&points, 9.0, &mut Seeded::new(2)));
+        assert_whole(warp.patch());
+    }
+}
+
+/// Whatever the picture and the points are: an answer that folds nothing, or an error.
+#[test]
+fn odd_subjects_have_an_answer() {
+    let line: Vec<DVec2> = (1..40).map(|i| DVec2::new(f64::from(i), 20.0)).collect();
+    let slanted: Vec<DVec2> = (1..40).map(|i| DVec2::splat(f64::from(i) * 1.01)).collect();
+    let twice: Vec<DVec2> = oval(&mut Seeded::new(1)).iter().flat_map(|point| [*point, *point]).collect();
+    let mut some_nowhere = oval(&mut Seeded::new(1));
+    some_nowhere.iter_mut().step_by(3).for_each(|point| *point = DVec2::NAN);
+    let in_a_pixel = [DVec2::new(0.2, 0.3), DVec2::new(0.8, 0.4), DVec2::new(0.5, 0.9)].to_vec();
+    let at_the_edge: Vec<DVec2> = (0..60).map(|i| DVec2::new(1e-9, 3.0 * f64::from(i) + 1.0)).collect();
+    let grid: Vec<DVec2> = (0..400).map(|i| DVec2::new(f64::from(i % 20), f64::from(i / 20)) * 4.0 + 50.0).collect();
+    let far_apart = [DVec2::splat(5.0), DVec2::new(190.0, 10.0), DVec2::new(100.0, 195.0)].to_vec();
+    let cases = [line, slanted, twice, some_nowhere, in_a_pixel, at_the_edge, grid, far_apart];
+    for (case, points) in cases.iter().enumerate() {
+        for size_px in [[1, 1], [1, 200], [200, 1], [60, 50], [SIDE, SIDE]] {
+            for ring_px in [0.2, 10.0, 60.0] {
+                let Ok(mut warp) = made(size_px, points, ring_px) else { continue };
+                warp.follow(points, &edited(points, 7.0, &mut Seeded::new(case as u64)));
+                assert_whole(warp.patch());
+            }
+        }
+        let has_answer = [0.2, 10.0, 60.0].iter().any(|&ring_px| made([SIDE, SIDE], points, ring_px).is_ok());
+        assert!(has_answer, "case {case}");
+    }
+}
+
+#[test]
+fn targets_that_are_no_places_lead_nowhere() {
+    let points = oval(&mut Seeded::new(1));
+    let nowhere = vec![DVec2::NAN; points.len()];
+    assert_eq!(redrawn(&noise(), &moved(&points, &nowhere)), noise());
+    for far in [f64::INFINITY, f64::NEG_INFINITY, f64::MAX, 1e200] {
+        let mut targets = points.clone();
+        targets[7] = DVec2::splat(far);
+        targets[80].y = far;
+        assert_whole(moved(&points, &targets).patch());
+    }
+}
+
+#[test]
+fn dabs_that_are_none_keep_nothing() {
+    let points = oval(&mut Seeded::new(1));
+    for (centre_px, radius_px) in [(DVec2::NAN, 9.0), (MIDDLE, f64::NAN), (DVec2::splat(1e300), 1.0)] {
+        let mut warp = warp(&points, &[Dab { centre_px, radius_px }]);
+        warp.follow(&points, &edited(&points, 9.0, &mut Seeded::new(2)));
+        assert_ne!(redrawn(&noise(), &warp), noise());
+        assert_whole(warp.patch());
+    }
+}

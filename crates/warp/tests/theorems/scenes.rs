@@ -1,0 +1,92 @@
+//! Pictures with something in them that moves.
+
+use glam::DVec2;
+use rosto_photo::Photo;
+use rosto_warp::{Dab, Patch, Subject, Warp, drawn};
+
+use crate::seeded::Seeded;
+
+pub const SIDE: u32 = 200;
+pub const RING_PX: f64 = 40.0;
+/// The middle of [`oval`], and its half axes.
+pub const MIDDLE: DVec2 = DVec2::new(98.0, 103.0);
+pub const AXES: DVec2 = DVec2::new(34.0, 45.0);
+
+/// 150 points in an oval, in no order, about as dense as landmarks.
+pub fn oval(seeded: &mut Seeded) -> Vec<DVec2> {
+    let turns = (0..150).map(|i| DVec2::from_angle(f64::from(i) * 2.399_963) * (f64::from(i) / 150.0).sqrt());
+    turns.map(|turn| MIDDLE + AXES * turn + plane(seeded) * 0.8).collect()
+}
+
+/// Between −1 and 1, both ways.
+pub fn plane(seeded: &mut Seeded) -> DVec2 {
+    seeded.vector().truncate()
+}
+
+/// Bumps of some px here and there, as edits make them.
+pub fn edited(points: &[DVec2], most_px: f64, seeded: &mut Seeded) -> Vec<DVec2> {
+    let bumps: Vec<(DVec2, DVec2, f64)> = (0..3)
+        .map(|_| (points[seeded.below(points.len())], plane(seeded) * most_px, 14.0 + 8.0 * seeded.signed()))
+        .collect();
+    let offset = |point: DVec2| -> DVec2 {
+        bumps.iter().map(|(at, way, wide)| *way * (-(point - *at).length_squared() / (wide * wide)).exp()).sum()
+    };
+    points.iter().map(|&point| point + offset(point)).collect()
+}
+
+pub fn warp(points: &[DVec2], kept: &[Dab]) -> Warp {
+    Warp::new(&Subject { size_px: [SIDE, SIDE], points_px: points, ring_px: RING_PX, kept }).unwrap()
+}
+
+pub fn moved(points: &[DVec2], targets: &[DVec2]) -> Warp {
+    let mut warp = warp(points, &[]);
+    warp.follow(points, targets);
+    warp
+}
+
+/// Any bytes: nothing of it is like what lies beside it.
+pub fn noise() -> Photo {
+    let mut seeded = Seeded::new(7);
+    Photo::from_rgb(SIDE, SIDE, (0..SIDE * SIDE * 3).map(|_| seeded.bits() as u8).collect()).unwrap()
+}
+
+/// A picture whose pixels are those of a function of their middles.
+pub fn painted(colour: impl Fn(DVec2) -> [f64; 3]) -> Photo {
+    let middles = (0..SIDE * SIDE).map(|i| DVec2::new(f64::from(i % SIDE) + 0.5, f64::from(i / SIDE) + 0.5));
+    let bytes = middles.flat_map(|middle| colour(middle).map(|value| value.round().clamp(0.0, 255.0) as u8));
+    Photo::from_rgb(SIDE, SIDE, bytes.collect()).unwrap()
+}
+
+/// Pixels by their places.
+pub fn pixels(photo: &Photo) -> impl Iterator<Item = (DVec2, [u8; 3])> {
+    let middle = |x: u32, y: u32| DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+    (0..photo.height()).flat_map(move |y| (0..photo.width()).map(move |x| (middle(x, y), photo.pixel(x, y))))
+}
+
+pub fn nearest(points: &[DVec2], place: DVec2) -> f64 {
+    points.iter().map(|point| point.distance(place)).fold(f64::INFINITY, f64::min)
+}
+
+/// Twice the area of each triangle, with its sign.
+pub fn areas(patch: &Patch, places: &[DVec2]) -> Vec<f64> {
+    let area = |corners: &[u32; 3]| {
+        let [a, b, c] = corners.map(|corner| places[corner as usize]);
+        (b - a).perp_dot(c - a)
+    };
+    patch.triangles.iter().map(area).collect()
+}
+
+/// Nothing is turned over, and the triangles cover what they covered: the map is one to one and onto.
+#[track_caller]
+pub fn assert_whole(patch: &Patch) {
+    let (before, after) = (areas(patch, &patch.from_px), areas(patch, &patch.to_px));
+    for (triangle, (before, after)) in before.iter().zip(&after).enumerate() {
+        assert!(before * after > 0.0 || before == after, "triangle {triangle}: {before} to {after}");
+    }
+    let [before, after] = [before, after].map(|areas| areas.iter().sum::<f64>());
+    assert!((after / before - 1.0).abs() < 1e-9, "{before} to {after}");
+}
+
+pub fn redrawn(photo: &Photo, warp: &Warp) -> Photo {
+    drawn(photo, warp.patch())
+}

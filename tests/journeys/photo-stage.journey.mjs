@@ -1,0 +1,171 @@
+import assert from "node:assert/strict";
+import { PNG } from "pngjs";
+import { journey } from "./journey.mjs";
+import { difference, differenceNear } from "./pixels.mjs";
+
+/** @param {import("./visitor.mjs").Visitor} visitor */
+const scene = (visitor) => visitor.page.evaluate(() => document.body.dataset.scene);
+
+/** @param {import("./visitor.mjs").Visitor} visitor */
+async function photoOnStage(visitor) {
+  await visitor.dropSample();
+  await visitor.page.focus("#viewport");
+  // By its key, so that the view has the focus as it has it later.
+  await visitor.page.keyboard.press("p");
+  await visitor.frames(5);
+}
+
+journey("a press on the small photo puts it on the stage; the switch and P go back, and it is remembered", async (open) => {
+  const visitor = await open();
+  await visitor.dropSample();
+  assert.equal(await scene(visitor), "solid", "the face in the round is what a visitor arrives at");
+  const solid = await visitor.view();
+  await visitor.page.click("#photo-to-stage");
+  assert.equal(await scene(visitor), "picture");
+  const photo = await visitor.view();
+  assert.ok(difference(solid, photo) > 0.5, "the stage is as it was");
+  await visitor.page.check("#scene input[value='solid']", { force: true });
+  assert.equal(difference(solid, await visitor.view()), 0);
+  await visitor.page.keyboard.press("p");
+  assert.equal(await scene(visitor), "picture");
+  assert.equal(difference(photo, await visitor.view()), 0);
+  await visitor.page.waitForTimeout(600);
+  await visitor.page.reload();
+  await visitor.page.click("#continue");
+  await visitor.untilFace();
+  assert.equal(await scene(visitor), "picture");
+}, { needs: "eyes" });
+
+journey("on the photo a point is dragged, and the photo follows where it is and nowhere else", async (open) => {
+  const visitor = await open();
+  await photoOnStage(visitor);
+  await visitor.page.mouse.move(1, 1);
+  const before = await visitor.view();
+  const nose = await visitor.landmarkPlace(4);
+  await visitor.drag(nose, { x: 0, y: -24 });
+  assert.equal(await scene(visitor), "picture");
+  assert.deepEqual((await visitor.history()).length, 1);
+  await visitor.page.focus("#viewport");
+  await visitor.page.keyboard.press("Escape");
+  await visitor.page.mouse.move(1, 1);
+  const after = await visitor.view();
+  const place = await visitor.onView(nose);
+  assert.ok(differenceNear(before, after, place, 30) > 0.2, "the nose is where it was");
+  assert.ok(differenceNear(before, after, { x: 40, y: 40 }, 35) === 0, "a corner of the photo has changed");
+  await visitor.page.keyboard.press("Control+z");
+  assert.equal(difference(before, await visitor.view()), 0, "undo brings the photo back");
+}, { needs: "eyes" });
+
+journey("sliders, regions and the wipe work on the photo", async (open) => {
+  const visitor = await open();
+  await photoOnStage(visitor);
+  const before = await visitor.view();
+  await visitor.slide("eye-size", 2);
+  await visitor.chooseRegion("nose");
+  await visitor.offset("y", 4);
+  await visitor.page.focus("#viewport");
+  await visitor.page.keyboard.press("Escape");
+  const after = await visitor.view();
+  assert.ok(difference(before, after) > 0.005);
+  await visitor.page.keyboard.down("b");
+  assert.equal(difference(before, await visitor.view()), 0, "B shows the photo as it was taken");
+  await visitor.page.keyboard.up("b");
+  await visitor.page.click("#compare");
+  const wiped = await visitor.view();
+  assert.ok(difference(wiped, before) > 0 && difference(wiped, after) > 0, "the wipe shows both");
+}, { needs: "eyes" });
+
+journey("who drags beside the face turns it out of the photo", async (open) => {
+  const visitor = await open();
+  await photoOnStage(visitor);
+  const view = await visitor.page.locator("#viewport").boundingBox();
+  await visitor.drag({ x: view.x + 30, y: view.y + 200 }, { x: 80, y: 0 });
+  assert.equal(await scene(visitor), "solid");
+  assert.deepEqual(await visitor.history(), []);
+  await visitor.page.keyboard.press("p");
+  assert.equal(await scene(visitor), "picture");
+}, { needs: "eyes" });
+
+journey("the small photo shows every edit as it is made", async (open) => {
+  const visitor = await open();
+  await visitor.dropSample();
+  await visitor.frames(4);
+  const pixels = () => visitor.page.locator("#photo-thumbnail").evaluate((canvas) => [...canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data]);
+  const differing = (/** @type {number[]} */ a, /** @type {number[]} */ b) => a.filter((value, at) => Math.abs(value - (b[at] ?? 0)) > 4).length;
+  const before = await pixels();
+  await visitor.page.locator("[data-slider='jaw-width'] input[type=range]").evaluate((slider) => {
+    slider.value = slider.min;
+    slider.dispatchEvent(new Event("input", { bubbles: true }));
+  });
+  await visitor.frames(4);
+  assert.ok(differing(before, await pixels()) > 100, "before the slider is let go");
+  await visitor.page.keyboard.press("Escape");
+});
+
+journey("both stand side by side where the window is wide, and a press on the photo gives it the stage", async (open) => {
+  const visitor = await open({ viewport: { width: 1440, height: 900 } });
+  await visitor.dropSample();
+  await visitor.page.click("#both");
+  await visitor.frames(4);
+  const seen = await visitor.page.evaluate(() => {
+    const photo = document.getElementById("beside").getBoundingClientRect();
+    const stage = document.getElementById("viewport").getBoundingClientRect();
+    return { share: photo.width / stage.width, width: document.getElementById("beside-photo").width };
+  });
+  assert.ok(seen.share > 0.4 && seen.share < 0.55 && seen.width > 150, JSON.stringify(seen));
+  const nose = await visitor.landmarkPlace(4);
+  assert.ok(nose.x > 1080 / 2, "the face in the round is in the other half");
+  await visitor.page.click("#beside");
+  assert.equal(await scene(visitor), "picture");
+  await visitor.page.setViewportSize({ width: 800, height: 900 });
+  await visitor.page.keyboard.press("p");
+  assert.ok(!(await visitor.page.isVisible("#beside")), "a narrow window has no room for both");
+});
+
+journey("what the brush keeps stays, with an undo of its own, and is there after a reload", async (open) => {
+  const visitor = await open();
+  await photoOnStage(visitor);
+  const photo = async () => PNG.sync.read(await visitor.download("download-photo-png"));
+  const isOff = (/** @type {string} */ button) => visitor.page.isDisabled(button);
+  await visitor.slide("jaw-width", -8);
+  const jaw = await visitor.landmarkPlace(172);
+  const edited = await photo();
+  await visitor.unfold("section-in-photo");
+  await visitor.page.check("#brush", { force: true });
+  await visitor.drag({ x: jaw.x - 10, y: jaw.y - 30 }, { x: 10, y: 60 });
+  assert.deepEqual([await isOff("#brush-undo"), await isOff("#brush-redo")], [false, true]);
+  await visitor.page.uncheck("#brush", { force: true });
+  const kept = await photo();
+  assert.ok(difference(edited, kept) > 0.0005, "what was painted follows the edit");
+  assert.deepEqual(await visitor.history(), ["Jaw width"], "a stroke is no entry of the history");
+  await visitor.page.waitForTimeout(600);
+  await visitor.page.reload();
+  await visitor.page.click("#continue");
+  await visitor.untilFace();
+  assert.equal(difference(kept, await photo()), 0, "the stroke is gone after a reload");
+  await visitor.unfold("section-in-photo");
+  await visitor.page.check("#brush", { force: true });
+  await visitor.page.focus("#viewport");
+  await visitor.page.keyboard.press("Control+z");
+  assert.deepEqual([await isOff("#brush-undo"), await isOff("#brush-redo")], [true, false]);
+  await visitor.page.uncheck("#brush", { force: true });
+  assert.equal(difference(edited, await photo()), 0);
+  assert.deepEqual(await visitor.history(), ["Jaw width"]);
+});
+
+journey("an edit in depth says that it hardly shows, and offers the view in which it does", async (open) => {
+  const visitor = await open();
+  await photoOnStage(visitor);
+  await visitor.findLandmark("nose tip");
+  assert.ok(await visitor.page.isHidden("#depth-note"));
+  await visitor.offset("y", 3);
+  assert.ok(await visitor.page.isHidden("#depth-note"), "an edit that is seen says nothing");
+  await visitor.offset("y", 0);
+  await visitor.offset("z", 9);
+  assert.ok(await visitor.page.isVisible("#depth-note"));
+  await visitor.page.click("[data-action='show-depth']");
+  assert.equal(await scene(visitor), "solid");
+  await visitor.frames(3);
+  const [tip, chin] = [await visitor.landmarkPlace(4), await visitor.landmarkPlace(152)];
+  assert.ok(Math.abs(tip.x - chin.x) > 40, "the face is seen from the side");
+});
