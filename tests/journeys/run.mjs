@@ -48,7 +48,7 @@ async function launchFor(needs) {
   if (needs === "webgl") return launch({ gpu: "webgl" });
   const seen = sees(needs);
   if (needs === "camera") return launch({ film: await portraitFilm(), seen });
-  if (needs === "moving-camera") return launch({ film: await movingFilm(), seen });
+  if (needs === "moving-camera" || needs === "seen-camera") return launch({ film: await movingFilm(), seen });
   return launch({ seen });
 }
 

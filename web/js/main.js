@@ -1,4 +1,5 @@
 import { Opening } from "./opening.js";
+import { setUpMirror } from "./mirror/mirror.js";
 import { setUpDialogs } from "./page/dialogs.js";
 import { byId, onAction } from "./page/dom.js";
 import { setUpHints } from "./page/hint.js";
@@ -63,6 +64,7 @@ const opening = new Opening({ bench, overlay, faceChoice, vision, keeper, opened
 setUpTheme((theme) => bench.then((there) => there?.act((studio) => studio.setTheme(theme))));
 setUpPhotoInput((file) => opening.openFile(file));
 setUpCamera((photo) => opening.openFile(photo, "selfie"));
+setUpMirror({ bench, vision, opening });
 onAction("sample", () => opening.openFile(loadSample(), "sample"));
 keeper.offer((read) => opening.openWork(read));
 countRequests(loadTheRest());

@@ -73,6 +73,19 @@ export class Opening {
   }
 
   /**
+   * A frame of the mirror, with what was done to the face in it.
+   *
+   * @param {Blob} photo
+   * @param {import("./work/work.js").Done} [done]
+   */
+  openFrame(photo, done) {
+    return this.#open(async (isWanted) => {
+      const incoming = await readPhoto(this.#room.vision, photo, "selfie", isWanted);
+      return done ? { ...incoming, done } : incoming;
+    });
+  }
+
+  /**
    * Another face of the photo that is open.
    *
    * @param {number} index

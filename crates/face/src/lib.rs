@@ -25,7 +25,7 @@ pub use contours::oval;
 pub use error::FaceError;
 pub use irises::{IRIS_COUNT, POINT_COUNT, iris_id, lids_of};
 pub use measures::Measure;
-pub use model::{FaceInput, FaceModel, check_landmarks};
+pub use model::{FaceInput, FaceModel, Sighting, check_landmarks};
 pub use names::{has_anatomical_name, landmark_id, part_id};
 pub use photo_lens::PhotoLens;
 pub use regions::Region;

@@ -1,5 +1,6 @@
 mod fitting;
 mod seen;
+mod sighting;
 
 use glam::{DMat3, DVec2, DVec3};
 use rosto_mesh::Topology;
@@ -12,6 +13,7 @@ use crate::{FaceError, LANDMARK_COUNT, PhotoLens, Triangulation};
 use fitting::Fitted;
 use seen::check_count;
 pub use seen::check_landmarks;
+pub use sighting::Sighting;
 
 /// What a model is made from.
 #[derive(Debug)]

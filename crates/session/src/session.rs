@@ -1,3 +1,4 @@
+mod in_mirror;
 mod in_photo;
 mod moving;
 mod opening;
@@ -10,6 +11,7 @@ use rosto_stage::{Scene, Stage};
 use rosto_studio::{Document, Switch};
 
 use crate::gesture::{Gesture, Under};
+use crate::mirror::Mirror;
 use crate::open_face::OpenFace;
 use crate::seeds::Seeds;
 use crate::strokes::Strokes;
@@ -30,6 +32,7 @@ pub struct Session {
     stage: Stage,
     seeds: Seeds,
     brush_px: Option<f64>,
+    mirror: Option<Mirror>,
 }
 
 type Result<T = Changed, E = SessionError> = std::result::Result<T, E>;
@@ -47,6 +50,7 @@ impl Session {
             stage: Stage::default(),
             seeds: Seeds::new(seed),
             brush_px: None,
+            mirror: None,
         };
         session.stage.render_settings_mut().dotted = LANDMARK_COUNT as u32;
         session.show_empty();

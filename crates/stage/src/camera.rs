@@ -1,6 +1,7 @@
 mod clear;
 mod eye;
 mod facing;
+mod film;
 mod picture;
 mod pose;
 mod projection;
@@ -13,6 +14,7 @@ use crate::{Lens, PicturePlane, Pinhole};
 use clear::Clear;
 pub(crate) use eye::Eye;
 pub(crate) use facing::Facing;
+pub use film::Sides;
 use pose::Pose;
 
 /// Time constant of the glide towards where the camera is asked to be.
@@ -64,6 +66,7 @@ pub struct Camera {
     clear: Clear,
     clear_goal: Clear,
     glide: Glide,
+    sides: Sides,
 }
 
 impl Default for Camera {
@@ -84,6 +87,7 @@ impl Default for Camera {
             clear: Clear::ALL,
             clear_goal: Clear::ALL,
             glide: Glide::default(),
+            sides: Sides::default(),
         }
     }
 }
@@ -201,7 +205,8 @@ impl Camera {
     /// Turns around the middle as if the pointer held the face: half a turn for a picture's height.
     pub fn orbit(&mut self, dx_px: f64, dy_px: f64) {
         let facing = &mut self.goal.facing;
-        let radians = DVec2::from_angle(-facing.roll).rotate(DVec2::new(dx_px, dy_px)) * (PI / self.size_px.y);
+        let motion_px = DVec2::new(self.sides.sign() * dx_px, dy_px);
+        let radians = DVec2::from_angle(-facing.roll).rotate(motion_px) * (PI / self.size_px.y);
         facing.azimuth -= radians.x;
         facing.elevation = (facing.elevation + radians.y).clamp(-Facing::STEEPEST, Facing::STEEPEST);
     }
@@ -230,7 +235,8 @@ impl Camera {
     /// Moves along the view plane so that what is seen follows the pointer.
     pub fn pan(&mut self, dx_px: f64, dy_px: f64) {
         let axes = self.facing().axes();
-        let offset_m = (axes.y_axis * dy_px - axes.x_axis * dx_px) * self.m_per_px_at_target(&self.goal);
+        let offset_m =
+            (axes.y_axis * dy_px - axes.x_axis * (self.sides.sign() * dx_px)) * self.m_per_px_at_target(&self.goal);
         let from_centre_m = (self.goal.target_m + offset_m - self.centre_m).clamp_length_max(self.furthest_m());
         self.goal.target_m = self.centre_m + from_centre_m;
     }

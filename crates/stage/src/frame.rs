@@ -2,7 +2,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
 
 use crate::markers::Axis;
-use crate::{Camera, Dots, Light, MirrorPlane, PicturePlane, RenderSettings, Rim};
+use crate::{Camera, Dots, Light, MirrorPlane, PicturePlane, RenderSettings, Rim, Sides};
 
 /// What every shader reads once a frame, in the layout of a uniform buffer.
 ///
@@ -46,7 +46,7 @@ pub struct FrameUniforms {
     picture_right_m: [f32; 3],
     picture_height_px: f32,
     picture_down_m: [f32; 3],
-    unused: f32,
+    swapped: f32,
 }
 
 /// Stands for "no vertex" in what shaders read.
@@ -111,7 +111,7 @@ impl FrameUniforms {
             picture_right_m: picture.right_m.as_vec3().to_array(),
             picture_height_px: picture.size_px.y as f32,
             picture_down_m: picture.down_m.as_vec3().to_array(),
-            unused: 0.0,
+            swapped: f32::from(u8::from(camera.sides() == Sides::Swapped)),
         }
     }
 }

@@ -14,7 +14,7 @@ mod picture_plane;
 mod render_settings;
 mod stage;
 
-pub use camera::{Camera, Glide, NamedView};
+pub use camera::{Camera, Glide, NamedView, Sides};
 pub use colour::Srgb;
 pub use frame::FrameUniforms;
 pub use lens::{Lens, Pinhole};

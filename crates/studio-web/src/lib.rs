@@ -9,6 +9,7 @@ mod error;
 mod files;
 mod in_photo;
 mod measuring;
+mod mirror;
 mod modes;
 mod names;
 mod paper;

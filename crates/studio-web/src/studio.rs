@@ -7,6 +7,7 @@ use wasm_bindgen_futures::future_to_promise;
 
 use crate::error::{FacadeError, Result};
 use crate::in_photo::PhotoShown;
+use crate::mirror::Film;
 use crate::modes::ChangeName;
 use crate::picture::{IncomingPicture, OpenPicture};
 use crate::renderer::Renderer;
@@ -25,6 +26,8 @@ pub struct Studio {
     next_picture: Option<OpenPicture>,
     incoming_picture: Option<IncomingPicture>,
     pub(crate) photo_shown: PhotoShown,
+    /// While the mirror shows one.
+    pub(crate) film: Option<Film>,
 }
 
 #[wasm_bindgen]
@@ -49,6 +52,8 @@ impl Studio {
         let size = self.session.stage().camera().size_px().to_array().map(|side| side as u32);
         self.viewport.resize(size[0], size[1]);
         self.incoming_picture = None;
+        // The next frame brings another.
+        self.film = None;
         for picture in [&mut self.picture, &mut self.next_picture].into_iter().flatten() {
             *picture = picture.on(&self.viewport)?;
         }
@@ -185,6 +190,7 @@ impl Studio {
             next_picture: None,
             incoming_picture: None,
             photo_shown: PhotoShown::default(),
+            film: None,
         }
     }
 
@@ -224,7 +230,10 @@ impl Studio {
     }
 
     /// Brings to the GPU what has changed.
-    fn show(&mut self, changed: Changed) -> Result<()> {
+    pub(crate) fn show(&mut self, changed: Changed) -> Result<()> {
+        if self.film.is_some() {
+            return self.show_in_mirror(changed);
+        }
         if changed >= Changed::Mesh {
             self.show_mesh()?;
             self.show_photo_as_taken();
@@ -240,7 +249,7 @@ impl Studio {
         Ok(())
     }
 
-    fn show_mesh(&mut self) -> Result<()> {
+    pub(crate) fn show_mesh(&mut self) -> Result<()> {
         let picture = self.picture.as_ref().map(|picture| &picture.on_gpu);
         match self.session.face() {
             Some(face) => show_face(&mut self.viewport, face, picture),

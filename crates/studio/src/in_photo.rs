@@ -13,7 +13,7 @@ pub const RING_SHARES: RangeInclusive<f64> = 0.1..=0.8;
 pub const DEFAULT_RING: f64 = 0.35;
 
 /// What lies less than this behind the surface is seen all the same, in metres.
-const BEHIND_M: f64 = 0.004;
+pub(crate) const BEHIND_M: f64 = 0.004;
 
 /// The edits of a face in its photo: what of the mesh the photo's camera sees leads the picture, which gives way around it.
 pub struct InPhoto {
@@ -82,7 +82,7 @@ fn place(camera: &Camera, place_m: DVec3) -> DVec3 {
     camera.project(place_m).unwrap_or(DVec2::NAN).extend(camera.towards_camera_m(place_m))
 }
 
-fn longer_side(places: &[DVec2]) -> f64 {
+pub(crate) fn longer_side(places: &[DVec2]) -> f64 {
     let first = places.first().copied().unwrap_or_default();
     let (low, high) = places.iter().fold((first, first), |(low, high), place| (low.min(*place), high.max(*place)));
     (high - low).max_element()

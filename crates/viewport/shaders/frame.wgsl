@@ -41,7 +41,7 @@ struct FrameUniforms {
     picture_right_m: vec3f,
     picture_height_px: f32,
     picture_down_m: vec3f,
-    unused: f32,
+    swapped: f32,
 }
 
 @group(0) @binding(0) var<uniform> frame: FrameUniforms;

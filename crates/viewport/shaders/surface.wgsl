@@ -79,7 +79,9 @@ fn lines_on(corner: Corner, reach_per_px: f32, x_per_px: f32) -> vec4f {
 }
 
 @fragment
-fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4f {
+fn fragment(corner: Corner, @builtin(front_facing) winds: bool) -> @location(0) vec4f {
+    // In a mirror everything winds the other way round.
+    let front = winds != (frame.swapped > 0.5);
     let picture_colour = textureSample(picture, picture_sampler, corner.uv).rgb;
     let reach_per_px = length(vec2f(dpdx(corner.reach), dpdy(corner.reach)));
     let x_per_px = length(vec2f(dpdx(corner.model_m.x), dpdy(corner.model_m.x)));

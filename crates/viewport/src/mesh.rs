@@ -106,6 +106,13 @@ impl MeshOnGpu {
         Ok(())
     }
 
+    pub fn write_uvs(&mut self, gpu: &Gpu, uvs: &[DVec2]) -> Result<(), ViewportError> {
+        check_length("places in the picture", uvs.len(), &self.topology)?;
+        self.attribute_list.iter_mut().zip(uvs).for_each(|(skin, uv)| skin.uv = uv.as_vec2().to_array());
+        self.attributes.write(gpu, &self.attribute_list);
+        Ok(())
+    }
+
     pub fn write_scalars(&mut self, gpu: &Gpu, scalars: &[f64]) -> Result<(), ViewportError> {
         check_length("scalars", scalars.len(), &self.topology)?;
         self.attribute_list.iter_mut().zip(scalars).for_each(|(skin, &scalar)| skin.scalar = scalar as f32);

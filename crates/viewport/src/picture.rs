@@ -11,14 +11,23 @@ pub struct PictureOnGpu {
 
 /// Room for a picture and its smaller levels.
 pub(crate) fn reserve(gpu: &Gpu, width: u32, height: u32) -> Result<PictureOnGpu, ViewportError> {
+    let levels = wgpu::Extent3d { width, height, depth_or_array_layers: 1 }.max_mips(wgpu::TextureDimension::D2);
+    reserve_levels(gpu, width, height, levels)
+}
+
+/// Room for a picture without smaller levels, whose pixels change sixty times a second.
+pub(crate) fn reserve_film(gpu: &Gpu, width: u32, height: u32) -> Result<PictureOnGpu, ViewportError> {
+    reserve_levels(gpu, width, height, 1)
+}
+
+fn reserve_levels(gpu: &Gpu, width: u32, height: u32, levels: u32) -> Result<PictureOnGpu, ViewportError> {
     if width == 0 || height == 0 || width.max(height) > gpu.largest_side_px() {
         return Err(ViewportError::BadPicture { width, height, found: 0 });
     }
-    let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
     let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some("picture"),
-        size,
-        mip_level_count: size.max_mips(wgpu::TextureDimension::D2),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        mip_level_count: levels,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
         format: FORMAT,
@@ -44,6 +53,35 @@ pub(crate) fn write_rows(gpu: &Gpu, picture: &PictureOnGpu, first_row: u32, rgba
     let layout =
         wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row_bytes as u32), rows_per_image: Some(rows) };
     gpu.queue.write_texture(place, rgba, layout, wgpu::Extent3d { width, height: rows, depth_or_array_layers: 1 });
+    Ok(())
+}
+
+/// Replaces all pixels by those of a bitmap of the same size, which the browser has on the GPU already if it can.
+#[cfg(target_arch = "wasm32")]
+pub(crate) fn write_bitmap(
+    gpu: &Gpu,
+    picture: &PictureOnGpu,
+    bitmap: &wgpu::web_sys::ImageBitmap,
+) -> Result<(), ViewportError> {
+    let (width, height) = (picture.texture.width(), picture.texture.height());
+    if [bitmap.width(), bitmap.height()] != [width, height] {
+        return Err(ViewportError::BadPicture { width, height, found: 0 });
+    }
+    let source = wgpu::CopyExternalImageSourceInfo {
+        source: wgpu::ExternalImageSource::ImageBitmap(bitmap.clone()),
+        origin: wgpu::Origin2d::ZERO,
+        flip_y: false,
+    };
+    let place = wgpu::CopyExternalImageDestInfo {
+        texture: &picture.texture,
+        mip_level: 0,
+        origin: wgpu::Origin3d::ZERO,
+        aspect: wgpu::TextureAspect::All,
+        color_space: wgpu::PredefinedColorSpace::Srgb,
+        premultiplied_alpha: false,
+    };
+    let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
+    gpu.queue.copy_external_image_to_texture(&source, place, size);
     Ok(())
 }
 

@@ -49,6 +49,15 @@ impl SheetOnGpu {
         }
     }
 
+    pub fn carry(&mut self, gpu: &Gpu, from_px: &[DVec2], to_px: &[DVec2]) -> Result<(), ViewportError> {
+        let (expected, found) = (self.from_px.len(), from_px.len());
+        if expected != found {
+            return Err(ViewportError::LengthMismatch { what: "places", expected, found });
+        }
+        self.from_px.copy_from_slice(from_px);
+        self.follow(gpu, to_px)
+    }
+
     pub fn follow(&mut self, gpu: &Gpu, to_px: &[DVec2]) -> Result<(), ViewportError> {
         let (expected, found) = (self.from_px.len(), to_px.len());
         if expected != found {

@@ -87,6 +87,23 @@ impl Viewport {
         picture::finish(&self.gpu, &self.shrink, picture);
     }
 
+    /// Room for the frames of a film, which have this size.
+    ///
+    /// # Errors
+    /// As [`Self::reserve_picture`].
+    pub fn reserve_film(&self, width: u32, height: u32) -> Result<PictureOnGpu, ViewportError> {
+        picture::reserve_film(&self.gpu, width, height)
+    }
+
+    /// The next frame of a film, which is to have its size.
+    ///
+    /// # Errors
+    /// [`ViewportError::BadPicture`] for a bitmap of another size, or one that was closed.
+    #[cfg(target_arch = "wasm32")]
+    pub fn write_frame(&self, film: &PictureOnGpu, frame: &wgpu::web_sys::ImageBitmap) -> Result<(), ViewportError> {
+        picture::write_bitmap(&self.gpu, film, frame)
+    }
+
     /// Shows a mesh in place of the one before. No handle moves it yet: a stage's offsets must be zero until the next
     /// [`Self::set_fields`].
     ///
@@ -106,6 +123,14 @@ impl Viewport {
     /// [`ViewportError::LengthMismatch`].
     pub fn set_positions(&mut self, positions_m: &[DVec3]) -> Result<(), ViewportError> {
         self.mesh.as_mut().map_or(Ok(()), |mesh| mesh.write_positions(&self.gpu, positions_m))
+    }
+
+    /// Moves each vertex' place in the picture, 0..1 from its top left. Nothing without a mesh.
+    ///
+    /// # Errors
+    /// [`ViewportError::LengthMismatch`].
+    pub fn set_uvs(&mut self, uvs: &[DVec2]) -> Result<(), ViewportError> {
+        self.mesh.as_mut().map_or(Ok(()), |mesh| mesh.write_uvs(&self.gpu, uvs))
     }
 
     /// Sets the shape that `rosto_stage::RenderSettings::before` blends to. Nothing without a mesh.
@@ -144,6 +169,14 @@ impl Viewport {
     /// [`ViewportError::LengthMismatch`].
     pub fn move_sheet(&mut self, to_px: &[DVec2]) -> Result<(), ViewportError> {
         self.sheet.as_mut().map_or(Ok(()), |sheet| sheet.follow(&self.gpu, to_px))
+    }
+
+    /// The same where what moves is elsewhere in each picture, as in those of a film. Nothing without a picture.
+    ///
+    /// # Errors
+    /// [`ViewportError::LengthMismatch`].
+    pub fn carry_sheet(&mut self, from_px: &[DVec2], to_px: &[DVec2]) -> Result<(), ViewportError> {
+        self.sheet.as_mut().map_or(Ok(()), |sheet| sheet.carry(&self.gpu, from_px, to_px))
     }
 
     /// Draws if anything changed; true asks to be called again in the next frame. `time_ms` is any steady clock's.

@@ -61,6 +61,22 @@ impl Warp {
     /// # Panics
     /// If there is not one target for each of the subject's points.
     pub fn follow(&mut self, points_px: &[DVec2], targets_px: &[DVec2]) {
+        self.lead(points_px, targets_px);
+        self.limited_px = self.unfolding.limit(&mut self.offsets_px);
+        self.put();
+    }
+
+    /// The same, but what lies between may fold: for a picture in which the points have gone there already.
+    ///
+    /// # Panics
+    /// As [`Self::follow`].
+    pub fn carry(&mut self, points_px: &[DVec2], targets_px: &[DVec2]) {
+        self.lead(points_px, targets_px);
+        self.limited_px = 0.0;
+        self.put();
+    }
+
+    fn lead(&mut self, points_px: &[DVec2], targets_px: &[DVec2]) {
         assert_eq!(points_px.len(), targets_px.len(), "one target for each point");
         for (offset, tie) in self.offsets_px.iter_mut().zip(&self.ties) {
             *offset = match *tie {
@@ -71,7 +87,9 @@ impl Warp {
         if let Some(surroundings) = &mut self.surroundings {
             surroundings.give_way(&mut self.offsets_px);
         }
-        self.limited_px = self.unfolding.limit(&mut self.offsets_px);
+    }
+
+    fn put(&mut self) {
         for ((to, from), offset) in self.patch.to_px.iter_mut().zip(&self.patch.from_px).zip(&self.offsets_px) {
             *to = *from + *offset;
         }

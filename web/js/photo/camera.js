@@ -1,6 +1,7 @@
 import { byId, onAction } from "../page/dom.js";
 import { showError } from "../page/notice.js";
 import { inEveryLanguage, say } from "../words/words.js";
+import { codeOf, hasPicture, stopTracks } from "./camera-stream.js";
 
 const COUNTDOWN_S = 3;
 const WANTED = { video: { facingMode: "user", width: { ideal: 1920 }, height: { ideal: 1080 } } };
@@ -111,9 +112,7 @@ class Camera {
 
   /** Whether what the camera shows now is a picture of something. */
   get #hasPicture() {
-    const tracks = this.#stream?.getVideoTracks() ?? [];
-    const isThere = tracks.some((track) => track.readyState === "live" && !track.muted);
-    return isThere && this.#video.videoWidth > 0 && this.#video.videoHeight > 0;
+    return hasPicture(this.#stream, this.#video);
   }
 
   /** @param {MediaStream | undefined} stream that ended by itself: unplugged, or no longer allowed */
@@ -166,15 +165,4 @@ class Camera {
  */
 function isFirst(click) {
   return click.detail < 2;
-}
-
-/** @param {MediaStream} stream */
-function stopTracks(stream) {
-  for (const track of stream.getTracks()) track.stop();
-}
-
-/** @param {unknown} error */
-function codeOf(error) {
-  const refused = error instanceof DOMException && error.name === "NotAllowedError";
-  return refused ? "camera-refused" : "no-camera";
 }

@@ -3,7 +3,7 @@ import { byId } from "../page/dom.js";
 /** @typedef {import("./workbench.js").Workbench} Workbench */
 
 /** What lies over the stage for longer than a moment. */
-const FLOATS = ["faces", "privacy", "toolbar", "hint"];
+const FLOATS = ["faces", "privacy", "toolbar", "hint", "live"];
 
 /** What is framed keeps this far from them, in CSS px. */
 const MARGIN_PX = 8;

@@ -25,7 +25,7 @@ pub(super) struct Fitted {
 const MOST_CONTRADICTION: f64 = 20.0;
 
 /// Where a camera is put that sees everything from infinitely far away, in m.
-const PARALLEL_M: f64 = 1e6;
+pub(super) const PARALLEL_M: f64 = 1e6;
 
 impl Fitted {
     pub(super) fn new(landmarks: &[[f32; 3]], size_px: [u32; 2], lens: PhotoLens) -> Result<Self, FaceError> {

@@ -46,12 +46,16 @@ pub(super) fn in_px(landmarks: &[[f32; 3]], [width, height]: [u32; 2]) -> Result
 }
 
 pub(super) fn fit_canonical_to(px: &[DVec3]) -> Result<Similarity, FaceError> {
-    let canonical = canonical_positions_m();
+    fit_to(&canonical_positions_m(), px)
+}
+
+/// A face whose landmarks are known, fitted to where they are seen, by MediaPipe's weights.
+pub(super) fn fit_to(known_m: &[DVec3], px: &[DVec3]) -> Result<Similarity, FaceError> {
     let pairs: Vec<Pair> = PROCRUSTES
         .iter()
         .map(|&(landmark, weight)| {
             let landmark = usize::from(landmark);
-            Pair { source: canonical[landmark], target: px[landmark], weight }
+            Pair { source: known_m[landmark], target: px[landmark], weight }
         })
         .collect();
     procrustes::fit(&pairs)

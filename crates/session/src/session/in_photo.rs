@@ -1,4 +1,5 @@
 use glam::{DVec2, DVec3};
+use rosto_face::Camera;
 use rosto_stage::{NamedView, PicturePlane, Pinhole, Scene};
 use rosto_studio::RING_SHARES;
 use rosto_warp::Dab;
@@ -20,10 +21,16 @@ const ASIDE: f64 = 0.9;
 impl Session {
     /// The photo's camera, in whose view mesh and photo coincide, and where it has the photo lie.
     pub(super) fn show_pinhole(&mut self) {
+        // What the mirror shows comes with each frame.
+        if self.mirror.is_some() {
+            return;
+        }
         let seen_by = self.face.as_ref().map(OpenFace::seen_by);
         self.stage.set_pinhole(seen_by.map(|camera| Pinhole { camera_from_model: camera.camera_from_model }));
         let centre_m = self.stage.camera().centre_m();
-        self.stage.set_picture(self.face.as_ref().and_then(|face| plane(face, centre_m)));
+        self.stage.set_picture(
+            self.face.as_ref().and_then(|face| plane(&face.seen_by(), face.model().photo_size_px(), centre_m)),
+        );
     }
 
     pub(super) fn set_scene(&mut self, scene: Scene, home: bool) -> Changed {
@@ -73,6 +80,8 @@ impl Session {
 
     /// The brush paints on the photo alone.
     pub(super) fn set_brush(&mut self, radius_px: Option<f64>) -> Result {
+        // In a mirror nothing stays where it was painted.
+        let radius_px = radius_px.filter(|_| self.mirror.is_none());
         self.brush_px = radius_px.map(|px| within("the brush in px", px, BRUSH_PX[0], BRUSH_PX[1])).transpose()?;
         if self.brush_px.is_some() && self.view.scene != Scene::Picture {
             self.set_scene(Scene::Picture, true);
@@ -140,16 +149,15 @@ impl Session {
     }
 }
 
-/// Where the photo lies in the model, on the plane through the middle of the face that its camera's axis meets at right angles.
-fn plane(face: &OpenFace, centre_m: DVec3) -> Option<PicturePlane> {
+/// Where a photo lies in the model, on the plane through the middle of the face that its camera's axis meets at right angles.
+pub(super) fn plane(camera: &Camera, photo_size_px: [u32; 2], centre_m: DVec3) -> Option<PicturePlane> {
     const STEP_M: f64 = 0.01;
-    let camera = face.seen_by();
     let model_from_camera = camera.camera_from_model.matrix3.transpose();
     let (right, up) = (model_from_camera.x_axis, model_from_camera.y_axis);
     let centre_px = camera.project(centre_m)?;
     let px_per_m = (camera.project(centre_m + right * STEP_M)?.x - centre_px.x) / STEP_M;
     let (right_m, down_m) = (right / px_per_m, -up / px_per_m);
     let origin_m = centre_m - right_m * centre_px.x - down_m * centre_px.y;
-    let size_px = DVec2::from(face.model().photo_size_px().map(f64::from));
+    let size_px = DVec2::from(photo_size_px.map(f64::from));
     (px_per_m > 0.0 && origin_m.is_finite()).then_some(PicturePlane { origin_m, right_m, down_m, size_px })
 }

@@ -25,7 +25,7 @@ impl Session {
         self.frame();
         self.stage.show(self.view.scene, true);
         self.stage.settle_picture();
-        if self.view.motion == Motion::Usual && self.view.scene == Scene::Solid {
+        if self.view.motion == Motion::Usual && self.view.scene == Scene::Solid && self.mirror.is_none() {
             self.stage.start_arrival();
         }
         Ok(Changed::Mesh)
@@ -33,6 +33,7 @@ impl Session {
 
     pub(super) fn close(&mut self) -> Result {
         (self.face, self.brush_px) = (None, None);
+        self.end_mirror();
         self.see_as_edited();
         (self.gesture, self.under) = (Gesture::Idle, Under::default());
         self.show_empty();

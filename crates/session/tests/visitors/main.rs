@@ -7,6 +7,7 @@ mod faces;
 mod intents;
 mod invariants;
 mod journeys;
+mod mirror;
 mod random;
 mod refusals;
 mod taken_from;

@@ -35,4 +35,25 @@ impl Pose {
             zoom: mix(self.zoom, goal.zoom),
         }
     }
+
+    /// What is beside one pose, beside another: as far to the side on the screen, and as many times as large.
+    pub fn carried(&self, from: &Self, to: &Self) -> Self {
+        let aside_m = from.facing.axes().transpose() * (self.target_m - from.target_m);
+        let larger = to.zoom / from.zoom;
+        let mix = |own: f64, from: f64, to: f64| own + (to - from);
+        Self {
+            target_m: to.target_m + to.facing.axes() * aside_m / larger,
+            facing: Facing {
+                azimuth: mix(self.facing.azimuth, from.facing.azimuth, to.facing.azimuth),
+                elevation: mix(self.facing.elevation, from.facing.elevation, to.facing.elevation),
+                roll: mix(self.facing.roll, from.facing.roll, to.facing.roll),
+            },
+            eye: Eye {
+                nearness_per_m: mix(self.eye.nearness_per_m, from.eye.nearness_per_m, to.eye.nearness_per_m),
+                aside: self.eye.aside + (to.eye.aside - from.eye.aside),
+            },
+            radius_m: self.radius_m,
+            zoom: self.zoom * larger,
+        }
+    }
 }

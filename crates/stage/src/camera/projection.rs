@@ -3,7 +3,7 @@ use rosto_mesh::Ray;
 
 use super::facing::Facing;
 use super::pose::Pose;
-use super::{Camera, Clear};
+use super::{Camera, Clear, Sides};
 
 /// What is drawn reaches from so many radii before the middle to so many behind it.
 const RADII_BEFORE: f64 = 4.0;
@@ -15,7 +15,7 @@ const NEAREST: f64 = 0.02;
 impl Camera {
     /// Unit vector to the right in the picture.
     pub fn right(&self) -> DVec3 {
-        self.facing().axes().x_axis
+        self.facing().axes().x_axis * self.sides.sign()
     }
 
     /// Unit vector up in the picture.
@@ -56,7 +56,8 @@ impl Camera {
             DVec4::new(shift.x, shift.y, -to_depth * near_m, 1.0),
         );
         let view_from_model = DMat4::from_mat3(self.view_from_model()) * DMat4::from_translation(-self.centre_m);
-        clip_from_view * view_from_model
+        let clip_from_sides = DMat4::from_scale(DVec3::new(self.sides.sign(), 1.0, 1.0));
+        clip_from_sides * clip_from_view * view_from_model
     }
 
     /// Where a point appears, in px; none behind the eye.
@@ -68,6 +69,10 @@ impl Camera {
 
     /// The ray through a place in the picture, from as near to the eye as anything is drawn; its direction has length 1.
     pub fn ray(&self, place_px: DVec2) -> Ray {
+        let place_px = match self.sides {
+            Sides::True => place_px,
+            Sides::Swapped => DVec2::new(self.size_px.x - place_px.x, place_px.y),
+        };
         let from_middle_m = (place_px - self.clear.middle * self.size_px) / self.px_per_m(&self.now, self.clear);
         let plane_m = self.middle_m(&self.now) + from_middle_m * DVec2::new(1.0, -1.0);
         let (eye, [near_m, _], axes) = (self.now.eye, self.depths_m(), self.facing().axes());

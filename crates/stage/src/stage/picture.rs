@@ -1,7 +1,7 @@
 use glam::DVec2;
 
 use super::Stage;
-use crate::{PicturePlane, Scene};
+use crate::{PicturePlane, Pinhole, Scene};
 
 /// How long the picture takes to come or go.
 const FADE_MS: f64 = 300.0;
@@ -18,6 +18,12 @@ impl Stage {
                 _ => self.show(Scene::Solid, true),
             }
         }
+    }
+
+    /// The next picture of a film, at once in the place of the one before ([`Camera::change_picture`]).
+    pub fn change_picture(&mut self, picture: PicturePlane, pinhole: Pinhole) {
+        self.picture = Some(picture);
+        self.camera_mut().change_picture(picture, pinhole);
     }
 
     /// What is on the stage.

@@ -1,0 +1,116 @@
+use glam::{DAffine3, DMat3, DVec2, DVec3};
+use rosto_face::{Camera, LANDMARK_COUNT, PhotoLens, Sighting};
+use rosto_studio::{InFilm, fading};
+use rosto_warp::Patch;
+
+use crate::open_face::OpenFace;
+use crate::{SessionError, View};
+
+/// The open face's edits on the face of whoever is before the camera, frame by frame.
+///
+/// The edits are ways in the model's frame. The open face, as it was found, is fitted to the landmarks of each frame, which tells
+/// where that frame is and how large; the ways are taken there, less where the face has another shape than the one that was edited
+/// ([`fading`]), and lead the frame as they lead a photo.
+#[derive(Default)]
+pub struct Mirror {
+    landmarks: Vec<[f32; 3]>,
+    size_px: [u32; 2],
+    is_seen: bool,
+    camera: Option<Camera>,
+    /// Of every vertex shown, in metres in the model's frame: as the camera sees it, and with the edits.
+    seen_m: Vec<DVec3>,
+    edited_m: Vec<DVec3>,
+    uvs: Vec<DVec2>,
+    in_film: InFilm,
+}
+
+/// So many metres are as high as a frame in which no face has been seen yet. Any number would do: all of the frame is shown.
+const HEIGHT_M: f64 = 0.4;
+
+impl Mirror {
+    /// Whether the last frame had a face in it.
+    pub fn is_seen(&self) -> bool {
+        self.is_seen
+    }
+
+    /// Width and height of the last frame in px.
+    pub fn size_px(&self) -> [u32; 2] {
+        self.size_px
+    }
+
+    /// The face as the camera saw it last, every vertex shown, in metres in the model's frame; empty before one was seen.
+    pub fn seen_m(&self) -> &[DVec3] {
+        &self.seen_m
+    }
+
+    /// The same with the edits.
+    pub fn edited_m(&self) -> &[DVec3] {
+        &self.edited_m
+    }
+
+    /// Places in that frame for every vertex shown, 0..=1 from its top left.
+    pub fn uvs(&self) -> &[DVec2] {
+        &self.uvs
+    }
+
+    /// What of the frame moves, in its px, and the number of the layout ([`InFilm::patch`]).
+    pub fn patch(&self) -> (&Patch, u32) {
+        self.in_film.patch()
+    }
+
+    /// What saw the face last, or would see one in the middle of the frame.
+    pub(crate) fn camera(&self) -> Camera {
+        self.camera.unwrap_or_else(|| front(self.size_px))
+    }
+
+    pub(crate) fn take(&mut self, landmarks: Option<&[[f32; 3]]>, size_px: [u32; 2]) {
+        self.size_px = size_px;
+        self.is_seen = landmarks.is_some();
+        if let Some(landmarks) = landmarks {
+            self.landmarks = landmarks.to_vec();
+        }
+    }
+
+    /// Brings the edits to the frame that was taken last.
+    pub(crate) fn follow(&mut self, face: &OpenFace, view: &View) -> Result<(), SessionError> {
+        if !self.is_seen {
+            self.in_film.rest();
+            return Ok(());
+        }
+        let (known_m, document) = (face.model().positions_m(), face.document());
+        let Sighting { camera, positions_m } = Sighting::new(known_m, &self.landmarks, self.size_px)?;
+        let left = document.from_cage(&fading(face.model().topology(), known_m, &positions_m));
+        self.seen_m = document.from_cage(&positions_m);
+        let ways = document.positions().iter().zip(document.rest()).zip(left);
+        self.edited_m.clear();
+        self.edited_m
+            .extend(self.seen_m.iter().zip(ways).map(|(seen, ((now, rest), left))| *seen + (*now - *rest) * left));
+        let uv = |landmark: &[f32; 3]| DVec2::new(landmark[0].into(), landmark[1].into());
+        let uvs: Vec<DVec2> = self.landmarks[..LANDMARK_COUNT].iter().map(uv).collect();
+        self.uvs = document.from_cage(&uvs);
+        self.camera = Some(camera);
+        let place = |place_m: &DVec3| camera.project(*place_m).unwrap_or(DVec2::NAN);
+        let places: Vec<DVec3> =
+            self.seen_m.iter().map(|seen| place(seen).extend(camera.towards_camera_m(*seen))).collect();
+        let targets_px: Vec<DVec2> = self.edited_m.iter().map(place).collect();
+        let triangles = document.topology().triangles();
+        // A face that is as good as outside of the frame leads nothing in it.
+        if self.in_film.follow(triangles, &places, &targets_px, self.size_px, view.ring).is_err() {
+            self.in_film.rest();
+        }
+        Ok(())
+    }
+}
+
+fn front(size_px: [u32; 2]) -> Camera {
+    const FAR_M: f64 = 1e6;
+    Camera {
+        lens: PhotoLens::Parallel,
+        focal_px: f64::INFINITY,
+        principal_px: DVec2::from(size_px.map(f64::from)) / 2.0,
+        px_per_m: f64::from(size_px[1]) / HEIGHT_M,
+        distance_m: f64::INFINITY,
+        distance_error: 0.0,
+        camera_from_model: DAffine3::from_mat3_translation(DMat3::IDENTITY, DVec3::NEG_Z * FAR_M),
+    }
+}

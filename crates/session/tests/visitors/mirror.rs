@@ -1,0 +1,231 @@
+//! The mirror: edits on the face of whoever is before the camera.
+
+use glam::{DMat3, DQuat, DVec2, DVec3, EulerRot};
+use rosto_face::{LANDMARK_COUNT, canonical_positions_m};
+use rosto_session::{Intent, Session, SessionError};
+use rosto_stage::{Scene, Sides};
+use rosto_studio::{FaceSlider, InFilm};
+
+use crate::faces::{found, open, session};
+
+const FRAME_PX: [u32; 2] = [640, 480];
+
+/// Where a head is before the camera.
+#[derive(Debug, Clone, Copy)]
+struct Pose {
+    /// Yaw, pitch and roll in degrees.
+    turned_deg: [f64; 3],
+    px_per_m: f64,
+    middle_px: [f64; 2],
+}
+
+const POSES: [Pose; 4] = [
+    Pose { turned_deg: [0.0; 3], px_per_m: 1200.0, middle_px: [320.0, 240.0] },
+    Pose { turned_deg: [12.0, -8.0, 5.0], px_per_m: 1200.0, middle_px: [280.0, 260.0] },
+    Pose { turned_deg: [-20.0, 10.0, -30.0], px_per_m: 700.0, middle_px: [400.0, 200.0] },
+    Pose { turned_deg: [3.0, 2.0, 80.0], px_per_m: 1500.0, middle_px: [330.0, 250.0] },
+];
+
+/// A head as a frame shows it, in MediaPipe's convention.
+fn seen(head_m: &[DVec3], pose: Pose) -> Vec<[f32; 3]> {
+    let [yaw, pitch, roll] = pose.turned_deg.map(f64::to_radians);
+    let turn = DMat3::from_quat(DQuat::from_euler(EulerRot::YXZ, yaw, pitch, roll));
+    let [width, height] = FRAME_PX.map(f64::from);
+    let point = |&place_m: &DVec3| {
+        let p = turn * place_m * pose.px_per_m;
+        let at = DVec2::from(pose.middle_px) + DVec2::new(p.x, -p.y);
+        [at.x / width, at.y / height, -p.z / width].map(|coordinate| coordinate as f32)
+    };
+    head_m.iter().map(point).collect()
+}
+
+/// The head of the open face.
+fn head_m(session: &Session) -> Vec<DVec3> {
+    session.face().unwrap().model().positions_m().to_vec()
+}
+
+fn edited() -> Session {
+    let mut session = session();
+    session.apply(Intent::Slide(FaceSlider::NoseWidth, 5.0)).unwrap();
+    session.apply(Intent::Commit).unwrap();
+    session
+}
+
+fn ways_m(session: &Session) -> Vec<DVec3> {
+    let mirror = session.mirror().unwrap();
+    mirror.edited_m().iter().zip(mirror.seen_m()).map(|(edited, seen)| *edited - *seen).collect()
+}
+
+fn furthest(ways: impl Iterator<Item = DVec3>) -> f64 {
+    ways.map(DVec3::length).fold(0.0, f64::max)
+}
+
+#[test]
+fn without_edits_nothing_moves() {
+    let mut session = session();
+    for pose in POSES {
+        session.mirror_frame(Some(&seen(&head_m(&session), pose)), FRAME_PX).unwrap();
+        assert_eq!(furthest(ways_m(&session).into_iter()), 0.0);
+        let (patch, _) = session.mirror().unwrap().patch();
+        let moved = patch.from_px.iter().zip(&patch.to_px).map(|(from, to)| from.distance(*to));
+        assert!(moved.fold(0.0, f64::max) < 1e-9, "{pose:?}");
+    }
+}
+
+#[test]
+fn the_same_face_gets_the_same_edits_wherever_it_is_however_large_and_turned() {
+    for density in [0, 1] {
+        let mut session = edited();
+        session.apply(Intent::Density(density)).unwrap();
+        let face = session.face().unwrap().document();
+        let wanted: Vec<DVec3> = face.positions().iter().zip(face.rest()).map(|(now, rest)| *now - *rest).collect();
+        assert!(furthest(wanted.iter().copied()) > 2e-3, "the edit is one");
+        for pose in POSES {
+            session.mirror_frame(Some(&seen(&head_m(&session), pose)), FRAME_PX).unwrap();
+            let off = furthest(ways_m(&session).iter().zip(&wanted).map(|(way, wanted)| *way - *wanted));
+            assert!(off < 1e-9, "{off} m at {pose:?}");
+        }
+    }
+}
+
+#[test]
+fn edits_fade_around_a_mouth_that_opens_and_only_there() {
+    let mut session = session();
+    session.apply(Intent::Slide(FaceSlider::LipFullness, 3.0)).unwrap();
+    session.apply(Intent::Slide(FaceSlider::NoseWidth, 5.0)).unwrap();
+    session.apply(Intent::Commit).unwrap();
+    // The lower lip and what is below it.
+    let lip_m = canonical_positions_m()[13];
+    let opened = |by_m: f64| -> Vec<DVec3> {
+        let below =
+            |(known, place): (DVec3, &DVec3)| *place - DVec3::Y * if known.y < lip_m.y - 1e-4 { by_m } else { 0.0 };
+        canonical_positions_m().into_iter().zip(&head_m(&session)).map(below).collect()
+    };
+    let heads = [0.0, 0.008, 0.02, 0.06].map(opened);
+    let [nose, lip] = [129, 17];
+    let mut left = Vec::new();
+    for head in heads {
+        session.mirror_frame(Some(&seen(&head, POSES[0])), FRAME_PX).unwrap();
+        let ways = ways_m(&session);
+        left.push([nose, lip].map(|vertex: usize| ways[vertex].length()));
+    }
+    let [nose_m, lip_m] = [0, 1].map(|which| left.iter().map(|left| left[which]).collect::<Vec<f64>>());
+    assert!(lip_m[0] > 1e-4 && lip_m.windows(2).all(|pair| pair[1] <= pair[0] + 1e-12), "{lip_m:?}");
+    assert!(lip_m[1] == lip_m[0] && lip_m[3] < 0.5 * lip_m[0], "{lip_m:?}");
+    assert!(nose_m[..3].iter().all(|nose| (nose - nose_m[0]).abs() < 1e-9), "{nose_m:?}");
+}
+
+#[test]
+fn mesh_and_film_coincide_on_the_stage_with_their_sides_swapped() {
+    let mut session = edited();
+    session.apply(Intent::Scene(Scene::Picture)).unwrap();
+    session.stage_mut().advance(0.0);
+    for pose in POSES {
+        session.mirror_frame(Some(&seen(&head_m(&session), pose)), FRAME_PX).unwrap();
+        session.stage_mut().advance(16.0);
+        let (stage, mirror) = (session.stage(), session.mirror().unwrap());
+        let [left, right] = [[0.0, 0.0], [640.0, 0.0]].map(|px| stage.place_of(px.into()).unwrap());
+        assert!(left.x > right.x + 400.0 && (left.y - right.y).abs() < 1e-6, "{left} {right}");
+        for vertex in [1, 33, 263, 61, 152] {
+            let px = stage.camera().project(mirror.edited_m()[vertex]).unwrap();
+            let uv = mirror.uvs()[vertex] * DVec2::from(FRAME_PX.map(f64::from));
+            let seen = stage.camera().project(mirror.seen_m()[vertex]).unwrap();
+            assert!(stage.place_of(uv).unwrap().distance(seen) < 0.05, "landmark {vertex} at {pose:?}");
+            let ray = stage.camera().ray(px);
+            let aside = (mirror.edited_m()[vertex] - ray.origin).cross(ray.direction).length();
+            assert!(aside < 1e-6, "the ray under it passes by {aside} m");
+        }
+    }
+}
+
+#[test]
+fn a_face_that_goes_leaves_the_film_as_it_is_and_comes_back_with_its_edits() {
+    let mut session = edited();
+    session.mirror_frame(None, FRAME_PX).unwrap();
+    assert!(!session.mirror().unwrap().is_seen());
+    let landmarks = seen(&head_m(&session), POSES[0]);
+    let moved = |session: &Session| {
+        let (patch, _) = session.mirror().unwrap().patch();
+        patch.from_px.iter().zip(&patch.to_px).map(|(from, to)| from.distance(*to)).fold(0.0, f64::max)
+    };
+    session.mirror_frame(Some(&landmarks), FRAME_PX).unwrap();
+    assert!(moved(&session) > 2.0, "{}", moved(&session));
+    session.mirror_frame(None, FRAME_PX).unwrap();
+    assert_eq!(moved(&session), 0.0);
+    session.mirror_frame(Some(&landmarks), FRAME_PX).unwrap();
+    assert!(moved(&session) > 2.0);
+}
+
+#[test]
+fn when_the_mirror_ends_the_photo_is_where_it_was() {
+    let mut session = edited();
+    session.apply(Intent::Scene(Scene::Picture)).unwrap();
+    session.stage_mut().advance(0.0);
+    let corners = |session: &Session| [[0.0, 0.0], [64.0, 30.0]].map(|px| session.stage().place_of(px.into()).unwrap());
+    let before = corners(&session);
+    session.mirror_frame(Some(&seen(&head_m(&session), POSES[2])), FRAME_PX).unwrap();
+    session.stage_mut().advance(16.0);
+    session.end_mirror();
+    session.stage_mut().advance(32.0);
+    assert_eq!(session.stage().camera().sides(), Sides::True);
+    for (now, before) in corners(&session).into_iter().zip(before) {
+        assert!(now.distance(before) < 1e-6, "{now} {before}");
+    }
+    assert!(session.mirror().is_none());
+}
+
+#[test]
+fn what_is_no_frame_is_refused_and_the_mirror_stays() {
+    let mut empty = Session::new(1);
+    assert_eq!(empty.mirror_frame(None, FRAME_PX), Err(SessionError::NoFace));
+    let mut session = edited();
+    let landmarks = seen(&head_m(&session), POSES[0]);
+    session.mirror_frame(Some(&landmarks), FRAME_PX).unwrap();
+    let before = ways_m(&session);
+    assert!(matches!(session.mirror_frame(Some(&landmarks[..7]), FRAME_PX), Err(SessionError::Face(_))));
+    assert_eq!(ways_m(&session), before);
+    // Another face is opened while it runs.
+    open(&mut session, found());
+    session.mirror_frame(Some(&landmarks), FRAME_PX).unwrap();
+    assert_eq!(furthest(ways_m(&session).into_iter()), 0.0);
+}
+
+#[test]
+fn a_film_is_laid_out_once_for_a_face_that_moves_and_stays_within_its_frame() {
+    let session = edited();
+    let triangles = session.face().unwrap().document().topology().triangles().to_vec();
+    let mut in_film = InFilm::default();
+    for step in 0..30 {
+        let pose = Pose {
+            px_per_m: 1200.0 + 20.0 * f64::from(step),
+            turned_deg: [0.2 * f64::from(step), 0.0, f64::from(step)],
+            middle_px: [320.0 + 5.0 * f64::from(step), 240.0],
+        };
+        let places: Vec<DVec3> = seen(&head_m(&session), pose)
+            .iter()
+            .map(|p| {
+                DVec3::new(f64::from(p[0]) * 640.0, f64::from(p[1]) * 480.0, -f64::from(p[2]) * 640.0 / pose.px_per_m)
+            })
+            .collect();
+        let targets: Vec<DVec2> = places.iter().map(|place| place.truncate() + DVec2::new(2.0, 1.0)).collect();
+        in_film.follow(&triangles, &places, &targets, FRAME_PX, 0.35).unwrap();
+        let (patch, version) = in_film.patch();
+        assert_eq!(version, 1, "step {step}");
+        for (from, to) in patch.from_px.iter().zip(&patch.to_px) {
+            assert!(from.cmpge(DVec2::ZERO).all() && to.cmpge(DVec2::ZERO).all() && from.x <= 640.0 && to.x <= 640.0);
+            let on_edge = from.x == 0.0 || from.x == 640.0 || from.y == 0.0 || from.y == 480.0;
+            assert!(!on_edge || from == to, "the edge stays");
+        }
+        let near = |place: DVec2| patch.from_px.iter().position(|from| from.distance(place) < 1e-6);
+        let led = (0..LANDMARK_COUNT).filter_map(|vertex| near(places[vertex].truncate()));
+        let led: Vec<usize> = led
+            .filter(|&at| patch.from_px[at].x < 540.0 && patch.from_px[at].cmpgt(DVec2::splat(100.0)).all())
+            .collect();
+        let off = led.iter().map(|&at| (patch.to_px[at] - patch.from_px[at]).distance(DVec2::new(2.0, 1.0)));
+        assert!(
+            off.fold(0.0, f64::max) < 1e-6 && led.len() > 100,
+            "{} of the landmarks lead in step {step}",
+            led.len()
+        );
+    }
+}

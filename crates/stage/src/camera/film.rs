@@ -1,0 +1,48 @@
+use super::Camera;
+use crate::{PicturePlane, Pinhole};
+
+/// On which side of the picture things are seen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Sides {
+    /// Where they are.
+    #[default]
+    True,
+    /// On the other one, as in a mirror. Only what is seen is swapped: everything keeps its place in the model.
+    Swapped,
+}
+
+impl Sides {
+    pub(super) fn sign(self) -> f64 {
+        match self {
+            Self::True => 1.0,
+            Self::Swapped => -1.0,
+        }
+    }
+}
+
+/// Pictures that come one after the other, of a mesh that moves.
+impl Camera {
+    /// On which side things are seen.
+    pub fn sides(&self) -> Sides {
+        self.sides
+    }
+
+    /// Swaps the sides of what is seen, or not.
+    pub fn set_sides(&mut self, sides: Sides) {
+        self.sides = sides;
+    }
+
+    /// Another picture takes the place of the one before, which another pinhole took: on the screen it is where that one was, at
+    /// once. Who looks at the mesh goes on looking at it as before.
+    pub fn change_picture(&mut self, picture: PicturePlane, pinhole: Pinhole) {
+        if self.framed.is_none() {
+            self.pinhole = Some(pinhole);
+            return;
+        }
+        let before = self.home();
+        (self.pinhole, self.framed) = (Some(pinhole), Some(picture));
+        let after = self.home();
+        self.now = self.now.carried(&before, &after);
+        self.goal = self.goal.carried(&before, &after);
+    }
+}

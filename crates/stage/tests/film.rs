@@ -1,0 +1,98 @@
+//! What holds of a camera that shows things as a mirror does, and of pictures that come one after the other.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3, EulerRot};
+use rosto_stage::{Camera, Glide, PicturePlane, Pinhole, Sides};
+
+fn camera() -> Camera {
+    let mut camera = Camera::default();
+    camera.set_glide(Glide::Off);
+    camera.resize(800, 600);
+    camera.frame(DVec3::new(0.0, 0.01, 0.02), 0.12);
+    camera
+}
+
+fn mirror() -> Camera {
+    let mut camera = camera();
+    camera.set_sides(Sides::Swapped);
+    camera
+}
+
+#[test]
+fn a_mirror_swaps_the_sides_of_the_screen_and_nothing_else() {
+    let (usual, mirror) = (camera(), mirror());
+    for place_m in [DVec3::new(0.05, 0.03, 0.01), DVec3::new(-0.02, -0.04, 0.08)] {
+        let (seen, swapped) = (usual.project(place_m).unwrap(), mirror.project(place_m).unwrap());
+        assert!(swapped.distance(DVec2::new(800.0 - seen.x, seen.y)) < 1e-9, "{seen} {swapped}");
+        let ray = mirror.ray(swapped);
+        assert!((place_m - ray.origin).cross(ray.direction).length() < 1e-9, "the ray under it meets it");
+    }
+}
+
+#[test]
+fn in_a_mirror_what_is_moved_follows_the_pointer_as_well() {
+    let place_m = DVec3::new(0.02, 0.01, 0.05);
+    let motion_px = DVec2::new(30.0, -20.0);
+    let mut camera = mirror();
+    let from = camera.project(place_m).unwrap();
+    let moved = camera.project(place_m + camera.view_plane_offset_m(place_m, motion_px)).unwrap();
+    assert!(moved.distance(from + motion_px) < 1e-6, "{moved}");
+    let middle_m = camera.centre_m();
+    let from = camera.project(middle_m).unwrap();
+    camera.pan(motion_px.x, motion_px.y);
+    camera.advance(0.0);
+    assert!(camera.project(middle_m).unwrap().distance(from + motion_px) < 1e-6);
+    let nose_m = middle_m + DVec3::Z * 0.1;
+    let from = camera.project(nose_m).unwrap();
+    camera.orbit(50.0, 0.0);
+    camera.advance(0.0);
+    assert!(camera.project(nose_m).unwrap().x > from.x + 10.0, "it turns with the pointer");
+}
+
+/// The picture of a head that is turned by so much, from infinitely far away, and its pinhole.
+fn picture(turned: [f64; 3], px_per_m: f64, middle_px: DVec2) -> (PicturePlane, Pinhole) {
+    let [yaw, pitch, roll] = turned;
+    let turn = DMat3::from_quat(DQuat::from_euler(EulerRot::YXZ, yaw, pitch, roll));
+    let (right_m, down_m) = (turn.transpose().x_axis / px_per_m, -turn.transpose().y_axis / px_per_m);
+    let origin_m = camera().centre_m() - right_m * middle_px.x - down_m * middle_px.y;
+    let plane = PicturePlane { origin_m, right_m, down_m, size_px: DVec2::new(640.0, 480.0) };
+    let camera_from_model = DAffine3::from_mat3_translation(turn, DVec3::NEG_Z * 1e6);
+    (plane, Pinhole { camera_from_model })
+}
+
+#[test]
+fn a_film_stays_where_it_is_on_the_screen_however_its_head_moves_and_whoever_has_zoomed() {
+    let (first, pinhole) = picture([0.0; 3], 1500.0, DVec2::new(320.0, 240.0));
+    for zoom in [1.0, 1.7] {
+        let mut camera = mirror();
+        camera.set_pinhole(Some(pinhole));
+        camera.frame_picture(first);
+        camera.zoom(zoom);
+        camera.pan(12.0 * (zoom - 1.0), 5.0 * (zoom - 1.0));
+        camera.advance(0.0);
+        let corners = [DVec2::ZERO, DVec2::new(640.0, 0.0), DVec2::new(100.0, 480.0)];
+        let wanted = corners.map(|corner| camera.project(first.at(corner)).unwrap());
+        for step in 1..20 {
+            let share = f64::from(step) / 20.0;
+            let turned = [0.4 * share, -0.2 * share, 0.6 * share];
+            let (next, pinhole) = picture(turned, 1500.0 - 600.0 * share, DVec2::new(320.0 + 150.0 * share, 240.0));
+            camera.change_picture(next, pinhole);
+            for (corner, wanted) in corners.iter().zip(wanted) {
+                let seen = camera.project(next.at(*corner)).unwrap();
+                assert!(seen.distance(wanted) < 0.05, "{corner} at {seen}, not {wanted}, step {step}, zoom {zoom}");
+            }
+            assert!(!camera.advance(0.016), "nothing glides");
+        }
+    }
+}
+
+#[test]
+fn who_looks_at_the_mesh_goes_on_doing_so_while_a_film_runs() {
+    let mut camera = mirror();
+    let place_m = DVec3::new(0.02, 0.03, 0.04);
+    let before = camera.project(place_m).unwrap();
+    let (next, pinhole) = picture([0.3, 0.1, 0.2], 900.0, DVec2::new(100.0, 240.0));
+    camera.change_picture(next, pinhole);
+    assert_eq!(camera.project(place_m).unwrap(), before);
+}

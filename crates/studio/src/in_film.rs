@@ -1,0 +1,171 @@
+use glam::{DVec2, DVec3};
+use rosto_warp::{Patch, Subject, Warp, seen};
+
+use crate::StudioError;
+use crate::in_photo::{BEHIND_M, longer_side};
+
+/// The edits of a face in the frames of a film, one after the other.
+///
+/// What gives way is laid out and factored once, and then carried along: a similarity takes the face to where it is, and what is
+/// left of its motion (an expression, a small turn) leads the layout as edits lead a photo. From there the edits lead it further.
+/// Only a face that has turned or changed a lot is laid out anew.
+#[derive(Default)]
+pub struct InFilm {
+    laid: Option<Laid>,
+    patch: Patch,
+    version: u32,
+}
+
+/// The layout, in px of the frame that it was made for, moved by its size: what leaves the frame is in it all the same.
+struct Laid {
+    /// Vertices of the mesh that lead.
+    vertices: Vec<u32>,
+    from_px: Vec<DVec2>,
+    longer_side_px: f64,
+    warp: Warp,
+    /// What it was made for.
+    of: Of,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Of {
+    vertex_count: usize,
+    ring: f64,
+}
+
+/// From px of the layout to px of a frame: `frame = turn · layout + shift`, the turn and the scale a complex number.
+#[derive(Debug, Clone, Copy)]
+struct Carried {
+    turn: DVec2,
+    shift: DVec2,
+}
+
+/// The layout is made anew when the face has changed by more than this share of its longer side (root of the mean square).
+const MOST_CHANGED: f64 = 0.03;
+
+/// So near to the frame's edge, in shares of the ring, what gives way begins to do so less.
+const TAPER: f64 = 0.25;
+
+impl InFilm {
+    /// Lets the next frame, of `size_px`, follow vertices that it shows at `places` (px, y down, and metres towards the camera) to
+    /// their targets, in px. Around them it gives way by `ring`, a share of the face's longer side. Two back-substitutions for each
+    /// axis; the first time, and when the face has changed a lot, a factorisation.
+    ///
+    /// # Errors
+    /// [`StudioError::Warp`] where too little of the face is seen.
+    ///
+    /// # Panics
+    /// If there is not one target for each place.
+    pub fn follow(
+        &mut self,
+        triangles: &[[u32; 3]],
+        places: &[DVec3],
+        targets_px: &[DVec2],
+        size_px: [u32; 2],
+        ring: f64,
+    ) -> Result<(), StudioError> {
+        assert_eq!(places.len(), targets_px.len(), "one target for each place");
+        let of = Of { vertex_count: places.len(), ring };
+        let carried = self.laid.as_ref().filter(|laid| laid.of == of).and_then(|laid| laid.carried(places));
+        let carried = match carried {
+            Some(carried) => carried,
+            None => self.lay(triangles, places, size_px, of)?,
+        };
+        if let Some(laid) = &mut self.laid {
+            laid.draw(carried, places, targets_px, size_px, &mut self.patch);
+        }
+        Ok(())
+    }
+
+    /// The frame has no face, and stays as it is.
+    pub fn rest(&mut self) {
+        self.patch.to_px.clone_from(&self.patch.from_px);
+    }
+
+    /// What of the frame moves, in its px, and the number of the layout: as long as that is the same, so are the triangles.
+    pub fn patch(&self) -> (&Patch, u32) {
+        (&self.patch, self.version)
+    }
+
+    fn lay(
+        &mut self,
+        triangles: &[[u32; 3]],
+        places: &[DVec3],
+        size_px: [u32; 2],
+        of: Of,
+    ) -> Result<Carried, StudioError> {
+        let aside = DVec2::from(size_px.map(f64::from));
+        let is_seen = seen(triangles, places, BEHIND_M);
+        let vertices: Vec<u32> = (0..places.len() as u32).filter(|&vertex| is_seen[vertex as usize]).collect();
+        let from_px: Vec<DVec2> = vertices.iter().map(|&vertex| places[vertex as usize].truncate() + aside).collect();
+        let longer_side_px = longer_side(&from_px);
+        let size_px = size_px.map(|side| side.saturating_mul(3));
+        let subject = Subject { size_px, points_px: &from_px, ring_px: of.ring * longer_side_px, kept: &[] };
+        let warp = Warp::new(&subject)?;
+        self.patch.triangles.clone_from(&warp.patch().triangles);
+        self.laid = Some(Laid { vertices, from_px, longer_side_px, warp, of });
+        self.version += 1;
+        Ok(Carried { turn: DVec2::X, shift: -aside })
+    }
+}
+
+impl Laid {
+    /// What takes the layout to the frame, by least squares; none if too much would be left.
+    fn carried(&self, places: &[DVec3]) -> Option<Carried> {
+        let count = self.vertices.len() as f64;
+        let seen = || self.vertices.iter().map(|&vertex| places[vertex as usize].truncate());
+        let (from_mean, to_mean) = (self.from_px.iter().sum::<DVec2>() / count, seen().sum::<DVec2>() / count);
+        let (mut product, mut square) = (DVec2::ZERO, 0.0);
+        for (from, to) in self.from_px.iter().zip(seen()) {
+            let (from, to) = (*from - from_mean, to - to_mean);
+            product += conjugate(from).rotate(to);
+            square += from.length_squared();
+        }
+        let turn = product / square;
+        let carried = Carried { turn, shift: to_mean - turn.rotate(from_mean) };
+        let left = self.from_px.iter().zip(seen()).map(|(from, to)| carried.back(to).distance_squared(*from));
+        let changed = (left.sum::<f64>() / count).sqrt() / self.longer_side_px;
+        (changed < MOST_CHANGED).then_some(carried)
+    }
+
+    fn draw(&mut self, carried: Carried, places: &[DVec3], targets_px: &[DVec2], size_px: [u32; 2], patch: &mut Patch) {
+        let at: Vec<DVec2> =
+            self.vertices.iter().map(|&vertex| carried.back(places[vertex as usize].truncate())).collect();
+        let to: Vec<DVec2> = self.vertices.iter().map(|&vertex| carried.back(targets_px[vertex as usize])).collect();
+        self.warp.carry(&self.from_px, &at);
+        patch.from_px.clear();
+        patch.from_px.extend(self.warp.patch().to_px.iter().map(|&place| carried.on(place)));
+        // The edits alone are kept from folding: how the face itself moves, the frame has already.
+        self.warp.follow(&at, &to);
+        let laid = self.warp.patch();
+        let ways = laid.to_px.iter().zip(&laid.from_px).map(|(to, from)| carried.turn.rotate(*to - *from));
+        patch.to_px.clear();
+        patch.to_px.extend(ways.zip(&patch.from_px).map(|(way, from)| *from + way));
+        let taper_px = TAPER * self.of.ring * self.longer_side_px * carried.turn.length();
+        keep_edges(patch, DVec2::from(size_px.map(f64::from)), taper_px);
+    }
+}
+
+impl Carried {
+    fn on(&self, place: DVec2) -> DVec2 {
+        self.turn.rotate(place) + self.shift
+    }
+
+    fn back(&self, place: DVec2) -> DVec2 {
+        conjugate(self.turn).rotate(place - self.shift) / self.turn.length_squared()
+    }
+}
+
+fn conjugate(number: DVec2) -> DVec2 {
+    DVec2::new(number.x, -number.y)
+}
+
+/// The frame's edge stays, and what lies beyond it is brought onto it.
+fn keep_edges(patch: &mut Patch, size_px: DVec2, taper_px: f64) {
+    for (from, to) in patch.from_px.iter_mut().zip(&mut patch.to_px) {
+        let share = (from.min(size_px - *from).min_element() / taper_px).clamp(0.0, 1.0);
+        let way = (*to - *from) * (share * share * (3.0 - 2.0 * share));
+        *from = from.clamp(DVec2::ZERO, size_px);
+        *to = (*from + way).clamp(DVec2::ZERO, size_px);
+    }
+}
