@@ -226,6 +226,10 @@ impl Studio {
     }
 
     fn show_sheet(&mut self) -> Result<()> {
+        // The mirror's film lies where the photo does.
+        if self.film.is_some() {
+            return Ok(());
+        }
         let Some((patch, version)) = self.session.face().and_then(|face| face.photo().patch()) else { return Ok(()) };
         if self.photo_shown.version != Some(version) {
             self.photo_shown.version = Some(version);
