@@ -17,6 +17,8 @@ const PICTURES = {
   "edit-dark": { options: { ...DESKTOP, colorScheme: "dark" }, act: work },
   response: { options: { ...DESKTOP, colorScheme: "light" }, act: (visitor) => paint(visitor, "response") },
   distortion: { options: { ...DESKTOP, colorScheme: "light" }, act: (visitor) => paint(visitor, "distortion") },
+  "photo-light": { options: { ...DESKTOP, colorScheme: "light" }, act: inPhoto },
+  "both-dark": { options: { ...DESKTOP, colorScheme: "dark" }, act: both },
   "face-light": { options: { ...DESKTOP, colorScheme: "light" }, act: shape },
   "size-light": { options: { ...DESKTOP, colorScheme: "light" }, act: measure },
   "phone-size": { options: { ...PHONE, colorScheme: "light" }, act: measure },
@@ -51,6 +53,22 @@ for (const [name, { options, act }] of Object.entries(PICTURES)) {
 }
 await browser.close();
 server.close();
+
+/** @param {Visitor} visitor */
+async function inPhoto(visitor) {
+  await visitor.dropSample();
+  await visitor.slide("nose-width", -4);
+  await visitor.slide("jaw-width", -7);
+  await visitor.page.click("#photo-to-stage");
+  await visitor.unfold("section-in-photo");
+}
+
+/** @param {Visitor} visitor */
+async function both(visitor) {
+  await visitor.dropSample();
+  await visitor.slide("chin-length", 6);
+  await visitor.page.click("#both");
+}
 
 /** @param {Visitor} visitor */
 async function measure(visitor) {

@@ -211,7 +211,7 @@ impl Studio {
 
     /// What is about to be drawn shows where the photo's places are now, unless that asks for a factorisation first.
     pub(crate) fn show_photo(&mut self) -> Result<()> {
-        let is_seen = self.film.is_none() && self.session.stage().picture_share() > 0.0;
+        let is_seen = self.session.stage().picture_share() > 0.0;
         if self.photo_shown.is_due && is_seen && !self.photo_waits() { self.catch_up_photo() } else { Ok(()) }
     }
 
@@ -226,7 +226,7 @@ impl Studio {
     }
 
     fn show_sheet(&mut self) -> Result<()> {
-        // The mirror's film is there in the photo's place.
+        // The mirror's film lies where the photo does.
         if self.film.is_some() {
             return Ok(());
         }

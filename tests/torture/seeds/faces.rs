@@ -11,6 +11,9 @@ use rosto_studio::{
 
 const SIDE_PX: u32 = 40;
 
+/// What was done to the photo alone.
+const IN_PHOTO: &str = r#"{"seen_from_m":1.5,"kept_px":[[[10.0,12.5,3.0],[11.0,12.5,3.0]],[[20.0,20.0,4.0]]]}"#;
+
 /// The canonical face, which histories are replayed over.
 pub fn canonical_rest() -> Rest {
     Rest::new(Triangulation::Canonical.topology(), canonical_positions_m(), CoordinateFrame::Model)
@@ -68,7 +71,8 @@ pub fn glbs(histories: &[String]) -> Vec<Vec<u8>> {
     let with_history = painted.zip(histories.iter().skip(1).cycle());
     let write = |(((triangulation, material), base_colour), history): (((_, _), BaseColour), &String)| {
         let face = face(triangulation);
-        let source = Some(Source { face: &face, triangulation, density: 0, history: Some(history) });
+        let source =
+            Some(Source { face: &face, triangulation, density: 0, history: Some(history), in_photo: Some(IN_PHOTO) });
         let morphs = if base_colour == BaseColour::Texture { std::slice::from_ref(&morph) } else { &[] };
         let options = GlbOptions { base_colour, material, morphs, source, ..GlbOptions::default() };
         glb(&Model::of_face(&face), &options).expect("invariant: the canonical face can be written")
@@ -85,7 +89,8 @@ pub fn projects(histories: &[String]) -> Vec<Vec<u8>> {
     written.expect("invariant: the picture can be written");
     let write = |history: &String| {
         let triangulation = face.triangulation();
-        let source = Source { face: &face, triangulation, density: 0, history: Some(history) };
+        let source =
+            Source { face: &face, triangulation, density: 0, history: Some(history), in_photo: Some(IN_PHOTO) };
         rosto_export::project::write(&source, &png)
     };
     histories.iter().map(|history| write(history).expect("invariant: the canonical face can be written")).collect()

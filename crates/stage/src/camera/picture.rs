@@ -1,7 +1,7 @@
 use glam::DVec2;
 
 use super::pose::Pose;
-use super::{Camera, NamedView};
+use super::{Camera, NamedView, Sides};
 use crate::PicturePlane;
 
 /// What the picture is of fills at least this share of the room, though not all of the picture be seen then.
@@ -44,8 +44,10 @@ impl Camera {
         let middle_m = (axes.transpose() * (picture.middle_m() - self.centre_m)).truncate();
         let (aside_m, half_m) = home.eye.silhouette_m(home.radius_m);
         let (room_px, half_picture_m) = (self.clear_goal.size * self.size_px, 0.5 * picture.size_m());
+        // A mirror stands still, wherever what is in it goes.
+        let least_share = if self.sides == Sides::Swapped { 0.0 } else { LEAST_SHARE };
         let px_per_m = (0.5 * room_px / half_m).min_element();
-        let zoom = ((0.5 * room_px / half_picture_m).min_element() / px_per_m).max(LEAST_SHARE);
+        let zoom = ((0.5 * room_px / half_picture_m).min_element() / px_per_m).max(least_share);
         // As near to what it is of as the picture fills the room.
         let spare_m = (half_picture_m - 0.5 * room_px / (px_per_m * zoom)).max(DVec2::ZERO);
         let seen_m = aside_m.clamp(middle_m - spare_m, middle_m + spare_m);

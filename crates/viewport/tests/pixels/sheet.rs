@@ -1,0 +1,88 @@
+use glam::{DVec2, DVec3};
+use rosto_stage::{PicturePlane, RenderSettings, Scene};
+use rosto_viewport::{PictureOnGpu, SheetInput};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+use crate::support::{SIDE_PX, Screen, assert_close, dome, largest_difference, picture, plain, screen};
+
+/// Side of the picture, in its px.
+const PICTURE_PX: u32 = 60;
+const RED: [u8; 3] = [200, 30, 20];
+const BLUE: [u8; 3] = [20, 40, 180];
+
+/// Red on its left half, blue on its right one.
+fn halves(screen: &Screen) -> PictureOnGpu {
+    let picture = screen.viewport.reserve_picture(PICTURE_PX, PICTURE_PX).unwrap();
+    let row = (0..PICTURE_PX).flat_map(|x| {
+        let [r, g, b] = if x < PICTURE_PX / 2 { RED } else { BLUE };
+        [r, g, b, 255]
+    });
+    let rgba: Vec<u8> = row.collect::<Vec<u8>>().repeat(PICTURE_PX as usize);
+    screen.viewport.write_picture_rows(&picture, 0, &rgba).unwrap();
+    screen.viewport.finish_picture(&picture);
+    picture
+}
+
+/// A dome before its picture, whose middle column of places moves.
+async fn with_sheet() -> Screen {
+    let mut screen = screen().await;
+    screen.show(&dome().input());
+    let per_px = 2.0 / f64::from(PICTURE_PX);
+    screen.stage.set_picture(Some(PicturePlane {
+        origin_m: DVec3::new(-1.0, 1.0, 0.0),
+        right_m: DVec3::new(per_px, 0.0, 0.0),
+        down_m: DVec3::new(0.0, -per_px, 0.0),
+        size_px: DVec2::splat(f64::from(PICTURE_PX)),
+    }));
+    screen.stage.show(Scene::Picture, true);
+    screen.stage.settle_picture();
+    screen.stage.advance(0.0);
+    let picture = halves(&screen);
+    screen.viewport.show_sheet(Some(&SheetInput {
+        size_px: DVec2::splat(f64::from(PICTURE_PX)),
+        from_px: &places(30.0),
+        triangles: &[[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4]],
+        picture: &picture,
+    }));
+    screen
+}
+
+/// Two rows of three places, from the left edge over a column to the right edge.
+fn places(column: f64) -> Vec<DVec2> {
+    [0.0, f64::from(PICTURE_PX)].iter().flat_map(|&y| [0.0, column, 60.0].map(|x| DVec2::new(x, y))).collect()
+}
+
+#[wasm_bindgen_test]
+async fn the_picture_lies_on_its_plane_as_it_is_and_hides_the_mesh() {
+    let mut screen = with_sheet().await;
+    let seen = picture(&mut screen, plain()).await;
+    for y in [10, SIDE_PX / 2, SIDE_PX - 10] {
+        assert_close(seen.pixel(SIDE_PX / 4, y), RED);
+        assert_close(seen.pixel(3 * SIDE_PX / 4, y), BLUE);
+    }
+}
+
+#[wasm_bindgen_test]
+async fn what_moves_takes_the_picture_along_and_before_shows_it_as_it_was() {
+    let mut screen = with_sheet().await;
+    let still = picture(&mut screen, plain()).await;
+    screen.viewport.move_sheet(&places(45.0)).unwrap();
+    let moved = picture(&mut screen, plain()).await;
+    let beside = SIDE_PX * 5 / 8;
+    assert_close(still.pixel(beside, SIDE_PX / 2), BLUE);
+    assert_close(moved.pixel(beside, SIDE_PX / 2), RED);
+    let before = picture(&mut screen, RenderSettings { before: 1.0, ..plain() }).await;
+    assert_eq!(largest_difference(&still, &before), 0);
+    assert!(screen.viewport.move_sheet(&[]).is_err(), "a place for each");
+}
+
+#[wasm_bindgen_test]
+async fn off_the_stage_the_picture_is_gone() {
+    let mut screen = with_sheet().await;
+    screen.stage.show(Scene::Solid, true);
+    screen.stage.settle_picture();
+    screen.stage.advance(16.0);
+    let seen = picture(&mut screen, plain()).await;
+    assert_eq!(seen.pixel(1, 1), [0; 4]);
+    assert_eq!(seen.pixel(SIDE_PX / 2, SIDE_PX / 2)[3], 255, "the mesh is there");
+}
