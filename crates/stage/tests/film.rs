@@ -98,3 +98,19 @@ fn who_looks_at_the_mesh_goes_on_doing_so_while_a_film_runs() {
     camera.change_picture(next, pinhole);
     assert_eq!(camera.project(place_m).unwrap(), before);
 }
+
+#[test]
+fn all_of_a_film_is_seen_though_of_a_photo_as_small_as_that_only_the_face_was() {
+    let (photo, pinhole) = picture([0.0; 3], 600.0, DVec2::new(200.0, 240.0));
+    let mut camera = camera();
+    camera.set_pinhole(Some(pinhole));
+    camera.frame_picture(photo);
+    camera.advance(0.0);
+    camera.set_sides(Sides::Swapped);
+    let (film, pinhole) = picture([0.1, 0.0, 0.2], 700.0, DVec2::new(400.0, 240.0));
+    camera.change_picture(film, pinhole);
+    for (corner, wanted) in [(DVec2::ZERO, [1000.0, 0.0]), (DVec2::new(640.0, 480.0), [200.0, 600.0])] {
+        let seen = camera.project(film.at(corner)).unwrap();
+        assert!(seen.distance(wanted.into()) < 0.05, "{corner} at {seen}");
+    }
+}

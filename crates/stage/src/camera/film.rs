@@ -29,7 +29,8 @@ impl Camera {
 
     /// Swaps the sides of what is seen, or not.
     pub fn set_sides(&mut self, sides: Sides) {
-        self.sides = sides;
+        // A mirror frames its picture in another way.
+        self.carry_home(|camera| camera.sides = sides);
     }
 
     /// Another picture takes the place of the one before, which another pinhole took: on the screen it is where that one was, at
@@ -39,10 +40,17 @@ impl Camera {
             self.pinhole = Some(pinhole);
             return;
         }
-        let before = self.home();
-        (self.pinhole, self.framed) = (Some(pinhole), Some(picture));
-        let after = self.home();
-        self.now = self.now.carried(&before, &after);
-        self.goal = self.goal.carried(&before, &after);
+        self.carry_home(|camera| (camera.pinhole, camera.framed) = (Some(pinhole), Some(picture)));
+    }
+
+    /// What changes how the picture is framed takes along at once who looks at it.
+    fn carry_home(&mut self, change: impl FnOnce(&mut Self)) {
+        let before = self.framed.is_some().then(|| self.home());
+        change(self);
+        if let Some(before) = before {
+            let after = self.home();
+            self.now = self.now.carried(&before, &after);
+            self.goal = self.goal.carried(&before, &after);
+        }
     }
 }
