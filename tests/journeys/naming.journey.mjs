@@ -96,12 +96,12 @@ journey("the sample is offered as a small picture, which moves nothing and asks 
 journey("who returns is offered first to go on, and only that button stands out", async (open) => {
   const visitor = await open();
   const { page } = visitor;
-  assert.deepEqual(await offered(page), [["choose", true], ["camera", false], ["sample", false]]);
+  assert.deepEqual(await offered(page), [["choose", true], ["camera", false], ["mirror", false], ["sample", false]]);
   await visitor.dropSample();
   await page.waitForTimeout(800);
   await page.reload();
   await page.waitForSelector("#continue:not([hidden])");
-  assert.deepEqual(await offered(page), [["continue", true], ["choose", false], ["camera", false], ["sample", false]]);
+  assert.deepEqual(await offered(page), [["continue", true], ["choose", false], ["camera", false], ["mirror", false], ["sample", false]]);
 });
 
 /** The buttons of the empty page in their order, and whether each stands out. */

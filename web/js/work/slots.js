@@ -72,9 +72,10 @@ export async function settle(slot, face, reopenedFrom) {
 async function keepFace(slot, face) {
   const put = async (/** @type {object} */ stored) => result((await open(FACES, "readwrite")).put(stored, slot));
   // As a blob the pixels are handed to the database outside the page's own thread; not every browser takes blobs in a
-  // private window.
+  // private window: there the photo's own file stays behind.
   const picture = new Blob([/** @type {BlobPart} */ (face.picture)]);
-  await put({ ...face, picture }).catch(() => put(face));
+  const { photo: _, ...withoutFile } = face;
+  await put({ ...face, picture }).catch(() => put(withoutFile));
 }
 
 /**
