@@ -1,4 +1,5 @@
 import assert from "node:assert/strict";
+import { camera, watchCamera } from "./camera-watch.mjs";
 import { journey } from "./journey.mjs";
 
 /** Every journey here asks for the camera and counts what became of it. */
@@ -124,34 +125,4 @@ journey("no photo is taken of a video that has no size yet", async (open) => {
 async function untilClosed(page) {
   await page.waitForSelector("#camera", { state: "hidden" });
   await page.waitForFunction(() => window.cameraTracks.every((track) => track.readyState === "ended"), undefined, { timeout: 5000 });
-}
-
-/** How often the page asked for the camera, the tracks it was given, and how many of them still run. */
-function camera(/** @type {import("./visitor.mjs").Visitor} */ visitor) {
-  return visitor.page.evaluate(() => {
-    const tracks = window.cameraTracks;
-    return { asked: window.cameraAsked, tracks: tracks.length, live: tracks.filter((track) => track.readyState === "live").length };
-  });
-}
-
-/** Runs in the page before its own scripts. */
-function watchCamera() {
-  window.cameraAsked = 0;
-  /** @type {MediaStreamTrack[]} */
-  window.cameraTracks = [];
-  const ask = navigator.mediaDevices.getUserMedia.bind(navigator.mediaDevices);
-  navigator.mediaDevices.getUserMedia = async (wanted) => {
-    window.cameraAsked += 1;
-    if (window.cameraWaits) await new Promise((resolve) => (window.allowCamera = resolve));
-    const stream = await ask(wanted);
-    window.cameraTracks.push(...stream.getTracks());
-    return stream;
-  };
-  // As the browser does when the camera is gone: the track stops, and says so.
-  window.unplugCamera = () => {
-    for (const track of window.cameraTracks) {
-      track.stop();
-      track.dispatchEvent(new Event("ended"));
-    }
-  };
 }

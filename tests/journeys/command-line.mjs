@@ -15,14 +15,7 @@ const TARGET = process.env.CARGO_TARGET_DIR ?? path.join(ROOT, "target");
  * @param {string[]} options of `rosto mesh`
  */
 export async function meshByCommandLine(photo, options) {
-  const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
-  try {
-    const file = path.join(folder, "mesh.json");
-    await promisify(execFile)(program(), ["mesh", photo, "-o", file, ...options]);
-    return JSON.parse(await readFile(file, "utf8"));
-  } finally {
-    await rm(folder, { recursive: true });
-  }
+  return JSON.parse((await fileByCommandLine("mesh", photo, "json", options)).toString());
 }
 
 /**
@@ -31,15 +24,8 @@ export async function meshByCommandLine(photo, options) {
  * @param {string} photo
  * @param {string[]} options of `rosto mesh`
  */
-export async function glbByCommandLine(photo, options) {
-  const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
-  try {
-    const file = path.join(folder, "mesh.glb");
-    await promisify(execFile)(program(), ["mesh", photo, "-o", file, ...options]);
-    return await readFile(file);
-  } finally {
-    await rm(folder, { recursive: true });
-  }
+export function glbByCommandLine(photo, options) {
+  return fileByCommandLine("mesh", photo, "glb", options);
 }
 
 /**
@@ -48,11 +34,21 @@ export async function glbByCommandLine(photo, options) {
  * @param {string} photo
  * @param {string[]} options of `rosto photo`
  */
-export async function photoByCommandLine(photo, options) {
+export function photoByCommandLine(photo, options) {
+  return fileByCommandLine("photo", photo, "png", options);
+}
+
+/**
+ * @param {"mesh" | "photo"} task
+ * @param {string} photo
+ * @param {string} ending
+ * @param {string[]} options
+ */
+async function fileByCommandLine(task, photo, ending, options) {
   const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
   try {
-    const file = path.join(folder, "photo.png");
-    await promisify(execFile)(program(), ["photo", photo, "-o", file, ...options]);
+    const file = path.join(folder, `made.${ending}`);
+    await promisify(execFile)(program(), [task, photo, "-o", file, ...options]);
     return await readFile(file);
   } finally {
     await rm(folder, { recursive: true });

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { findings } from "./boxes.mjs";
+import { camera, watchCamera } from "./camera-watch.mjs";
 import { FRAMES_PER_S, HEIGHT_PX, WIDTH_PX, carried, numberOf, placeIn } from "./film-frames.mjs";
 import { journey } from "./journey.mjs";
 import { differenceNear, meanColour } from "./pixels.mjs";
@@ -13,7 +14,7 @@ const GOLDEN = path.join(import.meta.dirname, "../golden/refined_landmarks.json"
 const NOSE_TIP = 4;
 const NOSE_MM = 5;
 
-const before = (/** @type {import("playwright-core").BrowserContext} */ context) => context.addInitScript(watchCamera);
+const before = (/** @type {import("playwright-core").BrowserContext} */ context) => Promise.all([watchCamera, watchFrames].map((script) => context.addInitScript(script)));
 
 journey("in the mirror the film is seen with its sides swapped, and with the edits where the face is", async (open) => {
   const visitor = await open({ before });
@@ -230,33 +231,8 @@ function show({ page }, state) {
   }, state);
 }
 
-/** How often the page asked for the camera, the tracks it was given, and how many of them still run. @param {Visitor} visitor */
-function camera({ page }) {
-  return page.evaluate(() => {
-    const tracks = window.cameraTracks;
-    return { asked: window.cameraAsked, tracks: tracks.length, live: tracks.filter((track) => track.readyState === "live").length };
-  });
-}
-
-/** Runs in the page before its own scripts. */
-function watchCamera() {
-  window.cameraAsked = 0;
-  /** @type {MediaStreamTrack[]} */
-  window.cameraTracks = [];
-  const ask = navigator.mediaDevices.getUserMedia.bind(navigator.mediaDevices);
-  navigator.mediaDevices.getUserMedia = async (wanted) => {
-    if (window.isRefused) throw new DOMException("refused", "NotAllowedError");
-    window.cameraAsked += 1;
-    const stream = await ask(wanted);
-    window.cameraTracks.push(...stream.getTracks());
-    return stream;
-  };
-  window.unplugCamera = () => {
-    for (const track of window.cameraTracks) {
-      track.stop();
-      track.dispatchEvent(new Event("ended"));
-    }
-  };
+/** Runs in the page before its own scripts: frames that never come, and frames of nothing. */
+function watchFrames() {
   const bitmapOf = window.createImageBitmap.bind(window);
   window.createImageBitmap = async (source, ...options) => {
     if (source instanceof HTMLVideoElement && window.isFrozen) return new Promise(() => {});

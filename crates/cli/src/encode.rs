@@ -29,7 +29,7 @@ pub fn encode(face: &FaceModel, document: &mut Document, task: &MeshTask, format
     let layers = if task.morph_targets { document.displacements() } else { Vec::new() };
     let document = &*document;
     let uvs: Vec<DVec2> = document.from_cage(face.uvs());
-    let colours_srgb = if task.density == 0 { face.colours_srgb().to_vec() } else { face.colours_under(&uvs) };
+    let colours_srgb = if task.mesh.density == 0 { face.colours_srgb().to_vec() } else { face.colours_under(&uvs) };
     let model = Model {
         topology: document.topology(),
         positions_m: &positions_m,
@@ -44,7 +44,7 @@ pub fn encode(face: &FaceModel, document: &mut Document, task: &MeshTask, format
     };
     let triangulation = face.triangulation();
     let source =
-        Some(Source { face, triangulation, density: task.density, history: history.as_deref(), in_photo: None });
+        Some(Source { face, triangulation, density: task.mesh.density, history: history.as_deref(), in_photo: None });
     let named = entries.iter().zip(&layers);
     let morphs: Vec<Morph<'_>> =
         named.map(|(entry, layer)| Morph { name: &entry.label, displacements_m: layer, weight: 1.0 }).collect();

@@ -26,23 +26,27 @@ impl Step {
 /// `rosto mesh`: photo to edited mesh.
 pub fn run(task: &MeshTask, given: &Given<'_>, networks: Option<&Path>) -> Result<(), CliError> {
     // What is wrong with the request is said before any work is done.
-    let inputs: Vec<&Path> =
-        [Some(&task.photo), task.edits.file.as_ref()].into_iter().flatten().map(|p| &**p).collect();
-    if inputs.iter().filter(|input| files::is_standard_input(input)).count() > 1 {
-        return Err(CliError::StandardInputTwice);
-    }
-    output::check(&task.output, &inputs)?;
+    check_files(&task.photo, &task.edits, &task.output)?;
     let format = encode::format_of(&task.output)?;
     request::check(task, format, given)?;
     let steps = steps(&task.edits, &task.settings)?;
     let photo = portrait::open(&task.photo)?;
     let finder = networks::load(networks, task.find.landmarks())?;
     let face = portrait::face(&photo, &task.photo, &finder, &task.find.options(None))?;
-    let face = portrait::model(&photo, &face, task.topology, task.camera.lens(&photo), &task.photo)?;
-    let mut document = edited(&face, steps, task.edits.units, task.density)?;
+    let face = portrait::model(&photo, &face, task.mesh.topology, task.camera.lens(&photo), &task.photo)?;
+    let mut document = edited(&face, steps, task.edits.units, task.mesh.density)?;
     output::write(&task.output, &encode::encode(&face, &mut document, task, format)?)?;
     terminal::note(&taken_from(&face));
     Ok(())
+}
+
+/// Refuses standard input for two things, and an output that is one of the inputs.
+pub fn check_files(photo: &Path, edits: &EditArguments, output: &Path) -> Result<(), CliError> {
+    let inputs: Vec<&Path> = [Some(photo), edits.file.as_deref()].into_iter().flatten().collect();
+    if inputs.iter().filter(|input| files::is_standard_input(input)).count() > 1 {
+        return Err(CliError::StandardInputTwice);
+    }
+    output::check(output, &inputs)
 }
 
 /// From how far away the photo was taken, and how that is known.

@@ -13,36 +13,31 @@ use rosto_studio::{Document, InPhoto, Rest};
 use crate::args::PhotoTask;
 use crate::encode::model_from_image;
 use crate::error::CliError;
-use crate::mesh::{edited, steps};
+use crate::mesh::{check_files, edited, steps};
 use crate::request::{self, Given};
 use crate::units::Units;
-use crate::{files, networks, output, portrait, terminal};
+use crate::{networks, output, portrait, terminal};
 
 /// Whoever wants the pixels as they are asks for a PNG.
 const JPEG_QUALITY: u8 = 95;
 
 /// `rosto photo`: photo to edited photo.
 pub fn run(task: &PhotoTask, given: &Given<'_>, networks: Option<&Path>) -> Result<(), CliError> {
-    let inputs: Vec<&Path> =
-        [Some(&task.photo), task.edits.file.as_ref()].into_iter().flatten().map(|p| &**p).collect();
-    if inputs.iter().filter(|input| files::is_standard_input(input)).count() > 1 {
-        return Err(CliError::StandardInputTwice);
-    }
-    output::check(&task.output, &inputs)?;
+    check_files(&task.photo, &task.edits, &task.output)?;
     let format = PictureFormat::of(&task.output)?;
     request::check_photo(task, given)?;
     let steps = steps(&task.edits, &task.settings)?;
     let photo = portrait::open(&task.photo)?;
     let finder = networks::load(networks, task.find.landmarks())?;
     let face = portrait::face(&photo, &task.photo, &finder, &task.find.options(None))?;
-    let face = portrait::model(&photo, &face, task.topology, task.camera.lens(&photo), &task.photo)?;
-    let document = edited(&face, steps, task.edits.units, task.density)?;
+    let face = portrait::model(&photo, &face, task.mesh.topology, task.camera.lens(&photo), &task.photo)?;
+    let document = edited(&face, steps, task.edits.units, task.mesh.density)?;
     output::write(&task.output, &format.encode(&warped(&photo, &face, &document, task)?, &task.output)?)
 }
 
 fn warped(photo: &Photo, face: &FaceModel, document: &Document, task: &PhotoTask) -> Result<Photo, CliError> {
     let in_model = Document::new(Rest::of_face(face)).and_then(|mut unedited| {
-        unedited.set_density(task.density)?;
+        unedited.set_density(task.mesh.density)?;
         Ok(unedited)
     })?;
     let positions_m = match task.edits.units {

@@ -8,7 +8,7 @@ mod depth;
 mod distance;
 mod projection;
 
-use glam::{DAffine3, DQuat, DVec2, DVec3};
+use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 
 pub(crate) use depth::{CanonicalShape, turn_rad};
 pub(crate) use distance::{Evidence, evidence};
@@ -48,7 +48,24 @@ pub struct Pose {
     pub roll_deg: f64,
 }
 
+/// Where a camera is put that sees everything from infinitely far away, in m.
+pub(crate) const PARALLEL_M: f64 = 1e6;
+
 impl Camera {
+    /// One that sees from infinitely far away, at so many px a metre, with the model turned by a rotation and moved aside by so
+    /// many metres: to the right, up, and towards the camera.
+    pub fn parallel(rotation: DMat3, aside_m: DVec3, px_per_m: f64, principal_px: DVec2) -> Self {
+        Self {
+            lens: PhotoLens::Parallel,
+            focal_px: f64::INFINITY,
+            principal_px,
+            px_per_m,
+            distance_m: f64::INFINITY,
+            distance_error: 0.0,
+            camera_from_model: DAffine3::from_mat3_translation(rotation, aside_m - DVec3::Z * PARALLEL_M),
+        }
+    }
+
     /// How the head is turned.
     pub fn pose(&self) -> Pose {
         let rotation = DQuat::from_mat3(&self.camera_from_model.matrix3);

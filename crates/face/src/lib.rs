@@ -27,7 +27,7 @@ pub use irises::{IRIS_COUNT, POINT_COUNT, iris_id, lids_of};
 pub use measures::Measure;
 pub use model::{FaceInput, FaceModel, Sighting, check_landmarks};
 pub use names::{has_anatomical_name, landmark_id, part_id};
-pub use photo_lens::PhotoLens;
+pub use photo_lens::{DISTANCES_M, PhotoLens};
 pub use regions::Region;
 pub use rosto_photo::Photo;
 pub use size::{Scale, ScaleSource};

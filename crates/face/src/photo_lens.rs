@@ -1,4 +1,5 @@
 use std::fmt;
+use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use crate::FaceError;
@@ -21,12 +22,10 @@ pub enum PhotoLens {
     Distance(f64),
 }
 
-/// No camera is nearer to a face, in m.
-pub(crate) const NEAREST_M: f64 = 0.1;
-/// Farther away than this, in m, no distance can be told from another.
-const FARTHEST_M: f64 = 20.0;
+/// How far a camera can stand from a face, in m: farther away no distance can be told from another.
+pub const DISTANCES_M: RangeInclusive<f64> = 0.1..=20.0;
 /// Focal lengths for a frame of 36 × 24 mm, in mm.
-const FOCAL_LENGTHS_MM: std::ops::RangeInclusive<f64> = 5.0..=2000.0;
+const FOCAL_LENGTHS_MM: RangeInclusive<f64> = 5.0..=2000.0;
 
 impl PhotoLens {
     /// Refuses numbers that no camera has.
@@ -37,7 +36,7 @@ impl PhotoLens {
         let is_one = match self {
             Self::Estimated | Self::Parallel => true,
             Self::Exif(mm) | Self::Given(mm) => FOCAL_LENGTHS_MM.contains(&mm),
-            Self::Distance(m) => (NEAREST_M..=FARTHEST_M).contains(&m),
+            Self::Distance(m) => DISTANCES_M.contains(&m),
         };
         if is_one { Ok(self) } else { Err(FaceError::Lens { lens: self.to_string() }) }
     }

@@ -52,15 +52,12 @@ pub enum SessionError {
         /// How far it may, in metres.
         most_m: f64,
     },
-    /// No camera has such a distance.
-    #[error("a camera stands 0.1 to 20 m away, not {distance_m} m")]
-    Distance {
-        /// The distance asked for, in metres.
-        distance_m: f64,
+    /// The text does not hold what was done to a photo alone.
+    #[error("what was done to the photo has no usable {field:?}")]
+    InPhoto {
+        /// What is missing or not understood.
+        field: &'static str,
     },
-    /// What is said of the photo is none of it.
-    #[error("the photo's own edits have no usable {0:?}")]
-    BadPhotoEdit(&'static str),
     /// The text does not hold preferences.
     #[error("the preferences have no usable {field:?}")]
     Preferences {

@@ -1,5 +1,5 @@
-use glam::{DAffine3, DMat3, DVec2, DVec3};
-use rosto_face::{Camera, LANDMARK_COUNT, PhotoLens, Sighting};
+use glam::{DMat3, DVec2, DVec3};
+use rosto_face::{Camera, LANDMARK_COUNT, Sighting};
 use rosto_studio::{InFilm, fading};
 use rosto_warp::Patch;
 
@@ -103,14 +103,6 @@ impl Mirror {
 }
 
 fn front(size_px: [u32; 2]) -> Camera {
-    const FAR_M: f64 = 1e6;
-    Camera {
-        lens: PhotoLens::Parallel,
-        focal_px: f64::INFINITY,
-        principal_px: DVec2::from(size_px.map(f64::from)) / 2.0,
-        px_per_m: f64::from(size_px[1]) / HEIGHT_M,
-        distance_m: f64::INFINITY,
-        distance_error: 0.0,
-        camera_from_model: DAffine3::from_mat3_translation(DMat3::IDENTITY, DVec3::NEG_Z * FAR_M),
-    }
+    let size_px = DVec2::from(size_px.map(f64::from));
+    Camera::parallel(DMat3::IDENTITY, DVec3::ZERO, size_px.y / HEIGHT_M, size_px / 2.0)
 }

@@ -1,7 +1,8 @@
 //! Choices and view as JSON text, so that a session that ends can be gone on with in another.
 //!
 //! Fields that are missing or not understood are refused as a whole: nobody's half of a preference is guessed. Those that
-//! the first version did not have (`photo_light`, `anchors_marked`, `lens`, `scene`, `ring`) stand as usual where they are missing.
+//! the first version did not have (`photo_light`, `anchors_marked`, `lens`, `scene`, `ring`) stand as usual where they are
+//! missing.
 
 use rosto_face::Triangulation;
 use rosto_stage::{Background, Dots, Lens, Light, PictureLight, Scene, ShadingMode, Srgb, Wireframe};

@@ -179,7 +179,7 @@ impl Session {
             Intent::Density(density) => self.set_density(density),
             Intent::PhotoLens(lens) => self.set_photo_lens(lens),
             Intent::Triangulation(triangulation) => self.set_triangulation(triangulation),
-            Intent::Scene(scene) => Ok(self.set_scene(scene, true)),
+            Intent::Scene(scene) => Ok(self.set_scene(scene)),
             Intent::Ring(share) => self.set_ring(share),
             Intent::SeenFrom(distance_m) => self.set_seen_from(distance_m),
             Intent::Brush(radius_px) => self.set_brush(radius_px),

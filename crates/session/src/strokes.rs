@@ -1,7 +1,7 @@
 //! What of a photo is kept as it is, painted with a brush, and as JSON text.
 
 use glam::DVec2;
-use rosto_face::PhotoLens;
+use rosto_face::DISTANCES_M;
 use rosto_warp::Dab;
 use serde_json::{Value, json};
 
@@ -87,11 +87,11 @@ impl OpenFace {
 
 /// What [`OpenFace::photo_json`] wrote.
 pub(crate) fn read(text: &str) -> Result<(Option<f64>, Strokes), SessionError> {
-    let bad = SessionError::BadPhotoEdit;
+    let bad = |field| SessionError::InPhoto { field };
     let value: Value = serde_json::from_str(text).map_err(|_| bad("JSON"))?;
     let seen_from_m = match &value["seen_from_m"] {
         Value::Null => None,
-        number => Some(seen_from(number.as_f64().unwrap_or(f64::NAN)).ok_or(bad("seen_from_m"))?),
+        number => Some(number.as_f64().filter(|m| DISTANCES_M.contains(m)).ok_or(bad("seen_from_m"))?),
     };
     let strokes = value["kept_px"].as_array().ok_or(bad("kept_px"))?.iter().map(stroke);
     let done: Vec<Vec<Dab>> = strokes.collect::<Option<_>>().ok_or(bad("kept_px"))?;
@@ -99,11 +99,6 @@ pub(crate) fn read(text: &str) -> Result<(Option<f64>, Strokes), SessionError> {
         return Err(bad("kept_px"));
     }
     Ok((seen_from_m, Strokes { done, undone: Vec::new() }))
-}
-
-/// A distance that a camera can have.
-pub(crate) fn seen_from(distance_m: f64) -> Option<f64> {
-    PhotoLens::Distance(distance_m).checked().ok().map(|_| distance_m)
 }
 
 fn stroke(value: &Value) -> Option<Vec<Dab>> {

@@ -109,7 +109,7 @@ impl From<SessionError> for FacadeError {
             SessionError::NothingSelected => ("no-selection", "Choose a point first."),
             SessionError::NoSuchVertex { .. } => ("bad-vertex", "Choose a point that there is."),
             SessionError::OutOfRange { .. } => ("bad-number", "Give a number within these limits."),
-            SessionError::TooManyEntries { .. } | SessionError::BadHistory { .. } => {
+            SessionError::TooManyEntries { .. } | SessionError::BadHistory { .. } | SessionError::InPhoto { .. } => {
                 ("bad-history", "Open an earlier copy of it, or the photo instead.")
             }
             SessionError::Preferences { .. } => ("bad-choice", "Make the choices again."),

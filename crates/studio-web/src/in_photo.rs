@@ -1,14 +1,15 @@
-use rosto_face::Photo;
-use rosto_session::{BRUSH_PX, Changed, Intent};
+use glam::DVec2;
+use rosto_session::{BRUSH_PX, Changed, Intent, OpenFace};
 use rosto_studio::{DEFAULT_RING, RING_SHARES};
-use rosto_viewport::{SheetInput, ViewportError};
+use rosto_viewport::SheetInput;
 use rosto_warp::Patch;
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
-use crate::error::{FacadeError, Result};
+use crate::error::Result;
 use crate::modes::ChangeName;
-use crate::picture::{rgb_of, rgba_of};
+use crate::photo_panel::PanelPhoto;
+use crate::picture::OpenPicture;
 use crate::state::StudioRange;
 
 /// The photo as it follows the edits, on the stage and on the panel.
@@ -18,15 +19,7 @@ pub(crate) struct PhotoShown {
     version: Option<u32>,
     /// Whether the edits have gone on since the photo followed them.
     is_due: bool,
-    panel: Option<PanelPhoto>,
-}
-
-/// The part of the photo that the panel shows, as it was taken.
-struct PanelPhoto {
-    photo: Photo,
-    left_px: f64,
-    top_px: f64,
-    scale: f64,
+    pub(crate) panel: Option<PanelPhoto>,
 }
 
 /// What moves in the photo, for whoever draws all of it.
@@ -145,36 +138,6 @@ impl Studio {
         self.session.face().map(|face| face.model().photo_size_px().to_vec()).unwrap_or_default()
     }
 
-    /// The part of the photo that the panel shows, as it was taken: RGBA, `width` px wide, with its top left corner at a place of
-    /// the upright photo, `scale` times its size.
-    ///
-    /// # Errors
-    /// `bad-face`.
-    #[wasm_bindgen(js_name = setPanelPhoto)]
-    pub fn set_panel_photo(
-        &mut self,
-        rgba: &[u8],
-        width: u32,
-        #[wasm_bindgen(js_name = leftPx)] left_px: f64,
-        #[wasm_bindgen(js_name = topPx)] top_px: f64,
-        scale: f64,
-    ) -> Result<(), JsValue> {
-        let height = (rgba.len() / 4).checked_div(width as usize).unwrap_or_default() as u32;
-        let bad = |_| FacadeError::from(ViewportError::BadPicture { width, height, found: rgba.len() });
-        let photo = Photo::from_rgb(width, height, rgb_of(rgba)).map_err(bad)?;
-        self.photo_shown.panel = Some(PanelPhoto { photo, left_px, top_px, scale });
-        Ok(())
-    }
-
-    /// That part with the edits, RGBA; undefined where nothing moves in it, or before there is one.
-    #[wasm_bindgen(js_name = panelPhoto)]
-    pub fn panel_photo(&self) -> Option<Vec<u8>> {
-        let PanelPhoto { photo, left_px, top_px, scale } = self.photo_shown.panel.as_ref()?;
-        let (patch, _) = self.session.face()?.photo().patch()?;
-        let drawn = rosto_warp::drawn(photo, &patch.cut(glam::DVec2::new(*left_px, *top_px), *scale));
-        Some(rgba_of(&drawn))
-    }
-
     /// Where the edits have taken the landmarks, and the irises if they were found, on the photo: x and y in turn, in shares of its
     /// size; undefined while no face is open.
     #[wasm_bindgen(js_name = photoLandmarks)]
@@ -188,7 +151,7 @@ impl Studio {
     pub fn photo_warp(&mut self) -> Option<PhotoWarp> {
         self.session.follow_in_photo();
         let (patch, _) = self.session.face()?.photo().patch()?;
-        let flat = |places: &[glam::DVec2]| places.iter().flat_map(|place| place.to_array()).collect();
+        let flat = |places: &[DVec2]| places.iter().flat_map(|place| place.to_array()).collect();
         Some(PhotoWarp {
             from_px: flat(&patch.from_px),
             to_px: flat(&patch.to_px),
@@ -201,7 +164,9 @@ impl Studio {
     /// The photo as it was taken, for a face that has just come.
     pub(crate) fn show_photo_as_taken(&mut self) {
         self.photo_shown.version = None;
-        self.show_patch(&Patch::default());
+        let still = Patch::default();
+        let face_and_picture = self.session.face().zip(self.picture.as_ref());
+        self.viewport.show_sheet(face_and_picture.map(|(face, picture)| sheet(face, picture, &still)).as_ref());
     }
 
     /// The photo is to follow what has changed, once a frame at most.
@@ -226,28 +191,21 @@ impl Studio {
     }
 
     fn show_sheet(&mut self) -> Result<()> {
+        let (Some(face), Some(picture)) = (self.session.face(), &self.picture) else { return Ok(()) };
         // The mirror's film lies where the photo does.
-        if self.film.is_some() {
-            return Ok(());
+        let Some((patch, version)) = face.photo().patch().filter(|_| self.film.is_none()) else { return Ok(()) };
+        if self.photo_shown.version.replace(version) != Some(version) {
+            self.viewport.show_sheet(Some(&sheet(face, picture, patch)));
         }
-        let Some((patch, version)) = self.session.face().and_then(|face| face.photo().patch()) else { return Ok(()) };
-        if self.photo_shown.version != Some(version) {
-            self.photo_shown.version = Some(version);
-            let patch = patch.clone();
-            self.show_patch(&patch);
-        }
-        let Some((patch, _)) = self.session.face().and_then(|face| face.photo().patch()) else { return Ok(()) };
         Ok(self.viewport.move_sheet(&patch.to_px)?)
     }
+}
 
-    fn show_patch(&mut self, patch: &Patch) {
-        let face_and_picture = self.session.face().zip(self.picture.as_ref());
-        let input = face_and_picture.map(|(face, picture)| SheetInput {
-            size_px: glam::DVec2::from(face.model().photo_size_px().map(f64::from)),
-            from_px: &patch.from_px,
-            triangles: &patch.triangles,
-            picture: &picture.on_gpu,
-        });
-        self.viewport.show_sheet(input.as_ref());
+fn sheet<'a>(face: &OpenFace, picture: &'a OpenPicture, patch: &'a Patch) -> SheetInput<'a> {
+    SheetInput {
+        size_px: DVec2::from(face.model().photo_size_px().map(f64::from)),
+        from_px: &patch.from_px,
+        triangles: &patch.triangles,
+        picture: &picture.on_gpu,
     }
 }

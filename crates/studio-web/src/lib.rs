@@ -13,6 +13,7 @@ mod mirror;
 mod modes;
 mod names;
 mod paper;
+mod photo_panel;
 mod picture;
 mod renderer;
 mod reopened;

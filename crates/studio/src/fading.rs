@@ -43,6 +43,11 @@ fn stretch(topology: &Topology, edited_m: &[DVec3], seen_m: &[DVec3]) -> Vec<f64
 }
 
 fn left_of(stretch: f64) -> f64 {
-    let share = ((stretch - FADES[0]) / (FADES[1] - FADES[0])).clamp(0.0, 1.0);
-    1.0 - share * share * (3.0 - 2.0 * share)
+    1.0 - smooth_step((stretch - FADES[0]) / (FADES[1] - FADES[0]))
+}
+
+/// From 0 to 1 without a kink at either end.
+pub(crate) fn smooth_step(share: f64) -> f64 {
+    let share = share.clamp(0.0, 1.0);
+    share * share * (3.0 - 2.0 * share)
 }

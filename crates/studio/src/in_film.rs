@@ -1,8 +1,9 @@
 use glam::{DVec2, DVec3};
-use rosto_warp::{Patch, Subject, Warp, seen};
+use rosto_warp::{Patch, Subject, Warp};
 
 use crate::StudioError;
-use crate::in_photo::{BEHIND_M, longer_side};
+use crate::fading::smooth_step;
+use crate::in_photo::{leading, longer_side};
 
 /// The edits of a face in the frames of a film, one after the other.
 ///
@@ -95,9 +96,8 @@ impl InFilm {
         of: Of,
     ) -> Result<Carried, StudioError> {
         let aside = DVec2::from(size_px.map(f64::from));
-        let is_seen = seen(triangles, places, BEHIND_M);
-        let vertices: Vec<u32> = (0..places.len() as u32).filter(|&vertex| is_seen[vertex as usize]).collect();
-        let from_px: Vec<DVec2> = vertices.iter().map(|&vertex| places[vertex as usize].truncate() + aside).collect();
+        let (vertices, mut from_px) = leading(triangles, places);
+        from_px.iter_mut().for_each(|place| *place += aside);
         let longer_side_px = longer_side(&from_px);
         let size_px = size_px.map(|side| side.saturating_mul(3));
         let subject = Subject { size_px, points_px: &from_px, ring_px: of.ring * longer_side_px, kept: &[] };
@@ -163,8 +163,7 @@ fn conjugate(number: DVec2) -> DVec2 {
 /// The frame's edge stays, and what lies beyond it is brought onto it.
 fn keep_edges(patch: &mut Patch, size_px: DVec2, taper_px: f64) {
     for (from, to) in patch.from_px.iter_mut().zip(&mut patch.to_px) {
-        let share = (from.min(size_px - *from).min_element() / taper_px).clamp(0.0, 1.0);
-        let way = (*to - *from) * (share * share * (3.0 - 2.0 * share));
+        let way = (*to - *from) * smooth_step(from.min(size_px - *from).min_element() / taper_px);
         *from = from.clamp(DVec2::ZERO, size_px);
         *to = (*from + way).clamp(DVec2::ZERO, size_px);
     }

@@ -13,7 +13,7 @@ pub const RING_SHARES: RangeInclusive<f64> = 0.1..=0.8;
 pub const DEFAULT_RING: f64 = 0.35;
 
 /// What lies less than this behind the surface is seen all the same, in metres.
-pub(crate) const BEHIND_M: f64 = 0.004;
+const BEHIND_M: f64 = 0.004;
 
 /// The edits of a face in its photo: what of the mesh the photo's camera sees leads the picture, which gives way around it.
 pub struct InPhoto {
@@ -33,30 +33,15 @@ impl InPhoto {
     pub fn new(face: &FaceModel, document: &Document, ring: f64, kept: &[Dab]) -> Result<Self, StudioError> {
         let camera = face.camera();
         let places: Vec<DVec3> = document.rest().iter().map(|&place_m| place(camera, place_m)).collect();
-        Self::over(document.topology().triangles(), &places, face.photo_size_px(), ring, kept)
-    }
-
-    /// The same of a mesh that is seen at these places: px of the photo, y down, and metres towards its camera.
-    ///
-    /// # Errors
-    /// As [`Self::new`].
-    pub fn over(
-        triangles: &[[u32; 3]],
-        places: &[DVec3],
-        size_px: [u32; 2],
-        ring: f64,
-        kept: &[Dab],
-    ) -> Result<Self, StudioError> {
-        let is_seen = seen(triangles, places, BEHIND_M);
-        let vertices: Vec<u32> = (0..places.len() as u32).filter(|&vertex| is_seen[vertex as usize]).collect();
-        let from_px: Vec<DVec2> = vertices.iter().map(|&vertex| places[vertex as usize].truncate()).collect();
+        let (vertices, from_px) = leading(document.topology().triangles(), &places);
         let ring_px = ring * longer_side(&from_px);
-        let warp = Warp::new(&Subject { size_px, points_px: &from_px, ring_px, kept })?;
+        let subject = Subject { size_px: face.photo_size_px(), points_px: &from_px, ring_px, kept };
+        let warp = Warp::new(&subject)?;
         Ok(Self { vertices, to_px: from_px.clone(), from_px, warp })
     }
 
-    /// Lets the photo follow vertices from `rest_m` to where they are now, in the model's metres, as `camera` sees them: the photo's own, or
-    /// that one from another distance. One back-substitution for each axis.
+    /// Lets the photo follow vertices from `rest_m`, as the camera `from` sees them, to `now_m`, as `to` does: the photo's own
+    /// camera, or that one from another distance. Metres in the model's frame; one back-substitution for each axis.
     pub fn follow(&mut self, rest_m: &[DVec3], now_m: &[DVec3], from: &Camera, to: &Camera) {
         for ((target, from_px), &vertex) in self.to_px.iter_mut().zip(&self.from_px).zip(&self.vertices) {
             let places = (from.project(rest_m[vertex as usize]), to.project(now_m[vertex as usize]));
@@ -80,6 +65,14 @@ impl InPhoto {
 
 fn place(camera: &Camera, place_m: DVec3) -> DVec3 {
     camera.project(place_m).unwrap_or(DVec2::NAN).extend(camera.towards_camera_m(place_m))
+}
+
+/// The vertices of a mesh that are seen and lead what is around them, and where they are, of places in px, y down, and metres
+/// towards the camera.
+pub(crate) fn leading(triangles: &[[u32; 3]], places: &[DVec3]) -> (Vec<u32>, Vec<DVec2>) {
+    let is_seen = seen(triangles, places, BEHIND_M);
+    let seen = (0..).zip(places).zip(is_seen).filter(|(_, is_seen)| *is_seen);
+    seen.map(|((vertex, place), _)| (vertex, place.truncate())).unzip()
 }
 
 pub(crate) fn longer_side(places: &[DVec2]) -> f64 {

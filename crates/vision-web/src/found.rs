@@ -54,8 +54,13 @@ impl FoundFace {
     }
 }
 
-fn rgba(picture: &Photo) -> Vec<u8> {
-    picture.pixels().as_chunks::<3>().0.iter().flat_map(|&[r, g, b]| [r, g, b, u8::MAX]).collect()
+/// Written in place: collected one by one, millions of bytes take three times as long.
+pub(crate) fn rgba(picture: &Photo) -> Vec<u8> {
+    let mut rgba = vec![u8::MAX; picture.pixels().len() / 3 * 4];
+    for (to, pixel) in rgba.as_chunks_mut::<4>().0.iter_mut().zip(picture.pixels().as_chunks::<3>().0) {
+        to[..3].copy_from_slice(pixel);
+    }
+    rgba
 }
 
 #[wasm_bindgen]

@@ -5,6 +5,7 @@ use rosto_warp::{Patch, drawn};
 use wasm_bindgen::prelude::*;
 
 use crate::error;
+use crate::found::rgba;
 
 /// A photo with what was edited in it. `free()` it when everything has been taken out.
 #[wasm_bindgen]
@@ -51,11 +52,7 @@ impl Warped {
 
 impl Warped {
     fn of(photo: &Photo) -> Self {
-        let mut rgba = vec![u8::MAX; photo.pixels().len() / 3 * 4];
-        for (to, pixel) in rgba.as_chunks_mut::<4>().0.iter_mut().zip(photo.pixels().as_chunks::<3>().0) {
-            to[..3].copy_from_slice(pixel);
-        }
-        Self { width: photo.width(), height: photo.height(), rgba }
+        Self { width: photo.width(), height: photo.height(), rgba: rgba(photo) }
     }
 }
 

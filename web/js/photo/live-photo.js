@@ -15,6 +15,10 @@ export class LivePhoto {
   #photoPerPicture = 1;
   /** With the edits. */
   #canvas = new OffscreenCanvas(1, 1);
+  /** Whether it has changed since it was drawn. */
+  #isDue = true;
+  /** What was drawn last. @type {Part | undefined} */
+  #drawn;
   /** Of what the studio was given. @type {string | undefined} */
   #given;
   #bench;
@@ -34,6 +38,12 @@ export class LivePhoto {
     this.#crop = crop;
     this.#photoPerPicture = photoPerPicture;
     this.#given = undefined;
+    this.#isDue = true;
+  }
+
+  /** The edits have changed. */
+  note() {
+    this.#isDue = true;
   }
 
   /**
@@ -47,6 +57,13 @@ export class LivePhoto {
     if (!part) return undefined;
     const wanted = Math.max(1, Math.min(Math.round(width), part.width));
     this.#give(part, wanted);
+    if (this.#isDue) this.#drawn = this.#draw(part);
+    this.#isDue = false;
+    return this.#drawn;
+  }
+
+  /** @param {ImageBitmap} part */
+  #draw(part) {
     const rgba = this.#bench.ask((studio) => studio.panelPhoto());
     if (!rgba) return part;
     const { width: w, height: h } = this.#canvas;
@@ -63,6 +80,7 @@ export class LivePhoto {
     const key = `${width} ${part.width} ${part.height}`;
     if (key === this.#given) return;
     this.#given = key;
+    this.#isDue = true;
     const height = Math.max(1, Math.round((part.height * width) / part.width));
     Object.assign(this.#canvas, { width, height });
     const context = this.#canvas.getContext("2d", { willReadFrequently: true });

@@ -1,7 +1,8 @@
 import { byId } from "../page/dom.js";
 import { inEveryLanguage, say } from "../words/words.js";
-import { faceBox } from "./face-box.js";
+import { aroundFace } from "./face-box.js";
 import { LivePhoto } from "./live-photo.js";
+import { drawLandmarks, LANDMARK_COUNT, ring } from "./photo-landmarks.js";
 
 /**
  * @typedef {import("../work/work.js").OpenedFace} OpenedFace
@@ -20,15 +21,8 @@ const THUMBNAIL_PX = 56;
 /** Beside the stage it is no taller than this, in CSS px. */
 const MAX_BESIDE_PX = 720;
 
-/** How much of the photo around the face is shown, in sizes of the face. */
-const AROUND_FACE = 1.6;
-
 /** A pointer this near a landmark means it, in CSS px. */
 const REACH_PX = 10;
-
-/** Behind these come the points of the irises. */
-const LANDMARK_COUNT = 468;
-const IRIS_POINTS = 5;
 
 /** The photo with the landmarks of one face drawn on it. Needs no WebGPU. */
 export class PhotoOverlay {
@@ -140,6 +134,7 @@ export class PhotoOverlay {
     this.#soon = setTimeout(() => {
       this.#soon = 0;
       this.#moved = bench.ask((studio) => studio.photoLandmarks());
+      this.#live?.note();
       this.#draw();
     }, DRAW_EVERY_MS);
   }
@@ -164,59 +159,11 @@ export class PhotoOverlay {
     if (!context) return;
     context.imageSmoothingQuality = "high";
     context.drawImage(part, 0, 0, this.#canvas.width, this.#canvas.height);
-    this.#drawLandmarks(context, ratio);
-  }
-
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {number} ratio device px per CSS px
-   */
-  #drawLandmarks(context, ratio) {
-    // Light dots in dark rings show on any skin.
-    for (const [colour, size] of /** @type {const} */ ([["rgb(0 0 0 / 0.45)", 3], ["rgb(255 255 255)", 1.5]])) {
-      context.fillStyle = colour;
-      for (let landmark = 0; landmark < LANDMARK_COUNT; landmark++) {
-        const { x, y } = this.#place(landmark);
-        context.fillRect(x - (size / 2) * ratio, y - (size / 2) * ratio, size * ratio, size * ratio);
-      }
-      for (const iris of this.#irises()) {
-        context.strokeStyle = colour;
-        context.lineWidth = (size / 2) * ratio;
-        context.stroke(iris);
-      }
+    drawLandmarks(context, (landmark) => this.#place(landmark), this.#landmarks.length / 3, ratio);
+    for (const [landmark, radius, width] of /** @type {const} */ ([[this.#hovered, 4, 1], [this.#selected, 5, 2]])) {
+      // Only landmarks are on the photo.
+      if (landmark !== undefined && landmark < LANDMARK_COUNT) ring(context, this.#place(landmark), radius * ratio, width * ratio);
     }
-    this.#ring(context, this.#hovered, 4 * ratio, ratio);
-    this.#ring(context, this.#selected, 5 * ratio, 2 * ratio);
-  }
-
-  /** The irises as circles around their middles, through the four points on their borders; none where none were found. */
-  #irises() {
-    const circles = [];
-    for (let iris = LANDMARK_COUNT; 3 * (iris + IRIS_POINTS) <= this.#landmarks.length; iris += IRIS_POINTS) {
-      const middle = this.#place(iris);
-      const border = [1, 2, 3, 4].map((point) => this.#place(iris + point));
-      const radius = border.reduce((sum, { x, y }) => sum + Math.hypot(x - middle.x, y - middle.y) / border.length, 0);
-      const circle = new Path2D();
-      circle.arc(middle.x, middle.y, radius, 0, 2 * Math.PI);
-      circles.push(circle);
-    }
-    return circles;
-  }
-
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {number | undefined} vertex only landmarks are on the photo
-   * @param {number} radius
-   * @param {number} width
-   */
-  #ring(context, vertex, radius, width) {
-    if (vertex === undefined || vertex >= LANDMARK_COUNT) return;
-    const { x, y } = this.#place(vertex);
-    context.strokeStyle = getComputedStyle(this.#canvas).color;
-    context.lineWidth = width;
-    context.beginPath();
-    context.arc(x, y, radius, 0, 2 * Math.PI);
-    context.stroke();
   }
 
   /**
@@ -259,31 +206,4 @@ function drawBeside(part) {
   const canvas = byId("beside-photo", HTMLCanvasElement);
   Object.assign(canvas, { width: part.width, height: part.height });
   canvas.getContext("2d")?.drawImage(part, 0, 0);
-}
-
-/**
- * The part of a picture that shows a face with something of what is around it, in whole px.
- *
- * @param {Float32Array} landmarks
- * @param {{ width: number, height: number }} picture px
- */
-function aroundFace(landmarks, picture) {
-  const { x, y, side: size } = faceBox(landmarks, picture.width, picture.height);
-  const side = Math.ceil(AROUND_FACE * size);
-  const width = Math.min(side, picture.width);
-  const height = Math.min(side, picture.height);
-  return {
-    left: within(Math.round(x - width / 2), picture.width - width),
-    top: within(Math.round(y - height / 2), picture.height - height),
-    width,
-    height,
-  };
-}
-
-/**
- * @param {number} value
- * @param {number} most
- */
-function within(value, most) {
-  return Math.min(Math.max(value, 0), most);
 }

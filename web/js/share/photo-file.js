@@ -53,6 +53,20 @@ export function setUpPhotoFile(bench, keeper, vision) {
 }
 
 /**
+ * The file as it was opened, if it is still there: one on the visitor's disk may be gone by now.
+ *
+ * @param {Blob | undefined} file
+ */
+async function readable(file) {
+  try {
+    await file?.slice(0, 1).arrayBuffer();
+    return file;
+  } catch {
+    return undefined;
+  }
+}
+
+/**
  * @param {Workbench} bench
  * @param {OpenedFace} face
  * @param {import("../photo/vision-client.js").VisionClient} vision
@@ -62,6 +76,6 @@ async function editedPhoto(bench, face, vision, format) {
   const warp = bench.ask((studio) => studio.photoWarp());
   const [from_px, to_px, triangles] = warp ? [warp.fromPx, warp.toPx, warp.triangles] : [new Float64Array(), new Float64Array(), new Uint32Array()];
   warp?.free();
-  const photo = face.photo ?? (await pngOf(face));
+  const photo = (await readable(face.photo)) ?? (await pngOf(face));
   return vision.draw({ photo, width_px: face.width_px, from_px, to_px, triangles, format: `image/${format}` });
 }

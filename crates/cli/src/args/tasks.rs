@@ -25,6 +25,19 @@ pub struct LandmarksTask {
     pub find: FindArguments,
 }
 
+/// The mesh that edits are made on.
+#[derive(Debug, Args)]
+pub struct MeshArguments {
+    /// How the landmarks are joined: with holes for eyes and mouth, or closed
+    #[arg(long, default_value = Triangulation::default().id(),
+        value_parser = one_of("triangulation", Triangulation::ALL, Triangulation::id, Triangulation::from_id))]
+    pub topology: Triangulation,
+    /// How often every triangle is cut in four (Loop subdivision)
+    #[arg(long, value_name = "TIMES", default_value_t = 0, allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(0..=4))]
+    pub density: u32,
+}
+
 #[derive(Debug, Args)]
 pub struct MeshTask {
     /// JPEG, PNG or WebP; - reads standard input
@@ -32,14 +45,8 @@ pub struct MeshTask {
     /// The file to write, whole or not at all; its name ends as its format is called
     #[arg(short, long, value_name = "FILE", long_help = output_help())]
     pub output: PathBuf,
-    /// How the landmarks are joined: with holes for eyes and mouth, or closed
-    #[arg(long, default_value = Triangulation::default().id(),
-        value_parser = one_of("triangulation", Triangulation::ALL, Triangulation::id, Triangulation::from_id))]
-    pub topology: Triangulation,
-    /// How often every triangle is cut in four (Loop subdivision); colours come from the photo
-    #[arg(long, value_name = "TIMES", default_value_t = 0, allow_negative_numbers = true,
-        value_parser = clap::value_parser!(u32).range(0..=4))]
-    pub density: u32,
+    #[command(flatten)]
+    pub mesh: MeshArguments,
     /// What colours a GLB or glTF
     #[arg(long, alias = "paint", default_value = BaseColour::default().id(),
         value_parser = one_of("base-colour", BaseColour::ALL, BaseColour::id, BaseColour::from_id))]
@@ -73,14 +80,8 @@ pub struct PhotoTask {
     /// Shows the face as a camera sees it from so many cm
     #[arg(long = "seen-from", value_name = "CM", allow_negative_numbers = true, value_parser = settings::seen_from)]
     pub seen_from_m: Option<f64>,
-    /// How the landmarks are joined: with holes for eyes and mouth, or closed
-    #[arg(long, default_value = Triangulation::default().id(),
-        value_parser = one_of("triangulation", Triangulation::ALL, Triangulation::id, Triangulation::from_id))]
-    pub topology: Triangulation,
-    /// How often every triangle is cut in four (Loop subdivision)
-    #[arg(long, value_name = "TIMES", default_value_t = 0, allow_negative_numbers = true,
-        value_parser = clap::value_parser!(u32).range(0..=4))]
-    pub density: u32,
+    #[command(flatten)]
+    pub mesh: MeshArguments,
     #[command(flatten)]
     pub find: FindArguments,
     #[command(flatten)]

@@ -3,9 +3,9 @@
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 use super::seen::{fit_canonical_to, in_px, px_from_image};
-use crate::camera::{self, Camera, CanonicalShape, Evidence};
+use crate::camera::{self, Camera, CanonicalShape, Evidence, PARALLEL_M};
 use crate::irises::{MIDDLE_OF_LIDS, POINTS_OF_AN_IRIS};
-use crate::photo_lens::NEAREST_M;
+use crate::photo_lens::DISTANCES_M;
 use crate::procrustes::Similarity;
 use crate::size::{self, Scale};
 use crate::{FaceError, LANDMARK_COUNT, PhotoLens, canonical_positions_m};
@@ -23,9 +23,6 @@ pub(super) struct Fitted {
 
 /// Lens data of the photo are set aside if they make what is seen less likely than e to the power of minus this.
 const MOST_CONTRADICTION: f64 = 20.0;
-
-/// Where a camera is put that sees everything from infinitely far away, in m.
-pub(super) const PARALLEL_M: f64 = 1e6;
 
 impl Fitted {
     pub(super) fn new(landmarks: &[[f32; 3]], size_px: [u32; 2], lens: PhotoLens) -> Result<Self, FaceError> {
@@ -104,7 +101,7 @@ impl Sight {
 
     fn seen_through(&self, focal_px: f64, lens: PhotoLens, error: f64) -> Result<Fitted, FaceError> {
         // No part of a face is behind its camera.
-        let focal_px = focal_px.max(NEAREST_M * fit_canonical_to(&self.seen)?.scale);
+        let focal_px = focal_px.max(DISTANCES_M.start() * fit_canonical_to(&self.seen)?.scale);
         let (points, px_from_model) = self.unprojected(focal_px)?;
         Ok(self.placed(&points, px_from_model, focal_px, lens, error))
     }

@@ -1,9 +1,8 @@
-use glam::{DAffine3, DVec2, DVec3};
+use glam::{DVec2, DVec3};
 
-use super::fitting::PARALLEL_M;
 use super::seen::{fit_to, in_px};
 use crate::camera::Camera;
-use crate::{FaceError, LANDMARK_COUNT, PhotoLens};
+use crate::{FaceError, LANDMARK_COUNT};
 
 /// A face that is known, as one frame of a film shows it: with another expression, elsewhere and turned.
 #[derive(Debug, Clone)]
@@ -28,16 +27,8 @@ impl Sighting {
         let model_from_px = px_from_model.inverse();
         let middle_px = DVec2::from(size_px.map(f64::from)) / 2.0;
         let aside_px = px_from_model.translation - DVec3::new(middle_px.x, -middle_px.y, 0.0);
-        let translation = aside_px / px_from_model.scale - DVec3::Z * PARALLEL_M;
-        let camera = Camera {
-            lens: PhotoLens::Parallel,
-            focal_px: f64::INFINITY,
-            principal_px: middle_px,
-            px_per_m: px_from_model.scale,
-            distance_m: f64::INFINITY,
-            distance_error: 0.0,
-            camera_from_model: DAffine3::from_mat3_translation(px_from_model.rotation, translation),
-        };
+        let px_per_m = px_from_model.scale;
+        let camera = Camera::parallel(px_from_model.rotation, aside_px / px_per_m, px_per_m, middle_px);
         let positions_m = seen[..LANDMARK_COUNT].iter().map(|&point| model_from_px.apply(point)).collect();
         Ok(Self { camera, positions_m })
     }

@@ -1,5 +1,5 @@
 use glam::{DVec2, DVec3};
-use rosto_face::Camera;
+use rosto_face::{Camera, DISTANCES_M};
 use rosto_stage::{NamedView, PicturePlane, Pinhole, Scene};
 use rosto_studio::RING_SHARES;
 use rosto_warp::Dab;
@@ -8,7 +8,7 @@ use super::{Result, Session};
 use crate::error::within;
 use crate::gesture::Gesture;
 use crate::open_face::OpenFace;
-use crate::strokes::{Strokes, seen_from};
+use crate::strokes::Strokes;
 use crate::{Changed, Motion, SessionError};
 
 /// The brush is no finer and no coarser than this, in CSS px.
@@ -33,19 +33,23 @@ impl Session {
         );
     }
 
-    pub(super) fn set_scene(&mut self, scene: Scene, home: bool) -> Changed {
+    pub(super) fn set_scene(&mut self, scene: Scene) -> Changed {
         self.view.scene = scene;
         if scene == Scene::Solid {
             self.brush_px = None;
         }
-        self.show_scene(home);
+        self.show_scene();
         Changed::Document
     }
 
-    pub(super) fn show_scene(&mut self, home: bool) {
+    pub(super) fn show_scene(&mut self) {
         if self.face.is_some() {
-            self.stage.show(self.view.scene, home);
+            self.stage.show(self.view.scene);
         }
+        self.end_scene_change();
+    }
+
+    fn end_scene_change(&mut self) {
         if self.view.motion == Motion::Reduced {
             self.stage.settle_picture();
         }
@@ -55,7 +59,10 @@ impl Session {
     /// Who turns the photo turns the face out of it.
     pub(super) fn leave_photo(&mut self) -> Changed {
         if self.face.is_some() && self.view.scene == Scene::Picture {
-            return self.set_scene(Scene::Solid, false);
+            (self.view.scene, self.brush_px) = (Scene::Solid, None);
+            self.stage.turn_out_of_picture();
+            self.end_scene_change();
+            return Changed::Document;
         }
         Changed::Nothing
     }
@@ -69,10 +76,9 @@ impl Session {
     }
 
     pub(super) fn set_seen_from(&mut self, distance_m: Option<f64>) -> Result {
-        let distance_m = match distance_m {
-            Some(value) => Some(seen_from(value).ok_or(SessionError::Distance { distance_m: value })?),
-            None => None,
-        };
+        let [nearest_m, farthest_m] = [*DISTANCES_M.start(), *DISTANCES_M.end()];
+        let checked = distance_m.map(|value| within("the distance in m", value, nearest_m, farthest_m));
+        let distance_m = checked.transpose()?;
         self.face.as_mut().ok_or(SessionError::NoFace)?.set_seen_from(distance_m);
         self.show_pinhole();
         Ok(Changed::Document)
@@ -84,21 +90,27 @@ impl Session {
         let radius_px = radius_px.filter(|_| self.mirror.is_none());
         self.brush_px = radius_px.map(|px| within("the brush in px", px, BRUSH_PX[0], BRUSH_PX[1])).transpose()?;
         if self.brush_px.is_some() && self.view.scene != Scene::Picture {
-            self.set_scene(Scene::Picture, true);
+            self.set_scene(Scene::Picture);
         }
         self.hover(None);
         Ok(Changed::Document)
     }
 
-    /// Begins a stroke, if the brush is in hand and the place is on the photo.
-    pub(super) fn paint(&mut self, place_px: DVec2) -> Option<Changed> {
-        let radius_px = self.brush_px? * self.stage.pixel_ratio();
-        let (place, beside) =
-            (self.stage.picture_px(place_px)?, self.stage.picture_px(place_px + DVec2::X * radius_px)?);
-        let dab = Dab { centre_px: place, radius_px: beside.distance(place) };
-        self.gesture = Gesture::Painting;
-        self.face.as_mut()?.change_strokes(|strokes| strokes.begin(dab));
-        Some(Changed::View)
+    /// Begins a stroke, if the place is on the photo: the brush takes hold of nothing else.
+    pub(super) fn paint(&mut self, place_px: DVec2, brush_px: f64) -> Changed {
+        self.gesture = Gesture::Idle;
+        let dab = self.dab(place_px, brush_px * self.stage.pixel_ratio());
+        if let (Some(face), Some(dab)) = (&mut self.face, dab) {
+            self.gesture = Gesture::Painting;
+            face.change_strokes(|strokes| strokes.begin(dab));
+        }
+        Changed::View
+    }
+
+    /// What a brush of that radius, in px of the canvas, covers of the photo at a place of the canvas.
+    fn dab(&self, place_px: DVec2, radius_px: f64) -> Option<Dab> {
+        let centre_px = self.stage.picture_px(place_px)?;
+        Some(Dab { centre_px, radius_px: radius_px / self.stage.px_per_picture_px(centre_px)? })
     }
 
     pub(super) fn go_on_painting(&mut self, place_px: DVec2) -> Changed {
@@ -118,7 +130,7 @@ impl Session {
     /// Out of the photo and to the side, from where an edit in depth is seen.
     pub(super) fn show_depth(&mut self) -> Result {
         self.open_face()?;
-        self.set_scene(Scene::Solid, true);
+        self.set_scene(Scene::Solid);
         let camera = self.stage.camera_mut();
         camera.look(NamedView::Front);
         camera.turn_towards(ASIDE);
@@ -140,9 +152,8 @@ impl Session {
     /// Middles and radii, in px of the canvas, of what of the photo is kept.
     pub fn kept_on_canvas(&self) -> Vec<[f64; 3]> {
         let circle = |dab: &Dab| {
-            let at = |place_px: DVec2| self.stage.place_of(place_px);
-            let (middle, beside) = (at(dab.centre_px)?, at(dab.centre_px + DVec2::X * dab.radius_px)?);
-            Some([middle.x, middle.y, middle.distance(beside)])
+            let middle = self.stage.place_of(dab.centre_px)?;
+            Some([middle.x, middle.y, dab.radius_px * self.stage.px_per_picture_px(dab.centre_px)?])
         };
         let face = self.face.as_ref();
         face.map(|face| face.photo().strokes().dabs().filter_map(circle).collect()).unwrap_or_default()

@@ -1,11 +1,11 @@
 use rosto_face::canonical_positions_m;
+use rosto_stage::Scene;
 
 use super::{Result, Session};
 use crate::gesture::{Gesture, Under};
 use crate::incoming::{self, Incoming};
 use crate::open_face::OpenFace;
 use crate::{Changed, Choices, Motion, Selection, SelectionMode, preferences};
-use rosto_stage::Scene;
 
 /// What is open.
 impl Session {
@@ -19,11 +19,12 @@ impl Session {
         (self.gesture, self.under, self.brush_px) = (Gesture::Idle, Under::default(), None);
         self.view.show_on(&mut self.stage, false);
         self.see_as_edited();
+        // Where the photo lies depends on the middle of what is framed, and how the face is framed on the photo's camera.
         self.stage.set_pinhole(None);
         self.frame();
         self.show_pinhole();
         self.frame();
-        self.stage.show(self.view.scene, true);
+        self.stage.show(self.view.scene);
         self.stage.settle_picture();
         if self.view.motion == Motion::Usual && self.view.scene == Scene::Solid && self.mirror.is_none() {
             self.stage.start_arrival();
@@ -70,7 +71,7 @@ impl Session {
         let look = self.stage.render_settings_mut();
         (look.light, look.dots) = (preferences.light, preferences.dots);
         self.view.show_on(&mut self.stage, self.face.is_none());
-        self.show_scene(true);
+        self.show_scene();
         let Some(face) = &mut self.face else { return Ok(Changed::Document) };
         face.set_ring(self.view.ring);
         // The face keeps its mesh: what is preferred is for the next one.

@@ -63,8 +63,8 @@ impl Session {
 
     /// What is taken lights up, under a finger as well, which was not over it before.
     pub(super) fn press(&mut self, place_px: DVec2, pointer: Pointer) -> Changed {
-        if let Some(painted) = self.paint(place_px) {
-            return painted;
+        if let Some(brush_px) = self.brush_px {
+            return self.paint(place_px, brush_px);
         }
         let under = self.under_at(place_px, pointer);
         self.gesture = gesture::pressed(under, place_px);

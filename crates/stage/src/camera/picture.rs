@@ -1,7 +1,7 @@
 use glam::DVec2;
 
 use super::pose::Pose;
-use super::{Camera, NamedView, Sides};
+use super::{Camera, Facing, NamedView, Sides};
 use crate::PicturePlane;
 
 /// What the picture is of fills at least this share of the room, though not all of the picture be seen then.
@@ -17,16 +17,19 @@ impl Camera {
         }
     }
 
-    /// Frames the mesh again, through its own lens: from where it looks, or, `home`, as at first.
-    pub fn leave_picture(&mut self, home: bool) {
-        if self.framed.take().is_none() {
-            return;
+    /// Frames the mesh again as at first, through its own lens.
+    pub fn leave_picture(&mut self) {
+        if self.framed.take().is_some() {
+            self.look(NamedView::Reset);
         }
+    }
+
+    /// Frames the mesh again through its own lens, from where it looks.
+    pub fn turn_out_of_picture(&mut self) {
         let facing = self.goal.facing;
-        self.look(NamedView::Reset);
-        if !home && self.seen_from().1.is_none() {
-            self.goal.facing.azimuth = facing.azimuth;
-            self.goal.facing.elevation = facing.elevation;
+        self.leave_picture();
+        if self.seen_from().1.is_none() {
+            self.goal.facing = Facing { roll: 0.0, ..facing };
         }
     }
 

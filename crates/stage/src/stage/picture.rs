@@ -15,7 +15,7 @@ impl Stage {
             self.changed = true;
             match picture {
                 Some(plane) if self.scene == Scene::Picture => self.camera.frame_picture(plane),
-                _ => self.show(Scene::Solid, true),
+                _ => self.show(Scene::Solid),
             }
         }
     }
@@ -31,15 +31,25 @@ impl Stage {
         self.scene
     }
 
-    /// Puts the picture on the stage or takes it off: the camera glides there, and the picture comes or goes. What leaves it
-    /// stays as it faces the viewer, or, `home`, is seen as at first. Nothing without a picture.
-    pub fn show(&mut self, scene: Scene, home: bool) {
-        let Some(picture) = self.picture.filter(|_| scene == Scene::Picture) else {
-            self.scene = Scene::Solid;
-            return self.camera_mut().leave_picture(home);
-        };
-        self.scene = scene;
-        self.camera_mut().frame_picture(picture);
+    /// Puts the picture on the stage, or takes it off and shows the mesh as at first: the camera glides there, and the picture
+    /// comes or goes. Nothing comes without a picture.
+    pub fn show(&mut self, scene: Scene) {
+        match self.picture.filter(|_| scene == Scene::Picture) {
+            Some(picture) => {
+                self.scene = scene;
+                self.camera_mut().frame_picture(picture);
+            }
+            None => {
+                self.scene = Scene::Solid;
+                self.camera_mut().leave_picture();
+            }
+        }
+    }
+
+    /// Takes the picture off the stage while the mesh stays as it faces the viewer.
+    pub fn turn_out_of_picture(&mut self) {
+        self.scene = Scene::Solid;
+        self.camera_mut().turn_out_of_picture();
     }
 
     /// How much of the picture is seen, 0..1.
@@ -52,6 +62,12 @@ impl Stage {
         let picture = self.picture?;
         let place = picture.px_under(&self.camera.ray(place_px))?;
         (place.cmpge(DVec2::ZERO).all() && place.cmple(picture.size_px).all()).then_some(place)
+    }
+
+    /// How many px of the canvas one of the picture has, at a place of the picture; none where it is not seen.
+    pub fn px_per_picture_px(&self, picture_px: DVec2) -> Option<f64> {
+        let place = self.place_of(picture_px)?;
+        self.place_of(picture_px + DVec2::X).map(|beside| beside.distance(place))
     }
 
     /// Where a place in the picture is seen, in px of the canvas.

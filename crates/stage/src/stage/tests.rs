@@ -75,7 +75,7 @@ fn a_mesh_rises_out_of_its_picture_in_half_a_second_and_once() {
 #[test]
 fn the_picture_fills_the_stage_and_lies_where_its_pinhole_saw_it() {
     let mut stage = with_picture();
-    stage.show(Scene::Picture, true);
+    stage.show(Scene::Picture);
     run(&mut stage, 0..200);
     assert_eq!((stage.scene(), stage.picture_share()), (Scene::Picture, 1.0));
     let corner = |x: f64, y: f64| stage.camera().project(DVec3::new(x, y, 0.0)).unwrap();
@@ -86,7 +86,7 @@ fn the_picture_fills_the_stage_and_lies_where_its_pinhole_saw_it() {
 #[test]
 fn the_picture_fits_into_what_is_clear_whatever_size_that_has() {
     let mut stage = with_picture();
-    stage.show(Scene::Picture, true);
+    stage.show(Scene::Picture);
     stage.camera_mut().resize(300, 500);
     stage.set_covered([0.0, 0.0, 100.0, 0.0]);
     run(&mut stage, 0..200);
@@ -104,7 +104,7 @@ fn what_is_small_in_its_picture_fills_half_the_room_and_the_picture_the_rest() {
         size_px: DVec2::splat(200.0),
     };
     stage.set_picture(Some(large));
-    stage.show(Scene::Picture, true);
+    stage.show(Scene::Picture);
     run(&mut stage, 0..300);
     let at = |x: f64, y: f64| stage.camera().project(DVec3::new(x, y, 0.0)).unwrap();
     let height_px = at(0.0, -1.0).y - at(0.0, 1.0).y;
@@ -117,16 +117,16 @@ fn what_is_small_in_its_picture_fills_half_the_room_and_the_picture_the_rest() {
 #[test]
 fn who_turns_out_of_the_picture_sees_the_mesh_from_there() {
     let mut stage = with_picture();
-    stage.show(Scene::Picture, true);
+    stage.show(Scene::Picture);
     run(&mut stage, 0..200);
-    stage.show(Scene::Solid, false);
+    stage.turn_out_of_picture();
     stage.camera_mut().orbit(100.0, 0.0);
     let steps = run(&mut stage, 200..400);
     assert!(steps[0].draw && !steps[199].again);
     assert_eq!(stage.picture_share(), 0.0);
     let facing = stage.camera().back();
     assert!(facing.x < -0.5, "{facing}");
-    stage.show(Scene::Picture, true);
+    stage.show(Scene::Picture);
     stage.set_picture(None);
     assert_eq!(stage.scene(), Scene::Solid, "without a picture there is none to show");
 }

@@ -34,7 +34,7 @@ async fn with_sheet() -> Screen {
         down_m: DVec3::new(0.0, -per_px, 0.0),
         size_px: DVec2::splat(f64::from(PICTURE_PX)),
     }));
-    screen.stage.show(Scene::Picture, true);
+    screen.stage.show(Scene::Picture);
     screen.stage.settle_picture();
     screen.stage.advance(0.0);
     let picture = halves(&screen);
@@ -79,7 +79,7 @@ async fn what_moves_takes_the_picture_along_and_before_shows_it_as_it_was() {
 #[wasm_bindgen_test]
 async fn off_the_stage_the_picture_is_gone() {
     let mut screen = with_sheet().await;
-    screen.stage.show(Scene::Solid, true);
+    screen.stage.show(Scene::Solid);
     screen.stage.settle_picture();
     screen.stage.advance(16.0);
     let seen = picture(&mut screen, plain()).await;

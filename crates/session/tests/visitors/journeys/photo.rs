@@ -206,6 +206,28 @@ fn the_brush_brings_the_photo_selects_nothing_and_goes_with_it() {
 }
 
 #[test]
+fn the_brush_paints_up_to_the_edge_of_the_photo_and_takes_nothing_beyond() {
+    let mut session = photo();
+    act(&mut session, Intent::Brush(Some(40.0)));
+    for (count, corner_px) in
+        [DVec2::new(1.0, 1.0), DVec2::new(639.0, 300.0), DVec2::new(639.0, 639.0)].into_iter().enumerate()
+    {
+        let place = session.stage().place_of(corner_px).unwrap();
+        act(&mut session, Intent::Press(place, Pointer::Fine));
+        assert!(session.has_grabbed(), "{corner_px}");
+        act(&mut session, Intent::Release);
+        assert_eq!(state(&session).stroke_count, count + 1);
+    }
+    let radii: Vec<f64> = face(&session).photo().strokes().dabs().map(|dab| dab.radius_px).collect();
+    assert!(radii.iter().all(|radius| (radius - radii[0]).abs() < 1e-9), "{radii:?}");
+    let beyond = session.stage().place_of(DVec2::new(660.0, 300.0)).unwrap();
+    act(&mut session, Intent::Press(beyond, Pointer::Coarse));
+    assert!(!session.has_grabbed());
+    act(&mut session, Intent::Release);
+    assert_eq!((state(&session).stroke_count, face(&session).selection()), (3, None));
+}
+
+#[test]
 fn what_the_photo_alone_holds_comes_back_with_the_work() {
     let mut session = photo();
     act(&mut session, Intent::SeenFrom(Some(1.5)));

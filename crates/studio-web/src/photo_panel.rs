@@ -1,0 +1,48 @@
+use glam::DVec2;
+use rosto_face::Photo;
+use rosto_viewport::ViewportError;
+use wasm_bindgen::prelude::*;
+
+use crate::Studio;
+use crate::error::FacadeError;
+use crate::picture::{rgb_of, rgba_of};
+
+/// The part of the photo that the panel shows, as it was taken.
+pub(crate) struct PanelPhoto {
+    photo: Photo,
+    corner_px: DVec2,
+    scale: f64,
+}
+
+/// The photo on the panel, with the edits.
+#[wasm_bindgen]
+impl Studio {
+    /// The part of the photo that the panel shows, as it was taken: RGBA, `width` px wide, with its top left corner at a place of
+    /// the upright photo, `scale` times its size.
+    ///
+    /// # Errors
+    /// `bad-face`.
+    #[wasm_bindgen(js_name = setPanelPhoto)]
+    pub fn set_panel_photo(
+        &mut self,
+        rgba: &[u8],
+        width: u32,
+        #[wasm_bindgen(js_name = leftPx)] left_px: f64,
+        #[wasm_bindgen(js_name = topPx)] top_px: f64,
+        scale: f64,
+    ) -> Result<(), JsValue> {
+        let height = (rgba.len() / 4).checked_div(width as usize).unwrap_or_default() as u32;
+        let bad = |_| FacadeError::from(ViewportError::BadPicture { width, height, found: rgba.len() });
+        let photo = Photo::from_rgb(width, height, rgb_of(rgba)).map_err(bad)?;
+        self.photo_shown.panel = Some(PanelPhoto { photo, corner_px: DVec2::new(left_px, top_px), scale });
+        Ok(())
+    }
+
+    /// That part with the edits, RGBA; undefined where nothing moves in it, or before there is one.
+    #[wasm_bindgen(js_name = panelPhoto)]
+    pub fn panel_photo(&self) -> Option<Vec<u8>> {
+        let PanelPhoto { photo, corner_px, scale } = self.photo_shown.panel.as_ref()?;
+        let (patch, _) = self.session.face()?.photo().patch()?;
+        Some(rgba_of(&rosto_warp::drawn(photo, &patch.cut(*corner_px, *scale))))
+    }
+}

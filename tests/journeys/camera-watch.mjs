@@ -1,0 +1,36 @@
+// What a page did with the camera, told by scripts that run in it before its own.
+
+/**
+ * How often the page asked for the camera, the tracks it was given, and how many of them still run.
+ *
+ * @param {import("./visitor.mjs").Visitor} visitor
+ */
+export function camera({ page }) {
+  return page.evaluate(() => {
+    const tracks = window.cameraTracks;
+    return { asked: window.cameraAsked, tracks: tracks.length, live: tracks.filter((track) => track.readyState === "live").length };
+  });
+}
+
+/** Runs in the page before its own scripts. */
+export function watchCamera() {
+  window.cameraAsked = 0;
+  /** @type {MediaStreamTrack[]} */
+  window.cameraTracks = [];
+  const ask = navigator.mediaDevices.getUserMedia.bind(navigator.mediaDevices);
+  navigator.mediaDevices.getUserMedia = async (wanted) => {
+    if (window.isRefused) throw new DOMException("refused", "NotAllowedError");
+    window.cameraAsked += 1;
+    if (window.cameraWaits) await new Promise((resolve) => (window.allowCamera = resolve));
+    const stream = await ask(wanted);
+    window.cameraTracks.push(...stream.getTracks());
+    return stream;
+  };
+  // As the browser does when the camera is gone: the track stops, and says so.
+  window.unplugCamera = () => {
+    for (const track of window.cameraTracks) {
+      track.stop();
+      track.dispatchEvent(new Event("ended"));
+    }
+  };
+}
