@@ -34,6 +34,17 @@ impl Triangulation {
     }
 }
 
+/// The triangles of a face's mesh without those that fill its eyes and mouth, which [`Triangulation::Tessellation`] leaves open.
+///
+/// `mesh` is a subdivision of `face`, its triangles in the order of those that they are parts of.
+pub fn without_fillings(face: &[[u32; 3]], mesh: &[[u32; 3]]) -> Vec<[u32; 3]> {
+    let [_rim, openings @ ..] = &Triangulation::Tessellation.topology().boundary_loops()[..] else { return Vec::new() };
+    let fills = |corners: &[u32; 3]| openings.iter().any(|ring| corners.iter().all(|corner| ring.contains(corner)));
+    let parts = mesh.len() / face.len().max(1);
+    let kept = mesh.chunks(parts.max(1)).zip(face).filter(|(_, corners)| !fills(corners));
+    kept.flat_map(|(parts, _)| parts).copied().collect()
+}
+
 /// The canonical face: 468 positions in metres, right-handed, +X to the subject's left, +Y up, +Z out of the face.
 ///
 /// It is an average head, and sets the size of every model whose own cannot be measured.

@@ -20,7 +20,7 @@ mod symmetry;
 mod tables;
 
 pub use camera::{Camera, Pose};
-pub use canonical::{LANDMARK_COUNT, Triangulation, canonical_positions_m, canonical_uvs};
+pub use canonical::{LANDMARK_COUNT, Triangulation, canonical_positions_m, canonical_uvs, without_fillings};
 pub use contours::oval;
 pub use error::FaceError;
 pub use irises::{IRIS_COUNT, POINT_COUNT, iris_id, lids_of};

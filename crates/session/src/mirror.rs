@@ -1,5 +1,5 @@
 use glam::{DMat3, DVec2, DVec3};
-use rosto_face::{Camera, LANDMARK_COUNT, Sighting};
+use rosto_face::{Camera, LANDMARK_COUNT, Sighting, without_fillings};
 use rosto_studio::{InFilm, fading};
 use rosto_warp::Patch;
 
@@ -93,9 +93,9 @@ impl Mirror {
         let places: Vec<DVec3> =
             self.seen_m.iter().map(|seen| place(seen).extend(camera.towards_camera_m(*seen))).collect();
         let targets_px: Vec<DVec2> = self.edited_m.iter().map(place).collect();
-        let triangles = document.topology().triangles();
+        let skin = || without_fillings(face.model().topology().triangles(), document.topology().triangles());
         // A face that is as good as outside of the frame leads nothing in it.
-        if self.in_film.follow(triangles, &places, &targets_px, self.size_px, view.ring).is_err() {
+        if self.in_film.follow(skin, &places, &targets_px, self.size_px, view.ring).is_err() {
             self.in_film.rest();
         }
         Ok(())

@@ -50,7 +50,8 @@ const TAPER: f64 = 0.25;
 impl InFilm {
     /// Lets the next frame, of `size_px`, follow vertices that it shows at `places` (px, y down, and metres towards the camera) to
     /// their targets, in px. Around them it gives way by `ring`, a share of the face's longer side. Two back-substitutions for each
-    /// axis; the first time, and when the face has changed a lot, a factorisation.
+    /// axis; the first time, and when the face has changed a lot, a factorisation, for which the triangles of its skin are asked
+    /// for.
     ///
     /// # Errors
     /// [`StudioError::Warp`] where too little of the face is seen.
@@ -59,7 +60,7 @@ impl InFilm {
     /// If there is not one target for each place.
     pub fn follow(
         &mut self,
-        triangles: &[[u32; 3]],
+        skin: impl FnOnce() -> Vec<[u32; 3]>,
         places: &[DVec3],
         targets_px: &[DVec2],
         size_px: [u32; 2],
@@ -70,7 +71,7 @@ impl InFilm {
         let carried = self.laid.as_ref().filter(|laid| laid.of == of).and_then(|laid| laid.carried(places));
         let carried = match carried {
             Some(carried) => carried,
-            None => self.lay(triangles, places, size_px, of)?,
+            None => self.lay(&skin(), places, size_px, of)?,
         };
         if let Some(laid) = &mut self.laid {
             laid.draw(carried, places, targets_px, size_px, &mut self.patch);
@@ -88,15 +89,9 @@ impl InFilm {
         (&self.patch, self.version)
     }
 
-    fn lay(
-        &mut self,
-        triangles: &[[u32; 3]],
-        places: &[DVec3],
-        size_px: [u32; 2],
-        of: Of,
-    ) -> Result<Carried, StudioError> {
+    fn lay(&mut self, skin: &[[u32; 3]], places: &[DVec3], size_px: [u32; 2], of: Of) -> Result<Carried, StudioError> {
         let aside = DVec2::from(size_px.map(f64::from));
-        let (vertices, mut from_px) = leading(triangles, places);
+        let (vertices, mut from_px) = leading(skin, places);
         from_px.iter_mut().for_each(|place| *place += aside);
         let longer_side_px = longer_side(&from_px);
         let size_px = size_px.map(|side| side.saturating_mul(3));

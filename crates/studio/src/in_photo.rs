@@ -1,8 +1,8 @@
 use std::ops::RangeInclusive;
 
 use glam::{DVec2, DVec3};
-use rosto_face::{Camera, FaceModel};
-use rosto_warp::{Dab, Patch, Subject, Warp, seen};
+use rosto_face::{Camera, FaceModel, without_fillings};
+use rosto_warp::{self as warp, Dab, Patch, Subject, Warp};
 
 use crate::{Document, StudioError};
 
@@ -14,6 +14,9 @@ pub const DEFAULT_RING: f64 = 0.35;
 
 /// What lies less than this behind the surface is seen all the same, in metres.
 const BEHIND_M: f64 = 0.004;
+
+/// Lids and lips lead where they are further apart than this, in shares of the face's longer side: some 3 mm.
+const APART: f64 = 0.02;
 
 /// The edits of a face in its photo: what of the mesh the photo's camera sees leads the picture, which gives way around it.
 pub struct InPhoto {
@@ -33,7 +36,8 @@ impl InPhoto {
     pub fn new(face: &FaceModel, document: &Document, ring: f64, kept: &[Dab]) -> Result<Self, StudioError> {
         let camera = face.camera();
         let places: Vec<DVec3> = document.rest().iter().map(|&place_m| place(camera, place_m)).collect();
-        let (vertices, from_px) = leading(document.topology().triangles(), &places);
+        let skin = without_fillings(face.topology().triangles(), document.topology().triangles());
+        let (vertices, from_px) = leading(&skin, &places);
         let ring_px = ring * longer_side(&from_px);
         let subject = Subject { size_px: face.photo_size_px(), points_px: &from_px, ring_px, kept };
         let warp = Warp::new(&subject)?;
@@ -67,12 +71,13 @@ fn place(camera: &Camera, place_m: DVec3) -> DVec3 {
     camera.project(place_m).unwrap_or(DVec2::NAN).extend(camera.towards_camera_m(place_m))
 }
 
-/// The vertices of a mesh that are seen and lead what is around them, and where they are, of places in px, y down, and metres
-/// towards the camera.
-pub(crate) fn leading(triangles: &[[u32; 3]], places: &[DVec3]) -> (Vec<u32>, Vec<DVec2>) {
-    let is_seen = seen(triangles, places, BEHIND_M);
-    let seen = (0..).zip(places).zip(is_seen).filter(|(_, is_seen)| *is_seen);
-    seen.map(|((vertex, place), _)| (vertex, place.truncate())).unzip()
+/// The vertices of a face's skin that lead what is around them, and where they are, of places in px, y down, and metres towards
+/// the camera.
+pub(crate) fn leading(skin: &[[u32; 3]], places: &[DVec3]) -> (Vec<u32>, Vec<DVec2>) {
+    let finite: Vec<DVec2> = places.iter().filter(|place| place.is_finite()).map(|place| place.truncate()).collect();
+    let leads = warp::leading(skin, places, BEHIND_M, APART * longer_side(&finite));
+    let leading = (0..).zip(places).zip(leads).filter(|(_, leads)| *leads);
+    leading.map(|((vertex, place), _)| (vertex, place.truncate())).unzip()
 }
 
 pub(crate) fn longer_side(places: &[DVec2]) -> f64 {

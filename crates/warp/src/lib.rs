@@ -3,8 +3,8 @@
 //!
 //! [`Warp`] lays a triangulation over a picture (`layout`): the points themselves, and a lattice around and between them.
 //! Wherever the points go, the rest follows with value and slope zero at the border and no bi-Laplacian between, and where a
-//! triangle would fold, the way is shortened (`folds`). [`drawn`] draws the picture so. [`seen`] tells which points of a
-//! surface a camera sees: only those can lead what is in its picture. Knows nothing of faces.
+//! triangle would fold, the way is shortened (`folds`). [`drawn`] draws the picture so. [`leading`] tells which points of
+//! a surface can lead what is in its picture: those that are [`seen()`], and not beside another sheet of it. Knows nothing of faces.
 
 mod cells;
 mod draw;
@@ -12,12 +12,14 @@ mod error;
 mod folds;
 mod layout;
 mod seen;
+mod sheets;
 mod warp;
 
 pub use draw::drawn;
 pub use error::WarpError;
 pub use layout::{Dab, RING_SHARES, Subject};
 pub use seen::seen;
+pub use sheets::leading;
 pub use warp::{Patch, Warp};
 
 /// The examples of the README are tested with those of the code.

@@ -1,5 +1,6 @@
 import { hideNotice, showError } from "../page/notice.js";
 import { asPageError } from "../page/page-error.js";
+import { afterNextFrame, nextTask } from "../page/tasks.js";
 import { DeviceLossHandler } from "./device-loss.js";
 import { isTrap, openStudio, restartStudio } from "./studio-module.js";
 
@@ -161,16 +162,16 @@ export class Workbench {
     this.#tellTick();
   }
 
-  /** Shows the photo as it follows the edits. What asks for a factorisation gets a task of its own, after the frame. */
-  tellPhoto() {
+  /** Shows the photo as it follows the edits: what asks for a factorisation, and who draws it elsewhere, in tasks of their own. */
+  async tellPhoto() {
     if (this.#photoIsComing) return;
     this.#photoIsComing = true;
-    requestAnimationFrame(() => setTimeout(() => {
-      this.#photoIsComing = false;
-      if (this.ask((studio) => studio.photoIsDue)) this.act((studio) => studio.followPhoto());
-      for (const listener of this.#photoListeners) this.ask(() => listener());
-      this.requestFrame();
-    }));
+    await afterNextFrame();
+    this.#photoIsComing = false;
+    if (this.ask((studio) => studio.photoIsDue)) this.act((studio) => studio.followPhoto());
+    this.requestFrame();
+    await nextTask();
+    for (const listener of this.#photoListeners) this.ask(() => listener());
   }
 
   /** Draws in the next animation frame. */

@@ -5,6 +5,9 @@ use std::f64::consts::TAU;
 ///
 /// Speed is `|dx/dt| · scale` of the raw values, itself low-passed; the cutoff is `MIN_CUTOFF_HZ + BETA · speed`. With a
 /// cutoff `f` and a time step `t`, a value is approached by the share `r / (1 + r)`, `r = 2π f t`.
+///
+/// After a step of more than `SLOW_S` speed is that of the step alone. Low-passed it would still be half of the speed before:
+/// of what turns round the two can cancel, and all of a step, by then many px, would be taken for trembling.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct OneEuro {
     raw: f64,
@@ -17,6 +20,8 @@ pub(super) struct OneEuro {
 const MIN_CUTOFF_HZ: f64 = 0.05;
 const BETA: f64 = 80.0;
 const SPEED_CUTOFF_HZ: f64 = 1.0;
+/// Between frames of a camera that has enough light pass 33 ms.
+const SLOW_S: f64 = 1.0 / 15.0;
 
 impl OneEuro {
     pub(super) fn new(value: f64) -> Self {
@@ -29,8 +34,13 @@ impl OneEuro {
     /// In no time nothing moves: steps are written so that nothing is divided by the time, which may be 0.
     pub(super) fn next(&mut self, value: f64, elapsed_s: f64, scale: f64) -> f64 {
         let change = (value - self.raw) * scale;
-        let per_s = TAU * SPEED_CUTOFF_HZ / (1.0 + TAU * SPEED_CUTOFF_HZ * elapsed_s);
-        self.speed_per_s += per_s * (change - self.speed_per_s * elapsed_s);
+        self.speed_per_s = match elapsed_s > SLOW_S {
+            true => change / elapsed_s,
+            false => {
+                let per_s = TAU * SPEED_CUTOFF_HZ / (1.0 + TAU * SPEED_CUTOFF_HZ * elapsed_s);
+                self.speed_per_s + per_s * (change - self.speed_per_s * elapsed_s)
+            }
+        };
         let steps = TAU * (MIN_CUTOFF_HZ + BETA * self.speed_per_s.abs()) * elapsed_s;
         self.smooth += (value - self.smooth) * (steps / (1.0 + steps));
         self.raw = value;
@@ -59,7 +69,7 @@ mod tests {
         let alpha = |cutoff_hz: f64, rate_hz: f64| 1.0 / (1.0 + rate_hz / (TAU * cutoff_hz));
         let (mut raw, mut smooth, mut speed) = (0.0, 0.0, 0.0);
         for _ in 0..200 {
-            let (value, elapsed_s) = (raw + 4.0 * seeded.signed(), 0.051 + 0.05 * seeded.signed());
+            let (value, elapsed_s) = (raw + 4.0 * seeded.signed(), 0.034 + 0.03 * seeded.signed());
             let rate_hz = 1.0 / elapsed_s;
             let pull = alpha(SPEED_CUTOFF_HZ, rate_hz);
             speed = pull * (value - raw) * scale * rate_hz + (1.0 - pull) * speed;
@@ -90,6 +100,34 @@ mod tests {
             after += filter.next(value, FRAME_S, 1.0 / 250.0).powi(2);
         }
         assert!(after < before / 9.0, "RMS {} before, {} after", f64::sqrt(before / 3000.0), f64::sqrt(after / 3000.0));
+    }
+
+    /// To and fro at one speed, as a head is shaken; frames come as slowly as the machine is busy.
+    #[test]
+    fn what_turns_round_between_slow_frames_lags_by_a_few_px() {
+        const SPEED_PX_S: f64 = 200.0;
+        for frame_s in (1..=60).map(|step| SLOW_S + 0.005 * f64::from(step)) {
+            let mut filter = OneEuro::new(0.0);
+            for frame in 1..200 {
+                let way = frame_s * f64::from(frame) * SPEED_PX_S;
+                let value = 100.0 - (way % 400.0 - 200.0).abs();
+                let behind_px = (value - filter.next(value, frame_s, 1.0 / 250.0)).abs();
+                assert!(behind_px < 7.0, "{behind_px} px behind, every {frame_s} s");
+            }
+        }
+    }
+
+    #[test]
+    fn what_trembles_between_slow_frames_is_held_stiller_all_the_same() {
+        let mut seeded = Seeded::new(7);
+        let mut filter = OneEuro::new(0.0);
+        let (mut before, mut after) = (0.0, 0.0);
+        for _ in 0..3000 {
+            let value = 0.5 * seeded.signed();
+            before += value * value;
+            after += filter.next(value, 0.2, 1.0 / 250.0).powi(2);
+        }
+        assert!(after < before / 2.0, "RMS {} before, {} after", f64::sqrt(before / 3000.0), f64::sqrt(after / 3000.0));
     }
 
     #[test]

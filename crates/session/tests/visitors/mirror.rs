@@ -208,7 +208,7 @@ fn a_film_is_laid_out_once_for_a_face_that_moves_and_stays_within_its_frame() {
             })
             .collect();
         let targets: Vec<DVec2> = places.iter().map(|place| place.truncate() + DVec2::new(2.0, 1.0)).collect();
-        in_film.follow(&triangles, &places, &targets, FRAME_PX, 0.35).unwrap();
+        in_film.follow(|| triangles.clone(), &places, &targets, FRAME_PX, 0.35).unwrap();
         let (patch, version) = in_film.patch();
         assert_eq!(version, 1, "step {step}");
         for (from, to) in patch.from_px.iter().zip(&patch.to_px) {

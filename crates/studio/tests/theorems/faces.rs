@@ -33,7 +33,7 @@ pub fn portrait_image() -> Vec<DVec3> {
     portrait_landmarks().into_iter().map(|landmark| DVec3::from(landmark.map(f64::from))).collect()
 }
 
-fn portrait_landmarks() -> Vec<[f32; 3]> {
+pub fn portrait_landmarks() -> Vec<[f32; 3]> {
     let text = include_str!("../../../../tests/golden/portrait_landmarks.json");
     let json: Value = serde_json::from_str(text).unwrap();
     let rows = json["landmarks"].as_array().unwrap().iter();

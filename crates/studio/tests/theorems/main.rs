@@ -6,6 +6,7 @@ mod density;
 mod faces;
 mod golden_edits;
 mod history;
+mod in_photo;
 mod mirror;
 mod paper;
 mod reach;

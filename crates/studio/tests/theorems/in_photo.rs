@@ -1,0 +1,83 @@
+//! A face's edits in its photo.
+
+use glam::DVec2;
+use rosto_face::*;
+use rosto_studio::*;
+use rosto_warp::Patch;
+
+use crate::faces::portrait_landmarks;
+use crate::seeded::Seeded;
+
+const SIZE_PX: u32 = 2048;
+
+/// The lids' rims from corner to corner, upper and lower.
+const LIDS: [[[usize; 7]; 2]; 2] = [
+    [[246, 161, 160, 159, 158, 157, 173], [7, 163, 144, 145, 153, 154, 155]],
+    [[466, 388, 387, 386, 385, 384, 398], [249, 390, 373, 374, 380, 381, 382]],
+];
+
+/// The portrait's face with its eyes shut: both lids where the lower one was, found as exactly as landmarks are.
+fn asleep(triangulation: Triangulation) -> FaceModel {
+    let mut landmarks = portrait_landmarks();
+    let mut seeded = Seeded::new(3);
+    for [uppers, lowers] in LIDS {
+        for (upper, lower) in uppers.into_iter().zip(lowers) {
+            landmarks[upper] = landmarks[lower];
+            for landmark in [upper, lower] {
+                let off = seeded.vector() * 0.002;
+                landmarks[landmark][0] += off.x as f32;
+                landmarks[landmark][1] += off.y as f32;
+            }
+        }
+    }
+    let colours = [[0; 3]; LANDMARK_COUNT];
+    let picture = Photo::from_rgb(1, 1, vec![0; 3]).unwrap();
+    let (width, height, lens) = (SIZE_PX, SIZE_PX, PhotoLens::Distance(0.6));
+    FaceModel::new(FaceInput { landmarks: &landmarks, width, height, colours: &colours, picture, lens }, triangulation)
+        .unwrap()
+}
+
+/// Where a warp takes a place.
+fn carried(patch: &Patch, place: DVec2) -> DVec2 {
+    let area = |[a, b, c]: [DVec2; 3]| (b - a).perp_dot(c - a);
+    let shares = |corners: &[u32; 3]| {
+        let [a, b, c] = corners.map(|corner| patch.from_px[corner as usize]);
+        [[place, b, c], [a, place, c], [a, b, place]].map(|part| area(part) / area([a, b, c]))
+    };
+    let within = |corners: &&[u32; 3]| shares(corners).iter().all(|share| *share >= -1e-9);
+    let corners = patch.triangles.iter().find(within).unwrap();
+    shares(corners).iter().zip(corners).map(|(share, corner)| *share * patch.to_px[*corner as usize]).sum()
+}
+
+#[test]
+fn the_line_between_lids_that_are_shut_does_not_go_zigzag() {
+    const STEPS: usize = 24;
+    for triangulation in [Triangulation::Tessellation, Triangulation::Canonical] {
+        let face = asleep(triangulation);
+        let found = |landmark: usize| {
+            let [x, y, _] = face.landmarks()[landmark];
+            DVec2::new(x.into(), y.into()) * f64::from(SIZE_PX)
+        };
+        for density in [0, 2] {
+            let mut document = Document::new(Rest::of_face(&face)).unwrap();
+            document.set_density(density).unwrap();
+            document.apply(FaceSlider::EyeSize.id(), FaceSlider::EyeSize.command(0.003)).unwrap();
+            let mut in_photo = InPhoto::new(&face, &document, DEFAULT_RING, &[]).unwrap();
+            in_photo.follow(document.rest(), document.positions(), face.camera(), face.camera());
+            for lids in LIDS {
+                let along = |i: usize| lids.map(|lid| found(lid[i])).iter().sum::<DVec2>() / 2.0;
+                let line: Vec<DVec2> = (0..=STEPS)
+                    .map(|step| {
+                        let at = 6.0 * step as f64 / STEPS as f64;
+                        let from = (at as usize).min(5);
+                        along(from).lerp(along(from + 1), at - from as f64)
+                    })
+                    .collect();
+                let ways: Vec<DVec2> = line.iter().map(|&place| carried(in_photo.patch(), place) - place).collect();
+                let bend_px = |ways: &[DVec2]| (ways[1] - 0.5 * (ways[0] + ways[2])).length();
+                let most_px = ways.windows(3).map(bend_px).fold(0.0, f64::max);
+                assert!(most_px < 2.0, "{triangulation:?}, density {density}: it bends by {most_px} px");
+            }
+        }
+    }
+}

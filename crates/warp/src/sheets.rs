@@ -1,0 +1,129 @@
+use std::collections::HashMap;
+
+use glam::{DVec2, DVec3, IVec2};
+
+use crate::seen;
+
+/// What lies behind leads only so many times as far from what is before it as two rims do from each other: which of the two a
+/// pixel shows there hangs on how exact the places are.
+const BEHIND_TIMES: f64 = 2.0;
+
+/// Which vertices of a surface can lead its picture: those that are [`seen`], but for what lies right beside another sheet of it.
+///
+/// Sheets meet where rims touch, as closed lids and lips do, and where one lies before another, as a nose before a cheek. Points
+/// of both that lie some px from each other go different ways, and where they were found is less exact than that: what is
+/// between would go zigzag. So where rims are less than `apart_px` from each other, neither leads, and the picture gives way
+/// between what is beside them; and what lies behind another sheet by more than `behind` leads only twice as far from it. Two
+/// vertices are of one sheet if a way along edges, from one vertex that is seen to the next, joins them within that distance.
+///
+/// `triangles`, `places` and `behind` as for [`seen`].
+pub fn leading(triangles: &[[u32; 3]], places: &[DVec3], behind: f64, apart_px: f64) -> Vec<bool> {
+    let mut leads = seen(triangles, places, behind);
+    let mut sheets = Sheets::new(triangles, places, &leads, BEHIND_TIMES * apart_px);
+    for rim in std::mem::take(&mut sheets.rims) {
+        for other in sheets.beside(rim, apart_px) {
+            let nearer = sheets.nearer(rim, other);
+            leads[rim as usize] &= nearer > behind;
+            leads[other as usize] &= nearer < -behind;
+        }
+        for other in sheets.beside(rim, BEHIND_TIMES * apart_px) {
+            let nearer = sheets.nearer(rim, other);
+            leads[rim as usize] &= nearer >= -behind;
+            leads[other as usize] &= nearer <= behind;
+        }
+    }
+    leads
+}
+
+/// The part of a surface that is seen.
+struct Sheets<'a> {
+    places: &'a [DVec3],
+    /// Those of each vertex that are seen, of one that is.
+    neighbours: Vec<Vec<u32>>,
+    /// Where it ends.
+    rims: Vec<u32>,
+    /// Its vertices by where they are, in squares of this side.
+    cells: HashMap<IVec2, Vec<u32>>,
+    side_px: f64,
+    /// Which search was the last to come to each vertex, and how many there were.
+    found_by: Vec<u32>,
+    searches: u32,
+}
+
+impl<'a> Sheets<'a> {
+    fn new(triangles: &[[u32; 3]], places: &'a [DVec3], is_seen: &[bool], side_px: f64) -> Self {
+        let (neighbours, found_by) = (vec![Vec::new(); places.len()], vec![0; places.len()]);
+        let cells = HashMap::new();
+        let mut sheets = Self { places, neighbours, rims: Vec::new(), cells, side_px, found_by, searches: 0 };
+        let wholly_seen = sheets.join(triangles, is_seen);
+        for vertex in (0..places.len() as u32).filter(|&vertex| is_seen[vertex as usize]) {
+            sheets.cells.entry(sheets.cell(vertex)).or_default().push(vertex);
+            // Around a vertex in the middle of what is seen there are as many triangles as neighbours.
+            let count = sheets.neighbours[vertex as usize].len();
+            if count > wholly_seen[vertex as usize] {
+                sheets.rims.push(vertex);
+            }
+        }
+        sheets
+    }
+
+    /// Notes what is beside each vertex; returns how many of its triangles are seen with all their corners.
+    fn join(&mut self, triangles: &[[u32; 3]], is_seen: &[bool]) -> Vec<usize> {
+        let mut wholly_seen = vec![0; self.places.len()];
+        for &[a, b, c] in triangles {
+            let seen = [a, b, c].map(|corner| is_seen[corner as usize]);
+            [a, b, c].iter().filter(|_| seen == [true; 3]).for_each(|&corner| wholly_seen[corner as usize] += 1);
+            for (from, to) in [(a, b), (b, c), (c, a), (b, a), (c, b), (a, c)] {
+                let around = &mut self.neighbours[from as usize];
+                if is_seen[from as usize] && is_seen[to as usize] && !around.contains(&to) {
+                    around.push(to);
+                }
+            }
+        }
+        wholly_seen
+    }
+
+    /// Vertices of other sheets that lie so near to one: no way that stays as near leads there.
+    fn beside(&mut self, vertex: u32, within_px: f64) -> Vec<u32> {
+        self.search(vertex, within_px);
+        let middle = self.cell(vertex);
+        let cells = (-1..=1).flat_map(|y| (-1..=1).map(move |x| middle.saturating_add(IVec2::new(x, y))));
+        let near = cells.filter_map(|cell| self.cells.get(&cell)).flatten().copied();
+        let is_beside = |other: &u32| {
+            self.found_by[*other as usize] != self.searches && self.distance_px(vertex, *other) < within_px
+        };
+        near.filter(is_beside).collect()
+    }
+
+    fn search(&mut self, from: u32, within_px: f64) {
+        self.searches += 1;
+        self.found_by[from as usize] = self.searches;
+        let mut open = vec![from];
+        while let Some(at) = open.pop() {
+            for &next in &self.neighbours[at as usize] {
+                let is_new = self.found_by[next as usize] != self.searches;
+                if is_new && self.distance_px(from, next) < within_px {
+                    self.found_by[next as usize] = self.searches;
+                    open.push(next);
+                }
+            }
+        }
+    }
+
+    /// By how much one is nearer to the viewer than the other.
+    fn nearer(&self, one: u32, other: u32) -> f64 {
+        self.places[one as usize].z - self.places[other as usize].z
+    }
+
+    fn distance_px(&self, one: u32, other: u32) -> f64 {
+        self.place(one).distance(self.place(other))
+    }
+
+    fn place(&self, vertex: u32) -> DVec2 {
+        self.places[vertex as usize].truncate()
+    }
+
+    fn cell(&self, vertex: u32) -> IVec2 {
+        (self.place(vertex) / self.side_px).floor().as_ivec2()
+    }
+}
