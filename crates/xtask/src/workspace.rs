@@ -4,10 +4,11 @@ use crate::failure::{Doing, Failure, Result};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-/// The folder with the workspace's `Cargo.toml`.
+/// The folder with the workspace's `Cargo.toml`. Cargo says which when it runs this: checkouts that share a build folder share
+/// the program, too.
 pub fn root() -> PathBuf {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    here.ancestors().nth(2).expect("invariant: this crate lies two folders below the root").to_owned()
+    let here = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
+    Path::new(&here).ancestors().nth(2).expect("invariant: this crate lies two folders below the root").to_owned()
 }
 
 /// Cargo's build folder.
