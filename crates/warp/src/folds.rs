@@ -15,7 +15,6 @@ pub(crate) struct Unfolding {
     starts: Vec<usize>,
     at_vertices: Vec<u32>,
     stays: Vec<bool>,
-    leads: Vec<bool>,
     work: Work,
 }
 
@@ -55,28 +54,29 @@ const PUSHES_AFTER: usize = 12;
 impl Unfolding {
     pub(crate) fn new(triangles: &[[u32; 3]], places: &[DVec2], ties: &[Tie]) -> Self {
         let stays: Vec<bool> = ties.iter().map(|tie| *tie == Tie::Stays).collect();
-        let leads = ties.iter().map(|tie| matches!(tie, Tie::Follows { .. })).collect();
         let can_move = |corners: &&[u32; 3]| corners.iter().any(|&corner| !stays[corner as usize]);
         let triangles: Vec<Flat> =
             triangles.iter().filter(can_move).map(|&corners| Flat::new(corners, places)).collect();
         let (starts, at_vertices) = by_vertex(&triangles, places.len());
         let work = Work { asked: vec![(DVec2::ZERO, 0); places.len()], ..Work::default() };
-        Self { triangles, starts, at_vertices, stays, leads, work }
+        Self { triangles, starts, at_vertices, stays, work }
     }
 
-    /// Returns the longest way in px by which the offset of a point that leads was shortened.
-    pub(crate) fn limit(&mut self, offsets: &mut [DVec2]) -> f64 {
+    pub(crate) fn folds(&self, offsets: &[DVec2]) -> bool {
+        (0..self.triangles.len() as u32).any(|triangle| self.is_folded(triangle, offsets))
+    }
+
+    pub(crate) fn limit(&mut self, offsets: &mut [DVec2]) {
         let mut work = std::mem::take(&mut self.work);
-        let limited_px = self.limit_in(&mut work, offsets);
+        self.limit_in(&mut work, offsets);
         self.work = work;
-        limited_px
     }
 
-    fn limit_in(&self, work: &mut Work, offsets: &mut [DVec2]) -> f64 {
+    fn limit_in(&self, work: &mut Work, offsets: &mut [DVec2]) {
         work.folded.clear();
         work.folded.extend((0..self.triangles.len() as u32).filter(|&triangle| self.is_folded(triangle, offsets)));
         if work.folded.is_empty() {
-            return 0.0;
+            return;
         }
         work.wanted.clear();
         work.wanted.extend_from_slice(offsets);
@@ -94,8 +94,6 @@ impl Unfolding {
             true => self.polish(work, offsets),
             false => self.shorten(offsets),
         }
-        let leading = offsets.iter().zip(&work.wanted).zip(&self.leads).filter(|(_, leads)| **leads);
-        leading.map(|((now, wanted), _)| now.distance(*wanted)).fold(0.0, f64::max)
     }
 
     /// Whether it is turned over, or as good as.

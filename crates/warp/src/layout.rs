@@ -49,6 +49,8 @@ pub(crate) struct Layout {
     pub points: Vec<DVec2>,
     pub ties: Vec<Tie>,
     pub triangles: Vec<[u32; 3]>,
+    /// Of the lattice, in px.
+    pub spacing: f64,
 }
 
 /// A lattice this many times finer than the subject is long tells the eye's corner from the brow's.
@@ -150,16 +152,13 @@ impl<'a> Plan<'a> {
 
     fn joined(self) -> Layout {
         let (points, mut ties): (Vec<DVec2>, Vec<Tie>) = self.laid.iter().copied().unzip();
-        let places: Vec<_> = points.iter().map(|place| delaunator::Point { x: place.x, y: place.y }).collect();
-        let corners = delaunator::triangulate(&places).triangles;
-        let triangles: Vec<[u32; 3]> =
-            corners.as_chunks::<3>().0.iter().map(|corners| corners.map(|corner| corner as u32)).collect();
+        let triangles = delaunay(&points);
         // What a triangle shows moves with each of its corners.
         let is_kept = |corners: &&[u32; 3]| self.is_kept(corners.map(|corner| points[corner as usize]));
         for &corner in triangles.iter().filter(is_kept).flatten() {
             ties[corner as usize] = Tie::Stays;
         }
-        Layout { triangles, points, ties }
+        Layout { triangles, points, ties, spacing: self.spacing }
     }
 
     /// Whether a dab touches a triangle.
@@ -185,6 +184,12 @@ impl<'a> Plan<'a> {
     fn away_from_subject(&self, place: DVec2) -> f64 {
         self.cells.distance(place, self.subject.ring_px + self.spacing)
     }
+}
+
+pub(crate) fn delaunay(points: &[DVec2]) -> Vec<[u32; 3]> {
+    let places: Vec<_> = points.iter().map(|place| delaunator::Point { x: place.x, y: place.y }).collect();
+    let corners = delaunator::triangulate(&places).triangles;
+    corners.as_chunks::<3>().0.iter().map(|corners| corners.map(|corner| corner as u32)).collect()
 }
 
 /// The box of the points that lie in the picture.

@@ -2,6 +2,7 @@ use glam::{DVec2, DVec3};
 use rosto_laplacian::{Continuation, Operator};
 use rosto_mesh::Topology;
 
+use crate::coarse::Coarse;
 use crate::folds::Unfolding;
 use crate::layout::{Layout, Tie};
 use crate::{Subject, WarpError};
@@ -11,6 +12,7 @@ pub struct Warp {
     patch: Patch,
     ties: Vec<Tie>,
     surroundings: Option<Surroundings>,
+    coarse: Coarse,
     unfolding: Unfolding,
     /// No offset is longer than the picture's diagonal: its squares stay finite.
     longest_px: f64,
@@ -46,14 +48,16 @@ impl Warp {
     /// # Errors
     /// [`WarpError::TooFewPoints`] or [`WarpError::Ring`].
     pub fn new(subject: &Subject<'_>) -> Result<Self, WarpError> {
-        let Layout { points, ties, triangles } = Layout::of(subject)?;
+        let layout = Layout::of(subject)?;
+        let coarse = Coarse::new(&layout);
+        let Layout { points, ties, triangles, .. } = layout;
         let topology = Topology::new(points.len(), triangles)?;
         let surroundings = Surroundings::new(&topology, &points, &ties)?;
         let unfolding = Unfolding::new(topology.triangles(), &points, &ties);
         let patch = Patch { to_px: points.clone(), from_px: points, triangles: topology.triangles().to_vec() };
         let offsets_px = vec![DVec2::ZERO; ties.len()];
         let longest_px = DVec2::from(subject.size_px.map(f64::from)).length();
-        Ok(Self { patch, ties, surroundings, unfolding, longest_px, offsets_px, limited_px: 0.0 })
+        Ok(Self { patch, ties, surroundings, coarse, unfolding, longest_px, offsets_px, limited_px: 0.0 })
     }
 
     /// Lets each of the subject's points go to its target, in px of the picture. One whose target is no place stays.
@@ -62,7 +66,12 @@ impl Warp {
     /// If there is not one target for each of the subject's points.
     pub fn follow(&mut self, points_px: &[DVec2], targets_px: &[DVec2]) {
         self.lead(points_px, targets_px);
-        self.limited_px = self.unfolding.limit(&mut self.offsets_px);
+        self.limited_px = 0.0;
+        if self.unfolding.folds(&self.offsets_px) {
+            self.coarse.unfold(&mut self.offsets_px);
+            self.unfolding.limit(&mut self.offsets_px);
+            self.limited_px = self.behind_px(points_px, targets_px);
+        }
         self.put();
     }
 
@@ -78,14 +87,27 @@ impl Warp {
 
     fn lead(&mut self, points_px: &[DVec2], targets_px: &[DVec2]) {
         assert_eq!(points_px.len(), targets_px.len(), "one target for each point");
-        for (offset, tie) in self.offsets_px.iter_mut().zip(&self.ties) {
-            *offset = match *tie {
-                Tie::Follows { point, share } => bounded(targets_px[point] - points_px[point], self.longest_px) * share,
-                Tie::Stays | Tie::Free => DVec2::ZERO,
-            };
+        for at in 0..self.ties.len() {
+            self.offsets_px[at] = self.wanted(self.ties[at], points_px, targets_px).unwrap_or_default();
         }
         if let Some(surroundings) = &mut self.surroundings {
             surroundings.give_way(&mut self.offsets_px);
+        }
+    }
+
+    /// The longest way by which a point that leads stays behind the one that it was to go.
+    fn behind_px(&self, points_px: &[DVec2], targets_px: &[DVec2]) -> f64 {
+        let behind = |(offset, tie): (&DVec2, &Tie)| self.wanted(*tie, points_px, targets_px)?.distance(*offset).into();
+        self.offsets_px.iter().zip(&self.ties).filter_map(behind).fold(0.0, f64::max)
+    }
+
+    /// None of what nobody leads.
+    fn wanted(&self, tie: Tie, points_px: &[DVec2], targets_px: &[DVec2]) -> Option<DVec2> {
+        match tie {
+            Tie::Follows { point, share } => {
+                Some(bounded(targets_px[point] - points_px[point], self.longest_px) * share)
+            }
+            Tie::Stays | Tie::Free => None,
         }
     }
 

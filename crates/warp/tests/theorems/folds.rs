@@ -1,4 +1,5 @@
 use glam::DVec2;
+use rosto_warp::Patch;
 
 use crate::scenes::*;
 use crate::seeded::Seeded;
@@ -63,6 +64,25 @@ fn what_folds_in_one_place_takes_nothing_back_in_another() {
         let at = warp.patch().from_px.iter().position(|from| from == point).unwrap();
         assert!(warp.patch().to_px[at].distance(*target) < 1e-9, "{point}");
     }
+}
+
+/// A bump as a long nose makes it when it is pulled aside: over what lies beside it.
+#[test]
+fn however_dense_points_are_what_folds_widely_goes_nearly_as_far() {
+    let moved_px = |apart_px: f64| {
+        let along = (96.0 / apart_px) as u32 + 1;
+        let at = |i: u32| 52.0 + apart_px * f64::from(i);
+        let points: Vec<DVec2> = (0..along * along).map(|i| DVec2::new(at(i % along), at(i / along))).collect();
+        let way = |point: DVec2| DVec2::X * 30.0 * (-(point - DVec2::splat(100.0)).length_squared() / 150.0).exp();
+        let targets: Vec<DVec2> = points.iter().map(|&point| point + way(point)).collect();
+        let warp = moved(&points, &targets);
+        assert_whole(warp.patch());
+        assert!(warp.limited_px() > 1.0, "{} px", warp.limited_px());
+        let Patch { from_px, to_px, .. } = warp.patch();
+        from_px.iter().zip(to_px).map(|(from, to)| from.distance(*to)).fold(0.0, f64::max)
+    };
+    let [coarse, fine, finest] = [8.0, 2.0, 0.75].map(moved_px);
+    assert!(coarse > 20.0 && fine > 0.8 * coarse && finest > 0.8 * coarse, "{coarse}, {fine} and {finest} px of 30");
 }
 
 #[test]
