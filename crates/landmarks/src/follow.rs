@@ -58,6 +58,12 @@ const MOST_TRIED: usize = 2;
 /// A face whose region is narrower than this is too small for the landmarks to mean anything.
 const NARROWEST_PX: f32 = 8.0;
 
+/// What differs by less than this, of 255, is a covered camera: of pure black the landmark network is sure that it is a face.
+const LEAST_CONTRAST: f32 = 6.0;
+/// Blocks of a region each way, and pixels that are looked at in each of them.
+const BLOCKS: u8 = 8;
+const SAMPLES: u8 = 4;
+
 /// A face in this frame, and what the next one needs.
 struct Found {
     face: FollowedFace,
@@ -128,7 +134,8 @@ impl FaceFinder {
 
     /// What the landmark network sees there, if that is a face.
     fn seen_in(&self, region: RegionOfInterest, frame: &Photo) -> Result<Option<Mesh>, LandmarksError> {
-        if !is_worth_a_look(region.px(PictureSize::of(frame)), PictureSize::of(frame)) {
+        let picture = PictureSize::of(frame);
+        if !is_worth_a_look(region.px(picture), picture) || contrast(region.px(picture), frame) < LEAST_CONTRAST {
             return Ok(None);
         }
         let mesh = self.mesh.look(frame, &region)?;
@@ -149,4 +156,21 @@ fn is_worth_a_look(region: RegionPx, picture: PictureSize) -> bool {
     let is_inside = (0.0..=picture.width).contains(&x) && (0.0..=picture.height).contains(&y);
     // Not so either where a number is none.
     is_inside && region.size[0] >= NARROWEST_PX && region.rotation_rad.is_finite() && region.size[0].is_finite()
+}
+
+/// How much the brightest and the darkest part of a region differ, noise averaged out; 0 to 255.
+fn contrast(region: RegionPx, frame: &Photo) -> f32 {
+    let [across, down] = region.picture_from_region(PictureSize::of(frame));
+    let brightness = |x: u8, y: u8| {
+        let [x, y] = [x, y].map(|at| (f32::from(at) + 0.5) / f32::from(BLOCKS * SAMPLES));
+        let [x, y] = [across, down].map(|[per_x, per_y, constant]| f64::from(per_x * x + per_y * y + constant));
+        frame.colour_under(x, y).map(f32::from).iter().sum::<f32>() / 3.0
+    };
+    let block = |x: u8, y: u8| {
+        let samples = (0..SAMPLES * SAMPLES).map(|i| brightness(x * SAMPLES + i % SAMPLES, y * SAMPLES + i / SAMPLES));
+        samples.sum::<f32>() / f32::from(SAMPLES * SAMPLES)
+    };
+    let blocks = (0..BLOCKS).flat_map(|y| (0..BLOCKS).map(move |x| block(x, y)));
+    let [low, high] = blocks.fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], b| [low.min(b), high.max(b)]);
+    high - low
 }

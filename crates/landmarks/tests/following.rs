@@ -9,6 +9,7 @@ use rosto_photo::Photo;
 use support::film::{self, FRAME_MS};
 use support::scenes::canvas::Ground;
 use support::scenes::{Model, Placed};
+use support::seeded::Seeded;
 
 /// What a camera adds, of 255, up and down.
 const NOISE: f64 = 8.0;
@@ -144,6 +145,29 @@ fn a_face_that_vanishes_is_lost_at_once_whatever_is_behind_it() {
             found[1].as_ref().map(|face| face.presence)
         );
     }
+}
+
+#[test]
+fn a_camera_that_is_covered_shows_no_face() {
+    let finder = support::attentive_finder();
+    let model = model(&finder);
+    let with_face = film::frame(&model, &[film::middle()], 0.0, 0);
+    let [width, height] = film::SIZE_PX;
+    let mut seeded = Seeded::new(5);
+    for (level, noise) in [(0.0, 0.0), (8.0, 8.0), (128.0, 0.0), (60.0, 8.0), (255.0, 0.0)] {
+        let pixels = (0..3 * width * height).map(|_| (level + noise * seeded.signed()) as u8).collect();
+        let covered = Photo::from_rgb(width, height, pixels).unwrap();
+        let dim = dimmed(&with_face, 0.15);
+        let found = film::follow(&finder, &[with_face.clone(), covered.clone(), covered, dim]);
+        let seen: Vec<bool> = found.iter().map(Option::is_some).collect();
+        assert_eq!(seen, [true, false, false, true], "all at {level}, and noise of {noise}");
+    }
+}
+
+/// As a dark room shows it.
+fn dimmed(frame: &Photo, share: f64) -> Photo {
+    let pixels = frame.pixels().iter().map(|&value| (f64::from(value) * share) as u8).collect();
+    Photo::from_rgb(frame.width(), frame.height(), pixels).unwrap()
 }
 
 #[test]

@@ -3,8 +3,9 @@
 //!
 //! [`Warp`] lays a triangulation over a picture (`layout`): the points themselves, and a lattice around and between them.
 //! Wherever the points go, the rest follows with value and slope zero at the border and no bi-Laplacian between, and where a
-//! triangle would fold, the way is shortened (`folds`, after `coarse`). [`drawn`] draws the picture so. [`leading`] tells which points of
-//! a surface can lead what is in its picture: those that are [`seen()`], and not beside another sheet of it. Knows nothing of faces.
+//! triangle would fold, the way is shortened (`folds`, after `coarse`). [`drawn`] draws the picture so. [`leading`] tells
+//! which points of a surface can lead what is in its picture: those that are [`seen()`], and not beside another sheet of it.
+//! Knows nothing of faces.
 
 mod cells;
 mod coarse;
