@@ -58,6 +58,9 @@ const MOST_TRIED: usize = 2;
 /// A face whose region is narrower than this is too small for the landmarks to mean anything.
 const NARROWEST_PX: f32 = 8.0;
 
+/// What has gone further than this since the frame before, in shares of its region, is looked at once more: the landmark network
+/// draws a face that lies askew in its region some px towards the middle.
+const FAR: f32 = 0.1;
 /// What differs by less than this, of 255, is a covered camera: of pure black the landmark network is sure that it is a face.
 const LEAST_CONTRAST: f32 = 6.0;
 /// Blocks of a region each way, and pixels that are looked at in each of them.
@@ -75,7 +78,8 @@ impl FaceFinder {
     /// The face that is followed, in the next frame of a film; none is an answer, not an error.
     ///
     /// The landmark network looks once at the region that the landmarks of the frame before suggest (their box × 1.5, square,
-    /// the outer eye corners level), and the face is followed for as long as it finds one there. Else the detector looks once
+    /// the outer eye corners level), once more if the face has gone far, and the face is followed for as long as it finds one
+    /// there. Else the detector looks once
     /// at the frame, the landmark network twice, and the most prominent face is followed from then on. Landmarks are smoothed by the one-euro filter with
     /// MediaPipe's settings; where to look next comes from those that are not.
     ///
@@ -107,11 +111,16 @@ impl FaceFinder {
     /// Where the face of the frame before is by now.
     fn still_there(&self, last: Last, frame: &Photo, time_ms: f64) -> Result<Option<Found>, LandmarksError> {
         let picture = PictureSize::of(frame);
-        let Some(Mesh { presence, landmarks }) = self.seen_in(last.region, frame)? else { return Ok(None) };
-        let next_region = region_of(&landmarks, picture);
+        let Some(mut mesh) = self.seen_in(last.region, frame)? else { return Ok(None) };
+        let (mut region, mut next_region) = (last.region, region_of(&mesh.landmarks, picture));
+        if shift(region.px(picture), next_region.px(picture)) > FAR {
+            let Some(nearer) = self.seen_in(next_region, frame)? else { return Ok(None) };
+            (mesh, region) = (nearer, next_region);
+            next_region = region_of(&mesh.landmarks, picture);
+        }
         let mut smoother = last.smoother;
-        let landmarks = smoother.next(&landmarks, picture, (time_ms - last.time_ms) / 1000.0);
-        let face = FollowedFace { presence, landmarks, region: last.region, origin: Origin::Followed };
+        let landmarks = smoother.next(&mesh.landmarks, picture, (time_ms - last.time_ms) / 1000.0);
+        let face = FollowedFace { presence: mesh.presence, landmarks, region, origin: Origin::Followed };
         Ok(Some(Found { face, next_region, smoother }))
     }
 
@@ -156,6 +165,12 @@ fn is_worth_a_look(region: RegionPx, picture: PictureSize) -> bool {
     let is_inside = (0.0..=picture.width).contains(&x) && (0.0..=picture.height).contains(&y);
     // Not so either where a number is none.
     is_inside && region.size[0] >= NARROWEST_PX && region.rotation_rad.is_finite() && region.size[0].is_finite()
+}
+
+/// How far one region lies from another, in shares of its width.
+fn shift(from: RegionPx, to: RegionPx) -> f32 {
+    let [x, y] = [0, 1].map(|axis| to.centre[axis] - from.centre[axis]);
+    x.hypot(y) / from.size[0]
 }
 
 /// How much the brightest and the darkest part of a region differ, noise averaged out; 0 to 255.

@@ -64,6 +64,31 @@ fn a_moving_face_is_followed_without_lag() {
     }
 }
 
+/// To and fro at one speed, as a head is shaken; a machine that is busy shows few of the frames.
+#[test]
+fn a_face_that_is_seen_seldom_is_followed_without_lag() {
+    const SPEED_PX_S: f64 = 200.0;
+    const REACH_PX: f64 = 100.0;
+    let finder = support::attentive_finder();
+    let model = model(&finder);
+    for every_ms in [33.0, 50.0, 66.0, 70.0, 110.0, 170.0, 230.0, 400.0] {
+        let mut follower = Follower::default();
+        let mut first = None;
+        for number in 0..16_u32 {
+            let time_ms = every_ms * f64::from(number);
+            let way = (SPEED_PX_S * time_ms / 1000.0) % (4.0 * REACH_PX);
+            let aside = REACH_PX - (way - 2.0 * REACH_PX).abs();
+            let placed = Placed::upright([320.0 + aside, 240.0], 1.6);
+            let frame = film::frame(&model, &[placed], NOISE, number.into());
+            let face = film::follow_one(&finder, &mut follower, &frame, time_ms).unwrap();
+            let px = film::px(&face);
+            let (begin, from) = first.get_or_insert_with(|| (px.clone(), aside));
+            let behind_px = film::apart_px(&px, &shifted(begin, [aside - *from, 0.0]));
+            assert!(behind_px < 4.0, "every {every_ms} ms, frame {number}: {behind_px} px");
+        }
+    }
+}
+
 #[test]
 fn the_detector_looks_once_and_following_says_what_a_fresh_look_says() {
     let finder = support::attentive_finder();
