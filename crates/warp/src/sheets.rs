@@ -59,8 +59,7 @@ impl<'a> Sheets<'a> {
         for vertex in (0..places.len() as u32).filter(|&vertex| is_seen[vertex as usize]) {
             sheets.cells.entry(sheets.cell(vertex)).or_default().push(vertex);
             // Around a vertex in the middle of what is seen there are as many triangles as neighbours.
-            let count = sheets.neighbours[vertex as usize].len();
-            if count > wholly_seen[vertex as usize] {
+            if sheets.neighbours[vertex as usize].len() > wholly_seen[vertex as usize] {
                 sheets.rims.push(vertex);
             }
         }

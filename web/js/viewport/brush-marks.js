@@ -37,9 +37,11 @@ export function setUpBrushMarks(bench) {
     draw();
   });
   bench.onFrame(draw);
-  bench.canvas.addEventListener("pointermove", ({ offsetX, offsetY }) => {
-    pointer = { x: offsetX * devicePixelRatio, y: offsetY * devicePixelRatio };
-    if (radius_px !== undefined) draw();
+  bench.canvas.addEventListener("pointermove", (event) => {
+    if (radius_px === undefined) return;
+    // To ask where it is lays the page out anew: not with every move of a drag.
+    pointer = { x: event.offsetX * devicePixelRatio, y: event.offsetY * devicePixelRatio };
+    draw();
   });
   bench.canvas.addEventListener("pointerleave", () => {
     pointer = undefined;
