@@ -150,17 +150,13 @@ async function slide(visitor) {
 }
 
 /** @param {Visitor} visitor */
-async function compare(visitor) {
+async function compareInPhoto(visitor) {
   await (await Hand.of(visitor)).release();
+  await visitor.page.click("#photo-to-stage");
+  await visitor.page.waitForTimeout(1500);
   await state("compare").enter(visitor);
   const { x, y, width, height } = await visitor.page.locator("#compare").boundingBox();
   return { x: x + width / 2, y: y + height / 2 };
-}
-
-/** @param {Visitor} visitor */
-async function compareInPhoto(visitor) {
-  await visitor.page.click("#photo-to-stage");
-  return compare(visitor);
 }
 
 /** @param {Visitor} visitor */
