@@ -1,23 +1,31 @@
 use glam::{DVec2, IVec2};
 
-/// Points sorted into square cells, to find the nearest one quickly.
-pub(crate) struct Cells {
+/// Points sorted into square cells, each with what it stands for, to find those near a place quickly.
+pub(crate) struct Cells<T> {
     from: DVec2,
     side: f64,
     count: IVec2,
-    cells: Vec<Vec<DVec2>>,
+    cells: Vec<Vec<(DVec2, T)>>,
 }
 
-impl Cells {
+impl<T: Copy> Cells<T> {
     /// Empty cells of that side over a box.
     pub(crate) fn over([low, high]: [DVec2; 2], side: f64) -> Self {
         let count = ((high - low) / side).as_ivec2() + IVec2::ONE;
         Self { from: low, side, count, cells: vec![Vec::new(); (count.x * count.y) as usize] }
     }
 
-    pub(crate) fn add(&mut self, point: DVec2) {
-        let cell = self.cell_of(point).clamp(IVec2::ZERO, self.count - IVec2::ONE);
-        self.cells[(cell.y * self.count.x + cell.x) as usize].push(point);
+    pub(crate) fn add(&mut self, point: DVec2, value: T) {
+        let cell = self.cell_inside(point);
+        self.cells[(cell.y * self.count.x + cell.x) as usize].push((point, value));
+    }
+
+    /// What lies in a box, its border included.
+    pub(crate) fn in_box(&self, [low, high]: [DVec2; 2]) -> impl Iterator<Item = (DVec2, T)> + '_ {
+        let [from, to] = [low, high].map(|corner| self.cell_inside(corner));
+        let cells = (from.y..=to.y).flat_map(move |y| (from.x..=to.x).map(move |x| (y * self.count.x + x) as usize));
+        let near = cells.flat_map(|cell| self.cells[cell].iter().copied());
+        near.filter(move |(point, _)| point.cmpge(low).all() && point.cmple(high).all())
     }
 
     /// How far the nearest point is; infinity where none is nearer than `within`.
@@ -42,7 +50,11 @@ impl Cells {
             let columns = (middle.x - ring..=middle.x + ring).step_by(step as usize);
             columns.filter(|x| (0..self.count.x).contains(x)).map(move |x| IVec2::new(x, y))
         })
-        .flat_map(|cell| self.cells[(cell.y * self.count.x + cell.x) as usize].iter().copied())
+        .flat_map(|cell| self.cells[(cell.y * self.count.x + cell.x) as usize].iter().map(|(point, _)| *point))
+    }
+
+    fn cell_inside(&self, place: DVec2) -> IVec2 {
+        self.cell_of(place).clamp(IVec2::ZERO, self.count - IVec2::ONE)
     }
 
     fn cell_of(&self, place: DVec2) -> IVec2 {
@@ -54,17 +66,38 @@ impl Cells {
 mod tests {
     use super::*;
 
-    #[test]
-    fn the_nearest_of_all_is_found() {
+    fn scattered() -> (Vec<DVec2>, Cells<usize>) {
         let points: Vec<DVec2> =
             (0..200).map(|i| DVec2::new(f64::from(i * 37 % 101), f64::from(i * 53 % 97))).collect();
         let mut cells = Cells::over([DVec2::ZERO, DVec2::splat(100.0)], 7.0);
-        points.iter().for_each(|&point| cells.add(point));
-        for i in 0..400 {
-            let place = DVec2::new(f64::from(i * 29 % 173) - 36.0, f64::from(i * 71 % 167) - 33.0);
+        points.iter().enumerate().for_each(|(i, &point)| cells.add(point, i));
+        (points, cells)
+    }
+
+    /// Within the box and beyond it.
+    fn places() -> impl Iterator<Item = DVec2> {
+        (0..400).map(|i| DVec2::new(f64::from(i * 29 % 173) - 36.0, f64::from(i * 71 % 167) - 33.0))
+    }
+
+    #[test]
+    fn the_nearest_of_all_is_found() {
+        let (points, cells) = scattered();
+        for place in places() {
             let nearest = points.iter().map(|point| point.distance(place)).fold(f64::INFINITY, f64::min);
             let expected = if nearest < 25.0 { nearest } else { f64::INFINITY };
             assert_eq!(cells.distance(place, 25.0), expected, "{place}");
+        }
+    }
+
+    #[test]
+    fn all_in_a_box_are_found_and_no_others() {
+        let (points, cells) = scattered();
+        for (low, size) in places().zip(places().skip(9)) {
+            let high = low + size.abs();
+            let mut found: Vec<usize> = cells.in_box([low, high]).map(|(_, i)| i).collect();
+            found.sort_unstable();
+            let is_inside = |i: &usize| points[*i].cmpge(low).all() && points[*i].cmple(high).all();
+            assert_eq!(found, (0..points.len()).filter(is_inside).collect::<Vec<_>>(), "{low} to {high}");
         }
     }
 }

@@ -84,7 +84,7 @@ struct Plan<'a> {
     middle: DVec2,
     /// What the lattice is laid over.
     around: [DVec2; 2],
-    cells: Cells,
+    cells: Cells<()>,
     laid: Vec<(DVec2, Tie)>,
 }
 
@@ -110,7 +110,7 @@ impl<'a> Plan<'a> {
             if self.away_from_edge(place) > 0.0 && is_apart() {
                 let from_still = self.away_from_edge(place).min(self.away_from_kept(place));
                 let share = smooth_step(from_still / (TAPER * self.spacing));
-                self.cells.add(place);
+                self.cells.add(place, ());
                 self.laid.push((place, if share > 0.0 { Tie::Follows { point, share } } else { Tie::Stays }));
             }
         }
@@ -196,13 +196,18 @@ pub(crate) fn delaunay(points: &[DVec2]) -> Vec<[u32; 3]> {
 fn box_inside(subject: &Subject<'_>, size_px: DVec2) -> Result<[DVec2; 2], WarpError> {
     let is_inside = |point: &&DVec2| point.cmpgt(DVec2::ZERO).all() && point.cmplt(size_px).all();
     let inside: Vec<DVec2> = subject.points_px.iter().filter(is_inside).copied().collect();
-    let first = inside.first().copied().unwrap_or_default();
-    let [low, high] = inside.iter().fold([first; 2], |[low, high], point| [low.min(*point), high.max(*point)]);
+    let [low, high] = bounds(&inside);
     let is_extended = low != high;
     match inside.len() >= 3 && is_extended {
         true => Ok([low, high]),
         false => Err(WarpError::TooFewPoints { inside: inside.len(), points: subject.points_px.len() }),
     }
+}
+
+/// The box of some points; of none, a place.
+pub(crate) fn bounds(points: &[DVec2]) -> [DVec2; 2] {
+    let first = points.first().copied().unwrap_or_default();
+    points.iter().fold([first; 2], |[low, high], point| [low.min(*point), high.max(*point)])
 }
 
 /// How far a place is from a triangle: 0 within it.

@@ -1,12 +1,15 @@
-use std::collections::HashMap;
+use glam::{DVec2, DVec3};
 
-use glam::{DVec2, DVec3, IVec2};
-
+use crate::cells::Cells;
+use crate::layout::bounds;
 use crate::seen;
 
 /// What lies behind leads only so many times as far from what is before it as two rims do from each other: which of the two a
 /// pixel shows there hangs on how exact the places are.
 const BEHIND_TIMES: f64 = 2.0;
+
+/// Cells along a surface, at most.
+const MOST_CELLS: f64 = 64.0;
 
 /// Which vertices of a surface can lead its picture: those that are [`seen`], but for what lies right beside another sheet of it.
 ///
@@ -16,17 +19,21 @@ const BEHIND_TIMES: f64 = 2.0;
 /// between what is beside them; and what lies behind another sheet by more than `behind` leads only twice as far from it. Two
 /// vertices are of one sheet if a way along edges, from one vertex that is seen to the next, joins them within that distance.
 ///
-/// `triangles`, `places` and `behind` as for [`seen`].
+/// `triangles`, `places` and `behind` as for [`seen`], `apart_px` in px of the picture; one answer for each vertex.
 pub fn leading(triangles: &[[u32; 3]], places: &[DVec3], behind: f64, apart_px: f64) -> Vec<bool> {
     let mut leads = seen(triangles, places, behind);
-    let mut sheets = Sheets::new(triangles, places, &leads, BEHIND_TIMES * apart_px);
+    let far_px = BEHIND_TIMES * apart_px;
+    if !(far_px > 0.0 && far_px.is_finite()) {
+        return leads;
+    }
+    let mut sheets = Sheets::new(triangles, places, &leads, far_px);
     for rim in std::mem::take(&mut sheets.rims) {
         for other in sheets.beside(rim, apart_px) {
             let nearer = sheets.nearer(rim, other);
             leads[rim as usize] &= nearer > behind;
             leads[other as usize] &= nearer < -behind;
         }
-        for other in sheets.beside(rim, BEHIND_TIMES * apart_px) {
+        for other in sheets.beside(rim, far_px) {
             let nearer = sheets.nearer(rim, other);
             leads[rim as usize] &= nearer >= -behind;
             leads[other as usize] &= nearer <= behind;
@@ -42,22 +49,24 @@ struct Sheets<'a> {
     neighbours: Vec<Vec<u32>>,
     /// Where it ends.
     rims: Vec<u32>,
-    /// Its vertices by where they are, in squares of this side.
-    cells: HashMap<IVec2, Vec<u32>>,
-    side_px: f64,
+    /// Its vertices by where they are.
+    cells: Cells<u32>,
     /// Which search was the last to come to each vertex, and how many there were.
     found_by: Vec<u32>,
     searches: u32,
 }
 
 impl<'a> Sheets<'a> {
-    fn new(triangles: &[[u32; 3]], places: &'a [DVec3], is_seen: &[bool], side_px: f64) -> Self {
+    fn new(triangles: &[[u32; 3]], places: &'a [DVec3], is_seen: &[bool], far_px: f64) -> Self {
+        let seen: Vec<u32> = (0..places.len() as u32).filter(|&vertex| is_seen[vertex as usize]).collect();
+        let around = bounds(&seen.iter().map(|&vertex| places[vertex as usize].truncate()).collect::<Vec<_>>());
+        let longest_px = (around[1] - around[0]).max_element();
+        let cells = Cells::over(around, far_px.max(longest_px / MOST_CELLS));
         let (neighbours, found_by) = (vec![Vec::new(); places.len()], vec![0; places.len()]);
-        let cells = HashMap::new();
-        let mut sheets = Self { places, neighbours, rims: Vec::new(), cells, side_px, found_by, searches: 0 };
+        let mut sheets = Self { places, neighbours, rims: Vec::new(), cells, found_by, searches: 0 };
         let wholly_seen = sheets.join(triangles, is_seen);
-        for vertex in (0..places.len() as u32).filter(|&vertex| is_seen[vertex as usize]) {
-            sheets.cells.entry(sheets.cell(vertex)).or_default().push(vertex);
+        for vertex in seen {
+            sheets.cells.add(sheets.place(vertex), vertex);
             // Around a vertex in the middle of what is seen there are as many triangles as neighbours.
             if sheets.neighbours[vertex as usize].len() > wholly_seen[vertex as usize] {
                 sheets.rims.push(vertex);
@@ -85,9 +94,8 @@ impl<'a> Sheets<'a> {
     /// Vertices of other sheets that lie so near to one: no way that stays as near leads there.
     fn beside(&mut self, vertex: u32, within_px: f64) -> Vec<u32> {
         self.search(vertex, within_px);
-        let middle = self.cell(vertex);
-        let cells = (-1..=1).flat_map(|y| (-1..=1).map(move |x| middle.saturating_add(IVec2::new(x, y))));
-        let near = cells.filter_map(|cell| self.cells.get(&cell)).flatten().copied();
+        let place = self.place(vertex);
+        let near = self.cells.in_box([place - within_px, place + within_px]).map(|(_, other)| other);
         let is_beside = |other: &u32| {
             self.found_by[*other as usize] != self.searches && self.distance_px(vertex, *other) < within_px
         };
@@ -120,9 +128,5 @@ impl<'a> Sheets<'a> {
 
     fn place(&self, vertex: u32) -> DVec2 {
         self.places[vertex as usize].truncate()
-    }
-
-    fn cell(&self, vertex: u32) -> IVec2 {
-        (self.place(vertex) / self.side_px).floor().as_ivec2()
     }
 }

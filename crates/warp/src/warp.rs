@@ -97,7 +97,7 @@ impl Warp {
 
     /// The longest way by which a point that leads stays behind the one that it was to go.
     fn behind_px(&self, points_px: &[DVec2], targets_px: &[DVec2]) -> f64 {
-        let behind = |(offset, tie): (&DVec2, &Tie)| self.wanted(*tie, points_px, targets_px)?.distance(*offset).into();
+        let behind = |(offset, tie): (&DVec2, &Tie)| Some(self.wanted(*tie, points_px, targets_px)?.distance(*offset));
         self.offsets_px.iter().zip(&self.ties).filter_map(behind).fold(0.0, f64::max)
     }
 
