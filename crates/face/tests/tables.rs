@@ -32,6 +32,21 @@ fn the_canonical_triangulation_fills_eyes_and_mouth() {
 }
 
 #[test]
+fn without_its_fillings_the_canonical_triangulation_has_the_tessellations_openings() {
+    for triangulation in [Triangulation::Canonical, Triangulation::Tessellation] {
+        let cage = triangulation.topology();
+        for levels in 0..3 {
+            let mesh = rosto_mesh::LoopSubdivision::new(&cage, levels);
+            let skin = without_fillings(cage.triangles(), mesh.topology().triangles());
+            assert_eq!(skin.len(), 852 << (2 * levels));
+            let open = rosto_mesh::Topology::new(mesh.topology().vertex_count(), skin).unwrap();
+            let rims: Vec<usize> = open.boundary_loops().iter().map(Vec::len).collect();
+            assert_eq!(rims, [36, 20, 16, 16].map(|length| length << levels), "{triangulation:?}, {levels}");
+        }
+    }
+}
+
+#[test]
 fn the_mirror_is_exact_in_the_canonical_positions() {
     let positions = canonical_positions_m();
     for vertex in 0..LANDMARK_COUNT as u32 {

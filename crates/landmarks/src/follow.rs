@@ -79,9 +79,9 @@ impl FaceFinder {
     ///
     /// The landmark network looks once at the region that the landmarks of the frame before suggest (their box × 1.5, square,
     /// the outer eye corners level), once more if the face has gone far, and the face is followed for as long as it finds one
-    /// there. Else the detector looks once
-    /// at the frame, the landmark network twice, and the most prominent face is followed from then on. Landmarks are smoothed by the one-euro filter with
-    /// MediaPipe's settings; where to look next comes from those that are not.
+    /// there. Else the detector looks once at the frame, the landmark network twice, and the most prominent face is followed
+    /// from then on. Nobody is seen by a covered camera. Landmarks are smoothed by the one-euro filter with MediaPipe's
+    /// settings; where to look next comes from those that are not.
     ///
     /// `time_ms` says when the frame was taken, from any beginning. A frame of the same moment as the one before moves nothing
     /// on. After a pause of more than a second, when time runs backwards or is no number, and when frames change their size,
