@@ -17,7 +17,7 @@ mod topology;
 pub use error::MeshError;
 pub use normals::vertex_normals;
 pub use pick::{Hit, Ray, pick};
-pub use subdivision::LoopSubdivision;
+pub use subdivision::{LoopSubdivision, Value};
 pub use surface::Surface;
 pub use topology::Topology;
 
