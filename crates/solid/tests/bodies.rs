@@ -1,0 +1,214 @@
+//! What holds of every body that a surface is made into.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod exact;
+mod surfaces;
+
+use std::collections::HashMap;
+
+use exact::meets_itself;
+use glam::{DQuat, DVec3};
+use proptest::prelude::*;
+use rosto_face::{Triangulation, canonical_positions_m};
+use rosto_mesh::{LoopSubdivision, Surface, Topology};
+use rosto_solid::{Body, Closing, PLA_G_PER_CM3, SolidError};
+use surfaces::{face, faces, plane};
+
+const CLOSINGS: [Closing; 3] = [
+    Closing::Thickness { thickness_m: 0.0015 },
+    Closing::Thickness { thickness_m: 0.004 },
+    Closing::FlatBack { thickness_m: 0.003 },
+];
+
+fn closed(topology: &Topology, positions: &[DVec3], closing: Closing) -> Result<Body, SolidError> {
+    Body::closed(Surface::new(topology, positions).unwrap(), closing)
+}
+
+/// Every directed side once, and its opposite once.
+fn assert_watertight(body: &Body) {
+    let mut sides: HashMap<[u32; 2], usize> = HashMap::new();
+    for &[a, b, c] in body.topology().triangles() {
+        [[a, b], [b, c], [c, a]].into_iter().for_each(|side| *sides.entry(side).or_default() += 1);
+    }
+    assert!(sides.iter().all(|(&[from, to], &uses)| uses == 1 && sides.get(&[to, from]) == Some(&1)));
+    let (v, e, f) = (body.topology().vertex_count(), body.topology().edges().len(), body.topology().triangles().len());
+    assert_eq!(v + f, e + 2, "Euler's characteristic of a ball");
+    assert!((0..v as u32).all(|vertex| body.topology().degree(vertex) >= 3), "every vertex is used");
+}
+
+#[test]
+fn every_face_becomes_a_watertight_body_that_does_not_go_through_itself() {
+    for (name, topology, positions) in faces() {
+        for closing in CLOSINGS {
+            let body =
+                closed(&topology, &positions, closing).unwrap_or_else(|error| panic!("{name}, {closing:?}: {error}"));
+            assert_watertight(&body);
+            assert!(body.volume_m3() > 0.0, "{name}, {closing:?}");
+            assert_eq!(meets_itself(body.topology().triangles(), body.positions_m()), None, "{name}, {closing:?}");
+            assert_eq!(body.topology().triangles()[..topology.triangles().len()], *topology.triangles());
+        }
+    }
+}
+
+#[test]
+fn denser_faces_do_too() {
+    let (topology, positions) = face(Triangulation::Canonical);
+    for density in 1..=3 {
+        let finer = LoopSubdivision::new(&topology, density);
+        for closing in CLOSINGS {
+            let body = closed(finer.topology(), &finer.apply(&positions), closing).unwrap();
+            assert_watertight(&body);
+            assert_eq!(body.moved_m(), 0.0);
+            if density < 3 {
+                assert_eq!(meets_itself(body.topology().triangles(), body.positions_m()), None);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_wall_of_a_face_is_as_thick_as_asked_for_nearly_everywhere() {
+    let (topology, positions) = face(Triangulation::Canonical);
+    for thickness_m in [0.001, 0.002, 0.003] {
+        let body = closed(&topology, &positions, Closing::Thickness { thickness_m }).unwrap();
+        assert!(body.thinnest_m() >= 0.75 * thickness_m && body.thinnest_m() <= thickness_m * (1.0 + 1e-12));
+        assert_eq!(body.positions_m()[..468], positions, "nothing of the face was moved");
+    }
+}
+
+#[test]
+fn a_wall_that_is_too_thick_says_what_would_do() {
+    let (topology, positions) = face(Triangulation::Canonical);
+    let thickness_m = 0.5;
+    let refused = closed(&topology, &positions, Closing::Thickness { thickness_m });
+    let Err(SolidError::TooThick { thickness_m: asked, most_m }) = refused else { panic!("{refused:?}") };
+    assert!(asked == thickness_m && most_m > 0.005 && most_m < thickness_m, "{most_m}");
+    assert!(closed(&topology, &positions, Closing::Thickness { thickness_m: most_m }).is_ok());
+}
+
+#[test]
+fn openings_are_closed_and_the_rim_is_not() {
+    let (open, positions) = face(Triangulation::Tessellation);
+    let rims = open.boundary_loops();
+    assert_eq!(rims.len(), 4);
+    for closing in CLOSINGS {
+        let body = closed(&open, &positions, closing).unwrap();
+        assert_watertight(&body);
+        let fillings: usize = rims[1..].iter().map(|rim| rim.len() - 2).sum();
+        assert_eq!(body.front_triangles(), open.triangles().len() + fillings);
+    }
+    let filled = closed(&face(Triangulation::Canonical).0, &positions, CLOSINGS[2]).unwrap();
+    let volume = closed(&open, &positions, CLOSINGS[2]).unwrap().volume_m3();
+    assert!((volume / filled.volume_m3() - 1.0).abs() < 0.005, "as the canonical triangles fill them");
+}
+
+#[test]
+fn a_plate_has_the_volume_of_its_area_times_its_thickness() {
+    for turn in [DQuat::IDENTITY, DQuat::from_euler(glam::EulerRot::XYZ, 0.3, -0.8, 0.5)] {
+        let (topology, flat) = plane(7, 5);
+        let positions: Vec<DVec3> = flat.iter().map(|place| turn * *place).collect();
+        for thickness_m in [0.001, 0.01, 0.1] {
+            let plate = closed(&topology, &positions, Closing::Thickness { thickness_m }).unwrap();
+            let expected = 0.07 * 0.05 * thickness_m;
+            assert!((plate.volume_m3() / expected - 1.0).abs() < 1e-12);
+            assert!((plate.thinnest_m() / thickness_m - 1.0).abs() < 1e-12);
+        }
+    }
+    let (topology, positions) = plane(7, 5);
+    let block = closed(&topology, &positions, Closing::FlatBack { thickness_m: 0.02 }).unwrap();
+    assert!((block.volume_m3() / (0.07 * 0.05 * 0.02) - 1.0).abs() < 1e-12);
+    assert!(block.size_m().distance(DVec3::new(0.07, 0.05, 0.02)) < 1e-15);
+    assert!((block.mass_g(PLA_G_PER_CM3) - 70.0 * 1.24).abs() < 1e-9);
+}
+
+#[test]
+fn volume_grows_with_the_cube_of_the_size_and_does_not_change_with_the_place() {
+    let (topology, positions) = face(Triangulation::Canonical);
+    let turn = DQuat::from_euler(glam::EulerRot::XYZ, 0.2, 0.4, -0.3);
+    for closing in CLOSINGS {
+        let volume = closed(&topology, &positions, closing).unwrap().volume_m3();
+        let twice: Vec<DVec3> = positions.iter().map(|place| 2.0 * *place).collect();
+        let larger = match closing {
+            Closing::Thickness { thickness_m } => Closing::Thickness { thickness_m: 2.0 * thickness_m },
+            Closing::FlatBack { thickness_m } => Closing::FlatBack { thickness_m: 2.0 * thickness_m },
+        };
+        let grown = closed(&topology, &twice, larger).unwrap().volume_m3();
+        assert!((grown / volume / 8.0 - 1.0).abs() < 1e-12);
+        let shifted: Vec<DVec3> = positions.iter().map(|place| *place + DVec3::new(0.3, -2.0, 1.0)).collect();
+        let there = closed(&topology, &shifted, closing).unwrap().volume_m3();
+        assert!((there / volume - 1.0).abs() < 1e-9);
+        if let Closing::Thickness { .. } = closing {
+            let turned: Vec<DVec3> = positions.iter().map(|place| turn * *place).collect();
+            let there = closed(&topology, &turned, closing).unwrap().volume_m3();
+            assert!((there / volume - 1.0).abs() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn what_is_no_disc_with_holes_is_refused_with_numbers() {
+    let positions = canonical_positions_m();
+    let one = Closing::Thickness { thickness_m: 0.001 };
+    let refused = |count: usize, triangles: Vec<[u32; 3]>| {
+        closed(&Topology::new(count, triangles).unwrap(), &positions[..count], one).unwrap_err()
+    };
+    assert_eq!(refused(4, vec![[0, 1, 2], [0, 1, 3]]), SolidError::NotASurface { from: 0, to: 1 });
+    assert_eq!(refused(5, vec![[0, 1, 2], [0, 3, 4]]), SolidError::Pinched { vertex: 0 });
+    assert_eq!(refused(6, vec![[0, 1, 2], [3, 4, 5]]), SolidError::NotADisc { pieces: 2, rims: 2, euler: 2 });
+    assert_eq!(refused(4, vec![[0, 1, 2]]), SolidError::NotADisc { pieces: 2, rims: 1, euler: 2 });
+    let ball = vec![[0, 1, 2], [0, 2, 3], [0, 3, 1], [3, 2, 1]];
+    assert_eq!(refused(4, ball), SolidError::NotADisc { pieces: 1, rims: 0, euler: 2 });
+    assert_eq!(refused(0, vec![]), SolidError::NotADisc { pieces: 0, rims: 0, euler: 0 });
+    let (topology, mut broken) = plane(2, 2);
+    for thickness_m in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let refused = closed(&topology, &broken, Closing::FlatBack { thickness_m });
+        assert!(matches!(refused, Err(SolidError::Thickness { .. })));
+    }
+    broken[3].y = f64::NAN;
+    assert_eq!(closed(&topology, &broken, one), Err(SolidError::NotFinite { vertex: 3 }));
+    let (topology, away) = plane(2, 2);
+    let away: Vec<DVec3> = away.iter().map(|place| DVec3::new(-place.x, place.y, place.z)).collect();
+    assert_eq!(closed(&topology, &away, Closing::FlatBack { thickness_m: 0.1 }), Err(SolidError::NoFlatBack));
+}
+
+#[test]
+fn a_face_that_goes_through_itself_is_parted_and_says_how_far() {
+    let (topology, mut positions) = face(Triangulation::Canonical);
+    // The nose's tip pushed out through the back of a cheek's triangles: two landmarks change places.
+    positions.swap(205, 50);
+    assert!(meets_itself(topology.triangles(), &positions).is_some(), "nothing was to be parted");
+    for closing in CLOSINGS {
+        let body = closed(&topology, &positions, closing).unwrap();
+        assert_watertight(&body);
+        assert_eq!(meets_itself(body.topology().triangles(), body.positions_m()), None);
+        assert!(body.moved_m() > 0.0 && body.moved_m() < 0.03, "{} m", body.moved_m());
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(12))]
+
+    /// Bumps and dents of up to 25 mm, anywhere on the face, wider than they are high.
+    #[test]
+    fn faces_with_bumps_become_bodies(
+        bumps in prop::collection::vec((0..468usize, prop::array::uniform3(-1.0..1.0f64), 0.0..0.025f64), 1..4),
+        thickness_m in 0.0008..0.005f64,
+    ) {
+        let (topology, rest) = face(Triangulation::Canonical);
+        let mut positions = rest.clone();
+        for (middle, way, height_m) in bumps {
+            let way = DVec3::from(way).normalize_or(DVec3::Z) * height_m;
+            for (place, at) in positions.iter_mut().zip(&rest) {
+                let near = (1.0 - at.distance(rest[middle]) / 0.06).max(0.0);
+                *place += way * near * near * (3.0 - 2.0 * near);
+            }
+        }
+        for closing in [Closing::Thickness { thickness_m }, Closing::FlatBack { thickness_m }] {
+            let body = closed(&topology, &positions, closing).unwrap();
+            assert_watertight(&body);
+            prop_assert!(body.volume_m3() > 0.0);
+            prop_assert_eq!(meets_itself(body.topology().triangles(), body.positions_m()), None);
+        }
+    }
+}
