@@ -21,12 +21,14 @@ mod pixels;
 mod png;
 mod primaries;
 mod resize;
+mod sampler;
 mod webp;
 
 pub use decode::decode;
 pub use error::PhotoError;
 pub use limits::Limits;
 pub use photo::Photo;
+pub use sampler::Sampler;
 
 /// The examples of the README are tested with those of the code.
 #[cfg(doctest)]

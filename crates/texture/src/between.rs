@@ -1,0 +1,52 @@
+//! Maps read at the texture's own size.
+
+use std::ops::Sub;
+
+use crate::map::{CELLS, Value};
+
+/// Where a row or column of texels lies in a map: between two cells, and how far from the first to the second.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Place {
+    pub(crate) cell: usize,
+    next: usize,
+    share: f32,
+}
+
+impl Place {
+    /// For each row or column of a texture.
+    pub(crate) fn all(side: usize) -> Vec<Self> {
+        (0..side).map(|texel| Self::new(texel, side)).collect()
+    }
+
+    fn new(texel: usize, side: usize) -> Self {
+        let at = (texel as f32 + 0.5) * (CELLS as f32 / side as f32) - 0.5;
+        let at = at.clamp(0.0, (CELLS - 1) as f32);
+        let cell = at as usize;
+        Self { cell, next: (cell + 1).min(CELLS - 1), share: at - cell as f32 }
+    }
+}
+
+/// What a row of texels has of a map, in each column of cells.
+pub(crate) fn row_of<T: Value + Sub<Output = T>>(map: &[T], row: Place, into: &mut Vec<T>) {
+    let cells = |row: usize| &map[row * CELLS..(row + 1) * CELLS];
+    into.clear();
+    into.extend(cells(row.cell).iter().zip(cells(row.next)).map(|(above, below)| mixed(*above, *below, row.share)));
+}
+
+/// What a texel has of such a row.
+#[inline]
+pub(crate) fn in_row<T: Value + Sub<Output = T>>(row: &[T], column: Place) -> T {
+    mixed(row[column.cell], row[column.next], column.share)
+}
+
+/// What a map has between four cells.
+#[inline]
+pub(crate) fn between<T: Value + Sub<Output = T>>(map: &[T], column: Place, row: Place) -> T {
+    let along = |row: usize| in_row(&map[row * CELLS..(row + 1) * CELLS], column);
+    mixed(along(row.cell), along(row.next), row.share)
+}
+
+#[inline]
+fn mixed<T: Value + Sub<Output = T>>(from: T, to: T, share: f32) -> T {
+    from + (to - from) * share
+}

@@ -1,0 +1,63 @@
+use glam::{DVec2, DVec3};
+use rosto_mesh::Topology;
+
+use crate::raster::spans;
+
+/// Pixels along the longer side of the depth picture.
+const LONGER_SIDE: f64 = 512.0;
+
+/// So many of them around a place are near it: some 4 mm of a face.
+const AROUND: f64 = 10.0;
+
+/// How near the surface comes to a camera, in a coarse picture of what it sees of it (a z-buffer).
+pub(crate) struct Depths {
+    low: DVec2,
+    per_px: f64,
+    size: [usize; 2],
+    nearest: Vec<f64>,
+}
+
+impl Depths {
+    /// Of vertices in px of a photo, and how near each is: larger is nearer.
+    pub(crate) fn new(topology: &Topology, places_px: &[DVec2], nearness: &[f64]) -> Self {
+        let low = places_px.iter().copied().reduce(DVec2::min).unwrap_or_default();
+        let extent = places_px.iter().copied().reduce(DVec2::max).unwrap_or_default() - low;
+        let per_px = LONGER_SIDE / extent.max_element().max(f64::MIN_POSITIVE);
+        let size = [extent.x, extent.y].map(|side| (side * per_px) as usize + 1);
+        let mut depths = Self { low, per_px, size, nearest: vec![f64::NEG_INFINITY; size[0] * size[1]] };
+        for corners in topology.triangles() {
+            let near = DVec3::from(corners.map(|corner| nearness[corner as usize]));
+            depths.draw(corners.map(|corner| (places_px[corner as usize] - low) * per_px), near);
+        }
+        depths
+    }
+
+    fn draw(&mut self, places: [DVec2; 3], near: DVec3) {
+        for span in spans(places, self.size) {
+            for (column, shares) in span.pixels() {
+                let nearest = &mut self.nearest[span.row * self.size[0] + column];
+                *nearest = nearest.max(shares.dot(near));
+            }
+        }
+    }
+
+    /// How far what is so near in a place lies behind the nearest there; negative infinity where there is nothing.
+    pub(crate) fn behind(&self, place_px: DVec2, nearness: f64) -> f64 {
+        let at = (place_px - self.low) * self.per_px;
+        let column = (at.x.max(0.0) as usize).min(self.size[0] - 1);
+        let row = (at.y.max(0.0) as usize).min(self.size[1] - 1);
+        self.nearest[row * self.size[0] + column] - nearness
+    }
+
+    /// Whether all that is around a place shows the surface, so that nothing from behind it comes near.
+    pub(crate) fn is_surrounded(&self, place_px: DVec2) -> bool {
+        let at = (place_px - self.low) * self.per_px;
+        let ways = [-1.0, 0.0, 1.0].into_iter().flat_map(|y| [-1.0, 0.0, 1.0].map(|x| DVec2::new(x, y)));
+        ways.into_iter().all(|way| {
+            let near = at + way * AROUND;
+            let [column, row] = [near.x, near.y].map(|at| at as usize);
+            let is_inside = near.min_element() >= 0.0 && column < self.size[0] && row < self.size[1];
+            is_inside && self.nearest[row * self.size[0] + column] > f64::NEG_INFINITY
+        })
+    }
+}
