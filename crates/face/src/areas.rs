@@ -5,38 +5,63 @@ rosto_named::named! {
     ///
     /// A part is given by its landmarks on the midline and on the subject's right; the left half is their mirror image.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-    pub(crate) enum Area {
+    pub enum Area {
+        /// From the hairline to above the brows.
         Forehead = "forehead",
+        /// Between the brows.
         Glabella = "glabella",
+        /// Beside the eye and the brow.
         Temple = "temple",
+        /// The brow.
         Brow = "brow",
+        /// The upper lid, from its edge to its crease.
         UpperEyelid = "upper-eyelid",
+        /// The eye's corners.
         EyeCorner = "eye-corner",
+        /// The lower lid.
         LowerEyelid = "lower-eyelid",
+        /// From the lid's crease to the brow.
         UnderBrow = "under-brow",
+        /// Below the lower lid.
         UnderEye = "under-eye",
+        /// The cheekbone.
         Cheekbone = "cheekbone",
+        /// The cheek below its bone.
         Cheek = "cheek",
+        /// Before the ear.
         SideOfFace = "side-of-face",
+        /// The ridge from the root of the nose to above its tip.
         NoseBridge = "nose-bridge",
+        /// Beside the ridge.
         NoseSide = "nose-side",
+        /// The tip of the nose.
         NoseTip = "nose-tip",
+        /// The wing of the nose.
         NoseWing = "nose-wing",
+        /// The nostril and the base of the nose.
         Nostril = "nostril",
+        /// Between nose and upper lip.
         Philtrum = "philtrum",
+        /// The upper lip.
         UpperLip = "upper-lip",
+        /// The mouth's corner.
         MouthCorner = "mouth-corner",
+        /// The lower lip.
         LowerLip = "lower-lip",
+        /// Between lower lip and chin.
         ChinCrease = "chin-crease",
+        /// Beside the mouth, from the nose's wing down.
         SmileLine = "smile-line",
+        /// The chin.
         Chin = "chin",
+        /// The jaw's side.
         Jaw = "jaw",
     }
 }
 
 impl Area {
     /// The landmarks of the midline and of the subject's right.
-    pub(crate) fn right_half(self) -> &'static [u16] {
+    pub fn right_half(self) -> &'static [u16] {
         match self {
             Self::Forehead => &[10, 151, 109, 108, 67, 69, 103, 104, 54, 68],
             Self::Glabella => &[9, 8],

@@ -2,6 +2,7 @@ use glam::{DVec2, DVec3};
 use rosto_mesh::Topology;
 
 use crate::tables::{CANONICAL, POSITIONS, TESSELLATION, UVS};
+use crate::{Opening, mirror_of};
 
 /// How many landmarks MediaPipe's face mesh has; a landmark's index is its vertex.
 pub const LANDMARK_COUNT: usize = 468;
@@ -38,11 +39,24 @@ impl Triangulation {
 ///
 /// `mesh` is a subdivision of `face`, its triangles in the order of those that they are parts of.
 pub fn without_fillings(face: &[[u32; 3]], mesh: &[[u32; 3]]) -> Vec<[u32; 3]> {
-    let [_rim, openings @ ..] = &Triangulation::Tessellation.topology().boundary_loops()[..] else { return Vec::new() };
-    let fills = |corners: &[u32; 3]| openings.iter().any(|ring| corners.iter().all(|corner| ring.contains(corner)));
     let parts = mesh.len() / face.len().max(1);
-    let kept = mesh.chunks(parts.max(1)).zip(face).filter(|(_, corners)| !fills(corners));
+    let kept = mesh.chunks(parts.max(1)).zip(face).filter(|(_, corners)| Opening::filled_by(corners).is_none());
     kept.flat_map(|(parts, _)| parts).copied().collect()
+}
+
+/// The edges around the eyes and the mouth, where lids and lips end: the boundary of [`Triangulation::Tessellation`] but for
+/// its rim.
+pub fn opening_edges() -> Vec<[u32; 2]> {
+    let sides =
+        |ring: &Vec<u32>| ring.iter().zip(ring.iter().cycle().skip(1)).map(|(&a, &b)| [a, b]).collect::<Vec<_>>();
+    // The longest is the rim.
+    Triangulation::Tessellation.topology().boundary_loops().iter().skip(1).flat_map(sides).collect()
+}
+
+/// The landmarks that lie too near each other for a smooth surface to pass through them all: those inside of the corners of the
+/// mouth, three within some millimetres on either side.
+pub fn crowded_landmarks() -> Vec<u32> {
+    [76, 62, 78].into_iter().flat_map(|right| [right, mirror_of(right)]).collect()
 }
 
 /// The canonical face: 468 positions in metres, right-handed, +X to the subject's left, +Y up, +Z out of the face.

@@ -11,7 +11,7 @@ pub const IRIS_COUNT: usize = 10;
 pub const POINT_COUNT: usize = LANDMARK_COUNT + IRIS_COUNT;
 
 /// The border of the lids of the right and of the left eye.
-const LIDS: [[u16; 16]; 2] = [
+pub(crate) const LIDS: [[u16; 16]; 2] = [
     [33, 7, 163, 144, 145, 153, 154, 155, 133, 246, 161, 160, 159, 158, 157, 173],
     [263, 249, 390, 373, 374, 380, 381, 382, 362, 466, 388, 387, 386, 385, 384, 398],
 ];

@@ -12,26 +12,36 @@ mod irises;
 mod measures;
 mod model;
 mod names;
+mod openings;
 mod photo_lens;
 mod procrustes;
 mod regions;
 mod size;
 mod symmetry;
 mod tables;
+mod turn;
 
+pub use areas::Area;
 pub use camera::{Camera, Pose};
-pub use canonical::{LANDMARK_COUNT, Triangulation, canonical_positions_m, canonical_uvs, without_fillings};
+pub use canonical::{
+    LANDMARK_COUNT, Triangulation, canonical_positions_m, canonical_uvs, crowded_landmarks, opening_edges,
+    without_fillings,
+};
 pub use contours::oval;
 pub use error::FaceError;
 pub use irises::{IRIS_COUNT, POINT_COUNT, iris_id, lids_of};
 pub use measures::Measure;
-pub use model::{FaceInput, FaceModel, Sighting, check_landmarks};
+pub use model::{
+    FaceInput, FaceModel, LeftOut, MOST_PHOTOS, Reprojection, Sighting, View, check_landmarks, drawn_out_m,
+};
 pub use names::{has_anatomical_name, landmark_id, part_id};
+pub use openings::{Opening, Parted, Piece};
 pub use photo_lens::{DISTANCES_M, PhotoLens};
 pub use regions::Region;
 pub use rosto_photo::Photo;
 pub use size::{Scale, ScaleSource};
 pub use symmetry::{midline, mirror_of, mirror_pairs};
+pub use turn::Turn;
 
 /// The examples of the README are tested with those of the code.
 #[cfg(doctest)]

@@ -1,6 +1,8 @@
 mod fitting;
 mod seen;
+mod several;
 mod sighting;
+mod views;
 
 use glam::{DMat3, DVec2, DVec3};
 use rosto_mesh::Topology;
@@ -13,7 +15,10 @@ use crate::{FaceError, LANDMARK_COUNT, PhotoLens, Triangulation};
 use fitting::Fitted;
 use seen::check_count;
 pub use seen::check_landmarks;
+pub use several::{LeftOut, Reprojection, drawn_out_m};
 pub use sighting::Sighting;
+use views::Other;
+pub use views::{MOST_PHOTOS, View};
 
 /// What a model is made from.
 #[derive(Debug)]
@@ -55,6 +60,9 @@ pub struct FaceModel {
     colours_srgb: Vec<[u8; 3]>,
     uvs: Vec<DVec2>,
     picture: Photo,
+    /// Which of the photos leads, in the order that they were given in.
+    photo: usize,
+    others: Vec<Other>,
 }
 
 impl FaceModel {
@@ -69,17 +77,21 @@ impl FaceModel {
     /// [`FaceError`] if there are not 468 or 478 landmarks and 468 colours, if a number is not finite, if the picture has no
     /// area, if there is no such lens, or if the weighted landmarks lie on one line.
     pub fn new(input: FaceInput<'_>, triangulation: Triangulation) -> Result<Self, FaceError> {
-        let size = [input.width, input.height];
-        let Fitted { mut positions_m, camera, scale, image_from_model, .. } =
-            Fitted::new(input.landmarks, size, input.lens)?;
+        let size_px = [input.width, input.height];
+        let fitted = Fitted::new(input.landmarks, size_px, input.lens)?;
         check_count("colours", LANDMARK_COUNT, input.colours.len())?;
+        Ok(Self::made_of(input, triangulation, fitted))
+    }
+
+    fn made_of(input: FaceInput<'_>, triangulation: Triangulation, fitted: Fitted) -> Self {
+        let Fitted { mut positions_m, camera, scale, image_from_model, .. } = fitted;
         let mut positions_image: Vec<DVec3> = input.landmarks.iter().map(|p| DVec3::from(p.map(f64::from))).collect();
         let irises_image = positions_image.split_off(LANDMARK_COUNT);
         let irises_m = positions_m.split_off(LANDMARK_COUNT);
-        Ok(Self {
+        Self {
             triangulation,
             topology: triangulation.topology(),
-            photo_size_px: size,
+            photo_size_px: [input.width, input.height],
             positions_m,
             irises_m,
             image_from_model,
@@ -91,18 +103,28 @@ impl FaceModel {
             positions_image,
             irises_image,
             picture: input.picture,
-        })
+            photo: 0,
+            others: Vec::new(),
+        }
     }
 
-    /// The same face seen through another lens.
+    /// The same face seen through another lens. Of several photos, it is the lens of the one that leads; what is known of the
+    /// others' stays known, and the shape is fitted to all of them again.
     ///
     /// # Errors
     /// [`FaceError::Lens`] if there is no such lens.
     pub fn with_lens(&self, lens: PhotoLens) -> Result<Self, FaceError> {
-        let Fitted { mut positions_m, camera, scale, image_from_model, .. } =
-            Fitted::new(&self.landmarks(), self.photo_size_px, lens)?;
+        if !self.others.is_empty() {
+            return self.together_with_lens(lens);
+        }
+        let fitted = Fitted::new(&self.landmarks(), self.photo_size_px, lens)?;
+        Ok(Self { lens, ..self.clone() }.placed_as(fitted))
+    }
+
+    fn placed_as(self, fitted: Fitted) -> Self {
+        let Fitted { mut positions_m, camera, scale, image_from_model, .. } = fitted;
         let irises_m = positions_m.split_off(LANDMARK_COUNT);
-        Ok(Self { positions_m, irises_m, image_from_model, camera, scale, lens, ..self.clone() })
+        Self { positions_m, irises_m, image_from_model, camera, scale, ..self }
     }
 
     /// How the landmarks are joined.

@@ -19,6 +19,8 @@ pub(super) struct Fitted {
     pub(super) image_from_model: DMat3,
     /// How many times the canonical face's size this one has.
     factor: f64,
+    /// Of the distance, before that of the size is added.
+    error: f64,
 }
 
 /// Lens data of the photo are set aside if they make what is seen less likely than e to the power of minus this.
@@ -26,28 +28,25 @@ const MOST_CONTRADICTION: f64 = 20.0;
 
 impl Fitted {
     pub(super) fn new(landmarks: &[[f32; 3]], size_px: [u32; 2], lens: PhotoLens) -> Result<Self, FaceError> {
-        let seen = in_px(landmarks, size_px)?;
-        let principal_px = DVec2::new(f64::from(size_px[0]), -f64::from(size_px[1])) / 2.0;
-        let shape = CanonicalShape::new(camera::turn_rad(fit_canonical_to(&seen)?.rotation))?;
-        let sight = Sight { seen, size_px, principal_px, shape };
-        match lens.checked()? {
-            PhotoLens::Parallel => sight.parallel(),
-            PhotoLens::Estimated => sight.estimated(&sight.evidence()?),
-            PhotoLens::Distance(distance_m) => sight.from(distance_m),
-            PhotoLens::Given(focal_length_mm) => sight.through(focal_length_mm, lens),
-            PhotoLens::Exif(focal_length_mm) => {
-                let fitted = sight.through(focal_length_mm, lens)?;
-                let evidence = sight.evidence()?;
-                let log_likelihood = evidence.log_likelihood(fitted.camera.distance_m / fitted.factor);
-                if log_likelihood < -MOST_CONTRADICTION { sight.estimated(&evidence) } else { Ok(fitted) }
-            }
-        }
+        Sight::new(landmarks, size_px)?.fitted(lens)
+    }
+
+    /// Those of [`Self::positions_m`] that are landmarks.
+    pub(super) fn landmarks_m(&self) -> &[DVec3] {
+        &self.positions_m[..LANDMARK_COUNT]
+    }
+
+    /// How large the face is taken to be beside the canonical one, and so how far away it is.
+    fn canonical_distance_m(&self) -> f64 {
+        self.camera.distance_m / self.factor
     }
 }
 
 /// Landmarks as they are seen: px, y up, z towards the camera and 0 in the mean.
-struct Sight {
+pub(super) struct Sight {
     seen: Vec<DVec3>,
+    /// The canonical face as if it were seen from infinitely far away, whatever the lens is.
+    px_from_model: Similarity,
     size_px: [u32; 2],
     principal_px: DVec2,
     /// What depths are drawn to, as much as the turn of the head asks for.
@@ -55,13 +54,70 @@ struct Sight {
 }
 
 impl Sight {
+    pub(super) fn new(landmarks: &[[f32; 3]], size_px: [u32; 2]) -> Result<Self, FaceError> {
+        let seen = in_px(landmarks, size_px)?;
+        let principal_px = DVec2::new(f64::from(size_px[0]), -f64::from(size_px[1])) / 2.0;
+        let px_from_model = fit_canonical_to(&seen)?;
+        let shape = CanonicalShape::new(camera::turn_rad(px_from_model.rotation))?;
+        Ok(Self { seen, px_from_model, size_px, principal_px, shape })
+    }
+
+    /// The face by this photo alone.
+    pub(super) fn fitted(&self, lens: PhotoLens) -> Result<Fitted, FaceError> {
+        match lens.checked()? {
+            PhotoLens::Parallel => self.parallel(),
+            PhotoLens::Estimated => self.estimated(&self.evidence()?),
+            PhotoLens::Distance(distance_m) => self.from(distance_m),
+            PhotoLens::Given(focal_length_mm) => self.through(focal_length_mm, lens),
+            PhotoLens::Exif(focal_length_mm) => {
+                let fitted = self.through(focal_length_mm, lens)?;
+                let evidence = self.evidence()?;
+                let log_likelihood = evidence.log_likelihood(fitted.canonical_distance_m());
+                if log_likelihood < -MOST_CONTRADICTION { self.estimated(&evidence) } else { Ok(fitted) }
+            }
+        }
+    }
+
+    /// How much the face looks at the camera, as the cosine, and how large it is, in px per m of the canonical face.
+    pub(super) fn frontal(&self) -> (f64, f64) {
+        (self.px_from_model.rotation.z_axis.z, self.px_from_model.scale)
+    }
+
+    /// The face of [`Self::fitted`] with each landmark nearer to the camera by so many metres. All of it is then made larger or
+    /// smaller about the camera, so that the middle stays where it is.
+    pub(super) fn nearer(&self, alone: &Fitted, by_m: &[f64]) -> Result<Fitted, FaceError> {
+        let Camera { focal_px, distance_m, px_per_m, lens, .. } = alone.camera;
+        let standing_m = if distance_m.is_finite() { distance_m } else { PARALLEL_M };
+        let depths =
+            alone.positions_m.iter().zip(by_m).map(|(&place_m, nearer_m)| {
+                (alone.camera.towards_camera_m(place_m) + standing_m + nearer_m) * px_per_m
+            });
+        let mut depths = about_the_middle(depths.collect(), focal_px);
+        depths.extend(with_their_eyes(&depths, &self.depths()));
+        let points = self.on_rays(&depths, focal_px);
+        Ok(self.placed(&points, fit_canonical_to(&points)?, focal_px, lens, alone.error))
+    }
+
+    /// The face of [`Self::fitted`] again, where what was found to be `shape` tells better how large it is: a lens of which
+    /// the distance is known has another focal length then.
+    pub(super) fn as_large_as(&self, shape: &Fitted, alone: &Fitted) -> Result<Fitted, FaceError> {
+        let share = match alone.camera.lens {
+            PhotoLens::Distance(distance_m) => distance_m / shape.camera.distance_m,
+            PhotoLens::Estimated => alone.canonical_distance_m() / shape.canonical_distance_m(),
+            PhotoLens::Parallel | PhotoLens::Given(_) | PhotoLens::Exif(_) => 1.0,
+        };
+        match alone.camera.lens {
+            PhotoLens::Parallel => self.parallel(),
+            lens => self.seen_through(shape.camera.focal_px * share, lens, alone.error),
+        }
+    }
+
     fn evidence(&self) -> Result<Evidence, FaceError> {
         camera::evidence(&self.seen[..LANDMARK_COUNT], self.principal_px)
     }
 
     fn parallel(&self) -> Result<Fitted, FaceError> {
-        let px_from_model = fit_canonical_to(&self.seen)?;
-        Ok(self.placed(&self.seen, px_from_model, f64::INFINITY, PhotoLens::Parallel, 0.0))
+        Ok(self.placed(&self.seen, self.px_from_model, f64::INFINITY, PhotoLens::Parallel, 0.0))
     }
 
     fn estimated(&self, evidence: &Evidence) -> Result<Fitted, FaceError> {
@@ -87,7 +143,7 @@ impl Sight {
     fn focal_px_for(&self, of: impl Fn(&[DVec3], &Similarity) -> f64) -> Result<f64, FaceError> {
         const ROUGH_STEPS: usize = 5;
         const STEPS: usize = 2;
-        let mut focal_px = of(&self.seen, &fit_canonical_to(&self.seen)?);
+        let mut focal_px = of(&self.seen, &self.px_from_model);
         for _ in 0..ROUGH_STEPS {
             let points = self.on_rays(&self.depths(), focal_px);
             focal_px = of(&points, &fit_canonical_to(&points)?);
@@ -101,7 +157,7 @@ impl Sight {
 
     fn seen_through(&self, focal_px: f64, lens: PhotoLens, error: f64) -> Result<Fitted, FaceError> {
         // No part of a face is behind its camera.
-        let focal_px = focal_px.max(DISTANCES_M.start() * fit_canonical_to(&self.seen)?.scale);
+        let focal_px = focal_px.max(DISTANCES_M.start() * self.px_from_model.scale);
         let (points, px_from_model) = self.unprojected(focal_px)?;
         Ok(self.placed(&points, px_from_model, focal_px, lens, error))
     }
@@ -170,9 +226,18 @@ impl Sight {
             camera,
             scale,
             factor,
+            error,
             image_from_model: image_from_px * px_from_model.to_affine().matrix3 * (1.0 / factor),
         }
     }
+}
+
+/// Depths that are 0 in the mean, of points that are made larger or smaller about the camera together.
+fn about_the_middle(mut depths: Vec<f64>, focal_px: f64) -> Vec<f64> {
+    let mean = depths.iter().sum::<f64>() / depths.len() as f64;
+    let times = if focal_px.is_finite() { 1.0 / (1.0 - mean / focal_px) } else { 1.0 };
+    depths.iter_mut().for_each(|z| *z = (*z - mean) * times);
+    depths
 }
 
 /// The irises' depths: as far before or behind the lids as they were found.
