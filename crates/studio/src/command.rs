@@ -1,6 +1,8 @@
 use glam::DVec3;
 use rosto_laplacian::{ConstraintKind, Operator};
 
+use crate::Expression;
+
 /// One change to the mesh, as the history keeps it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Command {
@@ -15,6 +17,14 @@ pub enum Command {
     Symmetrise {
         /// 0 changes nothing; 1 leaves both sides mirror images.
         share: f64,
+    },
+    /// Adds to how far the face shows an expression. What it moves depends on the face at rest alone, so that the weights of
+    /// several such commands add up.
+    Express {
+        /// Which one.
+        expression: Expression,
+        /// −1..=1: 1 is all of it, and −1 takes that back.
+        weight: f64,
     },
 }
 

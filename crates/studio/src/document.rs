@@ -5,18 +5,17 @@ mod points;
 mod replay_cache;
 mod retriangulate;
 
-use std::iter::Sum;
-use std::ops::Mul;
-
 use glam::DVec3;
+use rosto_face::Parted;
 use rosto_laplacian::{Geodesics, LaplacianError};
-use rosto_mesh::Topology;
+use rosto_mesh::{Topology, Value};
 
+use crate::expressed;
 use crate::level::{Level, Rest};
 use crate::level_positions::LevelPositions;
 use crate::prepared_edit::PreparedEdit;
-use crate::{Entry, History, InfluenceWeights, Standing, StudioError};
-pub use checks::MAX_DENSITY;
+use crate::{Entry, Expression, History, InfluenceWeights, Standing, StudioError};
+pub use checks::{MAX_DENSITY, SMOOTH_DENSITY};
 use editing::Preview;
 use replay_cache::ReplayCache;
 
@@ -160,13 +159,36 @@ impl Document {
         Ok(())
     }
 
-    /// Values of the cage's vertices (texture coordinates, weights …) carried over to the mesh that is shown.
+    /// Values of the cage's vertices (texture coordinates, weights …) carried over to the mesh that is shown, as its positions
+    /// are: the cage's vertices keep theirs, and between them they may go a little beyond.
     ///
     /// # Panics
     /// If there is not one value for each vertex of the cage.
-    pub fn from_cage<T: Copy + Mul<f64, Output = T> + Sum>(&self, values: &[T]) -> Vec<T> {
+    pub fn from_cage<T: Value>(&self, values: &[T]) -> Vec<T> {
         let steps = &self.levels[..self.density as usize];
-        steps.iter().fold(values.to_vec(), |values, level| level.finer().apply(&values))
+        steps.iter().fold(values.to_vec(), |values, level| level.finer().interpolate(&values))
+    }
+
+    /// The mesh that is shown, parted at eyes and mouth as far as it fills them.
+    pub fn parted(&self) -> Parted {
+        Parted::new(self.levels[0].topology().triangles(), self.topology())
+    }
+
+    /// What each expression of weight 1 displaces the mesh that is shown by, in the order of [`Expression::ALL`].
+    ///
+    /// # Errors
+    /// [`StudioError::NoExpressions`], or [`StudioError::Laplacian`] for a face that has no answer.
+    pub fn expressions(&mut self) -> Result<Vec<Vec<DVec3>>, StudioError> {
+        for expression in Expression::ALL {
+            expressed::prepare(&mut self.levels, self.density, expression)?;
+        }
+        let ways = |expression| self.expressed(expression).to_vec();
+        Ok(Expression::ALL.into_iter().map(ways).collect())
+    }
+
+    /// What an expression of weight 1 displaces the mesh that is shown by; nothing until one was made ready for it.
+    pub(crate) fn expressed(&self, expression: Expression) -> &[DVec3] {
+        self.level().expressed().ways(expression).unwrap_or_default()
     }
 
     fn level(&self) -> &Level {

@@ -1,4 +1,5 @@
 use rosto_laplacian::LaplacianError;
+use rosto_texture::TextureError;
 use rosto_warp::WarpError;
 use thiserror::Error;
 
@@ -12,6 +13,9 @@ pub enum StudioError {
     /// The photo cannot be warped.
     #[error(transparent)]
     Warp(#[from] WarpError),
+    /// There is no such texture.
+    #[error(transparent)]
+    Texture(#[from] TextureError),
     /// There is not one offset for each handle.
     #[error("{found} offsets for {expected} handles")]
     WrongOffsetCount {
@@ -35,6 +39,18 @@ pub enum StudioError {
     /// The document's coordinates have no mirror plane, or its triangles no mirror image.
     #[error("only a face in the model's own frame, with triangles that are their own mirror image, can be mirrored")]
     NoMirror,
+    /// The mesh is no face in the model's own frame, and so has no expressions.
+    #[error("only a face of 468 landmarks in the model's own frame has expressions, not a mesh of {vertex_count}")]
+    NoExpressions {
+        /// How many vertices it has.
+        vertex_count: usize,
+    },
+    /// An expression's weight is beyond what it may be, or not a number.
+    #[error("an expression's weight must lie between -1 and 1, not at {weight}")]
+    Weight {
+        /// The weight given.
+        weight: f64,
+    },
     /// A spec is meant for a denser mesh than the one there is.
     #[error("the edit is meant for {level} subdivisions, and the mesh has {density}")]
     TooCoarse {

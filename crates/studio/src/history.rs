@@ -82,7 +82,12 @@ impl History {
 
     /// Adds an entry; what was undone is forgotten.
     pub(crate) fn push(&mut self, entry: Entry) {
-        self.change(Change { at: self.entries.len(), before: Vec::new(), after: vec![entry] });
+        self.push_all(vec![entry]);
+    }
+
+    /// Adds entries as one change.
+    pub(crate) fn push_all(&mut self, entries: Vec<Entry>) {
+        self.change(Change { at: self.entries.len(), before: Vec::new(), after: entries });
     }
 
     /// Takes all entries away.

@@ -1,11 +1,12 @@
 use glam::DVec3;
-use rosto_face::{FaceModel, LANDMARK_COUNT, oval};
+use rosto_face::{FaceModel, LANDMARK_COUNT, crowded_landmarks, opening_edges, oval};
 use rosto_laplacian::{
     AnchoredSystem, ConstraintKind, Constraints, Geodesics, LaplacianError, LaplacianSystem, Operator, Response,
 };
 use rosto_mesh::{LoopSubdivision, Topology};
 
 use crate::StudioError;
+use crate::expressed::Expressed;
 use crate::mirror::MirrorTable;
 
 /// Which coordinates a document's positions are in.
@@ -23,16 +24,22 @@ pub struct Rest {
     topology: Topology,
     positions: Vec<DVec3>,
     oval: Vec<u32>,
+    /// Where lids and lips part from what is between them.
+    creases: Vec<[u32; 2]>,
+    /// Landmarks that denser meshes round off.
+    rounded: Vec<u32>,
     mirror: Option<MirrorTable>,
 }
 
 impl Rest {
-    /// A mesh at rest, in any unit. In the model's frame, a mesh of landmarks has their mirror pairs.
+    /// A mesh at rest, in any unit. In the model's frame, a mesh of landmarks has their mirror pairs. Denser meshes of
+    /// landmarks keep the edges of lids and lips.
     pub fn new(topology: Topology, positions: Vec<DVec3>, frame: CoordinateFrame) -> Self {
         let is_face = topology.vertex_count() == LANDMARK_COUNT;
         let oval = if is_face { oval().to_vec() } else { longest_boundary(&topology) };
+        let (creases, rounded) = if is_face { (opening_edges(), crowded_landmarks()) } else { Default::default() };
         let mirror = (is_face && frame == CoordinateFrame::Model).then(MirrorTable::of_landmarks);
-        Self { topology, positions, oval, mirror }
+        Self { topology, positions, oval, creases, rounded, mirror }
     }
 
     /// A face in its own frame, in metres.
@@ -55,6 +62,8 @@ pub(crate) struct Level {
     geodesics: Option<Geodesics>,
     /// To the next level; built with it.
     finer: Option<LoopSubdivision>,
+    /// What expressions displace it by.
+    expressed: Expressed,
 }
 
 struct Anchored {
@@ -66,7 +75,14 @@ struct Anchored {
 
 impl Level {
     pub(crate) fn new(rest: Rest) -> Self {
-        Self { rest, systems: Vec::new(), anchored: None, geodesics: None, finer: None }
+        Self {
+            rest,
+            systems: Vec::new(),
+            anchored: None,
+            geodesics: None,
+            finer: None,
+            expressed: Expressed::default(),
+        }
     }
 
     pub(crate) fn topology(&self) -> &Topology {
@@ -129,16 +145,26 @@ impl Level {
 
     /// The next density: every triangle in four.
     pub(crate) fn subdivided(&mut self) -> Self {
-        let step = LoopSubdivision::new(&self.rest.topology, 1);
+        let step = LoopSubdivision::creased(&self.rest.topology, &self.rest.creases, 1).rounding(&self.rest.rounded);
         let topology = step.topology().clone();
         let rest = Rest {
-            positions: step.apply(&self.rest.positions),
+            positions: step.interpolate(&self.rest.positions),
             oval: longest_boundary(&topology),
+            creases: step.creases().to_vec(),
+            rounded: self.rest.rounded.clone(),
             mirror: self.rest.mirror.as_ref().and_then(|mirror| mirror.subdivided(&self.rest.topology)),
             topology,
         };
         self.finer = Some(step);
         Self::new(rest)
+    }
+
+    pub(crate) fn expressed(&self) -> &Expressed {
+        &self.expressed
+    }
+
+    pub(crate) fn expressed_mut(&mut self) -> &mut Expressed {
+        &mut self.expressed
     }
 
     /// The map to the next level.

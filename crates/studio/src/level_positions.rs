@@ -1,8 +1,8 @@
 use glam::DVec3;
 
-use crate::StudioError;
 use crate::level::Level;
 use crate::prepared_edit::PreparedEdit;
+use crate::{Expression, StudioError};
 
 /// The positions of every level of a document up to the one that is shown.
 #[derive(Debug, Clone)]
@@ -15,6 +15,7 @@ pub(crate) struct LevelPositions {
 #[derive(Default)]
 pub(crate) struct Scratch {
     moved: Vec<Vec<DVec3>>,
+    control: Vec<DVec3>,
 }
 
 impl LevelPositions {
@@ -69,6 +70,14 @@ impl LevelPositions {
         Ok(())
     }
 
+    /// Adds so much of an expression to every level; it must have been made ready for them.
+    pub(crate) fn express(&mut self, levels: &[Level], expression: Expression, weight: f64) {
+        for (positions, level) in self.positions.iter_mut().zip(levels) {
+            let ways = level.expressed().ways(expression).expect("invariant: made ready before");
+            positions.iter_mut().zip(ways).for_each(|(position, way)| *position += weight * *way);
+        }
+    }
+
     /// Moves every level above `at` by what `at` was moved by.
     fn carry_over(&mut self, levels: &[Level], from: &Self, at: usize, room: &mut Scratch) {
         if at + 1 == self.positions.len() {
@@ -80,7 +89,9 @@ impl LevelPositions {
         }
         for finer in at + 1..self.positions.len() {
             let (coarse, fine) = room.moved.split_at_mut(finer);
-            levels[finer - 1].finer().apply_to(&coarse[finer - 1], &mut fine[0]);
+            let (way, control) = (&coarse[finer - 1], &mut room.control);
+            control.resize(way.len(), DVec3::ZERO);
+            levels[finer - 1].finer().interpolate_to(way, control, &mut fine[0]);
             for ((to, from), way) in self.positions[finer].iter_mut().zip(&from.positions[finer]).zip(&fine[0]) {
                 *to = *from + *way;
             }

@@ -8,6 +8,8 @@
 mod command;
 mod document;
 mod error;
+mod expressed;
+mod expressions;
 mod fading;
 mod history;
 mod in_film;
@@ -19,21 +21,27 @@ mod mirror;
 pub mod paper;
 mod prepared_edit;
 pub mod project;
+mod rig;
 mod sliders;
 mod target;
+mod whole_texture;
 
 pub use command::{AnchorKind, Anchors, Command, Details, EditSpec, Mirror, RegionOfInfluence, Settings};
-pub use document::{Document, MAX_DENSITY};
+pub use document::{Document, MAX_DENSITY, SMOOTH_DENSITY};
 pub use error::StudioError;
+pub use expressions::{Expression, Expressions};
 pub use fading::fading;
 pub use history::{Entry, History, Standing, Switch};
 pub use in_film::InFilm;
 pub use in_photo::{DEFAULT_RING, InPhoto, RING_SHARES};
 pub use influence::InfluenceWeights;
 pub use level::{CoordinateFrame, Rest};
+pub use rig::{EditsInRig, Rig};
 pub use rosto_laplacian::{ConstraintKind, Operator};
+pub use rosto_texture::{Shares, Texture};
 pub use sliders::FaceSlider;
 pub use target::{Amount, EditTarget};
+pub use whole_texture::{Shot, texture_plan, whole_texture, whole_texture_of};
 
 /// The examples of the README are tested with those of the code.
 #[cfg(doctest)]

@@ -47,6 +47,11 @@ impl PreparedEdit {
         Ok(Self { spec, handles, anchors, partner_places, response, reach, rigid, offsets, stale: false })
     }
 
+    /// Whether it depends on the shape that it starts from.
+    pub(crate) fn turns_details(&self) -> bool {
+        self.rigid.is_some()
+    }
+
     pub(crate) fn spec(&self) -> &EditSpec {
         &self.spec
     }

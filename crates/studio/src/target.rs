@@ -2,7 +2,7 @@ use std::fmt;
 
 use rosto_face::{LANDMARK_COUNT, Region, landmark_id};
 
-use crate::{Command, FaceSlider};
+use crate::{Command, Expression, FaceSlider};
 
 /// What a command works on. Files hold the command alone: this is read from it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,6 +24,8 @@ pub enum EditTarget {
     Vertices(usize),
     /// Both sides of the face.
     Symmetry,
+    /// An expression.
+    Expression(Expression),
 }
 
 /// How much a command does.
@@ -33,6 +35,8 @@ pub enum Amount {
     Distance(f64),
     /// Of the asymmetry, from 0 to 1.
     Share(f64),
+    /// Of an expression, from −1 to 1.
+    Weight(f64),
 }
 
 impl EditTarget {
@@ -45,6 +49,7 @@ impl EditTarget {
             Self::Slider(_) => "slider",
             Self::Vertices(_) => "vertices",
             Self::Symmetry => "symmetry",
+            Self::Expression(_) => "expression",
         }
     }
 }
@@ -59,6 +64,7 @@ impl fmt::Display for EditTarget {
             Self::Slider(slider) => out.write_str(slider.id()),
             Self::Vertices(count) => write!(out, "{count}-vertices"),
             Self::Symmetry => out.write_str("symmetry"),
+            Self::Expression(expression) => out.write_str(expression.id()),
         }
     }
 }
@@ -66,7 +72,11 @@ impl fmt::Display for EditTarget {
 impl Command {
     /// What it works on.
     pub fn target(&self) -> EditTarget {
-        let Self::Move { spec, offsets } = self else { return EditTarget::Symmetry };
+        let (spec, offsets) = match self {
+            Self::Move { spec, offsets } => (spec, offsets),
+            Self::Symmetrise { .. } => return EditTarget::Symmetry,
+            Self::Express { expression, .. } => return EditTarget::Expression(*expression),
+        };
         if let Some(slider) = FaceSlider::ALL.into_iter().find(|slider| slider.amount_m(self).is_some()) {
             return EditTarget::Slider(slider);
         }
@@ -84,6 +94,7 @@ impl Command {
     pub fn amount(&self) -> Amount {
         match self {
             &Self::Symmetrise { share } => Amount::Share(share),
+            &Self::Express { weight, .. } => Amount::Weight(weight),
             Self::Move { offsets, .. } => {
                 let slid = FaceSlider::ALL.into_iter().find_map(|slider| slider.amount_m(self));
                 let furthest = || offsets.iter().map(|offset| offset.length()).fold(0.0, f64::max);

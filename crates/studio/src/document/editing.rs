@@ -4,10 +4,11 @@ use glam::DVec3;
 use rosto_laplacian::{LaplacianError, Response};
 
 use super::Document;
+use crate::expressed;
 use crate::level::Level;
 use crate::level_positions::{LevelPositions, Scratch};
 use crate::prepared_edit::PreparedEdit;
-use crate::{Details, EditSpec, Entry, InfluenceWeights, Standing, StudioError, Switch};
+use crate::{Command, Details, EditSpec, Entry, Expression, InfluenceWeights, Standing, StudioError, Switch};
 
 /// The spec's offsets and the positions they lead to, while vertices are being moved.
 pub(super) struct Preview {
@@ -16,18 +17,36 @@ pub(super) struct Preview {
     positions: Vec<DVec3>,
     shape: LevelPositions,
     scratch: Scratch,
-    under_way: bool,
+    /// How much of which expressions, where they are what is under way.
+    weights: Vec<(Expression, f64)>,
+    under_way: UnderWay,
+}
+
+/// What is being moved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum UnderWay {
+    Nothing,
+    /// What is held.
+    Held,
+    Expressions,
 }
 
 impl Preview {
     pub(super) fn none(unedited: &LevelPositions) -> Self {
         let (shape, positions) = (unedited.clone(), unedited.densest().to_vec());
-        Self { offsets: Vec::new(), positions, shape, scratch: Scratch::default(), under_way: false }
+        Self {
+            offsets: Vec::new(),
+            positions,
+            shape,
+            scratch: Scratch::default(),
+            weights: Vec::new(),
+            under_way: UnderWay::Nothing,
+        }
     }
 
     /// Those of the mesh that is shown, while vertices are being moved.
     pub(super) fn positions(&self) -> Option<&[DVec3]> {
-        self.under_way.then_some(&self.positions[..])
+        (self.under_way != UnderWay::Nothing).then_some(&self.positions[..])
     }
 }
 
@@ -86,7 +105,7 @@ impl Document {
     pub fn reach(&self) -> Option<Vec<f64>> {
         let held = self.held.as_ref()?;
         let steps = &self.levels[held.spec().level as usize..self.density as usize];
-        Some(steps.iter().fold(held.reach()?.to_vec(), |reach, level| level.finer().apply(&reach)))
+        Some(steps.iter().fold(held.reach()?.to_vec(), |reach, level| level.finer().interpolate(&reach)))
     }
 
     /// Moves what is held by one offset for each of the spec's handles, counted from the last commit, in the document's
@@ -103,7 +122,7 @@ impl Document {
         let (from, preview) = (self.replayed.last(), &mut self.preview);
         held.check(offsets)?;
         // Should details find no rest, nothing half moved stays.
-        preview.under_way = false;
+        preview.under_way = UnderWay::Nothing;
         if let Some(influence) = carried(&self.influence, held, offsets, self.density) {
             influence.displace(from.densest(), offsets[0], &mut preview.positions);
         } else {
@@ -112,14 +131,39 @@ impl Document {
         }
         self.preview.offsets.clear();
         self.preview.offsets.extend_from_slice(offsets);
-        self.preview.under_way = true;
+        self.preview.under_way = UnderWay::Held;
         Ok(())
     }
 
-    /// Makes the edit in progress one entry of the history; what was undone is forgotten. Without an edit in progress,
-    /// nothing happens.
+    /// Adds so much of each expression to the shape after the last commit; what is held stays held, and does not move. No solve
+    /// but for the first time that one is asked for.
+    ///
+    /// # Errors
+    /// [`StudioError::NoExpressions`], [`StudioError::Weight`], or [`StudioError::Laplacian`] for a face that has no answer.
+    pub fn preview_expressions(&mut self, weights: &[(Expression, f64)]) -> Result<(), StudioError> {
+        self.preview.under_way = UnderWay::Nothing;
+        for &(expression, weight) in weights {
+            self.check_expression(weight)?;
+            expressed::prepare(&mut self.levels, self.density, expression)?;
+        }
+        let (from, preview) = (self.replayed.last().densest(), &mut self.preview);
+        preview.positions.copy_from_slice(from);
+        for &(expression, weight) in weights {
+            let ways = self.levels[self.density as usize].expressed().ways(expression).unwrap_or_default();
+            preview.positions.iter_mut().zip(ways).for_each(|(position, way)| *position += weight * *way);
+        }
+        preview.weights.clear();
+        preview.weights.extend_from_slice(weights);
+        preview.under_way = UnderWay::Expressions;
+        Ok(())
+    }
+
+    /// Makes the edit in progress one entry of the history; what was undone is forgotten. Expressions become an entry each, with
+    /// their own labels, and one change. Without an edit in progress, nothing happens.
     pub fn commit(&mut self, label: &str) {
-        if let (true, Some(held)) = (self.preview.under_way, &mut self.held) {
+        if self.preview.under_way == UnderWay::Expressions {
+            self.commit_expressions();
+        } else if let (UnderWay::Held, Some(held)) = (self.preview.under_way, &mut self.held) {
             let (from, preview) = (self.replayed.last(), &mut self.preview);
             if carried(&self.influence, held, &preview.offsets, self.density).is_some() {
                 let moved = preview.shape.displace(&self.levels, from, held, &preview.offsets, &mut preview.scratch);
@@ -132,9 +176,24 @@ impl Document {
         self.settle_down();
     }
 
+    fn commit_expressions(&mut self) {
+        if self.preview.weights.is_empty() {
+            return;
+        }
+        let mut entries = Vec::with_capacity(self.preview.weights.len());
+        for &(expression, weight) in &self.preview.weights {
+            let mut shape = LevelPositions::clone(self.replayed.last());
+            shape.express(&self.levels, expression, weight);
+            self.replayed.push(Arc::new(shape), Standing::InForce);
+            let command = Command::Express { expression, weight };
+            entries.push(Entry { label: expression.id().to_owned(), command, switch: Switch::On });
+        }
+        self.history.push_all(entries);
+    }
+
     /// Drops the edit in progress; the spec stays.
     pub fn cancel(&mut self) {
-        self.preview.under_way = false;
+        self.preview.under_way = UnderWay::Nothing;
     }
 
     /// Ends the edit in progress after the start of the next one has changed.

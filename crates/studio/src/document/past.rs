@@ -2,8 +2,10 @@ use std::sync::Arc;
 
 use super::Document;
 use super::editing::made_ready;
+use crate::expressed;
 use crate::level::Level;
 use crate::level_positions::{LevelPositions, Scratch};
+use crate::prepared_edit::PreparedEdit;
 use crate::{Command, EditTarget, Entry, History, Standing, StudioError, Switch};
 
 /// What was done, undone and switched. An entry that has no answer on the mesh that is shown is passed over, so that none
@@ -26,7 +28,8 @@ impl Document {
     pub fn apply(&mut self, label: &str, command: Command) -> Result<(), StudioError> {
         let entry = Entry { label: label.to_owned(), command, switch: Switch::On };
         self.check(&entry)?;
-        let (shape, standing) = carried_out(&mut self.levels, self.density, self.replayed.last(), &entry);
+        let from = self.replayed.last();
+        let (shape, standing) = carried_out(&mut self.levels, self.density, from, &entry, &mut Latest::default());
         if let Standing::Impossible(reason) = standing {
             return Err(reason);
         }
@@ -42,7 +45,7 @@ impl Document {
     /// [`StudioError`] if it has no answer.
     pub fn displacement(&mut self, command: &Command) -> Result<Vec<glam::DVec3>, StudioError> {
         let from = self.replayed.last();
-        let to = moved(&mut self.levels, self.density, from, command)?;
+        let to = moved(&mut self.levels, self.density, from, command, &mut Latest::default())?;
         Ok(to.densest().iter().zip(from.densest()).map(|(to, at)| *to - *at).collect())
     }
 
@@ -84,6 +87,11 @@ impl Document {
         self.switch_where(|_, entry| entry.command.target() == target, Switch::Off)
     }
 
+    /// Switches every entry of an expression off, as one change. Returns the first that was on.
+    pub fn come_to_rest(&mut self) -> Option<usize> {
+        self.switch_where(|_, entry| matches!(entry.command, Command::Express { .. }), Switch::Off)
+    }
+
     fn switch_where(&mut self, which: impl Fn(usize, &Entry) -> bool, switch: Switch) -> Option<usize> {
         let first = self.history.switch(which, switch)?;
         self.follow_history(first);
@@ -93,8 +101,10 @@ impl Document {
     /// Carries the entries from `first` on out again.
     pub(super) fn follow_history(&mut self, first: usize) {
         self.replayed.truncate(first);
+        let mut latest = Latest::default();
         for entry in &self.history.entries()[self.replayed.count()..] {
-            let (shape, standing) = carried_out(&mut self.levels, self.density, self.replayed.last(), entry);
+            let from = self.replayed.last();
+            let (shape, standing) = carried_out(&mut self.levels, self.density, from, entry, &mut latest);
             self.replayed.push(shape, standing);
         }
         self.settle_down();
@@ -105,13 +115,21 @@ impl Document {
     pub fn displacements(&mut self) -> Vec<Vec<glam::DVec3>> {
         let mut from = Arc::clone(self.replayed.unedited());
         let mut layers = Vec::with_capacity(self.history.entries().len());
+        let mut latest = Latest::default();
         for entry in self.history.entries() {
-            let (to, _) = carried_out(&mut self.levels, self.density, &from, entry);
+            let (to, _) = carried_out(&mut self.levels, self.density, &from, entry, &mut latest);
             layers.push(to.densest().iter().zip(from.densest()).map(|(to, at)| *to - *at).collect());
             from = to;
         }
         layers
     }
+}
+
+/// What carrying out one entry leaves for the next: often the same is moved again.
+#[derive(Default)]
+struct Latest {
+    held: Option<PreparedEdit>,
+    scratch: Scratch,
 }
 
 /// The shape that `entry` makes of the one before it: that one itself, unless the entry is in force.
@@ -120,11 +138,12 @@ fn carried_out(
     density: u32,
     from: &Arc<LevelPositions>,
     entry: &Entry,
+    latest: &mut Latest,
 ) -> (Arc<LevelPositions>, Standing) {
     let standing = match &entry.command {
         _ if entry.switch == Switch::Off => Standing::Off,
         Command::Move { spec, .. } if spec.level > density => Standing::Waits { level: spec.level },
-        command => match moved(levels, density, from, command) {
+        command => match moved(levels, density, from, command, latest) {
             Ok(shape) => return (Arc::new(shape), Standing::InForce),
             Err(reason) => Standing::Impossible(reason),
         },
@@ -137,14 +156,21 @@ fn moved(
     density: u32,
     from: &LevelPositions,
     command: &Command,
+    latest: &mut Latest,
 ) -> Result<LevelPositions, StudioError> {
     let mut shape = from.clone();
     match command {
         Command::Move { spec, offsets } => {
-            let mut held = made_ready(levels, density, from, spec.clone())?;
-            shape.displace(levels, from, &mut held, offsets, &mut Scratch::default())?;
+            let known = latest.held.take().filter(|held| held.spec() == spec && !held.turns_details());
+            let mut held = known.map_or_else(|| made_ready(levels, density, from, spec.clone()), Ok)?;
+            shape.displace(levels, from, &mut held, offsets, &mut latest.scratch)?;
+            latest.held = Some(held);
         }
         &Command::Symmetrise { share } => shape.symmetrise(levels, share)?,
+        &Command::Express { expression, weight } => {
+            expressed::prepare(levels, density, expression)?;
+            shape.express(levels, expression, weight);
+        }
     }
     match shape.not_finite() {
         Some(vertex) => Err(rosto_laplacian::LaplacianError::NotFinite { vertex }.into()),

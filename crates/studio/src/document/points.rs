@@ -1,8 +1,10 @@
 use glam::DVec3;
 use rosto_face::{LANDMARK_COUNT, part_id};
+use rosto_mesh::Topology;
 
 use super::Document;
-use crate::EditTarget;
+use crate::level::Level;
+use crate::{Command, EditTarget, Entry};
 
 /// Vertices of the mesh that is shown, beside the landmarks.
 impl Document {
@@ -26,6 +28,23 @@ impl Document {
     /// How many vertices the mesh subdivided so many times has; none if it was never shown.
     pub fn vertex_count(&self, level: u32) -> Option<usize> {
         self.levels.get(level as usize).map(|level| level.rest().len())
+    }
+
+    /// The coarsest mesh, by how often it was subdivided, whose vertices show every edit: that of the finest edit which does not
+    /// wait for a denser mesh. Its vertices are the first of the mesh that is shown.
+    pub fn edited_level(&self) -> u32 {
+        let of_entry = |entry: &Entry| match &entry.command {
+            Command::Move { spec, .. } => spec.level,
+            Command::Symmetrise { .. } | Command::Express { .. } => 0,
+        };
+        let of_held = self.held.as_ref().map(|held| held.spec().level);
+        let levels = self.history().entries().iter().map(of_entry).chain(of_held);
+        levels.filter(|level| *level <= self.density()).max().unwrap_or(0)
+    }
+
+    /// The mesh subdivided so many times; none if it was never shown.
+    pub fn topology_at(&self, level: u32) -> Option<&Topology> {
+        self.levels.get(level as usize).map(Level::topology)
     }
 
     /// The mirror image of a vertex of the mesh subdivided so many times; none where the triangles have none.

@@ -17,7 +17,7 @@ impl Document {
         let mut document = Self::new(rest)?;
         let levels = self.history.commands().filter_map(|command| match command {
             Command::Move { spec, .. } => Some(spec.level),
-            Command::Symmetrise { .. } => None,
+            Command::Symmetrise { .. } | Command::Express { .. } => None,
         });
         let highest = levels.filter(|level| *level <= MAX_DENSITY).max().unwrap_or(0);
         if self.levels[0].topology() == document.levels[0].topology() {

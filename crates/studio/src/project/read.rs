@@ -4,7 +4,9 @@ use serde_json::Value;
 use thiserror::Error;
 
 use super::VERSION;
-use crate::{AnchorKind, Anchors, Command, Details, EditSpec, Entry, Mirror, RegionOfInfluence, Settings, Switch};
+use crate::{
+    AnchorKind, Anchors, Command, Details, EditSpec, Entry, Expression, Mirror, RegionOfInfluence, Settings, Switch,
+};
 
 /// Why text is no history.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -54,10 +56,16 @@ pub fn from_json(text: &str) -> Result<Vec<Entry>, ProjectError> {
 fn entry(value: &Value) -> FieldResult<Entry> {
     let label = value["label"].as_str().ok_or("label")?.to_owned();
     let switch = value["switch"].as_str().and_then(Switch::from_id).ok_or("switch")?;
-    let command = match (value.get("move"), value.get("symmetrise")) {
-        (Some(movement), None) => Command::Move { spec: spec(movement)?, offsets: offsets(&movement["offsets"])? },
-        (None, Some(symmetrise)) => Command::Symmetrise { share: symmetrise["share"].as_f64().ok_or("share")? },
-        _ => return Err("move or symmetrise"),
+    let command = match (value.get("move"), value.get("symmetrise"), value.get("express")) {
+        (Some(movement), None, None) => {
+            Command::Move { spec: spec(movement)?, offsets: offsets(&movement["offsets"])? }
+        }
+        (None, Some(symmetrise), None) => Command::Symmetrise { share: symmetrise["share"].as_f64().ok_or("share")? },
+        (None, None, Some(express)) => Command::Express {
+            expression: express["expression"].as_str().and_then(Expression::from_id).ok_or("expression")?,
+            weight: express["weight"].as_f64().ok_or("weight")?,
+        },
+        _ => return Err("move, symmetrise or express"),
     };
     Ok(Entry { label, command, switch })
 }

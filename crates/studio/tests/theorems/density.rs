@@ -1,8 +1,8 @@
 //! Denser meshes: cage edits carry over, direct edits stay local, and going back and forth loses nothing.
 
 use glam::DVec3;
-use rosto_face::{Region, Triangulation};
-use rosto_mesh::LoopSubdivision;
+use rosto_face::{LANDMARK_COUNT, Region, Triangulation, crowded_landmarks, opening_edges, without_fillings};
+use rosto_mesh::{LoopSubdivision, Topology};
 use rosto_studio::*;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -25,8 +25,51 @@ fn a_cage_edit_equals_subdividing_the_edited_cage() {
     document.apply("half", Command::Symmetrise { share: 0.5 }).unwrap();
     let cage = document.positions().to_vec();
     document.set_density(2).unwrap();
-    let dense = LoopSubdivision::new(&Triangulation::Canonical.topology(), 2).apply(&cage);
+    let crowded = crowded_landmarks();
+    let once = LoopSubdivision::creased(&Triangulation::Canonical.topology(), &opening_edges(), 1).rounding(&crowded);
+    let twice = LoopSubdivision::creased(once.topology(), once.creases(), 1).rounding(&crowded);
+    let dense = twice.interpolate(&once.interpolate(&cage));
     assert!(dense.iter().zip(document.positions()).all(|(a, b)| a.distance(*b) < 1e-12));
+}
+
+#[test]
+fn what_fills_eyes_and_mouth_changes_nothing_about_the_skin_around_them() {
+    let cage = Triangulation::Canonical.triangles();
+    let open_cage = Topology::new(LANDMARK_COUNT, without_fillings(&cage, &cage)).unwrap();
+    let positions = Document::new(portrait(Triangulation::Canonical)).unwrap().positions().to_vec();
+    for density in 1..=3 {
+        let [filled, open] = [Triangulation::Canonical.topology(), open_cage.clone()].map(|topology| {
+            let rest = Rest::new(topology, positions.clone(), CoordinateFrame::Model);
+            let mut document = Document::new(rest).unwrap();
+            document.set_density(density).unwrap();
+            document
+        });
+        let skin = without_fillings(&cage, filled.topology().triangles());
+        let is_same = places(&filled, &skin) == places(&open, open.topology().triangles());
+        assert!(is_same, "{density} subdivisions");
+    }
+}
+
+/// The corners of triangles in space, to the last bit.
+fn places(document: &Document, triangles: &[[u32; 3]]) -> Vec<[[u64; 3]; 3]> {
+    let place = |corner: u32| document.positions()[corner as usize].to_array().map(f64::to_bits);
+    triangles.iter().map(|triangle| triangle.map(place)).collect()
+}
+
+#[test]
+fn denser_meshes_pass_through_the_points_of_coarser_ones_whatever_is_edited() {
+    let mut document = Document::new(portrait(Triangulation::Canonical)).unwrap();
+    document.apply("nose", single_move(4, DVec3::new(0.001, 0.002, 0.02))).unwrap();
+    let mut coarser = document.positions().to_vec();
+    for density in 1..=3 {
+        document.set_density(density).unwrap();
+        let apart = |vertex: usize| coarser[vertex].distance(document.positions()[vertex]);
+        let (crowded, others): (Vec<usize>, _) =
+            (0..coarser.len()).partition(|vertex| crowded_landmarks().contains(&(*vertex as u32)));
+        assert!(others.into_iter().all(|vertex| apart(vertex) < 1e-15), "{density}");
+        assert!(crowded.into_iter().all(|vertex| apart(vertex) < 2e-3), "the corners of the mouth are rounded off");
+        coarser = document.positions().to_vec();
+    }
 }
 
 #[test]

@@ -1,0 +1,227 @@
+//! Expressions move what they are named after, leave the rest, are mirror images of each other, fold nothing, and add up.
+
+use glam::DVec3;
+use rosto_face::{Region, Triangulation, canonical_positions_m, mirror_of, without_fillings};
+use rosto_studio::project::{ProjectError, from_json, to_json};
+use rosto_studio::*;
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use crate::faces::*;
+
+const UPPER_LIDS: [u32; 7] = [246, 161, 160, 159, 158, 157, 173];
+const LOWER_LIDS: [u32; 7] = [7, 163, 144, 145, 153, 154, 155];
+
+fn faces() -> [Vec<DVec3>; 2] {
+    let portrait = Document::new(portrait(Triangulation::Canonical)).unwrap().rest().to_vec();
+    [canonical_positions_m(), portrait]
+}
+
+fn skin() -> Vec<[u32; 3]> {
+    let whole = Triangulation::Canonical.triangles();
+    without_fillings(&whole, &whole)
+}
+
+/// The right's and those of both sides: of the left all follows from the mirror.
+fn rights() -> impl Iterator<Item = Expression> {
+    Expression::ALL.into_iter().filter(|expression| !expression.id().ends_with("Left"))
+}
+
+#[test]
+fn on_a_symmetric_face_sides_are_mirror_images_and_what_has_none_is_its_own() {
+    let mut expressions = Expressions::new(&canonical_positions_m()).unwrap();
+    for expression in rights() {
+        let image = expressions.displacement(expression.mirrored()).unwrap().to_vec();
+        let ways = expressions.displacement(expression).unwrap();
+        for vertex in 0..468 {
+            let (way, partner) = (ways[vertex as usize], image[mirror_of(vertex) as usize]);
+            assert!(way.distance(partner * MIRROR) < 1e-12, "{expression:?} at {vertex}: {way} and {partner}");
+        }
+        assert_eq!(expression.mirrored().mirrored(), expression);
+    }
+}
+
+#[test]
+fn every_expression_shows_and_folds_no_skin() {
+    for rest in faces() {
+        let mut expressions = Expressions::new(&rest).unwrap();
+        for expression in Expression::ALL {
+            let ways = expressions.displacement(expression).unwrap();
+            let furthest_mm = 1000.0 * ways.iter().map(|way| way.length()).fold(0.0, f64::max);
+            assert!((1.5..40.0).contains(&furthest_mm), "{expression:?} goes {furthest_mm} mm");
+            let moved: Vec<DVec3> = rest.iter().zip(ways).map(|(at, way)| *at + *way).collect();
+            let is_turned = |corners: &[u32; 3]| normal(&moved, corners).dot(normal(&rest, corners)) <= 0.0;
+            let folded: Vec<_> = skin().into_iter().filter(is_turned).collect();
+            assert!(folded.iter().all(|corners| meets(expression, corners)), "{expression:?} folds {folded:?}");
+        }
+    }
+}
+
+/// Where a blink's lids meet, the skin between their edges and a corner is as good as gone.
+fn meets(expression: Expression, corners: &[u32; 3]) -> bool {
+    let is_blink = matches!(expression, Expression::EyeBlinkLeft | Expression::EyeBlinkRight);
+    let is_edge = |corner: &u32| UPPER_LIDS.contains(corner) || LOWER_LIDS.contains(corner);
+    is_blink && corners.iter().any(|corner| is_edge(corner) || is_edge(&mirror_of(*corner)))
+}
+
+fn normal(positions: &[DVec3], corners: &[u32; 3]) -> DVec3 {
+    let [a, b, c] = corners.map(|corner| positions[corner as usize]);
+    (b - a).cross(c - a)
+}
+
+#[test]
+fn a_blink_shuts_the_eye_of_whoever_blinks_at_every_density() {
+    const MOST_MM: f64 = 0.3;
+    for triangulation in Triangulation::ALL {
+        for rest in [canonical(triangulation), portrait(triangulation)] {
+            let mut document = Document::new(rest).unwrap();
+            for density in [0, 2] {
+                document.set_density(density).unwrap();
+                document.preview_expressions(&[(Expression::EyeBlinkRight, 1.0)]).unwrap();
+                let at = document.positions();
+                let pairs = UPPER_LIDS.into_iter().zip(LOWER_LIDS);
+                let gaps = pairs.map(|(upper, lower)| 1000.0 * at[upper as usize].distance(at[lower as usize]));
+                let widest_mm = gaps.fold(0.0, f64::max);
+                assert!(widest_mm < MOST_MM, "{triangulation:?}, {density}: lids are {widest_mm} mm apart");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_an_expression_is_not_about_stays() {
+    let parts: [(Expression, &[Region]); 5] = [
+        (Expression::JawOpen, &[Region::UpperLip, Region::Nose, Region::RightEye, Region::LeftEye, Region::Forehead]),
+        (
+            Expression::EyeBlinkRight,
+            &[Region::RightBrow, Region::LeftEye, Region::Nose, Region::RightCheek, Region::Lips],
+        ),
+        (Expression::MouthSmileLeft, &[Region::RightCheek, Region::Nose, Region::RightEye, Region::Forehead]),
+        (Expression::BrowInnerUp, &[Region::RightEye, Region::Nose, Region::Jaw]),
+        (Expression::CheekPuff, &[Region::RightEye, Region::Nose, Region::Forehead]),
+    ];
+    for rest in faces() {
+        let mut expressions = Expressions::new(&rest).unwrap();
+        for (expression, parts) in parts {
+            let ways = expressions.displacement(expression).unwrap();
+            for vertex in parts.iter().flat_map(|part| part.vertices()) {
+                assert_eq!(ways[vertex as usize], DVec3::ZERO, "{expression:?} moves {vertex}");
+            }
+        }
+    }
+}
+
+#[test]
+fn expressions_go_where_their_names_say() {
+    for rest in faces() {
+        let mut expressions = Expressions::new(&rest).unwrap();
+        let mut way = |expression, vertex: usize| expressions.displacement(expression).unwrap()[vertex] * 1000.0;
+        let chin = way(Expression::JawOpen, 152);
+        assert!(chin.y < -12.0 && chin.z < -3.0, "the chin goes down in an arc: {chin}");
+        assert!(way(Expression::MouthSmileRight, 61).y > 4.0 && way(Expression::MouthSmileRight, 205).y > 2.0);
+        assert!(way(Expression::MouthFrownRight, 61).y < -4.0);
+        assert!(way(Expression::MouthPucker, 0).z > 4.0 && way(Expression::MouthPucker, 61).x > 4.0);
+        assert!(way(Expression::JawLeft, 152).x > 4.0 && way(Expression::JawRight, 152).x < -4.0);
+        assert!(
+            way(Expression::BrowInnerUp, 107).y > 4.0
+                && way(Expression::BrowDownLeft, mirror_of(107) as usize).y < -3.0
+        );
+        assert!(way(Expression::CheekPuff, 207).z > 4.0 && way(Expression::CheekPuff, 207).x < -4.0);
+        assert!(way(Expression::MouthLeft, 13).x > 4.0);
+    }
+}
+
+#[test]
+fn with_the_jaw_open_mouth_close_brings_the_lips_back_together() {
+    for rest in faces() {
+        let mut expressions = Expressions::new(&rest).unwrap();
+        let mut ways = |expression| expressions.displacement(expression).unwrap().to_vec();
+        let (open, close) = (ways(Expression::JawOpen), ways(Expression::MouthClose));
+        let parted_mm = 1000.0 * ((open[13] + close[13]) - (open[14] + close[14])).length();
+        assert!(parted_mm < 0.3, "{parted_mm} mm");
+    }
+}
+
+#[test]
+fn weights_add_up_and_a_preview_is_what_is_kept() {
+    for (triangulation, density) in [(Triangulation::Tessellation, 0), (Triangulation::Canonical, 2)] {
+        let fresh = || {
+            let mut document = Document::new(portrait(triangulation)).unwrap();
+            document.set_density(density).unwrap();
+            document.apply("nose", single_move(4, DVec3::Z * 0.01)).unwrap();
+            document
+        };
+        let (mut once, mut twice) = (fresh(), fresh());
+        once.preview_expressions(&[(Expression::JawOpen, 0.75)]).unwrap();
+        let previewed = once.positions().to_vec();
+        once.commit("");
+        assert_eq!(bits(once.committed()), bits(&previewed));
+        for weight in [0.5, 0.25] {
+            twice.apply("jawOpen", Command::Express { expression: Expression::JawOpen, weight }).unwrap();
+        }
+        let apart = once.committed().iter().zip(twice.committed()).map(|(one, two)| one.distance(*two));
+        assert!(apart.fold(0.0, f64::max) < 1e-12);
+        assert!(once.committed()[14].distance(fresh().committed()[14]) > 0.005);
+    }
+}
+
+#[test]
+fn both_sides_are_one_change_and_rest_takes_all_back_as_one() {
+    let mut document = Document::new(portrait(Triangulation::Tessellation)).unwrap();
+    let both = [(Expression::MouthSmileLeft, 0.5), (Expression::MouthSmileRight, 0.5)];
+    document.preview_expressions(&both).unwrap();
+    document.commit("");
+    document.apply("nose", single_move(4, DVec3::Z * 0.01)).unwrap();
+    let smiling = bits(document.committed());
+    assert_eq!(document.history().entries().len(), 3);
+    assert_eq!(document.come_to_rest(), Some(0));
+    let mut alone = Document::new(portrait(Triangulation::Tessellation)).unwrap();
+    alone.apply("nose", single_move(4, DVec3::Z * 0.01)).unwrap();
+    assert_eq!(bits(document.committed()), bits(alone.committed()));
+    document.undo();
+    assert_eq!(bits(document.committed()), smiling);
+    document.undo();
+    document.undo();
+    assert!(document.history().entries().is_empty());
+    assert_eq!(document.committed(), document.rest());
+    document.redo();
+    assert_eq!(document.history().entries().len(), 2);
+}
+
+#[test]
+fn expressions_outlive_files_triangles_and_densities() {
+    let mut document = Document::new(portrait(Triangulation::Canonical)).unwrap();
+    document.preview_expressions(&[(Expression::EyeBlinkLeft, 1.0), (Expression::JawOpen, 0.3)]).unwrap();
+    document.commit("");
+    let text = to_json(document.history().entries());
+    assert!(text.contains(r#""version":2"#));
+    let entries = from_json(&text).unwrap();
+    assert_eq!(entries, document.history().entries());
+    assert_eq!(entries[0].command.target().to_string(), "eyeBlinkLeft");
+    assert_eq!(entries[1].command.amount(), Amount::Weight(0.3));
+    let again = Document::replay(portrait(Triangulation::Canonical), entries).unwrap();
+    assert_eq!(bits(again.committed()), bits(document.committed()));
+    let joined = document.over(portrait(Triangulation::Tessellation)).unwrap();
+    assert_eq!(bits(joined.committed()), bits(document.committed()));
+    document.set_density(1).unwrap();
+    assert_eq!(bits(document.cage()), bits(again.committed()));
+}
+
+#[test]
+fn what_has_no_face_and_what_is_no_weight_is_refused() {
+    let express = |weight| Command::Express { expression: Expression::JawOpen, weight };
+    let image = Rest::new(Triangulation::Canonical.topology(), portrait_image(), CoordinateFrame::Other);
+    let mut document = Document::new(image).unwrap();
+    let none = Err(StudioError::NoExpressions { vertex_count: 468 });
+    assert_eq!(document.apply("", express(0.5)), none);
+    assert_eq!(document.preview_expressions(&[(Expression::JawOpen, 0.5)]), none);
+    let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    assert_eq!(document.apply("", express(1.5)), Err(StudioError::Weight { weight: 1.5 }));
+    assert!(document.apply("", express(f64::NAN)).is_err());
+    assert!(document.history().entries().is_empty() && document.positions() == document.rest());
+    assert_eq!(Expressions::new(&[DVec3::ZERO]).err(), Some(StudioError::NoExpressions { vertex_count: 1 }));
+    assert!(Expressions::new(&[DVec3::NAN; 468]).is_err());
+    let text = to_json(&[Entry { label: String::new(), command: express(0.5), switch: Switch::On }]);
+    let unknown = from_json(&text.replace("jawOpen", "tongueOut"));
+    assert_eq!(unknown, Err(ProjectError::Field { entry: 0, field: "expression" }));
+}

@@ -1,0 +1,82 @@
+//! A face's texture all around.
+
+use rosto_face::*;
+use rosto_studio::*;
+
+use crate::texture_truth::{DISTANCE_M, Head, SIZE_PX, errors, face};
+
+const SIDE_PX: u32 = 1024;
+
+fn taken(head: &Head, yaw_deg: f64) -> (FaceModel, Camera) {
+    let camera = head.camera(yaw_deg);
+    (face(head.photo(&camera), &head.landmarks(&camera), PhotoLens::Distance(DISTANCE_M)), camera)
+}
+
+/// The skin that none of the cameras sees, and that which one does.
+fn hidden_and_seen(head: &Head, cameras: &[Camera]) -> [Vec<bool>; 2] {
+    let side = SIDE_PX as usize;
+    let seen: Vec<Vec<bool>> = cameras.iter().map(|camera| head.seen(camera, side)).collect();
+    let skin = head.skin(side);
+    [false, true].map(|wanted| {
+        (0..side * side).map(|texel| skin[texel] && seen.iter().any(|seen| seen[texel]) == wanted).collect()
+    })
+}
+
+#[test]
+fn what_a_photo_does_not_show_is_nearer_to_the_truth_than_what_lies_behind_it_in_the_photo() {
+    let head = Head::painted(SIDE_PX);
+    for yaw_deg in [0.0, 40.0, -40.0] {
+        let (face, camera) = taken(&head, yaw_deg);
+        let whole = whole_texture(&face, SIDE_PX).unwrap();
+        let [hidden, seen] = hidden_and_seen(&head, &[camera]);
+        let of = |texels: &[bool], found: &Photo| errors(&head.texture, found, texels);
+        let before = of(&hidden, &head.projected(&face, SIDE_PX as usize));
+        let ([median, most], [seen_median, seen_most]) = (of(&hidden, &whole.picture), of(&seen, &whole.picture));
+        assert!(most < 30.0 && most < 0.5 * before[1], "{most} levels at {yaw_deg}°, and {before:?} before");
+        assert!(median < 12.0, "{median} levels at {yaw_deg}°, and {before:?} before");
+        assert!(seen_median < 1.0 && seen_most < 8.0, "{seen_median} and {seen_most} of what is seen at {yaw_deg}°");
+    }
+}
+
+#[test]
+fn three_photos_of_different_exposure_show_all_of_a_face() {
+    let head = Head::painted(SIDE_PX);
+    let (front, camera) = taken(&head, 0.0);
+    let sides = [40.0, -40.0].map(|yaw_deg| taken(&head, yaw_deg));
+    let dimmed = sides.each_ref().map(|(face, _)| {
+        let levels = face.picture().pixels().iter().map(|level| (f64::from(*level) * 0.75) as u8);
+        Photo::from_rgb(SIZE_PX, SIZE_PX, levels.collect()).unwrap()
+    });
+    let shots = [0, 1].map(|i| Shot { picture: &dimmed[i], uvs: sides[i].0.uvs(), camera: &sides[i].1 });
+    let whole = whole_texture_of(&front, &shots, SIDE_PX).unwrap();
+    let [_, seen] = hidden_and_seen(&head, &[camera, sides[0].1, sides[1].1]);
+    let [median, most] = errors(&head.texture, &whole.picture, &seen);
+    assert!(median < 1.5 && most < 6.0, "{median} and {most} levels");
+    assert!(whole.shares.seen > 0.9, "{:?}", whole.shares);
+    let reversed = [shots[1], shots[0]];
+    let again = whole_texture_of(&front, &reversed, SIDE_PX).unwrap();
+    let [_, most] = errors(&whole.picture, &again.picture, &vec![true; (SIDE_PX * SIDE_PX) as usize]);
+    assert!(most <= 3.0, "{most} levels by the order of the photos");
+}
+
+/// What is drawn is a matter of the face alone, and not of how its landmarks are joined.
+#[test]
+fn both_triangulations_have_one_texture() {
+    let head = Head::painted(SIDE_PX);
+    let (canonical, camera) = taken(&head, 20.0);
+    let (width, height, colours) = (SIZE_PX, SIZE_PX, [[0; 3]; LANDMARK_COUNT]);
+    let (landmarks, picture) = (head.landmarks(&camera), canonical.picture().clone());
+    let lens = PhotoLens::Distance(DISTANCE_M);
+    let input = FaceInput { landmarks: &landmarks, width, height, colours: &colours, picture, lens };
+    let tessellated = FaceModel::new(input, Triangulation::Tessellation).unwrap();
+    assert_eq!(whole_texture(&canonical, 256), whole_texture(&tessellated, 256));
+}
+
+#[test]
+fn other_than_468_places_are_refused() {
+    let head = Head::painted(256);
+    let (front, camera) = taken(&head, 0.0);
+    let uvs = vec![glam::DVec2::ZERO; 467];
+    let refused = whole_texture_of(&front, &[Shot { picture: front.picture(), uvs: &uvs, camera: &camera }], 256);
+    assert_eq!(refused.unwrap_err().to_string(), "467 places in a photo for 468 vertices");
+}
