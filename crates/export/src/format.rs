@@ -2,17 +2,24 @@
 
 mod mesh_json;
 mod obj;
+mod palette;
 mod ply;
 mod stl;
+mod three_mf;
+mod usdz;
 
 pub use mesh_json::{JsonMesh, mesh_json};
 pub use obj::obj;
 pub use ply::ply;
 pub use stl::stl;
+pub use three_mf::{Colours, three_mf};
+pub use usdz::usdz;
 
 use glam::DVec3;
 
-use crate::{ExportError, GlbOptions, Model, about, glb, gltf};
+use crate::texture;
+use crate::zip::{NamedFile, stored};
+use crate::{BaseColour, ExportError, GlbOptions, Model, Solid, SolidFacts, about, glb, gltf};
 
 rosto_named::named! {
     /// A format that a mesh is written in; its id is how the names of its files end.
@@ -28,20 +35,30 @@ rosto_named::named! {
         Ply = "ply",
         /// Binary STL.
         Stl = "stl",
+        /// 3MF, for printing in colour.
+        ThreeMf = "3mf",
+        /// USDZ, for augmented reality.
+        Usdz = "usdz",
+        /// The picture that paints the face, as PNG.
+        Png = "png",
         /// Positions, colours and triangles as JSON.
         Json = "json",
     }
 }
 
-/// What can be chosen about a format's files.
+/// Something that can be chosen about a format's files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Choosable {
-    /// Nothing: they hold what the format has a place for.
-    Nothing,
-    /// The base colour, the material, morph targets: [`GlbOptions`].
+    /// What paints the face, and how large its picture is.
+    BaseColour,
+    /// The material, morph targets, and what opens the file again: [`GlbOptions`].
     Material,
     /// The unit of the positions.
     Unit,
+    /// What body is made of the face.
+    Solid,
+    /// How many colours are printed.
+    Colours,
 }
 
 /// All that there is to write; each format takes what it has a place for.
@@ -51,16 +68,51 @@ pub struct Content<'a> {
     pub model: Model<'a>,
     /// The positions in metres that morph targets lead away from.
     pub rest_m: &'a [DVec3],
-    /// What is chosen about glTF.
+    /// What is chosen about glTF; what paints the face is chosen here for all formats that have a place for it.
     pub gltf: GlbOptions<'a>,
+    /// The body that is made of it for printing.
+    pub solid: Solid,
+    /// How many colours are printed.
+    pub colours: Colours,
+    /// What the file is called, without its ending: files that lie beside it are called so, too.
+    pub name: &'a str,
     /// The positions, and the id of their unit, for formats that let it be chosen.
     pub positions: (&'a str, &'a [DVec3]),
 }
 
+/// What a format makes of a face: a file, and what lies beside it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Written {
+    /// The file.
+    pub bytes: Vec<u8>,
+    /// Files that it names, without folders; none in most formats.
+    pub beside: Vec<NamedFile>,
+    /// What the body measures, if one was made.
+    pub solid: Option<SolidFacts>,
+}
+
+impl<B: Into<Vec<u8>>> From<B> for Written {
+    fn from(bytes: B) -> Self {
+        Self { bytes: bytes.into(), beside: Vec::new(), solid: None }
+    }
+}
+
+impl Written {
+    /// One file for whoever can save only one: the file itself or, with what lies beside it, a zip archive.
+    pub fn bundled(self, name: &str, format: Format) -> Vec<u8> {
+        if self.beside.is_empty() {
+            return self.bytes;
+        }
+        let mut files = vec![NamedFile { name: format!("{name}.{}", format.id()), bytes: self.bytes }];
+        files.extend(self.beside);
+        stored(&files, 1)
+    }
+}
+
 struct Definition {
     media_type: &'static str,
-    choosable: Choosable,
-    write: fn(&Content<'_>) -> Result<Vec<u8>, ExportError>,
+    choosable: &'static [Choosable],
+    write: fn(&Content<'_>) -> Result<Written, ExportError>,
 }
 
 impl Format {
@@ -69,30 +121,46 @@ impl Format {
         self.definition().media_type
     }
 
-    /// What can be chosen about its files.
-    pub fn choosable(self) -> Choosable {
-        self.definition().choosable
+    /// Whether that can be chosen about its files.
+    pub fn lets_choose(self, what: Choosable) -> bool {
+        self.definition().choosable.contains(&what)
     }
 
-    /// The bytes of a file.
+    /// What the files are called that lie beside one of that name, given without its ending, painted so.
+    pub fn names_beside(self, base_colour: BaseColour, name: &str) -> Vec<String> {
+        match self {
+            Self::Obj if base_colour != BaseColour::VertexColours => obj::names_beside(name).to_vec(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// How the name of the one file ends that [`Written::bundled`] makes: `zip` where there are several.
+    pub fn bundle_ending(self, base_colour: BaseColour) -> &'static str {
+        if self.names_beside(base_colour, "").is_empty() { self.id() } else { "zip" }
+    }
+
+    /// The bytes of a file, and of those beside it.
     ///
     /// # Errors
-    /// [`ExportError`] if a length does not fit, a position is not finite, or there is no triangle; for glTF also as
-    /// [`glb`].
-    pub fn write(self, content: &Content<'_>) -> Result<Vec<u8>, ExportError> {
+    /// [`ExportError`] if a length does not fit, a position is not finite, there is no triangle, no such picture, or no
+    /// such body; for glTF also as [`glb`].
+    pub fn write(self, content: &Content<'_>) -> Result<Written, ExportError> {
         (self.definition().write)(content)
     }
 
     #[rustfmt::skip]
     fn definition(self) -> Definition {
-        use Choosable::{Material, Nothing, Unit};
+        use Choosable::{BaseColour, Colours, Material, Solid, Unit};
         match self {
-            Self::Glb => Definition { media_type: "model/gltf-binary", choosable: Material, write: |c| glb(&c.moved_by_morphs(), &c.gltf) },
-            Self::Gltf => Definition { media_type: "model/gltf+json", choosable: Material, write: |c| Ok(gltf(&c.moved_by_morphs(), &c.gltf)?.into_bytes()) },
-            Self::Obj => Definition { media_type: "model/obj", choosable: Nothing, write: |c| Ok(obj(&c.model)?.into_bytes()) },
-            Self::Ply => Definition { media_type: "application/octet-stream", choosable: Nothing, write: |c| ply(&c.model) },
-            Self::Stl => Definition { media_type: "model/stl", choosable: Nothing, write: |c| stl(&c.model) },
-            Self::Json => Definition { media_type: "application/json", choosable: Unit, write: |c| Ok(mesh_json(&c.listed()).into_bytes()) },
+            Self::Glb => Definition { media_type: "model/gltf-binary", choosable: &[BaseColour, Material], write: |c| Ok(glb(&c.moved_by_morphs(), &c.gltf)?.into()) },
+            Self::Gltf => Definition { media_type: "model/gltf+json", choosable: &[BaseColour, Material], write: |c| Ok(gltf(&c.moved_by_morphs(), &c.gltf)?.into()) },
+            Self::Obj => Definition { media_type: "model/obj", choosable: &[BaseColour], write: |c| obj::painted(&c.model, c.gltf.base_colour, c.gltf.max_texture_px, c.name) },
+            Self::Ply => Definition { media_type: "application/octet-stream", choosable: &[], write: |c| Ok(ply(&c.model)?.into()) },
+            Self::Stl => Definition { media_type: "model/stl", choosable: &[Solid], write: |c| c.stl() },
+            Self::ThreeMf => Definition { media_type: "model/3mf", choosable: &[Solid, Colours], write: |c| c.three_mf() },
+            Self::Usdz => Definition { media_type: "model/vnd.usdz+zip", choosable: &[BaseColour], write: |c| Ok(usdz(&c.model, c.gltf.base_colour, c.gltf.max_texture_px)?.into()) },
+            Self::Png => Definition { media_type: "image/png", choosable: &[BaseColour], write: |c| c.png() },
+            Self::Json => Definition { media_type: "application/json", choosable: &[Unit], write: |c| Ok(mesh_json(&c.listed()).into()) },
         }
     }
 }
@@ -108,5 +176,26 @@ impl<'a> Content<'a> {
         let about = self.gltf.source.map(|source| about(source.face, self.model.positions_m));
         let triangles = self.model.topology.triangles();
         JsonMesh { units, positions, colours_srgb: self.model.colours_srgb, triangles, about }
+    }
+
+    fn stl(&self) -> Result<Written, ExportError> {
+        Ok(match self.solid.body(&self.model)? {
+            Some(body) => Written {
+                solid: Some(SolidFacts::of(&body)),
+                ..stl::stl_of(body.topology().triangles(), body.positions_m()).into()
+            },
+            None => stl(&self.model)?.into(),
+        })
+    }
+
+    fn three_mf(&self) -> Result<Written, ExportError> {
+        let body = self.solid.body(&self.model)?.ok_or(ExportError::NoBody)?;
+        Ok(Written { solid: Some(SolidFacts::of(&body)), ..three_mf(&self.model, &body, self.colours)?.into() })
+    }
+
+    fn png(&self) -> Result<Written, ExportError> {
+        self.model.check()?;
+        let texture = texture::of(&self.model, self.gltf.base_colour, self.gltf.max_texture_px)?;
+        Ok(texture::png(&texture.ok_or(ExportError::NoPicture)?.pixels)?.into())
     }
 }

@@ -1,12 +1,13 @@
+use glam::Vec2;
 use rosto_face::LANDMARK_COUNT;
 use serde_json::{Map, Value, json};
 
+use crate::texture::{self, Crop, Texture};
 use crate::{ExportError, Model};
 
 mod attributes;
 mod container;
 mod source;
-mod texture;
 
 use container::Builder;
 pub use source::Source;
@@ -16,11 +17,38 @@ rosto_named::named! {
     /// How the face is painted. Never both ways at once, which would multiply the photo by itself.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum BaseColour {
-        /// The photo as the base-colour texture: a power-of-two crop around the face, encoded as JPEG.
+        /// The picture of the whole face as the base-colour texture, encoded as JPEG.
         #[default]
-        Texture = "texture",
+        Whole = "whole",
+        /// The photo as the base-colour texture: a power-of-two crop around the face, encoded as JPEG.
+        Photo = "photo",
         /// One linear colour for each vertex, 16 bits a channel.
         VertexColours = "colours",
+    }
+}
+
+rosto_named::named! {
+    /// How long the longest side of a texture is at most.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum TextureSize {
+        /// 1024 px.
+        Px1024 = "1024",
+        /// 2048 px.
+        #[default]
+        Px2048 = "2048",
+        /// 4096 px.
+        Px4096 = "4096",
+    }
+}
+
+impl TextureSize {
+    /// In px.
+    pub fn px(self) -> u32 {
+        match self {
+            Self::Px1024 => 1024,
+            Self::Px2048 => 2048,
+            Self::Px4096 => 4096,
+        }
     }
 }
 
@@ -61,7 +89,7 @@ pub struct GlbOptions<'a> {
     /// What the face was made from, for the scene's `extras`, so that the file can be opened again
     /// ([`reopen`](crate::reopen)); none by default.
     pub source: Option<Source<'a>>,
-    /// The texture's longest side in px, at most; a power of two.
+    /// The texture's longest side in px, at most; the photo's part takes the power of two below it.
     pub max_texture_px: u32,
 }
 
@@ -73,7 +101,7 @@ impl Default for GlbOptions<'_> {
             name: "face",
             morphs: &[],
             source: None,
-            max_texture_px: 2048,
+            max_texture_px: TextureSize::default().px(),
         }
     }
 }
@@ -85,7 +113,7 @@ impl Default for GlbOptions<'_> {
 ///
 /// # Errors
 /// [`ExportError`] if a length does not fit, a position is not finite, there is no triangle, the history is no JSON
-/// object, or the texture cannot be encoded.
+/// object, the texture cannot be encoded, or there is no picture of the whole face where one is asked for.
 pub fn glb(model: &Model<'_>, options: &GlbOptions<'_>) -> Result<Vec<u8>, ExportError> {
     let (builder, root) = build(model, options)?;
     Ok(builder.finish_binary(root))
@@ -110,8 +138,8 @@ fn build(model: &Model<'_>, options: &GlbOptions<'_>) -> Result<(Builder, Map<St
     if let Some(extras) = &mut extras {
         let positions = model.positions_m.iter().flat_map(|p| p.as_vec3().to_array());
         extras["positions_fnv1a"] = fingerprint(positions.flat_map(f32::to_le_bytes)).into();
-        if let Some(crop) = painted.crop {
-            extras["picture"] = source::picture(&crop);
+        if let Some(picture) = source::picture(&model.photo, &painted, options.max_texture_px)? {
+            extras["picture"] = picture;
         }
     }
     attributes.insert("_LANDMARK_ID".into(), builder.scalars(&landmark_ids(model)).into());
@@ -120,7 +148,7 @@ fn build(model: &Model<'_>, options: &GlbOptions<'_>) -> Result<(Builder, Map<St
         "name": options.name,
         "primitives": [{"attributes": attributes, "indices": indices, "material": 0}],
     });
-    attributes::morphs(&mut builder, model, options.morphs, &mut mesh)?;
+    attributes::morphs(&mut builder, model, options.morphs, options.material, &mut mesh)?;
     let mut scene = json!({"name": options.name, "nodes": [0]});
     if let Some(extras) = extras {
         scene["extras"] = extras;
@@ -130,7 +158,6 @@ fn build(model: &Model<'_>, options: &GlbOptions<'_>) -> Result<(Builder, Map<St
     root.insert("scenes".into(), json!([scene]));
     root.insert("nodes".into(), json!([{"name": options.name, "mesh": 0}]));
     root.insert("meshes".into(), json!([mesh]));
-    root.insert("materials".into(), json!([painted.material]));
     Ok((builder, root))
 }
 
@@ -139,13 +166,17 @@ fn landmark_ids(model: &Model<'_>) -> Vec<f32> {
     (0..model.topology.vertex_count()).map(id).collect()
 }
 
-/// The material, and where its texture lies in the photo.
-struct Painted {
-    material: Value,
-    crop: Option<texture::Crop>,
+/// How the face is painted in the file.
+enum Painted {
+    /// With the part of the photo that was cut out here.
+    Photo(Crop),
+    /// With a picture of the whole face.
+    Whole,
+    /// With colours alone.
+    Colours,
 }
 
-/// Adds the colours or the texture.
+/// Adds the colours or the texture, and the material.
 fn paint(
     builder: &mut Builder,
     model: &Model<'_>,
@@ -153,21 +184,29 @@ fn paint(
     attributes: &mut Map<String, Value>,
     root: &mut Map<String, Value>,
 ) -> Result<Painted, ExportError> {
-    let mut crop = None;
-    let mut surface = json!({"metallicFactor": 0.0, "roughnessFactor": 0.9});
-    match options.base_colour {
-        BaseColour::VertexColours => {
-            attributes.insert("COLOR_0".into(), builder.colours(&attributes::linear_colours(model)).into());
+    let (painted, texture) = match options.base_colour {
+        BaseColour::Photo => {
+            let (texture, crop) = texture::crop(&model.photo, options.max_texture_px)?;
+            (Painted::Photo(crop), Some(texture))
         }
-        BaseColour::Texture => {
-            let texture = texture::crop(model, options.max_texture_px)?;
-            attributes.insert("TEXCOORD_0".into(), builder.vectors2(&texture.uvs).into());
-            let view = builder.image(&texture.jpeg);
-            root.insert("images".into(), json!([{"name": "photo", "bufferView": view, "mimeType": "image/jpeg"}]));
+        BaseColour::Whole => (Painted::Whole, texture::of(model, options.base_colour, options.max_texture_px)?),
+        BaseColour::VertexColours => (Painted::Colours, None),
+    };
+    let mut surface = json!({"metallicFactor": 0.0, "roughnessFactor": 0.9});
+    match texture {
+        Some(texture) => {
+            attributes.insert("TEXCOORD_0".into(), builder.vectors2(&rounded(&texture)).into());
+            let view = builder.image(&texture::jpeg(&texture.pixels)?);
+            root.insert(
+                "images".into(),
+                json!([{"name": options.base_colour.id(), "bufferView": view, "mimeType": "image/jpeg"}]),
+            );
             root.insert("samplers".into(), json!([CLAMPED_MIPMAPPED.object()]));
             root.insert("textures".into(), json!([{"source": 0, "sampler": 0}]));
             surface["baseColorTexture"] = json!({"index": 0});
-            crop = Some(texture.crop);
+        }
+        None => {
+            attributes.insert("COLOR_0".into(), builder.colours(&attributes::linear_colours(model)).into());
         }
     }
     let mut material = json!({"name": "skin", "doubleSided": true, "pbrMetallicRoughness": surface});
@@ -175,7 +214,12 @@ fn paint(
         material["extensions"] = json!({"KHR_materials_unlit": {}});
         root.insert("extensionsUsed".into(), json!(["KHR_materials_unlit"]));
     }
-    Ok(Painted { material, crop })
+    root.insert("materials".into(), json!([material]));
+    Ok(painted)
+}
+
+fn rounded(texture: &Texture<'_>) -> Vec<Vec2> {
+    texture.uvs.iter().map(|uv| uv.as_vec2()).collect()
 }
 
 /// A sampler in OpenGL's numbers, as glTF has them.

@@ -9,18 +9,24 @@ mod error;
 mod format;
 mod glb;
 mod model;
+mod printable;
 pub mod project;
 mod reopen;
 mod sniff;
+mod texture;
+mod zip;
 
 pub use about::about;
 pub use colour::linear_from_srgb;
 pub use error::ExportError;
-pub use format::{Choosable, Content, Format, JsonMesh, mesh_json, obj, ply, stl};
-pub use glb::{BaseColour, GlbOptions, Material, Morph, Source, glb, gltf};
-pub use model::Model;
+pub use format::{Choosable, Colours, Content, Format, JsonMesh, Written, mesh_json, obj, ply, stl, three_mf, usdz};
+pub use glb::{BaseColour, GlbOptions, Material, Morph, Source, TextureSize, glb, gltf};
+pub use model::{Model, Picture};
+pub use printable::{NoSolid, SOLID_MM, Solid, SolidFacts};
 pub use reopen::{Painted, PlacedTexture, ReopenError, Reopened, reopen};
+pub use rosto_solid::{PLA_G_PER_CM3, SolidError};
 pub use sniff::{FileKind, SNIFFED_BYTES, sniff};
+pub use zip::NamedFile;
 
 /// The examples of the README are tested with those of the code.
 #[cfg(doctest)]

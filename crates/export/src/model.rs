@@ -13,10 +13,20 @@ pub struct Model<'a> {
     pub positions_m: &'a [DVec3],
     /// An sRGB colour for each vertex.
     pub colours_srgb: &'a [[u8; 3]],
-    /// A texture coordinate in the upright picture for each vertex, origin at the top left.
+    /// The upright photo.
+    pub photo: Picture<'a>,
+    /// A picture of the whole face laid flat, if there is one: what the photo does not show is in it, too.
+    /// Its sides are powers of two, as graphics cards want them.
+    pub whole: Option<Picture<'a>>,
+}
+
+/// A picture that paints the mesh.
+#[derive(Debug, Clone, Copy)]
+pub struct Picture<'a> {
+    /// Its pixels.
+    pub pixels: &'a Photo,
+    /// A place in it for each vertex, 0 to 1 from the top left; outside of that its edge goes on.
     pub uvs: &'a [DVec2],
-    /// The upright picture.
-    pub picture: &'a Photo,
 }
 
 impl<'a> Model<'a> {
@@ -26,8 +36,8 @@ impl<'a> Model<'a> {
             topology: face.topology(),
             positions_m: face.positions_m(),
             colours_srgb: face.colours_srgb(),
-            uvs: face.uvs(),
-            picture: face.picture(),
+            photo: Picture { pixels: face.picture(), uvs: face.uvs() },
+            whole: None,
         }
     }
 
@@ -38,9 +48,13 @@ impl<'a> Model<'a> {
 
     pub(crate) fn check(&self) -> Result<(), ExportError> {
         let expected = self.topology.vertex_count();
-        let lengths =
-            [("positions", self.positions_m.len()), ("colours", self.colours_srgb.len()), ("UVs", self.uvs.len())];
-        if let Some(&(what, found)) = lengths.iter().find(|(_, found)| *found != expected) {
+        let lengths = [
+            ("positions", self.positions_m.len()),
+            ("colours", self.colours_srgb.len()),
+            ("UVs", self.photo.uvs.len()),
+            ("UVs of the whole texture", self.whole.map_or(expected, |whole| whole.uvs.len())),
+        ];
+        if let Some((what, found)) = lengths.into_iter().find(|(_, found)| *found != expected) {
             return Err(ExportError::LengthMismatch { what, expected, found });
         }
         if self.topology.triangles().is_empty() {

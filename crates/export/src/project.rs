@@ -10,6 +10,8 @@
 //! The sides are those of the photo that the landmarks were found in; the picture may be a smaller copy. Of the edits
 //! only their owner knows more than that they are an object.
 
+use std::borrow::Cow;
+
 use rosto_face::{LANDMARK_COUNT, POINT_COUNT};
 use serde_json::Value;
 
@@ -104,7 +106,7 @@ pub fn read(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
         return Err(truncated(missing));
     }
     let size_px = png_size(png).and_then(|size| bounded(size, MAX_PICTURE_SIDE_PX)).ok_or_else(field("picture"))?;
-    let texture = PlacedTexture { encoded: png, picture_size_px: size_px, at_px: [0, 0], size_px };
+    let texture = PlacedTexture { encoded: Cow::Borrowed(png), picture_size_px: size_px, at_px: [0, 0], size_px };
     Ok(Reopened { texture: Some(texture), ..reopened })
 }
 

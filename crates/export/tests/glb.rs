@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Glb, SIDE, face, gradient, source};
+use common::{Glb, SIDE, by_photo, face, gradient, model, source};
 use glam::DVec3;
 use rosto_export::*;
 use rosto_face::Triangulation;
@@ -12,7 +12,7 @@ use rosto_face::Triangulation;
 #[test]
 fn positions_are_the_models_and_their_bounds_are_exact() {
     let face = face(Triangulation::Canonical);
-    let file = Glb::read(&glb(&Model::of_face(&face), &GlbOptions::default()).unwrap());
+    let file = Glb::read(&glb(&Model::of_face(&face), &by_photo()).unwrap());
     let accessor = file.attribute("POSITION");
     let positions = file.floats::<3>(accessor);
     let expected: Vec<[f32; 3]> = face.positions_m().iter().map(|p| p.as_vec3().to_array()).collect();
@@ -29,7 +29,7 @@ fn positions_are_the_models_and_their_bounds_are_exact() {
 #[test]
 fn normals_are_unit_and_face_the_viewer() {
     let face = face(Triangulation::Canonical);
-    let file = Glb::read(&glb(&Model::of_face(&face), &GlbOptions::default()).unwrap());
+    let file = Glb::read(&glb(&Model::of_face(&face), &by_photo()).unwrap());
     let normals = file.floats::<3>(file.attribute("NORMAL"));
     assert!(normals.iter().all(|n| (glam::Vec3::from(*n).length() - 1.0).abs() < 1e-6));
     assert!(normals[4][2] > 0.5, "the nose tip faces +Z");
@@ -38,7 +38,7 @@ fn normals_are_unit_and_face_the_viewer() {
 #[test]
 fn indices_name_the_triangles_and_ids_the_landmarks() {
     let face = face(Triangulation::Tessellation);
-    let file = Glb::read(&glb(&Model::of_face(&face), &GlbOptions::default()).unwrap());
+    let file = Glb::read(&glb(&Model::of_face(&face), &by_photo()).unwrap());
     let accessor = file.json["meshes"][0]["primitives"][0]["indices"].as_u64().unwrap() as usize;
     let view = file.json["accessors"][accessor]["bufferView"].as_u64().unwrap() as usize;
     let corner = |bytes: &[u8]| u32::from(u16::from_le_bytes(bytes.try_into().unwrap()));
@@ -51,7 +51,7 @@ fn indices_name_the_triangles_and_ids_the_landmarks() {
 #[test]
 fn the_texture_shows_each_landmark_its_own_pixel() {
     let face = face(Triangulation::Canonical);
-    let file = Glb::read(&glb(&Model::of_face(&face), &GlbOptions::default()).unwrap());
+    let file = Glb::read(&glb(&Model::of_face(&face), &by_photo()).unwrap());
     let view = file.json["images"][0]["bufferView"].as_u64().unwrap() as usize;
     let crop = rosto_photo::decode(file.view(view), &rosto_photo::Limits::default()).unwrap();
     assert!(crop.width().is_power_of_two() && crop.height().is_power_of_two());
@@ -68,7 +68,7 @@ fn the_texture_shows_each_landmark_its_own_pixel() {
 #[test]
 fn a_face_larger_than_the_texture_is_scaled_down_and_stays_in_place() {
     let face = face(Triangulation::Canonical);
-    let options = GlbOptions { max_texture_px: 64, ..GlbOptions::default() };
+    let options = GlbOptions { max_texture_px: 64, ..by_photo() };
     let file = Glb::read(&glb(&Model::of_face(&face), &options).unwrap());
     let view = file.json["images"][0]["bufferView"].as_u64().unwrap() as usize;
     let crop = rosto_photo::decode(file.view(view), &rosto_photo::Limits::default()).unwrap();
@@ -81,6 +81,27 @@ fn a_face_larger_than_the_texture_is_scaled_down_and_stays_in_place() {
         let worst = textured.iter().zip(photographed).map(|(a, b)| a.abs_diff(b)).max().unwrap();
         assert!(worst <= 10, "{textured:?} for {photographed:?} at {image}");
     }
+}
+
+#[test]
+fn the_picture_of_the_whole_face_is_the_texture_as_it_is() {
+    let face = face(Triangulation::Canonical);
+    let model = model(&face);
+    let whole = model.whole.unwrap();
+    let file = Glb::read(&glb(&model, &GlbOptions::default()).unwrap());
+    assert_eq!(file.json["images"].as_array().unwrap().len(), 1, "an image that nothing uses would be dropped");
+    let view = file.json["images"][0]["bufferView"].as_u64().unwrap() as usize;
+    let texture = rosto_photo::decode(file.view(view), &rosto_photo::Limits::default()).unwrap();
+    assert_eq!((texture.width(), texture.height()), (whole.pixels.width(), whole.pixels.height()));
+    for (uv, place) in file.floats::<2>(file.attribute("TEXCOORD_0")).iter().zip(whole.uvs) {
+        assert_eq!(*uv, place.as_vec2().to_array());
+        let (found, put) = (texture.colour_under(place.x, place.y), whole.pixels.colour_under(place.x, place.y));
+        assert!(found.iter().zip(put).all(|(a, b)| a.abs_diff(b) <= 8), "{found:?} for {put:?}");
+    }
+    let smaller = GlbOptions { max_texture_px: 128, ..GlbOptions::default() };
+    let file = Glb::read(&glb(&model, &smaller).unwrap());
+    let texture = rosto_photo::decode(file.view(view), &rosto_photo::Limits::default()).unwrap();
+    assert_eq!(texture.width(), 128);
 }
 
 #[test]
@@ -116,7 +137,7 @@ fn morph_targets_source_and_unlit_are_carried_by_name() {
         material: Material::Unlit,
         morphs: &morphs,
         source: Some(source(&face, Some(r#"{"version":1}"#))),
-        ..GlbOptions::default()
+        ..by_photo()
     };
     let file = Glb::read(&glb(&Model::of_face(&face), &options).unwrap());
     assert_eq!(file.json["meshes"][0]["extras"]["targetNames"][0], "jaw wider");
@@ -131,19 +152,26 @@ fn morph_targets_source_and_unlit_are_carried_by_name() {
 fn what_cannot_be_written_is_refused_with_numbers() {
     let face = face(Triangulation::Canonical);
     let model = Model::of_face(&face);
+    let few = Picture { uvs: &model.photo.uvs[..7], ..model.photo };
+    let expected = |what| ExportError::LengthMismatch { what, expected: 468, found: 7 };
+    let short = Model { photo: few, ..model };
+    assert_eq!(glb(&short, &by_photo()), Err(expected("UVs")));
+    let short = Model { whole: Some(few), ..model };
+    assert_eq!(glb(&short, &by_photo()), Err(expected("UVs of the whole texture")));
     let short = model.at(&face.positions_m()[..5]);
     let expected = ExportError::LengthMismatch { what: "positions", expected: 468, found: 5 };
-    assert_eq!(glb(&short, &GlbOptions::default()), Err(expected));
+    assert_eq!(glb(&short, &by_photo()), Err(expected));
     let mut far = face.positions_m().to_vec();
     far[7].y = 1e300;
-    assert_eq!(glb(&model.at(&far), &GlbOptions::default()), Err(ExportError::NotFinite { vertex: 7 }));
-    let list = GlbOptions { source: Some(source(&face, Some("[1]"))), ..GlbOptions::default() };
+    assert_eq!(glb(&model.at(&far), &by_photo()), Err(ExportError::NotFinite { vertex: 7 }));
+    assert_eq!(glb(&model, &GlbOptions::default()), Err(ExportError::NoWholePicture));
+    let list = GlbOptions { source: Some(source(&face, Some("[1]"))), ..by_photo() };
     assert_eq!(glb(&model, &list), Err(ExportError::HistoryNotAnObject));
 }
 
 #[test]
 fn the_same_model_gives_the_same_bytes() {
     let face = face(Triangulation::Tessellation);
-    let write = || glb(&Model::of_face(&face), &GlbOptions::default()).unwrap();
+    let write = || glb(&Model::of_face(&face), &by_photo()).unwrap();
     assert_eq!(write(), write());
 }

@@ -6,7 +6,7 @@ mod common;
 #[path = "../../../tests/seeded.rs"]
 mod seeded;
 
-use common::{face, gradient, png, source};
+use common::{face, gradient, model, png, source};
 use rosto_export::*;
 use rosto_face::{FaceInput, FaceModel, PhotoLens, Triangulation};
 use seeded::Seeded;
@@ -46,7 +46,7 @@ fn open(reopened: &Reopened<'_>) {
     let model = FaceModel::new(input, reopened.triangulation).unwrap();
     assert!(model.positions_m().iter().all(|position| position.is_finite()));
     assert!(reopened.density <= 4);
-    if let Some(texture) = reopened.texture {
+    if let Some(texture) = &reopened.texture {
         let sides = texture.picture_size_px.into_iter().chain(texture.size_px);
         assert!(sides.into_iter().all(|side| (1..=8192).contains(&side)) && !texture.encoded.is_empty());
     }
@@ -57,11 +57,11 @@ fn open(reopened: &Reopened<'_>) {
 fn a_damaged_glb_is_refused_or_opens() {
     let face = face(Triangulation::Tessellation);
     let mut opened = 0;
-    for base_colour in [BaseColour::Texture, BaseColour::VertexColours] {
+    for base_colour in BaseColour::ALL {
         let source = Some(source(&face, Some(r#"{"entries":[]}"#)));
-        let file = glb(&Model::of_face(&face), &GlbOptions { base_colour, source, ..GlbOptions::default() }).unwrap();
+        let file = glb(&model(&face), &GlbOptions { base_colour, source, ..GlbOptions::default() }).unwrap();
         let text = 20 + u32::from_le_bytes(file[12..16].try_into().unwrap()) as usize;
-        for seed in 0..CASES / 2 {
+        for seed in 0..CASES / 3 {
             if let Ok(reopened) = reopen(&mutated(&file, text, &mut Seeded::new(seed))) {
                 opened += 1;
                 if seed % 16 == 0 {

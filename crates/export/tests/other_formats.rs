@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Glb, face};
+use common::{Glb, by_photo, face};
 use glam::{DVec3, Vec3};
 use rosto_export::*;
 use rosto_face::Triangulation;
@@ -68,8 +68,8 @@ fn stl_holds_each_triangle_in_millimetres_with_its_outward_normal() {
 fn gltf_text_holds_the_same_data_as_the_binary() {
     let face = face(Triangulation::Canonical);
     let model = Model::of_face(&face);
-    let binary = Glb::read(&glb(&model, &GlbOptions::default()).unwrap());
-    let mut text: serde_json::Value = serde_json::from_str(&gltf(&model, &GlbOptions::default()).unwrap()).unwrap();
+    let binary = Glb::read(&glb(&model, &by_photo()).unwrap());
+    let mut text: serde_json::Value = serde_json::from_str(&gltf(&model, &by_photo()).unwrap()).unwrap();
     let uri = text["buffers"][0]["uri"].as_str().unwrap().to_owned();
     let encoded = uri.strip_prefix("data:application/octet-stream;base64,").unwrap();
     assert_eq!(encoded.len(), binary.binary.len().div_ceil(3) * 4);

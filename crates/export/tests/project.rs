@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{SIDE, face, png, source};
+use common::{SIDE, by_photo, face, png, source};
 use rosto_export::*;
 use rosto_face::{LANDMARK_COUNT, Triangulation};
 
@@ -45,7 +45,7 @@ fn the_face_its_edits_and_its_photo_come_back_as_they_were() {
     assert_eq!((opened.photo_size_px, opened.triangulation, opened.density), ([SIDE; 2], Triangulation::Canonical, 2));
     assert_eq!(opened.history.as_deref(), Some(EDITS));
     let picture = opened.texture.unwrap();
-    assert_eq!((picture.encoded, picture.media_type()), (png().as_slice(), "image/png"));
+    assert_eq!((picture.encoded.as_ref(), picture.media_type()), (png().as_slice(), "image/png"));
     assert_eq!((picture.picture_size_px, picture.at_px, picture.size_px), ([SIDE; 2], [0, 0], [SIDE; 2]));
 }
 
@@ -92,7 +92,7 @@ fn a_project_is_known_by_its_start_even_behind_long_edits() {
         header.replacen('{', &edits, 1)
     });
     let face = face(Triangulation::Canonical);
-    let glb = glb(&Model::of_face(&face), &GlbOptions::default()).unwrap();
+    let glb = glb(&Model::of_face(&face), &by_photo()).unwrap();
     let cases: [(&[u8], FileKind); 8] = [
         (&file(), FileKind::Project),
         (&long[..SNIFFED_BYTES], FileKind::Project),

@@ -4,7 +4,8 @@
 
 mod common;
 
-use common::{Glb, SIDE, face, gradient, source};
+use base64::prelude::{BASE64_STANDARD, Engine};
+use common::{Glb, SIDE, face, gradient, model, source};
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
 use proptest::prelude::*;
@@ -13,22 +14,25 @@ use rosto_face::{FaceInput, FaceModel, Triangulation};
 
 const HISTORY: &str = r#"{"entries":[0.1,"é"],"version":1}"#;
 
+/// A PNG file up to its size.
+const PNG_START: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR";
+
 fn file(triangulation: Triangulation, base_colour: BaseColour) -> Vec<u8> {
     let face = face(triangulation);
     let source = Some(Source { density: 2, ..source(&face, Some(HISTORY)) });
-    glb(&Model::of_face(&face), &GlbOptions { base_colour, source, ..GlbOptions::default() }).unwrap()
+    glb(&model(&face), &GlbOptions { base_colour, source, ..GlbOptions::default() }).unwrap()
 }
 
 #[test]
 fn the_face_comes_back_as_it_was_saved() {
     for triangulation in [Triangulation::Tessellation, Triangulation::Canonical] {
-        for base_colour in [BaseColour::Texture, BaseColour::VertexColours] {
+        for base_colour in BaseColour::ALL {
             let saved = face(triangulation);
             let bytes = file(triangulation, base_colour);
             let opened = reopen(&bytes).unwrap();
             assert_eq!((opened.triangulation, opened.density), (triangulation, 2));
             assert_eq!(opened.history.as_deref(), Some(HISTORY));
-            assert_eq!(opened.texture.is_some(), base_colour == BaseColour::Texture);
+            assert_eq!(opened.texture.is_some(), base_colour != BaseColour::VertexColours);
             let [width, height] = opened.photo_size_px;
             let input = FaceInput {
                 landmarks: &opened.landmarks,
@@ -48,15 +52,45 @@ fn the_face_comes_back_as_it_was_saved() {
 
 #[test]
 fn the_texture_lies_where_it_was_cut_out() {
-    let bytes = file(Triangulation::Canonical, BaseColour::Texture);
-    let texture = reopen(&bytes).unwrap().texture.unwrap();
-    assert_eq!(texture.picture_size_px, [SIDE, SIDE]);
-    let crop = rosto_photo::decode(texture.encoded, &rosto_photo::Limits::default()).unwrap();
-    let photo = gradient();
-    let [left, top] = texture.at_px.map(|at| u32::try_from(at).unwrap());
-    for (x, y) in [(0, 0), (crop.width() / 2, crop.height() / 3), (crop.width() - 1, crop.height() - 1)] {
-        let [found, cut] = [crop.pixel(x, y), photo.pixel(left + x, top + y)];
-        assert!(found.iter().zip(cut).all(|(a, b)| a.abs_diff(b) <= 6), "{found:?} at {x}, {y} for {cut:?}");
+    for base_colour in [BaseColour::Photo, BaseColour::Whole] {
+        let bytes = file(Triangulation::Canonical, base_colour);
+        let texture = reopen(&bytes).unwrap().texture.unwrap();
+        assert_eq!(texture.picture_size_px, [SIDE, SIDE]);
+        let crop = rosto_photo::decode(&texture.encoded, &rosto_photo::Limits::default()).unwrap();
+        let photo = gradient();
+        let [left, top] = texture.at_px.map(|at| u32::try_from(at).unwrap());
+        for (x, y) in [(0, 0), (crop.width() / 2, crop.height() / 3), (crop.width() - 1, crop.height() - 1)] {
+            let [found, cut] = [crop.pixel(x, y), photo.pixel(left + x, top + y)];
+            assert!(found.iter().zip(cut).all(|(a, b)| a.abs_diff(b) <= 6), "{found:?} at {x}, {y} for {cut:?}");
+        }
+    }
+}
+
+#[test]
+fn files_of_every_version_open() {
+    for base_colour in [BaseColour::Photo, BaseColour::VertexColours] {
+        let bytes = file(Triangulation::Canonical, base_colour);
+        for version in 1..3 {
+            let old = with_json(&bytes, |json| json.replace("\"version\":3", &format!("\"version\":{version}")));
+            assert_eq!(reopen(&old), reopen(&bytes));
+        }
+    }
+}
+
+#[test]
+fn a_part_of_the_photo_that_is_no_picture_of_a_size_that_can_be_held_is_refused() {
+    let bytes = file(Triangulation::Canonical, BaseColour::Whole);
+    let jpeg = Glb::read(&bytes).json["scenes"][0]["extras"]["picture"]["jpeg"].as_str().unwrap().to_owned();
+    let png = |side: u32| [PNG_START, &side.to_be_bytes(), &side.to_be_bytes()].concat();
+    for (other, opens) in [
+        ("", false),
+        ("***", false),
+        (&*BASE64_STANDARD.encode(png(9000)), false),
+        (&*BASE64_STANDARD.encode(png(9)), true),
+    ] {
+        let damaged = with_json(&bytes, |json| json.replace(&jpeg, other));
+        let expected = Err(ReopenError::Field { field: "picture" });
+        assert_eq!(reopen(&damaged).map(|_| ()), if opens { Ok(()) } else { expected }, "{other}");
     }
 }
 
@@ -88,7 +122,7 @@ fn a_file_of_another_program_or_a_later_version_is_told_apart() {
     assert_eq!(reopen(&with_extras("{}")), Err(ReopenError::Foreign));
     assert_eq!(reopen(&with_extras(r#"{"rosto":"history","version":1}"#)), Err(ReopenError::Foreign));
     let newer = with_extras(r#"{"rosto":"face","version":9}"#);
-    assert_eq!(reopen(&newer), Err(ReopenError::Newer { found: 9, known: 2 }));
+    assert_eq!(reopen(&newer), Err(ReopenError::Newer { found: 9, known: 3 }));
     let empty = with_extras(r#"{"rosto":"face","version":1}"#);
     assert_eq!(reopen(&empty), Err(ReopenError::Field { field: "landmarks" }));
     assert_eq!(reopen(b"a photo, perhaps"), Err(ReopenError::NotGlb));
@@ -96,7 +130,7 @@ fn a_file_of_another_program_or_a_later_version_is_told_apart() {
 
 #[test]
 fn a_file_that_ends_too_early_is_refused_wherever_it_ends() {
-    let bytes = file(Triangulation::Tessellation, BaseColour::Texture);
+    let bytes = file(Triangulation::Tessellation, BaseColour::Photo);
     for end in (0..bytes.len()).step_by(61).chain(0..64) {
         assert!(reopen(&bytes[..end]).is_err(), "opened with {end} of {} bytes", bytes.len());
     }
@@ -104,7 +138,7 @@ fn a_file_that_ends_too_early_is_refused_wherever_it_ends() {
 
 #[test]
 fn places_outside_the_file_and_pictures_too_large_to_hold_are_refused() {
-    let bytes = file(Triangulation::Tessellation, BaseColour::Texture);
+    let bytes = file(Triangulation::Tessellation, BaseColour::Photo);
     let view = Glb::read(&bytes).json["images"][0]["bufferView"].as_u64().unwrap();
     let length = Glb::read(&bytes).json["bufferViews"][view as usize]["byteLength"].as_u64().unwrap();
     for (from, to) in [
@@ -119,9 +153,9 @@ fn places_outside_the_file_and_pictures_too_large_to_hold_are_refused() {
 
 #[test]
 fn a_texture_that_was_halved_elsewhere_still_tells_how_large_it_is_in_the_picture() {
-    let bytes = file(Triangulation::Canonical, BaseColour::Texture);
+    let bytes = file(Triangulation::Canonical, BaseColour::Photo);
     let whole = reopen(&bytes).unwrap().texture.unwrap();
-    let crop = rosto_photo::decode(whole.encoded, &rosto_photo::Limits::default()).unwrap();
+    let crop = rosto_photo::decode(&whole.encoded, &rosto_photo::Limits::default()).unwrap();
     assert_eq!(whole.size_px, [crop.width(), crop.height()]);
     let halved = with_texture(&bytes, &halved(&crop));
     let opened = reopen(&halved).unwrap();
@@ -133,9 +167,9 @@ fn a_texture_that_was_halved_elsewhere_still_tells_how_large_it_is_in_the_pictur
 
 #[test]
 fn a_file_that_does_not_tell_the_size_of_its_texture_shows_it_by_its_uvs() {
-    let bytes = file(Triangulation::Canonical, BaseColour::Texture);
+    let bytes = file(Triangulation::Canonical, BaseColour::Photo);
     let size_px = reopen(&bytes).unwrap().texture.unwrap().size_px;
-    let crop = rosto_photo::decode(reopen(&bytes).unwrap().texture.unwrap().encoded, &rosto_photo::Limits::default());
+    let crop = rosto_photo::decode(&reopen(&bytes).unwrap().texture.unwrap().encoded, &rosto_photo::Limits::default());
     let untold = |json: String| json.replace("\"crop_size_px\"", "\"_\"");
     let old = with_json(&with_texture(&bytes, &halved(&crop.unwrap())), untold);
     assert_eq!(reopen(&old).unwrap().texture.unwrap().size_px, size_px);
@@ -146,7 +180,7 @@ fn a_file_that_does_not_tell_the_size_of_its_texture_shows_it_by_its_uvs() {
 
 #[test]
 fn a_mesh_that_was_changed_elsewhere_says_so() {
-    for base_colour in [BaseColour::Texture, BaseColour::VertexColours] {
+    for base_colour in BaseColour::ALL {
         let bytes = file(Triangulation::Canonical, base_colour);
         assert!(!reopen(&bytes).unwrap().changed_elsewhere);
         let glb = Glb::read(&bytes);

@@ -7,7 +7,7 @@ mod common;
 use std::path::Path;
 use std::process::Command;
 
-use common::{face, source};
+use common::{face, model, source};
 use glam::DVec3;
 use rosto_export::*;
 use rosto_face::Triangulation;
@@ -20,14 +20,16 @@ fn khronos_finds_no_error_warning_information_or_hint() {
     let mut paths = Vec::new();
     for triangulation in [Triangulation::Tessellation, Triangulation::Canonical] {
         let face = face(triangulation);
-        for (base_colour, material) in
-            [(BaseColour::Texture, Material::Lit), (BaseColour::VertexColours, Material::Unlit)]
-        {
+        for (base_colour, material) in [
+            (BaseColour::Whole, Material::Lit),
+            (BaseColour::Photo, Material::Lit),
+            (BaseColour::VertexColours, Material::Unlit),
+        ] {
             for morphs in [&[][..], &morphs] {
                 let source = Some(source(&face, Some(r#"{"a":[1,null]}"#)));
                 let options = GlbOptions { base_colour, material, morphs, source, ..GlbOptions::default() };
                 let path = folder.join(format!("{}.glb", paths.len()));
-                std::fs::write(&path, glb(&Model::of_face(&face), &options).unwrap()).unwrap();
+                std::fs::write(&path, glb(&model(&face), &options).unwrap()).unwrap();
                 paths.push(path);
             }
         }

@@ -1,9 +1,12 @@
 use std::fmt::Write;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use rosto_mesh::vertex_normals;
 
-use crate::{ExportError, Model};
+use super::Written;
+use crate::texture::{self, Texture};
+use crate::zip::NamedFile;
+use crate::{BaseColour, ExportError, Model};
 
 /// A Wavefront OBJ file: metres, +Y up, with the custom of sRGB colours (0 to 1) after each vertex's position.
 ///
@@ -13,20 +16,76 @@ use crate::{ExportError, Model};
 /// [`ExportError`] if a length does not fit, a position is not finite, or there is no triangle.
 pub fn obj(model: &Model<'_>) -> Result<String, ExportError> {
     model.check()?;
-    let mut text = String::from("# Rosto; metres, +Y up, +Z out of the face\no face\n");
+    let mut text = String::from(TITLE);
+    text.push_str("o face\n");
     for (p, colour) in model.positions_m.iter().zip(model.colours_srgb) {
         let [r, g, b] = colour.map(|channel| f64::from(channel) / 255.0);
         push(&mut text, format_args!("v {} {} {} {r:.4} {g:.4} {b:.4}\n", p.x, p.y, p.z));
     }
-    for normal in vertex_normals(model.topology, model.positions_m) {
-        let DVec3 { x, y, z } = normal;
-        push(&mut text, format_args!("vn {x:.6} {y:.6} {z:.6}\n"));
-    }
+    push_normals(&mut text, model);
     for corners in model.topology.triangles() {
         let [a, b, c] = corners.map(|corner| corner + 1);
         push(&mut text, format_args!("f {a}//{a} {b}//{b} {c}//{c}\n"));
     }
     Ok(text)
+}
+
+/// The same mesh painted with a picture: an OBJ file that names its material, `NAME.mtl`, which names its picture, `NAME.png`.
+/// Both lie beside it. Texture coordinates have their origin at the bottom left, as OBJ wants it.
+///
+/// # Errors
+/// As [`obj`]; also if the picture cannot be encoded or is not there.
+pub(super) fn painted(
+    model: &Model<'_>,
+    base_colour: BaseColour,
+    max_px: u32,
+    name: &str,
+) -> Result<Written, ExportError> {
+    model.check()?;
+    let Some(texture) = texture::of(model, base_colour, max_px)? else { return Ok(obj(model)?.into()) };
+    let [material_name, picture_name] = names_beside(name);
+    let text = textured(model, &texture, &material_name);
+    let material = material(&picture_name);
+    let beside =
+        vec![NamedFile::new(material_name, material), NamedFile::new(picture_name, texture::png(&texture.pixels)?)];
+    Ok(Written { beside, ..text.into() })
+}
+
+/// What the material and the picture are called beside an OBJ file of that name. Readers take what is between blanks for a
+/// name, so that none has any.
+pub(super) fn names_beside(name: &str) -> [String; 2] {
+    let name: String = name.chars().map(|letter| if letter.is_whitespace() { '_' } else { letter }).collect();
+    ["mtl", "png"].map(|ending| format!("{name}.{ending}"))
+}
+
+const TITLE: &str = "# Rosto; metres, +Y up, +Z out of the face\n";
+
+fn textured(model: &Model<'_>, texture: &Texture<'_>, material_name: &str) -> String {
+    let mut text = format!("{TITLE}mtllib {material_name}\no face\n");
+    for p in model.positions_m {
+        push(&mut text, format_args!("v {} {} {}\n", p.x, p.y, p.z));
+    }
+    for &DVec2 { x, y } in texture.uvs.iter() {
+        push(&mut text, format_args!("vt {x:.7} {:.7}\n", 1.0 - y));
+    }
+    push_normals(&mut text, model);
+    text.push_str("usemtl skin\n");
+    for corners in model.topology.triangles() {
+        let [a, b, c] = corners.map(|corner| corner + 1);
+        push(&mut text, format_args!("f {a}/{a}/{a} {b}/{b}/{b} {c}/{c}/{c}\n"));
+    }
+    text
+}
+
+/// Matt, in the picture's colours.
+fn material(picture_name: &str) -> String {
+    format!("# Rosto\nnewmtl skin\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nd 1\nillum 1\nmap_Kd {picture_name}\n")
+}
+
+fn push_normals(text: &mut String, model: &Model<'_>) {
+    for DVec3 { x, y, z } in vertex_normals(model.topology, model.positions_m) {
+        push(text, format_args!("vn {x:.6} {y:.6} {z:.6}\n"));
+    }
 }
 
 fn push(text: &mut String, line: std::fmt::Arguments<'_>) {

@@ -6,23 +6,29 @@ const MM_PER_M: f64 = 1000.0;
 
 /// A binary STL file, for printing: millimetres, as is the custom, and no colours. STL has no up; +Y is up here too.
 ///
+/// It holds the model as it is: what is to be printed must be a body ([`Solid::body`](crate::Solid::body)).
+///
 /// # Errors
 /// [`ExportError`] if a length does not fit, a position is not finite, or there is no triangle.
 pub fn stl(model: &Model<'_>) -> Result<Vec<u8>, ExportError> {
     model.check()?;
+    Ok(stl_of(model.topology.triangles(), model.positions_m))
+}
+
+pub(super) fn stl_of(triangles: &[[u32; 3]], positions_m: &[DVec3]) -> Vec<u8> {
     let mut file = vec![b' '; 80];
     let title = b"Rosto; millimetres";
     file[..title.len()].copy_from_slice(title);
-    file.extend((model.topology.triangles().len() as u32).to_le_bytes());
-    for corners in model.topology.triangles() {
-        let [a, b, c] = corners.map(|corner| model.positions_m[corner as usize] * MM_PER_M);
+    file.extend((triangles.len() as u32).to_le_bytes());
+    for corners in triangles {
+        let [a, b, c] = corners.map(|corner| positions_m[corner as usize] * MM_PER_M);
         let normal = (b - a).cross(c - a).normalize_or_zero();
         for vector in [normal, a, b, c] {
             push(&mut file, vector);
         }
         file.extend([0, 0]);
     }
-    Ok(file)
+    file
 }
 
 fn push(file: &mut Vec<u8>, vector: DVec3) {

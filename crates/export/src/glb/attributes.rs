@@ -2,7 +2,7 @@ use glam::{DVec3, Vec3};
 use rosto_mesh::vertex_normals;
 use serde_json::{Map, Value, json};
 
-use super::{Builder, Morph};
+use super::{Builder, Material, Morph};
 use crate::{ExportError, Model, linear_from_srgb};
 
 /// Positions and normals.
@@ -26,6 +26,7 @@ pub(super) fn morphs(
     builder: &mut Builder,
     model: &Model<'_>,
     morphs: &[Morph<'_>],
+    material: Material,
     mesh: &mut Value,
 ) -> Result<(), ExportError> {
     if morphs.is_empty() {
@@ -33,7 +34,11 @@ pub(super) fn morphs(
     }
     let mut targets = Vec::new();
     for morph in morphs {
-        targets.push(json!({"POSITION": builder.bounded_vectors3(&displacements(model, morph)?)}));
+        let mut target = json!({"POSITION": builder.displacements3(&displacements(model, morph)?)});
+        if material == Material::Lit {
+            target["NORMAL"] = builder.displacements3(&turned(model, morph)).into();
+        }
+        targets.push(target);
     }
     mesh["primitives"][0]["targets"] = targets.into();
     mesh["weights"] = morphs.iter().map(|morph| morph.weight).collect();
@@ -51,6 +56,15 @@ fn displacements(model: &Model<'_>, morph: &Morph<'_>) -> Result<Vec<Vec3>, Expo
         Some(vertex) => Err(ExportError::NotFinite { vertex }),
         None => Ok(rounded),
     }
+}
+
+/// By what a morph target turns the normals, which light falls by; less than is seen is nothing.
+fn turned(model: &Model<'_>, morph: &Morph<'_>) -> Vec<Vec3> {
+    const LEAST: f32 = 2e-3;
+    let moved: Vec<DVec3> = model.positions_m.iter().zip(morph.displacements_m).map(|(at, way)| *at + *way).collect();
+    let normals = |positions_m| vertex_normals(model.topology, positions_m).into_iter().map(unit);
+    let turned = normals(&moved).zip(normals(model.positions_m)).map(|(after, before)| after - before);
+    turned.map(|turn| if turn.abs().max_element() < LEAST { Vec3::ZERO } else { turn }).collect()
 }
 
 /// A vertex between triangles without area has no normal; it then faces the viewer, as the face does.

@@ -37,6 +37,36 @@ impl Builder {
         self.attribute(bytes, FLOAT, "VEC3", values.len())
     }
 
+    /// Displacements, most of which may be nothing: only the others are written where that is shorter.
+    pub(super) fn displacements3(&mut self, values: &[Vec3]) -> usize {
+        const DENSE_BYTES: usize = 12;
+        let moved: Vec<usize> = (0..values.len()).filter(|&at| values[at] != Vec3::ZERO).collect();
+        let is_short = values.len() <= MAX_SHORT_INDEX + 1;
+        let sparse_bytes = DENSE_BYTES + if is_short { 2 } else { 4 };
+        // Some readers stumble over accessors without any value.
+        if moved.is_empty() || moved.len() * sparse_bytes >= values.len() * DENSE_BYTES {
+            return self.bounded_vectors3(values);
+        }
+        let short = |&at: &usize| (at as u16).to_le_bytes();
+        let (indices, component) = match is_short {
+            true => (self.view(moved.iter().flat_map(short), None), UNSIGNED_SHORT),
+            false => (self.view(moved.iter().flat_map(|&at| (at as u32).to_le_bytes()), None), UNSIGNED_INT),
+        };
+        let bytes = moved.iter().flat_map(|&at| values[at].to_array()).flat_map(f32::to_le_bytes);
+        let view = self.view(bytes, None);
+        let bound =
+            |of: fn(Vec3, Vec3) -> Vec3| exact(values.iter().copied().reduce(of).unwrap_or_default().to_array());
+        self.accessors.push(json!({
+            "componentType": FLOAT, "type": "VEC3", "count": values.len(), "min": bound(Vec3::min), "max": bound(Vec3::max),
+            "sparse": {
+                "count": moved.len(),
+                "indices": {"bufferView": indices, "componentType": component},
+                "values": {"bufferView": view},
+            },
+        }));
+        self.accessors.len() - 1
+    }
+
     pub(super) fn vectors2(&mut self, values: &[Vec2]) -> usize {
         let bytes = values.iter().flat_map(|v| v.to_array()).flat_map(f32::to_le_bytes);
         self.attribute(bytes, FLOAT, "VEC2", values.len())

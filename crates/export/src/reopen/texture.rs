@@ -1,6 +1,8 @@
+use std::borrow::Cow;
+
 use serde_json::Value;
 
-use super::fields::{bounded, index, size};
+use super::fields::{base64, bounded, index, size};
 use super::geometry::{attribute, view};
 
 /// A picture with a longer side, in px, is not one that this crate has written.
@@ -8,10 +10,10 @@ pub(crate) const MAX_PICTURE_SIDE_PX: u32 = 8192;
 
 /// A picture in a file, and where it belongs in the whole upright picture. Whoever draws it fills the rectangle
 /// `at_px`, `size_px` with it, whatever size it has itself: another program may have scaled it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PlacedTexture<'a> {
     /// The encoded picture, as it was found.
-    pub encoded: &'a [u8],
+    pub encoded: Cow<'a, [u8]>,
     /// Width and height in px of the whole upright picture.
     pub picture_size_px: [u32; 2],
     /// Left and top in that picture in px; negative where it reaches beyond.
@@ -29,7 +31,8 @@ impl PlacedTexture<'_> {
 
 pub(crate) const PNG_SIGNATURE: [u8; 8] = *b"\x89PNG\r\n\x1a\n";
 
-/// The texture of a GLB, by what its extras say of it.
+/// The photo's part in a GLB, by what its extras say of it: the texture or, where that is a picture of the whole face, what
+/// they hold themselves.
 pub(super) fn texture<'a>(
     picture: &Value,
     root: &Value,
@@ -39,9 +42,12 @@ pub(super) fn texture<'a>(
     let [left, top] = picture["crop_at_px"].as_array()?.as_slice() else { return None };
     let beyond = |at: &i32| at.unsigned_abs() <= MAX_PICTURE_SIDE_PX;
     let place = |value: &Value| i32::try_from(value.as_i64()?).ok().filter(beyond);
-    let encoded = view(root, binary, index(&root["images"][0]["bufferView"])?)?;
+    let encoded = match picture.get("jpeg") {
+        Some(own) => Cow::Owned(base64(own)?),
+        None => Cow::Borrowed(view(root, binary, index(&root["images"][0]["bufferView"])?)?),
+    };
     let picture_size_px = size(&picture["size_px"], MAX_PICTURE_SIDE_PX)?;
-    let own_size_px = encoded_size(encoded);
+    let own_size_px = encoded_size(&encoded);
     if encoded.is_empty() || own_size_px.is_some_and(|size| bounded(size, MAX_PICTURE_SIDE_PX).is_none()) {
         return None;
     }

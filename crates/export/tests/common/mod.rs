@@ -4,7 +4,10 @@
 
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
-use rosto_export::Source;
+use std::sync::LazyLock;
+
+use glam::DVec2;
+use rosto_export::{BaseColour, GlbOptions, Model, Picture, Source};
 use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, PhotoLens, Triangulation, canonical_uvs};
 use serde_json::Value;
 
@@ -37,6 +40,26 @@ pub fn face(triangulation: Triangulation) -> FaceModel {
         lens: PhotoLens::Parallel,
     };
     FaceModel::new(input, triangulation).unwrap()
+}
+
+/// A power of two, as graphics cards want it.
+const WHOLE_SIDE: u32 = 256;
+
+/// A picture of the whole face, with its places: the colours tell it from the photo.
+static WHOLE: LazyLock<(Photo, Vec<DVec2>)> = LazyLock::new(|| {
+    let pixels = (0..WHOLE_SIDE).flat_map(|y| (0..WHOLE_SIDE).flat_map(move |x| [30, x as u8, y as u8])).collect();
+    (Photo::from_rgb(WHOLE_SIDE, WHOLE_SIDE, pixels).unwrap(), canonical_uvs())
+});
+
+/// The face with a picture of the whole of it.
+pub fn model(face: &FaceModel) -> Model<'_> {
+    let (pixels, uvs) = &*WHOLE;
+    Model { whole: Some(Picture { pixels, uvs }), ..Model::of_face(face) }
+}
+
+/// A GLB painted with the photo.
+pub fn by_photo() -> GlbOptions<'static> {
+    GlbOptions { base_colour: BaseColour::Photo, ..GlbOptions::default() }
 }
 
 /// That picture as a PNG file.

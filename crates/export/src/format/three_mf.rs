@@ -1,0 +1,131 @@
+use std::collections::HashMap;
+use std::fmt::Write;
+
+use glam::DVec3;
+use rosto_solid::Body;
+
+use super::palette::palette;
+use crate::zip::{NamedFile, stored};
+use crate::{ExportError, Model};
+
+const MM_PER_M: f64 = 1000.0;
+
+rosto_named::named! {
+    /// How many colours a printed face has.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum Colours {
+        /// One for each vertex, blended between them.
+        #[default]
+        All = "all",
+        /// Four and a neutral one, each triangle in one of them: for printers with a filament for each.
+        Few = "few",
+    }
+}
+
+/// How many colours a few are, beside the neutral one.
+const FEW: usize = 4;
+
+/// Of the back and the sides.
+const NEUTRAL: [u8; 3] = [200, 200, 200];
+
+const CONTENT_TYPES: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
+<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>
+"#;
+
+const RELATIONSHIPS: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
+<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>
+"#;
+
+/// A 3MF package: a body in millimetres, +Z up as printers have it (out of the face, which lies on its back), with the face's
+/// colours by the materials extension; sides and back are neutral.
+///
+/// # Errors
+/// [`ExportError`] if a length does not fit, a position is not finite, or there is no triangle.
+pub fn three_mf(model: &Model<'_>, body: &Body, colours: Colours) -> Result<Vec<u8>, ExportError> {
+    model.check()?;
+    let files = [
+        NamedFile::new("[Content_Types].xml", CONTENT_TYPES),
+        NamedFile::new("_rels/.rels", RELATIONSHIPS),
+        NamedFile::new("3D/3dmodel.model", described(model, body, colours)),
+    ];
+    Ok(stored(&files, 1))
+}
+
+fn described(model: &Model<'_>, body: &Body, colours: Colours) -> String {
+    let painted = match colours {
+        Colours::All => by_vertex(model, body),
+        Colours::Few => by_triangle(model, body),
+    };
+    let low = body.positions_m().iter().copied().reduce(DVec3::min).unwrap_or_default() * MM_PER_M;
+    let mut text = String::with_capacity(120 * body.topology().triangles().len());
+    text.push_str(concat!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"millimeter\" xml:lang=\"en-US\" ",
+        "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" ",
+        "xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\">\n",
+        "<metadata name=\"Title\">face</metadata>\n<metadata name=\"Application\">Rosto ",
+        env!("CARGO_PKG_VERSION"),
+        "</metadata>\n<resources>\n<m:colorgroup id=\"1\">\n"
+    ));
+    for [r, g, b] in &painted.colours {
+        push(&mut text, format_args!("<m:color color=\"#{r:02X}{g:02X}{b:02X}\"/>\n"));
+    }
+    text.push_str("</m:colorgroup>\n<object id=\"2\" type=\"model\" pid=\"1\" pindex=\"0\">\n<mesh>\n<vertices>\n");
+    for place in body.positions_m() {
+        let DVec3 { x, y, z } = *place * MM_PER_M - low;
+        push(&mut text, format_args!("<vertex x=\"{x:.5}\" y=\"{y:.5}\" z=\"{z:.5}\"/>\n"));
+    }
+    text.push_str("</vertices>\n<triangles>\n");
+    for ([a, b, c], [p1, p2, p3]) in body.topology().triangles().iter().zip(painted.corners) {
+        push(&mut text, format_args!("<triangle v1=\"{a}\" v2=\"{b}\" v3=\"{c}\" pid=\"1\" p1=\"{p1}\""));
+        if [p2, p3] != [p1; 2] {
+            push(&mut text, format_args!(" p2=\"{p2}\" p3=\"{p3}\""));
+        }
+        text.push_str("/>\n");
+    }
+    text.push_str(
+        "</triangles>\n</mesh>\n</object>\n</resources>\n<build>\n<item objectid=\"2\"/>\n</build>\n</model>\n",
+    );
+    text
+}
+
+/// A group of colours, the neutral one first, and for each triangle the places in it of its corners' colours.
+struct Painted {
+    colours: Vec<[u8; 3]>,
+    corners: Vec<[usize; 3]>,
+}
+
+/// Each vertex of the front in its own colour; the group holds each colour once.
+fn by_vertex(model: &Model<'_>, body: &Body) -> Painted {
+    let mut colours = vec![NEUTRAL];
+    let mut places = HashMap::from([(NEUTRAL, 0)]);
+    let place = |colour: &[u8; 3]| {
+        *places.entry(*colour).or_insert_with(|| {
+            colours.push(*colour);
+            colours.len() - 1
+        })
+    };
+    let of_vertex: Vec<usize> = model.colours_srgb.iter().map(place).collect();
+    let front = &body.topology().triangles()[..body.front_triangles()];
+    let corners = front.iter().map(|corners| corners.map(|corner| of_vertex[corner as usize]));
+    Painted { corners: with_neutral(corners, body), colours }
+}
+
+/// Each triangle of the front in one of a few colours.
+fn by_triangle(model: &Model<'_>, body: &Body) -> Painted {
+    let front = &body.topology().triangles()[..body.front_triangles()];
+    let mean = |corners: &[u32; 3]| {
+        let colours = corners.map(|corner| model.colours_srgb[corner as usize]);
+        [0, 1, 2].map(|channel| (colours.iter().map(|colour| u32::from(colour[channel])).sum::<u32>() / 3) as u8)
+    };
+    let (few, of_triangle) = palette(&front.iter().map(mean).collect::<Vec<_>>(), FEW);
+    let corners = of_triangle.into_iter().map(|place| [place + 1; 3]);
+    Painted { corners: with_neutral(corners, body), colours: [&[NEUTRAL], few.as_slice()].concat() }
+}
+
+fn with_neutral(front: impl Iterator<Item = [usize; 3]>, body: &Body) -> Vec<[usize; 3]> {
+    front.chain(std::iter::repeat([0; 3])).take(body.topology().triangles().len()).collect()
+}
+
+fn push(text: &mut String, part: std::fmt::Arguments<'_>) {
+    text.write_fmt(part).expect("invariant: writing to a string does not fail");
+}

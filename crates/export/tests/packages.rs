@@ -1,0 +1,243 @@
+//! Files that are several: 3MF, USDZ, OBJ with what lies beside it.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod archive;
+mod common;
+
+use std::collections::HashMap;
+
+use archive::entries;
+use common::{face, model};
+use glam::{DVec2, DVec3};
+use rosto_export::*;
+use rosto_face::{FaceModel, Triangulation};
+
+fn written(
+    face: &FaceModel,
+    format: Format,
+    base_colour: BaseColour,
+    solid: Solid,
+    colours: Colours,
+) -> Result<Written, ExportError> {
+    let (model, rest_m) = (model(face), face.positions_m());
+    let gltf = GlbOptions { base_colour, ..GlbOptions::default() };
+    format.write(&Content { model, rest_m, gltf, solid, colours, name: "my face", positions: ("mm", rest_m) })
+}
+
+fn printed(solid: Solid, colours: Colours) -> Written {
+    written(&face(Triangulation::Canonical), Format::ThreeMf, BaseColour::Photo, solid, colours).unwrap()
+}
+
+const SOLIDS: [Solid; 2] = [Solid::Thickness { mm: 2.0 }, Solid::FlatBack { mm: 3.0 }];
+
+/// The values of an attribute of every element of that name.
+fn attributes<'a>(xml: &'a str, element: &str, attribute: &str) -> Vec<&'a str> {
+    let start = format!("<{element} ");
+    let rows = xml.lines().filter(|line| line.starts_with(&start));
+    let value = |line: &'a str| line.split(&format!(" {attribute}=\"")).nth(1)?.split('"').next();
+    rows.map(|line| value(line).unwrap_or_default()).collect()
+}
+
+fn numbers<T: std::str::FromStr>(texts: Vec<&str>) -> Vec<T> {
+    texts.into_iter().map(|text| text.parse().ok().unwrap()).collect()
+}
+
+#[test]
+fn a_3mf_holds_a_closed_body_in_millimetres_above_its_plate() {
+    for solid in SOLIDS {
+        let file = printed(solid, Colours::All);
+        let parts = entries(&file.bytes);
+        let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
+        assert_eq!(names, ["[Content_Types].xml", "_rels/.rels", "3D/3dmodel.model"]);
+        let xml = parts[2].text();
+        assert!(xml.contains("unit=\"millimeter\""));
+        let [x, y, z] = ["x", "y", "z"].map(|axis| numbers::<f64>(attributes(xml, "vertex", axis)));
+        let [v1, v2, v3] = ["v1", "v2", "v3"].map(|corner| numbers::<usize>(attributes(xml, "triangle", corner)));
+        let place = |at: usize| DVec3::new(x[at], y[at], z[at]);
+        let mut sides = HashMap::new();
+        let mut volume_mm3 = 0.0;
+        for ((a, b), c) in v1.into_iter().zip(v2).zip(v3) {
+            [[a, b], [b, c], [c, a]].into_iter().for_each(|side| *sides.entry(side).or_insert(0) += 1);
+            volume_mm3 += place(a).dot(place(b).cross(place(c))) / 6.0;
+        }
+        assert!(sides.iter().all(|(&[from, to], &uses)| uses == 1 && sides.get(&[to, from]) == Some(&1)), "{solid}");
+        let facts = file.solid.unwrap();
+        assert!((volume_mm3 / 1000.0 / facts.volume_cm3 - 1.0).abs() < 1e-5);
+        let low = (0..x.len()).map(place).reduce(DVec3::min).unwrap();
+        let high = (0..x.len()).map(place).reduce(DVec3::max).unwrap();
+        assert_eq!(low, DVec3::ZERO);
+        assert!(high.distance(facts.size_mm) < 1e-4);
+    }
+}
+
+#[test]
+fn a_3mf_gives_each_corner_its_vertex_colour_and_the_back_a_neutral_one() {
+    let face = face(Triangulation::Canonical);
+    let file = printed(SOLIDS[0], Colours::All);
+    let xml = entries(&file.bytes).remove(2);
+    let palette = attributes(xml.text(), "m:color", "color");
+    for (at, corners) in face.topology().triangles().iter().enumerate() {
+        let [p1, p2, p3] = ["p1", "p2", "p3"].map(|corner| attributes(xml.text(), "triangle", corner)[at]);
+        // What is left out is as the first corner is.
+        let [p2, p3] = [p2, p3].map(|place| if place.is_empty() { p1 } else { place });
+        for (place, &corner) in [p1, p2, p3].iter().zip(corners) {
+            let [r, g, b] = face.colours_srgb()[corner as usize];
+            assert_eq!(palette[place.parse::<usize>().unwrap()], format!("#{r:02X}{g:02X}{b:02X}"));
+        }
+        if at > 40 {
+            break;
+        }
+    }
+    let places = attributes(xml.text(), "triangle", "p1");
+    assert!(places[898..].iter().all(|place| *place == "0"));
+    assert_eq!(palette[0], "#C8C8C8");
+}
+
+#[test]
+fn a_3mf_of_a_few_colours_has_four_beside_the_neutral_one_and_each_triangle_in_one() {
+    let xml = entries(&printed(SOLIDS[1], Colours::Few).bytes).remove(2);
+    assert_eq!(attributes(xml.text(), "m:color", "color").len(), 5);
+    let places = attributes(xml.text(), "triangle", "p1");
+    for colour in ["1", "2", "3", "4"] {
+        assert!(places[..898].iter().filter(|place| **place == colour).count() > 50, "{colour} is hardly used");
+    }
+    assert!(places[898..].iter().all(|place| *place == "0"));
+    assert!(attributes(xml.text(), "triangle", "p2").iter().all(|place| place.is_empty()));
+}
+
+#[test]
+fn an_stl_is_a_body_unless_the_surface_alone_is_asked_for() {
+    let face = face(Triangulation::Tessellation);
+    let count = |file: &Written| u32::from_le_bytes(file.bytes[80..84].try_into().unwrap()) as usize;
+    let write = |solid| written(&face, Format::Stl, BaseColour::Photo, solid, Colours::All).unwrap();
+    let sheet = write(Solid::Surface);
+    assert_eq!((count(&sheet), &sheet.solid), (852, &None));
+    assert_eq!(sheet.bytes, stl(&Model::of_face(&face)).unwrap());
+    // The openings of eyes and mouth are closed, and every side of the rim has two triangles more.
+    let filled = Triangulation::Canonical.triangles().len();
+    let mask = write(Solid::Thickness { mm: 2.0 });
+    assert_eq!(count(&mask), 2 * filled + 2 * 36);
+    assert!(mask.solid.unwrap().volume_cm3 > 20.0);
+}
+
+#[test]
+fn what_cannot_be_printed_is_refused() {
+    let face = face(Triangulation::Canonical);
+    let print = |solid| written(&face, Format::ThreeMf, BaseColour::Photo, solid, Colours::All).unwrap_err();
+    assert_eq!(print(Solid::Surface), ExportError::NoBody);
+    assert_eq!(print(Solid::Thickness { mm: -1.0 }), SolidError::Thickness { thickness_m: -0.001 }.into());
+    let none = written(&face, Format::Png, BaseColour::VertexColours, SOLIDS[0], Colours::All);
+    assert_eq!(none.unwrap_err(), ExportError::NoPicture);
+}
+
+#[test]
+fn solids_are_written_as_they_are_read() {
+    for solid in [Solid::Thickness { mm: 0.4 }, Solid::FlatBack { mm: 12.5 }, Solid::Surface] {
+        assert_eq!(solid.to_string().parse(), Ok(solid));
+    }
+    for text in
+        ["", "flat", "thickness:", "thickness:0", "flat:-1", "thickness:nan", "thickness:51", "surface:1", "cube"]
+    {
+        assert_eq!(text.parse::<Solid>(), Err(NoSolid { text: text.to_owned() }));
+    }
+}
+
+#[test]
+fn a_usdz_is_aligned_and_names_what_it_holds() {
+    let face = face(Triangulation::Canonical);
+    for (base_colour, names) in [
+        (BaseColour::Whole, &["face.usda", "face.jpg"][..]),
+        (BaseColour::Photo, &["face.usda", "face.jpg"]),
+        (BaseColour::VertexColours, &["face.usda"]),
+    ] {
+        let file = written(&face, Format::Usdz, base_colour, SOLIDS[0], Colours::All).unwrap();
+        let parts = entries(&file.bytes);
+        assert_eq!(parts.iter().map(|part| part.name.as_str()).collect::<Vec<_>>(), names);
+        assert!(parts.iter().all(|part| part.start.is_multiple_of(64)));
+        let scene = parts[0].text();
+        assert!(scene.starts_with("#usda 1.0\n"));
+        for says in ["metersPerUnit = 1\n", "upAxis = \"Y\"", "subdivisionScheme = \"none\"", "defaultPrim = \"face\""]
+        {
+            assert!(scene.contains(says), "{says}");
+        }
+        assert_eq!(scene.contains("@face.jpg@"), names.len() == 2);
+        if let Some(picture) = parts.get(1) {
+            assert!(rosto_photo::decode(&picture.bytes, &rosto_photo::Limits::default()).is_ok());
+        }
+        let list = |name: &str| {
+            let start = scene.find(&format!(" {name} = [")).unwrap() + name.len() + 5;
+            let text = scene[start..start + scene[start..].find(']').unwrap()].replace(['(', ')'], "");
+            numbers::<f64>(text.split(", ").collect())
+        };
+        let points = list("points");
+        let expected = face.positions_m().iter().flat_map(|p| p.as_vec3().to_array()).map(f64::from);
+        assert!(points.iter().zip(expected).all(|(found, put)| (found - put).abs() < 1e-8));
+        let indices: Vec<f64> = face.topology().triangles().concat().into_iter().map(f64::from).collect();
+        assert_eq!((points.len(), list("faceVertexIndices")), (3 * 468, indices));
+        assert_eq!(list("faceVertexCounts"), [3.0; 898]);
+    }
+}
+
+#[test]
+fn a_painted_obj_names_its_material_which_names_its_picture() {
+    let face = face(Triangulation::Canonical);
+    let whole = model(&face).whole.unwrap();
+    let file = written(&face, Format::Obj, BaseColour::Whole, SOLIDS[0], Colours::All).unwrap();
+    let text = String::from_utf8(file.bytes.clone()).unwrap();
+    let [material, picture] = &file.beside[..] else { panic!("two files lie beside an OBJ") };
+    assert_eq!([&material.name, &picture.name], ["my_face.mtl", "my_face.png"]);
+    assert_eq!(Format::Obj.names_beside(BaseColour::Whole, "my face"), ["my_face.mtl", "my_face.png"]);
+    assert!(text.contains("\nmtllib my_face.mtl\n") && text.contains("\nusemtl skin\n"));
+    let says = std::str::from_utf8(&material.bytes).unwrap();
+    assert!(says.contains("\nnewmtl skin\n") && says.contains("\nmap_Kd my_face.png\n"));
+    let shown = rosto_photo::decode(&picture.bytes, &rosto_photo::Limits::default()).unwrap();
+    assert_eq!(shown.pixels(), whole.pixels.pixels(), "without loss");
+    let rows = |key: &str| text.lines().filter_map(|line| line.strip_prefix(key)).collect::<Vec<_>>();
+    let places = rows("vt ");
+    assert_eq!((rows("v ").len(), places.len(), rows("vn ").len()), (468, 468, 468));
+    for (row, uv) in places.iter().zip(whole.uvs) {
+        let [u, v]: [f64; 2] = numbers(row.split(' ').collect()).try_into().unwrap();
+        assert!(DVec2::new(u, 1.0 - v).distance(*uv) < 1e-6);
+    }
+    let corner = |corner: u32| format!("{0}/{0}/{0}", corner + 1);
+    let faces = face.topology().triangles().iter().map(|corners| corners.map(corner).join(" "));
+    assert!(faces.eq(rows("f ")));
+
+    let plain = written(&face, Format::Obj, BaseColour::VertexColours, SOLIDS[0], Colours::All).unwrap();
+    assert_eq!(plain, obj(&Model::of_face(&face)).unwrap().into());
+    assert_eq!(Format::Obj.bundle_ending(BaseColour::VertexColours), "obj");
+}
+
+#[test]
+fn a_bundle_holds_the_very_same_files() {
+    let face = face(Triangulation::Canonical);
+    let file = written(&face, Format::Obj, BaseColour::Photo, SOLIDS[0], Colours::All).unwrap();
+    let parts = entries(&file.clone().bundled("face", Format::Obj));
+    assert_eq!(Format::Obj.bundle_ending(BaseColour::Photo), "zip");
+    let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
+    assert_eq!(names, ["face.obj", "my_face.mtl", "my_face.png"]);
+    let beside = file.beside.iter().map(|file| &file.bytes);
+    assert!([&file.bytes].into_iter().chain(beside).eq(parts.iter().map(|part| &part.bytes)));
+    let alone = written(&face, Format::Glb, BaseColour::Photo, SOLIDS[0], Colours::All).unwrap();
+    assert_eq!(alone.clone().bundled("face", Format::Glb), alone.bytes);
+}
+
+#[test]
+fn the_picture_alone_is_the_one_that_paints() {
+    let face = face(Triangulation::Canonical);
+    for base_colour in [BaseColour::Whole, BaseColour::Photo] {
+        let png = written(&face, Format::Png, base_colour, SOLIDS[0], Colours::All).unwrap().bytes;
+        let beside = written(&face, Format::Obj, base_colour, SOLIDS[0], Colours::All).unwrap().beside;
+        assert_eq!(png, beside[1].bytes);
+    }
+}
+
+#[test]
+fn every_format_writes_the_same_bytes_again() {
+    let face = face(Triangulation::Canonical);
+    for format in Format::ALL {
+        let write = || written(&face, format, BaseColour::Whole, SOLIDS[0], Colours::All).unwrap();
+        assert_eq!(write(), write(), "{format:?}");
+    }
+}
