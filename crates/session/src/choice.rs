@@ -1,12 +1,13 @@
 //! What is chosen among named things, and how: panels are filled, stored preferences are read and the session's own tests
 //! are drawn from this table.
 
+use rosto_export::TextureSize;
 use rosto_face::Triangulation;
 use rosto_stage::{Lens, Scene, ShadingMode};
 use rosto_studio::{ConstraintKind, Details, Operator};
 
 use crate::incoming::DENSEST_SHOWN;
-use crate::{AnchorChoice, Intent, Preset, SelectionMode, Session};
+use crate::{AnchorChoice, Intent, Preset, SelectionMode, Session, Skin};
 
 rosto_named::named! {
     /// Something that is chosen among named things.
@@ -28,6 +29,10 @@ rosto_named::named! {
         Scene = "scene",
         /// How the surface is coloured.
         Shading = "shading",
+        /// Which picture is laid on the face.
+        Skin = "skin",
+        /// How large the texture of the whole face is.
+        TextureSize = "texture-size",
         /// From how far away the face is seen.
         Lens = "lens",
         /// How the landmarks are joined.
@@ -54,6 +59,8 @@ impl Choice {
             Self::Anchors => owned(&AnchorChoice::ALL.map(AnchorChoice::id)),
             Self::Scene => owned(&Scene::ALL.map(Scene::id)),
             Self::Shading => owned(&ShadingMode::ALL.map(ShadingMode::id)),
+            Self::Skin => owned(&Skin::ALL.map(Skin::id)),
+            Self::TextureSize => owned(&TextureSize::ALL.map(TextureSize::id)),
             Self::Lens => owned(&Lens::ALL.map(Lens::id)),
             Self::Triangulation => owned(&Triangulation::ALL.map(Triangulation::id)),
             Self::Density => (0..=DENSEST_SHOWN).map(|density| density.to_string()).collect(),
@@ -71,6 +78,8 @@ impl Choice {
             Self::Anchors => Intent::Anchors(AnchorChoice::from_id(id)?),
             Self::Scene => Intent::Scene(Scene::from_id(id)?),
             Self::Shading => Intent::Shading(ShadingMode::from_id(id)?),
+            Self::Skin => Intent::Skin(Skin::from_id(id)?),
+            Self::TextureSize => Intent::TextureSize(TextureSize::from_id(id)?),
             Self::Lens => Intent::Lens(Lens::from_id(id)?),
             Self::Triangulation => Intent::Triangulation(Triangulation::from_id(id)?),
             Self::Density => Intent::Density(id.parse().ok().filter(|density| *density <= DENSEST_SHOWN)?),
@@ -91,6 +100,8 @@ impl Session {
             Choice::Anchors => choices.anchors.id(),
             Choice::Scene => view.scene.id(),
             Choice::Shading => view.shading.id(),
+            Choice::Skin => view.skin.id(),
+            Choice::TextureSize => view.texture_size.id(),
             Choice::Lens => view.lens.id(),
             Choice::Triangulation => view.triangulation.id(),
             Choice::Density => return Some(view.density.to_string()),

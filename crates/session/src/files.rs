@@ -1,5 +1,9 @@
 use glam::DVec3;
-use rosto_export::{BaseColour, Choosable, Content, Format, GlbOptions, Material, Model, Morph, Source, project};
+use rosto_export::{
+    BaseColour, Choosable, Colours, Content, Format, GlbOptions, Material, Model, Morph, Picture, Solid, SolidFacts,
+    Source, Written, project,
+};
+use rosto_studio::{EditsInRig, Rig};
 
 use crate::error::SessionError;
 use crate::{OpenFace, Session};
@@ -26,57 +30,141 @@ rosto_named::named! {
     }
 }
 
+rosto_named::named! {
+    /// How expressions are in a GLB.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum ExpressionsAs {
+        /// As the shape that they lead to.
+        Shape = "shape",
+        /// As a morph target each, all that there are, at the weights that they stand at; eyes and mouth are pieces of their own.
+        MorphTargets = "morph-targets",
+    }
+}
+
+/// The formats that a panel offers by a button each: those with choices that are no other's have a place of their own.
+pub fn plain_formats() -> impl Iterator<Item = Format> {
+    let own = [Choosable::Material, Choosable::Unit];
+    Format::ALL.into_iter().filter(move |format| !own.iter().any(|&choice| format.lets_choose(choice)))
+}
+
 /// What is chosen about a file; each format takes what it has a place for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FileOptions {
-    /// What a glTF carries as colour.
+    /// What paints the face.
     pub base_colour: BaseColour,
     /// Whether light falls on it.
     pub material: Material,
     /// How it carries the edits.
     pub edits: EditsAs,
+    /// How it carries expressions.
+    pub expressions: ExpressionsAs,
     /// The unit of JSON's positions.
     pub units: Units,
+    /// The body that is printed.
+    pub solid: Solid,
+    /// How many colours are printed.
+    pub colours: Colours,
 }
+
+impl Default for FileOptions {
+    fn default() -> Self {
+        Self {
+            base_colour: BaseColour::default(),
+            material: Material::default(),
+            edits: EditsAs::Shape,
+            expressions: ExpressionsAs::Shape,
+            units: Units::Millimetres,
+            solid: Solid::default(),
+            colours: Colours::default(),
+        }
+    }
+}
+
+/// What files are called that lie beside another one, and that one in a bundle with them.
+const NAME: &str = "face";
 
 /// What leaves the session.
 impl Session {
-    /// The face as a file, at the density that is shown; a glTF with what opens it again in the scene's extras. Only morph
-    /// targets ask for a solve.
+    /// The face as a file, at the density that is shown, with what lies beside it; a glTF with what opens it again in the
+    /// scene's extras. Only morph targets ask for a solve.
     ///
     /// # Errors
     /// [`SessionError::NoFace`] or [`SessionError::Export`].
-    pub fn file(&mut self, format: Format, options: &FileOptions) -> Result<Vec<u8>, SessionError> {
-        let layers = match (format.choosable(), options.edits) {
-            (Choosable::Material, EditsAs::MorphTargets) => self.displacements()?,
+    pub fn file(&mut self, format: Format, options: &FileOptions) -> Result<Written, SessionError> {
+        let is_gltf = format.lets_choose(Choosable::Material);
+        if is_gltf && options.expressions == ExpressionsAs::MorphTargets {
+            return self.rigged(format, options);
+        }
+        let layers = match (is_gltf, options.edits) {
+            (true, EditsAs::MorphTargets) => self.displacements()?,
             _ => Vec::new(),
         };
         let face = self.open_face()?;
         let (document, json, in_photo) = (face.document(), face.history_json(), face.in_photo_json());
         let entries = document.history().entries();
-        let source = Source {
-            face: face.model(),
-            triangulation: face.triangulation(),
-            density: document.density(),
-            history: (!entries.is_empty()).then_some(json.as_str()),
-            in_photo: in_photo.as_deref(),
-        };
         let named = entries.iter().zip(&layers);
         let morphs: Vec<Morph<'_>> =
             named.map(|(entry, layer)| Morph { name: &entry.label, displacements_m: layer, weight: 1.0 }).collect();
-        let (base_colour, material) = (options.base_colour, options.material);
-        let gltf = GlbOptions { base_colour, material, source: Some(source), morphs: &morphs, ..GlbOptions::default() };
+        let gltf = GlbOptions { morphs: &morphs, ..self.gltf(options, face.source(&json, in_photo.as_deref())) };
         let positions = face.positions_in(options.units);
-        let uvs = face.uvs();
-        let model = Model {
-            topology: document.topology(),
-            positions_m: document.positions(),
-            colours_srgb: &face.colours_srgb(&uvs),
-            uvs: &uvs,
-            picture: face.model().picture(),
-        };
         let positions = (options.units.id(), positions.as_slice());
-        Ok(format.write(&Content { model, rest_m: document.rest(), gltf, positions })?)
+        let (solid, colours) = (options.solid, options.colours);
+        Ok(face.as_model(|model| {
+            format.write(&Content { model, rest_m: document.rest(), gltf, solid, colours, name: NAME, positions })
+        })?)
+    }
+
+    /// The same as one file: where others lie beside it, an archive of them all, whose name ends as
+    /// [`Format::bundle_ending`] tells.
+    ///
+    /// # Errors
+    /// As [`Self::file`].
+    pub fn bundled_file(&mut self, format: Format, options: &FileOptions) -> Result<Vec<u8>, SessionError> {
+        Ok(self.file(format, options)?.bundled(NAME, format))
+    }
+
+    /// What the body measures that a printer would be given; none of the surface alone.
+    ///
+    /// # Errors
+    /// [`SessionError::NoFace`], or [`SessionError::Export`] if there can be no such body.
+    pub fn solid_facts(&self, solid: Solid) -> Result<Option<SolidFacts>, SessionError> {
+        let body = self.open_face()?.as_model(|model| solid.body(&model))?;
+        Ok(body.as_ref().map(SolidFacts::of))
+    }
+
+    /// The face as a glTF that others can animate.
+    fn rigged(&mut self, format: Format, options: &FileOptions) -> Result<Written, SessionError> {
+        let edits = match options.edits {
+            EditsAs::Shape => EditsInRig::AtRest,
+            EditsAs::MorphTargets => EditsInRig::Layers,
+        };
+        let rig = self.rig(edits)?;
+        let face = self.open_face()?;
+        let rig = rig.darkened(face.model().colours_srgb());
+        let (json, in_photo) = (face.history_json(), face.in_photo_json());
+        let morphs = morphs(&rig);
+        let gltf = GlbOptions { morphs: &morphs, ..self.gltf(options, face.source(&json, in_photo.as_deref())) };
+        let (parted, base_m) = (rig.parted(), rig.base_m());
+        let (uvs, texture_uvs) = (parted.uvs(&face.uvs()), parted.uvs(&face.texture_uvs()));
+        let model = Model {
+            topology: parted.topology(),
+            positions_m: base_m,
+            colours_srgb: &parted.colours(&face.colours_srgb(&face.uvs())),
+            photo: Picture { pixels: face.model().picture(), uvs: &uvs },
+            whole: face.texture().map(|pixels| Picture { pixels, uvs: &texture_uvs }),
+        };
+        let (solid, colours, positions) = (options.solid, options.colours, (options.units.id(), base_m));
+        Ok(format.write(&Content { model, rest_m: base_m, gltf, solid, colours, name: NAME, positions })?)
+    }
+
+    fn gltf<'a>(&self, options: &FileOptions, source: Source<'a>) -> GlbOptions<'a> {
+        GlbOptions {
+            base_colour: options.base_colour,
+            material: options.material,
+            max_texture_px: self.view().texture_size.px(),
+            source: Some(source),
+            ..GlbOptions::default()
+        }
     }
 
     /// The face and its work as a project file; `png` is its whole upright picture.
@@ -97,7 +185,40 @@ impl Session {
     }
 }
 
+/// The edits that are layers, then all expressions.
+fn morphs(rig: &Rig) -> Vec<Morph<'_>> {
+    let layers = rig.layers_m().iter().map(|(name, ways)| Morph { name, displacements_m: ways, weight: 1.0 });
+    let expressions = rig.expressions().iter();
+    let expressions =
+        expressions.map(|(name, ways, weight)| Morph { name: name.id(), displacements_m: ways, weight: *weight });
+    layers.chain(expressions).collect()
+}
+
 impl OpenFace {
+    /// What the file opens again with: the history as JSON, and what was done to the photo alone.
+    fn source<'a>(&'a self, history: &'a str, in_photo: Option<&'a str>) -> Source<'a> {
+        let is_edited = !self.document().history().entries().is_empty();
+        Source {
+            face: self.model(),
+            triangulation: self.triangulation(),
+            density: self.document().density(),
+            history: is_edited.then_some(history),
+            in_photo,
+        }
+    }
+
+    /// Does something with the face as exporters take it.
+    fn as_model<T>(&self, then: impl FnOnce(Model<'_>) -> T) -> T {
+        let (uvs, texture_uvs) = (self.uvs(), self.texture_uvs());
+        then(Model {
+            topology: self.document().topology(),
+            positions_m: self.document().positions(),
+            colours_srgb: &self.colours_srgb(&uvs),
+            photo: Picture { pixels: self.model().picture(), uvs: &uvs },
+            whole: self.texture().map(|pixels| Picture { pixels, uvs: &texture_uvs }),
+        })
+    }
+
     fn positions_in(&self, units: Units) -> Vec<DVec3> {
         match units {
             Units::Image => self.positions_image(),

@@ -1,12 +1,13 @@
 use glam::{DVec2, DVec3};
+use rosto_export::TextureSize;
 use rosto_face::{PhotoLens, Triangulation};
 use rosto_stage::{
     Axis, Background, Dots, Lens, Light, NamedView, PictureLight, Pointer, Scene, ShadingMode, Theme, Wireframe,
 };
-use rosto_studio::{ConstraintKind, Details, FaceSlider, Mirror, Operator, Switch};
+use rosto_studio::{ConstraintKind, Details, Expression, FaceSlider, Mirror, Operator, Switch};
 
 use crate::drag::Pace;
-use crate::{AnchorChoice, Incoming, Motion, Preset, Selection, SelectionMode, Turntable};
+use crate::{AnchorChoice, Incoming, Motion, Preset, Selection, SelectionMode, Skin, Turntable};
 
 /// Everything that a visitor can want. Places are device pixels from the canvas' top left.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,7 +34,7 @@ pub enum Intent {
     /// Pins the vertex at a place, or frees it; nothing where there is no face.
     PinUnder(DVec2),
 
-    /// Makes all choices of a preset.
+    /// Makes all choices of a preset, and shows the mesh that it is for.
     Preset(Preset),
     /// How the surface's details are described.
     Operator(Operator),
@@ -56,6 +57,9 @@ pub enum Intent {
     Preview(DVec3),
     /// One tick of a ready-made slider: where it is to stand in mm, its earlier entries counted.
     Slide(FaceSlider, f64),
+    /// One tick of an expression: how much of it the face is to show, 0..=1, its earlier entries counted. With the mirror, its
+    /// partner of the other side shows as much.
+    Express(Expression, f64),
     /// Keeps the edit in progress as one entry of the history; nothing moved is no entry.
     Commit,
     /// Drops the edit in progress. A drag is over, even if the pointer stays pressed.
@@ -82,6 +86,8 @@ pub enum Intent {
     Reset,
     /// Switches every entry off that moved what is selected, as one change.
     ResetSelected,
+    /// Switches every expression off, as one change: the face is at rest.
+    ComeToRest,
     /// Lets an entry of the history take part in the shape, or not.
     Switch(usize, Switch),
     /// Brings the two sides of the face closer to each other: a share of 1 leaves mirror images.
@@ -111,6 +117,10 @@ pub enum Intent {
 
     /// How the surface is coloured.
     Shading(ShadingMode),
+    /// Which picture is laid on it.
+    Skin(Skin),
+    /// How large its texture is to be.
+    TextureSize(TextureSize),
     /// Whether edges are drawn over it.
     Wireframe(Wireframe),
     /// Which landmarks show as dots.
@@ -165,6 +175,7 @@ impl Intent {
                 | Self::ShowDepth
                 | Self::Preview(_)
                 | Self::Slide(..)
+                | Self::Express(..)
                 | Self::Turntable(_)
         )
     }

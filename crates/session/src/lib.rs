@@ -25,6 +25,7 @@ mod session;
 mod slider_influence;
 mod state;
 mod strokes;
+mod texture;
 mod view;
 
 pub use changed::Changed;
@@ -32,7 +33,7 @@ pub use choice::Choice;
 pub use choices::{AnchorChoice, Choices, Preset, RADIUS_MM, Range, SLIDER_MM};
 pub use drag::Pace;
 pub use error::SessionError;
-pub use files::{EditsAs, FileOptions, Units};
+pub use files::{EditsAs, ExpressionsAs, FileOptions, Units, plain_formats};
 pub use gesture::Under;
 pub use incoming::{DENSEST_SHOWN, Incoming, MOST_ENTRIES, Work};
 pub use intent::Intent;
@@ -43,6 +44,7 @@ pub use selection::{Selection, SelectionMode};
 pub use session::{BRUSH_PX, Session};
 pub use state::{FaceState, State, Tick};
 pub use strokes::Strokes;
+pub use texture::Skin;
 pub use view::{Motion, Turntable, View};
 
 /// The examples of the README are tested with those of the code.

@@ -18,7 +18,7 @@ pub(crate) fn show(stage: &mut Stage, face: Option<&OpenFace>, anchors: Switch, 
         return stage.set_hovered(None);
     };
     // A slider has its own handles and anchors, and shows by its glow alone.
-    let selection = face.selection().filter(|_| face.slider().is_none());
+    let selection = face.selection().filter(|_| !face.is_sliding());
     let anchors = if selection.is_some() && anchors == Switch::On { face.document().anchors() } else { &[] };
     let regions = selection.iter().chain(&pointed).filter_map(|selection| match selection {
         Selection::Region(region) => Some(region.vertices()),
@@ -41,7 +41,9 @@ pub(crate) fn show(stage: &mut Stage, face: Option<&OpenFace>, anchors: Switch, 
 pub(crate) fn show_offset(stage: &mut Stage, face: Option<&OpenFace>) {
     let following = face.filter(|face| !face.turns_details());
     stage.set_offsets_m(following.map(OpenFace::influence_offsets_m).unwrap_or_default());
-    let glow = if face.is_some_and(OpenFace::is_moving) { GLOW } else { 0.0 };
+    // What an expression moves has no field of shares that could glow.
+    let glows = face.is_some_and(|face| face.is_moving() && face.expression().is_none());
+    let glow = if glows { GLOW } else { 0.0 };
     let settings = face.filter(|face| matches!(face.moving(), Moving::Selection { .. })).and_then(settings);
     let is_near = settings.is_some_and(|settings| settings.reach != RegionOfInfluence::Whole);
     let is_mirrored = settings.is_some_and(|settings| settings.mirror == Mirror::On);

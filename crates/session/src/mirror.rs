@@ -89,11 +89,13 @@ impl Mirror {
         let uvs: Vec<DVec2> = self.landmarks[..LANDMARK_COUNT].iter().map(uv).collect();
         self.uvs = document.from_cage(&uvs);
         self.camera = Some(camera);
+        // The frame follows smoothly whatever leads it: denser points than those that were moved would only cost time.
+        let leads = document.topology_at(document.edited_level()).unwrap_or(document.topology());
         let place = |place_m: &DVec3| camera.project(*place_m).unwrap_or(DVec2::NAN);
-        let places: Vec<DVec3> =
-            self.seen_m.iter().map(|seen| place(seen).extend(camera.towards_camera_m(*seen))).collect();
-        let targets_px: Vec<DVec2> = self.edited_m.iter().map(place).collect();
-        let skin = || without_fillings(face.model().topology().triangles(), document.topology().triangles());
+        let placed = |seen: &DVec3| place(seen).extend(camera.towards_camera_m(*seen));
+        let places: Vec<DVec3> = self.seen_m[..leads.vertex_count()].iter().map(placed).collect();
+        let targets_px: Vec<DVec2> = self.edited_m[..leads.vertex_count()].iter().map(place).collect();
+        let skin = || without_fillings(face.model().topology().triangles(), leads.triangles());
         // A face that is as good as outside of the frame leads nothing in it.
         if self.in_film.follow(skin, &places, &targets_px, self.size_px, view.ring).is_err() {
             self.in_film.rest();

@@ -5,8 +5,8 @@ mod photo;
 mod selecting;
 
 use glam::DVec3;
-use rosto_face::{FaceModel, Triangulation};
-use rosto_studio::{Command, Details, Document, EditTarget, FaceSlider, Mirror, StudioError, Switch};
+use rosto_face::{FaceModel, Photo, Triangulation};
+use rosto_studio::{Command, Details, Document, EditTarget, Expression, FaceSlider, Mirror, StudioError, Switch};
 
 use crate::Selection;
 use crate::choices::Choices;
@@ -25,6 +25,7 @@ pub const MAX_OFFSET_M: f64 = 0.5;
 /// An edit of less is none: what sliders show and what the history adds up to differ by rounding.
 const LEAST_MM: f64 = 1e-6;
 const LEAST_M: f64 = LEAST_MM * M_PER_MM;
+const LEAST_WEIGHT: f64 = 1e-9;
 
 /// One open face: its model, its document, and what is selected and moved. Knows neither the page nor the camera.
 pub struct OpenFace {
@@ -48,6 +49,8 @@ pub struct OpenFace {
     offsets_m: Vec<DVec3>,
     rows: Rows,
     photo: PhotoEdit,
+    /// Of the whole face, in the canonical one's coordinates.
+    pub(crate) texture: Option<Photo>,
 }
 
 impl OpenFace {
@@ -68,6 +71,7 @@ impl OpenFace {
             offsets_m: Vec::new(),
             rows,
             photo: PhotoEdit::default(),
+            texture: None,
         }
     }
 
@@ -132,6 +136,19 @@ impl OpenFace {
         }
     }
 
+    /// The expression being moved.
+    pub fn expression(&self) -> Option<Expression> {
+        match self.moving {
+            Moving::Expression { expression: (expression, _), .. } => Some(expression),
+            _ => None,
+        }
+    }
+
+    /// Whether a ready-made slider or an expression is in hand, and not what is selected.
+    pub fn is_sliding(&self) -> bool {
+        self.slider().is_some() || self.expression().is_some()
+    }
+
     /// Whether the edit in progress goes sideways out of the mirror's plane, and so without the mirror.
     pub fn leaves_plane(&self) -> bool {
         self.leaves_plane
@@ -144,6 +161,9 @@ impl OpenFace {
 
     /// How every vertex shown follows the edit in progress, for [`Self::influence_offsets_m`].
     pub fn influence_fields(&self) -> [Option<&[f64]>; 2] {
+        if self.expression().is_some() {
+            return [None, None];
+        }
         let fields = match (self.slider(), self.document.influence()) {
             (Some(_), _) => [&self.slider_influence.a, &self.slider_influence.b],
             (None, Some(influence)) => [&influence.direct, &influence.mirrored],
@@ -155,7 +175,7 @@ impl OpenFace {
     /// The offsets that [`Self::influence_fields`] are for, in metres.
     pub fn influence_offsets_m(&self) -> [DVec3; 2] {
         match self.moving {
-            Moving::Nothing => [DVec3::ZERO; 2],
+            Moving::Nothing | Moving::Expression { .. } => [DVec3::ZERO; 2],
             Moving::Selection { offset_mm } => slider_influence::offsets(offset_mm * M_PER_MM),
             Moving::Slider { slider, by_mm } => slider_influence::slider_offsets(slider, by_mm * M_PER_MM),
         }
@@ -200,7 +220,7 @@ impl OpenFace {
     pub(crate) fn hold_on(&mut self, choices: &Choices) {
         match self.moving {
             Moving::Nothing => self.hold(choices),
-            Moving::Slider { .. } => self.commit(choices),
+            Moving::Slider { .. } | Moving::Expression { .. } => self.commit(choices),
             Moving::Selection { offset_mm } => {
                 self.hold(choices);
                 // Details that find no rest are where they were.
@@ -246,8 +266,24 @@ impl OpenFace {
         self.move_to(Moving::Slider { slider, by_mm })
     }
 
+    /// One tick of an expression: no solve but for its first. `to` is how much of it the face is to show, all its entries
+    /// counted; with the mirror, its partner shows as much.
+    pub(crate) fn express(&mut self, expression: Expression, to: f64, choices: &Choices) -> Result<(), SessionError> {
+        let way = |expression: Expression| (expression, (to - self.kept_weight(expression)).clamp(-1.0, 1.0));
+        let partner = Some(expression.mirrored()).filter(|&other| other != expression && choices.mirror == Mirror::On);
+        let (expression, partner) = (way(expression), partner.map(way));
+        let both = [Some(expression), partner].into_iter().flatten().filter(|(_, by)| by.abs() > LEAST_WEIGHT);
+        let previewed = self.document.preview_expressions(&both.collect::<Vec<_>>());
+        self.settle_on(Moving::Expression { expression, partner }, previewed)
+    }
+
     fn move_to(&mut self, moving: Moving) -> Result<(), SessionError> {
-        match self.document.preview(&self.offsets_m) {
+        let previewed = self.document.preview(&self.offsets_m);
+        self.settle_on(moving, previewed)
+    }
+
+    fn settle_on(&mut self, moving: Moving, previewed: Result<(), StudioError>) -> Result<(), SessionError> {
+        match previewed {
             Ok(()) => self.moving = moving,
             Err(reason) => {
                 self.document.cancel();
@@ -263,6 +299,7 @@ impl OpenFace {
         let target = match (self.moving, self.selection) {
             (Moving::Selection { offset_mm }, Some(selection)) if offset_mm != DVec3::ZERO => Some(selection.target()),
             (Moving::Slider { slider, by_mm }, _) if by_mm.abs() > LEAST_MM => Some(EditTarget::Slider(slider)),
+            (Moving::Expression { expression: (expression, _), .. }, _) => Some(EditTarget::Expression(expression)),
             _ => None,
         };
         if let Some(target) = target.filter(|_| self.has_moved()) {

@@ -1,16 +1,17 @@
 //! Choices and view as JSON text, so that a session that ends can be gone on with in another.
 //!
 //! Fields that are missing or not understood are refused as a whole: nobody's half of a preference is guessed. Those that
-//! the first version did not have (`photo_light`, `anchors_marked`, `lens`, `scene`, `ring`) stand as usual where they are
+//! the first version did not have (`photo_light`, `anchors_marked`, `lens`, `scene`, `ring`, `skin`, `texture`) stand as usual where they are
 //! missing.
 
+use rosto_export::TextureSize;
 use rosto_face::Triangulation;
 use rosto_stage::{Background, Dots, Lens, Light, PictureLight, Scene, ShadingMode, Srgb, Wireframe};
 use rosto_studio::{ConstraintKind, DEFAULT_RING, Details, Mirror, Operator, RING_SHARES, Switch};
 use serde_json::{Value, json};
 
 use crate::error::SessionError;
-use crate::{AnchorChoice, Choices, SelectionMode, Session, Turntable, View};
+use crate::{AnchorChoice, Choices, SelectionMode, Session, Skin, Turntable, View};
 
 /// What the text tells.
 pub(crate) struct Preferences {
@@ -46,6 +47,8 @@ impl Session {
             "scene": view.scene.id(),
             "ring": view.ring,
             "paint": view.shading.id(),
+            "skin": view.skin.id(),
+            "texture": view.texture_size.id(),
             "lens": view.lens.id(),
             "wireframe": view.wireframe == Wireframe::Shown,
             "background": background,
@@ -87,16 +90,18 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
     let choices = Choices { is_nearby: flag("nearby")?, ..choices.reaching(choices.radius_mm)? };
     let density = value["density"].as_u64().filter(|density| *density <= crate::DENSEST_SHOWN.into());
     let view = View {
-        scene: scene(&value["scene"]).ok_or(missing("scene"))?,
+        scene: named_or_usual(&value["scene"], Scene::from_id).ok_or(missing("scene"))?,
         ring: ring(&value["ring"]).ok_or(missing("ring"))?,
         shading: word("paint").and_then(shading).ok_or(missing("paint"))?,
-        lens: lens(&value["lens"]).ok_or(missing("lens"))?,
+        skin: named_or_usual(&value["skin"], Skin::from_id).ok_or(missing("skin"))?,
+        texture_size: named_or_usual(&value["texture"], TextureSize::from_id).ok_or(missing("texture"))?,
+        lens: named_or_usual(&value["lens"], Lens::from_id).ok_or(missing("lens"))?,
         wireframe: if flag("wireframe")? { Wireframe::Shown } else { Wireframe::Hidden },
         background: background(&value["background"]).ok_or(missing("background"))?,
         turntable: if flag("turntable")? { Turntable::Turns } else { Turntable::Still },
         triangulation: word("triangulation").and_then(Triangulation::from_id).ok_or(missing("triangulation"))?,
         density: density.ok_or(missing("density"))? as u32,
-        picture_light: picture_light(&value["photo_light"]).ok_or(missing("photo_light"))?,
+        picture_light: named_or_usual(&value["photo_light"], PictureLight::from_id).ok_or(missing("photo_light"))?,
         anchors: anchors(&value["anchors_marked"]).ok_or(missing("anchors_marked"))?,
         motion: now.motion,
     };
@@ -109,20 +114,13 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
     })
 }
 
-fn picture_light(value: &Value) -> Option<PictureLight> {
-    if value.is_null() { Some(PictureLight::default()) } else { PictureLight::from_id(value.as_str()?) }
-}
-
-fn scene(value: &Value) -> Option<Scene> {
-    if value.is_null() { Some(Scene::default()) } else { Scene::from_id(value.as_str()?) }
+/// What a name stands for; the usual where the text has none.
+fn named_or_usual<T: Default>(value: &Value, from_id: fn(&str) -> Option<T>) -> Option<T> {
+    if value.is_null() { Some(T::default()) } else { from_id(value.as_str()?) }
 }
 
 fn ring(value: &Value) -> Option<f64> {
     if value.is_null() { Some(DEFAULT_RING) } else { value.as_f64().filter(|ring| RING_SHARES.contains(ring)) }
-}
-
-fn lens(value: &Value) -> Option<Lens> {
-    if value.is_null() { Some(Lens::default()) } else { Lens::from_id(value.as_str()?) }
 }
 
 fn anchors(value: &Value) -> Option<Switch> {

@@ -1,5 +1,7 @@
 use rosto_studio::{Amount, Document, EditTarget, Standing};
 
+pub(crate) const PER_CENT: f64 = 100.0;
+
 /// One entry of the history, as people read it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
@@ -7,12 +9,19 @@ pub struct Row {
     pub index: usize,
     /// What it works on.
     pub target: EditTarget,
-    /// How far it moves what it moves, in mm, or how many per cent of the asymmetry it takes away.
+    /// How far it moves what it moves, in mm, or how many per cent of the asymmetry it takes away or of an expression it adds.
     pub amount: f64,
     /// What `amount` counts: "mm" or "%".
     pub unit: &'static str,
     /// How it takes part in the shape.
     pub standing: Standing,
+}
+
+impl Row {
+    /// Whether it takes part in where sliders stand.
+    pub(crate) fn counts(&self) -> bool {
+        !matches!(self.standing, Standing::Off | Standing::Impossible(_))
+    }
 }
 
 /// The history as people read it, so that nothing is worked out of every entry again at each tick.
@@ -37,7 +46,7 @@ impl Rows {
         for (index, entry) in document.history().entries().iter().enumerate().skip(self.rows.len()) {
             let (amount, unit) = match entry.command.amount() {
                 Amount::Distance(distance_m) => (distance_m * 1000.0, "mm"),
-                Amount::Share(share) => (share * 100.0, "%"),
+                Amount::Share(share) | Amount::Weight(share) => (share * PER_CENT, "%"),
             };
             let standing = document.standing(index).cloned().unwrap_or_default();
             self.rows.push(Row { index, target: entry.command.target(), amount, unit, standing });
@@ -46,8 +55,7 @@ impl Rows {
 
     /// The entries in force that work on `target`.
     pub fn in_force(&self, target: EditTarget) -> impl Iterator<Item = &Row> {
-        let counts = |row: &Row| !matches!(row.standing, Standing::Off | Standing::Impossible(_));
-        self.rows.iter().filter(move |row| counts(row) && row.target == target)
+        self.rows.iter().filter(move |row| row.counts() && row.target == target)
     }
 
     /// What those add up to, in mm.

@@ -1,6 +1,6 @@
 use glam::DVec3;
 use rosto_face::{Region, canonical_positions_m, mirror_of};
-use rosto_studio::{EditTarget, FaceSlider};
+use rosto_studio::{EditTarget, Expression, FaceSlider};
 
 rosto_named::named! {
     /// What a click or a drag selects.
@@ -41,6 +41,8 @@ pub(crate) enum Moving {
     Selection { offset_mm: DVec3 },
     /// A ready-made slider, by an amount from where the last commit left it.
     Slider { slider: FaceSlider, by_mm: f64 },
+    /// An expression, and its partner if both sides take part, by an amount from where the last commit left each.
+    Expression { expression: (Expression, f64), partner: Option<(Expression, f64)> },
 }
 
 impl Selection {

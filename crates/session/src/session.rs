@@ -5,6 +5,7 @@ mod opening;
 mod pointing;
 mod seeing;
 mod selecting;
+mod texturing;
 
 use rosto_face::LANDMARK_COUNT;
 use rosto_stage::{Scene, Stage};
@@ -148,7 +149,7 @@ impl Session {
             },
             Intent::Pin(switch) => self.pin_selected(switch),
             Intent::PinUnder(place_px) => self.toggle_pin_at(place_px),
-            Intent::Preset(preset) => self.choose(preset.choices(self.choices.radius_mm)),
+            Intent::Preset(preset) => self.set_preset(preset),
             Intent::Operator(operator) => self.choose(Choices { operator, ..self.choices }),
             Intent::Constraint(constraint) => self.choose(Choices { constraint, ..self.choices }),
             Intent::Details(details) => self.choose(Choices { details, ..self.choices }),
@@ -159,6 +160,7 @@ impl Session {
             Intent::Widen(factor) => self.widen(factor),
             Intent::Preview(offset_mm) => self.preview(offset_mm),
             Intent::Slide(slider, to_mm) => self.slide(slider, to_mm),
+            Intent::Express(expression, to) => self.express(expression, to),
             Intent::Commit => self.finish(OpenFace::commit),
             Intent::Cancel => self.cancel(),
             Intent::Hover(place_px) => Ok(self.hover(place_px)),
@@ -174,6 +176,7 @@ impl Session {
             Intent::Redo => self.finish(|face, choices| face.change_history(choices, Document::redo)),
             Intent::Reset => self.reset(),
             Intent::ResetSelected => self.reset_selected(),
+            Intent::ComeToRest => self.come_to_rest(),
             Intent::Switch(index, switch) => self.switch(index, switch),
             Intent::Symmetrise(share) => self.symmetrise(share),
             Intent::Density(density) => self.set_density(density),
@@ -184,6 +187,15 @@ impl Session {
             Intent::SeenFrom(distance_m) => self.set_seen_from(distance_m),
             Intent::Brush(radius_px) => self.set_brush(radius_px),
             Intent::ShowDepth => self.show_depth(),
+            Intent::Skin(skin) => {
+                self.view.skin = skin;
+                Ok(Changed::Mesh)
+            }
+            // The texture that is there is shown until the other one is.
+            Intent::TextureSize(size) => {
+                self.view.texture_size = size;
+                Ok(Changed::Document)
+            }
             seen => self.see(seen),
         }
     }

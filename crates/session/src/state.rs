@@ -1,7 +1,7 @@
 use glam::DVec3;
 use rosto_face::LANDMARK_COUNT;
 use rosto_stage::{Dots, Light};
-use rosto_studio::{FaceSlider, StudioError};
+use rosto_studio::{Expression, FaceSlider, StudioError};
 
 use crate::selection::Moving;
 use crate::{Choices, OpenFace, Preset, Selection, SelectionMode, Session};
@@ -44,7 +44,7 @@ pub struct FaceState {
     pub lies_in_plane: bool,
     /// Whether it does so now.
     pub leaves_plane: bool,
-    /// Whether a ready-made slider is in hand, and not what is selected.
+    /// Whether a ready-made slider or an expression is in hand, and not what is selected.
     pub is_sliding: bool,
     /// Why what is selected cannot be moved, if it cannot.
     pub refusal: Option<StudioError>,
@@ -73,7 +73,7 @@ pub struct FaceState {
 }
 
 /// What one tick of an edit changes.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tick {
     /// Whether an edit is in progress that a commit would keep.
     pub is_editing: bool,
@@ -81,12 +81,29 @@ pub struct Tick {
     pub offset_mm: DVec3,
     /// Where each ready-made slider stands, in mm.
     pub sliders_mm: [f64; FaceSlider::ALL.len()],
+    /// How much of each expression the face shows, 0..=1.
+    pub weights: [f64; Expression::ALL.len()],
     /// Share of its offset that the vertex selected reaches: 1 is all of it.
     pub share_reached: f64,
     /// Whether the pointer drags it further than its sliders go.
     pub is_at_end: bool,
     /// Whether it goes so nearly along the view that it hardly shows from here.
     pub is_along_view: bool,
+}
+
+impl Default for Tick {
+    /// Nothing is moved.
+    fn default() -> Self {
+        Self {
+            is_editing: false,
+            offset_mm: DVec3::ZERO,
+            sliders_mm: [0.0; FaceSlider::ALL.len()],
+            weights: [0.0; Expression::ALL.len()],
+            share_reached: 0.0,
+            is_at_end: false,
+            is_along_view: false,
+        }
+    }
 }
 
 impl Session {
@@ -136,7 +153,7 @@ impl OpenFace {
             can_mirror: self.can_mirror(),
             lies_in_plane: self.lies_in_plane(choices),
             leaves_plane: self.leaves_plane(),
-            is_sliding: self.slider().is_some(),
+            is_sliding: self.is_sliding(),
             refusal: self.refusal().cloned(),
             anchors: self.document().anchors().to_vec(),
             kept_mm: self.kept_mm(),
@@ -161,6 +178,7 @@ impl OpenFace {
             is_editing: self.is_moving(),
             offset_mm,
             sliders_mm: FaceSlider::ALL.map(|slider| self.slider_mm(slider)),
+            weights: self.weights(),
             share_reached: self.share_reached(),
             is_at_end: false,
             is_along_view: false,

@@ -1,6 +1,9 @@
+use rosto_export::TextureSize;
 use rosto_face::Triangulation;
 use rosto_stage::{Background, Lens, PictureLight, Scene, ShadingMode, Stage, Surface, Wireframe};
-use rosto_studio::{DEFAULT_RING, Switch};
+use rosto_studio::{DEFAULT_RING, SMOOTH_DENSITY, Switch};
+
+use crate::Skin;
 
 /// How fast the empty state turns.
 const IDLE_TURN_DEG_PER_S: f64 = 14.0;
@@ -16,6 +19,10 @@ pub struct View {
     pub ring: f64,
     /// How the surface is coloured.
     pub shading: ShadingMode,
+    /// Which picture is laid on it.
+    pub skin: Skin,
+    /// How large its texture is.
+    pub texture_size: TextureSize,
     /// From how far away it is seen.
     pub lens: Lens,
     /// Whether edges are drawn.
@@ -57,18 +64,20 @@ pub enum Motion {
 }
 
 impl Default for View {
-    /// The face filled in, as a hand expects it, in the photo's colours.
+    /// The face smooth and filled in, as a hand expects it, in the photo's colours.
     fn default() -> Self {
         Self {
             scene: Scene::default(),
             ring: DEFAULT_RING,
             shading: ShadingMode::default(),
+            skin: Skin::default(),
+            texture_size: TextureSize::default(),
             lens: Lens::default(),
             wireframe: Wireframe::default(),
             background: Background::default(),
             turntable: Turntable::default(),
             triangulation: Triangulation::Canonical,
-            density: 0,
+            density: SMOOTH_DENSITY,
             picture_light: PictureLight::default(),
             anchors: Switch::Off,
             motion: Motion::default(),

@@ -1,7 +1,7 @@
 use glam::{DVec2, DVec3};
 use rosto_session::{Choice, Intent, Pace};
 use rosto_stage::Axis;
-use rosto_studio::{FaceSlider, Mirror, Switch};
+use rosto_studio::{Expression, FaceSlider, Mirror, Switch};
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
@@ -94,6 +94,24 @@ impl Studio {
     /// `no-face`, `bad-choice` or `bad-number`.
     pub fn slide(&mut self, slider: &str, #[wasm_bindgen(js_name = toMm)] to_mm: f64) -> Result<ChangeName, JsValue> {
         self.act(Intent::Slide(FacadeError::unless(FaceSlider::from_id(slider))?, to_mm))
+    }
+
+    /// One tick of an expression: `to` is how much of it the face is to show, 0..1, its earlier entries counted; with the mirror,
+    /// its partner of the other side shows as much. `commit` and `cancel` end it.
+    ///
+    /// # Errors
+    /// `no-face`, `bad-choice` or `bad-number`.
+    pub fn express(&mut self, expression: &str, to: f64) -> Result<ChangeName, JsValue> {
+        self.act(Intent::Express(FacadeError::unless(Expression::from_id(expression))?, to))
+    }
+
+    /// Switches every expression off, as one change.
+    ///
+    /// # Errors
+    /// `no-face`.
+    #[wasm_bindgen(js_name = comeToRest)]
+    pub fn come_to_rest(&mut self) -> Result<ChangeName, JsValue> {
+        self.act(Intent::ComeToRest)
     }
 
     /// Keeps the edit in progress as one entry of the history; nothing moved is no entry.

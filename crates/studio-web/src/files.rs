@@ -1,6 +1,7 @@
-use rosto_export::{BaseColour, Choosable, Format, Material};
-use rosto_session::{EditsAs, FileOptions, Units};
+use rosto_export::{BaseColour, Choosable, Colours, Format, Material, PLA_G_PER_CM3, SolidFacts};
+use rosto_session::{EditsAs, ExpressionsAs, FileOptions, Units};
 use rosto_stage::Background;
+use rosto_studio::SMOOTH_DENSITY;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::future_to_promise;
 
@@ -8,14 +9,101 @@ use crate::Studio;
 use crate::error::FacadeError;
 use crate::state::Snapshot;
 
+/// What is chosen about files, as it is until somebody chooses otherwise. `free()` it after use.
+#[wasm_bindgen]
+#[derive(Debug, Default)]
+pub struct FileChoices(FileOptions);
+
+#[wasm_bindgen]
+impl FileChoices {
+    /// What is usual.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Chooses one thing by ids: "base-colour" ("whole", "photo", "colours"),
+    /// "material" ("lit", "unlit"), "edits" and "expressions" ("shape", "morph-targets"), "units" ("mm", "image"), "solid" ("thickness:MM",
+    /// "flat:MM", "surface"), "colours" ("all", "few").
+    ///
+    /// # Errors
+    /// `bad-choice`.
+    pub fn choose(&mut self, what: &str, id: &str) -> Result<(), JsValue> {
+        let Self(options) = self;
+        match what {
+            "base-colour" => options.base_colour = FacadeError::unless(BaseColour::from_id(id))?,
+            "material" => options.material = FacadeError::unless(Material::from_id(id))?,
+            "edits" => options.edits = FacadeError::unless(EditsAs::from_id(id))?,
+            "expressions" => options.expressions = FacadeError::unless(ExpressionsAs::from_id(id))?,
+            "units" => options.units = FacadeError::unless(Units::from_id(id))?,
+            "solid" => options.solid = FacadeError::unless(id.parse().ok())?,
+            "colours" => options.colours = FacadeError::unless(Colours::from_id(id))?,
+            _ => FacadeError::unless(None)?,
+        }
+        Ok(())
+    }
+}
+
+/// What a printed body measures.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct PrintedBody(SolidFacts);
+
+#[wasm_bindgen]
+impl PrintedBody {
+    /// What it encloses, in cm³.
+    #[wasm_bindgen(getter, js_name = volumeCm3)]
+    pub fn volume_cm3(&self) -> f64 {
+        self.0.volume_cm3
+    }
+
+    /// The sides of the box around it, in mm: x, y, z.
+    #[wasm_bindgen(getter, js_name = sizeMm)]
+    pub fn size_mm(&self) -> Vec<f64> {
+        self.0.size_mm.to_array().to_vec()
+    }
+
+    /// How thick its wall is where it is thinnest, in mm.
+    #[wasm_bindgen(getter, js_name = thinnestMm)]
+    pub fn thinnest_mm(&self) -> f64 {
+        self.0.thinnest_mm
+    }
+
+    /// How far the face was smoothed where it went through itself, in mm; 0 where it did not.
+    #[wasm_bindgen(getter, js_name = movedMm)]
+    pub fn moved_mm(&self) -> f64 {
+        self.0.moved_mm
+    }
+
+    /// What it weighs in g if it is filled with PLA.
+    #[wasm_bindgen(getter, js_name = plaGrams)]
+    pub fn pla_grams(&self) -> f64 {
+        self.0.mass_g(PLA_G_PER_CM3)
+    }
+}
+
+/// How often a mesh is subdivided unless somebody chooses otherwise.
+#[wasm_bindgen(js_name = usualDensity)]
+pub fn usual_density() -> u32 {
+    SMOOTH_DENSITY
+}
+
 /// What leaves the page.
 #[wasm_bindgen]
 impl Studio {
-    /// The formats about which there is nothing to choose, by their ids.
+    /// The formats that have no choices of their own, by their ids: a button does for each.
     #[wasm_bindgen(getter, js_name = plainFormats)]
     pub fn plain_formats(&self) -> Vec<String> {
-        let plain = Format::ALL.into_iter().filter(|format| format.choosable() == Choosable::Nothing);
-        plain.map(|format| format.id().to_owned()).collect()
+        rosto_session::plain_formats().map(|format| format.id().to_owned()).collect()
+    }
+
+    /// Whether a format has a place for what paints the face.
+    ///
+    /// # Errors
+    /// `bad-choice`.
+    #[wasm_bindgen(js_name = isPainted)]
+    pub fn is_painted(&self, format: &str) -> Result<bool, JsValue> {
+        Ok(FacadeError::unless(Format::from_id(format))?.lets_choose(Choosable::BaseColour))
     }
 
     /// The media type of a format's files.
@@ -27,29 +115,34 @@ impl Studio {
         Ok(FacadeError::unless(Format::from_id(format))?.media_type().to_owned())
     }
 
+    /// How the name of a format's file ends: as the format is called, or "zip" where there are several files.
+    ///
+    /// # Errors
+    /// `bad-choice`.
+    #[wasm_bindgen(js_name = fileEnding)]
+    pub fn file_ending(&self, format: &str, choices: &FileChoices) -> Result<String, JsValue> {
+        let format = FacadeError::unless(Format::from_id(format))?;
+        Ok(format.bundle_ending(choices.0.base_colour).to_owned())
+    }
+
     /// The face as a file, at the density that is shown; a glTF with what opens it again in the scene's extras. Each format
-    /// takes what it has a place for: the base colour ("texture" or "colours"), the material ("lit" or "unlit"), how it
-    /// carries the edits ("shape" or "morph-targets"), the unit of JSON's positions ("mm" or "image").
+    /// takes of the choices what it has a place for. Where there are several files it is a zip archive of them all.
     ///
     /// # Errors
     /// `no-face`, `bad-choice` or `cannot-export`.
     #[wasm_bindgen(js_name = exportFile)]
-    pub fn export_file(
-        &mut self,
-        format: &str,
-        #[wasm_bindgen(js_name = baseColour)] base_colour: &str,
-        material: &str,
-        edits: &str,
-        units: &str,
-    ) -> Result<Vec<u8>, JsValue> {
-        let options = FileOptions {
-            base_colour: FacadeError::unless(BaseColour::from_id(base_colour))?,
-            material: FacadeError::unless(Material::from_id(material))?,
-            edits: FacadeError::unless(EditsAs::from_id(edits))?,
-            units: FacadeError::unless(Units::from_id(units))?,
-        };
+    pub fn export_file(&mut self, format: &str, choices: &FileChoices) -> Result<Vec<u8>, JsValue> {
         let format = FacadeError::unless(Format::from_id(format))?;
-        Ok(self.session.file(format, &options).map_err(FacadeError::from)?)
+        Ok(self.session.bundled_file(format, &choices.0).map_err(FacadeError::from)?)
+    }
+
+    /// What the body for printing measures, before it is saved; undefined of the surface alone.
+    ///
+    /// # Errors
+    /// `no-face` or `cannot-export`.
+    #[wasm_bindgen(js_name = solidFacts)]
+    pub fn solid_facts(&self, choices: &FileChoices) -> Result<Option<PrintedBody>, JsValue> {
+        Ok(self.session.solid_facts(choices.0.solid).map_err(FacadeError::from)?.map(PrintedBody))
     }
 
     /// A picture of the face in any size, as it is seen but for marks and tools; transparent where there is no face, if asked so.

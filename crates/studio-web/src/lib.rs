@@ -15,16 +15,19 @@ mod names;
 mod paper;
 mod photo_panel;
 mod picture;
+mod pieces;
 mod renderer;
 mod reopened;
 mod seeing;
 mod selecting;
 mod state;
 mod studio;
+mod texture;
 
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
+pub use files::{FileChoices, PrintedBody, usual_density};
 pub use in_photo::PhotoWarp;
 pub use modes::{ChangeName, FileKindName, PointerName, RefusalName, TaskName};
 pub use paper::{PaperClaims, PaperMethod, PaperRow, PaperRun};

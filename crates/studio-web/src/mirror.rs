@@ -89,7 +89,7 @@ impl Studio {
         }
         // The panel still has the photo.
         self.note_for_photo(changed);
-        if changed >= Changed::Mesh {
+        if changed >= Changed::Mesh || self.pieces.is_some() {
             self.show_mesh()?;
             if let Some(film) = &mut self.film {
                 film.is_on_mesh = false;

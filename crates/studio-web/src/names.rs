@@ -1,6 +1,6 @@
 use rosto_face::{LANDMARK_COUNT, Region, landmark_id};
 use rosto_session::{OpenFace, RADIUS_MM, SLIDER_MM};
-use rosto_studio::{EditTarget, FaceSlider};
+use rosto_studio::{EditTarget, Expression, FaceSlider};
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
@@ -52,6 +52,12 @@ impl Studio {
         let slider =
             |slider: FaceSlider| StudioSlider { id: slider.id().to_owned(), range_mm: slider.range_m() * 1000.0 };
         FaceSlider::ALL.map(slider).to_vec()
+    }
+
+    /// The ids of all expressions, ARKit's names, in the order of the tick's weights.
+    #[wasm_bindgen(getter, js_name = expressionIds)]
+    pub fn expression_ids(&self) -> Vec<String> {
+        Expression::ALL.map(|expression| expression.id().to_owned()).to_vec()
     }
 
     /// What the sliders of what is selected go through, in mm.

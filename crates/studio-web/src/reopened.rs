@@ -66,7 +66,7 @@ impl From<Reopened<'_>> for ReopenedFace {
         let (picture_size_px, place_px, placed_size_px, pixels) = match face.texture {
             Some(texture) => {
                 let media_type = texture.media_type();
-                let pixels = Pixels::Encoded { bytes: texture.encoded.to_vec(), media_type };
+                let pixels = Pixels::Encoded { bytes: texture.encoded.into_owned(), media_type };
                 (texture.picture_size_px, texture.at_px, texture.size_px, pixels)
             }
             None => {

@@ -225,6 +225,9 @@ pub struct StudioTick {
     /// Where each ready-made slider stands, in mm: the sum of its entries that are in force, and the edit in progress.
     #[wasm_bindgen(readonly, js_name = slidersMm)]
     pub sliders_mm: Vec<f64>,
+    /// How much of each expression the face shows, 0..1, in the order of `expressionIds`.
+    #[wasm_bindgen(readonly)]
+    pub weights: Vec<f64>,
     /// Share of its offset that what is selected reaches: 1 is all of it.
     #[wasm_bindgen(readonly, js_name = shareReached)]
     pub share_reached: f64,
@@ -244,6 +247,7 @@ impl StudioTick {
             offset_y_mm: tick.offset_mm.y,
             offset_z_mm: tick.offset_mm.z,
             sliders_mm: tick.sliders_mm.to_vec(),
+            weights: tick.weights.to_vec(),
             share_reached: tick.share_reached,
             is_at_end: tick.is_at_end,
             is_along_view: tick.is_along_view,
@@ -323,7 +327,7 @@ impl From<Range> for StudioRange {
 #[wasm_bindgen(getter_with_clone, inspectable)]
 #[derive(Debug, Clone, PartialEq)]
 pub struct StudioTarget {
-    /// "landmark", "point", "region", "slider", "vertices" or "symmetry".
+    /// "landmark", "point", "region", "slider", "vertices", "symmetry" or "expression".
     #[wasm_bindgen(readonly)]
     pub kind: String,
     /// Its id, such as "nose-tip", "left-brow" or "nose-width".
@@ -342,7 +346,7 @@ impl StudioTarget {
         let number = match target {
             EditTarget::Landmark(vertex) | EditTarget::Point { vertex, .. } => Some(vertex),
             EditTarget::Vertices(count) => Some(count as u32),
-            EditTarget::Region(_) | EditTarget::Slider(_) | EditTarget::Symmetry => None,
+            EditTarget::Region(_) | EditTarget::Slider(_) | EditTarget::Symmetry | EditTarget::Expression(_) => None,
         };
         Self { kind: target.kind().to_owned(), id: target.to_string(), number, part }
     }

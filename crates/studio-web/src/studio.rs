@@ -1,3 +1,4 @@
+use glam::DVec2;
 use rosto_face::{Triangulation, canonical_positions_m};
 use rosto_session::{Changed, Incoming, Intent, OpenFace, Session, Work};
 use rosto_stage::ShadingMode;
@@ -10,6 +11,7 @@ use crate::in_photo::PhotoShown;
 use crate::mirror::Film;
 use crate::modes::ChangeName;
 use crate::picture::{IncomingPicture, OpenPicture};
+use crate::pieces::Pieces;
 use crate::renderer::Renderer;
 
 /// Seeds stay exact as JavaScript's numbers.
@@ -25,9 +27,14 @@ pub struct Studio {
     /// Of the face to be opened next.
     next_picture: Option<OpenPicture>,
     incoming_picture: Option<IncomingPicture>,
+    /// Of the whole of the open face.
+    pub(crate) texture: Option<OpenPicture>,
+    pub(crate) incoming_texture: Option<IncomingPicture>,
     pub(crate) photo_shown: PhotoShown,
     /// While the mirror shows one.
     pub(crate) film: Option<Film>,
+    /// What the mesh on the GPU is parted into, while the face shows an expression.
+    pub(crate) pieces: Option<Pieces>,
 }
 
 #[wasm_bindgen]
@@ -51,10 +58,10 @@ impl Studio {
         self.viewport = renderer.into_viewport();
         let size = self.session.stage().camera().size_px().to_array().map(|side| side as u32);
         self.viewport.resize(size[0], size[1]);
-        self.incoming_picture = None;
+        (self.incoming_picture, self.incoming_texture) = (None, None);
         // The next frame brings another.
         self.film = None;
-        for picture in [&mut self.picture, &mut self.next_picture].into_iter().flatten() {
+        for picture in [&mut self.picture, &mut self.next_picture, &mut self.texture].into_iter().flatten() {
             *picture = picture.on(&self.viewport)?;
         }
         Ok(self.show(Changed::Mesh)?)
@@ -180,6 +187,9 @@ impl Studio {
     }
 }
 
+/// Far beyond where any edit ends.
+const OUT_OF_REACH: f64 = 1e3;
+
 impl Studio {
     pub(crate) fn new(viewport: Viewport) -> Self {
         let session = Session::new((js_sys::Math::random() * SEEDS) as u64);
@@ -189,8 +199,11 @@ impl Studio {
             picture: None,
             next_picture: None,
             incoming_picture: None,
+            texture: None,
+            incoming_texture: None,
             photo_shown: PhotoShown::default(),
             film: None,
+            pieces: None,
         }
     }
 
@@ -234,9 +247,12 @@ impl Studio {
         if self.film.is_some() {
             return self.show_in_mirror(changed);
         }
+        let is_parted = self.session.face().is_some_and(OpenFace::shows_expression);
         if changed >= Changed::Mesh {
             self.show_mesh()?;
             self.show_photo_as_taken();
+        } else if self.pieces.is_some() != is_parted {
+            self.show_mesh()?;
         }
         if changed >= Changed::Document {
             self.show_shape()?;
@@ -250,40 +266,60 @@ impl Studio {
     }
 
     pub(crate) fn show_mesh(&mut self) -> Result<()> {
-        let picture = self.picture.as_ref().map(|picture| &picture.on_gpu);
-        match self.session.face() {
-            Some(face) => show_face(&mut self.viewport, face, picture),
-            None => show_canonical(&mut self.viewport),
+        let is_whole = self.session.shows_texture();
+        let picture = if is_whole { &self.texture } else { &self.picture };
+        let picture = picture.as_ref().map(|picture| &picture.on_gpu);
+        // What comes with the camera's frames is whole.
+        let parted = self.session.face().filter(|face| self.film.is_none() && face.shows_expression());
+        self.pieces = parted.map(Pieces::of);
+        let Some(face) = self.session.face() else { return show_canonical(&mut self.viewport) };
+        let uvs = if is_whole { face.texture_uvs() } else { face.uvs() };
+        match &self.pieces {
+            Some(pieces) => pieces.show(&mut self.viewport, face, &uvs, picture),
+            None => show_face(&mut self.viewport, face, &uvs, picture),
         }
     }
 
     /// The shape that the edit in progress starts from, and how it is going to be followed.
     fn show_shape(&mut self) -> Result<()> {
         let Some(face) = self.session.face() else { return Ok(()) };
-        self.viewport.set_positions(face.document().committed())?;
-        Ok(self.viewport.set_fields(face.influence_fields(), face.document().reach().as_deref())?)
+        let (fields, reach) = (face.influence_fields(), face.document().reach());
+        let Some(pieces) = &mut self.pieces else {
+            self.viewport.set_positions(face.document().committed())?;
+            return Ok(self.viewport.set_fields(fields, reach.as_deref())?);
+        };
+        pieces.settle(face);
+        self.viewport.set_positions(&pieces.positions_m(face.document().committed()))?;
+        let [a, b] = fields.map(|field| field.map(|field| pieces.values(field, 0.0)));
+        let reach = reach.map(|reach| pieces.values(&reach, OUT_OF_REACH));
+        Ok(self.viewport.set_fields([a.as_deref(), b.as_deref()], reach.as_deref())?)
     }
 
-    /// Three numbers of the stage, unless details turn or distortion is painted.
+    /// Three numbers of the stage, unless details turn, the face's expression changes or distortion is painted.
     fn show_tick(&mut self) -> Result<()> {
         let Some(face) = self.session.face() else { return Ok(()) };
-        if face.turns_details() {
-            self.viewport.set_positions(face.document().positions())?;
+        if face.turns_details() || face.expression().is_some() {
+            let positions_m = face.document().positions();
+            match &self.pieces {
+                Some(pieces) => self.viewport.set_positions(&pieces.positions_m(positions_m))?,
+                None => self.viewport.set_positions(positions_m)?,
+            }
         }
         if self.session.view().shading == ShadingMode::Distortion {
-            self.viewport.set_scalars(&face.stretch())?;
+            let stretch = face.stretch();
+            let stretch = self.pieces.as_ref().map(|pieces| pieces.values(&stretch, 0.0)).unwrap_or(stretch);
+            self.viewport.set_scalars(&stretch)?;
         }
         Ok(())
     }
 }
 
-fn show_face(viewport: &mut Viewport, face: &OpenFace, picture: Option<&PictureOnGpu>) -> Result<()> {
-    let uvs = face.uvs();
+fn show_face(viewport: &mut Viewport, face: &OpenFace, uvs: &[DVec2], picture: Option<&PictureOnGpu>) -> Result<()> {
     viewport.show(&MeshInput {
         topology: face.document().topology(),
         positions_m: face.document().committed(),
-        colours_srgb: &face.colours_srgb(&uvs),
-        uvs: &uvs,
+        colours_srgb: &face.colours_srgb(&face.uvs()),
+        uvs,
         picture,
     })?;
     Ok(viewport.set_before(face.document().rest())?)

@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "in a test, a panic is the report")]
 
 use rosto_face::canonical_positions_m;
-use rosto_studio_web::{ChangeName, PointerName, RefusalName, ScreenPoint, Studio, StudioEntry, start};
+use rosto_studio_web::{ChangeName, FileChoices, PointerName, RefusalName, ScreenPoint, Studio, StudioEntry, start};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -49,7 +49,9 @@ fn colours() -> Vec<u8> {
 
 /// The mesh as JSON.
 fn mesh_json(studio: &mut Studio, units: &str) -> Vec<u8> {
-    studio.export_file("json", "texture", "lit", "shape", units).unwrap()
+    let mut choices = FileChoices::new();
+    choices.choose("units", units).unwrap();
+    studio.export_file("json", &choices).unwrap()
 }
 
 fn open(studio: &mut Studio) {
@@ -116,7 +118,7 @@ async fn the_empty_state_is_drawn_and_nothing_can_be_edited() {
     assert_eq!(studio.state().vertex_count, 0);
     assert_eq!(studio.hover(160.0, 160.0).unwrap(), None);
     assert_eq!(code(&studio.select(Some(NOSE_TIP)).unwrap_err()), "no-face");
-    assert_eq!(code(&studio.export_file("json", "texture", "lit", "shape", "mm").unwrap_err()), "no-face");
+    assert_eq!(code(&studio.export_file("json", &FileChoices::new()).unwrap_err()), "no-face");
     assert_eq!(studio.landmark_ids()[NOSE_TIP as usize], "nose-tip");
 }
 
@@ -299,8 +301,10 @@ async fn edits_come_back_from_their_text_at_every_density() {
 async fn both_paints_are_exported_as_binary_gltf() {
     let mut studio = studio().await;
     studio.choose("shading", "distortion").unwrap();
-    for colour in ["texture", "colours"] {
-        let file = studio.export_file("glb", colour, "lit", "shape", "mm").unwrap();
+    for colour in ["photo", "colours"] {
+        let mut choices = FileChoices::new();
+        choices.choose("base-colour", colour).unwrap();
+        let file = studio.export_file("glb", &choices).unwrap();
         assert_eq!(&file[..4], b"glTF");
         assert_eq!(u32::from_le_bytes(file[8..12].try_into().unwrap()) as usize, file.len());
     }

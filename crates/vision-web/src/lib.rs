@@ -6,9 +6,11 @@
 mod error;
 mod found;
 mod progress;
+mod texture_maker;
 mod vision;
 mod warped;
 
 pub use found::Found;
+pub use texture_maker::TextureMaker;
 pub use vision::Vision;
 pub use warped::Warped;

@@ -2,6 +2,7 @@ import { byId, make, onAction } from "../page/dom.js";
 import { download } from "../page/download.js";
 import { afterNextFrame } from "../page/tasks.js";
 import { toast } from "../page/toast.js";
+import { studioModule } from "../viewport/studio-module.js";
 import { inEveryLanguage, isWord, say } from "../words/words.js";
 import { fileName } from "../work/file-name.js";
 import { pngOf } from "../work/pixels.js";
@@ -9,6 +10,8 @@ import { VerdictLine } from "./verdict-line.js";
 
 /**
  * @typedef {import("../page/validator.js").Validator} Validator
+ * @typedef {import("../../wasm/rosto-studio-web.js").FileChoices} FileChoices
+ * @typedef {import("../viewport/whole-texture.js").WholeTexture} WholeTexture
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
  * @typedef {import("../work/autosave.js").Autosave} Autosave
  */
@@ -19,29 +22,32 @@ import { VerdictLine } from "./verdict-line.js";
  * @param {Workbench} bench
  * @param {Autosave} keeper
  * @param {Validator} validator
+ * @param {WholeTexture} texture
  */
-export function setUpExportPanel(bench, keeper, validator) {
+export function setUpExportPanel(bench, keeper, validator, texture) {
   const verdict = new VerdictLine(bench);
-  const check = () => checked(bench, meshName(bench, keeper, "glb"), validator, verdict);
+  const fileOf = (/** @type {string} */ format) => writtenFile(bench, texture, format);
+  const check = () => checked(bench, meshName(bench, keeper, "glb"), () => fileOf("glb"), validator, verdict);
   onAction("check-glb", check);
   onAction("download-glb", async () => {
     const name = meshName(bench, keeper, "glb");
     const file = await check();
     if (file) save(bench, name, bench.studio.mediaType("glb"), () => file);
   });
-  offerPlainFormats(bench, keeper);
+  const saveAs = (/** @type {string} */ format) => saveMesh(bench, keeper, format, () => fileOf(format));
+  offerPlainFormats(bench, saveAs);
   onAction("save-project", () => saveProject(bench, keeper).catch((error) => bench.fail(error)));
   onAction("download-picture", () => savePicture(bench, keeper));
-  onAction("download-json", () => saveAs(bench, keeper, "json"));
+  onAction("download-json", () => saveAs("json"));
 }
 
 /**
  * A button for each format about which there is nothing to choose, with a word on each.
  *
  * @param {Workbench} bench
- * @param {Autosave} keeper
+ * @param {(format: string) => void} saveAs
  */
-function offerPlainFormats(bench, keeper) {
+function offerPlainFormats(bench, saveAs) {
   const formats = bench.studio.plainFormats;
   const buttons = formats.map((format) => {
     const button = make("button", "button small", format.toUpperCase());
@@ -50,7 +56,7 @@ function offerPlainFormats(bench, keeper) {
     return button;
   });
   byId("plain-formats", HTMLDivElement).replaceChildren(...buttons);
-  for (const format of formats) onAction(`download-${format}`, () => saveAs(bench, keeper, format));
+  for (const format of formats) onAction(`download-${format}`, () => saveAs(format));
   inEveryLanguage(() => {
     const help = formats.map((format) => `format.${format}.help`).filter(isWord);
     byId("plain-formats-help", HTMLParagraphElement).textContent = help.map((key) => say(key)).join(" ");
@@ -61,21 +67,50 @@ function offerPlainFormats(bench, keeper) {
  * @param {Workbench} bench
  * @param {Autosave} keeper
  * @param {string} format
+ * @param {() => Promise<Uint8Array>} write
  */
-function saveAs(bench, keeper, format) {
-  save(bench, meshName(bench, keeper, format), bench.studio.mediaType(format), () => fileOf(bench, format));
+async function saveMesh(bench, keeper, format, write) {
+  const ending = withChoices((choices) => bench.studio.fileEnding(format, choices));
+  const type = ending === "zip" ? "application/zip" : bench.studio.mediaType(format);
+  const name = meshName(bench, keeper, ending);
+  try {
+    const file = await write();
+    save(bench, name, type, () => file);
+  } catch (error) {
+    bench.fail(error);
+  }
 }
 
 /**
- * The face as a file, as it is asked for.
+ * The face as a file, as it is asked for. One that is painted with the whole face waits for its texture.
  *
  * @param {Workbench} bench
+ * @param {WholeTexture} texture
  * @param {string} format
  */
-function fileOf(bench, format) {
-  const material = isChecked("export-unlit") ? "unlit" : "lit";
-  const edits = isChecked("export-morphs") ? "morph-targets" : "shape";
-  return bench.studio.exportFile(format, chosen("base-colour"), material, edits, chosen("export-units"));
+async function writtenFile(bench, texture, format) {
+  if (chosen("base-colour") === "whole" && bench.studio.isPainted(format)) await texture.ready();
+  return withChoices((choices) => bench.studio.exportFile(format, choices));
+}
+
+/**
+ * Does something with what is chosen about files.
+ *
+ * @template T
+ * @param {(choices: FileChoices) => T} then
+ */
+function withChoices(then) {
+  const choices = new (studioModule().FileChoices)();
+  try {
+    choices.choose("base-colour", chosen("base-colour"));
+    choices.choose("material", isChecked("export-unlit") ? "unlit" : "lit");
+    choices.choose("edits", isChecked("export-morphs") ? "morph-targets" : "shape");
+    choices.choose("expressions", isChecked("export-expressions") ? "morph-targets" : "shape");
+    choices.choose("units", chosen("export-units"));
+    return then(choices);
+  } finally {
+    choices.free();
+  }
 }
 
 /**
@@ -83,15 +118,16 @@ function fileOf(bench, format) {
  *
  * @param {Workbench} bench
  * @param {string} name of the file
+ * @param {() => Promise<Uint8Array>} write
  * @param {Validator} validator
  * @param {VerdictLine} line
  */
-async function checked(bench, name, validator, line) {
+async function checked(bench, name, write, validator, line) {
   line.show({ file: name, outcome: "checking" });
   // The words are on the screen before the file is made.
   await afterNextFrame();
   try {
-    const file = fileOf(bench, "glb");
+    const file = await write();
     const verdict = await validator.check(file);
     line.conclude({ file: name, bytes: file.length, outcome: verdict ?? "unchecked" });
     return file;
@@ -108,7 +144,7 @@ async function checked(bench, name, validator, line) {
  * @param {string} ending
  */
 function meshName(bench, keeper, ending) {
-  const points = bench.read((state) => (state.chosen("density") === "0" ? undefined : state.vertexCount));
+  const points = bench.read((state) => (state.chosen("density") === String(studioModule().usualDensity()) ? undefined : state.vertexCount));
   return fileName(keeper.face, ending, points);
 }
 

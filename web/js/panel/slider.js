@@ -31,6 +31,7 @@ export class Slider {
   /** The commit that follows the last key, while one is waited for. */
   #pending = 0;
   #options;
+  #label;
 
   /** @param {SliderOptions} options */
   constructor(options) {
@@ -44,12 +45,17 @@ export class Slider {
     this.#number.inputMode = "decimal";
     for (const input of [this.#range, this.#number]) this.#wire(input);
     this.value = options.neutral;
-    inEveryLanguage(() => {
-      label.replaceChildren();
-      if (options.axis) label.append(make("span", "axis", options.axis));
-      label.append(textOf(options.label));
-      for (const input of [this.#range, this.#number]) input.setAttribute("aria-label", textOf(options.longLabel));
-    });
+    this.#label = label;
+    inEveryLanguage(() => this.name());
+  }
+
+  /** Says its name anew, as in another language or after it has come to stand for something else. */
+  name() {
+    const { axis, label, longLabel } = this.#options;
+    this.#label.replaceChildren();
+    if (axis) this.#label.append(make("span", "axis", axis));
+    this.#label.append(textOf(label));
+    for (const input of [this.#range, this.#number]) input.setAttribute("aria-label", textOf(longLabel));
   }
 
   /** What is being typed counts as far as the ends; a drag may have gone further. */

@@ -7,7 +7,8 @@ import { Following } from "./following.js";
  * @typedef {import("../worker/protocol.js").FoundFaces} FoundFaces
  * @typedef {import("../worker/protocol.js").Followed} Followed
  * @typedef {import("../worker/protocol.js").Edited} Edited
- * @typedef {{ resolve: (file: Blob) => void, reject: (error: unknown) => void }} WaitingForFile
+ * @typedef {import("../worker/protocol.js").Untextured} Untextured
+ * @typedef {{ resolve: (answer: any) => void, reject: (error: unknown) => void }} Asking
  * @typedef {{ resolve: (found: FoundFaces) => void, reject: (error: unknown) => void, report: (stage: Stage, fraction: number) => void }} Waiting
  */
 
@@ -26,8 +27,8 @@ export class VisionClient {
   #worker;
   /** @type {Map<number, Waiting>} */
   #waiting = new Map();
-  /** @type {Map<number, WaitingForFile>} */
-  #drawing = new Map();
+  /** Who waits for something else than faces. @type {Map<number, Asking>} */
+  #asking = new Map();
   #lastId = 0;
   #silence = 0;
   #starts = 0;
@@ -89,13 +90,32 @@ export class VisionClient {
    * @param {Edited} edited
    * @returns {Promise<Blob>}
    */
-  async draw(edited) {
+  draw(edited) {
+    const buffers = [edited.from_px.buffer, edited.to_px.buffer, edited.triangles.buffer];
+    return this.#ask((id) => ({ type: "draw", id, edited }), buffers);
+  }
+
+  /**
+   * The texture of a whole face, RGBA.
+   *
+   * @param {Untextured} face
+   * @returns {Promise<Uint8Array>}
+   */
+  texture(face) {
+    return this.#ask((id) => ({ type: "texture", id, face }), [face.plan.buffer]);
+  }
+
+  /**
+   * @param {(id: number) => Request} request
+   * @param {Transferable[]} transfer
+   * @returns {Promise<any>}
+   */
+  #ask(request, transfer) {
     this.start();
     const id = ++this.#lastId;
     return new Promise((resolve, reject) => {
-      this.#drawing.set(id, { resolve, reject });
-      const buffers = [edited.from_px.buffer, edited.to_px.buffer, edited.triangles.buffer];
-      this.#post({ type: "draw", id, edited }, buffers);
+      this.#asking.set(id, { resolve, reject });
+      this.#post(request(id), transfer);
       this.#watchSilence();
     });
   }
@@ -154,9 +174,11 @@ export class VisionClient {
       case "found":
         return this.#settle(reply.id)?.resolve(reply.found);
       case "failed":
-        return (this.#settle(reply.id) ?? this.#settleFile(reply.id))?.reject(reply.error);
+        return (this.#settle(reply.id) ?? this.#answered(reply.id))?.reject(reply.error);
       case "drawn":
-        return this.#settleFile(reply.id)?.resolve(reply.file);
+        return this.#answered(reply.id)?.resolve(reply.file);
+      case "textured":
+        return this.#answered(reply.id)?.resolve(reply.pixels);
       case "followed":
         this.#following.hear(reply.id, reply.followed);
         return this.#watchSilence();
@@ -201,7 +223,7 @@ export class VisionClient {
     if (worker === this.#worker) this.#worker = undefined;
     this.#nowReady();
     this.#rejectAll(error);
-    for (const id of [...this.#drawing.keys()]) this.#settleFile(id)?.reject(error);
+    for (const id of [...this.#asking.keys()]) this.#answered(id)?.reject(error);
     this.#following.end(error);
     this.#watchSilence();
   }
@@ -215,9 +237,9 @@ export class VisionClient {
   }
 
   /** @param {number} id */
-  #settleFile(id) {
-    const waiting = this.#drawing.get(id);
-    this.#drawing.delete(id);
+  #answered(id) {
+    const waiting = this.#asking.get(id);
+    this.#asking.delete(id);
     this.#watchSilence();
     return waiting;
   }
@@ -229,7 +251,7 @@ export class VisionClient {
 
   #watchSilence() {
     clearTimeout(this.#silence);
-    const isAnyoneWaiting = this.#waiting.size + this.#drawing.size > 0 || this.#following.isWaiting;
+    const isAnyoneWaiting = this.#waiting.size + this.#asking.size > 0 || this.#following.isWaiting;
     this.#silence = isAnyoneWaiting ? setTimeout(() => this.#endSilence(), SILENCE_MS) : 0;
   }
 

@@ -13,8 +13,8 @@ const RESERVED = /^(con|prn|aux|nul|com\d|lpt\d)$/i;
 /** Clipboards and iPhones' cameras call every picture so. */
 const SAYS_NOTHING = /^image$/i;
 
-/** Meshes that were subdivided have their number of points at the end of their names. */
-const POINTS = /-\d{4,6}$/;
+/** Meshes of another density than usual have their number of points at the end of their names. */
+const POINTS = /-\d{3,6}$/;
 
 /**
  * A file's name without its ending, fit to name other files by.

@@ -37,7 +37,7 @@ export async function readSavedFile(file, kind) {
   try {
     const { width: width_px, height: height_px, edits, triangulation, density, changedElsewhere } = reopened;
     const size = { pictureWidth_px: reopened.pictureWidth, pictureHeight_px: reopened.pictureHeight };
-    const name = kind === "glb" && density > 0 ? stemOfMesh(file) : stemOf(file);
+    const name = kind === "glb" && density !== studioModule().usualDensity() ? stemOfMesh(file) : stemOf(file);
     const { lens, inPhoto } = reopened;
     const face = { name, width_px, height_px, landmarks: reopened.landmarks(), lens, colours: reopened.colours() };
     const picture = await pictureOf(reopened, kind);

@@ -40,8 +40,14 @@
  * @property {Uint32Array} triangles three places each
  * @property {"image/png" | "image/jpeg"} format
  *
+ * @typedef {object} Untextured a face whose texture is to be made
+ * @property {Uint8Array} plan as the studio tells it
+ * @property {{ pixels: Uint8Array, width_px: number, height_px: number }[]} pictures RGBA, the photos of the plan in its order
+ * @property {number} side_px of the texture
+ *
  * @typedef {{ type: "find", id: number, photo: Blob, maxFaces: number }
  *   | { type: "draw", id: number, edited: Edited }
+ *   | { type: "texture", id: number, face: Untextured }
  *   | { type: "follow", id: number, frame: ImageBitmap, time_ms: number }
  *   | { type: "stop-following" }} Request
  *
@@ -53,6 +59,7 @@
  *   | { type: "found", id: number, found: FoundFaces }
  *   | { type: "failed", id: number, error: PageError }
  *   | { type: "drawn", id: number, file: Blob }
+ *   | { type: "textured", id: number, pixels: Uint8Array }
  *   | { type: "followed", id: number, followed: Followed }
  *   | { type: "not-followed", id: number, error: PageError }
  *   | { type: "trapped", id: number, message: string }} Reply

@@ -12,6 +12,7 @@ import { bitmapOf } from "../work/pixels.js";
 import { decodedByBrowser } from "./browser-decoder.js";
 import { drawEdited } from "./edited-photo.js";
 import { follow } from "./frames.js";
+import { textureOf } from "./texture.js";
 
 const page = /** @type {DedicatedWorkerGlobalScope} */ (/** @type {unknown} */ (self));
 
@@ -40,6 +41,8 @@ function take(request) {
       return answer(request);
     case "draw":
       return answerWithPhoto(request);
+    case "texture":
+      return answerWithTexture(request);
     case "follow":
       return answerFrame(request);
     case "stop-following":
@@ -102,6 +105,17 @@ async function answerWithPhoto({ id, edited }) {
   try {
     await vision;
     tell({ type: "drawn", id, file: await drawEdited(edited) });
+  } catch (error) {
+    tellOfFailure("failed", id, error);
+  }
+}
+
+/** @param {Extract<Request, { type: "texture" }>} request */
+async function answerWithTexture({ id, face }) {
+  try {
+    await vision;
+    const pixels = textureOf(face);
+    tell({ type: "textured", id, pixels }, [/** @type {ArrayBuffer} */ (pixels.buffer)]);
   } catch (error) {
     tellOfFailure("failed", id, error);
   }

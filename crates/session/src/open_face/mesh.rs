@@ -57,6 +57,8 @@ impl OpenFace {
         self.commit(choices);
         self.document = self.over(self.triangulation, model.positions_m().to_vec())?;
         self.model = model;
+        // What its camera sees is seen from elsewhere.
+        self.texture = None;
         self.photo.forget();
         self.rows.read(&self.document, 0);
         self.hold(choices);

@@ -1,8 +1,9 @@
 use glam::DVec3;
-use rosto_studio::{Command, ConstraintKind, EditTarget, FaceSlider, Mirror};
+use rosto_studio::{Command, ConstraintKind, EditTarget, Expression, FaceSlider, Mirror};
 
 use super::{MM_PER_M, OpenFace};
 use crate::Choices;
+use crate::rows::PER_CENT;
 use crate::selection::Moving;
 
 /// No hand is followed by less than this share: what is shown of a handle is never rounded off so much.
@@ -19,13 +20,34 @@ impl OpenFace {
         self.rows.in_force_mm(EditTarget::Slider(slider)) + moving_mm
     }
 
+    /// How much of each expression the face shows, 0..=1 as far as sliders go: the sum of its entries that are in force, and the
+    /// edit in progress.
+    pub fn weights(&self) -> [f64; Expression::ALL.len()] {
+        let mut weights = [0.0; Expression::ALL.len()];
+        for row in self.rows() {
+            if let (EditTarget::Expression(expression), true) = (row.target, row.counts()) {
+                weights[expression as usize] += row.amount / PER_CENT;
+            }
+        }
+        if let Moving::Expression { expression, partner } = self.moving {
+            let both = [Some(expression), partner].into_iter().flatten();
+            both.for_each(|(expression, by)| weights[expression as usize] += by);
+        }
+        weights
+    }
+
+    /// What the history holds of an expression.
+    pub(super) fn kept_weight(&self, expression: Expression) -> f64 {
+        self.rows.in_force(EditTarget::Expression(expression)).map(|row| row.amount / PER_CENT).sum()
+    }
+
     /// The sum in mm of the entries in force that moved what is selected.
     pub fn kept_mm(&self) -> DVec3 {
         let Some(selection) = self.selection else { return DVec3::ZERO };
         let entries = self.document.history().entries();
         let offsets = self.rows.in_force(selection.target()).filter_map(|row| match &entries[row.index].command {
             Command::Move { offsets, .. } => offsets.first(),
-            Command::Symmetrise { .. } => None,
+            Command::Symmetrise { .. } | Command::Express { .. } => None,
         });
         offsets.sum::<DVec3>() * MM_PER_M
     }

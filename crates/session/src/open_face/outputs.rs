@@ -5,6 +5,9 @@ use rosto_studio::project;
 use super::{MM_PER_M, OpenFace};
 use crate::SessionError;
 
+/// Less of an expression is not seen.
+const LEAST_SEEN: f64 = 1e-3;
+
 /// What is shown and written of it.
 impl OpenFace {
     /// The edits as versioned JSON.
@@ -43,6 +46,11 @@ impl OpenFace {
         let straight_m = positions[from as usize].distance(positions[to as usize]);
         // The heat method has an error of its own; nothing on a surface is nearer than straight.
         Ok([straight_m, along_m.max(straight_m)].map(|length_m| length_m * MM_PER_M))
+    }
+
+    /// Whether the face shows an expression, or one is being moved.
+    pub fn shows_expression(&self) -> bool {
+        self.expression().is_some() || self.weights().iter().any(|weight| weight.abs() > LEAST_SEEN)
     }
 
     /// Places in the picture for every vertex shown.

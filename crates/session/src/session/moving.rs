@@ -1,6 +1,6 @@
 use glam::DVec3;
 use rosto_face::{PhotoLens, Triangulation};
-use rosto_studio::{Document, FaceSlider, StudioError, Switch};
+use rosto_studio::{Document, EditsInRig, Expression, FaceSlider, Rig, StudioError, Switch};
 
 use super::opening::prepare;
 use super::{Result, Session};
@@ -18,7 +18,7 @@ impl Session {
             within("an offset in mm", along, -most_mm, most_mm)?;
         }
         let Some(face) = &mut self.face else { return Ok(Changed::Nothing) };
-        let was_sliding = face.slider().is_some();
+        let was_sliding = face.is_sliding();
         if was_sliding {
             face.commit(&self.choices);
         }
@@ -37,6 +37,26 @@ impl Session {
         }
         face.slide(slider, to_mm)?;
         Ok(if is_taken { Changed::Tick } else { Changed::Document })
+    }
+
+    pub(super) fn express(&mut self, expression: Expression, to: f64) -> Result {
+        let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
+        within("an expression's weight", to, 0.0, 1.0)?;
+        let is_taken = face.expression() == Some(expression);
+        if !is_taken {
+            self.gesture = Gesture::Idle;
+            face.commit(&self.choices);
+        }
+        face.express(expression, to, &self.choices)?;
+        Ok(if is_taken { Changed::Tick } else { Changed::Document })
+    }
+
+    pub(super) fn come_to_rest(&mut self) -> Result {
+        self.open_face()?;
+        self.finish(|face, choices| {
+            face.commit(choices);
+            face.change_history(choices, Document::come_to_rest);
+        })
     }
 
     /// Ends an edit in progress, one way or the other.
@@ -128,6 +148,11 @@ impl Session {
 
     pub(super) fn new_mesh(&mut self) {
         (self.gesture, self.under) = (Gesture::Idle, Under::default());
+    }
+
+    /// The face for others to move.
+    pub(crate) fn rig(&mut self, edits: EditsInRig) -> Result<Rig, SessionError> {
+        Ok(Rig::new(self.face.as_mut().ok_or(SessionError::NoFace)?.document_mut(), edits)?)
     }
 
     /// What each entry displaced the mesh by.

@@ -1,13 +1,13 @@
 use glam::DVec2;
 use rosto_face::LANDMARK_COUNT;
-use rosto_studio::Switch;
+use rosto_studio::{SMOOTH_DENSITY, Switch};
 
 use super::opening::prepare;
 use super::{Result, Session};
 use crate::choices::RADIUS_MM;
 use crate::error::bounded_factor;
 use crate::gesture::Gesture;
-use crate::{Changed, Choices, Selection, SelectionMode, SessionError};
+use crate::{Changed, Choices, Preset, Selection, SelectionMode, SessionError};
 
 /// What is selected, and how edits of it spread.
 impl Session {
@@ -66,6 +66,16 @@ impl Session {
     }
 
     /// An edit in progress goes on with the new choices.
+    /// The paper's edit is one of the landmarks alone; a hand has a smooth face before it.
+    pub(super) fn set_preset(&mut self, preset: Preset) -> Result {
+        let density = match preset {
+            Preset::Paper => 0,
+            Preset::Sculpt => self.view.density.max(SMOOTH_DENSITY),
+        };
+        let changed = self.choose(preset.choices(self.choices.radius_mm))?;
+        if density == self.view.density { Ok(changed) } else { self.set_density(density) }
+    }
+
     pub(super) fn choose(&mut self, choices: Choices) -> Result {
         self.choices = choices;
         if let Some(face) = &mut self.face {

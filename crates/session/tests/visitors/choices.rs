@@ -2,10 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use rosto_export::{Choosable, Format};
+use rosto_export::{BaseColour, Colours, TextureSize};
 use rosto_face::{LANDMARK_COUNT, Region, has_anatomical_name, landmark_id, part_id};
-use rosto_session::{Choice, Intent, Session};
-use rosto_studio::FaceSlider;
+use rosto_session::{Choice, Intent, Session, plain_formats};
+use rosto_studio::{Expression, FaceSlider};
 
 use crate::faces::session;
 
@@ -72,10 +72,18 @@ fn named() -> Vec<String> {
     });
     let near = (0..LANDMARK_COUNT as u32).map(|landmark| format!("near.{}", part_id(landmark)));
     let regions = Region::ALL.into_iter().map(|region| format!("region.{}", region.id()));
+    let expressions = Expression::ALL.into_iter().map(|expression| format!("expression.{}", expression.id()));
     let sliders = FaceSlider::ALL.into_iter().map(|slider| format!("slider.{}", slider.id()));
-    let plain = Format::ALL.into_iter().filter(|format| format.choosable() == Choosable::Nothing);
-    let formats = plain.map(|format| format!("format.{}.help", format.id()));
-    chosen.chain(landmarks).chain(near).chain(regions).chain(sliders).chain(formats).collect()
+    let formats = plain_formats().map(|format| format!("format.{}.help", format.id()));
+    let of_files = [
+        BaseColour::ALL.map(|one| format!("base-colour.{}", one.id())).to_vec(),
+        TextureSize::ALL.map(|one| format!("texture-size.{}", one.id())).to_vec(),
+        Colours::ALL.map(|one| format!("colours.{}", one.id())).to_vec(),
+        ["thickness", "flat", "surface"].map(|id| format!("solid.{id}")).to_vec(),
+    ]
+    .concat();
+    let of_face = landmarks.chain(near).chain(regions).chain(sliders).chain(expressions);
+    chosen.chain(of_face).chain(formats).chain(of_files).collect()
 }
 
 /// Every language that the page speaks, with its words.

@@ -7,7 +7,7 @@ use rosto_session::{AnchorChoice, Intent, Pace, Preset, Selection, SelectionMode
 use rosto_stage::{
     Axis, Background, Dots, Lens, Light, NamedView, PictureLight, Pointer, Scene, ShadingMode, Srgb, Theme, Wireframe,
 };
-use rosto_studio::{ConstraintKind, Details, FaceSlider, Mirror, Operator, Switch};
+use rosto_studio::{ConstraintKind, Details, Expression, FaceSlider, Mirror, Operator, Switch};
 
 use crate::faces::{SIZE_PX, found, worked_on};
 
@@ -62,6 +62,8 @@ fn moving() -> impl Strategy<Value = Intent> {
             Intent::Slide(slider, share * slider.range_m() * 1000.0)
         }),
         1 => (any_of(&FaceSlider::ALL), number()).prop_map(|(slider, to_mm)| Intent::Slide(slider, to_mm)),
+        3 => (any_of(&Expression::ALL), 0.0..1.0).prop_map(|(expression, to)| Intent::Express(expression, to)),
+        1 => (any_of(&Expression::ALL), number()).prop_map(|(expression, to)| Intent::Express(expression, to)),
         3 => Just(Intent::Commit),
         1 => Just(Intent::Cancel),
     ]
@@ -86,6 +88,7 @@ fn history() -> impl Strategy<Value = Intent> {
         2 => Just(Intent::Redo),
         1 => Just(Intent::Reset),
         1 => Just(Intent::ResetSelected),
+        1 => Just(Intent::ComeToRest),
         2 => (0..12usize, switch()).prop_map(|(index, switch)| Intent::Switch(index, switch)),
         1 => prop_oneof![0.0..=1.0, number()].prop_map(Intent::Symmetrise),
     ]

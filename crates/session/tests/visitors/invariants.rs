@@ -50,7 +50,8 @@ pub fn hold(session: &Session) -> Result<(), String> {
     pins.sort_unstable();
     pins.dedup();
     ensure(pins.len() == face.pins().len(), || "a vertex is pinned twice".to_owned())?;
-    ensure(!face.is_moving() || document.spec().is_some(), || "what moves is not held".to_owned())?;
+    let is_held = document.spec().is_some() || face.expression().is_some();
+    ensure(!face.is_moving() || is_held, || "what moves is not held".to_owned())?;
     ensure(face.rows().len() == document.history().entries().len(), || "a row for each entry".to_owned())?;
     mirrored(face)
 }

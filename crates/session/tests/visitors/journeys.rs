@@ -1,5 +1,6 @@
 //! What careful visitors do, as theorems: sliders, selecting, moving, pointing, and coming back.
 
+mod expressing;
 mod lenses;
 mod photo;
 mod pointing;

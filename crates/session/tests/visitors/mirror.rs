@@ -193,7 +193,7 @@ fn what_is_no_frame_is_refused_and_the_mirror_stays() {
 #[test]
 fn a_film_is_laid_out_once_for_a_face_that_moves_and_stays_within_its_frame() {
     let session = edited();
-    let triangles = session.face().unwrap().document().topology().triangles().to_vec();
+    let triangles = session.face().unwrap().model().topology().triangles().to_vec();
     let mut in_film = InFilm::default();
     for step in 0..30 {
         let pose = Pose {

@@ -1,5 +1,5 @@
 use glam::{DVec2, DVec3};
-use rosto_face::PhotoLens;
+use rosto_face::{PhotoLens, crowded_landmarks};
 use rosto_session::{BRUSH_PX, Changed, Incoming, Intent, Pace, Selection, Session, Work};
 use rosto_stage::{NamedView, Pointer, Scene};
 use rosto_studio::FaceSlider;
@@ -31,7 +31,7 @@ fn found_px(session: &Session, landmark: u32) -> DVec2 {
 #[test]
 fn on_the_photo_the_mesh_lies_where_its_landmarks_were_found() {
     let session = photo();
-    for landmark in 0..468 {
+    for landmark in (0..468).filter(|landmark| !crowded_landmarks().contains(landmark)) {
         let seen_px = session.stage().picture_px(place_px(&session, landmark)).unwrap();
         assert!(seen_px.distance(found_px(&session, landmark)) < 1e-6, "{landmark}: {seen_px}");
     }

@@ -308,7 +308,7 @@ fn the_reach_of_an_edit_and_the_plane_are_drawn_while_it_goes_on() {
     let way_mm: Vec<f64> =
         (0..468).map(|v| way_mm(&session, face(&session).document().committed(), v).length()).collect();
     assert!(
-        reach[NOSE_TIP as usize] == 0.0 && reach.iter().zip(&way_mm).all(|(reach, way)| *reach < 1.0 || *way < 1e-9)
+        reach[NOSE_TIP as usize] == 0.0 && reach.iter().zip(&way_mm).all(|(reach, way)| *reach < 1.0 || *way < 1e-6)
     );
     act(&mut session, Intent::Preview(DVec3::X));
     assert_eq!(drawn(&session), (true, false), "sideways it goes alone");

@@ -1,13 +1,12 @@
 use glam::DVec3;
-use rosto_export::{BaseColour, Format, Material};
+use rosto_export::{BaseColour, Format, Solid};
 use rosto_face::Triangulation;
 use rosto_session::{
-    EditsAs, FileOptions, Intent, Motion, Preset, Selection, SelectionMode, Session, SessionError, Turntable, Units,
-    View,
+    EditsAs, FileOptions, Intent, Motion, Preset, Selection, SelectionMode, Session, SessionError, Turntable, View,
 };
 use rosto_stage::{Background, Dots, Lens, Light, PictureLight, ShadingMode, Srgb, Wireframe};
 use rosto_studio::{
-    Anchors, Command, Details, EditSpec, Entry, FaceSlider, Mirror, Settings, Standing, Switch, project,
+    Anchors, Command, Details, EditSpec, Entry, FaceSlider, Mirror, SMOOTH_DENSITY, Settings, Standing, Switch, project,
 };
 use serde_json::Value;
 
@@ -15,12 +14,9 @@ use super::{act, face, move_by, place_px, positions, select, state};
 use crate::faces::{found, open, session, worked_on};
 use crate::invariants::{hold, hold_deeply, seen};
 
-const FILE_OPTIONS: FileOptions = FileOptions {
-    base_colour: BaseColour::Texture,
-    material: Material::Lit,
-    edits: EditsAs::MorphTargets,
-    units: Units::Millimetres,
-};
+fn file_options() -> FileOptions {
+    FileOptions { base_colour: BaseColour::Photo, edits: EditsAs::MorphTargets, ..FileOptions::default() }
+}
 
 /// Everything other than it is at first.
 fn choose_otherwise(session: &mut Session) {
@@ -41,7 +37,7 @@ fn choose_otherwise(session: &mut Session) {
         Intent::PictureLight(PictureLight::Lamp),
         Intent::MarkAnchors(Switch::On),
         Intent::Triangulation(Triangulation::Tessellation),
-        Intent::Density(2),
+        Intent::Density(1),
     ] {
         act(session, intent);
     }
@@ -58,7 +54,7 @@ fn choices_and_view_are_put_again_in_another_session() {
     assert_eq!(other.preferences(), one.preferences());
     open(&mut other, found());
     let shown = (face(&other).triangulation(), face(&other).document().density());
-    assert_eq!(shown, (Triangulation::Tessellation, 2), "the next face is joined and subdivided as preferred");
+    assert_eq!(shown, (Triangulation::Tessellation, 1), "the next face is joined and subdivided as preferred");
     let mut usual = Session::new(3);
     act(&mut usual, Intent::Prefer(Session::new(4).preferences()));
     assert_eq!(usual.state(), Session::new(5).state());
@@ -76,10 +72,10 @@ fn an_open_face_keeps_its_mesh_and_takes_all_other_preferences() {
     let (wanted, now) = (one.state(), other.state());
     assert_eq!((now.mode, now.choices, now.light, now.dots), (wanted.mode, wanted.choices, wanted.light, wanted.dots));
     assert_eq!(now.view.shading, ShadingMode::Clay);
-    assert_eq!((now.view.triangulation, now.view.density), (Triangulation::Canonical, 0));
+    assert_eq!((now.view.triangulation, now.view.density), (Triangulation::Canonical, SMOOTH_DENSITY));
     let now = now.face.unwrap();
     assert!(matches!(now.selection, Some(Selection::Region(_))), "what is selected follows the mode");
-    assert_eq!((now.vertex_count, now.entry_count), (468, 1), "the edit in progress is kept");
+    assert_eq!((now.vertex_count, now.entry_count), (7_257, 1), "the edit in progress is kept");
     hold_deeply(&other).unwrap();
 }
 
@@ -119,7 +115,7 @@ fn damaged_preferences_are_refused_and_change_nothing() {
 
 /// Whether earlier preferences do not have a field, and are understood all the same.
 fn is_newer(field: &str) -> bool {
-    ["photo_light", "anchors_marked", "lens", "scene", "ring"].contains(&field)
+    ["photo_light", "anchors_marked", "lens", "scene", "ring", "skin", "texture"].contains(&field)
 }
 
 #[test]
@@ -183,8 +179,17 @@ fn everything_works(session: &mut Session) {
     let nose = place_px(session, 4);
     act(session, Intent::Hover(Some(nose)));
     assert_eq!(session.under().vertex, Some(4));
+    act(session, Intent::Density(1));
     for format in Format::ALL {
-        assert!(session.file(format, &FILE_OPTIONS).unwrap().len() > 20_000, "{format:?}");
+        let written = session.file(format, &file_options()).unwrap();
+        let bundled = session.bundled_file(format, &file_options()).unwrap();
+        // The picture of a PNG is as small as the photo's part that shows the face.
+        let least_bytes = if format == Format::Png { 100 } else { 20_000 };
+        assert!(bundled.len() > least_bytes, "{format:?}");
+        assert_eq!(written.beside.is_empty(), format.bundle_ending(BaseColour::Photo) == format.id());
+        assert_eq!(written.beside.is_empty(), bundled == written.bytes);
+        let facts = session.solid_facts(Solid::default()).unwrap();
+        assert!(written.solid.is_none() || written.solid == facts);
     }
     for density in [0, 1, 3] {
         act(session, Intent::Density(density));

@@ -44,6 +44,7 @@ fn a_drag_of_a_slider_is_the_command_of_its_amount() {
     let entries = face(&session).document().history().entries();
     assert_eq!((entries.len(), entries[0].label.as_str()), (1, "jaw-width"));
     let mut applied = Document::new(Rest::of_face(face(&session).model())).unwrap();
+    applied.set_density(face(&session).document().density()).unwrap();
     applied.apply("", FaceSlider::JawWidth.command(0.004)).unwrap();
     let dragged = positions(&session);
     assert!(dragged.iter().zip(applied.positions()).all(|(a, b)| a.distance(*b) < 1e-15));

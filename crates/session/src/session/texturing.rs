@@ -1,0 +1,40 @@
+use rosto_face::Photo;
+use rosto_studio::texture_plan;
+
+use super::Session;
+use crate::{Changed, SessionError, Skin};
+
+/// The texture of the whole face is made elsewhere, since it takes longer than a frame, and is shown once it is there.
+impl Session {
+    /// How long the side of a texture is to be, in px, that the open face lacks; none where it lacks none.
+    pub fn texture_wanted_px(&self) -> Option<u32> {
+        let side_px = self.view().texture_size.px();
+        self.face().filter(|face| face.texture.as_ref().is_none_or(|there| there.width() != side_px)).map(|_| side_px)
+    }
+
+    /// What it is made of but for the pixels of the photo: a plan as bytes, of which `rosto-texture` makes it.
+    ///
+    /// # Errors
+    /// [`SessionError::NoFace`].
+    pub fn texture_plan(&self) -> Result<Vec<u8>, SessionError> {
+        Ok(texture_plan(self.open_face()?.model(), &[]).to_bytes())
+    }
+
+    /// Takes the texture, which changes nothing but what is seen. One that is not as large as the one that is wanted is
+    /// passed over: it was made for something else.
+    pub fn take_texture(&mut self, texture: Photo) -> Changed {
+        let is_wanted = self.texture_wanted_px() == Some(texture.width());
+        match self.face.as_mut().filter(|_| is_wanted) {
+            Some(face) => {
+                face.texture = Some(texture);
+                Changed::Mesh
+            }
+            None => Changed::Nothing,
+        }
+    }
+
+    /// Whether the texture of the whole face is what is seen of the open one.
+    pub fn shows_texture(&self) -> bool {
+        self.view().skin == Skin::Whole && self.face().is_some_and(|face| face.texture.is_some())
+    }
+}

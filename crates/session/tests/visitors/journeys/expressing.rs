@@ -1,0 +1,166 @@
+use glam::DVec3;
+use rosto_export::{BaseColour, Format, reopen};
+use rosto_face::Triangulation;
+use rosto_session::{ExpressionsAs, FileOptions, Intent, Selection, Session};
+use rosto_studio::{Expression, Mirror, Switch, project};
+use serde_json::Value;
+
+use super::{act, face, positions, state};
+use crate::faces::{bits, session};
+
+/// Drags an expression's slider to where it is to stand.
+fn express(session: &mut Session, expression: Expression, to: f64) {
+    for tick in 1..=8 {
+        act(session, Intent::Express(expression, to * f64::from(tick) / 8.0));
+    }
+    act(session, Intent::Commit);
+}
+
+fn stands_at(session: &Session, expression: Expression) -> f64 {
+    session.tick().weights[expression as usize]
+}
+
+fn stands_near(session: &Session, expression: Expression, weight: f64) -> bool {
+    (stands_at(session, expression) - weight).abs() < 1e-9
+}
+
+#[test]
+fn an_expression_stands_where_its_entries_in_force_add_up_to() {
+    let mut session = session();
+    express(&mut session, Expression::JawOpen, 0.5);
+    express(&mut session, Expression::MouthPucker, 0.25);
+    express(&mut session, Expression::JawOpen, 0.2);
+    assert_eq!(state(&session).entry_count, 3);
+    assert!(stands_near(&session, Expression::JawOpen, 0.2));
+    act(&mut session, Intent::Switch(0, Switch::Off));
+    assert!(stands_near(&session, Expression::JawOpen, -0.3));
+    act(&mut session, Intent::Undo);
+    act(&mut session, Intent::Undo);
+    assert!(stands_near(&session, Expression::JawOpen, 0.5));
+    assert!(stands_near(&session, Expression::MouthPucker, 0.25));
+}
+
+#[test]
+fn with_the_mirror_both_sides_follow_as_one_change_and_without_it_one() {
+    let mut session = session();
+    let (left, right) = (Expression::MouthSmileLeft, Expression::MouthSmileRight);
+    act(&mut session, Intent::Mirror(Mirror::Off));
+    express(&mut session, right, 0.75);
+    assert!(stands_near(&session, right, 0.75) && stands_near(&session, left, 0.0));
+    act(&mut session, Intent::Mirror(Mirror::On));
+    express(&mut session, left, 0.5);
+    assert!(stands_near(&session, right, 0.5) && stands_near(&session, left, 0.5));
+    assert_eq!(state(&session).entry_count, 3);
+    act(&mut session, Intent::Undo);
+    assert!(stands_near(&session, right, 0.75) && stands_near(&session, left, 0.0));
+}
+
+#[test]
+fn at_rest_no_expression_counts_and_undo_brings_all_back() {
+    let mut session = session();
+    let rest = bits(&positions(&session));
+    express(&mut session, Expression::EyeBlinkLeft, 1.0);
+    express(&mut session, Expression::CheekPuff, 0.5);
+    let shown = bits(&positions(&session));
+    act(&mut session, Intent::ComeToRest);
+    assert_eq!(bits(&positions(&session)), rest);
+    assert_eq!(session.tick().weights, [0.0; Expression::ALL.len()]);
+    act(&mut session, Intent::Undo);
+    assert_eq!(bits(&positions(&session)), shown);
+}
+
+#[test]
+fn an_expression_put_back_or_let_go_of_leaves_no_entry_and_what_is_selected_stays_held() {
+    let mut session = session();
+    act(&mut session, Intent::Select(Some(Selection::Landmark(4))));
+    let rest = positions(&session);
+    act(&mut session, Intent::Express(Expression::BrowInnerUp, 0.8));
+    assert!(session.tick().is_editing && state(&session).is_sliding);
+    assert_ne!(positions(&session), rest);
+    act(&mut session, Intent::Cancel);
+    assert_eq!(positions(&session), rest);
+    act(&mut session, Intent::Express(Expression::BrowInnerUp, 0.8));
+    act(&mut session, Intent::Express(Expression::BrowInnerUp, 0.0));
+    act(&mut session, Intent::Commit);
+    assert_eq!(state(&session).entry_count, 0);
+    assert_eq!(face(&session).document().spec().map(|spec| spec.handles.clone()), Some(vec![4]));
+}
+
+fn rigged() -> FileOptions {
+    FileOptions {
+        base_colour: BaseColour::VertexColours,
+        expressions: ExpressionsAs::MorphTargets,
+        ..FileOptions::default()
+    }
+}
+
+/// A GLB's description and its numbers.
+struct Glb {
+    json: Value,
+    binary: Vec<u8>,
+}
+
+impl Glb {
+    fn read(file: &[u8]) -> Self {
+        let length = u32::from_le_bytes(file[12..16].try_into().unwrap()) as usize;
+        let json = serde_json::from_slice(&file[20..20 + length]).unwrap();
+        Self { json, binary: file[20 + length + 8..].to_vec() }
+    }
+
+    fn floats(&self, view: &Value, count: usize) -> Vec<f32> {
+        let start = self.json["bufferViews"][view.as_u64().unwrap() as usize]["byteOffset"].as_u64().unwrap() as usize;
+        self.binary[start..].chunks(4).take(count).map(|bytes| f32::from_le_bytes(bytes.try_into().unwrap())).collect()
+    }
+
+    /// Vectors, however they are written.
+    fn vectors(&self, accessor: &Value) -> Vec<DVec3> {
+        let accessor = &self.json["accessors"][accessor.as_u64().unwrap() as usize];
+        let count = accessor["count"].as_u64().unwrap() as usize;
+        let vector = |values: &[f32]| DVec3::new(values[0].into(), values[1].into(), values[2].into());
+        let sparse = &accessor["sparse"];
+        if sparse.is_null() {
+            return self.floats(&accessor["bufferView"], 3 * count).chunks(3).map(vector).collect();
+        }
+        let moved = sparse["count"].as_u64().unwrap() as usize;
+        let view = &self.json["bufferViews"][sparse["indices"]["bufferView"].as_u64().unwrap() as usize];
+        let start = view["byteOffset"].as_u64().unwrap() as usize;
+        let indices = self.binary[start..].chunks(2).take(moved);
+        let indices = indices.map(|bytes| u16::from_le_bytes(bytes.try_into().unwrap()));
+        let values = self.floats(&sparse["values"]["bufferView"], 3 * moved);
+        let mut vectors = vec![DVec3::ZERO; count];
+        indices.zip(values.chunks(3)).for_each(|(at, value)| vectors[usize::from(at)] = vector(value));
+        vectors
+    }
+}
+
+#[test]
+fn a_glb_with_expressions_leads_from_its_base_to_what_is_seen_and_opens_again() {
+    let mut session = session();
+    act(&mut session, Intent::Triangulation(Triangulation::Canonical));
+    act(&mut session, Intent::Select(Some(Selection::Landmark(4))));
+    super::move_by(&mut session, DVec3::new(0.0, 0.0, 6.0));
+    express(&mut session, Expression::JawOpen, 0.6);
+    act(&mut session, Intent::Mirror(Mirror::Off));
+    express(&mut session, Expression::EyeBlinkLeft, 1.0);
+    for density in [0, 2] {
+        act(&mut session, Intent::Density(density));
+        let file = session.file(Format::Glb, &rigged()).unwrap().bytes;
+        assert!(file.len() < [1_000_000, 3_000_000][usize::from(density > 0)], "{} bytes at {density}", file.len());
+        let glb = Glb::read(&file);
+        let mesh = &glb.json["meshes"][0];
+        let names: Vec<&str> = Expression::ALL.iter().map(|expression| expression.id()).collect();
+        assert_eq!(mesh["extras"]["targetNames"], Value::from(names));
+        let mut reached = glb.vectors(&mesh["primitives"][0]["attributes"]["POSITION"]);
+        let targets = mesh["primitives"][0]["targets"].as_array().unwrap();
+        for (target, weight) in targets.iter().zip(mesh["weights"].as_array().unwrap()) {
+            let ways = glb.vectors(&target["POSITION"]);
+            reached.iter_mut().zip(ways).for_each(|(at, way)| *at += weight.as_f64().unwrap() * way);
+        }
+        let shown = positions(&session);
+        assert!(reached.len() > shown.len(), "eyes and mouth are pieces of their own");
+        let apart = shown.iter().zip(&reached).map(|(shown, reached)| shown.distance(*reached)).fold(0.0, f64::max);
+        assert!(apart < 1e-7, "{apart} m");
+        let reopened = reopen(&file).unwrap();
+        assert_eq!(reopened.history.as_deref().map(|text| project::from_json(text).unwrap().len()), Some(3));
+    }
+}

@@ -1,0 +1,106 @@
+import { nextTask } from "../page/tasks.js";
+
+/**
+ * @typedef {import("./workbench.js").Workbench} Workbench
+ * @typedef {import("../photo/vision-client.js").VisionClient} VisionClient
+ * @typedef {import("../work/work.js").OpenedFace} OpenedFace
+ *
+ * @typedef {object} Wanted
+ * @property {OpenedFace} face
+ * @property {number} side_px
+ * @property {string | undefined} lens through which the photo is taken to be taken: the texture depends on it
+ */
+
+/** So many pixels are taken in one task: few enough that none keeps the page from answering. */
+const STRIP_PX = 2 ** 18;
+
+/**
+ * Sees to it that the face that is open has its texture: the worker makes it, and until it is there the photo is what is
+ * seen. Without a worker it stays so.
+ */
+export class WholeTexture {
+  #bench;
+  #vision;
+  #keeper;
+  /** @type {Wanted | undefined} what is being made, or could not be */
+  #latest;
+  #hasFailed = false;
+  /** @type {Promise<void>} */
+  #making = Promise.resolve();
+
+  /**
+   * @param {Workbench} bench
+   * @param {VisionClient} vision
+   * @param {{ face: OpenedFace | undefined }} keeper
+   */
+  constructor(bench, vision, keeper) {
+    this.#bench = bench;
+    this.#vision = vision;
+    this.#keeper = keeper;
+    bench.onChange(() => this.#follow());
+  }
+
+  /** Resolves once the face has its texture, and throws what stands in its way. */
+  async ready() {
+    for (let wanted = this.#wanted(); wanted; wanted = this.#wanted()) {
+      if (!isSame(wanted, this.#latest) || this.#hasFailed) this.#begin(wanted);
+      await this.#making;
+      // Another one may be wanted by now; the same one once more could be made no better.
+      if (isSame(this.#wanted(), wanted)) throw { code: "internal", message: "the texture was not taken", hint: "" };
+    }
+  }
+
+  #follow() {
+    const wanted = this.#wanted();
+    if (wanted && !isSame(wanted, this.#latest)) this.#begin(wanted);
+  }
+
+  /** @param {Wanted} wanted */
+  #begin(wanted) {
+    this.#latest = wanted;
+    this.#hasFailed = false;
+    document.body.dataset["texture"] = "making";
+    this.#making = this.#make(wanted);
+    // Whoever needs it hears of it; who does not, sees the photo.
+    this.#making
+      .catch(() => (this.#hasFailed = this.#latest === wanted))
+      .finally(() => {
+        if (this.#latest === wanted) delete document.body.dataset["texture"];
+      });
+  }
+
+  /** @returns {Wanted | undefined} */
+  #wanted() {
+    const { face } = this.#keeper;
+    const side_px = this.#bench.ask((studio) => studio.textureWantedPx);
+    if (!face || side_px === undefined) return undefined;
+    return { face, side_px, lens: this.#bench.ask((studio) => studio.photoLens) };
+  }
+
+  /** @param {Wanted} wanted */
+  async #make(wanted) {
+    // The face is on the screen first.
+    await nextTask();
+    const plan = this.#bench.ask((studio) => studio.texturePlan());
+    if (!plan) return;
+    const { face, side_px } = wanted;
+    const pictures = [{ pixels: face.picture, width_px: face.pictureWidth_px, height_px: face.pictureHeight_px }];
+    const pixels = await this.#vision.texture({ plan, pictures, side_px });
+    const isWanted = () => isSame(this.#wanted(), wanted);
+    if (!isWanted()) return;
+    this.#bench.attempt((studio) => studio.openTexture(side_px));
+    const strip_bytes = 4 * side_px * Math.ceil(STRIP_PX / side_px);
+    for (let at = 0; at < pixels.length && isWanted(); at += strip_bytes) {
+      this.#bench.attempt((studio) => studio.addTextureRows(pixels.subarray(at, at + strip_bytes)));
+      await nextTask();
+    }
+  }
+}
+
+/**
+ * @param {Wanted | undefined} one
+ * @param {Wanted | undefined} other
+ */
+function isSame(one, other) {
+  return one?.face === other?.face && one?.side_px === other?.side_px && one?.lens === other?.lens;
+}

@@ -1,0 +1,20 @@
+/**
+ * The texture of a whole face.
+ *
+ * @typedef {import("./protocol.js").Untextured} Untextured
+ */
+import { TextureMaker } from "../../wasm/rosto-vision-web.js";
+
+/**
+ * @param {Untextured} face
+ * @returns {Uint8Array} RGBA
+ */
+export function textureOf({ plan, pictures, side_px }) {
+  const maker = new TextureMaker(plan);
+  try {
+    for (const { pixels, width_px, height_px } of pictures) maker.addPicture(width_px, height_px, pixels);
+    return maker.make(side_px);
+  } finally {
+    maker.free();
+  }
+}
