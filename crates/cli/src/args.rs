@@ -17,7 +17,7 @@ Exit codes:
   2  the command line or the edits file is not understood, or asks for something that would change nothing
   3  a photo cannot be read: missing, no picture, damaged or too large
   4  no face in the photo
-  5  an edit cannot be made: no such vertex, an anchor that is the handle, no number
+  5  an edit or a body cannot be made: no such vertex, an anchor that is the handle, no number, a wall too thick
   6  a result cannot be written
   7  the face networks are missing or damaged";
 

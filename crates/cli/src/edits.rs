@@ -3,7 +3,7 @@ use std::str::FromStr;
 
 use glam::DVec3;
 use rosto_face::Region;
-use rosto_studio::FaceSlider;
+use rosto_studio::{Expression, FaceSlider};
 use serde::Deserialize;
 
 use crate::error::CliError;
@@ -69,6 +69,26 @@ impl FromStr for SliderEdit {
         let (name, amount) = text.split_once(':').ok_or("an amount should follow the slider, as in jaw-width:-4")?;
         let slider = FaceSlider::from_id(name).ok_or_else(|| format!("{name:?} is no slider; --help lists them"))?;
         Ok(Self { slider, amount_mm: number(amount)? })
+    }
+}
+
+/// An expression and how much of it the face shows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ExpressionEdit {
+    pub expression: Expression,
+    pub weight: f64,
+}
+
+impl FromStr for ExpressionEdit {
+    type Err = String;
+
+    /// `EXPRESSION:WEIGHT`.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let (name, weight) = text.split_once(':').ok_or("a weight should follow the expression, as in jawOpen:0.6")?;
+        let expression =
+            Expression::from_id(name).ok_or_else(|| format!("{name:?} is no expression; --help lists them"))?;
+        let weight = Some(number(weight)?).filter(|weight| (0.0..=1.0).contains(weight));
+        Ok(Self { expression, weight: weight.ok_or("a weight is a number from 0 to 1")? })
     }
 }
 
@@ -139,6 +159,10 @@ mod tests {
         let region = RegionEdit { region: Region::LeftBrow, offset: DVec3::new(0.0, 2.0, 0.0) };
         assert_eq!("left-brow:0,2,0".parse(), Ok(region));
         assert_eq!("jaw-width:-4".parse(), Ok(SliderEdit { slider: FaceSlider::JawWidth, amount_mm: -4.0 }));
+        let open = ExpressionEdit { expression: Expression::JawOpen, weight: 0.6 };
+        assert_eq!("jawOpen:0.6".parse(), Ok(open));
+        assert!("tongueOut:1".parse::<ExpressionEdit>().unwrap_err().contains("no expression"));
+        assert!("jawOpen:1.2".parse::<ExpressionEdit>().unwrap_err().contains("from 0 to 1"));
         assert!("ear:0,0,1".parse::<RegionEdit>().unwrap_err().contains("no region"));
         assert!("ear-size:1".parse::<SliderEdit>().unwrap_err().contains("no slider"));
     }

@@ -1,9 +1,9 @@
 use std::path::Path;
 
 use glam::{DVec2, DVec3};
-use rosto_export::{Choosable, Content, Format, GlbOptions, Model, Morph, Source};
-use rosto_face::FaceModel;
-use rosto_studio::{Document, Entry, Rest, StudioError, project};
+use rosto_export::{BaseColour, Choosable, Content, Format, GlbOptions, Model, Morph, Picture, Source, Written};
+use rosto_face::{FaceModel, Photo, canonical_uvs};
+use rosto_studio::{Document, EditsInRig, Entry, Rest, Rig, Shot, StudioError, project, whole_texture_of};
 
 use crate::args::MeshTask;
 use crate::error::CliError;
@@ -18,41 +18,108 @@ pub fn format_of(path: &Path) -> Result<Format, CliError> {
     format.ok_or_else(|| CliError::UnknownFormat { path: path.to_owned() })
 }
 
-/// The bytes of the edited face's file; a glTF with what opens it again in its extras and, if asked for, the edits as morph
+/// What a file is called without its ending; those beside it are called so, too.
+pub fn name_of(path: &Path) -> String {
+    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// The edited face's file, with those beside it; a glTF with what opens it again in its extras and, if asked for, the edits as morph
 /// targets.
-pub fn encode(face: &FaceModel, document: &mut Document, task: &MeshTask, format: Format) -> Result<Vec<u8>, CliError> {
+pub fn encode(face: &FaceModel, document: &mut Document, task: &MeshTask, format: Format) -> Result<Written, CliError> {
     let units = task.edits.units;
     let positions_m = match units {
         Units::Image => model_from_image(face, document)?,
         Units::Mm => document.positions().to_vec(),
     };
+    if task.expression_targets && format.lets_choose(Choosable::Material) {
+        return rigged(face, document, task, format);
+    }
     let layers = if task.morph_targets { document.displacements() } else { Vec::new() };
     let document = &*document;
-    let uvs: Vec<DVec2> = document.from_cage(face.uvs());
-    let colours_srgb = if task.mesh.density == 0 { face.colours_srgb().to_vec() } else { face.colours_under(&uvs) };
+    let skin = Skin::new(face, document, task, format)?;
     let model = Model {
         topology: document.topology(),
         positions_m: &positions_m,
-        colours_srgb: &colours_srgb,
-        uvs: &uvs,
-        picture: face.picture(),
+        colours_srgb: &skin.colours_srgb,
+        photo: Picture { pixels: face.picture(), uvs: &skin.uvs },
+        whole: skin.texture.as_ref().map(|pixels| Picture { pixels, uvs: &skin.texture_uvs }),
     };
-    let entries = document.history().entries();
-    let history = match format.choosable() {
-        Choosable::Material => history_json(face, document, units)?,
-        Choosable::Nothing | Choosable::Unit => None,
+    let history = match format.lets_choose(Choosable::Material) {
+        true => history_json(face, document, units)?,
+        false => None,
     };
-    let triangulation = face.triangulation();
-    let source =
-        Some(Source { face, triangulation, density: task.mesh.density, history: history.as_deref(), in_photo: None });
-    let named = entries.iter().zip(&layers);
+    let named = document.history().entries().iter().zip(&layers);
     let morphs: Vec<Morph<'_>> =
         named.map(|(entry, layer)| Morph { name: &entry.label, displacements_m: layer, weight: 1.0 }).collect();
-    let gltf = GlbOptions { base_colour: task.base_colour, morphs: &morphs, source, ..GlbOptions::default() };
+    let gltf = GlbOptions { morphs: &morphs, ..gltf(face, task, history.as_deref()) };
     let in_units: Vec<DVec3> =
         document.positions().iter().map(|&position| position * units.per_document_unit()).collect();
     let positions = (units.id(), in_units.as_slice());
-    Ok(format.write(&Content { model, rest_m: document.rest(), gltf, positions })?)
+    let (solid, colours, name) = (task.solid, task.colours, &*name_of(&task.output));
+    Ok(format.write(&Content { model, rest_m: document.rest(), gltf, solid, colours, name, positions })?)
+}
+
+/// The face as a glTF that others can animate.
+fn rigged(face: &FaceModel, document: &mut Document, task: &MeshTask, format: Format) -> Result<Written, CliError> {
+    let edits = if task.morph_targets { EditsInRig::Layers } else { EditsInRig::AtRest };
+    let rig = Rig::new(document, edits)?.darkened(face.colours_srgb());
+    let (parted, base_m) = (rig.parted(), rig.base_m());
+    let skin = Skin::new(face, document, task, format)?;
+    let (uvs, texture_uvs) = (parted.uvs(&skin.uvs), parted.uvs(&skin.texture_uvs));
+    let model = Model {
+        topology: parted.topology(),
+        positions_m: base_m,
+        colours_srgb: &parted.colours(&skin.colours_srgb),
+        photo: Picture { pixels: face.picture(), uvs: &uvs },
+        whole: skin.texture.as_ref().map(|pixels| Picture { pixels, uvs: &texture_uvs }),
+    };
+    let history = history_json(face, document, task.edits.units)?;
+    let layers = rig.layers_m().iter().map(|(name, ways)| Morph { name, displacements_m: ways, weight: 1.0 });
+    let expressions = rig.expressions().iter();
+    let expressions =
+        expressions.map(|(name, ways, weight)| Morph { name: name.id(), displacements_m: ways, weight: *weight });
+    let morphs: Vec<Morph<'_>> = layers.chain(expressions).collect();
+    let gltf = GlbOptions { morphs: &morphs, ..gltf(face, task, history.as_deref()) };
+    let (solid, colours, name) = (task.solid, task.colours, &*name_of(&task.output));
+    let positions = (task.edits.units.id(), base_m);
+    Ok(format.write(&Content { model, rest_m: base_m, gltf, solid, colours, name, positions })?)
+}
+
+fn gltf<'a>(face: &'a FaceModel, task: &MeshTask, history: Option<&'a str>) -> GlbOptions<'a> {
+    let (triangulation, density) = (face.triangulation(), task.mesh.density);
+    let source = Some(Source { face, triangulation, density, history, in_photo: None });
+    let (base_colour, material, max_texture_px) = (task.base_colour, task.material, task.texture_size.px());
+    GlbOptions { base_colour, material, max_texture_px, source, ..GlbOptions::default() }
+}
+
+/// What the mesh that is shown is painted with.
+struct Skin {
+    uvs: Vec<DVec2>,
+    colours_srgb: Vec<[u8; 3]>,
+    texture_uvs: Vec<DVec2>,
+    /// Only where the file is painted with it: it takes a while.
+    texture: Option<Photo>,
+}
+
+impl Skin {
+    fn new(face: &FaceModel, document: &Document, task: &MeshTask, format: Format) -> Result<Self, CliError> {
+        let uvs: Vec<DVec2> = document.from_cage(face.uvs());
+        let colours_srgb = if task.mesh.density == 0 { face.colours_srgb().to_vec() } else { face.colours_under(&uvs) };
+        let texture = match task.base_colour == BaseColour::Whole && format.lets_choose(Choosable::BaseColour) {
+            true => Some(texture(face, task.texture_size.px())?),
+            false => None,
+        };
+        Ok(Self { uvs, colours_srgb, texture_uvs: document.from_cage(&canonical_uvs()), texture })
+    }
+}
+
+/// The texture of the whole face, of all its photos; the first is the face's own.
+fn texture(face: &FaceModel, side_px: u32) -> Result<Photo, StudioError> {
+    let views = face.views();
+    let others = views.iter().skip(1);
+    let others: Vec<Shot<'_>> =
+        others.map(|view| Shot { picture: view.picture, uvs: view.uvs, camera: view.camera }).collect();
+    Ok(whole_texture_of(face, &others, side_px)?.picture)
 }
 
 /// The history that a glTF opens again with; none where nothing was edited.

@@ -31,6 +31,12 @@ pub enum CliError {
     NoFace { path: PathBuf },
     #[error("{}: {reason}", named(path))]
     NoModel { path: PathBuf, reason: FaceError },
+    #[error(
+        "{}: this does not agree with the other photos: half of its landmarks are {reprojection_px:.0} px and more from \
+         where theirs would be, and {most_px:.0} px is the limit",
+        named(path)
+    )]
+    AnotherFace { path: PathBuf, reprojection_px: f64, most_px: f64 },
     #[error("{count} of the photos could not be read")]
     SomePhotosFailed { count: usize },
     #[error("{count} of the photos could not be read, {by_networks} of them because of the networks")]
@@ -100,9 +106,10 @@ impl CliError {
             Self::NoPictureFormat { .. } => 2,
             Self::EditsUnreadable { .. } | Self::EditsFile { .. } | Self::EditsUtf16 { .. } => 2,
             Self::Unreadable { .. } | Self::NoPicture { .. } | Self::SomePhotosFailed { .. } => 3,
-            Self::NoFace { .. } => 4,
+            Self::NoFace { .. } | Self::AnotherFace { .. } => 4,
             // An offset of 1e300 can be made, but not written.
             Self::Edit { .. } | Self::Export(ExportError::NotFinite { .. }) => 5,
+            Self::Export(ExportError::Solid(_)) => 5,
             // Of the face too little is in the photo to be moved there.
             Self::Studio(StudioError::Warp(_)) => 5,
             Self::Unwritable { .. } | Self::Output(_) => 6,

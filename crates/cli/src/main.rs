@@ -16,6 +16,7 @@ mod photo;
 mod portrait;
 mod request;
 mod settings;
+mod several;
 mod terminal;
 mod units;
 

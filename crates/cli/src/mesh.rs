@@ -1,15 +1,18 @@
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use rosto_face::{FaceModel, PhotoLens};
+use rosto_export::{PLA_G_PER_CM3, SolidFacts};
+use rosto_face::{FaceModel, Photo, PhotoLens};
 use rosto_studio::{Anchors, Command, Document, EditSpec, Rest, StudioError};
 
 use crate::args::{EditArguments, MeshTask, SettingsArguments};
+use crate::edits::ExpressionEdit;
 use crate::encode;
 use crate::error::CliError;
 use crate::model_history::image_rest;
+use crate::portrait::Portrait;
 use crate::request::{self, Given};
 use crate::units::{MM_PER_M, Units};
-use crate::{edits, files, networks, output, portrait, settings, terminal};
+use crate::{edits, files, networks, output, portrait, settings, several, terminal};
 
 /// A command with the words that a message names it by.
 pub struct Step {
@@ -26,23 +29,48 @@ impl Step {
 /// `rosto mesh`: photo to edited mesh.
 pub fn run(task: &MeshTask, given: &Given<'_>, networks: Option<&Path>) -> Result<(), CliError> {
     // What is wrong with the request is said before any work is done.
-    check_files(&task.photo, &task.edits, &task.output)?;
+    check_files(&task.photos, &task.edits, &task.output)?;
     let format = encode::format_of(&task.output)?;
     request::check(task, format, given)?;
+    for name in format.names_beside(task.base_colour, &encode::name_of(&task.output)) {
+        check_files(&task.photos, &task.edits, &task.output.with_file_name(name))?;
+    }
     let steps = steps(&task.edits, &task.settings)?;
-    let photo = portrait::open(&task.photo)?;
+    let photos: Vec<Photo> = task.photos.iter().map(|path| portrait::open(path)).collect::<Result<_, _>>()?;
     let finder = networks::load(networks, task.find.landmarks())?;
-    let face = portrait::face(&photo, &task.photo, &finder, &task.find.options(None))?;
-    let face = portrait::model(&photo, &face, task.mesh.topology, task.camera.lens(&photo), &task.photo)?;
+    let portraits = photos.into_iter().zip(&task.photos).map(|(photo, path)| {
+        let face = portrait::face(&photo, path, &finder, &task.find.options(None))?;
+        Ok(Portrait { path, lens: task.camera.lens(&photo), photo, face })
+    });
+    let portraits = portraits.collect::<Result<Vec<_>, CliError>>()?;
+    let face = portrait::model_of(&portraits, task.mesh.topology)?;
     let mut document = edited(&face, steps, task.edits.units, task.mesh.density)?;
-    output::write(&task.output, &encode::encode(&face, &mut document, task, format)?)?;
+    let written = encode::encode(&face, &mut document, task, format)?;
+    output::write_together(&task.output, &written.bytes, &written.beside)?;
     terminal::note(&taken_from(&face));
-    Ok(())
+    if let Some(solid) = &written.solid {
+        told(solid).iter().for_each(|line| terminal::note(line));
+    }
+    several::tell(&face, &task.photos, format)
+}
+
+/// What a printed body measures, and what its maker should know.
+fn told(solid: &SolidFacts) -> Vec<String> {
+    let [width, height, depth] = solid.size_mm.to_array();
+    let (volume, mass) = (solid.volume_cm3, solid.mass_g(PLA_G_PER_CM3));
+    let mut lines = vec![format!(
+        "a body of {volume:.1} cm³, {width:.0} × {height:.0} × {depth:.0} mm, {mass:.0} g if it is filled with PLA; {:.1} mm where it is thinnest",
+        solid.thinnest_mm
+    )];
+    if solid.moved_mm > 0.0 {
+        lines.push(format!("the face went through itself, and was smoothed there by up to {:.1} mm", solid.moved_mm));
+    }
+    lines
 }
 
 /// Refuses standard input for two things, and an output that is one of the inputs.
-pub fn check_files(photo: &Path, edits: &EditArguments, output: &Path) -> Result<(), CliError> {
-    let inputs: Vec<&Path> = [Some(photo), edits.file.as_deref()].into_iter().flatten().collect();
+pub fn check_files(photos: &[PathBuf], edits: &EditArguments, output: &Path) -> Result<(), CliError> {
+    let inputs: Vec<&Path> = photos.iter().chain(&edits.file).map(PathBuf::as_path).collect();
     if inputs.iter().filter(|input| files::is_standard_input(input)).count() > 1 {
         return Err(CliError::StandardInputTwice);
     }
@@ -90,6 +118,9 @@ pub fn steps(asked: &EditArguments, settings: &SettingsArguments) -> Result<Vec<
     }
     for edit in &asked.sliders {
         steps.push(Step::new(edit.slider.id(), edit.slider.command(edit.amount_mm / MM_PER_M)));
+    }
+    for ExpressionEdit { expression, weight } in asked.expressions.iter().cloned() {
+        steps.push(Step::new(expression.id(), Command::Express { expression, weight }));
     }
     if let Some(share) = asked.symmetrise {
         steps.push(Step::new("symmetrise", Command::Symmetrise { share }));

@@ -4,6 +4,7 @@ use std::fs::{self, File, OpenOptions, Permissions};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
+use rosto_export::NamedFile;
 use same_file::Handle;
 use tempfile::{Builder, NamedTempFile};
 
@@ -42,33 +43,64 @@ fn is_same_file(input: &Path, output: &Path) -> bool {
 /// Replaces the file at once when all bytes are on the disk; until then what was there stays as it was. A device or a
 /// pipe is written to as it comes.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
-    write_whole(path, bytes).map_err(|reason| CliError::Unwritable { path: path.to_owned(), reason })
+    write_together(path, bytes, &[])
 }
 
-fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    // Opened without being cut, to see what it is and whether it may be written to.
-    let mut file = match OpenOptions::new().write(true).open(path) {
-        Ok(file) => file,
-        Err(reason) if reason.kind() == ErrorKind::NotFound => return replace(&followed(path)?, bytes, None),
-        Err(reason) => return Err(reason),
+/// The same of a file with those that lie beside it: all are on the disk before the first is put in its place, and the one
+/// that names the others comes last.
+pub fn write_together(path: &Path, bytes: &[u8], beside: &[NamedFile]) -> Result<(), CliError> {
+    let others = beside.iter().map(|file| (path.with_file_name(&file.name), file.bytes.as_slice()));
+    let files: Vec<(PathBuf, &[u8])> = others.chain([(path.to_owned(), bytes)]).collect();
+    let refused = |path: &Path| {
+        let path = path.to_owned();
+        move |reason| CliError::Unwritable { path, reason }
     };
-    let there = file.metadata()?;
-    if !there.is_file() {
-        return file.write_all(bytes);
-    }
-    drop(file);
-    replace(&path.canonicalize()?, bytes, Some(there.permissions()))
+    let prepare = |(path, bytes): &(PathBuf, &'_ [u8])| Unfinished::new(path, bytes).map_err(refused(path));
+    let ready: Vec<Unfinished> = files.iter().map(prepare).collect::<Result<_, _>>()?;
+    let put = |(file, (path, bytes)): (Unfinished, &(PathBuf, &[u8]))| file.put(bytes).map_err(refused(path));
+    ready.into_iter().zip(&files).try_for_each(put)
 }
 
-fn replace(path: &Path, bytes: &[u8], permissions: Option<Permissions>) -> io::Result<()> {
-    let unfinished = unfinished_beside(path)?;
-    let mut file: &File = unfinished.as_file();
-    file.write_all(bytes)?;
-    if let Some(permissions) = permissions {
-        file.set_permissions(permissions)?;
+/// A file that is on the disk, and not yet in its place.
+enum Unfinished {
+    /// It will take its place at once.
+    Whole { file: NamedTempFile, path: PathBuf },
+    /// A device or a pipe takes bytes as they come.
+    Open(File),
+}
+
+impl Unfinished {
+    fn new(path: &Path, bytes: &[u8]) -> io::Result<Self> {
+        // Opened without being cut, to see what it is and whether it may be written to.
+        let file = match OpenOptions::new().write(true).open(path) {
+            Ok(file) => file,
+            Err(reason) if reason.kind() == ErrorKind::NotFound => return Self::whole(followed(path)?, bytes, None),
+            Err(reason) => return Err(reason),
+        };
+        let there = file.metadata()?;
+        match there.is_file() {
+            true => Self::whole(path.canonicalize()?, bytes, Some(there.permissions())),
+            false => Ok(Self::Open(file)),
+        }
     }
-    file.sync_all()?;
-    unfinished.persist(path).map(|_| ()).map_err(|unmoved| unmoved.error)
+
+    fn whole(path: PathBuf, bytes: &[u8], permissions: Option<Permissions>) -> io::Result<Self> {
+        let unfinished = unfinished_beside(&path)?;
+        let mut file: &File = unfinished.as_file();
+        file.write_all(bytes)?;
+        if let Some(permissions) = permissions {
+            file.set_permissions(permissions)?;
+        }
+        file.sync_all()?;
+        Ok(Self::Whole { file: unfinished, path })
+    }
+
+    fn put(self, bytes: &[u8]) -> io::Result<()> {
+        match self {
+            Self::Whole { file, path } => file.persist(path).map(|_| ()).map_err(|unmoved| unmoved.error),
+            Self::Open(mut file) => file.write_all(bytes),
+        }
+    }
 }
 
 fn unfinished_beside(path: &Path) -> io::Result<NamedTempFile> {

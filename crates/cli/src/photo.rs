@@ -23,7 +23,7 @@ const JPEG_QUALITY: u8 = 95;
 
 /// `rosto photo`: photo to edited photo.
 pub fn run(task: &PhotoTask, given: &Given<'_>, networks: Option<&Path>) -> Result<(), CliError> {
-    check_files(&task.photo, &task.edits, &task.output)?;
+    check_files(std::slice::from_ref(&task.photo), &task.edits, &task.output)?;
     let format = PictureFormat::of(&task.output)?;
     request::check_photo(task, given)?;
     let steps = steps(&task.edits, &task.settings)?;

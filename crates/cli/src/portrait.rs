@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, PhotoLens, Triangulation};
+use rosto_face::{FaceError, FaceInput, FaceModel, LANDMARK_COUNT, PhotoLens, Triangulation};
 use rosto_landmarks::{Face, FaceFinder, FindOptions};
 use rosto_photo::{Limits, Photo, PhotoError};
 
@@ -63,15 +63,47 @@ pub fn model(
     lens: PhotoLens,
     path: &Path,
 ) -> Result<FaceModel, CliError> {
+    let colours = colours(photo, face);
+    FaceModel::new(input(photo, face, &colours, lens), triangulation)
+        .map_err(|reason| CliError::NoModel { path: path.to_owned(), reason })
+}
+
+/// One of the photos of a face.
+pub struct Portrait<'a> {
+    pub path: &'a Path,
+    pub photo: Photo,
+    pub face: Face,
+    pub lens: PhotoLens,
+}
+
+/// The model of the face in one photo or several, coloured as the one that leads.
+pub fn model_of(portraits: &[Portrait<'_>], triangulation: Triangulation) -> Result<FaceModel, CliError> {
+    let colours: Vec<_> = portraits.iter().map(|of| colours(&of.photo, &of.face)).collect();
+    let inputs = portraits.iter().zip(&colours).map(|(of, colours)| input(&of.photo, &of.face, colours, of.lens));
+    FaceModel::of_several(inputs.collect(), triangulation).map_err(|reason| match reason {
+        FaceError::InPhoto { photo, reason } => {
+            CliError::NoModel { path: portraits[photo].path.to_owned(), reason: *reason }
+        }
+        FaceError::AnotherFace { photo, reprojection_px, most_px } => {
+            CliError::AnotherFace { path: portraits[photo].path.to_owned(), reprojection_px, most_px }
+        }
+        reason => CliError::NoModel { path: portraits[0].path.to_owned(), reason },
+    })
+}
+
+/// The pixel under each landmark at full resolution.
+fn colours(photo: &Photo, face: &Face) -> Vec<[u8; 3]> {
     let colour = |&[x, y, _]: &[f32; 3]| photo.colour_under(x.into(), y.into());
-    let colours: Vec<[u8; 3]> = face.landmarks.iter().take(LANDMARK_COUNT).map(colour).collect();
-    let input = FaceInput {
+    face.landmarks.iter().take(LANDMARK_COUNT).map(colour).collect()
+}
+
+fn input<'a>(photo: &Photo, face: &'a Face, colours: &'a [[u8; 3]], lens: PhotoLens) -> FaceInput<'a> {
+    FaceInput {
         landmarks: &face.landmarks,
         width: photo.width(),
         height: photo.height(),
-        colours: &colours,
+        colours,
         picture: photo.scaled_down(MAX_PICTURE_SIDE_PX),
         lens,
-    };
-    FaceModel::new(input, triangulation).map_err(|reason| CliError::NoModel { path: path.to_owned(), reason })
+    }
 }

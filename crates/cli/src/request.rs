@@ -2,7 +2,7 @@
 
 use clap::ArgMatches;
 use clap::parser::ValueSource;
-use rosto_export::{Choosable, Format};
+use rosto_export::{BaseColour, Choosable, Format, Solid};
 
 use crate::args::{EditArguments, MeshTask, PhotoTask, SettingsArguments};
 use crate::error::CliError;
@@ -49,15 +49,54 @@ pub fn check_photo(task: &PhotoTask, given: &Given<'_>) -> Result<(), CliError> 
 }
 
 fn check_format(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), CliError> {
-    let is_gltf = format.choosable() == Choosable::Material;
-    if given.has("base_colour") && !is_gltf {
-        return useless("--base-colour", "it is for .glb and .gltf");
+    check_paint(task, format, given)?;
+    check_print(task, format, given)?;
+    let is_gltf = format.lets_choose(Choosable::Material);
+    if given.has("material") && !is_gltf {
+        return useless("--material", "light falls only on .glb and .gltf");
+    }
+    match task.expression_targets {
+        true if !is_gltf => return useless("--expressions", "only .glb and .gltf hold them"),
+        true if task.edits.units != Units::Mm => return useless("--expressions", "they need --units mm"),
+        _ => {}
+    }
+    if task.photos.len() > 1 && format.lets_choose(Choosable::Unit) && task.edits.units == Units::Image {
+        return useless("a further photo", "image coordinates are those of one; give --units mm");
     }
     match task.morph_targets {
         true if !is_gltf => useless("--morph-targets", "only .glb and .gltf hold them"),
         true if task.edits.units != Units::Mm => useless("--morph-targets", "they need --units mm"),
         true if !is_edited(&task.edits) => useless("--morph-targets", "there is no edit to make one of"),
         _ => Ok(()),
+    }
+}
+
+fn check_paint(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), CliError> {
+    let is_painted = format.lets_choose(Choosable::BaseColour);
+    let by_colours = task.base_colour == BaseColour::VertexColours;
+    if given.has("base_colour") && !is_painted {
+        return useless("--base-colour", "it is for .glb, .gltf, .obj, .usdz and .png");
+    }
+    if by_colours && format == Format::Png {
+        return useless("--base-colour", "a .png is a picture");
+    }
+    match given.has("texture_size") {
+        true if !is_painted => useless("--texture-size", "it is for .glb, .gltf, .obj, .usdz and .png"),
+        true if by_colours => useless("--texture-size", "--base-colour colours leaves no picture"),
+        _ => Ok(()),
+    }
+}
+
+fn check_print(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), CliError> {
+    if given.has("solid") && !format.lets_choose(Choosable::Solid) {
+        return useless("--solid", "it is for .stl and .3mf");
+    }
+    if given.has("colours") && !format.lets_choose(Choosable::Colours) {
+        return useless("--colours", "it is for .3mf");
+    }
+    match task.solid == Solid::Surface && format == Format::ThreeMf {
+        true => useless("--solid", "a .3mf is printed, and a surface alone cannot be"),
+        false => Ok(()),
     }
 }
 
@@ -81,7 +120,7 @@ fn check_settings(edits: &EditArguments, settings: &SettingsArguments, given: &G
 
 /// Whether there is an edit at all.
 fn is_edited(edits: &EditArguments) -> bool {
-    moves(edits) || !edits.sliders.is_empty() || edits.symmetrise.is_some()
+    moves(edits) || !edits.sliders.is_empty() || !edits.expressions.is_empty() || edits.symmetrise.is_some()
 }
 
 /// Whether there is an edit that takes its settings from the command line. A file counts, whatever is in it: a script may

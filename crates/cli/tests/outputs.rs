@@ -152,3 +152,37 @@ fn folders_in_the_place_of_files_and_files_in_the_place_of_folders() {
     assert_refused(&run, 6, &["no-folder", "Name a folder"]);
     assert_eq!(fs::read(file).unwrap(), GOOD);
 }
+
+#[test]
+fn a_painted_obj_brings_its_material_and_its_picture_all_or_none() {
+    let folder = scratch_folder("obj");
+    let file = folder.join("my face.obj");
+    assert_eq!(code(&mesh(&portrait(), &file, &[])), 0);
+    assert_eq!(names_in(&folder), ["my face.obj", "my_face.mtl", "my_face.png"]);
+    let said = |name: &str| fs::read_to_string(folder.join(name)).unwrap();
+    assert!(said("my face.obj").contains("mtllib my_face.mtl") && said("my_face.mtl").contains("map_Kd my_face.png"));
+    assert!(image::open(folder.join("my_face.png")).is_ok());
+
+    for name in names_in(&folder) {
+        fs::write(folder.join(name), GOOD).unwrap();
+    }
+    let run = mesh_cut_short("trap '' XFSZ;", &file);
+    assert_refused(&run, 6, &["too low"]);
+    assert!(names_in(&folder).iter().all(|name| fs::read(folder.join(name)).unwrap() == GOOD));
+    assert_eq!(names_in(&folder).len(), 3);
+
+    fs::remove_file(&file).unwrap();
+    assert_eq!(code(&mesh(&portrait(), &file, &["--base-colour", "colours"])), 0);
+    assert_eq!(fs::read(folder.join("my_face.mtl")).unwrap(), GOOD, "colours need no material");
+}
+
+#[test]
+fn what_lies_beside_a_file_is_not_written_over_what_is_read() {
+    let folder = scratch_folder("beside");
+    let photo = folder.join("photo.png");
+    image::open(portrait()).unwrap().save(&photo).unwrap();
+    let before = fs::read(&photo).unwrap();
+    let run = mesh(&photo, &folder.join("photo.obj"), &[]);
+    assert_refused(&run, 2, &["photo.png", "overwritten", "another name"]);
+    assert_eq!((names_in(&folder).len(), fs::read(&photo).unwrap()), (1, before));
+}

@@ -16,7 +16,7 @@ fn refused(output: &str, more: &[&str], words: &[&str]) {
 fn morph_targets_where_there_can_be_none() {
     let edit = ["--morph-targets", "--edit", "4:0,0,1"];
     let in_mm = [&edit[..], &["--units", "mm"]].concat();
-    for extension in ["obj", "ply", "stl", "json"] {
+    for extension in ["obj", "ply", "stl", "3mf", "usdz", "png", "json"] {
         refused(&format!("morphs.{extension}"), &in_mm, &["--morph-targets", ".glb and .gltf"]);
     }
     refused("morphs.glb", &edit, &["--morph-targets", "--units mm"]);
@@ -25,8 +25,26 @@ fn morph_targets_where_there_can_be_none() {
 
 #[test]
 fn paint_for_formats_that_have_no_choice() {
-    for extension in ["obj", "ply", "stl", "json"] {
-        refused(&format!("paint.{extension}"), &["--paint", "texture"], &["--base-colour", ".glb and .gltf"]);
+    for extension in ["ply", "stl", "3mf", "json"] {
+        refused(&format!("paint.{extension}"), &["--paint", "photo"], &["--base-colour", ".glb, .gltf, .obj"]);
+        refused(&format!("paint.{extension}"), &["--texture-size", "1024"], &["--texture-size", ".glb, .gltf, .obj"]);
+        refused(&format!("paint.{extension}"), &["--material", "unlit"], &["--material", ".glb and .gltf"]);
+    }
+    refused("paint.png", &["--base-colour", "colours"], &["--base-colour", "a .png is a picture"]);
+    let size = ["--base-colour", "colours", "--texture-size", "1024"];
+    refused("paint.glb", &size, &["--texture-size", "no picture"]);
+}
+
+#[test]
+fn bodies_and_their_colours_where_nothing_is_printed() {
+    for extension in ["glb", "gltf", "obj", "ply", "usdz", "png", "json"] {
+        refused(&format!("solid.{extension}"), &["--solid", "flat:3"], &["--solid", ".stl and .3mf"]);
+        refused(&format!("solid.{extension}"), &["--colours", "few"], &["--colours", ".3mf"]);
+    }
+    refused("solid.stl", &["--colours", "few"], &["--colours", ".3mf"]);
+    refused("solid.3mf", &["--solid", "surface"], &["--solid", "cannot be"]);
+    for solid in ["thickness", "thickness:0", "flat:-3", "flat:nan", "cube:3"] {
+        refused("solid.stl", &["--solid", solid], &[solid, "thickness:MM, flat:MM and surface"]);
     }
 }
 

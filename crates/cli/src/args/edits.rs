@@ -2,10 +2,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 use rosto_face::Region;
-use rosto_studio::{ConstraintKind, FaceSlider, Operator};
+use rosto_studio::{ConstraintKind, Expression, FaceSlider, Operator};
 
 use crate::choices::{listed, one_of};
-use crate::edits::{Edit, RegionEdit, SliderEdit};
+use crate::edits::{Edit, ExpressionEdit, RegionEdit, SliderEdit};
 use crate::settings;
 use crate::units::Units;
 
@@ -36,6 +36,9 @@ pub struct EditArguments {
     /// A ready-made slider and its amount in mm, such as jaw-width:-4; repeatable
     #[arg(long = "slider", value_name = "SLIDER:MM", allow_hyphen_values = true, long_help = slider_help())]
     pub sliders: Vec<SliderEdit>,
+    /// An expression and how much of it the face shows, from 0 to 1, such as jawOpen:0.6; repeatable
+    #[arg(long = "expression", value_name = "EXPRESSION:WEIGHT", allow_hyphen_values = true, long_help = expression_help())]
+    pub expressions: Vec<ExpressionEdit>,
     /// Brings both sides closer to each other, by a share from 0 to 1
     #[arg(long, value_name = "SHARE", allow_negative_numbers = true, value_parser = settings::share)]
     pub symmetrise: Option<f64>,
@@ -75,6 +78,13 @@ pub struct SettingsArguments {
 fn region_help() -> String {
     let names = listed(Region::ALL, Region::id);
     format!("A named region and its offset, such as nose:0,0,5; repeatable.\n\nRegions: {names}")
+}
+
+fn expression_help() -> String {
+    let names = listed(Expression::ALL, Expression::id);
+    format!(
+        "An expression and how much of it the face shows, from 0 to 1, such as jawOpen:0.6; repeatable. Needs --units mm. Left and right are the subject's.\n\nExpressions: {names}"
+    )
 }
 
 fn slider_help() -> String {

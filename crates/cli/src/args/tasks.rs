@@ -2,9 +2,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
-use rosto_export::BaseColour;
-use rosto_face::Triangulation;
-use rosto_studio::DEFAULT_RING;
+use rosto_export::{BaseColour, Colours, Material, Solid, TextureSize};
+use rosto_face::{MOST_PHOTOS, Triangulation};
+use rosto_studio::{DEFAULT_RING, SMOOTH_DENSITY};
 use rosto_warp::Dab;
 
 use super::{CameraArguments, EditArguments, FindArguments, SettingsArguments};
@@ -29,31 +29,56 @@ pub struct LandmarksTask {
 #[derive(Debug, Args)]
 pub struct MeshArguments {
     /// How the landmarks are joined: with holes for eyes and mouth, or closed
-    #[arg(long, default_value = Triangulation::default().id(),
+    #[arg(long, default_value = Triangulation::Canonical.id(),
         value_parser = one_of("triangulation", Triangulation::ALL, Triangulation::id, Triangulation::from_id))]
     pub topology: Triangulation,
-    /// How often every triangle is cut in four (Loop subdivision)
-    #[arg(long, value_name = "TIMES", default_value_t = 0, allow_negative_numbers = true,
+    /// How often every triangle is cut in four, smoothly and through the landmarks; 0 is the 468 landmarks, as in the paper
+    #[arg(long, value_name = "TIMES", default_value_t = SMOOTH_DENSITY, allow_negative_numbers = true,
         value_parser = clap::value_parser!(u32).range(0..=4))]
     pub density: u32,
 }
 
 #[derive(Debug, Args)]
 pub struct MeshTask {
-    /// JPEG, PNG or WebP; - reads standard input
-    pub photo: PathBuf,
+    /// JPEG, PNG or WebP; - reads standard input. One photo, or up to five of one face, turned to the camera, to its left, to
+    /// its right
+    ///
+    /// Of several photos the one in which the face looks at the camera leads: the mesh lies on it, and its picture colours it.
+    /// The others tell how deep each landmark lies.
+    #[arg(required = true, value_name = "PHOTO", num_args = 1..=MOST_PHOTOS)]
+    pub photos: Vec<PathBuf>,
     /// The file to write, whole or not at all; its name ends as its format is called
     #[arg(short, long, value_name = "FILE", long_help = output_help())]
     pub output: PathBuf,
     #[command(flatten)]
     pub mesh: MeshArguments,
-    /// What colours a GLB or glTF
+    /// What paints a .glb, .gltf, .obj, .usdz or .png
     #[arg(long, alias = "paint", default_value = BaseColour::default().id(),
         value_parser = one_of("base-colour", BaseColour::ALL, BaseColour::id, BaseColour::from_id))]
     pub base_colour: BaseColour,
+    /// How long the longest side of that picture is at most, in px
+    #[arg(long, value_name = "PX", default_value = TextureSize::default().id(),
+        value_parser = one_of("texture-size", TextureSize::ALL, TextureSize::id, TextureSize::from_id))]
+    pub texture_size: TextureSize,
+    /// What is printed, for .stl and .3mf: thickness:MM is a mask with a wall so thick, flat:MM a relief with a flat back so
+    /// far behind its deepest point, surface the surface alone (.stl)
+    #[arg(long, value_name = "SOLID", default_value_t = Solid::default())]
+    pub solid: Solid,
+    /// How many colours a .3mf has
+    #[arg(long, default_value = Colours::default().id(),
+        value_parser = one_of("colours", Colours::ALL, Colours::id, Colours::from_id))]
+    pub colours: Colours,
+    /// How light falls on a GLB or glTF
+    #[arg(long, default_value = Material::default().id(),
+        value_parser = one_of("material", Material::ALL, Material::id, Material::from_id))]
+    pub material: Material,
     /// Writes the face unedited, with each edit as a named morph target at weight 1; for .glb and .gltf with --units mm
     #[arg(long)]
     pub morph_targets: bool,
+    /// Writes every expression as a morph target by ARKit's name, at the weights of --expression, with eyes and mouth in pieces of
+    /// their own; for .glb and .gltf with --units mm
+    #[arg(long = "expressions")]
+    pub expression_targets: bool,
     #[command(flatten)]
     pub find: FindArguments,
     #[command(flatten)]

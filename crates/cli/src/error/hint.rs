@@ -1,6 +1,7 @@
 use std::borrow::Cow;
 use std::io::{self, ErrorKind};
 
+use rosto_export::{ExportError, SolidError};
 use rosto_laplacian::LaplacianError;
 use rosto_photo::PhotoError;
 use rosto_studio::StudioError;
@@ -24,14 +25,19 @@ impl CliError {
             Self::Unreadable { reason, .. } | Self::EditsUnreadable { reason, .. } => read_hint(reason),
             Self::NoPicture { reason, .. } => Some(reason.hint()),
             Self::NoFace { .. } => Some("The face should fill a tenth of the picture or more and look at the camera."),
+            Self::AnotherFace { .. } => Some("Give photos of one face, each with no other face in front."),
             Self::EditsFile { .. } => {
                 Some(r#"It should hold a list such as [{"vertex": 4, "offset": [0, 0, 1], "anchors": [10, 152]}]."#)
             }
             Self::EditsUtf16 { .. } => Some("Save it as UTF-8."),
-            Self::Edit { reason: StudioError::NoMirror, .. } => {
+            Self::Edit { reason: StudioError::NoMirror | StudioError::NoExpressions { .. }, .. } => {
                 Some("Add --units mm; a vertex of a denser mesh also needs --topology canonical.")
             }
             Self::Edit { reason: StudioError::TooCoarse { .. }, .. } => Some("Give --density as many or more."),
+            Self::Export(ExportError::Solid(SolidError::TooThick { .. })) => {
+                Some("Give --solid a smaller thickness, or flat:MM.")
+            }
+            Self::Export(ExportError::Solid(_)) => Some("Edit the face less, or print it at a lower --density."),
             Self::UnknownFormat { .. } | Self::NoPictureFormat { .. } => Some("End its name so."),
             Self::Unwritable { reason, .. } => Some(write_hint(reason)),
             Self::Output(reason) if is_full(reason) => Some("The disk is full: make room, or write elsewhere."),

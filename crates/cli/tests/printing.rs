@@ -1,0 +1,65 @@
+//! Bodies for printing, and what is said of them.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::*;
+
+fn printed(name: &str, more: &[&str]) -> (Vec<u8>, String) {
+    let path = scratch(name);
+    let output = mesh(&portrait(), &path, more);
+    assert_eq!(code(&output), 0, "{}", said(&output));
+    (std::fs::read(path).unwrap(), said(&output))
+}
+
+/// What is enclosed, in cm³, by the triangles of a binary STL in mm.
+fn volume_cm3(stl: &[u8]) -> f64 {
+    let number = |at: usize| f64::from(f32::from_le_bytes(stl[at..at + 4].try_into().unwrap()));
+    let place = |at: usize| glam::DVec3::new(number(at), number(at + 4), number(at + 8));
+    let starts = (0..(stl.len() - 84) / 50).map(|triangle| 84 + 50 * triangle);
+    starts.map(|at| place(at + 12).dot(place(at + 24).cross(place(at + 36)))).sum::<f64>() / 6000.0
+}
+
+#[test]
+fn an_stl_is_a_body_whose_volume_is_told() {
+    for (solid, least_cm3, most_cm3) in [("thickness:2", 30.0, 150.0), ("flat:3", 300.0, 3000.0)] {
+        for topology in ["canonical", "tessellation"] {
+            let (file, said) = printed("body.stl", &["--solid", solid, "--topology", topology]);
+            let volume = volume_cm3(&file);
+            assert!((least_cm3..most_cm3).contains(&volume), "{volume} cm³");
+            assert!(
+                said.contains(&format!("a body of {volume:.1} cm³")) && said.contains("g if it is filled with PLA"),
+                "{said}"
+            );
+        }
+    }
+    let (sheet, said) = printed("sheet.stl", &["--solid", "surface"]);
+    assert!(sheet.len() == 84 + 50 * 852 && !said.contains("a body of"));
+}
+
+#[test]
+fn a_3mf_has_all_colours_or_a_few() {
+    let colours = |more: &[&str]| {
+        let (file, _) = printed("face.3mf", more);
+        String::from_utf8_lossy(&file).matches("<m:color ").count()
+    };
+    assert!(colours(&[]) > 200);
+    assert_eq!(colours(&["--colours", "few"]), 5);
+}
+
+#[test]
+fn a_wall_is_as_thick_in_a_denser_face() {
+    let (coarse, _) = printed("coarse.stl", &["--topology", "canonical"]);
+    let (dense, said) = printed("dense.stl", &["--topology", "canonical", "--density", "2"]);
+    assert!((volume_cm3(&dense) / volume_cm3(&coarse) - 1.0).abs() < 0.05, "{said}");
+}
+
+#[test]
+fn the_picture_is_no_larger_than_asked_for() {
+    for size in ["1024", "2048"] {
+        printed("picture.png", &["--texture-size", size]);
+        let (width, height) = image::image_dimensions(scratch("picture.png")).unwrap();
+        assert!(width.max(height) <= size.parse().unwrap() && width.is_power_of_two() && height.is_power_of_two());
+    }
+}
