@@ -1,5 +1,5 @@
 //! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `test`, `deny`, `bench`, `robustness`,
-//! `torture`, `screenshots`.
+//! `readers`, `torture`, `screenshots`.
 
 mod apt;
 mod bench;
@@ -17,6 +17,8 @@ mod npm;
 mod portrait;
 mod process;
 mod progress;
+mod python;
+mod readers;
 mod robustness;
 mod screenshots;
 mod serve;
@@ -54,6 +56,7 @@ fn run(arguments: &[String]) -> Result<ExitCode> {
         ["deny"] => deny::run(),
         ["bench", arguments @ ..] => bench::run(arguments),
         ["robustness", arguments @ ..] => robustness::run(arguments),
+        ["readers", arguments @ ..] => readers::run(arguments),
         ["torture", arguments @ ..] => torture::run(arguments),
         ["screenshots"] => screenshots::run(),
         [] | ["help" | "-h" | "--help"] => {

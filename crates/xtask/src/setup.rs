@@ -3,6 +3,7 @@
 use crate::browser::{Browser, obtain_engines};
 use crate::failure::{Failure, Result};
 use crate::process::Run;
+use crate::readers::Readers;
 use crate::toolchain::{Toolchain, require_component};
 use crate::{networks, npm, portrait, tools, workspace};
 use std::ffi::{OsStr, OsString};
@@ -14,6 +15,7 @@ pub struct Kit {
     programs: Vec<PathBuf>,
     browser: Option<Browser>,
     missing_engines: Vec<Failure>,
+    readers: Readers,
 }
 
 /// What is needed to build and serve the page.
@@ -29,7 +31,7 @@ fn page_kit() -> Result<Kit> {
     portrait::obtain()?;
     let toolchain = Toolchain::obtain()?;
     let programs = vec![tools::wasm_bindgen()?.obtain()?, tools::trunk().obtain()?, npm::programs()];
-    Ok(Kit { toolchain, programs, browser: None, missing_engines: Vec::new() })
+    Ok(Kit { toolchain, programs, browser: None, missing_engines: Vec::new(), readers: Readers::default() })
 }
 
 /// What is needed to test it, too.
@@ -41,6 +43,7 @@ pub fn for_tests() -> Result<Kit> {
     tools::tidy_up()?;
     kit.browser = Some(Browser::obtain()?);
     kit.missing_engines = obtain_engines();
+    kit.readers = Readers::obtain();
     Ok(kit)
 }
 
@@ -64,6 +67,11 @@ impl Kit {
     /// Why an engine beside Chromium is not there, for each that could not be had.
     pub fn missing_engines(&self) -> &[Failure] {
         &self.missing_engines
+    }
+
+    /// The programs that open our files.
+    pub fn readers(&self) -> &Readers {
+        &self.readers
     }
 }
 

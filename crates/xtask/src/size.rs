@@ -20,7 +20,7 @@ pub const BUDGETS: [Budget; 4] = [
     Budget {
         name: "page module",
         files: &["wasm/rosto-studio-web_bg.wasm", "wasm/rosto-studio-web.js"],
-        limit: 480_000,
+        limit: 600_000,
     },
     Budget {
         name: "page module for WebGL2",

@@ -10,6 +10,7 @@ use crate::{progress, setup};
 use counts::Counts;
 use std::process::ExitCode;
 use std::time::Instant;
+pub use steps::command_line;
 use steps::{Report, Step};
 
 /// Runs all steps, or those named, and closes with one line `N passed, N failed`.

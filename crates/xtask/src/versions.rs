@@ -68,3 +68,6 @@ pub const DEBIAN_FIREFOX: [&str; 1] = ["firefox-esr"];
 
 /// Debian's package with WebKitGTK, a small browser around it and its driver.
 pub const DEBIAN_WEBKIT: [&str; 1] = ["webkit2gtk-driver"];
+
+/// Debian's package with a slicer for 3D printers.
+pub const DEBIAN_SLICER: [&str; 1] = ["prusa-slicer"];

@@ -2,10 +2,11 @@
 
 use crate::failure::{Failure, Result};
 use crate::process::Run;
+use crate::python::Environment;
 use crate::setup::Kit;
 use crate::toolchain::WASM;
-use crate::{cache, dist, progress, workspace};
-use std::path::{Path, PathBuf};
+use crate::{dist, progress, workspace};
+use std::path::PathBuf;
 use std::time::Duration;
 
 /// A program that measures.
@@ -24,11 +25,16 @@ const REQUIREMENTS: &str = "tests/bench/requirements.txt";
 /// Needs a C library and a compiler: a peer where it installs, left out where it does not.
 const OPTIONAL_REQUIREMENTS: &str = "tests/bench/requirements-cholmod.txt";
 
-const ALL: [Source; 9] = [
+const ALL: [Source; 10] = [
     Source { name: "engine", what: "editing, beside the paper's dense pseudo-inverse, natively", measure: engine },
     Source { name: "peers", what: "the same in NumPy, SciPy, libigl and CHOLMOD", measure: peers },
     Source { name: "landmarks", what: "photo to landmarks, natively", measure: landmarks },
     Source { name: "photo", what: "edits in a photo of 12 megapixels, natively", measure: photo },
+    Source {
+        name: "texture",
+        what: "a face's whole texture, natively, and how far it is from the truth",
+        measure: texture,
+    },
     Source { name: "chrome-edits", what: "editing in headless Chrome", measure: chrome_edits },
     Source { name: "chrome-page", what: "a slider's tick on the page with all its listeners", measure: chrome_page },
     Source {
@@ -67,6 +73,10 @@ fn landmarks(_: &Kit) -> Result<String> {
 
 fn photo(_: &Kit) -> Result<String> {
     example("rosto-studio", "photo", &[])
+}
+
+fn texture(_: &Kit) -> Result<String> {
+    example("rosto-studio", "texture", &[])
 }
 
 fn example(package: &str, name: &str, arguments: &[PathBuf]) -> Result<String> {
@@ -119,46 +129,16 @@ fn in_chrome(kit: &Kit, script: &str) -> Result<String> {
     kit.run("node")?.arg(script).within(LIMIT).run()?.checked()
 }
 
-/// A Python of its own with the peers, made anew when the pinned versions change.
+/// A Python of its own with the peers.
 fn python_with_peers() -> Result<PathBuf> {
-    let root = workspace::root();
-    let versions = [REQUIREMENTS, OPTIONAL_REQUIREMENTS].map(|file| cache::sha256_of(&root.join(file)));
-    let identity: String = versions.into_iter().collect::<Result<Vec<_>>>()?.concat();
-    let folder = cache::tool("python", &cache::sha256(identity.as_bytes())[..16])?;
-    let python = folder.join("bin").join("python");
-    let complete = folder.join("complete");
-    if !complete.is_file() {
+    let environment = Environment::obtain(&[REQUIREMENTS, OPTIONAL_REQUIREMENTS])?;
+    if !environment.has(REQUIREMENTS) {
         progress::note("installing the Python peers");
-        make_environment(&folder)?;
-        install(&python, REQUIREMENTS)?;
-        cache::write(&complete, "")?;
     }
+    environment.install(REQUIREMENTS)?;
     // Tried again as long as it is missing: what it needs of the system may have come since.
-    let optional = folder.join("complete-with-optional");
-    if !optional.is_file() {
-        match install(&python, OPTIONAL_REQUIREMENTS) {
-            Ok(()) => cache::write(&optional, "")?,
-            Err(_) => {
-                progress::note("CHOLMOD does not install here (on Debian it needs libsuitesparse-dev); it is left out")
-            }
-        }
+    if environment.install(OPTIONAL_REQUIREMENTS).is_err() {
+        progress::note("CHOLMOD does not install here (on Debian it needs libsuitesparse-dev); it is left out");
     }
-    Ok(python)
-}
-
-/// A virtual environment knows its own path, so it is made in place.
-fn make_environment(folder: &Path) -> Result {
-    cache::remove_folder(folder)?;
-    Run::new("python3").args(["-m", "venv"]).arg(folder).within(LIMIT).run()?.checked().map_err(|cause| {
-        let failure = Failure::new("the Python peers could not be installed").because(&cause);
-        failure.advice("install Python 3 with venv, on Debian: apt-get install python3-venv")
-    })?;
-    Ok(())
-}
-
-/// Installs what a file of requirements names.
-fn install(python: &Path, requirements: &str) -> Result {
-    let pip = Run::new(python).args(["-m", "pip", "install", "--quiet", "-r"]);
-    pip.arg(workspace::root().join(requirements)).within(LIMIT).run()?.checked()?;
-    Ok(())
+    Ok(environment.python())
 }

@@ -3,7 +3,7 @@
 use super::record::{Figure, Record};
 
 /// What the tasks are called for a reader.
-const TITLES: [(&str, &str); 41] = [
+const TITLES: [(&str, &str); 44] = [
     ("paper-edit", "One edit of the paper with the factor at hand, from the choice of the vertex to the moved mesh"),
     ("paper-edit-bare", "One edit of the paper from nothing: operator, factor, response, moved mesh"),
     ("system", "What is done once per mesh: from triangles to factor"),
@@ -38,6 +38,9 @@ const TITLES: [(&str, &str); 41] = [
     ("photo-tick", "One slider tick in the photo, natively"),
     ("photo-tick-folds", "One slider tick in the photo where it is limited, so that nothing folds, natively"),
     ("photo-drawn", "The edited photo's 12 megapixels drawn for its file, natively"),
+    ("texture-1024", "A face's whole texture of 1024×1024 from one photo of 1024×1024, natively, one thread"),
+    ("texture-2048", "The same of 2048×2048"),
+    ("texture-4096", "The same of 4096×4096"),
     ("photo-page-tick", "A slider's tick with a photo of 12 megapixels on the stage, all in on the page's thread"),
     ("photo-file-jpeg", "The edited photo of 12 megapixels as a JPEG on the page, from the press to the download"),
     ("photo-file-png", "The same as a PNG"),

@@ -10,6 +10,7 @@ use crate::process::{Run, find_program};
 use crate::setup::Kit;
 use crate::toolchain::WASM;
 use crate::{dist, size, workspace};
+use std::path::PathBuf;
 use std::time::Duration;
 
 /// One step of the tests.
@@ -169,6 +170,7 @@ fn page() -> Vec<Step> {
         Step::new("types", "tsc over the page's scripts", |kit| {
             check("types", quiet(kit.run("npm")?).args(["run", "--silent", "check"]))
         }),
+        Step::new("readers", "every file opened by programs that are not ours", opened_elsewhere),
         Step::new("journeys", "a visitor's ways through the page, in headless Chrome", journeys),
         Step::new("engines", "the core way through the page in Chromium, Firefox and WebKit, by WebGL2", engines),
     ]
@@ -176,9 +178,23 @@ fn page() -> Vec<Step> {
 
 /// The page's results are compared with those of the command line, as the native tests build it.
 fn journeys(kit: &Kit) -> Result<Report> {
-    over_the_workspace(&["test", "--quiet", "--no-run"]).within(STEP_LIMIT).run()?.checked()?;
-    let program = workspace::target().join("debug").join("rosto");
+    let program = command_line()?;
     tests("journeys", quiet(kit.run("npm")?).args(["run", "--silent", "journeys"]).env("ROSTO_CLI", program))
+}
+
+/// Each reader of each file is a test; what could not be had is left out, with the reason, where everything need not be there.
+fn opened_elsewhere(kit: &Kit) -> Result<Report> {
+    let report = tests("readers", kit.readers().over_all_files(quiet(kit.run("npm")?), command_line()?))?;
+    let missing: String = kit.readers().missing().iter().map(|failure| format!("{failure}\n")).collect();
+    let left_out = report.output.lines().filter(|line| line.starts_with('–'));
+    left_out.for_each(|line| println!("  {line}"));
+    Ok(Report { output: format!("{missing}{}", report.output), ..report })
+}
+
+/// The command line's program as the native tests build it.
+pub fn command_line() -> Result<PathBuf> {
+    over_the_workspace(&["test", "--quiet", "--no-run"]).within(STEP_LIMIT).run()?.checked()?;
+    Ok(workspace::target().join("debug").join("rosto"))
 }
 
 /// Each engine is a test; one that could not be had fails, with the reason.
@@ -212,7 +228,7 @@ fn examples(name: &str, run: Run) -> Result<Report> {
     Ok(Report { counts, output: ended.output })
 }
 
-fn log(name: &str) -> Result<std::path::PathBuf> {
+fn log(name: &str) -> Result<PathBuf> {
     Ok(workspace::logs()?.join(format!("{name}.log")))
 }
 
