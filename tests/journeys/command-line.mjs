@@ -76,7 +76,8 @@ export async function paperByCommandLine(photo, options) {
   }
 }
 
-function program() {
+/** The command line itself: as the environment says, or the newest that was built. */
+export function program() {
   const built = ["release", "debug"].map((profile) => path.join(TARGET, profile, "rosto")).filter((file) => existsSync(file));
   const [found] = process.env.ROSTO_CLI ? [process.env.ROSTO_CLI] : built.sort((a, b) => statSync(b).mtimeMs - statSync(a).mtimeMs);
   if (!found) throw new Error("no `rosto` here: build it, or name it in ROSTO_CLI");

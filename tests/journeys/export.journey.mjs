@@ -25,7 +25,7 @@ journey("a GLB of every density passes the validator, which says so on the page 
     await page.waitForSelector("#verdict[data-verdict='valid']");
     const verdict = await page.innerText("#verdict");
     const { name, json, bytes } = await downloadedGlb(visitor);
-    assert.equal(name, density === 0 ? "portrait.glb" : `portrait-${vertices}.glb`);
+    assert.equal(name, density === 2 ? "portrait.glb" : `portrait-${vertices}.glb`);
     const size = bytes < 1e6 ? `${Math.round(bytes / 1000).toLocaleString("en-GB")} KB` : `${(bytes / 1e6).toFixed(1)} MB`;
     assert.equal(verdict, `${name}, ${size}: valid glTF 2.0, 0 errors, 0 warnings, 0 remarks`);
     const [{ attributes, indices }] = json.meshes[0].primitives;
@@ -61,13 +61,35 @@ journey("OBJ, PLY and STL hold the mesh that is on the screen", async (open) => 
   await visitor.unfold("section-export");
   await visitor.page.selectOption("#export-density", "1");
   const { vertices, triangles } = DENSITIES[1];
+  await visitor.page.check("input[name='base-colour'][value='colours']", { force: true });
   const obj = (await visitor.download("download-obj")).toString().split("\n");
   assert.equal(obj.filter((line) => line.startsWith("v ")).length, vertices);
   assert.equal(obj.filter((line) => line.startsWith("f ")).length, triangles);
   const ply = (await visitor.download("download-ply")).toString("latin1");
   assert.match(ply, new RegExp(`element vertex ${vertices}\\n[^]*element face ${triangles}\\n`));
   const stl = await visitor.download("download-stl");
-  assert.deepEqual([stl.readUInt32LE(80), stl.length], [triangles, 84 + 50 * triangles]);
+  // Front and back, and a strip of two triangles for each of the 72 sides of the rim.
+  const body = 2 * triangles + 2 * 72;
+  assert.deepEqual([stl.readUInt32LE(80), stl.length], [body, 84 + 50 * body]);
+});
+
+journey("a painted OBJ comes with its material and its picture, and a face for printing or for a phone as one package", async (open) => {
+  const visitor = await open();
+  await visitor.dropSample();
+  await visitor.unfold("section-export");
+  for (const { format, ending, names } of [
+    { format: "obj", ending: "zip", names: ["face.obj", "face.mtl", "face.png"] },
+    { format: "3mf", ending: "3mf", names: ["[Content_Types].xml", "_rels/.rels", "3D/3dmodel.model"] },
+    { format: "usdz", ending: "usdz", names: ["face.usda", "face.jpg"] },
+  ]) {
+    const coming = visitor.page.waitForEvent("download");
+    const archive = await visitor.download(`download-${format}`);
+    assert.equal((await coming).suggestedFilename(), `portrait.${ending}`);
+    assert.equal(archive.toString("latin1", 0, 4), "PK\x03\x04");
+    for (const name of names) assert.ok(archive.includes(name), `no ${name} in the ${format}`);
+  }
+  const png = await visitor.download("download-png");
+  assert.equal(png.toString("latin1", 1, 4), "PNG");
 });
 
 /** Downloads the GLB, has it validated here as well, and reads its description. */

@@ -5,6 +5,7 @@ import { assertSameMesh, furthest, way } from "./meshes.mjs";
 import { colourCount, difference, differenceNear } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
+const LANDMARKS = 468;
 const NOSE_TIP = 1;
 const FOREHEAD = 151;
 const DENSEST = 28_881;
@@ -129,10 +130,12 @@ journey("the wheel widens and narrows the reach of a drag, which stays one edit"
   assert.equal((await visitor.history()).length, 1);
   const after = await visitor.meshJson("mm");
   assert.ok(way(start, after, NOSE_TIP)[1] > 1);
-  for (const [vertex, place] of start.positions.entries()) {
+  // What lies between a landmark that moves and one that stays goes a part of the way.
+  for (const [vertex, place] of start.positions.slice(0, LANDMARKS).entries()) {
     const apart_mm = Math.hypot(...place.map((at, axis) => at - start.positions[NOSE_TIP][axis]));
+    const moved_mm = Math.hypot(...way(start, after, vertex));
     // No way along the skin is shorter than the straight one.
-    if (apart_mm > radii_mm[2]) assert.deepEqual(after.positions[vertex], place, `vertex ${vertex}, ${apart_mm} mm away`);
+    if (apart_mm > radii_mm[2]) assert.ok(moved_mm < 1e-6, `vertex ${vertex}, ${apart_mm} mm away, moved by ${moved_mm} mm`);
   }
 }, { needs: "eyes" });
 

@@ -15,7 +15,7 @@ journey("files are named after the photo, over a reload and out of a file of our
   assert.equal(await nameOf(visitor, "save-project"), "ana Rio 7.2.rosto");
   await page.selectOption("#export-density", "1");
   assert.equal(await nameOf(visitor, "download-glb"), "ana Rio 7.2-1833.glb");
-  assert.equal(await nameOf(visitor, "download-obj"), "ana Rio 7.2-1833.obj");
+  assert.equal(await nameOf(visitor, "download-obj"), "ana Rio 7.2-1833.zip");
   assert.equal(await nameOf(visitor, "save-project"), "ana Rio 7.2.rosto");
   const glb = await visitor.download("download-glb");
   const project = await visitor.download("save-project");

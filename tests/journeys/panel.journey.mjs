@@ -10,13 +10,13 @@ journey("the panel goes from photo to sliders, to the hand, to what was done, an
   const { page } = visitor;
   await visitor.dropSample();
   const seen = () => page.locator("#sections h2:not(.visually-hidden)").evaluateAll((all) => all.filter((h2) => h2.checkVisibility()).map((h2) => h2.innerText));
-  assert.deepEqual(await seen(), ["Photo", "Features", "Move by hand", "In the photo", "History", "Advanced"]);
+  assert.deepEqual(await seen(), ["Photo", "Features", "Expressions", "Move by hand", "In the photo", "History", "Advanced"]);
   for (const id of ["operator", "constraint", "details", "anchors", "anchors-shown", "section-paper"]) {
     assert.ok(await page.isHidden(`#${id}`), id);
     assert.equal(await page.locator(`#section-advanced #${id}`).count(), 1, id);
   }
   await page.selectOption("#language", "pt");
-  assert.deepEqual(await seen(), ["Foto", "Traços", "Mover à mão", "Na foto", "Histórico", "Avançado"]);
+  assert.deepEqual(await seen(), ["Foto", "Traços", "Expressões", "Mover à mão", "Na foto", "Histórico", "Avançado"]);
 });
 
 for (const [device, options] of Object.entries({ desktop: DESKTOP, phone: PHONE, "phone on its side": SHORT })) {

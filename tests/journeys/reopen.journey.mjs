@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { journey } from "./journey.mjs";
 import { colourCount, meanColour } from "./pixels.mjs";
 
-for (const paint of ["texture", "colours"]) {
+for (const paint of ["photo", "colours"]) {
   journey(`a downloaded GLB painted with ${paint} brings the face back after a reload, with its history`, async (open) => {
     const visitor = await open();
     const { page } = visitor;
@@ -26,7 +26,7 @@ for (const paint of ["texture", "colours"]) {
     assert.deepEqual(await visitor.meshJson("mm"), work);
     assert.equal(await page.locator("#history li").count(), 2);
     assert.ok(colourCount(await visitor.view()) > 40, "the face came back without its colours");
-    if (paint === "texture") expectSameColours(view, await visitor.view());
+    if (paint === "photo") expectSameColours(view, await visitor.view());
 
     for (let step = 0; step < 2; step++) await page.click("#toolbar [data-action='undo']");
     assert.deepEqual(await visitor.meshJson("mm"), unedited);

@@ -103,10 +103,11 @@ export class Visitor {
     await this.frames(2);
   }
 
-  /** Waits until a face is on the canvas. */
+  /** Waits until a face is on the canvas, all round. */
   async untilFace() {
     await this.page.waitForSelector("body[data-state='face']");
     await this.page.waitForSelector("#progress", { state: "hidden" });
+    await this.page.waitForSelector("body:not([data-texture])");
     await this.frames(3);
   }
 

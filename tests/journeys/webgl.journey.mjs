@@ -65,7 +65,7 @@ journey(
     await visitor.findLandmark("nose tip");
     await visitor.offset("z", 12);
     const edit = `${await visitor.landmark()}:0,0,12:${(await visitor.anchors()).join(",")}`;
-    const options = ["--units", "mm", "--topology", "canonical", "--edit", edit];
+    const options = ["--units", "mm", "--density", "0", "--edit", edit];
     assertSameMesh(await visitor.meshJson("mm"), await meshByCommandLine(SAMPLE, options));
   },
   { needs: "webgl" },

@@ -14,22 +14,24 @@ pub struct Invariant {
 }
 
 /// Which crates of the workspace each crate may know; the table of ARCHITECTURE.md in the order of the way of the data.
-const MAY_KNOW: [(&str, &[&str]); 18] = [
+const MAY_KNOW: [(&str, &[&str]); 20] = [
     ("rosto-named", &[]),
     ("rosto-mesh", &[]),
     ("rosto-laplacian", &["mesh", "named"]),
     ("rosto-photo", &[]),
     ("rosto-landmarks", &["photo"]),
     ("rosto-face", &["laplacian", "mesh", "photo", "named"]),
+    ("rosto-solid", &["mesh"]),
     ("rosto-warp", &["laplacian", "mesh", "photo"]),
-    ("rosto-studio", &["face", "laplacian", "mesh", "named", "warp"]),
-    ("rosto-export", &["face", "mesh", "named"]),
+    ("rosto-texture", &["mesh", "photo"]),
+    ("rosto-studio", &["face", "laplacian", "mesh", "named", "texture", "warp"]),
+    ("rosto-export", &["face", "mesh", "named", "solid"]),
     ("rosto-stage", &["mesh", "named"]),
     ("rosto-session", &["export", "face", "laplacian", "mesh", "named", "stage", "studio", "warp"]),
     ("rosto-viewport", &["mesh", "stage"]),
     ("rosto-studio-web", &PAGE_MAY_KNOW),
     ("rosto-studio-webgl", &PAGE_MAY_KNOW),
-    ("rosto-vision-web", &["landmarks", "photo", "warp"]),
+    ("rosto-vision-web", &["landmarks", "photo", "texture", "warp"]),
     ("rosto-cli", &["export", "face", "landmarks", "laplacian", "mesh", "named", "photo", "studio", "warp"]),
     ("rosto-model-import", &[]),
     ("xtask", &["model-import"]),
@@ -39,14 +41,16 @@ const PAGE_MAY_KNOW: [&str; 9] =
     ["warp", "session", "studio", "stage", "viewport", "export", "face", "laplacian", "mesh"];
 
 /// The crates that know neither browser, clock, file, network, environment nor random source.
-const CORE: [&str; 12] = [
+const CORE: [&str; 14] = [
     "rosto-named",
     "rosto-mesh",
     "rosto-laplacian",
     "rosto-photo",
     "rosto-landmarks",
     "rosto-face",
+    "rosto-solid",
     "rosto-warp",
+    "rosto-texture",
     "rosto-studio",
     "rosto-export",
     "rosto-stage",

@@ -63,7 +63,7 @@ pub fn networks(detector: &[u8], landmarks: &[u8], portrait: &Photo) -> Verdict 
 
 fn face(opened: &Reopened<'_>) -> Verdict {
     let picture = match &opened.texture {
-        Some(texture) => decode(texture.encoded, &LIMITS),
+        Some(texture) => decode(&texture.encoded, &LIMITS),
         None => {
             let painted = opened.painted();
             let rgb = painted.rgba.as_chunks::<4>().0.iter().flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]);

@@ -67,13 +67,13 @@ pub fn glbs(histories: &[String]) -> Vec<Vec<u8>> {
     let kinds =
         [Triangulation::Canonical, Triangulation::Tessellation].into_iter().zip([Material::Lit, Material::Unlit]);
     let painted =
-        kinds.flat_map(|kind| [BaseColour::Texture, BaseColour::VertexColours].map(|base_colour| (kind, base_colour)));
+        kinds.flat_map(|kind| [BaseColour::Photo, BaseColour::VertexColours].map(|base_colour| (kind, base_colour)));
     let with_history = painted.zip(histories.iter().skip(1).cycle());
     let write = |(((triangulation, material), base_colour), history): (((_, _), BaseColour), &String)| {
         let face = face(triangulation);
         let source =
             Some(Source { face: &face, triangulation, density: 0, history: Some(history), in_photo: Some(IN_PHOTO) });
-        let morphs = if base_colour == BaseColour::Texture { std::slice::from_ref(&morph) } else { &[] };
+        let morphs = if base_colour == BaseColour::Photo { std::slice::from_ref(&morph) } else { &[] };
         let options = GlbOptions { base_colour, material, morphs, source, ..GlbOptions::default() };
         glb(&Model::of_face(&face), &options).expect("invariant: the canonical face can be written")
     };
