@@ -1,7 +1,7 @@
 use glam::DVec3;
 use rosto_mesh::{Surface, Topology};
 
-use crate::front::Front;
+use crate::front::{Front, farthest};
 use crate::{SolidError, flat, wall};
 
 /// How an open surface is closed.
@@ -19,6 +19,13 @@ pub enum Closing {
     },
 }
 
+impl Closing {
+    fn thickness_m(self) -> f64 {
+        let (Self::Thickness { thickness_m } | Self::FlatBack { thickness_m }) = self;
+        thickness_m
+    }
+}
+
 /// A closed body: every side has two triangles, which wind counter-clockwise as seen from outside, and no triangle goes
 /// through another one.
 ///
@@ -31,11 +38,10 @@ pub struct Body {
     front_vertices: usize,
     front_triangles: usize,
     thinnest_m: f64,
+    /// Whether its wall is too thin at each vertex of the surface.
+    thin: Vec<bool>,
     moved_m: f64,
 }
-
-/// How many sweeps smooth sharp folds before a wall is given up, one after the other.
-const SOFTENINGS: [usize; 4] = [4, 8, 16, 32];
 
 impl Body {
     /// Closes a surface of one piece, such as a face, that has one rim or more. The longest stays the rim of the front; the
@@ -47,7 +53,7 @@ impl Body {
     /// # Errors
     /// [`SolidError`] if the surface is not one, goes through itself beyond mending, or cannot have such a wall.
     pub fn closed(surface: Surface<'_>, closing: Closing) -> Result<Self, SolidError> {
-        let (Closing::Thickness { thickness_m } | Closing::FlatBack { thickness_m }) = closing;
+        let thickness_m = closing.thickness_m();
         if !(thickness_m > 0.0 && thickness_m.is_finite()) {
             return Err(SolidError::Thickness { thickness_m });
         }
@@ -58,19 +64,50 @@ impl Body {
         }
     }
 
-    /// Where sharp folds leave no room for a wall behind them, they are softened, a little more each time.
-    fn walled(mut front: Front, thickness_m: f64) -> Result<Self, SolidError> {
-        let mut back = wall::back(&front, thickness_m);
-        for sweeps in SOFTENINGS {
-            if back.is_some() {
-                break;
-            }
-            front.soften(sweeps)?;
-            back = wall::back(&front, thickness_m);
+    /// As [`Self::closed`]; where sharp folds leave no room for a wall behind them, the surface gives way to a softer one of the
+    /// same triangles: around the folds if that is enough, else everywhere ([`Self::moved_m`]).
+    ///
+    /// # Errors
+    /// [`SolidError`] if neither can be closed so.
+    ///
+    /// # Panics
+    /// If the softer surface has not one position for each vertex.
+    pub fn closed_or_softer(surface: Surface<'_>, softer: &[DVec3], closing: Closing) -> Result<Self, SolidError> {
+        let (topology, own) = (surface.topology(), surface.positions());
+        assert_eq!(softer.len(), own.len(), "one softer place for each vertex");
+        let of = |positions: &[DVec3]| Self::closed(Surface::new(topology, positions)?, closing);
+        let firm = Self::closed(surface, closing);
+        if firm.as_ref().is_ok_and(Self::is_nowhere_thin) {
+            return firm;
         }
+        let around = |firm: &Self| of(&softened(own, softer, &firm.thin, closing.thickness_m())).ok();
+        let partly = firm.as_ref().ok().and_then(around);
+        if let Some(partly) = partly.as_ref().filter(|partly| partly.is_nowhere_thin()) {
+            return Ok(partly.clone().seen_from(own));
+        }
+        let soft = of(softer);
+        let all = [firm.as_ref().ok(), partly.as_ref(), soft.as_ref().ok()];
+        let thickest =
+            all.into_iter().flatten().max_by(|one, other| one.thinnest_m.total_cmp(&other.thinnest_m)).cloned();
+        thickest.map_or(soft, Ok).map(|body| body.seen_from(own))
+    }
+
+    fn is_nowhere_thin(&self) -> bool {
+        !self.thin.contains(&true)
+    }
+
+    /// The same, moved from where the surface was before it was softened.
+    fn seen_from(self, surface: &[DVec3]) -> Self {
+        Self { moved_m: farthest(surface, &self.positions_m), ..self }
+    }
+
+    fn walled(front: Front, thickness_m: f64) -> Result<Self, SolidError> {
+        let back = wall::back(&front, thickness_m);
         let back = back.ok_or_else(|| SolidError::TooThick { thickness_m, most_m: thickest(&front, thickness_m) })?;
         let triangles = wall::joined(&front);
-        Self::of(front, triangles, back.positions, back.thinnest)
+        let thinnest_m = back.thinnest();
+        let thin = back.across.iter().map(|&across| wall::is_thin(across, thickness_m)).collect();
+        Ok(Self { thin, ..Self::of(front, triangles, back.positions, thinnest_m)? })
     }
 
     fn with_flat_back(front: Front, thickness_m: f64) -> Result<Self, SolidError> {
@@ -83,7 +120,8 @@ impl Body {
         let (front_vertices, front_triangles) = (front.positions.len(), front.topology.triangles().len());
         let positions_m = [front.positions, back].concat();
         let topology = Topology::new(positions_m.len(), triangles)?;
-        Ok(Self { topology, positions_m, front_vertices, front_triangles, thinnest_m, moved_m: front.moved })
+        let thin = vec![false; front_vertices];
+        Ok(Self { topology, positions_m, front_vertices, front_triangles, thinnest_m, thin, moved_m: front.moved })
     }
 
     /// The triangles.
@@ -112,7 +150,8 @@ impl Body {
         self.thinnest_m
     }
 
-    /// How far a vertex of the surface was moved at most because the surface went through itself, in metres; 0 where it did not.
+    /// How far a vertex of the surface was moved at most, in metres, because the surface went through itself or was softened; 0
+    /// where neither was needed.
     pub fn moved_m(&self) -> f64 {
         self.moved_m
     }
@@ -144,6 +183,24 @@ impl Body {
 
 /// The density of polylactide, which most home printers melt, in g/cm³.
 pub const PLA_G_PER_CM3: f64 = 1.24;
+
+/// Where a wall is too thin, all of the softer surface is taken within so many thicknesses.
+const SOFT_WITHIN: f64 = 4.0;
+
+/// Beyond so many, none of it.
+const FIRM_BEYOND: f64 = 12.0;
+
+/// Between two surfaces: the softer one around vertices that are marked, the other one far from them.
+fn softened(own: &[DVec3], softer: &[DVec3], marked: &[bool], thickness_m: f64) -> Vec<DVec3> {
+    let marked: Vec<DVec3> = own.iter().zip(marked).filter(|(_, marked)| **marked).map(|(place, _)| *place).collect();
+    let share = |place: &DVec3| {
+        let distance_m = marked.iter().map(|other| other.distance(*place)).fold(f64::INFINITY, f64::min);
+        let far = (distance_m / thickness_m - SOFT_WITHIN) / (FIRM_BEYOND - SOFT_WITHIN);
+        let near = 1.0 - far.clamp(0.0, 1.0);
+        near * near * (3.0 - 2.0 * near)
+    };
+    own.iter().zip(softer).map(|(own, softer)| own.lerp(*softer, share(own))).collect()
+}
 
 /// The most that works below what does not, by halving, then between what works and what does not; 0 if nothing does.
 fn thickest(front: &Front, too_thick_m: f64) -> f64 {

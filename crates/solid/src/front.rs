@@ -1,6 +1,6 @@
 //! The surface that a body is made of: checked, its openings closed, and parted where it goes through itself.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 
 use glam::DVec3;
 use rosto_mesh::{Surface, Topology};
@@ -17,15 +17,6 @@ const ROUNDS_A_RING: usize = 6;
 /// Where nothing crosses any more, smoothing goes on for one sweep for so many vertices, within bounds: on a denser mesh each
 /// goes less far.
 const VERTICES_A_SWEEP: usize = 100;
-
-/// A mesh of so many vertices, or of fewer, is softened by as many sweeps as are asked for.
-const VERTICES_A_SOFTENING: usize = 7_000;
-
-/// A surface that turns by more than this across a side, as the cosine of the angle, has a sharp fold there.
-const FOLD_COSINE: f64 = 0.35;
-
-/// So many rings around a sharp fold are softened with it.
-const RINGS_AROUND_FOLDS: usize = 3;
 
 /// A disc: one rim, no vertex unused, nothing that goes through itself.
 pub(crate) struct Front {
@@ -63,26 +54,6 @@ impl Front {
         Ok(front)
     }
 
-    /// Smooths sharp folds and what is around them, by so many sweeps.
-    ///
-    /// # Errors
-    /// [`SolidError::CrossesItself`] where it goes through itself then, beyond mending.
-    pub(crate) fn soften(&mut self, sweeps: usize) -> Result<(), SolidError> {
-        let before = self.positions.clone();
-        let mut folded = folded(&self.topology, &self.positions);
-        for _ in 0..RINGS_AROUND_FOLDS {
-            folded = grown(&self.topology, &folded);
-        }
-        // On a denser mesh each goes less far.
-        for _ in 0..sweeps * (before.len() / VERTICES_A_SOFTENING).max(1) {
-            self.positions = smoothed(self, &folded);
-        }
-        let moved = self.moved + farthest(&before, &self.positions);
-        self.part()?;
-        self.moved = moved.max(self.moved);
-        Ok(())
-    }
-
     /// Smooths what goes through itself until it does not.
     fn part(&mut self) -> Result<(), SolidError> {
         let triangles = self.topology.triangles();
@@ -114,23 +85,6 @@ impl Front {
         }
         Err(SolidError::CrossesItself { pairs: pairs.len() })
     }
-}
-
-/// The vertices on sides across which a surface turns by more than some 70°.
-fn folded(topology: &Topology, positions: &[DVec3]) -> Vec<bool> {
-    let mut normals: HashMap<[u32; 2], DVec3> = HashMap::new();
-    let mut folded = vec![false; positions.len()];
-    for &[a, b, c] in topology.triangles() {
-        let [at, to, third] = [a, b, c].map(|corner| positions[corner as usize]);
-        let normal = (to - at).cross(third - at).normalize_or_zero();
-        for [from, to] in [[a, b], [b, c], [c, a]] {
-            let other = normals.insert([from.min(to), from.max(to)], normal);
-            if other.is_some_and(|other| other.dot(normal) < FOLD_COSINE) {
-                (folded[from as usize], folded[to as usize]) = (true, true);
-            }
-        }
-    }
-    folded
 }
 
 /// The rims of a disc with holes, longest first.
@@ -178,6 +132,7 @@ fn smoothed(front: &Front, marked: &[bool]) -> Vec<DVec3> {
     places
 }
 
-fn farthest(one: &[DVec3], other: &[DVec3]) -> f64 {
+/// How far a vertex of the one is from where the other has it, at most; what either has more of is passed over.
+pub(crate) fn farthest(one: &[DVec3], other: &[DVec3]) -> f64 {
     one.iter().zip(other).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max)
 }

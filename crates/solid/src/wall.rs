@@ -26,10 +26,22 @@ const MOST_SWEEPS: f64 = 400.0;
 /// A direction that leans more than this away from the surface makes the way longer no further: 60°.
 const LEAST_COSINE: f64 = 0.5;
 
-/// Where the back of the wall lies, and how thick it is where it is thinnest.
+/// Where the back of the wall lies, and how thick it is at each vertex, across the front.
 pub(crate) struct Back {
     pub positions: Vec<DVec3>,
-    pub thinnest: f64,
+    pub across: Vec<f64>,
+}
+
+impl Back {
+    /// How thick it is where it is thinnest.
+    pub fn thinnest(&self) -> f64 {
+        self.across.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// Whether a wall that was to be so thick is too thin where it measures that.
+pub(crate) fn is_thin(across: f64, thickness: f64) -> bool {
+    across < GOOD * thickness
 }
 
 /// The triangles of the front, of its copy behind, and of the strip that joins their rims.
@@ -63,9 +75,9 @@ pub(crate) fn back(front: &Front, thickness: f64) -> Option<Back> {
         let sweeps = (reach * thickness / front.side).powi(2).min(MOST_SWEEPS);
         let mut ways = Ways::new(front);
         (0..sweeps.ceil() as usize).for_each(|_| ways.bend(|_| true));
-        let found = ways.mended(thickness, mending).filter(|back| back.thinnest > 0.0);
-        best = [best, found].into_iter().flatten().max_by(|one, other| one.thinnest.total_cmp(&other.thinnest));
-        if best.as_ref().is_some_and(|best| best.thinnest >= GOOD * thickness) {
+        let found = ways.mended(thickness, mending).filter(|back| back.thinnest() > 0.0);
+        best = [best, found].into_iter().flatten().max_by(|one, other| one.thinnest().total_cmp(&other.thinnest()));
+        if best.as_ref().is_some_and(|best| !is_thin(best.thinnest(), thickness)) {
             break;
         }
     }
@@ -115,7 +127,7 @@ impl<'a> Ways<'a> {
             pairs = crossings_of(&triangles, &positions, moved);
             round += 1;
         }
-        Some(Back { thinnest: self.thinnest(thickness), positions: positions.split_off(count) })
+        Some(Back { across: self.across(thickness), positions: positions.split_off(count) })
     }
 
     fn length(&self, vertex: usize, thickness: f64) -> f64 {
@@ -127,9 +139,9 @@ impl<'a> Ways<'a> {
         places.map(|(vertex, &place)| place - self.length(vertex, thickness) * self.outward[vertex]).collect()
     }
 
-    fn thinnest(&self, thickness: f64) -> f64 {
+    fn across(&self, thickness: f64) -> Vec<f64> {
         let across = |vertex: usize| self.length(vertex, thickness) * self.outward[vertex].dot(self.normals[vertex]);
-        (0..self.shares.len()).map(across).fold(f64::INFINITY, f64::min)
+        (0..self.shares.len()).map(across).collect()
     }
 
     /// Each direction as those around it are in the middle.

@@ -10,7 +10,7 @@ use std::collections::HashMap;
 use exact::meets_itself;
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
-use rosto_face::{Triangulation, canonical_positions_m};
+use rosto_face::{Triangulation, canonical_positions_m, crowded_landmarks, opening_edges};
 use rosto_mesh::{LoopSubdivision, Surface, Topology};
 use rosto_solid::{Body, Closing, PLA_G_PER_CM3, SolidError};
 use surfaces::{face, faces, plane};
@@ -75,6 +75,41 @@ fn the_wall_of_a_face_is_as_thick_as_asked_for_nearly_everywhere() {
         assert!(body.thinnest_m() >= 0.75 * thickness_m && body.thinnest_m() <= thickness_m * (1.0 + 1e-12));
         assert_eq!(body.positions_m()[..468], positions, "nothing of the face was moved");
     }
+}
+
+/// A smooth face through its landmarks, whose lips have hardly room for a wall between them, and the same rounded off.
+fn smooth(levels: u32) -> (Topology, Vec<DVec3>, Vec<DVec3>) {
+    let (mut topology, firm) = face(Triangulation::Canonical);
+    let (mut creases, mut firm, mut soft) = (opening_edges(), firm.clone(), firm);
+    for _ in 0..levels {
+        let step = LoopSubdivision::creased(&topology, &creases, 1).rounding(&crowded_landmarks());
+        (firm, soft) = (step.interpolate(&firm), step.apply(&soft));
+        (topology, creases) = (step.topology().clone(), step.creases().to_vec());
+    }
+    (topology, firm, soft)
+}
+
+#[test]
+fn where_folds_leave_no_room_for_a_wall_a_surface_is_softened_and_elsewhere_it_is_not() {
+    let thickness_m = 0.002;
+    for levels in [2, 3] {
+        let (topology, firm, soft) = smooth(levels);
+        let surface = Surface::new(&topology, &firm).unwrap();
+        let body = Body::closed_or_softer(surface, &soft, Closing::Thickness { thickness_m }).unwrap();
+        assert_watertight(&body);
+        assert!(body.thinnest_m() >= 0.6 * thickness_m, "{levels}: {} m", body.thinnest_m());
+        assert!(body.moved_m() < 0.004, "{levels}: {} m", body.moved_m());
+        let moved = |vertex: usize| body.positions_m()[vertex].distance(firm[vertex]);
+        let most_m = (0..firm.len()).map(moved).fold(0.0, f64::max);
+        assert!((most_m - body.moved_m()).abs() < 1e-12);
+        let flat = Closing::FlatBack { thickness_m };
+        assert_eq!(Body::closed_or_softer(surface, &soft, flat), Body::closed(surface, flat), "it needs no room");
+    }
+    let (topology, positions) = face(Triangulation::Canonical);
+    let surface = Surface::new(&topology, &positions).unwrap();
+    let elsewhere: Vec<DVec3> = positions.iter().map(|place| *place * 1.1).collect();
+    let wall = Closing::Thickness { thickness_m };
+    assert_eq!(Body::closed_or_softer(surface, &elsewhere, wall), Body::closed(surface, wall), "there is room");
 }
 
 #[test]
