@@ -80,12 +80,9 @@ const AVATAR = {
   eyesAndMouth: "pieces",
 };
 
-/** Closed, as few triangles as there are: between the lips and lids of a smooth face, a wall of 2 mm finds no room. @type {Shape} */
-const MASK = { topology: "canonical", density: 0, edits: "made" };
-
 /** What printers are given. @type {Pick<Row, "shape" | "options" | "body">[]} */
 const BODIES = [
-  { shape: MASK, options: ["--solid", "thickness:2"], body: "solid" },
+  { shape: FACE, options: ["--solid", "thickness:2"], body: "solid" },
   { shape: FACE, options: ["--solid", "flat:3"], body: "solid" },
 ];
 

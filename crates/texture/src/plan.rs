@@ -176,7 +176,7 @@ mod tests {
     use super::*;
 
     fn plan() -> Plan {
-        let topology = Topology::new(4, vec![[0, 1, 2], [2, 1, 3]]).unwrap();
+        let topology = Topology::new(4, vec![[0, 2, 1], [2, 3, 1]]).unwrap();
         let flat = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(DVec2::from);
         let positions = flat.map(|uv| DVec3::new(uv.x, -uv.y, 0.1));
         let subject = Subject {
