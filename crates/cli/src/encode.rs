@@ -1,7 +1,7 @@
 use std::path::Path;
 
 use glam::{DVec2, DVec3};
-use rosto_export::{BaseColour, Choosable, Content, Format, GlbOptions, Model, Morph, Picture, Source, Written};
+use rosto_export::{BaseColour, Choosable, Content, Eyes, Format, GlbOptions, Model, Morph, Picture, Source, Written};
 use rosto_face::{FaceModel, Photo, canonical_uvs};
 use rosto_studio::{Document, EditsInRig, Entry, Rest, Rig, Shot, StudioError, project, whole_texture_of};
 
@@ -26,28 +26,23 @@ pub fn name_of(path: &Path) -> String {
 /// The edited face's file, with those beside it; a glTF with what opens it again in its extras and, if asked for, the edits as morph
 /// targets.
 pub fn encode(face: &FaceModel, document: &mut Document, task: &MeshTask, format: Format) -> Result<Written, CliError> {
-    let units = task.edits.units;
-    let positions_m = match units {
-        Units::Image => model_from_image(face, document)?,
-        Units::Mm => document.positions().to_vec(),
-    };
-    if task.expression_targets && format.lets_choose(Choosable::Material) {
-        return rigged(face, document, task, format);
+    if let Some(rig) = rig(face, document, task, format)? {
+        return rigged(face, document, &rig, task, format);
     }
+    let units = task.edits.units;
     let layers = if task.morph_targets { document.displacements() } else { Vec::new() };
     let document = &*document;
+    let shape = Shape::of(face, document, units)?;
     let skin = Skin::new(face, document, task, format)?;
     let model = Model {
         topology: document.topology(),
-        positions_m: &positions_m,
+        positions_m: &shape.positions_m,
+        softer_m: Some(&shape.softer_m),
         colours_srgb: &skin.colours_srgb,
         photo: Picture { pixels: face.picture(), uvs: &skin.uvs },
         whole: skin.texture.as_ref().map(|pixels| Picture { pixels, uvs: &skin.texture_uvs }),
     };
-    let history = match format.lets_choose(Choosable::Material) {
-        true => history_json(face, document, units)?,
-        false => None,
-    };
+    let history = history_json(face, document, units, format)?;
     let named = document.history().entries().iter().zip(&layers);
     let morphs: Vec<Morph<'_>> =
         named.map(|(entry, layer)| Morph { name: &entry.label, displacements_m: layer, weight: 1.0 }).collect();
@@ -59,21 +54,39 @@ pub fn encode(face: &FaceModel, document: &mut Document, task: &MeshTask, format
     Ok(format.write(&Content { model, rest_m: document.rest(), gltf, solid, colours, name, positions })?)
 }
 
-/// The face as a glTF that others can animate.
-fn rigged(face: &FaceModel, document: &mut Document, task: &MeshTask, format: Format) -> Result<Written, CliError> {
+/// The face in its pieces, for a file that has them.
+fn rig(face: &FaceModel, document: &mut Document, task: &MeshTask, format: Format) -> Result<Option<Rig>, CliError> {
     let edits = if task.morph_targets { EditsInRig::Layers } else { EditsInRig::AtRest };
-    let rig = Rig::new(document, edits)?.darkened(face.colours_srgb());
+    let rig = if task.expression_targets && format.lets_choose(Choosable::Material) {
+        Rig::new(document, edits)?
+    } else if task.eyes == Eyes::Pieces && format.lets_choose(Choosable::Eyes) {
+        let shown_m = Shape::of(face, document, task.edits.units)?.positions_m;
+        Rig::still(document, &shown_m, edits)
+    } else {
+        return Ok(None);
+    };
+    Ok(Some(rig.darkened(face.colours_srgb())))
+}
+
+fn rigged(
+    face: &FaceModel,
+    document: &Document,
+    rig: &Rig,
+    task: &MeshTask,
+    format: Format,
+) -> Result<Written, CliError> {
     let (parted, base_m) = (rig.parted(), rig.base_m());
     let skin = Skin::new(face, document, task, format)?;
     let (uvs, texture_uvs) = (parted.uvs(&skin.uvs), parted.uvs(&skin.texture_uvs));
     let model = Model {
         topology: parted.topology(),
         positions_m: base_m,
+        softer_m: None,
         colours_srgb: &parted.colours(&skin.colours_srgb),
         photo: Picture { pixels: face.picture(), uvs: &uvs },
         whole: skin.texture.as_ref().map(|pixels| Picture { pixels, uvs: &texture_uvs }),
     };
-    let history = history_json(face, document, task.edits.units)?;
+    let history = history_json(face, document, task.edits.units, format)?;
     let layers = rig.layers_m().iter().map(|(name, ways)| Morph { name, displacements_m: ways, weight: 1.0 });
     let expressions = rig.expressions().iter();
     let expressions =
@@ -90,6 +103,25 @@ fn gltf<'a>(face: &'a FaceModel, task: &MeshTask, history: Option<&'a str>) -> G
     let source = Some(Source { face, triangulation, density, history, in_photo: None });
     let (base_colour, material, max_texture_px) = (task.base_colour, task.material, task.texture_size.px());
     GlbOptions { base_colour, material, max_texture_px, source, ..GlbOptions::default() }
+}
+
+/// Where a document's mesh is in the model's frame, in metres.
+pub struct Shape {
+    pub positions_m: Vec<DVec3>,
+    softer_m: Vec<DVec3>,
+}
+
+impl Shape {
+    pub fn of(face: &FaceModel, document: &Document, units: Units) -> Result<Self, StudioError> {
+        let softer = document.rounded();
+        Ok(match units {
+            Units::Mm => Self { positions_m: document.positions().to_vec(), softer_m: softer },
+            Units::Image => {
+                let positions_m = model_from_image(face, document)?;
+                Self { softer_m: carried(face, document.positions(), &softer, &positions_m), positions_m }
+            }
+        })
+    }
 }
 
 /// What the mesh that is shown is painted with.
@@ -122,8 +154,16 @@ fn texture(face: &FaceModel, side_px: u32) -> Result<Photo, StudioError> {
     Ok(whole_texture_of(face, &others, side_px)?.picture)
 }
 
-/// The history that a glTF opens again with; none where nothing was edited.
-fn history_json(face: &FaceModel, document: &Document, units: Units) -> Result<Option<String>, CliError> {
+/// The history that a glTF opens again with; none where nothing was edited, and for other formats.
+fn history_json(
+    face: &FaceModel,
+    document: &Document,
+    units: Units,
+    format: Format,
+) -> Result<Option<String>, CliError> {
+    if !format.lets_choose(Choosable::Material) {
+        return Ok(None);
+    }
     let entries = match units {
         Units::Mm => document.history().entries().to_vec(),
         Units::Image => carried_over(face, document)?,
@@ -143,7 +183,7 @@ fn carried_over(face: &FaceModel, document: &Document) -> Result<Vec<Entry>, Cli
 }
 
 /// Positions of a document in image coordinates, in metres of the model: each goes the way there that it went in the picture.
-pub fn model_from_image(face: &FaceModel, document: &Document) -> Result<Vec<DVec3>, StudioError> {
+fn model_from_image(face: &FaceModel, document: &Document) -> Result<Vec<DVec3>, StudioError> {
     let mut unedited = Document::new(Rest::of_face(face))?;
     unedited.set_density(document.density())?;
     Ok(carried(face, document.rest(), document.positions(), unedited.positions()))

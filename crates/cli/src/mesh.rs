@@ -63,7 +63,7 @@ fn told(solid: &SolidFacts) -> Vec<String> {
         solid.thinnest_mm
     )];
     if solid.moved_mm > 0.0 {
-        lines.push(format!("the face went through itself, and was smoothed there by up to {:.1} mm", solid.moved_mm));
+        lines.push(format!("sharp folds left no room for it, and were rounded off by up to {:.1} mm", solid.moved_mm));
     }
     lines
 }

@@ -11,11 +11,10 @@ use rosto_photo::Photo;
 use rosto_studio::{Document, InPhoto, Rest};
 
 use crate::args::PhotoTask;
-use crate::encode::model_from_image;
+use crate::encode::Shape;
 use crate::error::CliError;
 use crate::mesh::{check_files, edited, steps};
 use crate::request::{self, Given};
-use crate::units::Units;
 use crate::{networks, output, portrait, terminal};
 
 /// Whoever wants the pixels as they are asks for a PNG.
@@ -40,10 +39,7 @@ fn warped(photo: &Photo, face: &FaceModel, document: &Document, task: &PhotoTask
         unedited.set_density(task.mesh.density)?;
         Ok(unedited)
     })?;
-    let positions_m = match task.edits.units {
-        Units::Image => model_from_image(face, document)?,
-        Units::Mm => document.positions().to_vec(),
-    };
+    let positions_m = Shape::of(face, document, task.edits.units)?.positions_m;
     let mut in_photo = InPhoto::new(face, &in_model, task.ring, &task.kept)?;
     let seen_from = match task.seen_from_m {
         Some(distance_m) => face.seen_from(distance_m),

@@ -3,6 +3,7 @@
 use clap::ArgMatches;
 use clap::parser::ValueSource;
 use rosto_export::{BaseColour, Choosable, Format, Solid};
+use rosto_face::Triangulation;
 
 use crate::args::{EditArguments, MeshTask, PhotoTask, SettingsArguments};
 use crate::error::CliError;
@@ -55,6 +56,7 @@ fn check_format(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<()
     if given.has("material") && !is_gltf {
         return useless("--material", "light falls only on .glb and .gltf");
     }
+    check_eyes(task, format, given)?;
     match task.expression_targets {
         true if !is_gltf => return useless("--expressions", "only .glb and .gltf hold them"),
         true if task.edits.units != Units::Mm => return useless("--expressions", "they need --units mm"),
@@ -67,6 +69,18 @@ fn check_format(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<()
         true if !is_gltf => useless("--morph-targets", "only .glb and .gltf hold them"),
         true if task.edits.units != Units::Mm => useless("--morph-targets", "they need --units mm"),
         true if !is_edited(&task.edits) => useless("--morph-targets", "there is no edit to make one of"),
+        _ => Ok(()),
+    }
+}
+
+fn check_eyes(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), CliError> {
+    let asked = given.has("eyes");
+    match task.mesh.topology {
+        _ if asked && !format.lets_choose(Choosable::Eyes) => {
+            useless("--eyes", "it is for .glb, .gltf, .obj, .ply and .usdz")
+        }
+        _ if asked && task.expression_targets => useless("--eyes", "with --expressions they are pieces"),
+        Triangulation::Tessellation if asked => useless("--eyes", "--topology tessellation leaves eyes and mouth open"),
         _ => Ok(()),
     }
 }

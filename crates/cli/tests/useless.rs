@@ -36,6 +36,16 @@ fn paint_for_formats_that_have_no_choice() {
 }
 
 #[test]
+fn eyes_in_pieces_where_there_are_none() {
+    for extension in ["stl", "3mf", "png", "json"] {
+        refused(&format!("eyes.{extension}"), &["--eyes", "pieces"], &["--eyes", ".glb, .gltf, .obj, .ply and .usdz"]);
+    }
+    let open = ["--eyes", "pieces", "--topology", "tessellation"];
+    refused("eyes.glb", &open, &["--eyes", "leaves eyes and mouth open"]);
+    refused("eyes.glb", &["--eyes", "pieces", "--expressions", "--units", "mm"], &["--eyes", "they are pieces"]);
+}
+
+#[test]
 fn bodies_and_their_colours_where_nothing_is_printed() {
     for extension in ["glb", "gltf", "obj", "ply", "usdz", "png", "json"] {
         refused(&format!("solid.{extension}"), &["--solid", "flat:3"], &["--solid", ".stl and .3mf"]);

@@ -59,6 +59,20 @@ pub enum Choosable {
     Solid,
     /// How many colours are printed.
     Colours,
+    /// Whether eyes and mouth are pieces of their own.
+    Eyes,
+}
+
+rosto_named::named! {
+    /// What fills the openings of the eyes and the mouth, where the mesh fills them.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum Eyes {
+        /// The skin goes on through them, as it was photographed.
+        #[default]
+        Skin = "skin",
+        /// Pieces of their own behind lids and lips, the eyes round as balls are, painted as the photo shows them.
+        Pieces = "pieces",
+    }
 }
 
 /// All that there is to write; each format takes what it has a place for.
@@ -150,15 +164,15 @@ impl Format {
 
     #[rustfmt::skip]
     fn definition(self) -> Definition {
-        use Choosable::{BaseColour, Colours, Material, Solid, Unit};
+        use Choosable::{BaseColour, Colours, Eyes, Material, Solid, Unit};
         match self {
-            Self::Glb => Definition { media_type: "model/gltf-binary", choosable: &[BaseColour, Material], write: |c| Ok(glb(&c.moved_by_morphs(), &c.gltf)?.into()) },
-            Self::Gltf => Definition { media_type: "model/gltf+json", choosable: &[BaseColour, Material], write: |c| Ok(gltf(&c.moved_by_morphs(), &c.gltf)?.into()) },
-            Self::Obj => Definition { media_type: "model/obj", choosable: &[BaseColour], write: |c| obj::painted(&c.model, c.gltf.base_colour, c.gltf.max_texture_px, c.name) },
-            Self::Ply => Definition { media_type: "application/octet-stream", choosable: &[], write: |c| Ok(ply(&c.model)?.into()) },
+            Self::Glb => Definition { media_type: "model/gltf-binary", choosable: &[BaseColour, Material, Eyes], write: |c| Ok(glb(&c.moved_by_morphs(), &c.gltf)?.into()) },
+            Self::Gltf => Definition { media_type: "model/gltf+json", choosable: &[BaseColour, Material, Eyes], write: |c| Ok(gltf(&c.moved_by_morphs(), &c.gltf)?.into()) },
+            Self::Obj => Definition { media_type: "model/obj", choosable: &[BaseColour, Eyes], write: |c| obj::painted(&c.model, c.gltf.base_colour, c.gltf.max_texture_px, c.name) },
+            Self::Ply => Definition { media_type: "application/octet-stream", choosable: &[Eyes], write: |c| Ok(ply(&c.model)?.into()) },
             Self::Stl => Definition { media_type: "model/stl", choosable: &[Solid], write: |c| c.stl() },
             Self::ThreeMf => Definition { media_type: "model/3mf", choosable: &[Solid, Colours], write: |c| c.three_mf() },
-            Self::Usdz => Definition { media_type: "model/vnd.usdz+zip", choosable: &[BaseColour], write: |c| Ok(usdz(&c.model, c.gltf.base_colour, c.gltf.max_texture_px)?.into()) },
+            Self::Usdz => Definition { media_type: "model/vnd.usdz+zip", choosable: &[BaseColour, Eyes], write: |c| Ok(usdz(&c.model, c.gltf.base_colour, c.gltf.max_texture_px)?.into()) },
             Self::Png => Definition { media_type: "image/png", choosable: &[BaseColour], write: |c| c.png() },
             Self::Json => Definition { media_type: "application/json", choosable: &[Unit], write: |c| Ok(mesh_json(&c.listed()).into()) },
         }

@@ -11,6 +11,8 @@ pub struct Model<'a> {
     pub topology: &'a Topology,
     /// A position in metres for each vertex.
     pub positions_m: &'a [DVec3],
+    /// The same surface softer, where there is such a one: what is printed where sharp folds leave no room for a wall.
+    pub softer_m: Option<&'a [DVec3]>,
     /// An sRGB colour for each vertex.
     pub colours_srgb: &'a [[u8; 3]],
     /// The upright photo.
@@ -35,6 +37,7 @@ impl<'a> Model<'a> {
         Self {
             topology: face.topology(),
             positions_m: face.positions_m(),
+            softer_m: None,
             colours_srgb: face.colours_srgb(),
             photo: Picture { pixels: face.picture(), uvs: face.uvs() },
             whole: None,
@@ -43,13 +46,14 @@ impl<'a> Model<'a> {
 
     /// The same model with its vertices elsewhere, as after an edit.
     pub fn at(self, positions_m: &'a [DVec3]) -> Self {
-        Self { positions_m, ..self }
+        Self { positions_m, softer_m: None, ..self }
     }
 
     pub(crate) fn check(&self) -> Result<(), ExportError> {
         let expected = self.topology.vertex_count();
         let lengths = [
             ("positions", self.positions_m.len()),
+            ("softer positions", self.softer_m.map_or(expected, <[DVec3]>::len)),
             ("colours", self.colours_srgb.len()),
             ("UVs", self.photo.uvs.len()),
             ("UVs of the whole texture", self.whole.map_or(expected, |whole| whole.uvs.len())),

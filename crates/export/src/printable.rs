@@ -85,7 +85,8 @@ impl Solid {
             Self::FlatBack { mm } => Closing::FlatBack { thickness_m: mm / MM_PER_M },
         };
         let surface = Surface::new(model.topology, model.positions_m).map_err(rosto_solid::SolidError::from)?;
-        Ok(Some(Body::closed(surface, closing)?))
+        let softer = model.softer_m.unwrap_or(model.positions_m);
+        Ok(Some(Body::closed_or_softer(surface, softer, closing)?))
     }
 }
 
@@ -98,7 +99,8 @@ pub struct SolidFacts {
     pub size_mm: DVec3,
     /// How thick its wall is where it is thinnest, in mm.
     pub thinnest_mm: f64,
-    /// How far the face was smoothed where it went through itself, in mm; 0 where it did not.
+    /// How far the face was smoothed where it went through itself or left no room for the wall, in mm; 0 where neither was
+    /// needed.
     pub moved_mm: f64,
 }
 

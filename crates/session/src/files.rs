@@ -1,7 +1,7 @@
 use glam::DVec3;
 use rosto_export::{
-    BaseColour, Choosable, Colours, Content, Format, GlbOptions, Material, Model, Morph, Picture, Solid, SolidFacts,
-    Source, Written, project,
+    BaseColour, Choosable, Colours, Content, Eyes, Format, GlbOptions, Material, Model, Morph, Picture, Solid,
+    SolidFacts, Source, Written, project,
 };
 use rosto_studio::{EditsInRig, Rig};
 
@@ -58,6 +58,8 @@ pub struct FileOptions {
     pub edits: EditsAs,
     /// How it carries expressions.
     pub expressions: ExpressionsAs,
+    /// What fills eyes and mouth; where expressions are morph targets, they are pieces.
+    pub eyes: Eyes,
     /// The unit of JSON's positions.
     pub units: Units,
     /// The body that is printed.
@@ -73,6 +75,7 @@ impl Default for FileOptions {
             material: Material::default(),
             edits: EditsAs::Shape,
             expressions: ExpressionsAs::Shape,
+            eyes: Eyes::default(),
             units: Units::Millimetres,
             solid: Solid::default(),
             colours: Colours::default(),
@@ -91,11 +94,10 @@ impl Session {
     /// # Errors
     /// [`SessionError::NoFace`] or [`SessionError::Export`].
     pub fn file(&mut self, format: Format, options: &FileOptions) -> Result<Written, SessionError> {
-        let is_gltf = format.lets_choose(Choosable::Material);
-        if is_gltf && options.expressions == ExpressionsAs::MorphTargets {
-            return self.rigged(format, options);
+        if let Some(rig) = self.rig_for(format, options)? {
+            return self.rigged(&rig, format, options);
         }
-        let layers = match (is_gltf, options.edits) {
+        let layers = match (format.lets_choose(Choosable::Material), options.edits) {
             (true, EditsAs::MorphTargets) => self.displacements()?,
             _ => Vec::new(),
         };
@@ -132,23 +134,34 @@ impl Session {
         Ok(body.as_ref().map(SolidFacts::of))
     }
 
-    /// The face as a glTF that others can animate.
-    fn rigged(&mut self, format: Format, options: &FileOptions) -> Result<Written, SessionError> {
+    /// The face in its pieces, for a file that has them.
+    fn rig_for(&mut self, format: Format, options: &FileOptions) -> Result<Option<Rig>, SessionError> {
+        let is_gltf = format.lets_choose(Choosable::Material);
         let edits = match options.edits {
-            EditsAs::Shape => EditsInRig::AtRest,
-            EditsAs::MorphTargets => EditsInRig::Layers,
+            EditsAs::MorphTargets if is_gltf => EditsInRig::Layers,
+            _ => EditsInRig::AtRest,
         };
-        let rig = self.rig(edits)?;
+        let rig = if is_gltf && options.expressions == ExpressionsAs::MorphTargets {
+            self.rig(edits)?
+        } else if format.lets_choose(Choosable::Eyes) && options.eyes == Eyes::Pieces {
+            self.still_rig(edits)?
+        } else {
+            return Ok(None);
+        };
+        Ok(Some(rig.darkened(self.open_face()?.model().colours_srgb())))
+    }
+
+    fn rigged(&self, rig: &Rig, format: Format, options: &FileOptions) -> Result<Written, SessionError> {
         let face = self.open_face()?;
-        let rig = rig.darkened(face.model().colours_srgb());
         let (json, in_photo) = (face.history_json(), face.in_photo_json());
-        let morphs = morphs(&rig);
+        let morphs = morphs(rig);
         let gltf = GlbOptions { morphs: &morphs, ..self.gltf(options, face.source(&json, in_photo.as_deref())) };
         let (parted, base_m) = (rig.parted(), rig.base_m());
         let (uvs, texture_uvs) = (parted.uvs(&face.uvs()), parted.uvs(&face.texture_uvs()));
         let model = Model {
             topology: parted.topology(),
             positions_m: base_m,
+            softer_m: None,
             colours_srgb: &parted.colours(&face.colours_srgb(&face.uvs())),
             photo: Picture { pixels: face.model().picture(), uvs: &uvs },
             whole: face.texture().map(|pixels| Picture { pixels, uvs: &texture_uvs }),
@@ -210,9 +223,11 @@ impl OpenFace {
     /// Does something with the face as exporters take it.
     fn as_model<T>(&self, then: impl FnOnce(Model<'_>) -> T) -> T {
         let (uvs, texture_uvs) = (self.uvs(), self.texture_uvs());
+        let softer_m = self.document().rounded();
         then(Model {
             topology: self.document().topology(),
             positions_m: self.document().positions(),
+            softer_m: Some(&softer_m),
             colours_srgb: &self.colours_srgb(&uvs),
             photo: Picture { pixels: self.model().picture(), uvs: &uvs },
             whole: self.texture().map(|pixels| Picture { pixels, uvs: &texture_uvs }),

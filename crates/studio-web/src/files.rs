@@ -1,4 +1,4 @@
-use rosto_export::{BaseColour, Choosable, Colours, Format, Material, PLA_G_PER_CM3, SolidFacts};
+use rosto_export::{BaseColour, Choosable, Colours, Eyes, Format, Material, PLA_G_PER_CM3, SolidFacts};
 use rosto_session::{EditsAs, ExpressionsAs, FileOptions, Units};
 use rosto_stage::Background;
 use rosto_studio::SMOOTH_DENSITY;
@@ -23,8 +23,8 @@ impl FileChoices {
     }
 
     /// Chooses one thing by ids: "base-colour" ("whole", "photo", "colours"),
-    /// "material" ("lit", "unlit"), "edits" and "expressions" ("shape", "morph-targets"), "units" ("mm", "image"), "solid" ("thickness:MM",
-    /// "flat:MM", "surface"), "colours" ("all", "few").
+    /// "material" ("lit", "unlit"), "edits" and "expressions" ("shape", "morph-targets"), "eyes" ("skin", "pieces"),
+    /// "units" ("mm", "image"), "solid" ("thickness:MM", "flat:MM", "surface"), "colours" ("all", "few").
     ///
     /// # Errors
     /// `bad-choice`.
@@ -35,6 +35,7 @@ impl FileChoices {
             "material" => options.material = FacadeError::unless(Material::from_id(id))?,
             "edits" => options.edits = FacadeError::unless(EditsAs::from_id(id))?,
             "expressions" => options.expressions = FacadeError::unless(ExpressionsAs::from_id(id))?,
+            "eyes" => options.eyes = FacadeError::unless(Eyes::from_id(id))?,
             "units" => options.units = FacadeError::unless(Units::from_id(id))?,
             "solid" => options.solid = FacadeError::unless(id.parse().ok())?,
             "colours" => options.colours = FacadeError::unless(Colours::from_id(id))?,
@@ -69,7 +70,7 @@ impl PrintedBody {
         self.0.thinnest_mm
     }
 
-    /// How far the face was smoothed where it went through itself, in mm; 0 where it did not.
+    /// How far sharp folds that left no room for the wall were rounded off, in mm; 0 where none did.
     #[wasm_bindgen(getter, js_name = movedMm)]
     pub fn moved_mm(&self) -> f64 {
         self.0.moved_mm

@@ -169,6 +169,16 @@ impl Document {
         steps.iter().fold(values.to_vec(), |values, level| level.finer().interpolate(&values))
     }
 
+    /// The positions that are shown, softer: between landmarks as they are, but rounded off at them as Loop's subdivision does,
+    /// where the mesh that is shown passes through them. The cage itself has none softer.
+    pub fn rounded(&self) -> Vec<DVec3> {
+        let steps = &self.levels[..self.density as usize];
+        let rounded_off = steps.iter().fold(self.cage().to_vec(), |cage, level| level.finer().apply(&cage));
+        let through = self.from_cage(self.cage());
+        let ways = rounded_off.into_iter().zip(through).map(|(rounded, through)| rounded - through);
+        self.positions().iter().zip(ways).map(|(position, way)| *position + way).collect()
+    }
+
     /// The mesh that is shown, parted at eyes and mouth as far as it fills them.
     pub fn parted(&self) -> Parted {
         Parted::new(self.levels[0].topology().triangles(), self.topology())

@@ -3,8 +3,8 @@ use rosto_face::Parted;
 
 use crate::{Command, Document, Expression, Standing, StudioError};
 
-/// A face that others can move: the mesh that is shown, parted at eyes and mouth, where it is without expressions, and what
-/// each expression displaces it by.
+/// A face in pieces: the mesh that is shown, parted at eyes and mouth. So that others can move it, where it is without
+/// expressions, and what each of them displaces it by.
 pub struct Rig {
     parted: Parted,
     base_m: Vec<DVec3>,
@@ -39,6 +39,21 @@ impl Rig {
         }
         let layers_m = layers.into_iter().map(|(label, ways)| (label, parted.ways(&ways))).collect();
         Ok(Self { base_m: parted.positions_m(&base_m), parted, layers_m, expressions })
+    }
+
+    /// The mesh that is shown at positions in metres, in its pieces: they lie behind lids and lips as these are without expressions.
+    /// No expression can be moved in it. With layers it is the unedited face.
+    pub fn still(document: &mut Document, shown_m: &[DVec3], edits: EditsInRig) -> Self {
+        let parted = document.parted();
+        let (skin_m, relaxed_m, layers) = match edits {
+            EditsInRig::AtRest => (shown_m.to_vec(), document.relaxed(shown_m), Vec::new()),
+            EditsInRig::Layers => (document.rest().to_vec(), document.rest().to_vec(), document.displacements()),
+        };
+        let mut base_m = parted.positions_m(&relaxed_m);
+        base_m[..skin_m.len()].copy_from_slice(&skin_m);
+        let labels = document.history().entries().iter().map(|entry| entry.label.clone());
+        let layers_m = labels.zip(layers).map(|(label, ways)| (label, parted.ways(&ways))).collect();
+        Self { base_m, parted, layers_m, expressions: Vec::new() }
     }
 
     /// The same with a dark mouth ([`Parted::darkened`]).
@@ -93,7 +108,12 @@ impl Document {
 
     /// The mesh that is shown as it was committed, but for what expressions displaced it by.
     pub fn without_expressions(&self) -> Vec<DVec3> {
-        let mut positions = self.committed().to_vec();
+        self.relaxed(self.committed())
+    }
+
+    /// Positions of the mesh that is shown, but for what expressions displaced them by.
+    fn relaxed(&self, positions: &[DVec3]) -> Vec<DVec3> {
+        let mut positions = positions.to_vec();
         for (expression, weight) in Expression::ALL.into_iter().zip(self.weights()).filter(|(_, weight)| *weight != 0.0)
         {
             let ways = self.expressed(expression);

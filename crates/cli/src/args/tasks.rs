@@ -2,7 +2,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
-use rosto_export::{BaseColour, Colours, Material, Solid, TextureSize};
+use rosto_export::{BaseColour, Colours, Eyes, Material, Solid, TextureSize};
 use rosto_face::{MOST_PHOTOS, Triangulation};
 use rosto_studio::{DEFAULT_RING, SMOOTH_DENSITY};
 use rosto_warp::Dab;
@@ -72,6 +72,10 @@ pub struct MeshTask {
     #[arg(long, default_value = Material::default().id(),
         value_parser = one_of("material", Material::ALL, Material::id, Material::from_id))]
     pub material: Material,
+    /// What fills eyes and mouth in a .glb, .gltf, .obj, .ply or .usdz of a closed face: the skin going on, or pieces of their own
+    /// behind lids and lips, the eyes round as balls are
+    #[arg(long, default_value = Eyes::default().id(), value_parser = one_of("eyes", Eyes::ALL, Eyes::id, Eyes::from_id))]
+    pub eyes: Eyes,
     /// Writes the face unedited, with each edit as a named morph target at weight 1; for .glb and .gltf with --units mm
     #[arg(long)]
     pub morph_targets: bool,

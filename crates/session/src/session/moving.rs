@@ -155,6 +155,13 @@ impl Session {
         Ok(Rig::new(self.face.as_mut().ok_or(SessionError::NoFace)?.document_mut(), edits)?)
     }
 
+    /// The face in its pieces as it is shown.
+    pub(crate) fn still_rig(&mut self, edits: EditsInRig) -> Result<Rig, SessionError> {
+        let document = self.face.as_mut().ok_or(SessionError::NoFace)?.document_mut();
+        let shown_m = document.positions().to_vec();
+        Ok(Rig::still(document, &shown_m, edits))
+    }
+
     /// What each entry displaced the mesh by.
     pub(crate) fn displacements(&mut self) -> Result<Vec<Vec<DVec3>>, SessionError> {
         Ok(self.face.as_mut().ok_or(SessionError::NoFace)?.document_mut().displacements())
