@@ -19,13 +19,6 @@ pub enum Closing {
     },
 }
 
-impl Closing {
-    fn thickness_m(self) -> f64 {
-        let (Self::Thickness { thickness_m } | Self::FlatBack { thickness_m }) = self;
-        thickness_m
-    }
-}
-
 /// A closed body: every side has two triangles, which wind counter-clockwise as seen from outside, and no triangle goes
 /// through another one.
 ///
@@ -38,8 +31,6 @@ pub struct Body {
     front_vertices: usize,
     front_triangles: usize,
     thinnest_m: f64,
-    /// Whether its wall is too thin at each vertex of the surface.
-    thin: Vec<bool>,
     moved_m: f64,
 }
 
@@ -53,10 +44,8 @@ impl Body {
     /// # Errors
     /// [`SolidError`] if the surface is not one, goes through itself beyond mending, or cannot have such a wall.
     pub fn closed(surface: Surface<'_>, closing: Closing) -> Result<Self, SolidError> {
-        let thickness_m = closing.thickness_m();
-        if !(thickness_m > 0.0 && thickness_m.is_finite()) {
-            return Err(SolidError::Thickness { thickness_m });
-        }
+        let (Closing::Thickness { thickness_m } | Closing::FlatBack { thickness_m }) = closing;
+        check(thickness_m)?;
         let front = Front::new(surface)?;
         match closing {
             Closing::Thickness { .. } => Self::walled(front, thickness_m),
@@ -75,25 +64,19 @@ impl Body {
     pub fn closed_or_softer(surface: Surface<'_>, softer: &[DVec3], closing: Closing) -> Result<Self, SolidError> {
         let (topology, own) = (surface.topology(), surface.positions());
         assert_eq!(softer.len(), own.len(), "one softer place for each vertex");
-        let of = |positions: &[DVec3]| Self::closed(Surface::new(topology, positions)?, closing);
-        let firm = Self::closed(surface, closing);
-        if firm.as_ref().is_ok_and(Self::is_nowhere_thin) {
-            return firm;
+        let closed = |positions: &[DVec3]| Self::closed(Surface::new(topology, positions)?, closing);
+        let Closing::Thickness { thickness_m } = closing else {
+            return Self::closed(surface, closing).or_else(|_| Ok(closed(softer)?.seen_from(own)));
+        };
+        let good = |positions: &[DVec3]| Self::well_walled(Surface::new(topology, positions)?, thickness_m);
+        let tight = match good(own)? {
+            Ok(body) => return Ok(body),
+            Err(tight) => tight,
+        };
+        if let Ok(Ok(body)) = good(&softened(own, softer, &tight, thickness_m)) {
+            return Ok(body.seen_from(own));
         }
-        let around = |firm: &Self| of(&softened(own, softer, &firm.thin, closing.thickness_m())).ok();
-        let partly = firm.as_ref().ok().and_then(around);
-        if let Some(partly) = partly.as_ref().filter(|partly| partly.is_nowhere_thin()) {
-            return Ok(partly.clone().seen_from(own));
-        }
-        let soft = of(softer);
-        let all = [firm.as_ref().ok(), partly.as_ref(), soft.as_ref().ok()];
-        let thickest =
-            all.into_iter().flatten().max_by(|one, other| one.thinnest_m.total_cmp(&other.thinnest_m)).cloned();
-        thickest.map_or(soft, Ok).map(|body| body.seen_from(own))
-    }
-
-    fn is_nowhere_thin(&self) -> bool {
-        !self.thin.contains(&true)
+        closed(softer).or_else(|_| closed(own)).map(|body| body.seen_from(own))
     }
 
     /// The same, moved from where the surface was before it was softened.
@@ -101,13 +84,25 @@ impl Body {
         Self { moved_m: farthest(surface, &self.positions_m), ..self }
     }
 
+    /// With a wall that is thick enough everywhere; else the vertices behind which there is no room for one.
+    fn well_walled(surface: Surface<'_>, thickness_m: f64) -> Result<Result<Self, Vec<bool>>, SolidError> {
+        check(thickness_m)?;
+        let front = Front::new(surface)?;
+        Ok(match wall::good_back(&front, thickness_m) {
+            Ok(back) => Ok(Self::with_back(front, back)?),
+            Err(tight) => Err(tight),
+        })
+    }
+
     fn walled(front: Front, thickness_m: f64) -> Result<Self, SolidError> {
         let back = wall::back(&front, thickness_m);
         let back = back.ok_or_else(|| SolidError::TooThick { thickness_m, most_m: thickest(&front, thickness_m) })?;
+        Self::with_back(front, back)
+    }
+
+    fn with_back(front: Front, back: wall::Back) -> Result<Self, SolidError> {
         let triangles = wall::joined(&front);
-        let thinnest_m = back.thinnest();
-        let thin = back.across.iter().map(|&across| wall::is_thin(across, thickness_m)).collect();
-        Ok(Self { thin, ..Self::of(front, triangles, back.positions, thinnest_m)? })
+        Self::of(front, triangles, back.positions, back.thinnest)
     }
 
     fn with_flat_back(front: Front, thickness_m: f64) -> Result<Self, SolidError> {
@@ -120,8 +115,7 @@ impl Body {
         let (front_vertices, front_triangles) = (front.positions.len(), front.topology.triangles().len());
         let positions_m = [front.positions, back].concat();
         let topology = Topology::new(positions_m.len(), triangles)?;
-        let thin = vec![false; front_vertices];
-        Ok(Self { topology, positions_m, front_vertices, front_triangles, thinnest_m, thin, moved_m: front.moved })
+        Ok(Self { topology, positions_m, front_vertices, front_triangles, thinnest_m, moved_m: front.moved })
     }
 
     /// The triangles.
@@ -183,6 +177,13 @@ impl Body {
 
 /// The density of polylactide, which most home printers melt, in g/cm³.
 pub const PLA_G_PER_CM3: f64 = 1.24;
+
+fn check(thickness_m: f64) -> Result<(), SolidError> {
+    match thickness_m > 0.0 && thickness_m.is_finite() {
+        true => Ok(()),
+        false => Err(SolidError::Thickness { thickness_m }),
+    }
+}
 
 /// Where a wall is too thin, all of the softer surface is taken within so many thicknesses.
 const SOFT_WITHIN: f64 = 4.0;

@@ -26,22 +26,10 @@ const MOST_SWEEPS: f64 = 400.0;
 /// A direction that leans more than this away from the surface makes the way longer no further: 60°.
 const LEAST_COSINE: f64 = 0.5;
 
-/// Where the back of the wall lies, and how thick it is at each vertex, across the front.
+/// Where the back of the wall lies, and how thick it is where it is thinnest.
 pub(crate) struct Back {
     pub positions: Vec<DVec3>,
-    pub across: Vec<f64>,
-}
-
-impl Back {
-    /// How thick it is where it is thinnest.
-    pub fn thinnest(&self) -> f64 {
-        self.across.iter().copied().fold(f64::INFINITY, f64::min)
-    }
-}
-
-/// Whether a wall that was to be so thick is too thin where it measures that.
-pub(crate) fn is_thin(across: f64, thickness: f64) -> bool {
-    across < GOOD * thickness
+    pub thinnest: f64,
 }
 
 /// The triangles of the front, of its copy behind, and of the strip that joins their rims.
@@ -72,16 +60,30 @@ struct Ways<'a> {
 pub(crate) fn back(front: &Front, thickness: f64) -> Option<Back> {
     let mut best: Option<Back> = None;
     for (reach, mending) in TRIES {
-        let sweeps = (reach * thickness / front.side).powi(2).min(MOST_SWEEPS);
-        let mut ways = Ways::new(front);
-        (0..sweeps.ceil() as usize).for_each(|_| ways.bend(|_| true));
-        let found = ways.mended(thickness, mending).filter(|back| back.thinnest() > 0.0);
-        best = [best, found].into_iter().flatten().max_by(|one, other| one.thinnest().total_cmp(&other.thinnest()));
-        if best.as_ref().is_some_and(|best| !is_thin(best.thinnest(), thickness)) {
+        let found = Ways::smoothed(front, reach * thickness).mended(thickness, mending, THINNEST).ok();
+        best = [best, found].into_iter().flatten().max_by(|one, other| one.thinnest.total_cmp(&other.thinnest));
+        if best.as_ref().is_some_and(|best| best.thinnest >= GOOD * thickness) {
             break;
         }
     }
     best
+}
+
+/// The same, good enough everywhere, sooner given up.
+///
+/// # Errors
+/// The vertices behind which there is no room, where most of the wall has some.
+pub(crate) fn good_back(front: &Front, thickness: f64) -> Result<Back, Vec<bool>> {
+    let mut tightest: Option<Vec<bool>> = None;
+    for (reach, mending) in TRIES {
+        let tight = match Ways::smoothed(front, reach * thickness).mended(thickness, mending, GOOD) {
+            Ok(back) => return Ok(back),
+            Err(tight) => tight,
+        };
+        let count = |tight: &Vec<bool>| tight.iter().filter(|tight| **tight).count();
+        tightest = tightest.into_iter().chain([tight]).min_by_key(count);
+    }
+    Err(tightest.unwrap_or_default())
 }
 
 /// What is done where a wall goes through itself.
@@ -98,8 +100,17 @@ impl<'a> Ways<'a> {
         Self { front, normals, outward, shares: vec![1.0; front.positions.len()] }
     }
 
-    /// The wall, thinned wherever it goes through itself.
-    fn mended(mut self, thickness: f64, mending: Mending) -> Option<Back> {
+    /// With directions that are smoothed as far as that.
+    fn smoothed(front: &'a Front, reach: f64) -> Self {
+        let sweeps = (reach / front.side).powi(2).min(MOST_SWEEPS);
+        let mut ways = Self::new(front);
+        (0..sweeps.ceil() as usize).for_each(|_| ways.bend(|_| true));
+        ways
+    }
+
+    /// The wall, thinned wherever it goes through itself, but to no less than a share of its thickness; else the vertices where
+    /// that is not enough.
+    fn mended(mut self, thickness: f64, mending: Mending, least_share: f64) -> Result<Back, Vec<bool>> {
         let front = self.front;
         let triangles = joined(front);
         let count = front.positions.len();
@@ -117,8 +128,9 @@ impl<'a> Ways<'a> {
             if mending == Mending::BendAndThin {
                 self.bend(|vertex| marked[vertex]);
             }
-            if !self.thin(&marked) {
-                return None;
+            self.thin(&marked);
+            if self.shares.iter().any(|&share| share < least_share) {
+                return Err(self.shares.iter().map(|&share| share < least_share).collect());
             }
             positions.truncate(count);
             positions.extend(self.ends(thickness));
@@ -127,7 +139,11 @@ impl<'a> Ways<'a> {
             pairs = crossings_of(&triangles, &positions, moved);
             round += 1;
         }
-        Some(Back { across: self.across(thickness), positions: positions.split_off(count) })
+        let thinnest = self.thinnest(thickness);
+        match thinnest > 0.0 {
+            true => Ok(Back { thinnest, positions: positions.split_off(count) }),
+            false => Err(vec![true; count]),
+        }
     }
 
     fn length(&self, vertex: usize, thickness: f64) -> f64 {
@@ -139,9 +155,9 @@ impl<'a> Ways<'a> {
         places.map(|(vertex, &place)| place - self.length(vertex, thickness) * self.outward[vertex]).collect()
     }
 
-    fn across(&self, thickness: f64) -> Vec<f64> {
+    fn thinnest(&self, thickness: f64) -> f64 {
         let across = |vertex: usize| self.length(vertex, thickness) * self.outward[vertex].dot(self.normals[vertex]);
-        (0..self.shares.len()).map(across).collect()
+        (0..self.shares.len()).map(across).fold(f64::INFINITY, f64::min)
     }
 
     /// Each direction as those around it are in the middle.
@@ -153,8 +169,8 @@ impl<'a> Ways<'a> {
         }
     }
 
-    /// Thins the wall there, and eases it into what is around; false where it would become too thin.
-    fn thin(&mut self, marked: &[bool]) -> bool {
+    /// Thins the wall there, and eases it into what is around.
+    fn thin(&mut self, marked: &[bool]) {
         let marked_vertices = || (0..marked.len()).filter(|&vertex| marked[vertex]);
         marked_vertices().for_each(|vertex| self.shares[vertex] *= THINNED);
         let old = self.shares.clone();
@@ -163,7 +179,6 @@ impl<'a> Ways<'a> {
                 self.neighbours(vertex).fold((0.0, 0.0), |(sum, count), next| (sum + old[next], count + 1.0));
             self.shares[vertex] = old[vertex].min(sum / count);
         }
-        self.shares.iter().all(|&share| share >= THINNEST)
     }
 
     fn neighbours(&self, vertex: usize) -> impl Iterator<Item = usize> + '_ {
