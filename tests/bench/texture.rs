@@ -24,6 +24,8 @@ type Result<T = ()> = std::result::Result<T, Box<dyn std::error::Error>>;
 const SIDE_PX: u32 = 2048;
 const YAWS_DEG: [f64; 5] = [0.0, 20.0, -20.0, 40.0, -40.0];
 const TOGETHER_DEG: [f64; 3] = [0.0, 40.0, -40.0];
+/// From where the pictures of textures are taken.
+const SIDES_DEG: [f64; 2] = [-45.0, 45.0];
 const RUNS: usize = 9;
 
 fn main() -> Result {
@@ -37,6 +39,9 @@ fn main() -> Result {
     }
     let head = Head::painted(SIDE_PX);
     write(folder, "truth", &head.texture)?;
+    for yaw_deg in SIDES_DEG {
+        write(folder, &format!("truthat{yaw_deg}"), &head.photo(&head.camera(yaw_deg)))?;
+    }
     for yaw_deg in YAWS_DEG {
         let face = taken(&head, yaw_deg, folder)?;
         let texture = whole_texture(&face, SIDE_PX)?;
@@ -100,7 +105,7 @@ fn report(
     write(folder, &format!("whole{name}"), &texture.picture)?;
     let whole = Head::new(&head.landmarks_m, texture.picture.clone());
     let before = Head::new(&head.landmarks_m, projected);
-    for yaw_deg in [-45.0, 45.0] {
+    for yaw_deg in SIDES_DEG {
         write(folder, &format!("whole{name}at{yaw_deg}"), &whole.photo(&head.camera(yaw_deg)))?;
         write(folder, &format!("projected{name}at{yaw_deg}"), &before.photo(&head.camera(yaw_deg)))?;
     }

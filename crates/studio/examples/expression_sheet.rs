@@ -1,19 +1,20 @@
-//! Every expression at 1, from the front and from the side, as one picture to look at: a PPM on the standard output.
+//! Every expression at 1, in clay, from the front and from the side: a PNG of each into a folder.
 //!
 //! ```sh
-//! cargo run --release -p rosto-studio --example expression_sheet > expressions.ppm
+//! cargo run --release -p rosto-studio --example expression_sheet -- expressions
 //! ```
-//! From the left to the right and from the top down in the order of `Expression::ALL`, whose names are written to the standard error.
 
-use std::io::Write;
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::PathBuf;
 
 use glam::{DQuat, DVec3};
 use rosto_face::{Parted, Triangulation, canonical_positions_m};
 use rosto_mesh::{Topology, vertex_normals};
 use rosto_studio::{CoordinateFrame, Document, Expression, Rest};
 
+/// Of each of the two pictures.
 const SIDE_PX: usize = 180;
-const COLUMNS: usize = 6;
 const DENSITY: u32 = 2;
 /// Metres from the middle of a picture to its edge.
 const HALF_M: f64 = 0.105;
@@ -24,28 +25,29 @@ const YAWS: [f64; 2] = [0.0, 0.7];
 type Picture = Vec<[u8; 3]>;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let folder = PathBuf::from(std::env::args().nth(1).ok_or("give a folder")?);
+    std::fs::create_dir_all(&folder)?;
     let rest = Rest::new(Triangulation::Canonical.topology(), canonical_positions_m(), CoordinateFrame::Model);
     let mut document = Document::new(rest)?;
     document.set_density(DENSITY)?;
     let parted = document.parted();
     let rest_m = parted.positions_m(document.rest());
-    let mut cells: Vec<Picture> = Vec::new();
-    for (expression, ways) in Expression::ALL.into_iter().zip(document.expressions()?) {
-        eprintln!("{}", expression.id());
+    for (place, (expression, ways)) in Expression::ALL.into_iter().zip(document.expressions()?).enumerate() {
         let moved: Vec<DVec3> = rest_m.iter().zip(parted.ways(&ways)).map(|(at, way)| *at + way).collect();
-        cells.extend(YAWS.map(|yaw| drawn(&parted, &moved, yaw)));
-    }
-    let rows = cells.len().div_ceil(2 * COLUMNS);
-    let width = 2 * COLUMNS * SIDE_PX;
-    let mut out = std::io::stdout().lock();
-    writeln!(out, "P6 {width} {} 255", rows * SIDE_PX)?;
-    for y in 0..rows * SIDE_PX {
-        for x in 0..width {
-            let cell = cells.get(y / SIDE_PX * 2 * COLUMNS + x / SIDE_PX);
-            out.write_all(&cell.map_or(BACKGROUND, |cell| cell[y % SIDE_PX * SIDE_PX + x % SIDE_PX]))?;
-        }
+        let file = folder.join(format!("{place:02}-{}.png", expression.id()));
+        write(BufWriter::new(File::create(file)?), &YAWS.map(|yaw| drawn(&parted, &moved, yaw)))?;
     }
     Ok(())
+}
+
+/// Pictures beside each other.
+fn write(to: impl Write, pictures: &[Picture]) -> Result<(), png::EncodingError> {
+    let row =
+        |y: usize| pictures.iter().flat_map(move |picture| picture[y * SIDE_PX..(y + 1) * SIDE_PX].as_flattened());
+    let pixels: Vec<u8> = (0..SIDE_PX).flat_map(row).copied().collect();
+    let mut encoder = png::Encoder::new(to, (pictures.len() * SIDE_PX) as u32, SIDE_PX as u32);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.write_header()?.write_image_data(&pixels)
 }
 
 /// In clay, lit from the upper right; what turns its back is dark.
