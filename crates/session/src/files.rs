@@ -3,6 +3,7 @@ use rosto_export::{
     BaseColour, Choosable, Colours, Content, Format, GlbOptions, Material, Model, Morph, Picture, Solid, SolidFacts,
     Source, Written, project,
 };
+use rosto_mesh::Topology;
 use rosto_studio::{EditsInRig, Rig};
 
 use crate::error::SessionError;
@@ -41,9 +42,14 @@ rosto_named::named! {
     }
 }
 
+/// The formats that are for printing: a body is made of the face for them.
+pub fn printed_formats() -> impl Iterator<Item = Format> {
+    Format::ALL.into_iter().filter(|format| format.lets_choose(Choosable::Solid))
+}
+
 /// The formats that a panel offers by a button each: those with choices that are no other's have a place of their own.
 pub fn plain_formats() -> impl Iterator<Item = Format> {
-    let own = [Choosable::Material, Choosable::Unit];
+    let own = [Choosable::Material, Choosable::Unit, Choosable::Solid];
     Format::ALL.into_iter().filter(move |format| !own.iter().any(|&choice| format.lets_choose(choice)))
 }
 
@@ -121,6 +127,19 @@ impl Session {
     /// As [`Self::file`].
     pub fn bundled_file(&mut self, format: Format, options: &FileOptions) -> Result<Vec<u8>, SessionError> {
         Ok(self.file(format, options)?.bundled(NAME, format))
+    }
+
+    /// How many vertices and triangles the mesh in a file has, before it is written.
+    ///
+    /// # Errors
+    /// [`SessionError::NoFace`].
+    pub fn mesh_counts(&self, format: Format, expressions: ExpressionsAs) -> Result<[usize; 2], SessionError> {
+        let document = self.open_face()?.document();
+        let counts = |topology: &Topology| [topology.vertex_count(), topology.triangles().len()];
+        Ok(match format.lets_choose(Choosable::Material) && expressions == ExpressionsAs::MorphTargets {
+            true => counts(document.parted().topology()),
+            false => counts(document.topology()),
+        })
     }
 
     /// What the body measures that a printer would be given; none of the surface alone.

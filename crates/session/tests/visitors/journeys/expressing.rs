@@ -158,6 +158,10 @@ fn a_glb_with_expressions_leads_from_its_base_to_what_is_seen_and_opens_again() 
         }
         let shown = positions(&session);
         assert!(reached.len() > shown.len(), "eyes and mouth are pieces of their own");
+        let [points, triangles] = session.mesh_counts(Format::Glb, ExpressionsAs::MorphTargets).unwrap();
+        let indices = &glb.json["accessors"][mesh["primitives"][0]["indices"].as_u64().unwrap() as usize];
+        assert_eq!((points, Some(3 * triangles as u64)), (reached.len(), indices["count"].as_u64()));
+        assert_eq!(session.mesh_counts(Format::Obj, ExpressionsAs::MorphTargets).unwrap()[0], shown.len());
         let apart = shown.iter().zip(&reached).map(|(shown, reached)| shown.distance(*reached)).fold(0.0, f64::max);
         assert!(apart < 1e-7, "{apart} m");
         let reopened = reopen(&file).unwrap();
