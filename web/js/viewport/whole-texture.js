@@ -36,6 +36,10 @@ export class WholeTexture {
     this.#vision = vision;
     this.#keeper = keeper;
     bench.onChange(() => this.#follow());
+    // What was on its way to the studio before is lost with it.
+    bench.onRestart(async () => {
+      this.#latest = undefined;
+    });
   }
 
   /** Resolves once the face has its texture, and throws what stands in its way. */
@@ -98,7 +102,7 @@ export class WholeTexture {
     const { face, side_px } = wanted;
     const pictures = [{ pixels: face.picture, width_px: face.pictureWidth_px, height_px: face.pictureHeight_px }];
     const pixels = await this.#vision.texture({ plan, pictures, side_px });
-    const isWanted = () => isSame(this.#wanted(), wanted);
+    const isWanted = () => this.#latest === wanted && isSame(this.#wanted(), wanted);
     if (!isWanted()) return;
     this.#bench.attempt((studio) => studio.openTexture(side_px));
     await inStrips(this.#bench, pixels, side_px, (studio, rows) => studio.addTextureRows(rows), isWanted);
