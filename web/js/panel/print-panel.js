@@ -47,7 +47,7 @@ export class PrintPanel {
     this.#length.addEventListener("input", () => (this.#lengths_mm[chosen("solid")] = this.#length.value));
     bench.onChange(() => this.#measureSoon());
     // It is measured where it is seen: once the fold opens, or the tab that it is on.
-    new ResizeObserver(() => this.#isStale && this.#measureSoon()).observe(this.#facts);
+    new ResizeObserver(() => this.#isStale && this.#measureSoon()).observe(this.#fold);
     inEveryLanguage(() => this.#write());
   }
 
@@ -74,7 +74,7 @@ export class PrintPanel {
     clearTimeout(this.#coming);
     this.#isStale = true;
     this.#fold.dataset["measuring"] = "";
-    if (this.#fold.open && this.#facts.checkVisibility()) this.#coming = setTimeout(() => this.#measure(), PAUSE_MS);
+    if (this.#fold.open && this.#fold.checkVisibility()) this.#coming = setTimeout(() => this.#measure(), PAUSE_MS);
   }
 
   #measure() {
