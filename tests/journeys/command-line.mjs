@@ -1,6 +1,6 @@
 import { execFile } from "node:child_process";
 import { existsSync, statSync } from "node:fs";
-import { mkdtemp, readFile, rm } from "node:fs/promises";
+import { mkdtemp, readFile, readdir, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { promisify } from "node:util";
@@ -39,17 +39,45 @@ export function photoByCommandLine(photo, options) {
 }
 
 /**
+ * All files that the command line makes of a photo, by their names, and what it says about them. Where it refuses, there are
+ * none.
+ *
+ * @param {string} photo
+ * @param {string} name of the first of them
+ * @param {string[]} options of `rosto mesh`
+ * @returns {Promise<{ files: Map<string, Buffer>, said: string }>}
+ */
+export function filesByCommandLine(photo, name, options) {
+  return inFolder(async (folder) => {
+    const making = promisify(execFile)(program(), ["mesh", photo, "-o", path.join(folder, name), ...options]);
+    const { stdout, stderr } = await making.catch((refused) => refused);
+    const files = (await readdir(folder)).map(async (file) => /** @type {const} */ ([file, await readFile(path.join(folder, file))]));
+    return { files: new Map(await Promise.all(files)), said: `${stdout}${stderr}` };
+  });
+}
+
+/**
  * @param {"mesh" | "photo"} task
  * @param {string} photo
  * @param {string} ending
  * @param {string[]} options
  */
-async function fileByCommandLine(task, photo, ending, options) {
-  const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
-  try {
+function fileByCommandLine(task, photo, ending, options) {
+  return inFolder(async (folder) => {
     const file = path.join(folder, `made.${ending}`);
     await promisify(execFile)(program(), [task, photo, "-o", file, ...options]);
-    return await readFile(file);
+    return readFile(file);
+  });
+}
+
+/**
+ * @template T
+ * @param {(folder: string) => Promise<T>} work in a folder of its own
+ */
+async function inFolder(work) {
+  const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
+  try {
+    return await work(folder);
   } finally {
     await rm(folder, { recursive: true });
   }

@@ -1,6 +1,11 @@
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import validator from "gltf-validator";
+import { PNG } from "pngjs";
+import { filesByCommandLine } from "./command-line.mjs";
 import { journey } from "./journey.mjs";
+import { AS_THE_PAGE, openAsCommandLine, storedFiles } from "./same-face.mjs";
+import { SAMPLE } from "./visitor.mjs";
 
 /** Vertices at each density, and triangles of the filled face. */
 const DENSITIES = [
@@ -91,6 +96,178 @@ journey("a painted OBJ comes with its material and its picture, and a face for p
   const png = await visitor.download("download-png");
   assert.equal(png.toString("latin1", 1, 4), "PNG");
 });
+
+journey("the panel says what the GLB holds, is called and weighs, and follows every choice", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.untilLoaded();
+  await visitor.dropSample();
+  await visitor.unfold("section-export");
+  const facts = async () => (await page.innerText("#export-facts")).split(/\s*\n\s*/).filter(Boolean);
+  assert.deepEqual(await facts(), ["portrait.glb", "GLB: 7,257 points, 14,368 triangles, a picture of 2048 × 2048 px."]);
+  await page.selectOption("#texture-size", "1024");
+  await page.selectOption("#export-density", "1");
+  assert.deepEqual(await facts(), ["portrait-1833.glb", "GLB: 1,833 points, 3,592 triangles, a picture of 1024 × 1024 px."]);
+  await page.check("input[name='base-colour'][value='photo']", { force: true });
+  assert.match((await facts())[1], /a picture of 1024 px at most\.$/);
+  await page.check("input[name='base-colour'][value='colours']", { force: true });
+  await page.check("#export-expressions");
+  const { json, bytes } = await downloadedGlb(visitor);
+  const [{ attributes, indices }] = json.meshes[0].primitives;
+  const [points, triangles] = [json.accessors[attributes.POSITION].count, json.accessors[indices].count / 3].map((count) => count.toLocaleString("en-GB"));
+  assert.deepEqual(await facts(), ["portrait-1833.glb", `${Math.round(bytes / 1000)} KB`, `GLB: ${points} points, ${triangles} triangles, colours and no picture.`]);
+  await visitor.speak("pt");
+  assert.match((await facts()).at(-1), /^GLB: [\d.]+ pontos, [\d.]+ triângulos, cores e nenhuma imagem\.$/);
+  await visitor.slide("nose-width", 2);
+  await visitor.unfold("section-export");
+  assert.equal((await facts()).length, 2, "the size is that of another file");
+});
+
+journey("what is printed is measured before the download as by the command line, and is the same to the byte", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await openAsCommandLine(visitor);
+  await visitor.reach("#print-facts");
+  for (const [solid, length] of [["thickness", "2"], ["flat", "3"], ["surface"]]) {
+    await page.check(`input[name="solid"][value="${solid}"]`, { force: true });
+    assert.equal(await page.isVisible("#solid-mm"), length !== undefined);
+    if (length) assert.equal(await page.inputValue("#solid-mm"), length);
+    const body = [solid, ...(length ? [length] : [])].join(":");
+    const { files, said } = await filesByCommandLine(SAMPLE, "face.stl", [...AS_THE_PAGE, "--solid", body]);
+    const measures = await measured(page);
+    assert.deepEqual(measures, toldOf(said), body);
+    assert.equal(measures.length > 0, solid !== "surface");
+    assert.ok((await visitor.download("download-stl")).equals(files.get("face.stl") ?? Buffer.alloc(0)), `another STL: ${body}`);
+    if (solid === "surface") continue;
+    const made = await filesByCommandLine(SAMPLE, "face.3mf", [...AS_THE_PAGE, "--solid", body]);
+    assert.ok((await visitor.download("download-3mf")).equals(made.files.get("face.3mf") ?? Buffer.alloc(0)), `another 3MF: ${body}`);
+  }
+});
+
+journey("a body that cannot be printed is refused with what would do", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.reach("#print-facts");
+  let downloads = 0;
+  page.on("download", () => (downloads += 1));
+  const refused = async () => {
+    await page.waitForSelector("#print-refused");
+    return page.innerText("#print-refused");
+  };
+  await page.fill("#solid-mm", "0.1");
+  assert.equal(await refused(), "From 0.4 to 50 mm, please.");
+  await page.click("[data-action='download-stl']");
+  await page.evaluate(refuseWalls, { most_mm: 11.38 });
+  await page.fill("#solid-mm", "12");
+  await page.waitForFunction(() => /so thick/.test(document.getElementById("print-refused").textContent));
+  assert.equal(await refused(), "A wall so thick would go through itself: 11.3 mm works here, and so does a flat back.");
+  await page.click("[data-action='download-3mf']");
+  assert.equal(downloads, 0);
+  await page.fill("#solid-mm", "11.3");
+  await page.waitForSelector("#print-refused", { state: "hidden" });
+  assert.ok((await measured(page)).length > 0);
+  assert.ok((await visitor.download("download-stl")).length > 84);
+
+  await page.check("input[name='solid'][value='surface']", { force: true });
+  await page.click("[data-action='download-3mf']");
+  assert.equal(await refused(), "A surface alone cannot be a 3MF. Choose a mask or a flat back, or save it as STL.");
+  await page.check("input[name='solid'][value='thickness']", { force: true });
+  await page.waitForSelector("#print-refused", { state: "hidden" });
+  assert.equal(await page.inputValue("#solid-mm"), "11.3", "the thickness was forgotten");
+  assert.ok(await page.isHidden("#notice"));
+});
+
+journey("the GLB is handed on, the picture copied and the face shown in the room where the browser can", async (open) => {
+  const visitor = await open({ before: (context) => context.addInitScript(takeFiles) });
+  const { page } = visitor;
+  await visitor.drop(await readFile(SAMPLE), "ana.png");
+  await visitor.untilFace();
+  await visitor.unfold("section-export");
+  await page.click("#share-glb");
+  const shared = await taken(page, "sent");
+  assert.deepEqual([shared.name, shared.type], ["ana.glb", "model/gltf-binary"]);
+  const { issues } = await validator.validateBytes(new Uint8Array(shared.bytes));
+  assert.deepEqual([issues.numErrors, issues.numWarnings], [0, 0]);
+  assert.equal(shared.bytes.readUInt32LE(8), shared.bytes.length);
+
+  await page.click("#copy-picture");
+  const copied = await taken(page, "copied");
+  const { width, height } = PNG.sync.read(copied.bytes);
+  const view = await page.locator("#viewport").evaluate(({ width, height }) => ({ width, height }));
+  assert.deepEqual([copied.type, width, height], ["image/png", 2 * view.width, 2 * view.height]);
+  await page.waitForSelector("#toast:not([hidden])");
+  assert.equal(await page.innerText("#toast"), "The picture is on the clipboard");
+
+  const link = page.locator("#ar-link");
+  assert.deepEqual(await link.evaluate(({ rel, children }) => [rel, [...children].map(({ tagName }) => tagName)]), ["ar", ["IMG"]]);
+  for (const _ of ["once", "again"]) {
+    const [download] = await Promise.all([page.waitForEvent("download"), link.click()]);
+    assert.equal(download.suggestedFilename(), "ana.usdz");
+    const usdz = storedFiles(await readFile(await download.path()));
+    assert.deepEqual([...usdz.keys()], ["face.usda", "face.jpg"]);
+    assert.match(usdz.get("face.usda")?.toString() ?? "", /^#usda 1\.0/);
+  }
+  await page.evaluate("refuses = true");
+  await page.click("#copy-picture");
+  assert.equal((await visitor.notice()).code, "not-copied");
+  assert.equal((await Promise.all([page.waitForEvent("download"), page.click("#share-glb")]))[0].suggestedFilename(), "ana.glb");
+});
+
+journey("a browser that neither hands on nor copies nor shows in the room has no buttons for it", async (open) => {
+  const without = "delete Navigator.prototype.canShare; delete window.ClipboardItem";
+  const visitor = await open({ before: (context) => context.addInitScript(without) });
+  await visitor.dropSample();
+  await visitor.unfold("section-export");
+  for (const id of ["share-glb", "copy-picture", "ar-link"]) assert.ok(await visitor.page.isHidden(`#${id}`), id);
+});
+
+/** What the page says that a body measures: millimetres, cm³ and g, with the rounding of its folds if there is any. */
+async function measured(page) {
+  await page.waitForSelector("#export-print:not([data-measuring])");
+  const said = await page.locator("#print-facts dd").allInnerTexts();
+  return said.map((text) => text.replaceAll(",", ""));
+}
+
+/** The same as the command line tells it. @param {string} said */
+function toldOf(said) {
+  const [, volume, size, mass, thinnest] = /a body of ([\d.]+) cm³, (.*) mm, (\d+) g .*; ([\d.]+) mm/.exec(said) ?? [];
+  const [, rounded] = /smoothed there by up to ([\d.]+) mm/.exec(said) ?? [];
+  if (!volume) return [];
+  return [`${size} mm`, `${volume} cm³`, `${mass} g`, `${thinnest} mm`, ...(Number(rounded) > 0 ? [`${rounded} mm`] : [])];
+}
+
+/** Runs in the page: a face whose walls go through themselves where they are thicker. @param {{ most_mm: number }} limit */
+async function refuseWalls({ most_mm }) {
+  const { Studio } = await import(new URL("wasm/rosto-studio-web.js", document.baseURI).href);
+  for (const method of ["solidFacts", "exportFile"]) {
+    const call = Studio.prototype[method];
+    Studio.prototype[method] = function (...values) {
+      const isThick = Number(document.getElementById("solid-mm").value) > most_mm;
+      if (isThick) throw Object.assign(new Error("too thick"), { code: "too-thick", mostMm: most_mm });
+      return call.apply(this, values);
+    };
+  }
+}
+
+/** Runs in the page before its own scripts: a browser that hands on, copies and shows in the room, or refuses all at once. */
+function takeFiles() {
+  const keep = async (/** @type {string} */ what, /** @type {Blob & { name?: string }} */ file) => {
+    if (window["refuses"]) throw new DOMException("refused", "NotAllowedError");
+    window[what] = { name: file.name, type: file.type, bytes: [...new Uint8Array(await file.arrayBuffer())] };
+  };
+  navigator.canShare = () => true;
+  navigator.share = ({ files: [file] }) => keep("sent", file);
+  navigator.clipboard.write = async ([item]) => keep("copied", await item.getType("image/png"));
+  DOMTokenList.prototype.supports = (/** @type {string} */ token) => token === "ar";
+}
+
+/** What was handed over. @param {import("playwright-core").Page} page @param {string} what */
+async function taken(page, what) {
+  await page.waitForFunction((what) => what in window, what);
+  const file = await page.evaluate((what) => window[what], what);
+  return { ...file, bytes: Buffer.from(file.bytes) };
+}
 
 /** Downloads the GLB, has it validated here as well, and reads its description. */
 async function downloadedGlb(visitor) {

@@ -63,6 +63,9 @@ journey("a panic while a file is made or opened starts the module again, and the
   await page.click("#section-export [data-action='download-json']");
   await untilRestarted(visitor);
   assert.deepEqual(await visitor.meshJson("mm"), work);
+  await visitor.untilFace();
+  const texture = await visitor.download("download-png");
+  assert.equal(texture.readUInt32BE(16), 2048, "the texture of the whole face did not come back");
 
   await page.keyboard.press("Escape");
   await page.evaluate(panicIn, { module: "rosto-studio-web.js?again=1", type: "Studio", method: "openWork" });

@@ -337,6 +337,7 @@ export class Visitor {
   /** @param {string} action */
   async download(action) {
     await this.unfold("section-export");
+    if (await this.page.locator(`#sections [data-action="${action}"]`).count()) await this.reach(`[data-action="${action}"]`);
     const [download] = await Promise.all([
       this.page.waitForEvent("download"),
       this.page.click(`#panel [data-action="${action}"]`),

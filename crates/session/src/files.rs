@@ -3,6 +3,7 @@ use rosto_export::{
     BaseColour, Choosable, Colours, Content, Eyes, Format, GlbOptions, Material, Model, Morph, Picture, Solid,
     SolidFacts, Source, Written, project,
 };
+use rosto_mesh::Topology;
 use rosto_studio::{EditsInRig, Rig};
 
 use crate::error::SessionError;
@@ -41,9 +42,14 @@ rosto_named::named! {
     }
 }
 
+/// The formats that are for printing: a body is made of the face for them.
+pub fn printed_formats() -> impl Iterator<Item = Format> {
+    Format::ALL.into_iter().filter(|format| format.lets_choose(Choosable::Solid))
+}
+
 /// The formats that a panel offers by a button each: those with choices that are no other's have a place of their own.
 pub fn plain_formats() -> impl Iterator<Item = Format> {
-    let own = [Choosable::Material, Choosable::Unit];
+    let own = [Choosable::Material, Choosable::Unit, Choosable::Solid];
     Format::ALL.into_iter().filter(move |format| !own.iter().any(|&choice| format.lets_choose(choice)))
 }
 
@@ -80,6 +86,18 @@ impl Default for FileOptions {
             solid: Solid::default(),
             colours: Colours::default(),
         }
+    }
+}
+
+impl FileOptions {
+    /// Whether a format's files have each expression as a morph target.
+    fn are_expressions_moved(&self, format: Format) -> bool {
+        format.lets_choose(Choosable::Material) && self.expressions == ExpressionsAs::MorphTargets
+    }
+
+    /// Whether a format's files have eyes and mouth in pieces of their own, though they move none.
+    fn are_eyes_pieces(&self, format: Format) -> bool {
+        format.lets_choose(Choosable::Eyes) && self.eyes == Eyes::Pieces
     }
 }
 
@@ -125,6 +143,19 @@ impl Session {
         Ok(self.file(format, options)?.bundled(NAME, format))
     }
 
+    /// How many vertices and triangles the mesh in a file has, before it is written.
+    ///
+    /// # Errors
+    /// [`SessionError::NoFace`].
+    pub fn mesh_counts(&self, format: Format, options: &FileOptions) -> Result<[usize; 2], SessionError> {
+        let document = self.open_face()?.document();
+        let counts = |topology: &Topology| [topology.vertex_count(), topology.triangles().len()];
+        Ok(match options.are_expressions_moved(format) || options.are_eyes_pieces(format) {
+            true => counts(document.parted().topology()),
+            false => counts(document.topology()),
+        })
+    }
+
     /// What the body measures that a printer would be given; none of the surface alone.
     ///
     /// # Errors
@@ -141,9 +172,9 @@ impl Session {
             EditsAs::MorphTargets if is_gltf => EditsInRig::Layers,
             _ => EditsInRig::AtRest,
         };
-        let rig = if is_gltf && options.expressions == ExpressionsAs::MorphTargets {
+        let rig = if options.are_expressions_moved(format) {
             self.rig(edits)?
-        } else if format.lets_choose(Choosable::Eyes) && options.eyes == Eyes::Pieces {
+        } else if options.are_eyes_pieces(format) {
             self.still_rig(edits)?
         } else {
             return Ok(None);

@@ -1,5 +1,5 @@
 use js_sys::{Error, Reflect};
-use rosto_export::{ExportError, ReopenError};
+use rosto_export::{ExportError, ReopenError, SolidError};
 use rosto_face::FaceError;
 use rosto_session::SessionError;
 use rosto_studio::StudioError;
@@ -13,18 +13,20 @@ const TYPES: &str = r#"
 export type StudioErrorCode =
     | "no-webgpu" | "no-webgl" | "no-adapter" | "no-device" | "canvas-in-use" | "device-lost"
     | "no-face" | "no-selection" | "bad-vertex" | "bad-face" | "bad-number" | "bad-choice"
-    | "cannot-solve" | "cannot-export" | "bad-project" | "bad-history" | "too-new" | "damaged-glb" | "foreign-glb" | "newer-glb"
+    | "cannot-solve" | "cannot-export" | "too-thick" | "no-body" | "surface-alone" | "bad-project" | "bad-history" | "too-new" | "damaged-glb" | "foreign-glb" | "newer-glb"
     | "not-drawn" | "internal";
-/** What is thrown: `message` says what happened, `hint` what to do next. */
-export interface StudioError extends Error { code: StudioErrorCode; hint: string }
+/** What is thrown: `message` says what happened, `hint` what to do next; `mostMm` how thick a wall may be that is too thick. */
+export interface StudioError extends Error { code: StudioErrorCode; hint: string; mostMm?: number }
 "#;
 
 /// What goes wrong on the way between the page and the core; reaches the page as an `Error` with `code` and `hint`.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FacadeError {
     pub code: &'static str,
     pub message: String,
     pub hint: &'static str,
+    /// The most in mm that would do, where a length is too large.
+    pub most_mm: Option<f64>,
 }
 
 /// What façade methods return.
@@ -32,7 +34,7 @@ pub(crate) type Result<T, E = FacadeError> = std::result::Result<T, E>;
 
 impl FacadeError {
     pub fn new(code: &'static str, message: impl Into<String>, hint: &'static str) -> Self {
-        Self { code, message: message.into(), hint }
+        Self { code, message: message.into(), hint, most_mm: None }
     }
 
     pub fn no_face() -> Self {
@@ -75,9 +77,12 @@ impl FacadeError {
 impl From<FacadeError> for JsValue {
     fn from(failure: FacadeError) -> Self {
         let error = Error::new(&failure.message);
-        // An error object is extensible, so that both always succeed.
+        // An error object is extensible, so that all always succeed.
         let _ = Reflect::set(&error, &"code".into(), &failure.code.into());
         let _ = Reflect::set(&error, &"hint".into(), &failure.hint.into());
+        if let Some(most_mm) = failure.most_mm {
+            let _ = Reflect::set(&error, &"mostMm".into(), &most_mm.into());
+        }
         error.into()
     }
 }
@@ -144,7 +149,17 @@ impl From<StudioError> for FacadeError {
 
 impl From<ExportError> for FacadeError {
     fn from(error: ExportError) -> Self {
-        Self::new("cannot-export", error.to_string(), "Undo the last edit and try again.")
+        let (code, hint) = match error {
+            ExportError::NoBody => ("surface-alone", "Choose a thickness or a flat back."),
+            ExportError::Solid(SolidError::TooThick { .. }) => ("too-thick", "Choose a thinner wall, or a flat back."),
+            ExportError::Solid(_) => ("no-body", "Choose another body, or undo the last edit."),
+            _ => ("cannot-export", "Undo the last edit and try again."),
+        };
+        let most_mm = match error {
+            ExportError::Solid(SolidError::TooThick { most_m, .. }) => Some(1000.0 * most_m),
+            _ => None,
+        };
+        Self { most_mm, ..Self::new(code, error.to_string(), hint) }
     }
 }
 

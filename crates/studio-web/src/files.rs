@@ -1,4 +1,4 @@
-use rosto_export::{BaseColour, Choosable, Colours, Eyes, Format, Material, PLA_G_PER_CM3, SolidFacts};
+use rosto_export::{BaseColour, Choosable, Colours, Eyes, Format, Material, PLA_G_PER_CM3, SOLID_MM, SolidFacts};
 use rosto_session::{EditsAs, ExpressionsAs, FileOptions, Units};
 use rosto_stage::Background;
 use rosto_studio::SMOOTH_DENSITY;
@@ -89,9 +89,21 @@ pub fn usual_density() -> u32 {
     SMOOTH_DENSITY
 }
 
+/// What the wall or the back of a printed body may measure in mm: the least and the most.
+#[wasm_bindgen(js_name = solidRangeMm)]
+pub fn solid_range_mm() -> Vec<f64> {
+    SOLID_MM.to_vec()
+}
+
 /// What leaves the page.
 #[wasm_bindgen]
 impl Studio {
+    /// The formats that are for printing, by their ids.
+    #[wasm_bindgen(getter, js_name = printedFormats)]
+    pub fn printed_formats(&self) -> Vec<String> {
+        rosto_session::printed_formats().map(|format| format.id().to_owned()).collect()
+    }
+
     /// The formats that have no choices of their own, by their ids: a button does for each.
     #[wasm_bindgen(getter, js_name = plainFormats)]
     pub fn plain_formats(&self) -> Vec<String> {
@@ -130,17 +142,28 @@ impl Studio {
     /// takes of the choices what it has a place for. Where there are several files it is a zip archive of them all.
     ///
     /// # Errors
-    /// `no-face`, `bad-choice` or `cannot-export`.
+    /// `no-face`, `bad-choice`, `too-thick`, `no-body`, `surface-alone` or `cannot-export`.
     #[wasm_bindgen(js_name = exportFile)]
     pub fn export_file(&mut self, format: &str, choices: &FileChoices) -> Result<Vec<u8>, JsValue> {
         let format = FacadeError::unless(Format::from_id(format))?;
         Ok(self.session.bundled_file(format, &choices.0).map_err(FacadeError::from)?)
     }
 
+    /// How many points and triangles the mesh in a file has, before it is saved.
+    ///
+    /// # Errors
+    /// `no-face` or `bad-choice`.
+    #[wasm_bindgen(js_name = meshCounts)]
+    pub fn mesh_counts(&self, format: &str, choices: &FileChoices) -> Result<Vec<u32>, JsValue> {
+        let format = FacadeError::unless(Format::from_id(format))?;
+        let counts = self.session.mesh_counts(format, &choices.0).map_err(FacadeError::from)?;
+        Ok(counts.map(|count| count as u32).to_vec())
+    }
+
     /// What the body for printing measures, before it is saved; undefined of the surface alone.
     ///
     /// # Errors
-    /// `no-face` or `cannot-export`.
+    /// `no-face`, `too-thick` or `no-body`.
     #[wasm_bindgen(js_name = solidFacts)]
     pub fn solid_facts(&self, choices: &FileChoices) -> Result<Option<PrintedBody>, JsValue> {
         Ok(self.session.solid_facts(choices.0.solid).map_err(FacadeError::from)?.map(PrintedBody))

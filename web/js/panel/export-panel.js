@@ -2,18 +2,24 @@ import { byId, make, onAction } from "../page/dom.js";
 import { download } from "../page/download.js";
 import { afterNextFrame } from "../page/tasks.js";
 import { toast } from "../page/toast.js";
+import { setUpArLink } from "../share/ar-link.js";
+import { canSend, send } from "../share/send.js";
+import { canCopyPictures, copyPicture, viewPicture } from "../share/view-picture.js";
 import { studioModule } from "../viewport/studio-module.js";
 import { inEveryLanguage, isWord, say } from "../words/words.js";
 import { fileName } from "../work/file-name.js";
 import { pngOf } from "../work/pixels.js";
+import { ExportFacts } from "./export-facts.js";
+import { isChecked, withChoices, writtenFile } from "./file-choices.js";
+import { PrintPanel } from "./print-panel.js";
 import { VerdictLine } from "./verdict-line.js";
 
 /**
  * @typedef {import("../page/validator.js").Validator} Validator
- * @typedef {import("../../wasm/rosto-studio-web.js").FileChoices} FileChoices
  * @typedef {import("../viewport/whole-texture.js").WholeTexture} WholeTexture
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
  * @typedef {import("../work/autosave.js").Autosave} Autosave
+ * @typedef {(format: string) => Promise<File>} MakeFile
  */
 
 /**
@@ -25,92 +31,79 @@ import { VerdictLine } from "./verdict-line.js";
  * @param {WholeTexture} texture
  */
 export function setUpExportPanel(bench, keeper, validator, texture) {
-  const verdict = new VerdictLine(bench);
-  const fileOf = (/** @type {string} */ format) => writtenFile(bench, texture, format);
-  const check = () => checked(bench, meshName(bench, keeper, "glb"), () => fileOf("glb"), validator, verdict);
-  onAction("check-glb", check);
-  onAction("download-glb", async () => {
-    const name = meshName(bench, keeper, "glb");
-    const file = await check();
-    if (file) save(bench, name, bench.studio.mediaType("glb"), () => file);
-  });
-  const saveAs = (/** @type {string} */ format) => saveMesh(bench, keeper, format, () => fileOf(format));
-  offerPlainFormats(bench, saveAs);
-  onAction("save-project", () => saveProject(bench, keeper).catch((error) => bench.fail(error)));
-  onAction("download-picture", () => savePicture(bench, keeper));
-  onAction("download-json", () => saveAs("json"));
+  const complain = (/** @type {unknown} */ error) => bench.fail(error);
+  const makeFile = async (/** @type {string} */ format) => {
+    const { ending, type } = kindOf(bench, format);
+    const bytes = await writtenFile(bench, texture, format);
+    return new File([/** @type {BlobPart} */ (bytes)], meshName(bench, keeper, ending), { type });
+  };
+  const saveAs = (/** @type {string} */ format) => makeFile(format).then(keep);
+  const nameOf = (/** @type {string} */ ending) => meshName(bench, keeper, ending);
+  offerGlb({ bench, validator, makeFile, nameOf });
+  offerFormats("plain", bench.studio.plainFormats, (format) => saveAs(format).catch(complain));
+  const print = new PrintPanel(bench);
+  offerFormats("printed", bench.studio.printedFormats, (format) => saveAs(format).catch((error) => print.refuse(error)));
+  setUpArLink(() => makeFile("usdz"), complain);
+  onAction("save-project", () => makeProject(bench, keeper).then(keep, complain));
+  onAction("download-json", () => saveAs("json").catch(complain));
+  offerPicture(bench, keeper);
 }
 
 /**
- * A button for each format about which there is nothing to choose, with a word on each.
+ * The format that the page is about: checked, downloaded, and handed to other programs where the browser can.
  *
- * @param {Workbench} bench
+ * @param {{ bench: Workbench, validator: Validator, makeFile: MakeFile, nameOf: (ending: string) => string }} room
+ */
+function offerGlb({ bench, validator, makeFile, nameOf }) {
+  const facts = new ExportFacts(bench, nameOf);
+  const verdict = new VerdictLine(bench);
+  const make = async () => {
+    const file = await makeFile("glb");
+    facts.tell(file);
+    return file;
+  };
+  const check = () => checked(bench, nameOf("glb"), make, validator, verdict);
+  onAction("check-glb", check);
+  onAction("download-glb", async () => {
+    const file = await check();
+    if (file) keep(file);
+  });
+  byId("share-glb", HTMLButtonElement).hidden = !canSend(bench.studio.mediaType("glb"), "face.glb");
+  const handOn = async (/** @type {File} */ file) => (await send(file)) || keep(file);
+  onAction("share-glb", () => make().then(handOn).catch((error) => bench.fail(error)));
+}
+
+/**
+ * A button for each format of a kind, with a word on each.
+ *
+ * @param {"plain" | "printed"} kind
+ * @param {string[]} formats
  * @param {(format: string) => void} saveAs
  */
-function offerPlainFormats(bench, saveAs) {
-  const formats = bench.studio.plainFormats;
+function offerFormats(kind, formats, saveAs) {
   const buttons = formats.map((format) => {
     const button = make("button", "button small", format.toUpperCase());
     button.type = "button";
     button.dataset["action"] = `download-${format}`;
     return button;
   });
-  byId("plain-formats", HTMLDivElement).replaceChildren(...buttons);
+  byId(`${kind}-formats`, HTMLDivElement).replaceChildren(...buttons);
   for (const format of formats) onAction(`download-${format}`, () => saveAs(format));
   inEveryLanguage(() => {
     const help = formats.map((format) => `format.${format}.help`).filter(isWord);
-    byId("plain-formats-help", HTMLParagraphElement).textContent = help.map((key) => say(key)).join(" ");
+    byId(`${kind}-formats-help`, HTMLParagraphElement).textContent = help.map((key) => say(key)).join(" ");
   });
 }
 
 /**
- * @param {Workbench} bench
- * @param {Autosave} keeper
- * @param {string} format
- * @param {() => Promise<Uint8Array>} write
- */
-async function saveMesh(bench, keeper, format, write) {
-  const ending = withChoices((choices) => bench.studio.fileEnding(format, choices));
-  const type = ending === "zip" ? "application/zip" : bench.studio.mediaType(format);
-  const name = meshName(bench, keeper, ending);
-  try {
-    const file = await write();
-    save(bench, name, type, () => file);
-  } catch (error) {
-    bench.fail(error);
-  }
-}
-
-/**
- * The face as a file, as it is asked for. One that is painted with the whole face waits for its texture.
+ * How a format's file ends as it is asked for, and its media type.
  *
  * @param {Workbench} bench
- * @param {WholeTexture} texture
  * @param {string} format
  */
-async function writtenFile(bench, texture, format) {
-  if (chosen("base-colour") === "whole" && bench.studio.isPainted(format)) await texture.ready();
-  return withChoices((choices) => bench.studio.exportFile(format, choices));
-}
-
-/**
- * Does something with what is chosen about files.
- *
- * @template T
- * @param {(choices: FileChoices) => T} then
- */
-function withChoices(then) {
-  const choices = new (studioModule().FileChoices)();
-  try {
-    choices.choose("base-colour", chosen("base-colour"));
-    choices.choose("material", isChecked("export-unlit") ? "unlit" : "lit");
-    choices.choose("edits", isChecked("export-morphs") ? "morph-targets" : "shape");
-    choices.choose("expressions", isChecked("export-expressions") ? "morph-targets" : "shape");
-    choices.choose("units", chosen("export-units"));
-    return then(choices);
-  } finally {
-    choices.free();
-  }
+function kindOf({ studio }, format) {
+  const ending = withChoices((choices) => studio.fileEnding(format, choices));
+  return { ending, type: ending === "zip" ? "application/zip" : studio.mediaType(format) };
 }
 
 /**
@@ -118,18 +111,18 @@ function withChoices(then) {
  *
  * @param {Workbench} bench
  * @param {string} name of the file
- * @param {() => Promise<Uint8Array>} write
+ * @param {() => Promise<File>} make
  * @param {Validator} validator
  * @param {VerdictLine} line
  */
-async function checked(bench, name, write, validator, line) {
+async function checked(bench, name, make, validator, line) {
   line.show({ file: name, outcome: "checking" });
   // The words are on the screen before the file is made.
   await afterNextFrame();
   try {
-    const file = await write();
-    const verdict = await validator.check(file);
-    line.conclude({ file: name, bytes: file.length, outcome: verdict ?? "unchecked" });
+    const file = await make();
+    const verdict = await validator.check(new Uint8Array(await file.arrayBuffer()));
+    line.conclude({ file: name, bytes: file.size, outcome: verdict ?? "unchecked" });
     return file;
   } catch (error) {
     line.show(undefined);
@@ -152,56 +145,33 @@ function meshName(bench, keeper, ending) {
  * @param {Workbench} bench
  * @param {Autosave} keeper
  */
-async function saveProject(bench, keeper) {
+async function makeProject(bench, keeper) {
   const { face } = keeper;
-  if (!face) return;
+  if (!face) throw { code: "no-face", message: "no face is open", hint: "" };
   const png = new Uint8Array(await (await pngOf(face)).arrayBuffer());
-  save(bench, fileName(face, "rosto"), "application/octet-stream", () => bench.studio.projectFile(png));
+  const bytes = bench.studio.projectFile(png);
+  return new File([/** @type {BlobPart} */ (bytes)], fileName(face, "rosto"), { type: "application/octet-stream" });
 }
 
 /**
- * The view as it is, at twice the size of the screen.
+ * The view as a picture: saved, or copied where the browser can.
  *
  * @param {Workbench} bench
  * @param {Autosave} keeper
  */
-async function savePicture(bench, keeper) {
-  const name = fileName(keeper.face, "png");
-  const transparent = isChecked("picture-transparent");
-  const { width, height } = bench.canvas;
-  try {
-    const snapshot = await bench.studio.snapshot(2 * width, 2 * height, transparent);
-    const size = { pictureWidth_px: snapshot.width, pictureHeight_px: snapshot.height };
-    const png = await pngOf({ picture: snapshot.takePixels(), ...size });
-    snapshot.free();
-    save(bench, name, "image/png", () => png);
-  } catch (error) {
-    bench.fail(error);
-  }
+function offerPicture(bench, keeper) {
+  const complain = (/** @type {unknown} */ error) => bench.fail(error);
+  const picture = () => viewPicture(bench, isChecked("picture-transparent"));
+  onAction("download-picture", () => {
+    const name = fileName(keeper.face, "png");
+    picture().then((png) => keep(new File([png], name, { type: png.type })), complain);
+  });
+  byId("copy-picture", HTMLButtonElement).hidden = !canCopyPictures();
+  onAction("copy-picture", () => copyPicture(picture()).then(() => toast(say("export.copied")), complain));
 }
 
-/**
- * @param {Workbench} bench
- * @param {string} name
- * @param {string} type
- * @param {() => Uint8Array | string | Blob} produce
- */
-function save(bench, name, type, produce) {
-  try {
-    download(produce(), name, type);
-    toast(say("export.done", { file: name }));
-  } catch (error) {
-    bench.fail(error);
-  }
-}
-
-/** @param {string} name of a group of radio buttons */
-function chosen(name) {
-  const input = /** @type {HTMLInputElement | null} */ (document.querySelector(`input[name="${name}"]:checked`));
-  return input?.value ?? "";
-}
-
-/** @param {string} id of a checkbox */
-function isChecked(id) {
-  return byId(id, HTMLInputElement).checked;
+/** @param {File} file */
+function keep(file) {
+  download(file, file.name, file.type);
+  toast(say("export.done", { file: file.name }));
 }

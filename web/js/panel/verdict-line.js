@@ -60,6 +60,6 @@ function words({ file, bytes = 0, outcome }) {
 }
 
 /** @param {number} bytes */
-function saySize(bytes) {
+export function saySize(bytes) {
   return bytes < 1_000_000 ? `${sayNumber(bytes / 1000, 0)} KB` : `${sayNumber(bytes / 1_000_000, 1)} MB`;
 }

@@ -1,10 +1,11 @@
 /**
- * Whether this browser hands pictures on to other programs.
+ * Whether this browser hands such files on to other programs. Some go by the name.
  *
  * @param {string} type MIME
+ * @param {string} [name]
  */
-export function canSend(type) {
-  return navigator.canShare?.({ files: [new File([], "file", { type })] }) ?? false;
+export function canSend(type, name = "file") {
+  return navigator.canShare?.({ files: [new File([], name, { type })] }) ?? false;
 }
 
 /**

@@ -7,7 +7,7 @@ import { asPageError } from "../page/page-error.js";
  *
  * @typedef {import("../../wasm/rosto-studio-web.js").Studio} Studio
  * @typedef {(from: { module_or_path: WebAssembly.Module }) => Promise<unknown>} Instantiate
- * @typedef {Pick<typeof forWebGpu, "createRenderer" | "FileChoices" | "reopenGlb" | "reopenProject" | "sniffFile" | "start" | "usualDensity"> & { default: Instantiate }} StudioModule
+ * @typedef {Pick<typeof forWebGpu, "createRenderer" | "FileChoices" | "reopenGlb" | "reopenProject" | "sniffFile" | "solidRangeMm" | "start" | "usualDensity"> & { default: Instantiate }} StudioModule
  */
 
 /** What keeps a browser from WebGPU; its canvas is still free then. */

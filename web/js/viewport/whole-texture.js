@@ -1,4 +1,5 @@
 import { nextTask } from "../page/tasks.js";
+import { inStrips } from "../photo/open-picture.js";
 
 /**
  * @typedef {import("./workbench.js").Workbench} Workbench
@@ -10,9 +11,6 @@ import { nextTask } from "../page/tasks.js";
  * @property {number} side_px
  * @property {string | undefined} lens through which the photo is taken to be taken: the texture depends on it
  */
-
-/** So many pixels are taken in one task: few enough that none keeps the page from answering. */
-const STRIP_PX = 2 ** 18;
 
 /**
  * Sees to it that the face that is open has its texture: the worker makes it, and until it is there the photo is what is
@@ -38,6 +36,10 @@ export class WholeTexture {
     this.#vision = vision;
     this.#keeper = keeper;
     bench.onChange(() => this.#follow());
+    // What was on its way to the studio before is lost with it.
+    bench.onRestart(async () => {
+      this.#latest = undefined;
+    });
   }
 
   /** Resolves once the face has its texture, and throws what stands in its way. */
@@ -63,10 +65,24 @@ export class WholeTexture {
     this.#making = this.#make(wanted);
     // Whoever needs it hears of it; who does not, sees the photo.
     this.#making
+      .then(() => this.#settle(wanted))
       .catch(() => (this.#hasFailed = this.#latest === wanted))
       .finally(() => {
         if (this.#latest === wanted) delete document.body.dataset["texture"];
       });
+  }
+
+  /**
+   * What was taken is nobody's concern any more: a studio that is started again wants the same once more.
+   *
+   * @param {Wanted} made
+   */
+  #settle(made) {
+    const isTaken = !isSame(this.#wanted(), made);
+    if (isTaken && this.#latest === made) {
+      this.#latest = undefined;
+      delete document.body.dataset["texture"];
+    }
   }
 
   /** @returns {Wanted | undefined} */
@@ -86,14 +102,10 @@ export class WholeTexture {
     const { face, side_px } = wanted;
     const pictures = [{ pixels: face.picture, width_px: face.pictureWidth_px, height_px: face.pictureHeight_px }];
     const pixels = await this.#vision.texture({ plan, pictures, side_px });
-    const isWanted = () => isSame(this.#wanted(), wanted);
+    const isWanted = () => this.#latest === wanted && isSame(this.#wanted(), wanted);
     if (!isWanted()) return;
     this.#bench.attempt((studio) => studio.openTexture(side_px));
-    const strip_bytes = 4 * side_px * Math.ceil(STRIP_PX / side_px);
-    for (let at = 0; at < pixels.length && isWanted(); at += strip_bytes) {
-      this.#bench.attempt((studio) => studio.addTextureRows(pixels.subarray(at, at + strip_bytes)));
-      await nextTask();
-    }
+    await inStrips(this.#bench, pixels, side_px, (studio, rows) => studio.addTextureRows(rows), isWanted);
   }
 }
 

@@ -10,7 +10,8 @@ use crate::{BaseColour, ExportError, Model};
 
 /// A Wavefront OBJ file: metres, +Y up, with the custom of sRGB colours (0 to 1) after each vertex's position.
 ///
-/// Every number has the digits it needs to read back as the same `f64`.
+/// Positions have the digits that they need to read back as the same `f32`: further digits depend on the machine that they
+/// were reckoned on, and the same face is to be the same file.
 ///
 /// # Errors
 /// [`ExportError`] if a length does not fit, a position is not finite, or there is no triangle.
@@ -18,7 +19,7 @@ pub fn obj(model: &Model<'_>) -> Result<String, ExportError> {
     model.check()?;
     let mut text = String::from(TITLE);
     text.push_str("o face\n");
-    for (p, colour) in model.positions_m.iter().zip(model.colours_srgb) {
+    for (p, colour) in model.positions_m.iter().map(|p| p.as_vec3()).zip(model.colours_srgb) {
         let [r, g, b] = colour.map(|channel| f64::from(channel) / 255.0);
         push(&mut text, format_args!("v {} {} {} {r:.4} {g:.4} {b:.4}\n", p.x, p.y, p.z));
     }
@@ -62,7 +63,7 @@ const TITLE: &str = "# Rosto; metres, +Y up, +Z out of the face\n";
 
 fn textured(model: &Model<'_>, texture: &Texture<'_>, material_name: &str) -> String {
     let mut text = format!("{TITLE}mtllib {material_name}\no face\n");
-    for p in model.positions_m {
+    for p in model.positions_m.iter().map(|p| p.as_vec3()) {
         push(&mut text, format_args!("v {} {} {}\n", p.x, p.y, p.z));
     }
     for &DVec2 { x, y } in texture.uvs.iter() {

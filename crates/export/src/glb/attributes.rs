@@ -46,12 +46,18 @@ pub(super) fn morphs(
     Ok(())
 }
 
+/// Displacements are differences, whose last digits are the rounding of the machine that reckoned them: what is far below what
+/// single precision tells of a face is left out, so that the same face is the same file.
+const FINEST_M: f64 = 1e-9;
+
 fn displacements(model: &Model<'_>, morph: &Morph<'_>) -> Result<Vec<Vec3>, ExportError> {
     let (expected, found) = (model.topology.vertex_count(), morph.displacements_m.len());
     if expected != found {
         return Err(ExportError::LengthMismatch { what: "morph displacements", expected, found });
     }
-    let rounded: Vec<Vec3> = morph.displacements_m.iter().map(|d| d.as_vec3()).collect();
+    // Nothing has no sign.
+    let rounded = |d: &DVec3| ((*d / FINEST_M).round() * FINEST_M + DVec3::ZERO).as_vec3();
+    let rounded: Vec<Vec3> = morph.displacements_m.iter().map(rounded).collect();
     match rounded.iter().position(|d| !d.is_finite()) {
         Some(vertex) => Err(ExportError::NotFinite { vertex }),
         None => Ok(rounded),

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use rosto_export::{BaseColour, Colours, TextureSize};
 use rosto_face::{LANDMARK_COUNT, Region, has_anatomical_name, landmark_id, part_id};
-use rosto_session::{Choice, Intent, Session, plain_formats};
+use rosto_session::{Choice, Intent, Session, plain_formats, printed_formats};
 use rosto_studio::{Expression, FaceSlider};
 
 use crate::faces::session;
@@ -74,7 +74,7 @@ fn named() -> Vec<String> {
     let regions = Region::ALL.into_iter().map(|region| format!("region.{}", region.id()));
     let expressions = Expression::ALL.into_iter().map(|expression| format!("expression.{}", expression.id()));
     let sliders = FaceSlider::ALL.into_iter().map(|slider| format!("slider.{}", slider.id()));
-    let formats = plain_formats().map(|format| format!("format.{}.help", format.id()));
+    let formats = plain_formats().chain(printed_formats()).map(|format| format!("format.{}.help", format.id()));
     let of_files = [
         BaseColour::ALL.map(|one| format!("base-colour.{}", one.id())).to_vec(),
         TextureSize::ALL.map(|one| format!("texture-size.{}", one.id())).to_vec(),

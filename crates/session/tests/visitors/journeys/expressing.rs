@@ -1,5 +1,5 @@
 use glam::DVec3;
-use rosto_export::{BaseColour, Format, reopen};
+use rosto_export::{BaseColour, Eyes, Format, reopen};
 use rosto_face::Triangulation;
 use rosto_session::{ExpressionsAs, FileOptions, Intent, Selection, Session};
 use rosto_studio::{Expression, Mirror, Switch, project};
@@ -158,6 +158,15 @@ fn a_glb_with_expressions_leads_from_its_base_to_what_is_seen_and_opens_again() 
         }
         let shown = positions(&session);
         assert!(reached.len() > shown.len(), "eyes and mouth are pieces of their own");
+        let [points, triangles] = session.mesh_counts(Format::Glb, &rigged()).unwrap();
+        let indices = &glb.json["accessors"][mesh["primitives"][0]["indices"].as_u64().unwrap() as usize];
+        assert_eq!((points, Some(3 * triangles as u64)), (reached.len(), indices["count"].as_u64()));
+        assert_eq!(session.mesh_counts(Format::Obj, &rigged()).unwrap()[0], shown.len());
+        let still = FileOptions { eyes: Eyes::Pieces, ..FileOptions::default() };
+        assert_eq!(session.mesh_counts(Format::Obj, &still).unwrap()[0], reached.len());
+        let file = session.file(Format::Ply, &still).unwrap().bytes;
+        let header = format!("element vertex {}\n", reached.len());
+        assert!(String::from_utf8_lossy(&file).contains(&header), "the same pieces stand still");
         let apart = shown.iter().zip(&reached).map(|(shown, reached)| shown.distance(*reached)).fold(0.0, f64::max);
         assert!(apart < 1e-7, "{apart} m");
         let reopened = reopen(&file).unwrap();

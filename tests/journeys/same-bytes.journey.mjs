@@ -1,0 +1,85 @@
+// The page and the command line write the same bytes of the same pixels and edits, whatever is chosen. Only JSON, which has
+// every digit of double precision, differs in the last ones, as the machines' arithmetic does.
+import assert from "node:assert/strict";
+import { filesByCommandLine } from "./command-line.mjs";
+import { journey } from "./journey.mjs";
+import { AS_THE_PAGE, openAsCommandLine, storedFiles } from "./same-face.mjs";
+import { SAMPLE } from "./visitor.mjs";
+
+const EDITED = ["--slider", "nose-width:4"];
+
+/**
+ * What is chosen on the page, and with it on the command line. Each way of painting, each material, size, density, body and
+ * number of colours is in one row at least.
+ *
+ * @typedef {{ format: string, choose: Record<string, string | boolean>, options: string[] }} Row
+ * @type {Row[]}
+ */
+const PAINTED = [
+  { format: "glb", choose: { paint: "whole", size: "1024", density: "2", unlit: false }, options: ["--base-colour", "whole", "--texture-size", "1024"] },
+  { format: "png", choose: { paint: "whole", size: "1024" }, options: ["--base-colour", "whole", "--texture-size", "1024"] },
+  { format: "obj", choose: { paint: "whole", size: "1024" }, options: ["--base-colour", "whole", "--texture-size", "1024"] },
+  { format: "usdz", choose: { paint: "photo", size: "2048", density: "1", eyes: true }, options: ["--base-colour", "photo", "--texture-size", "2048", "--density", "1", "--eyes", "pieces"] },
+  { format: "glb", choose: { eyes: false, unlit: true }, options: ["--base-colour", "photo", "--material", "unlit", "--density", "1"] },
+  { format: "glb", choose: { paint: "photo", morphs: true }, options: ["--base-colour", "photo", "--material", "unlit", "--morph-targets", "--density", "1"] },
+  { format: "obj", choose: { paint: "colours", density: "0" }, options: ["--base-colour", "colours", "--density", "0"] },
+  { format: "ply", choose: {}, options: ["--density", "0"] },
+  { format: "glb", choose: { morphs: false, expressions: true, unlit: false }, options: ["--base-colour", "colours", "--density", "0", "--expressions"] },
+];
+
+/** @type {Row[]} */
+const PRINTED = [
+  { format: "3mf", choose: { solid: "thickness", length: "2" }, options: [] },
+  { format: "3mf", choose: { solid: "flat", length: "3", colours: "few" }, options: ["--solid", "flat:3", "--colours", "few"] },
+  { format: "stl", choose: { solid: "thickness", length: "1.2", density: "1" }, options: ["--solid", "thickness:1.2", "--density", "1"] },
+];
+
+for (const [kind, rows] of Object.entries({ painted: PAINTED, printed: PRINTED })) {
+  journey(`page and command line write the same bytes of the same face and edits: ${kind}`, async (open) => {
+    const visitor = await open();
+    await openAsCommandLine(visitor);
+    await visitor.slide("nose-width", 4);
+    for (const { format, choose, options } of rows) {
+      for (const [what, value] of Object.entries(choose)) await choosing(visitor, what, value);
+      const mine = await visitor.download(`download-${format}`);
+      const { files, said } = await filesByCommandLine(SAMPLE, `face.${format}`, [...AS_THE_PAGE, ...EDITED, ...options]);
+      const pages = files.size > 1 ? storedFiles(mine) : new Map([[`face.${format}`, mine]]);
+      assert.deepEqual([...pages.keys()].sort(), [...files.keys()].sort(), `${options}: ${said}`);
+      for (const [name, bytes] of files) assert.equal(differsAt(pages.get(name), bytes), undefined, `${name} with ${options}`);
+    }
+  });
+}
+
+/**
+ * Chooses something about files on the page.
+ *
+ * @param {import("./visitor.mjs").Visitor} visitor
+ * @param {string} what
+ * @param {string | boolean} value
+ */
+async function choosing({ page }, what, value) {
+  const radios = { paint: "base-colour", solid: "solid", colours: "colours" };
+  const lists = { size: "#texture-size", density: "#export-density" };
+  const checks = { unlit: "#export-unlit", morphs: "#export-morphs", expressions: "#export-expressions", eyes: "#export-eyes" };
+  // What is in a fold that is closed is chosen all the same.
+  await page.evaluate(() => (/** @type {HTMLDetailsElement} */ (document.getElementById("export-print")).open = true));
+  await page.click("#tab-export");
+  if (what in radios) await page.check(`input[name="${radios[what]}"][value="${value}"]`, { force: true });
+  else if (what in lists) await page.selectOption(lists[what], String(value));
+  else if (what in checks) await page.setChecked(checks[what], value === true);
+  else await page.fill("#solid-mm", String(value));
+  await page.waitForSelector("body:not([data-texture])");
+}
+
+/**
+ * Where two files differ first, and how long they are; nothing of files that are the same.
+ *
+ * @param {Buffer | undefined} one
+ * @param {Buffer} other
+ */
+function differsAt(one, other) {
+  if (!one) return "is not there";
+  if (one.equals(other)) return undefined;
+  const at = one.findIndex((byte, place) => byte !== other[place]);
+  return `at ${at} of ${one.length} and ${other.length}: ${one.subarray(at, at + 40).toString("latin1")}`;
+}

@@ -1,0 +1,141 @@
+import { byId, make } from "../page/dom.js";
+import { asPageError } from "../page/page-error.js";
+import { isTrap, studioModule } from "../viewport/studio-module.js";
+import { sayId } from "../words/names.js";
+import { inEveryLanguage, isWord, say, sayNumber } from "../words/words.js";
+import { chosen, hasLength, withPrintChoices } from "./file-choices.js";
+
+/**
+ * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../../wasm/rosto-studio-web.js").PrintedBody} PrintedBody
+ * @typedef {import("../words/words.js").WordKey} WordKey
+ * @typedef {Pick<PrintedBody, "volumeCm3" | "sizeMm" | "thinnestMm" | "movedMm" | "plaGrams">} Body
+ */
+
+/** A body takes its time: it is made when nothing more is typed. */
+const PAUSE_MS = 250;
+
+/** A face that was rounded by less looks as it did, in mm. */
+const SEEN_MM = 0.05;
+
+/** What is printed of the face, what that measures, and why it cannot be, before it is saved. */
+export class PrintPanel {
+  #bench;
+  #fold = byId("export-print", HTMLDetailsElement);
+  #length = byId("solid-mm", HTMLInputElement);
+  #facts = byId("print-facts", HTMLDListElement);
+  #refusal = byId("print-refused", HTMLParagraphElement);
+  /** What was typed for each body that has a length, in mm. @type {Record<string, string>} */
+  #lengths_mm = { thickness: "2", flat: "3" };
+  #range_mm;
+  /** @type {Body | undefined} */
+  #body;
+  /** @type {unknown} what stands in its way */
+  #refused;
+  #isStale = true;
+  #coming = 0;
+
+  /** @param {Workbench} bench */
+  constructor(bench) {
+    this.#bench = bench;
+    this.#range_mm = studioModule().solidRangeMm();
+    const [least = 0, most = 0] = this.#range_mm;
+    Object.assign(this.#length, { min: String(least), max: String(most) });
+    this.#offerLength();
+    this.#fold.addEventListener("change", () => this.#offerLength());
+    this.#fold.addEventListener("input", () => this.#measureSoon());
+    this.#length.addEventListener("input", () => (this.#lengths_mm[chosen("solid")] = this.#length.value));
+    bench.onChange(() => this.#measureSoon());
+    // It is measured where it is seen: once the fold opens, or the tab that it is on.
+    new ResizeObserver(() => this.#isStale && this.#measureSoon()).observe(this.#fold);
+    inEveryLanguage(() => this.#write());
+  }
+
+  /**
+   * Says why no file was written.
+   *
+   * @param {unknown} error
+   */
+  refuse(error) {
+    if (isTrap(error)) this.#bench.fail(error);
+    this.#refused = error;
+    this.#body = undefined;
+    this.#write();
+  }
+
+  /** Each body keeps the length that was chosen for it. */
+  #offerLength() {
+    const length_mm = this.#lengths_mm[chosen("solid")];
+    if (length_mm !== undefined && this.#length.value !== length_mm) this.#length.value = length_mm;
+    this.#write();
+  }
+
+  #measureSoon() {
+    clearTimeout(this.#coming);
+    this.#isStale = true;
+    this.#fold.dataset["measuring"] = "";
+    if (this.#fold.open && this.#fold.checkVisibility()) this.#coming = setTimeout(() => this.#measure(), PAUSE_MS);
+  }
+
+  #measure() {
+    this.#isStale = false;
+    delete this.#fold.dataset["measuring"];
+    try {
+      this.#show(withPrintChoices((choices) => this.#bench.studio.solidFacts(choices)));
+    } catch (error) {
+      this.refuse(error);
+    }
+  }
+
+  /** @param {PrintedBody | undefined} body */
+  #show(body) {
+    this.#refused = undefined;
+    this.#body = body && { ...measuresOf(body) };
+    body?.free();
+    this.#write();
+  }
+
+  #write() {
+    const solid = chosen("solid");
+    byId("solid-length", HTMLDivElement).hidden = !hasLength(solid);
+    if (hasLength(solid)) byId("solid-mm-label", HTMLLabelElement).textContent = sayId("solid", `${solid}.mm`);
+    for (const choice of ["solid", "colours"]) byId(`${choice}-help`, HTMLParagraphElement).textContent = sayId(choice, `${chosen(choice)}.help`);
+    this.#facts.replaceChildren(...(this.#body ? listed(this.#body) : []));
+    this.#refusal.hidden = this.#refused === undefined;
+    this.#refusal.textContent = this.#refused === undefined ? "" : this.#explained();
+    this.#length.setAttribute("aria-invalid", String(this.#refused !== undefined && hasLength(solid)));
+  }
+
+  /** What stands in the way, and what would do. */
+  #explained() {
+    const [least = 0, most = 0] = this.#range_mm;
+    const { code } = asPageError(this.#refused);
+    const { mostMm = 0 } = /** @type {{ mostMm?: number }} */ (this.#refused);
+    if (code === "bad-choice") return say("print.range", { least: sayNumber(least, 1), most: sayNumber(most, 0) });
+    // Rounded down: that much works, too.
+    const works_mm = Math.floor(10 * mostMm) / 10;
+    if (works_mm >= least) return say("print.at-most", { most: sayNumber(works_mm, 1) });
+    const key = isWord(`error.${code}`) ? code : "other";
+    return `${say(/** @type {WordKey} */ (`error.${key}`))}. ${say(/** @type {WordKey} */ (`error.${key}.hint`))}`;
+  }
+}
+
+/**
+ * @param {PrintedBody} body
+ * @returns {Body}
+ */
+function measuresOf({ volumeCm3, sizeMm, thinnestMm, movedMm, plaGrams }) {
+  return { volumeCm3, sizeMm, thinnestMm, movedMm, plaGrams };
+}
+
+/** @param {Body} body */
+function listed({ volumeCm3, sizeMm, thinnestMm, movedMm, plaGrams }) {
+  const rows = [
+    ["size", `${[...sizeMm].map((side) => sayNumber(side, 0)).join(" × ")} mm`],
+    ["volume", `${sayNumber(volumeCm3, 1)} cm³`],
+    ["weight", `${sayNumber(plaGrams, 0)} g`],
+    ["thinnest", `${sayNumber(thinnestMm, 1)} mm`],
+    ...(movedMm < SEEN_MM ? [] : [["rounded", `${sayNumber(movedMm, 1)} mm`]]),
+  ];
+  return rows.flatMap(([name, value]) => [make("dt", "", sayId("print", name ?? "")), make("dd", "", value)]);
+}

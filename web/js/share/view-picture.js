@@ -1,0 +1,41 @@
+import { pngOf } from "../work/pixels.js";
+
+const TYPE = "image/png";
+
+/** So many pixels of the picture for each of the screen's, along a side. */
+const SCREENS = 2;
+
+/**
+ * The view as it is, larger than on the screen, as PNG.
+ *
+ * @param {import("../viewport/workbench.js").Workbench} bench
+ * @param {boolean} isTransparent where there is no face
+ */
+export async function viewPicture({ canvas, studio }, isTransparent) {
+  const snapshot = await studio.snapshot(SCREENS * canvas.width, SCREENS * canvas.height, isTransparent);
+  const size = { pictureWidth_px: snapshot.width, pictureHeight_px: snapshot.height };
+  const picture = snapshot.takePixels();
+  snapshot.free();
+  return pngOf({ picture, ...size });
+}
+
+/** Whether this browser copies pictures. */
+export function canCopyPictures() {
+  if (typeof ClipboardItem !== "function" || !navigator.clipboard?.write) return false;
+  return ClipboardItem.supports?.(TYPE) ?? true;
+}
+
+/**
+ * Puts a picture on the clipboard. It may be still on its way: Safari wants to be asked while the button is pressed.
+ *
+ * @param {Promise<Blob>} coming
+ */
+export async function copyPicture(coming) {
+  try {
+    await navigator.clipboard.write([new ClipboardItem({ [TYPE]: coming })]);
+  } catch (error) {
+    // What went wrong with the picture itself is told as such.
+    await coming;
+    throw { code: "not-copied", message: String(error), hint: "" };
+  }
+}
