@@ -14,6 +14,7 @@ mod modes;
 mod names;
 mod paper;
 mod photo_panel;
+mod photos;
 mod picture;
 mod pieces;
 mod renderer;
@@ -32,7 +33,8 @@ pub use in_photo::PhotoWarp;
 pub use modes::{ChangeName, FileKindName, PointerName, RefusalName, TaskName};
 pub use paper::{PaperClaims, PaperMethod, PaperRow, PaperRun};
 pub use renderer::{Renderer, create_renderer};
-pub use reopened::{ReopenedFace, reopen_glb, reopen_project, sniff_file};
+pub use photos::StudioPhoto;
+pub use reopened::{ReopenedFace, ReopenedPhoto, reopen_glb, reopen_project, sniff_file};
 pub use state::{ScreenPoint, Snapshot, StudioEntry, StudioRange, StudioSlider, StudioState, StudioTarget, StudioTick};
 pub use studio::Studio;
 
