@@ -80,7 +80,7 @@ export async function keepFace(slot, face) {
   // As a blob the pixels are handed to the database outside the page's own thread; not every browser takes blobs in a
   // private window: there the photo's own file stays behind.
   const asBlob = (/** @type {OpenedFace} */ photo) => ({ ...photo, picture: new Blob([/** @type {BlobPart} */ (photo.picture)]) });
-  const withoutFile = ({ photo: _, ...photo }) => photo;
+  const withoutFile = (/** @type {OpenedFace} */ { photo: _, ...photo }) => photo;
   await put(asBlob).catch(() => put(withoutFile));
 }
 
