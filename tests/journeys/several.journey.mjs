@@ -88,6 +88,7 @@ journey("photos from other sides make another mesh, the command line's, and are 
     assert.equal((await rows(page)).length, 3);
     assert.deepEqual((await visitor.meshJson("mm")).positions, together.positions, "to the last bit");
 
+    await page.click('[data-tab-name="shape"]');
     await page.locator("#photo-list li button").nth(2).click();
     await page.waitForFunction(() => document.querySelectorAll("#photo-list li").length === 2);
     await page.locator("#photo-list li button").nth(1).click();
