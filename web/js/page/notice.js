@@ -50,7 +50,9 @@ export function showRemark(remark, values) {
 export function showNotAdded(name, thrown) {
   const notice = noticeOf(thrown);
   const words = () => {
-    const { title: reason, hint } = notice.words();
+    const { title: reason, hint: usual } = notice.words();
+    // A face from the side does not look at the camera.
+    const hint = notice.code === "no-face-found" ? say("photos.not-added.no-face") : usual;
     return { title: say("photos.not-added", { name }), hint: say("photos.not-added.why", { reason, hint }) };
   };
   show({ ...notice, words });
