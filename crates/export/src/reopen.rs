@@ -13,8 +13,8 @@ pub(crate) mod texture;
 
 use chunks::Chunks;
 use fields::{base64, colours, density, field, landmarks, object, size, version};
-pub use further::{Further, FurtherPhoto};
 pub(crate) use further::further_photos;
+pub use further::{Further, FurtherPhoto};
 pub use painted::Painted;
 pub use texture::PlacedTexture;
 

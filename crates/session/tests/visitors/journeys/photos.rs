@@ -49,7 +49,10 @@ fn photos_are_added_and_taken_away_and_the_edits_stay() {
     act(&mut session, add(-30.0));
     assert_eq!(face(&session).missing_turns(), []);
     let facts = face(&session).photos();
-    assert_eq!(facts.iter().map(|of| of.turn).collect::<Vec<_>>(), [Some(Turn::Front), Some(Turn::Left), Some(Turn::Right)]);
+    assert_eq!(
+        facts.iter().map(|of| of.turn).collect::<Vec<_>>(),
+        [Some(Turn::Front), Some(Turn::Left), Some(Turn::Right)]
+    );
     assert!(facts[0].leads && facts.iter().all(|of| of.adds));
     assert_eq!(face(&session).document().history().entries().len(), 1);
     // What was done can be undone, and is the same beside the face as all photos have it.
