@@ -20,6 +20,7 @@ import { setUpHistoryPanel } from "./panel/history-panel.js";
 import { setUpInPhotoPanel } from "./panel/in-photo-panel.js";
 import { LandmarkPanel } from "./panel/landmark-panel.js";
 import { PaperPanel } from "./panel/paper-panel.js";
+import { PhotosPanel } from "./panel/photos-panel.js";
 import { setUpSelectionMode } from "./panel/selection-mode.js";
 import { SizePanel } from "./panel/size-panel.js";
 import { setUpViewPanel } from "./panel/view-panel.js";
@@ -91,6 +92,7 @@ async function openBench() {
     setUpChoices(opened);
     new FacePanel(opened);
     new ExpressionPanel(opened);
+    new PhotosPanel(opened, () => opening);
     setUpViewPanel(opened);
     new SizePanel(opened, () => opening.lens);
     setUpInPhotoPanel(opened);

@@ -1,7 +1,7 @@
 import { byId } from "./page/dom.js";
 import { freshen } from "./page/fresh.js";
 import { giveHints } from "./page/hint.js";
-import { hideNotice, showError } from "./page/notice.js";
+import { hideNotice, showError, showNotAdded, showRemark } from "./page/notice.js";
 import { hideProgress } from "./page/progress.js";
 import { nextTask } from "./page/tasks.js";
 import { openPicture } from "./photo/open-picture.js";
@@ -10,6 +10,8 @@ import { Replaced } from "./photo/vision-client.js";
 import { isTrap } from "./viewport/studio-module.js";
 import { stemOf } from "./work/file-name.js";
 import { fromVisit, fromWork, shownBefore, wayBack } from "./work/incoming.js";
+import { faceOf, factsOf, foundIn, photosOf } from "./work/photos.js";
+import { bitmapOf } from "./work/pixels.js";
 import { kindOf, readSavedFile } from "./work/saved-file.js";
 import { BEFORE_LENSES } from "./work/work.js";
 
@@ -52,6 +54,11 @@ export class Opening {
   /** What is known of the lens that the photo on the screen was taken through. */
   get lens() {
     return this.#now?.face.lens;
+  }
+
+  /** The face on the screen. */
+  get face() {
+    return this.#now?.face;
   }
 
   /**
@@ -106,6 +113,36 @@ export class Opening {
   }
 
   /**
+   * Further photos of the face that is open. Those that cannot be added are named, and the others are added.
+   *
+   * @param {File[]} files
+   */
+  addPhotos(files) {
+    return this.#attend(async (isWanted) => {
+      const bench = await this.#room.bench;
+      for (const file of files) {
+        if (!bench || !isWanted()) return;
+        await this.#addPhoto(bench, file, isWanted).catch((error) => {
+          if (isTrap(error) || error instanceof Replaced) throw error;
+          showNotAdded(file.name, error);
+        });
+      }
+    });
+  }
+
+  /**
+   * Takes one of the photos away from the face that is open.
+   *
+   * @param {number} place in the order that they were given in
+   */
+  removePhoto(place) {
+    return this.#attend(async () => {
+      const bench = await this.#room.bench;
+      if (bench) await this.#inTurn(() => this.#changePhotos(bench, (studio) => studio.removePhoto(place), (photos) => photos.toSpliced(place, 1)));
+    });
+  }
+
+  /**
    * Work that was kept.
    *
    * @param {() => Promise<Work>} read
@@ -122,20 +159,32 @@ export class Opening {
   async restore(work) {
     const ticket = ++this.#newest;
     const { faces = [work.face] } = this.#now ?? {};
-    await this.#inTurn({ ...(await fromWork(work)), faces }, () => ticket === this.#newest);
+    const incoming = { ...(await fromWork(work)), faces };
+    await this.#inTurn(() => this.#bringIn(incoming, () => ticket === this.#newest));
   }
 
   /** @param {(isWanted: () => boolean) => Promise<Incoming>} read */
-  async #open(read) {
+  #open(read) {
+    return this.#attend(async (isWanted) => {
+      const incoming = await read(isWanted);
+      const isOpen = isWanted() && (await this.#inTurn(() => this.#bringIn(incoming, isWanted)));
+      if (isOpen) this.#welcome(incoming);
+      incoming.bitmap.close();
+    });
+  }
+
+  /**
+   * Does what is wanted now, in place of what was on its way.
+   *
+   * @param {(isWanted: () => boolean) => Promise<void>} act
+   */
+  async #attend(act) {
     const ticket = ++this.#newest;
     const isWanted = () => ticket === this.#newest;
     hideNotice();
     hideProgress();
     try {
-      const incoming = await read(isWanted);
-      const isOpen = isWanted() && (await this.#inTurn(incoming, isWanted));
-      if (isOpen) this.#welcome(incoming);
-      incoming.bitmap.close();
+      await act(isWanted);
     } catch (error) {
       if (isTrap(error)) (await this.#room.bench)?.fail(error);
       else if (isWanted() && !(error instanceof Replaced)) showError(error);
@@ -143,6 +192,56 @@ export class Opening {
       if (isWanted()) hideProgress();
       this.#room.faceChoice.mark(this.#now?.face);
     }
+  }
+
+  /**
+   * @param {Workbench} bench
+   * @param {File} file
+   * @param {() => boolean} isWanted
+   */
+  async #addPhoto(bench, file, isWanted) {
+    const most = bench.ask((studio) => studio.mostPhotos) ?? 1;
+    if (this.#now && photosOf(this.#now.face).length >= most) throw { code: "too-many-photos", message: `${most} photos`, hint: "" };
+    if ((await kindOf(file)) !== "other") throw { code: "not-a-picture", message: "a saved face", hint: "" };
+    const { face: photo, bitmap } = await readPhoto(this.#room.vision, file, stemOf(file), isWanted);
+    bitmap.close();
+    await this.#inTurn(async () => {
+      if (!(await openPicture(bench, photo, isWanted))) return;
+      const found = foundIn(photo, photo.lens ?? BEFORE_LENSES);
+      await this.#changePhotos(bench, (studio) => studio.addPhoto(...found), (photos) => [...photos, photo]);
+      const adds = bench.ask((studio) => factsOf(studio).at(-1)?.adds);
+      if (adds === false) showRemark("adds-little", { name: file.name });
+    });
+  }
+
+  /**
+   * The open face in other photos: in the studio, in what is kept, and in what is shown of it.
+   *
+   * @param {Workbench} bench
+   * @param {(studio: import("../wasm/rosto-studio-web.js").Studio) => import("../wasm/rosto-studio-web.js").ChangeName} act
+   * @param {(photos: OpenedFace[]) => OpenedFace[]} change
+   */
+  async #changePhotos(bench, act, change) {
+    const { overlay, keeper, faceChoice } = this.#room;
+    const before = this.#now;
+    if (!before) return;
+    const { face: was, faces } = before;
+    const lens = bench.ask((studio) => studio.photoLens);
+    bench.attempt(act);
+    const place = bench.ask((studio) => factsOf(studio).findIndex(({ leads }) => leads)) ?? 0;
+    // The one that led is taken to be taken as it was said.
+    const asSaid = photosOf(was).map((photo, at) => (at === (was.place ?? 0) && lens !== undefined ? { ...photo, lens } : photo));
+    const isSameLead = change(photosOf(was))[place]?.landmarks === was.landmarks;
+    const face = faceOf(change(isSameLead ? photosOf(was) : asSaid), place, was.name);
+    keeper.change(face);
+    this.#now = { face, faces: isSameLead ? faces.map((one) => (one === was ? face : one)) : [face] };
+    // Only now is known of which photos its texture is made.
+    bench.announce();
+    await nextTask();
+    const bitmap = await bitmapOf(face);
+    await overlay.show(face, bitmap);
+    await faceChoice.show(this.#now.faces, wayBack(this.#before, this.#now.faces), bitmap);
+    bitmap.close();
   }
 
   /**
@@ -155,13 +254,14 @@ export class Opening {
   }
 
   /**
-   * @param {Incoming} incoming
-   * @param {() => boolean} isWanted
+   * @template T
+   * @param {() => Promise<T>} act
+   * @returns {Promise<T>}
    */
-  #inTurn(incoming, isWanted) {
-    const broughtIn = this.#last.then(() => this.#bringIn(incoming, isWanted));
-    this.#last = broughtIn.catch(() => {});
-    return broughtIn;
+  #inTurn(act) {
+    const done = this.#last.then(act);
+    this.#last = done.catch(() => {});
+    return done;
   }
 
   /**
@@ -174,17 +274,19 @@ export class Opening {
   async #bringIn({ face, faces, bitmap, done }, isWanted) {
     const { bench, overlay, keeper } = this.#room;
     const opened = await bench;
-    if (opened && !(await openPicture(opened, face, isWanted))) return false;
+    const lens = done?.lens ?? face.lens ?? BEFORE_LENSES;
+    const photos = photosOf({ ...face, lens });
+    const last = photos.at(-1) ?? face;
+    if (opened && !(await openPictures(opened, photos, isWanted))) return false;
     if (!isWanted()) return false;
     // An edit in progress is one, too.
     opened?.act((studio) => studio.commit());
     keeper.finish();
     opened?.attempt((studio) => {
-      const { landmarks, width_px, height_px, colours } = face;
-      const lens = done?.lens ?? face.lens ?? BEFORE_LENSES;
-      if (!done) return studio.openFace(landmarks, width_px, height_px, colours, lens);
+      const found = foundIn(last, last.lens ?? BEFORE_LENSES);
+      if (!done) return studio.openFace(...found);
       const { triangulation, density, edits, photo } = done;
-      return studio.openWork(landmarks, width_px, height_px, colours, lens, triangulation, density, edits, photo);
+      return studio.openWork(...found, triangulation, density, edits, photo);
     });
     const { preferences } = done ?? {};
     if (preferences) opened?.act((studio) => studio.prefer(preferences));
@@ -212,4 +314,20 @@ export class Opening {
     if (changedElsewhere) showError({ code: "changed-elsewhere", message: "", hint: "" });
     else if (document.body.dataset["bench"] === "open") giveHints();
   }
+}
+
+/**
+ * Gives the studio the pictures of a face's photos, and what was found in all but the last.
+ *
+ * @param {Workbench} bench
+ * @param {OpenedFace[]} photos
+ * @param {() => boolean} isWanted
+ */
+async function openPictures(bench, photos, isWanted) {
+  for (const [place, photo] of photos.entries()) {
+    if (!(await openPicture(bench, photo, isWanted, place))) return false;
+    if (place === photos.length - 1) return true;
+    bench.attempt((studio) => studio.keepPhoto(...foundIn(photo, photo.lens ?? BEFORE_LENSES)));
+  }
+  return true;
 }

@@ -51,7 +51,7 @@ pub fn run(task: &MeshTask, given: &Given<'_>, networks: Option<&Path>) -> Resul
     if let Some(solid) = &written.solid {
         told(solid).iter().for_each(|line| terminal::note(line));
     }
-    several::tell(&face, &task.photos, format)
+    several::tell(&face, &task.photos)
 }
 
 /// What a printed body measures, and what its maker should know.

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use rosto_export::{Choosable, Format};
 use rosto_face::{FaceModel, LeftOut, Turn, View};
 
 use crate::error::CliError;
@@ -10,7 +9,7 @@ use crate::terminal;
 
 /// Says which photo leads, how the face is turned in each, how well the others foresee it, and which turn none shows; nothing of
 /// a single photo.
-pub fn tell(face: &FaceModel, photos: &[PathBuf], format: Format) -> Result<(), CliError> {
+pub fn tell(face: &FaceModel, photos: &[PathBuf]) -> Result<(), CliError> {
     let views = face.views();
     if views.len() == 1 {
         return Ok(());
@@ -24,10 +23,6 @@ pub fn tell(face: &FaceModel, photos: &[PathBuf], format: Format) -> Result<(), 
     }
     let missing = Turn::missing(views.iter().map(|view| view.camera.pose()));
     missing.into_iter().for_each(|turn| terminal::note(missed(turn)));
-    if format.lets_choose(Choosable::Material) {
-        let lead = photos[views[0].photo].display();
-        terminal::note(&format!("opened in Rosto again, the file is the face by {lead} alone"));
-    }
     Ok(())
 }
 

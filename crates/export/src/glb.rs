@@ -7,9 +7,11 @@ use crate::{ExportError, Model};
 
 mod attributes;
 mod container;
+mod further;
 mod source;
 
 use container::Builder;
+pub(crate) use further::{Pictures, further};
 pub use source::Source;
 pub(crate) use source::{VERSION, fingerprint, history_object};
 
@@ -140,6 +142,11 @@ fn build(model: &Model<'_>, options: &GlbOptions<'_>) -> Result<(Builder, Map<St
         extras["positions_fnv1a"] = fingerprint(positions.flat_map(f32::to_le_bytes)).into();
         if let Some(picture) = source::picture(&model.photo, &painted, options.max_texture_px)? {
             extras["picture"] = picture;
+        }
+        let holds_photos = !matches!(painted, Painted::Colours);
+        let pictures = if holds_photos { Pictures::UpTo(options.max_texture_px) } else { Pictures::Left };
+        if let Some(further) = options.source.map(|source| further(source.face, pictures)).transpose()?.flatten() {
+            extras["further"] = further;
         }
     }
     attributes.insert("_LANDMARK_ID".into(), builder.scalars(&landmark_ids(model)).into());

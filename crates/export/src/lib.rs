@@ -25,7 +25,7 @@ pub use format::{
 pub use glb::{BaseColour, GlbOptions, Material, Morph, Source, TextureSize, glb, gltf};
 pub use model::{Model, Picture};
 pub use printable::{NoSolid, SOLID_MM, Solid, SolidFacts};
-pub use reopen::{Painted, PlacedTexture, ReopenError, Reopened, reopen};
+pub use reopen::{Further, FurtherPhoto, Painted, PlacedTexture, ReopenError, Reopened, reopen};
 pub use rosto_solid::{PLA_G_PER_CM3, SolidError};
 pub use sniff::{FileKind, SNIFFED_BYTES, sniff};
 pub use zip::NamedFile;

@@ -6,7 +6,8 @@
 //! {"format": "rosto-project", "version": 2, "width_px": 512, "height_px": 512, "points": 478, "lens": "exif:26",
 //!  "triangulation": "canonical", "density": 0, "edits": {}}
 //! ```
-//! What was done to the photo alone follows as `"in_photo"`, if there is any. There are 468 points, or 478 with the irises. Version 1 had neither `points`, which were 468, nor a `lens`.
+//! What was done to the photo alone follows as `"in_photo"`, if there is any, and the further photos of a face in several as
+//! `"further"` (version 3), as a GLB has them ([`Source`]): the face's part of each as JPEG. There are 468 points, or 478 with the irises. Version 1 had neither `points`, which were 468, nor a `lens`.
 //! The sides are those of the photo that the landmarks were found in; the picture may be a smaller copy. Of the edits
 //! only their owner knows more than that they are an object.
 
@@ -15,17 +16,23 @@ use std::borrow::Cow;
 use rosto_face::{LANDMARK_COUNT, POINT_COUNT};
 use serde_json::Value;
 
-use crate::glb::history_object;
+use crate::glb::{Pictures, further, history_object};
 use crate::reopen::fields::{bounded, colours, density, field, integer, landmarks, object, version};
 use crate::reopen::texture::{MAX_PICTURE_SIDE_PX, PNG_SIGNATURE, png_size};
-use crate::reopen::{in_photo, lens, triangulation};
+use crate::reopen::{further_photos, in_photo, lens, triangulation};
 use crate::sniff::without_bom;
 use crate::{ExportError, PlacedTexture, ReopenError, Reopened, Source};
 
 const FORMAT: &str = "rosto-project";
 
-/// The version that is written.
-const VERSION: u64 = 2;
+/// The version that is written of a face in several photos: the latest that is read.
+const VERSION: u64 = 3;
+
+/// The version of a face in one photo, which earlier readers open, too.
+const VERSION_OF_ONE_PHOTO: u64 = 2;
+
+/// The longest side of what is kept of a further photo, in px.
+const MAX_FURTHER_PX: u32 = 2048;
 
 const POINT_BYTES: usize = 3 * 4;
 const COLOURS_BYTES: usize = LANDMARK_COUNT * 3;
@@ -47,8 +54,11 @@ pub fn write(source: &Source<'_>, png: &[u8]) -> Result<Vec<u8>, ExportError> {
     let (landmarks, lens) = (source.face.landmarks(), source.face.lens());
     let in_photo = source.in_photo.map(history_object).transpose()?.map(|edits| format!(r#","in_photo":{edits}"#));
     let in_photo = in_photo.unwrap_or_default();
+    let further = further(source.face, Pictures::UpTo(MAX_FURTHER_PX))?;
+    let version = if further.is_some() { VERSION } else { VERSION_OF_ONE_PHOTO };
+    let further = further.map(|photos| format!(r#","further":{photos}"#)).unwrap_or_default();
     let header = format!(
-        r#"{{"format":"{FORMAT}","version":{VERSION},"width_px":{width},"height_px":{height},"points":{},"lens":"{lens}","triangulation":"{triangulation}","density":{},"edits":{edits}{in_photo}}}"#,
+        r#"{{"format":"{FORMAT}","version":{version},"width_px":{width},"height_px":{height},"points":{},"lens":"{lens}","triangulation":"{triangulation}","density":{},"edits":{edits}{in_photo}{further}}}"#,
         landmarks.len(),
         source.density
     );
@@ -98,6 +108,7 @@ pub fn read(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
         lens: lens(header.get("lens"))?,
         history: Some(object(&header["edits"]).ok_or_else(field("edits"))?),
         in_photo: in_photo(&header)?,
+        further: further_photos(header.get("further"))?,
         texture: None,
         changed_elsewhere: false,
     };

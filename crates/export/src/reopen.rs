@@ -6,12 +6,15 @@ use crate::glb::{VERSION, fingerprint};
 
 mod chunks;
 pub(crate) mod fields;
+mod further;
 mod geometry;
 mod painted;
 pub(crate) mod texture;
 
 use chunks::Chunks;
 use fields::{base64, colours, density, field, landmarks, object, size, version};
+pub(crate) use further::further_photos;
+pub use further::{Further, FurtherPhoto};
 pub use painted::Painted;
 pub use texture::PlacedTexture;
 
@@ -38,6 +41,8 @@ pub struct Reopened<'a> {
     pub in_photo: Option<String>,
     /// The photo or the part of it that the file holds; none in a GLB that is painted with colours.
     pub texture: Option<PlacedTexture<'a>>,
+    /// Of a face in several photos, what there is of the others: all above is of the one that leads.
+    pub further: Option<Further>,
     /// Whether the mesh in the file is another one than was written, so that it looks otherwise than what is opened.
     /// A file that does not tell what was written counts as unchanged.
     pub changed_elsewhere: bool,
@@ -108,6 +113,7 @@ pub fn reopen(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
         history: extras.get("history").map(|history| object(history).ok_or_else(field("history"))).transpose()?,
         in_photo: in_photo(extras)?,
         texture: extras.get("picture").map(texture).transpose()?,
+        further: further_photos(extras.get("further"))?,
         changed_elsewhere: changed_elsewhere(extras, &root, chunks.binary),
         landmarks,
     })

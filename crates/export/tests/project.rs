@@ -110,8 +110,8 @@ fn a_project_is_known_by_its_start_even_behind_long_edits() {
 
 #[test]
 fn a_later_version_is_told_apart() {
-    let newer = with_header(|header| header.replace("\"version\":2,\"width", "\"version\":3,\"width"));
-    assert_eq!(project::read(&newer), Err(ReopenError::Newer { found: 3, known: 2 }));
+    let newer = with_header(|header| header.replace("\"version\":2,\"width", "\"version\":4,\"width"));
+    assert_eq!(project::read(&newer), Err(ReopenError::Newer { found: 4, known: 3 }));
 }
 
 #[test]

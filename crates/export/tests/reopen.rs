@@ -122,7 +122,7 @@ fn a_file_of_another_program_or_a_later_version_is_told_apart() {
     assert_eq!(reopen(&with_extras("{}")), Err(ReopenError::Foreign));
     assert_eq!(reopen(&with_extras(r#"{"rosto":"history","version":1}"#)), Err(ReopenError::Foreign));
     let newer = with_extras(r#"{"rosto":"face","version":9}"#);
-    assert_eq!(reopen(&newer), Err(ReopenError::Newer { found: 9, known: 3 }));
+    assert_eq!(reopen(&newer), Err(ReopenError::Newer { found: 9, known: 4 }));
     let empty = with_extras(r#"{"rosto":"face","version":1}"#);
     assert_eq!(reopen(&empty), Err(ReopenError::Field { field: "landmarks" }));
     assert_eq!(reopen(b"a photo, perhaps"), Err(ReopenError::NotGlb));

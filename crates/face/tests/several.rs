@@ -234,6 +234,28 @@ fn another_lens_and_back_is_the_same_model_of_several_photos() {
 }
 
 #[test]
+fn a_photo_added_and_taken_away_is_as_if_all_had_been_given_so() {
+    let shots = [turned(-30.0), turned(4.0), turned(35.0)];
+    let shown = photos(&head(3.0), &shots);
+    let same = |one: &FaceModel, other: &FaceModel| {
+        assert_eq!(one.positions_m(), other.positions_m(), "to the last bit");
+        let cameras = |of: &FaceModel| of.views().iter().map(|view| (view.photo, *view.camera)).collect::<Vec<_>>();
+        assert_eq!(cameras(one), cameras(other));
+    };
+    let all = several(&shown, lens()).unwrap();
+    let [width, height] = SIZE_PX;
+    let (colours, picture) = (vec![[1, 2, 3]; LANDMARK_COUNT], Photo::from_rgb(1, 1, vec![9, 9, 9]).unwrap());
+    let last = FaceInput { landmarks: &shown[2], width, height, colours: &colours, picture, lens: lens() };
+    same(&several(&shown[..2], lens()).unwrap().with_photo(last).unwrap(), &all);
+    same(&all.without_photo(2).unwrap(), &several(&shown[..2], lens()).unwrap());
+    same(&all.without_photo(1).unwrap(), &several(&[shown[0].clone(), shown[2].clone()], lens()).unwrap());
+    same(&all.without_photo(3).unwrap(), &all);
+    let alone = all.without_photo(2).unwrap().without_photo(0).unwrap();
+    same(&alone, &several(&shown[1..2], lens()).unwrap());
+    assert_eq!(alone.without_photo(0).unwrap_err(), FaceError::PhotoCount { found: 0, most: MOST_PHOTOS });
+}
+
+#[test]
 fn another_expression_does_little_to_what_it_does_not_move() {
     let (head, mut smiling) = (head(21.0), head(21.0));
     let moved = [Region::Lips, Region::RightUpperEyelid].map(Region::vertices).concat();

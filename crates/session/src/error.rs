@@ -22,6 +22,14 @@ pub enum SessionError {
         /// How many there are.
         count: usize,
     },
+    /// There is no such photo of the face.
+    #[error("there is no photo {photo}: there are {count}, counted from 0")]
+    NoSuchPhoto {
+        /// The photo asked for.
+        photo: usize,
+        /// How many there are.
+        count: usize,
+    },
     /// A number is beyond what it may be, or not one.
     #[error("{what} must lie between {least} and {most}, not at {value}")]
     OutOfRange {

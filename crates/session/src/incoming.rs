@@ -24,8 +24,34 @@ pub struct Incoming {
     pub picture: Photo,
     /// What is known of the lens that the photo was taken through.
     pub lens: PhotoLens,
+    /// Further photos of the same face, in the order that they were given in after this one; none of most faces.
+    pub further: Vec<FurtherPhoto>,
     /// What was done to the face before; nothing for one that was just found.
     pub work: Option<Work>,
+}
+
+/// A further photo of a face, and what was found in it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FurtherPhoto {
+    /// MediaPipe's normalised landmarks: 468, or 478 with the irises.
+    pub landmarks: Vec<[f32; 3]>,
+    /// Width and height in px of the upright photo that they were found in.
+    pub photo_size_px: [u32; 2],
+    /// The colour under each landmark, sRGB: 468.
+    pub colours_srgb: Vec<[u8; 3]>,
+    /// The upright picture, perhaps scaled down.
+    pub picture: Photo,
+    /// What is known of the lens that the photo was taken through.
+    pub lens: PhotoLens,
+}
+
+impl FurtherPhoto {
+    /// As a model takes it.
+    pub(crate) fn input(&self) -> FaceInput<'_> {
+        let [width, height] = self.photo_size_px;
+        let Self { landmarks, colours_srgb: colours, lens, .. } = self;
+        FaceInput { landmarks, width, height, colours, picture: self.picture.clone(), lens: *lens }
+    }
 }
 
 /// What was done to a face.
@@ -83,7 +109,13 @@ pub(crate) fn opened(incoming: Incoming, usual: (Triangulation, u32)) -> Result<
         picture: incoming.picture,
         lens: incoming.lens,
     };
-    let model = FaceModel::new(input, triangulation)?;
+    let model = match incoming.further.as_slice() {
+        [] => FaceModel::new(input, triangulation)?,
+        further => {
+            let further = further.iter().map(FurtherPhoto::input);
+            FaceModel::of_several(std::iter::once(input).chain(further).collect(), triangulation)?
+        }
+    };
     let document = Document::open(Rest::of_face(&model), entries, density)?;
     let mut face = OpenFace::new(model, document);
     if let Some((seen_from_m, strokes)) = photo {

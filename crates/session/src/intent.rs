@@ -7,7 +7,7 @@ use rosto_stage::{
 use rosto_studio::{ConstraintKind, Details, Expression, FaceSlider, Mirror, Operator, Switch};
 
 use crate::drag::Pace;
-use crate::{AnchorChoice, Incoming, Motion, Preset, Selection, SelectionMode, Skin, Turntable};
+use crate::{AnchorChoice, FurtherPhoto, Incoming, Motion, Preset, Selection, SelectionMode, Skin, Turntable};
 
 /// Everything that a visitor can want. Places are device pixels from the canvas' top left.
 #[derive(Debug, Clone, PartialEq)]
@@ -98,6 +98,10 @@ pub enum Intent {
     /// Through which lens the photo was taken, and so from how far away; the model is taken out of it anew, and the edits are
     /// carried out again.
     PhotoLens(PhotoLens),
+    /// A further photo of the same face: the model is made of all of them, and the edits are carried out again.
+    AddPhoto(Box<FurtherPhoto>),
+    /// Takes one of them away again, by its place in the order that they were given in.
+    RemovePhoto(usize),
     /// How the landmarks are joined; the edits are carried out again. Points that were pinned are free again.
     Triangulation(Triangulation),
 

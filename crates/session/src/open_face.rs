@@ -2,6 +2,7 @@ mod mesh;
 mod movement;
 mod outputs;
 mod photo;
+mod photos;
 mod selecting;
 
 use glam::DVec3;
@@ -15,6 +16,7 @@ use crate::rows::{Row, Rows};
 use crate::selection::Moving;
 use crate::slider_influence::{self, SliderInfluence};
 pub use photo::PhotoEdit;
+pub use photos::PhotoFacts;
 
 pub(crate) const M_PER_MM: f64 = 1.0 / 1000.0;
 pub(crate) const MM_PER_M: f64 = 1000.0;

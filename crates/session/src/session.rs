@@ -181,6 +181,8 @@ impl Session {
             Intent::Symmetrise(share) => self.symmetrise(share),
             Intent::Density(density) => self.set_density(density),
             Intent::PhotoLens(lens) => self.set_photo_lens(lens),
+            Intent::AddPhoto(photo) => self.change_photos(|face, choices| face.add_photo(&photo, choices)),
+            Intent::RemovePhoto(photo) => self.change_photos(|face, choices| face.remove_photo(photo, choices)),
             Intent::Triangulation(triangulation) => self.set_triangulation(triangulation),
             Intent::Scene(scene) => Ok(self.set_scene(scene)),
             Intent::Ring(share) => self.set_ring(share),

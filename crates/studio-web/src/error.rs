@@ -13,6 +13,7 @@ const TYPES: &str = r#"
 export type StudioErrorCode =
     | "no-webgpu" | "no-webgl" | "no-adapter" | "no-device" | "canvas-in-use" | "device-lost"
     | "no-face" | "no-selection" | "bad-vertex" | "bad-face" | "bad-number" | "bad-choice"
+    | "another-face" | "too-many-photos"
     | "cannot-solve" | "cannot-export" | "too-thick" | "no-body" | "surface-alone" | "bad-project" | "bad-history" | "too-new" | "damaged-glb" | "foreign-glb" | "newer-glb"
     | "not-drawn" | "internal";
 /** What is thrown: `message` says what happened, `hint` what to do next; `mostMm` how thick a wall may be that is too thick. */
@@ -113,6 +114,7 @@ impl From<SessionError> for FacadeError {
             SessionError::NoFace => return Self::no_face(),
             SessionError::NothingSelected => ("no-selection", "Choose a point first."),
             SessionError::NoSuchVertex { .. } => ("bad-vertex", "Choose a point that there is."),
+            SessionError::NoSuchPhoto { .. } => ("bad-number", "Choose a photo that there is."),
             SessionError::OutOfRange { .. } => ("bad-number", "Give a number within these limits."),
             SessionError::TooManyEntries { .. } | SessionError::BadHistory { .. } | SessionError::InPhoto { .. } => {
                 ("bad-history", "Open an earlier copy of it, or the photo instead.")
@@ -130,7 +132,12 @@ impl From<SessionError> for FacadeError {
 
 impl From<FaceError> for FacadeError {
     fn from(error: FaceError) -> Self {
-        Self::new("bad-face", error.to_string(), "Try a photo where the face is larger and looks towards the camera.")
+        let (code, hint) = match error {
+            FaceError::AnotherFace { .. } => ("another-face", "Choose another photo of the same face."),
+            FaceError::PhotoCount { .. } => ("too-many-photos", "Take another photo away first."),
+            _ => ("bad-face", "Try a photo where the face is larger and looks towards the camera."),
+        };
+        Self::new(code, error.to_string(), hint)
     }
 }
 

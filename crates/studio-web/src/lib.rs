@@ -14,6 +14,7 @@ mod modes;
 mod names;
 mod paper;
 mod photo_panel;
+mod photos;
 mod picture;
 mod pieces;
 mod renderer;
@@ -31,8 +32,9 @@ pub use files::{FileChoices, PrintedBody, usual_density};
 pub use in_photo::PhotoWarp;
 pub use modes::{ChangeName, FileKindName, PointerName, RefusalName, TaskName};
 pub use paper::{PaperClaims, PaperMethod, PaperRow, PaperRun};
+pub use photos::StudioPhoto;
 pub use renderer::{Renderer, create_renderer};
-pub use reopened::{ReopenedFace, reopen_glb, reopen_project, sniff_file};
+pub use reopened::{ReopenedFace, ReopenedPhoto, reopen_glb, reopen_project, sniff_file};
 pub use state::{ScreenPoint, Snapshot, StudioEntry, StudioRange, StudioSlider, StudioState, StudioTarget, StudioTick};
 pub use studio::Studio;
 

@@ -13,10 +13,15 @@ pub(crate) struct OpenPicture {
 impl OpenPicture {
     /// The same picture on another GPU.
     pub fn on(&self, viewport: &Viewport) -> Result<Self> {
-        let on_gpu = viewport.reserve_picture(self.photo.width(), self.photo.height())?;
-        viewport.write_picture_rows(&on_gpu, 0, &rgba_of(&self.photo))?;
+        Self::of(self.photo.clone(), viewport)
+    }
+
+    /// A picture brought to a GPU.
+    pub fn of(photo: Photo, viewport: &Viewport) -> Result<Self> {
+        let on_gpu = viewport.reserve_picture(photo.width(), photo.height())?;
+        viewport.write_picture_rows(&on_gpu, 0, &rgba_of(&photo))?;
         viewport.finish_picture(&on_gpu);
-        Ok(Self { photo: self.photo.clone(), on_gpu })
+        Ok(Self { photo, on_gpu })
     }
 }
 

@@ -1,5 +1,5 @@
-use rosto_export::{FileKind, Reopened, project, reopen, sniff};
-use rosto_face::Triangulation;
+use rosto_export::{FileKind, FurtherPhoto, Painted, PlacedTexture, Reopened, project, reopen, sniff};
+use rosto_face::{PhotoLens, Triangulation};
 use wasm_bindgen::prelude::*;
 
 use crate::error::FacadeError;
@@ -9,15 +9,23 @@ use crate::modes::FileKindName;
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct ReopenedFace {
-    photo_size_px: [u32; 2],
-    landmarks: Vec<f32>,
-    lens: String,
-    colours: Vec<u8>,
     triangulation: Triangulation,
     density: u32,
     edits: String,
     in_photo: Option<String>,
     changed_elsewhere: bool,
+    leads: usize,
+    photos: Vec<ReopenedPhoto>,
+}
+
+/// One of its photos. `free()` it when everything has been taken out.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct ReopenedPhoto {
+    photo_size_px: [u32; 2],
+    landmarks: Vec<f32>,
+    lens: String,
+    colours: Vec<u8>,
     picture_size_px: [u32; 2],
     place_px: [i32; 2],
     placed_size_px: [u32; 2],
@@ -62,39 +70,116 @@ pub fn reopen_project(bytes: &[u8]) -> Result<ReopenedFace, JsValue> {
 }
 
 impl From<Reopened<'_>> for ReopenedFace {
-    fn from(face: Reopened<'_>) -> Self {
-        let (picture_size_px, place_px, placed_size_px, pixels) = match face.texture {
-            Some(texture) => {
-                let media_type = texture.media_type();
-                let pixels = Pixels::Encoded { bytes: texture.encoded.into_owned(), media_type };
-                (texture.picture_size_px, texture.at_px, texture.size_px, pixels)
-            }
-            None => {
-                let painted = face.painted();
-                let size = [painted.width, painted.height];
-                (size, [0, 0], size, Pixels::Painted(painted.rgba))
-            }
+    fn from(mut face: Reopened<'_>) -> Self {
+        let (leads, further) = face.further.take().map_or((0, Vec::new()), |further| (further.leads, further.photos));
+        let lead = ReopenedPhoto::new(face.photo_size_px, &face.landmarks, face.lens, &face.colours_srgb);
+        let lead = match face.texture.take() {
+            Some(texture) => lead.placed(texture),
+            None => lead.painted(face.painted()),
         };
+        let mut photos: Vec<ReopenedPhoto> = further.into_iter().map(ReopenedPhoto::from).collect();
+        photos.insert(leads, lead);
         Self {
-            photo_size_px: face.photo_size_px,
-            landmarks: face.landmarks.concat(),
-            lens: face.lens.to_string(),
-            colours: face.colours_srgb.concat(),
             triangulation: face.triangulation,
             density: face.density,
             edits: face.history.unwrap_or_else(|| rosto_studio::project::to_json(&[])),
             in_photo: face.in_photo,
             changed_elsewhere: face.changed_elsewhere,
-            picture_size_px,
-            place_px,
-            placed_size_px,
-            pixels,
+            leads,
+            photos,
         }
+    }
+}
+
+impl From<FurtherPhoto> for ReopenedPhoto {
+    fn from(mut photo: FurtherPhoto) -> Self {
+        let found = Self::new(photo.photo_size_px, &photo.landmarks, photo.lens, &photo.colours_srgb);
+        match photo.texture.take() {
+            Some(texture) => found.placed(texture),
+            None => found.painted(photo.painted()),
+        }
+    }
+}
+
+impl ReopenedPhoto {
+    fn new(photo_size_px: [u32; 2], landmarks: &[[f32; 3]], lens: PhotoLens, colours_srgb: &[[u8; 3]]) -> Self {
+        Self {
+            photo_size_px,
+            landmarks: landmarks.concat(),
+            lens: lens.to_string(),
+            colours: colours_srgb.concat(),
+            picture_size_px: [0; 2],
+            place_px: [0; 2],
+            placed_size_px: [0; 2],
+            pixels: Pixels::Painted(Vec::new()),
+        }
+    }
+
+    fn placed(self, texture: PlacedTexture<'_>) -> Self {
+        let media_type = texture.media_type();
+        Self {
+            picture_size_px: texture.picture_size_px,
+            place_px: texture.at_px,
+            placed_size_px: texture.size_px,
+            pixels: Pixels::Encoded { bytes: texture.encoded.into_owned(), media_type },
+            ..self
+        }
+    }
+
+    fn painted(self, painted: Painted) -> Self {
+        let size_px = [painted.width, painted.height];
+        let pixels = Pixels::Painted(painted.rgba);
+        Self { picture_size_px: size_px, placed_size_px: size_px, pixels, ..self }
     }
 }
 
 #[wasm_bindgen]
 impl ReopenedFace {
+    /// Its photos in the order that they were given in; none the second time.
+    #[wasm_bindgen(js_name = takePhotos)]
+    pub fn take_photos(&mut self) -> Vec<ReopenedPhoto> {
+        std::mem::take(&mut self.photos)
+    }
+
+    /// Which of them leads, from 0.
+    #[wasm_bindgen(getter)]
+    pub fn leads(&self) -> u32 {
+        self.leads as u32
+    }
+
+    /// How the landmarks are joined.
+    #[wasm_bindgen(getter)]
+    pub fn triangulation(&self) -> String {
+        self.triangulation.id().to_owned()
+    }
+
+    /// How often the mesh was subdivided.
+    #[wasm_bindgen(getter)]
+    pub fn density(&self) -> u32 {
+        self.density
+    }
+
+    /// What was done to the photo alone, as `openWork` takes it; undefined where nothing was.
+    #[wasm_bindgen(getter, js_name = inPhoto)]
+    pub fn in_photo(&self) -> Option<String> {
+        self.in_photo.clone()
+    }
+
+    /// The edits as versioned JSON.
+    #[wasm_bindgen(getter)]
+    pub fn edits(&self) -> String {
+        self.edits.clone()
+    }
+
+    /// Whether another program has changed the mesh, which opens as it was saved here.
+    #[wasm_bindgen(getter, js_name = changedElsewhere)]
+    pub fn changed_elsewhere(&self) -> bool {
+        self.changed_elsewhere
+    }
+}
+
+#[wasm_bindgen]
+impl ReopenedPhoto {
     /// Width in px of the upright photo that the landmarks were found in.
     #[wasm_bindgen(getter)]
     pub fn width(&self) -> u32 {
@@ -123,30 +208,6 @@ impl ReopenedFace {
         self.colours.clone()
     }
 
-    /// How the landmarks are joined.
-    #[wasm_bindgen(getter)]
-    pub fn triangulation(&self) -> String {
-        self.triangulation.id().to_owned()
-    }
-
-    /// How often the mesh was subdivided.
-    #[wasm_bindgen(getter)]
-    pub fn density(&self) -> u32 {
-        self.density
-    }
-
-    /// What was done to the photo alone, as `openWork` takes it; undefined where nothing was.
-    #[wasm_bindgen(getter, js_name = inPhoto)]
-    pub fn in_photo(&self) -> Option<String> {
-        self.in_photo.clone()
-    }
-
-    /// The edits as versioned JSON.
-    #[wasm_bindgen(getter)]
-    pub fn edits(&self) -> String {
-        self.edits.clone()
-    }
-
     /// Width of the upright picture in px; the file may hold a part of it.
     #[wasm_bindgen(getter, js_name = pictureWidth)]
     pub fn picture_width(&self) -> u32 {
@@ -157,12 +218,6 @@ impl ReopenedFace {
     #[wasm_bindgen(getter, js_name = pictureHeight)]
     pub fn picture_height(&self) -> u32 {
         self.picture_size_px[1]
-    }
-
-    /// Whether another program has changed the mesh, which opens as it was saved here.
-    #[wasm_bindgen(getter, js_name = changedElsewhere)]
-    pub fn changed_elsewhere(&self) -> bool {
-        self.changed_elsewhere
     }
 
     /// Where in the picture the file's part of it lies, in px: left, top, width, height.

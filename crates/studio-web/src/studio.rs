@@ -1,6 +1,6 @@
 use glam::DVec2;
 use rosto_face::{Triangulation, canonical_positions_m};
-use rosto_session::{Changed, Incoming, Intent, OpenFace, Session, Work};
+use rosto_session::{Changed, FurtherPhoto, Incoming, Intent, OpenFace, Session, Work};
 use rosto_stage::ShadingMode;
 use rosto_viewport::{MeshInput, PictureOnGpu, Viewport};
 use wasm_bindgen::prelude::*;
@@ -25,7 +25,9 @@ pub struct Studio {
     /// Of the open face.
     pub(crate) picture: Option<OpenPicture>,
     /// Of the face to be opened next.
-    next_picture: Option<OpenPicture>,
+    pub(crate) next_picture: Option<OpenPicture>,
+    /// The photos of that face before that one, if it is in several.
+    pub(crate) next_photos: Vec<(FurtherPhoto, OpenPicture)>,
     incoming_picture: Option<IncomingPicture>,
     /// Of the whole of the open face.
     pub(crate) texture: Option<OpenPicture>,
@@ -61,18 +63,23 @@ impl Studio {
         (self.incoming_picture, self.incoming_texture) = (None, None);
         // The next frame brings another.
         self.film = None;
-        for picture in [&mut self.picture, &mut self.next_picture, &mut self.texture].into_iter().flatten() {
+        let next_photos = self.next_photos.iter_mut().map(|(_, picture)| picture);
+        let open = [&mut self.picture, &mut self.next_picture, &mut self.texture].into_iter().flatten();
+        for picture in open.chain(next_photos) {
             *picture = picture.on(&self.viewport)?;
         }
         Ok(self.show(Changed::Mesh)?)
     }
 
-    /// Makes room for an upright picture, perhaps scaled down, whose rows are to follow. What is open stays.
+    /// Makes room for an upright picture, perhaps scaled down, whose rows are to follow. What is open stays. `place` says which
+    /// of the photos of the next face it is, from 0: the first, unless `keepPhoto` has taken those before it.
     ///
     /// # Errors
     /// `bad-face`.
     #[wasm_bindgen(js_name = openPicture)]
-    pub fn open_picture(&mut self, width: u32, height: u32) -> Result<(), JsValue> {
+    pub fn open_picture(&mut self, width: u32, height: u32, place: Option<u32>) -> Result<(), JsValue> {
+        // What is left of a face that was not opened after all is none of this one's.
+        self.next_photos.truncate(place.unwrap_or(0) as usize);
         self.next_picture = None;
         self.incoming_picture = None;
         self.incoming_picture = Some(IncomingPicture::new(&self.viewport, width, height)?);
@@ -95,8 +102,8 @@ impl Studio {
 
     /// Opens a face of the picture that was opened last: MediaPipe's normalised landmarks (468 × 3, or 478 × 3 with
     /// the irises) found in a photo of `width` × `height` px, the colour under each landmark (468 × 3, sRGB), and what is known
-    /// of the photo's lens, as `setPhotoLens` takes it. What was open before is kept if this
-    /// one cannot be opened.
+    /// of the photo's lens, as `setPhotoLens` takes it. It is seen in the photos that `keepPhoto` has taken, too. What was open
+    /// before is kept if this one cannot be opened.
     ///
     /// # Errors
     /// `bad-face`.
@@ -198,6 +205,7 @@ impl Studio {
             viewport,
             picture: None,
             next_picture: None,
+            next_photos: Vec::new(),
             incoming_picture: None,
             texture: None,
             incoming_texture: None,
@@ -227,17 +235,23 @@ impl Studio {
         lens: &str,
         work: Option<Work>,
     ) -> Result<ChangeName> {
-        let picture = self.next_picture.clone().ok_or_else(FacadeError::no_picture)?;
+        let last = self.photo_found(landmarks, photo_size_px, colours, lens)?;
+        let mut photos = std::mem::take(&mut self.next_photos);
+        photos.push(last);
+        let mut found = photos.iter().map(|(photo, _)| photo.clone());
+        let first = found.next().ok_or_else(FacadeError::no_picture)?;
         let incoming = Incoming {
-            landmarks: landmarks.as_chunks::<3>().0.to_vec(),
-            photo_size_px,
-            colours_srgb: colours.as_chunks::<3>().0.to_vec(),
-            picture: picture.photo.clone(),
-            lens: FacadeError::unless(lens.parse().ok())?,
+            landmarks: first.landmarks,
+            photo_size_px: first.photo_size_px,
+            colours_srgb: first.colours_srgb,
+            picture: first.picture,
+            lens: first.lens,
+            further: found.collect(),
             work,
         };
         let changed = self.session.apply(Intent::Open(Box::new(incoming)))?;
-        self.picture = Some(picture);
+        let lead = self.face()?.model().views()[0].photo;
+        self.picture = Some(photos.swap_remove(lead).1);
         self.show(changed)?;
         Ok(changed.into())
     }

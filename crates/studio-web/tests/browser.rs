@@ -58,7 +58,7 @@ fn mesh_json(studio: &mut Studio, units: &str) -> Vec<u8> {
 
 fn open(studio: &mut Studio) {
     let picture: Vec<u8> = [210, 120, 90, 255].repeat((PHOTO_PX * PHOTO_PX) as usize);
-    studio.open_picture(PHOTO_PX, PHOTO_PX).unwrap();
+    studio.open_picture(PHOTO_PX, PHOTO_PX, None).unwrap();
     for rows in picture.chunks((4 * PHOTO_PX * 5) as usize) {
         studio.add_picture_rows(rows).unwrap();
     }
@@ -251,9 +251,9 @@ async fn refusals_say_why_and_keep_the_face() {
         assert_eq!(code(&open_work(&mut studio, 0, edits).unwrap_err()), why);
     }
     assert_eq!(code(&studio.choose("density", "4").unwrap_err()), "bad-choice");
-    assert_eq!(code(&studio.open_picture(0, 2).unwrap_err()), "bad-face");
+    assert_eq!(code(&studio.open_picture(0, 2, None).unwrap_err()), "bad-face");
     for wrong in [7, 12] {
-        studio.open_picture(1, 2).unwrap();
+        studio.open_picture(1, 2, None).unwrap();
         assert_eq!(code(&studio.add_picture_rows(&vec![0; wrong]).unwrap_err()), "bad-face", "{wrong} bytes");
     }
     assert_eq!(
@@ -261,7 +261,7 @@ async fn refusals_say_why_and_keep_the_face() {
         "bad-face",
         "no picture"
     );
-    studio.open_picture(2, 2).unwrap();
+    studio.open_picture(2, 2, None).unwrap();
     studio.add_picture_rows(&[0; 16]).unwrap();
     assert_eq!(
         code(&studio.open_face(&[0.5; 1404], 64, 64, &[0; 1404], "parallel").unwrap_err()),

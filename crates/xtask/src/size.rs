@@ -20,7 +20,8 @@ pub const BUDGETS: [Budget; 4] = [
     Budget {
         name: "page module",
         files: &["wasm/rosto-studio-web_bg.wasm", "wasm/rosto-studio-web.js"],
-        limit: 600_000,
+        // A face from several photos is fitted here, in the page's own module: 14 kB more.
+        limit: 640_000,
     },
     Budget {
         name: "page module for WebGL2",

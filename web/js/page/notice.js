@@ -3,7 +3,7 @@ import { byId } from "./dom.js";
 import { asPageError } from "./page-error.js";
 
 /**
- * @typedef {"one-of-several"} Remark
+ * @typedef {"one-of-several" | "adds-little"} Remark
  * @typedef {{ kind: "error" | "remark", code: string, words: () => { title: string, hint: string } }} Notice
  */
 
@@ -39,6 +39,23 @@ export function showError(thrown) {
 export function showRemark(remark, values) {
   const words = () => ({ title: say(`remark.${remark}`, values), hint: say(`remark.${remark}.hint`, values) });
   show({ kind: "remark", code: remark, words });
+}
+
+/**
+ * Says that a file was not added to those that are there, why, and what to do next.
+ *
+ * @param {string} name of the file
+ * @param {unknown} thrown
+ */
+export function showNotAdded(name, thrown) {
+  const notice = noticeOf(thrown);
+  const words = () => {
+    const { title: reason, hint: usual } = notice.words();
+    // A face from the side does not look at the camera.
+    const hint = notice.code === "no-face-found" ? say("photos.not-added.no-face") : usual;
+    return { title: say("photos.not-added", { name }), hint: say("photos.not-added.why", { reason, hint }) };
+  };
+  show({ ...notice, words });
 }
 
 /** Takes the notice away. */

@@ -16,9 +16,10 @@ const STRIP_PX = 2 ** 18;
  * @param {Workbench} bench
  * @param {import("../work/work.js").OpenedFace} face
  * @param {() => boolean} isWanted
+ * @param {number} [place] of the photo among those of the face to be opened
  */
-export async function openPicture(bench, { picture, pictureWidth_px: width, pictureHeight_px: height }, isWanted) {
-  bench.attempt((studio) => studio.openPicture(width, height));
+export async function openPicture(bench, { picture, pictureWidth_px: width, pictureHeight_px: height }, isWanted, place = 0) {
+  bench.attempt((studio) => studio.openPicture(width, height, place));
   await inStrips(bench, picture, width, (studio, rows) => studio.addPictureRows(rows), isWanted);
   return isWanted();
 }

@@ -100,7 +100,8 @@ export class WholeTexture {
     const plan = this.#bench.ask((studio) => studio.texturePlan());
     if (!plan) return;
     const { face, side_px } = wanted;
-    const pictures = [{ pixels: face.picture, width_px: face.pictureWidth_px, height_px: face.pictureHeight_px }];
+    // The one that leads first, as in the plan.
+    const pictures = [face, ...(face.further ?? [])].map(pixelsOf);
     const pixels = await this.#vision.texture({ plan, pictures, side_px });
     const isWanted = () => this.#latest === wanted && isSame(this.#wanted(), wanted);
     if (!isWanted()) return;
@@ -115,4 +116,9 @@ export class WholeTexture {
  */
 function isSame(one, other) {
   return one?.face === other?.face && one?.side_px === other?.side_px && one?.lens === other?.lens;
+}
+
+/** @param {OpenedFace} photo */
+function pixelsOf({ picture: pixels, pictureWidth_px: width_px, pictureHeight_px: height_px }) {
+  return { pixels, width_px, height_px };
 }

@@ -1,7 +1,7 @@
 import { byId } from "../page/dom.js";
 import { setKeeping, showError } from "../page/notice.js";
 import { ownSlot, rememberSlot } from "./own-slot.js";
-import { freeSlots, keepDone, keepLastWords, lockOf, prune, settle, workIn } from "./slots.js";
+import { freeSlots, keepDone, keepFace, keepLastWords, lockOf, prune, settle, workIn } from "./slots.js";
 
 /**
  * @typedef {import("./work.js").Work} Work
@@ -124,6 +124,20 @@ export class Autosave {
     now.done = this.#standing();
     if (now.done) this.#put(now, now.done);
     this.#write(prune);
+  }
+
+  /**
+   * The face on the screen is seen in other photos from now on: its slot is to hold those.
+   *
+   * @param {OpenedFace} face
+   */
+  change(face) {
+    if (!this.#now) return;
+    const now = { ...this.#now, face };
+    this.#now = now;
+    this.#visited.set(face, now);
+    this.#write(() => keepFace(now.slot, face));
+    this.#keepDone();
   }
 
   /** @param {string} slot */

@@ -1,11 +1,12 @@
 import { studioModule } from "../viewport/studio-module.js";
 import { bytesOf } from "./bytes.js";
 import { stemOf, stemOfMesh } from "./file-name.js";
+import { faceOf } from "./photos.js";
 import { pixelsOf } from "./pixels.js";
 
 /**
  * @typedef {import("./work.js").Work} Work
- * @typedef {import("../../wasm/rosto-studio-web.js").ReopenedFace} ReopenedFace
+ * @typedef {import("../../wasm/rosto-studio-web.js").ReopenedPhoto} ReopenedPhoto
  */
 
 /** As much of a file as tells what it is. */
@@ -35,20 +36,33 @@ export async function readSavedFile(file, kind) {
   const bytes = await bytesOf(file);
   const reopened = kind === "glb" ? studioModule().reopenGlb(bytes) : studioModule().reopenProject(bytes);
   try {
-    const { width: width_px, height: height_px, edits, triangulation, density, changedElsewhere } = reopened;
-    const size = { pictureWidth_px: reopened.pictureWidth, pictureHeight_px: reopened.pictureHeight };
+    const { edits, triangulation, density, changedElsewhere, inPhoto, leads } = reopened;
     const name = kind === "glb" && density !== studioModule().usualDensity() ? stemOfMesh(file) : stemOf(file);
-    const { lens, inPhoto } = reopened;
-    const face = { name, width_px, height_px, landmarks: reopened.landmarks(), lens, colours: reopened.colours() };
-    const picture = await pictureOf(reopened, kind);
-    return { face: { ...face, ...size, picture }, edits, ...(inPhoto !== undefined && { photo: inPhoto }), triangulation, density, changedElsewhere };
+    const photos = await Promise.all(reopened.takePhotos().map((photo) => photoOf(photo, kind)));
+    const face = faceOf(photos, leads, name);
+    return { face, edits, ...(inPhoto !== undefined && { photo: inPhoto }), triangulation, density, changedElsewhere };
   } finally {
     reopened.free();
   }
 }
 
 /**
- * @param {ReopenedFace} reopened
+ * @param {ReopenedPhoto} reopened is freed
+ * @param {"glb" | "project"} kind
+ * @returns {Promise<import("./work.js").OpenedFace>}
+ */
+async function photoOf(reopened, kind) {
+  try {
+    const { width: width_px, height: height_px, lens, pictureWidth: pictureWidth_px, pictureHeight: pictureHeight_px } = reopened;
+    const found = { width_px, height_px, landmarks: reopened.landmarks(), lens, colours: reopened.colours() };
+    return { ...found, pictureWidth_px, pictureHeight_px, picture: await pictureOf(reopened, kind) };
+  } finally {
+    reopened.free();
+  }
+}
+
+/**
+ * @param {ReopenedPhoto} reopened
  * @param {"glb" | "project"} kind
  */
 async function pictureOf(reopened, kind) {

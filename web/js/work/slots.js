@@ -46,9 +46,10 @@ export async function workIn(slot) {
   /** @type {KeptDone | undefined} */
   const done = await result((await open(DONE, "readonly")).get(slot));
   if (!face || !done) return undefined;
-  const picture = face.picture instanceof Blob ? new Uint8Array(await face.picture.arrayBuffer()) : face.picture;
+  const read = await readPhoto(face);
+  const further = face.further && (await Promise.all(face.further.map(readPhoto)));
   const latest = lastWords(slot);
-  return { face: { ...face, picture }, ...(latest && latest.at > done.at ? latest : done) };
+  return { face: { ...read, ...(further && { further }) }, ...(latest && latest.at > done.at ? latest : done) };
 }
 
 /**
@@ -66,16 +67,32 @@ export async function settle(slot, face, reopenedFrom) {
 }
 
 /**
+ * Keeps a face with its photos, in place of what the slot had.
+ *
  * @param {string} slot
  * @param {OpenedFace} face
  */
-async function keepFace(slot, face) {
-  const put = async (/** @type {object} */ stored) => result((await open(FACES, "readwrite")).put(stored, slot));
+export async function keepFace(slot, face) {
+  const put = async (/** @type {(photo: OpenedFace) => object} */ kept) => {
+    const further = face.further?.map(kept);
+    return result((await open(FACES, "readwrite")).put({ ...kept(face), ...(further && { further }) }, slot));
+  };
   // As a blob the pixels are handed to the database outside the page's own thread; not every browser takes blobs in a
   // private window: there the photo's own file stays behind.
-  const picture = new Blob([/** @type {BlobPart} */ (face.picture)]);
-  const { photo: _, ...withoutFile } = face;
-  await put({ ...face, picture }).catch(() => put(withoutFile));
+  const asBlob = (/** @type {OpenedFace} */ photo) => ({ ...photo, picture: new Blob([/** @type {BlobPart} */ (photo.picture)]) });
+  const withoutFile = (/** @type {OpenedFace} */ { photo: _, ...photo }) => photo;
+  await put(asBlob).catch(() => put(withoutFile));
+}
+
+/**
+ * A photo with its pixels, as it was kept.
+ *
+ * @param {OpenedFace & { picture: Uint8Array | Blob }} photo
+ * @returns {Promise<OpenedFace>}
+ */
+async function readPhoto(photo) {
+  const { picture } = photo;
+  return picture instanceof Blob ? { ...photo, picture: new Uint8Array(await picture.arrayBuffer()) } : photo;
 }
 
 /**

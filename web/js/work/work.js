@@ -22,6 +22,8 @@
  * @property {number} pictureWidth_px
  * @property {number} pictureHeight_px
  * @property {Uint8Array} picture RGBA, upright, row by row
+ * @property {OpenedFace[]} [further] the other photos that the face is seen in, in the order that they were given in; all above is of the one that leads
+ * @property {number} [place] of the one that leads among them all
  */
 
 /** What earlier versions knew of a photo's lens: they took the camera to stand infinitely far away. */

@@ -5,8 +5,11 @@ use serde_json::{Value, json};
 use super::Painted;
 use crate::{ExportError, Picture, about, texture};
 
-/// The version of the extras that is written.
-pub(crate) const VERSION: u64 = 3;
+/// The version of the extras that is written of a face in several photos: the latest that is read.
+pub(crate) const VERSION: u64 = 4;
+
+/// The version of a face in one photo, which has nothing that version 4 brought: earlier readers open it, too.
+const VERSION_OF_ONE_PHOTO: u64 = 3;
 
 /// What a face was made from. A file that carries it can be opened again, with its edits: see [`reopen`](crate::reopen).
 ///
@@ -22,6 +25,12 @@ pub(crate) const VERSION: u64 = 3;
 /// `picture` says where in the upright picture the texture was cut out. Where a picture of the whole face is the texture,
 /// that part of the photo is in it as `jpeg`, a file in base64 (since version 3): as an image that no texture uses, glTF
 /// would have it dropped. A file without texture has no `picture`.
+/// All that is of the photo that leads. Of a face in several photos there are the others in `further` (since version 4), each
+/// with `photo_px`, `lens`, `landmarks`, `colours` and a `picture` with its `jpeg`; `leads` says the place of the one that leads
+/// among them all, in the order that they were given in:
+/// ```json
+/// {"leads": 0, "photos": [{"photo_px": [512, 512], "lens": "estimated", "landmarks": "", "colours": "", "picture": {}}]}
+/// ```
 /// `positions_fnv1a` is the 64-bit FNV-1a hash of the bytes of `POSITION`, by which a mesh shows that was changed since.
 #[derive(Debug, Clone, Copy)]
 pub struct Source<'a> {
@@ -37,18 +46,18 @@ pub struct Source<'a> {
     pub in_photo: Option<&'a str>,
 }
 
-/// The extras but for the picture.
+/// The extras but for the pictures.
 pub(super) fn extras(source: &Source<'_>) -> Result<Value, ExportError> {
     let face = source.face;
-    let landmarks = face.landmarks().into_iter().flatten().flat_map(f32::to_le_bytes);
+    let version = if face.views().len() > 1 { VERSION } else { VERSION_OF_ONE_PHOTO };
     let mut extras = json!({
         "rosto": "face",
-        "version": VERSION,
+        "version": version,
         "photo_px": face.photo_size_px(),
         "triangulation": source.triangulation.id(),
         "density": source.density,
         "lens": face.lens().to_string(),
-        "landmarks": BASE64_STANDARD.encode(landmarks.collect::<Vec<u8>>()),
+        "landmarks": encoded_landmarks(face.landmarks()),
         "colours": BASE64_STANDARD.encode(face.colours_srgb().as_flattened()),
         "about": about(face, face.positions_m()),
     });
@@ -59,6 +68,12 @@ pub(super) fn extras(source: &Source<'_>) -> Result<Value, ExportError> {
         extras["in_photo"] = history_object(in_photo)?;
     }
     Ok(extras)
+}
+
+/// Landmarks as little-endian numbers in base64.
+pub(super) fn encoded_landmarks(landmarks: Vec<[f32; 3]>) -> String {
+    let bytes = landmarks.into_iter().flatten().flat_map(f32::to_le_bytes);
+    BASE64_STANDARD.encode(bytes.collect::<Vec<u8>>())
 }
 
 /// The history as JSON.
@@ -76,15 +91,21 @@ pub(crate) fn fingerprint(bytes: impl IntoIterator<Item = u8>) -> String {
 
 /// Where the photo's part was cut out, with that part itself where no texture holds it.
 pub(super) fn picture(photo: &Picture<'_>, painted: &Painted, max_px: u32) -> Result<Option<Value>, ExportError> {
-    let place = |crop: &texture::Crop| json!({"size_px": crop.picture_size_px, "crop_at_px": crop.at_px, "crop_size_px": crop.size_px});
     match painted {
         Painted::Photo(crop) => Ok(Some(place(crop))),
-        Painted::Whole => {
-            let (part, crop) = texture::crop(photo, max_px)?;
-            let mut picture = place(&crop);
-            picture["jpeg"] = BASE64_STANDARD.encode(texture::jpeg(&part.pixels)?).into();
-            Ok(Some(picture))
-        }
+        Painted::Whole => part_of(photo, max_px).map(Some),
         Painted::Colours => Ok(None),
     }
+}
+
+/// The face's part of a photo, and where it was cut out.
+pub(super) fn part_of(photo: &Picture<'_>, max_px: u32) -> Result<Value, ExportError> {
+    let (part, crop) = texture::crop(photo, max_px)?;
+    let mut picture = place(&crop);
+    picture["jpeg"] = BASE64_STANDARD.encode(texture::jpeg(&part.pixels)?).into();
+    Ok(picture)
+}
+
+fn place(crop: &texture::Crop) -> Value {
+    json!({"size_px": crop.picture_size_px, "crop_at_px": crop.at_px, "crop_size_px": crop.size_px})
 }

@@ -1,4 +1,5 @@
 use glam::DVec2;
+use rosto_face::Triangulation;
 
 use super::Reopened;
 
@@ -23,29 +24,38 @@ impl Reopened<'_> {
     /// The landmarks' colours, blended over the triangles between them: what stands in for the photo in a file that
     /// holds none.
     pub fn painted(&self) -> Painted {
-        let scale = self.scale();
-        let [width, height] = self.photo_size_px.map(|side| (f64::from(side) * scale).round().max(1.0) as u32);
-        let size = DVec2::new(width.into(), height.into());
-        let place = |&[x, y, _]: &[f32; 3]| DVec2::new(x.into(), y.into()) * size;
-        let places: Vec<DVec2> = self.landmarks.iter().map(place).collect();
-        let mut picture = Painted { width, height, rgba: vec![0; width as usize * height as usize * 4] };
-        for corners in self.triangulation.triangles() {
-            let corners = corners.map(|corner| corner as usize);
-            picture.fill(corners.map(|corner| places[corner]), corners.map(|corner| self.colours_srgb[corner]));
-        }
-        picture
+        painted(&self.landmarks, self.photo_size_px, &self.colours_srgb, self.triangulation)
     }
+}
 
-    /// From the photo's px to the painted picture's.
-    fn scale(&self) -> f64 {
-        let photo = DVec2::from(self.photo_size_px.map(f64::from));
-        let places =
-            self.landmarks.iter().map(|&[x, y, _]| DVec2::new(x.into(), y.into()).clamp(DVec2::ZERO, DVec2::ONE));
-        let low = places.clone().reduce(DVec2::min).unwrap_or(DVec2::ZERO);
-        let high = places.reduce(DVec2::max).unwrap_or(DVec2::ONE);
-        let face_px = ((high - low) * photo).max_element().max(1.0);
-        (FACE_SIDE_PX / face_px).min(PICTURE_SIDE_PX / photo.max_element()).min(1.0)
+/// Colours of landmarks found in a photo of that size, blended over the triangles between them.
+pub(super) fn painted(
+    landmarks: &[[f32; 3]],
+    photo_size_px: [u32; 2],
+    colours_srgb: &[[u8; 3]],
+    triangulation: Triangulation,
+) -> Painted {
+    let scale = scale(landmarks, photo_size_px);
+    let [width, height] = photo_size_px.map(|side| (f64::from(side) * scale).round().max(1.0) as u32);
+    let size = DVec2::new(width.into(), height.into());
+    let place = |&[x, y, _]: &[f32; 3]| DVec2::new(x.into(), y.into()) * size;
+    let places: Vec<DVec2> = landmarks.iter().map(place).collect();
+    let mut picture = Painted { width, height, rgba: vec![0; width as usize * height as usize * 4] };
+    for corners in triangulation.triangles() {
+        let corners = corners.map(|corner| corner as usize);
+        picture.fill(corners.map(|corner| places[corner]), corners.map(|corner| colours_srgb[corner]));
     }
+    picture
+}
+
+/// From the photo's px to the painted picture's.
+fn scale(landmarks: &[[f32; 3]], photo_size_px: [u32; 2]) -> f64 {
+    let photo = DVec2::from(photo_size_px.map(f64::from));
+    let places = landmarks.iter().map(|&[x, y, _]| DVec2::new(x.into(), y.into()).clamp(DVec2::ZERO, DVec2::ONE));
+    let low = places.clone().reduce(DVec2::min).unwrap_or(DVec2::ZERO);
+    let high = places.reduce(DVec2::max).unwrap_or(DVec2::ONE);
+    let face_px = ((high - low) * photo).max_element().max(1.0);
+    (FACE_SIDE_PX / face_px).min(PICTURE_SIDE_PX / photo.max_element()).min(1.0)
 }
 
 impl Painted {

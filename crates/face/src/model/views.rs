@@ -26,6 +26,8 @@ pub struct View<'a> {
     pub camera: &'a Camera,
     /// What was known of its lens.
     pub lens: PhotoLens,
+    /// 468 sRGB colours, its pixel under each landmark.
+    pub colours_srgb: &'a [[u8; 3]],
     /// How well the model agrees with it; nothing is left of that for the photo that leads, on which the model lies.
     pub reprojection: Reprojection,
 }
@@ -38,6 +40,7 @@ pub(super) struct Other {
     landmarks: Vec<[f32; 3]>,
     uvs: Vec<DVec2>,
     lens: PhotoLens,
+    colours_srgb: Vec<[u8; 3]>,
     picture: Photo,
     camera: Camera,
     reprojection: Reprojection,
@@ -84,6 +87,28 @@ impl FaceModel {
         Ok(Self { photo: lead, others, ..Self::made_of(input, triangulation, fitted) })
     }
 
+    /// The same face with a further photo of it, the last of them: as if all had been given to [`Self::of_several`] together.
+    ///
+    /// # Errors
+    /// As [`Self::of_several`].
+    pub fn with_photo(&self, input: FaceInput<'_>) -> Result<Self, FaceError> {
+        let landmarks = self.landmarks_in_order();
+        let inputs = self.inputs(&landmarks).into_iter().chain([input]);
+        Self::of_several(inputs.collect(), self.triangulation)
+    }
+
+    /// The same face without one of its photos, in the order that they were given in: as if that one had never been given. Where
+    /// there is no such photo, nothing is left out.
+    ///
+    /// # Errors
+    /// As [`Self::of_several`]; [`FaceError::PhotoCount`] for the only one.
+    pub fn without_photo(&self, photo: usize) -> Result<Self, FaceError> {
+        let landmarks = self.landmarks_in_order();
+        let inputs = self.inputs(&landmarks).into_iter().enumerate();
+        let others = inputs.filter(|(other, _)| *other != photo).map(|(_, input)| input);
+        Self::of_several(others.collect(), self.triangulation)
+    }
+
     /// The photos that the face was seen in: the one that leads first, the others in the order that they were given in.
     pub fn views(&self) -> Vec<View<'_>> {
         let lead = View {
@@ -93,6 +118,7 @@ impl FaceModel {
             uvs: &self.uvs,
             camera: &self.camera,
             lens: self.lens,
+            colours_srgb: &self.colours_srgb,
             reprojection: Reprojection { rms_px: 0.0, median_px: 0.0 },
         };
         std::iter::once(lead).chain(self.others.iter().map(Other::view)).collect()
@@ -105,6 +131,28 @@ impl FaceModel {
             0 => Some(self.landmarks()),
             _ => self.others.get(view - 1).map(|other| other.landmarks.clone()),
         }
+    }
+
+    /// The landmarks of each photo, in the order that they were given in.
+    fn landmarks_in_order(&self) -> Vec<Vec<[f32; 3]>> {
+        let mut landmarks: Vec<_> = self.others.iter().map(|other| other.landmarks.clone()).collect();
+        landmarks.insert(self.photo, self.landmarks());
+        landmarks
+    }
+
+    /// What the model was made from, in the order that it was given in.
+    fn inputs<'a>(&'a self, landmarks: &'a [Vec<[f32; 3]>]) -> Vec<FaceInput<'a>> {
+        let mut views = self.views();
+        views.sort_by_key(|view| view.photo);
+        let input = |(view, landmarks): (View<'a>, &'a Vec<[f32; 3]>)| FaceInput {
+            landmarks,
+            width: view.photo_size_px[0],
+            height: view.photo_size_px[1],
+            colours: view.colours_srgb,
+            picture: view.picture.clone(),
+            lens: view.lens,
+        };
+        views.into_iter().zip(landmarks).map(input).collect()
     }
 
     /// Leaves out each photo in turn and tells how well the others foresee it; nothing for fewer than three.
@@ -150,6 +198,7 @@ impl Other {
             landmarks: input.landmarks.to_vec(),
             uvs: input.landmarks[..LANDMARK_COUNT].iter().map(place).collect(),
             lens: input.lens,
+            colours_srgb: input.colours.to_vec(),
             picture: input.picture,
             camera,
             reprojection,
@@ -161,7 +210,7 @@ impl Other {
     }
 
     fn view(&self) -> View<'_> {
-        let Self { photo, picture, photo_size_px, uvs, camera, lens, reprojection, .. } = self;
+        let Self { photo, picture, photo_size_px, uvs, camera, lens, colours_srgb, reprojection, .. } = self;
         View {
             photo: *photo,
             picture,
@@ -169,6 +218,7 @@ impl Other {
             uvs,
             camera,
             lens: *lens,
+            colours_srgb,
             reprojection: *reprojection,
         }
     }

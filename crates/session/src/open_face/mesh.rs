@@ -1,5 +1,5 @@
 use glam::DVec3;
-use rosto_face::{LANDMARK_COUNT, PhotoLens, Triangulation};
+use rosto_face::{FaceModel, LANDMARK_COUNT, PhotoLens, Triangulation};
 use rosto_studio::{CoordinateFrame, Document, Rest};
 
 use super::OpenFace;
@@ -54,6 +54,11 @@ impl OpenFace {
     /// The face as it is if its photo was taken through that lens; the edits are carried out again.
     pub(crate) fn set_photo_lens(&mut self, lens: PhotoLens, choices: &Choices) -> Result<(), SessionError> {
         let model = self.model.with_lens(lens)?;
+        self.see_as(model, choices)
+    }
+
+    /// The same edits of the face as another model has it.
+    pub(super) fn see_as(&mut self, model: FaceModel, choices: &Choices) -> Result<(), SessionError> {
         self.commit(choices);
         self.document = self.over(self.triangulation, model.positions_m().to_vec())?;
         self.model = model;

@@ -31,6 +31,11 @@ impl Default for PhotoEdit {
 }
 
 impl PhotoEdit {
+    /// For another photo of the same face.
+    pub(super) fn of_next_photo(before: &Self) -> Self {
+        Self { ring: before.ring, version: before.version, ..Self::default() }
+    }
+
     /// From how far away the face is shown in its photo, in metres, if that is not how it was taken.
     pub fn seen_from_m(&self) -> Option<f64> {
         self.seen_from_m

@@ -5,7 +5,7 @@ use super::{Result, Session};
 use crate::gesture::{Gesture, Under};
 use crate::incoming::{self, Incoming};
 use crate::open_face::OpenFace;
-use crate::{Changed, Choices, Motion, Selection, SelectionMode, preferences};
+use crate::{Changed, Choices, Motion, Selection, SelectionMode, SessionError, preferences};
 
 /// What is open.
 impl Session {
@@ -19,15 +19,34 @@ impl Session {
         (self.gesture, self.under, self.brush_px) = (Gesture::Idle, Under::default(), None);
         self.view.show_on(&mut self.stage, false);
         self.see_as_edited();
-        // Where the photo lies depends on the middle of what is framed, and how the face is framed on the photo's camera.
-        self.stage.set_pinhole(None);
-        self.frame();
-        self.show_pinhole();
-        self.frame();
+        self.frame_in_photo();
         self.stage.show(self.view.scene);
         self.stage.settle_picture();
         if self.view.motion == Motion::Usual && self.view.scene == Scene::Solid && self.mirror.is_none() {
             self.stage.start_arrival();
+        }
+        Ok(Changed::Mesh)
+    }
+
+    /// Where the photo lies depends on the middle of what is framed, and how the face is framed on the photo's camera.
+    fn frame_in_photo(&mut self) {
+        self.stage.set_pinhole(None);
+        self.frame();
+        self.show_pinhole();
+        self.frame();
+    }
+
+    /// One photo more or less of the open face. Where another one leads then, it is the one that is seen.
+    pub(super) fn change_photos(
+        &mut self,
+        change: impl FnOnce(&mut OpenFace, &Choices) -> std::result::Result<bool, SessionError>,
+    ) -> Result {
+        let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
+        let is_another = change(face, &self.choices)?;
+        self.new_mesh();
+        match is_another {
+            true => self.frame_in_photo(),
+            false => self.show_pinhole(),
         }
         Ok(Changed::Mesh)
     }

@@ -12,12 +12,16 @@ impl Session {
         self.face().filter(|face| face.texture.as_ref().is_none_or(|there| there.width() != side_px)).map(|_| side_px)
     }
 
-    /// What it is made of but for the pixels of the photo: a plan as bytes, of which `rosto-texture` makes it.
+    /// What it is made of but for the pixels of the photos, the one that leads first: a plan as bytes, of which `rosto-texture`
+    /// makes it.
     ///
     /// # Errors
     /// [`SessionError::NoFace`].
     pub fn texture_plan(&self) -> Result<Vec<u8>, SessionError> {
-        Ok(texture_plan(self.open_face()?.model(), &[]).to_bytes())
+        let model = self.open_face()?.model();
+        let views = model.views();
+        let others: Vec<_> = views.iter().skip(1).map(|view| (view.uvs, view.camera)).collect();
+        Ok(texture_plan(model, &others).to_bytes())
     }
 
     /// Takes the texture, which changes nothing but what is seen. One that is not as large as the one that is wanted is

@@ -17,6 +17,7 @@ pub fn found() -> Incoming {
         colours_srgb: vec![[180, 120, 90]; LANDMARK_COUNT],
         picture: Photo::from_rgb(1, 1, vec![180, 120, 90]).unwrap(),
         lens: PhotoLens::Parallel,
+        further: Vec::new(),
         work: None,
     }
 }

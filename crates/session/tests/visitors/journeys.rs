@@ -3,6 +3,7 @@
 mod expressing;
 mod lenses;
 mod photo;
+mod photos;
 mod pointing;
 mod returning;
 mod selecting;

@@ -1,0 +1,41 @@
+//! The further photos of a face that was seen in several, as files hold them.
+
+use base64::prelude::{BASE64_STANDARD, Engine};
+use rosto_face::{FaceModel, View};
+use serde_json::{Value, json};
+
+use super::source::{encoded_landmarks, part_of};
+use crate::{ExportError, Picture};
+
+/// Whether the pictures of further photos go into a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Pictures {
+    /// The face's part of each, its longest side at most so many px.
+    UpTo(u32),
+    /// None: the file is to hold no photo.
+    Left,
+}
+
+/// Which photo leads, and what there is of the others; nothing of a face that was seen in one alone.
+pub(crate) fn further(face: &FaceModel, pictures: Pictures) -> Result<Option<Value>, ExportError> {
+    let views = face.views();
+    let [lead, others @ ..] = views.as_slice() else { return Ok(None) };
+    if others.is_empty() {
+        return Ok(None);
+    }
+    let photos = others.iter().zip(1..).map(|(view, place)| photo(face, view, place, pictures));
+    Ok(Some(json!({"leads": lead.photo, "photos": photos.collect::<Result<Vec<_>, _>>()?})))
+}
+
+fn photo(face: &FaceModel, view: &View<'_>, place: usize, pictures: Pictures) -> Result<Value, ExportError> {
+    let mut photo = json!({
+        "photo_px": view.photo_size_px,
+        "lens": view.lens.to_string(),
+        "landmarks": encoded_landmarks(face.landmarks_of(place).unwrap_or_default()),
+        "colours": BASE64_STANDARD.encode(view.colours_srgb.as_flattened()),
+    });
+    if let Pictures::UpTo(max_px) = pictures {
+        photo["picture"] = part_of(&Picture { pixels: view.picture, uvs: view.uvs }, max_px)?;
+    }
+    Ok(photo)
+}

@@ -1,0 +1,142 @@
+//! A face in several photos: what was written opens again as the same face, in files that hold photos and in those that do not.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::{Glb, SIDE, face, gradient, model, png, source};
+use glam::{DQuat, DVec3};
+use rosto_export::*;
+use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, PhotoLens, Triangulation, canonical_positions_m};
+use serde_json::Value;
+
+const EDITS: &str = r#"{"entries":[],"version":1}"#;
+
+/// The canonical head turned by so many degrees to its left, as a camera far away sees it.
+fn turned(by_deg: f64) -> Vec<[f32; 3]> {
+    let turn = DQuat::from_rotation_y(by_deg.to_radians());
+    let place = |p: DVec3| [0.5 + 3.0 * p.x, 0.5 - 3.0 * p.y, -3.0 * p.z].map(|at| at as f32);
+    canonical_positions_m().into_iter().map(|p| place(turn * p)).collect()
+}
+
+/// A face in photos so turned, each with colours and a lens of its own.
+fn several(turns: &[f64]) -> FaceModel {
+    let landmarks: Vec<_> = turns.iter().map(|&by_deg| turned(by_deg)).collect();
+    let colours: Vec<_> = (0..turns.len()).map(|photo| vec![[photo as u8, 100, 200]; LANDMARK_COUNT]).collect();
+    let inputs = landmarks.iter().zip(&colours).zip(1..).map(|((landmarks, colours), number)| FaceInput {
+        landmarks,
+        width: SIDE,
+        height: SIDE,
+        colours,
+        picture: gradient(),
+        lens: PhotoLens::Distance(f64::from(number)),
+    });
+    FaceModel::of_several(inputs.collect(), Triangulation::Canonical).unwrap()
+}
+
+/// The face of what was read, as the page and the command line make it.
+fn opened(file: &Reopened<'_>) -> FaceModel {
+    let input = |landmarks, [width, height]: [u32; 2], colours, lens| FaceInput {
+        landmarks,
+        width,
+        height,
+        colours,
+        picture: gradient(),
+        lens,
+    };
+    let further = file.further.as_ref().unwrap();
+    let others = further.photos.iter();
+    let others = others.map(|of| input(&of.landmarks, of.photo_size_px, &of.colours_srgb, of.lens));
+    let mut inputs: Vec<_> = others.collect();
+    let lead = input(&file.landmarks, file.photo_size_px, &file.colours_srgb, file.lens);
+    inputs.insert(further.leads, lead);
+    FaceModel::of_several(inputs, file.triangulation).unwrap()
+}
+
+fn assert_same(one: &FaceModel, other: &FaceModel) {
+    assert_eq!(one.positions_m(), other.positions_m(), "to the last bit");
+    for (one, other) in one.views().iter().zip(other.views()) {
+        assert_eq!((one.photo, one.camera, one.lens), (other.photo, other.camera, other.lens));
+        assert_eq!((one.uvs, one.colours_srgb), (other.uvs, other.colours_srgb));
+    }
+}
+
+fn glb_of(face: &FaceModel, base_colour: BaseColour) -> Vec<u8> {
+    let source = Some(source(face, Some(EDITS)));
+    glb(&model(face), &GlbOptions { base_colour, source, ..GlbOptions::default() }).unwrap()
+}
+
+fn project_of(face: &FaceModel) -> Vec<u8> {
+    project::write(&source(face, Some(EDITS)), &png()).unwrap()
+}
+
+#[test]
+fn a_face_in_several_photos_opens_again_as_it_was() {
+    let saved = several(&[0.0, 30.0]);
+    for base_colour in BaseColour::ALL {
+        assert_same(&opened(&reopen(&glb_of(&saved, base_colour)).unwrap()), &saved);
+    }
+    // Another photo than the first leads.
+    let saved = several(&[30.0, -30.0, 2.0]);
+    assert_eq!(saved.views()[0].photo, 2);
+    assert_same(&opened(&reopen(&glb_of(&saved, BaseColour::Whole)).unwrap()), &saved);
+    assert_same(&opened(&project::read(&project_of(&saved)).unwrap()), &saved);
+}
+
+#[test]
+fn each_photo_is_there_but_in_a_file_painted_with_colours() {
+    let saved = several(&[0.0, 30.0, -30.0]);
+    let photos = |file: &Reopened<'_>| file.further.clone().unwrap().photos;
+    for file in [glb_of(&saved, BaseColour::Whole), glb_of(&saved, BaseColour::Photo)] {
+        for photo in photos(&reopen(&file).unwrap()) {
+            assert_lies_in_place(photo.texture.unwrap());
+        }
+    }
+    for photo in photos(&project::read(&project_of(&saved)).unwrap()) {
+        assert_lies_in_place(photo.texture.unwrap());
+    }
+    for photo in photos(&reopen(&glb_of(&saved, BaseColour::VertexColours)).unwrap()) {
+        assert_eq!(photo.texture, None);
+        let painted = photo.painted();
+        assert!(painted.rgba.as_chunks::<4>().0.contains(&[photo.colours_srgb[0][0], 100, 200, 255]));
+    }
+}
+
+fn assert_lies_in_place(texture: PlacedTexture<'_>) {
+    let crop = rosto_photo::decode(&texture.encoded, &rosto_photo::Limits::default()).unwrap();
+    let [left, top] = texture.at_px.map(|at| u32::try_from(at).unwrap());
+    let (x, y) = (crop.width() / 2, crop.height() / 3);
+    let [found, cut]: [[u8; 3]; 2] = [crop.pixel(x, y), Photo::pixel(&gradient(), left + x, top + y)];
+    assert!(found.iter().zip(cut).all(|(a, b)| a.abs_diff(b) <= 6), "{found:?} for {cut:?}");
+}
+
+#[test]
+fn files_of_one_photo_are_as_they_were_and_earlier_readers_refuse_those_of_several() {
+    let version = |bytes: &[u8]| Glb::read(bytes).json["scenes"][0]["extras"]["version"].clone();
+    let one = face(Triangulation::Canonical);
+    assert_eq!(version(&glb_of(&one, BaseColour::Whole)), 3);
+    assert_eq!(version(&glb_of(&several(&[0.0, 30.0]), BaseColour::Whole)), 4);
+    let header =
+        |bytes: &[u8]| serde_json::from_slice::<Value>(bytes.split(|byte| *byte == b'\n').next().unwrap()).unwrap();
+    assert_eq!(header(&project_of(&one))["version"], 2);
+    assert_eq!(header(&project_of(&several(&[0.0, 30.0])))["version"], 3);
+    assert_eq!(reopen(&glb_of(&one, BaseColour::Whole)).unwrap().further, None);
+}
+
+#[test]
+fn what_is_wrong_with_a_further_photo_is_told() {
+    let file = project_of(&several(&[0.0, 30.0]));
+    let refused = |from: &str, to: &str, field: &'static str| {
+        let line = file.iter().position(|byte| *byte == b'\n').unwrap();
+        let header = String::from_utf8(file[..line].to_vec()).unwrap();
+        let changed = header.replace(from, to);
+        assert_ne!(changed, header);
+        let changed = [changed.as_bytes(), &file[line..]].concat();
+        assert_eq!(project::read(&changed).unwrap_err(), ReopenError::Field { field });
+    };
+    refused("\"leads\":0", "\"leads\":2", "further");
+    refused("\"photos\":[{", "\"photos\":[],\"none\":[{", "further");
+    refused("\"lens\":\"distance:2\",\"photo_px\"", "\"lens\":\"none\",\"photo_px\"", "lens");
+    refused("\"photo_px\":[300,300]", "\"photo_px\":[300,0]", "photo_px");
+    refused("\"jpeg\":", "\"gif\":", "picture");
+}

@@ -1,0 +1,119 @@
+import assert from "node:assert/strict";
+import { mkdtemp, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { partsOfGlb } from "./changed-files.mjs";
+import { glbByCommandLine, meshByCommandLine } from "./command-line.mjs";
+import { journey } from "./journey.mjs";
+import { assertSameShape, furthest } from "./meshes.mjs";
+import { faceless } from "./pictures.mjs";
+import { SAMPLE } from "./visitor.mjs";
+
+/** So many presses of an arrow turn the face far enough to show a side. */
+const PRESSES = 6;
+
+/**
+ * The face in the round as the page shows it turned, in a file: to the networks another photo of the same head.
+ *
+ * @param {import("./visitor.mjs").Visitor} visitor
+ * @param {"ArrowLeft" | "ArrowRight"} key
+ * @param {string} folder
+ */
+async function turnedPhoto(visitor, key, folder) {
+  const { page } = visitor;
+  await page.focus("#viewport");
+  for (let press = 0; press < PRESSES; press++) await page.keyboard.press(key);
+  await visitor.frames(5);
+  const file = path.join(folder, `${key}.png`);
+  await writeFile(file, await visitor.download("download-picture"));
+  await page.click("#toolbar [data-action='reset-view']");
+  return file;
+}
+
+/**
+ * Chooses further photos, and waits until they are there.
+ *
+ * @param {import("./visitor.mjs").Visitor} visitor
+ * @param {string[]} files
+ * @param {number} count of the photos in all
+ */
+async function addPhotos(visitor, files, count) {
+  const { page } = visitor;
+  await page.setInputFiles("#further-files", files);
+  if (count > 1) await page.waitForFunction((count) => document.querySelectorAll("#photo-list li").length === count, count);
+  await visitor.untilFace();
+}
+
+/** @param {import("playwright-core").Page} page */
+function rows(page) {
+  return page.locator("#photo-list li span").allInnerTexts();
+}
+
+journey("photos from other sides make another mesh, the command line's, and are kept and taken away again", async (open) => {
+  const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
+  try {
+    const visitor = await open();
+    const { page } = visitor;
+    await visitor.dropSample();
+    const alone = await visitor.meshJson("mm");
+    const [one, other] = [await turnedPhoto(visitor, "ArrowLeft", folder), await turnedPhoto(visitor, "ArrowRight", folder)];
+    await visitor.findLandmark("nose tip");
+    await visitor.offset("z", 9);
+
+    await addPhotos(visitor, [one], 2);
+    assert.equal((await rows(page)).filter((row) => row.startsWith("From the front")).length, 1);
+    assert.match(await page.innerText("#photos-missing"), /turned to its (left|right), by 20 to 60°/);
+    await addPhotos(visitor, [other], 3);
+    assert.ok(await page.isHidden("#photos-missing"), await page.innerText("#photos-missing"));
+    assert.equal((await visitor.history()).length, 1, "the edit stays");
+    await page.click("#toolbar [data-action='undo']");
+    const together = await visitor.meshJson("mm");
+    assert.ok(furthest(alone, together) > 0.05, "the mesh is another one");
+    assertSameShape(together, await meshByCommandLine(SAMPLE, [one, other, "--units", "mm", "--density", "2"]));
+    const glb = await visitor.download("download-glb");
+    const [made, wanted] = [partsOfGlb(glb), partsOfGlb(await glbByCommandLine(SAMPLE, [one, other, "--units", "mm", "--density", "2"]))];
+    assert.equal(made.json.meshes[0].primitives.length, wanted.json.meshes[0].primitives.length);
+    assert.equal(made.json.scenes[0].extras.further.photos.length, 2);
+    await page.click("#toolbar [data-action='redo']");
+    const edited = await visitor.meshJson("mm");
+
+    await page.reload();
+    await page.click("#continue");
+    await visitor.untilFace();
+    assert.equal((await rows(page)).length, 3);
+    assert.deepEqual(await visitor.meshJson("mm"), edited, "to the last bit");
+    await visitor.drop(glb, "portrait.glb");
+    await visitor.untilFace();
+    await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
+    assert.equal((await rows(page)).length, 3);
+    assert.deepEqual((await visitor.meshJson("mm")).positions, together.positions, "to the last bit");
+
+    await page.click('[data-tab-name="shape"]');
+    await page.locator("#photo-list li button").nth(2).click();
+    await page.waitForFunction(() => document.querySelectorAll("#photo-list li").length === 2);
+    await page.locator("#photo-list li button").nth(1).click();
+    await page.waitForSelector("#photo-list", { state: "hidden" });
+    await visitor.untilFace();
+    assert.deepEqual((await visitor.meshJson("mm")).positions, alone.positions, "the face by its first photo alone");
+  } finally {
+    await rm(folder, { recursive: true });
+  }
+});
+
+journey("a photo without a face is named and not added, and one from where there is one says that it adds little", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("z", 9);
+  const before = await visitor.meshJson("mm");
+  await page.setInputFiles("#further-files", { name: "wall.png", mimeType: "image/png", buffer: Buffer.from(faceless()) });
+  const { code, text } = await visitor.notice();
+  assert.equal(code, "no-face-found");
+  assert.match(text, /“wall.png” was not added/);
+  assert.deepEqual(await visitor.meshJson("mm"), before);
+  await page.click("#notice-close");
+  await addPhotos(visitor, [SAMPLE], 2);
+  assert.equal((await visitor.notice()).code, "adds-little");
+  assert.equal((await visitor.history()).length, 1);
+});

@@ -1,0 +1,144 @@
+import { byId, make } from "../page/dom.js";
+import { toast } from "../page/toast.js";
+import { faceBox } from "../photo/face-box.js";
+import { inEveryLanguage, say } from "../words/words.js";
+import { factsOf, photosOf } from "../work/photos.js";
+import { imageDataOf } from "../work/pixels.js";
+
+/**
+ * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../work/work.js").OpenedFace} OpenedFace
+ * @typedef {ReturnType<typeof factsOf>[number]} Facts
+ *
+ * @typedef {object} Photos
+ * @property {OpenedFace | undefined} face that is open
+ * @property {(files: File[]) => Promise<void>} addPhotos
+ * @property {(place: number) => Promise<void>} removePhoto
+ */
+
+const THUMBNAIL_PX = 40;
+/** How much of the photo around a face its thumbnail shows, in sizes of the face. */
+const AROUND_FACE = 1.4;
+
+/** The photos that the face is seen in, which turn of the head none of them shows, and the way to add and to remove one. */
+export class PhotosPanel {
+  #bench;
+  #opening;
+  #list = byId("photo-list", HTMLUListElement);
+  #missing = byId("photos-missing", HTMLParagraphElement);
+  #add = byId("add-photo", HTMLButtonElement);
+  /** @type {OpenedFace | undefined} that is shown */
+  #face;
+
+  /**
+   * @param {Workbench} bench
+   * @param {() => Photos} opening
+   */
+  constructor(bench, opening) {
+    this.#bench = bench;
+    this.#opening = opening;
+    this.#setUpChooser();
+    bench.onChange(() => this.#show());
+    inEveryLanguage(() => this.#show());
+  }
+
+  #setUpChooser() {
+    const input = byId("further-files", HTMLInputElement);
+    this.#add.addEventListener("click", () => input.click());
+    input.addEventListener("change", () => {
+      const files = [...(input.files ?? [])];
+      // The same file can be chosen twice in a row only from an empty input.
+      input.value = "";
+      if (files.length > 0) this.#change((opening) => opening.addPhotos(files));
+    });
+  }
+
+  /** @param {(opening: Photos) => Promise<void>} act */
+  async #change(act) {
+    const before = this.#count();
+    await act(this.#opening());
+    const n = this.#count();
+    if (n !== before) toast(n > 1 ? say("photos.added", { n }) : say("photos.alone"));
+  }
+
+  #count() {
+    const { face } = this.#opening();
+    return face ? photosOf(face).length : 0;
+  }
+
+  #show() {
+    const { face } = this.#opening();
+    const facts = this.#bench.ask(factsOf) ?? [];
+    const photos = face ? photosOf(face) : [];
+    this.#missing.textContent = (this.#bench.ask((studio) => studio.missingTurns()) ?? []).map(missing).join(" ");
+    this.#missing.hidden = this.#list.hidden = facts.length < 2;
+    this.#add.disabled = facts.length >= (this.#bench.ask((studio) => studio.mostPhotos) ?? 0);
+    if (photos.length !== facts.length) return;
+    const held = this.#list.contains(document.activeElement);
+    if (face !== this.#face) this.#list.replaceChildren(...(photos.length < 2 ? [] : photos.map((photo, place) => this.#row(photo, place))));
+    this.#face = face;
+    // What was pressed may be gone.
+    if (held && !this.#list.contains(document.activeElement)) this.#add.focus();
+    for (const [place, row] of [...this.#list.children].entries()) write(row, facts[place]);
+  }
+
+  /**
+   * @param {OpenedFace} photo
+   * @param {number} place
+   */
+  #row(photo, place) {
+    const row = make("li");
+    const canvas = make("canvas");
+    canvas.setAttribute("aria-hidden", "true");
+    draw(canvas, photo);
+    const remove = make("button", "icon-button");
+    remove.type = "button";
+    remove.innerHTML = '<svg aria-hidden="true"><use href="#icon-close" /></svg>';
+    remove.addEventListener("click", () => this.#change((opening) => opening.removePhoto(place)));
+    row.append(canvas, make("span"), remove);
+    return row;
+  }
+}
+
+/**
+ * @param {Element} row
+ * @param {Facts | undefined} facts
+ */
+function write(row, facts) {
+  const [span, button] = [row.querySelector("span"), row.querySelector("button")];
+  if (!facts || !span || !button) return;
+  const turn = turned(facts);
+  span.textContent = facts.leads ? say("photos.leads", { turn }) : turn;
+  const words = say("photos.remove", { turn });
+  button.setAttribute("aria-label", words);
+  button.title = words;
+}
+
+/** @param {Facts} facts */
+function turned({ turn, yawDeg }) {
+  const degrees = Math.round(Math.abs(yawDeg));
+  if (turn === "front") return say("photos.turn.front");
+  return say(yawDeg > 0 ? "photos.turn.left" : "photos.turn.right", { degrees });
+}
+
+/** @param {string} turn that no photo shows */
+function missing(turn) {
+  if (turn === "front") return say("photos.missing.front");
+  return say(turn === "left" ? "photos.missing.left" : "photos.missing.right");
+}
+
+/**
+ * @param {HTMLCanvasElement} canvas
+ * @param {OpenedFace} photo
+ */
+async function draw(canvas, photo) {
+  const side_px = Math.round(THUMBNAIL_PX * devicePixelRatio);
+  const { x, y, side: size } = faceBox(photo.landmarks, photo.pictureWidth_px, photo.pictureHeight_px);
+  const side = Math.max(1, Math.round(AROUND_FACE * size));
+  const place = [Math.round(x - side / 2), Math.round(y - side / 2)];
+  const resize = { resizeWidth: side_px, resizeHeight: side_px, resizeQuality: /** @type {const} */ ("high") };
+  const bitmap = await createImageBitmap(imageDataOf(photo), place[0] ?? 0, place[1] ?? 0, side, side, resize);
+  [canvas.width, canvas.height] = [side_px, side_px];
+  canvas.getContext("2d")?.drawImage(bitmap, 0, 0);
+  bitmap.close();
+}
