@@ -119,12 +119,12 @@ async function histories(page) {
 async function workOn(visitor) {
   const { page } = visitor;
   await visitor.dropSample();
+  await visitor.prefer("paper");
   await visitor.unfold("section-view");
   await page.selectOption("#density", "1");
   await page.check("input[name='shading'][value='colours']", { force: true });
   await page.locator("#light-sliders input[type=number]").first().fill("80");
   const start = await visitor.meshJson("mm");
-  await visitor.prefer("paper");
   await visitor.findLandmark("nose tip");
   await visitor.offset("z", 9);
   await visitor.slide("nose-width", 4);
