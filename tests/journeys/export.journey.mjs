@@ -232,7 +232,7 @@ async function measured(page) {
 /** The same as the command line tells it. @param {string} said */
 function toldOf(said) {
   const [, volume, size, mass, thinnest] = /a body of ([\d.]+) cm³, (.*) mm, (\d+) g .*; ([\d.]+) mm/.exec(said) ?? [];
-  const [, rounded] = /smoothed there by up to ([\d.]+) mm/.exec(said) ?? [];
+  const [, rounded] = /rounded off by up to ([\d.]+) mm/.exec(said) ?? [];
   if (!volume) return [];
   return [`${size} mm`, `${volume} cm³`, `${mass} g`, `${thinnest} mm`, ...(Number(rounded) > 0 ? [`${rounded} mm`] : [])];
 }

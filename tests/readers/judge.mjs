@@ -40,10 +40,12 @@ const MOST_OFF = { colours: 0.6, photo: 5, whole: 14, few: 20 };
 /** A share: what eight digits and sums in 32 bits leave. */
 const SAME_VOLUME = 1e-4;
 const SAME_SIZE_M = 1e-6;
-/** What the command line says where a body's front is not the face as it is: lips and lids may go through each other. */
-const MENDED = /smoothed there by up to/;
-/** A share of the face's triangles. */
-const MOST_MENDED = 0.05;
+/** What the command line says where a body's front is not the face as it is: folds may leave no room for a wall. */
+const ROUNDED = /rounded off by up to ([\d.]+) mm/;
+/** A share of the face's triangles: those at lips, lids and nostrils. */
+const MOST_ROUNDED = 0.15;
+/** Half the last digit that is told, and a little. */
+const TOLD_TO_MM = 0.051;
 /** So many triangles of the canonical face fill eyes and mouth. */
 const FILLINGS = 898 - 852;
 /** What the command line says of a body. */
@@ -113,14 +115,25 @@ function shapeFindings(row, truth, seen, said) {
   const faces = oriented(triangles.map((corners) => corners.map((corner) => inTruth[corner])));
   const lost = [...truth.triangles].filter((triangle) => !faces.has(triangle)).length;
   const found = lost > mayBeLost(row, truth, said) ? [`${lost} of the face's ${truth.triangles.size} triangles are missing or turned over`] : [];
-  const more = row.body ? bodyFindings(places.list, triangles, seen, said) : row.eyesAndMouth ? [] : sheetFindings(known, triangles, truth);
+  const ofBody = () => [...bodyFindings(places.list, triangles, seen, said), ...roundingFindings(known, points, truth, said)];
+  const more = row.body ? ofBody() : row.eyesAndMouth ? [] : sheetFindings(known, triangles, truth);
   return [...sized, ...found, ...more, ...placeFindings(row, seen)];
 }
 
-/** How many of the face's triangles may lie elsewhere: those of eyes and mouth in pieces of their own, and what was mended. */
+/** How many of the face's triangles may lie elsewhere: those of eyes and mouth in pieces of their own, and what was rounded off. */
 function mayBeLost({ shape, body, eyesAndMouth }, truth, said) {
   if (eyesAndMouth) return FILLINGS * 4 ** shape.density;
-  return body && MENDED.test(said) ? MOST_MENDED * truth.triangles.size : 0;
+  return body && ROUNDED.test(said) ? MOST_ROUNDED * truth.triangles.size : 0;
+}
+
+/** Whether a body has something within what is told of each place of the face. */
+function roundingFindings(known, points, truth, said) {
+  const most_m = (Number(ROUNDED.exec(said)?.[1] ?? 0) + TOLD_TO_MM) / 1000;
+  const kept = new Set(known);
+  const lost = truth.places.list.filter((_, place) => !kept.has(place));
+  const isFar = (/** @type {number[]} */ place) => points.every((point) => Math.hypot(...point.map((value, axis) => value - place[axis])) > most_m);
+  const far = lost.filter(isFar).length;
+  return far > 0 ? [`${far} places of the face lie further off than the command line says`] : [];
 }
 
 /** Whether a format that moves the whole has it begin at 0. */

@@ -73,8 +73,10 @@ impl Body {
             Ok(body) => return Ok(body),
             Err(tight) => tight,
         };
-        if let Ok(Ok(body)) = good(&softened(own, softer, &tight, thickness_m)) {
-            return Ok(body.seen_from(own));
+        for within in SOFT_WITHIN {
+            if let Ok(Ok(body)) = good(&softened(own, softer, &tight, within * thickness_m)) {
+                return Ok(body.seen_from(own));
+            }
         }
         closed(softer).or_else(|_| closed(own)).map(|body| body.seen_from(own))
     }
@@ -185,19 +187,16 @@ fn check(thickness_m: f64) -> Result<(), SolidError> {
     }
 }
 
-/// Where a wall is too thin, all of the softer surface is taken within so many thicknesses.
-const SOFT_WITHIN: f64 = 4.0;
+/// Where there is no room for a wall, all of the softer surface is taken within so many thicknesses, one after the other until
+/// there is.
+const SOFT_WITHIN: [f64; 4] = [0.5, 1.0, 2.0, 4.0];
 
-/// Beyond so many, none of it.
-const FIRM_BEYOND: f64 = 12.0;
-
-/// Between two surfaces: the softer one around vertices that are marked, the other one far from them.
-fn softened(own: &[DVec3], softer: &[DVec3], marked: &[bool], thickness_m: f64) -> Vec<DVec3> {
+/// Between two surfaces: the softer one within some distance of vertices that are marked, none of it three times as far away.
+fn softened(own: &[DVec3], softer: &[DVec3], marked: &[bool], within_m: f64) -> Vec<DVec3> {
     let marked: Vec<DVec3> = own.iter().zip(marked).filter(|(_, marked)| **marked).map(|(place, _)| *place).collect();
     let share = |place: &DVec3| {
         let distance_m = marked.iter().map(|other| other.distance(*place)).fold(f64::INFINITY, f64::min);
-        let far = (distance_m / thickness_m - SOFT_WITHIN) / (FIRM_BEYOND - SOFT_WITHIN);
-        let near = 1.0 - far.clamp(0.0, 1.0);
+        let near = ((3.0 - distance_m / within_m) / 2.0).clamp(0.0, 1.0);
         near * near * (3.0 - 2.0 * near)
     };
     own.iter().zip(softer).map(|(own, softer)| own.lerp(*softer, share(own))).collect()

@@ -98,10 +98,13 @@ fn where_folds_leave_no_room_for_a_wall_a_surface_is_softened_and_elsewhere_it_i
         let body = Body::closed_or_softer(surface, &soft, Closing::Thickness { thickness_m }).unwrap();
         assert_watertight(&body);
         assert!(body.thinnest_m() >= 0.6 * thickness_m, "{levels}: {} m", body.thinnest_m());
-        assert!(body.moved_m() < 0.004, "{levels}: {} m", body.moved_m());
+        assert!(body.moved_m() < 0.002, "{levels}: {} m", body.moved_m());
         let moved = |vertex: usize| body.positions_m()[vertex].distance(firm[vertex]);
         let most_m = (0..firm.len()).map(moved).fold(0.0, f64::max);
         assert!((most_m - body.moved_m()).abs() < 1e-12);
+        let kept =
+            topology.triangles().iter().filter(|corners| corners.iter().all(|&corner| moved(corner as usize) == 0.0));
+        assert!(kept.count() * 10 > topology.triangles().len() * 9, "{levels}: it is softened around the folds alone");
         let flat = Closing::FlatBack { thickness_m };
         assert_eq!(Body::closed_or_softer(surface, &soft, flat), Body::closed(surface, flat), "it needs no room");
     }
