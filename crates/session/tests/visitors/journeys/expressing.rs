@@ -164,9 +164,9 @@ fn a_glb_with_expressions_leads_from_its_base_to_what_is_seen_and_opens_again() 
         assert_eq!(session.mesh_counts(Format::Obj, &rigged()).unwrap()[0], shown.len());
         let still = FileOptions { eyes: Eyes::Pieces, ..FileOptions::default() };
         assert_eq!(session.mesh_counts(Format::Obj, &still).unwrap()[0], reached.len());
-        let file = session.file(Format::Ply, &still).unwrap().bytes;
+        let ply = session.file(Format::Ply, &still).unwrap().bytes;
         let header = format!("element vertex {}\n", reached.len());
-        assert!(String::from_utf8_lossy(&file).contains(&header), "the same pieces stand still");
+        assert!(String::from_utf8_lossy(&ply).contains(&header), "the same pieces stand still");
         let apart = shown.iter().zip(&reached).map(|(shown, reached)| shown.distance(*reached)).fold(0.0, f64::max);
         assert!(apart < 1e-7, "{apart} m");
         let reopened = reopen(&file).unwrap();
