@@ -36,6 +36,13 @@ export function assertSameMesh(seen, wanted) {
   for (const [vertex, colour] of seen.colors.slice(0, LANDMARKS).entries()) assert.deepEqual(colour, wanted.colors[vertex]);
 }
 
+/** A mesh that came back from a file that holds the photo as JPEG or not at all: between the landmarks, its colours are that one's. */
+export function assertCameBack({ colors: come, ...seen }, { colors: had, ...wanted }) {
+  assert.deepEqual(seen, wanted);
+  assert.deepEqual(come.slice(0, LANDMARKS), had.slice(0, LANDMARKS));
+  assert.equal(come.length, had.length);
+}
+
 /** The page's mesh has the command line's shape. */
 export function assertSameShape(seen, wanted) {
   assert.equal(seen.units, wanted.units);

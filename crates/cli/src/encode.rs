@@ -136,7 +136,7 @@ struct Skin {
 impl Skin {
     fn new(face: &FaceModel, document: &Document, task: &MeshTask, format: Format) -> Result<Self, CliError> {
         let uvs: Vec<DVec2> = document.from_cage(face.uvs());
-        let colours_srgb = if task.mesh.density == 0 { face.colours_srgb().to_vec() } else { face.colours_under(&uvs) };
+        let colours_srgb = face.colours_under(&uvs);
         let texture = match task.base_colour == BaseColour::Whole && format.lets_choose(Choosable::BaseColour) {
             true => Some(texture(face, task.texture_size.px())?),
             false => None,

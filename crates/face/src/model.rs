@@ -206,10 +206,12 @@ impl FaceModel {
         &self.uvs
     }
 
-    /// The photo's sRGB colours under other texture coordinates than the landmarks', as a denser mesh has them; taken
-    /// from [`Self::picture`], whose resolution may be lower than the photo's.
+    /// The sRGB colours of a mesh whose first vertices are the landmarks, as a denser one's are: these have their own, and those
+    /// added between them the photo's under their texture coordinates; taken from [`Self::picture`], whose resolution may be lower
+    /// than the photo's.
     pub fn colours_under(&self, uvs: &[DVec2]) -> Vec<[u8; 3]> {
-        uvs.iter().map(|uv| self.picture.colour_under(uv.x, uv.y)).collect()
+        let added = uvs.iter().skip(LANDMARK_COUNT).map(|uv| self.picture.colour_under(uv.x, uv.y));
+        self.colours_srgb.iter().copied().chain(added).collect()
     }
 
     /// The upright picture.

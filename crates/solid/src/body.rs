@@ -69,13 +69,15 @@ impl Body {
             return Self::closed(surface, closing).or_else(|_| Ok(closed(softer)?.seen_from(own)));
         };
         let good = |positions: &[DVec3]| Self::well_walled(Surface::new(topology, positions)?, thickness_m);
-        let tight = match good(own)? {
+        let mut tight = match good(own)? {
             Ok(body) => return Ok(body),
             Err(tight) => tight,
         };
         for within in SOFT_WITHIN {
-            if let Ok(Ok(body)) = good(&softened(own, softer, &tight, within * thickness_m)) {
-                return Ok(body.seen_from(own));
+            match good(&softened(own, softer, &tight, within * thickness_m)) {
+                Ok(Ok(body)) => return Ok(body.seen_from(own)),
+                Ok(Err(still)) => tight.iter_mut().zip(still).for_each(|(tight, still)| *tight |= still),
+                Err(_) => {}
             }
         }
         closed(softer).or_else(|_| closed(own)).map(|body| body.seen_from(own))
@@ -188,8 +190,8 @@ fn check(thickness_m: f64) -> Result<(), SolidError> {
 }
 
 /// Where there is no room for a wall, all of the softer surface is taken within so many thicknesses, one after the other until
-/// there is.
-const SOFT_WITHIN: [f64; 4] = [0.5, 1.0, 2.0, 4.0];
+/// there is; where there still is none, from then on, too.
+const SOFT_WITHIN: [f64; 6] = [0.5, 0.5, 1.0, 1.0, 2.0, 4.0];
 
 /// Between two surfaces: the softer one within some distance of vertices that are marked, none of it three times as far away.
 fn softened(own: &[DVec3], softer: &[DVec3], marked: &[bool], within_m: f64) -> Vec<DVec3> {

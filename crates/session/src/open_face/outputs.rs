@@ -60,11 +60,7 @@ impl OpenFace {
 
     /// Colours for every vertex shown: the landmarks' own, and the photo's for those that were added between them.
     pub fn colours_srgb(&self, uvs: &[DVec2]) -> Vec<[u8; 3]> {
-        let own = self.model.colours_srgb();
-        match self.document.density() {
-            0 => own.to_vec(),
-            _ => uvs.iter().map(|uv| self.model.picture().colour_under(uv.x, uv.y)).collect(),
-        }
+        self.model.colours_under(uvs)
     }
 
     /// For each vertex shown, how much longer its edges are than in the face as it was found: −1 for 20 % or more
