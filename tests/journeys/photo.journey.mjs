@@ -111,6 +111,8 @@ journey("landmarks lie on the panel's photo where they are in the photo", async 
 journey("of a large photo the page's own thread draws only what it shows", async (open) => {
   const visitor = await open({ before: (context) => context.addInitScript(countDrawn) });
   const { page } = visitor;
+  // Before the bench is there, a part of the photo that nobody has scaled yet is drawn.
+  await visitor.untilLoaded();
   await visitor.drop(await asJpeg(page, await readFile(SAMPLE), { width: 4000, height: 3000 }), "large.jpg");
   await visitor.untilFace();
   await visitor.unfold("section-photo");
