@@ -69,10 +69,14 @@ fn a_denser_mesh_carries_the_edit_and_takes_its_colours_from_the_photo() {
     }
     let photo = image::open(portrait()).unwrap().to_rgb8();
     let plain = mesh_json("dense-plain.json", &["--topology", "canonical", "--density", "2"]);
-    let colours = triples(&plain["colors"]);
-    for (position, colour) in triples(&plain["positions"]).iter().zip(&colours) {
+    let (positions, colours) = (triples(&plain["positions"]), triples(&plain["colors"]));
+    // A few by the corners of the mouth give way, and keep their colours.
+    let crowded = rosto_face::crowded_landmarks();
+    let kept = |vertex: &usize| !crowded.contains(&(*vertex as u32));
+    for vertex in (0..colours.len()).filter(kept) {
+        let (position, colour) = (positions[vertex], colours[vertex]);
         let pixel = photo.get_pixel((position[0] * 512.0) as u32, (position[1] * 512.0) as u32);
-        assert_eq!(*colour, pixel.0.map(f64::from));
+        assert_eq!(colour, pixel.0.map(f64::from));
     }
 }
 

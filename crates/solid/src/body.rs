@@ -80,7 +80,12 @@ impl Body {
                 Err(_) => {}
             }
         }
-        closed(softer).or_else(|_| closed(own)).map(|body| body.seen_from(own))
+        // It cannot be thick enough everywhere: as little is rounded off as leaves a firm wall.
+        let is_firm = |body: &Self| body.thinnest_m >= FIRM * thickness_m;
+        let partly = |within: f64| closed(&softened(own, softer, &tight, within * thickness_m)).ok().filter(is_firm);
+        let firm = FIRM_WITHIN.into_iter().find_map(partly);
+        let body = firm.map_or_else(|| closed(softer).or_else(|_| closed(own)), Ok);
+        body.map(|body| body.seen_from(own))
     }
 
     /// The same, moved from where the surface was before it was softened.
@@ -192,6 +197,12 @@ fn check(thickness_m: f64) -> Result<(), SolidError> {
 /// Where there is no room for a wall, all of the softer surface is taken within so many thicknesses, one after the other until
 /// there is; where there still is none, from then on, too.
 const SOFT_WITHIN: [f64; 6] = [0.5, 0.5, 1.0, 1.0, 2.0, 4.0];
+
+/// A wall that is nowhere thinner than this share of what was asked for is firm.
+const FIRM: f64 = 0.5;
+
+/// For a firm one the softer surface is taken within so many thicknesses.
+const FIRM_WITHIN: [f64; 2] = [0.5, 2.0];
 
 /// Between two surfaces: the softer one within some distance of vertices that are marked, none of it three times as far away.
 fn softened(own: &[DVec3], softer: &[DVec3], marked: &[bool], within_m: f64) -> Vec<DVec3> {
