@@ -142,11 +142,7 @@ impl Session {
             Intent::Mode(mode) => self.set_mode(mode),
             Intent::Select(selection) => self.select(selection),
             Intent::SelectAt(vertex) => self.select_at(vertex),
-            Intent::SelectUnder(place_px) => match self.vertex_at(place_px) {
-                Some(vertex) => self.select_at(vertex),
-                None if self.face.is_some() => self.select(None),
-                None => Ok(Changed::Nothing),
-            },
+            Intent::SelectUnder(place_px) => self.select_under(place_px),
             Intent::Pin(switch) => self.pin_selected(switch),
             Intent::PinUnder(place_px) => self.toggle_pin_at(place_px),
             Intent::Preset(preset) => self.set_preset(preset),
@@ -189,15 +185,8 @@ impl Session {
             Intent::SeenFrom(distance_m) => self.set_seen_from(distance_m),
             Intent::Brush(radius_px) => self.set_brush(radius_px),
             Intent::ShowDepth => self.show_depth(),
-            Intent::Skin(skin) => {
-                self.view.skin = skin;
-                Ok(Changed::Mesh)
-            }
-            // The texture that is there is shown until the other one is.
-            Intent::TextureSize(size) => {
-                self.view.texture_size = size;
-                Ok(Changed::Document)
-            }
+            Intent::Skin(skin) => Ok(self.set_skin(skin)),
+            Intent::TextureSize(size) => Ok(self.set_texture_size(size)),
             seen => self.see(seen),
         }
     }

@@ -53,65 +53,21 @@ impl Body {
         }
     }
 
-    /// As [`Self::closed`]; where sharp folds leave no room for a wall behind them, the surface gives way to a softer one of the
-    /// same triangles: around the folds if that is enough, else everywhere ([`Self::moved_m`]).
-    ///
-    /// # Errors
-    /// [`SolidError`] if neither can be closed so.
-    ///
-    /// # Panics
-    /// If the softer surface has not one position for each vertex.
-    pub fn closed_or_softer(surface: Surface<'_>, softer: &[DVec3], closing: Closing) -> Result<Self, SolidError> {
-        let (topology, own) = (surface.topology(), surface.positions());
-        assert_eq!(softer.len(), own.len(), "one softer place for each vertex");
-        let closed = |positions: &[DVec3]| Self::closed(Surface::new(topology, positions)?, closing);
-        let Closing::Thickness { thickness_m } = closing else {
-            return Self::closed(surface, closing).or_else(|_| Ok(closed(softer)?.seen_from(own)));
-        };
-        let good = |positions: &[DVec3]| Self::well_walled(Surface::new(topology, positions)?, thickness_m);
-        let mut tight = match good(own)? {
-            Ok(body) => return Ok(body),
-            Err(tight) => tight,
-        };
-        for within in SOFT_WITHIN {
-            match good(&softened(own, softer, &tight, within * thickness_m)) {
-                Ok(Ok(body)) => return Ok(body.seen_from(own)),
-                Ok(Err(still)) => tight.iter_mut().zip(still).for_each(|(tight, still)| *tight |= still),
-                Err(_) => {}
-            }
-        }
-        // It cannot be thick enough everywhere: as little is rounded off as leaves a firm wall.
-        let is_firm = |body: &Self| body.thinnest_m >= FIRM * thickness_m;
-        let partly = |within: f64| closed(&softened(own, softer, &tight, within * thickness_m)).ok().filter(is_firm);
-        let firm = FIRM_WITHIN.into_iter().find_map(partly);
-        let body = firm.map_or_else(|| closed(softer).or_else(|_| closed(own)), Ok);
-        body.map(|body| body.seen_from(own))
-    }
-
-    /// The same, moved from where the surface was before it was softened.
-    fn seen_from(self, surface: &[DVec3]) -> Self {
-        Self { moved_m: farthest(surface, &self.positions_m), ..self }
-    }
-
-    /// With a wall that is thick enough everywhere; else the vertices behind which there is no room for one.
-    fn well_walled(surface: Surface<'_>, thickness_m: f64) -> Result<Result<Self, Vec<bool>>, SolidError> {
-        check(thickness_m)?;
-        let front = Front::new(surface)?;
-        Ok(match wall::good_back(&front, thickness_m) {
-            Ok(back) => Ok(Self::with_back(front, back)?),
-            Err(tight) => Err(tight),
-        })
-    }
-
     fn walled(front: Front, thickness_m: f64) -> Result<Self, SolidError> {
         let back = wall::back(&front, thickness_m);
         let back = back.ok_or_else(|| SolidError::TooThick { thickness_m, most_m: thickest(&front, thickness_m) })?;
         Self::with_back(front, back)
     }
 
-    fn with_back(front: Front, back: wall::Back) -> Result<Self, SolidError> {
+    /// With what lies behind the front.
+    pub(crate) fn with_back(front: Front, back: wall::Back) -> Result<Self, SolidError> {
         let triangles = wall::joined(&front);
         Self::of(front, triangles, back.positions, back.thinnest)
+    }
+
+    /// The same, moved from where the surface was before it was softened.
+    pub(crate) fn moved_from(self, surface: &[DVec3]) -> Self {
+        Self { moved_m: farthest(surface, &self.positions_m), ..self }
     }
 
     fn with_flat_back(front: Front, thickness_m: f64) -> Result<Self, SolidError> {
@@ -187,32 +143,12 @@ impl Body {
 /// The density of polylactide, which most home printers melt, in g/cm³.
 pub const PLA_G_PER_CM3: f64 = 1.24;
 
-fn check(thickness_m: f64) -> Result<(), SolidError> {
+/// Whether it is a length above zero.
+pub(crate) fn check(thickness_m: f64) -> Result<(), SolidError> {
     match thickness_m > 0.0 && thickness_m.is_finite() {
         true => Ok(()),
         false => Err(SolidError::Thickness { thickness_m }),
     }
-}
-
-/// Where there is no room for a wall, all of the softer surface is taken within so many thicknesses, one after the other until
-/// there is; where there still is none, from then on, too.
-const SOFT_WITHIN: [f64; 6] = [0.5, 0.5, 1.0, 1.0, 2.0, 4.0];
-
-/// A wall that is nowhere thinner than this share of what was asked for is firm.
-const FIRM: f64 = 0.5;
-
-/// For a firm one the softer surface is taken within so many thicknesses.
-const FIRM_WITHIN: [f64; 2] = [0.5, 2.0];
-
-/// Between two surfaces: the softer one within some distance of vertices that are marked, none of it three times as far away.
-fn softened(own: &[DVec3], softer: &[DVec3], marked: &[bool], within_m: f64) -> Vec<DVec3> {
-    let marked: Vec<DVec3> = own.iter().zip(marked).filter(|(_, marked)| **marked).map(|(place, _)| *place).collect();
-    let share = |place: &DVec3| {
-        let distance_m = marked.iter().map(|other| other.distance(*place)).fold(f64::INFINITY, f64::min);
-        let near = ((3.0 - distance_m / within_m) / 2.0).clamp(0.0, 1.0);
-        near * near * (3.0 - 2.0 * near)
-    };
-    own.iter().zip(softer).map(|(own, softer)| own.lerp(*softer, share(own))).collect()
 }
 
 /// The most that works below what does not, by halving, then between what works and what does not; 0 if nothing does.

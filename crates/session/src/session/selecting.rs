@@ -44,6 +44,15 @@ impl Session {
         Ok(Changed::Document)
     }
 
+    /// What is under the pointer; nothing where it is beside the face.
+    pub(super) fn select_under(&mut self, place_px: DVec2) -> Result {
+        match self.vertex_at(place_px) {
+            Some(vertex) => self.select_at(vertex),
+            None if self.face.is_some() => self.select(None),
+            None => Ok(Changed::Nothing),
+        }
+    }
+
     pub(super) fn select_at(&mut self, vertex: u32) -> Result {
         let face = self.open_face()?;
         let selection = face.at(face.known(vertex, self.mode)?, self.mode);

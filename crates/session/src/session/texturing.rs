@@ -1,3 +1,4 @@
+use rosto_export::TextureSize;
 use rosto_face::Photo;
 use rosto_studio::texture_plan;
 
@@ -10,6 +11,17 @@ impl Session {
     pub fn texture_wanted_px(&self) -> Option<u32> {
         let side_px = self.view().texture_size.px();
         self.face().filter(|face| face.texture.as_ref().is_none_or(|there| there.width() != side_px)).map(|_| side_px)
+    }
+
+    pub(super) fn set_skin(&mut self, skin: Skin) -> Changed {
+        self.view.skin = skin;
+        Changed::Mesh
+    }
+
+    /// The texture that is there is shown until the other one is.
+    pub(super) fn set_texture_size(&mut self, size: TextureSize) -> Changed {
+        self.view.texture_size = size;
+        Changed::Document
     }
 
     /// What it is made of but for the pixels of the photos, the one that leads first: a plan as bytes, of which `rosto-texture`
