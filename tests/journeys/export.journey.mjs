@@ -104,7 +104,7 @@ journey("the panel says what the GLB holds, is called and weighs, and follows ev
   await visitor.dropSample();
   await visitor.unfold("section-export");
   const facts = async () => (await page.innerText("#export-facts")).split(/\s*\n\s*/).filter(Boolean);
-  assert.deepEqual(await facts(), ["portrait.glb", "GLB: 7,257 points, 14,368 triangles, a picture of 2048 × 2048 px."]);
+  assert.deepEqual(await facts(), ["portrait.glb", "GLB: 7,257 points, 14,368 triangles, a picture of 1024 × 1024 px."]);
   await page.selectOption("#texture-size", "1024");
   await page.selectOption("#export-density", "1");
   assert.deepEqual(await facts(), ["portrait-1833.glb", "GLB: 1,833 points, 3,592 triangles, a picture of 1024 × 1024 px."]);

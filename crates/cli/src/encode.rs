@@ -3,7 +3,9 @@ use std::path::Path;
 use glam::{DVec2, DVec3};
 use rosto_export::{BaseColour, Choosable, Content, Eyes, Format, GlbOptions, Model, Morph, Picture, Source, Written};
 use rosto_face::{FaceModel, Photo, canonical_uvs};
-use rosto_studio::{Document, EditsInRig, Entry, Rest, Rig, Shot, StudioError, project, whole_texture_of};
+use rosto_studio::{
+    Document, EditsInRig, Entry, Rest, Rig, Shot, StudioError, project, texture_side_px, whole_texture_of,
+};
 
 use crate::args::MeshTask;
 use crate::error::CliError;
@@ -138,7 +140,7 @@ impl Skin {
         let uvs: Vec<DVec2> = document.from_cage(face.uvs());
         let colours_srgb = face.colours_under(&uvs);
         let texture = match task.base_colour == BaseColour::Whole && format.lets_choose(Choosable::BaseColour) {
-            true => Some(texture(face, task.texture_size.px())?),
+            true => Some(texture(face, texture_side_px(face, task.texture_size.px()))?),
             false => None,
         };
         Ok(Self { uvs, colours_srgb, texture_uvs: document.from_cage(&canonical_uvs()), texture })

@@ -9,6 +9,12 @@ use crate::picture::IncomingPicture;
 /// The texture of the whole face: the worker makes it, which takes longer than a frame, and it comes back as rows of pixels.
 #[wasm_bindgen]
 impl Studio {
+    /// How long the side of the open face's texture is, or is to be, in px; undefined without a face.
+    #[wasm_bindgen(getter, js_name = textureSidePx)]
+    pub fn texture_side_px(&self) -> Option<u32> {
+        self.session.texture_side_px()
+    }
+
     /// How long the side of a texture is to be, in px, that the open face lacks; undefined where it lacks none.
     #[wasm_bindgen(getter, js_name = textureWantedPx)]
     pub fn texture_wanted_px(&self) -> Option<u32> {

@@ -41,7 +41,7 @@ pub use rosto_laplacian::{ConstraintKind, Operator};
 pub use rosto_texture::{Shares, Texture};
 pub use sliders::FaceSlider;
 pub use target::{Amount, EditTarget};
-pub use whole_texture::{Shot, texture_plan, whole_texture, whole_texture_of};
+pub use whole_texture::{Shot, texture_plan, texture_side_px, whole_texture, whole_texture_of};
 
 /// The examples of the README are tested with those of the code.
 #[cfg(doctest)]

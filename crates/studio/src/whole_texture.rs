@@ -11,6 +11,12 @@ use crate::mirror::MirrorTable;
 /// A texture is made for this density, and serves every other one: their places in it are the same to a fraction of a mm.
 const DENSITY: u32 = 2;
 
+/// The shortest side that a face is given, however few pixels its photos have of it.
+const SHORTEST_SIDE_PX: u32 = 1024;
+
+/// Texels there are, along a line, for each pixel of a photo: fewer would blur it, and more hold nothing.
+const TEXELS_PER_PIXEL: f64 = 2.0;
+
 /// Each comes from one photo alone: a gaze or a smile that was taken twice would be seen twice.
 const WHOLES: [Region; 3] = [Region::RightEye, Region::LeftEye, Region::Lips];
 
@@ -71,6 +77,32 @@ pub fn texture_plan(face: &FaceModel, others: &[(&[DVec2], &Camera)]) -> Plan {
         plan.add(&dense.interpolate(uvs), eye(camera));
     }
     plan
+}
+
+/// How long the side of a face's texture is to be, in px, where it may be as long as `at_most_px`: a power of two that holds
+/// all that the sharpest of the face's photos shows of it. A longer one would be slower to make and to load, and no sharper.
+pub fn texture_side_px(face: &FaceModel, at_most_px: u32) -> u32 {
+    let sharpest = face.views().iter().map(|view| pixels_per_side(view.picture, view.uvs)).fold(0.0, f64::max);
+    let filled_px = (TEXELS_PER_PIXEL * sharpest).ceil() as u32;
+    filled_px.checked_next_power_of_two().unwrap_or(at_most_px).clamp(SHORTEST_SIDE_PX.min(at_most_px), at_most_px)
+}
+
+/// How many pixels of a photo lie along the side of a texture of one to one, by the areas of what is seen of the face.
+fn pixels_per_side(picture: &Photo, uvs: &[DVec2]) -> f64 {
+    let size_px = DVec2::new(picture.width().into(), picture.height().into());
+    let in_photo: Vec<DVec2> = uvs.iter().map(|uv| uv * size_px).collect();
+    let in_texture = canonical_uvs();
+    let topology = Triangulation::Canonical.topology();
+    let areas = topology.triangles().iter().map(|corners| (area(&in_photo, corners), area(&in_texture, corners)));
+    let seen = areas.filter(|(photo, texture)| photo * texture > 0.0);
+    let (photo, texture) = seen.fold((0.0, 0.0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
+    if texture == 0.0 { 0.0 } else { (photo / texture).sqrt() }
+}
+
+/// Twice the area of a triangle, with the sign of its winding.
+fn area(places: &[DVec2], corners: &[u32; 3]) -> f64 {
+    let [a, b, c] = corners.map(|corner| places[corner as usize]);
+    (b - a).perp_dot(c - a)
 }
 
 /// The canonical triangulation, subdivided as documents subdivide it.

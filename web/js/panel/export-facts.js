@@ -50,8 +50,9 @@ export class ExportFacts {
 
   /** What paints it, and how large that is. */
   #paint() {
-    const side = this.#bench.read((state) => state.chosen("texture-size")) ?? "";
+    const most = this.#bench.read((state) => state.chosen("texture-size")) ?? "";
+    const side = this.#bench.read((_, studio) => studio.textureSidePx) ?? "";
     const key = /** @type {const} */ ({ whole: "export.paint.whole", photo: "export.paint.photo", colours: "export.paint.colours" });
-    return say(key[/** @type {keyof typeof key} */ (chosen("base-colour"))], { side });
+    return say(key[/** @type {keyof typeof key} */ (chosen("base-colour"))], { side: String(side), most });
   }
 }

@@ -1,16 +1,22 @@
 use rosto_export::TextureSize;
 use rosto_face::Photo;
-use rosto_studio::texture_plan;
+use rosto_studio::{texture_plan, texture_side_px};
 
 use super::Session;
 use crate::{Changed, SessionError, Skin};
 
 /// The texture of the whole face is made elsewhere, since it takes longer than a frame, and is shown once it is there.
 impl Session {
+    /// How long the side of the open face's texture is, or is to be, in px: no longer than what was chosen, nor than its photos
+    /// can fill.
+    pub fn texture_side_px(&self) -> Option<u32> {
+        self.face().map(|face| texture_side_px(face.model(), self.view().texture_size.px()))
+    }
+
     /// How long the side of a texture is to be, in px, that the open face lacks; none where it lacks none.
     pub fn texture_wanted_px(&self) -> Option<u32> {
-        let side_px = self.view().texture_size.px();
-        self.face().filter(|face| face.texture.as_ref().is_none_or(|there| there.width() != side_px)).map(|_| side_px)
+        let there = self.face()?.texture.as_ref().map(Photo::width);
+        self.texture_side_px().filter(|side_px| there != Some(*side_px))
     }
 
     pub(super) fn set_skin(&mut self, skin: Skin) -> Changed {

@@ -80,3 +80,20 @@ fn other_than_468_places_are_refused() {
     let refused = whole_texture_of(&front, &[Shot { picture: front.picture(), uvs: &uvs, camera: &camera }], 256);
     assert_eq!(refused.unwrap_err().to_string(), "467 places in a photo for 468 vertices");
 }
+
+/// A texel to every half a pixel, so that a photo of twice the width fills a texture of twice the side.
+#[test]
+fn a_texture_is_as_long_as_its_photo_can_fill_and_no_longer_than_is_asked_for() {
+    let head = Head::painted(256);
+    let camera = head.camera(0.0);
+    let face_in = |size_px: u32| {
+        let picture = Photo::from_rgb(size_px, size_px, vec![128; 3 * (size_px * size_px) as usize]).unwrap();
+        let (landmarks, colours) = (head.landmarks(&camera), [[0; 3]; LANDMARK_COUNT]);
+        let (width, height, lens) = (SIZE_PX, SIZE_PX, PhotoLens::Distance(DISTANCE_M));
+        let input = FaceInput { landmarks: &landmarks, width, height, colours: &colours, picture, lens };
+        FaceModel::new(input, Triangulation::Canonical).unwrap()
+    };
+    let sides = [16, 1024, 2048].map(|size_px| texture_side_px(&face_in(size_px), 4096));
+    assert_eq!(sides, [1024, 2048, 4096]);
+    assert_eq!([256, 1024, 2048].map(|at_most_px| texture_side_px(&face_in(2048), at_most_px)), [256, 1024, 2048]);
+}
