@@ -53,14 +53,13 @@ for (const lens of LENSES) {
     const { page } = visitor;
     await visitor.dropSample();
     await chooseLens(visitor, lens);
-    for (const keys of [[], ["ArrowLeft", "ArrowUp", "Alt+ArrowUp"]]) {
-      await page.focus("#viewport");
-      for (const key of keys) await page.keyboard.press(key);
-      await visitor.frames(3);
-      const { lit, turned } = await visitor.takeAtEach(7);
-      assert.ok(lit >= 7, `${lit} places light up`);
-      assert.deepEqual(turned, [], "lit places that a press does not take");
-    }
+    // Turned, raised and nearer, so that no axis of the view is one of the face's.
+    await page.focus("#viewport");
+    for (const key of ["ArrowLeft", "ArrowUp", "Alt+ArrowUp"]) await page.keyboard.press(key);
+    await visitor.frames(3);
+    const { lit, turned } = await visitor.takeAtEach(7);
+    assert.ok(lit >= 7, `${lit} places light up`);
+    assert.deepEqual(turned, [], "lit places that a press does not take");
   });
 }
 

@@ -1,8 +1,8 @@
 import { journey } from "./journey.mjs";
 import { CONTEXT, Visit, inWords, wishes } from "./restless/visit.mjs";
 
-/** 500 actions in all. */
-const SEEDS = [1, 2, 3, 4];
+/** 250 actions in all; `cargo xtask torture` goes on for as many as it is given. */
+const SEEDS = [1, 2];
 const ACTIONS = 125;
 
 for (const seed of SEEDS) {

@@ -5,10 +5,10 @@ import { Swing } from "./swing.js";
 
 /** @typedef {import("../viewport/workbench.js").Workbench} Workbench */
 
-const SWING_MS = 3700;
-/** At its end the face is still for a moment, and for some pictures. */
+const SWING_MS = 3400;
+/** At its end the face is still for a moment, and for some pictures: some of them may be dropped. */
 const LENGTH_MS = 4000;
-const LAST_PICTURES = 2;
+const LAST_PICTURES = 5;
 /** A browser is behind with what it records, and drops what it has not come to. */
 const BEHIND_MS = 600;
 /** A square fits on every screen; codecs want even sides. */
