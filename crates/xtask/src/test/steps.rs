@@ -35,6 +35,8 @@ pub struct Report {
 }
 
 const STEP_LIMIT: Duration = Duration::from_secs(3600);
+/// No step that goes on is silent for so long, the slowest crate's compilation included.
+const SILENCE_LIMIT: Duration = Duration::from_secs(1200);
 /// Set for rustdoc and clippy alike: a warning is an error.
 const DENY: [&str; 2] = ["-D", "warnings"];
 const WASM_TEST_LIMIT_S: &str = "600";
@@ -216,7 +218,8 @@ fn check(name: &str, run: Run) -> Result<Report> {
 
 /// A test runner.
 fn tests(name: &str, run: Run) -> Result<Report> {
-    let ended = run.within(STEP_LIMIT).log_to(log(name)?).run()?;
+    let run = run.within(STEP_LIMIT).unless_stalled(SILENCE_LIMIT, workspace::logs()?);
+    let ended = run.log_to(log(name)?).run()?;
     let counts = Counts::of_runner(ended.success, &ended.output);
     Ok(Report { counts, output: format!("{}{}", ended.output, ended.given_up.unwrap_or_default()) })
 }
