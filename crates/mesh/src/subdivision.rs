@@ -3,6 +3,8 @@ use std::f64::consts::TAU;
 use std::iter::Sum;
 use std::ops::{Add, Mul, Sub};
 
+use glam::DVec3;
+
 use crate::Topology;
 use crate::stencils::Stencils;
 
@@ -99,19 +101,23 @@ impl LoopSubdivision {
     /// If there is not one value for each vertex of the cage.
     pub fn interpolate<T: Value>(&self, cage: &[T]) -> Vec<T> {
         let (mut control, mut dense) = (cage.to_vec(), self.apply(cage));
-        self.interpolate_to(cage, &mut control, &mut dense);
+        self.interpolate_into(cage, &mut control, &mut dense);
         dense
     }
 
-    /// As [`Self::interpolate`], into slices of the caller's; nothing is allocated.
-    ///
-    /// The control cage solves the square part of the matrix that takes the cage to itself. It is found by Gauss and Seidel's
-    /// steps, each of which leaves some tenth of what is lacking, on meshes of low degrees a third.
+    /// As [`Self::interpolate`], into slices of the caller's; nothing is allocated. Of positions and displacements alone, so that
+    /// the loop is compiled here and as quick as this crate is, whoever calls it.
     ///
     /// # Panics
     /// If there is not one value, and one place in the control cage, for each vertex of the cage, and one place for each dense
     /// vertex.
-    pub fn interpolate_to<T: Value>(&self, cage: &[T], control: &mut [T], dense: &mut [T]) {
+    pub fn interpolate_to(&self, cage: &[DVec3], control: &mut [DVec3], dense: &mut [DVec3]) {
+        self.interpolate_into(cage, control, dense);
+    }
+
+    /// The control cage solves the square part of the matrix that takes the cage to itself. It is found by Gauss and Seidel's
+    /// steps, each of which leaves some tenth of what is lacking, on meshes of low degrees a third.
+    fn interpolate_into<T: Value>(&self, cage: &[T], control: &mut [T], dense: &mut [T]) {
         control.copy_from_slice(cage);
         for _ in 0..INTERPOLATING_STEPS {
             for (vertex, wanted) in cage.iter().enumerate() {
