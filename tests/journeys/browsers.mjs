@@ -27,9 +27,10 @@ export class Browsers {
     return this.#isTimed || !UNSEEN.has(needs);
   }
 
-  /** @param {Needs} needs */
+  /** Another one where the last has crashed. @param {Needs} needs */
   async for(needs) {
-    const open = this.#open.get(needs) ?? (await this.#launch(needs));
+    const last = this.#open.get(needs);
+    const open = last?.browser.isConnected() ? last : await this.#launch(needs);
     this.#open.set(needs, open);
     return open.browser;
   }

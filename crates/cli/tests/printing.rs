@@ -55,11 +55,17 @@ fn a_wall_is_as_thick_in_a_denser_face() {
     assert!((volume_cm3(&dense) / volume_cm3(&coarse) - 1.0).abs() < 0.05, "{said}");
 }
 
+/// The portrait fills 1024 px and no more; its head alone, eight times as large, 2048.
 #[test]
-fn the_picture_is_no_larger_than_asked_for() {
-    for size in ["1024", "2048"] {
-        printed("picture.png", &["--texture-size", size]);
-        let (width, height) = image::image_dimensions(scratch("picture.png")).unwrap();
-        assert!(width.max(height) <= size.parse().unwrap() && width.is_power_of_two() && height.is_power_of_two());
+fn the_picture_is_as_large_as_its_photo_fills_and_no_larger_than_asked_for() {
+    let large = scratch("large.png");
+    let head = image::open(portrait()).unwrap().crop_imm(96, 0, 256, 256);
+    head.resize_exact(2048, 2048, image::imageops::FilterType::Triangle).save(&large).unwrap();
+    for (photo, asked_px, side_px) in [(portrait(), "2048", 1024), (large.clone(), "1024", 1024), (large, "2048", 2048)]
+    {
+        let picture = scratch("picture.png");
+        let output = mesh(&photo, &picture, &["--texture-size", asked_px]);
+        assert_eq!(code(&output), 0, "{}", said(&output));
+        assert_eq!(image::image_dimensions(picture).unwrap(), (side_px, side_px), "{}", photo.display());
     }
 }

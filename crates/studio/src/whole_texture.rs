@@ -92,8 +92,8 @@ fn pixels_per_side(picture: &Photo, uvs: &[DVec2]) -> f64 {
     let size_px = DVec2::new(picture.width().into(), picture.height().into());
     let in_photo: Vec<DVec2> = uvs.iter().map(|uv| uv * size_px).collect();
     let in_texture = canonical_uvs();
-    let topology = Triangulation::Canonical.topology();
-    let areas = topology.triangles().iter().map(|corners| (area(&in_photo, corners), area(&in_texture, corners)));
+    let triangles = Triangulation::Canonical.triangles();
+    let areas = triangles.iter().map(|corners| (area(&in_photo, corners), area(&in_texture, corners)));
     let seen = areas.filter(|(photo, texture)| photo * texture > 0.0);
     let (photo, texture) = seen.fold((0.0, 0.0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
     if texture == 0.0 { 0.0 } else { (photo / texture).sqrt() }
