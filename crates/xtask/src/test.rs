@@ -1,6 +1,7 @@
 //! `cargo xtask test`: every check of the workspace, one closing line.
 //!
-//! All steps run even when one fails; what a failing step printed is shown in full.
+//! All steps run even when one fails; what a failing step printed is shown in full, and what failed is named once more
+//! at the end, where a log that was cut still has it.
 
 mod counts;
 mod steps;
@@ -17,14 +18,20 @@ use steps::{Report, Step};
 pub fn run(wanted: &[&str]) -> Result<ExitCode> {
     let all = steps::all()?;
     let chosen = choose(all, wanted)?;
+    let mut failing = Vec::new();
     let total = match setup::for_tests() {
-        Ok(kit) => chosen.into_iter().map(|step| run_step(&kit, step)).fold(Counts::default(), Counts::plus),
+        Ok(kit) => {
+            let counts = chosen.into_iter().map(|step| run_step(&kit, step, &mut failing));
+            counts.fold(Counts::default(), Counts::plus)
+        }
         Err(failure) => {
             println!("✗ set-up: {failure}");
             Counts { passed: 0, failed: 1 }
         }
     };
-    println!("\n{} passed, {} failed", total.passed, total.failed);
+    println!();
+    failing.iter().for_each(|line| println!("✗ {line}"));
+    println!("{} passed, {} failed", total.passed, total.failed);
     Ok(if total.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
@@ -37,7 +44,8 @@ fn choose(all: Vec<Step>, wanted: &[&str]) -> Result<Vec<Step>> {
     Ok(all.into_iter().filter(|step| wanted.is_empty() || wanted.iter().any(|name| step.is_called(name))).collect())
 }
 
-fn run_step(kit: &setup::Kit, step: Step) -> Counts {
+/// Adds a line to `failing` for each test that failed.
+fn run_step(kit: &setup::Kit, step: Step, failing: &mut Vec<String>) -> Counts {
     println!("▸ {} ({})", step.name, step.what);
     let started = Instant::now();
     let report = (step.work)(kit).unwrap_or_else(|failure| Report::failed(failure.to_string()));
@@ -45,6 +53,7 @@ fn run_step(kit: &setup::Kit, step: Step) -> Counts {
     let mark = if failed == 0 { "✓" } else { "✗" };
     if failed > 0 {
         println!("{}", report.output.trim_end());
+        failing.extend(counts::failing(&report.output).iter().map(|line| format!("{}: {line}", step.name)));
     }
     println!("  {mark} {}: {passed} passed, {failed} failed, {}", step.name, progress::elapsed(started.elapsed()));
     report.counts

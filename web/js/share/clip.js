@@ -6,9 +6,10 @@ import { Swing } from "./swing.js";
 /** @typedef {import("../viewport/workbench.js").Workbench} Workbench */
 
 const SWING_MS = 3400;
-/** At its end the face is still for a moment, and for some pictures: some of them may be dropped. */
+/** At its end the face is still for a moment, and is shown some times: some of them may be dropped. */
 const LENGTH_MS = 4000;
 const LAST_PICTURES = 5;
+const LAST_PICTURE_MS = 50;
 /** A browser is behind with what it records, and drops what it has not come to. */
 const BEHIND_MS = 600;
 /** A square fits on every screen; codecs want even sides. */
@@ -52,22 +53,32 @@ async function film(bench, swing, recorder, { signal, isSameFace, told }) {
   const { studio } = bench;
   // A studio that was started again shows the face from the front, and is another one.
   const check = () => {
+    signal.throwIfAborted();
     if (bench.studio !== studio || !isSameFace()) throw new Error("another face has come");
   };
-  const start_ms = performance.now();
-  let still = 0;
-  for (let past_ms = 0; past_ms < LENGTH_MS || still < LAST_PICTURES; past_ms = performance.now() - start_ms) {
-    swing.go(Math.min(1, past_ms / SWING_MS));
-    if (past_ms >= SWING_MS) still += 1;
+  const draw = async (/** @type {number} */ share) => {
+    swing.go(share);
     await afterNextFrame();
     check();
     const picture = await pictureOf(studio);
-    if (signal.aborted) return;
     check();
+    return picture;
+  };
+  const start_ms = performance.now();
+  const past_ms = () => performance.now() - start_ms;
+  const show = (/** @type {ImageData} */ picture) => {
     recorder.show(picture);
-    told(past_ms / LENGTH_MS);
+    told(past_ms() / LENGTH_MS);
+  };
+  while (past_ms() < SWING_MS) show(await draw(past_ms() / SWING_MS));
+  // Drawn once: where drawing is slow, each that is drawn anew would make the clip longer.
+  const last = await draw(1);
+  for (let shown = 0; past_ms() < LENGTH_MS || shown < LAST_PICTURES; shown += 1) {
+    show(last);
+    await wait(LAST_PICTURE_MS);
+    check();
   }
-  await new Promise((resolve) => setTimeout(resolve, BEHIND_MS));
+  await wait(BEHIND_MS);
 }
 
 /** @param {import("../viewport/workbench.js").Studio} studio */
@@ -77,6 +88,11 @@ async function pictureOf(studio) {
   const picture = snapshot.takePixels();
   snapshot.free();
   return imageDataOf({ picture, ...size });
+}
+
+/** @param {number} duration_ms */
+function wait(duration_ms) {
+  return new Promise((resolve) => setTimeout(resolve, duration_ms));
 }
 
 /**

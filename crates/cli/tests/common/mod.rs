@@ -15,9 +15,12 @@ pub fn portrait() -> PathBuf {
     path
 }
 
-/// A file of this name among the test's own.
+/// A file of this name in the test's own folder: tests run side by side, and many of them write the same photo.
 pub fn scratch(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+    let test = std::thread::current().name().unwrap_or("main").replace(':', "-");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(env!("CARGO_CRATE_NAME")).join(test);
+    std::fs::create_dir_all(&folder).unwrap();
+    folder.join(name)
 }
 
 pub fn scratch_file(name: &str, content: &[u8]) -> PathBuf {

@@ -33,11 +33,29 @@ impl Counts {
 
 /// Sums the closing lines of libtest and wasm-bindgen-test, nextest, node's runner, and plain `N passed, N failed`.
 pub fn read(output: &str) -> Counts {
-    let lines: Vec<String> = output.lines().map(|line| without_colour(line).trim().to_owned()).collect();
+    let lines = plain_lines(output);
     // nextest repeats what a failing test printed, libtest's closing line included: its own summary has them all.
     let summarised = lines.iter().any(|line| is_summary(line));
     let counted = lines.iter().filter(|line| !summarised || is_summary(line));
     counted.map(|line| of_line(line)).fold(Counts::default(), Counts::plus)
+}
+
+/// The tests that failed, by nextest's, libtest's and wasm-bindgen-test's lines, or by `✗ name` with the line after it.
+pub fn failing(output: &str) -> Vec<String> {
+    let lines = plain_lines(output);
+    let summarised = lines.iter().any(|line| is_summary(line));
+    let after = lines.iter().skip(1).map(String::as_str).chain([""]);
+    let named = lines.iter().zip(after).filter_map(|(line, next)| {
+        let of_one = line.strip_prefix("✗ ").map(|name| format!("{name}: {next}"));
+        let of_nextest = || Some(line.strip_prefix("FAIL [")?.split_once(") ")?.1.to_owned());
+        let of_libtest = || Some(line.strip_prefix("test ")?.split_once(" ... FAIL")?.0.to_owned());
+        of_one.or_else(of_nextest).or_else(|| if summarised { None } else { of_libtest() })
+    });
+    // nextest names what failed when it happens and at its end.
+    let mut once: Vec<String> = named.collect();
+    once.sort();
+    once.dedup();
+    once
 }
 
 fn of_line(line: &str) -> Counts {
@@ -53,6 +71,10 @@ fn of_line(line: &str) -> Counts {
         }
         _ => Counts::default(),
     }
+}
+
+fn plain_lines(output: &str) -> Vec<String> {
+    output.lines().map(|line| without_colour(line).trim().to_owned()).collect()
 }
 
 fn is_summary(line: &str) -> bool {
@@ -102,6 +124,16 @@ mod tests {
         let output = "    test result: FAILED. 0 passed; 1 failed; 0 ignored; 0 measured; 9 filtered out\n\
             \u{20}    Summary [  19.328s] 288 tests run: 287 passed, 1 failed, 0 skipped\n";
         assert_eq!(read(output), Counts { passed: 287, failed: 1 });
+    }
+
+    #[test]
+    fn what_failed_is_named_once_by_every_runner() {
+        let nextest = "  FAIL [   4.666s] ( 56/790) rosto-cli::photo keeps_its_pixels\n\
+            test keeps_its_pixels ... FAILED\n  Summary [ 19.3s] 2 tests run: 1 passed, 1 failed, 0 skipped\n\
+            \u{1b}[31m  FAIL\u{1b}[0m [   4.666s] ( 56/790) rosto-cli::photo keeps_its_pixels\n";
+        assert_eq!(failing(nextest), ["rosto-cli::photo keeps_its_pixels"]);
+        assert_eq!(failing("test a::b ... FAILED\ntest a::c ... ok\n"), ["a::b"]);
+        assert_eq!(failing("✓ one (1 s)\n✗ a face (2 s)\n    Error: none\n"), ["a face (2 s): Error: none"]);
     }
 
     #[test]
