@@ -44,7 +44,7 @@ fn choose(all: Vec<Step>, wanted: &[&str]) -> Result<Vec<Step>> {
     Ok(all.into_iter().filter(|step| wanted.is_empty() || wanted.iter().any(|name| step.is_called(name))).collect())
 }
 
-/// Adds a line to `failing` for each test that failed.
+/// Adds to `failing` what failed of the step.
 fn run_step(kit: &setup::Kit, step: Step, failing: &mut Vec<String>) -> Counts {
     println!("▸ {} ({})", step.name, step.what);
     let started = Instant::now();
@@ -53,8 +53,14 @@ fn run_step(kit: &setup::Kit, step: Step, failing: &mut Vec<String>) -> Counts {
     let mark = if failed == 0 { "✓" } else { "✗" };
     if failed > 0 {
         println!("{}", report.output.trim_end());
-        failing.extend(counts::failing(&report.output).iter().map(|line| format!("{}: {line}", step.name)));
+        failing.extend(failures_of(&step.name, &report.output));
     }
     println!("  {mark} {}: {passed} passed, {failed} failed, {}", step.name, progress::elapsed(started.elapsed()));
     report.counts
+}
+
+/// A line for each test that a failed step names, or for the step where it names none: what did not compile, say.
+fn failures_of(step: &str, output: &str) -> Vec<String> {
+    let named = counts::failing(output);
+    if named.is_empty() { vec![step.to_owned()] } else { named.iter().map(|test| format!("{step}: {test}")).collect() }
 }
