@@ -2,7 +2,8 @@
 //!
 //! Neighbouring numbers are then channels, which all have the same to be done to them, in the smallest picture as in the
 //! largest; a border is taps left out, and a pixel of a 1 × 1 convolution is one row of a matrix product. Nothing here is
-//! written for one machine: loops over arrays of a fixed length become its vector instructions.
+//! written for one machine: loops over arrays of a fixed length become its vector instructions, the widest that it has
+//! (`vectors`).
 
 mod activation;
 mod convolution;
@@ -12,6 +13,7 @@ mod moving;
 #[cfg(test)]
 mod naive;
 mod pooling;
+mod vectors;
 mod window;
 
 use std::fmt;
@@ -25,6 +27,7 @@ pub(crate) use dense::Dense;
 pub(crate) use depthwise::Depthwise;
 pub(crate) use moving::{Concat, Pad, Permute, Reshape};
 pub(crate) use pooling::{MaxPool, Sum};
+pub(crate) use vectors::widest;
 pub(crate) use window::Window;
 
 /// One step of a network.

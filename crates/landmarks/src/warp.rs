@@ -7,6 +7,7 @@
 use rosto_photo::Photo;
 
 use crate::homography::{self, Matrix};
+use crate::layers::widest;
 use crate::region_of_interest::RegionPx;
 
 /// What lies outside the picture.
@@ -27,19 +28,26 @@ pub(crate) fn fill_planes(
     [scale, offset]: [f32; 2],
 ) {
     let side = (planes.len() / 3).isqrt();
-    for_each_sample(photo, region, side, outside, |index, rgb| {
-        for (channel, value) in rgb.into_iter().enumerate() {
-            planes[channel * side * side + index] = f32::from(value) * scale + offset;
-        }
-    });
+    widest(
+        #[inline(always)]
+        || {
+            for_each_sample(photo, region, side, outside, |index, rgb| {
+                for (channel, value) in rgb.into_iter().enumerate() {
+                    planes[channel * side * side + index] = f32::from(value) * scale + offset;
+                }
+            });
+        },
+    );
 }
 
 /// OpenCV walks along a row in blocks of this width and restarts its sums at each.
 const BLOCK: usize = 64;
 /// Positions are rounded to this fraction of a pixel.
-const STEPS: i64 = 32;
+const STEPS: i32 = 1 << STEPS_LOG2;
+const STEPS_LOG2: u32 = 5;
 
 /// Calls `visit(index, rgb)` for each pixel of the `side × side` result in row-major order.
+#[inline(always)]
 fn for_each_sample(
     photo: &Photo,
     region: &RegionPx,
@@ -50,15 +58,29 @@ fn for_each_sample(
     let m = source_from_tensor(region, side);
     let sampler = Sampler::new(photo, outside);
     for y in 0..side {
-        for x in 0..side {
-            let (block, step) = ((x - x % BLOCK) as f64, (x % BLOCK) as f64);
-            let start = |row: usize| m[row][0] * block + m[row][1] * y as f64 + m[row][2];
-            let w = start(2) + m[2][0] * step;
-            let w = if w == 0.0 { 0.0 } else { STEPS as f64 / w };
-            let position = |row: usize| ((start(row) + m[row][0] * step) * w).round_ties_even() as i64;
-            visit(y * side + x, sampler.sample(position(0), position(1)));
+        for block in (0..side).step_by(BLOCK) {
+            let [xs, ys] = positions(&m, block, y);
+            for (step, (&x, &y_source)) in xs.iter().zip(&ys).take(side - block).enumerate() {
+                visit(y * side + block + step, sampler.sample(x, y_source));
+            }
         }
     }
+}
+
+/// Where the pixels of a block lie in the picture, in steps; all of them before any is sampled, so that vectors divide.
+#[inline(always)]
+fn positions(m: &Matrix, block: usize, y: usize) -> [[i32; BLOCK]; 2] {
+    let [start_x, start_y, start_w] = [0, 1, 2].map(|row| m[row][0] * block as f64 + m[row][1] * y as f64 + m[row][2]);
+    let mut positions = [[0; BLOCK]; 2];
+    let [xs, ys] = &mut positions;
+    for (step, (x, y)) in xs.iter_mut().zip(ys).enumerate() {
+        let step = step as f64;
+        let w = start_w + m[2][0] * step;
+        let w = if w == 0.0 { 0.0 } else { f64::from(STEPS) / w };
+        *x = ((start_x + m[0][0] * step) * w).round_ties_even() as i32;
+        *y = ((start_y + m[1][0] * step) * w).round_ties_even() as i32;
+    }
+    positions
 }
 
 fn source_from_tensor(region: &RegionPx, side: usize) -> Matrix {
@@ -81,39 +103,46 @@ fn corners(region: &RegionPx) -> [[f32; 2]; 4] {
 
 /// Fixed-point bilinear sampling.
 struct Sampler<'a> {
-    pixels: &'a [u8],
-    width: i64,
-    height: i64,
+    pixels: &'a [[u8; 3]],
+    width: i32,
+    height: i32,
     outside: Outside,
 }
 
 impl<'a> Sampler<'a> {
     fn new(photo: &'a Photo, outside: Outside) -> Self {
-        Self { pixels: photo.pixels(), width: photo.width().into(), height: photo.height().into(), outside }
+        let (pixels, _) = photo.pixels().as_chunks();
+        Self { pixels, width: photo.width() as i32, height: photo.height() as i32, outside }
     }
 
-    /// The colour at (`x`, `y`) in 1/32 px: `(Σ p·wx·wy + 512) >> 10` for each channel.
-    fn sample(&self, x: i64, y: i64) -> [u8; 3] {
-        let (x0, y0) = (x.div_euclid(STEPS), y.div_euclid(STEPS));
-        let (fx, fy) = (x.rem_euclid(STEPS) as u32, y.rem_euclid(STEPS) as u32);
-        let taps = [
-            (self.tap(x0, y0), (32 - fx) * (32 - fy)),
-            (self.tap(x0 + 1, y0), fx * (32 - fy)),
-            (self.tap(x0, y0 + 1), (32 - fx) * fy),
-            (self.tap(x0 + 1, y0 + 1), fx * fy),
-        ];
+    /// The colour at (`x`, `y`) in steps: `(Σ p·wx·wy + 512) >> 10` for each channel.
+    #[inline(always)]
+    fn sample(&self, x: i32, y: i32) -> [u8; 3] {
+        let (fx, fy) = ((x & (STEPS - 1)) as u32, (y & (STEPS - 1)) as u32);
+        let taps = self.taps(x >> STEPS_LOG2, y >> STEPS_LOG2);
+        let weights = [(32 - fx) * (32 - fy), fx * (32 - fy), (32 - fx) * fy, fx * fy];
         [0, 1, 2].map(|channel| {
-            let sum: u32 = taps.iter().map(|(rgb, weight)| u32::from(rgb[channel]) * weight).sum();
+            let sum: u32 = taps.iter().zip(weights).map(|(rgb, weight)| u32::from(rgb[channel]) * weight).sum();
             ((sum + 512) >> 10) as u8
         })
     }
 
-    fn tap(&self, x: i64, y: i64) -> [u8; 3] {
+    /// The pixel at (`x`, `y`), its right neighbour, and the two below.
+    #[inline(always)]
+    fn taps(&self, x: i32, y: i32) -> [[u8; 3]; 4] {
+        if x < 0 || y < 0 || x >= self.width - 1 || y >= self.height - 1 {
+            return [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)].map(|(x, y)| self.tap(x, y));
+        }
+        let (width, start) = (self.width as usize, y as usize * self.width as usize + x as usize);
+        [start, start + 1, start + width, start + width + 1].map(|pixel| self.pixels[pixel])
+    }
+
+    #[cold]
+    fn tap(&self, x: i32, y: i32) -> [u8; 3] {
         let (nearest_x, nearest_y) = (x.clamp(0, self.width - 1), y.clamp(0, self.height - 1));
         if self.outside == Outside::Zero && (nearest_x, nearest_y) != (x, y) {
             return [0; 3];
         }
-        let start = (nearest_y * self.width + nearest_x) as usize * 3;
-        [self.pixels[start], self.pixels[start + 1], self.pixels[start + 2]]
+        self.pixels[nearest_y as usize * self.width as usize + nearest_x as usize]
     }
 }

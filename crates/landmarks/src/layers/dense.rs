@@ -1,11 +1,13 @@
 use std::ops::Range;
 
 use super::activation::activated;
+use super::widest;
 
-/// Output channels that are computed together: two vectors of four numbers.
+/// Output channels that are computed together: one vector of eight numbers, or two of four.
 const LANES: usize = 8;
 /// Pixels that are computed together: eight vectors of sums, which leaves half of a machine's sixteen for what is read.
-const PIXELS: usize = 4;
+/// A sum is the same however many there are.
+const PIXELS: usize = if cfg!(target_arch = "x86_64") { 8 } else { 4 };
 
 /// Sums over all input channels: `out = activated(bias + skip + weights · in)`, for each pixel.
 pub(crate) struct Dense {
@@ -69,15 +71,20 @@ impl Dense {
 
     /// All pixels of `output`. Pixel `p` sums the numbers of each part from `p · step` on.
     pub(crate) fn run(&self, parts: &[Part<'_>], step: usize, skip: Skip<'_>, output: &mut [f32]) {
-        let pixels = output.len() / self.channels;
-        let mut done = 0;
-        while done + PIXELS <= pixels {
-            self.tile::<PIXELS>(parts, step, skip, done, output);
-            done += PIXELS;
-        }
-        for pixel in done..pixels {
-            self.tile::<1>(parts, step, skip, pixel, output);
-        }
+        widest(
+            #[inline(always)]
+            || {
+                let pixels = output.len() / self.channels;
+                let mut done = 0;
+                while done + PIXELS <= pixels {
+                    self.tile::<PIXELS>(parts, step, skip, done, output);
+                    done += PIXELS;
+                }
+                for pixel in done..pixels {
+                    self.tile::<1>(parts, step, skip, pixel, output);
+                }
+            },
+        );
     }
 
     #[inline(always)]

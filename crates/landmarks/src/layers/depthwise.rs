@@ -1,6 +1,7 @@
 use std::ops::Range;
 
 use super::activation::activated;
+use super::widest;
 use super::window::{Span, Window};
 
 /// Sums over the taps of a window, for each channel by itself: `out = activated(bias + Σ weight · in)`.
@@ -12,6 +13,8 @@ pub(crate) struct Depthwise {
     slopes: Vec<f32>,
 }
 
+/// Channels that are computed together.
+const LANES: usize = 8;
 /// Taps of the usual kernel, 3 × 3, for which there is a quick way.
 const USUAL: usize = 9;
 
@@ -58,9 +61,14 @@ impl Depthwise {
                 let step = self.window.strides[1] * channels;
                 let rows = [0, 1, 2].map(|row| at(row, places.start, 0));
                 let pixels = output[places.start * channels..].chunks_exact_mut(channels);
-                for (x, output) in pixels.take(places.len()).enumerate() {
-                    self.pixel_of_all(rows.map(|row| &row[x * step..]), output);
-                }
+                widest(
+                    #[inline(always)]
+                    || {
+                        for (x, output) in pixels.take(places.len()).enumerate() {
+                            self.pixel_of_all(rows.map(|row| &row[x * step..]), output);
+                        }
+                    },
+                );
                 continue;
             }
             for x in places.clone() {
@@ -95,14 +103,37 @@ impl Depthwise {
     fn pixel_of_all(&self, rows: [&[f32]; 3], output: &mut [f32]) {
         let channels = output.len();
         let taps: [&[f32]; USUAL] = std::array::from_fn(|tap| &rows[tap / 3][tap % 3 * channels..][..channels]);
-        let weights: [&[f32]; USUAL] = std::array::from_fn(|tap| &self.weights[tap * channels..][..channels]);
-        let (biases, slopes) = (&self.biases[..channels], &self.slopes[..channels]);
-        for channel in 0..channels {
-            let mut sum = biases[channel];
-            for tap in 0..USUAL {
-                sum += taps[tap][channel] * weights[tap][channel];
-            }
-            output[channel] = activated(sum, slopes[channel]);
+        let mut done = 0;
+        while done + LANES <= channels {
+            self.lanes::<LANES>(&taps, done, output);
+            done += LANES;
+        }
+        for channel in done..channels {
+            self.lanes::<1>(&taps, channel, output);
         }
     }
+
+    /// So many channels of such a pixel, from the first on.
+    #[inline(always)]
+    fn lanes<const N: usize>(&self, taps: &[&[f32]; USUAL], first: usize, output: &mut [f32]) {
+        let mut sums: [f32; N] = lanes(&self.biases, first);
+        for (tap, numbers) in taps.iter().enumerate() {
+            let numbers: [f32; N] = lanes(numbers, first);
+            let weights: [f32; N] = lanes(&self.weights, tap * output.len() + first);
+            for ((sum, number), weight) in sums.iter_mut().zip(numbers).zip(weights) {
+                *sum += number * weight;
+            }
+        }
+        let slopes: [f32; N] = lanes(&self.slopes, first);
+        let activated: [f32; N] = std::array::from_fn(|lane| activated(sums[lane], slopes[lane]));
+        output[first..][..N].copy_from_slice(&activated);
+    }
+}
+
+/// So many numbers, from the first on.
+#[inline(always)]
+fn lanes<const N: usize>(numbers: &[f32], first: usize) -> [f32; N] {
+    let mut lanes = [0.0; N];
+    lanes.copy_from_slice(&numbers[first..][..N]);
+    lanes
 }
