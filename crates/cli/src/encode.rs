@@ -25,11 +25,17 @@ pub fn name_of(path: &Path) -> String {
     path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// The edited face's file, with those beside it; a glTF with what opens it again in its extras and, if asked for, the edits as morph
+/// The edited face's file, with those beside it, which are called `name`; a glTF with what opens it again in its extras and, if asked for, the edits as morph
 /// targets.
-pub fn encode(face: &FaceModel, document: &mut Document, task: &MeshTask, format: Format) -> Result<Written, CliError> {
+pub fn encode(
+    face: &FaceModel,
+    document: &mut Document,
+    task: &MeshTask,
+    format: Format,
+    name: &str,
+) -> Result<Written, CliError> {
     if let Some(rig) = rig(face, document, task, format)? {
-        return rigged(face, document, &rig, task, format);
+        return rigged(face, document, &rig, task, format, name);
     }
     let units = task.edits.units;
     let layers = if task.morph_targets { document.displacements() } else { Vec::new() };
@@ -52,7 +58,7 @@ pub fn encode(face: &FaceModel, document: &mut Document, task: &MeshTask, format
     let in_units: Vec<DVec3> =
         document.positions().iter().map(|&position| position * units.per_document_unit()).collect();
     let positions = (units.id(), in_units.as_slice());
-    let (solid, colours, name) = (task.solid, task.colours, &*name_of(&task.output));
+    let (solid, colours) = (task.solid, task.colours);
     Ok(format.write(&Content { model, rest_m: document.rest(), gltf, solid, colours, name, positions })?)
 }
 
@@ -76,6 +82,7 @@ fn rigged(
     rig: &Rig,
     task: &MeshTask,
     format: Format,
+    name: &str,
 ) -> Result<Written, CliError> {
     let (parted, base_m) = (rig.parted(), rig.base_m());
     let skin = Skin::new(face, document, task, format)?;
@@ -95,7 +102,7 @@ fn rigged(
         expressions.map(|(name, ways, weight)| Morph { name: name.id(), displacements_m: ways, weight: *weight });
     let morphs: Vec<Morph<'_>> = layers.chain(expressions).collect();
     let gltf = GlbOptions { morphs: &morphs, ..gltf(face, task, history.as_deref()) };
-    let (solid, colours, name) = (task.solid, task.colours, &*name_of(&task.output));
+    let (solid, colours) = (task.solid, task.colours);
     let positions = (task.edits.units.id(), base_m);
     Ok(format.write(&Content { model, rest_m: base_m, gltf, solid, colours, name, positions })?)
 }

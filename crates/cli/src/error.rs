@@ -27,6 +27,14 @@ pub enum CliError {
     Unreadable { path: PathBuf, reason: ReadError },
     #[error("{}: {reason}", named(path))]
     NoPicture { path: PathBuf, reason: PhotoError },
+    #[error("{}: there are no photos in this folder", named(path))]
+    NoPhotos { path: PathBuf },
+    #[error("{}: this photo broke the program", named(path))]
+    Broke { path: PathBuf },
+    #[error("{}: line {line} is no line of this request", named(path))]
+    AnotherJournal { path: PathBuf, line: usize },
+    #[error("{} and {} would both be written to {}", named(one), named(other), named(path))]
+    SameOutput { one: PathBuf, other: PathBuf, path: PathBuf },
     #[error("{}: no face found", named(path))]
     NoFace { path: PathBuf },
     #[error("{}: {reason}", named(path))]
@@ -103,9 +111,11 @@ impl CliError {
     fn code(&self) -> u8 {
         match self {
             Self::Useless { .. } | Self::StandardInputTwice | Self::OverInput { .. } | Self::UnknownFormat { .. } => 2,
-            Self::NoPictureFormat { .. } => 2,
+            Self::NoPictureFormat { .. } | Self::AnotherJournal { .. } => 2,
+            Self::SameOutput { .. } => 2,
             Self::EditsUnreadable { .. } | Self::EditsFile { .. } | Self::EditsUtf16 { .. } => 2,
-            Self::Unreadable { .. } | Self::NoPicture { .. } | Self::SomePhotosFailed { .. } => 3,
+            Self::Unreadable { .. } | Self::NoPicture { .. } | Self::NoPhotos { .. } => 3,
+            Self::SomePhotosFailed { .. } => 3,
             Self::NoFace { .. } | Self::AnotherFace { .. } => 4,
             // An offset of 1e300 can be made, but not written.
             Self::Edit { .. } | Self::Export(ExportError::NotFinite { .. }) => 5,
@@ -115,7 +125,9 @@ impl CliError {
             Self::Unwritable { .. } | Self::Output(_) => 6,
             Self::NetworksMissing { .. } | Self::NetworkMissing { .. } | Self::NetworkUnreadable { .. } => 7,
             Self::Networks(_) | Self::NetworksFailed { .. } | Self::NoPlace { .. } => 7,
-            Self::NoModel { .. } | Self::NotEncoded { .. } | Self::Export(_) | Self::Studio(_) => 1,
+            Self::Broke { .. } | Self::NoModel { .. } | Self::NotEncoded { .. } | Self::Export(_) | Self::Studio(_) => {
+                1
+            }
         }
     }
 }

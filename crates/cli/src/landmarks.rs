@@ -1,16 +1,20 @@
-use std::path::Path;
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
 
 use rosto_landmarks::{Face, FaceFinder, FindOptions};
 use rosto_photo::Photo;
 use serde::Serialize;
+use serde_json::{Value, json};
 
 use crate::args::LandmarksTask;
 use crate::error::CliError;
-use crate::{files, networks, portrait};
+use crate::many::{self, Journal, Outcome, Progress, Told};
+use crate::{files, networks, output, portrait, terminal};
 
 #[derive(Serialize)]
 struct PhotoDto<'a> {
-    photo: std::borrow::Cow<'a, str>,
+    photo: Cow<'a, str>,
+    how: &'a Value,
     width: u32,
     height: u32,
     faces: Vec<FaceDto>,
@@ -35,39 +39,110 @@ impl FaceDto {
     }
 }
 
+/// A photo that tells of no faces, in a file that has a line for each.
+#[derive(Serialize)]
+struct FailureDto<'a> {
+    photo: Cow<'a, str>,
+    how: &'a Value,
+    error: String,
+}
+
 /// `rosto landmarks`: a line for each photo that can be read, a message for each that cannot.
 pub fn run(task: &LandmarksTask, networks: Option<&Path>) -> Result<(), CliError> {
     if task.photos.iter().filter(|photo| files::is_standard_input(photo)).count() > 1 {
         return Err(CliError::StandardInputTwice);
     }
+    let photos = many::photos(&task.photos)?;
     let finder = networks::load(networks, task.find.landmarks())?;
     let options = task.find.options(task.max_faces);
-    let mut failures = Vec::new();
-    for photo in &task.photos {
-        match line(photo, &finder, &options) {
-            Ok(line) => files::print(&line)?,
+    let how = how(task, &options);
+    let mut lines = Lines::open(task, &photos, &how)?;
+    let left: Vec<PathBuf> = photos.iter().filter(|photo| !lines.has(photo)).cloned().collect();
+    let done = photos.len() - left.len();
+    let progress = Progress::new(photos.len(), done, task.output.is_none());
+    let mut told = Told::default();
+    let work = |photo: &Path| line(photo, &how, &finder, &options);
+    many::in_order(&left, task.many.jobs, work, |(photo, outcome): Outcome<Line>| {
+        let kept = match &outcome {
+            Ok(line) => lines.add(&line.json),
             Err(error) => {
-                error.report();
-                failures.push(error);
+                progress.report(error);
+                lines.add_failure(&photo, &how, error)
             }
+        };
+        told.count(outcome.map(|line| line.faces > 0).as_ref());
+        progress.step();
+        kept
+    })?;
+    drop(progress);
+    if let Some(path) = &task.output {
+        terminal::note(&told.summary(path, done));
+    }
+    told.verdict()
+}
+
+/// How faces are looked for: of lines that differ in it, some would be another request's.
+fn how(task: &LandmarksTask, options: &FindOptions) -> Value {
+    let search = if task.find.mediapipe { "mediapipe" } else { "thorough" };
+    json!({ "search": search, "refined": !task.find.mediapipe || task.find.refine, "max_faces": options.max_faces })
+}
+
+/// Where lines go.
+enum Lines {
+    StandardOutput,
+    File(Journal),
+}
+
+impl Lines {
+    fn open(task: &LandmarksTask, photos: &[PathBuf], how: &Value) -> Result<Self, CliError> {
+        let Some(path) = &task.output else { return Ok(Self::StandardOutput) };
+        let inputs: Vec<&Path> = photos.iter().map(PathBuf::as_path).collect();
+        output::check(path, &inputs)?;
+        Journal::open(path, how).map(Self::File)
+    }
+
+    fn has(&self, photo: &Path) -> bool {
+        matches!(self, Self::File(journal) if journal.has(photo))
+    }
+
+    fn add(&mut self, line: &str) -> Result<(), CliError> {
+        match self {
+            Self::StandardOutput => files::print(line),
+            Self::File(journal) => journal.add(line),
         }
     }
-    let by_networks = failures.iter().filter(|failure| failure.is_of_networks()).count();
-    match (failures.len(), by_networks) {
-        (0, _) => Ok(()),
-        (count, 0) => Err(CliError::SomePhotosFailed { count }),
-        (count, by_networks) => Err(CliError::NetworksFailed { count, by_networks }),
+
+    /// So that the photo is not tried again; unless it was not to blame.
+    fn add_failure(&mut self, photo: &Path, how: &Value, error: &CliError) -> Result<(), CliError> {
+        match self {
+            Self::File(journal) if !error.is_of_networks() => {
+                let (photo, error) = (photo.to_string_lossy(), error.to_string());
+                journal.add(&json(&FailureDto { photo, how, error }))
+            }
+            _ => Ok(()),
+        }
     }
 }
 
-fn line(path: &Path, finder: &FaceFinder, options: &FindOptions) -> Result<String, CliError> {
+/// A photo's line, and how many faces it tells of.
+struct Line {
+    json: String,
+    faces: usize,
+}
+
+fn line(path: &Path, how: &Value, finder: &FaceFinder, options: &FindOptions) -> Result<Line, CliError> {
     let photo = portrait::open(path)?;
     let faces = portrait::faces(&photo, path, finder, options)?;
     let dto = PhotoDto {
         photo: path.to_string_lossy(),
+        how,
         width: photo.width(),
         height: photo.height(),
         faces: faces.into_iter().map(|face| FaceDto::new(&photo, face)).collect(),
     };
-    Ok(serde_json::to_string(&dto).expect("invariant: numbers and text are JSON"))
+    Ok(Line { json: json(&dto), faces: dto.faces.len() })
+}
+
+fn json(dto: &impl Serialize) -> String {
+    serde_json::to_string(dto).expect("invariant: numbers and text are JSON")
 }

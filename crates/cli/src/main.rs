@@ -7,6 +7,7 @@ mod encode;
 mod error;
 mod files;
 mod landmarks;
+mod many;
 mod mesh;
 mod model_history;
 mod networks;

@@ -1,7 +1,10 @@
+mod each;
+
 use std::path::{Path, PathBuf};
 
-use rosto_export::{PLA_G_PER_CM3, SolidFacts};
+use rosto_export::{Format, PLA_G_PER_CM3, SolidFacts, Written};
 use rosto_face::{FaceModel, Photo, PhotoLens};
+use rosto_landmarks::FaceFinder;
 use rosto_studio::{Anchors, Command, Document, EditSpec, Rest, StudioError};
 
 use crate::args::{EditArguments, MeshTask, SettingsArguments};
@@ -15,6 +18,7 @@ use crate::units::{MM_PER_M, Units};
 use crate::{edits, files, networks, output, portrait, settings, several, terminal};
 
 /// A command with the words that a message names it by.
+#[derive(Clone)]
 pub struct Step {
     what: String,
     command: Command,
@@ -29,29 +33,49 @@ impl Step {
 /// `rosto mesh`: photo to edited mesh.
 pub fn run(task: &MeshTask, given: &Given<'_>, networks: Option<&Path>) -> Result<(), CliError> {
     // What is wrong with the request is said before any work is done.
-    check_files(&task.photos, &task.edits, &task.output)?;
+    let of_each = each::is_asked_for(&task.output);
+    if !of_each {
+        check_files(&task.photos, &task.edits, &task.output)?;
+    }
     let format = encode::format_of(&task.output)?;
     request::check(task, format, given)?;
+    if of_each {
+        return each::run(task, &steps(&task.edits, &task.settings)?, format, networks);
+    }
     for name in format.names_beside(task.base_colour, &encode::name_of(&task.output)) {
         check_files(&task.photos, &task.edits, &task.output.with_file_name(name))?;
     }
     let steps = steps(&task.edits, &task.settings)?;
     let photos: Vec<Photo> = task.photos.iter().map(|path| portrait::open(path)).collect::<Result<_, _>>()?;
     let finder = networks::load(networks, task.find.landmarks())?;
-    let portraits = photos.into_iter().zip(&task.photos).map(|(photo, path)| {
-        let face = portrait::face(&photo, path, &finder, &task.find.options(None))?;
-        Ok(Portrait { path, lens: task.camera.lens(&photo), photo, face })
-    });
-    let portraits = portraits.collect::<Result<Vec<_>, CliError>>()?;
-    let face = portrait::model_of(&portraits, task.mesh.topology)?;
-    let mut document = edited(&face, steps, task.edits.units, task.mesh.density)?;
-    let written = encode::encode(&face, &mut document, task, format)?;
+    let photos = task.photos.iter().map(PathBuf::as_path).zip(photos).collect();
+    let (face, written) = make(task, photos, &steps, format, &encode::name_of(&task.output), &finder)?;
     output::write_together(&task.output, &written.bytes, &written.beside)?;
     terminal::note(&taken_from(&face));
     if let Some(solid) = &written.solid {
         told(solid).iter().for_each(|line| terminal::note(line));
     }
     several::tell(&face, &task.photos)
+}
+
+/// The face in these photos, and its file with those beside it, which are called `name`.
+fn make(
+    task: &MeshTask,
+    photos: Vec<(&Path, Photo)>,
+    steps: &[Step],
+    format: Format,
+    name: &str,
+    finder: &FaceFinder,
+) -> Result<(FaceModel, Written), CliError> {
+    let portraits = photos.into_iter().map(|(path, photo)| {
+        let face = portrait::face(&photo, path, finder, &task.find.options(None))?;
+        Ok(Portrait { path, lens: task.camera.lens(&photo), photo, face })
+    });
+    let portraits = portraits.collect::<Result<Vec<_>, CliError>>()?;
+    let face = portrait::model_of(&portraits, task.mesh.topology)?;
+    let mut document = edited(&face, steps.to_vec(), task.edits.units, task.mesh.density)?;
+    let written = encode::encode(&face, &mut document, task, format, name)?;
+    Ok((face, written))
 }
 
 /// What a printed body measures, and what its maker should know.

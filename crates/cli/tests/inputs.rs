@@ -69,7 +69,7 @@ fn a_file_beyond_the_limit_is_refused_by_its_length() {
 #[test]
 fn folders_and_empty_files_are_no_photos() {
     let folder = scratch_folder("photos");
-    assert_refused(&landmarks(&folder), 3, &["photos", "Name a file in that folder"]);
+    assert_refused(&mesh(&folder, &scratch("one.ply"), &[]), 3, &["photos", "Name a file in that folder"]);
     assert_refused(&landmarks(&scratch_file("empty.jpg", b"")), 3, &["empty.jpg: there is nothing in it", "Choose"]);
     assert_refused(&landmarks(Path::new("-")), 3, &["standard input: there is nothing in it"]);
 }

@@ -12,11 +12,26 @@ use crate::choices::one_of;
 use crate::error::endings;
 use crate::settings;
 
+/// How many photos are worked on.
+#[derive(Debug, Args)]
+pub struct ManyArguments {
+    /// How many photos are worked on at a time, each in a thread
+    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true,
+        value_parser = RangedU64ValueParser::<usize>::new().range(1..=1024))]
+    pub jobs: usize,
+}
+
 #[derive(Debug, Args)]
 pub struct LandmarksTask {
-    /// JPEG, PNG or WebP; - reads standard input
-    #[arg(required = true, value_name = "PHOTO")]
+    /// JPEG, PNG or WebP; - reads standard input. A folder stands for all photos in it and in its folders
+    #[arg(required = true, value_name = "PHOTO|DIR")]
     pub photos: Vec<PathBuf>,
+    /// The file of JSON lines to write in place of standard output, with a line for each photo that could not be read, too.
+    /// If it is there it is gone on with: photos that it tells of are left out
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub many: ManyArguments,
     /// How many faces to tell of each photo at most, the most prominent ones first; 20 if nothing is said, 1 with --mediapipe
     #[arg(long, value_name = "N", allow_negative_numbers = true,
         value_parser = RangedU64ValueParser::<usize>::new().range(1..))]
@@ -43,6 +58,9 @@ pub struct MeshTask {
     /// JPEG, PNG or WebP; - reads standard input. One photo, or up to five of one face, turned to the camera, to its left, to
     /// its right
     ///
+    /// With {} in the name of the output, a mesh is made of each photo by itself, and a folder stands for all photos in it and in
+    /// its folders.
+    ///
     /// Of several photos the one in which the face looks at the camera leads: the mesh lies on it, and its picture colours it.
     /// The others tell how deep each landmark lies.
     #[arg(required = true, value_name = "PHOTO", num_args = 1..=MOST_PHOTOS)]
@@ -50,6 +68,8 @@ pub struct MeshTask {
     /// The file to write, whole or not at all; its name ends as its format is called
     #[arg(short, long, value_name = "FILE", long_help = output_help())]
     pub output: PathBuf,
+    #[command(flatten)]
+    pub many: ManyArguments,
     #[command(flatten)]
     pub mesh: MeshArguments,
     /// What paints a .glb, .gltf, .obj, .usdz or .png
@@ -140,5 +160,8 @@ pub struct PaperTask {
 }
 
 fn output_help() -> String {
-    format!("The file to write, whole or not at all; its name ends as its format is called.\n\nFormats: {}", endings())
+    format!(
+        "The file to write, whole or not at all; its name ends as its format is called. {{}} in it stands for the name of each photo, without its ending: what is there already is left as it is.\n\nFormats: {}",
+        endings()
+    )
 }

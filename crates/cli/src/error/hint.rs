@@ -24,6 +24,12 @@ impl CliError {
             Self::Unreadable { reason: ReadError::Empty, .. } => Some(PhotoError::NotAPicture.hint()),
             Self::Unreadable { reason, .. } | Self::EditsUnreadable { reason, .. } => read_hint(reason),
             Self::NoPicture { reason, .. } => Some(reason.hint()),
+            Self::NoPhotos { .. } => Some("Their names should end in .jpg, .jpeg, .png or .webp."),
+            Self::Broke { .. } => Some("Tell us of it, with the photo if it may be seen: it should not have."),
+            Self::AnotherJournal { .. } => {
+                Some("Give the options that the file was begun with, or another name; it is as it was.")
+            }
+            Self::SameOutput { .. } => Some("Rename one of them, or make their meshes one by one."),
             Self::NoFace { .. } => Some("The face should fill a tenth of the picture or more and look at the camera."),
             Self::AnotherFace { .. } => Some("Give photos of one face, each with no other face in front."),
             Self::EditsFile { .. } => {
