@@ -14,7 +14,7 @@ pub struct Invariant {
 }
 
 /// Which crates of the workspace each crate may know; the table of ARCHITECTURE.md in the order of the way of the data.
-const MAY_KNOW: [(&str, &[&str]); 20] = [
+const MAY_KNOW: [(&str, &[&str]); 21] = [
     ("rosto-named", &[]),
     ("rosto-mesh", &[]),
     ("rosto-laplacian", &["mesh", "named"]),
@@ -33,6 +33,7 @@ const MAY_KNOW: [(&str, &[&str]); 20] = [
     ("rosto-studio-webgl", &PAGE_MAY_KNOW),
     ("rosto-vision-web", &["landmarks", "photo", "texture", "warp"]),
     ("rosto-cli", &["export", "face", "landmarks", "laplacian", "mesh", "named", "photo", "studio", "warp"]),
+    ("rosto-python", &["cli", "landmarks", "laplacian", "mesh", "photo"]),
     ("rosto-model-import", &[]),
     ("xtask", &["model-import"]),
 ];

@@ -1,6 +1,5 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 use rosto_export::ExportError;
 use rosto_face::FaceError;
@@ -19,6 +18,8 @@ mod hint;
 pub enum CliError {
     #[error("{flag} would change nothing: {reason}")]
     Useless { flag: &'static str, reason: &'static str },
+    #[error("{reason}")]
+    NotUnderstood { reason: String },
     #[error("standard input is asked for twice, and can be read once")]
     StandardInputTwice,
     #[error("{}: {} is read, and would be overwritten", named(path), named(input))]
@@ -100,16 +101,13 @@ impl CliError {
 
     /// Whether the networks are to blame, and not what they were shown.
     pub fn is_of_networks(&self) -> bool {
-        self.code() == 7
+        self.exit_code() == 7
     }
 
     /// As `--help` lists them.
-    pub fn exit_code(&self) -> ExitCode {
-        ExitCode::from(self.code())
-    }
-
-    fn code(&self) -> u8 {
+    pub fn exit_code(&self) -> u8 {
         match self {
+            Self::NotUnderstood { .. } => 2,
             Self::Useless { .. } | Self::StandardInputTwice | Self::OverInput { .. } | Self::UnknownFormat { .. } => 2,
             Self::NoPictureFormat { .. } | Self::AnotherJournal { .. } => 2,
             Self::SameOutput { .. } => 2,

@@ -1,73 +1,7 @@
 //! `rosto`: photos of faces to landmarks and edited, coloured meshes, on the command line.
 
-mod args;
-mod choices;
-mod edits;
-mod encode;
-mod error;
-mod files;
-mod landmarks;
-mod many;
-mod mesh;
-mod model_history;
-mod networks;
-mod output;
-mod paper;
-mod photo;
-mod portrait;
-mod request;
-mod settings;
-mod several;
-mod terminal;
-mod units;
-
-use std::io::{self, Write};
 use std::process::ExitCode;
 
-use clap::{ArgMatches, CommandFactory, FromArgMatches};
-
-use crate::args::{Arguments, Task};
-use crate::error::CliError;
-use crate::request::Given;
-
 fn main() -> ExitCode {
-    let understood = Arguments::command().try_get_matches().and_then(|matches| {
-        let arguments = Arguments::from_arg_matches(&matches)?;
-        Ok((matches, arguments))
-    });
-    let outcome = match understood {
-        Ok((matches, arguments)) => run(&arguments, &matches),
-        Err(error) => return not_understood(&error),
-    };
-    match outcome {
-        Ok(()) => ExitCode::SUCCESS,
-        // Whoever reads our output has seen enough, as `head` does.
-        Err(error) if error.is_broken_pipe() => ExitCode::SUCCESS,
-        Err(error) => {
-            error.report();
-            error.exit_code()
-        }
-    }
-}
-
-fn run(arguments: &Arguments, matches: &ArgMatches) -> Result<(), CliError> {
-    let networks = arguments.networks.as_deref();
-    let given = Given(matches.subcommand().map_or(matches, |(_, given)| given));
-    match &arguments.task {
-        Task::Landmarks(task) => landmarks::run(task, networks),
-        Task::Mesh(task) => mesh::run(task, &given, networks),
-        Task::Photo(task) => photo::run(task, &given, networks),
-        Task::Paper(task) => paper::run(task, networks),
-    }
-}
-
-/// Help and version as they are; what cannot be understood without what a terminal would obey, since it is repeated.
-fn not_understood(error: &clap::Error) -> ExitCode {
-    let shown = match error.use_stderr() {
-        true => io::stderr().write_all(terminal::escaped_lines(&error.to_string()).as_bytes()),
-        false => error.print(),
-    };
-    // Where nobody can be told, the exit code still tells.
-    drop(shown);
-    ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
+    ExitCode::from(rosto_cli::command_line(std::env::args_os()))
 }

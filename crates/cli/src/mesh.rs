@@ -67,15 +67,26 @@ fn make(
     name: &str,
     finder: &FaceFinder,
 ) -> Result<(FaceModel, Written), CliError> {
+    let (face, mut document) = edited_face(task, photos, steps, finder)?;
+    let written = encode::encode(&face, &mut document, task, format, name)?;
+    Ok((face, written))
+}
+
+/// The face in these photos, and the document of its edits.
+pub fn edited_face(
+    task: &MeshTask,
+    photos: Vec<(&Path, Photo)>,
+    steps: &[Step],
+    finder: &FaceFinder,
+) -> Result<(FaceModel, Document), CliError> {
     let portraits = photos.into_iter().map(|(path, photo)| {
         let face = portrait::face(&photo, path, finder, &task.find.options(None))?;
         Ok(Portrait { path, lens: task.camera.lens(&photo), photo, face })
     });
     let portraits = portraits.collect::<Result<Vec<_>, CliError>>()?;
     let face = portrait::model_of(&portraits, task.mesh.topology)?;
-    let mut document = edited(&face, steps.to_vec(), task.edits.units, task.mesh.density)?;
-    let written = encode::encode(&face, &mut document, task, format, name)?;
-    Ok((face, written))
+    let document = edited(&face, steps.to_vec(), task.edits.units, task.mesh.density)?;
+    Ok((face, document))
 }
 
 /// What a printed body measures, and what its maker should know.

@@ -11,7 +11,7 @@ use crate::files::ReadError;
 
 impl CliError {
     /// What to do, where something can be done.
-    pub(super) fn hint(&self) -> Option<Cow<'static, str>> {
+    pub(crate) fn hint(&self) -> Option<Cow<'static, str>> {
         if let Self::Edit { reason: StudioError::Laplacian(reason), .. } = self {
             return edit_hint(reason);
         }

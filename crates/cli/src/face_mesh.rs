@@ -1,0 +1,100 @@
+use clap::{ArgMatches, CommandFactory, FromArgMatches};
+use glam::{DVec2, DVec3};
+use rosto_export::Written;
+use rosto_face::FaceModel;
+use rosto_landmarks::FaceFinder;
+use rosto_photo::Photo;
+use rosto_studio::Document;
+use thiserror::Error;
+
+use crate::args::{Arguments, MeshTask, Task};
+use crate::error::CliError;
+use crate::request::{self, Given};
+use crate::{encode, mesh};
+
+/// A face as `rosto mesh` makes it, and the files that it writes of it, for who has photos and wants no file.
+///
+/// Options are the words of the command line, but for photos and output.
+pub struct FaceMesh {
+    options: Vec<String>,
+    face: FaceModel,
+    document: Document,
+}
+
+/// Why there is no such face or file, and what to do.
+#[derive(Debug, Error)]
+#[error("{0}")]
+pub struct Refused(String);
+
+impl From<CliError> for Refused {
+    fn from(error: CliError) -> Self {
+        Self(match error.hint() {
+            Some(hint) => format!("{error}. {hint}"),
+            None => error.to_string(),
+        })
+    }
+}
+
+impl FaceMesh {
+    /// The face in one photo, or in several of one head, edited.
+    ///
+    /// # Errors
+    /// If an option is none, a photo shows no face, photos show different ones, or an edit cannot be made.
+    pub fn new(photos: Vec<Photo>, finder: &FaceFinder, options: &[String]) -> Result<Self, Refused> {
+        let (task, _) = task(options, "face.glb")?;
+        let names: Vec<String> = (1..=photos.len()).map(|number| format!("image {number}")).collect();
+        let photos = names.iter().map(AsRef::as_ref).zip(photos).collect();
+        let (face, document) = mesh::edited_face(&task, photos, &mesh::steps(&task.edits, &task.settings)?, finder)?;
+        Ok(Self { options: options.to_vec(), face, document })
+    }
+
+    /// Where the vertices are, in metres in the model's frame; the first 468 are the landmarks.
+    pub fn positions_m(&self) -> &[DVec3] {
+        self.document.positions()
+    }
+
+    /// Counter-clockwise as seen from outside.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        self.document.topology().triangles()
+    }
+
+    /// Texture coordinates of each vertex in the photo, from its top left corner.
+    pub fn uvs(&self) -> Vec<DVec2> {
+        self.document.from_cage(self.face.uvs())
+    }
+
+    /// The colour of each vertex.
+    pub fn colours_srgb(&self) -> Vec<[u8; 3]> {
+        self.face.colours_under(&self.uvs())
+    }
+
+    /// The bytes of a file whose name ends as its format is called, with further options; and of those beside it.
+    ///
+    /// # Errors
+    /// If there is no such format, or the options would change nothing or something that cannot be written.
+    pub fn write(&mut self, name: &str, options: &[String]) -> Result<Written, Refused> {
+        let (task, matches) = task(&[&self.options, options].concat(), name)?;
+        let format = encode::format_of(name.as_ref())?;
+        request::check(&task, format, &Given(matches.subcommand().map_or(&matches, |(_, given)| given)))?;
+        let name = encode::name_of(name.as_ref());
+        Ok(encode::encode(&self.face, &mut self.document, &task, format, &name)?)
+    }
+}
+
+/// The request that these options are on the command line.
+fn task(options: &[String], output: &str) -> Result<(MeshTask, ArgMatches), CliError> {
+    let words = ["rosto", "mesh", "-", "--output", output].into_iter().chain(options.iter().map(String::as_str));
+    let refused = |error: clap::Error| CliError::NotUnderstood { reason: reason_of(&error) };
+    let matches = Arguments::command().try_get_matches_from(words).map_err(refused)?;
+    match Arguments::from_arg_matches(&matches).map_err(refused)?.task {
+        Task::Mesh(task) => Ok((*task, matches)),
+        _ => Err(CliError::NotUnderstood { reason: "this is no mesh".to_owned() }),
+    }
+}
+
+/// What clap says first, without how the program is called.
+fn reason_of(error: &clap::Error) -> String {
+    let text = error.to_string();
+    let reason = text.split("\n\n").next().unwrap_or_default();
+    reason.trim().trim_start_matches("error: ").to_owned()
+}

@@ -1,0 +1,65 @@
+use std::sync::{Mutex, PoisonError};
+
+use numpy::PyArray2;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+use crate::arrays::{from_rows, from_vectors};
+use crate::error::refused;
+use crate::finder::Finder;
+use crate::photo::Photo;
+
+/// A face as `rosto mesh` makes it.
+#[pyclass(frozen, module = "rosto._rosto")]
+pub struct FaceMesh(Mutex<rosto_cli::FaceMesh>);
+
+#[pymethods]
+impl FaceMesh {
+    /// From one photo or several of one face; `options` are the command line's, a word each.
+    #[new]
+    fn new(py: Python<'_>, photos: Vec<PyRef<'_, Photo>>, finder: &Finder, options: Vec<String>) -> PyResult<Self> {
+        let photos = photos.iter().map(|photo| photo.0.clone()).collect();
+        let made = py.detach(|| rosto_cli::FaceMesh::new(photos, &finder.0, &options));
+        made.map(|face| Self(Mutex::new(face))).map_err(refused)
+    }
+
+    /// Metres in the face's own frame, shape `(V, 3)`.
+    fn positions_m<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        from_vectors(py, self.locked().positions_m())
+    }
+
+    /// Counter-clockwise as seen from outside, shape `(T, 3)`.
+    fn triangles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<u32>>> {
+        from_rows(py, self.locked().triangles().to_vec())
+    }
+
+    /// sRGB, shape `(V, 3)`.
+    fn colours<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<u8>>> {
+        from_rows(py, self.locked().colours_srgb())
+    }
+
+    /// In the photo, from its top left corner, 0 to 1, shape `(V, 2)`.
+    fn uvs<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        from_rows(py, self.locked().uvs().iter().map(|uv| uv.to_array()).collect())
+    }
+
+    /// The bytes of a file called `name`, and of those beside it by their names.
+    fn write<'py>(
+        &self,
+        py: Python<'py>,
+        name: &str,
+        options: Vec<String>,
+    ) -> PyResult<Vec<(String, Bound<'py, PyBytes>)>> {
+        let written = py.detach(|| self.locked().write(name, &options)).map_err(refused)?;
+        let beside = written.beside.into_iter().map(|file| (file.name, file.bytes));
+        let files = [(name.to_owned(), written.bytes)].into_iter().chain(beside);
+        Ok(files.map(|(name, bytes)| (name, PyBytes::new(py, &bytes))).collect())
+    }
+}
+
+impl FaceMesh {
+    fn locked(&self) -> std::sync::MutexGuard<'_, rosto_cli::FaceMesh> {
+        // Writing leaves the face as it was, even when it fails.
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
