@@ -8,7 +8,7 @@ from typing import Union
 import numpy as np
 import numpy.typing as npt
 
-from ._rosto import Finder, Photo
+from ._rosto import Finder, Photo, RostoError
 
 Image = Union[str, "os.PathLike[str]", bytes, npt.NDArray[np.uint8]]
 """A path, a file's bytes, or pixels of the shape ``(height, width, 3)``, sRGB."""
@@ -19,7 +19,9 @@ NETWORKS = Path(__file__).parent / "networks"
 def opened(image: Image) -> Photo:
     """The picture, upright."""
     if isinstance(image, np.ndarray):
-        return Photo.from_array(np.ascontiguousarray(image))
+        if image.dtype != np.uint8 or image.ndim != 3 or image.shape[2] != 3:
+            raise RostoError(f"pixels are {image.dtype} {image.shape}, not uint8 (height, width, 3)")
+        return Photo.from_array(image)
     return Photo.decode(image if isinstance(image, bytes) else Path(image).read_bytes())
 
 

@@ -80,7 +80,7 @@ def mesh(
     """The face in an image, or in several of one head, edited.
 
     Edits are made in the command line's order: vertices, regions, sliders, expressions, and then symmetry. Options are those
-    of ``rosto mesh``, with ``_`` for ``-``: ``density=0``, ``topology="closed"``, ``operator="cotangent"``, ``mirror=True``.
+    of ``rosto mesh``, with ``_`` for ``-``: ``density=0``, ``topology="tessellation"``, ``operator="cotangent"``, ``mirror=True``.
     Raises :class:`RostoError` if an image cannot be read or shows no face, or an edit cannot be made.
     """
     several = isinstance(image, Sequence) and not isinstance(image, (str, bytes))

@@ -23,7 +23,8 @@ pub fn to_rows<T: Copy>(array: ArrayView2<'_, T>, what: &str) -> PyResult<Vec<[T
         _ => None,
     };
     let rows: Option<Vec<[T; 3]>> = array.rows().into_iter().map(row).collect();
-    rows.ok_or_else(|| RostoError::new_err(format!("{what} has the shape {:?}, not (N, 3)", array.shape())))
+    let (rows_found, columns) = array.dim();
+    rows.ok_or_else(|| RostoError::new_err(format!("{what}: the shape is ({rows_found}, {columns}), not (N, 3)")))
 }
 
 /// The same, as positions or offsets.

@@ -1,5 +1,5 @@
 use numpy::ndarray::ArrayView3;
-use numpy::{IntoPyArray, PyArray3, PyReadonlyArray3, PyUntypedArrayMethods};
+use numpy::{IntoPyArray, PyArray3, PyReadonlyArray3};
 use pyo3::prelude::*;
 use rosto_photo::Limits;
 
@@ -21,10 +21,7 @@ impl Photo {
     /// A copy of pixels of the shape `(height, width, 3)`, red, green and blue.
     #[staticmethod]
     fn from_array(pixels: PyReadonlyArray3<'_, u8>) -> PyResult<Self> {
-        let &[height, width, channels] = pixels.shape() else { return Err(refused("pixels have three axes")) };
-        if channels != 3 {
-            return Err(refused(format!("pixels have the shape {:?}, not (height, width, 3)", pixels.shape())));
-        }
+        let (height, width, _) = pixels.as_array().dim();
         let bytes = pixels.as_array().iter().copied().collect();
         rosto_photo::Photo::from_rgb(width as u32, height as u32, bytes).map(Self).map_err(refused)
     }

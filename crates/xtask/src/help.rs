@@ -15,6 +15,7 @@ cargo xtask TASK
   torture       broken bytes and random visitors, for hours; --write updates docs/torture.md
                   [--inputs N] [--actions N] [--page-actions N]; 0 leaves a part out
   screenshots   take the documentation's pictures of the page, its contact sheets, and axe-core's report
+  wheel         build the Python package into target/wheels, and try it in an empty environment
   help          this text
 
 Every task first obtains what it needs. Tools go to $XDG_CACHE_HOME/rosto (by default ~/.cache/rosto) and are shared by

@@ -1,5 +1,5 @@
 //! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `test`, `deny`, `bench`, `robustness`,
-//! `readers`, `torture`, `screenshots`.
+//! `readers`, `torture`, `screenshots`, `wheel`.
 
 mod apt;
 mod bench;
@@ -29,6 +29,7 @@ mod toolchain;
 mod tools;
 mod torture;
 mod versions;
+mod wheel;
 mod workspace;
 
 use failure::{Failure, Result};
@@ -59,6 +60,7 @@ fn run(arguments: &[String]) -> Result<ExitCode> {
         ["readers", arguments @ ..] => readers::run(arguments),
         ["torture", arguments @ ..] => torture::run(arguments),
         ["screenshots"] => screenshots::run(),
+        ["wheel"] => wheel::run(),
         [] | ["help" | "-h" | "--help"] => {
             print!("{}", help::TEXT);
             Ok(ExitCode::SUCCESS)

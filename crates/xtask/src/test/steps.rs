@@ -9,7 +9,7 @@ use crate::failure::{Doing, Result};
 use crate::process::{Run, find_program};
 use crate::setup::Kit;
 use crate::toolchain::WASM;
-use crate::{dist, size, workspace};
+use crate::{dist, size, wheel, workspace};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -82,6 +82,7 @@ pub fn all() -> Result<Vec<Step>> {
         rustdoc(),
     ];
     steps.extend(native_tests());
+    steps.push(python());
     steps.extend(wasm_tests(tested_on_wasm));
     steps.extend(page());
     Ok(steps)
@@ -129,6 +130,23 @@ fn native_tests() -> Vec<Step> {
         examples("examples", over_the_workspace(&["test", "--doc"]).arg("--no-fail-fast"))
     });
     vec![native(&["nextest", "run"]), examples]
+}
+
+/// After the native tests, which have built all that the package is made of.
+fn python() -> Step {
+    Step::new("python", "the Python package, on clusters and in a notebook, too", |_| {
+        let (python, program) = (wheel::for_tests()?, command_line()?);
+        let pytest = Run::new(python).args([
+            "-m",
+            "pytest",
+            "-qq",
+            "--disable-warnings",
+            "-p",
+            "no:cacheprovider",
+            "tests/python",
+        ]);
+        tests("python", pytest.current_dir(workspace::root()).env("ROSTO_CLI", program))
+    })
 }
 
 /// A command of cargo's for all that runs on this machine's target.

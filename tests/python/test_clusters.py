@@ -1,0 +1,92 @@
+"""A thousand photos on a cluster: what one process says, and nothing lost with a worker that is killed in the middle."""
+
+import os
+import signal
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+import pytest
+import rosto
+
+EXAMPLES = str(Path(__file__).parents[2] / "crates/python/examples")
+# Here, and in the processes of the clusters.
+sys.path.insert(0, EXAMPLES)
+os.environ["PYTHONPATH"] = EXAMPLES
+
+
+@pytest.fixture(scope="session")
+def expected(album):
+    return rosto.landmarks(album, rosto.Search(mediapipe=True))
+
+
+def test_the_album_is_one_of_faces(expected):
+    without = [number for number, reason in enumerate(expected.reasons) if reason is not None]
+    assert len(expected) == 1000 and without == [300, 700]
+    assert len({points.tobytes() for points in expected.points}) == 999, "photos differ"
+
+
+@contextmanager
+def one_killed(processes: Callable[[], list[int]], is_time: Callable[[], bool]) -> Iterator[list[int]]:
+    """Kills the first of some processes as soon as it is time; gives a list that its number is then in."""
+    killed: list[int] = []
+
+    def kill() -> None:
+        while not is_time():
+            time.sleep(0.01)
+        killed.append(processes()[0])
+        os.kill(killed[0], signal.SIGKILL)
+
+    thread = threading.Thread(target=kill)
+    thread.start()
+    yield killed
+    thread.join()
+
+
+def points(column) -> np.ndarray:
+    missing = [[np.nan] * (468 * 3)]
+    rows = [row.ravel() if isinstance(row, np.ndarray) else row for row in column]
+    return np.array([row if row is not None else missing[0] for row in rows], np.float32).reshape(-1, 468, 3)
+
+
+def test_dask_says_the_same_though_a_worker_is_killed(album, expected):
+    import dask_landmarks
+    from distributed import Client, LocalCluster
+
+    paths = [str(path) for path in album]
+    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+        processes = list(client.run(os.getpid).values())
+        some_are_done = lambda: sum(map(len, client.has_what().values())) >= 4  # noqa: E731
+        with one_killed(lambda: processes, some_are_done) as killed:
+            table = dask_landmarks.landmarks(client, paths)
+        assert killed[0] not in client.run(os.getpid).values()
+    assert table["path"].to_pylist() == paths
+    assert np.array_equal(points(table["points"].to_pylist()), expected.points, equal_nan=True)
+    assert table["reason"].to_pylist() == expected.reasons
+
+
+def test_ray_says_the_same_though_a_worker_is_killed(album, expected, tmp_path):
+    import psutil
+    import ray
+    import ray_landmarks
+
+    def workers() -> list[int]:
+        busy = [process for process in psutil.process_iter(["cmdline"]) if process.info["cmdline"]]
+        return [process.pid for process in busy if "with_landmarks" in process.info["cmdline"][0]]
+
+    ray.init(num_cpus=2, include_dashboard=False, log_to_driver=False)
+    try:
+        with one_killed(workers, lambda: bool(workers())) as killed:
+            rows = ray_landmarks.landmarks(str(album[0].parent)).take_all()
+        assert killed and not psutil.pid_exists(killed[0])
+    finally:
+        ray.shutdown()
+    rows.sort(key=lambda row: row["path"])
+    assert [row["path"] for row in rows] == [str(path) for path in album]
+    found = np.array([row["points"] for row in rows], np.float32)
+    assert np.array_equal(found, expected.points, equal_nan=True)
+    assert [row["reason"] for row in rows] == expected.reasons

@@ -1,0 +1,75 @@
+"""A photo to an edited mesh: the command line's file to the byte, and arrays that say the same."""
+
+import pickle
+
+import numpy as np
+import pytest
+import rosto
+
+EDITS = [
+    ([rosto.Vertex(1, (0, 0, 5))], ["--edit", "1:0,0,5"]),
+    ([rosto.Vertex(4, (-0.1, 1e-3, 2 / 3), anchors=[10, 152])], ["--edit", f"4:-0.1,0.001,{2 / 3!r}:10,152"]),
+    (
+        [rosto.Region("left-brow", (0, 2, 0)), rosto.Slider("nose-width", -4), rosto.Symmetrise(0.5)],
+        ["--region", "left-brow:0,2,0", "--slider", "nose-width:-4", "--symmetrise", "0.5"],
+    ),
+    ([rosto.Expression("jawOpen", 0.6)], ["--expression", "jawOpen:0.6"]),
+]
+
+
+@pytest.mark.parametrize(("edits", "flags"), EDITS)
+def test_files_are_the_command_lines_to_the_byte(portrait, command_line, tmp_path, edits, flags):
+    for name in ["face.glb", "face.obj", "face.json"]:
+        theirs = tmp_path / f"theirs-{name}"
+        theirs.mkdir()
+        command_line.run("mesh", portrait, "-o", theirs / name, "--units", "mm", *flags)
+        ours = rosto.mesh(portrait, edits).save(tmp_path / name)
+        assert {path.name for path in ours} == {path.name for path in theirs.iterdir()}
+        assert all(path.read_bytes() == (theirs / path.name).read_bytes() for path in ours)
+
+
+def test_options_are_the_command_lines(portrait, command_line, tmp_path):
+    flags = ["--units", "mm", "--density", "0", "--topology", "tessellation", "--material", "unlit", "--base-colour", "photo"]
+    command_line.run("mesh", portrait, "-o", tmp_path / "face.glb", *flags)
+    made = rosto.mesh(portrait, density=0, topology="tessellation").to_bytes("glb", material="unlit", base_colour="photo")
+    assert made == (tmp_path / "face.glb").read_bytes()
+
+
+def test_arrays_fit_together_and_the_landmark_moves_as_far_as_it_is_moved(portrait):
+    rest, moved = rosto.mesh(portrait), rosto.mesh(portrait, [rosto.Vertex(1, (0, 0, 5))], hold="exact")
+    assert rest.positions_m.shape == (7257, 3) and rest.colours.shape == (7257, 3) and rest.uvs.shape == (7257, 2)
+    assert rest.triangles.min() == 0 and rest.triangles.max() == 7256
+    assert np.allclose(moved.positions_m[1] - rest.positions_m[1], [0, 0, 0.005], atol=1e-12)
+    corners = rest.positions_m[rest.triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    assert (normals[:, 2] > 0).mean() > 0.8, "triangles look out of the face"
+
+
+def test_several_images_of_one_head_are_one_face(portrait):
+    alone, several = rosto.mesh(portrait, density=0), rosto.mesh([portrait, portrait], density=0)
+    assert alone.positions_m.shape == several.positions_m.shape
+
+
+def test_a_mesh_pickles_as_what_it_was_made_of(portrait):
+    made = rosto.mesh(portrait.read_bytes(), [rosto.Slider("nose-width", 4)])
+    again = pickle.loads(pickle.dumps(made))
+    assert np.array_equal(again.positions_m, made.positions_m)
+    assert again.to_bytes("ply") == made.to_bytes("ply")
+
+
+@pytest.mark.parametrize(
+    ("work", "words"),
+    [
+        (lambda photo: rosto.mesh(photo, [rosto.Slider("ear", 4)]), ["'ear:4'", "no slider"]),
+        (lambda photo: rosto.mesh(photo, [rosto.Vertex(9999, (0, 0, 1))]), ["edit 1", "9999", "0 to 467"]),
+        (lambda photo: rosto.mesh(photo, colour="red"), ["--colour"]),
+        (lambda photo: rosto.mesh(photo).to_bytes("doc"), [".doc", ".glb"]),
+        (lambda photo: rosto.mesh(photo).to_bytes("ply", material="lit"), ["--material"]),
+        (lambda photo: rosto.mesh(np.zeros((64, 64, 3), np.uint8)), ["no face", "tenth of the picture"]),
+        (lambda photo: rosto.mesh(b"notes"), ["not a picture"]),
+    ],
+)
+def test_what_cannot_be_made_says_what_and_what_to_do(portrait, work, words):
+    with pytest.raises(rosto.RostoError) as refused:
+        work(portrait)
+    assert all(word in str(refused.value) for word in words), refused.value
