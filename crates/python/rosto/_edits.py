@@ -19,7 +19,7 @@ def _joined(numbers: Sequence[float]) -> str:
 
 
 @dataclass(frozen=True)
-class Vertex:
+class Vertex(Edit):
     """Moves a vertex by an offset in mm; ``level`` 0 is a landmark, higher ones are vertices of denser meshes.
 
     Without anchors, what stays is chosen as ``anchors`` of :func:`rosto.mesh` says.
@@ -37,7 +37,7 @@ class Vertex:
 
 
 @dataclass(frozen=True)
-class Region:
+class Region(Edit):
     """Moves a named region, such as ``"nose"``, by an offset in mm."""
 
     region: str
@@ -48,7 +48,7 @@ class Region:
 
 
 @dataclass(frozen=True)
-class Slider:
+class Slider(Edit):
     """A ready-made slider, such as ``"nose-width"``, by an amount in mm."""
 
     slider: str
@@ -59,7 +59,7 @@ class Slider:
 
 
 @dataclass(frozen=True)
-class Expression:
+class Expression(Edit):
     """An expression by ARKit's name, such as ``"jawOpen"``, with a weight from 0 to 1."""
 
     expression: str
@@ -70,7 +70,7 @@ class Expression:
 
 
 @dataclass(frozen=True)
-class Symmetrise:
+class Symmetrise(Edit):
     """Makes the face as much its own mirror image as a share from 0 to 1 says."""
 
     share: float

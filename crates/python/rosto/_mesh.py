@@ -83,8 +83,7 @@ def mesh(
     of ``rosto mesh``, with ``_`` for ``-``: ``density=0``, ``topology="tessellation"``, ``operator="cotangent"``, ``mirror=True``.
     Raises :class:`RostoError` if an image cannot be read or shows no face, or an edit cannot be made.
     """
-    several = isinstance(image, Sequence) and not isinstance(image, (str, bytes))
-    images = tuple(image) if several else (image,)
+    images = (image,) if isinstance(image, (str, bytes, os.PathLike, np.ndarray)) else tuple(image)
     words = [word for edit in edits for word in edit.words()]
     finding = [flag for flag in ("mediapipe", "refine") if getattr(search, flag)]
     made = Mesh(images, ("--units", "mm", *(f"--{flag}" for flag in finding), *words, *_words(options)), search)
