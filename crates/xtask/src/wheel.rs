@@ -79,6 +79,11 @@ pub fn for_tests() -> Result<PathBuf> {
     Ok(environment.python())
 }
 
+/// The package as it is published, for an interpreter whose environment has all else that it needs.
+pub fn install_release(python: &Path) -> Result {
+    install(python, &build(Profile::Release)?, &["--no-deps", "--force-reinstall", "--quiet"]).map(|_| ())
+}
+
 fn build(profile: Profile) -> Result<PathBuf> {
     let package = workspace::root().join(PACKAGE);
     for licence in LICENCES {

@@ -5,7 +5,7 @@ use crate::process::Run;
 use crate::python::Environment;
 use crate::setup::Kit;
 use crate::toolchain::WASM;
-use crate::{dist, progress, workspace};
+use crate::{dist, progress, wheel, workspace};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -20,15 +20,17 @@ pub struct Source {
 }
 
 const LIMIT: Duration = Duration::from_secs(3600);
+const MEDIAPIPE: &str = "tests/reference/mediapipe_requirements.txt";
 const PEERS: &str = "tests/bench/peers.py";
 const REQUIREMENTS: &str = "tests/bench/requirements.txt";
 /// Needs a C library and a compiler: a peer where it installs, left out where it does not.
 const OPTIONAL_REQUIREMENTS: &str = "tests/bench/requirements-cholmod.txt";
 
-const ALL: [Source; 10] = [
+const ALL: [Source; 11] = [
     Source { name: "engine", what: "editing, beside the paper's dense pseudo-inverse, natively", measure: engine },
     Source { name: "peers", what: "the same in NumPy, SciPy, libigl and CHOLMOD", measure: peers },
     Source { name: "landmarks", what: "photo to landmarks, natively", measure: landmarks },
+    Source { name: "many", what: "many photos to landmarks in Python, beside MediaPipe's package", measure: many },
     Source { name: "photo", what: "edits in a photo of 12 megapixels, natively", measure: photo },
     Source {
         name: "texture",
@@ -69,6 +71,14 @@ fn engine(_: &Kit) -> Result<String> {
 
 fn landmarks(_: &Kit) -> Result<String> {
     example("rosto-landmarks", "bench", &[workspace::assets()])
+}
+
+fn many(_: &Kit) -> Result<String> {
+    let environment = Environment::obtain(&[MEDIAPIPE])?;
+    environment.install(MEDIAPIPE)?;
+    wheel::install_release(&environment.python())?;
+    let script = Run::new(environment.python()).arg(workspace::root().join("tests/bench/many.py"));
+    script.arg(workspace::assets().join("sample.png")).within(LIMIT).run()?.checked()
 }
 
 fn photo(_: &Kit) -> Result<String> {

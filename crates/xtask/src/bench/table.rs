@@ -3,7 +3,7 @@
 use super::record::{Figure, Record};
 
 /// What the tasks are called for a reader.
-const TITLES: [(&str, &str); 44] = [
+const TITLES: [(&str, &str); 50] = [
     ("paper-edit", "One edit of the paper with the factor at hand, from the choice of the vertex to the moved mesh"),
     ("paper-edit-bare", "One edit of the paper from nothing: operator, factor, response, moved mesh"),
     ("system", "What is done once per mesh: from triangles to factor"),
@@ -34,6 +34,15 @@ const TITLES: [(&str, &str); 44] = [
         "photo-to-landmarks-once-native",
         "The same with one look and one pass, as MediaPipe does it: `rosto landmarks --mediapipe --refine`",
     ),
+    (
+        "many-one",
+        "Many photos (512×512 JPEG) to 468 landmarks, as MediaPipe does it, in Python: a photo's time in one process",
+    ),
+    ("many-one-processor", "The same, in time of processors"),
+    ("many-one-refined", "The same with refined lips, eyes and irises, 478 landmarks, by the clock"),
+    ("many-one-refined-processor", "The same, in time of processors"),
+    ("many-two", "Many photos to 468 landmarks with two workers at once: a photo's time by the clock"),
+    ("many-two-processor", "The same, in time of processors"),
     ("photo-warp", "A photo of 12 megapixels made ready to follow its face, natively"),
     ("photo-tick", "One slider tick in the photo, natively"),
     ("photo-tick-folds", "One slider tick in the photo where it is limited, so that nothing folds, natively"),
