@@ -103,16 +103,18 @@ fn corners(region: &RegionPx) -> [[f32; 2]; 4] {
 
 /// Fixed-point bilinear sampling.
 struct Sampler<'a> {
-    pixels: &'a [[u8; 3]],
+    bytes: &'a [u8],
     width: i32,
     height: i32,
     outside: Outside,
 }
 
+/// Red, green, blue, and a number that nobody asks for: four fit a vector.
+type Tap = [u32; 4];
+
 impl<'a> Sampler<'a> {
     fn new(photo: &'a Photo, outside: Outside) -> Self {
-        let (pixels, _) = photo.pixels().as_chunks();
-        Self { pixels, width: photo.width() as i32, height: photo.height() as i32, outside }
+        Self { bytes: photo.pixels(), width: photo.width() as i32, height: photo.height() as i32, outside }
     }
 
     /// The colour at (`x`, `y`) in steps: `(Σ p·wx·wy + 512) >> 10` for each channel.
@@ -121,28 +123,37 @@ impl<'a> Sampler<'a> {
         let (fx, fy) = ((x & (STEPS - 1)) as u32, (y & (STEPS - 1)) as u32);
         let taps = self.taps(x >> STEPS_LOG2, y >> STEPS_LOG2);
         let weights = [(32 - fx) * (32 - fy), fx * (32 - fy), (32 - fx) * fy, fx * fy];
-        [0, 1, 2].map(|channel| {
-            let sum: u32 = taps.iter().zip(weights).map(|(rgb, weight)| u32::from(rgb[channel]) * weight).sum();
-            ((sum + 512) >> 10) as u8
-        })
+        let mut sums = [512; 4];
+        for (tap, weight) in taps.iter().zip(weights) {
+            for (sum, value) in sums.iter_mut().zip(tap) {
+                *sum += value * weight;
+            }
+        }
+        let [red, green, blue, _] = sums.map(|sum| (sum >> 10) as u8);
+        [red, green, blue]
     }
 
     /// The pixel at (`x`, `y`), its right neighbour, and the two below.
     #[inline(always)]
-    fn taps(&self, x: i32, y: i32) -> [[u8; 3]; 4] {
-        if x < 0 || y < 0 || x >= self.width - 1 || y >= self.height - 1 {
+    fn taps(&self, x: i32, y: i32) -> [Tap; 4] {
+        // The very last pixel has no fourth byte.
+        if x < 0 || y < 0 || x >= self.width - 1 || y >= self.height - 2 {
             return [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)].map(|(x, y)| self.tap(x, y));
         }
-        let (width, start) = (self.width as usize, y as usize * self.width as usize + x as usize);
-        [start, start + 1, start + width, start + width + 1].map(|pixel| self.pixels[pixel])
+        let row = self.width as usize * 3;
+        let start = y as usize * row + x as usize * 3;
+        let (above, below) = (&self.bytes[start..][..7], &self.bytes[start + row..][..7]);
+        let tap = |bytes: &[u8], first: usize| std::array::from_fn(|channel| u32::from(bytes[first + channel]));
+        [tap(above, 0), tap(above, 3), tap(below, 0), tap(below, 3)]
     }
 
     #[cold]
-    fn tap(&self, x: i32, y: i32) -> [u8; 3] {
+    fn tap(&self, x: i32, y: i32) -> Tap {
         let (nearest_x, nearest_y) = (x.clamp(0, self.width - 1), y.clamp(0, self.height - 1));
         if self.outside == Outside::Zero && (nearest_x, nearest_y) != (x, y) {
-            return [0; 3];
+            return [0; 4];
         }
-        self.pixels[nearest_y as usize * self.width as usize + nearest_x as usize]
+        let start = (nearest_y as usize * self.width as usize + nearest_x as usize) * 3;
+        [self.bytes[start], self.bytes[start + 1], self.bytes[start + 2], 0].map(u32::from)
     }
 }

@@ -5,9 +5,11 @@ use super::widest;
 
 /// Output channels that are computed together: one vector of eight numbers, or two of four.
 const LANES: usize = 8;
+/// Blocks of so many channels that are computed together.
+const BLOCKS: usize = if cfg!(target_arch = "x86_64") { 2 } else { 1 };
 /// Pixels that are computed together: eight vectors of sums, which leaves half of a machine's sixteen for what is read.
 /// A sum is the same however many there are.
-const PIXELS: usize = if cfg!(target_arch = "x86_64") { 8 } else { 4 };
+const PIXELS: usize = 4;
 
 /// Sums over all input channels: `out = activated(bias + skip + weights · in)`, for each pixel.
 pub(crate) struct Dense {
@@ -89,53 +91,101 @@ impl Dense {
 
     #[inline(always)]
     fn tile<const P: usize>(&self, parts: &[Part<'_>], step: usize, skip: Skip<'_>, first: usize, output: &mut [f32]) {
+        let skip = Skip { numbers: &skip.numbers[first * skip.channels..][..P * skip.channels], ..skip };
         let output = &mut output[first * self.channels..][..P * self.channels];
-        let skip_pixels = &skip.numbers[first * skip.channels..][..P * skip.channels];
-        let blocks = self.weights.chunks_exact(self.depth).zip(&self.biases).zip(&self.slopes);
-        for (block, ((weights, bias), slopes)) in blocks.enumerate() {
-            let mut sums = [*bias; P];
-            for part in parts {
-                add_products(&mut sums, &part.numbers[first * step..], step, &weights[part.weights.clone()]);
+        let mut block = 0;
+        while block + BLOCKS <= self.biases.len() {
+            self.blocks::<P, BLOCKS>(parts, [first, step], skip, block, output);
+            block += BLOCKS;
+        }
+        for block in block..self.biases.len() {
+            self.blocks::<P, 1>(parts, [first, step], skip, block, output);
+        }
+    }
+
+    /// Some blocks of channels of a tile.
+    #[inline(always)]
+    fn blocks<const P: usize, const B: usize>(
+        &self,
+        parts: &[Part<'_>],
+        [first, step]: [usize; 2],
+        skip: Skip<'_>,
+        block: usize,
+        output: &mut [f32],
+    ) {
+        let biases: [[f32; LANES]; B] = std::array::from_fn(|b| self.biases[block + b]);
+        let mut sums = [biases; P];
+        for part in parts {
+            let weights = |b| &self.weights[(block + b) * self.depth..][part.weights.clone()];
+            add_products(&mut sums, &part.numbers[first * step..], step, std::array::from_fn(weights));
+        }
+        for b in 0..B {
+            self.finish(block + b, sums.map(|sums| sums[b]), skip, output);
+        }
+    }
+
+    /// Writes the sums of a block of channels; what is the same for all pixels is asked once.
+    #[inline(always)]
+    fn finish<const P: usize>(&self, block: usize, sums: [[f32; LANES]; P], skip: Skip<'_>, output: &mut [f32]) {
+        let (first, slopes) = (block * LANES, &self.slopes[block]);
+        let finished = |sums: [f32; LANES], skip: [f32; LANES]| -> [f32; LANES] {
+            std::array::from_fn(|lane| activated(sums[lane] + skip[lane], slopes[lane]))
+        };
+        let (written, added) = (self.channels - first, skip.channels.saturating_sub(first));
+        let (output, stride) = (&mut output[first..], self.channels);
+        if written >= LANES && added == 0 {
+            for (p, sums) in sums.into_iter().enumerate() {
+                output[p * stride..][..LANES].copy_from_slice(&finished(sums, [0.0; LANES]));
             }
-            for (pixel, sums) in sums.iter().enumerate() {
-                let skip = &skip_pixels[pixel * skip.channels..][..skip.channels];
-                let output = &mut output[pixel * self.channels..][..self.channels];
-                finish(sums, slopes, skip.get(block * LANES..).unwrap_or_default(), &mut output[block * LANES..]);
+        } else if written >= LANES && added >= LANES {
+            for (p, sums) in sums.into_iter().enumerate() {
+                let skip = lanes(&skip.numbers[p * skip.channels + first..][..LANES]);
+                output[p * stride..][..LANES].copy_from_slice(&finished(sums, skip));
+            }
+        } else {
+            for (p, sums) in sums.into_iter().enumerate() {
+                let skip = &skip.numbers[p * skip.channels..][..skip.channels];
+                let finished = finished(sums, lanes(skip.get(first..).unwrap_or_default()));
+                let written = written.min(LANES);
+                output[p * stride..][..written].copy_from_slice(&finished[..written]);
             }
         }
     }
 }
 
-/// `sums[p] += Σ_k weights[k] · numbers[p · step + k]`
+/// `sums[p][b] += Σ_k weights[b][k] · numbers[p · step + k]`
 #[inline(always)]
-fn add_products<const P: usize>(sums: &mut [[f32; LANES]; P], numbers: &[f32], step: usize, weights: &[[f32; LANES]]) {
-    let pixels: [&[f32]; P] = std::array::from_fn(|p| &numbers[p * step..][..weights.len()]);
+fn add_products<const P: usize, const B: usize>(
+    sums: &mut [[[f32; LANES]; B]; P],
+    numbers: &[f32],
+    step: usize,
+    weights: [&[[f32; LANES]]; B],
+) {
+    let depth = weights[0].len();
+    let weights: [&[[f32; LANES]]; B] = std::array::from_fn(|b| &weights[b][..depth]);
+    let pixels: [&[f32]; P] = std::array::from_fn(|p| &numbers[p * step..][..depth]);
     let mut local = *sums;
-    for (k, weights) in weights.iter().enumerate() {
+    for k in 0..depth {
         for (sums, pixel) in local.iter_mut().zip(&pixels) {
-            for (sum, weight) in sums.iter_mut().zip(weights) {
-                *sum += pixel[k] * weight;
+            for (sums, weights) in sums.iter_mut().zip(&weights) {
+                for (sum, weight) in sums.iter_mut().zip(&weights[k]) {
+                    *sum += pixel[k] * weight;
+                }
             }
         }
     }
     *sums = local;
 }
 
-/// Writes the sums of one pixel's block of channels.
+/// The first numbers, and zeros where there are fewer.
 #[inline(always)]
-fn finish(sums: &[f32; LANES], slopes: &[f32; LANES], skip: &[f32], output: &mut [f32]) {
-    let skip = match skip.first_chunk::<LANES>() {
-        Some(skip) => *skip,
-        None => std::array::from_fn(|lane| skip.get(lane).copied().unwrap_or_default()),
-    };
-    let finished: [f32; LANES] = std::array::from_fn(|lane| activated(sums[lane] + skip[lane], slopes[lane]));
-    match output.first_chunk_mut::<LANES>() {
-        Some(output) => *output = finished,
-        None => output.iter_mut().zip(finished).for_each(|(output, finished)| *output = finished),
+fn lanes(numbers: &[f32]) -> [f32; LANES] {
+    match numbers.first_chunk() {
+        Some(lanes) => *lanes,
+        None => std::array::from_fn(|lane| numbers.get(lane).copied().unwrap_or_default()),
     }
 }
 
 fn in_lanes(numbers: &[f32]) -> Vec<[f32; LANES]> {
-    let lane = |block: &[f32]| std::array::from_fn(|lane| block.get(lane).copied().unwrap_or_default());
-    numbers.chunks(LANES).map(lane).collect()
+    numbers.chunks(LANES).map(lanes).collect()
 }

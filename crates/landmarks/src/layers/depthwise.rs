@@ -56,27 +56,24 @@ impl Depthwise {
             let pixel = self.window.pixel(0, y, row) * width + self.window.pixel(1, x, column);
             &picture[pixel * channels..]
         };
-        for Span { places, taps: columns } in spans {
-            if rows.len() == 3 && self.is_usual(columns) {
-                let step = self.window.strides[1] * channels;
-                let rows = [0, 1, 2].map(|row| at(row, places.start, 0));
-                let pixels = output[places.start * channels..].chunks_exact_mut(channels);
-                widest(
-                    #[inline(always)]
-                    || {
-                        for (x, output) in pixels.take(places.len()).enumerate() {
-                            self.pixel_of_all(rows.map(|row| &row[x * step..]), output);
-                        }
-                    },
-                );
-                continue;
-            }
-            for x in places.clone() {
-                let taps = rows.clone().flat_map(|row| columns.clone().map(move |column| (row, column)));
-                let taps = taps.map(|(row, column)| (row * self.window.kernel[1] + column, at(row, x, column)));
-                self.pixel(taps, &mut output[x * channels..][..channels]);
-            }
-        }
+        widest(
+            #[inline(always)]
+            || {
+                for Span { places, taps: columns } in spans {
+                    let output = &mut output[places.start * channels..places.end * channels];
+                    if rows.len() == 3 && self.is_usual(columns) {
+                        let rows = [0, 1, 2].map(|row| at(row, places.start, 0));
+                        self.usual(rows, self.window.strides[1] * channels, output);
+                        continue;
+                    }
+                    for (x, output) in places.clone().zip(output.chunks_exact_mut(channels)) {
+                        let taps = rows.clone().flat_map(|row| columns.clone().map(move |column| (row, column)));
+                        let taps = taps.map(|(row, column)| (row * self.window.kernel[1] + column, at(row, x, column)));
+                        self.pixel(taps, output);
+                    }
+                }
+            },
+        );
     }
 
     /// Whether this is the usual kernel, all of its columns inside.
@@ -85,6 +82,7 @@ impl Depthwise {
     }
 
     /// One pixel from as many taps as there are.
+    #[inline(always)]
     fn pixel<'a>(&self, taps: impl Iterator<Item = (usize, &'a [f32])>, output: &mut [f32]) {
         output.copy_from_slice(&self.biases);
         for (tap, numbers) in taps {
@@ -98,35 +96,37 @@ impl Depthwise {
         }
     }
 
-    /// The same, with the nine taps of the usual kernel, three neighbours in each row, and no sum in between written.
+    /// Neighbouring pixels with the nine taps of the usual kernel, from the first tap in each row on; some channels at a time, so
+    /// that their weights stay at hand. The last channels may be made twice.
     #[inline(always)]
-    fn pixel_of_all(&self, rows: [&[f32]; 3], output: &mut [f32]) {
-        let channels = output.len();
-        let taps: [&[f32]; USUAL] = std::array::from_fn(|tap| &rows[tap / 3][tap % 3 * channels..][..channels]);
-        let mut done = 0;
-        while done + LANES <= channels {
-            self.lanes::<LANES>(&taps, done, output);
-            done += LANES;
+    fn usual(&self, rows: [&[f32]; 3], step: usize, output: &mut [f32]) {
+        let Some(last) = self.channels().checked_sub(LANES) else {
+            return (0..self.channels()).for_each(|channel| self.usual_lanes::<1>(rows, step, channel, output));
+        };
+        for first in (0..last).step_by(LANES) {
+            self.usual_lanes::<LANES>(rows, step, first, output);
         }
-        for channel in done..channels {
-            self.lanes::<1>(&taps, channel, output);
-        }
+        self.usual_lanes::<LANES>(rows, step, last, output);
     }
 
-    /// So many channels of such a pixel, from the first on.
+    /// So many channels of these pixels, from the first on.
     #[inline(always)]
-    fn lanes<const N: usize>(&self, taps: &[&[f32]; USUAL], first: usize, output: &mut [f32]) {
-        let mut sums: [f32; N] = lanes(&self.biases, first);
-        for (tap, numbers) in taps.iter().enumerate() {
-            let numbers: [f32; N] = lanes(numbers, first);
-            let weights: [f32; N] = lanes(&self.weights, tap * output.len() + first);
-            for ((sum, number), weight) in sums.iter_mut().zip(numbers).zip(weights) {
-                *sum += number * weight;
+    fn usual_lanes<const N: usize>(&self, rows: [&[f32]; 3], step: usize, first: usize, output: &mut [f32]) {
+        let channels = self.channels();
+        let weights: [[f32; N]; USUAL] = std::array::from_fn(|tap| lanes(&self.weights, tap * channels + first));
+        let (biases, slopes): ([f32; N], [f32; N]) = (lanes(&self.biases, first), lanes(&self.slopes, first));
+        for (x, output) in output.chunks_exact_mut(channels).enumerate() {
+            let rows = rows.map(|row| &row[x * step + first..][..2 * channels + N]);
+            let mut sums = biases;
+            for (tap, weights) in weights.iter().enumerate() {
+                let numbers: [f32; N] = lanes(rows[tap / 3], tap % 3 * channels);
+                for ((sum, number), weight) in sums.iter_mut().zip(numbers).zip(weights) {
+                    *sum += number * weight;
+                }
             }
+            let finished: [f32; N] = std::array::from_fn(|lane| activated(sums[lane], slopes[lane]));
+            output[first..][..N].copy_from_slice(&finished);
         }
-        let slopes: [f32; N] = lanes(&self.slopes, first);
-        let activated: [f32; N] = std::array::from_fn(|lane| activated(sums[lane], slopes[lane]));
-        output[first..][..N].copy_from_slice(&activated);
     }
 }
 
