@@ -31,7 +31,8 @@ journey("the page's policy forbids every other host, inline scripts and eval", a
     document.addEventListener("securitypolicyviolation", (event) => violations.push(event.effectiveDirective));
     const elsewhere = await fetch("https://example.com/").then(() => "answered", () => "refused");
     const script = document.createElement("script");
-    script.textContent = "window.ranInline = true";
+    const inline = document.createTextNode("window.ranInline = true");
+    script.append(inline);
     document.body.append(script);
     const picture = new Image();
     picture.src = "https://example.com/pixel.png";
@@ -46,6 +47,40 @@ journey("the page's policy forbids every other host, inline scripts and eval", a
   assert.equal(refused.ranInline, false);
   assert.equal(refused.evaluated, "refused");
   assert.ok(refused.violations.includes("connect-src") && refused.violations.includes("img-src"));
+  // The browser tells the console, too.
+  assert.ok(visitor.broken.splice(0).length > 0);
+});
+
+journey("markup and scripts are taken from the page's own policy alone", async (open) => {
+  const visitor = await open();
+  await visitor.untilLoaded();
+  const refused = await visitor.page.evaluate(async () => {
+    const { ownScript, ownDrawing } = await import(new URL("js/page/trusted.js", document.baseURI).href);
+    const text = (act) => {
+      try {
+        return String(act());
+      } catch (error) {
+        return error.name;
+      }
+    };
+    return {
+      markup: text(() => (document.createElement("p").innerHTML = "<b>bold</b>")),
+      worker: text(() => new Worker("js/worker/vision-worker.js", { type: "module" })),
+      script: text(() => (document.createElement("script").src = "js/main.js")),
+      policy: text(() => window.trustedTypes.createPolicy("another", {})),
+      same: text(() => window.trustedTypes.createPolicy("rosto", {})),
+      foreign: text(() => ownScript("https://example.com/js/worker/vision-worker.js")),
+      data: text(() => ownScript("data:text/javascript,postMessage(1)")),
+      other: text(() => ownScript("js/main.js")),
+      drawing: text(() => ownDrawing('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0"/></svg>')),
+      handler: text(() => ownDrawing('<svg><path onload="alert(1)"/></svg>')),
+      scripted: text(() => ownDrawing("<svg><script>alert(1)</script></svg>")),
+    };
+  });
+  const { drawing, ...rest } = refused;
+  assert.match(drawing, /^<svg/);
+  assert.deepEqual(Object.entries(rest).filter(([, what]) => what !== "TypeError"), []);
+  assert.ok(visitor.broken.splice(0).length > 0);
 });
 
 journey("after the first visit the page works without a network", async (open) => {

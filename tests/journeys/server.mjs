@@ -1,5 +1,5 @@
 import { createReadStream } from "node:fs";
-import { stat } from "node:fs/promises";
+import { readFile, stat } from "node:fs/promises";
 import { createServer } from "node:http";
 import path from "node:path";
 
@@ -19,7 +19,8 @@ const TYPES = {
 };
 
 /**
- * Serves a folder below a path of its own, as a static host would, until it is disturbed.
+ * Serves a folder below a path of its own, as a static host would, until it is disturbed. Whatever is answered has the
+ * headers that the folder's own file for hosts asks for.
  *
  * @typedef {(name: string, response: import("node:http").ServerResponse) => boolean} Disturbance is told the file that is
  *   asked for, "" for the page, and whether it takes charge of the answer it returns
@@ -30,14 +31,16 @@ const TYPES = {
 export async function serve(folder, below) {
   /** @type {Disturbance | undefined} */
   let disturbance;
+  const headers = await headersIn(folder);
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url, "http://localhost");
+    for (const [name, value] of headers) response.setHeader(name, value);
     if (disturbance?.(pathname.slice(below.length), response)) return;
     const file = pathname.startsWith(below) && fileFor(folder, decodeURIComponent(pathname.slice(below.length)));
     const found = file && (await stat(file).catch(() => undefined));
     if (!found?.isFile()) return response.writeHead(404).end();
     const type = TYPES[path.extname(file)] ?? "application/octet-stream";
-    response.writeHead(200, { "content-type": type, "content-length": found.size, "cache-control": "no-cache" });
+    response.writeHead(200, { "content-type": type, "content-length": found.size });
     createReadStream(file).pipe(response);
   });
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
@@ -52,6 +55,17 @@ export async function serve(folder, below) {
       server.close();
     },
   };
+}
+
+/**
+ * What `_headers` says of every file; a folder without one is served with nothing but the cache rule.
+ *
+ * @param {string} folder
+ * @returns {Promise<[name: string, value: string][]>}
+ */
+async function headersIn(folder) {
+  const text = await readFile(path.join(folder, "_headers"), "utf8").catch(() => "/*\n  Cache-Control: no-cache\n");
+  return [...text.matchAll(/^ {2}([\w-]+): (.*)$/gm)].map(([, name, value]) => [name, value]);
 }
 
 function fileFor(folder, name) {

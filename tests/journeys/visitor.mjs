@@ -5,12 +5,15 @@ import { PNG } from "pngjs";
 
 export const SAMPLE = path.resolve(import.meta.dirname, "../../web/assets/sample.png");
 
+/** What a browser says when a page does what its own policy forbids. */
+const VIOLATION = /Content Security Policy|Permissions policy violation|Trusted(HTML|Script)/;
+
 /** How often the 3D view is looked at, at most, until it has come to rest. */
 const MOST_SHOTS = 20;
 
 /** Someone at the page: what they do, and what they see. */
 export class Visitor {
-  /** Errors the page let through. */
+  /** Errors the page let through, and what its policy had to refuse. */
   broken = [];
   /** What the page wrote to the console. */
   said = [];
@@ -45,7 +48,10 @@ export class Visitor {
     this.page = page;
     page.setDefaultTimeout(60_000);
     page.on("pageerror", (error) => this.broken.push(error));
-    page.on("console", (message) => this.said.push(`${message.type()}: ${message.text()}`));
+    page.on("console", (message) => {
+      this.said.push(`${message.type()}: ${message.text()}`);
+      if (VIOLATION.test(message.text())) this.broken.push(message.text());
+    });
   }
 
   checkNothingBroke() {

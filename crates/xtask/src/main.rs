@@ -1,4 +1,4 @@
-//! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `test`, `deny`, `bench`, `robustness`,
+//! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `reproduce`, `test`, `deny`, `bench`, `robustness`,
 //! `readers`, `torture`, `screenshots`, `wheel`.
 
 mod apt;
@@ -14,11 +14,13 @@ mod help;
 mod machine;
 mod networks;
 mod npm;
+mod paths;
 mod portrait;
 mod process;
 mod progress;
 mod python;
 mod readers;
+mod reproduce;
 mod robustness;
 mod screenshots;
 mod serve;
@@ -53,6 +55,7 @@ fn run(arguments: &[String]) -> Result<ExitCode> {
         ["setup"] => set_up(),
         ["serve"] => serve::run(),
         ["dist"] => dist::run(),
+        ["reproduce"] => reproduce::run(),
         ["test", steps @ ..] => test::run(steps),
         ["deny"] => deny::run(),
         ["bench", arguments @ ..] => bench::run(arguments),

@@ -5,7 +5,7 @@ use crate::failure::{Failure, Result};
 use crate::process::Run;
 use crate::readers::Readers;
 use crate::toolchain::{Toolchain, require_component};
-use crate::{networks, npm, portrait, tools, workspace};
+use crate::{networks, npm, paths, portrait, tools, workspace};
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 
@@ -56,6 +56,9 @@ impl Kit {
         let run = Run::new(found.as_deref().unwrap_or(Path::new(program.as_ref())));
         let browser = self.browser.iter().flat_map(Browser::variables).collect::<Vec<_>>();
         let run = run.without_env("CARGO").env("PATH", path).envs(&self.toolchain.variables()).envs(&browser);
+        // Whatever is built for wasm32 is built with the same flags, or the tests would build the page's modules again.
+        let (flags, value) = paths::remapped();
+        let run = run.env(&flags, value);
         Ok(run.current_dir(workspace::root()))
     }
 

@@ -144,7 +144,8 @@ fn megabytes(bytes: usize) -> String {
     format!("{:.3}", bytes as f64 / 1e6)
 }
 
-fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
+/// All files below a folder, in no order.
+pub fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     for entry in std::fs::read_dir(folder).doing(format!("listing {}", folder.display()))?.flatten() {
         let path = entry.path();

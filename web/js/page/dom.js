@@ -28,6 +28,20 @@ export function make(tag, className, text) {
 }
 
 /**
+ * One of the drawings that the page's text holds, for the eye alone.
+ *
+ * @param {string} name
+ */
+export function makeIcon(name) {
+  const icon = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  const use = document.createElementNS("http://www.w3.org/2000/svg", "use");
+  icon.setAttribute("aria-hidden", "true");
+  use.setAttribute("href", `#icon-${name}`);
+  icon.append(use);
+  return icon;
+}
+
+/**
  * Whether keys pressed there write text, or a number that is not finished (`data-typing`).
  *
  * @param {EventTarget | null} target

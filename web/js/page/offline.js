@@ -1,3 +1,5 @@
+import { ownScript } from "./trusted.js";
+
 /** Where a copy is in use already, a server that is silent about a newer one keeps nobody waiting for longer. */
 const PATIENCE_MS = 5000;
 
@@ -15,7 +17,7 @@ export async function keepOffline(withFallback) {
 
 /** @param {boolean} withFallback */
 async function keep(withFallback) {
-  const registration = await navigator.serviceWorker.register(new URL("../../service-worker.js", import.meta.url));
+  const registration = await navigator.serviceWorker.register(ownScript("service-worker.js"));
   await installed(registration?.installing);
   if (withFallback) registration?.active?.postMessage("keep-fallback");
 }

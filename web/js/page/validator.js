@@ -1,3 +1,5 @@
+import { ownScript } from "./trusted.js";
+
 /** @typedef {import("../worker/protocol.js").Verdict} Verdict */
 
 /** The page counts as loaded without it after this long; it may still come. */
@@ -18,7 +20,7 @@ export class Validator {
   start() {
     return new Promise((/** @type {(value: void) => void} */ resolve) => {
       setTimeout(resolve, START_PATIENCE_MS);
-      const worker = new Worker(new URL("../worker/validator-worker.js", import.meta.url));
+      const worker = new Worker(ownScript("js/worker/validator-worker.js"));
       worker.addEventListener("message", ({ data }) => {
         if (data.ready) {
           this.#worker = worker;

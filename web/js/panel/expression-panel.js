@@ -1,5 +1,5 @@
 import { announce } from "../page/announce.js";
-import { byId, make, onAction } from "../page/dom.js";
+import { byId, make, makeIcon, onAction } from "../page/dom.js";
 import { sayId } from "../words/names.js";
 import { inEveryLanguage, say, sayNumber } from "../words/words.js";
 import { Slider } from "./slider.js";
@@ -74,16 +74,12 @@ export class ExpressionPanel {
     const details = make("details", "more");
     const summary = make("summary");
     const title = make("h3");
-    const fold = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-    fold.setAttribute("aria-hidden", "true");
-    fold.append(document.createElementNS("http://www.w3.org/2000/svg", "use"));
-    fold.firstElementChild?.setAttribute("href", "#icon-fold");
     const sliders = make("fieldset", "sliders stacked");
     const legend = make("legend", "visually-hidden");
     inEveryLanguage(() => (title.textContent = legend.textContent = say(`expressions.${area}`)));
     const own = this.#sliders.filter((_slider, place) => begins.test(this.#ids[place] ?? ""));
     sliders.append(legend, ...own.map((slider) => slider.element));
-    summary.append(title, fold);
+    summary.append(title, makeIcon("fold"));
     const body = make("div", "more-body");
     body.append(sliders);
     details.append(summary, body);

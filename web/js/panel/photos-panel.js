@@ -1,4 +1,4 @@
-import { byId, make } from "../page/dom.js";
+import { byId, make, makeIcon } from "../page/dom.js";
 import { toast } from "../page/toast.js";
 import { faceBox } from "../photo/face-box.js";
 import { inEveryLanguage, say } from "../words/words.js";
@@ -93,7 +93,7 @@ export class PhotosPanel {
     draw(canvas, photo);
     const remove = make("button", "icon-button");
     remove.type = "button";
-    remove.innerHTML = '<svg aria-hidden="true"><use href="#icon-close" /></svg>';
+    remove.append(makeIcon("close"));
     remove.addEventListener("click", () => this.#change((opening) => opening.removePhoto(place)));
     row.append(canvas, make("span"), remove);
     return row;

@@ -1,3 +1,5 @@
+import { listHash } from "../page/built.js";
+import { ownScript } from "../page/trusted.js";
 import { Following } from "./following.js";
 
 /**
@@ -53,7 +55,7 @@ export class VisionClient {
     if (this.#worker) return;
     this.#starts += 1;
     this.#isReady = false;
-    const worker = new Worker(new URL("../worker/vision-worker.js", import.meta.url), { type: "module" });
+    const worker = new Worker(ownScript("js/worker/vision-worker.js"), { type: "module", name: listHash() });
     worker.addEventListener("message", (event) => this.#hear(worker, event.data));
     worker.addEventListener("error", (event) => {
       event.preventDefault();

@@ -1,4 +1,5 @@
 import * as forWebGpu from "../../wasm/rosto-studio-web.js";
+import { builtModule } from "../page/built.js";
 import { asPageError } from "../page/page-error.js";
 
 /**
@@ -109,17 +110,8 @@ async function started(canvas) {
 }
 
 async function instantiate() {
-  compiled ??= await compile(new URL(`../../wasm/${moduleName()}_bg.wasm`, import.meta.url));
+  compiled ??= await builtModule(`wasm/${moduleName()}_bg.wasm`);
   await inUse.default({ module_or_path: compiled });
-}
-
-/** @param {URL} address */
-async function compile(address) {
-  const response = await fetch(address);
-  if (!response.ok) throw new Error(`${response.status} for ${address}`);
-  // Not every server knows the type, which compiling while it comes asks for.
-  const isTyped = response.headers.get("content-type") === "application/wasm";
-  return isTyped ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
 function moduleName() {
@@ -160,6 +152,6 @@ async function loaded(part) {
   try {
     return await part;
   } catch (error) {
-    throw { code: "not-loaded", message: String(error), hint: "" };
+    throw asPageError(error, "not-loaded");
   }
 }

@@ -8,12 +8,23 @@
 const validatorScope = /** @type {DedicatedWorkerGlobalScope & { exports: GltfValidator }} */ (/** @type {unknown} */ (self));
 
 validatorScope.exports = /** @type {GltfValidator} */ ({});
-validatorScope.importScripts("../../vendor/gltf-validator/gltf_validator.dart.js");
+validatorScope.importScripts(trusted("../../vendor/gltf-validator/gltf_validator.dart.js"));
 
 validatorScope.addEventListener("message", async ({ data: { id, bytes } }) => {
   validatorScope.postMessage({ id, verdict: await verdictOn(bytes) });
 });
 validatorScope.postMessage({ ready: true });
+
+/**
+ * A classic worker has no modules, the page's policy for scripts among them: this is the same for the one script here.
+ *
+ * @param {string} script
+ */
+function trusted(script) {
+  const { trustedTypes } = /** @type {{ trustedTypes?: import("../page/trusted.js").PolicyFactory }} */ (globalThis);
+  const rules = { createScriptURL: () => script, createHTML: () => "" };
+  return (trustedTypes?.createPolicy("rosto", rules) ?? rules).createScriptURL(script);
+}
 
 /**
  * @param {Uint8Array} bytes

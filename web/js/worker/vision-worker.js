@@ -6,6 +6,7 @@
  * @typedef {import("./protocol.js").FoundFaces} FoundFaces
  */
 import init, { Vision } from "../../wasm/rosto-vision-web.js";
+import { builtFile, builtModule } from "../page/built.js";
 import { asPageError } from "../page/page-error.js";
 import { bytesOf } from "../work/bytes.js";
 import { bitmapOf } from "../work/pixels.js";
@@ -52,34 +53,27 @@ function take(request) {
 }
 
 async function load() {
-  const [, detector, landmarks] = await Promise.all([
-    init({ module_or_path: fetched("../../wasm/rosto-vision-web_bg.wasm") }),
-    fetchBytes("../../assets/face_detector.onnx"),
-    fetchBytes("../../assets/face_landmarks_attention.onnx"),
+  const [module_or_path, detector, landmarks] = await Promise.all([
+    builtModule("wasm/rosto-vision-web_bg.wasm", tellOfArrival),
+    builtFile("assets/face_detector.onnx", tellOfArrival),
+    builtFile("assets/face_landmarks_attention.onnx", tellOfArrival),
   ]);
-  return new Vision(detector, landmarks);
-}
-
-/** @param {string} address */
-async function fetchBytes(address) {
-  const response = await fetched(address);
-  return new Uint8Array(await response.arrayBuffer());
+  await init({ module_or_path });
+  return new Vision(new Uint8Array(detector), new Uint8Array(landmarks));
 }
 
 /**
- * A file of the page. While it arrives the page hears of it: a slow connection is not a dead one.
+ * While a file arrives the page hears of it: a slow connection is not a dead one. Whoever uses the file hears of what goes
+ * wrong.
  *
- * @param {string} address from here
+ * @param {Response} answer
  */
-async function fetched(address) {
-  const response = await fetch(new URL(address, import.meta.url));
-  if (!response.ok) throw new Error(`${address}: ${response.status}`);
-  tellOfArrival(response.clone()).catch(() => {});
-  return response;
+function tellOfArrival(answer) {
+  readToTell(answer.clone()).catch(() => {});
 }
 
-/** @param {Response} response a copy, read to see it come; whoever reads the other one hears of what goes wrong */
-async function tellOfArrival(response) {
+/** @param {Response} response a copy, read to see it come */
+async function readToTell(response) {
   const reader = response.body?.getReader();
   let told_ms = -Infinity;
   while (reader && !(await reader.read()).done) {

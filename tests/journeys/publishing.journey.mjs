@@ -1,0 +1,124 @@
+import assert from "node:assert/strict";
+import { execFile } from "node:child_process";
+import { createHash } from "node:crypto";
+import { copyFile, cp, mkdir, mkdtemp, readFile, readdir, rm } from "node:fs/promises";
+import { homedir, tmpdir } from "node:os";
+import path from "node:path";
+import { promisify } from "node:util";
+import { journey } from "./journey.mjs";
+import { DIST, serve } from "./server.mjs";
+
+const ROOT = path.resolve(import.meta.dirname, "../..");
+const HOOK = path.join(ROOT, "web/list-for-offline.mjs");
+const COMPARE = path.join(ROOT, "web/compare-published.mjs");
+const run = promisify(execFile);
+
+journey("the page comes with its policy as a header, and with those that a page's text cannot say", async (open) => {
+  const visitor = await open();
+  const answers = await visitor.page.evaluate(async () => {
+    const names = ["./", "js/worker/vision-worker.js", "service-worker.js", "wasm/rosto-vision-web_bg.wasm"];
+    const all = await Promise.all(names.map((name) => fetch(name)));
+    return all.map(({ headers }) => Object.fromEntries(headers));
+  });
+  const policy = await visitor.page.getAttribute("meta[http-equiv='Content-Security-Policy']", "content");
+  for (const headers of answers) {
+    assert.equal(headers["content-security-policy"], `${policy}; frame-ancestors 'none'`);
+    assert.equal(headers["cross-origin-opener-policy"], "same-origin");
+    assert.equal(headers["x-content-type-options"], "nosniff");
+    assert.equal(headers["referrer-policy"], "no-referrer");
+    assert.equal(headers["cache-control"], "no-cache");
+    assert.match(headers["permissions-policy"], /^camera=\(self\), .*microphone=\(\)/);
+  }
+  // A name that the browser does not know is ignored, with a remark.
+  assert.deepEqual(visitor.said.filter((line) => /permissions.policy|unrecognized/i.test(line)), []);
+  assert.equal(await visitor.page.evaluate(() => document.featurePolicy.allowsFeature("microphone")), false);
+  assert.equal(await visitor.page.evaluate(() => document.featurePolicy.allowsFeature("camera")), true);
+});
+
+journey("no other page frames this one", async (open) => {
+  const { page } = await open();
+  const another = await page.context().newPage();
+  const refused = another.waitForEvent("console", (message) => /frame-ancestors/.test(message.text()));
+  await another.setContent(`<iframe src="${page.url()}"></iframe>`);
+  await refused;
+});
+
+journey("every kind of host is told the same headers", async () => {
+  const said = async (name, pattern) => [...String(await readFile(path.join(DIST, name))).matchAll(pattern)].map(([, name, value]) => [name, value]);
+  const plain = await said("_headers", /^ {2}([\w-]+): (.*)$/gm);
+  assert.equal(plain.length, 6);
+  assert.deepEqual(await said(".htaccess", /^ {2}Header always set ([\w-]+) "(.*)"$/gm), plain);
+  assert.deepEqual(await said("nginx.conf", /^add_header ([\w-]+) "(.*)" always;$/gm), plain);
+  const { headers } = JSON.parse(String(await readFile(path.join(DIST, "vercel.json"))));
+  assert.deepEqual(headers[0].headers.map(({ key, value }) => [key, value]), plain);
+});
+
+journey("the list has every file of the page with its SHA-256, and the page's text has the list's", async () => {
+  const list = await readFile(path.join(DIST, "integrity.json"));
+  const { files } = JSON.parse(String(list));
+  const known = new Set(["index.html", "service-worker.js", "integrity.json", "_headers", "vercel.json", "nginx.conf"]);
+  const there = (await filesOf(DIST)).filter((name) => !name.startsWith(".") && !name.endsWith(".d.ts") && !known.has(name));
+  assert.deepEqual(Object.keys(files), there);
+  for (const name of there) assert.equal(files[name], integrity(await readFile(path.join(DIST, name))), name);
+  const page = String(await readFile(path.join(DIST, "index.html")));
+  assert.ok(page.includes(`<meta name="integrity" content="${integrity(list)}">`));
+  const stored = /^const OFFLINE = (.*);$/m.exec(String(await readFile(path.join(DIST, "service-worker.js"))))?.[1] ?? "";
+  const { version, files: kept, fallback } = JSON.parse(stored);
+  assert.deepEqual({ ...kept, ...fallback }, { ...files, "integrity.json": integrity(list) });
+  assert.ok(page.includes(`<meta name="version" content="${version}">`));
+});
+
+journey("the list does not depend on the order in which files lie on the disk, or on how often it is written", async () => {
+  const folder = await mkdtemp(path.join(tmpdir(), "rosto-dist-"));
+  try {
+    for (const name of (await filesOf(DIST)).reverse()) {
+      await mkdir(path.dirname(path.join(folder, name)), { recursive: true });
+      await copyFile(path.join(DIST, name), path.join(folder, name));
+    }
+    for (let times = 0; times < 2; times += 1) {
+      await run("node", [HOOK], { env: { ...process.env, TRUNK_STAGING_DIR: folder } });
+      for (const name of await filesOf(DIST)) {
+        assert.ok((await readFile(path.join(folder, name))).equals(await readFile(path.join(DIST, name))), name);
+      }
+    }
+  } finally {
+    await rm(folder, { recursive: true });
+  }
+});
+
+journey("no file of the page tells of the machine that built it", async () => {
+  const cargo = process.env.CARGO_HOME ?? path.join(homedir(), ".cargo");
+  const traces = [ROOT, cargo, `${homedir()}${path.sep}`, process.env.CARGO_TARGET_DIR].filter(Boolean);
+  for (const name of await filesOf(DIST)) {
+    const bytes = await readFile(path.join(DIST, name));
+    for (const trace of traces) assert.equal(bytes.indexOf(trace), -1, `${name} has ${trace}`);
+  }
+});
+
+journey("whoever has built the page can tell whether a published one is the same", async () => {
+  const folder = await mkdtemp(path.join(tmpdir(), "rosto-published-"));
+  await cp(DIST, folder, { recursive: true });
+  const server = await serve(folder, "/published/");
+  const compared = () => run("node", [COMPARE, server.url, DIST]).then(({ stdout }) => stdout, ({ stdout }) => stdout);
+  try {
+    assert.match(await compared(), /every one of \d+ files is the same/);
+    const worker = String(await readFile(path.join(DIST, "js/worker/vision-worker.js")));
+    server.disturb((name, response) => name === "js/worker/vision-worker.js" && Boolean(response.end(`${worker}\n`)));
+    assert.match(await compared(), /✗ js\/worker\/vision-worker\.js/);
+  } finally {
+    server.close();
+    await rm(folder, { recursive: true });
+  }
+});
+
+/** Sorted names below the folder. @param {string} folder */
+async function filesOf(folder) {
+  const entries = await readdir(folder, { recursive: true, withFileTypes: true });
+  const files = entries.filter((entry) => entry.isFile() && entry.name !== ".trunk-lock");
+  return files.map((entry) => path.relative(folder, path.join(entry.parentPath, entry.name)).replaceAll(path.sep, "/")).sort();
+}
+
+/** @param {string | Uint8Array} bytes */
+function integrity(bytes) {
+  return `sha256-${createHash("sha256").update(bytes).digest("base64")}`;
+}
