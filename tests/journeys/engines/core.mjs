@@ -151,7 +151,7 @@ async function checkGlb(glb) {
 
 /** @param {Driver} driver */
 async function untilFace(driver) {
-  await until(driver, `document.body.dataset.state === "face" && document.querySelector("#progress").hidden && !document.body.dataset.texture`, "a face");
+  await until(driver, `document.body.dataset.state === "face" && document.querySelector("#progress").hidden && !document.body.hasAttribute("data-texture")`, "a face");
   await driver.evaluate(`for (let frame = 0; frame < 3; frame++) await new Promise(requestAnimationFrame);`);
 }
 

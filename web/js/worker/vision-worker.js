@@ -6,6 +6,7 @@
  * @typedef {import("./protocol.js").FoundFaces} FoundFaces
  */
 import init, { Vision } from "../../wasm/rosto-vision-web.js";
+import { init as setBase, placeOf } from "../files.js";
 import { asPageError } from "../page/page-error.js";
 import { bytesOf } from "../work/bytes.js";
 import { bitmapOf } from "../work/pixels.js";
@@ -26,7 +27,11 @@ navigator.locks.request(lock, () => {
 /** So often, at most, the page hears that something is arriving. */
 const TELL_EVERY_MS = 1000;
 
-const vision = load();
+/** @type {(base: string | undefined) => void} */
+let begin = () => {};
+/** The page says first of all where the files lie. @type {Promise<string | undefined>} */
+const told = new Promise((resolve) => (begin = resolve));
+const vision = told.then(load);
 vision.then(
   () => tell({ type: "ready" }),
   (error) => tell({ type: "unusable", error: asPageError(error, "not-loaded") }),
@@ -37,6 +42,8 @@ page.addEventListener("message", (event) => take(event.data));
 /** @param {Request} request */
 function take(request) {
   switch (request.type) {
+    case "load":
+      return begin(request.base);
     case "find":
       return answer(request);
     case "draw":
@@ -51,16 +58,17 @@ function take(request) {
   }
 }
 
-async function load() {
-  const [, detector, landmarks] = await Promise.all([
-    init({ module_or_path: fetched("../../wasm/rosto-vision-web_bg.wasm") }),
-    fetchBytes("../../assets/face_detector.onnx"),
-    fetchBytes("../../assets/face_landmarks_attention.onnx"),
-  ]);
+/** @param {string | undefined} base */
+async function load(base) {
+  if (base !== undefined) setBase(base);
+  const module = placeOf("wasm/rosto-vision-web_bg.wasm", new URL("../../wasm/rosto-vision-web_bg.wasm", import.meta.url));
+  const first = placeOf("assets/face_detector.onnx", new URL("../../assets/face_detector.onnx", import.meta.url));
+  const second = placeOf("assets/face_landmarks_attention.onnx", new URL("../../assets/face_landmarks_attention.onnx", import.meta.url));
+  const [, detector, landmarks] = await Promise.all([init({ module_or_path: fetched(module) }), fetchBytes(first), fetchBytes(second)]);
   return new Vision(detector, landmarks);
 }
 
-/** @param {string} address */
+/** @param {URL} address */
 async function fetchBytes(address) {
   const response = await fetched(address);
   return new Uint8Array(await response.arrayBuffer());
@@ -69,10 +77,10 @@ async function fetchBytes(address) {
 /**
  * A file of the page. While it arrives the page hears of it: a slow connection is not a dead one.
  *
- * @param {string} address from here
+ * @param {URL} address
  */
 async function fetched(address) {
-  const response = await fetch(new URL(address, import.meta.url));
+  const response = await fetch(address);
   if (!response.ok) throw new Error(`${address}: ${response.status}`);
   tellOfArrival(response.clone()).catch(() => {});
   return response;
