@@ -34,7 +34,7 @@ export async function serve(folder, below) {
     const { pathname } = new URL(request.url, "http://localhost");
     if (disturbance?.(pathname.slice(below.length), response)) return;
     const file = pathname.startsWith(below) && fileFor(folder, decodeURIComponent(pathname.slice(below.length)));
-    const found = file && (await stat(file).catch(() => undefined));
+    const found = file ? await stat(file).catch(() => undefined) : undefined;
     if (!found?.isFile()) return response.writeHead(404).end();
     const type = TYPES[path.extname(file)] ?? "application/octet-stream";
     response.writeHead(200, { "content-type": type, "content-length": found.size, "cache-control": "no-cache" });
