@@ -26,10 +26,11 @@ import { borrowVision, facesIn, returnVision } from "./shared-vision.js";
  * @property {() => void} change its edits are others
  * @property {() => void} announce anything about it is another
  * @property {(thrown: unknown) => void} error that nobody waits for
+ * @property {() => void} settled what was told as an error is over
  */
 
 /** @type {Told} */
-const UNHEARD = { progress: () => {}, face: () => {}, change: () => {}, announce: () => {}, error: (thrown) => console.error(thrown) };
+const UNHEARD = { progress: () => {}, face: () => {}, change: () => {}, announce: () => {}, error: (thrown) => console.error(thrown), settled: () => {} };
 
 /** A face on a canvas, with the hand's gestures and keys: what the page has of it, without the page. */
 export class FaceSession {
@@ -56,7 +57,7 @@ export class FaceSession {
   static async open(canvas, told = {}, tag = make("output")) {
     const all = { ...UNHEARD, ...told };
     await learnWords(navigator.language);
-    return new FaceSession(await Workbench.open(canvas, { show: all.error, hide: () => {} }), tag, all);
+    return new FaceSession(await Workbench.open(canvas, { show: all.error, hide: all.settled }), tag, all);
   }
 
   /**

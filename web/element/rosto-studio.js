@@ -1,16 +1,15 @@
 import { init } from "../js/files.js";
 import { download } from "../js/page/download.js";
 import { Replaced } from "../js/photo/vision-client.js";
-import { isWord, languageFor, learnWords, say, speak } from "../js/words/words.js";
+import { languageFor, learnWords, speak } from "../js/words/words.js";
 import { fileName } from "../js/work/file-name.js";
 import { FaceSession } from "./face-session.js";
 import { fetchedFile, pictureIn } from "./photo-source.js";
 import { RostoError } from "./rosto-error.js";
-import { addTools, buildStage, nameParts } from "./stage.js";
+import { Stage } from "./stage.js";
 import { stateOf, themeOf } from "./state.js";
 
 /**
- * @typedef {import("./stage.js").Stage} Stage
  * @typedef {import("./stage.js").Tool} Tool
  * @typedef {import("./state.js").StudioSnapshot} StudioSnapshot
  * @typedef {import("../js/viewport/workbench.js").Studio} Studio
@@ -19,9 +18,6 @@ import { stateOf, themeOf } from "./state.js";
 
 /** What an attribute chooses in the studio, under the same name. */
 const CHOICES = ["shading", "density", "lens"];
-
-/** What the studio cannot be opened for: the element then shows the photo as it is. */
-const WITHOUT_3D = /^(no-web|no-adapter|no-device|canvas-in-use)/;
 
 /**
  * `<rosto-studio>`: the face in a photo as a mesh that can be turned and reshaped. The photo is named by `src`, or is an `img`
@@ -46,7 +42,7 @@ export class RostoStudio extends HTMLElement {
     if (this.#opened) return;
     this.#life = new AbortController();
     const { signal } = this.#life;
-    this.#stage = buildStage(this.#shadow);
+    this.#stage = new Stage(this.#shadow);
     this.#opened = this.#open(this.#stage, signal);
     this.#opened.then(() => this.#emit("rosto-ready"), (error) => signal.aborted || this.#fail(error));
     const look = () => this.#openGiven();
@@ -64,7 +60,8 @@ export class RostoStudio extends HTMLElement {
 
   /** @param {string} name @param {string | null} _ @param {string | null} value */
   attributeChangedCallback(name, _, value) {
-    if (!this.isConnected) return;
+    // What is there from the beginning is read when the element is put on a page.
+    if (!this.#opened) return;
     if (name === "src") this.#openGiven();
     else if (name === "lang") this.#speak();
     else if (name === "controls") this.#showTools();
@@ -101,10 +98,11 @@ export class RostoStudio extends HTMLElement {
    * @param {Blob | string} photo or its address
    */
   async open(photo) {
+    const file = Promise.resolve(typeof photo === "string" ? fetchedFile(new URL(photo, this.baseURI).href) : photo);
+    file.catch(() => {});
+    const session = await this.#ready();
     try {
-      const file = typeof photo === "string" ? await fetchedFile(new URL(photo, this.baseURI).href) : photo;
-      const session = await this.#ready();
-      await session.open(file);
+      await session.open(await file);
     } catch (error) {
       if (error instanceof Replaced || this.#life.signal.aborted) return;
       throw this.#fail(error);
@@ -177,6 +175,8 @@ export class RostoStudio extends HTMLElement {
     try {
       if (!this.#session) throw new RostoError("not-ready", "the element is not ready yet: rosto-ready tells when it is");
       this.#session.apply(intent);
+      // Choices are seen and change no document, of which the session tells.
+      this.#follow();
     } catch (error) {
       throw RostoError.of(error);
     }
@@ -210,14 +210,14 @@ export class RostoStudio extends HTMLElement {
     const base = this.getAttribute("base");
     if (base !== null) init(new URL(base, this.baseURI));
     await learnWords(this.#language()).catch((error) => Promise.reject(new RostoError("not-loaded", String(error))));
-    nameParts(stage, signal);
-    addTools(stage, (tool) => this.#use(tool));
+    stage.furnish((tool) => this.#use(tool), signal);
     const session = await FaceSession.open(stage.canvas, {
-      progress: (step, fraction) => this.#showProgress(step, fraction),
+      progress: (step, fraction) => stage.showProgress(step, fraction),
       face: () => this.#showFace(),
-      change: () => this.#emit("rosto-change", this.state),
+      change: () => this.#change(),
       announce: () => this.#follow(),
       error: (thrown) => this.#fail(thrown),
+      settled: () => stage.hideNotice(),
     }, stage.tag);
     if (signal.aborted) {
       session.close();
@@ -242,7 +242,7 @@ export class RostoStudio extends HTMLElement {
       const value = this.getAttribute(name);
       if (value !== null) this.#choose(session, name, value);
     }
-    session.bench.canvas.addEventListener("keydown", (event) => this.#key(event));
+    this.addEventListener("keydown", (event) => this.#key(event), { signal });
   }
 
   #close() {
@@ -297,15 +297,18 @@ export class RostoStudio extends HTMLElement {
   }
 
   #showFace() {
-    if (!this.#stage || !this.#session) return;
-    this.#stage.root.dataset["state"] = "face";
-    this.#stage.progress.hidden = true;
-    this.#stage.notice.hidden = true;
+    if (!this.#session) return;
+    this.#stage?.showFace();
     this.#showTools();
     const { face, faces } = this.#session;
     if (!face) return;
     const { landmarks, width_px, height_px } = face;
     this.#emit("rosto-face", { landmarks, width_px, height_px, faces: faces.length, index: faces.indexOf(face) });
+  }
+
+  #change() {
+    this.#stage?.hideNotice();
+    this.#emit("rosto-change", this.state);
   }
 
   /** Attributes that choose say what is chosen, and tools what they can do. */
@@ -315,30 +318,12 @@ export class RostoStudio extends HTMLElement {
       const chosen = state[/** @type {"shading" | "density" | "lens"} */ (name)];
       if (this.hasAttribute(name) && chosen !== undefined && this.getAttribute(name) !== chosen) this.setAttribute(name, chosen);
     }
-    const usable = { undo: state.canUndo, redo: state.canRedo, reset: state.edits > 0, download: true };
-    for (const button of this.#stage?.toolbar.querySelectorAll("button") ?? []) {
-      button.disabled = !usable[/** @type {Tool} */ (button.dataset["tool"])];
-    }
+    this.#stage?.enableTools({ undo: state.canUndo, redo: state.canRedo, reset: state.edits > 0, download: true });
   }
 
   #showTools() {
-    const { root, toolbar } = this.#stage ?? {};
-    if (!root || !toolbar) return;
-    toolbar.hidden = !this.controls || root.dataset["state"] !== "face";
-    const covered_px = toolbar.hidden ? 0 : root.clientHeight - toolbar.offsetTop;
+    const covered_px = this.#stage?.showTools(this.controls) ?? 0;
     this.#session?.bench.act((studio) => studio.cover(0, 0, covered_px * devicePixelRatio, 0));
-  }
-
-  /** @param {import("../js/worker/protocol.js").Stage | "loading"} step @param {number} fraction */
-  #showProgress(step, fraction) {
-    const [word, bar] = this.#stage?.progress.children ?? [];
-    if (!this.#stage || !word || !(bar instanceof HTMLProgressElement)) return;
-    this.#stage.progress.hidden = false;
-    this.#stage.notice.hidden = true;
-    word.textContent = say(step === "loading" ? "progress.loading" : "progress.working");
-    bar.ariaLabel = word.textContent;
-    if (step === "loading") bar.removeAttribute("value");
-    else bar.value = fraction;
   }
 
   /**
@@ -349,13 +334,7 @@ export class RostoStudio extends HTMLElement {
   #fail(thrown) {
     const error = RostoError.of(thrown);
     const { code, message, hint } = error;
-    if (this.#stage) {
-      const key = `error.${code}`;
-      const next = WITHOUT_3D.test(code) ? "element.no-3d" : `${key}.hint`;
-      this.#stage.progress.hidden = true;
-      this.#stage.notice.hidden = false;
-      this.#stage.notice.textContent = [key, next].filter(isWord).map((word) => say(word)).join(". ") || message;
-    }
+    this.#stage?.showNotice(error);
     this.#emit("rosto-error", { code, message, hint });
     return error;
   }

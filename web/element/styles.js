@@ -22,6 +22,8 @@ canvas.over-landmark { cursor: move; }
 .tag, .progress, .notice, .toolbar { position: absolute; background: var(--surface); border: 1px solid var(--line); }
 .tag { left: 0; top: 0; padding: 2px 8px; font-size: 12px; line-height: 16px; border-radius: 6px; pointer-events: none; white-space: nowrap; }
 .progress, .notice, .toolbar { left: 50%; bottom: 16px; transform: translateX(-50%); border-radius: 12px; box-shadow: 0 1px 2px rgb(0 0 0 / .08), 0 8px 24px rgb(0 0 0 / .10); }
+.notice { bottom: auto; top: 16px; }
+.progress:not([hidden]) ~ .toolbar { visibility: hidden; }
 .progress { display: grid; gap: 8px; width: min(280px, calc(100% - 32px)); padding: 12px 16px; }
 progress { width: 100%; height: 4px; accent-color: var(--accent); }
 .notice { width: min(400px, calc(100% - 32px)); padding: 12px 16px; border-left: 4px solid var(--accent); border-radius: 8px; overflow-wrap: anywhere; }

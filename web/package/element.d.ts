@@ -19,7 +19,7 @@ declare global {
   interface HTMLElementTagNameMap {
     "rosto-studio": RostoStudio;
   }
-  interface HTMLElementEventMap {
+  interface GlobalEventHandlersEventMap {
     "rosto-ready": CustomEvent<null>;
     "rosto-face": CustomEvent<ShownFace>;
     "rosto-change": CustomEvent<StudioSnapshot>;
