@@ -1,4 +1,4 @@
-//! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `test`, `deny`, `bench`, `robustness`,
+//! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `npm`, `test`, `deny`, `bench`, `robustness`,
 //! `readers`, `torture`, `screenshots`, `wheel`.
 
 mod apt;
@@ -14,6 +14,7 @@ mod help;
 mod machine;
 mod networks;
 mod npm;
+mod package;
 mod portrait;
 mod process;
 mod progress;
@@ -53,6 +54,7 @@ fn run(arguments: &[String]) -> Result<ExitCode> {
         ["setup"] => set_up(),
         ["serve"] => serve::run(),
         ["dist"] => dist::run(),
+        ["npm"] => package::run(),
         ["test", steps @ ..] => test::run(steps),
         ["deny"] => deny::run(),
         ["bench", arguments @ ..] => bench::run(arguments),
