@@ -1,11 +1,13 @@
-// The core journey in every engine, through WebGL2: node tests/journeys/engines.mjs [ENGINE…]. Screenshots go to
+// The core journey and the element's in every engine, through WebGL2: node tests/journeys/engines.mjs [ENGINE…]. Screenshots go to
 // target/engines.
 import path from "node:path";
 import { chromium } from "./engines/chromium.mjs";
 import { core } from "./engines/core.mjs";
 import { openDisplay } from "./engines/display.mjs";
+import { element } from "./engines/element.mjs";
 import { firefox } from "./engines/firefox.mjs";
 import { webkit } from "./engines/webkit.mjs";
+import { installed, SITE } from "./package.mjs";
 import { DIST, serve } from "./server.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
@@ -14,12 +16,13 @@ const PICTURES = path.join(ROOT, "target/engines");
 const ENGINES = { chromium, firefox: onDisplay(firefox), webkit: onDisplay(webkit) };
 
 const wanted = process.argv.slice(2);
-const server = await serve(DIST, "/some/where/");
+await installed();
+const [server, site] = await Promise.all([serve(DIST, "/some/where/"), serve(SITE, "/a/page/")]);
 const rows = [];
 for (const [name, launch] of Object.entries(ENGINES)) {
   if (wanted.length === 0 || wanted.includes(name)) rows.push(await visit(name, launch));
 }
-server.close();
+for (const one of [server, site]) one.close();
 const passed = rows.filter((row) => row.passed === "yes").length;
 console.log(`\n${table(rows)}\n\nengines: ${passed} passed, ${rows.length - passed} failed`);
 process.exitCode = passed === rows.length && passed > 0 ? 0 : 1;
@@ -35,6 +38,7 @@ async function visit(name, launch) {
     row.engine = driver.engine;
     row.version = driver.version;
     row["drawn by"] = await core(driver, server.url, PICTURES);
+    await element(driver, site.url, PICTURES);
     row.passed = "yes";
   } catch (error) {
     console.log(`✗ ${row.engine} ${row.version}: ${error?.stack ?? error}`);

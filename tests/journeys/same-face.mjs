@@ -15,12 +15,21 @@ export const AS_THE_PAGE = ["--topology", "canonical", "--units", "mm"];
  * @param {import("./visitor.mjs").Visitor} visitor
  */
 export async function openAsCommandLine(visitor) {
+  const project = await projectAsCommandLine(visitor);
+  await visitor.page.reload();
+  await visitor.drop(project, "portrait.rosto");
+  await visitor.untilFace();
+}
+
+/**
+ * The same as a project.
+ *
+ * @param {import("./visitor.mjs").Visitor} visitor
+ */
+export async function projectAsCommandLine(visitor) {
   const { json } = partsOfGlb(await glbByCommandLine(SAMPLE, AS_THE_PAGE));
   await visitor.dropSample();
-  const project = await visitor.download("save-project");
-  await visitor.page.reload();
-  await visitor.drop(withFace(project, json.scenes[0].extras), "portrait.rosto");
-  await visitor.untilFace();
+  return withFace(await visitor.download("save-project"), json.scenes[0].extras);
 }
 
 /**

@@ -37,7 +37,7 @@ export async function serve(folder, below) {
     for (const [name, value] of headers) response.setHeader(name, value);
     if (disturbance?.(pathname.slice(below.length), response)) return;
     const file = pathname.startsWith(below) && fileFor(folder, decodeURIComponent(pathname.slice(below.length)));
-    const found = file && (await stat(file).catch(() => undefined));
+    const found = file ? await stat(file).catch(() => undefined) : undefined;
     if (!found?.isFile()) return response.writeHead(404).end();
     const type = TYPES[path.extname(file)] ?? "application/octet-stream";
     response.writeHead(200, { "content-type": type, "content-length": found.size });

@@ -1,12 +1,14 @@
 import { Opening } from "./opening.js";
 import { setUpMirror } from "./mirror/mirror.js";
+import { announce } from "./page/announce.js";
 import { setUpDialogs } from "./page/dialogs.js";
 import { byId, onAction } from "./page/dom.js";
-import { setUpHints } from "./page/hint.js";
-import { setUpNotice, showError } from "./page/notice.js";
+import { did, setUpHints } from "./page/hint.js";
+import { hideNotice, setUpNotice, showError } from "./page/notice.js";
 import { keepOffline } from "./page/offline.js";
 import { countRequests } from "./page/privacy.js";
 import { setUpProgress } from "./page/progress.js";
+import { remember, remembered } from "./page/remember.js";
 import { setUpTabs } from "./page/tabs.js";
 import { afterNextFrame } from "./page/tasks.js";
 import { setUpTheme } from "./page/theme.js";
@@ -43,9 +45,10 @@ import { setUpViewKeys } from "./viewport/shortcuts.js";
 import { isFallback, prepareRestart } from "./viewport/studio-module.js";
 import { WholeTexture } from "./viewport/whole-texture.js";
 import { Workbench } from "./viewport/workbench.js";
-import { inEveryLanguage, language, languages, speak, writeWords } from "./words/words.js";
+import { inEveryLanguage, language, languages, learnWords, speak, writeWords } from "./words/words.js";
 import { Autosave } from "./work/autosave.js";
 
+await learnWords(remembered("language") ?? navigator.language);
 setUpWords();
 setUpNotice();
 setUpProgress();
@@ -76,14 +79,14 @@ dispatchEvent(new Event("started"));
 /** The 3D view and every panel that works on it; nothing where the browser cannot draw in 3D. */
 async function openBench() {
   try {
-    const opened = await Workbench.open(byId("viewport", HTMLCanvasElement));
+    const opened = await Workbench.open(byId("viewport", HTMLCanvasElement), { show: showError, hide: hideNotice });
     overlay.follow(opened);
     new EditOptions(opened);
-    new LandmarkMarks(opened, overlay);
+    new LandmarkMarks(opened, { tag: byId("landmark-tag", HTMLOutputElement), overlay, did, announce });
     setUpBeforeAfter(opened);
     setUpPulse(opened);
     keepStageClear(opened);
-    setUpViewKeys(opened);
+    setUpViewKeys(opened, did);
     setUpScene(opened);
     setUpBeside(opened);
     setUpBrushMarks(opened);
@@ -97,7 +100,7 @@ async function openBench() {
     new SizePanel(opened, () => opening.lens);
     setUpInPhotoPanel(opened);
     setUpHistoryPanel(opened);
-    const texture = new WholeTexture(opened, vision, keeper);
+    const texture = new WholeTexture(opened, vision, keeper, (isMaking) => document.body.toggleAttribute("data-texture", isMaking));
     setUpExportPanel(opened, keeper, validator, texture);
     setUpSharePanel(opened, keeper);
     setUpPhotoFile(opened, keeper, vision);
@@ -142,6 +145,8 @@ function setUpWords() {
   const choice = byId("language", HTMLSelectElement);
   choice.replaceChildren(...languages().map(({ id, name }) => new Option(name, id)));
   choice.value = language();
-  choice.addEventListener("change", () => speak(choice.value).catch(() => (choice.value = language())));
+  choice.addEventListener("change", () => {
+    speak(choice.value).then(() => remember("language", language()), () => (choice.value = language()));
+  });
   inEveryLanguage(writeWords);
 }

@@ -4,7 +4,7 @@ import { giveHints } from "./page/hint.js";
 import { hideNotice, showError, showNotAdded, showRemark } from "./page/notice.js";
 import { hideProgress } from "./page/progress.js";
 import { nextTask } from "./page/tasks.js";
-import { openPicture } from "./photo/open-picture.js";
+import { openPicture, openPictures, takeFace } from "./photo/open-picture.js";
 import { readPhoto } from "./photo/read-photo.js";
 import { Replaced } from "./photo/vision-client.js";
 import { isTrap } from "./viewport/studio-module.js";
@@ -276,20 +276,12 @@ export class Opening {
     const opened = await bench;
     const lens = done?.lens ?? face.lens ?? BEFORE_LENSES;
     const photos = photosOf({ ...face, lens });
-    const last = photos.at(-1) ?? face;
     if (opened && !(await openPictures(opened, photos, isWanted))) return false;
     if (!isWanted()) return false;
     // An edit in progress is one, too.
     opened?.act((studio) => studio.commit());
     keeper.finish();
-    opened?.attempt((studio) => {
-      const found = foundIn(last, last.lens ?? BEFORE_LENSES);
-      if (!done) return studio.openFace(...found);
-      const { triangulation, density, edits, photo } = done;
-      return studio.openWork(...found, triangulation, density, edits, photo);
-    });
-    const { preferences } = done ?? {};
-    if (preferences) opened?.act((studio) => studio.prefer(preferences));
+    if (opened) takeFace(opened, photos, done);
     if (opened) keeper.take(face);
     this.#before = shownBefore([this.#now, ...this.#before], face);
     this.#now = { face, faces };
@@ -314,20 +306,4 @@ export class Opening {
     if (changedElsewhere) showError({ code: "changed-elsewhere", message: "", hint: "" });
     else if (document.body.dataset["bench"] === "open") giveHints();
   }
-}
-
-/**
- * Gives the studio the pictures of a face's photos, and what was found in all but the last.
- *
- * @param {Workbench} bench
- * @param {OpenedFace[]} photos
- * @param {() => boolean} isWanted
- */
-async function openPictures(bench, photos, isWanted) {
-  for (const [place, photo] of photos.entries()) {
-    if (!(await openPicture(bench, photo, isWanted, place))) return false;
-    if (place === photos.length - 1) return true;
-    bench.attempt((studio) => studio.keepPhoto(...foundIn(photo, photo.lens ?? BEFORE_LENSES)));
-  }
-  return true;
 }

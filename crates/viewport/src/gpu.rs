@@ -89,6 +89,15 @@ impl Gpu {
     }
 }
 
+/// Whoever draws no more gives the GPU's memory back at once: a browser would keep it until it collects garbage.
+impl Drop for Gpu {
+    fn drop(&mut self) {
+        if Backend::OF_THIS_BUILD == Backend::WebGpu {
+            self.device.destroy();
+        }
+    }
+}
+
 impl Loss {
     fn report(&mut self, message: String) {
         self.message = Some(message);

@@ -8,6 +8,7 @@ cargo xtask TASK
   serve         build the page and serve it on 127.0.0.1:8080, or the next free port
   dist          build the page for the web into dist/, and show its sizes
   reproduce     build the page once more, from nothing and elsewhere: it must be dist/ byte for byte
+  npm           build the npm package out of the page into target/npm, and pack it
   test [STEP…]  check and test everything, or only the named steps
   deny          check licences, bans and sources of all that is compiled, as deny.toml wants them
   bench [WHAT…] measure against the paper and the peers; --write updates docs/benchmarks.md

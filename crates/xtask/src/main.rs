@@ -1,5 +1,5 @@
-//! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `reproduce`, `test`, `deny`, `bench`, `robustness`,
-//! `readers`, `torture`, `screenshots`, `wheel`.
+//! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `reproduce`, `npm`, `test`, `deny`, `bench`,
+//! `robustness`, `readers`, `torture`, `screenshots`, `wheel`.
 
 mod apt;
 mod bench;
@@ -14,6 +14,7 @@ mod help;
 mod machine;
 mod networks;
 mod npm;
+mod package;
 mod paths;
 mod portrait;
 mod process;
@@ -56,6 +57,7 @@ fn run(arguments: &[String]) -> Result<ExitCode> {
         ["serve"] => serve::run(),
         ["dist"] => dist::run(),
         ["reproduce"] => reproduce::run(),
+        ["npm"] => package::run(),
         ["test", steps @ ..] => test::run(steps),
         ["deny"] => deny::run(),
         ["bench", arguments @ ..] => bench::run(arguments),

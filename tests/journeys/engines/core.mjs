@@ -143,7 +143,7 @@ async function arrived(folder, what) {
 }
 
 /** @param {Buffer} glb */
-async function checkGlb(glb) {
+export async function checkGlb(glb) {
   assert.deepEqual(await validateGlb(new Uint8Array(glb)), { clean: true, counts: "0/0/0/0", messages: [] });
   const json = JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12)).toString());
   assert.equal(json.accessors[json.meshes[0].primitives[0].attributes.POSITION].count, SMOOTH);
@@ -151,7 +151,7 @@ async function checkGlb(glb) {
 
 /** @param {Driver} driver */
 async function untilFace(driver) {
-  await until(driver, `document.body.dataset.state === "face" && document.querySelector("#progress").hidden && !document.body.dataset.texture`, "a face");
+  await until(driver, `document.body.dataset.state === "face" && document.querySelector("#progress").hidden && !document.body.hasAttribute("data-texture")`, "a face");
   await driver.evaluate(`for (let frame = 0; frame < 3; frame++) await new Promise(requestAnimationFrame);`);
 }
 
@@ -165,7 +165,7 @@ function untilEdits(driver, count) {
  *
  * @param {Driver} driver @param {string} condition @param {string} what
  */
-async function until(driver, condition, what) {
+export async function until(driver, condition, what) {
   let unanswered;
   for (const limit = performance.now() + WAIT_MS; performance.now() < limit; await pause()) {
     try {
@@ -174,12 +174,12 @@ async function until(driver, condition, what) {
       unanswered = error;
     }
   }
-  const notice = await driver.evaluate(`const notice = document.querySelector("#notice"); return notice.hidden ? "" : notice.innerText`);
+  const notice = await driver.evaluate(`const notice = document.querySelector("#notice"); return notice?.hidden ? "" : notice?.innerText`);
   throw new Error(`${what} did not come within ${WAIT_MS / 1000} s. ${notice} ${(await driver.errors()).join("\n")}`, { cause: unanswered });
 }
 
 /** @param {Driver} driver @param {string} file */
-async function shot(driver, file) {
+export async function shot(driver, file) {
   await driver.evaluate(`for (let frame = 0; frame < 3; frame++) await new Promise(requestAnimationFrame);`);
   const png = await driver.screenshot();
   await writeFile(file, png);

@@ -3,57 +3,66 @@
  * writes. The page's text says the hash of the list itself.
  *
  * @typedef {{ files: Record<string, string> }} List
+ * @typedef {{ name: string, usual: URL }} Place
  * @typedef {{ querySelector: (selector: string) => { getAttribute: (name: string) => string | null } | null }} Page
  */
-
-/** The page's folder. */
-const HERE = new URL("../../", import.meta.url);
+import { placeOf } from "../files.js";
 
 const LIST = "integrity.json";
 
 /** @type {Promise<List | undefined> | undefined} */
 let listed;
 
-/** The hash of the list as the page's text says it. A worker has no page to read: whoever starts it names it so. */
+/** @type {string | undefined} */
+let vouched;
+
+/** Says in a worker, which has no page to read, what the page says: see {@link listHash}. @param {string} hash */
+export function vouchFor(hash) {
+  vouched = hash;
+}
+
+/** The hash of the list as the page's text says it; of a page that vouches for nothing, an empty text. */
 export function listHash() {
   const { document } = /** @type {{ document?: Page }} */ (globalThis);
-  return document ? document.querySelector("meta[name='integrity']")?.getAttribute("content") ?? "" : self.name;
+  return vouched ?? document?.querySelector("meta[name='integrity']")?.getAttribute("content") ?? "";
 }
 
 /**
  * A file of the page, whole and as it was built. On a page that vouches for no list it comes as it is.
  *
  * @param {string} name from the page's folder on
+ * @param {URL} usual where it lies beside these modules, see `placeOf`
  * @param {(answer: Response) => void} [arriving] is told of each answer as it begins; it may read a copy
  */
-export function builtFile(name, arriving) {
-  return asBuilt(name, (answer) => answer.arrayBuffer(), arriving);
+export function builtFile(name, usual, arriving) {
+  return asBuilt({ name, usual }, (answer) => answer.arrayBuffer(), arriving);
 }
 
 /**
  * A module of the page. It is compiled as it comes, and handed out once it is known to be the one that was built.
  *
  * @param {string} name from the page's folder on
+ * @param {URL} usual
  * @param {(answer: Response) => void} [arriving]
  */
-export function builtModule(name, arriving) {
-  return asBuilt(name, compiled, arriving);
+export function builtModule(name, usual, arriving) {
+  return asBuilt({ name, usual }, compiled, arriving);
 }
 
 /**
  * What is not as it was built is asked for once more, past the browser's memory, which may hold an older one.
  *
  * @template T
- * @param {string} name
+ * @param {Place} place
  * @param {(answer: Response) => Promise<T>} use
  * @param {(answer: Response) => void} [arriving]
  */
-async function asBuilt(name, use, arriving) {
+async function asBuilt(place, use, arriving) {
   // Both are on their way at once.
-  const [expected, first] = await Promise.all([hashOf(name), answerFor(name, "default", arriving)]);
-  const made = (await ifBuilt(expected, first, use)) ?? (await ifBuilt(expected, await answerFor(name, "reload", arriving), use));
+  const [expected, first] = await Promise.all([hashOf(place.name), answerFor(place, "default", arriving)]);
+  const made = (await ifBuilt(expected, first, use)) ?? (await ifBuilt(expected, await answerFor(place, "reload", arriving), use));
   if (made) return made.of;
-  throw damaged(`${name} is not the file that was built`);
+  throw damaged(`${place.name} is not the file that was built`);
 }
 
 /**
@@ -93,21 +102,22 @@ async function hashOf(name) {
 
 /** @returns {Promise<List | undefined>} */
 async function list() {
-  const vouched = listHash();
-  if (!vouched.startsWith("sha256-")) return undefined;
-  const read = async (/** @type {RequestCache} */ cache) => ifBuilt(vouched, await answerFor(LIST, cache), (answer) => answer.json());
+  const hash = listHash();
+  if (!hash.startsWith("sha256-")) return undefined;
+  const place = { name: LIST, usual: new URL("../../integrity.json", import.meta.url) };
+  const read = async (/** @type {RequestCache} */ cache) => ifBuilt(hash, await answerFor(place, cache), (answer) => answer.json());
   const made = (await read("default")) ?? (await read("reload"));
   if (made) return made.of;
   throw damaged(`${LIST} is not the list that the page vouches for`);
 }
 
 /**
- * @param {string} name
+ * @param {Place} place
  * @param {RequestCache} cache
  * @param {(answer: Response) => void} [arriving]
  */
-async function answerFor(name, cache, arriving) {
-  const answer = await fetch(new URL(name, HERE), { cache });
+async function answerFor({ name, usual }, cache, arriving) {
+  const answer = await fetch(placeOf(name, usual), { cache });
   if (!answer.ok) throw new Error(`${name}: ${answer.status}`);
   arriving?.(answer);
   return answer;

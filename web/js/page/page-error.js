@@ -15,3 +15,8 @@ export function asPageError(thrown, code = "other") {
   }
   return { code, message: String(thrown), hint: "" };
 }
+
+/** What is thrown about a photo without a face. @returns {PageError} */
+export function noFace() {
+  return { code: "no-face-found", message: "no face in the photo", hint: "" };
+}

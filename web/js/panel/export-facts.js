@@ -1,6 +1,7 @@
 import { byId } from "../page/dom.js";
 import { inEveryLanguage, say, sayNumber } from "../words/words.js";
-import { chosen, withChoices } from "./file-choices.js";
+import { chosen, fileChoices } from "./file-choices.js";
+import { withFileChoices } from "../work/written-file.js";
 import { saySize } from "./verdict-line.js";
 
 /** @typedef {import("../viewport/workbench.js").Workbench} Workbench */
@@ -39,7 +40,7 @@ export class ExportFacts {
   }
 
   #write() {
-    const counts = this.#bench.read((state, studio) => (state.vertexCount > 0 ? withChoices((choices) => studio.meshCounts(FORMAT, choices)) : undefined));
+    const counts = this.#bench.read((state, studio) => (state.vertexCount > 0 ? withFileChoices(fileChoices(), (choices) => studio.meshCounts(FORMAT, choices)) : undefined));
     if (!counts) return;
     const [points = 0, triangles = 0] = counts;
     byId("export-name", HTMLSpanElement).textContent = this.#nameOf(FORMAT);

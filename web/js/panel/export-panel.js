@@ -9,8 +9,9 @@ import { studioModule } from "../viewport/studio-module.js";
 import { inEveryLanguage, isWord, say } from "../words/words.js";
 import { fileName } from "../work/file-name.js";
 import { pngOf } from "../work/pixels.js";
+import { withFileChoices, writtenFile } from "../work/written-file.js";
 import { ExportFacts } from "./export-facts.js";
-import { isChecked, withChoices, writtenFile } from "./file-choices.js";
+import { fileChoices, isChecked, printChoices } from "./file-choices.js";
 import { PrintPanel } from "./print-panel.js";
 import { VerdictLine } from "./verdict-line.js";
 
@@ -34,7 +35,8 @@ export function setUpExportPanel(bench, keeper, validator, texture) {
   const complain = (/** @type {unknown} */ error) => bench.fail(error);
   const makeFile = async (/** @type {string} */ format) => {
     const { ending, type } = kindOf(bench, format);
-    const bytes = await writtenFile(bench, texture, format);
+    const chosen = bench.studio.printedFormats.includes(format) ? printChoices() : fileChoices();
+    const bytes = await writtenFile(bench, texture, format, chosen);
     return new File([/** @type {BlobPart} */ (bytes)], meshName(bench, keeper, ending), { type });
   };
   const saveAs = (/** @type {string} */ format) => makeFile(format).then(keep);
@@ -102,7 +104,7 @@ function offerFormats(kind, formats, saveAs) {
  * @param {string} format
  */
 function kindOf({ studio }, format) {
-  const ending = withChoices((choices) => studio.fileEnding(format, choices));
+  const ending = withFileChoices(fileChoices(), (choices) => studio.fileEnding(format, choices));
   return { ending, type: ending === "zip" ? "application/zip" : studio.mediaType(format) };
 }
 

@@ -3,7 +3,8 @@ import { asPageError } from "../page/page-error.js";
 import { isTrap, studioModule } from "../viewport/studio-module.js";
 import { sayId } from "../words/names.js";
 import { inEveryLanguage, isWord, say, sayNumber } from "../words/words.js";
-import { chosen, hasLength, withPrintChoices } from "./file-choices.js";
+import { withFileChoices } from "../work/written-file.js";
+import { chosen, hasLength, printChoices } from "./file-choices.js";
 
 /**
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
@@ -81,7 +82,7 @@ export class PrintPanel {
     this.#isStale = false;
     delete this.#fold.dataset["measuring"];
     try {
-      this.#show(withPrintChoices((choices) => this.#bench.studio.solidFacts(choices)));
+      this.#show(withFileChoices(printChoices(), (choices) => this.#bench.studio.solidFacts(choices)));
     } catch (error) {
       this.refuse(error);
     }

@@ -1,8 +1,11 @@
 import { nextTask } from "../page/tasks.js";
+import { foundIn } from "../work/photos.js";
+import { BEFORE_LENSES } from "../work/work.js";
 
 /**
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
  * @typedef {import("../viewport/workbench.js").Studio} Studio
+ * @typedef {import("../work/work.js").OpenedFace} OpenedFace
  * @typedef {import("../../wasm/rosto-studio-web.js").ChangeName} ChangeName
  */
 
@@ -14,7 +17,7 @@ const STRIP_PX = 2 ** 18;
  * the end.
  *
  * @param {Workbench} bench
- * @param {import("../work/work.js").OpenedFace} face
+ * @param {OpenedFace} face
  * @param {() => boolean} isWanted
  * @param {number} [place] of the photo among those of the face to be opened
  */
@@ -39,4 +42,40 @@ export async function inStrips(bench, pixels, width, add, isWanted) {
     bench.attempt((studio) => add(studio, pixels.subarray(at, at + strip_bytes)));
     await nextTask();
   }
+}
+
+/**
+ * Gives the studio the pictures of a face's photos, and what was found in all but the last.
+ *
+ * @param {Workbench} bench
+ * @param {OpenedFace[]} photos
+ * @param {() => boolean} isWanted
+ */
+export async function openPictures(bench, photos, isWanted) {
+  for (const [place, photo] of photos.entries()) {
+    if (!(await openPicture(bench, photo, isWanted, place))) return false;
+    if (place === photos.length - 1) return true;
+    bench.attempt((studio) => studio.keepPhoto(...foundIn(photo, photo.lens ?? BEFORE_LENSES)));
+  }
+  return true;
+}
+
+/**
+ * Has the studio take a face whose pictures it was given: whole or not at all.
+ *
+ * @param {Workbench} bench
+ * @param {OpenedFace[]} photos of the face
+ * @param {import("../work/work.js").Done} [done] to it before
+ */
+export function takeFace(bench, photos, done) {
+  const last = photos.at(-1);
+  if (!last) throw new Error("a face without a photo");
+  bench.attempt((studio) => {
+    const found = foundIn(last, last.lens ?? BEFORE_LENSES);
+    if (!done) return studio.openFace(...found);
+    const { triangulation, density, edits, photo } = done;
+    return studio.openWork(...found, triangulation, density, edits, photo);
+  });
+  const { preferences } = done ?? {};
+  if (preferences) bench.act((studio) => studio.prefer(preferences));
 }

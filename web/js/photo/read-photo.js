@@ -1,8 +1,6 @@
 import { showLoading, showStage } from "../page/progress.js";
+import { noFace } from "../page/page-error.js";
 import { facesOf } from "../work/work.js";
-
-/** A group photo offers this many faces at most. */
-const MAX_FACES = 20;
 
 /**
  * The faces of a photo, the most prominent first, with the progress shown for as long as it is wanted.
@@ -17,12 +15,12 @@ export async function readPhoto(vision, photo, name, isWanted) {
   showLoading();
   // The worker may have to load before it begins.
   let begun_ms = NaN;
-  const found = await vision.find(photo, MAX_FACES, (stage, fraction) => {
+  const found = await vision.find(photo, undefined, (stage, fraction) => {
     if (Number.isNaN(begun_ms)) begun_ms = performance.now();
     if (isWanted()) showStage(stage, fraction);
   });
   const faces = facesOf(found, name, photo);
   const [face] = faces;
-  if (!face) throw { code: "no-face-found", message: "no face in the photo", hint: "" };
+  if (!face) throw noFace();
   return { face, faces, bitmap: found.bitmap, extraction_ms: performance.now() - begun_ms };
 }

@@ -1,3 +1,4 @@
+import { filesBase } from "../files.js";
 import { listHash } from "../page/built.js";
 import { ownScript } from "../page/trusted.js";
 import { Following } from "./following.js";
@@ -19,6 +20,9 @@ const SILENCE_MS = 60_000;
 
 /** Larger photos are refused unread; the worker's own limit is the same. */
 const MAX_PHOTO_BYTES = 40_000_000;
+
+/** A group photo offers this many faces at most. */
+const MAX_FACES = 20;
 
 /** Thrown to whoever waits for a photo that a newer one has replaced. */
 export class Replaced extends Error {}
@@ -55,24 +59,31 @@ export class VisionClient {
     if (this.#worker) return;
     this.#starts += 1;
     this.#isReady = false;
-    const worker = new Worker(ownScript("js/worker/vision-worker.js"), { type: "module", name: listHash() });
+    const worker = workerOfThisPage();
     worker.addEventListener("message", (event) => this.#hear(worker, event.data));
     worker.addEventListener("error", (event) => {
       event.preventDefault();
       this.#bury(worker, { code: "not-loaded", message: event.message ?? "", hint: "" });
     });
     this.#worker = worker;
+    this.#post({ type: "load", base: filesBase(), list: listHash() });
+  }
+
+  /** Ends the worker and gives its memory back; whoever still waits hears so. The next photo starts another. */
+  end() {
+    if (this.#worker) this.#bury(this.#worker, { code: "worker-died", message: "the worker was ended", hint: "" });
+    this.ready = this.#untilReady();
   }
 
   /**
    * Finds the faces of a photo. A newer photo replaces an older one, whose promise is then rejected with `Replaced`.
    *
    * @param {Blob} photo
-   * @param {number} maxFaces
-   * @param {(stage: Stage, fraction: number) => void} report
+   * @param {number} [maxFaces]
+   * @param {(stage: Stage, fraction: number) => void} [report]
    * @returns {Promise<FoundFaces>}
    */
-  async find(photo, maxFaces, report) {
+  async find(photo, maxFaces = MAX_FACES, report = () => {}) {
     this.#rejectAll(new Replaced());
     if (photo.size > MAX_PHOTO_BYTES) {
       throw { code: "too-many-bytes", message: `${photo.size} bytes; the limit is ${MAX_PHOTO_BYTES}`, hint: "" };
@@ -270,4 +281,10 @@ export class VisionClient {
       this.#nowReady = resolve;
     });
   }
+}
+
+/** On a page that vouches for its files, by its policy; elsewhere, written out as bundlers look for it. */
+function workerOfThisPage() {
+  if (listHash()) return new Worker(ownScript("js/worker/vision-worker.js"), { type: "module" });
+  return new Worker(new URL("../worker/vision-worker.js", import.meta.url), { type: "module" });
 }

@@ -1,8 +1,14 @@
-import { hideNotice, showError } from "../page/notice.js";
 import { asPageError } from "../page/page-error.js";
 import { studioModule } from "./studio-module.js";
 
 /** @typedef {import("../../wasm/rosto-studio-web.js").Studio} Studio */
+
+/**
+ * @typedef {object} Around
+ * @property {() => void} whenBack
+ * @property {import("./workbench.js").Notices} notices
+ * @property {AbortSignal} gone when nothing is to be drawn any more
+ */
 
 /** A browser may take this long to give a WebGL2 context back before the visitor is told. */
 const PATIENCE_MS = 4000;
@@ -16,23 +22,25 @@ export class DeviceLossHandler {
   #patience = 0;
   #canvas;
   #studio;
-  #whenBack;
+  #around;
 
   /**
    * @param {HTMLCanvasElement} canvas
    * @param {Studio} studio
-   * @param {() => void} whenBack
+   * @param {Around} around
    */
-  constructor(canvas, studio, whenBack) {
+  constructor(canvas, studio, around) {
     this.#canvas = canvas;
     this.#studio = studio;
-    this.#whenBack = whenBack;
+    this.#around = around;
+    const { gone: signal } = around;
+    signal.addEventListener("abort", () => clearTimeout(this.#patience));
     canvas.addEventListener("webglcontextlost", (event) => {
       // The browser gives a context back only to those who ask for it so.
       event.preventDefault();
       this.#lose();
-    });
-    canvas.addEventListener("webglcontextrestored", () => this.#replace());
+    }, { signal });
+    canvas.addEventListener("webglcontextrestored", () => this.#replace(), { signal });
     this.watch(studio);
   }
 
@@ -50,7 +58,7 @@ export class DeviceLossHandler {
     this.#studio = studio;
     this.#found();
     await studio.gpuLost();
-    if (studio !== this.#studio) return;
+    if (this.#isReplaced(studio)) return;
     this.#lose();
     await this.#replace();
   }
@@ -70,19 +78,24 @@ export class DeviceLossHandler {
     const studio = this.#studio;
     try {
       const renderer = await studioModule().createRenderer(this.#canvas);
-      if (studio !== this.#studio) return;
+      if (this.#isReplaced(studio)) return renderer.free();
       studio.useRenderer(renderer);
       this.watch(studio);
-      this.#whenBack();
-      hideNotice();
+      this.#around.whenBack();
+      this.#around.notices.hide();
     } catch (error) {
-      if (studio === this.#studio) this.#tell(asPageError(error).message);
+      if (!this.#isReplaced(studio)) this.#tell(asPageError(error).message);
     }
+  }
+
+  /** @param {Studio} studio which may not be touched any more, then */
+  #isReplaced(studio) {
+    return studio !== this.#studio || this.#around.gone.aborted;
   }
 
   /** @param {string} message */
   #tell(message) {
     clearTimeout(this.#patience);
-    showError({ code: "device-lost", message, hint: "" });
+    this.#around.notices.show({ code: "device-lost", message, hint: "" });
   }
 }

@@ -55,7 +55,7 @@ export class Gestures {
     // The middle button would scroll the page.
     canvas.addEventListener("mousedown", (event) => event.button === 1 && event.preventDefault());
     canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
-    addEventListener("keydown", (event) => this.#key(event), { capture: true });
+    addEventListener("keydown", (event) => this.#key(event), { capture: true, signal: bench.gone });
   }
 
   /** @param {PointerEvent} event */

@@ -1,6 +1,3 @@
-import { announce } from "../page/announce.js";
-import { byId } from "../page/dom.js";
-import { did } from "../page/hint.js";
 import { sayOnce } from "../words/names.js";
 import { say, sayNumber } from "../words/words.js";
 import { Gestures } from "./gestures.js";
@@ -9,12 +6,18 @@ import { placeTag } from "./tag-place.js";
 /**
  * @typedef {import("./workbench.js").Workbench} Workbench
  * @typedef {import("./workbench.js").StudioState} StudioState
- * @typedef {import("../photo/photo-overlay.js").PhotoOverlay} PhotoOverlay
+ *
+ * @typedef {object} Around what else shows what the pointer does
+ * @property {HTMLOutputElement} tag that has the landmark's name
+ * @property {import("../photo/photo-overlay.js").PhotoOverlay} [overlay] the photo with its landmarks
+ * @property {(deed: "drag" | "turn") => void} [did]
+ * @property {(text: string) => void} [announce]
  */
 
-/** Keeps the landmark's name beside it, and the same landmark marked on the photo and on the mesh. */
+/** Keeps the landmark's name beside it, and the same landmark marked on the photo, if that is shown, and on the mesh. */
 export class LandmarkMarks {
-  #tag = byId("landmark-tag", HTMLOutputElement);
+  #tag;
+  #around;
   /** @type {number | undefined} */
   #selected;
   /** @type {number | undefined} */
@@ -34,11 +37,12 @@ export class LandmarkMarks {
 
   /**
    * @param {Workbench} bench
-   * @param {PhotoOverlay} overlay
+   * @param {Around} around
    */
-  constructor(bench, overlay) {
+  constructor(bench, around) {
     this.bench = bench;
-    this.overlay = overlay;
+    this.#around = around;
+    this.#tag = around.tag;
     bench.onChange((state) => this.#follow(state));
     bench.onTick(({ isAtEnd }) => this.#setAtEnd(isAtEnd));
     bench.onFrame(() => {
@@ -58,9 +62,9 @@ export class LandmarkMarks {
         this.#isWidened = true;
         this.#write();
       },
-      did,
+      did: (deed) => around.did?.(deed),
     });
-    overlay.listen({
+    around.overlay?.listen({
       hover: (landmark) => this.#pointAt(landmark),
       choose: (landmark) => bench.act((studio) => studio.selectAt(landmark)),
       press: () => bench.act((studio) => studio.choose("scene", "picture")),
@@ -85,7 +89,7 @@ export class LandmarkMarks {
     if (isAtEnd === this.#isAtEnd) return;
     this.#isAtEnd = isAtEnd;
     this.#write();
-    if (isAtEnd) announce(this.#tag.value);
+    if (isAtEnd) this.#around.announce?.(this.#tag.value);
   }
 
   /**
@@ -132,7 +136,7 @@ export class LandmarkMarks {
   }
 
   #write() {
-    this.overlay.mark(this.#selected, this.#hovered);
+    this.#around.overlay?.mark(this.#selected, this.#hovered);
     const named = this.#hovered ?? this.#selected;
     const name = named === undefined ? undefined : this.bench.ask((studio) => sayOnce(studio.targetAt(named)));
     this.#tag.hidden = name === undefined;

@@ -1,5 +1,4 @@
 import { isTyping } from "../page/dom.js";
-import { did } from "../page/hint.js";
 
 /** @typedef {import("./workbench.js").Workbench} Workbench */
 
@@ -14,10 +13,11 @@ const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], Arrow
  * The keys of the 3D view, while the canvas has the focus.
  *
  * @param {Workbench} bench
+ * @param {(deed: "turn") => void} [did]
  */
-export function setUpViewKeys(bench) {
+export function setUpViewKeys(bench, did) {
   bench.canvas.addEventListener("keydown", (event) => {
-    if (moveByArrow(bench, event) || chooseView(bench, event) || letGo(bench, event)) event.preventDefault();
+    if (moveByArrow(bench, event, did) || chooseView(bench, event) || letGo(bench, event)) event.preventDefault();
   });
 }
 
@@ -41,8 +41,9 @@ export function setUpEditKeys(actions) {
 /**
  * @param {Workbench} bench
  * @param {KeyboardEvent} event
+ * @param {(deed: "turn") => void} [did]
  */
-function moveByArrow(bench, event) {
+function moveByArrow(bench, event, did) {
   const arrow = ARROWS[event.key];
   if (!arrow) return false;
   const [dx, dy] = arrow.map((way) => way * STEP_PX * devicePixelRatio);
@@ -50,7 +51,7 @@ function moveByArrow(bench, event) {
   bench.act((studio) => {
     if (event.altKey) return studio.zoom(dy < 0 ? ZOOM_STEP : 1 / ZOOM_STEP);
     if (event.shiftKey && (event.ctrlKey || event.metaKey)) return studio.pan(dx, dy);
-    did("turn");
+    did?.("turn");
     return studio.orbit(dx, dy);
   });
   return true;

@@ -1,4 +1,5 @@
 import * as forWebGpu from "../../wasm/rosto-studio-web.js";
+import { filesBase } from "../files.js";
 import { builtModule } from "../page/built.js";
 import { asPageError } from "../page/page-error.js";
 
@@ -43,19 +44,34 @@ export function isFallback() {
 }
 
 let fallback = false;
+/** Whether a studio runs in the module for WebGPU: whatever is opened later runs there, too. */
+let isChosen = false;
+/** @type {Promise<unknown>} */
+let lastOpening = Promise.resolve();
 
 /**
- * Opens a studio on the canvas; throws `{code: "no-webgl", …}` where there is neither WebGPU nor WebGL2.
+ * Opens a studio on the canvas; throws `{code: "no-webgl", …}` where there is neither WebGPU nor WebGL2. Several on a page are
+ * opened one after the other: the first decides on the module for all.
  *
  * @param {HTMLCanvasElement} canvas
  * @returns {Promise<Studio>}
  */
-export async function openStudio(canvas) {
+export function openStudio(canvas) {
+  const opened = lastOpening.then(() => open(canvas));
+  lastOpening = opened.catch(() => {});
+  return opened;
+}
+
+/** @param {HTMLCanvasElement} canvas */
+async function open(canvas) {
+  if (fallback) return started(canvas);
   if ("gpu" in navigator) {
     try {
-      return await started(canvas);
+      const studio = await started(canvas);
+      isChosen = true;
+      return studio;
     } catch (error) {
-      if (!WITHOUT_WEBGPU.has(asPageError(error).code)) throw error;
+      if (isChosen || !WITHOUT_WEBGPU.has(asPageError(error).code)) throw error;
     }
   }
   fallback = true;
@@ -85,22 +101,37 @@ export async function prepareRestart() {
 function anotherModule() {
   spareCount += 1;
   /** @type {Promise<StudioModule>} */
-  const another = import(`../../wasm/${moduleName()}.js?again=${spareCount}`);
+  const another = import(/* @vite-ignore */ /* webpackIgnore: true */ `${scriptFolder()}${moduleName()}.js?again=${spareCount}`);
   another.catch(() => {});
   return another;
 }
 
+/** Where the modules' scripts lie as they were built. */
+function scriptFolder() {
+  const base = filesBase();
+  return base === undefined ? "../../wasm/" : `${base}wasm/`;
+}
+
+/** @type {Promise<void> | undefined} */
+let renewing;
+
 /**
- * Opens a studio in a new instance of the module, after the one in use has trapped.
+ * Opens a studio in a new instance of the module, after the one in use has trapped. Of several that were in it each gets one
+ * in the same new instance.
  *
  * @param {HTMLCanvasElement} canvas
  * @returns {Promise<Studio>}
  */
 export async function restartStudio(canvas) {
-  inUse = await loaded(spares.shift() ?? anotherModule());
-  await loaded(instantiate());
+  renewing ??= renew().finally(() => (renewing = undefined));
+  await renewing;
   if (fallback) await freshContext(canvas);
   return inUse.start(canvas);
+}
+
+async function renew() {
+  inUse = await loaded(spares.shift() ?? anotherModule());
+  await loaded(instantiate());
 }
 
 /** @param {HTMLCanvasElement} canvas */
@@ -110,7 +141,8 @@ async function started(canvas) {
 }
 
 async function instantiate() {
-  compiled ??= await builtModule(`wasm/${moduleName()}_bg.wasm`);
+  const usual = new URL(`../../wasm/${moduleName()}_bg.wasm`, import.meta.url);
+  compiled ??= await builtModule(`wasm/${moduleName()}_bg.wasm`, usual);
   await inUse.default({ module_or_path: compiled });
 }
 

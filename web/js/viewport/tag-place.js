@@ -36,7 +36,7 @@ export function placeTag(tag, point, face) {
  */
 function floorOf(tag) {
   const stage = tag.parentElement;
-  const toolbar = document.getElementById("toolbar");
+  const toolbar = /** @type {HTMLElement | null | undefined} */ (stage?.querySelector("[role=toolbar]"));
   const floor = stage?.clientHeight ?? 0;
   return toolbar && !toolbar.hidden ? Math.min(floor, toolbar.offsetTop) : floor;
 }

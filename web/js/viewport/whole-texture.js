@@ -22,6 +22,7 @@ export class WholeTexture {
   #keeper;
   /** @type {Wanted | undefined} what is being made, or could not be */
   #latest;
+  #tell;
   #hasFailed = false;
   /** @type {Promise<void>} */
   #making = Promise.resolve();
@@ -30,11 +31,13 @@ export class WholeTexture {
    * @param {Workbench} bench
    * @param {VisionClient} vision
    * @param {{ face: OpenedFace | undefined }} keeper
+   * @param {(isMaking: boolean) => void} tell
    */
-  constructor(bench, vision, keeper) {
+  constructor(bench, vision, keeper, tell) {
     this.#bench = bench;
     this.#vision = vision;
     this.#keeper = keeper;
+    this.#tell = tell;
     bench.onChange(() => this.#follow());
     // What was on its way to the studio before is lost with it.
     bench.onRestart(async () => {
@@ -61,14 +64,14 @@ export class WholeTexture {
   #begin(wanted) {
     this.#latest = wanted;
     this.#hasFailed = false;
-    document.body.dataset["texture"] = "making";
+    this.#tell(true);
     this.#making = this.#make(wanted);
     // Whoever needs it hears of it; who does not, sees the photo.
     this.#making
       .then(() => this.#settle(wanted))
       .catch(() => (this.#hasFailed = this.#latest === wanted))
       .finally(() => {
-        if (this.#latest === wanted) delete document.body.dataset["texture"];
+        if (this.#latest === wanted) this.#tell(false);
       });
   }
 
@@ -81,7 +84,7 @@ export class WholeTexture {
     const isTaken = !isSame(this.#wanted(), made);
     if (isTaken && this.#latest === made) {
       this.#latest = undefined;
-      delete document.body.dataset["texture"];
+      this.#tell(false);
     }
   }
 

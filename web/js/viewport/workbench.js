@@ -1,4 +1,3 @@
-import { hideNotice, showError } from "../page/notice.js";
 import { asPageError } from "../page/page-error.js";
 import { afterNextFrame, nextTask } from "../page/tasks.js";
 import { DeviceLossHandler } from "./device-loss.js";
@@ -9,6 +8,10 @@ import { isTrap, openStudio, restartStudio } from "./studio-module.js";
  * @typedef {import("../../wasm/rosto-studio-web.js").StudioState} StudioState
  * @typedef {import("../../wasm/rosto-studio-web.js").StudioTick} StudioTick
  * @typedef {import("../../wasm/rosto-studio-web.js").ChangeName} ChangeName
+ *
+ * @typedef {object} Notices where it is said what went wrong
+ * @property {(thrown: unknown) => void} show
+ * @property {() => void} hide
  */
 
 /** A module that trapped so many times within a minute is not started again. */
@@ -35,6 +38,8 @@ export class Workbench {
   /** @type {Set<() => void>} */
   #photoListeners = new Set();
   #photoIsComing = false;
+  #gone = new AbortController();
+  #notices;
   /** @type {Set<() => Promise<void>>} */
   #restartListeners = new Set();
 
@@ -42,20 +47,43 @@ export class Workbench {
    * Opens a studio on the canvas; throws `{code: "no-webgl", …}` where the browser cannot draw in 3D.
    *
    * @param {HTMLCanvasElement} canvas
+   * @param {Notices} notices
    */
-  static async open(canvas) {
-    return new Workbench(canvas, await openStudio(canvas));
+  static async open(canvas, notices) {
+    return new Workbench(canvas, await openStudio(canvas), notices);
   }
+
+  /** All that are open: they share the module, and its fate. @type {Set<Workbench>} */
+  static #open = new Set();
 
   /**
    * @param {HTMLCanvasElement} canvas
    * @param {Studio} studio
+   * @param {Notices} notices
    */
-  constructor(canvas, studio) {
+  constructor(canvas, studio, notices) {
     this.canvas = canvas;
     this.studio = studio;
-    this.#gpu = new DeviceLossHandler(canvas, studio, () => this.requestFrame());
+    this.#notices = notices;
+    this.#gpu = new DeviceLossHandler(canvas, studio, { whenBack: () => this.requestFrame(), notices, gone: this.gone });
     this.#followSize();
+    Workbench.#open.add(this);
+  }
+
+  /** Aborted when the workbench is closed. */
+  get gone() {
+    return this.#gone.signal;
+  }
+
+  /** Gives the studio's memory and its GPU back; the canvas is of no further use. */
+  close() {
+    if (this.gone.aborted) return;
+    const isFree = !this.#isBroken;
+    this.#isBroken = true;
+    this.#gone.abort();
+    Workbench.#open.delete(this);
+    if (isFree) this.studio.free();
+    this.canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context")?.loseContext();
   }
 
   /**
@@ -125,8 +153,8 @@ export class Workbench {
    * @param {unknown} error
    */
   fail(error) {
-    if (isTrap(error)) this.#restart(error);
-    else if (!this.#isBroken) showError(error);
+    if (isTrap(error)) for (const bench of Workbench.#open) bench.#restart(error);
+    else if (!this.#isBroken) this.#notices.show(error);
   }
 
   /** @param {(state: StudioState) => void} listener is told whenever the document or a choice has changed */
@@ -211,22 +239,24 @@ export class Workbench {
   async #restart(trap) {
     if (this.#isBroken) return;
     this.#isBroken = true;
-    console.warn("the page's module is started again:", trap);
+    console.warn("the module is started again:", trap);
     const now_ms = performance.now();
     this.#restarts = [...this.#restarts.filter((at_ms) => now_ms - at_ms < RESTARTS_WITHIN_MS), now_ms];
     try {
       if (this.#restarts.length > MOST_RESTARTS) throw { code: "internal", message: trap.message, hint: "" };
-      this.studio = await restartStudio(this.canvas);
+      const studio = await restartStudio(this.canvas);
+      if (this.gone.aborted) return studio.free();
+      this.studio = studio;
       this.#gpu.watch(this.studio);
       this.#isBroken = false;
       this.#fitSize?.();
       for (const listener of this.#restartListeners) await listener();
       this.announce();
       this.tellPhoto();
-      hideNotice();
-      showError({ code: "restarted", message: trap.message, hint: "" });
+      this.#notices.hide();
+      this.#notices.show({ code: "restarted", message: trap.message, hint: "" });
     } catch (error) {
-      showError(error);
+      this.#notices.show(error);
     }
   }
 
@@ -241,6 +271,7 @@ export class Workbench {
       this.#fitSize();
     });
     observer.observe(this.canvas);
+    this.gone.addEventListener("abort", () => observer.disconnect());
   }
 }
 

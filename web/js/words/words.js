@@ -1,4 +1,4 @@
-import { remember, remembered } from "../page/remember.js";
+import { placeOf } from "../files.js";
 
 /** @typedef {keyof typeof import("../../words/en.json")} WordKey */
 /** @typedef {Record<WordKey, string>} Words */
@@ -11,20 +11,51 @@ const TOUCH = matchMedia("(pointer: coarse)");
 /** Whose words stand in for those that another language lacks. */
 const FIRST = "en";
 
-/** @type {[Language[], Words]} */
-const [LANGUAGES, firstWords] = await Promise.all([fetched("languages"), fetched(FIRST)]);
+/** @type {Language[]} */
+let known = [];
+let firstWords = /** @type {Words} */ ({});
 /** @type {Map<string, Words>} every word of the page; `{name}` in a text is filled in */
-const WORDS = new Map([[FIRST, firstWords]]);
+const WORDS = new Map();
 
-let current = firstLanguage();
+let current = FIRST;
 let newest = current;
-await learn(current);
-// The others come while nobody waits for them.
-for (const { id } of LANGUAGES) learn(id).catch(() => {});
+/** @type {Promise<void> | undefined} */
+let learned;
 
 /** @type {Set<() => void>} */
 const listeners = new Set();
 TOUCH.addEventListener("change", tellAll);
+
+/**
+ * Fetches the words, once. Nothing may be said before.
+ *
+ * @param {string} wanted a language as browsers name it, which is spoken if there are words of it
+ */
+export function learnWords(wanted) {
+  learned ??= learnFirst(wanted);
+  learned.catch(() => (learned = undefined));
+  return learned;
+}
+
+/** @param {string} wanted */
+async function learnFirst(wanted) {
+  [known, firstWords] = await Promise.all([fetched("languages"), fetched(FIRST)]);
+  WORDS.set(FIRST, firstWords);
+  current = languageFor(wanted);
+  newest = current;
+  await learn(current);
+  // The others come while nobody waits for them.
+  for (const { id } of known) learn(id).catch(() => {});
+}
+
+/**
+ * The page's own language nearest to one that a browser names.
+ *
+ * @param {string} wanted such as "pt-BR"
+ */
+export function languageFor(wanted) {
+  return known.find(({ id }) => wanted.startsWith(id))?.id ?? FIRST;
+}
 
 /** The language the page speaks now. */
 export function language() {
@@ -59,14 +90,16 @@ export function isWord(key) {
  * Runs `listener` now and after each change of language.
  *
  * @param {() => void} listener
+ * @param {AbortSignal} [gone] when nobody needs to know any more
  */
-export function inEveryLanguage(listener) {
+export function inEveryLanguage(listener, gone) {
   listeners.add(listener);
+  gone?.addEventListener("abort", () => listeners.delete(listener));
   listener();
 }
 
 /**
- * Changes the page's language and remembers it. Of several that are asked for while words are on their way, the last wins.
+ * Changes the page's language. Of several that are asked for while words are on their way, the last wins.
  *
  * @param {string} wanted
  */
@@ -75,7 +108,6 @@ export async function speak(wanted) {
   await learn(wanted);
   if (newest !== wanted) return;
   current = wanted;
-  remember("language", current);
   tellAll();
 }
 
@@ -110,12 +142,12 @@ export function sayNumber(value, decimals) {
 
 /** The languages that the page speaks, by their own names. */
 export function languages() {
-  return LANGUAGES;
+  return known;
 }
 
 /** The page's language as HTML and the browser know it. */
 function tag() {
-  return LANGUAGES.find(({ id }) => id === current)?.tag ?? current;
+  return known.find(({ id }) => id === current)?.tag ?? current;
 }
 
 function tellAll() {
@@ -129,12 +161,7 @@ async function learn(id) {
 
 /** @param {string} name */
 async function fetched(name) {
-  const response = await fetch(new URL(`../../words/${name}.json`, import.meta.url));
+  const response = await fetch(placeOf(`words/${name}.json`, new URL(`../../words/${name}.json`, import.meta.url)));
   if (!response.ok) throw new Error(`${response.status} for the words of ${name}`);
   return response.json();
-}
-
-function firstLanguage() {
-  const wanted = remembered("language") ?? navigator.language;
-  return LANGUAGES.find(({ id }) => wanted.startsWith(id))?.id ?? FIRST;
 }

@@ -1,5 +1,6 @@
 import { byId } from "../page/dom.js";
 import { setKeeping, showError } from "../page/notice.js";
+import { standing } from "./standing.js";
 import { ownSlot, rememberSlot } from "./own-slot.js";
 import { freeSlots, keepDone, keepFace, keepLastWords, lockOf, prune, settle, workIn } from "./slots.js";
 
@@ -121,7 +122,7 @@ export class Autosave {
     rememberSlot(now.slot);
     // Not in the task that brings the face to the screen.
     setTimeout(() => this.#write(() => settle(now.slot, face, reopenedFrom)), PAUSE_MS);
-    now.done = this.#standing();
+    now.done = standing(this.#bench);
     if (now.done) this.#put(now, now.done);
     this.#write(prune);
   }
@@ -171,19 +172,10 @@ export class Autosave {
     this.#writing = this.#writing.then(() => granted);
   }
 
-  /** @returns {Done | undefined} what was done to the face as it stands */
-  #standing() {
-    return this.#bench?.read((state, studio) => {
-      const [triangulation = "", density = "0"] = ["triangulation", "density"].map((choice) => state.chosen(choice));
-      const [edits, photo, lens, preferences] = [studio.editsJson(), studio.photoEdit, studio.photoLens, studio.preferences()];
-      return { edits, photo, triangulation, density: Number(density), lens, preferences };
-    });
-  }
-
   #keepDone() {
     clearTimeout(this.#pause);
     const now = this.#now;
-    const done = this.#isLost ? undefined : now && this.#standing();
+    const done = this.#isLost ? undefined : now && standing(this.#bench);
     if (!now || !done || JSON.stringify(done) === JSON.stringify(now.done)) return;
     now.done = done;
     this.#put(now, done);

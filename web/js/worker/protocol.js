@@ -45,7 +45,8 @@
  * @property {{ pixels: Uint8Array, width_px: number, height_px: number }[]} pictures RGBA, the photos of the plan in its order
  * @property {number} side_px of the texture
  *
- * @typedef {{ type: "find", id: number, photo: Blob, maxFaces: number }
+ * @typedef {{ type: "load", base: string | undefined, list: string }
+ *   | { type: "find", id: number, photo: Blob, maxFaces: number }
  *   | { type: "draw", id: number, edited: Edited }
  *   | { type: "texture", id: number, face: Untextured }
  *   | { type: "follow", id: number, frame: ImageBitmap, time_ms: number }

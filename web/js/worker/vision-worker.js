@@ -4,9 +4,11 @@
  * @typedef {import("./protocol.js").Request} Request
  * @typedef {import("./protocol.js").Reply} Reply
  * @typedef {import("./protocol.js").FoundFaces} FoundFaces
+ * @typedef {Extract<Request, { type: "load" }>} Place
  */
 import init, { Vision } from "../../wasm/rosto-vision-web.js";
-import { builtFile, builtModule } from "../page/built.js";
+import { init as setBase } from "../files.js";
+import { builtFile, builtModule, vouchFor } from "../page/built.js";
 import { asPageError } from "../page/page-error.js";
 import { bytesOf } from "../work/bytes.js";
 import { bitmapOf } from "../work/pixels.js";
@@ -27,7 +29,11 @@ navigator.locks.request(lock, () => {
 /** So often, at most, the page hears that something is arriving. */
 const TELL_EVERY_MS = 1000;
 
-const vision = load();
+/** @type {(place: Place) => void} */
+let begin = () => {};
+/** The page says first of all where the files lie, and what vouches for them. @type {Promise<Place>} */
+const told = new Promise((resolve) => (begin = resolve));
+const vision = told.then(load);
 vision.then(
   () => tell({ type: "ready" }),
   (error) => tell({ type: "unusable", error: asPageError(error, "not-loaded") }),
@@ -38,6 +44,8 @@ page.addEventListener("message", (event) => take(event.data));
 /** @param {Request} request */
 function take(request) {
   switch (request.type) {
+    case "load":
+      return begin(request);
     case "find":
       return answer(request);
     case "draw":
@@ -52,11 +60,17 @@ function take(request) {
   }
 }
 
-async function load() {
+/** @param {Place} place */
+async function load({ base, list }) {
+  if (base !== undefined) setBase(base);
+  vouchFor(list);
+  const module = new URL("../../wasm/rosto-vision-web_bg.wasm", import.meta.url);
+  const first = new URL("../../assets/face_detector.onnx", import.meta.url);
+  const second = new URL("../../assets/face_landmarks_attention.onnx", import.meta.url);
   const [module_or_path, detector, landmarks] = await Promise.all([
-    builtModule("wasm/rosto-vision-web_bg.wasm", tellOfArrival),
-    builtFile("assets/face_detector.onnx", tellOfArrival),
-    builtFile("assets/face_landmarks_attention.onnx", tellOfArrival),
+    builtModule("wasm/rosto-vision-web_bg.wasm", module, tellOfArrival),
+    builtFile("assets/face_detector.onnx", first, tellOfArrival),
+    builtFile("assets/face_landmarks_attention.onnx", second, tellOfArrival),
   ]);
   await init({ module_or_path });
   return new Vision(new Uint8Array(detector), new Uint8Array(landmarks));

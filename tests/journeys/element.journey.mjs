@@ -1,0 +1,159 @@
+// <rosto-studio> on pages with nothing but it, served from the package as npm installs it.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { glbByCommandLine } from "./command-line.mjs";
+import { onSite } from "./element-visitor.mjs";
+import { journey } from "./journey.mjs";
+import { complaints } from "./package.mjs";
+import { faceless } from "./pictures.mjs";
+import { difference } from "./pixels.mjs";
+import { AS_THE_PAGE, projectAsCommandLine } from "./same-face.mjs";
+import { validateGlb } from "./validate-glb.mjs";
+import { SAMPLE } from "./visitor.mjs";
+
+/** What a page has to allow at least that has the element and a policy. */
+const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; img-src 'self'";
+
+const AS_THE_ELEMENT = ["--base-colour", "whole", "--density", "2"];
+const SCULPT = "--operator cotangent --hold exact --anchors oval --radius 25 --mirror".split(" ");
+/** The same edit of the element's and of the command line's. */
+const EDITS = [
+  { edit: (face) => face.setSlider("nose-width", 4), options: ["--slider", "nose-width:4"] },
+  { edit: (face) => face.moveLandmark(1, [0, 0, 6]), options: [...SCULPT, "--edit", "1:0,0,6"] },
+];
+
+onSite("the example page has the face in its photo reshaped by slider and hand, in order, and its GLB is valid", async (site) => {
+  const visitor = await site.arrive();
+  const { page } = visitor;
+  await visitor.until("rosto-face");
+  assert.deepEqual(await visitor.names(), ["rosto-ready", "rosto-face"]);
+  const found = await visitor.view();
+
+  await page.click("#wider");
+  assert.deepEqual(await visitor.names(), ["rosto-ready", "rosto-face", "rosto-change"]);
+  assert.equal(await page.innerText("#edits"), "Edits: 1");
+  const wide = await visitor.view();
+  assert.ok(difference(found, wide) > 0.0005, "the slider does not show");
+
+  await visitor.dragMiddle({ x: 30, y: 20 });
+  assert.deepEqual(await visitor.names(), ["rosto-ready", "rosto-face", "rosto-change", "rosto-change"]);
+  assert.ok(difference(wide, await visitor.view()) > 0.001, "the drag does not show");
+  await page.click("rosto-studio [data-tool=undo]");
+  assert.equal((await visitor.state()).edits, 1);
+  await page.keyboard.press("Control+z");
+  assert.equal((await visitor.state()).sliders_mm["nose-width"], 0);
+  await page.click("rosto-studio [data-tool=redo]");
+
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click("rosto-studio [data-tool=download]")]);
+  assert.equal(download.suggestedFilename(), "portrait.glb");
+  const glb = await visitor.glb();
+  assert.ok(glb.equals(await readFile(await download.path())), "the button downloads another file");
+  assert.deepEqual(await validateGlb(new Uint8Array(glb)), { clean: true, counts: "0/0/0/0", messages: [] });
+}, { needs: "eyes" });
+
+onSite("the element's GLB is the command line's, byte for byte, of the same face and edits", async (site) => {
+  const project = await projectAsCommandLine(await site.open());
+  const visitor = await site.arrive();
+  await visitor.until("rosto-face");
+  await visitor.openFile(project, "portrait.rosto");
+  for (const { edit, options } of EDITS) {
+    await visitor.act(edit);
+    const theirs = await glbByCommandLine(SAMPLE, [...AS_THE_PAGE, ...AS_THE_ELEMENT, ...options]);
+    assert.ok((await visitor.glb()).equals(theirs), options);
+    await visitor.act((face) => face.undo());
+  }
+  await visitor.act((face) => face.redo());
+  const [glb, json] = [await visitor.glb(), await visitor.file("json")];
+  await visitor.act((face) => face.reset());
+  await visitor.openFile(glb, "face.glb");
+  assert.equal((await visitor.state()).edits, 1);
+  const positions = (/** @type {Buffer} */ file) => JSON.parse(file.toString()).positions;
+  assert.deepEqual(positions(await visitor.file("json")), positions(json), "a file that was saved does not go on where it was left");
+});
+
+onSite("an element says what it cannot open, by an event and on the stage, and opens what comes next", async (site) => {
+  const visitor = await site.arrive(site.page(`<rosto-studio src="nowhere.jpg" lang="pt-BR" shading="clay"></rosto-studio>`));
+  const { page } = visitor;
+  assert.equal((await visitor.until("rosto-error")).code, "unreadable-file");
+  assert.match(await visitor.notice(), /^Não foi possível ler o arquivo/);
+  assert.equal(await visitor.refusal(() => document.querySelector("rosto-studio").getGlb()), "no-face");
+  assert.equal(await visitor.refusal(() => document.querySelector("rosto-studio").setSlider("nose-width", 1)), "no-face");
+
+  await assert.rejects(visitor.openFile(faceless(), "none.png"), /no face in the photo/);
+  assert.equal((await visitor.last("rosto-error")).code, "no-face-found");
+  await page.evaluate(() => (document.querySelector("rosto-studio").src = "portrait.png"));
+  await visitor.until("rosto-face");
+  assert.equal(await visitor.notice(), "");
+  assert.equal((await visitor.state()).shading, "clay");
+  assert.equal(await visitor.refusal(() => document.querySelector("rosto-studio").setSlider("ears", 1)), "bad-choice");
+  await page.evaluate(() => document.querySelector("rosto-studio").setAttribute("shading", "mauve"));
+  assert.equal((await visitor.last("rosto-error")).code, "bad-choice");
+  await page.evaluate(() => document.querySelector("rosto-studio").apply((studio) => studio.choose("shading", "normals")));
+  assert.equal(await page.getAttribute("rosto-studio", "shading"), "normals");
+});
+
+onSite("two elements share a page and its worker, under a strict policy, and give all back when they go", async (site) => {
+  const two = `<rosto-studio src="portrait.png"></rosto-studio><rosto-studio density="0"><img src="portrait.png" alt=""></rosto-studio>`;
+  const visitor = await site.arrive(site.page(two, POLICY));
+  const { page } = visitor;
+  await visitor.until("rosto-face", 2);
+  assert.equal(page.workers().length, 1);
+  await visitor.act((first) => first.setSlider("nose-width", 3));
+  const [one, other] = await page.evaluate(() => [...document.querySelectorAll("rosto-studio")].map(({ state }) => state));
+  assert.deepEqual([one.edits, other.edits, one.vertices, other.vertices], [1, 0, 7257, 468]);
+
+  // Moved within the page it keeps what it has.
+  await page.evaluate(() => document.body.append(document.querySelector("rosto-studio")));
+  await visitor.frames(2);
+  assert.equal(await page.evaluate(() => document.querySelector("rosto-studio:last-of-type").state.edits), 1);
+
+  await page.evaluate(() => document.querySelector("rosto-studio").remove());
+  await visitor.act((left) => left.undo());
+  assert.equal(page.workers().length, 1);
+  const before_bytes = await visitor.moduleBytes();
+  for (let time = 0; time < 4; time++) {
+    await page.evaluate(() => {
+      document.querySelector("rosto-studio")?.remove();
+      const next = document.createElement("rosto-studio");
+      next.src = "portrait.png";
+      document.body.append(next);
+    });
+    await visitor.until("rosto-face", 3 + time);
+  }
+  assert.ok((await visitor.moduleBytes()) <= before_bytes, "the module's memory grows");
+  await page.evaluate(() => document.querySelector("rosto-studio").remove());
+  await page.waitForFunction(() => window.gpus.every(({ isGone }) => isGone));
+  assert.ok((await page.evaluate(() => window.gpus.length)) >= 6);
+  if (page.workers().length > 0) await page.workers()[0].waitForEvent("close");
+});
+
+onSite("where nothing can be drawn in 3D the element shows the photo and says so", async (site) => {
+  const visitor = await site.arrive();
+  assert.equal((await visitor.until("rosto-error")).code, "no-webgl");
+  assert.match(await visitor.notice(), /cannot draw in 3D here\. Switch on/);
+  assert.ok(await visitor.page.isVisible("rosto-studio img"));
+}, { needs: "no-gpu" });
+
+const CONSUMER = `
+import { init } from "rosto";
+import { RostoStudio, type StudioSnapshot } from "rosto/element";
+import { FaceSession } from "rosto/session";
+import { VisionClient } from "rosto/vision";
+init("/files/");
+document.addEventListener("rosto-change", ({ detail }: CustomEvent<StudioSnapshot>) => console.log(detail.edits));
+const face: RostoStudio = document.createElement("rosto-studio");
+face.moveLandmark(1, [0, 0, 5]);
+export const glb: Promise<Blob> = face.getGlb();
+export const found = new VisionClient().find(new Blob()).then(({ faces }) => faces[0]?.landmarks.length);
+export const session = FaceSession.open(document.createElement("canvas")).then((session) => session.apply((studio) => studio.undo()));
+`;
+
+journey("TypeScript knows the installed package, however it looks for modules", async () => {
+  const strict = ["--ignoreConfig", "--strict", "--noEmit", "--target", "es2023", "--lib", "es2023,esnext.disposable,dom,dom.iterable"];
+  const ways = [["--module", "esnext", "--moduleResolution", "bundler"], ["--module", "nodenext", "--moduleResolution", "nodenext"]];
+  for (const way of ways) {
+    assert.equal(await complaints("consumer.ts", CONSUMER, [...strict, ...way]), "");
+    const wrong = CONSUMER.replace("[0, 0, 5]", "[0, 5]");
+    assert.match(await complaints("wrong.ts", wrong, [...strict, ...way]), /TS2345/);
+  }
+});

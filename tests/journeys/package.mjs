@@ -1,0 +1,51 @@
+import { execFile } from "node:child_process";
+import { cp, mkdir, rm, writeFile } from "node:fs/promises";
+import path from "node:path";
+import { promisify } from "node:util";
+import { SAMPLE } from "./visitor.mjs";
+
+const ROOT = path.resolve(import.meta.dirname, "../..");
+const BUILT = path.join(ROOT, "target/npm/rosto");
+
+/** A folder whose page is the example, beside the package as npm installs it from its tarball. */
+export const SITE = path.join(ROOT, "target/npm/site");
+
+/** @type {Promise<void> | undefined} */
+let installing;
+
+/** Builds the package, packs it, and installs it in {@link SITE} where nothing else is; once in a run. */
+export function installed() {
+  installing ??= install();
+  return installing;
+}
+
+async function install() {
+  await run("node", ["web/package/build.mjs"], ROOT);
+  await rm(SITE, { recursive: true, force: true });
+  await mkdir(SITE, { recursive: true });
+  await run("npm", ["pack", BUILT, "--silent"], SITE);
+  await writeFile(path.join(SITE, "package.json"), JSON.stringify({ private: true, type: "module" }));
+  const { version } = await import(path.join(BUILT, "package.json"), { with: { type: "json" } }).then((manifest) => manifest.default);
+  await run("npm", ["install", "--offline", "--no-audit", "--no-fund", "--silent", `./rosto-${version}.tgz`], SITE);
+  await cp(path.join(ROOT, "docs/examples/element.html"), path.join(SITE, "index.html"));
+  await cp(SAMPLE, path.join(SITE, "portrait.png"));
+}
+
+/**
+ * Has tsc check a module against the package as it is installed; resolves to what it complains about.
+ *
+ * @param {string} name of the module, which is written
+ * @param {string} text
+ * @param {string[]} options
+ */
+export async function complaints(name, text, options) {
+  await installed();
+  await writeFile(path.join(SITE, name), text);
+  const tsc = path.join(ROOT, "node_modules/.bin/tsc");
+  return run(tsc, [...options, name], SITE).then(() => "", ({ stdout }) => stdout);
+}
+
+/** @param {string} program @param {string[]} words @param {string} cwd */
+function run(program, words, cwd) {
+  return promisify(execFile)(program, words, { cwd });
+}

@@ -1,0 +1,28 @@
+import { asPageError } from "../js/page/page-error.js";
+
+/** What went wrong: a stable code to decide by, and English for those who develop. */
+export class RostoError extends Error {
+  name = "RostoError";
+
+  /**
+   * @param {string} code such as "no-face-found"
+   * @param {string} message
+   * @param {string} [hint] what to do about it
+   */
+  constructor(code, message, hint = "") {
+    super(message);
+    this.code = code;
+    this.hint = hint;
+  }
+
+  /**
+   * What was thrown, whoever threw it.
+   *
+   * @param {unknown} thrown
+   */
+  static of(thrown) {
+    if (thrown instanceof RostoError) return thrown;
+    const { code, message, hint } = asPageError(thrown);
+    return new RostoError(code, message, hint);
+  }
+}

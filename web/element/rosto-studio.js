@@ -1,0 +1,348 @@
+import { init } from "../js/files.js";
+import { download } from "../js/page/download.js";
+import { Replaced } from "../js/photo/vision-client.js";
+import { languageFor, learnWords, speak } from "../js/words/words.js";
+import { fileName } from "../js/work/file-name.js";
+import { FaceSession } from "./face-session.js";
+import { fetchedFile, pictureIn } from "./photo-source.js";
+import { RostoError } from "./rosto-error.js";
+import { Stage } from "./stage.js";
+import { stateOf, themeOf } from "./state.js";
+
+/**
+ * @typedef {import("./stage.js").Tool} Tool
+ * @typedef {import("./state.js").StudioSnapshot} StudioSnapshot
+ * @typedef {import("../js/viewport/workbench.js").Studio} Studio
+ * @typedef {import("../js/viewport/workbench.js").ChangeName} ChangeName
+ */
+
+/** What an attribute chooses in the studio, under the same name. */
+const CHOICES = ["shading", "density", "lens"];
+
+/**
+ * `<rosto-studio>`: the face in a photo as a mesh that can be turned and reshaped. The photo is named by `src`, or is an `img`
+ * inside. See docs/embedding.md.
+ */
+export class RostoStudio extends HTMLElement {
+  static observedAttributes = ["src", "lang", "controls", ...CHOICES];
+
+  #shadow = this.attachShadow({ mode: "open" });
+  /** @type {Stage | undefined} */
+  #stage;
+  /** @type {Promise<FaceSession> | undefined} */
+  #opened;
+  /** @type {FaceSession | undefined} */
+  #session;
+  #life = new AbortController();
+  /** The address of the photo that the markup gave last. @type {string | undefined} */
+  #given;
+
+  connectedCallback() {
+    // One that was only moved within the page has never been closed.
+    if (this.#opened) return;
+    this.#life = new AbortController();
+    const { signal } = this.#life;
+    this.#stage = new Stage(this.#shadow);
+    this.#opened = this.#open(this.#stage, signal);
+    this.#opened.then(() => this.#emit("rosto-ready"), (error) => signal.aborted || this.#fail(error));
+    const look = () => this.#openGiven();
+    this.#stage.slot.addEventListener("slotchange", look);
+    // What an image loads does not bubble.
+    for (const type of ["load", "error"]) this.addEventListener(type, look, { capture: true, signal });
+    look();
+  }
+
+  disconnectedCallback() {
+    setTimeout(() => {
+      if (!this.isConnected) this.#close();
+    });
+  }
+
+  /** @param {string} name @param {string | null} _ @param {string | null} value */
+  attributeChangedCallback(name, _, value) {
+    // What is there from the beginning is read when the element is put on a page.
+    if (!this.#opened) return;
+    if (name === "src") this.#openGiven();
+    else if (name === "lang") this.#speak();
+    else if (name === "controls") this.#showTools();
+    else if (value !== null && this.#session) this.#choose(this.#session, name, value);
+  }
+
+  /** The address of the photo; what it names is opened. */
+  get src() {
+    return this.getAttribute("src") ?? "";
+  }
+
+  set src(url) {
+    this.setAttribute("src", url);
+  }
+
+  /** Whether the tools are shown. */
+  get controls() {
+    return this.hasAttribute("controls");
+  }
+
+  set controls(shown) {
+    this.toggleAttribute("controls", shown);
+  }
+
+  /** How things stand. */
+  get state() {
+    return stateOf(this.#session);
+  }
+
+  /**
+   * Opens a photo, or a GLB or project that was saved. Resolves once its face is shown; what stands in the way is thrown, and
+   * told by `rosto-error`. A newer one takes an older one's place, which then resolves to nothing done.
+   *
+   * @param {Blob | string} photo or its address
+   */
+  async open(photo) {
+    const file = Promise.resolve(typeof photo === "string" ? fetchedFile(new URL(photo, this.baseURI).href) : photo);
+    file.catch(() => {});
+    const session = await this.#ready();
+    try {
+      await session.open(await file);
+    } catch (error) {
+      if (error instanceof Replaced || this.#life.signal.aborted) return;
+      throw this.#fail(error);
+    }
+  }
+
+  /**
+   * Shows another face of the same photo.
+   *
+   * @param {number} index from 0, the most prominent first
+   */
+  async openFace(index) {
+    const session = await this.#ready();
+    await session.openFace(index).catch((error) => Promise.reject(RostoError.of(error)));
+  }
+
+  /**
+   * Moves a landmark, as one edit: the face follows.
+   *
+   * @param {number} landmark its number in MediaPipe's mesh
+   * @param {[x_mm: number, y_mm: number, z_mm: number]} offset_mm to the subject's left, up, and out of the face
+   */
+  moveLandmark(landmark, offset_mm) {
+    this.apply((studio) => studio.selectAt(landmark));
+    this.apply((studio) => studio.preview(...offset_mm));
+    this.apply((studio) => studio.commit());
+  }
+
+  /**
+   * Sets a ready-made slider, as one edit.
+   *
+   * @param {string} slider such as "nose-width"
+   * @param {number} to_mm where it is to stand
+   */
+  setSlider(slider, to_mm) {
+    this.apply((studio) => studio.slide(slider, to_mm));
+    this.apply((studio) => studio.commit());
+  }
+
+  /**
+   * Sets an expression, as one edit.
+   *
+   * @param {string} expression by ARKit's name, such as "jawOpen"
+   * @param {number} to how much of it is shown, 0 to 1
+   */
+  express(expression, to) {
+    this.apply((studio) => studio.express(expression, to));
+    this.apply((studio) => studio.commit());
+  }
+
+  undo() {
+    this.apply((studio) => studio.undo());
+  }
+
+  redo() {
+    this.apply((studio) => studio.redo());
+  }
+
+  /** Takes all edits back, as one that can be undone. */
+  reset() {
+    this.apply((studio) => studio.reset());
+  }
+
+  /**
+   * Anything else that the studio can do. What it refuses is thrown, and nothing is changed then.
+   *
+   * @param {(studio: Studio) => ChangeName | void} intent
+   */
+  apply(intent) {
+    try {
+      if (!this.#session) throw new RostoError("not-ready", "the element is not ready yet: rosto-ready tells when it is");
+      this.#session.apply(intent);
+      // Choices are seen and change no document, of which the session tells.
+      this.#follow();
+    } catch (error) {
+      throw RostoError.of(error);
+    }
+  }
+
+  /**
+   * The face as it stands as a GLB.
+   *
+   * @param {Record<string, string>} [choices] by id, such as `{ "base-colour": "photo" }`
+   */
+  getGlb(choices) {
+    return this.getFile("glb", choices);
+  }
+
+  /**
+   * The face as it stands in another format: glb, obj, ply, stl, 3mf, usdz or json.
+   *
+   * @param {string} format
+   * @param {Record<string, string>} [choices]
+   */
+  async getFile(format, choices = {}) {
+    try {
+      return await (await this.#ready()).file(format, choices);
+    } catch (error) {
+      throw RostoError.of(error);
+    }
+  }
+
+  /** @param {Stage} stage @param {AbortSignal} signal @returns {Promise<FaceSession>} */
+  async #open(stage, signal) {
+    const base = this.getAttribute("base");
+    if (base !== null) init(new URL(base, this.baseURI));
+    await learnWords(this.#language()).catch((error) => Promise.reject(new RostoError("not-loaded", String(error))));
+    stage.furnish((tool) => this.#use(tool), signal);
+    const session = await FaceSession.open(stage.canvas, {
+      progress: (step, fraction) => stage.showProgress(step, fraction),
+      face: () => this.#showFace(),
+      change: () => this.#change(),
+      announce: () => this.#follow(),
+      error: (thrown) => this.#fail(thrown),
+      settled: () => stage.hideNotice(),
+    }, stage.tag);
+    if (signal.aborted) {
+      session.close();
+      throw new RostoError("closed", "the element was taken off the page");
+    }
+    this.#setUp(session, signal);
+    return session;
+  }
+
+  /** @param {FaceSession} session @param {AbortSignal} signal */
+  #setUp(session, signal) {
+    this.#session = session;
+    const [still, dark] = ["(prefers-reduced-motion: reduce)", "(prefers-color-scheme: dark)"].map((query) => matchMedia(query));
+    const suit = () => {
+      session.bench.act((studio) => studio.setTheme(themeOf(this)));
+      session.bench.act((studio) => studio.setReducedMotion(still?.matches ?? false));
+    };
+    for (const query of [still, dark]) query?.addEventListener("change", suit, { signal });
+    suit();
+    session.bench.onRestart(async () => suit());
+    for (const name of CHOICES) {
+      const value = this.getAttribute(name);
+      if (value !== null) this.#choose(session, name, value);
+    }
+    this.addEventListener("keydown", (event) => this.#key(event), { signal });
+  }
+
+  #close() {
+    this.#life.abort();
+    this.#session?.close();
+    [this.#session, this.#opened, this.#given] = [undefined, undefined, undefined];
+    this.#shadow.replaceChildren();
+  }
+
+  #ready() {
+    return this.#opened ?? Promise.reject(new RostoError("not-ready", "the element is on no page"));
+  }
+
+  #openGiven() {
+    const url = this.getAttribute("src") ?? pictureIn(this);
+    if (!url || url === this.#given) return;
+    this.#given = url;
+    // What goes wrong is told by an event.
+    this.open(url).catch(() => {});
+  }
+
+  #speak() {
+    this.#opened?.then(() => speak(languageFor(this.#language()))).catch(() => {});
+  }
+
+  #language() {
+    return this.closest("[lang]")?.getAttribute("lang") ?? navigator.language;
+  }
+
+  /** @param {FaceSession} session @param {string} choice @param {string} id */
+  #choose(session, choice, id) {
+    if (session.bench.read((state) => state.chosen(choice)) === id) return;
+    try {
+      session.apply((studio) => studio.choose(choice, id));
+    } catch (error) {
+      this.#fail(error);
+    }
+  }
+
+  /** @param {KeyboardEvent} event */
+  #key(event) {
+    if (!(event.ctrlKey || event.metaKey) || !/^[zy]$/i.test(event.key)) return;
+    event.preventDefault();
+    this.#use(event.shiftKey || event.key.toLowerCase() === "y" ? "redo" : "undo");
+  }
+
+  /** @param {Tool} tool */
+  async #use(tool) {
+    if (tool !== "download") return this[tool]();
+    const file = await this.getGlb().catch((error) => this.#fail(error));
+    if (file instanceof Blob) download(file, fileName(this.#session?.face, "glb"), file.type);
+  }
+
+  #showFace() {
+    if (!this.#session) return;
+    this.#stage?.showFace();
+    this.#showTools();
+    const { face, faces } = this.#session;
+    if (!face) return;
+    const { landmarks, width_px, height_px } = face;
+    this.#emit("rosto-face", { landmarks, width_px, height_px, faces: faces.length, index: faces.indexOf(face) });
+  }
+
+  #change() {
+    this.#stage?.hideNotice();
+    this.#emit("rosto-change", this.state);
+  }
+
+  /** Attributes that choose say what is chosen, and tools what they can do. */
+  #follow() {
+    const { state } = this;
+    for (const name of CHOICES) {
+      const chosen = state[/** @type {"shading" | "density" | "lens"} */ (name)];
+      if (this.hasAttribute(name) && chosen !== undefined && this.getAttribute(name) !== chosen) this.setAttribute(name, chosen);
+    }
+    this.#stage?.enableTools({ undo: state.canUndo, redo: state.canRedo, reset: state.edits > 0, download: true });
+  }
+
+  #showTools() {
+    const covered_px = this.#stage?.showTools(this.controls) ?? 0;
+    this.#session?.bench.act((studio) => studio.cover(0, 0, covered_px * devicePixelRatio, 0));
+  }
+
+  /**
+   * Says what went wrong, to the page and to whoever looks at it.
+   *
+   * @param {unknown} thrown
+   */
+  #fail(thrown) {
+    const error = RostoError.of(thrown);
+    const { code, message, hint } = error;
+    this.#stage?.showNotice(error);
+    this.#emit("rosto-error", { code, message, hint });
+    return error;
+  }
+
+  /** @param {string} type @param {unknown} [detail] */
+  #emit(type, detail) {
+    this.dispatchEvent(new CustomEvent(type, { bubbles: true, composed: true, detail }));
+  }
+}
+
+if (!customElements.get("rosto-studio")) customElements.define("rosto-studio", RostoStudio);

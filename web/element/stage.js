@@ -1,0 +1,169 @@
+import { make } from "../js/page/dom.js";
+import { inEveryLanguage, isWord, say } from "../js/words/words.js";
+import { STYLES } from "./styles.js";
+
+/**
+ * @typedef {import("../js/words/words.js").WordKey} WordKey
+ * @typedef {"undo" | "redo" | "reset" | "download"} Tool
+ */
+
+/** What the studio cannot be opened for: the element then shows the photo as it is. */
+const WITHOUT_3D = /^(no-web|no-adapter|no-device|canvas-in-use)/;
+
+/** Each tool with its word and its lines. @type {Record<Tool, { word: WordKey, lines: string }>} */
+const TOOLS = {
+  undo: { word: "undo", lines: "M7.5 4.5 4 8l3.5 3.5M4 8h7.5a4 4 0 0 1 0 8H9" },
+  redo: { word: "redo", lines: "M12.5 4.5 16 8l-3.5 3.5M16 8H8.5a4 4 0 0 0 0 8H11" },
+  reset: { word: "reset", lines: "M4.5 10A5.5 5.5 0 1 0 10 4.5H6M8.5 2 6 4.5 8.5 7" },
+  download: { word: "export.glb", lines: "M10 3v10m-4-4 4 4 4-4M3.5 16.5h13" },
+};
+
+/** Shared by all elements. @type {CSSStyleSheet | undefined} */
+let sheet;
+
+/** What an element has in its shadow: the photo, the canvas over it, the tools, and what is said. */
+export class Stage {
+  #root = make("div", "stage");
+  #progress = make("div", "progress");
+  #word = make("span");
+  #bar = make("progress");
+  #notice = make("p", "notice");
+  #toolbar = make("div", "toolbar");
+  /** Where the photo comes that the page gives. */
+  slot = make("slot");
+  canvas = make("canvas");
+  /** With the name of the landmark in hand. */
+  tag = make("output", "tag");
+
+  /**
+   * Fills a shadow, in place of what was there: a canvas that was drawn on once is of no further use.
+   *
+   * @param {ShadowRoot} shadow
+   */
+  constructor(shadow) {
+    this.canvas.tabIndex = 0;
+    this.canvas.setAttribute("role", "application");
+    this.#notice.setAttribute("role", "alert");
+    this.#toolbar.setAttribute("role", "toolbar");
+    for (const part of [this.tag, this.#progress, this.#notice, this.#toolbar]) part.hidden = true;
+    this.#progress.append(this.#word, this.#bar);
+    this.#root.append(this.slot, this.canvas, this.tag, this.#progress, this.#notice, this.#toolbar);
+    shadow.adoptedStyleSheets = [styles()];
+    shadow.replaceChildren(this.#root);
+  }
+
+  /**
+   * Puts a button for each tool on the stage, and says what all parts are called, in whatever language is spoken.
+   *
+   * @param {(tool: Tool) => void} use
+   * @param {AbortSignal} gone
+   */
+  furnish(use, gone) {
+    const tools = /** @type {[Tool, { word: WordKey, lines: string }][]} */ (Object.entries(TOOLS));
+    const buttons = tools.map(([tool, { lines }]) => button(tool, lines, () => use(tool)));
+    this.#toolbar.append(...buttons);
+    inEveryLanguage(() => {
+      this.canvas.ariaLabel = say("viewport.label");
+      this.canvas.ariaDescription = say("element.keys");
+      this.#toolbar.ariaLabel = say("toolbar.label");
+      for (const [at, [, { word }]] of tools.entries()) Object.assign(buttons[at] ?? {}, { ariaLabel: say(word), title: say(word) });
+    }, gone);
+  }
+
+  /** Shows the canvas in place of the photo. */
+  showFace() {
+    this.#root.dataset["state"] = "face";
+    this.#progress.hidden = true;
+    this.hideNotice();
+  }
+
+  /**
+   * Shows how far a photo has come.
+   *
+   * @param {import("../js/worker/protocol.js").Stage | "loading"} step
+   * @param {number} fraction of the whole, 0 to 1
+   */
+  showProgress(step, fraction) {
+    this.#progress.hidden = false;
+    this.hideNotice();
+    this.#word.textContent = say(step === "loading" ? "progress.loading" : "progress.working");
+    this.#bar.ariaLabel = this.#word.textContent;
+    if (step === "loading") this.#bar.removeAttribute("value");
+    else this.#bar.value = fraction;
+  }
+
+  /**
+   * Says what went wrong.
+   *
+   * @param {import("./rosto-error.js").RostoError} error
+   */
+  showNotice({ code, message }) {
+    this.#progress.hidden = true;
+    this.#notice.hidden = false;
+    this.#notice.textContent = wordsFor(code) || message;
+  }
+
+  hideNotice() {
+    this.#notice.hidden = true;
+  }
+
+  /**
+   * Shows the tools, if there is a face to use them on. Tells how much of the stage they cover from below, in CSS px.
+   *
+   * @param {boolean} wanted
+   */
+  showTools(wanted) {
+    this.#toolbar.hidden = !wanted || this.#root.dataset["state"] !== "face";
+    return this.#toolbar.hidden ? 0 : this.#root.clientHeight - this.#toolbar.offsetTop;
+  }
+
+  /** @param {Record<Tool, boolean>} usable */
+  enableTools(usable) {
+    for (const tool of this.#toolbar.querySelectorAll("button")) tool.disabled = !usable[/** @type {Tool} */ (tool.dataset["tool"])];
+  }
+}
+
+/** One sheet for all elements. */
+function styles() {
+  if (sheet) return sheet;
+  sheet = new CSSStyleSheet();
+  sheet.replaceSync(STYLES);
+  return sheet;
+}
+
+/**
+ * What happened and what to do next, in words. An element keeps nothing from one visit to the next.
+ *
+ * @param {string} code
+ */
+function wordsFor(code) {
+  const [title, hint] = [`error.${code}`, `error.${code}.hint`];
+  const unkept = `${hint}.unkept`;
+  const next = WITHOUT_3D.test(code) ? "element.no-3d" : isWord(unkept) ? unkept : hint;
+  return [title, next].filter(isWord).map((word) => say(word)).join(". ");
+}
+
+/**
+ * @param {Tool} tool
+ * @param {string} lines
+ * @param {() => void} use
+ */
+function button(tool, lines, use) {
+  const made = make("button");
+  made.type = "button";
+  made.dataset["tool"] = tool;
+  made.append(drawn(lines));
+  made.addEventListener("click", use);
+  return made;
+}
+
+/** @param {string} lines */
+function drawn(lines) {
+  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  svg.setAttribute("viewBox", "0 0 20 20");
+  svg.setAttribute("aria-hidden", "true");
+  const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
+  path.setAttribute("d", lines);
+  svg.append(path);
+  return svg;
+}

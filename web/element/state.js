@@ -1,0 +1,60 @@
+/**
+ * How an element stands.
+ *
+ * @typedef {object} StudioSnapshot
+ * @property {boolean} ready whether it can show a face
+ * @property {number} faces in the photo; 0 before one is shown
+ * @property {number} vertices of the mesh that is shown
+ * @property {number} edits in its history
+ * @property {boolean} canUndo
+ * @property {boolean} canRedo
+ * @property {number | undefined} selected the landmark or vertex in hand
+ * @property {string | undefined} shading
+ * @property {string | undefined} density
+ * @property {string | undefined} lens
+ * @property {Record<string, number>} sliders_mm where each ready-made slider stands
+ */
+
+/** @type {StudioSnapshot} */
+const NOTHING = {
+  ...{ ready: false, faces: 0, vertices: 0, edits: 0, canUndo: false, canRedo: false, selected: undefined },
+  ...{ shading: undefined, density: undefined, lens: undefined, sliders_mm: {} },
+};
+
+/**
+ * @param {import("./face-session.js").FaceSession | undefined} session
+ * @returns {StudioSnapshot}
+ */
+export function stateOf(session) {
+  const state = session?.bench.read((now, studio) => ({
+    ...{ ready: true, faces: session.faces.length, vertices: now.vertexCount, edits: now.entryCount },
+    ...{ canUndo: now.canUndo, canRedo: now.canRedo, selected: now.selected },
+    ...{ shading: now.chosen("shading"), density: now.chosen("density"), lens: now.chosen("lens") },
+    sliders_mm: session.face ? slidersOf(studio) : {},
+  }));
+  return state ?? NOTHING;
+}
+
+/** @param {import("../js/viewport/workbench.js").Studio} studio */
+function slidersOf(studio) {
+  const tick = studio.tick();
+  const at_mm = tick.slidersMm;
+  tick.free();
+  const sliders = studio.faceSliders.map((slider, place) => {
+    const { id } = slider;
+    slider.free();
+    return [id, at_mm[place] ?? 0];
+  });
+  return /** @type {Record<string, number>} */ (Object.fromEntries(sliders));
+}
+
+/**
+ * Light or dark, as the page has it where the element stands.
+ *
+ * @param {HTMLElement} element
+ */
+export function themeOf(element) {
+  const scheme = getComputedStyle(element).colorScheme;
+  const isDark = scheme.includes("dark") && (!scheme.includes("light") || matchMedia("(prefers-color-scheme: dark)").matches);
+  return isDark ? "dark" : "light";
+}
