@@ -165,10 +165,12 @@ fn add_products<const P: usize, const B: usize>(
     let weights: [&[[f32; LANES]]; B] = std::array::from_fn(|b| &weights[b][..depth]);
     let pixels: [&[f32]; P] = std::array::from_fn(|p| &numbers[p * step..][..depth]);
     let mut local = *sums;
-    for k in 0..depth {
+    // Walked rather than indexed: with a single block, as in the browser, no weight is asked for its bounds.
+    for (k, first) in weights[0].iter().enumerate() {
+        let weights: [&[f32; LANES]; B] = std::array::from_fn(|b| if b == 0 { first } else { &weights[b][k] });
         for (sums, pixel) in local.iter_mut().zip(&pixels) {
-            for (sums, weights) in sums.iter_mut().zip(&weights) {
-                for (sum, weight) in sums.iter_mut().zip(&weights[k]) {
+            for (sums, weights) in sums.iter_mut().zip(weights) {
+                for (sum, weight) in sums.iter_mut().zip(weights) {
                     *sum += pixel[k] * weight;
                 }
             }
