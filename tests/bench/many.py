@@ -7,6 +7,7 @@ seen some photos before the clock starts.
 
 import json
 import multiprocessing
+import queue
 import statistics
 import sys
 import tempfile
@@ -59,8 +60,6 @@ def share(make, refined, photos, start, told):
 def measure(make, refined, photos, workers, in_threads):
     """Milliseconds a photo: by the clock, and of processors."""
     if in_threads:
-        import queue
-
         kind, start, told = threading.Thread, threading.Barrier(workers), queue.Queue()
     else:
         spawning = multiprocessing.get_context("spawn")
@@ -95,9 +94,8 @@ def report(task, refined, photos, workers, ways):
 
 
 def main():
-    variants.SIDE_PX = SIDE_PX
     with tempfile.TemporaryDirectory() as folder:
-        paths = variants.write(Path(sys.argv[1]), Path(folder), PHOTOS)
+        paths = variants.write(Path(sys.argv[1]), Path(folder), PHOTOS, SIDE_PX)
         photos = [path.read_bytes() for path in paths]
     alone, both = [("", False)], [("", False), (", threads", True)]
     report("many-one", False, photos, 1, alone)

@@ -72,9 +72,9 @@ class Landmarks:
 
         count = self.points.shape[1]
         flat = pa.array(self.points.reshape(-1), pa.float32())
-        points = pa.FixedSizeListArray.from_arrays(flat, count * 3)
         mask = np.array([reason is not None for reason in self.reasons], dtype=bool)
-        points = pa.FixedSizeListArray.from_arrays(flat, count * 3, mask=pa.array(mask)) if mask.any() else points
+        missing = pa.array(mask) if mask.any() else None
+        points = pa.FixedSizeListArray.from_arrays(flat, count * 3, mask=missing)
         columns = {
             "height": self.sizes[:, 0],
             "width": self.sizes[:, 1],
