@@ -69,6 +69,7 @@ journey("of two languages chosen while the words of one are on their way, the la
 
 journey("a browser that keeps nothing is promised nothing", async (open) => {
   const visitor = await open();
+  await visitor.untilLoaded();
   const hints = await visitor.page.evaluate(async () => {
     const { setKeeping, showError } = await import(new URL("js/page/notice.js", document.baseURI).href);
     const hint = () => document.getElementById("notice-hint").textContent;
