@@ -11,6 +11,7 @@ cargo xtask TASK
   npm           build the npm package out of the page into target/npm, and pack it
   test [STEP…]  check and test everything, or only the named steps
   deny          check licences, bans and sources of all that is compiled, as deny.toml wants them
+  semver        whether the versions of the published crates say what has changed since the last release
   bench [WHAT…] measure against the paper and the peers; --write updates docs/benchmarks.md
   robustness    which faces are found, beside MediaPipe; --write updates docs/robustness.md
   readers       every file in programs that are not ours, Blender too; --write updates docs/opens-elsewhere.md
@@ -18,6 +19,7 @@ cargo xtask TASK
                   [--inputs N] [--actions N] [--page-actions N]; 0 leaves a part out
   screenshots   take the documentation's pictures of the page, its contact sheets, and axe-core's report
   wheel         build the Python package into target/wheels, and try it in an empty environment
+  site          build the documentation as a static site into target/site
   help          this text
 
 Every task first obtains what it needs. Tools go to $XDG_CACHE_HOME/rosto (by default ~/.cache/rosto) and are shared by

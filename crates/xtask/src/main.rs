@@ -1,10 +1,11 @@
-//! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `reproduce`, `npm`, `test`, `deny`, `bench`,
-//! `robustness`, `readers`, `torture`, `screenshots`, `wheel`.
+//! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `reproduce`, `npm`, `test`, `deny`, `semver`, `bench`,
+//! `robustness`, `readers`, `torture`, `screenshots`, `wheel`, `site`.
 
 mod apt;
 mod bench;
 mod browser;
 mod cache;
+mod crates;
 mod debian;
 mod deny;
 mod dist;
@@ -24,8 +25,10 @@ mod readers;
 mod reproduce;
 mod robustness;
 mod screenshots;
+mod semver;
 mod serve;
 mod setup;
+mod site;
 mod size;
 mod test;
 mod toolchain;
@@ -60,12 +63,14 @@ fn run(arguments: &[String]) -> Result<ExitCode> {
         ["npm"] => package::run(),
         ["test", steps @ ..] => test::run(steps),
         ["deny"] => deny::run(),
+        ["semver"] => semver::run(),
         ["bench", arguments @ ..] => bench::run(arguments),
         ["robustness", arguments @ ..] => robustness::run(arguments),
         ["readers", arguments @ ..] => readers::run(arguments),
         ["torture", arguments @ ..] => torture::run(arguments),
         ["screenshots"] => screenshots::run(),
         ["wheel"] => wheel::run(),
+        ["site"] => site::run(),
         [] | ["help" | "-h" | "--help"] => {
             print!("{}", help::TEXT);
             Ok(ExitCode::SUCCESS)

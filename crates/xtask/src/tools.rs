@@ -37,45 +37,41 @@ pub fn trunk() -> Tool {
     let why = "it builds and serves the page";
     // It must be built with one kind of TLS, though all it calls is on PATH already; it need not look for updates.
     let features = Features::Only("rustls");
-    Tool { package: "trunk", version: versions::TRUNK.to_owned(), program: "trunk", features, speed: Speed::Waits, why }
+    Tool { features, speed: Speed::Waits, ..Tool::new("trunk", versions::TRUNK, why) }
 }
 
 /// Writes the JavaScript side of the wasm modules; must be the version of the crate in `Cargo.lock`.
 pub fn wasm_bindgen() -> Result<Tool> {
     let version = workspace::locked_version("wasm-bindgen")?;
     let why = "it joins the WebAssembly modules to JavaScript";
-    Ok(Tool {
-        package: "wasm-bindgen-cli",
-        version,
-        program: "wasm-bindgen",
-        features: Features::Default,
-        speed: Speed::Works,
-        why,
-    })
+    Ok(Tool { program: "wasm-bindgen", ..Tool::new("wasm-bindgen-cli", &version, why) })
 }
 
 /// Runs the wasm tests.
 pub fn wasm_pack() -> Tool {
     let why = "it runs the WebAssembly tests in a browser";
-    let version = versions::WASM_PACK.to_owned();
-    Tool { package: "wasm-pack", version, program: "wasm-pack", features: Features::Default, speed: Speed::Waits, why }
+    Tool { speed: Speed::Waits, ..Tool::new("wasm-pack", versions::WASM_PACK, why) }
 }
 
 /// Checks what the workspace depends on.
 pub fn cargo_deny() -> Tool {
     let why = "it checks licences, bans and sources of what is compiled";
-    let version = versions::CARGO_DENY.to_owned();
-    Tool {
-        package: "cargo-deny",
-        version,
-        program: "cargo-deny",
-        features: Features::Default,
-        speed: Speed::Works,
-        why,
-    }
+    Tool::new("cargo-deny", versions::CARGO_DENY, why)
+}
+
+/// Tells what a change of a library asks of its users.
+pub fn cargo_semver_checks() -> Tool {
+    let why = "it compares the published crates with their last release";
+    Tool::new("cargo-semver-checks", versions::CARGO_SEMVER_CHECKS, why)
 }
 
 impl Tool {
+    /// A program that is called as its crate is.
+    fn new(package: &'static str, version: &str, why: &'static str) -> Self {
+        let (features, speed) = (Features::Default, Speed::Works);
+        Self { package, version: version.to_owned(), program: package, features, speed, why }
+    }
+
     /// The folder that holds the program, installed if it is not there yet.
     pub fn obtain(&self) -> Result<PathBuf> {
         let folder = cache::tool(self.package, &self.version)?;

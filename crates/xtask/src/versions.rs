@@ -13,6 +13,9 @@ pub const WASM_PACK: &str = "0.15.1";
 /// Checks licences, bans and sources of what is compiled.
 pub const CARGO_DENY: &str = "0.20.2";
 
+/// Compares the published crates with their last release.
+pub const CARGO_SEMVER_CHECKS: &str = "0.51.0";
+
 /// A file of which only the one with this sha256 is accepted.
 pub struct PinnedFile {
     /// Path below the folder that holds it.

@@ -9,7 +9,7 @@ use crate::failure::{Doing, Result};
 use crate::process::{Run, find_program};
 use crate::setup::Kit;
 use crate::toolchain::WASM;
-use crate::{dist, size, wheel, workspace};
+use crate::{crates, dist, site, size, wheel, workspace};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -80,9 +80,11 @@ pub fn all() -> Result<Vec<Step>> {
         scripts_lint(),
         wasm_lint(tested_on_wasm.clone()),
         rustdoc(),
+        packages(),
     ];
     steps.extend(native_tests());
     steps.push(python());
+    steps.push(documentation());
     steps.extend(wasm_tests(tested_on_wasm));
     steps.extend(page());
     Ok(steps)
@@ -117,6 +119,13 @@ fn rustdoc() -> Step {
     })
 }
 
+fn packages() -> Step {
+    Step::new("packages", "what the published crates would hold", |_| {
+        let faults = crates::check_packages()?;
+        Ok(Report { counts: Counts::of_one(faults.is_empty()), output: faults.join("\n") })
+    })
+}
+
 fn native_tests() -> Vec<Step> {
     let native = |program: &'static [&'static str]| {
         Step::new("native", "theorems, golden numbers, shaders, layering", move |_| {
@@ -146,6 +155,13 @@ fn python() -> Step {
             "tests/python",
         ]);
         tests("python", pytest.current_dir(workspace::root()).env("ROSTO_CLI", program))
+    })
+}
+
+fn documentation() -> Step {
+    Step::new("site", "the documentation as a site, and every link in it", |kit| {
+        site::build(kit, command_line()?)?;
+        tests("site", quiet(site::tests(kit)?))
     })
 }
 

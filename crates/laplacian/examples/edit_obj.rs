@@ -1,0 +1,83 @@
+//! Pulls one vertex of any mesh: reads an OBJ file, lets the nearer half of the surface follow, and writes the file again.
+//!
+//! ```sh
+//! cargo run --release --package rosto-laplacian --example edit_obj -- IN.obj OUT.obj VERTEX DX DY DZ
+//! ```
+//!
+//! `VERTEX` counts from 1, as OBJ does; `DX DY DZ` is how far it is moved, in the file's unit. What is farther along the
+//! surface than half the way to its farthest vertex stays. Only lines of vertices that moved are written anew.
+
+use std::{collections::BTreeMap, error::Error, fs};
+
+use glam::DVec3;
+use rosto_laplacian::{ConstraintKind, Constraints, Geodesics, LaplacianSystem, Operator};
+use rosto_mesh::Topology;
+use wavefront_obj::obj::{Primitive, Shape, parse};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [from, to, vertex, x, y, z] = &arguments[..] else {
+        return Err("what it needs: IN.obj OUT.obj VERTEX DX DY DZ".into());
+    };
+    let offset = DVec3::new(x.parse()?, y.parse()?, z.parse()?);
+    Ok(fs::write(to, edited(&fs::read_to_string(from)?, vertex.parse()?, offset)?)?)
+}
+
+/// The text of an OBJ file after the edit.
+pub fn edited(obj: &str, vertex: u32, offset: DVec3) -> Result<String, Box<dyn Error>> {
+    let (topology, rest) = read(obj)?;
+    let there = |&index: &u32| (index as usize) < rest.len();
+    let missing = || format!("there is no vertex {vertex}: the file has 1 to {}", rest.len());
+    let handle = vertex.checked_sub(1).filter(there).ok_or_else(missing)?;
+
+    let distances = Geodesics::new(&topology, &rest)?.distances(&[handle])?;
+    let reach = distances.iter().copied().filter(|distance| distance.is_finite()).fold(0.0, f64::max) / 2.0;
+    let anchors: Vec<u32> =
+        (0u32..).zip(&distances).filter(|(_, far)| **far > reach).map(|(vertex, _)| vertex).collect();
+
+    let system = LaplacianSystem::new(&topology, &rest, Operator::Cotangent)?;
+    let kind = ConstraintKind::Hard;
+    let response = system.respond(&Constraints { handles: &[handle], anchors: &anchors, kind, falloff: None })?;
+    let mut moved = rest.clone();
+    response.displace(&rest, &[offset], &mut moved);
+    Ok(written(obj, &rest, &moved))
+}
+
+/// Triangles and positions; larger faces are cut into triangles.
+fn read(obj: &str) -> Result<(Topology, Vec<DVec3>), Box<dyn Error>> {
+    let file = parse(obj)?;
+    let [object] = &file.objects[..] else {
+        return Err(format!("the file holds {} objects, not one", file.objects.len()).into());
+    };
+    let corners = |shape: &Shape| match shape.primitive {
+        Primitive::Triangle(a, b, c) => Some([a.0, b.0, c.0].map(|index| index as u32)),
+        _ => None,
+    };
+    let triangles: Vec<[u32; 3]> = object.geometry.iter().flat_map(|part| &part.shapes).filter_map(corners).collect();
+    check_manifold(&triangles)?;
+    let positions: Vec<DVec3> = object.vertices.iter().map(|place| DVec3::new(place.x, place.y, place.z)).collect();
+    Ok((Topology::new(positions.len(), triangles)?, positions))
+}
+
+/// An edge of more than two triangles has no two sides to keep smooth.
+fn check_manifold(triangles: &[[u32; 3]]) -> Result<(), String> {
+    let mut faces = BTreeMap::new();
+    for [a, b] in triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]) {
+        *faces.entry([a.min(b), a.max(b)]).or_insert(0) += 1;
+    }
+    match faces.into_iter().find(|&(_, count)| count > 2) {
+        Some(([a, b], n)) => {
+            Err(format!("{n} triangles meet in the edge of vertices {} and {}: no surface", a + 1, b + 1))
+        }
+        None => Ok(()),
+    }
+}
+
+fn written(obj: &str, rest: &[DVec3], moved: &[DVec3]) -> String {
+    let mut places = rest.iter().zip(moved);
+    let line = |line: &str| match line.trim_start().starts_with("v ").then(|| places.next()).flatten() {
+        Some((before, after)) if before != after => format!("v {} {} {}\n", after.x, after.y, after.z),
+        _ => format!("{line}\n"),
+    };
+    obj.lines().map(line).collect()
+}
