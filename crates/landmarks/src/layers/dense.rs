@@ -113,43 +113,61 @@ impl Dense {
         block: usize,
         output: &mut [f32],
     ) {
-        let biases: [[f32; LANES]; B] = std::array::from_fn(|b| self.biases[block + b]);
-        let mut sums = [biases; P];
+        let mut sums = [[[0.0; LANES]; B]; P];
+        for sums in &mut sums {
+            for (sums, biases) in sums.iter_mut().zip(&self.biases[block..]) {
+                *sums = *biases;
+            }
+        }
         for part in parts {
             let weights = |b| &self.weights[(block + b) * self.depth..][part.weights.clone()];
             add_products(&mut sums, &part.numbers[first * step..], step, std::array::from_fn(weights));
         }
         for b in 0..B {
-            self.finish(block + b, sums.map(|sums| sums[b]), skip, output);
+            self.finish(block + b, &sums, b, skip, output);
         }
     }
 
-    /// Writes the sums of a block of channels; what is the same for all pixels is asked once.
+    /// Writes the sums `[p][b]` of a block of channels; what is the same for all pixels is asked once.
     #[inline(always)]
-    fn finish<const P: usize>(&self, block: usize, sums: [[f32; LANES]; P], skip: Skip<'_>, output: &mut [f32]) {
-        let (first, slopes) = (block * LANES, &self.slopes[block]);
-        let finished = |sums: [f32; LANES], skip: [f32; LANES]| -> [f32; LANES] {
-            std::array::from_fn(|lane| activated(sums[lane] + skip[lane], slopes[lane]))
-        };
+    fn finish<const P: usize, const B: usize>(
+        &self,
+        block: usize,
+        sums: &[[[f32; LANES]; B]; P],
+        b: usize,
+        skip: Skip<'_>,
+        output: &mut [f32],
+    ) {
+        let first = block * LANES;
         let (written, added) = (self.channels - first, skip.channels.saturating_sub(first));
         let (output, stride) = (&mut output[first..], self.channels);
         if written >= LANES && added == 0 {
-            for (p, sums) in sums.into_iter().enumerate() {
-                output[p * stride..][..LANES].copy_from_slice(&finished(sums, [0.0; LANES]));
+            for (p, sums) in sums.iter().enumerate() {
+                output[p * stride..][..LANES].copy_from_slice(&self.finished(block, &sums[b], &[0.0; LANES]));
             }
         } else if written >= LANES && added >= LANES {
-            for (p, sums) in sums.into_iter().enumerate() {
+            for (p, sums) in sums.iter().enumerate() {
                 let skip = lanes(&skip.numbers[p * skip.channels + first..][..LANES]);
-                output[p * stride..][..LANES].copy_from_slice(&finished(sums, skip));
+                output[p * stride..][..LANES].copy_from_slice(&self.finished(block, &sums[b], &skip));
             }
         } else {
-            for (p, sums) in sums.into_iter().enumerate() {
+            for (p, sums) in sums.iter().enumerate() {
                 let skip = &skip.numbers[p * skip.channels..][..skip.channels];
-                let finished = finished(sums, lanes(skip.get(first..).unwrap_or_default()));
+                let finished = self.finished(block, &sums[b], &lanes(skip.get(first..).unwrap_or_default()));
                 let written = written.min(LANES);
                 output[p * stride..][..written].copy_from_slice(&finished[..written]);
             }
         }
+    }
+
+    /// What follows the sums of a block.
+    #[inline(always)]
+    fn finished(&self, block: usize, sums: &[f32; LANES], skip: &[f32; LANES]) -> [f32; LANES] {
+        let mut finished = *sums;
+        for ((sum, skip), slope) in finished.iter_mut().zip(skip).zip(&self.slopes[block]) {
+            *sum = activated(*sum + skip, *slope);
+        }
+        finished
     }
 }
 

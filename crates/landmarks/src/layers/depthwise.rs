@@ -116,16 +116,21 @@ impl Depthwise {
         let weights: [[f32; N]; USUAL] = std::array::from_fn(|tap| lanes(&self.weights, tap * channels + first));
         let (biases, slopes): ([f32; N], [f32; N]) = (lanes(&self.biases, first), lanes(&self.slopes, first));
         for (x, output) in output.chunks_exact_mut(channels).enumerate() {
-            let rows = rows.map(|row| &row[x * step + first..][..2 * channels + N]);
             let mut sums = biases;
-            for (tap, weights) in weights.iter().enumerate() {
-                let numbers: [f32; N] = lanes(rows[tap / 3], tap % 3 * channels);
-                for ((sum, number), weight) in sums.iter_mut().zip(numbers).zip(weights) {
-                    *sum += number * weight;
+            // Walked in place: a call to `array::map` between them would take the weights out of their registers.
+            for (row, weights) in rows.iter().zip(weights.chunks_exact(3)) {
+                let row = &row[x * step + first..][..2 * channels + N];
+                for (column, weights) in weights.iter().enumerate() {
+                    let numbers: [f32; N] = lanes(row, column * channels);
+                    for ((sum, number), weight) in sums.iter_mut().zip(numbers).zip(weights) {
+                        *sum += number * weight;
+                    }
                 }
             }
-            let finished: [f32; N] = std::array::from_fn(|lane| activated(sums[lane], slopes[lane]));
-            output[first..][..N].copy_from_slice(&finished);
+            for (sum, slope) in sums.iter_mut().zip(&slopes) {
+                *sum = activated(*sum, *slope);
+            }
+            output[first..][..N].copy_from_slice(&sums);
         }
     }
 }
