@@ -88,7 +88,8 @@ async function noseOut(visitor) {
 /** Types a number and reloads in the same task, unless the page is to stay. */
 async function typeAndGo(page, offset_mm, next, wait_ms = 0) {
   const field = "#landmark-sliders [data-axis='z'] input[type=number]";
-  await page.evaluate(
+  const gone = next === "reload" ? page.waitForEvent("framenavigated") : undefined;
+  const typed = page.evaluate(
     async ({ field, offset_mm, next, wait_ms }) => {
       const input = document.querySelector(field);
       input.value = String(offset_mm);
@@ -99,6 +100,8 @@ async function typeAndGo(page, offset_mm, next, wait_ms = 0) {
     },
     { field, offset_mm, next, wait_ms },
   );
+  // A page that goes may take its answer along.
+  await (gone ? Promise.all([gone, typed.catch(() => {})]) : typed);
 }
 
 /** Runs in the page, as everything below: as some browsers do in private windows. */

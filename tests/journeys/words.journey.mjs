@@ -30,6 +30,7 @@ journey("whatever can go wrong has words of the page's own, in every language", 
 journey("a notice never shows what the modules say in English", async (open) => {
   const visitor = await open({ locale: "pt-BR" });
   const { page } = visitor;
+  await visitor.untilLoaded();
   const shown = await page.evaluate(async () => {
     const { showError } = await import(new URL("js/page/notice.js", document.baseURI).href);
     const thrown = (code) => Object.assign(new Error("no landmark is held"), { code, hint: "Choose a landmark first." });

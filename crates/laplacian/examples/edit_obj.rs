@@ -7,7 +7,7 @@
 //! `VERTEX` counts from 1, as OBJ does; `DX DY DZ` is how far it is moved, in the file's unit. What is farther along the
 //! surface than half the way to its farthest vertex stays. Only lines of vertices that moved are written anew.
 
-use std::{collections::BTreeMap, error::Error, fs};
+use std::{error::Error, fs};
 
 use glam::DVec3;
 use rosto_laplacian::{ConstraintKind, Constraints, Geodesics, LaplacianSystem, Operator};
@@ -26,20 +26,18 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// The text of an OBJ file after the edit.
 pub fn edited(obj: &str, vertex: u32, offset: DVec3) -> Result<String, Box<dyn Error>> {
     let (topology, rest) = read(obj)?;
-    let there = |&index: &u32| (index as usize) < rest.len();
-    let missing = || format!("there is no vertex {vertex}: the file has 1 to {}", rest.len());
-    let handle = vertex.checked_sub(1).filter(there).ok_or_else(missing)?;
+    let handle = vertex.checked_sub(1).filter(|&index| (index as usize) < rest.len());
+    let handle = handle.ok_or_else(|| format!("there is no vertex {vertex}: the file has 1 to {}", rest.len()))?;
 
     let distances = Geodesics::new(&topology, &rest)?.distances(&[handle])?;
     let reach = distances.iter().copied().filter(|distance| distance.is_finite()).fold(0.0, f64::max) / 2.0;
-    let anchors: Vec<u32> =
-        (0u32..).zip(&distances).filter(|(_, far)| **far > reach).map(|(vertex, _)| vertex).collect();
+    let stays = |&vertex: &u32| distances[vertex as usize] > reach;
+    let anchors: Vec<u32> = (0..rest.len() as u32).filter(stays).collect();
 
     let system = LaplacianSystem::new(&topology, &rest, Operator::Cotangent)?;
-    let kind = ConstraintKind::Hard;
-    let response = system.respond(&Constraints { handles: &[handle], anchors: &anchors, kind, falloff: None })?;
+    let constraints = Constraints { handles: &[handle], anchors: &anchors, kind: ConstraintKind::Hard, falloff: None };
     let mut moved = rest.clone();
-    response.displace(&rest, &[offset], &mut moved);
+    system.respond(&constraints)?.displace(&rest, &[offset], &mut moved);
     Ok(written(obj, &rest, &moved))
 }
 
@@ -53,24 +51,9 @@ fn read(obj: &str) -> Result<(Topology, Vec<DVec3>), Box<dyn Error>> {
         Primitive::Triangle(a, b, c) => Some([a.0, b.0, c.0].map(|index| index as u32)),
         _ => None,
     };
-    let triangles: Vec<[u32; 3]> = object.geometry.iter().flat_map(|part| &part.shapes).filter_map(corners).collect();
-    check_manifold(&triangles)?;
+    let triangles = object.geometry.iter().flat_map(|part| &part.shapes).filter_map(corners).collect();
     let positions: Vec<DVec3> = object.vertices.iter().map(|place| DVec3::new(place.x, place.y, place.z)).collect();
     Ok((Topology::new(positions.len(), triangles)?, positions))
-}
-
-/// An edge of more than two triangles has no two sides to keep smooth.
-fn check_manifold(triangles: &[[u32; 3]]) -> Result<(), String> {
-    let mut faces = BTreeMap::new();
-    for [a, b] in triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]) {
-        *faces.entry([a.min(b), a.max(b)]).or_insert(0) += 1;
-    }
-    match faces.into_iter().find(|&(_, count)| count > 2) {
-        Some(([a, b], n)) => {
-            Err(format!("{n} triangles meet in the edge of vertices {} and {}: no surface", a + 1, b + 1))
-        }
-        None => Ok(()),
-    }
 }
 
 fn written(obj: &str, rest: &[DVec3], moved: &[DVec3]) -> String {
