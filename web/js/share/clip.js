@@ -64,17 +64,25 @@ async function film(bench, swing, recorder, { signal, isSameFace, told }) {
     check();
     return picture;
   };
+  // Of the face as it was, from which the swing goes out and to which it comes back.
+  const asked_ms = performance.now();
+  const still = await draw(0);
   const start_ms = performance.now();
   const past_ms = () => performance.now() - start_ms;
   const show = (/** @type {ImageData} */ picture) => {
     recorder.show(picture);
     told(past_ms() / LENGTH_MS);
   };
-  while (past_ms() < SWING_MS) show(await draw(past_ms() / SWING_MS));
-  // Drawn once: where drawing is slow, each that is drawn anew would make the clip longer.
-  const last = await draw(1);
+  show(still);
+  // A picture is seen once it is drawn: it shows the face as it will have turned by then.
+  for (let drawing_ms = start_ms - asked_ms; past_ms() + drawing_ms < SWING_MS; ) {
+    const begun_ms = past_ms();
+    show(await draw((begun_ms + drawing_ms) / SWING_MS));
+    drawing_ms = past_ms() - begun_ms;
+  }
+  swing.go(1);
   for (let shown = 0; past_ms() < LENGTH_MS || shown < LAST_PICTURES; shown += 1) {
-    show(last);
+    show(still);
     await wait(LAST_PICTURE_MS);
     check();
   }
