@@ -96,11 +96,13 @@ journey("the sample is offered as a small picture, which moves nothing and asks 
 journey("who returns is offered first to go on, and only that button stands out", async (open) => {
   const visitor = await open();
   const { page } = visitor;
+  await visitor.untilLoaded();
   assert.deepEqual(await offered(page), [["choose", true], ["camera", false], ["mirror", false], ["sample", false]]);
   await visitor.dropSample();
   await page.waitForTimeout(800);
   await page.reload();
   await page.waitForSelector("#continue:not([hidden])");
+  await visitor.untilLoaded();
   assert.deepEqual(await offered(page), [["continue", true], ["choose", false], ["camera", false], ["mirror", false], ["sample", false]]);
 });
 
