@@ -110,8 +110,10 @@ onSite("two elements share a page and its worker, under a strict policy, and giv
   await page.evaluate(() => document.querySelector("rosto-studio").remove());
   await visitor.act((left) => left.undo());
   assert.equal(page.workers().length, 1);
-  const before_bytes = await visitor.moduleBytes();
-  for (let time = 0; time < 4; time++) {
+  // How much two need at once depends on how they come; one after the other needs no more than the one before.
+  let before_bytes = Infinity;
+  for (let time = 0; time < 6; time++) {
+    if (time === 2) before_bytes = await visitor.moduleBytes();
     await page.evaluate(() => {
       document.querySelector("rosto-studio")?.remove();
       const next = document.createElement("rosto-studio");
@@ -123,7 +125,7 @@ onSite("two elements share a page and its worker, under a strict policy, and giv
   assert.ok((await visitor.moduleBytes()) <= before_bytes, "the module's memory grows");
   await page.evaluate(() => document.querySelector("rosto-studio").remove());
   await page.waitForFunction(() => window.gpus.every(({ isGone }) => isGone));
-  assert.ok((await page.evaluate(() => window.gpus.length)) >= 6);
+  assert.ok((await page.evaluate(() => window.gpus.length)) >= 8);
   if (page.workers().length > 0) await page.workers()[0].waitForEvent("close");
 });
 

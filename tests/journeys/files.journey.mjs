@@ -12,6 +12,7 @@ const MAX_PHOTO_BYTES = 40_000_000;
 journey("of several files the first that can be opened is, and the page says that it is one of them", async (open) => {
   const visitor = await open();
   const { page } = visitor;
+  await visitor.untilItAnswers();
   const portrait = await readFile(SAMPLE);
   const notes = { bytes: text(), name: "notes.txt", type: "text/plain" };
   const phone = { bytes: heic(), name: "IMG_0001.HEIC", type: "image/heic" };
@@ -68,6 +69,7 @@ journey("an address, text or a picture's HTML gets an answer, and text fields st
 journey("a dropped folder gets an answer", async (open) => {
   await withFolder(async (folder) => {
     const visitor = await open();
+    await visitor.untilItAnswers();
     const photos = path.join(folder, "photos.png");
     await mkdir(photos);
     await dropFromDesktop(visitor.page, [photos]);
@@ -82,6 +84,7 @@ journey("a file of gigabytes is too large, not unreadable; the limit is where th
   await withFolder(async (folder) => {
     const visitor = await open();
     const { page } = visitor;
+    await visitor.untilItAnswers();
     for (const [bytes, code] of /** @type {const} */ ([
       [3 * 2 ** 30, "too-many-bytes"],
       [MAX_PHOTO_BYTES, "not-a-picture"],

@@ -82,7 +82,7 @@ journey("the sample is offered as a small picture, which moves nothing and asks 
   await visitor.untilLoaded();
   page.on("request", (request) => asked.push(request.url()));
   await page.reload();
-  await page.waitForSelector("#sample-thumbnail");
+  await visitor.untilItAnswers();
   const before = await page.locator("#welcome [data-action='sample']").boundingBox();
   await visitor.untilLoaded();
   assert.ok((await coloursOf(page)) > 50, "the thumbnail is empty");

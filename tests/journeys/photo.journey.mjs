@@ -39,7 +39,7 @@ journey(
 
 journey("a pasted photo is opened", async (open) => {
   const visitor = await open();
-  await visitor.untilLoaded();
+  await visitor.untilItAnswers();
   const base64 = (await readFile(SAMPLE)).toString("base64");
   await visitor.page.evaluate((base64) => {
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));

@@ -67,6 +67,11 @@ export class Visitor {
     await this.page.waitForSelector("#privacy-count[data-requests='0']", { state: "attached" });
   }
 
+  /** Waits until there are languages to choose from: the page's own scripts have run, and answer. Only a script is sooner. */
+  async untilItAnswers() {
+    await this.page.waitForSelector("#language option", { state: "attached" });
+  }
+
   /**
    * Drops a file anywhere on the page.
    *
@@ -74,8 +79,7 @@ export class Visitor {
    * @param {string} name
    */
   async drop(bytes, name) {
-    // A script drops sooner than any hand: the page's own scripts have run when there are languages to choose from.
-    await this.page.waitForSelector("#language option", { state: "attached" });
+    await this.untilItAnswers();
     const transfer = await this.page.evaluateHandle(
       ({ base64, name }) => {
         const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));

@@ -45,18 +45,21 @@ journey("a notice never shows what the modules say in English", async (open) => 
   ]);
 });
 
+journey("until the words come nothing can be pressed that would not answer", async (open) => {
+  const { before, deliver } = withHeld("**/words/en.json");
+  const visitor = await open({ before });
+  const seen = visitor.page.locator("#welcome button:visible");
+  assert.equal(await seen.count(), 0);
+  deliver();
+  await visitor.untilItAnswers();
+  assert.equal(await seen.count(), 4);
+});
+
 journey("of two languages chosen while the words of one are on their way, the last is spoken", async (open) => {
-  let deliver = () => {};
-  const held = new Promise((resolve) => (deliver = () => resolve(undefined)));
-  const visitor = await open({
-    before: (context) =>
-      context.route("**/words/pt.json", async (route) => {
-        await held;
-        await route.continue();
-      }),
-  });
+  const { before, deliver } = withHeld("**/words/pt.json");
+  const visitor = await open({ before });
   const { page } = visitor;
-  await page.waitForSelector("#language option", { state: "attached" });
+  await visitor.untilItAnswers();
   await page.selectOption("#language", "pt");
   await page.selectOption("#language", "en");
   const arrived = page.waitForResponse("**/words/pt.json");
@@ -107,4 +110,16 @@ async function allCodes() {
 /** @param {string} language */
 async function wordsOf(language) {
   return JSON.parse(await readFile(path.join(ROOT, `web/words/${language}.json`), "utf8"));
+}
+
+/** For a page to which a file does not come until it is delivered. @param {string} file */
+function withHeld(file) {
+  let deliver = () => {};
+  const held = new Promise((resolve) => (deliver = () => resolve(undefined)));
+  const before = (/** @type {import("playwright-core").BrowserContext} */ context) =>
+    context.route(file, async (route) => {
+      await held;
+      await route.continue();
+    });
+  return { before, deliver: () => deliver() };
 }
