@@ -53,11 +53,12 @@ export async function wrongWith({ page }, { id }) {
 }
 
 /** @param {Visitor} visitor */
-async function startWork({ page }) {
+async function startWork(visitor) {
+  const { page } = visitor;
   await page.evaluate(() => {
     window["answersWait"] = true;
   });
-  await page.waitForSelector("#language option", { state: "attached" });
+  await visitor.untilItAnswers();
   await page.setInputFiles("#photo-file", { name: "portrait.png", mimeType: "image/png", buffer: await readFile(SAMPLE) });
   await page.waitForSelector("#progress");
   await page.waitForSelector("[data-step='landmarks'][aria-current]");

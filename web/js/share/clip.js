@@ -64,6 +64,8 @@ async function film(bench, swing, recorder, { signal, isSameFace, told }) {
     check();
     return picture;
   };
+  // What draws a picture may have to be made first.
+  await draw(0);
   // Of the face as it was, from which the swing goes out and to which it comes back.
   const asked_ms = performance.now();
   const still = await draw(0);
@@ -74,11 +76,12 @@ async function film(bench, swing, recorder, { signal, isSameFace, told }) {
     told(past_ms() / LENGTH_MS);
   };
   show(still);
-  // A picture is seen once it is drawn: it shows the face as it will have turned by then.
-  for (let drawing_ms = start_ms - asked_ms; past_ms() + drawing_ms < SWING_MS; ) {
+  // A picture is seen once it is drawn: it shows the face as it will have turned by then, at the earliest.
+  let drawing_ms = start_ms - asked_ms;
+  while (past_ms() + drawing_ms < SWING_MS) {
     const begun_ms = past_ms();
     show(await draw((begun_ms + drawing_ms) / SWING_MS));
-    drawing_ms = past_ms() - begun_ms;
+    drawing_ms = Math.min(drawing_ms, past_ms() - begun_ms);
   }
   swing.go(1);
   for (let shown = 0; past_ms() < LENGTH_MS || shown < LAST_PICTURES; shown += 1) {
