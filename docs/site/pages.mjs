@@ -18,7 +18,8 @@ export const GROUPS = [
     pages: [
       { name: "index", title: "Start", source: "docs/start.md" },
       doc("tutorial", "From selfie to print"),
-      { name: "readme", title: "What is in it", source: "README.md" },
+      { name: "readme", title: "Overview", source: "README.md" },
+      doc("features", "Features"),
       doc("states", "Every state of the page"),
     ],
   },

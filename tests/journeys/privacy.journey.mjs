@@ -47,7 +47,7 @@ journey("the page's policy forbids every other host, inline scripts and eval", a
   assert.equal(refused.ranInline, false);
   assert.equal(refused.evaluated, "refused");
   assert.ok(refused.violations.includes("connect-src") && refused.violations.includes("img-src"));
-  // The browser tells the console, too.
+  // Each violation fails a test that does not expect it.
   assert.ok(visitor.broken.splice(0).length > 0);
 });
 

@@ -57,7 +57,10 @@ async function walkOne({ name, needs, walk }, browsers) {
   } catch (error) {
     failed += 1;
     console.log(`✗ ${name} (${seconds(started)})\n${indent(error?.stack ?? String(error))}`);
-    for (const visitor of visitors) for (const line of visitor.said) console.log(indent(`page: ${line}`));
+    for (const { said, browserSaid } of visitors) {
+      for (const line of said) console.log(indent(`page: ${line}`));
+      for (const line of browserSaid) console.log(indent(`browser: ${line}`));
+    }
   } finally {
     for (const visitor of visitors) {
       if (!(await browsers.leave(visitor))) console.log(`  the browser did not let go of its page, and was ended: ${name}`);

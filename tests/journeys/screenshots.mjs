@@ -8,31 +8,17 @@ import { Visitor } from "./visitor.mjs";
 const ROOT = path.resolve(import.meta.dirname, "../..");
 const IMAGES = path.join(ROOT, "docs/images");
 const DESKTOP = { viewport: { width: 1440, height: 900 } };
-const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
 
 /** @type {Record<string, { options: object, act: (visitor: Visitor) => Promise<void> }>} */
 const PICTURES = {
   "empty-light": { options: { ...DESKTOP, colorScheme: "light" }, act: async () => {} },
   "edit-light": { options: { ...DESKTOP, colorScheme: "light" }, act: work },
-  "edit-dark": { options: { ...DESKTOP, colorScheme: "dark" }, act: work },
   response: { options: { ...DESKTOP, colorScheme: "light" }, act: (visitor) => paint(visitor, "response") },
   distortion: { options: { ...DESKTOP, colorScheme: "light" }, act: (visitor) => paint(visitor, "distortion") },
-  "photo-light": { options: { ...DESKTOP, colorScheme: "light" }, act: inPhoto },
-  "both-dark": { options: { ...DESKTOP, colorScheme: "dark" }, act: both },
   "face-light": { options: { ...DESKTOP, colorScheme: "light" }, act: shape },
   "size-light": { options: { ...DESKTOP, colorScheme: "light" }, act: measure },
-  "phone-size": { options: { ...PHONE, colorScheme: "light" }, act: measure },
   "paper-dark": { options: { ...DESKTOP, colorScheme: "dark" }, act: paper },
   "clay-dense-dark": { options: { ...DESKTOP, colorScheme: "dark" }, act: clay },
-  "phone-empty": { options: { ...PHONE, colorScheme: "light" }, act: async () => {} },
-  "phone-shape": { options: { ...PHONE, colorScheme: "light" }, act: edit },
-  "phone-view-dark": {
-    options: { ...PHONE, colorScheme: "dark" },
-    act: async (visitor) => {
-      await visitor.dropSample();
-      await visitor.unfold("section-view");
-    },
-  },
 };
 
 const wanted = process.argv.slice(2);
@@ -53,22 +39,6 @@ for (const [name, { options, act }] of Object.entries(PICTURES)) {
 }
 await browser.close();
 server.close();
-
-/** @param {Visitor} visitor */
-async function inPhoto(visitor) {
-  await visitor.dropSample();
-  await visitor.slide("nose-width", -4);
-  await visitor.slide("jaw-width", -7);
-  await visitor.page.click("#photo-to-stage");
-  await visitor.unfold("section-in-photo");
-}
-
-/** @param {Visitor} visitor */
-async function both(visitor) {
-  await visitor.dropSample();
-  await visitor.slide("chin-length", 6);
-  await visitor.page.click("#both");
-}
 
 /** @param {Visitor} visitor */
 async function measure(visitor) {

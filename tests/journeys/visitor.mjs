@@ -5,8 +5,8 @@ import { PNG } from "pngjs";
 
 export const SAMPLE = path.resolve(import.meta.dirname, "../../web/assets/sample.png");
 
-/** What a browser says when a page does what its own policy forbids. */
-const VIOLATION = /Content Security Policy|Permissions policy violation|Trusted(HTML|Script)/;
+/** Starts the line that a page writes when it did what its own policy forbids. */
+const VIOLATION = "policy violation:";
 
 /** How often the 3D view is looked at, at most, until it has come to rest. */
 const MOST_SHOTS = 20;
@@ -15,8 +15,10 @@ const MOST_SHOTS = 20;
 export class Visitor {
   /** Errors the page let through, and what its policy had to refuse. */
   broken = [];
-  /** What the page wrote to the console. */
+  /** Console output of the page's own code. */
   said = [];
+  /** Messages of the browser itself, which differ between versions: for the log of a failed test only. */
+  browserSaid = [];
   /** Whether screenshots show the 3D view. */
   sees = true;
 
@@ -35,6 +37,7 @@ export class Visitor {
       ...options,
     });
     await before?.(context);
+    await context.addInitScript(reportViolations, VIOLATION);
     const page = await context.newPage();
     const visitor = new Visitor(page);
     // Every file dialog is answered with the sample. One that opens before Playwright listens for it would be lost.
@@ -49,8 +52,10 @@ export class Visitor {
     page.setDefaultTimeout(60_000);
     page.on("pageerror", (error) => this.broken.push(error));
     page.on("console", (message) => {
-      this.said.push(`${message.type()}: ${message.text()}`);
-      if (VIOLATION.test(message.text())) this.broken.push(message.text());
+      // Only calls of the console have arguments.
+      const isOfPage = message.args().length > 0;
+      (isOfPage ? this.said : this.browserSaid).push(`${message.type()}: ${message.text()}`);
+      if (isOfPage && message.text().startsWith(VIOLATION)) this.broken.push(message.text());
     });
   }
 
@@ -388,4 +393,15 @@ export class Visitor {
     const code = await notice.getAttribute("data-code");
     return { code, text: (await notice.innerText()).trim() };
   }
+}
+
+/**
+ * Runs in the page.
+ *
+ * @param {string} violation
+ */
+function reportViolations(violation) {
+  addEventListener("securitypolicyviolation", ({ violatedDirective, blockedURI, sample }) => {
+    console.error(`${violation} ${violatedDirective} ${blockedURI} ${sample}`);
+  });
 }

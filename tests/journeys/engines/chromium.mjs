@@ -18,7 +18,8 @@ export async function chromium() {
   /** @type {string[]} */
   const errors = [];
   page.on("pageerror", (error) => errors.push(String(error)));
-  page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
+  // Messages of the browser itself have no arguments, and differ between versions.
+  page.on("console", (message) => message.type() === "error" && message.args().length > 0 && errors.push(message.text()));
   page.on("download", (download) => download.saveAs(path.join(downloads, download.suggestedFilename())));
   return {
     engine: "Chromium",

@@ -144,7 +144,8 @@ export class Visit {
     page.on("pageerror", (error) => this.#error.push({ message: `page error: ${error.message}`, stack: error.stack }));
     page.on("crash", () => this.#error.push({ message: "the page's process died" }));
     page.on("console", (message) => {
-      if (message.type() === "error") this.#error.push({ message: `console: ${message.text().split("\n")[0]}`, stack: message.text() });
+      // Messages of the browser itself have no arguments, and differ between versions.
+      if (message.type() === "error" && message.args().length > 0) this.#error.push({ message: `console: ${message.text().split("\n")[0]}`, stack: message.text() });
     });
     page.on("download", (download) => this.#pocket(download));
   }
