@@ -7,8 +7,10 @@
  */
 const validatorScope = /** @type {DedicatedWorkerGlobalScope & { exports: GltfValidator }} */ (/** @type {unknown} */ (self));
 
+const VALIDATOR = "../../vendor/gltf-validator/gltf_validator.dart.js";
+
 validatorScope.exports = /** @type {GltfValidator} */ ({});
-validatorScope.importScripts(trusted("../../vendor/gltf-validator/gltf_validator.dart.js"));
+validatorScope.importScripts(trusted(VALIDATOR));
 
 validatorScope.addEventListener("message", async ({ data: { id, bytes } }) => {
   validatorScope.postMessage({ id, verdict: await verdictOn(bytes) });
@@ -16,14 +18,17 @@ validatorScope.addEventListener("message", async ({ data: { id, bytes } }) => {
 validatorScope.postMessage({ ready: true });
 
 /**
- * A classic worker has no modules, the page's policy for scripts among them: this is the same for the one script here.
+ * Classic workers cannot import the page's policy: this one accepts the validator's address alone.
  *
- * @param {string} script
+ * @param {string} address
  */
-function trusted(script) {
+function trusted(address) {
   const { trustedTypes } = /** @type {{ trustedTypes?: import("../page/trusted.js").PolicyFactory }} */ (globalThis);
-  const rules = { createScriptURL: () => script, createHTML: () => "" };
-  return (trustedTypes?.createPolicy("rosto", rules) ?? rules).createScriptURL(script);
+  const refuse = () => {
+    throw new TypeError("this worker runs the validator only");
+  };
+  const rules = { createScriptURL: (/** @type {string} */ script) => (script === VALIDATOR ? script : refuse()), createHTML: refuse };
+  return (trustedTypes?.createPolicy("rosto", rules) ?? rules).createScriptURL(address);
 }
 
 /**
