@@ -165,10 +165,7 @@ fn a_second_process_on_the_same_meshes_is_refused_and_standard_input_is_another_
         program.spawn().unwrap()
     };
     let mut first = start();
-    while !meshes.join(".rosto-{}.ply.jsonl").exists() {
-        assert!(first.try_wait().unwrap().is_none());
-        std::thread::sleep(std::time::Duration::from_millis(5));
-    }
+    wait_for(&meshes.join(".rosto-{}.ply.jsonl"), &mut first);
     assert_refused(&mesh(&portrait(), &pattern, &QUICK), 6, &["another process"]);
     let feed = |child: &mut std::process::Child| {
         std::io::copy(&mut File::open(portrait()).unwrap(), child.stdin.as_mut().unwrap()).unwrap();

@@ -8,7 +8,6 @@ use std::ffi::OsStr;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
-use std::time::Duration;
 
 use common::*;
 use serde_json::Value;
@@ -170,10 +169,7 @@ fn a_second_process_on_the_same_file_is_refused() {
     let mut first = Command::new(env!("CARGO_BIN_EXE_rosto"));
     let first = first.args(["landmarks", "-", "--mediapipe", "-o"]).arg(&file).stdin(Stdio::piped());
     let mut first = first.stderr(Stdio::null()).spawn().unwrap();
-    while !file.exists() {
-        assert!(first.try_wait().unwrap().is_none(), "it ended before it read the photo");
-        std::thread::sleep(Duration::from_millis(5));
-    }
+    wait_for(&file, &mut first);
     assert_refused(&landmarks(&[&portrait()], &file, &[]), 6, &["faces.jsonl", "another process", "Wait"]);
     assert_refused(&landmarks(&[&portrait()], &file, &["--force"]), 6, &["another process"]);
     std::io::copy(&mut File::open(portrait()).unwrap(), first.stdin.as_mut().unwrap()).unwrap();
