@@ -14,11 +14,11 @@ const EXIT_CODES: &str = "\
 Exit codes:
   0  done; for `landmarks`, also when a picture shows no face
   1  something failed that should not have
-  2  the command line or the edits file is not understood, or asks for something that would change nothing
-  3  a photo cannot be read: missing, no picture, damaged or too large
+  2  the command line or the edits file is not understood, or asks for what would change nothing or overwrite a file of yours
+  3  a photo cannot be read: missing, not a picture, damaged or too large; of several, at least one
   4  no face in the photo
   5  an edit or a body cannot be made: no such vertex, an anchor that is the handle, no number, a wall too thick
-  6  a result cannot be written
+  6  a result cannot be written: the disk is full, the folder is missing, or another process writes the same file
   7  the face networks are missing or damaged";
 
 /// Photos of faces to landmarks and edited, coloured 3D meshes.
@@ -27,8 +27,8 @@ Exit codes:
 pub struct Arguments {
     /// Folder with face_detector.onnx, face_landmarks.onnx and face_landmarks_attention.onnx.
     ///
-    /// Otherwise the environment variable ROSTO_NETWORKS names it; otherwise they are looked for next to the program,
-    /// then in web/assets of the source tree.
+    /// Otherwise the environment variable ROSTO_NETWORKS names it. Otherwise a program that was built for release uses the
+    /// networks that it holds; any other looks for them next to itself, then in web/assets of the source tree.
     #[arg(long, global = true, value_name = "DIR")]
     pub networks: Option<PathBuf>,
     #[command(subcommand)]

@@ -2,7 +2,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use rosto_export::ExportError;
-use rosto_face::FaceError;
+use rosto_face::{FaceError, MOST_PHOTOS};
 use rosto_landmarks::LandmarksError;
 use rosto_photo::PhotoError;
 use rosto_studio::StudioError;
@@ -12,6 +12,8 @@ use crate::files::{self, ReadError};
 use crate::terminal;
 
 mod hint;
+
+const _: () = assert!(MOST_PHOTOS == 5, "CliError::TooManyPhotos says five");
 
 /// Why the program cannot do what it was asked.
 #[derive(Debug, Error)]
@@ -28,12 +30,18 @@ pub enum CliError {
     Unreadable { path: PathBuf, reason: ReadError },
     #[error("{}: {reason}", named(path))]
     NoPicture { path: PathBuf, reason: PhotoError },
-    #[error("{}: there are no photos in this folder", named(path))]
-    NoPhotos { path: PathBuf },
+    #[error("{}: there are no photos in this folder{}", named(path), others(*skipped))]
+    NoPhotos { path: PathBuf, skipped: usize },
+    #[error("a mesh is made of at most five photos of one face, and {given} are given")]
+    TooManyPhotos { given: usize },
     #[error("{}: this photo broke the program", named(path))]
     Broke { path: PathBuf },
-    #[error("{}: line {line} is no line of this request", named(path))]
+    #[error("{}: line {line} was not written by this request", named(path))]
     AnotherJournal { path: PathBuf, line: usize },
+    #[error("{}: another process is writing it", named(path))]
+    InUse { path: PathBuf },
+    #[error("{}: this file is there already, and Rosto did not write it for {}", named(path), named(for_file))]
+    Foreign { path: PathBuf, for_file: PathBuf },
     #[error("{} and {} would both be written to {}", named(one), named(other), named(path))]
     SameOutput { one: PathBuf, other: PathBuf, path: PathBuf },
     #[error("{}: no face found", named(path))]
@@ -46,9 +54,9 @@ pub enum CliError {
         named(path)
     )]
     AnotherFace { path: PathBuf, reprojection_px: f64, most_px: f64 },
-    #[error("{count} of the photos could not be read")]
+    #[error("{count} of the photos failed")]
     SomePhotosFailed { count: usize },
-    #[error("{count} of the photos could not be read, {by_networks} of them because of the networks")]
+    #[error("{count} of the photos failed, {by_networks} of them because of the networks")]
     NetworksFailed { count: usize, by_networks: usize },
     #[error("{}: {reason}", named(path))]
     EditsUnreadable { path: PathBuf, reason: ReadError },
@@ -104,13 +112,18 @@ impl CliError {
         self.exit_code() == 7
     }
 
+    /// Whether the result could not be written: the next one could not be either.
+    pub fn is_of_output(&self) -> bool {
+        self.exit_code() == 6
+    }
+
     /// As `--help` lists them.
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::NotUnderstood { .. } => 2,
             Self::Useless { .. } | Self::StandardInputTwice | Self::OverInput { .. } | Self::UnknownFormat { .. } => 2,
             Self::NoPictureFormat { .. } | Self::AnotherJournal { .. } => 2,
-            Self::SameOutput { .. } => 2,
+            Self::SameOutput { .. } | Self::Foreign { .. } | Self::TooManyPhotos { .. } => 2,
             Self::EditsUnreadable { .. } | Self::EditsFile { .. } | Self::EditsUtf16 { .. } => 2,
             Self::Unreadable { .. } | Self::NoPicture { .. } | Self::NoPhotos { .. } => 3,
             Self::SomePhotosFailed { .. } => 3,
@@ -120,13 +133,21 @@ impl CliError {
             Self::Export(ExportError::Solid(_)) => 5,
             // Of the face too little is in the photo to be moved there.
             Self::Studio(StudioError::Warp(_)) => 5,
-            Self::Unwritable { .. } | Self::Output(_) => 6,
+            Self::Unwritable { .. } | Self::InUse { .. } | Self::Output(_) => 6,
             Self::NetworksMissing { .. } | Self::NetworkMissing { .. } | Self::NetworkUnreadable { .. } => 7,
             Self::Networks(_) | Self::NetworksFailed { .. } | Self::NoPlace { .. } => 7,
             Self::Broke { .. } | Self::NoModel { .. } | Self::NotEncoded { .. } | Self::Export(_) | Self::Studio(_) => {
                 1
             }
         }
+    }
+}
+
+fn others(skipped: usize) -> String {
+    match skipped {
+        0 => String::new(),
+        1 => ", but a file that is not one".to_owned(),
+        _ => format!(", but {skipped} files that are not"),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io::{self, Read, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
@@ -23,6 +23,28 @@ pub enum ReadError {
 /// `-` stands for standard input.
 pub fn is_standard_input(path: &Path) -> bool {
     path.as_os_str() == "-"
+}
+
+/// Refuses to read standard input twice.
+pub fn check_standard_input<'a>(inputs: impl IntoIterator<Item = &'a Path>) -> Result<(), CliError> {
+    match inputs.into_iter().filter(|input| is_standard_input(input)).count() {
+        0 | 1 => Ok(()),
+        _ => Err(CliError::StandardInputTwice),
+    }
+}
+
+/// A name that is the same however a file is reached: `a.jpg`, `./a.jpg` and `folder/../a.jpg` have one. Links to folders are
+/// followed; a link to a file is a file of its own. Standard input keeps its name, which no file has.
+pub fn identity(path: &Path) -> PathBuf {
+    if is_standard_input(path) {
+        return path.to_owned();
+    }
+    let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    let folder = absolute.parent().and_then(|folder| folder.canonicalize().ok());
+    match (folder, absolute.file_name()) {
+        (Some(folder), Some(name)) => folder.join(name),
+        _ => absolute,
+    }
 }
 
 /// The whole file; `-` is standard input. Stops at the first byte beyond the limit.

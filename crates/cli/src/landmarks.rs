@@ -1,4 +1,3 @@
-use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use rosto_landmarks::{Face, FaceFinder, FindOptions};
@@ -8,12 +7,14 @@ use serde_json::{Value, json};
 
 use crate::args::LandmarksTask;
 use crate::error::CliError;
-use crate::many::{self, Journal, Outcome, Progress, Told};
+use crate::many::{self, Journal, Listing, Outcome, PhotoName, Progress, Told};
+use crate::networks::Networks;
 use crate::{files, networks, output, portrait, terminal};
 
 #[derive(Serialize)]
 struct PhotoDto<'a> {
-    photo: Cow<'a, str>,
+    #[serde(flatten)]
+    name: PhotoName<'a>,
     how: &'a Value,
     width: u32,
     height: u32,
@@ -42,24 +43,24 @@ impl FaceDto {
 /// A photo that tells of no faces, in a file that has a line for each.
 #[derive(Serialize)]
 struct FailureDto<'a> {
-    photo: Cow<'a, str>,
+    #[serde(flatten)]
+    name: PhotoName<'a>,
     how: &'a Value,
     error: String,
 }
 
 /// `rosto landmarks`: a line for each photo that can be read, a message for each that cannot.
-pub fn run(task: &LandmarksTask, networks: Option<&Path>) -> Result<(), CliError> {
-    if task.photos.iter().filter(|photo| files::is_standard_input(photo)).count() > 1 {
-        return Err(CliError::StandardInputTwice);
-    }
+pub fn run(task: &LandmarksTask, networks: Networks<'_>) -> Result<(), CliError> {
+    files::check_standard_input(task.photos.iter().map(PathBuf::as_path))?;
     let photos = many::photos(&task.photos)?;
     let finder = networks::load(networks, task.find.landmarks())?;
     let options = task.find.options(task.max_faces);
     let how = how(task, &options);
     let mut lines = Lines::open(task, &photos, &how)?;
-    let left: Vec<PathBuf> = photos.iter().filter(|photo| !lines.has(photo)).cloned().collect();
-    let done = photos.len() - left.len();
-    let progress = Progress::new(photos.len(), done, task.output.is_none());
+    let paths = photos.photos.iter().map(|photo| &photo.path);
+    let left: Vec<PathBuf> = paths.filter(|photo| !lines.has(photo)).cloned().collect();
+    let done = photos.photos.len() - left.len();
+    let progress = Progress::new(photos.photos.len(), done, task.output.is_none());
     let mut told = Told::default();
     let work = |photo: &Path| line(photo, &how, &finder, &options);
     many::in_order(&left, task.many.jobs, work, |(photo, outcome): Outcome<Line>| {
@@ -76,7 +77,7 @@ pub fn run(task: &LandmarksTask, networks: Option<&Path>) -> Result<(), CliError
     })?;
     drop(progress);
     if let Some(path) = &task.output {
-        terminal::note(&told.summary(path, done));
+        terminal::note(&told.summary(path, done, &photos.skipped));
     }
     told.verdict()
 }
@@ -94,11 +95,12 @@ enum Lines {
 }
 
 impl Lines {
-    fn open(task: &LandmarksTask, photos: &[PathBuf], how: &Value) -> Result<Self, CliError> {
+    fn open(task: &LandmarksTask, photos: &Listing, how: &Value) -> Result<Self, CliError> {
         let Some(path) = &task.output else { return Ok(Self::StandardOutput) };
-        let inputs: Vec<&Path> = photos.iter().map(PathBuf::as_path).collect();
+        let inputs: Vec<&Path> = photos.photos.iter().map(|photo| photo.path.as_path()).collect();
         output::check(path, &inputs)?;
-        Journal::open(path, how).map(Self::File)
+        let journal = if task.many.force { Journal::anew(path) } else { Journal::open(path, how, photos) };
+        journal.map(Self::File)
     }
 
     fn has(&self, photo: &Path) -> bool {
@@ -112,12 +114,11 @@ impl Lines {
         }
     }
 
-    /// So that the photo is not tried again; unless it was not to blame.
+    /// Adds why the photo has no landmarks, unless the networks are to blame. The next run tries it again.
     fn add_failure(&mut self, photo: &Path, how: &Value, error: &CliError) -> Result<(), CliError> {
         match self {
             Self::File(journal) if !error.is_of_networks() => {
-                let (photo, error) = (photo.to_string_lossy(), error.to_string());
-                journal.add(&json(&FailureDto { photo, how, error }))
+                journal.add(&json(&FailureDto { name: PhotoName::new(photo), how, error: error.to_string() }))
             }
             _ => Ok(()),
         }
@@ -134,7 +135,7 @@ fn line(path: &Path, how: &Value, finder: &FaceFinder, options: &FindOptions) ->
     let photo = portrait::open(path)?;
     let faces = portrait::faces(&photo, path, finder, options)?;
     let dto = PhotoDto {
-        photo: path.to_string_lossy(),
+        name: PhotoName::new(path),
         how,
         width: photo.width(),
         height: photo.height(),

@@ -30,18 +30,25 @@ use clap::{ArgMatches, CommandFactory, FromArgMatches};
 
 use crate::args::{Arguments, Task};
 use crate::error::CliError;
+use crate::networks::Networks;
 use crate::request::Given;
 
 pub use face_mesh::{FaceMesh, Refused};
+pub use networks::EmbeddedNetworks;
 
 /// Does what the words of a command line ask for, the program's name first; returns its exit code.
 pub fn command_line(words: impl IntoIterator<Item = OsString>) -> u8 {
+    command_line_with(words, &[])
+}
+
+/// The same for a program that holds the networks, which serve unless the user names a folder of others.
+pub fn command_line_with(words: impl IntoIterator<Item = OsString>, embedded: EmbeddedNetworks) -> u8 {
     let understood = Arguments::command().try_get_matches_from(words).and_then(|matches| {
         let arguments = Arguments::from_arg_matches(&matches)?;
         Ok((matches, arguments))
     });
     let outcome = match understood {
-        Ok((matches, arguments)) => run(&arguments, &matches),
+        Ok((matches, arguments)) => run(&arguments, &matches, embedded),
         Err(error) => return not_understood(&error),
     };
     match outcome {
@@ -55,8 +62,8 @@ pub fn command_line(words: impl IntoIterator<Item = OsString>) -> u8 {
     }
 }
 
-fn run(arguments: &Arguments, matches: &ArgMatches) -> Result<(), CliError> {
-    let networks = arguments.networks.as_deref();
+fn run(arguments: &Arguments, matches: &ArgMatches, embedded: EmbeddedNetworks) -> Result<(), CliError> {
+    let networks = Networks { named: arguments.networks.as_deref(), embedded };
     let given = Given(matches.subcommand().map_or(matches, |(_, given)| given));
     match &arguments.task {
         Task::Landmarks(task) => landmarks::run(task, networks),

@@ -1,7 +1,9 @@
 //! Many photos: listed, worked on side by side, and taken in their order.
 
 mod journal;
+mod lines;
 mod listing;
+mod name;
 mod progress;
 mod told;
 
@@ -13,7 +15,9 @@ use std::thread::{self, Scope};
 use crate::error::CliError;
 
 pub use journal::Journal;
-pub use listing::photos;
+pub use lines::{Lines, Verdict};
+pub use listing::{Listed, Listing, Skipped, photos};
+pub use name::{PhotoName, hex};
 pub use progress::Progress;
 pub use told::Told;
 

@@ -1,9 +1,11 @@
 mod each;
+mod ledger;
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use rosto_export::{Format, PLA_G_PER_CM3, SolidFacts, Written};
-use rosto_face::{FaceModel, Photo, PhotoLens};
+use rosto_face::{FaceModel, MOST_PHOTOS, Photo, PhotoLens};
 use rosto_landmarks::FaceFinder;
 use rosto_studio::{Anchors, Command, Document, EditSpec, Rest, StudioError};
 
@@ -12,13 +14,14 @@ use crate::edits::ExpressionEdit;
 use crate::encode;
 use crate::error::CliError;
 use crate::model_history::image_rest;
+use crate::networks::Networks;
 use crate::portrait::Portrait;
 use crate::request::{self, Given};
 use crate::units::{MM_PER_M, Units};
 use crate::{edits, files, networks, output, portrait, settings, several, terminal};
 
 /// A command with the words that a message names it by.
-#[derive(Clone)]
+#[derive(Debug, Clone)]
 pub struct Step {
     what: String,
     command: Command,
@@ -31,10 +34,11 @@ impl Step {
 }
 
 /// `rosto mesh`: photo to edited mesh.
-pub fn run(task: &MeshTask, given: &Given<'_>, networks: Option<&Path>) -> Result<(), CliError> {
+pub fn run(task: &MeshTask, given: &Given<'_>, networks: Networks<'_>) -> Result<(), CliError> {
     // What is wrong with the request is said before any work is done.
-    let of_each = each::is_asked_for(&task.output);
+    let of_each = output::is_pattern(&task.output);
     if !of_each {
+        check_count(task.photos.len())?;
         check_files(&task.photos, &task.edits, &task.output)?;
     }
     let format = encode::format_of(&task.output)?;
@@ -42,9 +46,7 @@ pub fn run(task: &MeshTask, given: &Given<'_>, networks: Option<&Path>) -> Resul
     if of_each {
         return each::run(task, &steps(&task.edits, &task.settings)?, format, networks);
     }
-    for name in format.names_beside(task.base_colour, &encode::name_of(&task.output)) {
-        check_files(&task.photos, &task.edits, &task.output.with_file_name(name))?;
-    }
+    check_beside(task, format)?;
     let steps = steps(&task.edits, &task.settings)?;
     let photos: Vec<Photo> = task.photos.iter().map(|path| portrait::open(path)).collect::<Result<_, _>>()?;
     let finder = networks::load(networks, task.find.landmarks())?;
@@ -106,10 +108,27 @@ fn told(solid: &SolidFacts) -> Vec<String> {
 /// Refuses standard input for two things, and an output that is one of the inputs.
 pub fn check_files(photos: &[PathBuf], edits: &EditArguments, output: &Path) -> Result<(), CliError> {
     let inputs: Vec<&Path> = photos.iter().chain(&edits.file).map(PathBuf::as_path).collect();
-    if inputs.iter().filter(|input| files::is_standard_input(input)).count() > 1 {
-        return Err(CliError::StandardInputTwice);
-    }
+    files::check_standard_input(inputs.iter().copied())?;
     output::check(output, &inputs)
+}
+
+fn check_count(given: usize) -> Result<(), CliError> {
+    if given > MOST_PHOTOS { Err(CliError::TooManyPhotos { given }) } else { Ok(()) }
+}
+
+/// Refuses to replace a file beside the output, which the command line does not name, unless Rosto wrote it for this output.
+fn check_beside(task: &MeshTask, format: Format) -> Result<(), CliError> {
+    let name = encode::name_of(&task.output);
+    let beside = format.names_beside(task.base_colour, &name).into_iter().map(|name| task.output.with_file_name(name));
+    let beside: Vec<PathBuf> = beside.collect();
+    beside.iter().try_for_each(|path| check_files(&task.photos, &task.edits, path))?;
+    let contents: Vec<Option<Vec<u8>>> = beside.iter().map(|path| fs::read(path).ok()).collect();
+    match beside.iter().find(|path| path.exists()) {
+        Some(path) if !task.many.force && !format.wrote_beside(&name, &contents) => {
+            Err(CliError::Foreign { path: path.clone(), for_file: task.output.clone() })
+        }
+        _ => Ok(()),
+    }
 }
 
 /// From how far away the photo was taken, and how that is known.

@@ -36,15 +36,30 @@ impl Landmarks {
     }
 }
 
-/// Loads the detector and a landmark network from the first place that has both; a folder that was named is the only place.
-pub fn load(named: Option<&Path>, landmarks: Landmarks) -> Result<FaceFinder, CliError> {
+/// Networks within the program, by the names of their files.
+pub type EmbeddedNetworks = &'static [(&'static str, &'static [u8])];
+
+/// Where networks come from: the folder that the command line names, or else the one that ROSTO_NETWORKS names, or else the
+/// program itself, or else a folder near it.
+#[derive(Debug, Clone, Copy)]
+pub struct Networks<'a> {
+    pub named: Option<&'a Path>,
+    pub embedded: EmbeddedNetworks,
+}
+
+/// Loads the detector and a landmark network.
+pub fn load(from: Networks<'_>, landmarks: Landmarks) -> Result<FaceFinder, CliError> {
     let by_variable = || env::var_os("ROSTO_NETWORKS").filter(|folder| !folder.is_empty()).map(PathBuf::from);
-    let places = match named.map(Path::to_owned).or_else(by_variable) {
-        Some(folder) => vec![folder],
-        None => usual_places(),
-    };
     let names = [DETECTOR, landmarks.file()];
-    let folder = place(&places, names)?;
+    let embedded = names.map(|name| from.embedded.iter().find(|(known, _)| *known == name).map(|(_, onnx)| *onnx));
+    match (from.named.map(Path::to_owned).or_else(by_variable), embedded) {
+        (None, [Some(detector), Some(onnx)]) => Ok(FaceFinder::new(detector, landmarks.network(onnx))?),
+        (folder, _) => load_files(&folder.map_or_else(usual_places, |folder| vec![folder]), names, landmarks),
+    }
+}
+
+fn load_files(places: &[PathBuf], names: [&str; 2], landmarks: Landmarks) -> Result<FaceFinder, CliError> {
+    let folder = place(places, names)?;
     let [detector, onnx] = names.map(|name| read(&folder.join(name)));
     Ok(FaceFinder::new(&detector?, landmarks.network(&onnx?))?)
 }
@@ -65,10 +80,38 @@ fn place<'a>(places: &'a [PathBuf], names: [&str; 2]) -> Result<&'a Path, CliErr
 
 fn usual_places() -> Vec<PathBuf> {
     let beside_program = env::current_exe().ok().and_then(|program| program.parent().map(Path::to_owned));
-    let source_tree = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web/assets");
-    beside_program.into_iter().chain([source_tree]).collect()
+    beside_program.into_iter().chain(source_tree()).collect()
+}
+
+/// Only for who develops Rosto: no folder of the machine that built it is in a program that others get.
+#[cfg(debug_assertions)]
+fn source_tree() -> Option<PathBuf> {
+    Some(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web/assets"))
+}
+
+#[cfg(not(debug_assertions))]
+fn source_tree() -> Option<PathBuf> {
+    None
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, CliError> {
     files::read(path, MAX_BYTES).map_err(|reason| CliError::NetworkUnreadable { path: path.to_owned(), reason })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const EMBEDDED: EmbeddedNetworks = &[
+        (DETECTOR, include_bytes!("../../../web/assets/face_detector.onnx")),
+        ("face_landmarks.onnx", include_bytes!("../../../web/assets/face_landmarks.onnx")),
+    ];
+
+    #[test]
+    fn a_program_with_networks_needs_no_folder_but_obeys_one_that_is_named() {
+        let load = |named, landmarks| load(Networks { named, embedded: EMBEDDED }, landmarks);
+        assert!(load(None, Landmarks::Plain).is_ok());
+        let nowhere = Path::new("no such folder");
+        assert!(matches!(load(Some(nowhere), Landmarks::Plain), Err(CliError::NetworksMissing { .. })));
+    }
 }

@@ -14,6 +14,14 @@ use crate::files;
 /// What stays behind beside the output, and may be deleted, if the program is killed in the middle of writing.
 const UNFINISHED: &str = ".rosto-unfinished-";
 
+/// In the name of an output, the place of a photo's name.
+pub const PHOTO_NAME: &str = "{}";
+
+/// Whether an output stands for one of each photo.
+pub fn is_pattern(output: &Path) -> bool {
+    output.to_str().is_some_and(|output| output.contains(PHOTO_NAME))
+}
+
 /// Refuses, before any work is done, an output that is one of the inputs, or whose folder is not there.
 pub fn check(path: &Path, inputs: &[&Path]) -> Result<(), CliError> {
     if let Some(input) = inputs.iter().find(|input| is_same_file(input, path)) {
@@ -103,7 +111,7 @@ impl Unfinished {
     }
 }
 
-fn unfinished_beside(path: &Path) -> io::Result<NamedTempFile> {
+pub fn unfinished_beside(path: &Path) -> io::Result<NamedTempFile> {
     let mut builder = Builder::new();
     builder.prefix(UNFINISHED);
     #[cfg(unix)]

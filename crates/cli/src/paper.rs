@@ -11,6 +11,7 @@ use rosto_studio::paper::{Experiment, Method, MethodOutcome, Plan, PlotWords, Tr
 use crate::args::PaperTask;
 use crate::encode::carried;
 use crate::error::CliError;
+use crate::networks::Networks;
 use crate::{files, networks, output, portrait};
 
 mod report;
@@ -21,10 +22,13 @@ const REPETITIONS: usize = 5;
 const FIGURES: [&str; 3] = ["figure-3.glb", "figure-4.glb", "figure-5.glb"];
 const PLOT: &str = "times.svg";
 
+/// How the plot begins, so that a later run knows it.
+const PLOT_START: &str = "<!-- Rosto -->";
+
 const PLOT_PX: [f64; 2] = [640.0, 400.0];
 
 /// `rosto paper`: the paper's experiment on this photo and this machine, over many seeds and every way of editing.
-pub fn run(task: &PaperTask, networks: Option<&Path>) -> Result<(), CliError> {
+pub fn run(task: &PaperTask, networks: Networks<'_>) -> Result<(), CliError> {
     check_output(task)?;
     let photo = portrait::open(&task.photo)?;
     let finder = networks::load(networks, task.find.landmarks())?;
@@ -43,17 +47,17 @@ pub fn run(task: &PaperTask, networks: Option<&Path>) -> Result<(), CliError> {
         all.iter().map(|(method, trials)| MethodOutcome::of(&experiment, *method, trials)).collect();
     let paper = &all[0].1;
     write_figures(&face, &paper[0], &task.output)?;
-    let plot = svg(paper, PLOT_PX, &plot_words());
+    let plot = format!("{PLOT_START}\n{}", svg(paper, PLOT_PX, &plot_words()));
     output::write(&task.output.join(PLOT), plot.as_bytes())?;
     files::print(&report::markdown(extraction, generation, paper, &outcomes, &task.output))
 }
 
-/// Refuses, before any work is done, a folder that is none or whose files are the photo.
+/// Refuses, before any work is done, a folder that is not one, or whose files are the photo or not Rosto's.
 fn check_output(task: &PaperTask) -> Result<(), CliError> {
     match fs::metadata(&task.output) {
         Ok(there) if there.is_dir() => {
             let mut names = FIGURES.into_iter().chain([PLOT]);
-            names.try_for_each(|name| output::check(&task.output.join(name), &[&task.photo]))
+            names.try_for_each(|name| check_file(task, &task.output.join(name)))
         }
         Ok(_) => {
             let reason = io::ErrorKind::NotADirectory.into();
@@ -61,6 +65,22 @@ fn check_output(task: &PaperTask) -> Result<(), CliError> {
         }
         Err(_) => Ok(()),
     }
+}
+
+fn check_file(task: &PaperTask, path: &Path) -> Result<(), CliError> {
+    output::check(path, &[&task.photo])?;
+    match fs::read(path) {
+        Ok(found) if !task.force && !is_ours(&found) => {
+            Err(CliError::Foreign { path: path.to_owned(), for_file: task.photo.clone() })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Whether it is a GLB or a plot that Rosto wrote.
+fn is_ours(found: &[u8]) -> bool {
+    let generator = b"\"generator\":\"Rosto ";
+    found.starts_with(PLOT_START.as_bytes()) || found.windows(generator.len()).any(|bytes| bytes == generator)
 }
 
 fn plot_words() -> PlotWords {

@@ -14,6 +14,7 @@ use crate::args::PhotoTask;
 use crate::encode::Shape;
 use crate::error::CliError;
 use crate::mesh::{check_files, edited, steps};
+use crate::networks::Networks;
 use crate::request::{self, Given};
 use crate::{networks, output, portrait, terminal};
 
@@ -21,7 +22,7 @@ use crate::{networks, output, portrait, terminal};
 const JPEG_QUALITY: u8 = 95;
 
 /// `rosto photo`: photo to edited photo.
-pub fn run(task: &PhotoTask, given: &Given<'_>, networks: Option<&Path>) -> Result<(), CliError> {
+pub fn run(task: &PhotoTask, given: &Given<'_>, networks: Networks<'_>) -> Result<(), CliError> {
     check_files(std::slice::from_ref(&task.photo), &task.edits, &task.output)?;
     let format = PictureFormat::of(&task.output)?;
     request::check_photo(task, given)?;

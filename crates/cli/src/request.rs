@@ -7,6 +7,7 @@ use rosto_face::Triangulation;
 
 use crate::args::{EditArguments, MeshTask, PhotoTask, SettingsArguments};
 use crate::error::CliError;
+use crate::output;
 use crate::settings::Rule;
 use crate::units::Units;
 
@@ -62,7 +63,8 @@ fn check_format(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<()
         true if task.edits.units != Units::Mm => return useless("--expressions", "they need --units mm"),
         _ => {}
     }
-    if task.photos.len() > 1 && format.lets_choose(Choosable::Unit) && task.edits.units == Units::Image {
+    let of_several = task.photos.len() > 1 && !output::is_pattern(&task.output);
+    if of_several && format.lets_choose(Choosable::Unit) && task.edits.units == Units::Image {
         return useless("a further photo", "image coordinates are those of one; give --units mm");
     }
     match task.morph_targets {

@@ -16,11 +16,11 @@ use common::*;
 const GOOD: &[u8] = b"a good file of last week";
 
 /// `rosto mesh` of the portrait where no file may grow beyond a few kilobytes; `first` is said to the shell before.
-fn mesh_cut_short(first: &str, output: &Path) -> Output {
+fn mesh_cut_short(first: &str, output: &Path, more: &[&str]) -> Output {
     let script = format!("{first} ulimit -f 4; exec \"$@\"");
     let mut shell = Command::new("sh");
     shell.args(["-c", &script, "sh", env!("CARGO_BIN_EXE_rosto"), "mesh"]).arg(portrait()).arg("-o").arg(output);
-    shell.output().unwrap()
+    shell.args(more).output().unwrap()
 }
 
 #[test]
@@ -28,7 +28,7 @@ fn a_program_killed_while_it_writes_leaves_the_good_file_whole() {
     let folder = scratch_folder("killed");
     let file = folder.join("face.glb");
     fs::write(&file, GOOD).unwrap();
-    let run = mesh_cut_short("", &file);
+    let run = mesh_cut_short("", &file, &[]);
     assert_eq!(run.status.signal(), Some(25), "SIGXFSZ, in the middle of a write");
     assert_eq!(fs::read(&file).unwrap(), GOOD);
     let stray: Vec<String> = names_in(&folder).into_iter().filter(|name| name != "face.glb").collect();
@@ -43,7 +43,7 @@ fn a_write_that_fails_leaves_the_good_file_and_nothing_beside_it() {
         if let Some(good) = before {
             fs::write(&file, good).unwrap();
         }
-        let run = mesh_cut_short("trap '' XFSZ;", &file);
+        let run = mesh_cut_short("trap '' XFSZ;", &file, &[]);
         assert_refused(&run, 6, &["face.glb", "too low"]);
         assert_eq!(fs::read(&file).ok().as_deref(), before);
         assert_eq!(names_in(&folder).len(), usize::from(before.is_some()));
@@ -57,7 +57,7 @@ fn the_figures_of_the_paper_are_each_written_whole() {
     fs::write(&figure, GOOD).unwrap();
     let script = "trap '' XFSZ; ulimit -f 4; exec \"$@\"";
     let mut shell = Command::new("sh");
-    shell.args(["-c", script, "sh", env!("CARGO_BIN_EXE_rosto"), "paper", "--runs", "1"]).arg(portrait());
+    shell.args(["-c", script, "sh", env!("CARGO_BIN_EXE_rosto"), "paper", "--runs", "1", "--force"]).arg(portrait());
     let run = shell.arg("-o").arg(&folder).output().unwrap();
     assert_refused(&run, 6, &["figure-3.glb"]);
     assert_eq!((fs::read(&figure).unwrap().as_slice(), names_in(&folder).len()), (GOOD, 1));
@@ -166,7 +166,7 @@ fn a_painted_obj_brings_its_material_and_its_picture_all_or_none() {
     for name in names_in(&folder) {
         fs::write(folder.join(name), GOOD).unwrap();
     }
-    let run = mesh_cut_short("trap '' XFSZ;", &file);
+    let run = mesh_cut_short("trap '' XFSZ;", &file, &["--force"]);
     assert_refused(&run, 6, &["too low"]);
     assert!(names_in(&folder).iter().all(|name| fs::read(folder.join(name)).unwrap() == GOOD));
     assert_eq!(names_in(&folder).len(), 3);
@@ -174,6 +174,57 @@ fn a_painted_obj_brings_its_material_and_its_picture_all_or_none() {
     fs::remove_file(&file).unwrap();
     assert_eq!(code(&mesh(&portrait(), &file, &["--base-colour", "colours"])), 0);
     assert_eq!(fs::read(folder.join("my_face.mtl")).unwrap(), GOOD, "colours need no material");
+}
+
+#[test]
+fn a_file_beside_the_output_is_replaced_only_if_rosto_wrote_it_for_that_output() {
+    let folder = scratch_folder("side");
+    let file = folder.join("my face.obj");
+    let [material, picture] = ["my_face.mtl", "my_face.png"].map(|name| folder.join(name));
+    for mine in [&material, &picture] {
+        fs::write(mine, GOOD).unwrap();
+        let mine_name = mine.file_name().unwrap().to_str().unwrap();
+        assert_refused(&mesh(&portrait(), &file, &[]), 2, &[mine_name, "did not write it", "--force"]);
+        assert!(fs::read(mine).unwrap() == GOOD && names_in(&folder).len() == 1, "nothing is written");
+        fs::remove_file(mine).unwrap();
+    }
+    // Twice: what Rosto wrote, it replaces.
+    for density in ["0", "1"] {
+        assert_eq!(code(&mesh(&portrait(), &file, &["--density", density])), 0);
+    }
+    // The files beside are named so for this output, too.
+    let other = folder.join("my_face.obj");
+    assert_refused(&mesh(&portrait(), &other, &[]), 2, &["my_face.mtl", "did not write it for"]);
+    assert!(!other.exists());
+    // Somebody paints on the picture.
+    let painted = [fs::read(&picture).unwrap(), b"painted".to_vec()].concat();
+    fs::write(&picture, &painted).unwrap();
+    let before = fs::read(&file).unwrap();
+    assert_refused(&mesh(&portrait(), &file, &["--density", "0"]), 2, &["did not write it"]);
+    assert!(fs::read(&picture).unwrap() == painted && fs::read(&file).unwrap() == before);
+    assert_eq!(code(&mesh(&portrait(), &file, &["--density", "0", "--force"])), 0);
+    assert!(image::open(&picture).is_ok() && fs::read(&picture).unwrap() != painted);
+}
+
+#[test]
+fn a_figure_of_somebody_else_is_not_replaced_and_one_of_an_earlier_run_is() {
+    let folder = scratch_folder("figures");
+    let paper = |more: &[&str]| {
+        let words = ["paper", "--runs", "1", "-o"].map(Path::new).into_iter().chain([folder.as_path()]);
+        let portrait = portrait();
+        rosto(words.chain([portrait.as_path()]).chain(more.iter().map(Path::new)))
+    };
+    for name in ["figure-4.glb", "times.svg"] {
+        fs::write(folder.join(name), GOOD).unwrap();
+        assert_refused(&paper(&[]), 2, &[name, "--force"]);
+        assert_eq!((fs::read(folder.join(name)).unwrap().as_slice(), names_in(&folder).len()), (GOOD, 1));
+        fs::remove_file(folder.join(name)).unwrap();
+    }
+    assert_eq!(code(&paper(&[])), 0);
+    assert_eq!(code(&paper(&[])), 0);
+    fs::write(folder.join("times.svg"), GOOD).unwrap();
+    assert_eq!(code(&paper(&["--force"])), 0);
+    assert_ne!(fs::read(folder.join("times.svg")).unwrap(), GOOD);
 }
 
 #[test]

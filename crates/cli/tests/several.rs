@@ -78,6 +78,6 @@ fn what_shows_no_face_is_named_and_what_would_change_nothing_refused() {
     };
     refused(&[&photo, &faceless()], &["--units", "mm"], 4, &["faceless.png: no face found"]);
     refused(&[&photo, &other], &[], 2, &["a further photo", "--units mm"]);
-    refused(&[photo.as_path(); 6], &["--units", "mm"], 2, &["PHOTO"]);
+    refused(&[photo.as_path(); 6], &["--units", "mm"], 2, &["at most five photos of one face", "6 are given"]);
     refused(&["-".as_ref(), "-".as_ref()], &["--units", "mm"], 2, &["standard input is asked for twice"]);
 }

@@ -148,6 +148,15 @@ impl Format {
         }
     }
 
+    /// Whether files with these contents, in the order of [`Format::names_beside`], are those that were written beside one of that
+    /// name, unchanged since. `None` is a file that is missing.
+    pub fn wrote_beside(self, name: &str, contents: &[Option<Vec<u8>>]) -> bool {
+        match self {
+            Self::Obj => obj::wrote_beside(name, contents),
+            _ => contents.is_empty(),
+        }
+    }
+
     /// How the name of the one file ends that [`Written::bundled`] makes: `zip` where there are several.
     pub fn bundle_ending(self, base_colour: BaseColour) -> &'static str {
         if self.names_beside(base_colour, "").is_empty() { self.id() } else { "zip" }

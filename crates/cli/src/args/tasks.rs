@@ -3,7 +3,7 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
 use rosto_export::{BaseColour, Colours, Eyes, Material, Solid, TextureSize};
-use rosto_face::{MOST_PHOTOS, Triangulation};
+use rosto_face::Triangulation;
 use rosto_studio::{DEFAULT_RING, SMOOTH_DENSITY};
 use rosto_warp::Dab;
 
@@ -19,15 +19,21 @@ pub struct ManyArguments {
     #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true,
         value_parser = RangedU64ValueParser::<usize>::new().range(1..=1024))]
     pub jobs: usize,
+    /// Replaces files that are there already, whoever wrote them, and does what is done again. Photos and --edits stay
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Debug, Args)]
 pub struct LandmarksTask {
-    /// JPEG, PNG or WebP; - reads standard input. A folder stands for all photos in it and in its folders
+    /// JPEG, PNG or WebP; - reads standard input. A folder stands for all photos in it and in its folders: regular files named
+    /// .jpg, .jpeg, .jpe, .jfif, .pjpeg, .png or .webp
     #[arg(required = true, value_name = "PHOTO|DIR")]
     pub photos: Vec<PathBuf>,
-    /// The file of JSON lines to write in place of standard output, with a line for each photo that could not be read, too.
-    /// If it is there it is gone on with: photos that it tells of are left out
+    /// The file of JSON lines to write in place of standard output, with a line for each photo that could not be read, too
+    ///
+    /// If the file is there, the run is resumed: photos that have a line are left out, and those that failed are tried again. A
+    /// file that was not written by the same request is refused. Only one process at a time can write it.
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
@@ -63,7 +69,7 @@ pub struct MeshTask {
     ///
     /// Of several photos the one in which the face looks at the camera leads: the mesh lies on it, and its picture colours it.
     /// The others tell how deep each landmark lies.
-    #[arg(required = true, value_name = "PHOTO", num_args = 1..=MOST_PHOTOS)]
+    #[arg(required = true, value_name = "PHOTO")]
     pub photos: Vec<PathBuf>,
     /// The file to write, whole or not at all; its name ends as its format is called
     #[arg(short, long, value_name = "FILE", long_help = output_help())]
@@ -148,6 +154,9 @@ pub struct PaperTask {
     /// Folder for the meshes of Figures 3 to 5 and the plot of times; made if it is not there
     #[arg(short, long, value_name = "DIR", default_value = "rosto-paper")]
     pub output: PathBuf,
+    /// Replaces files of the same names in that folder, even if Rosto did not write them
+    #[arg(long)]
+    pub force: bool,
     /// Chooses the vertices and their anchors; each further run takes the next seed
     #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
     pub seed: u64,
@@ -161,7 +170,7 @@ pub struct PaperTask {
 
 fn output_help() -> String {
     format!(
-        "The file to write, whole or not at all; its name ends as its format is called. {{}} in it stands for the name of each photo, without its ending: what is there already is left as it is.\n\nFormats: {}",
+        "The file to write, whole or not at all; its name ends as its format is called. {{}} in it stands for the name of each photo, without its extension.\n\nWith {{}} a run can be resumed: meshes that the same request has made are left as they are. What was made of which photo is in the file .rosto-NAME.jsonl beside the meshes. A file that Rosto did not write is replaced only with --force, and so is one beside FILE, such as an OBJ's picture.\n\nFormats: {}",
         endings()
     )
 }

@@ -24,12 +24,17 @@ impl CliError {
             Self::Unreadable { reason: ReadError::Empty, .. } => Some(PhotoError::NotAPicture.hint()),
             Self::Unreadable { reason, .. } | Self::EditsUnreadable { reason, .. } => read_hint(reason),
             Self::NoPicture { reason, .. } => Some(reason.hint()),
-            Self::NoPhotos { .. } => Some("Their names should end in .jpg, .jpeg, .png or .webp."),
+            Self::NoPhotos { .. } => {
+                Some("Photos are regular files named .jpg, .jpeg, .jpe, .jfif, .pjpeg, .png or .webp.")
+            }
+            Self::TooManyPhotos { .. } => Some("To make a mesh of each photo, put {} into the name of the output."),
             Self::Broke { .. } => Some("Tell us of it, with the photo if it may be seen: it should not have."),
             Self::AnotherJournal { .. } => {
-                Some("Give the options that the file was begun with, or another name; it is as it was.")
+                Some("Give the options that the file was begun with, another name, or --force; it is as it was.")
             }
-            Self::SameOutput { .. } => Some("Rename one of them, or make their meshes one by one."),
+            Self::InUse { .. } => Some("Wait until that process ends, or give another name."),
+            Self::Foreign { .. } => Some("Move it, give another name, or replace it with --force."),
+            Self::SameOutput { .. } => Some("Rename one of the photos, or write their meshes to different folders."),
             Self::NoFace { .. } => Some("The face should fill a tenth of the picture or more and look at the camera."),
             Self::AnotherFace { .. } => Some("Give photos of one face, each with no other face in front."),
             Self::EditsFile { .. } => {
@@ -47,9 +52,9 @@ impl CliError {
             Self::UnknownFormat { .. } | Self::NoPictureFormat { .. } => Some("End its name so."),
             Self::Unwritable { reason, .. } => Some(write_hint(reason)),
             Self::Output(reason) if is_full(reason) => Some("The disk is full: make room, or write elsewhere."),
-            Self::NetworksMissing { .. } => {
-                Some("Run `cargo xtask setup` in the source tree, or name their folder with --networks.")
-            }
+            Self::NetworksMissing { .. } => Some(
+                "Run `cargo xtask setup` in the source tree and build again, or name their folder with --networks.",
+            ),
             Self::NetworkMissing { .. } | Self::NetworkUnreadable { .. } => {
                 Some("Run `cargo xtask setup` to obtain both, or name another folder with --networks.")
             }
@@ -77,6 +82,7 @@ fn write_hint(reason: &io::Error) -> &'static str {
         ErrorKind::FileTooLarge => "The system's limit on the length of files is too low for it.",
         ErrorKind::IsADirectory => "Name a file in that folder.",
         ErrorKind::NotADirectory => "Name a folder.",
+        ErrorKind::InvalidFilename => "Give a shorter name.",
         _ => "Check that the folder is there and may be written to.",
     }
 }

@@ -1,74 +1,134 @@
 use std::collections::HashSet;
-use std::fs::{File, OpenOptions};
-use std::io::{self, BufRead, BufReader, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
+use serde::de::IgnoredAny;
 use serde_json::Value;
 
+use super::lines::{FoundLine, Lines, Verdict};
+use super::{Listing, PhotoName};
 use crate::error::CliError;
+use crate::files;
 
-/// A file of JSON lines, one for each photo, that is gone on with where it stopped.
+/// How a line begins, up to the name of its photo, and what follows a name that is not valid UTF-8.
+const BEGINNING: &str = "{\"photo\":\"";
+const BYTES: &str = "\",\"photo_bytes\":\"";
+
+/// A file of JSON lines, one for each photo, that a later run resumes.
 pub struct Journal {
-    path: PathBuf,
-    file: File,
-    photos: HashSet<String>,
+    lines: Lines,
+    done: HashSet<PathBuf>,
 }
 
-/// What a line says of itself.
+/// What tells a line of this request from other JSON.
 #[derive(Deserialize)]
-struct Head {
-    photo: String,
+struct Entry {
+    #[serde(flatten)]
+    name: PhotoName<'static>,
     how: Value,
+    error: Option<IgnoredAny>,
+    faces: Option<IgnoredAny>,
 }
 
 impl Journal {
-    /// Makes the file, or reads which photos it tells of. The last line goes if its end is missing: it was being written
-    /// when the program ended.
+    /// Makes the file, or reads which of the photos it has. Lines of photos that failed and are asked for again are dropped, and
+    /// so is a last line that is cut off.
     ///
     /// # Errors
-    /// [`CliError::AnotherJournal`] if a line of it is none of these, or was made otherwise than `how`.
-    pub fn open(path: &Path, how: &Value) -> Result<Self, CliError> {
-        let refused = |reason: io::Error| CliError::Unwritable { path: path.to_owned(), reason };
-        let mut options = OpenOptions::new();
-        let file = options.read(true).append(true).create(true).open(path).map_err(refused)?;
-        let mut journal = Self { path: path.to_owned(), file, photos: HashSet::new() };
-        let whole_bytes = journal.read(how)?;
-        journal.file.set_len(whole_bytes).map_err(refused)?;
+    /// [`CliError::AnotherJournal`] if a line is not one that this request writes; the file stays as it was.
+    pub fn open(path: &Path, how: &Value, photos: &Listing) -> Result<Self, CliError> {
+        let mut journal = Self { lines: Lines::open(path)?, done: HashSet::new() };
+        journal.lines.read(|line| {
+            let another = CliError::AnotherJournal { path: path.to_owned(), line: line.number };
+            let Some((photo, failed)) = entry(&line, how) else {
+                return if is_cut_off(&line, how) { Ok(Verdict::Drop) } else { Err(another) };
+            };
+            if failed && photos.has(&photo) {
+                return Ok(Verdict::Drop);
+            }
+            // What comes through standard input has no name to know it by.
+            if !failed && !files::is_standard_input(&photo) {
+                journal.done.insert(photo);
+            }
+            Ok(Verdict::Keep)
+        })?;
         Ok(journal)
     }
 
-    /// Whether it tells of the photo.
+    /// An empty file, whatever was in it.
+    pub fn anew(path: &Path) -> Result<Self, CliError> {
+        let mut lines = Lines::open(path)?;
+        lines.clear()?;
+        Ok(Self { lines, done: HashSet::new() })
+    }
+
+    /// Whether it has the landmarks of the photo.
     pub fn has(&self, photo: &Path) -> bool {
-        self.photos.contains(&*photo.to_string_lossy())
+        self.done.contains(&files::identity(photo))
     }
 
-    /// Adds a line, at once and whole.
     pub fn add(&mut self, line: &str) -> Result<(), CliError> {
-        let refused = |reason| CliError::Unwritable { path: self.path.clone(), reason };
-        self.file.write_all(format!("{line}\n").as_bytes()).map_err(refused)
+        self.lines.add(line)
+    }
+}
+
+/// The identity of the photo that a line of this request is about, and whether it failed.
+fn entry(line: &FoundLine<'_>, how: &Value) -> Option<(PathBuf, bool)> {
+    let entry: Entry = serde_json::from_slice(line.bytes).ok()?;
+    let is_ours = entry.how == *how && entry.error.is_some() != entry.faces.is_some();
+    let photo = is_ours.then(|| entry.name.path())??;
+    Some((files::identity(&photo), entry.error.is_some()))
+}
+
+/// Whether this is how a line of this request begins, as far as it goes.
+fn is_cut_off(line: &FoundLine<'_>, how: &Value) -> bool {
+    let text = String::from_utf8_lossy(line.bytes);
+    let Some(name) = text.strip_prefix(BEGINNING) else {
+        return !line.is_whole && BEGINNING.starts_with(&*text);
+    };
+    let mut is_escaped = false;
+    let end = name.find(|letter| {
+        let ends = letter == '"' && !is_escaped;
+        is_escaped = letter == '\\' && !is_escaped;
+        ends
+    });
+    let after_name = &name[end.unwrap_or(name.len())..];
+    let after_bytes =
+        after_name.strip_prefix(BYTES).map(|digits| digits.trim_start_matches(|digit: char| digit.is_ascii_hexdigit()));
+    let (rest, expected) = (after_bytes.unwrap_or(after_name), format!("\",\"how\":{how},"));
+    let is_expected = BYTES.starts_with(rest) || expected.starts_with(rest) || rest.starts_with(&expected);
+    !line.is_whole && is_expected
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn is_cut_off_line(text: &str) -> bool {
+        let line = FoundLine { number: 1, bytes: text.as_bytes(), is_whole: false };
+        is_cut_off(&line, &json!({ "max_faces": 20 }))
     }
 
-    /// Reads line by line; returns how many bytes are whole lines.
-    fn read(&mut self, how: &Value) -> Result<u64, CliError> {
-        let refused = |reason: io::Error| CliError::Unwritable { path: self.path.clone(), reason };
-        if !self.file.metadata().map_err(refused)?.is_file() {
-            return Err(refused(ErrorKind::InvalidInput.into()));
+    #[test]
+    fn a_line_of_ours_is_known_wherever_it_is_cut_off() {
+        for line in [
+            r#"{"photo":"a \"b\\","how":{"max_faces":20},"width":640,"height":480,"faces":[]}"#,
+            r#"{"photo":"a","photo_bytes":"61ff","how":{"max_faces":20},"error":"damaged"}"#,
+        ] {
+            assert!((1..line.len()).all(|end| is_cut_off_line(&line[..end])), "{line}");
         }
-        let (mut whole_bytes, mut number, mut line) = (0, 0, Vec::new());
-        let mut reader = BufReader::new(&self.file);
-        loop {
-            line.clear();
-            let length = reader.by_ref().read_until(b'\n', &mut line).map_err(refused)?;
-            if !line.ends_with(b"\n") {
-                return Ok(whole_bytes);
-            }
-            number += 1;
-            whole_bytes += length as u64;
-            match serde_json::from_slice::<Head>(&line) {
-                Ok(head) if head.how == *how => self.photos.insert(head.photo),
-                _ => return Err(CliError::AnotherJournal { path: self.path.clone(), line: number }),
-            };
-        }
+    }
+
+    #[test]
+    fn anything_else_is_not_a_line_that_is_cut_off() {
+        let others = [
+            "milk",
+            r#"{"units":"image","positions":[[0.5,0.5,0]]}"#,
+            r#"{"photo":"a.jpg","caption":"at the sea"#,
+            r#"{"photo":"a.jpg","how":{"max_faces":1},"width":640"#,
+            r#"{"photos":["a.jpg"#,
+        ];
+        assert!(!others.into_iter().any(is_cut_off_line));
     }
 }

@@ -1,5 +1,6 @@
 use std::path::Path;
 
+use super::Skipped;
 use crate::error::CliError;
 
 /// What came of the photos.
@@ -24,12 +25,13 @@ impl Told {
         }
     }
 
-    /// In words, `done` having been done before.
-    pub fn summary(&self, path: &Path, done: usize) -> String {
+    /// In words; `done` photos were done before, and folders had files that are not photos.
+    pub fn summary(&self, path: &Path, done: usize, skipped: &Skipped) -> String {
         let Self { with_faces, without, failed, .. } = self;
         let before = if done > 0 { format!("; {done} were done before") } else { String::new() };
         let path = path.display();
-        format!("{path}: {with_faces} photos with a face, {without} without, {failed} that failed{before}")
+        let skipped = skipped.summary();
+        format!("{path}: {with_faces} photos with a face, {without} without, {failed} that failed{before}{skipped}")
     }
 
     /// A failure if there was one.

@@ -1,91 +1,167 @@
 //! A mesh of each of many photos.
 
 use std::collections::HashMap;
-use std::collections::hash_map::Entry;
+use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use rosto_export::Format;
 
+use super::ledger::{Ledger, Status};
 use super::{Step, make};
 use crate::args::MeshTask;
 use crate::error::CliError;
-use crate::many::{self, Outcome, Progress, Told};
-use crate::{encode, networks, output, portrait, terminal};
+use crate::many::{self, Listing, Outcome, Progress, Told};
+use crate::networks::Networks;
+use crate::{encode, files, networks, output, portrait, terminal};
 
-/// Stands for the name of a photo.
-const NAME: &str = "{}";
-
-/// Whether an output stands for one of each photo.
-pub fn is_asked_for(output: &Path) -> bool {
-    output.to_str().is_some_and(|output| output.contains(NAME))
+/// A photo and the files that it becomes, the mesh first.
+struct Job {
+    photo: PathBuf,
+    outputs: Vec<PathBuf>,
 }
 
-/// Makes those that are not there; a photo that fails stops no other.
-pub fn run(task: &MeshTask, steps: &[Step], format: Format, networks: Option<&Path>) -> Result<(), CliError> {
-    let outputs = outputs(task)?;
-    check_beside(task, format, &outputs)?;
+/// Makes those that are not there; a photo that fails stops no other, and a file that cannot be written stops all.
+pub fn run(task: &MeshTask, steps: &[Step], format: Format, networks: Networks<'_>) -> Result<(), CliError> {
+    files::check_standard_input(task.photos.iter().chain(&task.edits.file).map(PathBuf::as_path))?;
+    let listing = many::photos(&task.photos)?;
+    let jobs = jobs(task, format, &listing)?;
+    check_names(&jobs, task)?;
     let finder = networks::load(networks, task.find.landmarks())?;
-    let left: Vec<PathBuf> =
-        outputs.iter().filter(|(_, output)| !output.exists()).map(|(photo, _)| photo.clone()).collect();
-    let by_photo: HashMap<&Path, &Path> = outputs.iter().map(|(photo, output)| (&**photo, &**output)).collect();
-    let progress = Progress::new(outputs.len(), outputs.len() - left.len(), false);
+    let ledger = Ledger::open(&task.output, &request(task, steps))?;
+    let left = match left(&jobs, &ledger, task.many.force) {
+        Ok(left) => left,
+        Err(refused) => {
+            ledger.discard_empty()?;
+            return Err(refused);
+        }
+    };
+    let by_photo: HashMap<&Path, &Job> = jobs.iter().map(|job| (&*job.photo, job)).collect();
+    let done = jobs.len() - left.len();
+    let progress = Progress::new(jobs.len(), done, false);
     let mut told = Told::default();
+    let is_stopped = AtomicBool::new(false);
     let work = |path: &Path| {
-        let output = by_photo[path];
+        if is_stopped.load(Ordering::Relaxed) {
+            return Ok(false);
+        }
+        let output = &by_photo[path].outputs[0];
         let photo = portrait::open(path)?;
         let (_, written) = make(task, vec![(path, photo)], steps, format, &encode::name_of(output), &finder)?;
+        ledger.add(path, &written)?;
         make_folder_of(output)?;
         output::write_together(output, &written.bytes, &written.beside)?;
         Ok(true)
     };
+    let work = |path: &Path| {
+        let outcome = work(path);
+        is_stopped.fetch_or(outcome.as_ref().is_err_and(CliError::is_of_output), Ordering::Relaxed);
+        outcome
+    };
     many::in_order(&left, task.many.jobs, work, |(_, outcome): Outcome<bool>| {
-        outcome.as_ref().err().into_iter().for_each(|error| progress.report(error));
+        match outcome {
+            Err(error) if error.is_of_output() => return Err(error),
+            Err(ref error) => progress.report(error),
+            Ok(_) => {}
+        }
         told.count(outcome.as_ref());
         progress.step();
         Ok(())
     })?;
     drop(progress);
-    terminal::note(&told.summary(&task.output, outputs.len() - left.len()));
+    terminal::note(&told.summary(&task.output, done, &listing.skipped));
     told.verdict()
 }
 
-/// Each photo, by its name below the folder that was given, with the file it becomes.
-fn outputs(task: &MeshTask) -> Result<Vec<(PathBuf, PathBuf)>, CliError> {
-    let pattern = task.output.to_string_lossy();
-    let mut outputs = Vec::new();
-    let mut by_output = HashMap::new();
-    for given in &task.photos {
-        let folder = if given.is_dir() { Some(given.as_path()) } else { given.parent() };
-        for photo in many::photos(std::slice::from_ref(given))? {
-            let name = folder.and_then(|folder| photo.strip_prefix(folder).ok()).unwrap_or(&photo).with_extension("");
-            let output = PathBuf::from(pattern.replace(NAME, &name.to_string_lossy()));
-            match by_output.entry(output.clone()) {
-                Entry::Vacant(free) => drop(free.insert(photo.clone())),
-                Entry::Occupied(taken) if *taken.get() == photo => continue,
-                Entry::Occupied(taken) => {
-                    return Err(CliError::SameOutput { one: taken.get().clone(), other: photo, path: output });
-                }
-            }
-            outputs.push((photo, output));
-        }
-    }
-    Ok(outputs)
+/// All that makes the meshes of two requests differ.
+fn request(task: &MeshTask, steps: &[Step]) -> String {
+    // Without `..`, so that no new option is forgotten.
+    let MeshTask {
+        photos: _,
+        output: _,
+        many: _,
+        settings: _,
+        mesh,
+        base_colour,
+        texture_size,
+        solid,
+        colours,
+        material,
+        eyes,
+        morph_targets,
+        expression_targets,
+        find,
+        camera,
+        edits,
+    } = task;
+    let paint = (base_colour, texture_size, solid, colours, material, eyes, morph_targets, expression_targets);
+    // Edits and their settings are in the steps, as the file of edits has them now.
+    format!("{:?}", (mesh, paint, find, camera, edits.units, steps))
 }
 
-/// Refuses to write over one of the photos: an output that is there is left alone, and so must be what lies beside it.
-fn check_beside(task: &MeshTask, format: Format, outputs: &[(PathBuf, PathBuf)]) -> Result<(), CliError> {
-    let photos: HashMap<PathBuf, &PathBuf> =
-        outputs.iter().filter_map(|(photo, _)| Some((photo.canonicalize().ok()?, photo))).collect();
-    for (_, output) in outputs {
-        for name in format.names_beside(task.base_colour, &encode::name_of(output)) {
-            let path = output.with_file_name(name);
-            if let Some(input) = path.canonicalize().ok().and_then(|path| photos.get(&path)) {
-                return Err(CliError::OverInput { input: input.to_path_buf(), path });
+/// Each photo with the files that it becomes, by its name below the folder that was given.
+fn jobs(task: &MeshTask, format: Format, listing: &Listing) -> Result<Vec<Job>, CliError> {
+    let pattern = task.output.to_string_lossy();
+    let job = |photo: &many::Listed| {
+        let name = photo.name.with_extension("");
+        let output = PathBuf::from(filled(&pattern, &name));
+        let beside = format.names_beside(task.base_colour, &encode::name_of(&output));
+        let beside = beside.into_iter().map(|name| output.with_file_name(name));
+        Job { photo: photo.path.clone(), outputs: [output.clone()].into_iter().chain(beside).collect() }
+    };
+    Ok(listing.photos.iter().map(job).collect())
+}
+
+/// The pattern with this name in it, whatever its bytes are.
+fn filled(pattern: &str, name: &Path) -> OsString {
+    let mut filled = OsString::new();
+    for (index, part) in pattern.split(output::PHOTO_NAME).enumerate() {
+        if index > 0 {
+            filled.push(name);
+        }
+        filled.push(part);
+    }
+    filled
+}
+
+/// Refuses two files of one name, and to write over what is read.
+fn check_names(jobs: &[Job], task: &MeshTask) -> Result<(), CliError> {
+    let inputs = jobs.iter().map(|job| &job.photo).chain(&task.edits.file);
+    let inputs: HashMap<PathBuf, &PathBuf> =
+        inputs.filter_map(|input| Some((input.canonicalize().ok()?, input))).collect();
+    let mut by_output: HashMap<PathBuf, &Job> = HashMap::new();
+    for job in jobs {
+        for output in &job.outputs {
+            if let Some(other) = by_output.insert(folded(output), job) {
+                let [one, other] = [&other.photo, &job.photo].map(Clone::clone);
+                return Err(CliError::SameOutput { one, other, path: output.clone() });
+            }
+            if let Some(input) = output.canonicalize().ok().and_then(|output| inputs.get(&output)) {
+                return Err(CliError::OverInput { input: input.to_path_buf(), path: output.clone() });
             }
         }
     }
     Ok(())
+}
+
+/// Names that differ in capitals alone are one on the usual file systems of macOS and Windows.
+fn folded(output: &Path) -> PathBuf {
+    match cfg!(any(target_os = "macos", windows)) {
+        true => output.to_string_lossy().to_lowercase().into(),
+        false => output.to_owned(),
+    }
+}
+
+/// The photos whose meshes are to be made, once nothing that Rosto did not write is in the way.
+fn left(jobs: &[Job], ledger: &Ledger, force: bool) -> Result<Vec<PathBuf>, CliError> {
+    let mut left = Vec::new();
+    for job in jobs {
+        if force || ledger.status(&job.photo, &job.outputs)? == Status::ToDo {
+            left.push(job.photo.clone());
+        }
+    }
+    Ok(left)
 }
 
 fn make_folder_of(output: &Path) -> Result<(), CliError> {

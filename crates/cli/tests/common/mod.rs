@@ -4,7 +4,8 @@
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Child, Command, Output};
+use std::time::Duration;
 
 use serde_json::Value;
 
@@ -76,6 +77,19 @@ pub fn mesh(photo: &Path, output: &Path, more: &[&str]) -> Output {
 pub fn photo(photo: &Path, output: &Path, more: &[&str]) -> Output {
     let arguments = [OsStr::new("photo"), photo.as_os_str(), OsStr::new("-o"), output.as_os_str()];
     rosto(arguments.into_iter().chain(more.iter().map(OsStr::new)))
+}
+
+/// Waits until a running program has made the file, for a minute at most.
+pub fn wait_for(file: &Path, running: &mut Child) {
+    for _ in 0..12_000 {
+        if file.exists() {
+            return;
+        }
+        assert!(running.try_wait().unwrap().is_none(), "it ended before it made {}", file.display());
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    running.kill().unwrap();
+    panic!("{} is not made", file.display());
 }
 
 /// Checks exit code and message of a run that can do nothing.

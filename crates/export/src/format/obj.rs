@@ -46,9 +46,9 @@ pub(super) fn painted(
     let Some(texture) = texture::of(model, base_colour, max_px)? else { return Ok(obj(model)?.into()) };
     let [material_name, picture_name] = names_beside(name);
     let text = textured(model, &texture, &material_name);
-    let material = material(&picture_name);
-    let beside =
-        vec![NamedFile::new(material_name, material), NamedFile::new(picture_name, texture::png(&texture.pixels)?)];
+    let picture = texture::png(&texture.pixels)?;
+    let material = material(name, &picture_name, &picture);
+    let beside = vec![NamedFile::new(material_name, material), NamedFile::new(picture_name, picture)];
     Ok(Written { beside, ..text.into() })
 }
 
@@ -57,6 +57,15 @@ pub(super) fn painted(
 pub(super) fn names_beside(name: &str) -> [String; 2] {
     let name: String = name.chars().map(|letter| if letter.is_whitespace() { '_' } else { letter }).collect();
     ["mtl", "png"].map(|ending| format!("{name}.{ending}"))
+}
+
+/// Whether a material and a picture are those that were written beside an OBJ file of that name, unchanged since.
+pub(super) fn wrote_beside(name: &str, contents: &[Option<Vec<u8>>]) -> bool {
+    let [_, picture_name] = names_beside(name);
+    match contents {
+        [Some(found), Some(picture)] => *found == material(name, &picture_name, picture).as_bytes(),
+        _ => false,
+    }
 }
 
 const TITLE: &str = "# Rosto; metres, +Y up, +Z out of the face\n";
@@ -78,9 +87,13 @@ fn textured(model: &Model<'_>, texture: &Texture<'_>, material_name: &str) -> St
     text
 }
 
-/// Matt, in the picture's colours.
-fn material(picture_name: &str) -> String {
-    format!("# Rosto\nnewmtl skin\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nd 1\nillum 1\nmap_Kd {picture_name}\n")
+/// Matt, in the picture's colours. The checksum says for which OBJ and with which picture it was written: names beside an OBJ
+/// may be those beside another.
+fn material(name: &str, picture_name: &str, picture: &[u8]) -> String {
+    let mut checksum = crc32fast::Hasher::new();
+    [name.as_bytes(), &[0], picture].into_iter().for_each(|bytes| checksum.update(bytes));
+    let checksum = checksum.finalize();
+    format!("# Rosto {checksum:08x}\nnewmtl skin\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nd 1\nillum 1\nmap_Kd {picture_name}\n")
 }
 
 fn push_normals(text: &mut String, model: &Model<'_>) {
