@@ -62,29 +62,19 @@ impl Stored {
         let photo = orientation::apply(Photo::from_rgb(self.width, self.height, self.rgb)?, exif.orientation);
         Ok(photo.with_focal_length_35mm(exif.focal_length_35mm))
     }
-
-    pub(crate) fn row_bytes(&self) -> usize {
-        3 * self.width as usize
-    }
-
-    /// Makes all rows below one like it.
-    pub(crate) fn repeat_row_below(&mut self, row: usize) {
-        let below = (row + 1) * self.row_bytes();
-        let (above, missing) = self.rgb.split_at_mut(below);
-        let last = &above[below - 3 * self.width as usize..];
-        missing.chunks_exact_mut(last.len()).for_each(|row| row.copy_from_slice(last));
-    }
 }
 
 pub(crate) fn refused(format: Format, error: ImageError) -> PhotoError {
     match error {
-        ImageError::Unsupported(error) => {
-            PhotoError::UnsupportedFeature { format: format.name(), reason: error.to_string() }
-        }
+        ImageError::Unsupported(error) => unsupported(format, error.to_string()),
         error => damaged(format, error.to_string()),
     }
 }
 
 pub(crate) fn damaged(format: Format, reason: String) -> PhotoError {
     PhotoError::Damaged { format: format.name(), reason }
+}
+
+pub(crate) fn unsupported(format: Format, reason: String) -> PhotoError {
+    PhotoError::UnsupportedFeature { format: format.name(), reason }
 }
