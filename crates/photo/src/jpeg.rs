@@ -124,7 +124,7 @@ impl<'a> Picture<'a> {
         }
         let data = (segments.bytes, segments.position);
         segments.position = scan::decode(data, self.frame, &scan, tables, &mut self.planes, &mut self.rows)
-            .ok_or_else(|| broken("a scan lacks its tables"))?;
+            .ok_or_else(|| unread("its tables are in another file".to_owned()))?;
         Ok(())
     }
 
@@ -145,7 +145,7 @@ impl<'a> Picture<'a> {
         let layout = if colours == Colours::Grey { ColorType::L8 } else { ColorType::Rgb8 };
         let exif = metadata.exif.unwrap_or_default().to_vec();
         let (width, height, rgb) = (width as u32, height as u32, self.rgb(colours));
-        Ok(Stored { width, height, rgb, colours: icc::told(&metadata.profile(), layout), exif })
+        Ok(Stored { width, height, rgb, alpha: None, colours: icc::told(&metadata.profile(), layout), exif })
     }
 
     fn is_damaged(&self) -> bool {
