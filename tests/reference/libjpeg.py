@@ -1,7 +1,9 @@
 """Packs small JPEG files of all sampling factors and orders of scans with the pixels that libjpeg makes of them.
 
+Writes the files of the tests on damage, too: an upright picture in the three usual kinds of files.
+
 Made with cjpeg and djpeg of libjpeg-turbo 2.1.5 (Debian's libjpeg-turbo-progs); writes
-crates/photo/tests/fixtures/libjpeg.bin. Each entry: a byte with the length of its name, the name, four big-endian bytes
+crates/photo/tests/fixtures. Each packed entry: a byte with the length of its name, the name, four big-endian bytes
 with the length of the file, the file, and four with the CRC-32 of its RGB pixels.
 """
 
@@ -13,7 +15,7 @@ import subprocess
 import zlib
 from pathlib import Path
 
-FIXTURE = Path(__file__).parents[2] / "crates/photo/tests/fixtures/libjpeg.bin"
+FIXTURES = Path(__file__).parents[2] / "crates/photo/tests/fixtures"
 SIZES_PX = [(1, 1), (17, 31), (33, 9), (2, 17), (7, 40), (40, 3), (16, 16), (9, 8)]
 # Components, and of a progressive picture the coefficients, the bits that were and are left out.
 ONE_EACH = "0; 1; 2;"
@@ -52,7 +54,7 @@ def encoded(size_px, sampling, scans, options):
     path = Path("/tmp/rosto-scans.txt")
     path.write_text(scans or "")
     factors = ",".join(f"{h}x{v}" for h, v in sampling)
-    order = ["-scans", path] if scans else ["-grayscale"]
+    order = ["-scans", path] if scans else ["-grayscale"] if len(sampling) == 1 else []
     command = ["cjpeg", "-quality", "75", "-optimize", "-sample", factors, *order, *options]
     return subprocess.run(command, input=picture(*size_px, 3), capture_output=True).stdout
 
@@ -93,8 +95,11 @@ def main():
         factors = ",".join(f"{h}x{v}" for h, v in sampling)
         name = " ".join([f"{size_px[0]}x{size_px[1]} px", factors, scans or "grey", *options])
         packed.append(entry(name, file))
-    FIXTURE.write_bytes(b"".join(packed))
-    print(len(packed), "files,", FIXTURE.stat().st_size, "bytes")
+    (FIXTURES / "libjpeg.bin").write_bytes(b"".join(packed))
+    print(len(packed), "files packed")
+    for name, options in [("baseline", []), ("progressive", ["-progressive"]), ("restarts", ["-restart", "1"])]:
+        file = encoded((96, 384), [(2, 2), (1, 1), (1, 1)], "0,1,2;" if name != "progressive" else None, options)
+        (FIXTURES / f"whole-{name}.jpg").write_bytes(file)
 
 
 main()

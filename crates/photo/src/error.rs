@@ -69,7 +69,9 @@ impl PhotoError {
             }
             Self::UnsupportedFormat { .. } => "Open it in a picture editor and save it as JPEG or PNG.",
             Self::UnsupportedFeature { .. } => "Save it as a standard JPEG or as PNG in a picture editor.",
-            Self::Damaged { .. } => "The file may have been cut short or changed while copying: copy or download it again.",
+            Self::Damaged { .. } => {
+                "The file may have been cut short or changed while copying: copy or download it again."
+            }
             Self::TooManyBytes { .. } | Self::TooManyPixels { .. } => "Scale the picture down or crop it to the face.",
             Self::WrongLength { .. } => "Give three bytes for each pixel, row by row.",
         }

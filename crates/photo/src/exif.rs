@@ -83,8 +83,8 @@ impl<'a> Tiff<'a> {
         let number = |tag| self.number(directory, tag);
         let taken_px = number(PIXEL_X_DIMENSION).zip(number(PIXEL_Y_DIMENSION)).map(<[u32; 2]>::from);
         let focal_length = u16::try_from(number(FOCAL_LENGTH_IN_35MM_FILM)?).ok()?;
-        let whole =
-            taken_px.is_none_or(|[w, h]| [[w, h], [h, w]].iter().any(|&px| px == [0; 2] || same_proportions(px, stored_px)));
+        let whole = taken_px
+            .is_none_or(|[w, h]| [[w, h], [h, w]].iter().any(|&px| px == [0; 2] || same_proportions(px, stored_px)));
         (whole && PLAUSIBLE_MM.contains(&focal_length)).then_some(focal_length)
     }
 

@@ -8,6 +8,7 @@ use super::header::{Frame, Scan, ScanComponent, Tables};
 use super::huffman::Huffman;
 use super::plane::Plane;
 use super::rows::Rows;
+use super::segments::END;
 
 /// The code of the first restart marker, and of the last.
 pub(crate) const RESTART: [u8; 2] = [0xD0, 0xD7];
@@ -216,10 +217,11 @@ impl<'a> Decoder<'a> {
         self.lose_units(lost, rows);
     }
 
-    /// Loses what did not arrive. Without the last bit of some coefficients, a picture is nearly the same.
+    /// Loses what did not arrive. Without the last bit of some coefficients, a picture is nearly the same, if that is where
+    /// the file ends.
     fn end_at(&self, unit: usize, rows: &mut Rows) {
         rows.ends_early = true;
-        if self.scan.high != 1 {
+        if self.scan.high != 1 || self.marker().is_some_and(|code| code != END) {
             self.lose_units(unit..self.total, rows);
         }
     }

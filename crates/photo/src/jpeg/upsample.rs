@@ -36,7 +36,11 @@ impl<'a> Upsampler<'a> {
             ([1, 1], _) => return own,
             (_, [true, false]) => interpolate_across(own, &mut self.row),
             (_, [across, true]) => {
-                let near = if y % 2 == 0 { (y / 2).saturating_sub(1) } else { (y / 2 + 1).min(self.plane.size[1] - 1) };
+                let near = if y.is_multiple_of(2) {
+                    (y / 2).saturating_sub(1)
+                } else {
+                    (y / 2 + 1).min(self.plane.size[1] - 1)
+                };
                 let near = self.plane.row(near);
                 for (sum, (&own, &near)) in self.sums.iter_mut().zip(own.iter().zip(near)) {
                     *sum = 3 * u16::from(own) + u16::from(near);
