@@ -21,7 +21,7 @@ const LARGEST_FIRST: u32 = 1280;
 fn first(bits: &mut Bits<'_>, dc: &Huffman, prediction: &mut i32, scale: i32) -> Option<i32> {
     const MOST_BITS: u8 = 11;
     let size = dc.decode(bits).filter(|&size| size <= MOST_BITS)?;
-    *prediction += signed(bits, size.into());
+    *prediction = prediction.wrapping_add(signed(bits, size.into()));
     let within = (prediction.unsigned_abs().saturating_sub(1)).saturating_mul(scale.unsigned_abs()) <= LARGEST_FIRST;
     within.then_some(*prediction)
 }
@@ -154,7 +154,7 @@ fn refine(bits: &mut Bits<'_>, mut zeros: usize, [first, last]: [usize; 2], low:
             }
             zeros -= 1;
         } else if bits.bit() && *value & 1 << low == 0 {
-            *value += value.signum() << low;
+            *value = value.wrapping_add(value.signum() << low);
         }
     }
     last + 1

@@ -11,7 +11,7 @@ use super::rows::Rows;
 use super::segments::END;
 
 /// The code of the first restart marker, and of the last.
-pub(crate) const RESTART: [u8; 2] = [0xD0, 0xD7];
+const RESTART: [u8; 2] = [0xD0, 0xD7];
 
 /// Decodes the data of a scan that begins at `position`; where it ends. `None` where a table is missing.
 pub(crate) fn decode(
@@ -114,42 +114,38 @@ impl<'a> Decoder<'a> {
             if let Some((fault, unit)) = fault {
                 self.lose(fault, unit, start..end, rows);
             }
-            let lost = match marker.map(|code| code.wrapping_sub(RESTART[0])) {
+            let missing = match marker {
                 // More intervals than the picture has: which of them are its own is unknown.
-                Some(0..8) if end == self.total => return self.lose_units(0..self.total, rows),
+                Some(code) if end == self.total && is_restart(code) => return self.lose_units(0..self.total, rows),
                 _ if end == self.total => return,
-                Some(found @ 0..8) if self.restart_interval > 0 => self.restart(found, number),
+                Some(code) if self.restart_interval > 0 && is_restart(code) => self.restart(number),
                 // The data ends like an encoder's, which writes all intervals: some of those before are missing.
                 Some(_) if fault.is_none() => return self.lose_units(0..self.total, rows),
-                _ => return self.end_at(end, rows),
+                _ => None,
             };
-            let next = (end + lost * length).min(self.total);
+            let Some(missing) = missing else { return self.end_at(end, rows) };
+            let next = (end + missing * length).min(self.total);
             self.lose_units(end..next, rows);
             if next == self.total {
                 return;
             }
-            (start, number) = (next, (number + lost + 1) % 8);
+            (start, number) = (next, (number + missing + 1) % 8);
         }
     }
 
     /// Goes to the interval after the restart marker that has the number `expected`, or to a later one; the number of
-    /// intervals that are missing before it.
-    fn restart(&mut self, found: u8, expected: usize) -> usize {
+    /// intervals that are missing before it. `None` if there is no such marker.
+    fn restart(&mut self, expected: usize) -> Option<usize> {
         /// A number that lies further ahead belongs to an interval that came before.
         const MOST_AHEAD: usize = 4;
-        let mut found = usize::from(found);
-        loop {
-            let Some(code) = self.bits.next_marker() else { return usize::MAX / 2 };
+        while let Some(code) = self.bits.next_marker().filter(|&code| is_restart(self.bytes[code])) {
             self.bits = Bits::new(self.bytes, code + 1);
-            let ahead = (found + 8 - expected) % 8;
+            let ahead = (usize::from(self.bytes[code] - RESTART[0]) + 8 - expected) % 8;
             if ahead <= MOST_AHEAD {
-                return ahead;
+                return Some(ahead);
             }
-            found = match self.marker() {
-                Some(code) if (RESTART[0]..=RESTART[1]).contains(&code) => usize::from(code - RESTART[0]),
-                _ => return usize::MAX / 2,
-            };
         }
+        None
     }
 
     fn marker(&self) -> Option<u8> {
@@ -204,7 +200,7 @@ impl<'a> Decoder<'a> {
     /// Which units are lost by a fault that shows at `unit` of an interval.
     fn lose(&self, fault: Fault, unit: usize, interval: Range<usize>, rows: &mut Rows) {
         let marker = self.marker();
-        let restarts = marker.is_some_and(|code| (RESTART[0]..=RESTART[1]).contains(&code));
+        let restarts = marker.is_some_and(is_restart);
         let lost = match fault {
             _ if self.restart_interval > 0 && restarts => interval,
             Fault::Cut => return self.end_at(unit, rows),
@@ -232,6 +228,10 @@ impl<'a> Decoder<'a> {
             rows.lose(row(units.start / self.across)..row(units.end.div_ceil(self.across)));
         }
     }
+}
+
+fn is_restart(code: u8) -> bool {
+    (RESTART[0]..=RESTART[1]).contains(&code)
 }
 
 impl<'a> UnitBlock<'a> {
