@@ -77,6 +77,29 @@ journey("the face seen from further away, from nearer, and as it was taken", asy
   assert.equal(difference(PNG.sync.read(await visitor.download("download-photo-png")), await sample()), 0);
 });
 
+journey("a transparent photo leaves the page transparent as a PNG, and over white as a JPEG", async (open) => {
+  const visitor = await open();
+  const before = await sample();
+  const transparent = (/** @type {number} */ x) => x >= before.width - 100;
+  for (let pixel = 0; pixel < before.width * before.height; pixel++) {
+    if (transparent(pixel % before.width)) before.data[4 * pixel + 3] = 0;
+  }
+  await visitor.drop(PNG.sync.write(before), "cut-out.png");
+  await visitor.untilFace();
+  await visitor.slide("nose-width", -4);
+  const after = PNG.sync.read(await visitor.download("download-photo-png"));
+  for (const [x, alpha] of [[9, 255], [before.width - 9, 0]]) assert.equal(after.data[4 * (40 * before.width + x) + 3], alpha, `alpha at ${x}`);
+  const jpeg = await visitor.download("download-photo-jpeg");
+  const [red, green, blue] = await visitor.page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes]));
+    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+    context?.drawImage(bitmap, 0, 0);
+    return [...(context?.getImageData(bitmap.width - 9, 40, 1, 1).data ?? [])];
+  }, jpeg.toString("base64"));
+  assert.ok(Math.min(red, green, blue) > 250, `${red}, ${green}, ${blue}`);
+});
+
 journey("a JPEG comes out upright and says nothing of where it was taken", async (open) => {
   const visitor = await open();
   const jpeg = withExif(await asJpeg(visitor.page, await readFile(SAMPLE)));

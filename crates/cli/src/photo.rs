@@ -32,6 +32,9 @@ pub fn run(task: &PhotoTask, given: &Given<'_>, networks: Networks<'_>) -> Resul
     let face = portrait::face(&photo, &task.photo, &finder, &task.find.options(None))?;
     let face = portrait::model(&photo, &face, task.mesh.topology, task.camera.lens(&photo), &task.photo)?;
     let document = edited(&face, steps, task.edits.units, task.mesh.density)?;
+    if photo.alpha().is_some() && matches!(format, PictureFormat::Jpeg) {
+        terminal::note("transparent parts are laid over white: a JPEG cannot hold them; a PNG can");
+    }
     output::write(&task.output, &format.encode(&warped(&photo, &face, &document, task)?, &task.output)?)
 }
 
@@ -78,6 +81,9 @@ impl PictureFormat {
         let mut bytes = Cursor::new(Vec::new());
         let (pixels, width, height, colour) = (photo.pixels(), photo.width(), photo.height(), ExtendedColorType::Rgb8);
         let written = match self {
+            Self::Png if photo.alpha().is_some() => {
+                PngEncoder::new(&mut bytes).write_image(&photo.rgba(), width, height, ExtendedColorType::Rgba8)
+            }
             Self::Png => PngEncoder::new(&mut bytes).write_image(pixels, width, height, colour),
             Self::Jpeg => {
                 JpegEncoder::new_with_quality(&mut bytes, JPEG_QUALITY).write_image(pixels, width, height, colour)

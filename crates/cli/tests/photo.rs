@@ -199,3 +199,33 @@ fn requests_that_cannot_be_met() {
     assert_eq!(fs::read(copy).unwrap(), fs::read(portrait()).unwrap());
     assert_refused(&photo(&faceless(), &scratch("a.png"), &[]), 4, &["no face found"]);
 }
+
+/// The portrait with its right quarter transparent, as a file of that name.
+fn partly_transparent(name: &str) -> PathBuf {
+    let mut picture = image::open(portrait()).unwrap().to_rgba8();
+    let width = picture.width();
+    picture.enumerate_pixels_mut().filter(|(x, ..)| *x >= width * 3 / 4).for_each(|(.., pixel)| pixel[3] = 0);
+    let path = scratch(name);
+    picture.save(&path).unwrap();
+    path
+}
+
+#[test]
+fn a_png_keeps_transparency_and_a_jpeg_says_that_it_cannot() {
+    for name in ["partly.png", "partly.webp"] {
+        let input = partly_transparent(name);
+        let output = scratch(&format!("{name}-edited.png"));
+        let run = photo(&input, &output, &NOSE);
+        assert_eq!((code(&run), said(&run).contains("transparent")), (0, false), "{}", said(&run));
+        let [before, after] = [&input, &output].map(|path| image::open(path).unwrap().to_rgba8());
+        let alpha = |picture: &image::RgbaImage| picture.pixels().map(|pixel| pixel[3]).collect::<Vec<_>>();
+        assert_eq!(alpha(&after), alpha(&before), "nothing moves there");
+        assert!(before.pixels().zip(after.pixels()).any(|(before, after)| before != after), "the nose moves");
+    }
+    let output = scratch("partly-edited.jpg");
+    let run = photo(&partly_transparent("partly.png"), &output, &NOSE);
+    assert_eq!(code(&run), 0);
+    assert!(said(&run).contains("transparent parts are laid over white"), "{}", said(&run));
+    let white = read(&output);
+    assert!(white.pixel(white.width() - 4, 9).iter().all(|&level| level > 250));
+}

@@ -32,6 +32,8 @@ pub(crate) struct Stored {
     pub(crate) height: u32,
     /// Three bytes for each pixel, row by row.
     pub(crate) rgb: Vec<u8>,
+    /// How opaque each pixel is, if any of them is not.
+    pub(crate) alpha: Option<Vec<u8>>,
     pub(crate) colours: Told,
     pub(crate) exif: Vec<u8>,
 }
@@ -46,11 +48,11 @@ impl Stored {
         let layout = decoder.color_type();
         let mut decoded = vec![0; width as usize * height as usize * usize::from(layout.bytes_per_pixel())];
         decoder.read_image(&mut decoded).map_err(|error| refused(format, error))?;
-        let rgb = pixels::to_rgb(decoded, layout).ok_or_else(|| PhotoError::UnsupportedFeature {
+        let (rgb, alpha) = pixels::to_rgb(decoded, layout).ok_or_else(|| PhotoError::UnsupportedFeature {
             format: format.name(),
             reason: format!("{layout:?} pixels"),
         })?;
-        Ok(Self { width, height, rgb, colours: icc::told(&profile, layout), exif })
+        Ok(Self { width, height, rgb, alpha, colours: icc::told(&profile, layout), exif })
     }
 
     /// The picture in sRGB, turned upright by its EXIF block.
@@ -59,32 +61,23 @@ impl Stored {
             conversion.apply(&mut self.rgb);
         }
         let exif = Exif::read(&self.exif, self.width, self.height);
-        let photo = orientation::apply(Photo::from_rgb(self.width, self.height, self.rgb)?, exif.orientation);
+        let photo = Photo::from_rgb(self.width, self.height, self.rgb)?.with_valid_alpha(self.alpha);
+        let photo = orientation::apply(photo, exif.orientation);
         Ok(photo.with_focal_length_35mm(exif.focal_length_35mm))
-    }
-
-    pub(crate) fn row_bytes(&self) -> usize {
-        3 * self.width as usize
-    }
-
-    /// Makes all rows below one like it.
-    pub(crate) fn repeat_row_below(&mut self, row: usize) {
-        let below = (row + 1) * self.row_bytes();
-        let (above, missing) = self.rgb.split_at_mut(below);
-        let last = &above[below - 3 * self.width as usize..];
-        missing.chunks_exact_mut(last.len()).for_each(|row| row.copy_from_slice(last));
     }
 }
 
 pub(crate) fn refused(format: Format, error: ImageError) -> PhotoError {
     match error {
-        ImageError::Unsupported(error) => {
-            PhotoError::UnsupportedFeature { format: format.name(), reason: error.to_string() }
-        }
+        ImageError::Unsupported(error) => unsupported(format, error.to_string()),
         error => damaged(format, error.to_string()),
     }
 }
 
 pub(crate) fn damaged(format: Format, reason: String) -> PhotoError {
     PhotoError::Damaged { format: format.name(), reason }
+}
+
+pub(crate) fn unsupported(format: Format, reason: String) -> PhotoError {
+    PhotoError::UnsupportedFeature { format: format.name(), reason }
 }

@@ -14,11 +14,11 @@ pub enum PhotoError {
         format: &'static str,
     },
     /// JPEG, PNG or WebP, but with a feature that is not read.
-    #[error("this {format} picture uses something that is not supported: {reason}")]
+    #[error("this kind of {format} is not supported: {reason}")]
     UnsupportedFeature {
         /// Name of the format.
         format: &'static str,
-        /// What the decoder said.
+        /// The feature.
         reason: String,
     },
     /// The file breaks off or contradicts itself.
@@ -67,10 +67,11 @@ impl PhotoError {
             Self::UnsupportedFormat { format: "HEIC" } => {
                 "Export it as JPEG. On an iPhone, Settings › Camera › Formats › Most Compatible takes photos as JPEG."
             }
-            Self::UnsupportedFormat { .. } | Self::UnsupportedFeature { .. } => {
-                "Open it in a picture editor and save it as JPEG or PNG."
+            Self::UnsupportedFormat { .. } => "Open it in a picture editor and save it as JPEG or PNG.",
+            Self::UnsupportedFeature { .. } => "Save it as a standard JPEG or as PNG in a picture editor.",
+            Self::Damaged { .. } => {
+                "The file may have been cut short or changed while copying: copy or download it again."
             }
-            Self::Damaged { .. } => "The file may have been cut short while copying: copy or download it again.",
             Self::TooManyBytes { .. } | Self::TooManyPixels { .. } => "Scale the picture down or crop it to the face.",
             Self::WrongLength { .. } => "Give three bytes for each pixel, row by row.",
         }

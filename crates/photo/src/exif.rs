@@ -23,7 +23,8 @@ impl Exif {
     /// Reads the block of a stored picture (before it is turned) of that many px.
     ///
     /// The focal length is that of the whole frame. It is left out where it is implausible (0 stands for unknown), and
-    /// where the picture has other proportions than EXIF says, since part of it was then cut off.
+    /// where the picture has other proportions than EXIF says, since part of it was then cut off. Programs that turn a
+    /// picture without loss leave EXIF's width and height as they were: either side may be the width.
     pub(crate) fn read(block: &[u8], width: u32, height: u32) -> Self {
         let tiff = Tiff::new(block);
         let orientation = tiff.as_ref().and_then(|tiff| tiff.number(tiff.first, ORIENTATION));
@@ -35,12 +36,9 @@ impl Exif {
         }
     }
 
-    /// The focal length that a HEIC or AVIF file tells of a picture that has that many px once it is upright. Which way the
-    /// picture lay is not in its EXIF block.
+    /// The focal length that a HEIC or AVIF file tells of a picture that has that many px once it is upright.
     pub(crate) fn focal_length_35mm_in_container(file: &[u8], width: u32, height: u32) -> Option<u16> {
-        let block = block_in_container(file)?;
-        let found = |[width, height]: [u32; 2]| Self::read(block, width, height).focal_length_35mm;
-        found([width, height]).or_else(|| found([height, width]))
+        Self::read(block_in_container(file)?, width, height).focal_length_35mm
     }
 }
 
@@ -85,7 +83,8 @@ impl<'a> Tiff<'a> {
         let number = |tag| self.number(directory, tag);
         let taken_px = number(PIXEL_X_DIMENSION).zip(number(PIXEL_Y_DIMENSION)).map(<[u32; 2]>::from);
         let focal_length = u16::try_from(number(FOCAL_LENGTH_IN_35MM_FILM)?).ok()?;
-        let whole = taken_px.is_none_or(|taken_px| taken_px == [0; 2] || same_proportions(taken_px, stored_px));
+        let whole = taken_px
+            .is_none_or(|[w, h]| [[w, h], [h, w]].iter().any(|&px| px == [0; 2] || same_proportions(px, stored_px)));
         (whole && PLAUSIBLE_MM.contains(&focal_length)).then_some(focal_length)
     }
 

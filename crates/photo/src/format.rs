@@ -32,7 +32,9 @@ impl Format {
 /// Names a picture format that is recognised but not read.
 fn foreign_format(bytes: &[u8]) -> Option<&'static str> {
     match bytes {
-        [_, _, _, _, b'f', b't', b'y', b'p', brand @ ..] => iso_media_format(brand.get(..4)?),
+        [_, _, _, _, b'f', b't', b'y', b'p', ..] => iso_media_format(bytes),
+        [0x8A, b'M', b'N', b'G', ..] => Some("MNG"),
+        [0x8B, b'J', b'N', b'G', ..] => Some("JNG"),
         [b'G', b'I', b'F', b'8', ..] => Some("GIF"),
         [b'B', b'M', _, _, _, _, 0, 0, 0, 0, ..] => Some("BMP"),
         [b'I', b'I', 42, 0, ..] | [b'M', b'M', 0, 42, ..] => Some("TIFF"),
@@ -43,10 +45,21 @@ fn foreign_format(bytes: &[u8]) -> Option<&'static str> {
     }
 }
 
-/// HEIC and AVIF share a container; the four letters after `ftyp` tell them apart.
-fn iso_media_format(brand: &[u8]) -> Option<&'static str> {
+/// HEIC and AVIF share a container. Its brands tell them apart: the first, behind which come four bytes of a version, or
+/// where that one fits both, the others.
+fn iso_media_format(bytes: &[u8]) -> Option<&'static str> {
+    let length = u32::from_be_bytes(*bytes.first_chunk()?) as usize;
+    let brands = bytes.get(8..length.clamp(12, bytes.len().max(12)))?.as_chunks::<4>().0;
+    let others = brands.iter().skip(2);
+    brands.iter().take(1).chain(others).find_map(of_brand).or_else(|| match brands.first()? {
+        b"mif1" | b"mif2" | b"msf1" | b"miaf" => Some("HEIF"),
+        _ => None,
+    })
+}
+
+fn of_brand(brand: &[u8; 4]) -> Option<&'static str> {
     match brand {
-        b"heic" | b"heix" | b"heim" | b"heis" | b"hevc" | b"hevx" | b"mif1" | b"msf1" => Some("HEIC"),
+        b"heic" | b"heix" | b"heim" | b"heis" | b"hevc" | b"hevx" | b"hevm" | b"hevs" => Some("HEIC"),
         b"avif" | b"avis" => Some("AVIF"),
         _ => None,
     }

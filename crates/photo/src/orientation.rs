@@ -7,16 +7,23 @@ pub(crate) fn apply(photo: Photo, orientation: Orientation) -> Photo {
     if orientation == Orientation::NoTransforms {
         return photo;
     }
-    let (width, height) = (photo.width(), photo.height());
-    let (upright_width, upright_height) = if swaps_sides(orientation) { (height, width) } else { (width, height) };
-    let mut pixels = Vec::with_capacity(photo.pixels().len());
-    for y in 0..upright_height {
-        for x in 0..upright_width {
-            let (stored_x, stored_y) = stored_from_upright(orientation, x, y, width, height);
-            pixels.extend_from_slice(&photo.pixel(stored_x, stored_y));
-        }
-    }
-    Photo::from_valid(upright_width, upright_height, pixels)
+    let [width, height] = [photo.width(), photo.height()];
+    let [upright_width, upright_height] = if swaps_sides(orientation) { [height, width] } else { [width, height] };
+    let pixels = turned(photo.pixels().as_chunks::<3>().0, [width, height], orientation).into_flattened();
+    let alpha = photo.alpha().map(|alpha| turned(alpha, [width, height], orientation));
+    Photo::from_valid(upright_width, upright_height, pixels).with_valid_alpha(alpha)
+}
+
+/// The values of stored pixels in the order of the upright ones.
+fn turned<T: Copy>(stored: &[T], [width, height]: [u32; 2], orientation: Orientation) -> Vec<T> {
+    let [upright_width, upright_height] = if swaps_sides(orientation) { [height, width] } else { [width, height] };
+    let places = (0..upright_height).flat_map(|y| (0..upright_width).map(move |x| (x, y)));
+    let mut values = Vec::with_capacity(stored.len());
+    values.extend(places.map(|(x, y)| {
+        let (x, y) = stored_from_upright(orientation, x, y, width, height);
+        stored[y as usize * width as usize + x as usize]
+    }));
+    values
 }
 
 fn swaps_sides(orientation: Orientation) -> bool {

@@ -5,12 +5,14 @@ use crate::exif::Exif;
 use crate::{PhotoError, pixels, resize};
 
 /// An upright sRGB picture: 8-bit RGB, row-major, origin at the top left, at least one pixel; with what the file told of
-/// its lens. Its clones share the pixels.
+/// its lens and of transparency, which lies over white in the pixels. Its clones share the pixels.
 #[derive(Clone, PartialEq, Eq)]
 pub struct Photo {
     width: u32,
     height: u32,
     pixels: Arc<Vec<u8>>,
+    /// One byte for each pixel, if any of them is not opaque.
+    alpha: Option<Arc<Vec<u8>>>,
     focal_length_35mm: Option<u16>,
 }
 
@@ -43,7 +45,13 @@ impl Photo {
     /// A picture whose size was checked already.
     pub(crate) fn from_valid(width: u32, height: u32, pixels: Vec<u8>) -> Self {
         debug_assert_eq!(width as usize * height as usize * 3, pixels.len());
-        Self { width, height, pixels: Arc::new(pixels), focal_length_35mm: None }
+        Self { width, height, pixels: Arc::new(pixels), alpha: None, focal_length_35mm: None }
+    }
+
+    /// With the opacity of its pixels, whose number was checked already.
+    pub(crate) fn with_valid_alpha(self, alpha: Option<Vec<u8>>) -> Self {
+        debug_assert!(alpha.as_ref().is_none_or(|alpha| alpha.len() * 3 == self.pixels.len()));
+        Self { alpha: alpha.map(Arc::new), ..self }
     }
 
     pub(crate) fn with_focal_length_35mm(self, focal_length_35mm: Option<u16>) -> Self {
@@ -80,6 +88,28 @@ impl Photo {
         &self.pixels
     }
 
+    /// How opaque each pixel is, row by row from the top: 0 is transparent, 255 opaque. `None` if all are opaque.
+    pub fn alpha(&self) -> Option<&[u8]> {
+        self.alpha.as_deref().map(Vec::as_slice)
+    }
+
+    /// The photo with the opacity of its pixels, over which its colours were laid on white.
+    ///
+    /// # Errors
+    /// [`PhotoError::WrongLength`] if there is not one byte for each pixel.
+    pub fn with_alpha(self, alpha: Vec<u8>) -> Result<Self, PhotoError> {
+        if alpha.len() * 3 != self.pixels.len() {
+            let (width, height) = (self.width, self.height);
+            return Err(PhotoError::WrongLength { width, height, found_bytes: alpha.len() });
+        }
+        Ok(self.with_valid_alpha(Some(alpha)))
+    }
+
+    /// Red, green, blue and opacity of each pixel, row by row: the colours without the white below.
+    pub fn rgba(&self) -> Vec<u8> {
+        pixels::to_rgba(&self.pixels, self.alpha())
+    }
+
     /// Red, green and blue of one pixel.
     ///
     /// # Panics
@@ -100,11 +130,11 @@ impl Photo {
     }
 
     /// The picture scaled down so that its longer side has at most `max_side_px` pixels (at least 1), each new pixel
-    /// the mean of the area it covers. A picture that fits already stays as it is.
+    /// the mean of the area it covers. A picture that fits already keeps its pixels. The copy is opaque, over white.
     pub fn scaled_down(&self, max_side_px: u32) -> Self {
         let (long, limit) = (self.width.max(self.height), max_side_px.max(1));
         if long <= limit {
-            return self.clone();
+            return Self { alpha: None, ..self.clone() };
         }
         let scale = f64::from(limit) / f64::from(long);
         let shrunk = |side: u32| ((f64::from(side) * scale).round() as u32).max(1);

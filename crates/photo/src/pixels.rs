@@ -2,22 +2,48 @@
 
 use image::ColorType;
 
-/// Converts decoded pixels to RGB; `None` if the layout is none that the decoders give.
+/// Converts decoded pixels to RGB and, if any is not opaque, to their opacity; `None` if the layout is none that the decoders
+/// give.
 ///
 /// Grey is repeated, 16-bit samples (native-endian) are rounded to 8 bits, and transparency is laid over white, as on
 /// paper.
-pub(crate) fn to_rgb(decoded: Vec<u8>, layout: ColorType) -> Option<Vec<u8>> {
+pub(crate) fn to_rgb(decoded: Vec<u8>, layout: ColorType) -> Option<(Vec<u8>, Option<Vec<u8>>)> {
     Some(match layout {
-        ColorType::Rgb8 => decoded,
-        ColorType::L8 => rgb_from::<1>(&decoded, |[grey]| [grey; 3]),
-        ColorType::La8 => rgb_from::<2>(&decoded, |[grey, alpha]| [over_white(grey, alpha); 3]),
-        ColorType::Rgba8 => rgb_from::<4>(&decoded, |[r, g, b, alpha]| [r, g, b].map(|c| over_white(c, alpha))),
+        ColorType::Rgb8 => (decoded, None),
+        ColorType::L8 => (rgb_from::<1>(&decoded, |[grey]| [grey; 3]), None),
+        ColorType::La8 => {
+            (rgb_from::<2>(&decoded, |[grey, alpha]| [over_white(grey, alpha); 3]), alpha_of::<2>(&decoded))
+        }
+        ColorType::Rgba8 => {
+            (rgb_from::<4>(&decoded, |[r, g, b, a]| [r, g, b].map(|c| over_white(c, a))), alpha_of::<4>(&decoded))
+        }
         ColorType::L16 => to_rgb(eight_bit(&decoded), ColorType::L8)?,
         ColorType::La16 => to_rgb(eight_bit(&decoded), ColorType::La8)?,
-        ColorType::Rgb16 => eight_bit(&decoded),
+        ColorType::Rgb16 => (eight_bit(&decoded), None),
         ColorType::Rgba16 => to_rgb(eight_bit(&decoded), ColorType::Rgba8)?,
         _ => return None,
     })
+}
+
+/// The last byte of each pixel, if one of them is not opaque.
+fn alpha_of<const N: usize>(decoded: &[u8]) -> Option<Vec<u8>> {
+    let alpha: Vec<u8> = decoded.as_chunks::<N>().0.iter().map(|pixel| pixel[N - 1]).collect();
+    alpha.iter().any(|&alpha| alpha < u8::MAX).then_some(alpha)
+}
+
+/// RGBA out of colours that were laid over white, and what was opaque of them.
+pub(crate) fn to_rgba(rgb: &[u8], alpha: Option<&[u8]>) -> Vec<u8> {
+    let mut rgba = vec![u8::MAX; rgb.len() / 3 * 4];
+    for (to, pixel) in rgba.as_chunks_mut::<4>().0.iter_mut().zip(rgb.as_chunks::<3>().0) {
+        to[..3].copy_from_slice(pixel);
+    }
+    for (pixel, &alpha) in rgba.as_chunks_mut::<4>().0.iter_mut().zip(alpha.unwrap_or_default()) {
+        if alpha < u8::MAX {
+            let [r, g, b, _] = pixel.map(|channel| without_white(channel, alpha));
+            *pixel = [r, g, b, alpha];
+        }
+    }
+    rgba
 }
 
 /// The first three of every four bytes.
@@ -36,6 +62,12 @@ fn rgb_from<const N: usize>(decoded: &[u8], rgb: impl Fn([u8; N]) -> [u8; 3]) ->
 fn over_white(channel: u8, alpha: u8) -> u8 {
     let (channel, alpha) = (u16::from(channel), u16::from(alpha));
     ((channel * alpha + 255 * (255 - alpha) + 127) / 255) as u8
+}
+
+/// The colour that [`over_white`] makes this one of.
+fn without_white(channel: u8, alpha: u8) -> u8 {
+    let (channel, alpha) = (i32::from(channel), i32::from(alpha.max(1)));
+    ((channel * 255 - 255 * (255 - alpha) + alpha / 2) / alpha).clamp(0, 255) as u8
 }
 
 /// `round(sample · 255 / 65535)`.

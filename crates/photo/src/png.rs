@@ -6,7 +6,7 @@ use image::ColorType;
 use png::{BitDepth, DecodingError, Info, Reader, Transformations};
 
 use crate::code_points::{CodePoints, Told, told_by_gamma};
-use crate::decode::{Stored, damaged};
+use crate::decode::{Stored, damaged, unsupported};
 use crate::format::Format;
 use crate::primaries::Primaries;
 use crate::{Limits, Photo, PhotoError, icc, pixels};
@@ -18,6 +18,7 @@ pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError>
     if let Some((width, height)) = size(bytes) {
         limits.check_size(width, height)?;
     }
+    check_kind(bytes)?;
     let mut reader = reader(bytes, limits)?;
     let (width, height) = reader.info().size();
     limits.check_size(width, height)?;
@@ -32,9 +33,9 @@ pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError>
             .iter_mut()
             .for_each(|sample| *sample = u16::from_be_bytes(*sample).to_ne_bytes());
     }
-    let rgb = pixels::to_rgb(decoded, layout).ok_or_else(|| unread(layout))?;
+    let (rgb, alpha) = pixels::to_rgb(decoded, layout).ok_or_else(|| unread(layout))?;
     let exif = reader.info().exif_metadata.as_deref().unwrap_or_default().to_vec();
-    Stored { width, height, rgb, colours: told(reader.info(), layout), exif }.upright()
+    Stored { width, height, rgb, alpha, colours: told(reader.info(), layout), exif }.upright()
 }
 
 /// Width and height out of the header chunk, which the format wants first.
@@ -42,6 +43,43 @@ fn size(bytes: &[u8]) -> Option<(u32, u32)> {
     let header = bytes.get(12..24)?.strip_prefix(b"IHDR")?;
     let number = |at: usize| u32::from_be_bytes([header[at], header[at + 1], header[at + 2], header[at + 3]]);
     Some((number(0), number(4)))
+}
+
+/// Refuses what the format does not have yet, or another has in its place: a method of a header that no standard version
+/// knows, and a chunk that has to be understood and is not, such as the first of Apple's own PNG files.
+fn check_kind(bytes: &[u8]) -> Result<(), PhotoError> {
+    const KNOWN: [&[u8; 4]; 4] = [b"IHDR", b"PLTE", b"IDAT", b"IEND"];
+    for (name, content) in chunks(bytes).take_while(|(name, _)| name != b"IDAT") {
+        let method = |at: usize, most: u8| content.get(at).is_some_and(|&method| method > most);
+        if name[0].is_ascii_uppercase() && !KNOWN.contains(&&name) {
+            return Err(unsupported(Format::Png, format!("the chunk {}", name.escape_ascii())));
+        }
+        if &name == b"IHDR" && (method(10, 0) || method(11, 0) || method(12, 1)) {
+            return Err(unsupported(Format::Png, "a compression, filter or interlace method of its own".to_owned()));
+        }
+    }
+    Ok(())
+}
+
+/// Names and contents of the chunks, up to the first that is damaged.
+fn chunks(bytes: &[u8]) -> impl Iterator<Item = ([u8; 4], &[u8])> {
+    let mut rest = bytes.get(8..).unwrap_or_default();
+    std::iter::from_fn(move || {
+        let (length, after) = rest.split_first_chunk()?;
+        let (named, after) = after.split_at_checked((u32::from_be_bytes(*length) as usize).checked_add(4)?)?;
+        let (checksum, after) = after.split_first_chunk()?;
+        let (&name, content) = named.split_first_chunk()?;
+        rest = after;
+        // A whole picture is not read twice for its checksum.
+        (&name == b"IDAT" || crc32(named) == u32::from_be_bytes(*checksum)).then_some((name, content))
+    })
+}
+
+/// ISO/IEC 15948, annex D.
+fn crc32(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(u32::MAX, |crc, &byte| {
+        (0..8).fold(crc ^ u32::from(byte), |crc, _| (crc >> 1) ^ (0xEDB8_8320 & (crc & 1).wrapping_neg()))
+    })
 }
 
 fn reader<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Reader<Source<'a>>, PhotoError> {
@@ -165,5 +203,5 @@ fn refused(error: &DecodingError, at_the_end: &str) -> PhotoError {
 }
 
 fn unread(layout: impl std::fmt::Debug) -> PhotoError {
-    PhotoError::UnsupportedFeature { format: Format::Png.name(), reason: format!("{layout:?} pixels") }
+    unsupported(Format::Png, format!("{layout:?} pixels"))
 }

@@ -7,7 +7,7 @@ mod support;
 use image::metadata::Orientation;
 use image::{DynamicImage, ImageFormat};
 use rosto_photo::{Limits, Photo, decode};
-use support::{FORMATS, Format, blocks, blocks_with_restarts, file, stored_for};
+use support::{FORMATS, Format, blocks, blocks_with_restarts, exif, file, stored_for, with_chunk};
 
 fn read(bytes: &[u8]) -> Photo {
     decode(bytes, &Limits::default()).unwrap()
@@ -69,6 +69,27 @@ fn transparency_lies_over_white() {
     for file in files {
         assert_eq!(read(&file).pixels(), [[100, 50, 0], [255, 255, 255], [224, 214, 204]].concat());
     }
+}
+
+#[test]
+fn opacity_is_kept_next_to_the_pixels_and_turned_with_them() {
+    let pixels = vec![100, 50, 0, 255, 9, 9, 9, 0, 100, 50, 0, 51];
+    let picture = DynamicImage::from(image::RgbaImage::from_raw(3, 1, pixels).unwrap());
+    let kept = vec![100, 50, 0, 255, 255, 255, 255, 0, 100, 50, 0, 51];
+    for (file, name) in [(ImageFormat::Png, "eXIf"), (ImageFormat::WebP, "EXIF")] {
+        let photo = read(&file_of(picture.clone(), file));
+        assert_eq!(photo.alpha(), Some([255, 0, 51].as_slice()), "{name}");
+        assert_eq!(photo.rgba(), kept);
+        assert_eq!(photo.scaled_down(1024).alpha(), None, "a copy lies over white");
+    }
+    let turned = with_chunk(&file_of(picture, ImageFormat::Png), b"eXIf", &exif(Orientation::Rotate180));
+    assert_eq!(read(&turned).alpha(), Some([51, 0, 255].as_slice()));
+    let opaque = read(&png(image::RgbaImage::from_raw(1, 1, vec![1, 2, 3, 255]).unwrap()));
+    assert_eq!((opaque.alpha(), opaque.rgba()), (None, vec![1, 2, 3, 255]));
+    let grey = read(&png(image::GrayAlphaImage::from_raw(2, 1, vec![7, 255, 200, 128]).unwrap()));
+    // Half of a colour of eight bits has seven.
+    assert!(grey.rgba().iter().zip([7, 7, 7, 255, 200, 200, 200, 128]).all(|(a, b)| a.abs_diff(b) <= 1));
+    assert!(Photo::from_rgb(2, 1, vec![0; 6]).unwrap().with_alpha(vec![0; 3]).is_err());
 }
 
 #[test]

@@ -92,10 +92,16 @@ fn an_implausible_focal_length_is_none() {
 
 #[test]
 fn a_picture_that_was_cut_has_no_focal_length() {
-    for cut in [[4032, 2900], [3024, 4032], [3024, 3024], [4032, 2268], [403, 2000], [0, 3024]] {
+    for cut in [[4032, 2900], [2900, 4032], [3024, 3024], [4032, 2268], [403, 2000], [0, 3024]] {
         assert_eq!(focal_length([96, 72], taken_with(28, cut)), None, "{cut:?}");
     }
     assert_eq!(focal_length([96, 72], taken_with(28, [0, 0])), Some(28.0), "its size is unknown");
+}
+
+#[test]
+fn a_picture_that_was_turned_without_loss_keeps_its_focal_length() {
+    assert_eq!(focal_length([72, 96], taken_with(28, [4032, 3024])), Some(28.0));
+    assert_eq!(focal_length([96, 72], taken_with(28, [3024, 4032])), Some(28.0));
 }
 
 #[test]

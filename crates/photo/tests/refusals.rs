@@ -121,10 +121,13 @@ fn what_lacks_rows_says_how_many_or_that_it_does() {
 
 #[test]
 fn pictures_of_other_formats_are_named_and_say_what_to_do() {
-    let cases: [(&[u8], &str, &str); 6] = [
+    let cases: [(&[u8], &str, &str); 9] = [
         (b"\0\0\0\x18ftypheic\0\0\0\0mif1heic", "HEIC", "JPEG"),
         (b"\0\0\0\x18ftypmif1\0\0\0\0mif1heic", "HEIC", "JPEG"),
+        (b"\0\0\0\x1cftypmif1\0\0\0\0miafheix", "HEIC", "JPEG"),
         (b"\0\0\0\x1cftypavif\0\0\0\0avifmif1", "AVIF", "JPEG"),
+        (b"\0\0\0\x1cftypmif1\0\0\0\0miafavif", "AVIF", "JPEG"),
+        (b"\0\0\0\x18ftypmsf1\0\0\0\0msf1avisheic", "AVIF", "JPEG"),
         (b"GIF89a\x01\0\x01\0", "GIF", "JPEG"),
         (b"II\x2a\0\x08\0\0\0", "TIFF", "JPEG"),
         (b"\xFF\x0A\xFA\x1F", "JPEG XL", "JPEG"),

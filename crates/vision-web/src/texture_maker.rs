@@ -4,7 +4,6 @@ use rosto_texture::Plan;
 use wasm_bindgen::prelude::*;
 
 use crate::error;
-use crate::found::rgba;
 
 /// Makes the texture of a whole face. `free()` it when it is made.
 #[wasm_bindgen]
@@ -44,6 +43,6 @@ impl TextureMaker {
     pub fn make(&self, side: u32) -> Result<Vec<u8>, Error> {
         let pictures: Vec<&Photo> = self.pictures.iter().collect();
         let texture = self.plan.texture(&pictures, side).map_err(|reason| error::internal(&reason.to_string()))?;
-        Ok(rgba(&texture.picture))
+        Ok(texture.picture.rgba())
     }
 }

@@ -5,14 +5,11 @@ use rosto_warp::{Patch, drawn};
 use wasm_bindgen::prelude::*;
 
 use crate::error;
-use crate::found::rgba;
 
 /// A photo with what was edited in it. `free()` it when everything has been taken out.
 #[wasm_bindgen]
 pub struct Warped {
-    width: u32,
-    height: u32,
-    rgba: Vec<u8>,
+    photo: Photo,
 }
 
 #[wasm_bindgen]
@@ -28,31 +25,24 @@ impl Warped {
         let photo = decode(bytes, &Limits::default()).map_err(error::of_photo)?;
         let scale = f64::from(photo.width()) / f64::from(width.max(1));
         let patch = patch(from, to, triangles).ok_or_else(|| error::internal("triangles that do not fit"))?;
-        Ok(Self::of(&drawn(&photo, &patch.cut(DVec2::ZERO, scale))))
+        Ok(Self { photo: drawn(&photo, &patch.cut(DVec2::ZERO, scale)) })
     }
 
     /// Width in px.
     #[wasm_bindgen(getter)]
     pub fn width(&self) -> u32 {
-        self.width
+        self.photo.width()
     }
 
     /// Height in px.
     #[wasm_bindgen(getter)]
     pub fn height(&self) -> u32 {
-        self.height
+        self.photo.height()
     }
 
-    /// Its pixels, RGBA; none are left.
-    #[wasm_bindgen(js_name = takePixels)]
-    pub fn take_pixels(&mut self) -> Vec<u8> {
-        std::mem::take(&mut self.rgba)
-    }
-}
-
-impl Warped {
-    fn of(photo: &Photo) -> Self {
-        Self { width: photo.width(), height: photo.height(), rgba: rgba(photo) }
+    /// Its pixels, RGBA.
+    pub fn pixels(&self) -> Vec<u8> {
+        self.photo.rgba()
     }
 }
 

@@ -10,8 +10,17 @@ use crate::folds::doubled_area;
 const LEAST_PX: f64 = 1e-4;
 
 /// The picture with what is in the patch moved: each pixel takes the colour from where it came, by cubic interpolation
-/// (Catmull–Rom), in sRGB. A pixel that does not move keeps its bytes.
+/// (Catmull–Rom), in sRGB. A pixel that does not move keeps its bytes. Transparency moves with the colours.
 pub fn drawn(photo: &Photo, patch: &Patch) -> Photo {
+    let moved = drawn_opaque(photo, patch);
+    let Some(alpha) = photo.alpha() else { return moved };
+    let grey = alpha.iter().flat_map(|&alpha| [alpha; 3]).collect();
+    let moved_alpha = Photo::from_rgb(photo.width(), photo.height(), grey).map(|grey| drawn_opaque(&grey, patch));
+    let alpha = moved_alpha.map(|grey| grey.pixels().iter().step_by(3).copied().collect());
+    alpha.and_then(|alpha| moved.with_alpha(alpha)).unwrap_or_else(|_| photo.clone())
+}
+
+fn drawn_opaque(photo: &Photo, patch: &Patch) -> Photo {
     let mut pixels = photo.pixels().to_vec();
     let (sampler, size) = (Sampler::new(photo), [photo.width(), photo.height()].map(|side| side as usize));
     for corners in &patch.triangles {

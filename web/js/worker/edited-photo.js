@@ -20,8 +20,21 @@ const JPEG_QUALITY = 0.95;
 export async function drawEdited(edited) {
   const { width, height, pixels } = await drawnDecoded(edited);
   const canvas = new OffscreenCanvas(width, height);
-  canvas.getContext("2d", { alpha: false, willReadFrequently: true })?.putImageData(new ImageData(pixels, width, height), 0, 0);
+  const context = canvas.getContext("2d", { willReadFrequently: true });
+  context?.putImageData(new ImageData(pixels, width, height), 0, 0);
+  // A JPEG has no transparency: what is below is white.
+  if (context && edited.format === "image/jpeg") fillBelow(context, "white");
   return canvas.convertToBlob({ type: edited.format, quality: JPEG_QUALITY });
+}
+
+/**
+ * @param {OffscreenCanvasRenderingContext2D} context
+ * @param {string} colour
+ */
+function fillBelow(context, colour) {
+  context.globalCompositeOperation = "destination-over";
+  context.fillStyle = colour;
+  context.fillRect(0, 0, context.canvas.width, context.canvas.height);
 }
 
 /** @param {Edited} edited whose photo the browser decodes where the module does not read its format */
@@ -42,7 +55,7 @@ async function drawnDecoded(edited) {
 function drawn(bytes, { width_px, from_px, to_px, triangles }) {
   const warped = new Warped(bytes, width_px, from_px, to_px, triangles);
   try {
-    const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (warped.takePixels().buffer));
+    const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (warped.pixels().buffer));
     return { width: warped.width, height: warped.height, pixels };
   } finally {
     warped.free();

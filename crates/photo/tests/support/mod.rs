@@ -48,7 +48,7 @@ fn write(mut encoder: impl ImageEncoder, picture: &RgbImage, exif: Vec<u8>) {
 }
 
 /// A little-endian TIFF header and one directory with one entry: 0x0112, SHORT, count 1.
-fn exif(orientation: Orientation) -> Vec<u8> {
+pub fn exif(orientation: Orientation) -> Vec<u8> {
     let mut bytes = b"II\x2a\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0".to_vec();
     bytes.extend([orientation.to_exif(), 0, 0, 0, 0, 0, 0, 0]);
     bytes
@@ -96,7 +96,8 @@ pub fn with_chunk(png: &[u8], name: &[u8; 4], content: &[u8]) -> Vec<u8> {
     [&png[..at], &chunk, &png[at..]].concat()
 }
 
-fn crc32(bytes: &[u8]) -> u32 {
+/// ISO/IEC 15948, annex D.
+pub fn crc32(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(u32::MAX, |crc, &byte| {
         (0..8).fold(crc ^ u32::from(byte), |crc, _| (crc >> 1) ^ (0xEDB8_8320 & (crc & 1).wrapping_neg()))
     })

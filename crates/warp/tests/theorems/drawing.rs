@@ -144,3 +144,18 @@ impl Warp2 {
         apart.fold(0.0, f64::max)
     }
 }
+
+/// A colour that is opaque where another channel is bright moves as that one does.
+#[test]
+fn transparency_moves_with_the_colours() {
+    let mut seeded = Seeded::new(3);
+    let points = oval(&mut seeded);
+    let warp = moved(&points, &edited(&points, 14.0, &mut seeded));
+    let photo = noise();
+    let alpha = photo.pixels().iter().step_by(3).copied().collect();
+    let after = redrawn(&photo.clone().with_alpha(alpha).unwrap(), &warp);
+    let reds: Vec<u8> = after.pixels().iter().step_by(3).copied().collect();
+    assert_eq!(after.alpha(), Some(reds.as_slice()));
+    assert_eq!(after.pixels(), redrawn(&photo, &warp).pixels());
+    assert_ne!(after.pixels(), photo.pixels());
+}

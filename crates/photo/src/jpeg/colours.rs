@@ -1,0 +1,81 @@
+//! What the components of a picture mean (JFIF 1.02; Adobe Technical Note 5116), and how they become RGB.
+
+/// What the components mean.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Colours {
+    Grey,
+    Rgb,
+    YCbCr,
+    /// Stored as Adobe's programs do: 255 is no ink.
+    Cmyk,
+    /// The same, the colours as luminance and colour differences.
+    Ycck,
+}
+
+impl Colours {
+    /// JFIF comes before what Adobe's segment says, and that before the components' names, as in the reference library.
+    pub(crate) fn new(components: usize, jfif: bool, adobe: Option<u8>, names: &[u8]) -> Self {
+        match (components, adobe) {
+            (1, _) => Self::Grey,
+            (4, Some(1..)) => Self::Ycck,
+            (4, _) => Self::Cmyk,
+            _ if jfif => Self::YCbCr,
+            (_, Some(0)) => Self::Rgb,
+            (_, None) if names == b"RGB" => Self::Rgb,
+            _ => Self::YCbCr,
+        }
+    }
+
+    /// Converts a row of each component to a row of RGB.
+    pub(crate) fn write_rgb(self, rows: &[&[u8]], out: &mut [u8]) {
+        let out = out.as_chunks_mut::<3>().0;
+        match (self, rows) {
+            (Self::YCbCr, [y, cb, cr, ..]) => {
+                let (groups, last) = out.as_chunks_mut::<16>();
+                let [y, cb, cr] = [y, cb, cr].map(|row| row.as_chunks::<16>());
+                for (((to, y), cb), cr) in groups.iter_mut().zip(y.0).zip(cb.0).zip(cr.0) {
+                    write_group(to, y, cb, cr);
+                }
+                for (((to, &y), &cb), &cr) in last.iter_mut().zip(y.1).zip(cb.1).zip(cr.1) {
+                    *to = rgb(y, cb, cr);
+                }
+            }
+            (Self::Rgb, [r, g, b, ..]) => {
+                for (((to, &r), &g), &b) in out.iter_mut().zip(*r).zip(*g).zip(*b) {
+                    *to = [r, g, b];
+                }
+            }
+            (Self::Cmyk | Self::Ycck, [c, m, y, k]) => {
+                for ((((to, &c), &m), &y), &k) in out.iter_mut().zip(*c).zip(*m).zip(*y).zip(*k) {
+                    let inks = if self == Self::Ycck { rgb(c, m, y).map(|ink| 255 - ink) } else { [c, m, y] };
+                    *to = inks.map(|ink| ((u16::from(ink) * u16::from(k) + 127) / 255) as u8);
+                }
+            }
+            _ => out.iter_mut().zip(rows[0]).for_each(|(to, &grey)| *to = [grey; 3]),
+        }
+    }
+}
+
+/// A group at once, so that the arithmetic is done for several pixels by one instruction.
+fn write_group(to: &mut [[u8; 3]; 16], y: &[u8; 16], cb: &[u8; 16], cr: &[u8; 16]) {
+    let mut channels = [[0; 16]; 3];
+    for at in 0..16 {
+        let [r, g, b] = rgb(y[at], cb[at], cr[at]);
+        (channels[0][at], channels[1][at], channels[2][at]) = (r, g, b);
+    }
+    let [r, g, b] = channels;
+    for at in 0..16 {
+        to[at] = [r[at], g[at], b[at]];
+    }
+}
+
+/// ITU-R BT.601 over the whole range, in fractions of 2^16; whole parts apart, so that the factors have 16 bits.
+#[inline(always)]
+fn rgb(y: u8, cb: u8, cr: u8) -> [u8; 3] {
+    const HALF: i32 = 1 << 15;
+    let [y, cb, cr] = [i32::from(y), i32::from(cb) - 128, i32::from(cr) - 128];
+    let red = y + cr + ((26_345 * cr + HALF) >> 16);
+    let green = y - cr + ((-22_554 * cb + 18_734 * cr + HALF) >> 16);
+    let blue = y + 2 * cb + ((-14_942 * cb + HALF) >> 16);
+    [red, green, blue].map(|channel| channel.clamp(0, 255) as u8)
+}

@@ -1,0 +1,85 @@
+//! Rows of a component at the picture's full size, to the bit as the reference library makes them: halved sides are
+//! interpolated with weights of 3/4 and 1/4, others repeated.
+
+use super::header::{Component, Frame};
+use super::plane::Plane;
+
+pub(crate) struct Upsampler<'a> {
+    plane: &'a Plane,
+    /// How many px a sample covers across and down.
+    ratio: [usize; 2],
+    interpolated: [bool; 2],
+    width: usize,
+    /// The row up to whole samples, and sums of two rows.
+    row: Vec<u8>,
+    sums: Vec<u16>,
+}
+
+impl<'a> Upsampler<'a> {
+    pub(crate) fn new(frame: &Frame, component: &Component, plane: &'a Plane) -> Self {
+        let ratio = [0, 1].map(|axis| frame.largest[axis] / component.sampling[axis]);
+        let wide = plane.size[0] > 2;
+        let interpolated = [wide && ratio[0] == 2 && ratio[1] <= 2, ratio == [1, 2] || wide && ratio == [2, 2]];
+        let row = vec![0; plane.size[0] * ratio[0]];
+        Self { plane, ratio, interpolated, width: frame.width, row, sums: vec![0; plane.size[0]] }
+    }
+
+    /// Number of rows above and below a row of samples that it is seen in besides its own.
+    pub(crate) fn blurred_rows(&self) -> usize {
+        usize::from(self.interpolated[1])
+    }
+
+    /// A row of the picture.
+    pub(crate) fn row(&mut self, y: usize) -> &[u8] {
+        let own = self.plane.row(y / self.ratio[1]);
+        match (self.ratio, self.interpolated) {
+            ([1, 1], _) => return own,
+            (_, [true, false]) => interpolate_across(own, &mut self.row),
+            (_, [across, true]) => {
+                let near = if y.is_multiple_of(2) {
+                    (y / 2).saturating_sub(1)
+                } else {
+                    (y / 2 + 1).min(self.plane.size[1] - 1)
+                };
+                let near = self.plane.row(near);
+                for (sum, (&own, &near)) in self.sums.iter_mut().zip(own.iter().zip(near)) {
+                    *sum = 3 * u16::from(own) + u16::from(near);
+                }
+                if across {
+                    interpolate_sums_across(&self.sums, &mut self.row);
+                } else {
+                    let rounding = 1 + (y % 2) as u16;
+                    self.row.iter_mut().zip(&self.sums).for_each(|(to, sum)| *to = ((sum + rounding) / 4) as u8);
+                }
+            }
+            ([across, _], _) => {
+                self.row.chunks_exact_mut(across).zip(own).for_each(|(to, &sample)| to.fill(sample));
+            }
+        }
+        &self.row[..self.width]
+    }
+}
+
+fn interpolate_across(samples: &[u8], out: &mut [u8]) {
+    let pair = |left: u8, own: u8, right: u8| {
+        let [left, own, right] = [left, own, right].map(u16::from);
+        [((3 * own + left + 1) / 4) as u8, ((3 * own + right + 2) / 4) as u8]
+    };
+    let (out, last) = (out.as_chunks_mut::<2>().0, samples.len() - 1);
+    for (to, near) in out[1..].iter_mut().zip(samples.array_windows::<3>()) {
+        *to = pair(near[0], near[1], near[2]);
+    }
+    out[0] = pair(samples[0], samples[0], samples[1]);
+    out[last] = pair(samples[last - 1], samples[last], samples[last]);
+}
+
+fn interpolate_sums_across(sums: &[u16], out: &mut [u8]) {
+    let pair =
+        |left: u16, own: u16, right: u16| [((3 * own + left + 8) / 16) as u8, ((3 * own + right + 7) / 16) as u8];
+    let (out, last) = (out.as_chunks_mut::<2>().0, sums.len() - 1);
+    for (to, near) in out[1..].iter_mut().zip(sums.array_windows::<3>()) {
+        *to = pair(near[0], near[1], near[2]);
+    }
+    out[0] = pair(sums[0], sums[0], sums[1]);
+    out[last] = pair(sums[last - 1], sums[last], sums[last]);
+}
