@@ -89,6 +89,7 @@ def test_every_entry_point_turns_a_panic_into_an_error():
         lambda finder: _rosto.Photo.from_array(np.zeros((0, 4, 3), np.uint8)),
         lambda finder: _rosto.Photo.from_array(np.zeros((4, 4, 5), np.uint8)),
         lambda finder: _rosto.Photo.from_array(np.zeros((4, 4, 3), np.uint8)[::-1]),
+        lambda finder: _rosto.Photo.from_array(np.asfortranarray(np.zeros((4, 5, 3), np.uint8))),
         lambda finder: _rosto.Photo.from_array(np.zeros(4, np.uint8)),
         lambda finder: _rosto.Photo.from_array(np.broadcast_to(np.uint8(0), (2**33, 1))),
         lambda finder: _rosto.Photo.from_array(np.zeros((4, 4, 3))),

@@ -1,6 +1,6 @@
 use glam::DVec3;
-use numpy::ndarray::Array2;
-use numpy::{Element, IntoPyArray, PyArray2, PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::ndarray::{Array2, Dimension};
+use numpy::{Element, IntoPyArray, PyArray2, PyReadonlyArray, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
 use crate::error::refused;
@@ -21,8 +21,16 @@ pub fn to_rows<T: Element + Copy>(array: &PyReadonlyArray2<'_, T>, what: &str) -
     if columns != 3 {
         return Err(refused(format!("{what}: the shape is ({rows}, {columns}), not (N, 3)")));
     }
-    let numbers = array.as_slice().map_err(|reason| refused(format!("{what}: {reason}")))?;
-    Ok(numbers.as_chunks::<3>().0.to_vec())
+    Ok(c_ordered(array, what)?.as_chunks::<3>().0.to_vec())
+}
+
+/// The elements of a C-contiguous, aligned array; one that is contiguous in Fortran's order has them in another.
+pub fn c_ordered<'a, T: Element, D: Dimension>(
+    array: &'a PyReadonlyArray<'_, T, D>,
+    what: &str,
+) -> PyResult<&'a [T]> {
+    let elements = array.as_slice().ok().filter(|_| array.is_c_contiguous());
+    elements.ok_or_else(|| refused(format!("{what}: the array is not C-contiguous and aligned")))
 }
 
 /// The same, as finite positions or offsets.

@@ -3,6 +3,7 @@ use numpy::{IntoPyArray, PyArray3, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use rosto_photo::{Limits, PhotoError};
 
+use crate::arrays::c_ordered;
 use crate::error::{guarded, refused};
 
 /// An upright sRGB picture.
@@ -31,7 +32,7 @@ impl Photo {
                 _ => return Err(refused(format!("pixels: {} axes, not 2 or 3", pixels.ndim()))),
             };
             let (width, height) = checked_size(width, height)?;
-            let rgb = to_rgb(pixels.as_slice().map_err(refused)?, channels)?;
+            let rgb = to_rgb(c_ordered(&pixels, "pixels")?, channels)?;
             rosto_photo::Photo::from_rgb(width, height, rgb).map(Self).map_err(not_a_photo)
         })
     }
@@ -81,7 +82,7 @@ fn to_rgb(pixels: &[u8], channels: usize) -> PyResult<Vec<u8>> {
     match channels {
         1 => Ok(pixels.iter().flat_map(|&grey| [grey; 3]).collect()),
         3 => Ok(pixels.to_vec()),
-        4 => Ok(pixels.as_chunks().0.iter().flat_map(|&[r, g, b, a]| [r, g, b].map(|c| over_white(c, a))).collect()),
+        4 => Ok(pixels.as_chunks::<4>().0.iter().flat_map(|&[r, g, b, a]| [r, g, b].map(|c| over_white(c, a))).collect()),
         _ => Err(refused(format!("pixels: {channels} channels, not 1, 3 or 4"))),
     }
 }
