@@ -25,10 +25,7 @@ pub fn to_rows<T: Element + Copy>(array: &PyReadonlyArray2<'_, T>, what: &str) -
 }
 
 /// The elements of a C-contiguous, aligned array; one that is contiguous in Fortran's order has them in another.
-pub fn c_ordered<'a, T: Element, D: Dimension>(
-    array: &'a PyReadonlyArray<'_, T, D>,
-    what: &str,
-) -> PyResult<&'a [T]> {
+pub fn c_ordered<'a, T: Element, D: Dimension>(array: &'a PyReadonlyArray<'_, T, D>, what: &str) -> PyResult<&'a [T]> {
     let elements = array.as_slice().ok().filter(|_| array.is_c_contiguous());
     elements.ok_or_else(|| refused(format!("{what}: the array is not C-contiguous and aligned")))
 }

@@ -82,7 +82,9 @@ fn to_rgb(pixels: &[u8], channels: usize) -> PyResult<Vec<u8>> {
     match channels {
         1 => Ok(pixels.iter().flat_map(|&grey| [grey; 3]).collect()),
         3 => Ok(pixels.to_vec()),
-        4 => Ok(pixels.as_chunks::<4>().0.iter().flat_map(|&[r, g, b, a]| [r, g, b].map(|c| over_white(c, a))).collect()),
+        4 => {
+            Ok(pixels.as_chunks::<4>().0.iter().flat_map(|&[r, g, b, a]| [r, g, b].map(|c| over_white(c, a))).collect())
+        }
         _ => Err(refused(format!("pixels: {channels} channels, not 1, 3 or 4"))),
     }
 }
