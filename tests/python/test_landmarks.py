@@ -1,4 +1,4 @@
-"""Images to landmarks: the command line's bits, whatever the image comes as; reasons where there are none."""
+"""Images to landmarks: the command line's bits; reasons where there are none."""
 
 import pickle
 import threading
@@ -26,14 +26,6 @@ def test_landmarks_are_the_command_lines_to_the_bit(album, command_line, search,
     assert np.array_equal(found.points, command_line.points(*some, *flags))
 
 
-def test_paths_bytes_and_pixels_are_one_image(portrait):
-    with Image.open(portrait) as opened:
-        pixels = np.asarray(opened.convert("RGB"))
-    found = rosto.landmarks([portrait, str(portrait), portrait.read_bytes(), pixels, pixels[:, ::-1][:, ::-1]])
-    assert all(np.array_equal(points, found.points[0]) for points in found.points)
-    assert found.sizes.tolist() == [[512, 512]] * 5
-
-
 def test_what_shows_no_face_or_is_none_has_a_reason_and_stops_no_other(portrait, tmp_path):
     grey = np.full((64, 64, 3), 120, np.uint8)
     found = rosto.landmarks([grey, b"notes", tmp_path / "missing.jpg", portrait, np.zeros((0, 5, 3), np.uint8)])
@@ -42,12 +34,6 @@ def test_what_shows_no_face_or_is_none_has_a_reason_and_stops_no_other(portrait,
     assert all(word is None or word in reason for word, reason in zip(words, found.reasons))
     assert np.isnan(found.points[[0, 1, 2, 4]]).all() and np.isfinite(found.points[3]).all()
     assert np.isnan(found.confidence).tolist() == [True, True, True, False, True]
-
-
-def test_arrays_of_other_kinds_are_refused_with_what_they_are():
-    others = [np.zeros((4, 4, 4), np.uint8), np.zeros((4, 4), np.uint8), np.zeros((4, 4, 3))]
-    reasons = rosto.landmarks(others).reasons
-    assert all(word in reason for word, reason in zip(["(4, 4, 4)", "(4, 4)", "float64"], reasons))
 
 
 def test_of_many_faces_as_many_as_are_asked_for(portrait):
@@ -83,6 +69,12 @@ def test_a_call_has_one_thread_and_lets_others_run(portrait):
     finding.join()
     # Python gives another thread its turn every 5 ms at most: with the lock held, this one would hardly have moved.
     assert steps > 10_000
+
+
+def test_what_is_shown_of_results_is_short(portrait):
+    found = rosto.landmarks([portrait] + [b"notes"] * 500)
+    assert repr(found) == "Landmarks(501 images, 1 with a face)"
+    assert repr(rosto.faces(portrait)) == "[Face(478 points, confidence 0.98)]"
 
 
 def test_results_and_searches_pickle(portrait):

@@ -1,10 +1,12 @@
 """A photo to an edited mesh: the command line's file to the byte, and arrays that say the same."""
 
+import io
 import pickle
 
 import numpy as np
 import pytest
 import rosto
+from PIL import Image
 
 EDITS = [
     ([rosto.Vertex(1, (0, 0, 5))], ["--edit", "1:0,0,5"]),
@@ -55,6 +57,61 @@ def test_a_mesh_pickles_as_what_it_was_made_of(portrait):
     again = pickle.loads(pickle.dumps(made))
     assert np.array_equal(again.positions_m, made.positions_m)
     assert again.to_bytes("ply") == made.to_bytes("ply")
+
+
+def test_a_mesh_keeps_its_images_when_their_buffers_are_used_again(portrait, tmp_path):
+    file, path = bytearray(portrait.read_bytes()), tmp_path / "photo.png"
+    path.write_bytes(file)
+    with Image.open(portrait) as opened:
+        pixels = np.array(opened.convert("RGB"))
+    for image in (file, memoryview(file), pixels, path, io.BytesIO(file)):
+        made = rosto.mesh(image, density=0)
+        pickled_first = pickle.dumps(made)
+        for buffer in (file, pixels):
+            buffer[:] = bytes(len(buffer)) if buffer is file else 0
+        path.unlink()
+        for again in (pickle.loads(pickled_first), pickle.loads(pickle.dumps(made))):
+            assert np.array_equal(again.positions_m, made.positions_m) and np.array_equal(again.colours, made.colours)
+        with Image.open(portrait) as opened:
+            pixels[:] = np.asarray(opened.convert("RGB"))
+        file[:] = portrait.read_bytes()
+        path.write_bytes(file)
+
+
+def test_what_is_shown_of_a_mesh_is_short(portrait):
+    edits = [rosto.Vertex(1, (0, 0, 5), anchors=range(10, 400)) for _ in range(50)]
+    made = rosto.mesh(portrait.read_bytes(), edits, density=0)
+    assert repr(made).startswith("Mesh(1 image") and len(repr(made)) < 120
+    assert len(repr(edits[0])) < 120
+
+
+def test_a_single_edit_is_a_list_of_one(portrait):
+    edit = rosto.Slider("nose-width", 4)
+    assert rosto.mesh(portrait, edit, density=0).words == rosto.mesh(portrait, iter([edit]), density=0).words
+
+
+@pytest.mark.parametrize("wrong", [None, 4, "nose-width", [None], [rosto.Slider("nose-width", 4), ("nose-width", 4)]], ids=repr)
+def test_what_is_no_edit_is_a_type_error(portrait, wrong):
+    with pytest.raises(TypeError, match=r"edits\[\d\]: .* is not an edit"):
+        rosto.mesh(portrait, wrong)
+
+
+@pytest.mark.parametrize("none", [[], (), iter([]), np.zeros((0, 4, 4, 3), np.uint8), np.array([], object)], ids=repr)
+def test_no_image_is_an_error(none):
+    with pytest.raises(rosto.RostoError, match="image: there is none"):
+        rosto.mesh(none)
+
+
+def test_six_images_are_too_many(portrait):
+    with pytest.raises(rosto.RostoError, match="6 photos of one face; 1 to 5"):
+        rosto.mesh([portrait] * 6)
+
+
+def test_an_array_of_images_is_several(portrait):
+    with Image.open(portrait) as opened:
+        pixels = np.asarray(opened.convert("RGB"))
+    several = rosto.mesh(np.stack([pixels, pixels]), density=0)
+    assert len(several.images) == 2 and len(rosto.mesh(pixels, density=0).images) == 1
 
 
 @pytest.mark.parametrize(

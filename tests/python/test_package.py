@@ -1,15 +1,48 @@
 """What the package is made of: types that hold, documentation for all of it, the command line, the networks' licence."""
 
 import inspect
+import re
 import subprocess
 import sys
 from importlib.metadata import distribution
+from pathlib import Path
 
+import numpy as np
+import pytest
 import rosto
+from rosto import _rosto
+from rosto._images import finder
+
+ROOT = Path(__file__).parents[2]
+
+USES = """
+import io
+import numpy as np
+import rosto
+from PIL import Image
+
+pixels = np.zeros((4, 4, 3), np.uint8)
+rosto.landmarks([pixels, "a.jpg", b"", bytearray(), memoryview(b""), io.BytesIO(), open("a.jpg", "rb"), Image.new("L", (4, 4))])
+rosto.landmarks(pixels)
+rosto.landmarks("a.jpg", jobs=2)
+rosto.landmarks(path for path in ["a.jpg"])
+edits = [rosto.Vertex(1, np.array([0, 0, 5.0]), anchors=np.array([10])), rosto.Vertex(1, (0, 0, np.float32(5)), anchors=[10])]
+rosto.mesh("a.jpg", edits)
+rosto.mesh([pixels, b""], rosto.Slider("nose-width", np.float64(4)), mirror=np.bool_(True), pin=[10, 152], density=np.int64(0))
+rosto.Laplacian((pixels[0], [[0, 1, 2]])).edit({0: np.array([0, 0, 1.0]), 1: (0, 0, 1)}, np.array([2]), np.float32(1))
+"""
 
 
 def test_types_hold_by_mypys_strictest(tmp_path):
     words = ["-m", "mypy", "--strict", "--ignore-missing-imports", "--package", "rosto"]
+    checked = subprocess.run([sys.executable, *words], capture_output=True, text=True, cwd=tmp_path)
+    assert checked.returncode == 0, checked.stdout
+
+
+def test_types_take_what_the_package_takes(tmp_path):
+    script = tmp_path / "uses.py"
+    script.write_text(USES)
+    words = ["-m", "mypy", "--strict", "--cache-dir", str(tmp_path / "cache"), str(script)]
     checked = subprocess.run([sys.executable, *words], capture_output=True, text=True, cwd=tmp_path)
     assert checked.returncode == 0, checked.stdout
 
@@ -27,6 +60,51 @@ def test_the_command_line_comes_along_and_finds_its_networks(portrait, command_l
     run = subprocess.run([sys.executable, "-m", "rosto", *words], capture_output=True, cwd=tmp_path)
     assert (run.returncode, run.stdout) == (0, command_line.run(*words))
     assert subprocess.run([sys.executable, "-m", "rosto", "mesh"], capture_output=True).returncode == 2
+
+
+def entry_points() -> dict[str, str]:
+    """The source of each function that Python calls, by file and name."""
+    found = {}
+    for file in sorted((ROOT / "crates/python/src").glob("*.rs")):
+        text = file.read_text()
+        blocks = re.findall(r"#\[pymethods\]\nimpl .*?\n\}\n", text, re.DOTALL)
+        functions = re.findall(r"#\[pyfunction\]\n.*?\n *\}\n", text, re.DOTALL)
+        for block in blocks:
+            functions += re.split(r"\n    (?=fn )", block)[1:]
+        for function in functions:
+            found[f"{file.name}: {re.search(r'fn (\w+)', function)[1]}"] = function
+    return found
+
+
+def test_every_entry_point_turns_a_panic_into_an_error():
+    assert {"photo.rs: decode", "finder.rs: find", "face_mesh.rs: new", "system.rs: edit", "lib.rs: command_line"} <= set(entry_points())
+    assert [name for name, source in entry_points().items() if "guarded(" not in source] == []
+
+
+@pytest.mark.parametrize(
+    "work",
+    [
+        lambda finder: _rosto.FaceMesh([], finder, []),
+        lambda finder: _rosto.Photo.decode(b""),
+        lambda finder: _rosto.Photo.from_array(np.zeros((0, 4, 3), np.uint8)),
+        lambda finder: _rosto.Photo.from_array(np.zeros((4, 4, 5), np.uint8)),
+        lambda finder: _rosto.Photo.from_array(np.zeros((4, 4, 3), np.uint8)[::-1]),
+        lambda finder: _rosto.Photo.from_array(np.asfortranarray(np.zeros((4, 5, 3), np.uint8))),
+        lambda finder: _rosto.Photo.from_array(np.zeros(4, np.uint8)),
+        lambda finder: _rosto.Photo.from_array(np.broadcast_to(np.uint8(0), (2**33, 1))),
+        lambda finder: _rosto.Photo.from_array(np.zeros((4, 4, 3))),
+        lambda finder: _rosto.Finder(b"", b"", True),
+        lambda finder: _rosto.System(np.zeros((0, 3)), np.zeros((0, 3), np.uint32), "cotangent"),
+        lambda finder: _rosto.System(np.eye(3)[::-1], np.array([[0, 1, 2]], np.uint32), "cotangent"),
+        lambda finder: _rosto.System(np.eye(3) * np.nan, np.array([[0, 1, 2]], np.uint32), "L"),
+        lambda finder: _rosto.System(np.eye(3), np.array([[0, 1, 2]], np.uint32), "L").edit([0], np.zeros((2, 3)), [1]),
+        lambda finder: _rosto.System(np.eye(3), np.array([[0, 1, 2]], np.uint32), "L").edit([9], np.zeros((1, 3)), [1]),
+        lambda finder: _rosto.System(np.eye(3), np.array([[0, 1, 2]], np.uint32), "L").deltas(np.zeros((2, 3))),
+    ],
+)
+def test_the_native_part_refuses_what_it_cannot_take(work):
+    with pytest.raises((ValueError, TypeError)):
+        work(finder(True))
 
 
 def test_the_wheel_has_its_licences_and_fits_every_python_from_the_oldest_on():

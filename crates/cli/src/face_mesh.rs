@@ -1,7 +1,7 @@
 use clap::{ArgMatches, CommandFactory, FromArgMatches};
 use glam::{DVec2, DVec3};
 use rosto_export::Written;
-use rosto_face::FaceModel;
+use rosto_face::{FaceError, FaceModel, MOST_PHOTOS};
 use rosto_landmarks::FaceFinder;
 use rosto_photo::Photo;
 use rosto_studio::Document;
@@ -39,8 +39,12 @@ impl FaceMesh {
     /// The face in one photo, or in several of one head, edited.
     ///
     /// # Errors
-    /// If an option is none, a photo shows no face, photos show different ones, or an edit cannot be made.
+    /// If there are no photos or more than [`MOST_PHOTOS`], an option is none, a photo shows no face, photos show different
+    /// ones, or an edit cannot be made.
     pub fn new(photos: Vec<Photo>, finder: &FaceFinder, options: &[String]) -> Result<Self, Refused> {
+        if !(1..=MOST_PHOTOS).contains(&photos.len()) {
+            return Err(Refused(FaceError::PhotoCount { found: photos.len(), most: MOST_PHOTOS }.to_string()));
+        }
         let (task, _) = task(options, "face.glb")?;
         let names: Vec<String> = (1..=photos.len()).map(|number| format!("image {number}")).collect();
         let photos = names.iter().map(AsRef::as_ref).zip(photos).collect();

@@ -4,8 +4,13 @@ Everything is computed on this machine, by the same core as the command line's a
 use one thread unless ``jobs`` says more, and let other threads of Python run meanwhile. Networks are loaded once for each
 process, when they are needed first.
 
-Images are paths, the bytes of a JPEG, PNG or WebP file, or arrays of the shape ``(height, width, 3)``, ``uint8``, sRGB.
-Left and right are the subject's. Lengths are in metres where names end in ``_m`` and in millimetres where they end in ``_mm``.
+Images are paths; JPEG, PNG or WebP files as ``bytes``, ``bytearray`` or ``memoryview``, or open for reading; arrays, ``uint8``,
+sRGB, of the shape ``(height, width, 3)``, ``(height, width, 4)`` with alpha, or ``(height, width)`` for grey; or images of
+Pillow's. Transparency is laid over white. A file's or a Pillow image's EXIF orientation and colour profile are applied; an
+array is taken as it is.
+
+Numbers may be NumPy's. Left and right are the subject's. Lengths are in metres where names end in ``_m`` and in millimetres
+where they end in ``_mm``.
 """
 
 from ._edits import Edit, Expression, Region, Slider, Symmetrise, Vertex

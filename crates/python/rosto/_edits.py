@@ -1,21 +1,31 @@
 """What can be done to a face; each knows the command line's words for it."""
 
+import reprlib
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import Any, Protocol, Union
+
+import numpy.typing as npt
+
+from ._numbers import Number, Vector, number, shortest, text, vector, whole, wholes
 
 
 class Edit(Protocol):
-    """Anything that can be told to ``rosto mesh``."""
+    """An edit that ``rosto mesh`` makes. Numbers may be NumPy's; they are kept as Python's."""
 
     def words(self) -> list[str]:
         """As options of the command line."""
         ...
 
 
-def _joined(numbers: Sequence[float]) -> str:
-    # The shortest text that is read back as the same number.
-    return ",".join(repr(number + 0) for number in numbers)
+def _joined(*numbers: Any) -> str:
+    return ",".join(map(shortest, numbers))
+
+
+def _keep(edit: Edit, **values: object) -> None:
+    """Sets fields of a frozen edit."""
+    for name, value in values.items():
+        object.__setattr__(edit, name, value)
 
 
 @dataclass(frozen=True)
@@ -26,14 +36,23 @@ class Vertex(Edit):
     """
 
     vertex: int
-    offset_mm: Sequence[float]
-    anchors: Sequence[int] = field(default=())
+    offset_mm: Vector
+    anchors: Union[Sequence[int], npt.NDArray[Any], int] = field(default=())
     level: int = 0
+
+    def __post_init__(self) -> None:
+        _keep(self, vertex=whole("vertex", self.vertex), level=whole("level", self.level))
+        _keep(self, offset_mm=vector("offset_mm", self.offset_mm), anchors=wholes("anchors", self.anchors))
 
     def words(self) -> list[str]:
         of_level = f"@{self.level}" if self.level else ""
-        stays = f":{','.join(map(str, self.anchors))}" if self.anchors else ""
-        return ["--edit", f"{self.vertex}{of_level}:{_joined(self.offset_mm)}{stays}"]
+        anchors = wholes("anchors", self.anchors)
+        stays = f":{','.join(map(str, anchors))}" if anchors else ""
+        return ["--edit", f"{self.vertex}{of_level}:{_joined(*self.offset_mm)}{stays}"]
+
+    def __repr__(self) -> str:
+        anchors = reprlib.repr(self.anchors)
+        return f"Vertex(vertex={self.vertex}, offset_mm={self.offset_mm}, anchors={anchors}, level={self.level})"
 
 
 @dataclass(frozen=True)
@@ -41,10 +60,13 @@ class Region(Edit):
     """Moves a named region, such as ``"nose"``, by an offset in mm."""
 
     region: str
-    offset_mm: Sequence[float]
+    offset_mm: Vector
+
+    def __post_init__(self) -> None:
+        _keep(self, region=text("region", self.region), offset_mm=vector("offset_mm", self.offset_mm))
 
     def words(self) -> list[str]:
-        return ["--region", f"{self.region}:{_joined(self.offset_mm)}"]
+        return ["--region", f"{self.region}:{_joined(*self.offset_mm)}"]
 
 
 @dataclass(frozen=True)
@@ -52,10 +74,13 @@ class Slider(Edit):
     """A ready-made slider, such as ``"nose-width"``, by an amount in mm."""
 
     slider: str
-    amount_mm: float
+    amount_mm: Number
+
+    def __post_init__(self) -> None:
+        _keep(self, slider=text("slider", self.slider), amount_mm=number("amount_mm", self.amount_mm))
 
     def words(self) -> list[str]:
-        return ["--slider", f"{self.slider}:{_joined([self.amount_mm])}"]
+        return ["--slider", f"{self.slider}:{_joined(self.amount_mm)}"]
 
 
 @dataclass(frozen=True)
@@ -63,17 +88,23 @@ class Expression(Edit):
     """An expression by ARKit's name, such as ``"jawOpen"``, with a weight from 0 to 1."""
 
     expression: str
-    weight: float
+    weight: Number
+
+    def __post_init__(self) -> None:
+        _keep(self, expression=text("expression", self.expression), weight=number("weight", self.weight))
 
     def words(self) -> list[str]:
-        return ["--expression", f"{self.expression}:{_joined([self.weight])}"]
+        return ["--expression", f"{self.expression}:{_joined(self.weight)}"]
 
 
 @dataclass(frozen=True)
 class Symmetrise(Edit):
     """Makes the face as much its own mirror image as a share from 0 to 1 says."""
 
-    share: float
+    share: Number
+
+    def __post_init__(self) -> None:
+        _keep(self, share=number("share", self.share))
 
     def words(self) -> list[str]:
-        return ["--symmetrise", _joined([self.share])]
+        return ["--symmetrise", _joined(self.share)]

@@ -1,28 +1,34 @@
 """A photo to an edited, coloured mesh."""
 
 import os
-from collections.abc import Mapping, Sequence
+import reprlib
+import textwrap
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Union
+from typing import Any, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from ._edits import Edit
-from ._images import Image, finder, opened
+from ._images import Image, contents, finder, held, listed, opened
 from ._landmarks import Search
-from ._rosto import FaceMesh
+from ._numbers import Number, is_flag, flag, number, shortest, text
+from ._rosto import FaceMesh, RostoError
 
-Option = Union[str, float, bool, Sequence[Union[str, float]]]
+Option = Union[str, Number, bool, np.bool_, Iterable[Union[str, Number]]]
 
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
-    """A face as :func:`mesh` makes it. It pickles as what it was made of, and is made anew where it arrives."""
+    """A face as :func:`mesh` makes it. It pickles as what it was made of, and is made again where it arrives.
 
-    images: tuple[Image, ...]
+    ``images`` are copies: the bytes of files, and pixels.
+    """
+
+    images: tuple[Union[bytes, npt.NDArray[np.uint8]], ...]
     words: tuple[str, ...]
     search: Search
 
@@ -67,13 +73,18 @@ class Mesh:
             place.write_bytes(content)
         return paths
 
+    def __repr__(self) -> str:
+        words = textwrap.shorten(" ".join(self.words), 80, placeholder=" …")
+        count = len(self.images)
+        return f"Mesh({count} image{'' if count == 1 else 's'}, {words!r})"
+
     def __getstate__(self) -> dict[str, object]:
         return {"images": self.images, "words": self.words, "search": self.search}
 
 
 def mesh(
-    image: Union[Image, Sequence[Image]],
-    edits: Sequence[Edit] = (),
+    image: Union[Image, Iterable[Image]],
+    edits: Union[Edit, Iterable[Edit]] = (),
     search: Search = Search(),
     **options: Option,
 ) -> Mesh:
@@ -81,24 +92,45 @@ def mesh(
 
     Edits are made in the command line's order: vertices, regions, sliders, expressions, and then symmetry. Options are those
     of ``rosto mesh``, with ``_`` for ``-``: ``density=0``, ``topology="tessellation"``, ``operator="cotangent"``, ``mirror=True``.
-    Raises :class:`RostoError` if an image cannot be read or shows no face, or an edit cannot be made.
+    Images are copied and files are read at once. Raises :class:`RostoError` if there is no image, if one cannot be read or shows
+    no face, or if an edit cannot be made; ``OSError`` if a file cannot be opened; ``TypeError`` if an argument is of another
+    type.
     """
-    images = (image,) if isinstance(image, (str, bytes, os.PathLike, np.ndarray)) else tuple(image)
-    words = [word for edit in edits for word in edit.words()]
+    images = tuple(contents(held(each)) for each in listed(image))
+    if not images:
+        raise RostoError("image: there is none")
+    words = [word for edit in _edits(edits) for word in edit.words()]
     finding = [flag for flag in ("mediapipe", "refine") if getattr(search, flag)]
     made = Mesh(images, ("--units", "mm", *(f"--{flag}" for flag in finding), *words, *_words(options)), search)
-    # What is wrong is said now, and not when it is looked at first.
+    # Errors are raised now, and not when it is used first.
     made._native
     return made
+
+
+def _edits(edits: Union[Edit, Iterable[Edit]]) -> list[Edit]:
+    """Edits one by one; a single edit is a list of one."""
+    if not isinstance(edits, Iterable):
+        edits = [edits]
+    listed = list(edits)
+    for index, edit in enumerate(listed):
+        if not callable(getattr(edit, "words", None)):
+            raise TypeError(f"edits[{index}]: {reprlib.repr(edit)} is not an edit")
+    return listed
 
 
 def _words(options: Mapping[str, Option]) -> list[str]:
     words: list[str] = []
     for name, value in options.items():
-        flag = f"--{name.replace('_', '-')}"
-        if isinstance(value, bool):
-            words += [flag] if value else []
-            continue
-        many = value if isinstance(value, Sequence) and not isinstance(value, str) else [value]
-        words += [f"{flag}={one}" for one in many]
+        option = f"--{name.replace('_', '-')}"
+        if is_flag(value):
+            words += [option] if flag(name, value) else []
+        else:
+            words += [f"{option}={each}" for each in _values(name, value)]
     return words
+
+
+def _values(name: str, value: Any) -> list[str]:
+    """What an option is given, once or several times."""
+    is_list = isinstance(value, Iterable) and not isinstance(value, (str, bytes)) and getattr(value, "ndim", 1) != 0
+    each = list(value) if is_list else [value]
+    return [text(name, one) if isinstance(one, str) else shortest(number(name, one)) for one in each]

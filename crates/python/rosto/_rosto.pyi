@@ -3,8 +3,11 @@
 import numpy as np
 import numpy.typing as npt
 
+MAX_BYTES: int
+"""Length that a photo's file may have at most."""
+
 class RostoError(ValueError):
-    """A photo that cannot be read, a face that is not there, an edit that cannot be made: says what, and what to do."""
+    """An image that cannot be read, a face that is not there, an edit that cannot be made: says what failed and what to do."""
 
 class Photo:
     """An upright sRGB picture."""
@@ -46,6 +49,12 @@ class System:
     ) -> npt.NDArray[np.float64]: ...
     def deltas(self, positions: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]: ...
     def matrix(self) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64], npt.NDArray[np.int64]]: ...
+
+def check_length(bytes: int) -> None:
+    """Raises if a file of `bytes` bytes is longer than a photo's may be."""
+
+def check_size(height: int, width: int) -> None:
+    """Raises if a picture of this size has more pixels than a photo may have, or none."""
 
 def command_line(words: list[str]) -> int:
     """Does what the words of a command line ask for, the program's name first; returns its exit code."""

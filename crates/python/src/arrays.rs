@@ -1,9 +1,9 @@
 use glam::DVec3;
-use numpy::ndarray::{Array2, ArrayView2};
-use numpy::{Element, IntoPyArray, PyArray2};
+use numpy::ndarray::{Array2, Dimension};
+use numpy::{Element, IntoPyArray, PyArray2, PyReadonlyArray, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
-use crate::error::RostoError;
+use crate::error::refused;
 
 /// Rows of three or two as an array of the shape `(N, 3)` or `(N, 2)`.
 pub fn from_rows<'py, T: Element, const N: usize>(
@@ -12,27 +12,37 @@ pub fn from_rows<'py, T: Element, const N: usize>(
 ) -> PyResult<Bound<'py, PyArray2<T>>> {
     let shape = (rows.len(), N);
     let array = Array2::from_shape_vec(shape, rows.into_iter().flatten().collect());
-    Ok(array.map_err(|reason| RostoError::new_err(reason.to_string()))?.into_pyarray(py))
+    Ok(array.map_err(refused)?.into_pyarray(py))
 }
 
-/// An array of the shape `(N, 3)` as rows.
-pub fn to_rows<T: Copy>(array: ArrayView2<'_, T>, what: &str) -> PyResult<Vec<[T; 3]>> {
-    let row = |row: numpy::ndarray::ArrayView1<'_, T>| match row.as_slice() {
-        Some(&[a, b, c]) => Some([a, b, c]),
-        _ if row.len() == 3 => Some([row[0], row[1], row[2]]),
-        _ => None,
-    };
-    let rows: Option<Vec<[T; 3]>> = array.rows().into_iter().map(row).collect();
-    let (rows_found, columns) = array.dim();
-    rows.ok_or_else(|| RostoError::new_err(format!("{what}: the shape is ({rows_found}, {columns}), not (N, 3)")))
+/// A C-contiguous, aligned array of the shape `(N, 3)` as rows; `what` names it in errors.
+pub fn to_rows<T: Element + Copy>(array: &PyReadonlyArray2<'_, T>, what: &str) -> PyResult<Vec<[T; 3]>> {
+    let &[rows, columns] = array.shape() else { return Err(refused(format!("{what}: not two axes"))) };
+    if columns != 3 {
+        return Err(refused(format!("{what}: the shape is ({rows}, {columns}), not (N, 3)")));
+    }
+    Ok(c_ordered(array, what)?.as_chunks::<3>().0.to_vec())
 }
 
-/// The same, as positions or offsets.
-pub fn to_vectors(array: ArrayView2<'_, f64>, what: &str) -> PyResult<Vec<DVec3>> {
-    Ok(to_rows(array, what)?.into_iter().map(DVec3::from_array).collect())
+/// The elements of a C-contiguous, aligned array; one that is contiguous in Fortran's order has them in another.
+pub fn c_ordered<'a, T: Element, D: Dimension>(array: &'a PyReadonlyArray<'_, T, D>, what: &str) -> PyResult<&'a [T]> {
+    let elements = array.as_slice().ok().filter(|_| array.is_c_contiguous());
+    elements.ok_or_else(|| refused(format!("{what}: the array is not C-contiguous and aligned")))
 }
 
-/// Positions as an array of the shape `(N, 3)`.
+/// The same, as finite positions or offsets.
+pub fn to_vectors(array: &PyReadonlyArray2<'_, f64>, what: &str) -> PyResult<Vec<DVec3>> {
+    let vectors: Vec<DVec3> = to_rows(array, what)?.into_iter().map(DVec3::from_array).collect();
+    match vectors.iter().position(|vector| !vector.is_finite()) {
+        Some(row) => Err(refused(format!("{what}: row {row} is not finite"))),
+        None => Ok(vectors),
+    }
+}
+
+/// Finite positions as an array of the shape `(N, 3)`.
 pub fn from_vectors<'py>(py: Python<'py>, vectors: &[DVec3]) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    if !vectors.iter().all(|vector| vector.is_finite()) {
+        return Err(refused("the result is not finite: use smaller coordinates or offsets"));
+    }
     from_rows(py, vectors.iter().map(|vector| vector.to_array()).collect())
 }

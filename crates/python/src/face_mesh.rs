@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
 use crate::arrays::{from_rows, from_vectors};
-use crate::error::refused;
+use crate::error::{guarded, refused};
 use crate::finder::Finder;
 use crate::photo::Photo;
 
@@ -18,29 +18,31 @@ impl FaceMesh {
     /// From one photo or several of one face; `options` are the command line's, a word each.
     #[new]
     fn new(py: Python<'_>, photos: Vec<PyRef<'_, Photo>>, finder: &Finder, options: Vec<String>) -> PyResult<Self> {
-        let photos = photos.iter().map(|photo| photo.0.clone()).collect();
-        let made = py.detach(|| rosto_cli::FaceMesh::new(photos, &finder.0, &options));
-        made.map(|face| Self(Mutex::new(face))).map_err(refused)
+        guarded("photo", || {
+            let photos = photos.iter().map(|photo| photo.0.clone()).collect();
+            let made = py.detach(|| rosto_cli::FaceMesh::new(photos, &finder.0, &options));
+            made.map(|face| Self(Mutex::new(face))).map_err(refused)
+        })
     }
 
     /// Metres in the face's own frame, shape `(V, 3)`.
     fn positions_m<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        from_vectors(py, self.locked().positions_m())
+        guarded("photo", || from_vectors(py, self.locked().positions_m()))
     }
 
     /// Counter-clockwise as seen from outside, shape `(T, 3)`.
     fn triangles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<u32>>> {
-        from_rows(py, self.locked().triangles().to_vec())
+        guarded("photo", || from_rows(py, self.locked().triangles().to_vec()))
     }
 
     /// sRGB, shape `(V, 3)`.
     fn colours<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<u8>>> {
-        from_rows(py, self.locked().colours_srgb())
+        guarded("photo", || from_rows(py, self.locked().colours_srgb()))
     }
 
     /// In the photo, from its top left corner, 0 to 1, shape `(V, 2)`.
     fn uvs<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        from_rows(py, self.locked().uvs().iter().map(|uv| uv.to_array()).collect())
+        guarded("photo", || from_rows(py, self.locked().uvs().iter().map(|uv| uv.to_array()).collect()))
     }
 
     /// The bytes of a file called `name`, and of those beside it by their names.
@@ -50,10 +52,12 @@ impl FaceMesh {
         name: &str,
         options: Vec<String>,
     ) -> PyResult<Vec<(String, Bound<'py, PyBytes>)>> {
-        let written = py.detach(|| self.locked().write(name, &options)).map_err(refused)?;
-        let beside = written.beside.into_iter().map(|file| (file.name, file.bytes));
-        let files = [(name.to_owned(), written.bytes)].into_iter().chain(beside);
-        Ok(files.map(|(name, bytes)| (name, PyBytes::new(py, &bytes))).collect())
+        guarded("photo", || {
+            let written = py.detach(|| self.locked().write(name, &options)).map_err(refused)?;
+            let beside = written.beside.into_iter().map(|file| (file.name, file.bytes));
+            let files = [(name.to_owned(), written.bytes)].into_iter().chain(beside);
+            Ok(files.map(|(name, bytes)| (name, PyBytes::new(py, &bytes))).collect())
+        })
     }
 }
 

@@ -3,7 +3,7 @@ use pyo3::prelude::*;
 use rosto_landmarks::{FaceFinder, FindOptions, LandmarkNetwork};
 
 use crate::arrays::from_rows;
-use crate::error::refused;
+use crate::error::{guarded, refused};
 use crate::photo::Photo;
 
 /// The face networks, made ready once.
@@ -17,8 +17,10 @@ type Found<'py> = (Bound<'py, PyArray2<f32>>, f32, f32, f32);
 impl Finder {
     #[new]
     fn new(py: Python<'_>, detector_onnx: &[u8], landmarks_onnx: &[u8], refined: bool) -> PyResult<Self> {
-        let network = if refined { LandmarkNetwork::Attention } else { LandmarkNetwork::Plain };
-        py.detach(|| FaceFinder::new(detector_onnx, network(landmarks_onnx))).map(Self).map_err(refused)
+        guarded("network", || {
+            let network = if refined { LandmarkNetwork::Attention } else { LandmarkNetwork::Plain };
+            py.detach(|| FaceFinder::new(detector_onnx, network(landmarks_onnx))).map(Self).map_err(refused)
+        })
     }
 
     /// The faces in a photo, the most prominent ones first; without a number, as many as the search has by itself.
@@ -30,12 +32,14 @@ impl Finder {
         thorough: bool,
         max_faces: Option<usize>,
     ) -> PyResult<Vec<Found<'py>>> {
-        let usual = if thorough { FindOptions::default() } else { FindOptions::mediapipe() };
-        let options = FindOptions { max_faces: max_faces.unwrap_or(usual.max_faces), ..usual };
-        let faces = py.detach(|| self.0.find(&photo.0, &options)).map_err(refused)?;
-        let found = faces
-            .into_iter()
-            .map(|face| Ok((from_rows(py, face.landmarks)?, face.score, face.presence, face.confidence)));
-        found.collect()
+        guarded("photo", || {
+            let usual = if thorough { FindOptions::default() } else { FindOptions::mediapipe() };
+            let options = FindOptions { max_faces: max_faces.unwrap_or(usual.max_faces), ..usual };
+            let faces = py.detach(|| self.0.find(&photo.0, &options)).map_err(refused)?;
+            let found = faces
+                .into_iter()
+                .map(|face| Ok((from_rows(py, face.landmarks)?, face.score, face.presence, face.confidence)));
+            found.collect()
+        })
     }
 }

@@ -13,6 +13,9 @@ mod system;
 use std::ffi::OsString;
 
 use pyo3::prelude::*;
+use rosto_photo::Limits;
+
+use crate::error::guarded;
 
 /// The native part of the package.
 #[pymodule(gil_used = false)]
@@ -26,13 +29,19 @@ mod _rosto {
     #[pymodule_export]
     use super::finder::Finder;
     #[pymodule_export]
-    use super::photo::Photo;
+    use super::photo::{Photo, check_length, check_size};
     #[pymodule_export]
     use super::system::System;
 
     /// Does what the words of a command line ask for, the program's name first; returns its exit code.
     #[pyfunction]
-    fn command_line(py: Python<'_>, words: Vec<OsString>) -> u8 {
-        py.detach(|| rosto_cli::command_line(words))
+    fn command_line(py: Python<'_>, words: Vec<OsString>) -> PyResult<u8> {
+        guarded("command line", || Ok(py.detach(|| rosto_cli::command_line(words))))
+    }
+
+    /// The length in bytes that a photo's file may have at most.
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("MAX_BYTES", Limits::default().max_bytes)
     }
 }

@@ -1,9 +1,10 @@
 use numpy::ndarray::ArrayView3;
-use numpy::{IntoPyArray, PyArray3, PyReadonlyArray3};
+use numpy::{IntoPyArray, PyArray3, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use rosto_photo::Limits;
+use rosto_photo::{Limits, PhotoError};
 
-use crate::error::refused;
+use crate::arrays::c_ordered;
+use crate::error::{guarded, refused};
 
 /// An upright sRGB picture.
 #[pyclass(frozen, module = "rosto._rosto")]
@@ -11,31 +12,88 @@ pub struct Photo(pub(crate) rosto_photo::Photo);
 
 #[pymethods]
 impl Photo {
-    /// Decodes a JPEG, PNG or WebP file.
+    /// Decodes a JPEG, PNG or WebP file of any length.
     #[staticmethod]
     fn decode(py: Python<'_>, file: &[u8]) -> PyResult<Self> {
-        let decoded = py.detach(|| rosto_photo::decode(file, &Limits::default()));
-        decoded.map(Self).map_err(|reason| refused(format!("{reason}. {}", reason.hint())))
+        guarded("photo", || {
+            let limits = Limits { max_bytes: usize::MAX, ..Limits::default() };
+            py.detach(|| rosto_photo::decode(file, &limits)).map(Self).map_err(not_a_photo)
+        })
     }
 
-    /// A copy of pixels of the shape `(height, width, 3)`, red, green and blue.
+    /// A copy of C-contiguous pixels of the shape `(height, width)`, grey, or `(height, width, N)`: grey for N = 1, red, green
+    /// and blue for N = 3, and for N = 4 with alpha, which is laid over white as [`Self::decode`] does.
     #[staticmethod]
-    fn from_array(pixels: PyReadonlyArray3<'_, u8>) -> PyResult<Self> {
-        let (height, width, _) = pixels.as_array().dim();
-        let bytes = pixels.as_array().iter().copied().collect();
-        rosto_photo::Photo::from_rgb(width as u32, height as u32, bytes).map(Self).map_err(refused)
+    fn from_array(pixels: PyReadonlyArrayDyn<'_, u8>) -> PyResult<Self> {
+        guarded("photo", || {
+            let (height, width, channels) = match *pixels.shape() {
+                [height, width] => (height, width, 1),
+                [height, width, channels] => (height, width, channels),
+                _ => return Err(refused(format!("pixels: {} axes, not 2 or 3", pixels.ndim()))),
+            };
+            let (width, height) = checked_size(width, height)?;
+            let rgb = to_rgb(c_ordered(&pixels, "pixels")?, channels)?;
+            rosto_photo::Photo::from_rgb(width, height, rgb).map(Self).map_err(not_a_photo)
+        })
     }
 
     /// Its pixels, of the shape `(height, width, 3)`.
     fn pixels<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<u8>>> {
-        let (height, width) = self.size();
-        let view = ArrayView3::from_shape((height as usize, width as usize, 3), self.0.pixels()).map_err(refused)?;
-        Ok(view.to_owned().into_pyarray(py))
+        guarded("photo", || {
+            let shape = (self.0.height() as usize, self.0.width() as usize, 3);
+            let view = ArrayView3::from_shape(shape, self.0.pixels()).map_err(refused)?;
+            Ok(view.to_owned().into_pyarray(py))
+        })
     }
 
     /// Height and width in px.
     #[getter]
-    fn size(&self) -> (u32, u32) {
-        (self.0.height(), self.0.width())
+    fn size(&self) -> PyResult<(u32, u32)> {
+        guarded("photo", || Ok((self.0.height(), self.0.width())))
     }
+}
+
+/// Raises if a file of `bytes` bytes is longer than a photo's may be.
+#[pyfunction]
+pub fn check_length(bytes: u64) -> PyResult<()> {
+    guarded("photo", || Limits::default().check_length(bytes).map_err(not_a_photo))
+}
+
+/// Raises if a picture of this size has more pixels than a photo may have, or none.
+#[pyfunction]
+pub fn check_size(height: usize, width: usize) -> PyResult<()> {
+    guarded("photo", || checked_size(width, height).map(drop))
+}
+
+fn checked_size(width: usize, height: usize) -> PyResult<(u32, u32)> {
+    let max_pixels = Limits::default().max_pixels;
+    let [short_width, short_height] = [width, height].map(|side| u32::try_from(side).unwrap_or(u32::MAX));
+    match u64::from(short_width) * u64::from(short_height) {
+        0 => Err(refused(format!("the picture is {width}×{height} px: it has no pixels"))),
+        pixels if pixels > max_pixels => {
+            let reason = PhotoError::TooManyPixels { width: short_width, height: short_height, max_pixels };
+            Err(not_a_photo(reason))
+        }
+        _ => Ok((short_width, short_height)),
+    }
+}
+
+fn to_rgb(pixels: &[u8], channels: usize) -> PyResult<Vec<u8>> {
+    match channels {
+        1 => Ok(pixels.iter().flat_map(|&grey| [grey; 3]).collect()),
+        3 => Ok(pixels.to_vec()),
+        4 => {
+            Ok(pixels.as_chunks::<4>().0.iter().flat_map(|&[r, g, b, a]| [r, g, b].map(|c| over_white(c, a))).collect())
+        }
+        _ => Err(refused(format!("pixels: {channels} channels, not 1, 3 or 4"))),
+    }
+}
+
+fn over_white(channel: u8, alpha: u8) -> u8 {
+    let (channel, alpha) = (u16::from(channel), u16::from(alpha));
+    ((channel * alpha + 255 * (255 - alpha) + 127) / 255) as u8
+}
+
+fn not_a_photo(reason: PhotoError) -> PyErr {
+    refused(format!("{reason}. {}", reason.hint()))
 }

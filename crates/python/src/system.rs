@@ -5,7 +5,7 @@ use rosto_laplacian::{ConstraintKind, Constraints, LaplacianSystem, Operator};
 use rosto_mesh::Topology;
 
 use crate::arrays::{from_vectors, to_rows, to_vectors};
-use crate::error::refused;
+use crate::error::{guarded, refused};
 
 /// A mesh with the Laplacian whose δ-coordinates its edits keep, factorised once.
 #[pyclass(frozen, module = "rosto._rosto")]
@@ -26,12 +26,15 @@ impl System {
         triangles: PyReadonlyArray2<'_, u32>,
         operator: &str,
     ) -> PyResult<Self> {
-        let ids = Operator::ALL.map(Operator::id).join(", ");
-        let operator = Operator::from_id(operator).ok_or_else(|| refused(format!("{operator:?} is none of {ids}")))?;
-        let rest = to_vectors(positions.as_array(), "positions")?;
-        let topology = Topology::new(rest.len(), to_rows(triangles.as_array(), "triangles")?).map_err(refused)?;
-        let system = py.detach(|| LaplacianSystem::new(&topology, &rest, operator)).map_err(refused)?;
-        Ok(Self { rest, system })
+        guarded("mesh", || {
+            let ids = Operator::ALL.map(Operator::id).join(", ");
+            let operator =
+                Operator::from_id(operator).ok_or_else(|| refused(format!("{operator:?} is none of {ids}")))?;
+            let rest = to_vectors(&positions, "positions")?;
+            let topology = Topology::new(rest.len(), to_rows(&triangles, "triangles")?).map_err(refused)?;
+            let system = py.detach(|| LaplacianSystem::new(&topology, &rest, operator)).map_err(refused)?;
+            Ok(Self { rest, system })
+        })
     }
 
     /// The mesh with `handles` moved by `offsets`; `weight` is that of soft constraints, none holds exactly.
@@ -44,16 +47,18 @@ impl System {
         anchors: Vec<u32>,
         weight: Option<f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let offsets = to_vectors(offsets.as_array(), "offsets")?;
-        if offsets.len() != handles.len() {
-            return Err(refused(format!("{} offsets for {} handles", offsets.len(), handles.len())));
-        }
-        let kind = weight.map_or(ConstraintKind::Hard, |weight| ConstraintKind::Soft { weight });
-        let constraints = Constraints { handles: &handles, anchors: &anchors, kind, falloff: None };
-        let mut edited = self.rest.clone();
-        let response = py.detach(|| self.system.respond(&constraints)).map_err(refused)?;
-        response.displace(&self.rest, &offsets, &mut edited);
-        from_vectors(py, &edited)
+        guarded("mesh", || {
+            let offsets = to_vectors(&offsets, "offsets")?;
+            if offsets.len() != handles.len() {
+                return Err(refused(format!("{} offsets for {} handles", offsets.len(), handles.len())));
+            }
+            let kind = weight.map_or(ConstraintKind::Hard, |weight| ConstraintKind::Soft { weight });
+            let constraints = Constraints { handles: &handles, anchors: &anchors, kind, falloff: None };
+            let mut edited = self.rest.clone();
+            let response = py.detach(|| self.system.respond(&constraints)).map_err(refused)?;
+            response.displace(&self.rest, &offsets, &mut edited);
+            from_vectors(py, &edited)
+        })
     }
 
     /// The δ-coordinates of any positions of these vertices.
@@ -62,17 +67,21 @@ impl System {
         py: Python<'py>,
         positions: PyReadonlyArray2<'_, f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let positions = to_vectors(positions.as_array(), "positions")?;
-        if positions.len() != self.rest.len() {
-            return Err(refused(format!("{} positions for {} vertices", positions.len(), self.rest.len())));
-        }
-        from_vectors(py, &self.system.deltas(&positions))
+        guarded("mesh", || {
+            let positions = to_vectors(&positions, "positions")?;
+            if positions.len() != self.rest.len() {
+                return Err(refused(format!("{} positions for {} vertices", positions.len(), self.rest.len())));
+            }
+            from_vectors(py, &self.system.deltas(&positions))
+        })
     }
 
     /// The operator's matrix.
-    fn matrix<'py>(&self, py: Python<'py>) -> Csr<'py> {
-        let (starts, columns, values) = self.system.operator().csr_data();
-        let whole = |numbers: &[usize]| numbers.iter().map(|&number| number as i64).collect::<Vec<_>>();
-        (values.to_vec().into_pyarray(py), whole(columns).into_pyarray(py), whole(starts).into_pyarray(py))
+    fn matrix<'py>(&self, py: Python<'py>) -> PyResult<Csr<'py>> {
+        guarded("mesh", || {
+            let (starts, columns, values) = self.system.operator().csr_data();
+            let whole = |numbers: &[usize]| numbers.iter().map(|&number| number as i64).collect::<Vec<_>>();
+            Ok((values.to_vec().into_pyarray(py), whole(columns).into_pyarray(py), whole(starts).into_pyarray(py)))
+        })
     }
 }

@@ -1,0 +1,129 @@
+"""Generators are taken from as the work goes on; what they do afterwards changes nothing."""
+
+import signal
+import subprocess
+import sys
+import threading
+
+import numpy as np
+import pytest
+import rosto
+from PIL import Image
+
+ONE_LOOK = rosto.Search(mediapipe=True)
+
+
+@pytest.fixture(scope="module")
+def pixels(portrait):
+    with Image.open(portrait) as opened:
+        return np.asarray(opened.convert("RGB").resize((128, 128)))
+
+
+@pytest.mark.parametrize("jobs", [1, 2, 3])
+def test_no_more_than_twice_the_jobs_are_in_work(pixels, jobs):
+    alive, most, lock = 0, 0, threading.Lock()
+
+    class Counted:
+        """Lives until it is not needed any more."""
+
+        def __init__(self):
+            nonlocal alive, most
+            with lock:
+                alive += 1
+                most = max(most, alive)
+
+        def __array__(self, dtype=None, copy=None):
+            return pixels
+
+        def __del__(self):
+            nonlocal alive
+            with lock:
+                alive -= 1
+
+    taken = []
+
+    def images():
+        for number in range(40):
+            taken.append(number)
+            yield Counted()
+
+    found = rosto.landmarks(images(), ONE_LOOK, jobs=jobs)
+    assert len(found) == len(taken) == 40 and found.reasons == [None] * 40
+    assert most <= 2 * jobs + 1
+
+
+def test_memory_is_that_of_the_images_in_work():
+    script = """
+import resource, numpy as np, rosto
+rosto.landmarks(np.zeros((64, 64, 3), np.uint8), rosto.Search(mediapipe=True))
+before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+images = (np.full((1500, 1500, 3), number, np.uint8) for number in range(60))  # 6.75 MB each, 405 MB together
+assert len(rosto.landmarks(images, rosto.Search(mediapipe=True), jobs=2)) == 60
+print((resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) / 1000)
+"""
+    grown_mb = float(subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True).stdout)
+    assert grown_mb < 150
+
+
+@pytest.mark.parametrize("jobs", [1, 4])
+def test_a_generator_may_use_its_buffer_again(album, jobs):
+    files = [path.read_bytes() for path in album[:12]]
+    frames = [np.asarray(Image.open(path).convert("RGB")) for path in album[:12]]
+    expected = rosto.landmarks(frames, ONE_LOOK).points
+
+    def frames_in_one_array():
+        frame = np.empty_like(frames[0])
+        for each in frames:
+            frame[:] = each
+            yield frame
+        frame[:] = 0
+
+    def files_in_one_buffer():
+        buffer = bytearray(max(map(len, files)))
+        for each in files:
+            buffer[:] = bytes(len(buffer))
+            buffer[: len(each)] = each
+            yield memoryview(buffer)
+
+    assert np.array_equal(rosto.landmarks(frames_in_one_array(), ONE_LOOK, jobs=jobs).points, expected)
+    of_files = rosto.landmarks(files_in_one_buffer(), ONE_LOOK, jobs=jobs).points
+    assert np.array_equal(of_files, rosto.landmarks(files, ONE_LOOK).points)
+
+
+@pytest.mark.parametrize("jobs", [1, 3])
+def test_an_error_of_the_generators_own_is_passed_on(pixels, jobs):
+    taken = []
+
+    def images():
+        for number in range(5):
+            taken.append(number)
+            yield pixels
+        raise KeyError("the list is lost")
+
+    with pytest.raises(KeyError, match="the list is lost"):
+        rosto.landmarks(images(), ONE_LOOK, jobs=jobs)
+    assert len(taken) == 5
+    assert rosto.landmarks([pixels] * 3, ONE_LOOK, jobs=jobs).reasons == [None] * 3
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_an_interrupt_ends_a_batch_at_once(portrait, jobs):
+    script = """
+import sys, time, rosto
+photo, jobs = open(sys.argv[1], "rb").read(), int(sys.argv[2])
+def photos():
+    for number in range(10_000):
+        if number == 5:
+            print("begun", flush=True)
+        yield photo
+try:
+    rosto.landmarks(photos(), jobs=jobs)
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+    words = [sys.executable, "-c", script, str(portrait), str(jobs)]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout.readline() == "begun\n"
+        process.send_signal(signal.SIGINT)
+        # All 10,000 would take an hour.
+        assert process.communicate(timeout=60)[0] == "interrupted\n" and process.returncode == 0

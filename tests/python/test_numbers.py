@@ -1,0 +1,134 @@
+"""NumPy's numbers serve wherever Python's do; what are not numbers are refused by the name of the argument."""
+
+import math
+from decimal import Decimal
+
+import numpy as np
+import pytest
+import rosto
+
+FOURS = [4, 4.0, np.float64(4), np.float32(4), np.float16(4), np.int64(4), np.uint8(4), np.array(4), np.array(4.0), Decimal(4)]
+OFFSETS = [
+    (0, 0, 5),
+    [0, 0, 5.0],
+    np.array([0, 0, 5.0]),
+    np.array([0, 0, 5], np.float32),
+    np.array([0, 0, 5], np.int16),
+    np.array([5.0, 0, 0])[::-1],
+    [np.float64(0), np.int64(0), np.array(5.0)],
+]
+
+
+@pytest.mark.parametrize("four", FOURS, ids=repr)
+def test_any_kind_of_number_is_the_same_edit(four):
+    assert rosto.Slider("nose-width", four) == rosto.Slider("nose-width", 4)
+    assert rosto.Expression("jawOpen", four).words() == ["--expression", "jawOpen:4"]
+    assert rosto.Symmetrise(four).words() == ["--symmetrise", "4"]
+    assert rosto.Vertex(four, (0, 0, 5), anchors=[four], level=four).words() == ["--edit", "4@4:0,0,5:4"]
+    assert rosto.Vertex(1, (0, 0, 5), anchors=four) == rosto.Vertex(1, (0, 0, 5), anchors=[4])
+
+
+@pytest.mark.parametrize("offset", OFFSETS, ids=repr)
+def test_any_kind_of_offset_is_the_same_edit(offset):
+    assert rosto.Vertex(1, offset, anchors=np.array([10, 152])) == rosto.Vertex(1, (0.0, 0.0, 5.0), anchors=(10, 152))
+    assert rosto.Region("nose", offset).words() == ["--region", "nose:0,0,5"]
+
+
+def test_an_edit_keeps_its_numbers_when_the_array_is_used_again():
+    offset = np.array([0, 0, 5.0])
+    edit = rosto.Vertex(1, offset)
+    offset[:] = 9
+    assert edit.words() == ["--edit", "1:0,0,5"]
+
+
+@pytest.mark.parametrize("number", [0.1, -1e-7, 1e22, 2 / 3, np.float32(0.1), -0.0, True, np.bool_(True)], ids=repr)
+def test_words_are_read_back_as_the_same_number(number):
+    assert float(rosto.Symmetrise(number).words()[1]) == float(number)
+
+
+TYPES = ["4", b"4", None, 4j, np.complex128(4), np.str_("4"), np.array([4.0]), [4], object(), np.datetime64("2020-01-01")]
+VALUES = [math.nan, math.inf, -math.inf, np.float32("nan"), np.array(np.inf), 10**400, Decimal("nan")]
+
+
+@pytest.mark.parametrize("wrong", TYPES, ids=repr)
+def test_what_is_no_number_is_a_type_error_that_names_the_argument(wrong):
+    with pytest.raises(TypeError, match="amount_mm"):
+        rosto.Slider("nose-width", wrong)
+    with pytest.raises(TypeError, match="vertex"):
+        rosto.Vertex(wrong, (0, 0, 1))
+    with pytest.raises(TypeError, match=r"offset_mm\[1\]"):
+        rosto.Region("nose", [0, wrong, 0])
+
+
+@pytest.mark.parametrize("wrong", VALUES, ids=lambda value: str(value)[:9])
+def test_what_is_not_finite_is_an_error_that_names_the_argument(wrong):
+    with pytest.raises(rosto.RostoError, match="share"):
+        rosto.Symmetrise(wrong)
+    with pytest.raises(rosto.RostoError, match=r"offset_mm\[2\]"):
+        rosto.Vertex(1, (0, 0, wrong))
+    with pytest.raises(rosto.RostoError, match="vertex"):
+        rosto.Vertex(wrong, (0, 0, 1))
+
+
+@pytest.mark.parametrize("wrong", [1.9, np.float64(0.5), -1, np.int64(-1), 2**32, 2**64, 1e300])
+def test_an_index_is_a_whole_number_in_range(wrong):
+    for name, make in {
+        "vertex": lambda: rosto.Vertex(wrong, (0, 0, 1)),
+        "level": lambda: rosto.Vertex(1, (0, 0, 1), level=wrong),
+        r"anchors\[1\]": lambda: rosto.Vertex(1, (0, 0, 1), anchors=[10, wrong]),
+    }.items():
+        with pytest.raises(rosto.RostoError, match=name):
+            make()
+
+
+@pytest.mark.parametrize("mask", [True, np.bool_(False), np.array(True)], ids=repr)
+def test_a_mask_is_not_an_index(mask):
+    with pytest.raises(TypeError, match="vertex"):
+        rosto.Vertex(mask, (0, 0, 1))
+    with pytest.raises(TypeError, match=r"anchors\[0\]"):
+        rosto.Vertex(1, (0, 0, 1), anchors=np.array([mask, mask]))
+
+
+@pytest.mark.parametrize("wrong", [(0, 1), (0, 0, 1, 1), [], np.zeros((3, 0))[0], 5.0, np.float64(5), np.array(5.0)], ids=repr)
+def test_an_offset_is_three_numbers(wrong):
+    with pytest.raises(rosto.RostoError, match="offset_mm.*three numbers"):
+        rosto.Vertex(1, wrong)
+
+
+@pytest.mark.parametrize("make", [rosto.Slider, rosto.Expression, lambda name, _: rosto.Region(name, (0, 0, 1))])
+def test_a_name_is_a_text(make):
+    for wrong in (None, 4, b"nose", ["nose"]):
+        with pytest.raises(TypeError, match="text"):
+            make(wrong, 1)
+
+
+def test_searches_and_options_take_flags_and_numbers_of_numpys(portrait):
+    search = rosto.Search(mediapipe=np.bool_(True), refine=np.array(False), max_faces=np.int64(2))
+    assert search == rosto.Search(mediapipe=True, refine=False, max_faces=2) and hash(search)
+    plain = rosto.mesh(portrait, density=0, mirror=True, pin=[10, 152])
+    made = rosto.mesh(portrait, density=np.int64(0), mirror=np.bool_(True), pin=np.array([10, 152]))
+    assert made.words == plain.words and np.array_equal(made.positions_m, plain.positions_m)
+    assert rosto.mesh(portrait, density=np.array(0.0), mirror=np.False_).words == rosto.mesh(portrait, density=0).words
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("mediapipe", 1), ("mediapipe", "no"), ("refine", None), ("max_faces", True), ("max_faces", "2")],
+)
+def test_a_search_of_other_types_is_refused(name, value):
+    with pytest.raises(TypeError, match=name):
+        rosto.Search(**{name: value})
+
+
+@pytest.mark.parametrize("number", [0, -1, 1.5, math.nan])
+def test_counts_are_one_or_greater(number):
+    with pytest.raises(rosto.RostoError, match="max_faces"):
+        rosto.Search(max_faces=number)
+    with pytest.raises(rosto.RostoError, match="jobs"):
+        rosto.landmarks([], jobs=number)
+
+
+@pytest.mark.parametrize("value", [None, b"0", math.nan, [math.inf], np.zeros((2, 2)), object()], ids=repr)
+def test_an_option_that_is_no_number_or_text_is_refused_by_its_name(portrait, value):
+    with pytest.raises((TypeError, rosto.RostoError), match="density"):
+        rosto.mesh(portrait, density=value)
