@@ -39,6 +39,10 @@ const NOTES = "rosto-notes";
 /** The latest notes outlast their pages: a page that is only being opened is not among the open ones yet. */
 const SPARED_NOTES = 20;
 
+/** How often, and how long apart, it is looked whether earlier versions' pages are closed. */
+const CLOSING_TRIES = 10;
+const CLOSING_MS = 500;
+
 /** The page holds these against its list by itself, while they arrive: see built.js. */
 const CHECKED_BY_PAGE = /\.(wasm|onnx)$/;
 
@@ -46,7 +50,9 @@ const CHECKED_BY_PAGE = /\.(wasm|onnx)$/;
 const known = new Map();
 
 worker.addEventListener("install", (event) => {
-  event.waitUntil(store().then(takeOver));
+  const stored = store();
+  event.waitUntil(stored);
+  stored.then(takeOver, () => {});
 });
 
 worker.addEventListener("activate", (event) => {
@@ -94,10 +100,19 @@ function asBuilt([file, integrity]) {
   return new Request(file, { cache: "no-cache", integrity });
 }
 
-/** Ends the wait for earlier versions' pages to be closed once there are none. */
+/** Ends the wait for earlier versions' pages to be closed if there are none; one that is being closed takes a moment. */
 async function takeOver() {
-  const builds = await Promise.all((await openPages()).map(({ id }) => noteOf(id)));
-  if (builds.every((build) => build?.version === OFFLINE.version)) await worker.skipWaiting();
+  for (let tries = 0; tries < CLOSING_TRIES; tries += 1) {
+    if (await isOnlyVersion()) return worker.skipWaiting();
+    await new Promise((resolve) => setTimeout(resolve, CLOSING_MS));
+  }
+}
+
+/** Whether each open page of this scope is of this version, whichever script serves it. */
+async function isOnlyVersion() {
+  const pages = await worker.clients.matchAll({ includeUncontrolled: true });
+  const builds = await Promise.all(pages.filter(({ url }) => url.startsWith(worker.registration.scope)).map(({ id }) => noteOf(id)));
+  return builds.every((build) => build?.version === OFFLINE.version);
 }
 
 /** Drops the stores of versions that no page needs, and the notes of pages that are closed. */
@@ -111,12 +126,6 @@ async function tidy() {
   const older = (await cache.keys()).slice(0, -SPARED_NOTES);
   const closed = older.filter(({ url }) => !open.some(({ id }) => url.endsWith(`/${id}`)));
   await Promise.all(closed.map((request) => cache.delete(request)));
-}
-
-/** The pages of this scope, whichever script serves them. */
-async function openPages() {
-  const pages = await worker.clients.matchAll({ includeUncontrolled: true });
-  return pages.filter(({ url }) => url.startsWith(worker.registration.scope));
 }
 
 /**
