@@ -1,14 +1,22 @@
 /**
- * Keeps the page usable without a network after the first visit: its files are stored when it is installed, and a new
- * version is never hidden by an old copy. The module that draws through WebGL2 is stored for the browsers that use it.
+ * Keeps the page usable without a network after the first visit: its files are stored when this script is installed, and a
+ * new version is not hidden by an old copy. The module that draws through WebGL2 is stored for the browsers that use it.
  *
- * Versions are never mixed. The store holds files of one version, checked by their hashes. The page is asked of the
- * network first, and says in its text which version it is; the page that was given out last decides for its files:
- * - the stored version: the files are the stored ones, byte for byte, so they come from the store at once;
- * - another version: they come from the network alone, and if they fail, the page says that it did not load;
- * - no answer in time, or an error: the page comes from the store, and so do they.
+ * Each open page gets the files of the version that it was opened as. There is one store per version, checked by hashes, and
+ * a note of each page's version, and of each of its workers':
+ * - The page itself is asked of the network first. When no answer comes in time, or an error, it comes from the store.
+ * - Its files come from the store of its version. What is not stored comes from the network, and has to have the hash that
+ *   the page's list of files says; if it has another, loading it fails.
+ *
+ * After a deploy the new version's script stores its files and waits until no page of another version is open.
  */
 const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
+
+/**
+ * What a page says of itself: its version, and the hash of its list of files.
+ *
+ * @typedef {{ version: string, list: string }} Build
+ */
 
 /**
  * Written by list-for-offline.mjs when the page is built: files with their hashes as `integrity` has them.
@@ -17,49 +25,66 @@ const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (
  */
 const OFFLINE = { version: "unbuilt", files: {}, fallback: {} };
 
-const CACHE = `rosto-${OFFLINE.version}`;
-
 /** The page's own address in the store. */
 const PAGE = "./";
+
+const LIST = "integrity.json";
 
 /** A server silent for this long has not answered. */
 const PATIENCE_MS = 3000;
 
-/** Kept beside the files while another version is out, since the browser ends this script whenever it likes. */
-const OTHER_IS_OUT = "./another-version-is-out";
+/** The store of notes. They are kept, since the browser ends this script whenever it likes. */
+const NOTES = "rosto-notes";
 
-/** @type {boolean | undefined} not known before it was looked up */
-let otherIsOut;
+/** The latest notes outlast their pages: a page that is only being opened is not among the open ones yet. */
+const SPARED_NOTES = 20;
+
+/** How often, and how long apart, it is looked whether earlier versions' pages are closed. */
+const CLOSING_TRIES = 10;
+const CLOSING_MS = 500;
+
+/** The page holds these against its list by itself, while they arrive: see built.js. */
+const CHECKED_BY_PAGE = /\.(wasm|onnx)$/;
+
+/** The notes that were written or read since this script was started. @type {Map<string, Build>} */
+const known = new Map();
 
 worker.addEventListener("install", (event) => {
-  event.waitUntil(store());
+  const stored = store();
+  event.waitUntil(stored);
+  stored.then(takeOver, () => {});
 });
 
 worker.addEventListener("activate", (event) => {
-  event.waitUntil(dropOldCaches());
+  event.waitUntil(tidy());
 });
 
 worker.addEventListener("message", (event) => {
-  if (event.data === "keep-fallback") event.waitUntil(storeFallback());
+  const { source, data } = event;
+  if (data.type === "opened" && source instanceof Client) event.waitUntil(serve(source, data.build));
+  if (data.type === "keep-fallback") event.waitUntil(storeFallback());
+  if (data.type === "take-over") event.waitUntil(takeOver());
 });
 
 worker.addEventListener("fetch", (event) => {
   const { request } = event;
   if (request.method !== "GET" || !request.url.startsWith(worker.registration.scope)) return;
-  event.respondWith(isPage(request) ? givePage(request) : giveFile(request));
+  event.respondWith(isPage(request) ? givePage(event) : giveFile(event));
 });
 
 async function store() {
-  const cache = await caches.open(CACHE);
+  const cache = await caches.open(storeOf(OFFLINE.version));
   const page = await fetch(PAGE, { cache: "no-cache" });
-  if ((await versionOf(page)) !== OFFLINE.version) throw new Error("the page is of another version than this script");
+  if ((await buildOf(page))?.version !== OFFLINE.version) throw new Error("the page is of another version than this script");
   await cache.put(PAGE, page);
   await cache.addAll(Object.entries(OFFLINE.files).map(asBuilt));
-  await worker.skipWaiting();
+  // A browser that needed the other module before needs it again.
+  const stored = await Promise.all(Object.keys(OFFLINE.fallback).map((file) => caches.match(file)));
+  if (stored.some(Boolean)) await storeFallback();
 }
 
 async function storeFallback() {
-  const cache = await caches.open(CACHE);
+  const cache = await caches.open(storeOf(OFFLINE.version));
   const files = Object.entries(OFFLINE.fallback);
   const stored = await Promise.all(files.map(([file]) => cache.match(file)));
   if (!stored.every(Boolean)) await cache.addAll(files.map(asBuilt));
@@ -75,9 +100,43 @@ function asBuilt([file, integrity]) {
   return new Request(file, { cache: "no-cache", integrity });
 }
 
-async function dropOldCaches() {
-  const names = await caches.keys();
-  await Promise.all(names.filter((name) => name.startsWith("rosto-") && name !== CACHE).map((name) => caches.delete(name)));
+/** Ends the wait for earlier versions' pages to be closed if there are none; one that is being closed takes a moment. */
+async function takeOver() {
+  for (let tries = 0; tries < CLOSING_TRIES; tries += 1) {
+    if (await isOnlyVersion()) return worker.skipWaiting();
+    await new Promise((resolve) => setTimeout(resolve, CLOSING_MS));
+  }
+}
+
+/** Whether each open page of this scope is of this version, whichever script serves it. */
+async function isOnlyVersion() {
+  const pages = await worker.clients.matchAll({ includeUncontrolled: true });
+  const builds = await Promise.all(pages.filter(({ url }) => url.startsWith(worker.registration.scope)).map(({ id }) => noteOf(id)));
+  return builds.every((build) => build?.version === OFFLINE.version);
+}
+
+/** Drops the stores of versions that no page needs, and the notes of pages that are closed. */
+async function tidy() {
+  const open = await worker.clients.matchAll({ type: "all", includeUncontrolled: true });
+  const builds = await Promise.all(open.map(({ id }) => noteOf(id)));
+  const needed = new Set([NOTES, storeOf(OFFLINE.version), ...builds.map((build) => build && storeOf(build.version))]);
+  const names = (await caches.keys()).filter((name) => name.startsWith("rosto-") && !needed.has(name));
+  await Promise.all(names.map((name) => caches.delete(name)));
+  const cache = await caches.open(NOTES);
+  const older = (await cache.keys()).slice(0, -SPARED_NOTES);
+  const closed = older.filter(({ url }) => !open.some(({ id }) => url.endsWith(`/${id}`)));
+  await Promise.all(closed.map((request) => cache.delete(request)));
+}
+
+/**
+ * Serves a page from now on that was opened without this script.
+ *
+ * @param {Client} page
+ * @param {Build} build
+ */
+async function serve({ id }, build) {
+  await note(id, build);
+  await worker.clients.claim();
 }
 
 /** @param {Request} request */
@@ -87,12 +146,16 @@ function isPage(request) {
   return request.mode === "navigate" && (pathname === scope || pathname === `${scope}index.html`);
 }
 
-/** @param {Request} request */
-async function givePage(request) {
-  const stored = await storedAs(PAGE);
+/** @param {FetchEvent} event */
+async function givePage({ request, resultingClientId }) {
+  const stored = await storedIn(storeOf(OFFLINE.version), PAGE);
   const fresh = stored ? await inTime(request) : await fetch(request);
-  await letOut(fresh !== undefined && (await versionOf(fresh)) !== OFFLINE.version);
-  return fresh ?? /** @type {Response} */ (stored);
+  const build = fresh && (await buildOf(fresh));
+  // On a full disk nothing can be noted, and pages without a note are of the stored version.
+  if (fresh && (!build || (await note(resultingClientId, build)) || !stored)) return fresh;
+  const own = stored && (await buildOf(stored));
+  if (own) await note(resultingClientId, own);
+  return /** @type {Response} */ (stored);
 }
 
 /**
@@ -115,44 +178,104 @@ async function inTime(request) {
   }
 }
 
-/** @param {Response} page */
-async function versionOf(page) {
-  return /<meta name="version" content="(\w+)">/.exec(await page.clone().text())?.[1];
+/**
+ * @param {Response} page
+ * @returns {Promise<Build | undefined>} nothing if it is not a page of ours
+ */
+async function buildOf(page) {
+  const text = await page.clone().text();
+  const said = (/** @type {string} */ name) => new RegExp(`<meta name="${name}" content="([^"]+)">`).exec(text)?.[1];
+  const [version, list] = [said("version"), said("integrity")];
+  return version && list ? { version, list } : undefined;
 }
 
-/** @param {Request} request */
-async function giveFile(request) {
-  const stored = (await isOtherOut()) ? undefined : await storedAs(request);
-  return stored ?? fetch(request);
+/** @param {FetchEvent} event */
+async function giveFile({ request, clientId, resultingClientId }) {
+  const build = await noteOf(clientId);
+  // A worker belongs to the page that starts it.
+  if (build && resultingClientId) await note(resultingClientId, build);
+  const stored = await storedIn(storeOf(build?.version ?? OFFLINE.version), request);
+  return stored ?? (build ? fetchOf(build, request) : fetch(request));
 }
 
-/** @param {boolean} isOther whether the page that is given out now is of another version than the store */
-async function letOut(isOther) {
-  otherIsOut = isOther;
-  try {
-    const cache = await caches.open(CACHE);
-    if (isOther) await cache.put(OTHER_IS_OUT, new Response());
-    else await cache.delete(OTHER_IS_OUT);
-  } catch {
-    // On a full disk it holds until the browser ends this script.
-  }
+/**
+ * A file of a build that is not in the store.
+ *
+ * @param {Build} build
+ * @param {Request} request
+ */
+async function fetchOf(build, request) {
+  const { origin, pathname } = new URL(request.url);
+  const name = `${origin}${pathname}`.slice(worker.registration.scope.length);
+  if (name === LIST) return fetch(asBuilt([LIST, build.list]));
+  const integrity = CHECKED_BY_PAGE.test(name) ? undefined : (await filesOf(build))[name];
+  return integrity ? fetch(asBuilt([request.url, integrity])) : fetch(request);
 }
 
-async function isOtherOut() {
-  otherIsOut ??= (await storedAs(OTHER_IS_OUT)) !== undefined;
-  return otherIsOut;
+/**
+ * The files of a build with their hashes.
+ *
+ * @param {Build} build
+ * @returns {Promise<Record<string, string>>}
+ */
+async function filesOf({ version, list }) {
+  const stored = await storedIn(storeOf(version), LIST);
+  const answer = stored ?? (await fetch(asBuilt([LIST, list])));
+  if (!stored) await putAway(storeOf(version), LIST, answer.clone());
+  return (await answer.json()).files;
+}
+
+/** @param {string} version */
+function storeOf(version) {
+  return `rosto-${version}`;
+}
+
+/**
+ * Notes which build a page or worker belongs to.
+ *
+ * @param {string} client
+ * @param {Build} build
+ * @returns whether that is kept when the browser ends this script
+ */
+function note(client, build) {
+  known.set(client, build);
+  return putAway(NOTES, `./builds/${client}`, new Response(JSON.stringify(build)));
+}
+
+/**
+ * @param {string} client
+ * @returns {Promise<Build | undefined>} nothing where none was noted
+ */
+async function noteOf(client) {
+  return known.get(client) ?? (await (await storedIn(NOTES, `./builds/${client}`))?.json());
 }
 
 /**
  * A store that cannot be read is an empty one.
  *
+ * @param {string} name of the store
  * @param {Request | string} request
  */
-async function storedAs(request) {
+async function storedIn(name, request) {
   try {
-    const cache = await caches.open(CACHE);
+    const cache = await caches.open(name);
     return await cache.match(request, { ignoreSearch: true, ignoreVary: true });
   } catch {
     return undefined;
+  }
+}
+
+/**
+ * @param {string} name of the store
+ * @param {string} address
+ * @param {Response} response
+ * @returns whether there was room for it
+ */
+async function putAway(name, address, response) {
+  try {
+    await (await caches.open(name)).put(address, response);
+    return true;
+  } catch {
+    return false;
   }
 }

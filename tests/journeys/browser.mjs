@@ -40,12 +40,13 @@ const fakeCamera = (/** @type {string} */ film) => [
 /**
  * Starts the system's Chromium without a window.
  *
- * @param {{ gpu?: keyof typeof GPUS, film?: string, seen?: boolean }} [options] `film`: a .y4m that a fake camera plays;
- *   `seen`: whether the 3D view shows in screenshots
+ * @param {{ gpu?: keyof typeof GPUS, film?: string, seen?: boolean, keepsPages?: boolean }} [options] `film`: a .y4m that a fake camera plays;
+ *   `seen`: whether the 3D view shows in screenshots; `keepsPages`: whether pages that are left are kept for the way back
  */
-export function launch({ gpu = "webgpu", film, seen = true } = {}) {
+export function launch({ gpu = "webgpu", film, seen = true, keepsPages = false } = {}) {
   const args = [...QUIET, ...GPUS[gpu], ...(seen ? [] : UNSEEN), ...(film ? fakeCamera(film) : [])];
-  return chromium.launch({ executablePath: executable(), headless: true, args });
+  const ignoreDefaultArgs = keepsPages ? ["--disable-back-forward-cache"] : [];
+  return chromium.launch({ executablePath: executable(), headless: true, args, ignoreDefaultArgs });
 }
 
 function executable() {

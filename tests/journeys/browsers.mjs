@@ -6,7 +6,7 @@ import { portraitFilm } from "./pictures.mjs";
 /** @typedef {import("playwright-core").Browser} Browser */
 
 /** Browsers whose screenshots do not show the 3D view. @type {Set<Needs>} */
-const UNSEEN = new Set(["gpu", "camera", "moving-camera"]);
+const UNSEEN = new Set(["gpu", "camera", "moving-camera", "way-back"]);
 
 /** Letting go of a page takes a browser a moment. One that takes longer than this never does. */
 const CLOSING_MS = 30_000;
@@ -71,7 +71,7 @@ export class Browsers {
     const seen = this.sees(needs);
     if (needs === "camera") return launch({ film: await portraitFilm(), seen });
     if (needs === "moving-camera" || needs === "seen-camera") return launch({ film: await movingFilm(), seen });
-    return launch({ seen });
+    return launch({ seen, keepsPages: needs === "way-back" });
   }
 }
 

@@ -1,4 +1,4 @@
-/** @typedef {{ slot: string, name: string | undefined, isHeld: boolean, edits: string, at: number }} Kept */
+/** @typedef {{ slot: string, name: string | undefined, isHeld: boolean, edits: string, order: number }} Kept */
 
 /**
  * The works in the browser's database that have a face, what was done to it, and whether a tab has it open.

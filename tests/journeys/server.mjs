@@ -32,11 +32,12 @@ export async function serve(folder, below) {
   /** @type {Disturbance | undefined} */
   let disturbance;
   const headers = await headersIn(folder);
+  let served = folder;
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url, "http://localhost");
     for (const [name, value] of headers) response.setHeader(name, value);
     if (disturbance?.(pathname.slice(below.length), response)) return;
-    const file = pathname.startsWith(below) && fileFor(folder, decodeURIComponent(pathname.slice(below.length)));
+    const file = pathname.startsWith(below) && fileFor(served, decodeURIComponent(pathname.slice(below.length)));
     const found = file ? await stat(file).catch(() => undefined) : undefined;
     if (!found?.isFile()) return response.writeHead(404).end();
     const type = TYPES[path.extname(file)] ?? "application/octet-stream";
@@ -48,6 +49,10 @@ export async function serve(folder, below) {
     /** @param {Disturbance} [by] nothing ends it */
     disturb: (by) => {
       disturbance = by;
+    },
+    /** @param {string} next is served from now on */
+    deploy: (next) => {
+      served = next;
     },
     url: `http://127.0.0.1:${server.address().port}${below}`,
     close: () => {

@@ -3,7 +3,8 @@ import { readFile } from "node:fs/promises";
 import { journey } from "./journey.mjs";
 import { keptWorks } from "./kept.mjs";
 import { asJpeg, twice } from "./pictures.mjs";
-import { SAMPLE, Visitor } from "./visitor.mjs";
+import { anotherTab, continueIn, standing, untilKept } from "./tabs.mjs";
+import { SAMPLE } from "./visitor.mjs";
 
 journey("two tabs keep two works: each comes back with its own face and edits", async (open) => {
   const first = await open();
@@ -117,32 +118,44 @@ journey("a face that was left in one tab and goes on in another comes back in th
   second.checkNothingBroke();
 });
 
-/** @param {Visitor} visitor */
-async function anotherTab(visitor, address) {
-  const other = new Visitor(await visitor.page.context().newPage());
-  await other.page.goto(address);
-  await other.untilLoaded();
-  return other;
-}
+journey("work that is open in another tab by now is said to be there, or the next one is opened", async (open) => {
+  const first = await open();
+  const { page } = first;
+  await first.dropSample();
+  await first.findLandmark("nose tip");
+  await first.offset("z", 9);
+  await untilKept(first, 1);
+  const address = page.url();
+  await page.reload();
+  const second = await anotherTab(first, address);
+  const third = await anotherTab(first, address);
+  for (const { page } of [first, second, third]) await page.waitForSelector("#continue:not([hidden])");
+  await continueIn(first);
+  const work = await standing(first);
 
-async function continueIn(visitor) {
-  await visitor.page.bringToFront();
-  await visitor.page.waitForSelector("#continue:not([hidden])");
-  await visitor.page.click("#continue");
-  await visitor.untilFace();
-}
+  await second.page.bringToFront();
+  await second.page.click("#continue");
+  const { code, text } = await second.notice();
+  assert.equal(code, "open-elsewhere");
+  assert.match(text, /open in another tab/);
+  await second.speak("pt");
+  assert.match((await second.notice()).text, /aberto em outra aba/);
+  await second.speak("en");
 
-/** What is open, and what has been done to it. */
-async function standing(visitor) {
-  await visitor.page.bringToFront();
-  return { mesh: await visitor.meshJson("mm"), history: await visitor.history() };
-}
-
-/** Waits until so many works are kept, and what was done last is among them. */
-async function untilKept(visitor, count) {
-  for (let tries = 0; (await keptWorks(visitor.page)).length < count; tries += 1) {
-    assert.ok(tries < 50, `only ${(await keptWorks(visitor.page)).length} works are kept`);
-    await visitor.page.waitForTimeout(100);
-  }
-  await visitor.page.waitForTimeout(600);
-}
+  // Of two works, the other tab gets the one that nobody has.
+  await second.drop(await asJpeg(page, await readFile(SAMPLE), { width: 640, height: 480 }), "other.jpg");
+  await second.untilFace();
+  await second.findLandmark("bottom of the chin");
+  await second.offset("y", -6);
+  await untilKept(second, 2);
+  const others = await standing(second);
+  await second.page.close();
+  await third.page.bringToFront();
+  await third.page.click("#continue");
+  await third.untilFace();
+  assert.equal((await third.notice()).code, "earlier-work");
+  assert.deepEqual(await standing(third), others);
+  assert.deepEqual(await standing(first), work);
+  assert.equal((await keptWorks(page)).length, 2);
+  third.checkNothingBroke();
+});

@@ -3,7 +3,7 @@ import { byId } from "./dom.js";
 import { asPageError } from "./page-error.js";
 
 /**
- * @typedef {"one-of-several" | "adds-little"} Remark
+ * @typedef {"one-of-several" | "adds-little" | "earlier-work"} Remark
  * @typedef {{ kind: "error" | "remark", code: string, words: () => { title: string, hint: string } }} Notice
  */
 

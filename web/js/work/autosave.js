@@ -1,20 +1,17 @@
 import { byId } from "../page/dom.js";
-import { setKeeping, showError } from "../page/notice.js";
-import { standing } from "./standing.js";
+import { asPageError } from "../page/page-error.js";
+import { setKeeping, showError, showRemark } from "../page/notice.js";
+import { KeptFace } from "./kept-face.js";
 import { ownSlot, rememberSlot } from "./own-slot.js";
-import { freeSlots, keepDone, keepFace, keepLastWords, lockOf, prune, settle, workIn } from "./slots.js";
+import { allSlots, prune } from "./slots.js";
+import { standing } from "./standing.js";
+import { Late } from "./within.js";
 
 /**
  * @typedef {import("./work.js").Work} Work
  * @typedef {import("./work.js").Done} Done
  * @typedef {import("./work.js").OpenedFace} OpenedFace
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
- *
- * @typedef {object} Visited a face that this tab has opened
- * @property {OpenedFace} face
- * @property {string} slot where it is kept; no other tab ever holds it
- * @property {Done} [done] to it when it was last on the screen
- * @property {Done} [stored] as much of it as the database has
  */
 
 /** What is done is kept this long after the last change. */
@@ -26,25 +23,26 @@ const PAUSE_MS = 200;
  * remembered here, too, for as long as anybody has the face: it can be gone back to where the browser keeps nothing.
  */
 export class Autosave {
-  /** The face on the screen. @type {Visited | undefined} */
+  /** The face on the screen. @type {KeptFace | undefined} */
   #now;
-  /** @type {WeakMap<OpenedFace, Visited>} */
+  /** @type {WeakMap<OpenedFace, KeptFace>} */
   #visited = new WeakMap();
   /** @type {Workbench | undefined} */
   #bench;
-  /** @type {() => void} */
-  #letGo = () => {};
   #pause = 0;
   #hasComplained = false;
   /** Whether the studio has lost the work, which is not back yet: what the studio holds is not to be kept, then. */
   #isLost = false;
-  /** @type {{ slot: string, face: OpenedFace } | undefined} what was read to be opened again */
+  /** What was read to be opened again. @type {KeptFace | undefined} */
   #reopened;
-  /** One write after the other. */
-  #writing = Promise.resolve();
+  /** What was read, and was not opened. @type {Set<string>} */
+  #refused = new Set();
 
   constructor() {
-    addEventListener("pagehide", () => this.#sayLastWords());
+    addEventListener("pagehide", () => this.#leave());
+    addEventListener("pageshow", ({ persisted }) => {
+      if (persisted) this.#comeBack();
+    });
     document.addEventListener("visibilitychange", () => {
       if (document.visibilityState === "hidden") this.#sayLastWords();
     });
@@ -70,12 +68,10 @@ export class Autosave {
    * @param {(read: () => Promise<Work>) => void} open
    */
   async offer(open) {
-    const slots = await freeSlots().catch(() => []);
-    const own = slots.find((slot) => slot === ownSlot());
-    const slot = own ?? slots[0];
-    if (slot === undefined || this.#now) return;
+    const [offered] = await this.#freeSlots().catch(() => []);
+    if (offered === undefined || this.#now) return;
     const button = byId("continue", HTMLButtonElement);
-    button.addEventListener("click", () => open(() => this.#reopen(slot)));
+    button.addEventListener("click", () => open(() => this.#reopen(offered)));
     button.hidden = false;
     // One button is the first choice, and for who returns it is this one.
     for (const other of document.querySelectorAll("#welcome .primary")) other.classList.toggle("primary", other === button);
@@ -96,15 +92,13 @@ export class Autosave {
   follow(bench) {
     this.#bench = bench;
     bench.onChange(() => {
-      if (!this.#now) return;
-      clearTimeout(this.#pause);
-      this.#pause = setTimeout(() => this.#keepDone(), PAUSE_MS);
+      if (this.#now) this.#saveSoon();
     });
   }
 
   /** Keeps what was done last, before the studio is given another face. */
   finish() {
-    this.#keepDone();
+    this.#save();
   }
 
   /**
@@ -113,18 +107,17 @@ export class Autosave {
    * @param {OpenedFace} face
    */
   take(face) {
-    clearTimeout(this.#pause);
-    const now = this.#visited.get(face) ?? { face, slot: crypto.randomUUID() };
-    const reopenedFrom = face === this.#reopened?.face ? this.#reopened.slot : undefined;
-    if (now !== this.#now) this.#hold(now.slot);
+    const [before, reopened] = [this.#now, this.#reopened];
+    const now = this.#visited.get(face) ?? (reopened?.face === face ? reopened : new KeptFace(face));
+    for (const other of [before, reopened]) if (other !== now) other?.letGo();
+    now.hold();
     [this.#isLost, this.#reopened, this.#now] = [false, undefined, now];
     this.#visited.set(face, now);
+    this.#refused.delete(now.slot);
     rememberSlot(now.slot);
-    // Not in the task that brings the face to the screen.
-    setTimeout(() => this.#write(() => settle(now.slot, face, reopenedFrom)), PAUSE_MS);
     now.done = standing(this.#bench);
-    if (now.done) this.#put(now, now.done);
-    this.#write(prune);
+    // Not in the task that brings the face to the screen.
+    this.#saveSoon();
   }
 
   /**
@@ -134,75 +127,99 @@ export class Autosave {
    */
   change(face) {
     if (!this.#now) return;
-    const now = { ...this.#now, face };
-    this.#now = now;
-    this.#visited.set(face, now);
-    this.#write(() => keepFace(now.slot, face));
-    this.#keepDone();
+    this.#visited.delete(this.#now.face);
+    this.#visited.set(face, this.#now);
+    this.#now.face = face;
+    this.#save();
   }
 
-  /** @param {string} slot */
-  async #reopen(slot) {
+  /** The slots that no tab has open, in the order in which they are offered: this tab's own, the latest, those that were refused. */
+  async #freeSlots() {
+    const own = ownSlot();
+    const slots = (await allSlots()).filter(({ isWhole, isHeld }) => isWhole && !isHeld).map(({ slot }) => slot);
+    const rank = (/** @type {string} */ slot) => (this.#refused.has(slot) ? 2 : slot === own ? 0 : 1);
+    return slots.sort((one, other) => rank(one) - rank(other));
+  }
+
+  /**
+   * The work that was offered or, where another tab has it by now or it cannot be read, the next.
+   *
+   * @param {string} offered
+   * @returns {Promise<Work>}
+   */
+  async #reopen(offered) {
+    this.#reopened?.letGo();
+    this.#reopened = undefined;
     try {
-      const work = await workIn(slot);
-      if (!work) throw new Error("the slot is empty");
-      this.#reopened = { slot, face: work.face };
-      return work;
+      for (const slot of await this.#freeSlots()) {
+        const work = await this.#readAgain(slot);
+        if (work && slot !== offered) showRemark("earlier-work", {});
+        if (work) return work;
+      }
+      const isElsewhere = (await allSlots()).some(({ slot, isHeld }) => isHeld && slot === offered);
+      throw { code: isElsewhere ? "open-elsewhere" : "bad-kept-work", message: `slot ${offered}`, hint: "" };
     } catch (error) {
-      throw { code: "bad-kept-work", message: String(error), hint: "" };
+      throw asPageError(error, "kept-work-busy");
     }
   }
 
   /**
-   * Lets go of the slot before, and waits with all writing until this one is the tab's.
-   *
-   * @param {string} slot is this tab's until `#letGo`
+   * @param {string} slot
+   * @returns {Promise<Work | undefined>} nothing where it is another tab's, or damaged
    */
-  #hold(slot) {
-    this.#letGo();
-    const held = new Promise((/** @type {(value: void) => void} */ resolve) => (this.#letGo = resolve));
-    const granted = new Promise((/** @type {(value: void) => void} */ resolve) => {
-      // A browser that refuses the lock refuses the database as well, which then says so.
-      const holding = navigator.locks.request(lockOf(slot), () => {
-        resolve();
-        return held;
-      });
-      holding.catch(() => resolve());
-    });
-    this.#writing = this.#writing.then(() => granted);
+  async #readAgain(slot) {
+    try {
+      const reopened = await KeptFace.reopened(slot);
+      if (!reopened) return undefined;
+      this.#refused.add(slot);
+      this.#reopened = reopened.kept;
+      return reopened.work;
+    } catch (error) {
+      if (error instanceof Late) throw error;
+      console.warn(error);
+      return undefined;
+    }
   }
 
-  #keepDone() {
+  #saveSoon() {
+    clearTimeout(this.#pause);
+    this.#pause = setTimeout(() => this.#save(), PAUSE_MS);
+  }
+
+  /** Keeps what is on the screen as it stands. */
+  async #save() {
     clearTimeout(this.#pause);
     const now = this.#now;
     const done = this.#isLost ? undefined : now && standing(this.#bench);
-    if (!now || !done || JSON.stringify(done) === JSON.stringify(now.done)) return;
-    now.done = done;
-    this.#put(now, done);
+    if (!now || !done) return;
+    if (JSON.stringify(done) !== JSON.stringify(now.done)) now.done = done;
+    try {
+      const isNew = await now.save();
+      if (now === this.#now) rememberSlot(now.slot);
+      this.#hasComplained = false;
+      setKeeping(true);
+      if (isNew) await prune().catch(() => {});
+    } catch (error) {
+      this.#complain(error);
+    }
   }
 
-  /**
-   * @param {Visited} face
-   * @param {Done} done
-   */
-  #put(face, done) {
-    this.#write(async () => {
-      await keepDone(face.slot, done);
-      face.stored = done;
-    });
-  }
-
-  /** A page that is left may not live to see the database's answer. */
   #sayLastWords() {
-    this.#keepDone();
-    const { slot, done, stored } = this.#now ?? {};
-    if (slot !== undefined && done && done !== stored) keepLastWords(slot, done);
+    this.#save();
+    this.#now?.sayLastWords();
   }
 
-  /** @param {() => Promise<void>} write */
-  #write(write) {
-    const written = this.#writing.then(write);
-    this.#writing = written.then(() => setKeeping(true), (error) => this.#complain(error));
+  /** The browser may keep a page that is left, and everything in it, for the way back. */
+  #leave() {
+    this.#sayLastWords();
+    this.#now?.letGo();
+    this.#reopened?.letGo();
+  }
+
+  #comeBack() {
+    this.#now?.hold();
+    this.#now?.touch();
+    this.#save();
   }
 
   /** @param {unknown} error */

@@ -4,210 +4,177 @@
  * @typedef {import("./work.js").Work} Work
  * @typedef {import("./work.js").Done} Done
  * @typedef {import("./work.js").OpenedFace} OpenedFace
- * @typedef {Done & { at: number }} KeptDone `at`: when, in ms since 1970
+ * @typedef {import("./database.js").Stores} Stores
+ * @typedef {import("./whole.js").KeptPhoto} KeptPhoto
+ * @typedef {{ slot: string, order: number, isWhole: boolean, isHeld: boolean }} Slot
+ *
+ * @typedef {object} Keeping
+ * @property {OpenedFace} face
+ * @property {Done} done
+ * @property {boolean} isFaceKept whether the slot has this face, as far as this tab knows
+ * @property {number} [since] the order of what this tab last kept in the slot or read there
  */
-
-const DATABASE = "rosto";
-const VERSION = 2;
-/** The picture and landmarks of each slot, and what was done, which changes often. */
-const FACES = "faces";
-const DONE = "done";
-/** What the first version kept, of one face alone. */
-const EARLIER = "work";
+import { ORDER, answer, transact } from "./database.js";
+import { forgetLastWords, forgetOtherLastWords, lastWords, nextOrder } from "./last-words.js";
+import { heldOf, hold } from "./locks.js";
+import { isDone, isFace } from "./whole.js";
+import { Late } from "./within.js";
 
 /** As many works as this are kept that no tab has open. */
 const MOST_KEPT = 6;
 
-/** @param {string} slot */
-export function lockOf(slot) {
-  return `rosto-slot-${slot}`;
-}
+/** Numbers come before all other keys. */
+const NUMBERS = () => IDBKeyRange.upperBound(Number.MAX_SAFE_INTEGER);
 
-/** The slots that have a face and that no tab holds, the latest first. */
-export async function freeSlots() {
-  const faces = new Set(await result((await open(FACES, "readonly")).getAllKeys()));
-  const store = await open(DONE, "readonly");
-  const [names, done] = await Promise.all([result(store.getAllKeys()), result(store.getAll())]);
-  const { held = [] } = await navigator.locks.query();
-  const isHeld = new Set(held.map(({ name }) => name));
-  const slots = names.map((name, place) => ({ slot: String(name), at: Math.max(done[place]?.at ?? 0, lastWords(String(name))?.at ?? 0) }));
-  const free = slots.filter(({ slot }) => faces.has(slot) && !isHeld.has(lockOf(slot)));
-  return free.sort((one, other) => other.at - one.at).map(({ slot }) => slot);
+/** Thrown where another tab has written to a slot since this one did. */
+export class Taken extends Error {}
+
+/** Thrown where a slot's rows are not all there, or not what they should be. */
+export class Damaged extends Error {}
+
+/**
+ * The slots, the latest first. Of their rows only the keys are read: one that cannot be read hides no other.
+ *
+ * @returns {Promise<Slot[]>}
+ */
+export async function allSlots() {
+  const [faces, done, orders] = await transact("readonly", (stores) => Promise.all([keysOf(stores.faces), keysOf(stores.done), ordersIn(stores.done)]));
+  const names = [...new Set([...faces, ...done])];
+  const held = await heldOf(names);
+  const slots = names.map((slot) => ({
+    slot,
+    order: Math.max(orders.get(slot) ?? 0, lastWords(slot)?.order ?? 0),
+    isWhole: faces.includes(slot) && done.includes(slot),
+    isHeld: held.has(slot),
+  }));
+  return slots.sort((one, other) => other.order - one.order);
 }
 
 /**
- * The work in a slot; nothing where there is none.
+ * The work in a slot, and the order of what the database has of it.
  *
  * @param {string} slot
- * @returns {Promise<Work | undefined>}
+ * @returns {Promise<{ work: Work, order: number }>}
  */
 export async function workIn(slot) {
-  const face = await result((await open(FACES, "readonly")).get(slot));
-  /** @type {KeptDone | undefined} */
-  const done = await result((await open(DONE, "readonly")).get(slot));
-  if (!face || !done) return undefined;
-  const read = await readPhoto(face);
-  const further = face.further && (await Promise.all(face.further.map(readPhoto)));
+  const [face, done] = await transact("readonly", (stores) => Promise.all([answer(stores.faces.get(slot)), answer(stores.done.get(slot))]));
+  if (!isFace(face)) throw new Damaged(`the face in ${slot}`);
+  if (!isDone(done)) throw new Damaged(`what was done in ${slot}`);
   const latest = lastWords(slot);
-  return { face: { ...read, ...(further && { further }) }, ...(latest && latest.at > done.at ? latest : done) };
+  const { order: _, ...left } = latest && latest.order > done.order ? latest : done;
+  const { further, ...lead } = face;
+  const photos = further && (await Promise.all(further.map(readPhoto)));
+  return { work: { face: { ...(await readPhoto(lead)), ...(photos && { further: photos }) }, ...left }, order: done.order };
 }
 
 /**
- * Keeps an opened face unless it is there already; what is done to it comes later. The slot that it was reopened from is
- * then of no more use.
+ * Keeps a face and what was done to it: both or neither.
  *
  * @param {string} slot
- * @param {OpenedFace} face
- * @param {string} [reopenedFrom]
+ * @param {Keeping} keeping
+ * @returns {Promise<number>} the order of what was kept
  */
-export async function settle(slot, face, reopenedFrom) {
-  const isThere = (await result((await open(FACES, "readonly")).getKey(slot))) !== undefined;
-  if (!isThere) await keepFace(slot, face);
-  if (reopenedFrom !== undefined) await dropIfFree(reopenedFrom);
-}
-
-/**
- * Keeps a face with its photos, in place of what the slot had.
- *
- * @param {string} slot
- * @param {OpenedFace} face
- */
-export async function keepFace(slot, face) {
-  const put = async (/** @type {(photo: OpenedFace) => object} */ kept) => {
-    const further = face.further?.map(kept);
-    return result((await open(FACES, "readwrite")).put({ ...kept(face), ...(further && { further }) }, slot));
-  };
-  // As a blob the pixels are handed to the database outside the page's own thread; not every browser takes blobs in a
-  // private window: there the photo's own file stays behind.
-  const asBlob = (/** @type {OpenedFace} */ photo) => ({ ...photo, picture: new Blob([/** @type {BlobPart} */ (photo.picture)]) });
-  const withoutFile = (/** @type {OpenedFace} */ { photo: _, ...photo }) => photo;
-  await put(asBlob).catch(() => put(withoutFile));
-}
-
-/**
- * A photo with its pixels, as it was kept.
- *
- * @param {OpenedFace & { picture: Uint8Array | Blob }} photo
- * @returns {Promise<OpenedFace>}
- */
-async function readPhoto(photo) {
-  const { picture } = photo;
-  return picture instanceof Blob ? { ...photo, picture: new Uint8Array(await picture.arrayBuffer()) } : photo;
-}
-
-/**
- * @param {string} slot
- * @param {Done} done
- */
-export async function keepDone(slot, done) {
-  const at = Date.now();
-  await result((await open(DONE, "readwrite")).put({ ...done, at }, slot));
-  const latest = lastWords(slot);
-  if (latest && latest.at <= at) forgetLastWords(slot);
-}
-
-/**
- * What a page that is being left has no time to give to the database.
- *
- * @param {string} slot
- * @param {Done} done
- */
-export function keepLastWords(slot, done) {
-  try {
-    localStorage.setItem(lockOf(slot), JSON.stringify({ ...done, at: Date.now() }));
-  } catch {
-    // Blocked or full: the database has all but the last moment.
-  }
+export async function keep(slot, keeping) {
+  const order = await put(slot, keeping, asBlob).catch((error) => {
+    if (error instanceof Late || error instanceof Taken) throw error;
+    return put(slot, keeping, withoutFile);
+  });
+  if ((lastWords(slot)?.order ?? Infinity) <= order) forgetLastWords(slot);
+  return order;
 }
 
 /** Forgets the oldest of the works that no tab has open. */
 export async function prune() {
-  for (const slot of (await freeSlots()).slice(MOST_KEPT)) await dropIfFree(slot);
-}
-
-/** @param {string} slot is dropped unless a tab holds it */
-async function dropIfFree(slot) {
-  await navigator.locks.request(lockOf(slot), { ifAvailable: true }, async (lock) => {
-    if (lock) await drop(slot);
-  });
-}
-
-/** @param {string} slot */
-async function drop(slot) {
-  forgetLastWords(slot);
-  await result((await open(FACES, "readwrite")).delete(slot));
-  await result((await open(DONE, "readwrite")).delete(slot));
+  const slots = await allSlots();
+  const free = slots.filter(({ isHeld }) => !isHeld);
+  for (const { slot } of free.slice(MOST_KEPT)) await dropIfFree(slot);
+  forgetOtherLastWords(slots.map(({ slot }) => slot));
 }
 
 /**
  * @param {string} slot
- * @returns {KeptDone | undefined}
+ * @param {Keeping} keeping
+ * @param {(photo: OpenedFace) => object} asKept
  */
-function lastWords(slot) {
-  try {
-    return JSON.parse(localStorage.getItem(lockOf(slot)) ?? "null") ?? undefined;
-  } catch {
-    return undefined;
-  }
-}
-
-/** @param {string} slot */
-function forgetLastWords(slot) {
-  try {
-    localStorage.removeItem(lockOf(slot));
-  } catch {
-    // There was nothing to forget, then.
-  }
-}
-
-/**
- * @param {typeof FACES | typeof DONE} store
- * @param {IDBTransactionMode} mode
- */
-async function open(store, mode) {
-  const request = indexedDB.open(DATABASE, VERSION);
-  request.onupgradeneeded = () => upgrade(request);
-  const database = await result(request);
-  // A page of another version may want the database for itself.
-  database.onversionchange = () => database.close();
-  const transaction = database.transaction(store, mode);
-  const close = () => database.close();
-  transaction.oncomplete = close;
-  transaction.onabort = close;
-  return transaction.objectStore(store);
-}
-
-/** @param {IDBOpenDBRequest} request */
-function upgrade({ result: database, transaction }) {
-  const [faces, done] = [database.createObjectStore(FACES), database.createObjectStore(DONE)];
-  if (!transaction || !database.objectStoreNames.contains(EARLIER)) return;
-  const earlier = transaction.objectStore(EARLIER);
-  earlier.get("face").onsuccess = ({ target }) => keepIfThere(faces, target);
-  const edits = earlier.get("edits");
-  edits.onsuccess = ({ target }) => {
-    keepIfThere(done, target);
-    database.deleteObjectStore(EARLIER);
-  };
-}
-
-/**
- * @param {IDBObjectStore} store
- * @param {EventTarget | null} target a request that has been answered
- */
-function keepIfThere(store, target) {
-  const kept = /** @type {IDBRequest} */ (target).result;
-  if (kept) store.put({ ...kept, at: 0 }, "earlier");
-}
-
-/**
- * @template T
- * @param {IDBRequest<T>} request
- * @returns {Promise<T>}
- */
-function result(request) {
-  return new Promise((resolve, reject) => {
-    request.onsuccess = () => resolve(request.result);
-    request.onerror = () => reject(request.error);
-    if (request instanceof IDBOpenDBRequest) request.onblocked = () => reject(new Error("another tab holds the database"));
+function put(slot, { face, done, isFaceKept, since }, asKept) {
+  return transact("readwrite", async (stores) => {
+    const [key, before, latest] = await Promise.all([answer(stores.faces.getKey(slot)), answer(stores.done.get(slot)), latestOrder(stores.done)]);
+    if (before && before.order !== since) throw new Taken(`slot ${slot}`);
+    const order = nextOrder(latest);
+    const further = face.further?.map(asKept);
+    // The browser or the visitor may have cleared the database meanwhile.
+    const isThere = isFaceKept && key !== undefined;
+    const putting = isThere ? [] : [answer(stores.faces.put({ ...asKept(face), ...(further && { further }) }, slot))];
+    await Promise.all([...putting, answer(stores.done.put({ ...done, order }, slot))]);
+    return order;
   });
+}
+
+/**
+ * As a blob the pixels are handed to the database outside the page's own thread.
+ *
+ * @param {OpenedFace} photo
+ */
+function asBlob(photo) {
+  return { ...photo, picture: new Blob([/** @type {BlobPart} */ (photo.picture)]) };
+}
+
+/** Not every browser takes blobs in a private window, or has room for the photo's own file. @param {OpenedFace} photo */
+function withoutFile({ photo: _, ...photo }) {
+  return photo;
+}
+
+/**
+ * A photo with its pixels, as it was kept. Where its file alone cannot be read, it comes without.
+ *
+ * @param {KeptPhoto} kept
+ * @returns {Promise<OpenedFace>}
+ */
+async function readPhoto({ photo: file, picture, ...found }) {
+  const pixels = picture instanceof Blob ? new Uint8Array(await picture.arrayBuffer()) : picture;
+  const isReadable = file && (await file.slice(0, 1).arrayBuffer().then(() => true, () => false));
+  return { ...found, ...(isReadable && { photo: file }), picture: pixels };
+}
+
+/** @param {string} slot is dropped unless a tab holds it */
+async function dropIfFree(slot) {
+  const letGo = await hold(slot);
+  if (!letGo) return;
+  try {
+    await transact("readwrite", (stores) => Promise.all([answer(stores.faces.delete(slot)), answer(stores.done.delete(slot))]));
+    forgetLastWords(slot);
+  } finally {
+    letGo();
+  }
+}
+
+/** @param {IDBObjectStore} store */
+async function keysOf(store) {
+  return (await answer(store.getAllKeys())).map(String);
+}
+
+/**
+ * The order of each slot that has one.
+ *
+ * @param {IDBObjectStore} done
+ * @returns {Promise<Map<string, number>>}
+ */
+function ordersIn(done) {
+  const orders = new Map();
+  const request = done.index(ORDER).openKeyCursor(NUMBERS());
+  return new Promise((resolve, reject) => {
+    request.onerror = () => reject(request.error);
+    request.onsuccess = () => {
+      const { result: cursor } = request;
+      if (!cursor) return resolve(orders);
+      orders.set(String(cursor.primaryKey), cursor.key);
+      cursor.continue();
+    };
+  });
+}
+
+/** @param {IDBObjectStore} done */
+async function latestOrder(done) {
+  const cursor = await answer(done.index(ORDER).openKeyCursor(NUMBERS(), "prev"));
+  return cursor ? Number(cursor.key) : undefined;
 }

@@ -1,0 +1,164 @@
+import assert from "node:assert/strict";
+import { execFile } from "node:child_process";
+import { appendFile, cp, mkdtemp, readFile, readdir, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { promisify } from "node:util";
+import { journey } from "./journey.mjs";
+import { DIST, serve } from "./server.mjs";
+import { anotherTab } from "./tabs.mjs";
+
+const LISTING = path.resolve(import.meta.dirname, "../../web/list-for-offline.mjs");
+
+/** What only browsers without WebGPU store. */
+const FALLBACK = /^wasm\/rosto-studio-webgl/;
+
+for (const [when, how, needs] of /** @type {const} */ ([
+  ["opened on a first visit", { reloads: false }, "gpu"],
+  ["opened from the store", { reloads: true }, "gpu"],
+  ["opened without WebGPU", { reloads: true }, "webgl"],
+])) {
+  journey(`a tab that was ${when} keeps its version after a deploy, and a new one has the new version`, async (open) => {
+    await withBuilds(async (server, newer) => {
+      const old = await open({ url: server.url, serviceWorkers: "allow" });
+      await old.untilLoaded();
+      if (how.reloads) await old.page.reload();
+      await old.untilLoaded();
+      if (needs === "webgl") await untilFallbackStored(old);
+
+      server.deploy(newer);
+      await expectBuild(old, DIST, needs);
+      const next = await anotherTab(old, server.url);
+      await expectBuild(next, newer, needs);
+      await next.page.reload();
+      await next.untilLoaded();
+      await expectBuild(next, newer, needs);
+      await untilStored(next, 2);
+
+      // The browser ends a service worker that has had nothing to do for a while.
+      for (const visitor of [old, next, old]) {
+        await stopServiceWorkers(visitor.page);
+        await expectBuild(visitor, visitor === old ? DIST : newer, needs);
+      }
+      assert.deepEqual(await runsIn(old), { page: "older", worker: "older", validator: "older" });
+      assert.deepEqual(await runsIn(next), { page: "newer", worker: "newer", validator: "newer" });
+      await old.page.bringToFront();
+      await old.dropSample();
+
+      await old.page.close();
+      await next.page.bringToFront();
+      await next.page.reload();
+      await next.untilLoaded();
+      await untilStored(next, 1);
+      await expectBuild(next, newer);
+      server.disturb(() => true);
+      await next.page.reload();
+      await next.page.waitForSelector("body[data-bench='open']");
+      await expectBuild(next, newer, needs);
+      next.checkNothingBroke();
+    });
+  }, { needs });
+}
+
+journey("a version that was never stored is not made up of files of the next one", async (open) => {
+  await withBuilds(async (server, newer) => {
+    const old = await open({ url: server.url, serviceWorkers: "allow" });
+    await old.untilLoaded();
+    server.deploy(newer);
+    server.disturb((name, response) => name === "service-worker.js" && Boolean(response.writeHead(503).end()));
+    const next = await anotherTab(old, server.url);
+    await expectBuild(next, newer);
+    // As if a third version were out.
+    server.deploy(DIST);
+    const files = ["words/pt.json", "js/page/tasks.js", "css/base.css"];
+    assert.deepEqual(await hashesIn(next.page, files), files.map(() => "refused"));
+    await expectBuild(old, DIST);
+  });
+});
+
+/**
+ * Serves the page as it was built, and makes another build of it in which each file that can take a comment has another.
+ *
+ * @param {(server: Awaited<ReturnType<typeof serve>>, newer: string) => Promise<void>} use
+ */
+async function withBuilds(use) {
+  const newer = await mkdtemp(path.join(tmpdir(), "rosto-build-"));
+  const server = await serve(DIST, "/deployed/");
+  try {
+    await cp(DIST, newer, { recursive: true });
+    const files = (await readdir(newer, { recursive: true })).filter((name) => /^(js|css|words|wasm)\/.*\.(js|css|json)$/.test(name));
+    for (const name of files) await appendFile(path.join(newer, name), name.endsWith("json") ? "\n" : "\n/* newer */\n");
+    for (const name of ["js/page/tasks.js", "js/worker/frames.js", "js/worker/validator-worker.js"]) {
+      await appendFile(path.join(newer, name), 'globalThis.build = "newer";\n');
+    }
+    await promisify(execFile)(process.execPath, [LISTING], { env: { ...process.env, TRUNK_STAGING_DIR: newer } });
+    await use(server, newer);
+  } finally {
+    server.close();
+    await rm(newer, { recursive: true });
+  }
+}
+
+/** Whether a tab gets each file as it is in a build; one that this browser has not stored, as it is or not at all. */
+async function expectBuild(visitor, folder, needs = "gpu") {
+  const { files } = JSON.parse(String(await readFile(path.join(folder, "integrity.json"))));
+  const names = Object.keys(files).filter((name) => /\.(js|css|json)$/.test(name));
+  for (const [place, hash] of (await hashesIn(visitor.page, names)).entries()) {
+    const file = names[place];
+    const isMissing = needs !== "webgl" && FALLBACK.test(file) && hash === "refused";
+    if (!isMissing) assert.equal(hash, files[file], `${file} is of another build`);
+  }
+}
+
+/** @param {import("playwright-core").Page} page @param {string[]} files */
+function hashesIn(page, files) {
+  return page.evaluate(async (files) => {
+    const hashOf = async (file) => {
+      const answer = await fetch(file).catch(() => undefined);
+      if (!answer) return "refused";
+      const hash = new Uint8Array(await crypto.subtle.digest("SHA-256", await answer.arrayBuffer()));
+      return `sha256-${btoa(String.fromCharCode(...hash))}`;
+    };
+    return Promise.all(files.map(hashOf));
+  }, files);
+}
+
+/** Which build the scripts are of that a tab loads late: a module, a worker that is started again, and another worker. */
+async function runsIn({ page }) {
+  await page.evaluate(() => {
+    delete globalThis.build;
+    return import("./js/page/tasks.js?late");
+  });
+  const read = (place) => place.evaluate(() => globalThis.build ?? "older");
+  const dying = page.workers().find((worker) => worker.url().endsWith("vision-worker.js"));
+  const [worker] = await Promise.all([page.waitForEvent("worker"), dying.evaluate(() => self.close()).catch(() => {})]);
+  const start = async () => new (await import("./js/page/validator.js")).Validator().start();
+  const [validator] = await Promise.all([page.waitForEvent("worker"), page.evaluate(start)]);
+  await page.waitForTimeout(1000);
+  return { page: await read(page), worker: await read(worker), validator: await read(validator) };
+}
+
+async function untilFallbackStored({ page }) {
+  const isStored = () => page.evaluate(async () => Boolean(await caches.match("wasm/rosto-studio-webgl_bg.wasm")));
+  for (let tries = 0; !(await isStored()); tries += 1) {
+    assert.ok(tries < 100, "the module for WebGL2 is not stored");
+    await page.waitForTimeout(100);
+  }
+}
+
+/** Waits until the stores are those of so many versions. */
+async function untilStored({ page }, count) {
+  const stores = () => page.evaluate(async () => (await caches.keys()).filter((name) => name !== "rosto-notes"));
+  for (let tries = 0; (await stores()).length !== count; tries += 1) {
+    assert.ok(tries < 100, `the stores are ${await stores()}`);
+    await page.waitForTimeout(100);
+  }
+}
+
+/** @param {import("playwright-core").Page} page */
+async function stopServiceWorkers(page) {
+  const browser = await page.context().newCDPSession(page);
+  await browser.send("ServiceWorker.enable");
+  await browser.send("ServiceWorker.stopAllWorkers");
+  await browser.detach();
+}

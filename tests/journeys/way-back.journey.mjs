@@ -1,0 +1,86 @@
+import assert from "node:assert/strict";
+import { journey } from "./journey.mjs";
+import { keptWorks } from "./kept.mjs";
+import { anotherTab, continueIn, standing, untilKept } from "./tabs.mjs";
+
+const NEEDS = /** @type {const} */ ({ needs: "way-back" });
+
+journey("work of a page that was left by a link is offered, and the page goes on with it when it is gone back to", async (open) => {
+  const { visitor, page, address } = await leave(open);
+  const other = await anotherTab(visitor, address);
+  await other.page.waitForSelector("#continue:not([hidden])");
+  await other.page.close();
+
+  await goBack(page);
+  await untilHeld(visitor, 1);
+  await visitor.offset("y", 4);
+  const work = await standing(visitor);
+  await page.waitForTimeout(1000);
+  assert.deepEqual((await keptWorks(page)).map(({ isHeld }) => isHeld), [true]);
+  await page.reload();
+  await continueIn(visitor);
+  assert.deepEqual(await standing(visitor), work);
+}, NEEDS);
+
+for (const [how, stays] of /** @type {const} */ ([["is open in", true], ["went on in", false]])) {
+  journey(`a page that is gone back to leaves alone the work that ${how} another tab`, async (open) => {
+    const { visitor, page, address } = await leave(open);
+    const other = await anotherTab(visitor, address);
+    await continueIn(other);
+    await other.findLandmark("bottom of the chin");
+    await other.offset("y", -6);
+    const others = await standing(other);
+    await other.page.waitForTimeout(600);
+    if (!stays) await other.page.close();
+
+    await page.bringToFront();
+    await goBack(page);
+    await untilKept(visitor, 2);
+    await visitor.offset("y", 4);
+    const work = await standing(visitor);
+    await page.waitForTimeout(1000);
+    assert.equal((await keptWorks(page)).length, 2);
+    if (stays) {
+      await other.page.bringToFront();
+      await other.page.reload();
+    }
+    const next = stays ? other : await anotherTab(visitor, address);
+    await continueIn(next);
+    assert.deepEqual(await standing(next), others);
+    await page.bringToFront();
+    await page.reload();
+    await continueIn(visitor);
+    assert.deepEqual(await standing(visitor), work);
+    next.checkNothingBroke();
+  }, NEEDS);
+}
+
+/** Edits a face and follows a link to somewhere else. */
+async function leave(open) {
+  const visitor = await open();
+  const { page } = visitor;
+  const address = page.url();
+  await visitor.untilLoaded();
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("z", 9);
+  await untilKept(visitor, 1);
+  await page.evaluate(() => (globalThis.isSamePage = true));
+  await page.evaluate(() => (location.href = "manifest.webmanifest"));
+  await page.waitForURL(/webmanifest/);
+  return { visitor, page, address };
+}
+
+/** @param {import("playwright-core").Page} page */
+async function goBack(page) {
+  await page.goBack();
+  assert.ok(await page.evaluate(() => globalThis.isSamePage), "the browser did not keep the page");
+}
+
+async function untilHeld({ page }, count) {
+  const held = async () => (await keptWorks(page)).filter(({ isHeld }) => isHeld).length;
+  for (let tries = 0; (await held()) !== count; tries += 1) {
+    assert.ok(tries < 50, `${await held()} works are held`);
+    await page.waitForTimeout(100);
+  }
+}
