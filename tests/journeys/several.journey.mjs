@@ -117,3 +117,64 @@ journey("a photo without a face is named and not added, and one from where there
   assert.equal((await visitor.notice()).code, "adds-little");
   assert.equal((await visitor.history()).length, 1);
 });
+
+/** Removes the photo in a row by presses of its button, as quickly as they can come. */
+function pressRemove(page, row, presses) {
+  return page.evaluate(({ row, presses }) => {
+    const button = document.querySelectorAll("#photo-list li button")[row];
+    for (let press = 0; press < presses; press++) button.click();
+  }, { row, presses });
+}
+
+journey("a photo is removed once however often its button is pressed, and comes back by mouse or key with all that it gave", async (open) => {
+  const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
+  try {
+    const visitor = await open();
+    const { page } = visitor;
+    const untilRows = (count) => page.waitForFunction((count) => document.querySelectorAll("#photo-list li").length === count, count);
+    await visitor.dropSample();
+    const sides = [await turnedPhoto(visitor, "ArrowLeft", folder), await turnedPhoto(visitor, "ArrowRight", folder)];
+    await addPhotos(visitor, sides, 3);
+    const together = await visitor.meshJson("mm");
+    await page.click('[data-tab-name="shape"]');
+    const [, second, third] = await rows(page);
+
+    await page.locator("#photo-list li button").nth(1).dblclick();
+    await untilRows(2);
+    await visitor.untilFace();
+    assert.equal((await rows(page)).at(1), third, "another photo was removed");
+    assert.ok(await page.isVisible("#photo-removed"));
+    await page.click("#restore-photo");
+    await untilRows(3);
+    await visitor.untilFace();
+    assert.ok(await page.isHidden("#photo-removed"));
+    assert.equal((await rows(page)).at(2), second);
+
+    await pressRemove(page, 2, 3);
+    await untilRows(2);
+    await visitor.untilFace();
+    assert.equal((await rows(page)).at(1), third);
+    await page.focus("#restore-photo");
+    await page.keyboard.press("Enter");
+    await untilRows(3);
+    await visitor.untilFace();
+    assert.ok(furthest(together, await visitor.meshJson("mm")) < 1e-6, "the mesh is not that of the same photos");
+
+    // Two at once are those two, wherever the first one leaves the second.
+    await page.click('[data-tab-name="shape"]');
+    const [lead] = await rows(page);
+    await page.evaluate(() => {
+      const [, second, third] = document.querySelectorAll("#photo-list li button");
+      second.click();
+      third.click();
+    });
+    await page.waitForSelector("#photo-list", { state: "hidden" });
+    await visitor.untilFace();
+    await page.click("#restore-photo");
+    await untilRows(2);
+    assert.equal((await rows(page)).at(0), lead);
+    visitor.checkNothingBroke();
+  } finally {
+    await rm(folder, { recursive: true });
+  }
+});

@@ -25,8 +25,8 @@ import { borrowVision, facesIn, returnVision } from "./shared-vision.js";
  * @property {() => void} face another face is shown
  * @property {() => void} change its edits are others
  * @property {() => void} announce anything about it is another
- * @property {(thrown: unknown) => void} error that nobody waits for
- * @property {() => void} settled what was told as an error is over
+ * @property {(thrown: unknown, owner: string) => void} error that nobody waits for, and whose it is
+ * @property {(owner: string) => void} settled what was told as that owner's error is over
  */
 
 /** @type {Told} */
@@ -128,10 +128,9 @@ export class FaceSession {
    */
   async file(format, chosen) {
     if (!this.#face) throw { code: "no-face", message: "no face is open", hint: "" };
-    const { studio } = this.bench;
     const written = writtenFile(this.bench, this.#texture, format, { "base-colour": "whole", ...chosen });
     const bytes = await written.catch((error) => this.#mind(error));
-    return new Blob([/** @type {BlobPart} */ (bytes)], { type: studio.mediaType(format) });
+    return new Blob([/** @type {BlobPart} */ (bytes)], { type: this.bench.answer((studio) => studio.mediaType(format)) });
   }
 
   /** Gives everything back. */

@@ -216,8 +216,8 @@ export class RostoStudio extends HTMLElement {
       face: () => this.#showFace(),
       change: () => this.#change(),
       announce: () => this.#follow(),
-      error: (thrown) => this.#fail(thrown),
-      settled: () => stage.hideNotice(),
+      error: (thrown, owner) => this.#fail(thrown, owner),
+      settled: (owner) => stage.hideNotice(owner),
     }, stage.tag);
     if (signal.aborted) {
       session.close();
@@ -330,11 +330,12 @@ export class RostoStudio extends HTMLElement {
    * Says what went wrong, to the page and to whoever looks at it.
    *
    * @param {unknown} thrown
+   * @param {string} [owner] who shows it, and may take it away again
    */
-  #fail(thrown) {
+  #fail(thrown, owner) {
     const error = RostoError.of(thrown);
     const { code, message, hint } = error;
-    this.#stage?.showNotice(error);
+    this.#stage?.showNotice(error, owner);
     this.#emit("rosto-error", { code, message, hint });
     return error;
   }

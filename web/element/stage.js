@@ -28,6 +28,8 @@ export class Stage {
   #word = make("span");
   #bar = make("progress");
   #notice = make("p", "notice");
+  /** @type {string | undefined} */
+  #noticeOwner;
   #toolbar = make("div", "toolbar");
   /** Where the photo comes that the page gives. */
   slot = make("slot");
@@ -96,15 +98,18 @@ export class Stage {
    * Says what went wrong.
    *
    * @param {import("./rosto-error.js").RostoError} error
+   * @param {string} [owner] who shows it
    */
-  showNotice({ code, message }) {
+  showNotice({ code, message }, owner) {
+    this.#noticeOwner = owner;
     this.#progress.hidden = true;
     this.#notice.hidden = false;
     this.#notice.textContent = wordsFor(code) || message;
   }
 
-  hideNotice() {
-    this.#notice.hidden = true;
+  /** @param {string} [owner] whose notice is over; without one, whatever shows is */
+  hideNotice(owner) {
+    if (owner === undefined || owner === this.#noticeOwner) this.#notice.hidden = true;
   }
 
   /**

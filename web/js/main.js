@@ -63,7 +63,7 @@ const validator = new Validator();
 /** @type {PaperPanel | undefined} */
 let paper;
 const bench = openBench();
-const faceChoice = new FaceChoice((index) => opening.openFace(index), (face) => opening.goBackTo(face));
+const faceChoice = new FaceChoice((face) => opening.openFace(face), (face) => opening.goBackTo(face));
 const opened = (/** @type {number | undefined} */ extraction_ms) => paper?.forget(extraction_ms);
 const opening = new Opening({ bench, overlay, faceChoice, vision, keeper, opened });
 

@@ -1,7 +1,7 @@
 import { byId } from "./page/dom.js";
 import { freshen } from "./page/fresh.js";
 import { giveHints } from "./page/hint.js";
-import { hideNotice, showError, showNotAdded, showRemark } from "./page/notice.js";
+import { dismissNotices, showError, showNotAdded, showRemark } from "./page/notice.js";
 import { hideProgress } from "./page/progress.js";
 import { nextTask } from "./page/tasks.js";
 import { openPicture, openPictures, takeFace } from "./photo/open-picture.js";
@@ -10,7 +10,7 @@ import { Replaced } from "./photo/vision-client.js";
 import { isTrap } from "./viewport/studio-module.js";
 import { stemOf } from "./work/file-name.js";
 import { fromVisit, fromWork, shownBefore, wayBack } from "./work/incoming.js";
-import { faceOf, factsOf, foundIn, photosOf } from "./work/photos.js";
+import { faceOf, factsOf, foundIn, photosOf, placeOf } from "./work/photos.js";
 import { bitmapOf } from "./work/pixels.js";
 import { kindOf, readSavedFile } from "./work/saved-file.js";
 import { BEFORE_LENSES } from "./work/work.js";
@@ -93,14 +93,13 @@ export class Opening {
   }
 
   /**
-   * Another face of the photo that is open.
+   * Another face of the photo that is open. One of a photo that is open no more is not opened.
    *
-   * @param {number} index
+   * @param {OpenedFace} face
    */
-  openFace(index) {
+  openFace(face) {
     const { faces = [] } = this.#now ?? {};
-    const face = faces[index];
-    return this.#open(() => this.#again(face && { face, faces }));
+    return this.#open(() => this.#again(faces.includes(face) ? { face, faces } : undefined));
   }
 
   /**
@@ -131,14 +130,32 @@ export class Opening {
   }
 
   /**
-   * Takes one of the photos away from the face that is open.
+   * Takes one of the photos away from the face that is open. Where it is by then is looked up when its turn has come: one that
+   * is gone already is not taken away twice.
    *
-   * @param {number} place in the order that they were given in
+   * @param {OpenedFace} photo
    */
-  removePhoto(place) {
+  removePhoto(photo) {
     return this.#attend(async () => {
       const bench = await this.#room.bench;
-      if (bench) await this.#inTurn(() => this.#changePhotos(bench, (studio) => studio.removePhoto(place), (photos) => photos.toSpliced(place, 1)));
+      if (!bench) return;
+      await this.#inTurn(async () => {
+        const place = placeOf(this.#now?.face, photo);
+        if (place === undefined) return;
+        await this.#changePhotos(bench, (studio) => studio.removePhoto(place), (photos) => photos.toSpliced(place, 1));
+      });
+    });
+  }
+
+  /**
+   * Brings a photo back that was taken away from the face that is open.
+   *
+   * @param {OpenedFace} photo
+   */
+  restorePhoto(photo) {
+    return this.#attend(async (isWanted) => {
+      const bench = await this.#room.bench;
+      if (bench) await this.#inTurn(() => this.#seeIn(bench, photo, isWanted));
     });
   }
 
@@ -181,7 +198,7 @@ export class Opening {
   async #attend(act) {
     const ticket = ++this.#newest;
     const isWanted = () => ticket === this.#newest;
-    hideNotice();
+    dismissNotices();
     hideProgress();
     try {
       await act(isWanted);
@@ -206,12 +223,24 @@ export class Opening {
     const { face: photo, bitmap } = await readPhoto(this.#room.vision, file, stemOf(file), isWanted);
     bitmap.close();
     await this.#inTurn(async () => {
-      if (!(await openPicture(bench, photo, isWanted))) return;
-      const found = foundIn(photo, photo.lens ?? BEFORE_LENSES);
-      await this.#changePhotos(bench, (studio) => studio.addPhoto(...found), (photos) => [...photos, photo]);
+      if (!(await this.#seeIn(bench, photo, isWanted))) return;
       const adds = bench.ask((studio) => factsOf(studio).at(-1)?.adds);
       if (adds === false) showRemark("adds-little", { name: file.name });
     });
+  }
+
+  /**
+   * The open face in one more photo, unless it is in it already. Resolves to whether it is new.
+   *
+   * @param {Workbench} bench
+   * @param {OpenedFace} photo
+   * @param {() => boolean} isWanted
+   */
+  async #seeIn(bench, photo, isWanted) {
+    if (placeOf(this.#now?.face, photo) !== undefined || !(await openPicture(bench, photo, isWanted))) return false;
+    const found = foundIn(photo, photo.lens ?? BEFORE_LENSES);
+    await this.#changePhotos(bench, (studio) => studio.addPhoto(...found), (photos) => [...photos, photo]);
+    return true;
   }
 
   /**
@@ -238,10 +267,16 @@ export class Opening {
     // Only now is known of which photos its texture is made.
     bench.announce();
     await nextTask();
-    const bitmap = await bitmapOf(face);
-    await overlay.show(face, bitmap);
-    await faceChoice.show(this.#now.faces, wayBack(this.#before, this.#now.faces), bitmap);
-    bitmap.close();
+    const { faces: shown } = this.#now;
+    try {
+      const bitmap = await bitmapOf(face);
+      overlay.show(await overlay.prepare(face, bitmap));
+      await faceChoice.show(shown, wayBack(this.#before, shown), bitmap);
+      bitmap.close();
+    } catch (error) {
+      // The face is another one already: only what is seen of its photo is not.
+      showError({ code: "photo-not-shown", message: String(error), hint: "" });
+    }
   }
 
   /**
@@ -265,8 +300,8 @@ export class Opening {
   }
 
   /**
-   * Hands a face to the studio, which takes it whole or not at all. The photo on the panel, its pixels and the face each
-   * have a task of their own, so that none keeps the page waiting.
+   * Hands a face to the studio, which takes it whole or not at all, last of all that can fail. The photo on the panel, its
+   * pixels and the face each have a task of their own, so that none keeps the page waiting.
    *
    * @param {Incoming} incoming
    * @param {() => boolean} isWanted
@@ -277,7 +312,11 @@ export class Opening {
     const lens = done?.lens ?? face.lens ?? BEFORE_LENSES;
     const photos = photosOf({ ...face, lens });
     if (opened && !(await openPictures(opened, photos, isWanted))) return false;
-    if (!isWanted()) return false;
+    const prepared = await overlay.prepare(face, bitmap);
+    if (!isWanted()) {
+      prepared.part.close();
+      return false;
+    }
     // An edit in progress is one, too.
     opened?.act((studio) => studio.commit());
     keeper.finish();
@@ -286,7 +325,7 @@ export class Opening {
     this.#before = shownBefore([this.#now, ...this.#before], face);
     this.#now = { face, faces };
     await nextTask();
-    await overlay.show(face, bitmap);
+    overlay.show(prepared);
     return true;
   }
 
@@ -298,7 +337,7 @@ export class Opening {
     byId("toolbar", HTMLDivElement).hidden = document.body.dataset["bench"] !== "open";
     // The tools take the place of the photo, which folds to a row; without a view in 3D it is all there is to see.
     byId("section-photo", HTMLDetailsElement).open = document.body.dataset["state"] === "photo";
-    faceChoice.show(faces, wayBack(this.#before, faces), bitmap).catch(showError);
+    faceChoice.show(faces, wayBack(this.#before, faces), bitmap).catch((error) => console.warn("the faces are not shown:", error));
     freshen(ofThisVisit);
     // What was being typed no longer stands in the way of what is to be shown.
     bench.then((there) => there?.announce());

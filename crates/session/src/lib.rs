@@ -9,6 +9,10 @@ mod choice;
 mod choices;
 mod drag;
 mod error;
+#[cfg(test)]
+#[path = "../tests/visitors/faces.rs"]
+#[allow(dead_code, reason = "the visitors use the others")]
+mod faces;
 mod files;
 mod gesture;
 mod incoming;
@@ -27,6 +31,9 @@ mod state;
 mod strokes;
 mod texture;
 mod view;
+
+#[cfg(test)]
+extern crate self as rosto_session;
 
 pub use changed::Changed;
 pub use choice::Choice;

@@ -71,14 +71,16 @@ impl Mirror {
         }
     }
 
+    /// Where the open face is in the frame that was taken last; none where no face is in it.
+    pub(crate) fn sighting(&self, face: &OpenFace) -> Result<Option<Sighting>, SessionError> {
+        let seen = self.is_seen.then_some(self.landmarks.as_slice());
+        sighting(face, seen, self.size_px)
+    }
+
     /// Brings the edits to the frame that was taken last.
-    pub(crate) fn follow(&mut self, face: &OpenFace, view: &View) -> Result<(), SessionError> {
-        if !self.is_seen {
-            self.in_film.rest();
-            return Ok(());
-        }
+    pub(crate) fn follow(&mut self, sighting: Option<Sighting>, face: &OpenFace, view: &View) {
+        let Some(Sighting { camera, positions_m }) = sighting else { return self.in_film.rest() };
         let (known_m, document) = (face.model().positions_m(), face.document());
-        let Sighting { camera, positions_m } = Sighting::new(known_m, &self.landmarks, self.size_px)?;
         let left = document.from_cage(&fading(face.model().topology(), known_m, &positions_m));
         self.seen_m = document.from_cage(&positions_m);
         let ways = document.positions().iter().zip(document.rest()).zip(left);
@@ -100,8 +102,17 @@ impl Mirror {
         if self.in_film.follow(skin, &places, &targets_px, self.size_px, view.ring).is_err() {
             self.in_film.rest();
         }
-        Ok(())
     }
+}
+
+/// Where the open face is in a frame with these landmarks; none without any.
+pub(crate) fn sighting(
+    face: &OpenFace,
+    landmarks: Option<&[[f32; 3]]>,
+    size_px: [u32; 2],
+) -> Result<Option<Sighting>, SessionError> {
+    let seen = landmarks.map(|landmarks| Sighting::new(face.model().positions_m(), landmarks, size_px));
+    Ok(seen.transpose()?)
 }
 
 fn front(size_px: [u32; 2]) -> Camera {

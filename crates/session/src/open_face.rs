@@ -4,6 +4,7 @@ mod outputs;
 mod photo;
 mod photos;
 mod selecting;
+mod state;
 
 use glam::DVec3;
 use rosto_face::{FaceModel, Photo, Triangulation};
@@ -15,8 +16,10 @@ use crate::error::SessionError;
 use crate::rows::{Row, Rows};
 use crate::selection::Moving;
 use crate::slider_influence::{self, SliderInfluence};
+use crate::strokes::Strokes;
 pub use photo::PhotoEdit;
 pub use photos::PhotoFacts;
+pub(crate) use state::FaceBefore;
 
 pub(crate) const M_PER_MM: f64 = 1.0 / 1000.0;
 pub(crate) const MM_PER_M: f64 = 1000.0;
@@ -51,6 +54,8 @@ pub struct OpenFace {
     offsets_m: Vec<DVec3>,
     rows: Rows,
     photo: PhotoEdit,
+    /// How photos that led before were seen, and what was kept of them, by the landmarks found in them.
+    set_aside: Vec<(Vec<[f32; 3]>, Option<f64>, Strokes)>,
     /// Of the whole face, in the canonical one's coordinates.
     pub(crate) texture: Option<Photo>,
 }
@@ -73,6 +78,7 @@ impl OpenFace {
             offsets_m: Vec::new(),
             rows,
             photo: PhotoEdit::default(),
+            set_aside: Vec::new(),
             texture: None,
         }
     }
@@ -236,24 +242,30 @@ impl OpenFace {
     /// anew, which it is when it leaves the mirror's plane or comes back.
     pub(crate) fn preview(&mut self, offset_mm: DVec3, choices: &Choices) -> Result<bool, SessionError> {
         let leaves_plane = offset_mm.x != 0.0 && self.lies_in_plane(choices);
-        let is_anew = leaves_plane != self.leaves_plane;
-        if is_anew {
-            self.leaves_plane = leaves_plane;
-            self.hold_as_it_moves(choices);
+        if leaves_plane == self.leaves_plane {
+            self.move_selection(offset_mm)?;
+            return Ok(false);
         }
-        let Some(spec) = self.document.spec() else { return Ok(is_anew) };
+        self.whole(|face| {
+            face.leaves_plane = leaves_plane;
+            face.hold_as_it_moves(choices);
+            face.move_selection(offset_mm)
+        })?;
+        Ok(true)
+    }
+
+    fn move_selection(&mut self, offset_mm: DVec3) -> Result<(), SessionError> {
+        let Some(spec) = self.document.spec() else { return Ok(()) };
         self.offsets_m.clear();
         self.offsets_m.resize(spec.handles.len(), offset_mm * M_PER_MM);
-        self.move_to(Moving::Selection { offset_mm })?;
-        Ok(is_anew)
+        self.move_to(Moving::Selection { offset_mm })
     }
 
     /// Takes a ready-made slider in hand, unless it is: one solve. An edit of something else is kept first.
     pub(crate) fn take_slider(&mut self, slider: FaceSlider, choices: &Choices) -> Result<(), SessionError> {
         self.commit(choices);
         let taken = self.document.hold(slider.spec());
-        let influence = taken.and_then(|()| SliderInfluence::of(&mut self.document, slider));
-        self.slider_influence = influence.inspect_err(|_| self.hold(choices))?;
+        self.slider_influence = taken.and_then(|()| SliderInfluence::of(&mut self.document, slider))?;
         self.ways = slider.offsets_m(1.0);
         self.refusal = None;
         self.moving = Moving::Slider { slider, by_mm: 0.0 };
@@ -275,24 +287,14 @@ impl OpenFace {
         let partner = Some(expression.mirrored()).filter(|&other| other != expression && choices.mirror == Mirror::On);
         let (expression, partner) = (way(expression), partner.map(way));
         let both = [Some(expression), partner].into_iter().flatten().filter(|(_, by)| by.abs() > LEAST_WEIGHT);
-        let previewed = self.document.preview_expressions(&both.collect::<Vec<_>>());
-        self.settle_on(Moving::Expression { expression, partner }, previewed)
+        self.document.preview_expressions(&both.collect::<Vec<_>>())?;
+        self.moving = Moving::Expression { expression, partner };
+        Ok(())
     }
 
     fn move_to(&mut self, moving: Moving) -> Result<(), SessionError> {
-        let previewed = self.document.preview(&self.offsets_m);
-        self.settle_on(moving, previewed)
-    }
-
-    fn settle_on(&mut self, moving: Moving, previewed: Result<(), StudioError>) -> Result<(), SessionError> {
-        match previewed {
-            Ok(()) => self.moving = moving,
-            Err(reason) => {
-                self.document.cancel();
-                self.moving = Moving::Nothing;
-                return Err(reason.into());
-            }
-        }
+        self.document.preview(&self.offsets_m)?;
+        self.moving = moving;
         Ok(())
     }
 

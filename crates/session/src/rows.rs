@@ -25,6 +25,7 @@ impl Row {
 }
 
 /// The history as people read it, so that nothing is worked out of every entry again at each tick.
+#[derive(Clone)]
 pub(crate) struct Rows {
     rows: Vec<Row>,
 }

@@ -1,4 +1,5 @@
 /// Seeds for random anchors, one after the other, all from one; exact as JavaScript's and JSON's numbers.
+#[derive(Clone, Copy)]
 pub(crate) struct Seeds {
     state: u64,
 }

@@ -1,3 +1,5 @@
+#[cfg(test)]
+mod faults;
 mod in_mirror;
 mod in_photo;
 mod moving;
@@ -6,6 +8,7 @@ mod pointing;
 mod seeing;
 mod selecting;
 mod texturing;
+mod whole;
 
 use rosto_face::LANDMARK_COUNT;
 use rosto_stage::{Scene, Stage};
@@ -119,7 +122,7 @@ impl Session {
     /// [`SessionError`] for what cannot be done; the session is as it was before.
     pub fn apply(&mut self, intent: Intent) -> Result {
         let is_in_hand = intent.takes_in_hand();
-        let changed = self.carry_out(intent)?;
+        let changed = self.carry_out_whole(intent)?;
         if is_in_hand {
             self.stage.end_swing();
         }

@@ -15,7 +15,7 @@ export type StudioErrorCode =
     | "no-face" | "no-selection" | "bad-vertex" | "bad-face" | "bad-number" | "bad-choice"
     | "another-face" | "too-many-photos"
     | "cannot-solve" | "cannot-export" | "too-thick" | "no-body" | "surface-alone" | "bad-project" | "bad-history" | "too-new" | "damaged-glb" | "foreign-glb" | "newer-glb"
-    | "not-drawn" | "internal";
+    | "not-drawn" | "no-memory" | "internal";
 /** What is thrown: `message` says what happened, `hint` what to do next; `mostMm` how thick a wall may be that is too thick. */
 export interface StudioError extends Error { code: StudioErrorCode; hint: string; mostMm?: number }
 "#;
@@ -100,7 +100,10 @@ impl From<ViewportError> for FacadeError {
             ViewportError::CanvasInUse(_) => ("canvas-in-use", "Reload the page."),
             ViewportError::DeviceLost(_) => ("device-lost", "Bind a new renderer to the canvas."),
             ViewportError::BadPicture { .. } => ("bad-face", "Open the photo again."),
-            ViewportError::NotRead => ("not-drawn", "Try again."),
+            ViewportError::OutOfMemory { .. } => {
+                ("no-memory", "Choose a smaller size, or close other pages that draw in 3D.")
+            }
+            ViewportError::NotRead | ViewportError::NotDrawn(_) => ("not-drawn", "Try again."),
             _ => ("internal", "Reload the page; saved work is offered again."),
         };
         Self::new(code, error.to_string(), hint)

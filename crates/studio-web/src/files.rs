@@ -172,7 +172,7 @@ impl Studio {
     /// A picture of the face in any size, as it is seen but for marks and tools; transparent where there is no face, if asked so.
     ///
     /// # Errors
-    /// `device-lost` at once, `not-drawn` later.
+    /// `device-lost` at once; `no-memory` or `not-drawn` later.
     #[wasm_bindgen(unchecked_return_type = "Promise<Snapshot>")]
     pub fn snapshot(
         &mut self,

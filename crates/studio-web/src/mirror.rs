@@ -30,8 +30,10 @@ impl Studio {
     pub fn mirror_frame(&mut self, frame: &ImageBitmap, landmarks: Option<Vec<f32>>) -> Result<(), JsValue> {
         let size_px = [frame.width(), frame.height()];
         let landmarks = landmarks.as_deref().map(|landmarks| landmarks.as_chunks::<3>().0);
+        let film = self.film_for(size_px)?;
         self.session.mirror_frame(landmarks, size_px).map_err(FacadeError::from)?;
-        self.take_frame(frame, size_px)?;
+        self.film = film.or(self.film.take());
+        self.take_frame(frame)?;
         self.show_film()?;
         self.session.stage_mut().ask_for_a_frame();
         Ok(())
@@ -44,23 +46,25 @@ impl Studio {
     }
 
     /// Ends the mirror: the photo is there again.
-    ///
-    /// # Errors
-    /// `device-lost`.
     #[wasm_bindgen(js_name = endMirror)]
-    pub fn end_mirror(&mut self) -> Result<(), JsValue> {
+    pub fn end_mirror(&mut self) {
         self.session.end_mirror();
         self.film = None;
-        Ok(self.show(Changed::Mesh)?)
+        self.show_soon(Changed::Mesh);
     }
 }
 
 impl Studio {
-    fn take_frame(&mut self, frame: &ImageBitmap, size_px: [u32; 2]) -> Result<()> {
-        if self.film.as_ref().is_none_or(|film| film.size_px != size_px) {
-            let on_gpu = self.viewport.reserve_film(size_px[0], size_px[1])?;
-            self.film = Some(Film { on_gpu, size_px, version: None, is_on_mesh: false });
+    /// Room for a frame of that size; none where there is.
+    fn film_for(&self, size_px: [u32; 2]) -> Result<Option<Film>> {
+        if self.film.as_ref().is_some_and(|film| film.size_px == size_px) {
+            return Ok(None);
         }
+        let on_gpu = self.viewport.reserve_film(size_px[0], size_px[1])?;
+        Ok(Some(Film { on_gpu, size_px, version: None, is_on_mesh: false }))
+    }
+
+    fn take_frame(&mut self, frame: &ImageBitmap) -> Result<()> {
         // Without a face in the frame, the mesh keeps the last one that had one, unless the film itself is seen.
         let is_seen = self.session.mirror().is_some_and(Mirror::is_seen);
         if is_seen || self.session.stage().scene() == Scene::Picture {

@@ -122,14 +122,18 @@ impl Studio {
 
     fn change_photos(&mut self, intent: Intent, added: Option<OpenPicture>) -> Result<ChangeName> {
         let changed = self.session.apply(intent)?;
-        self.show_lead(added)?;
-        self.show(changed)?;
+        // One that cannot be brought to the GPU now is, with all else, before the next frame.
+        match self.show_lead(added) {
+            Ok(()) => self.show_soon(changed),
+            Err(_) => self.show_later(),
+        }
         Ok(changed.into())
     }
 
     /// The photo that leads is the one on the GPU.
-    fn show_lead(&mut self, added: Option<OpenPicture>) -> Result<()> {
-        let lead = self.face()?.model().picture();
+    pub(crate) fn show_lead(&mut self, added: Option<OpenPicture>) -> Result<()> {
+        let Some(face) = self.session.face() else { return Ok(()) };
+        let lead = face.model().picture();
         let is_lead = |picture: &OpenPicture| std::ptr::eq(picture.photo.pixels(), lead.pixels());
         if self.picture.as_ref().is_some_and(is_lead) {
             return Ok(());

@@ -37,6 +37,8 @@ pub struct Studio {
     pub(crate) film: Option<Film>,
     /// What the mesh on the GPU is parted into, while the face shows an expression.
     pub(crate) pieces: Option<Pieces>,
+    /// What has changed and could not be brought to the GPU yet: the next frame tries again.
+    unshown: Changed,
 }
 
 #[wasm_bindgen]
@@ -57,18 +59,21 @@ impl Studio {
     /// `device-lost`, if that one is gone too.
     #[wasm_bindgen(js_name = useRenderer)]
     pub fn use_renderer(&mut self, renderer: Renderer) -> Result<(), JsValue> {
-        self.viewport = renderer.into_viewport();
+        let viewport = renderer.into_viewport();
+        let on = |picture: &Option<OpenPicture>| picture.as_ref().map(|one| one.on(&viewport)).transpose();
+        let (picture, next, texture) = (on(&self.picture)?, on(&self.next_picture)?, on(&self.texture)?);
+        let next_photos = self.next_photos.iter().map(|(_, picture)| picture.on(&viewport));
+        let next_photos = next_photos.collect::<Result<Vec<_>>>()?;
+        self.viewport = viewport;
+        (self.picture, self.next_picture, self.texture) = (picture, next, texture);
+        self.next_photos.iter_mut().zip(next_photos).for_each(|((_, picture), on_gpu)| *picture = on_gpu);
         let size = self.session.stage().camera().size_px().to_array().map(|side| side as u32);
         self.viewport.resize(size[0], size[1]);
         (self.incoming_picture, self.incoming_texture) = (None, None);
         // The next frame brings another.
         self.film = None;
-        let next_photos = self.next_photos.iter_mut().map(|(_, picture)| picture);
-        let open = [&mut self.picture, &mut self.next_picture, &mut self.texture].into_iter().flatten();
-        for picture in open.chain(next_photos) {
-            *picture = picture.on(&self.viewport)?;
-        }
-        Ok(self.show(Changed::Mesh)?)
+        self.show_soon(Changed::Mesh);
+        Ok(())
     }
 
     /// Makes room for an upright picture, perhaps scaled down, whose rows are to follow. What is open stays. `place` says which
@@ -153,8 +158,9 @@ impl Studio {
     /// `device-lost`.
     #[wasm_bindgen(js_name = showCanonical)]
     pub fn show_canonical(&mut self) -> Result<ChangeName, JsValue> {
+        let changed = self.act(Intent::Close)?;
         self.picture = None;
-        self.act(Intent::Close)
+        Ok(changed)
     }
 
     /// The canvas' size in device pixels, and how many of them make a CSS pixel.
@@ -167,15 +173,21 @@ impl Studio {
         #[wasm_bindgen(js_name = heightPx)] height_px: u32,
         #[wasm_bindgen(js_name = pixelRatio)] pixel_ratio: f64,
     ) -> Result<ChangeName, JsValue> {
-        let size = self.viewport.resize(width_px, height_px);
-        self.act(Intent::Resize(size, pixel_ratio))
+        let changed = self.act(Intent::Resize(self.viewport.fitting(width_px, height_px), pixel_ratio))?;
+        self.viewport.resize(width_px, height_px);
+        Ok(changed)
     }
 
     /// Draws if something changed; true asks for another frame. `timeMs` is what `requestAnimationFrame` tells.
     ///
     /// # Errors
-    /// `device-lost`.
+    /// `device-lost`, or what keeps a change from the GPU.
     pub fn draw(&mut self, #[wasm_bindgen(js_name = timeMs)] time_ms: f64) -> Result<bool, JsValue> {
+        if self.unshown > Changed::Nothing {
+            self.show_lead(None)?;
+            self.show(self.unshown)?;
+            self.unshown = Changed::Nothing;
+        }
         self.show_photo()?;
         Ok(self.viewport.draw(self.session.stage_mut(), time_ms).map_err(FacadeError::from)?)
     }
@@ -212,14 +224,28 @@ impl Studio {
             photo_shown: PhotoShown::default(),
             film: None,
             pieces: None,
+            unshown: Changed::Nothing,
         }
     }
 
     /// The one door for everything that changes the session: carries an intent out and shows what it has changed.
     pub(crate) fn act(&mut self, intent: Intent) -> Result<ChangeName, JsValue> {
         let changed = self.session.apply(intent).map_err(FacadeError::from)?;
-        self.show(changed)?;
+        self.show_soon(changed);
         Ok(changed.into())
+    }
+
+    /// Brings to the GPU what has changed. An intent that was carried out is no failure because it cannot be shown: the next frame
+    /// brings all of it once more, and says what is in the way.
+    pub(crate) fn show_soon(&mut self, changed: Changed) {
+        if self.show(changed).is_err() {
+            self.show_later();
+        }
+    }
+
+    pub(crate) fn show_later(&mut self) {
+        self.unshown = Changed::Mesh;
+        self.session.stage_mut().ask_for_a_frame();
     }
 
     /// The open face.
@@ -252,7 +278,7 @@ impl Studio {
         let changed = self.session.apply(Intent::Open(Box::new(incoming)))?;
         let lead = self.face()?.model().views()[0].photo;
         self.picture = Some(photos.swap_remove(lead).1);
-        self.show(changed)?;
+        self.show_soon(changed);
         Ok(changed.into())
     }
 

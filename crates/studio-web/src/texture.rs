@@ -54,7 +54,7 @@ impl Studio {
                 if changed != Changed::Nothing {
                     self.texture = Some(whole);
                 }
-                self.show(changed)?;
+                self.show_soon(changed);
                 // It comes by itself, as time does: panels, and what is being typed in them, stay as they are.
                 Ok(changed.min(Changed::View).into())
             }

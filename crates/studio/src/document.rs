@@ -4,6 +4,7 @@ mod past;
 mod points;
 mod replay_cache;
 mod retriangulate;
+mod state;
 
 use glam::DVec3;
 use rosto_face::Parted;
@@ -11,6 +12,7 @@ use rosto_laplacian::{Geodesics, LaplacianError};
 use rosto_mesh::{Topology, Value};
 
 use crate::expressed;
+use crate::fault::Fault;
 use crate::level::{Level, Rest};
 use crate::level_positions::LevelPositions;
 use crate::prepared_edit::PreparedEdit;
@@ -18,6 +20,7 @@ use crate::{Entry, Expression, History, InfluenceWeights, Standing, StudioError}
 pub use checks::{MAX_DENSITY, SMOOTH_DENSITY};
 use editing::Preview;
 use replay_cache::ReplayCache;
+pub use state::DocumentState;
 
 /// A mesh at rest, the history of commands over it, and the edit in progress.
 ///
@@ -36,6 +39,7 @@ pub struct Document {
     /// Of what is held.
     influence: Option<InfluenceWeights>,
     preview: Preview,
+    fault: Fault,
 }
 
 impl Document {
@@ -49,7 +53,8 @@ impl Document {
         let unedited = LevelPositions::at_rest(&levels);
         let preview = Preview::none(&unedited);
         let (history, replayed) = (History::default(), ReplayCache::new(unedited));
-        Ok(Self { levels, density: 0, history, replayed, held: None, influence: None, preview })
+        let fault = Fault::default();
+        Ok(Self { levels, density: 0, history, replayed, held: None, influence: None, preview, fault })
     }
 
     /// A document with these entries, as a project file holds them; see [`crate::project`]. Each can be taken back.
@@ -148,6 +153,7 @@ impl Document {
     /// # Errors
     /// [`StudioError::TooDense`] beyond [`MAX_DENSITY`]; the document is as before.
     pub fn set_density(&mut self, density: u32) -> Result<(), StudioError> {
+        self.fault.check()?;
         self.vertices_at(density)?;
         self.release();
         self.subdivide_to(density);

@@ -89,6 +89,10 @@ pub enum StudioError {
         /// How many vertices are no handles.
         free: usize,
     },
+    /// A test has asked for this failure.
+    #[cfg(feature = "faults")]
+    #[error("a test has asked for this failure")]
+    Injected,
     /// Nothing is held that could be moved or committed.
     #[error("no vertex is held")]
     NothingHeld,

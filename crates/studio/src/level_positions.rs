@@ -12,7 +12,7 @@ pub(crate) struct LevelPositions {
 
 /// Room for the way from one shape to the next, so that a tick need not allocate; what it holds has no meaning between
 /// calls.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Scratch {
     moved: Vec<Vec<DVec3>>,
     control: Vec<DVec3>,

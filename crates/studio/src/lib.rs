@@ -11,6 +11,7 @@ mod error;
 mod expressed;
 mod expressions;
 mod fading;
+mod fault;
 mod history;
 mod in_film;
 mod in_photo;
@@ -27,7 +28,7 @@ mod target;
 mod whole_texture;
 
 pub use command::{AnchorKind, Anchors, Command, Details, EditSpec, Mirror, RegionOfInfluence, Settings};
-pub use document::{Document, MAX_DENSITY, SMOOTH_DENSITY};
+pub use document::{Document, DocumentState, MAX_DENSITY, SMOOTH_DENSITY};
 pub use error::StudioError;
 pub use expressions::{Expression, Expressions};
 pub use fading::fading;

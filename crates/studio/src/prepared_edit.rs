@@ -1,3 +1,5 @@
+use std::sync::Arc;
+
 use glam::DVec3;
 use rosto_laplacian::{Constraints, Falloff, Response, RigidEdit, RigidOptions, RigidSystem, random_anchors};
 
@@ -9,6 +11,7 @@ use crate::{AnchorKind, Anchors, Command, Details, EditSpec, Mirror, RegionOfInf
 const FAR: f64 = 1e3;
 
 /// An edit specification made ready: anchors chosen, partners joined, response fields solved.
+#[derive(Clone)]
 pub(crate) struct PreparedEdit {
     spec: EditSpec,
     /// The spec's handles first, then the partners that the mirror adds.
@@ -20,7 +23,7 @@ pub(crate) struct PreparedEdit {
     /// For an edit that does not reach everywhere: the distance of each vertex from the handles, 1 at the radius.
     reach: Option<Vec<f64>>,
     /// For details that turn: over the positions that the edit starts from.
-    rigid: Option<RigidEdit>,
+    rigid: Option<Arc<RigidEdit>>,
     /// One for each handle; filled anew by each displacement.
     offsets: Vec<DVec3>,
     stale: bool,
@@ -39,7 +42,8 @@ impl PreparedEdit {
         let rigid = match spec.settings.details {
             Details::Kept => None,
             Details::AsRigidAsPossible => {
-                Some(RigidSystem::new(level.topology(), from, spec.settings.operator)?.constrain(&constraints)?)
+                let system = RigidSystem::new(level.topology(), from, spec.settings.operator)?;
+                Some(Arc::new(system.constrain(&constraints)?))
             }
         };
         let partner_places = partner_places(&spec, &handles, level)?;

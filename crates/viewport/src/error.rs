@@ -39,6 +39,17 @@ pub enum ViewportError {
         /// Number of bytes given.
         found: usize,
     },
+    /// The GPU, or the program, has no memory for a picture of that size.
+    #[error("there is no memory for a picture of {width}×{height} px")]
+    OutOfMemory {
+        /// Width in px.
+        width: u32,
+        /// Height in px.
+        height: u32,
+    },
+    /// The GPU refused to draw a picture.
+    #[error("the GPU did not draw the picture: {0}")]
+    NotDrawn(String),
     /// The picture that was drawn could not be read back.
     #[error("the picture could not be read back from the GPU")]
     NotRead,

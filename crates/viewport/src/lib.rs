@@ -5,6 +5,7 @@
 //! in the model's frame, +Y up, +Z out of the face; px are device pixels from the top left.
 
 mod error;
+mod error_scopes;
 mod frame;
 mod gpu;
 mod mesh;

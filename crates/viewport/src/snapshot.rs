@@ -67,7 +67,9 @@ impl Pending {
         let view = self.buffer.get_mapped_range(..).map_err(|_| ViewportError::NotRead)?;
         let [width, height] = self.size;
         let swapped = self.format == wgpu::TextureFormat::Bgra8Unorm;
-        let mut rgba = Vec::with_capacity(4 * width as usize * height as usize);
+        let mut rgba = Vec::new();
+        let bytes = 4 * width as usize * height as usize;
+        rgba.try_reserve_exact(bytes).map_err(|_| ViewportError::OutOfMemory { width, height })?;
         for row in view.chunks_exact(self.padded_row) {
             for pixel in row[..4 * width as usize].chunks_exact(4) {
                 let [first, green, third, alpha] = [pixel[0], pixel[1], pixel[2], pixel[3]];

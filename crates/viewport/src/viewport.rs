@@ -3,6 +3,7 @@ use std::future::Future;
 use glam::{DVec2, DVec3};
 use rosto_stage::{Background, Stage};
 
+use crate::error_scopes::ErrorScopes;
 use crate::frame::FrameOnGpu;
 use crate::mesh::{MeshOnGpu, filled};
 use crate::pipelines::Pipelines;
@@ -54,11 +55,16 @@ impl Viewport {
         self.gpu.lost()
     }
 
+    /// The size in device pixels that [`Self::resize`] would give the target: within what the GPU can draw.
+    pub fn fitting(&self, width_px: u32, height_px: u32) -> [u32; 2] {
+        let largest = self.gpu.largest_side_px();
+        [width_px, height_px].map(|side| side.clamp(1, largest))
+    }
+
     /// Fits the target to a size in device pixels, within what the GPU can draw, and gives the size that it has then: a
     /// stage's camera must know it before the next [`Self::draw`].
     pub fn resize(&mut self, width_px: u32, height_px: u32) -> [u32; 2] {
-        let largest = self.gpu.largest_side_px();
-        let size = [width_px, height_px].map(|side| side.clamp(1, largest));
+        let size = self.fitting(width_px, height_px);
         if self.attachments.size != size {
             self.attachments = Attachments::new(&self.gpu, self.target.format, size);
             self.target.configure(&self.gpu, size[0], size[1]);
@@ -209,7 +215,8 @@ impl Viewport {
     /// A picture of what a stage shows in any size, as seen now; the canvas does not change. The future borrows nothing.
     ///
     /// # Errors
-    /// [`ViewportError::DeviceLost`] at once, [`ViewportError::NotRead`] later.
+    /// [`ViewportError::DeviceLost`] at once; [`ViewportError::OutOfMemory`], [`ViewportError::NotDrawn`] or
+    /// [`ViewportError::NotRead`] later.
     pub fn snapshot(
         &mut self,
         stage: &Stage,
@@ -224,6 +231,7 @@ impl Viewport {
         resized.camera_mut().resize(size[0], size[1]);
         resized.set_pixel_ratio(stage.pixel_ratio() * scale);
         resized.render_settings_mut().background = background;
+        let scopes = ErrorScopes::open(&self.gpu);
         let texture = self.still(size);
         let attachments = Attachments::new(&self.gpu, self.target.format, size);
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
@@ -231,8 +239,11 @@ impl Viewport {
         passes::record(self, &resized, &mut encoder, &attachments, &texture.create_view(&Default::default()));
         let pending = copy(&self.gpu, &mut encoder, &texture);
         self.gpu.queue.submit([encoder.finish()]);
-        let device = self.gpu.device.clone();
-        Ok(async move { pending.read(&device).await })
+        let (drawn, device) = (scopes.close(size), self.gpu.device.clone());
+        Ok(async move {
+            drawn.await?;
+            pending.read(&device).await
+        })
     }
 
     #[cfg(target_arch = "wasm32")]

@@ -5,19 +5,21 @@ import { asPageError } from "./page-error.js";
 /**
  * @typedef {"one-of-several" | "adds-little" | "earlier-work"} Remark
  * @typedef {{ kind: "error" | "remark", code: string, words: () => { title: string, hint: string } }} Notice
+ * @typedef {"page" | "studio" | "gpu"} Owner who shows a notice, and alone may take it away again
  */
 
-/** @type {Notice | undefined} */
-let shown;
+/** The notice of each owner, the latest last: that is the one that shows. @type {Map<Owner, Notice>} */
+const notices = new Map();
 /** Whether this browser keeps the work from one visit to the next. */
 let keeps = true;
 
 /** Shows notices in the page's language and lets them be closed. */
 export function setUpNotice() {
-  byId("notice-close", HTMLButtonElement).addEventListener("click", () => hideNotice());
+  byId("notice-close", HTMLButtonElement).addEventListener("click", () => dismissNotices());
   addEventListener("keydown", ({ key }) => {
-    if (key === "Escape") hideNotice();
+    if (key === "Escape") dismissNotices();
   });
+  for (const change of ["toggle", "close"]) addEventListener(change, ({ target }) => target instanceof HTMLDialogElement && write(), { capture: true });
   inEveryLanguage(write);
 }
 
@@ -25,9 +27,10 @@ export function setUpNotice() {
  * Says what happened, and what to do next.
  *
  * @param {unknown} thrown
+ * @param {Owner} [owner]
  */
-export function showError(thrown) {
-  show(noticeOf(thrown));
+export function showError(thrown, owner = "page") {
+  show(noticeOf(thrown), owner);
 }
 
 /**
@@ -58,9 +61,20 @@ export function showNotAdded(name, thrown) {
   show({ ...notice, words });
 }
 
-/** Takes the notice away. */
-export function hideNotice() {
-  show(undefined);
+/**
+ * Takes an owner's notice away; what another one shows stays.
+ *
+ * @param {Owner} owner
+ */
+export function hideNotice(owner) {
+  notices.delete(owner);
+  write();
+}
+
+/** The visitor has read what is shown, or begins something new. */
+export function dismissNotices() {
+  notices.clear();
+  write();
 }
 
 /**
@@ -73,9 +87,13 @@ export function setKeeping(isKept) {
   write();
 }
 
-/** @param {Notice | undefined} notice */
-function show(notice) {
-  shown = notice;
+/**
+ * @param {Notice} notice
+ * @param {Owner} [owner]
+ */
+function show(notice, owner = "page") {
+  notices.delete(owner);
+  notices.set(owner, notice);
   write();
 }
 
@@ -93,13 +111,40 @@ function noticeOf(thrown) {
 
 function write() {
   const notice = byId("notice", HTMLDivElement);
+  const shown = [...notices.values()].at(-1);
   notice.hidden = shown === undefined;
+  place(notice);
   if (!shown) return;
   const { title, hint } = shown.words();
   notice.dataset["kind"] = shown.kind;
   notice.dataset["code"] = shown.code;
   byId("notice-title", HTMLParagraphElement).textContent = title;
   byId("notice-hint", HTMLParagraphElement).textContent = hint;
+}
+
+/** Where the notice is while no dialog is open. @type {Comment | undefined} */
+let home;
+
+/**
+ * Above a dialog that is open, and within it: what is outside cannot be pressed.
+ *
+ * @param {HTMLElement} notice
+ */
+function place(notice) {
+  if (!home) {
+    home = document.createComment("notice");
+    notice.before(home);
+  }
+  const dialog = [...document.querySelectorAll("dialog:modal")].at(-1);
+  if (dialog && !notice.hidden) {
+    if (notice.parentElement === dialog) return;
+    dialog.append(notice);
+    notice.popover = "manual";
+    notice.showPopover();
+  } else if (notice.popover) {
+    notice.popover = null;
+    home.after(notice);
+  }
 }
 
 /**

@@ -18,7 +18,7 @@ const OWN = "custom";
 export function setUpChoices(bench) {
   for (const element of document.querySelectorAll("[data-choice]")) {
     const choice = element.getAttribute("data-choice") ?? "";
-    const ids = bench.studio.choices(choice);
+    const ids = bench.answer((studio) => studio.choices(choice));
     const control = element instanceof HTMLSelectElement ? listOf(element) : groupOf(/** @type {HTMLElement} */ (element), choice);
     const explain = () => sayMore(choice, control.chosen());
     control.offer(ids);

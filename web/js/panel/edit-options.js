@@ -28,7 +28,7 @@ export class EditOptions {
 
   #makeRadius() {
     const apply = () => this.#bench.act((studio) => studio.setRadius(this.#radius.value));
-    const { min, max, step, neutral } = this.#bench.studio.radiusRange;
+    const { min, max, step, neutral } = this.#bench.answer((studio) => studio.radiusRange);
     const radius = new Slider({
       label: "edit.radius",
       longLabel: "edit.radius.long",

@@ -33,18 +33,19 @@ import { VerdictLine } from "./verdict-line.js";
  */
 export function setUpExportPanel(bench, keeper, validator, texture) {
   const complain = (/** @type {unknown} */ error) => bench.fail(error);
+  const [plain, printed] = bench.answer((studio) => [studio.plainFormats, studio.printedFormats]);
   const makeFile = async (/** @type {string} */ format) => {
     const { ending, type } = kindOf(bench, format);
-    const chosen = bench.studio.printedFormats.includes(format) ? printChoices() : fileChoices();
+    const chosen = printed.includes(format) ? printChoices() : fileChoices();
     const bytes = await writtenFile(bench, texture, format, chosen);
     return new File([/** @type {BlobPart} */ (bytes)], meshName(bench, keeper, ending), { type });
   };
   const saveAs = (/** @type {string} */ format) => makeFile(format).then(keep);
   const nameOf = (/** @type {string} */ ending) => meshName(bench, keeper, ending);
   offerGlb({ bench, validator, makeFile, nameOf });
-  offerFormats("plain", bench.studio.plainFormats, (format) => saveAs(format).catch(complain));
+  offerFormats("plain", plain, (format) => saveAs(format).catch(complain));
   const print = new PrintPanel(bench);
-  offerFormats("printed", bench.studio.printedFormats, (format) => saveAs(format).catch((error) => print.refuse(error)));
+  offerFormats("printed", printed, (format) => saveAs(format).catch((error) => print.refuse(error)));
   setUpArLink(() => makeFile("usdz"), complain);
   onAction("save-project", () => makeProject(bench, keeper).then(keep, complain));
   onAction("download-json", () => saveAs("json").catch(complain));
@@ -70,7 +71,7 @@ function offerGlb({ bench, validator, makeFile, nameOf }) {
     const file = await check();
     if (file) keep(file);
   });
-  byId("share-glb", HTMLButtonElement).hidden = !canSend(bench.studio.mediaType("glb"), "face.glb");
+  byId("share-glb", HTMLButtonElement).hidden = !canSend(bench.answer((studio) => studio.mediaType("glb")), "face.glb");
   const handOn = async (/** @type {File} */ file) => (await send(file)) || keep(file);
   onAction("share-glb", () => make().then(handOn).catch((error) => bench.fail(error)));
 }
@@ -103,9 +104,9 @@ function offerFormats(kind, formats, saveAs) {
  * @param {Workbench} bench
  * @param {string} format
  */
-function kindOf({ studio }, format) {
-  const ending = withFileChoices(fileChoices(), (choices) => studio.fileEnding(format, choices));
-  return { ending, type: ending === "zip" ? "application/zip" : studio.mediaType(format) };
+function kindOf(bench, format) {
+  const ending = withFileChoices(fileChoices(), (choices) => bench.answer((studio) => studio.fileEnding(format, choices)));
+  return { ending, type: ending === "zip" ? "application/zip" : bench.answer((studio) => studio.mediaType(format)) };
 }
 
 /**
@@ -151,7 +152,7 @@ async function makeProject(bench, keeper) {
   const { face } = keeper;
   if (!face) throw { code: "no-face", message: "no face is open", hint: "" };
   const png = new Uint8Array(await (await pngOf(face)).arrayBuffer());
-  const bytes = bench.studio.projectFile(png);
+  const bytes = bench.answer((studio) => studio.projectFile(png));
   return new File([/** @type {BlobPart} */ (bytes)], fileName(face, "rosto"), { type: "application/octet-stream" });
 }
 

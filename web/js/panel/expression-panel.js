@@ -32,7 +32,7 @@ export class ExpressionPanel {
   /** @param {Workbench} bench */
   constructor(bench) {
     this.#bench = bench;
-    this.#ids = bench.studio.expressionIds;
+    this.#ids = bench.answer((studio) => studio.expressionIds);
     this.#sliders = this.#ids.map((id) => this.#makeSlider(id));
     byId("expressions", HTMLDivElement).append(...AREAS.map(([area, begins]) => this.#makeArea(area, begins)));
     this.#both.addEventListener("change", () => bench.act((studio) => studio.setMirror(this.#both.checked)));

@@ -19,7 +19,7 @@ export class FacePanel {
   /** @param {Workbench} bench */
   constructor(bench) {
     this.#bench = bench;
-    this.#sliders = bench.studio.faceSliders.map((slider) => {
+    this.#sliders = bench.answer((studio) => studio.faceSliders).map((slider) => {
       const { id, rangeMm } = slider;
       slider.free();
       return this.#makeSlider(id, rangeMm);

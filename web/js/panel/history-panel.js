@@ -52,7 +52,7 @@ function show({ canUndo, canRedo, canResetSelection, entryCount }, bench) {
   enableAction("reset-selection", canResetSelection);
   enableAction("reset", entryCount > 0);
   byId("history-empty", HTMLParagraphElement).hidden = entryCount > 0;
-  const entries = bench.studio.latestEntries(LISTED);
+  const entries = bench.answer((studio) => studio.latestEntries(LISTED));
   const rows = entries.map((entry) => row(entry, bench)).reverse();
   for (const entry of entries) entry.free();
   if (entryCount > entries.length) rows.push(make("li", "earlier", say("history.earlier", { n: entryCount - entries.length })));

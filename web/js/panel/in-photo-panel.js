@@ -21,7 +21,7 @@ export function setUpInPhotoPanel(bench) {
   const seenFrom = slider(bench, "in-photo-distance", { label: "in-photo.distance", longLabel: "in-photo.distance.long", unit: "cm", ...SEEN_FROM_CM }, (studio, cm) =>
     studio.setSeenFrom(cm / 100),
   );
-  const { min, max, step, neutral } = bench.studio.ringRange;
+  const { min, max, step, neutral } = bench.answer((studio) => studio.ringRange);
   const ring = slider(bench, "in-photo-ring", { label: "in-photo.ring", longLabel: "in-photo.ring.long", unit: "%", ...inPercent({ min, max, step, neutral }) }, (studio, share) =>
     studio.setRing(share / 100),
   );
@@ -46,7 +46,7 @@ function sayLimit(bench) {
 
 /** @param {Workbench} bench */
 function setUpBrush(bench) {
-  const { min, max, step, neutral } = bench.studio.brushRange;
+  const { min, max, step, neutral } = bench.answer((studio) => studio.brushRange);
   const box = byId("brush", HTMLInputElement);
   const size = slider(bench, "brush-size", { label: "brush.size", longLabel: "brush.size.long", unit: "px", min, max, step, neutral }, (studio, px) =>
     box.checked ? studio.setBrush(px) : undefined,

@@ -32,8 +32,8 @@ export class LandmarkPanel {
   /** @param {Workbench} bench */
   constructor(bench) {
     this.#bench = bench;
-    this.#landmarkIds = bench.studio.landmarkIds;
-    const { min, max, step, neutral } = bench.studio.offsetRange;
+    this.#landmarkIds = bench.answer((studio) => studio.landmarkIds);
+    const { min, max, step, neutral } = bench.answer((studio) => studio.offsetRange);
     this.#step_mm = step;
     this.#sliders = AXES.map((axis) => this.#makeSlider(axis, { min, max, step, neutral }));
     byId("landmark-sliders", HTMLFieldSetElement).append(...this.#sliders.map((slider) => slider.element));

@@ -8,6 +8,7 @@ import { Stopwatch } from "./stopwatch.js";
 /**
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
  * @typedef {import("../../wasm/rosto-studio-web.js").PaperRun} PaperRun
+ * @typedef {import("../viewport/workbench.js").Lease<PaperRun>} Run
  * @typedef {import("../../wasm/rosto-studio-web.js").PaperMethod} PaperMethod
  * @typedef {import("../../wasm/rosto-studio-web.js").PaperRow} PaperRow
  * @typedef {"bent" | "stretch" | "flipped" | "smooth" | "timeMs"} Measure
@@ -28,7 +29,7 @@ export class PaperPanel {
   #bench;
   /** @type {number | undefined} how long finding the landmarks of this face took */
   #extraction_ms;
-  /** @type {PaperRun | undefined} the last finished run */
+  /** @type {Run | undefined} the last finished run */
   #finished;
   /** Counts the faces, so that a run notices when its own is gone. */
   #face = 0;
@@ -56,12 +57,12 @@ export class PaperPanel {
     const face = this.#face;
     enableAction("run-paper", false);
     try {
-      const run = this.#bench.studio.paperRun(RUNS, SEED);
+      const run = this.#bench.lease((studio) => studio.paperRun(RUNS, SEED));
       const isDone = await this.#go(run, () => face === this.#face);
       if (isDone) {
         this.#keep(run);
         announce(say("paper.done"));
-      } else run.free();
+      } else run.end();
     } catch (error) {
       this.#bench.fail(error);
     }
@@ -70,32 +71,36 @@ export class PaperPanel {
   }
 
   /**
-   * @param {PaperRun} run
+   * @param {Run} run
    * @param {() => boolean} isWanted
    */
   async #go(run, isWanted) {
     const bar = byId("paper-progress", HTMLProgressElement);
     bar.hidden = false;
     const stopwatch = new Stopwatch();
-    while (run.share < 1) {
-      bar.value = run.share;
-      run.goOn(await stopwatch.time((times) => run.repeat(times)));
+    for (let share = 0; share < 1; share = run.ask((paper) => paper.share)) {
+      bar.value = share;
+      const took_ms = await stopwatch.time((times) => run.ask((paper) => paper.repeat(times)));
+      run.ask((paper) => paper.goOn(took_ms));
       if (!isWanted()) return false;
     }
     return true;
   }
 
-  /** @param {PaperRun | undefined} run */
+  /** @param {Run | undefined} run */
   #keep(run) {
-    this.#finished?.free();
+    this.#finished?.end();
     this.#finished = run;
     this.#show();
   }
 
   #show() {
-    const run = this.#finished;
-    byId("paper-results", HTMLDivElement).hidden = !run;
-    if (!run) return;
+    byId("paper-results", HTMLDivElement).hidden = !this.#finished;
+    this.#finished?.ask((run) => this.#write(run));
+  }
+
+  /** @param {PaperRun} run */
+  #write(run) {
     byId("paper-table", HTMLTableSectionElement).replaceChildren(...run.table().map((row) => this.#tableRow(row)));
     const { degreeRatio, offsetRatio, smooth, edits } = run.claims();
     const claims = { degree: sayNumber(degreeRatio, 2), offset: sayNumber(offsetRatio, 2), smooth, edits };

@@ -2,7 +2,7 @@ import { byId, make, makeIcon } from "../page/dom.js";
 import { toast } from "../page/toast.js";
 import { faceBox } from "../photo/face-box.js";
 import { inEveryLanguage, say } from "../words/words.js";
-import { factsOf, photosOf } from "../work/photos.js";
+import { factsOf, photosOf, placeOf } from "../work/photos.js";
 import { imageDataOf } from "../work/pixels.js";
 
 /**
@@ -13,7 +13,8 @@ import { imageDataOf } from "../work/pixels.js";
  * @typedef {object} Photos
  * @property {OpenedFace | undefined} face that is open
  * @property {(files: File[]) => Promise<void>} addPhotos
- * @property {(place: number) => Promise<void>} removePhoto
+ * @property {(photo: OpenedFace) => Promise<void>} removePhoto
+ * @property {(photo: OpenedFace) => Promise<void>} restorePhoto
  */
 
 const THUMBNAIL_PX = 40;
@@ -27,8 +28,11 @@ export class PhotosPanel {
   #list = byId("photo-list", HTMLUListElement);
   #missing = byId("photos-missing", HTMLParagraphElement);
   #add = byId("add-photo", HTMLButtonElement);
+  #restore = byId("photo-removed", HTMLDivElement);
   /** @type {OpenedFace | undefined} that is shown */
   #face;
+  /** What was removed last, and the face without it: as long as that is open, it can come back. @type {{ photo: OpenedFace, face: OpenedFace } | undefined} */
+  #removed;
 
   /**
    * @param {Workbench} bench
@@ -38,6 +42,7 @@ export class PhotosPanel {
     this.#bench = bench;
     this.#opening = opening;
     this.#setUpChooser();
+    byId("restore-photo", HTMLButtonElement).addEventListener("click", () => this.#bringBack());
     bench.onChange(() => this.#show());
     inEveryLanguage(() => this.#show());
   }
@@ -61,6 +66,20 @@ export class PhotosPanel {
     if (n !== before) toast(n > 1 ? say("photos.added", { n }) : say("photos.alone"));
   }
 
+  /** @param {OpenedFace} photo */
+  async #remove(photo) {
+    await this.#change((opening) => opening.removePhoto(photo));
+    const { face } = this.#opening();
+    if (!face || placeOf(face, photo) !== undefined) return;
+    this.#removed = { photo, face };
+    this.#show();
+  }
+
+  async #bringBack() {
+    const { photo } = this.#removed ?? {};
+    if (photo) await this.#change((opening) => opening.restorePhoto(photo));
+  }
+
   #count() {
     const { face } = this.#opening();
     return face ? photosOf(face).length : 0;
@@ -75,26 +94,27 @@ export class PhotosPanel {
     this.#add.disabled = facts.length >= (this.#bench.ask((studio) => studio.mostPhotos) ?? 0);
     if (photos.length !== facts.length) return;
     const held = this.#list.contains(document.activeElement);
-    if (face !== this.#face) this.#list.replaceChildren(...(photos.length < 2 ? [] : photos.map((photo, place) => this.#row(photo, place))));
+    if (face !== this.#face) this.#list.replaceChildren(...(photos.length < 2 ? [] : photos.map((photo) => this.#row(photo))));
     this.#face = face;
     // What was pressed may be gone.
     if (held && !this.#list.contains(document.activeElement)) this.#add.focus();
+    const offered = this.#restore.contains(document.activeElement);
+    this.#restore.hidden = this.#removed?.face !== face;
+    if (offered && this.#restore.hidden) this.#add.focus();
     for (const [place, row] of [...this.#list.children].entries()) write(row, facts[place]);
   }
 
-  /**
-   * @param {OpenedFace} photo
-   * @param {number} place
-   */
-  #row(photo, place) {
+  /** @param {OpenedFace} photo */
+  #row(photo) {
     const row = make("li");
     const canvas = make("canvas");
     canvas.setAttribute("aria-hidden", "true");
-    draw(canvas, photo);
+    draw(canvas, photo).catch((error) => console.warn("a photo is not shown:", error));
     const remove = make("button", "icon-button");
     remove.type = "button";
     remove.append(makeIcon("close"));
-    remove.addEventListener("click", () => this.#change((opening) => opening.removePhoto(place)));
+    // The second press of a double click would meet the photo that has taken the place of the first.
+    remove.addEventListener("click", ({ detail }) => detail < 2 && this.#remove(photo));
     row.append(canvas, make("span"), remove);
     return row;
   }

@@ -82,7 +82,7 @@ export class PrintPanel {
     this.#isStale = false;
     delete this.#fold.dataset["measuring"];
     try {
-      this.#show(withFileChoices(printChoices(), (choices) => this.#bench.studio.solidFacts(choices)));
+      this.#show(withFileChoices(printChoices(), (choices) => this.#bench.answer((studio) => studio.solidFacts(choices))));
     } catch (error) {
       this.refuse(error);
     }

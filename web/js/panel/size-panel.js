@@ -39,8 +39,8 @@ export class SizePanel {
    */
   constructor(bench, known) {
     this.#bench = bench;
-    this.#landmarkIds = bench.studio.landmarkIds;
-    this.#measureIds = bench.studio.measureIds;
+    this.#landmarkIds = bench.answer((studio) => studio.landmarkIds);
+    this.#measureIds = bench.answer((studio) => studio.measureIds);
     this.#known = known;
     this.#distance = new Slider({
       ...{ label: "size.distance", longLabel: "size.distance.long", unit: "cm", min: MIN_CM, max: MAX_CM, step: 1 },

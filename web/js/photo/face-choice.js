@@ -26,7 +26,7 @@ export class FaceChoice {
   #goBackTo;
 
   /**
-   * @param {(index: number) => void} choose
+   * @param {(face: OpenedFace) => void} choose
    * @param {(face: OpenedFace) => void} goBackTo
    */
   constructor(choose, goBackTo) {
@@ -82,7 +82,7 @@ export class FaceChoice {
   /** @param {OpenedFace[]} faces */
   #offer(faces) {
     this.#faces = faces;
-    const options = faces.length < 2 ? [] : faces.map((face, index) => ({ face, canvas: make("canvas"), label: this.#option(index) }));
+    const options = faces.length < 2 ? [] : faces.map((face) => ({ face, canvas: make("canvas"), label: this.#option(face) }));
     for (const { label, canvas } of options) label.append(canvas);
     byId("face-options", HTMLDivElement).replaceChildren(...options.map(({ label }) => label));
     this.#write();
@@ -90,13 +90,13 @@ export class FaceChoice {
     return options.map(({ canvas, face }) => this.#draw(canvas, face));
   }
 
-  /** @param {number} index */
-  #option(index) {
+  /** @param {OpenedFace} face */
+  #option(face) {
     const label = make("label");
     const input = make("input");
     input.type = "radio";
     input.name = "face";
-    input.addEventListener("change", () => this.#choose(index));
+    input.addEventListener("change", () => this.#choose(face));
     label.append(input);
     return label;
   }

@@ -7,6 +7,11 @@ import { drawLandmarks, LANDMARK_COUNT, ring } from "./photo-landmarks.js";
 /**
  * @typedef {import("../work/work.js").OpenedFace} OpenedFace
  * @typedef {import("./live-photo.js").Part} Part
+ *
+ * @typedef {object} Prepared what is shown of a face's picture
+ * @property {OpenedFace} face
+ * @property {{ left: number, top: number, width: number, height: number }} crop in px of the picture
+ * @property {ImageBitmap} part
  */
 
 /** The picture is no taller than this, in CSS px. */
@@ -77,17 +82,27 @@ export class PhotoOverlay {
   }
 
   /**
-   * Shows the picture and the landmarks of one of its faces. Only what is shown is kept, and drawn: the whole picture would
-   * hold the page up on its way to the GPU.
+   * Gets ready what is shown of a face's picture. Only that is kept, and drawn: the whole picture would hold the page up on its
+   * way to the GPU.
    *
    * @param {OpenedFace} face
    * @param {ImageBitmap} picture
+   * @returns {Promise<Prepared>}
    */
-  async show(face, picture) {
+  async prepare(face, picture) {
     const crop = aroundFace(face.landmarks, picture);
     const { left, top, width, height } = crop;
     const resizeHeight = Math.min(height, Math.round(MAX_BESIDE_PX * devicePixelRatio));
     const part = await createImageBitmap(picture, left, top, width, height, { resizeHeight, resizeQuality: "high" });
+    return { face, crop, part };
+  }
+
+  /**
+   * Shows the picture and the landmarks of one of its faces.
+   *
+   * @param {Prepared} prepared
+   */
+  show({ face, crop, part }) {
     this.#part?.close();
     this.#part = part;
     this.#picture = { width: face.pictureWidth_px, height: face.pictureHeight_px };

@@ -11,7 +11,7 @@ import { Following } from "./following.js";
  * @typedef {import("../worker/protocol.js").Followed} Followed
  * @typedef {import("../worker/protocol.js").Edited} Edited
  * @typedef {import("../worker/protocol.js").Untextured} Untextured
- * @typedef {{ resolve: (answer: any) => void, reject: (error: unknown) => void }} Asking
+ * @typedef {{ resolve: (answer: any) => void, reject: (error: unknown) => void, died: string }} Asking who waits, and the code of what did not come about if the worker dies
  * @typedef {{ resolve: (found: FoundFaces) => void, reject: (error: unknown) => void, report: (stage: Stage, fraction: number) => void }} Waiting
  */
 
@@ -105,7 +105,7 @@ export class VisionClient {
    */
   draw(edited) {
     const buffers = [edited.from_px.buffer, edited.to_px.buffer, edited.triangles.buffer];
-    return this.#ask((id) => ({ type: "draw", id, edited }), buffers);
+    return this.#ask((id) => ({ type: "draw", id, edited }), buffers, "photo-not-written");
   }
 
   /**
@@ -115,19 +115,20 @@ export class VisionClient {
    * @returns {Promise<Uint8Array>}
    */
   texture(face) {
-    return this.#ask((id) => ({ type: "texture", id, face }), [face.plan.buffer]);
+    return this.#ask((id) => ({ type: "texture", id, face }), [face.plan.buffer], "texture-not-made");
   }
 
   /**
    * @param {(id: number) => Request} request
    * @param {Transferable[]} transfer
+   * @param {string} died the code of what did not come about if the worker dies
    * @returns {Promise<any>}
    */
-  #ask(request, transfer) {
+  #ask(request, transfer, died) {
     this.start();
     const id = ++this.#lastId;
     return new Promise((resolve, reject) => {
-      this.#asking.set(id, { resolve, reject });
+      this.#asking.set(id, { resolve, reject, died });
       this.#post(request(id), transfer);
       this.#watchSilence();
     });
@@ -236,7 +237,7 @@ export class VisionClient {
     if (worker === this.#worker) this.#worker = undefined;
     this.#nowReady();
     this.#rejectAll(error);
-    for (const id of [...this.#asking.keys()]) this.#answered(id)?.reject(error);
+    for (const [id, { died }] of [...this.#asking]) this.#answered(id)?.reject(error.code === "worker-died" ? { ...error, code: died } : error);
     this.#following.end(error);
     this.#watchSilence();
   }

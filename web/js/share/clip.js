@@ -50,17 +50,17 @@ export async function recordClip(bench, wishes) {
  * @param {Wishes} wishes
  */
 async function film(bench, swing, recorder, { signal, isSameFace, told }) {
-  const { studio } = bench;
+  const { life } = bench;
   // A studio that was started again shows the face from the front, and is another one.
   const check = () => {
     signal.throwIfAborted();
-    if (bench.studio !== studio || !isSameFace()) throw new Error("another face has come");
+    if (bench.life !== life || !isSameFace()) throw new Error("another face has come");
   };
   const draw = async (/** @type {number} */ share) => {
     swing.go(share);
     await afterNextFrame();
     check();
-    const picture = await pictureOf(studio);
+    const picture = imageDataOf(await bench.picture((studio) => studio.snapshot(SIDE_PX, SIDE_PX, false)));
     check();
     return picture;
   };
@@ -90,15 +90,6 @@ async function film(bench, swing, recorder, { signal, isSameFace, told }) {
     check();
   }
   await wait(BEHIND_MS);
-}
-
-/** @param {import("../viewport/workbench.js").Studio} studio */
-async function pictureOf(studio) {
-  const snapshot = await studio.snapshot(SIDE_PX, SIDE_PX, false);
-  const size = { pictureWidth_px: snapshot.width, pictureHeight_px: snapshot.height };
-  const picture = snapshot.takePixels();
-  snapshot.free();
-  return imageDataOf({ picture, ...size });
 }
 
 /** @param {number} duration_ms */

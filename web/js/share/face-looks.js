@@ -17,10 +17,9 @@ const MOST_PX = 2048;
  * @param {boolean} isTransparent where there is no face
  */
 export async function faceLooks(bench, isTransparent) {
-  const { studio } = bench;
   const size = sizeOf(bench.canvas);
-  const asked = [1, 0].map((before) => lookAt(studio, before, size, isTransparent));
-  const [before, after] = await Promise.all(asked.map(asBitmap));
+  const asked = [1, 0].map((before) => bench.picture((studio) => lookAt(studio, before, size, isTransparent)));
+  const [before, after] = await Promise.all(asked.map(async (picture) => bitmapOf(await picture)));
   if (!before || !after) throw new Error("invariant: two were asked for");
   return { before, after };
 }
@@ -49,13 +48,4 @@ function lookAt(studio, before, size_px, isTransparent) {
   } finally {
     studio.setBefore(0);
   }
-}
-
-/** @param {ReturnType<Studio["snapshot"]>} coming */
-async function asBitmap(coming) {
-  const snapshot = await coming;
-  const size = { pictureWidth_px: snapshot.width, pictureHeight_px: snapshot.height };
-  const picture = snapshot.takePixels();
-  snapshot.free();
-  return bitmapOf({ picture, ...size });
 }

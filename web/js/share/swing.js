@@ -6,7 +6,7 @@ const SWING = (35 * Math.PI) / 180;
 /** Turns the face to one side, to the other and back to where it was, as smoothly as a pendulum. */
 export class Swing {
   #bench;
-  #studio;
+  #life;
   /** From where it was at first, in radians. */
   #turned = 0;
   /** Whether it turned by itself before. */
@@ -15,7 +15,7 @@ export class Swing {
   /** @param {Workbench} bench */
   constructor(bench) {
     this.#bench = bench;
-    this.#studio = bench.studio;
+    this.#life = bench.life;
     this.#turntable = bench.read(({ turntable }) => turntable) ?? false;
     if (this.#turntable) bench.act((studio) => studio.setTurntable(false));
   }
@@ -27,7 +27,7 @@ export class Swing {
 
   /** @param {boolean} turnsBack not where another face has come, which is seen from the front */
   end(turnsBack) {
-    if (this.#bench.studio !== this.#studio) return;
+    if (this.#bench.life !== this.#life) return;
     if (turnsBack) this.#turnTo(0);
     if (this.#turntable) this.#bench.act((studio) => studio.setTurntable(true));
   }

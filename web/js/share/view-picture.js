@@ -11,12 +11,9 @@ const SCREENS = 2;
  * @param {import("../viewport/workbench.js").Workbench} bench
  * @param {boolean} isTransparent where there is no face
  */
-export async function viewPicture({ canvas, studio }, isTransparent) {
-  const snapshot = await studio.snapshot(SCREENS * canvas.width, SCREENS * canvas.height, isTransparent);
-  const size = { pictureWidth_px: snapshot.width, pictureHeight_px: snapshot.height };
-  const picture = snapshot.takePixels();
-  snapshot.free();
-  return pngOf({ picture, ...size });
+export async function viewPicture(bench, isTransparent) {
+  const { width, height } = bench.canvas;
+  return pngOf(await bench.picture((studio) => studio.snapshot(SCREENS * width, SCREENS * height, isTransparent)));
 }
 
 /** Whether this browser copies pictures. */

@@ -1,14 +1,7 @@
 import { asPageError } from "../page/page-error.js";
-import { studioModule } from "./studio-module.js";
+import { disown, studioModule } from "./studio-module.js";
 
-/** @typedef {import("../../wasm/rosto-studio-web.js").Studio} Studio */
-
-/**
- * @typedef {object} Around
- * @property {() => void} whenBack
- * @property {import("./workbench.js").Notices} notices
- * @property {AbortSignal} gone when nothing is to be drawn any more
- */
+/** @typedef {import("./workbench.js").Workbench} Workbench */
 
 /** A browser may take this long to give a WebGL2 context back before the visitor is told. */
 const PATIENCE_MS = 4000;
@@ -20,20 +13,17 @@ const PATIENCE_MS = 4000;
 export class DeviceLossHandler {
   #isThere = true;
   #patience = 0;
-  #canvas;
-  #studio;
-  #around;
+  #bench;
+  #notices;
 
   /**
-   * @param {HTMLCanvasElement} canvas
-   * @param {Studio} studio
-   * @param {Around} around
+   * @param {Workbench} bench
+   * @param {import("./workbench.js").Notices} notices
    */
-  constructor(canvas, studio, around) {
-    this.#canvas = canvas;
-    this.#studio = studio;
-    this.#around = around;
-    const { gone: signal } = around;
+  constructor(bench, notices) {
+    this.#bench = bench;
+    this.#notices = notices;
+    const { canvas, gone: signal } = bench;
     signal.addEventListener("abort", () => clearTimeout(this.#patience));
     canvas.addEventListener("webglcontextlost", (event) => {
       // The browser gives a context back only to those who ask for it so.
@@ -41,7 +31,7 @@ export class DeviceLossHandler {
       this.#lose();
     }, { signal });
     canvas.addEventListener("webglcontextrestored", () => this.#replace(), { signal });
-    this.watch(studio);
+    this.watch();
   }
 
   /** Whether there is anything to draw with. */
@@ -49,16 +39,12 @@ export class DeviceLossHandler {
     return this.#isThere;
   }
 
-  /**
-   * Sees to the GPU of this studio, and no longer to that of another. WebGPU gives another device at once.
-   *
-   * @param {Studio} studio
-   */
-  async watch(studio) {
-    this.#studio = studio;
+  /** Sees to the GPU of the bench's studio, and no longer to that of the one before. WebGPU gives another device at once. */
+  async watch() {
+    const { life } = this.#bench;
     this.#found();
-    await studio.gpuLost();
-    if (this.#isReplaced(studio)) return;
+    await this.#bench.ask((studio) => studio.gpuLost());
+    if (this.#isReplaced(life)) return;
     this.#lose();
     await this.#replace();
   }
@@ -75,27 +61,27 @@ export class DeviceLossHandler {
   }
 
   async #replace() {
-    const studio = this.#studio;
+    const { life, canvas } = this.#bench;
     try {
-      const renderer = await studioModule().createRenderer(this.#canvas);
-      if (this.#isReplaced(studio)) return renderer.free();
-      studio.useRenderer(renderer);
-      this.watch(studio);
-      this.#around.whenBack();
-      this.#around.notices.hide();
+      const renderer = await studioModule().createRenderer(canvas);
+      if (this.#isReplaced(life)) return this.#bench.life === life ? renderer.free() : disown(renderer);
+      this.#bench.answer((studio) => studio.useRenderer(renderer));
+      this.watch();
+      this.#bench.requestFrame();
+      this.#notices.hide("gpu");
     } catch (error) {
-      if (!this.#isReplaced(studio)) this.#tell(asPageError(error).message);
+      if (!this.#isReplaced(life)) this.#tell(asPageError(error).message);
     }
   }
 
-  /** @param {Studio} studio which may not be touched any more, then */
-  #isReplaced(studio) {
-    return studio !== this.#studio || this.#around.gone.aborted;
+  /** @param {object} life of the studio whose GPU was lost: it may not be touched any more, then */
+  #isReplaced(life) {
+    return life !== this.#bench.life || this.#bench.gone.aborted;
   }
 
   /** @param {string} message */
   #tell(message) {
     clearTimeout(this.#patience);
-    this.#around.notices.show({ code: "device-lost", message, hint: "" });
+    this.#notices.show({ code: "device-lost", message, hint: "" }, "gpu");
   }
 }

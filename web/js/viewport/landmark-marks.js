@@ -78,7 +78,7 @@ export class LandmarkMarks {
     this.#radius_mm = radiusMm;
     this.#leavesPlane = leavesPlane;
     this.#refusal = refusal;
-    if (!this.bench.studio.dragging) this.#isWidened = false;
+    if (!this.bench.ask((studio) => studio.dragging)) this.#isWidened = false;
     // What was under the pointer may be another one by now, or none.
     this.#hovered = undefined;
     this.#write();

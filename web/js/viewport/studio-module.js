@@ -33,9 +33,46 @@ const SPARES = 3;
 const spares = [];
 let spareCount = 0;
 
-/** The module that the studio runs in; whatever else is asked of the module is asked of this one. */
+/** Whether the module in use has trapped and no other has come yet. */
+let hasTrapped = false;
+
+/**
+ * The module that the studio runs in; whatever else is asked of the module is asked of this one. After a trap
+ * `{code: "restarting", …}` is thrown until another instance is there.
+ */
 export function studioModule() {
+  if (hasTrapped) throw restarting();
   return inUse;
+}
+
+/** From now on nothing is asked of the module in use. */
+export function noteTrap() {
+  hasTrapped = true;
+}
+
+/** What is thrown to whoever asks between a trap and the next instance. */
+export function restarting() {
+  return { code: "restarting", message: "the module is being started again", hint: "" };
+}
+
+/**
+ * Gives back what was made for one call.
+ *
+ * @param {{ free: () => void }} object
+ */
+export function release(object) {
+  if (hasTrapped) disown(object);
+  else object.free();
+}
+
+/**
+ * Forgets an object of an instance that has trapped, without a call into it: its memory goes with the instance. Nor does
+ * the module's glue call into it when the object is collected.
+ *
+ * @param {object} object
+ */
+export function disown(object) {
+  /** @type {{ __destroy_into_raw?: () => number }} */ (object).__destroy_into_raw?.();
 }
 
 /** Whether the page draws through WebGL2. */
@@ -132,6 +169,7 @@ export async function restartStudio(canvas) {
 async function renew() {
   inUse = await loaded(spares.shift() ?? anotherModule());
   await loaded(instantiate());
+  hasTrapped = false;
 }
 
 /** @param {HTMLCanvasElement} canvas */

@@ -1,7 +1,7 @@
 import { asPageError } from "../page/page-error.js";
 import { afterNextFrame, nextTask } from "../page/tasks.js";
 import { DeviceLossHandler } from "./device-loss.js";
-import { isTrap, openStudio, restartStudio } from "./studio-module.js";
+import { disown, isFallback, isTrap, noteTrap, openStudio, restarting, restartStudio } from "./studio-module.js";
 
 /**
  * @typedef {import("../../wasm/rosto-studio-web.js").Studio} Studio
@@ -10,8 +10,20 @@ import { isTrap, openStudio, restartStudio } from "./studio-module.js";
  * @typedef {import("../../wasm/rosto-studio-web.js").ChangeName} ChangeName
  *
  * @typedef {object} Notices where it is said what went wrong
- * @property {(thrown: unknown) => void} show
- * @property {() => void} hide
+ * @property {(thrown: unknown, owner: "studio" | "gpu") => void} show
+ * @property {(owner: "studio" | "gpu") => void} hide takes away what that owner has shown, and nothing else
+ *
+ * @typedef {object} Picture straight RGBA
+ * @property {Uint8Array} picture
+ * @property {number} pictureWidth_px
+ * @property {number} pictureHeight_px
+ */
+
+/**
+ * @template T
+ * @typedef {object} Lease something of the module's that outlives a task
+ * @property {<A>(question: (object: T) => A) => A} ask throws once the module has trapped
+ * @property {() => void} end
  */
 
 /** A module that trapped so many times within a minute is not started again. */
@@ -21,11 +33,15 @@ const RESTARTS_WITHIN_MS = 60_000;
 /**
  * Holds the studio, which holds the user's work, and tells the page when anything about it has changed. It draws
  * only in an animation frame, and asks for one only when there is something new to see. A studio whose module traps is
- * replaced by a new one.
+ * replaced by a new one. Nobody else has the studio: `act`, `ask` and `answer` lend it for the length of a call, and only
+ * while its module is sound.
  */
 export class Workbench {
   #frameIsComing = false;
   #isBroken = false;
+  #studio;
+  /** Another one from the moment on that the module traps. */
+  #life = {};
   /** @type {number[]} when the module was started again, in ms */
   #restarts = [];
   #gpu;
@@ -55,6 +71,8 @@ export class Workbench {
 
   /** All that are open: they share the module, and its fate. @type {Set<Workbench>} */
   static #open = new Set();
+  /** Traps that were seen to: some are reported by several. @type {WeakSet<Error>} */
+  static #seen = new WeakSet();
 
   /**
    * @param {HTMLCanvasElement} canvas
@@ -63,9 +81,9 @@ export class Workbench {
    */
   constructor(canvas, studio, notices) {
     this.canvas = canvas;
-    this.studio = studio;
+    this.#studio = studio;
     this.#notices = notices;
-    this.#gpu = new DeviceLossHandler(canvas, studio, { whenBack: () => this.requestFrame(), notices, gone: this.gone });
+    this.#gpu = new DeviceLossHandler(this, notices);
     this.#followSize();
     Workbench.#open.add(this);
   }
@@ -75,6 +93,11 @@ export class Workbench {
     return this.#gone.signal;
   }
 
+  /** The same object for as long as the studio is the same one. */
+  get life() {
+    return this.#life;
+  }
+
   /** Gives the studio's memory and its GPU back; the canvas is of no further use. */
   close() {
     if (this.gone.aborted) return;
@@ -82,7 +105,7 @@ export class Workbench {
     this.#isBroken = true;
     this.#gone.abort();
     Workbench.#open.delete(this);
-    if (isFree) this.studio.free();
+    if (isFree) this.#studio.free();
     this.canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context")?.loseContext();
   }
 
@@ -106,8 +129,7 @@ export class Workbench {
    * @param {(studio: Studio) => ChangeName | void} intent
    */
   attempt(intent) {
-    if (this.#isBroken) throw { code: "internal", message: "the studio is being started again", hint: "" };
-    const changed = intent(this.studio);
+    const changed = this.answer(intent);
     if (changed !== "nothing") this.requestFrame();
     if (changed === "document") this.announce();
     if (changed === "tick") this.#tellTick();
@@ -124,11 +146,84 @@ export class Workbench {
   ask(question) {
     if (this.#isBroken) return undefined;
     try {
-      return question(this.studio);
+      return this.answer(question);
     } catch (error) {
       this.fail(error);
       return undefined;
     }
+  }
+
+  /**
+   * What the studio answers; `{code: "restarting", …}` is thrown while it cannot, and so is what goes wrong.
+   *
+   * @template T
+   * @param {(studio: Studio) => T} question
+   * @returns {T}
+   */
+  answer(question) {
+    if (this.#isBroken) throw restarting();
+    try {
+      return question(this.#studio);
+    } catch (error) {
+      // At once: whoever is next must not get into the module any more.
+      if (isTrap(error)) this.fail(error);
+      throw error;
+    }
+  }
+
+  /**
+   * Has the studio draw a picture, and takes its pixels.
+   *
+   * @param {(studio: Studio) => ReturnType<Studio["snapshot"]>} look
+   * @returns {Promise<Picture>}
+   */
+  async picture(look) {
+    const life = this.#life;
+    const check = this.#watchWebGl();
+    const snapshot = await this.answer(look);
+    if (life !== this.#life) {
+      disown(snapshot);
+      throw restarting();
+    }
+    return this.answer(() => {
+      const size = { pictureWidth_px: snapshot.width, pictureHeight_px: snapshot.height };
+      const picture = snapshot.takePixels();
+      snapshot.free();
+      check();
+      return { picture, ...size };
+    });
+  }
+
+  /** WebGL2 goes on without what it has no memory for: what is returned throws if it did. */
+  #watchWebGl() {
+    const context = isFallback() ? this.canvas.getContext("webgl2") : null;
+    // What went wrong before is of no concern.
+    while (context && !context.isContextLost() && context.getError() !== context.NO_ERROR);
+    return () => {
+      if (!context) return;
+      if (context.isContextLost()) throw { code: "not-drawn", message: "the WebGL2 context was lost", hint: "" };
+      const error = context.getError();
+      if (error === context.OUT_OF_MEMORY) throw { code: "no-memory", message: "WebGL2 has no memory for the picture", hint: "" };
+      if (error !== context.NO_ERROR) throw { code: "not-drawn", message: `WebGL2 error ${error}`, hint: "" };
+    };
+  }
+
+  /**
+   * Something that the studio makes and that is asked more than once.
+   *
+   * @template {{ free: () => void }} T
+   * @param {(studio: Studio) => T} make
+   * @returns {Lease<T>}
+   */
+  lease(make) {
+    const [object, life] = [this.answer(make), this.#life];
+    return {
+      ask: (question) => {
+        if (life !== this.#life) throw restarting();
+        return this.answer(() => question(object));
+      },
+      end: () => (life === this.#life ? object.free() : disown(object)),
+    };
   }
 
   /**
@@ -142,7 +237,7 @@ export class Workbench {
     return this.ask((studio) => {
       const state = studio.state();
       const taken = take(state, studio);
-      state.free();
+      this.#giveBack(state);
       return taken;
     });
   }
@@ -153,8 +248,24 @@ export class Workbench {
    * @param {unknown} error
    */
   fail(error) {
-    if (isTrap(error)) for (const bench of Workbench.#open) bench.#restart(error);
-    else if (!this.#isBroken) this.#notices.show(error);
+    if (!isTrap(error)) {
+      const isLate = asPageError(error).code === "restarting";
+      if (isLate === this.#isBroken) this.#notices.show(error, "studio");
+    } else if (!Workbench.#seen.has(error)) {
+      Workbench.#seen.add(error);
+      noteTrap();
+      for (const bench of Workbench.#open) bench.#restart(error);
+    }
+  }
+
+  /**
+   * What a listener was given may have been asked when the module trapped.
+   *
+   * @param {{ free: () => void }} object
+   */
+  #giveBack(object) {
+    if (this.#isBroken) disown(object);
+    else object.free();
   }
 
   /** @param {(state: StudioState) => void} listener is told whenever the document or a choice has changed */
@@ -216,14 +327,14 @@ export class Workbench {
     const tick = this.ask((studio) => studio.tick());
     if (!tick) return;
     for (const listener of this.#tickListeners) this.ask(() => listener(tick));
-    tick.free();
+    this.#giveBack(tick);
   }
 
   /** @param {number} time_ms */
   #draw(time_ms) {
     if (!this.#gpu.isThere || this.#isBroken) return;
     try {
-      const wantsMore = this.studio.draw(time_ms);
+      const wantsMore = this.answer((studio) => studio.draw(time_ms));
       for (const listener of this.#frameListeners) listener();
       if (wantsMore) this.requestFrame();
     } catch (error) {
@@ -239,6 +350,8 @@ export class Workbench {
   async #restart(trap) {
     if (this.#isBroken) return;
     this.#isBroken = true;
+    this.#life = {};
+    disown(this.#studio);
     console.warn("the module is started again:", trap);
     const now_ms = performance.now();
     this.#restarts = [...this.#restarts.filter((at_ms) => now_ms - at_ms < RESTARTS_WITHIN_MS), now_ms];
@@ -246,17 +359,17 @@ export class Workbench {
       if (this.#restarts.length > MOST_RESTARTS) throw { code: "internal", message: trap.message, hint: "" };
       const studio = await restartStudio(this.canvas);
       if (this.gone.aborted) return studio.free();
-      this.studio = studio;
-      this.#gpu.watch(this.studio);
+      this.#studio = studio;
       this.#isBroken = false;
+      this.#gpu.watch();
       this.#fitSize?.();
       for (const listener of this.#restartListeners) await listener();
       this.announce();
       this.tellPhoto();
-      this.#notices.hide();
-      this.#notices.show({ code: "restarted", message: trap.message, hint: "" });
+      this.#notices.hide("gpu");
+      this.#notices.show({ code: "restarted", message: trap.message, hint: "" }, "studio");
     } catch (error) {
-      this.#notices.show(error);
+      this.#notices.show(error, "studio");
     }
   }
 

@@ -15,6 +15,19 @@ export function photosOf({ further = [], place = 0, ...lead }) {
 }
 
 /**
+ * Where a photo is among those of a face. It is the same photo for as long as it has the landmarks that were found in it,
+ * wherever it is and whatever is known of its lens.
+ *
+ * @param {OpenedFace | undefined} face
+ * @param {OpenedFace} photo
+ * @returns {number | undefined} nothing if it is none of them
+ */
+export function placeOf(face, photo) {
+  const place = face ? photosOf(face).findIndex(({ landmarks }) => landmarks === photo.landmarks) : -1;
+  return place < 0 ? undefined : place;
+}
+
+/**
  * The face of several photos, of which one leads.
  *
  * @param {OpenedFace[]} photos in the order that they were given in

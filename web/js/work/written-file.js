@@ -1,4 +1,4 @@
-import { studioModule } from "../viewport/studio-module.js";
+import { release, studioModule } from "../viewport/studio-module.js";
 
 /**
  * @typedef {import("../../wasm/rosto-studio-web.js").FileChoices} FileChoices
@@ -16,8 +16,8 @@ import { studioModule } from "../viewport/studio-module.js";
  * @param {Chosen} chosen
  */
 export async function writtenFile(bench, texture, format, chosen) {
-  if (chosen["base-colour"] === "whole" && bench.studio.isPainted(format)) await texture.ready();
-  return withFileChoices(chosen, (choices) => bench.studio.exportFile(format, choices));
+  if (chosen["base-colour"] === "whole" && bench.answer((studio) => studio.isPainted(format))) await texture.ready();
+  return withFileChoices(chosen, (choices) => bench.answer((studio) => studio.exportFile(format, choices)));
 }
 
 /**
@@ -33,6 +33,6 @@ export function withFileChoices(chosen, then) {
     for (const [what, id] of Object.entries(chosen)) choices.choose(what, id);
     return then(choices);
   } finally {
-    choices.free();
+    release(choices);
   }
 }

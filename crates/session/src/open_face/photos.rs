@@ -55,11 +55,18 @@ impl OpenFace {
 
     fn see_in(&mut self, model: FaceModel, choices: &Choices) -> Result<bool, SessionError> {
         let is_another = model.landmarks() != self.model.landmarks();
+        let led = self.model.landmarks().to_vec();
         self.see_as(model, choices)?;
         if is_another {
-            // What was kept of one photo, and how it was seen, says nothing about another.
-            let before = std::mem::take(&mut self.photo);
-            self.photo = PhotoEdit::of_next_photo(&before);
+            // What was kept of one photo, and how it was seen, says nothing about another, but is there when that one leads again.
+            let next = PhotoEdit::of_next_photo(&self.photo);
+            let before = std::mem::replace(&mut self.photo, next);
+            self.set_aside.push((led, before.seen_from_m, before.strokes));
+            let leads = self.model.landmarks();
+            if let Some(place) = self.set_aside.iter().position(|(landmarks, ..)| *landmarks == leads) {
+                let (_, seen_from_m, strokes) = self.set_aside.swap_remove(place);
+                self.restore_photo(seen_from_m, strokes);
+            }
         }
         Ok(is_another)
     }

@@ -1,7 +1,9 @@
+use rosto_face::Sighting;
 use rosto_stage::{Pinhole, Sides};
 
 use super::Session;
 use super::in_photo::plane;
+use crate::mirror::sighting;
 use crate::{Mirror, SessionError};
 
 /// The mirror: the open face's edits on a film. Frames are no intents: they come by themselves, as time does, and change only what
@@ -19,12 +21,14 @@ impl Session {
     /// # Errors
     /// [`SessionError::NoFace`] while none is open, [`SessionError::Face`] for landmarks that make none; the frame before stays.
     pub fn mirror_frame(&mut self, landmarks: Option<&[[f32; 3]]>, size_px: [u32; 2]) -> Result<(), SessionError> {
-        self.open_face()?;
+        let face = self.open_face()?;
         if let Some(landmarks) = landmarks {
             rosto_face::check_landmarks(landmarks, size_px[0], size_px[1])?;
         }
+        let sighting = sighting(face, landmarks, size_px)?;
         self.mirror.get_or_insert_default().take(landmarks, size_px);
-        self.follow_in_mirror()
+        self.show_in_mirror(sighting);
+        Ok(())
     }
 
     /// Brings edits that have changed to the frame that is shown.
@@ -32,8 +36,15 @@ impl Session {
     /// # Errors
     /// As [`Self::mirror_frame`].
     pub fn follow_in_mirror(&mut self) -> Result<(), SessionError> {
-        let (Some(mirror), Some(face)) = (&mut self.mirror, &self.face) else { return Ok(()) };
-        mirror.follow(face, &self.view)?;
+        let (Some(mirror), Some(face)) = (&self.mirror, &self.face) else { return Ok(()) };
+        let sighting = mirror.sighting(face)?;
+        self.show_in_mirror(sighting);
+        Ok(())
+    }
+
+    fn show_in_mirror(&mut self, sighting: Option<Sighting>) {
+        let (Some(mirror), Some(face)) = (&mut self.mirror, &self.face) else { return };
+        mirror.follow(sighting, face, &self.view);
         let camera = mirror.camera();
         let pinhole = Pinhole { camera_from_model: camera.camera_from_model };
         let stage = &mut self.stage;
@@ -41,7 +52,6 @@ impl Session {
         if let Some(plane) = plane(&camera, mirror.size_px(), stage.camera().centre_m()) {
             stage.change_picture(plane, pinhole);
         }
-        Ok(())
     }
 
     /// Ends the mirror: the photo is there again.

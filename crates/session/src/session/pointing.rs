@@ -1,4 +1,4 @@
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use rosto_face::LANDMARK_COUNT;
 use rosto_stage::{Axis, Pointer};
 
@@ -90,9 +90,8 @@ impl Session {
         if let Gesture::Ready { vertex, axis, from_px } = self.gesture {
             grabbed = self.grab(vertex, axis, from_px)?;
         }
-        let Gesture::Dragging { to_px, pace: now, .. } = &mut self.gesture else { return Ok(Changed::Nothing) };
-        (*to_px, *now) = (place_px, pace);
-        Ok(self.follow_pointer()?.max(grabbed))
+        let Gesture::Dragging { drag, axis, .. } = &self.gesture else { return Ok(Changed::Nothing) };
+        Ok(self.drag_to(drag.clone(), *axis, place_px, pace)?.max(grabbed))
     }
 
     /// Selects what the pointer has grabbed, unless it is selected. An edit in progress is kept.
@@ -112,32 +111,34 @@ impl Session {
     }
 
     pub(super) fn drag_along(&mut self, wanted: Axis) -> Result {
-        let Gesture::Dragging { axis, .. } = &mut self.gesture else { return Ok(Changed::Nothing) };
-        *axis = if *axis == Some(wanted) { None } else { Some(wanted) };
-        self.follow_pointer()
+        let Gesture::Dragging { drag, axis, to_px, pace, .. } = &self.gesture else { return Ok(Changed::Nothing) };
+        let axis = if *axis == Some(wanted) { None } else { Some(wanted) };
+        self.drag_to(drag.clone(), axis, *to_px, *pace)
     }
 
-    pub(super) fn follow_pointer(&mut self) -> Result {
-        let (Some(face), Gesture::Dragging { drag, axis, to_px, pace, is_at_end }) =
-            (&mut self.face, &mut self.gesture)
-        else {
-            return Ok(Changed::Nothing);
-        };
-        self.stage.set_gizmo_axis(*axis);
-        let camera = self.stage.camera();
-        let mut offset_mm = drag.offset_m(camera, *to_px, *axis, *pace) * MM_PER_M;
-        // What cannot be moved stays, as the state says.
-        if face.refusal().is_some() || !offset_mm.is_finite() {
-            return Ok(Changed::Nothing);
+    /// The drag goes to a place, unless what is selected has no answer there.
+    fn drag_to(&mut self, mut drag: Drag, axis: Option<Axis>, to_px: DVec2, pace: Pace) -> Result {
+        let (mut changed, mut is_at_end) = (Changed::Nothing, self.is_at_end());
+        if let Some(wanted) = self.offset_at(&mut drag, axis, to_px, pace) {
+            changed = self.preview(wanted.0)?;
+            is_at_end = wanted.1;
         }
+        self.stage.set_gizmo_axis(axis);
+        self.gesture = Gesture::Dragging { drag, axis, to_px, pace, is_at_end };
+        Ok(changed)
+    }
+
+    /// How far in mm what is selected goes with the pointer, and whether that is the end of its sliders; none for what cannot be
+    /// moved, which stays, as the state says.
+    fn offset_at(&self, drag: &mut Drag, axis: Option<Axis>, to_px: DVec2, pace: Pace) -> Option<(DVec3, bool)> {
+        let (face, camera) = (self.face.as_ref().filter(|face| face.refusal().is_none())?, self.stage.camera());
+        let mut offset_mm = drag.offset_m(camera, to_px, axis, pace) * MM_PER_M;
         // No hand is straight: in the mirror's plane stays what is not meant to leave it.
         let sticks_mm = drag.mm_of_px(camera, STICKS_PX * self.stage.pixel_ratio());
-        if *axis != Some(Axis::X) && offset_mm.x.abs() < sticks_mm && face.lies_in_plane(&self.choices) {
+        if axis != Some(Axis::X) && offset_mm.x.abs() < sticks_mm && face.lies_in_plane(&self.choices) {
             offset_mm.x = 0.0;
         }
-        (offset_mm, *is_at_end) = drag.within_sliders(face.offset_for(offset_mm));
-        let is_held_anew = face.preview(offset_mm, &self.choices)?;
-        Ok(if is_held_anew { Changed::Document } else { Changed::Tick })
+        offset_mm.is_finite().then(|| drag.within_sliders(face.offset_for(offset_mm)))
     }
 
     pub(super) fn release(&mut self) -> Result {

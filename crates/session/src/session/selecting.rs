@@ -74,7 +74,6 @@ impl Session {
         Ok(Changed::Document)
     }
 
-    /// An edit in progress goes on with the new choices.
     /// The paper's edit is one of the landmarks alone; a hand has a smooth face before it.
     pub(super) fn set_preset(&mut self, preset: Preset) -> Result {
         let density = match preset {
@@ -85,6 +84,7 @@ impl Session {
         if density == self.view.density { Ok(changed) } else { self.set_density(density) }
     }
 
+    /// An edit in progress goes on with the new choices.
     pub(super) fn choose(&mut self, choices: Choices) -> Result {
         self.choices = choices;
         if let Some(face) = &mut self.face {

@@ -11,11 +11,14 @@ use crate::prepared_edit::PreparedEdit;
 use crate::{Command, Details, EditSpec, Entry, Expression, InfluenceWeights, Standing, StudioError, Switch};
 
 /// The spec's offsets and the positions they lead to, while vertices are being moved.
+#[derive(Clone)]
 pub(super) struct Preview {
     offsets: Vec<DVec3>,
     /// Of the mesh that is shown.
     positions: Vec<DVec3>,
     shape: LevelPositions,
+    /// Takes the next shape, which takes the other's place once it is whole.
+    next: LevelPositions,
     scratch: Scratch,
     /// How much of which expressions, where they are what is under way.
     weights: Vec<(Expression, f64)>,
@@ -37,6 +40,7 @@ impl Preview {
         Self {
             offsets: Vec::new(),
             positions,
+            next: shape.clone(),
             shape,
             scratch: Scratch::default(),
             weights: Vec::new(),
@@ -58,6 +62,7 @@ impl Document {
     /// # Errors
     /// [`StudioError`] if the spec has no answer; what was held stays held.
     pub fn hold(&mut self, spec: EditSpec) -> Result<(), StudioError> {
+        self.fault.check()?;
         if self.held.as_ref().is_none_or(|held| *held.spec() != spec) {
             let mut held = self.made_ready(spec)?;
             let influence = self.influence_of(&mut held)?;
@@ -112,8 +117,10 @@ impl Document {
     /// unit. Unless details turn: no solve and, after the first call, no allocation.
     ///
     /// # Errors
-    /// [`StudioError::NothingHeld`], [`StudioError::WrongOffsetCount`] or [`StudioError::OffsetNotFinite`].
+    /// [`StudioError::NothingHeld`], [`StudioError::WrongOffsetCount`] or [`StudioError::OffsetNotFinite`], or
+    /// [`StudioError::Laplacian`] for details that find no rest. What was moved before stays where it was.
     pub fn preview(&mut self, offsets: &[DVec3]) -> Result<(), StudioError> {
+        self.fault.check()?;
         let held = self.held.as_ref().ok_or(StudioError::NothingHeld)?;
         if held.is_stale() {
             self.held = Some(self.made_ready(held.spec().clone())?);
@@ -121,12 +128,11 @@ impl Document {
         let held = self.held.as_mut().ok_or(StudioError::NothingHeld)?;
         let (from, preview) = (self.replayed.last(), &mut self.preview);
         held.check(offsets)?;
-        // Should details find no rest, nothing half moved stays.
-        preview.under_way = UnderWay::Nothing;
         if let Some(influence) = carried(&self.influence, held, offsets, self.density) {
             influence.displace(from.densest(), offsets[0], &mut preview.positions);
         } else {
-            preview.shape.displace(&self.levels, from, held, offsets, &mut preview.scratch)?;
+            preview.next.displace(&self.levels, from, held, offsets, &mut preview.scratch)?;
+            std::mem::swap(&mut preview.shape, &mut preview.next);
             preview.positions.copy_from_slice(preview.shape.densest());
         }
         self.preview.offsets.clear();
@@ -140,8 +146,9 @@ impl Document {
     ///
     /// # Errors
     /// [`StudioError::NoExpressions`], [`StudioError::Weight`], or [`StudioError::Laplacian`] for a face that has no answer.
+    /// What was moved before stays where it was.
     pub fn preview_expressions(&mut self, weights: &[(Expression, f64)]) -> Result<(), StudioError> {
-        self.preview.under_way = UnderWay::Nothing;
+        self.fault.check()?;
         for &(expression, weight) in weights {
             self.check_expression(weight)?;
             expressed::prepare(&mut self.levels, self.density, expression)?;

@@ -26,6 +26,7 @@ impl Document {
     /// # Errors
     /// [`StudioError`] if it has no answer; the document is as before.
     pub fn apply(&mut self, label: &str, command: Command) -> Result<(), StudioError> {
+        self.fault.check()?;
         let entry = Entry { label: label.to_owned(), command, switch: Switch::On };
         self.check(&entry)?;
         let from = self.replayed.last();
@@ -44,6 +45,7 @@ impl Document {
     /// # Errors
     /// [`StudioError`] if it has no answer.
     pub fn displacement(&mut self, command: &Command) -> Result<Vec<glam::DVec3>, StudioError> {
+        self.fault.check()?;
         let from = self.replayed.last();
         let to = moved(&mut self.levels, self.density, from, command, &mut Latest::default())?;
         Ok(to.densest().iter().zip(from.densest()).map(|(to, at)| *to - *at).collect())

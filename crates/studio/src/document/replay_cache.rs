@@ -10,6 +10,7 @@ const LATEST: usize = 8;
 
 /// The shape after each entry of the history, and how each entry stands. What history alone would give: shapes are kept as
 /// far as memory allows, and the others are carried out again from the nearest one before.
+#[derive(Clone)]
 pub(super) struct ReplayCache {
     unedited: Arc<LevelPositions>,
     after: Vec<Option<Arc<LevelPositions>>>,

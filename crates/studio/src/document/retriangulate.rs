@@ -14,7 +14,9 @@ impl Document {
     /// [`StudioError::Laplacian`] for positions that do not fit the mesh or are not finite. Entries that have no answer on
     /// that mesh are passed over.
     pub fn over(&mut self, rest: Rest) -> Result<Self, StudioError> {
+        self.fault.check()?;
         let mut document = Self::new(rest)?;
+        document.fault = self.fault;
         let levels = self.history.commands().filter_map(|command| match command {
             Command::Move { spec, .. } => Some(spec.level),
             Command::Symmetrise { .. } | Command::Express { .. } => None,

@@ -95,6 +95,9 @@ fn the_photo_that_looks_at_the_camera_leads_whenever_it_comes() {
     assert_eq!(face(&session).photo().seen_from_m(), None, "that was said of another photo");
     act(&mut session, Intent::RemovePhoto(1));
     assert!(face(&session).photos()[0].yaw_deg > 20.0);
+    assert_eq!(face(&session).photo().seen_from_m(), Some(1.0), "what was said of a photo comes back with it");
+    act(&mut session, add(0.0));
+    assert_eq!(face(&session).photo().seen_from_m(), None);
 }
 
 #[test]

@@ -1,0 +1,48 @@
+use super::Document;
+use super::editing::Preview;
+use super::replay_cache::ReplayCache;
+use crate::prepared_edit::PreparedEdit;
+use crate::{History, InfluenceWeights};
+
+/// What a document holds, apart from the factors of its meshes: a copy to go back to.
+pub struct DocumentState {
+    density: u32,
+    history: History,
+    replayed: ReplayCache,
+    held: Option<PreparedEdit>,
+    influence: Option<InfluenceWeights>,
+    preview: Preview,
+}
+
+impl Document {
+    /// A copy of what it holds now, with the edit in progress.
+    pub fn state(&self) -> DocumentState {
+        DocumentState {
+            density: self.density,
+            history: self.history.clone(),
+            replayed: self.replayed.clone(),
+            held: self.held.clone(),
+            influence: self.influence.clone(),
+            preview: self.preview.clone(),
+        }
+    }
+
+    /// Goes back to what this document held.
+    pub fn restore(&mut self, state: DocumentState) {
+        let DocumentState { density, history, replayed, held, influence, preview } = state;
+        (self.density, self.history, self.replayed) = (density, history, replayed);
+        (self.held, self.influence, self.preview) = (held, influence, preview);
+    }
+
+    /// Has the call after the next `calls` fallible ones fail, whatever it is.
+    #[cfg(feature = "faults")]
+    pub fn fail_after(&mut self, calls: u32) {
+        self.fault.calls_until = Some(calls);
+    }
+
+    /// Whether that failure is still to come.
+    #[cfg(feature = "faults")]
+    pub fn is_to_fail(&self) -> bool {
+        self.fault.calls_until.is_some()
+    }
+}

@@ -1,0 +1,201 @@
+// What the page says when something fails is so, and stays until it is read.
+
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { journey } from "./journey.mjs";
+import { SAMPLE } from "./visitor.mjs";
+
+/** The sample with an edit of the nose tip; resolves to the mesh. */
+async function work(visitor) {
+  await visitor.dropSample();
+  await visitor.findLandmark("nose tip");
+  await visitor.offset("z", 7);
+  return visitor.meshJson("mm");
+}
+
+/**
+ * Presses a button that is to make a file, and waits for a notice; no file may come.
+ *
+ * @param {import("./visitor.mjs").Visitor} visitor
+ * @param {string} action
+ */
+async function failToSave(visitor, action) {
+  const { page } = visitor;
+  const files = [];
+  const note = (download) => files.push(download.suggestedFilename());
+  page.on("download", note);
+  await visitor.reach(`[data-action="${action}"]`);
+  await page.click(`#panel [data-action="${action}"]`);
+  const notice = await visitor.notice();
+  await visitor.frames(10);
+  assert.deepEqual(files, [], "a file was saved");
+  page.off("download", note);
+  return notice;
+}
+
+journey("what was there is still there when there is no memory for what was to be opened", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  const mesh = await work(visitor);
+  for (const stage of ["whole", "part"]) {
+    await page.evaluate((stage) => {
+      const create = globalThis.createImageBitmap;
+      globalThis.createImageBitmap = (picture, ...how) => {
+        const isPart = how.length > 1 && how.at(-1).resizeWidth === undefined;
+        if (isPart !== (stage === "part")) return create(picture, ...how);
+        globalThis.createImageBitmap = create;
+        return Promise.reject(new RangeError("Array buffer allocation failed"));
+      };
+    }, stage);
+    await visitor.drop(await readFile(SAMPLE), "again.png");
+    const { text } = await visitor.notice();
+    assert.match(text, /still here/, stage);
+    assert.deepEqual(await visitor.history(), ["nose tip"], stage);
+    assert.deepEqual(await visitor.meshJson("mm"), mesh, stage);
+    await page.keyboard.press("Escape");
+  }
+  await visitor.drop(await readFile(SAMPLE), "again.png");
+  await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
+});
+
+for (const [what, label] of [["the picture", "still"], ["what it is drawn into", "attachment"]]) {
+  journey(`without graphics memory for ${what} no picture is saved, and the page says why`, async (open) => {
+    const visitor = await open({ before: (context) => context.addInitScript(watchTextures) });
+    const { page } = visitor;
+    const mesh = await work(visitor);
+    await page.evaluate((label) => (globalThis.starved = label), label);
+    const { code, text } = await failToSave(visitor, "download-picture");
+    assert.equal(code, "no-memory");
+    assert.match(text, /smaller/);
+    await page.evaluate(() => (globalThis.starved = undefined));
+    await page.keyboard.press("Escape");
+    assert.ok((await visitor.download("download-picture")).length > 10_000);
+    assert.deepEqual(await visitor.meshJson("mm"), mesh);
+  });
+}
+
+journey("a picture that the graphics card took along with itself is reported, and the report outlives the card's return", async (open) => {
+  const visitor = await open({ before: (context) => context.addInitScript(watchDevices) });
+  const { page } = visitor;
+  const mesh = await work(visitor);
+  const devices = await page.evaluate("devices.length");
+  await page.evaluate(() => {
+    const map = GPUBuffer.prototype.mapAsync;
+    GPUBuffer.prototype.mapAsync = function (...how) {
+      GPUBuffer.prototype.mapAsync = map;
+      globalThis.devices.at(-1).destroy();
+      return map.apply(this, how);
+    };
+  });
+  assert.equal((await failToSave(visitor, "download-picture")).code, "not-drawn");
+  await page.waitForFunction((devices) => globalThis.devices.length > devices, devices);
+  await visitor.frames(20);
+  assert.equal((await visitor.notice()).code, "not-drawn");
+  await page.keyboard.press("Escape");
+  assert.ok(await page.isHidden("#notice"));
+  assert.ok((await visitor.download("download-picture")).length > 10_000);
+  assert.deepEqual(await visitor.meshJson("mm"), mesh);
+});
+
+for (const { reply, action, code } of [
+  { reply: "drawn", action: "download-photo-png", code: "photo-not-written" },
+  { reply: "textured", action: "download-glb", code: "texture-not-made" },
+]) {
+  journey(`a worker that dies before it has ${reply} what goes into a file is not said to have been reading a photo`, async (open) => {
+    const visitor = await open();
+    const { page } = visitor;
+    const mesh = await work(visitor);
+    await diesBefore(page, reply);
+    if (reply === "textured") {
+      await visitor.unfold("section-view");
+      await page.selectOption("#skin", "photo").catch(() => {});
+      // Another lens asks for another texture.
+      await visitor.reach("[data-action='distance-known']");
+      await page.locator("#size-distance input[type=number]").fill("70");
+      await page.locator("#size-distance input[type=number]").press("Tab");
+      await page.waitForFunction("true");
+      await page.waitForSelector("body:not([data-texture])");
+      for (const worker of page.workers()) await worker.evaluate(dieBefore, reply).catch(() => {});
+    }
+    const notice = await failToSave(visitor, action);
+    assert.equal(notice.code, code);
+    assert.doesNotMatch(notice.text, /[Rr]eading/);
+    if (reply === "drawn") assert.deepEqual(await visitor.meshJson("mm"), mesh);
+  });
+}
+
+journey("a notice shows above a dialog that is open, can be closed there, and is on the stage again after the dialog", async (open) => {
+  const visitor = await open();
+  const { page } = visitor;
+  await visitor.dropSample();
+  const dropWords = () => page.evaluate(() => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.setData("text/plain", "words");
+    document.getElementById("stage").dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+  });
+  const isOnTop = () => page.evaluate(() => {
+    const notice = document.getElementById("notice");
+    const { left, top, width, height } = notice.getBoundingClientRect();
+    return notice.contains(document.elementFromPoint(left + width / 2, top + height / 2));
+  });
+
+  await page.focus("#viewport");
+  await page.keyboard.press("?");
+  await page.waitForSelector("#keys[open]");
+  await dropWords();
+  await page.waitForSelector("#notice");
+  assert.ok(await isOnTop(), "the notice is beneath the dialog");
+  await page.click("#notice-close");
+  assert.ok(await page.isHidden("#notice"));
+  assert.ok(await page.isVisible("#keys"));
+
+  await dropWords();
+  await page.click("[data-action='close-keys']");
+  await page.waitForFunction(() => document.getElementById("notice").parentElement.id === "stage" || document.getElementById("notice").closest("dialog") === null);
+  assert.ok(await isOnTop());
+
+  // One that shows already comes along.
+  await page.focus("#viewport");
+  await page.keyboard.press("?");
+  await page.waitForSelector("#keys[open]");
+  await page.waitForFunction(() => document.getElementById("notice").closest("dialog") !== null);
+  assert.ok(await isOnTop());
+});
+
+/** Has the worker die in place of a reply. */
+async function diesBefore(page, reply) {
+  for (const worker of page.workers()) await worker.evaluate(dieBefore, reply).catch(() => {});
+}
+
+/** Runs in the worker. */
+function dieBefore(reply) {
+  const tell = self.postMessage.bind(self);
+  self.postMessage = (message, transfer) => {
+    if (message.type === reply) throw new WebAssembly.RuntimeError("unreachable");
+    tell(message, transfer);
+  };
+}
+
+/** Runs in the page: textures with the label `starved` are asked for in a size that no GPU has memory for. */
+function watchTextures() {
+  if (typeof GPUDevice === "undefined") return;
+  const create = GPUDevice.prototype.createTexture;
+  GPUDevice.prototype.createTexture = function (wanted) {
+    if (wanted.label !== globalThis.starved || wanted.label === undefined) return create.call(this, wanted);
+    const side = this.limits.maxTextureDimension2D;
+    const size = { width: side, height: side, depthOrArrayLayers: this.limits.maxTextureArrayLayers };
+    return create.call(this, { ...wanted, size, sampleCount: 1, format: "rgba16float" });
+  };
+}
+
+/** Runs in the page: what it has been given to draw with, in `devices`. */
+function watchDevices() {
+  globalThis.devices = [];
+  if (typeof GPUAdapter === "undefined") return;
+  const ask = GPUAdapter.prototype.requestDevice;
+  GPUAdapter.prototype.requestDevice = async function (...wishes) {
+    const device = await ask.apply(this, wishes);
+    globalThis.devices.push(device);
+    return device;
+  };
+}
