@@ -39,7 +39,7 @@ mod suppression;
 mod warp;
 
 pub use error::LandmarksError;
-pub use finder::{Face, FaceFinder, FindOptions, Search, Stage};
+pub use finder::{Face, FaceFinder, FindOptions, FoundFaces, Search, Stage};
 pub use follow::{FollowedFace, Follower, Origin};
 pub use mesh::{LANDMARK_COUNT, LandmarkNetwork};
 #[cfg(feature = "bench")]

@@ -12,7 +12,7 @@ use crate::{LandmarksError, suppression};
 /// Tiles of a level lie this share of their side apart; what is larger than the rest shows at the level before.
 const STRIDE: f32 = 0.7;
 /// What the detector is as sure of as this is a face, when it is about where to look next.
-const SURE: f32 = 0.75;
+pub(crate) const SURE: f32 = 0.75;
 /// The smallest face that the detector sees, as a share of the side of what it looks at.
 const SMALLEST_SHARE: f32 = 0.12;
 /// Faces smaller than the next larger one by more than this are not looked for.

@@ -53,12 +53,12 @@ impl Vision {
             None => decoded,
         };
         let options = FindOptions { max_faces: max_faces as usize, ..FindOptions::default() };
-        let faces = self
+        let found = self
             .finder
             .find_with_progress(&photo, &options, |stage| progress.tell(Step::Finding(stage)))
             .map_err(error::of_landmarks)?;
         progress.tell(Step::Finishing);
-        Ok(Found::new(&photo, &faces))
+        Ok(Found::new(&photo, &found.faces))
     }
     /// Follows a face into the next frame of a film: its 478 × (x/W, y/H, z/W), smoothed over time, or nothing where there is
     /// no face. `rgba` is the frame row by row, its fourth bytes passed over; `time_ms` says when it was taken, from any
