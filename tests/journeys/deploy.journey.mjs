@@ -51,7 +51,7 @@ for (const [when, how, needs] of /** @type {const} */ ([
       await next.untilLoaded();
       await untilStored(next, 1);
       await expectBuild(next, newer);
-      server.disturb(() => true);
+      server.disturb((_, response) => Boolean(response.writeHead(503).end()));
       await next.page.reload();
       await next.page.waitForSelector("body[data-bench='open']");
       await expectBuild(next, newer, needs);

@@ -73,7 +73,7 @@ async function leave(open) {
 
 /** @param {import("playwright-core").Page} page */
 async function goBack(page) {
-  await page.goBack();
+  await page.goBack({ waitUntil: "commit" });
   assert.ok(await page.evaluate(() => globalThis.isSamePage), "the browser did not keep the page");
 }
 
