@@ -9,6 +9,7 @@ use thiserror::Error;
 
 use crate::args::{Arguments, MeshTask, Task};
 use crate::error::CliError;
+use crate::mesh::Edited;
 use crate::request::{self, Given};
 use crate::{encode, mesh};
 
@@ -48,7 +49,8 @@ impl FaceMesh {
         let (task, _) = task(options, "face.glb")?;
         let names: Vec<String> = (1..=photos.len()).map(|number| format!("image {number}")).collect();
         let photos = names.iter().map(AsRef::as_ref).zip(photos).collect();
-        let (face, document) = mesh::edited_face(&task, photos, &mesh::steps(&task.edits, &task.settings)?, finder)?;
+        let Edited { face, document, .. } =
+            mesh::edited_face(&task, photos, &mesh::steps(&task.edits, &task.settings)?, finder)?;
         Ok(Self { options: options.to_vec(), face, document })
     }
 

@@ -1,12 +1,13 @@
 use std::path::{Path, PathBuf};
 
-use rosto_landmarks::{Face, FaceFinder, FindOptions};
+use rosto_landmarks::{Face, FaceFinder, FindOptions, FoundFaces};
 use rosto_photo::Photo;
 use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::args::LandmarksTask;
 use crate::error::CliError;
+use crate::found::notes_on_all;
 use crate::many::{self, Journal, Listing, Outcome, PhotoName, Progress, Told};
 use crate::networks::Networks;
 use crate::{files, networks, output, portrait, terminal};
@@ -19,6 +20,9 @@ struct PhotoDto<'a> {
     width: u32,
     height: u32,
     faces: Vec<FaceDto>,
+    /// Lower bound for the number of faces, if `--max-faces` left some out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    faces_at_least: Option<usize>,
 }
 
 #[derive(Serialize)]
@@ -65,7 +69,10 @@ pub fn run(task: &LandmarksTask, networks: Networks<'_>) -> Result<(), CliError>
     let work = |photo: &Path| line(photo, &how, &finder, &options);
     many::in_order(&left, task.many.jobs, work, |(photo, outcome): Outcome<Line>| {
         let kept = match &outcome {
-            Ok(line) => lines.add(&line.json),
+            Ok(line) => {
+                progress.note(&line.notes);
+                lines.add(&line.json)
+            }
             Err(error) => {
                 progress.report(error);
                 lines.add_failure(&photo, &how, error)
@@ -125,23 +132,27 @@ impl Lines {
     }
 }
 
-/// A photo's line, and how many faces it tells of.
+/// A photo's line, the number of its faces, and notes for people.
 struct Line {
     json: String,
     faces: usize,
+    notes: Vec<String>,
 }
 
 fn line(path: &Path, how: &Value, finder: &FaceFinder, options: &FindOptions) -> Result<Line, CliError> {
     let photo = portrait::open(path)?;
-    let faces = portrait::faces(&photo, path, finder, options)?;
+    let found = portrait::faces(&photo, path, finder, options)?;
+    let notes = notes_on_all(path, &found);
+    let FoundFaces { faces, at_least } = found;
     let dto = PhotoDto {
         name: PhotoName::new(path),
         how,
         width: photo.width(),
         height: photo.height(),
+        faces_at_least: (at_least > faces.len()).then_some(at_least),
         faces: faces.into_iter().map(|face| FaceDto::new(&photo, face)).collect(),
     };
-    Ok(Line { json: json(&dto), faces: dto.faces.len() })
+    Ok(Line { json: json(&dto), faces: dto.faces.len(), notes })
 }
 
 fn json(dto: &impl Serialize) -> String {

@@ -8,6 +8,7 @@ mod encode;
 mod error;
 mod face_mesh;
 mod files;
+mod found;
 mod landmarks;
 mod many;
 mod mesh;

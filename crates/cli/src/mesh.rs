@@ -51,8 +51,11 @@ pub fn run(task: &MeshTask, given: &Given<'_>, networks: Networks<'_>) -> Result
     let photos: Vec<Photo> = task.photos.iter().map(|path| portrait::open(path)).collect::<Result<_, _>>()?;
     let finder = networks::load(networks, task.find.landmarks())?;
     let photos = task.photos.iter().map(PathBuf::as_path).zip(photos).collect();
-    let (face, written) = make(task, photos, &steps, format, &encode::name_of(&task.output), &finder)?;
+    let (Edited { face, notes, .. }, written) =
+        make(task, photos, &steps, format, &encode::name_of(&task.output), &finder)?;
     output::write_together(&task.output, &written.bytes, &written.beside)?;
+    let only = || vec!["1 face found".to_owned()];
+    (if notes.is_empty() { only() } else { notes }).iter().for_each(|note| terminal::note(note));
     terminal::note(&taken_from(&face));
     if let Some(solid) = &written.solid {
         told(solid).iter().for_each(|line| terminal::note(line));
@@ -68,27 +71,39 @@ fn make(
     format: Format,
     name: &str,
     finder: &FaceFinder,
-) -> Result<(FaceModel, Written), CliError> {
-    let (face, mut document) = edited_face(task, photos, steps, finder)?;
-    let written = encode::encode(&face, &mut document, task, format, name)?;
-    Ok((face, written))
+) -> Result<(Edited, Written), CliError> {
+    let mut edited = edited_face(task, photos, steps, finder)?;
+    let written = encode::encode(&edited.face, &mut edited.document, task, format, name)?;
+    Ok((edited, written))
 }
 
-/// The face in these photos, and the document of its edits.
+/// A face with its edits.
+pub struct Edited {
+    /// As the photos show it.
+    pub face: FaceModel,
+    /// Its edits.
+    pub document: Document,
+    /// For people: on photos with several faces, and faces that may not be any.
+    pub notes: Vec<String>,
+}
+
+/// The face in these photos, edited.
 pub fn edited_face(
     task: &MeshTask,
     photos: Vec<(&Path, Photo)>,
     steps: &[Step],
     finder: &FaceFinder,
-) -> Result<(FaceModel, Document), CliError> {
+) -> Result<Edited, CliError> {
+    let mut notes = Vec::new();
     let portraits = photos.into_iter().map(|(path, photo)| {
-        let face = portrait::face(&photo, path, finder, &task.find.options(None))?;
+        let (face, its_notes) = portrait::face(&photo, path, finder, &task.find.options(None))?;
+        notes.extend(its_notes);
         Ok(Portrait { path, lens: task.camera.lens(&photo), photo, face })
     });
     let portraits = portraits.collect::<Result<Vec<_>, CliError>>()?;
     let face = portrait::model_of(&portraits, task.mesh.topology)?;
     let document = edited(&face, steps.to_vec(), task.edits.units, task.mesh.density)?;
-    Ok((face, document))
+    Ok(Edited { face, document, notes })
 }
 
 /// What a printed body measures, and what its maker should know.

@@ -12,7 +12,7 @@ use crate::args::PaperTask;
 use crate::encode::carried;
 use crate::error::CliError;
 use crate::networks::Networks;
-use crate::{files, networks, output, portrait};
+use crate::{files, networks, output, portrait, terminal};
 
 mod report;
 
@@ -33,8 +33,9 @@ pub fn run(task: &PaperTask, networks: Networks<'_>) -> Result<(), CliError> {
     let photo = portrait::open(&task.photo)?;
     let finder = networks::load(networks, task.find.landmarks())?;
     let started = Instant::now();
-    let face = portrait::face(&photo, &task.photo, &finder, &task.find.options(None))?;
+    let (face, notes) = portrait::face(&photo, &task.photo, &finder, &task.find.options(None))?;
     let extraction = started.elapsed();
+    notes.iter().for_each(|note| terminal::note(note));
     let started = Instant::now();
     let face = portrait::model(&photo, &face, Triangulation::Tessellation, PhotoLens::Estimated, &task.photo)?;
     let generation = started.elapsed();

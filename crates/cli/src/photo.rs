@@ -29,7 +29,8 @@ pub fn run(task: &PhotoTask, given: &Given<'_>, networks: Networks<'_>) -> Resul
     let steps = steps(&task.edits, &task.settings)?;
     let photo = portrait::open(&task.photo)?;
     let finder = networks::load(networks, task.find.landmarks())?;
-    let face = portrait::face(&photo, &task.photo, &finder, &task.find.options(None))?;
+    let (face, notes) = portrait::face(&photo, &task.photo, &finder, &task.find.options(None))?;
+    notes.iter().for_each(|note| terminal::note(note));
     let face = portrait::model(&photo, &face, task.mesh.topology, task.camera.lens(&photo), &task.photo)?;
     let document = edited(&face, steps, task.edits.units, task.mesh.density)?;
     if photo.alpha().is_some() && matches!(format, PictureFormat::Jpeg) {

@@ -1,11 +1,12 @@
 use std::path::Path;
 
 use rosto_face::{FaceError, FaceInput, FaceModel, LANDMARK_COUNT, PhotoLens, Triangulation};
-use rosto_landmarks::{Face, FaceFinder, FindOptions};
+use rosto_landmarks::{Face, FaceFinder, FindOptions, FoundFaces};
 use rosto_photo::{Limits, Photo, PhotoError};
 
 use crate::error::CliError;
 use crate::files::{self, ReadError};
+use crate::found::notes_on_first;
 
 /// The texture needs no more than this, and the page hands over no more, so that both write the same file.
 const MAX_PICTURE_SIDE_PX: u32 = 2048;
@@ -24,20 +25,27 @@ pub fn open(path: &Path) -> Result<Photo, CliError> {
 }
 
 /// The faces in a photo in the order of the search, every landmark with a place.
-pub fn faces(photo: &Photo, path: &Path, finder: &FaceFinder, options: &FindOptions) -> Result<Vec<Face>, CliError> {
-    let faces = finder.find(photo, options)?;
+pub fn faces(photo: &Photo, path: &Path, finder: &FaceFinder, options: &FindOptions) -> Result<FoundFaces, CliError> {
+    let found = finder.find_with_progress(photo, options, |_| ())?;
     // A network whose weights are not what they were may answer with anything.
     let nowhere = |face: &Face| face.landmarks.iter().position(|place| !place.iter().all(|at| at.is_finite()));
-    match faces.iter().find_map(nowhere) {
+    match found.faces.iter().find_map(nowhere) {
         Some(landmark) => Err(CliError::NoPlace { path: path.to_owned(), landmark }),
-        None => Ok(faces),
+        None => Ok(found),
     }
 }
 
-/// The most prominent face in a photo.
-pub fn face(photo: &Photo, path: &Path, finder: &FaceFinder, options: &FindOptions) -> Result<Face, CliError> {
-    let faces = faces(photo, path, finder, options)?;
-    faces.into_iter().next().ok_or_else(|| CliError::NoFace { path: path.to_owned() })
+/// The first face in a photo, with notes on the choice.
+pub fn face(
+    photo: &Photo,
+    path: &Path,
+    finder: &FaceFinder,
+    options: &FindOptions,
+) -> Result<(Face, Vec<String>), CliError> {
+    let found = faces(photo, path, finder, options)?;
+    let notes = notes_on_first(path, photo, &found);
+    let first = found.faces.into_iter().next().ok_or_else(|| CliError::NoFace { path: path.to_owned() })?;
+    Ok((first, notes))
 }
 
 /// What is known of a face beside where its landmarks are.

@@ -15,7 +15,9 @@ const QUICK: [&str; 5] = ["--mediapipe", "--density", "0", "--units", "mm"];
 /// A folder with copies of the portrait by these names, and one for meshes.
 fn photos(names: &[&str]) -> (PathBuf, PathBuf) {
     let folder = scratch_folder("photos");
-    names.iter().for_each(|name| drop(fs::copy(portrait(), folder.join(name)).unwrap()));
+    for name in names {
+        fs::copy(portrait(), folder.join(name)).unwrap();
+    }
     (folder, scratch_folder("meshes"))
 }
 

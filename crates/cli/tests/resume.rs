@@ -22,7 +22,9 @@ fn landmarks(photos: &[&Path], file: &Path, more: &[&str]) -> Output {
 /// A folder with copies of the portrait by these names, and a file for its landmarks that is not there yet.
 fn photos(names: &[&str]) -> (PathBuf, PathBuf) {
     let folder = scratch_folder("photos");
-    names.iter().for_each(|name| drop(fs::copy(portrait(), folder.join(name)).unwrap()));
+    for name in names {
+        fs::copy(portrait(), folder.join(name)).unwrap();
+    }
     (folder, scratch_folder("out").join("faces.jsonl"))
 }
 

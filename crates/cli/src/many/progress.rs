@@ -3,6 +3,7 @@ use std::io::{self, IsTerminal};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::error::CliError;
+use crate::terminal;
 
 /// How far the photos are, on a terminal that nothing else is written to.
 pub struct Progress(ProgressBar);
@@ -25,9 +26,14 @@ impl Progress {
         self.0.inc(1);
     }
 
-    /// Tells of a photo that failed, above the bar.
+    /// Reports a photo that failed, above the bar.
     pub fn report(&self, error: &CliError) {
         self.0.suspend(|| error.report());
+    }
+
+    /// Writes notes above the bar.
+    pub fn note(&self, notes: &[String]) {
+        self.0.suspend(|| notes.iter().for_each(|note| terminal::note(note)));
     }
 }
 

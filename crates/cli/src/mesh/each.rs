@@ -44,28 +44,28 @@ pub fn run(task: &MeshTask, steps: &[Step], format: Format, networks: Networks<'
     let is_stopped = AtomicBool::new(false);
     let work = |path: &Path| {
         if is_stopped.load(Ordering::Relaxed) {
-            return Ok(false);
+            return Ok(Vec::new());
         }
         let output = &by_photo[path].outputs[0];
         let photo = portrait::open(path)?;
-        let (_, written) = make(task, vec![(path, photo)], steps, format, &encode::name_of(output), &finder)?;
+        let (edited, written) = make(task, vec![(path, photo)], steps, format, &encode::name_of(output), &finder)?;
         ledger.add(path, &written)?;
         make_folder_of(output)?;
         output::write_together(output, &written.bytes, &written.beside)?;
-        Ok(true)
+        Ok(edited.notes)
     };
     let work = |path: &Path| {
         let outcome = work(path);
         is_stopped.fetch_or(outcome.as_ref().is_err_and(CliError::is_of_output), Ordering::Relaxed);
         outcome
     };
-    many::in_order(&left, task.many.jobs, work, |(_, outcome): Outcome<bool>| {
+    many::in_order(&left, task.many.jobs, work, |(_, outcome): Outcome<Vec<String>>| {
         match outcome {
             Err(error) if error.is_of_output() => return Err(error),
             Err(ref error) => progress.report(error),
-            Ok(_) => {}
+            Ok(ref notes) => progress.note(notes),
         }
-        told.count(outcome.as_ref());
+        told.count(outcome.map(|_| true).as_ref());
         progress.step();
         Ok(())
     })?;

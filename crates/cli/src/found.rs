@@ -1,0 +1,48 @@
+//! Notes on the faces found in a photo, for people.
+
+use std::path::Path;
+
+use rosto_landmarks::{Face, FoundFaces};
+use rosto_photo::Photo;
+
+/// Notes on a photo of which the first face is used; none if it is the only one, and surely a face.
+pub fn notes_on_first(path: &Path, photo: &Photo, found: &FoundFaces) -> Vec<String> {
+    let Some(first) = found.faces.first() else { return Vec::new() };
+    let count = (found.at_least > 1).then(|| {
+        let [left, top, width, height] = bounds_px(first, photo);
+        let (path, count, confidence) = (path.display(), counted(found), first.confidence);
+        format!(
+            "{path}: {count}; used the first, {width:.0} × {height:.0} px at ({left:.0}, {top:.0}), confidence {confidence:.2}"
+        )
+    });
+    count.into_iter().chain(doubt(path, "this", first)).collect()
+}
+
+/// Notes on a photo of which all faces are used: those that the limit left out, and those that may not be faces.
+pub fn notes_on_all(path: &Path, found: &FoundFaces) -> Vec<String> {
+    let count = found.faces.len();
+    // Who asks for one face has it.
+    let cut = (count > 1 && found.at_least > count)
+        .then(|| format!("{}: {count} faces of {} or more; raise --max-faces", path.display(), found.at_least));
+    let doubts = found.faces.iter().zip(1..).filter_map(|(face, number)| doubt(path, &format!("face {number}"), face));
+    cut.into_iter().chain(doubts).collect()
+}
+
+fn counted(found: &FoundFaces) -> String {
+    let more = if found.at_least > found.faces.len() { " or more" } else { "" };
+    format!("{}{more} faces found", found.at_least)
+}
+
+fn doubt(path: &Path, what: &str, face: &Face) -> Option<String> {
+    let confidence = face.confidence;
+    face.is_doubtful().then(|| format!("{}: {what} may not be a face (confidence {confidence:.2})", path.display()))
+}
+
+/// Left, top, width and height of the landmarks' bounding box.
+fn bounds_px(face: &Face, photo: &Photo) -> [f32; 4] {
+    let sides = [photo.width() as f32, photo.height() as f32];
+    let along = |axis: usize| face.landmarks.iter().map(move |place| place[axis] * sides[axis]);
+    let min = [0, 1].map(|axis| along(axis).fold(f32::INFINITY, f32::min));
+    let max = [0, 1].map(|axis| along(axis).fold(f32::NEG_INFINITY, f32::max));
+    [min[0], min[1], max[0] - min[0], max[1] - min[1]]
+}
