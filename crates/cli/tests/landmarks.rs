@@ -4,7 +4,10 @@
 
 mod common;
 
+use std::path::PathBuf;
+
 use common::*;
+use image::imageops::FilterType;
 use serde_json::Value;
 
 fn lines(output: &std::process::Output) -> Vec<Value> {
@@ -72,4 +75,39 @@ fn a_photo_can_come_through_standard_input() {
     let output = program.args(["landmarks", "-"]).stdin(input).output().unwrap();
     assert_eq!(code(&output), 0, "{}", said(&output));
     assert_eq!(lines(&output)[0]["faces"].as_array().unwrap().len(), 1);
+}
+
+/// The portrait so many px wide, on a grey picture at each of these places.
+fn collage(name: &str, [width, height]: [u32; 2], side_px: u32, places: impl Iterator<Item = [i64; 2]>) -> PathBuf {
+    let portrait = image::open(portrait()).unwrap().resize_exact(side_px, side_px, FilterType::Lanczos3).to_rgb8();
+    let mut picture = image::RgbImage::from_pixel(width, height, image::Rgb([120, 130, 140]));
+    places.for_each(|[left, top]| image::imageops::replace(&mut picture, &portrait, left, top));
+    let path = scratch(name);
+    picture.save(&path).unwrap();
+    path
+}
+
+#[test]
+fn more_faces_than_the_limit_are_reported() {
+    let sheet = collage("sheet.png", [1536, 960], 192, (0..40).map(|face| [face % 8 * 192, face / 8 * 192]));
+    let output = rosto(["landmarks".into(), sheet]);
+    let found = &lines(&output)[0];
+    assert_eq!(found["faces"].as_array().unwrap().len(), 20);
+    assert_eq!(found["faces_at_least"], 40);
+    assert!(said(&output).contains("20 faces of 40 or more; raise --max-faces"), "{}", said(&output));
+}
+
+#[test]
+fn a_mesh_is_made_of_the_surest_face_and_doubtful_ones_are_reported() {
+    let photo = collage("suit.png", [1600, 900], 850, [[700, 0]].into_iter());
+    let output = rosto(["landmarks".into(), photo.clone()]);
+    assert!(said(&output).contains("face 2 may not be a face (confidence 0.7"), "{}", said(&output));
+    let output = mesh(&photo, &scratch("face.glb"), &["--density", "0"]);
+    assert_eq!(code(&output), 0);
+    assert!(said(&output).contains("2 faces found; used the first"), "{}", said(&output));
+    assert!(!said(&output).contains("may not be a face"), "{}", said(&output));
+    let blurred = scratch("blurred.png");
+    image::open(portrait()).unwrap().blur(5.0).save(&blurred).unwrap();
+    let output = mesh(&blurred, &scratch("blurred.glb"), &["--density", "0"]);
+    assert!(said(&output).contains("this may not be a face (confidence 0."), "{}", said(&output));
 }

@@ -88,6 +88,36 @@ fn the_large_face_comes_first_however_many_are_wanted() {
     }
 }
 
+/// In this picture her sleeve passes for a face of lower confidence, which is larger and nearer to the middle.
+#[test]
+fn a_doubtful_face_comes_after_sure_ones_however_prominent() {
+    let finder = support::attentive_finder();
+    let portrait = pictures::scaled(&support::assets::portrait(), 850, 850);
+    let photo = pictures::padded(&portrait, 1600, 900, 700, 0);
+    for max_faces in [1, 20] {
+        let faces = finder.find(&photo, &FindOptions { max_faces, ..FindOptions::default() }).unwrap();
+        let nose_px = scenes::landmarks_px(&faces[0], &photo)[1];
+        assert!((nose_px[0] - 1073.0).hypot(nose_px[1] - 220.0) < 60.0, "{nose_px:?}");
+        assert!(faces[0].confidence >= 0.8 && !faces[0].is_doubtful());
+        assert_eq!(faces.len(), max_faces.min(2));
+        assert!(faces[1..].iter().all(|face| face.confidence < 0.8 && face.is_doubtful()));
+    }
+}
+
+#[test]
+fn a_lower_bound_tells_how_many_faces_the_limit_left_out() {
+    let finder = support::attentive_finder();
+    let (cell_px, columns, rows) = (192, 8, 5);
+    let portrait = pictures::scaled(&support::assets::portrait(), cell_px, cell_px);
+    let row = (1..columns).fold(portrait.clone(), |row, _| pictures::beside(&row, &portrait));
+    let sheet = Photo::from_rgb(columns * cell_px, rows * cell_px, row.pixels().repeat(rows as usize)).unwrap();
+    for max_faces in [2, 20, 100] {
+        let options = FindOptions { max_faces, ..FindOptions::default() };
+        let found = finder.find_with_progress(&sheet, &options, |_| ()).unwrap();
+        assert_eq!((found.faces.len(), found.at_least), (max_faces.min(40), 40));
+    }
+}
+
 /// How far the landmarks of variants of one face are from those of the portrait, px, as the mean of every other variant.
 fn spread_px(finder: &FaceFinder, model: &Model, options: &FindOptions) -> f64 {
     let upright = scenes::landmarks_px(&only_face(finder, &model.portrait, options), &model.portrait);
