@@ -12,6 +12,7 @@ import math
 import random
 import struct
 import subprocess
+import tempfile
 import zlib
 from pathlib import Path
 
@@ -51,8 +52,13 @@ def picture(width, height, channels):
 
 def encoded(size_px, sampling, scans, options):
     """The file, or nothing where a coded unit would have more than ten blocks."""
-    path = Path("/tmp/rosto-scans.txt")
-    path.write_text(scans or "")
+    with tempfile.NamedTemporaryFile("w", suffix=".txt") as file:
+        file.write(scans or "")
+        file.flush()
+        return encoded_with(file.name, size_px, sampling, scans, options)
+
+
+def encoded_with(path, size_px, sampling, scans, options):
     factors = ",".join(f"{h}x{v}" for h, v in sampling)
     order = ["-scans", path] if scans else ["-grayscale"] if len(sampling) == 1 else []
     command = ["cjpeg", "-quality", "75", "-optimize", "-sample", factors, *order, *options]

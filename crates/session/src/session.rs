@@ -25,7 +25,8 @@ pub(crate) use seeing::checked;
 
 /// Everything of a visitor's session: the open face, what is chosen, selected and moved, and what is seen.
 ///
-/// [`Session::apply`] is the only way to change it. An intent that is refused changes nothing.
+/// [`Session::apply`] carries out what the user asks for; an intent that is refused changes nothing. Camera frames, the
+/// texture that the worker made and the stage's size come in through methods of their own.
 pub struct Session {
     face: Option<OpenFace>,
     choices: Choices,
