@@ -31,7 +31,7 @@ fn every_usual_name_of_a_jpeg_is_read_and_other_files_are_counted() {
     let pattern = scratch_folder("meshes").join("{}.ply");
     assert!(said(&mesh(&folder, &pattern, &["--mediapipe"])).contains(expected));
     fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).for_each(|path| {
-        if path.is_file() && !path.extension().is_some_and(|extension| extension == "heic") {
+        if path.is_file() && path.extension().is_none_or(|extension| extension != "heic") {
             fs::remove_file(path).unwrap();
         }
     });
