@@ -72,7 +72,8 @@ def entry_points() -> dict[str, str]:
         for block in blocks:
             functions += re.split(r"\n    (?=fn )", block)[1:]
         for function in functions:
-            found[f"{file.name}: {re.search(r'fn (\w+)', function)[1]}"] = function
+            name = re.search(r"fn (\w+)", function)[1]
+            found[f"{file.name}: {name}"] = function
     return found
 
 
