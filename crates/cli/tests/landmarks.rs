@@ -89,7 +89,7 @@ fn collage(name: &str, [width, height]: [u32; 2], side_px: u32, places: impl Ite
 
 #[test]
 fn more_faces_than_the_limit_are_reported() {
-    let sheet = collage("sheet.png", [1536, 960], 192, (0..40).map(|face| [face % 8 * 192, face / 8 * 192]));
+    let sheet = collage("sheet.png", [2048, 1280], 256, (0..40).map(|face| [face % 8 * 256, face / 8 * 256]));
     let output = rosto(["landmarks".into(), sheet]);
     let found = &lines(&output)[0];
     assert_eq!(found["faces"].as_array().unwrap().len(), 20);

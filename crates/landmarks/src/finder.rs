@@ -31,7 +31,8 @@ pub enum Search {
     Once,
     /// Turns and tiles of the picture at several sizes; the landmark network until its answers agree; faces are what both
     /// networks agree on ([`Face::confidence`]). Finds heads turned by any angle, down to about 15 px between the eyes. Faces
-    /// with a confidence of 0.8 or more come first, each group sorted by prominence: large, and near the middle.
+    /// with a confidence of 0.9 or more come first, then those of 0.8 or more, each group sorted by prominence: large, and
+    /// near the middle.
     #[default]
     Thorough,
 }
@@ -86,19 +87,18 @@ pub enum Stage {
 pub(crate) const MIN_PRESENCE: f32 = 0.5;
 /// In the scenes of docs/robustness.md, right meshes have 0.8 and more, but for faces of which the border leaves little.
 const MIN_CONFIDENCE: f32 = 0.7;
-/// Cloth reaches 0.73: what is less sure than this comes after every face that is not.
-const SURE_CONFIDENCE: f32 = 0.8;
-/// Photos without people gave single "faces" of up to 0.88.
-const DOUBTFUL_CONFIDENCE: f32 = 0.9;
+/// Whatever the prominence, a face below one of these comes after those above it. Cloth and photos without people reach 0.88.
+const DOUBTFUL_BELOW: [f32; 2] = [0.9, 0.8];
 
 impl Face {
     /// Whether its confidence is so low (below 0.9) that people should be told that it may not be a face.
     pub fn is_doubtful(&self) -> bool {
-        self.confidence < DOUBTFUL_CONFIDENCE
+        self.doubt() > 0
     }
 
-    fn is_sure(&self) -> bool {
-        self.confidence >= SURE_CONFIDENCE
+    /// From 0, certain, to 2, most doubtful.
+    fn doubt(&self) -> usize {
+        DOUBTFUL_BELOW.iter().filter(|&&limit| self.confidence < limit).count()
     }
 }
 
@@ -183,8 +183,8 @@ impl FaceFinder {
             search::proposals(&self.detector, &pyramid, max_faces, |share| report(Stage::Detecting { share }))?;
         let ended_early = proposals.iter().filter(|seen| seen.score >= search::SURE).count() >= max_faces;
         let found = judged(&judge, proposals, max_faces, &mut report)?;
-        // Some of what ended the search were no faces after all: search on.
-        if ended_early && found.faces.iter().filter(|face| face.is_sure()).count() < max_faces {
+        // Some of what ended the search may be no faces after all: search on.
+        if ended_early && found.faces.iter().filter(|face| !face.is_doubtful()).count() < max_faces {
             let proposals = search::proposals(&self.detector, &pyramid, usize::MAX, |_| ())?;
             return judged(&judge, proposals, max_faces, &mut |_| ());
         }
@@ -192,7 +192,7 @@ impl FaceFinder {
     }
 }
 
-/// Takes the proposals by prominence until there are enough sure faces.
+/// Takes the proposals by prominence until there are enough faces without doubt.
 fn judged(
     judge: &Judge<'_>,
     mut proposals: Vec<Detection>,
@@ -202,7 +202,7 @@ fn judged(
     let picture = PictureSize::of(judge.pyramid.photo());
     prominence::sort(&mut proposals, picture, Detection::outline);
     let (mut faces, mut looked_at) = (Vec::<Face>::new(), 0);
-    while looked_at < proposals.len() && faces.iter().filter(|face| face.is_sure()).count() < max_faces {
+    while looked_at < proposals.len() && faces.iter().filter(|face| !face.is_doubtful()).count() < max_faces {
         let proposal = &proposals[looked_at];
         report(Stage::Meshing { face: looked_at, of: proposals.len() });
         looked_at += 1;
@@ -213,7 +213,7 @@ fn judged(
     }
     let at_least = faces.len() + count_further(&proposals[looked_at..], &faces);
     prominence::sort(&mut faces, picture, Face::outline);
-    faces.sort_by_key(|face| !face.is_sure());
+    faces.sort_by_key(Face::doubt);
     faces.truncate(max_faces);
     Ok(FoundFaces { faces, at_least })
 }
