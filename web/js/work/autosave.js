@@ -68,7 +68,7 @@ export class Autosave {
    * @param {(read: () => Promise<Work>) => void} open
    */
   async offer(open) {
-    const [offered] = await this.#freeSlots().catch(() => []);
+    const [offered] = await this.#freeSlots(ownSlot()).catch(() => []);
     if (offered === undefined || this.#now) return;
     const button = byId("continue", HTMLButtonElement);
     button.addEventListener("click", () => open(() => this.#reopen(offered)));
@@ -133,11 +133,14 @@ export class Autosave {
     this.#save();
   }
 
-  /** The slots that no tab has open, in the order in which they are offered: this tab's own, the latest, those that were refused. */
-  async #freeSlots() {
-    const own = ownSlot();
+  /**
+   * The slots that no tab has open, in the order in which they are offered: the first one, the latest, those that were refused.
+   *
+   * @param {string | null} first
+   */
+  async #freeSlots(first) {
     const slots = (await allSlots()).filter(({ isWhole, isHeld }) => isWhole && !isHeld).map(({ slot }) => slot);
-    const rank = (/** @type {string} */ slot) => (this.#refused.has(slot) ? 2 : slot === own ? 0 : 1);
+    const rank = (/** @type {string} */ slot) => (this.#refused.has(slot) ? 2 : slot === first ? 0 : 1);
     return slots.sort((one, other) => rank(one) - rank(other));
   }
 
@@ -151,7 +154,7 @@ export class Autosave {
     this.#reopened?.letGo();
     this.#reopened = undefined;
     try {
-      for (const slot of await this.#freeSlots()) {
+      for (const slot of await this.#freeSlots(offered)) {
         const work = await this.#readAgain(slot);
         if (work && slot !== offered) showRemark("earlier-work", {});
         if (work) return work;

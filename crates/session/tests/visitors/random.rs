@@ -14,7 +14,7 @@ use crate::faces::session;
 use crate::intents;
 use crate::invariants::{hold, hold_deeply, seen, shape};
 
-const ACTIONS: u64 = 100_000;
+const ACTIONS: u64 = 20_000;
 const LONGEST: usize = 400;
 /// A long run tells of itself.
 const TOLD_EVERY: u64 = 100_000;
