@@ -8,7 +8,8 @@
  * - Its files come from the store of its version. What is not stored comes from the network, and has to have the hash that
  *   the page's list of files says; if it has another, loading it fails.
  *
- * After a deploy the new version's script stores its files and waits until no page of another version is open.
+ * After a deploy the new version's script stores its files and waits until every page that this one serves is closed. Until
+ * then this one serves pages of both versions.
  */
 const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
 
@@ -39,10 +40,6 @@ const NOTES = "rosto-notes";
 /** The latest notes outlast their pages: a page that is only being opened is not among the open ones yet. */
 const SPARED_NOTES = 20;
 
-/** How often, and how long apart, it is looked whether earlier versions' pages are closed. */
-const CLOSING_TRIES = 10;
-const CLOSING_MS = 500;
-
 /** The page holds these against its list by itself, while they arrive: see built.js. */
 const CHECKED_BY_PAGE = /\.(wasm|onnx)$/;
 
@@ -50,9 +47,7 @@ const CHECKED_BY_PAGE = /\.(wasm|onnx)$/;
 const known = new Map();
 
 worker.addEventListener("install", (event) => {
-  const stored = store();
-  event.waitUntil(stored);
-  stored.then(takeOver, () => {});
+  event.waitUntil(store());
 });
 
 worker.addEventListener("activate", (event) => {
@@ -63,7 +58,6 @@ worker.addEventListener("message", (event) => {
   const { source, data } = event;
   if (data.type === "opened" && source instanceof Client) event.waitUntil(serve(source, data.build));
   if (data.type === "keep-fallback") event.waitUntil(storeFallback());
-  if (data.type === "take-over") event.waitUntil(takeOver());
 });
 
 worker.addEventListener("fetch", (event) => {
@@ -98,21 +92,6 @@ async function storeFallback() {
  */
 function asBuilt([file, integrity]) {
   return new Request(file, { cache: "no-cache", integrity });
-}
-
-/** Ends the wait for earlier versions' pages to be closed if there are none; one that is being closed takes a moment. */
-async function takeOver() {
-  for (let tries = 0; tries < CLOSING_TRIES; tries += 1) {
-    if (await isOnlyVersion()) return worker.skipWaiting();
-    await new Promise((resolve) => setTimeout(resolve, CLOSING_MS));
-  }
-}
-
-/** Whether each open page of this scope is of this version, whichever script serves it. */
-async function isOnlyVersion() {
-  const pages = await worker.clients.matchAll({ includeUncontrolled: true });
-  const builds = await Promise.all(pages.filter(({ url }) => url.startsWith(worker.registration.scope)).map(({ id }) => noteOf(id)));
-  return builds.every((build) => build?.version === OFFLINE.version);
 }
 
 /** Drops the stores of versions that no page needs, and the notes of pages that are closed. */

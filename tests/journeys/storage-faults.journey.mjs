@@ -56,24 +56,33 @@ for (const [what, remove] of /** @type {const} */ ([
   });
 }
 
-for (const [what, damage] of /** @type {const} */ ([
-  ["whose picture is too short", (face, done) => [{ ...face, picture: new Blob([new Uint8Array(7)]) }, done]],
-  ["without landmarks", ({ landmarks: _, ...face }, done) => [face, done]],
-  ["with landmarks of another type", (face, done) => [{ ...face, landmarks: [...face.landmarks].map(String) }, done]],
-  ["that is no face", (_, done) => ["a face", done]],
-  ["without a face", (_, done) => [undefined, done]],
-  ["without its edits", (face) => [face, undefined]],
-  ["with edits that are cut off", (face, done) => [face, { ...done, edits: done.edits.slice(0, 20) }]],
-  ["of no order", (face, { order: _, ...done }) => [face, { ...done, edits: 7 }]],
-])) {
-  journey(`a kept work ${what} hides no older one`, async (open) => {
-    const { visitor, older } = await twoWorks(open);
-    await spoil(visitor.page, damage);
-    await visitor.page.waitForSelector("#continue:not([hidden])");
-    await continueIn(visitor);
-    assert.deepEqual(await standing(visitor), older);
-  });
-}
+/** What may be left of a kept work. */
+const DAMAGES = [
+  (face, done) => [{ ...face, picture: new Blob([new Uint8Array(7)]) }, done],
+  ({ landmarks: _, ...face }, done) => [face, done],
+  (face, done) => [{ ...face, landmarks: [...face.landmarks].map(String) }, done],
+  (_, done) => ["a face", done],
+  (_, done) => [undefined, done],
+  (face) => [face, undefined],
+  (face, done) => [face, { ...done, edits: done.edits.slice(0, 20) }],
+  (face, { order: _, ...done }) => [face, { ...done, edits: 7 }],
+];
+
+journey("works that are damaged in whatever way hide no older one", async (open) => {
+  const visitor = await open();
+  await visitor.dropSample();
+  await edit(visitor, 9);
+  const work = await standing(visitor);
+  await untilKept(visitor, 1);
+  const next = await anotherTab(visitor, visitor.page.url());
+  await next.page.evaluate(`(${addDamaged})([${DAMAGES}])`);
+  await visitor.page.goto("about:blank");
+  await next.page.reload();
+  await continueIn(next);
+  assert.deepEqual(await standing(next), work);
+  assert.equal((await next.notice()).code, "earlier-work");
+  next.checkNothingBroke();
+});
 
 for (const [what, isLost, found] of /** @type {const} */ ([
   ["picture", "(size) => size > 1e6", "older"],
@@ -213,27 +222,16 @@ async function expectNotKept(visitor) {
   await visitor.page.waitForSelector("#notice", { state: "hidden" });
 }
 
-/**
- * Puts something else in the place of the latest work.
- *
- * @param {import("playwright-core").Page} page
- * @param {Function} damage
- */
-async function spoil(page, damage) {
-  const [{ slot }] = (await keptWorks(page)).sort((one, other) => other.order - one.order);
-  await page.evaluate(`(${replaceRows})("${slot}", ${damage})`);
-}
-
-/** Runs in the page. */
-async function replaceRows(slot, damage) {
+/** Runs in the page: adds a later work for each kind of damage, made of the one that is kept. */
+async function addDamaged(damages) {
   const answer = (request) => new Promise((resolve) => (request.onsuccess = () => resolve(request.result)));
   const database = await answer(indexedDB.open("rosto"));
   const transaction = database.transaction(["faces", "done"], "readwrite");
   const stores = ["faces", "done"].map((name) => transaction.objectStore(name));
-  const rows = damage(...(await Promise.all(stores.map((store) => answer(store.get(slot))))));
-  for (const [place, store] of stores.entries()) {
-    if (rows[place] === undefined) store.delete(slot);
-    else store.put(rows[place], slot);
+  const [[face], [done]] = await Promise.all(stores.map((store) => answer(store.getAll())));
+  for (const [place, damage] of damages.entries()) {
+    const rows = damage(face, { ...done, order: done.order + 1 + place });
+    for (const [index, store] of stores.entries()) if (rows[index] !== undefined) store.put(rows[index], `damaged-${place}`);
   }
   await new Promise((resolve) => (transaction.oncomplete = resolve));
   database.close();

@@ -21,9 +21,8 @@ async function keep(needsFallback) {
   const registration = await navigator.serviceWorker.register(ownScript("service-worker.js"));
   if (!registration) return;
   await installed(registration);
-  const { active, waiting } = registration;
+  const { active } = registration;
   if (needsFallback) active?.postMessage({ type: "keep-fallback" });
-  waiting?.postMessage({ type: "take-over" });
   if (active && !navigator.serviceWorker.controller) await Promise.race([served(active), later()]);
 }
 
