@@ -47,7 +47,7 @@ journey("each lens shows the face another way, on the page and in a picture, and
   assert.deepEqual(await visitor.history(), []);
 }, { needs: "eyes" });
 
-for (const lens of LENSES) {
+for (const lens of ["parallel", "near"]) {
   journey(`with a lens, what lights up under the pointer is what a press takes: ${lens}`, async (open) => {
     const visitor = await open();
     const { page } = visitor;

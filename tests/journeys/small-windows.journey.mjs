@@ -4,9 +4,7 @@ import { STATES, withHeldWork, wrongWith } from "./states.mjs";
 
 /** Windows smaller than, or between, those of the contact sheets. */
 const WINDOWS = [
-  { width: 1024, height: 640 },
   { width: 640, height: 360, hasTouch: true },
-  { width: 360, height: 640, hasTouch: true },
   { width: 320, height: 568, hasTouch: true },
 ];
 
