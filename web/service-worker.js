@@ -8,8 +8,8 @@
  * - Its files come from the store of its version. What is not stored comes from the network, and has to have the hash that
  *   the page's list of files says; if it has another, loading it fails.
  *
- * After a deploy the new version's script stores its files and waits until every page that this one serves is closed. Until
- * then this one serves pages of both versions.
+ * After a deploy, the new version's script stores its files, then waits until all pages are closed. Until then the old script
+ * serves the pages of both versions.
  */
 const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
 
@@ -70,11 +70,12 @@ async function store() {
   const cache = await caches.open(storeOf(OFFLINE.version));
   const page = await fetch(PAGE, { cache: "no-cache" });
   if ((await buildOf(page))?.version !== OFFLINE.version) throw new Error("the page is of another version than this script");
-  await cache.put(PAGE, page);
   await cache.addAll(Object.entries(OFFLINE.files).map(asBuilt));
   // A browser that needed the other module before needs it again.
   const stored = await Promise.all(Object.keys(OFFLINE.fallback).map((file) => caches.match(file)));
   if (stored.some(Boolean)) await storeFallback();
+  // Last: a store that holds its page is complete.
+  await cache.put(PAGE, page);
 }
 
 async function storeFallback() {
@@ -127,14 +128,28 @@ function isPage(request) {
 
 /** @param {FetchEvent} event */
 async function givePage({ request, resultingClientId }) {
-  const stored = await storedIn(storeOf(OFFLINE.version), PAGE);
-  const fresh = stored ? await inTime(request) : await fetch(request);
-  const build = fresh && (await buildOf(fresh));
-  // On a full disk nothing can be noted, and pages without a note are of the stored version.
-  if (fresh && (!build || (await note(resultingClientId, build)) || !stored)) return fresh;
-  const own = stored && (await buildOf(stored));
-  if (own) await note(resultingClientId, own);
-  return /** @type {Response} */ (stored);
+  const own = await storedIn(storeOf(OFFLINE.version), PAGE);
+  const fresh = own ? await inTime(request) : await fetch(request);
+  const pages = [fresh, await newestPage(), own].filter((page) => page !== undefined);
+  const last = /** @type {Response} */ (pages.pop());
+  for (const page of pages) {
+    const build = await buildOf(page);
+    if (!build || (await note(resultingClientId, build))) return page;
+  }
+  // On a full disk nothing can be noted, and a page without a note gets the files of this script's version.
+  const build = await buildOf(last);
+  if (build) await note(resultingClientId, build);
+  return last;
+}
+
+/** The page of the newest version that is stored whole. */
+async function newestPage() {
+  const names = (await caches.keys().catch(() => [])).filter((name) => name.startsWith("rosto-") && name !== NOTES);
+  for (const name of names.reverse()) {
+    const page = await storedIn(name, PAGE);
+    if (page) return page;
+  }
+  return undefined;
 }
 
 /**

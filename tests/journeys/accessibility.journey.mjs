@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { AUDIENCES, audits } from "./accessibility.mjs";
 import { journey } from "./journey.mjs";
 
-/** The others are looked at by `npm run accessibility`. */
+/** `npm run accessibility` checks the others. */
 const WALKED = ["desktop, dark", "phone, light"];
 
 for (const { name, options } of AUDIENCES.filter(({ name }) => WALKED.includes(name))) {

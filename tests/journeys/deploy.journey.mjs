@@ -43,9 +43,15 @@ for (const [when, how, needs] of /** @type {const} */ ([
       assert.deepEqual(await runsIn(next), { page: "newer", worker: "newer", validator: "newer" });
       await old.page.bringToFront();
       await old.dropSample();
+      server.disturb((_, response) => Boolean(response.writeHead(503).end()));
+      await next.page.bringToFront();
+      await next.page.reload();
+      await next.page.waitForSelector("body[data-bench='open']");
+      await expectBuild(next, newer, needs);
+      server.disturb();
 
+      // On a page of neither version the new script takes over once the old one has stopped.
       await old.page.close();
-      // Nowhere, but with a view of the stores: no page of either version is open.
       const nowhere = new URL("/", server.url).href;
       await next.page.route(nowhere, (route) => route.fulfill({ contentType: "text/html", body: "" }));
       await next.page.goto(nowhere);
