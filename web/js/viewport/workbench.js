@@ -1,7 +1,8 @@
 import { asPageError } from "../page/page-error.js";
 import { afterNextFrame, nextTask } from "../page/tasks.js";
 import { DeviceLossHandler } from "./device-loss.js";
-import { disown, isFallback, isTrap, noteTrap, openStudio, restarting, restartStudio } from "./studio-module.js";
+import { disown, isTrap, noteTrap, openStudio, restarting, restartStudio } from "./studio-module.js";
+import { watchWebGl } from "./webgl-errors.js";
 
 /**
  * @typedef {import("../../wasm/rosto-studio-web.js").Studio} Studio
@@ -179,7 +180,7 @@ export class Workbench {
    */
   async picture(look) {
     const life = this.#life;
-    const check = this.#watchWebGl();
+    const check = watchWebGl(this.canvas);
     const snapshot = await this.answer(look);
     if (life !== this.#life) {
       disown(snapshot);
@@ -192,20 +193,6 @@ export class Workbench {
       check();
       return { picture, ...size };
     });
-  }
-
-  /** WebGL2 goes on without what it has no memory for: what is returned throws if it did. */
-  #watchWebGl() {
-    const context = isFallback() ? this.canvas.getContext("webgl2") : null;
-    // What went wrong before is of no concern.
-    while (context && !context.isContextLost() && context.getError() !== context.NO_ERROR);
-    return () => {
-      if (!context) return;
-      if (context.isContextLost()) throw { code: "not-drawn", message: "the WebGL2 context was lost", hint: "" };
-      const error = context.getError();
-      if (error === context.OUT_OF_MEMORY) throw { code: "no-memory", message: "WebGL2 has no memory for the picture", hint: "" };
-      if (error !== context.NO_ERROR) throw { code: "not-drawn", message: `WebGL2 error ${error}`, hint: "" };
-    };
   }
 
   /**

@@ -1,0 +1,19 @@
+import { isFallback } from "./studio-module.js";
+
+/**
+ * Throws away the errors so far; the function returned throws if another has come since. WebGL2 draws on without what it has
+ * no memory for.
+ *
+ * @param {HTMLCanvasElement} canvas
+ */
+export function watchWebGl(canvas) {
+  const context = isFallback() ? canvas.getContext("webgl2") : null;
+  while (context && !context.isContextLost() && context.getError() !== context.NO_ERROR);
+  return () => {
+    if (!context) return;
+    if (context.isContextLost()) throw { code: "not-drawn", message: "the WebGL2 context was lost", hint: "" };
+    const error = context.getError();
+    if (error === context.OUT_OF_MEMORY) throw { code: "no-memory", message: "WebGL2 has no memory for the picture", hint: "" };
+    if (error !== context.NO_ERROR) throw { code: "not-drawn", message: `WebGL2 error ${error}`, hint: "" };
+  };
+}
