@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { journey } from "./journey.mjs";
-import { asJpeg, enormousPng, faceless, heic, text } from "./pictures.mjs";
+import { asJpeg, enormousPng, faceless, heic, outOfFocus, text } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 journey("what is no photo of a face gets a message each, and the page works on", async (open) => {
@@ -35,4 +35,13 @@ journey("what is no photo of a face gets a message each, and the page works on",
   await visitor.drop(jpeg, "portrait.jpg");
   await visitor.page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
   assert.ok(await visitor.page.locator("#notice").isHidden());
+});
+
+journey("a face that may be none is opened with a remark", async (open) => {
+  const visitor = await open();
+  await visitor.drop(await outOfFocus(visitor.page, await readFile(SAMPLE)), "blurred.png");
+  await visitor.untilFace();
+  assert.equal((await visitor.notice()).code, "may-not-be-a-face");
+  await visitor.dropSample();
+  await visitor.page.waitForSelector("#notice", { state: "hidden" });
 });

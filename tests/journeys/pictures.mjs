@@ -89,15 +89,26 @@ export function sixTimes(page, png) {
   return redraw(page, png, { type: "image/png", columns: 3, rows: 2, part: FACE_IN_PORTRAIT });
 }
 
+/**
+ * So out of focus that a face is hard to tell.
+ *
+ * @param {import("playwright-core").Page} page
+ * @param {Uint8Array} png
+ */
+export function outOfFocus(page, png) {
+  return redraw(page, png, { type: "image/png", filter: "blur(5px)" });
+}
+
 async function redraw(page, png, how) {
   const base64 = await page.evaluate(
-    async ({ base64, type, columns = 1, rows = 1, size, part }) => {
+    async ({ base64, type, columns = 1, rows = 1, size, part, filter = "none" }) => {
       const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
       const picture = await createImageBitmap(new Blob([bytes]));
       const from = part ?? { x: 0, y: 0, width: picture.width, height: picture.height };
       const { width, height } = size ?? { width: columns * from.width, height: rows * from.height };
       const canvas = new OffscreenCanvas(width, height);
       const context = canvas.getContext("2d");
+      context.filter = filter;
       const copy = { width: width / columns, height: height / rows };
       for (let at = 0; at < columns * rows; at++) {
         const place = { left: (at % columns) * copy.width, top: Math.floor(at / columns) * copy.height };

@@ -330,7 +330,7 @@ export class Opening {
   }
 
   /** @param {Incoming} incoming that is open now */
-  #welcome({ faces, bitmap, extraction_ms, changedElsewhere, ofThisVisit = false }) {
+  #welcome({ faces, bitmap, extraction_ms, changedElsewhere, isDoubtful, ofThisVisit = false }) {
     const { bench, opened, faceChoice } = this.#room;
     document.body.dataset["state"] = document.body.dataset["bench"] === "open" ? "face" : "photo";
     byId("welcome", HTMLElement).hidden = true;
@@ -343,6 +343,7 @@ export class Opening {
     bench.then((there) => there?.announce());
     opened(extraction_ms);
     if (changedElsewhere) showError({ code: "changed-elsewhere", message: "", hint: "" });
+    else if (isDoubtful) showRemark("may-not-be-a-face", {});
     else if (document.body.dataset["bench"] === "open") giveHints();
   }
 }

@@ -15,7 +15,7 @@ pub struct Found {
 }
 
 struct FoundFace {
-    confidence: f32,
+    is_doubtful: bool,
     landmarks: Vec<f32>,
     colours: Vec<u8>,
 }
@@ -47,7 +47,7 @@ impl FoundFace {
     fn new(photo: &Photo, face: &Face) -> Self {
         let colour = |&[x, y, _]: &[f32; 3]| photo.colour_under(x.into(), y.into());
         Self {
-            confidence: face.confidence,
+            is_doubtful: face.is_doubtful(),
             landmarks: face.landmarks.concat(),
             colours: face.landmarks.iter().take(LANDMARK_COUNT).flat_map(colour).collect(),
         }
@@ -80,9 +80,10 @@ impl Found {
         self.faces.len() as u32
     }
 
-    /// How sure it is that this is a face and that the landmarks lie on it, 0.5 to 1; 0 for a face that is not there.
-    pub fn confidence(&self, face: u32) -> f32 {
-        self.face(face).map_or(0.0, |face| face.confidence)
+    /// Whether people should be told that this may not be a face; true for a face that is not there.
+    #[wasm_bindgen(js_name = isDoubtful)]
+    pub fn is_doubtful(&self, face: u32) -> bool {
+        self.face(face).is_none_or(|face| face.is_doubtful)
     }
 
     /// 478 × (x/W, y/H, z/W), those of the irises last; empty for a face that is not there.

@@ -3,7 +3,7 @@ import { byId } from "./dom.js";
 import { asPageError } from "./page-error.js";
 
 /**
- * @typedef {"one-of-several" | "adds-little" | "earlier-work"} Remark
+ * @typedef {"one-of-several" | "adds-little" | "earlier-work" | "may-not-be-a-face"} Remark
  * @typedef {{ kind: "error" | "remark", code: string, words: () => { title: string, hint: string } }} Notice
  * @typedef {"page" | "studio" | "gpu"} Owner who shows a notice, and alone may take it away again
  */

@@ -22,5 +22,5 @@ export async function readPhoto(vision, photo, name, isWanted) {
   const faces = facesOf(found, name, photo);
   const [face] = faces;
   if (!face) throw noFace();
-  return { face, faces, bitmap: found.bitmap, extraction_ms: performance.now() - begun_ms };
+  return { face, faces, isDoubtful: found.faces[0]?.isDoubtful === true, bitmap: found.bitmap, extraction_ms: performance.now() - begun_ms };
 }

@@ -14,6 +14,7 @@ import { bitmapOf } from "./pixels.js";
  * @property {Done} [done] what was done to it before
  * @property {number} [extraction_ms] how long finding its landmarks took
  * @property {boolean} [changedElsewhere] whether the file tells of another shape than opens
+ * @property {boolean} [isDoubtful] it may not be a face
  * @property {boolean} [ofThisVisit] whether its photo was open before
  *
  * @typedef {Shown & Arrival} Incoming what is ready to be opened

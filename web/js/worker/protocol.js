@@ -10,7 +10,7 @@
  * @typedef {"decode" | "detect" | "landmarks"} Stage
  *
  * @typedef {object} FoundFace
- * @property {number} confidence that this is a face and the landmarks lie on it, 0 to 1
+ * @property {boolean} isDoubtful it may not be a face
  * @property {Float32Array} landmarks 478 × (x/W, y/H, z/W), MediaPipe's normalised convention; those of the irises last
  * @property {Uint8Array} colours 468 × sRGB
  *

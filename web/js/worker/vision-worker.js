@@ -185,7 +185,7 @@ function find(vision, bytes, maxFaces, id, original) {
   const found = vision.find(bytes, maxFaces, report, original);
   try {
     const faces = Array.from({ length: found.faceCount }, (_, i) => ({
-      confidence: found.confidence(i),
+      isDoubtful: found.isDoubtful(i),
       landmarks: found.landmarks(i),
       colours: found.colours(i),
     }));
