@@ -214,7 +214,7 @@ impl Stage {
     pub fn advance(&mut self, time_ms: f64) -> Step {
         let seconds = self.last_ms.map_or(0.0, |last_ms| ((time_ms - last_ms) * 1e-3).clamp(0.0, LONGEST_STEP_S));
         let was_moving = self.arrival != Arrival::Over;
-        self.advance_arrival(time_ms);
+        self.advance_arrival(time_ms, seconds);
         let fading = self.advance_picture(seconds);
         let turning = self.turntable_deg_per_s != 0.0;
         self.camera.turn(-self.turntable_deg_per_s.to_radians() * seconds);

@@ -6,7 +6,7 @@ use super::Stage;
 const HOLD_MS: f64 = 250.0;
 const ARRIVAL_MS: f64 = 500.0;
 /// How long it then takes to show a side and to come back, and how far it turns, in radians.
-const SWING_MS: f64 = 1600.0;
+const SWING_S: f64 = 1.6;
 const SWING: f64 = 0.34;
 
 /// A mesh's way out of the picture that was taken of it.
@@ -15,7 +15,7 @@ pub(super) enum Arrival {
     Over,
     Asked,
     Since(f64),
-    /// It is there, and turns a little and back.
+    /// It is there, and has turned a little and back for so many seconds.
     Swings(f64),
 }
 
@@ -38,14 +38,16 @@ impl Stage {
         }
     }
 
-    pub(super) fn advance_arrival(&mut self, time_ms: f64) {
+    /// The arrival at a frame, `seconds` after the frame before. A swing goes by these, as slow frames would skip most of it.
+    pub(super) fn advance_arrival(&mut self, time_ms: f64, seconds: f64) {
         self.arrival = match self.arrival {
             Arrival::Asked => Arrival::Since(time_ms),
-            Arrival::Since(start_ms) if time_ms - start_ms >= HOLD_MS + ARRIVAL_MS => Arrival::Swings(time_ms),
-            Arrival::Swings(start_ms) => {
-                let share = ((time_ms - start_ms) / SWING_MS).clamp(0.0, 1.0);
+            Arrival::Since(start_ms) if time_ms - start_ms >= HOLD_MS + ARRIVAL_MS => Arrival::Swings(0.0),
+            Arrival::Swings(before_s) => {
+                let swung_s = before_s + seconds;
+                let share = (swung_s / SWING_S).min(1.0);
                 self.camera.sway(if share < 1.0 { SWING * (0.5 - 0.5 * (TAU * share).cos()) } else { 0.0 });
-                if share < 1.0 { self.arrival } else { Arrival::Over }
+                if share < 1.0 { Arrival::Swings(swung_s) } else { Arrival::Over }
             }
             other => other,
         };

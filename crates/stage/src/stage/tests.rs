@@ -151,6 +151,20 @@ fn a_face_that_has_arrived_turns_a_little_and_back_unless_it_is_taken_in_hand() 
 }
 
 #[test]
+fn a_swing_is_seen_however_slow_the_frames_are() {
+    let mut stage = with_picture();
+    stage.start_arrival();
+    let mut turned = 0.0_f64;
+    let mut time_ms = 1000.0;
+    while stage.advance(time_ms).again {
+        turned = turned.max(stage.camera().back().x.abs());
+        time_ms += 1000.0;
+    }
+    assert!(turned > 0.2, "{turned}");
+    assert!(stage.camera().back().x.abs() < 1e-9 && time_ms < 30e3, "{} after {time_ms} ms", stage.camera().back());
+}
+
+#[test]
 fn who_is_sent_somewhere_while_it_turns_by_itself_gets_there() {
     let mut stage = with_picture();
     stage.start_arrival();
