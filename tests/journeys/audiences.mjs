@@ -2,12 +2,12 @@
 
 const TOUCH = { hasTouch: true, isMobile: true };
 
-/** The windows that the page is looked at in: a desk's, a laptop's, a tablet's, a phone's both ways, and a page at 200 %. */
+/** The windows that the page is looked at in: a laptop, a phone, a desk, a tablet, a phone on its side, a page at 200 %. */
 export const AUDIENCES = /** @type {Audience[]} */ ([
-  audience(1440, 900),
   audience(1280, 720),
-  audience(820, 1180, TOUCH),
   audience(390, 844, { ...TOUCH, deviceScaleFactor: 2 }),
+  audience(1440, 900),
+  audience(820, 1180, TOUCH),
   audience(844, 390, TOUCH),
   audience(720, 450),
 ]);

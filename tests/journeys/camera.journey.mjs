@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { camera, watchCamera } from "./camera-watch.mjs";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 
 /** Every journey here asks for the camera and counts what became of it. */
 const needs = { needs: /** @type {const} */ ("camera") };
@@ -35,7 +35,7 @@ journey("two presses before the page has answered either ask for the camera once
   await visitor.page.keyboard.press("Escape");
   await untilClosed(visitor.page);
   assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
-}, needs);
+}, { ...needs, isRare: true });
 
 journey("the dialog is there while the browser asks, and a camera allowed after it was closed is stopped at once", async (open) => {
   const visitor = await open({ before });
@@ -60,9 +60,9 @@ journey("the dialog is there while the browser asks, and a camera allowed after 
   await page.keyboard.press("Escape");
   await untilClosed(page);
   assert.equal((await camera(visitor)).live, 0);
-}, needs);
+}, { ...needs, isRare: true });
 
-for (const moment of ["before the photo", "during the countdown"]) {
+for (const moment of alike(["before the photo", "during the countdown"])) {
   journey(`a camera that is unplugged ${moment} closes the dialog with a message, and no photo is taken`, async (open) => {
     const visitor = await open({ before });
     const { page } = visitor;
@@ -115,7 +115,7 @@ journey("no photo is taken of a video that has no size yet", async (open) => {
     document.getElementById("camera-preview").dispatchEvent(new Event("resize"));
   });
   await page.waitForSelector("#camera-shutter:enabled");
-}, needs);
+}, { ...needs, isRare: true });
 
 /**
  * Waits until the dialog is gone and nothing of the camera runs, which the browser tells the page a moment later.

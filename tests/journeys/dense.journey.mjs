@@ -94,7 +94,7 @@ journey("a point is moved by sliders on both sides, waits while the mesh is coar
   await visitor.reach("#history");
   await page.check("#history input");
   assert.deepEqual(await visitor.meshJson("mm"), moved);
-});
+}, { isRare: true });
 
 journey("edits of points come back from a GLB, and stay where they are when eyes and mouth are opened", async (open) => {
   const visitor = await arriveAtPoints(open, 2);

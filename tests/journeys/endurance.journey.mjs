@@ -66,7 +66,7 @@ journey("an offset without measure goes to the slider's end", async (open) => {
     assert.doesNotMatch(await page.locator("body").innerText(), /∞|NaN|e\+/);
   }
   assert.ok(await page.isHidden("#notice"));
-});
+}, { isRare: true });
 
 journey("a panel that fails does not keep the others from what they show", async (open) => {
   const visitor = await open();
@@ -89,7 +89,7 @@ journey("a panel that fails does not keep the others from what they show", async
   await page.click("#continue");
   await visitor.untilFace();
   assert.equal(await visitor.sliderValue("nose-width"), 4);
-});
+}, { isRare: true });
 
 journey("on a dense mesh a point that is not there is not said to be between 0 and 467", async (open) => {
   const visitor = await open();
@@ -111,7 +111,7 @@ journey("on a dense mesh a point that is not there is not said to be between 0 a
     assert.doesNotMatch(await page.innerText("#section-landmark"), /\b467\b/);
     assert.ok(await page.isHidden("#notice"));
   }
-});
+}, { isRare: true });
 
 journey("what the module hands out is given back: 200 edits and undos leave no objects behind", async (open) => {
   const visitor = await open();
@@ -140,7 +140,7 @@ journey("what the module hands out is given back: 200 edits and undos leave no o
     const earlier = before[name] ? before[name].made - before[name].freed : 0;
     assert.ok(alive <= earlier, `${alive} objects of ${name} are alive, ${earlier} were before`);
   }
-});
+}, { isRare: true });
 
 /** @param {() => Promise<unknown>} act */
 async function timed(act) {

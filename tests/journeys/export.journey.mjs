@@ -58,7 +58,7 @@ journey("the verdict goes when the face changes, and a GLB holds what is asked f
   assert.match(json.meshes[0].extras.targetNames[0], /nose-tip/);
   await page.click("#toolbar [data-action='undo']");
   assert.ok(await page.isHidden("#verdict"), "the verdict is of another file");
-});
+}, { isRare: true });
 
 journey("OBJ, PLY and STL hold the mesh that is on the screen", async (open) => {
   const visitor = await open();
@@ -176,7 +176,7 @@ journey("a body that cannot be printed is refused with what would do", async (op
   await page.waitForSelector("#print-refused", { state: "hidden" });
   assert.equal(await page.inputValue("#solid-mm"), "11.3", "the thickness was forgotten");
   assert.ok(await page.isHidden("#notice"));
-});
+}, { isRare: true });
 
 journey("the GLB is handed on, the picture copied and the face shown in the room where the browser can", async (open) => {
   const visitor = await open({ before: (context) => context.addInitScript(takeFiles) });
@@ -221,7 +221,7 @@ journey("a browser that neither hands on nor copies nor shows in the room has no
   await visitor.dropSample();
   await visitor.unfold("section-export");
   for (const id of ["share-glb", "copy-picture", "ar-link"]) assert.ok(await visitor.page.isHidden(`#${id}`), id);
-});
+}, { isRare: true });
 
 /** What the page says that a body measures: millimetres, cm³ and g, with the rounding of its folds if there is any. */
 async function measured(page) {

@@ -61,7 +61,7 @@ journey("a slider stands at the sum of its entries, and a double click on its na
     assert.equal(await visitor.sliderValue(slider), 0);
   }
   assert.ok(furthest(start, await visitor.meshJson("mm")) < 1e-9);
-});
+}, { isRare: true });
 
 journey("the sliders work by keyboard, speak Portuguese, and leave the selected landmark in hand", async (open) => {
   const visitor = await open();
@@ -98,4 +98,4 @@ journey("symmetry is an action with a share, listed and undone like any edit", a
   assertSameMesh(after, await meshByCommandLine(SAMPLE, [...canonical, "--symmetrise", "1"]));
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await visitor.meshJson("mm"), before);
-});
+}, { isRare: true });

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 import { keptWorks } from "./kept.mjs";
 import { asJpeg, sixTimes, twice } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
@@ -91,7 +91,7 @@ journey("photos before the last one are there, too, each with its edits and by i
   // Whom the strip has no room for is in the browser's database all the same.
   await page.waitForTimeout(800);
   assert.ok((await keptWorks(page)).some(({ name, edits }) => name === "ana" && edits.includes("nose-tip")));
-});
+}, { isRare: true });
 
 journey("a group can be gone back to from another photo, each of its faces as it was left", async (open) => {
   const visitor = await open();
@@ -133,7 +133,7 @@ journey("of faces chosen one right after the other the last is shown, and the st
   await page.waitForSelector("#notice[data-code='not-a-picture']");
   assert.deepEqual(await chosen(page), [true, false]);
   assert.deepEqual(await standing(visitor), first);
-});
+}, { isRare: true });
 
 journey("where the browser keeps nothing, the face before comes back all the same", async (open) => {
   const visitor = await open({ before: (context) => context.addInitScript(refuseDatabase) });
@@ -149,7 +149,7 @@ journey("where the browser keeps nothing, the face before comes back all the sam
   await untilNamed(visitor, "alone");
   await goBack(visitor, "group");
   assert.deepEqual(await standing(visitor), first);
-});
+}, { isRare: true });
 
 journey("work that went back and forth is there after a reload, the face that was shown last first", async (open) => {
   const visitor = await open();
@@ -187,7 +187,7 @@ journey("a module that is started again brings the face back among its group", a
   await page.waitForSelector("#notice[data-code='restarted']");
   await choose(visitor, 0);
   assert.deepEqual(await standing(visitor), first);
-});
+}, { isRare: true });
 
 journey("more faces than a phone is wide are reached by a swipe, and the one that is chosen is in sight", async (open) => {
   const visitor = await open({ viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true });
@@ -206,9 +206,9 @@ journey("more faces than a phone is wide are reached by a swipe, and the one tha
   const { x, width } = await last.boundingBox();
   assert.ok(x > strip.x && x + width < strip.x + strip.width, "the chosen face is out of sight");
   assert.equal(await page.evaluate("scrollX + document.getElementById('stage').scrollLeft"), 0);
-});
+}, { isRare: true });
 
-for (const { width, height } of [{ width: 390, height: 844 }, { width: 844, height: 390 }, { width: 720, height: 450 }]) {
+for (const { width, height } of alike([{ width: 390, height: 844 }, { width: 844, height: 390 }, { width: 720, height: 450 }])) {
   journey(`at ${width}×${height} the faces of a group are offered over the stage, and lie over nothing else`, async (open) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 /** The sample with an edit of the nose tip; resolves to the mesh. */
@@ -53,7 +53,7 @@ journey("what was there is still there when there is no memory for what was to b
   await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
 });
 
-for (const [what, label] of [["the picture", "still"], ["what it is drawn into", "attachment"]]) {
+for (const [what, label] of alike([["the picture", "still"], ["what it is drawn into", "attachment"]])) {
   journey(`without graphics memory for ${what} no picture is saved, and the page says why`, async (open) => {
     const visitor = await open({ before: (context) => context.addInitScript(watchTextures) });
     const { page } = visitor;
@@ -92,10 +92,10 @@ journey("a picture that the graphics card took along with itself is reported, an
   assert.deepEqual(await visitor.meshJson("mm"), mesh);
 });
 
-for (const { reply, action, code } of [
+for (const { reply, action, code } of alike([
   { reply: "drawn", action: "download-photo-png", code: "photo-not-written" },
   { reply: "textured", action: "download-glb", code: "texture-not-made" },
-]) {
+])) {
   journey(`a worker that dies before it has ${reply} what goes into a file is not said to have been reading a photo`, async (open) => {
     const visitor = await open();
     const { page } = visitor;

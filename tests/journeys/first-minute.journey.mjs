@@ -49,21 +49,21 @@ journey("a face that has arrived turns a little and back, but not for who asked 
       const look = () => {
         const x_px = Number.parseFloat(document.getElementById("pulse").style.translate);
         if (Number.isFinite(x_px)) {
-          swing.least_px = Math.min(swing.least_px, x_px);
-          swing.most_px = Math.max(swing.most_px, x_px);
+          globalThis.swing.least_px = Math.min(globalThis.swing.least_px, x_px);
+          globalThis.swing.most_px = Math.max(globalThis.swing.most_px, x_px);
         }
         requestAnimationFrame(look);
       };
       requestAnimationFrame(look);
     });
     await visitor.dropSample();
-    if (reducedMotion === "no-preference") await page.waitForFunction(() => swing.most_px - swing.least_px > 15);
+    if (reducedMotion === "no-preference") await page.waitForFunction(() => globalThis.swing.most_px - globalThis.swing.least_px > 15);
     await page.waitForFunction(() => {
       const [pulse, view] = ["pulse", "viewport"].map((id) => document.getElementById(id).getBoundingClientRect());
       return Math.abs(pulse.x + pulse.width / 2 - view.x - view.width / 2) < 12;
     });
     await visitor.frames(30);
-    const swing_px = await page.evaluate(() => swing.most_px - swing.least_px);
+    const swing_px = await page.evaluate(() => globalThis.swing.most_px - globalThis.swing.least_px);
     assert.equal(swing_px > 15, reducedMotion === "no-preference", `${reducedMotion}: the nose swings by ${swing_px} px`);
     await visitor.leave();
   }

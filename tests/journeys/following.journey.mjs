@@ -53,7 +53,7 @@ journey("of frames that come at once the first and the last are answered, and no
   });
   assert.deepEqual(answered, [0, null, null, null, null, 165]);
   assert.equal(left, 0);
-});
+}, { isRare: true });
 
 journey("a large frame is read smaller, and its landmarks are where they are in it", async (open) => {
   const { page } = await open({ before: bringFiles });
@@ -75,7 +75,7 @@ journey("a large frame is read smaller, and its landmarks are where they are in 
   // The middle of the first pixel is at 0 in both.
   const off = (axis) => mean(large.flatMap((at, index) => (index % 3 === axis ? [at - 3 * small[index] - 1] : [])));
   assert.ok(Math.abs(off(0)) < 0.5 && Math.abs(off(1)) < 0.5, `${off(0)}, ${off(1)} px of 1920 × 1440`);
-});
+}, { isRare: true });
 
 journey("whoever stops following is answered at once, and a worker that dies is said and replaced", async (open) => {
   const visitor = await open({ before: bringFiles });

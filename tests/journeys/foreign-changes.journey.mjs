@@ -63,7 +63,7 @@ journey("a GLB whose texture another program has halved opens with the photo in 
       assert.ok(off < 8, `colours are ${off} levels off at ${left}, ${top}`);
     }
   }
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 journey("a GLB whose shape another program has changed opens as it was saved, and the page says so", async (open) => {
   const { visitor, page, work } = await withAnEdit(open);

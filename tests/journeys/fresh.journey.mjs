@@ -1,14 +1,14 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 import { asJpeg, twice } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-for (const [what, fileOf] of /** @type {const} */ ([
+for (const [what, fileOf] of alike(/** @type {const} */ ([
   ["photo", async ({ page }) => ({ bytes: await asJpeg(page, await readFile(SAMPLE)), name: "new.jpg" })],
   ["project", async (visitor) => ({ bytes: await visitor.download("save-project"), name: "new.rosto" })],
   ["GLB", async (visitor) => ({ bytes: await visitor.download("download-glb"), name: "new.glb" })],
-])) {
+]))) {
   journey(`after a new ${what} no control shows what was selected, typed or scrolled before`, async (open) => {
     const visitor = await open({ viewport: { width: 1024, height: 480 } });
     const { page } = visitor;
@@ -61,7 +61,7 @@ journey("a search that was not entered is gone with its face", async (open) => {
   assert.equal(await page.innerText("#landmark-help"), help);
   assert.ok(!(await page.locator("#landmark-search").evaluate((field) => field.hasAttribute("aria-invalid"))));
   assert.ok(await page.isHidden("#notice"));
-});
+}, { isRare: true });
 
 journey("another face of a group leaves the visitor at the tab where they are", async (open) => {
   const visitor = await open();

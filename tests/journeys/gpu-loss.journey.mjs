@@ -1,11 +1,11 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 import { difference } from "./pixels.mjs";
 
-for (const { drawn, needs } of [
+for (const { drawn, needs } of alike([
   { drawn: "WebGPU", needs: "eyes" },
   { drawn: "WebGL2", needs: "webgl" },
-]) {
+])) {
   journey(
     `when the graphics process crashes under ${drawn}, the view comes back by itself and the work goes on`,
     async (open) => {

@@ -100,7 +100,7 @@ journey("X, Y and Z keep a drag to an axis, and Escape puts everything back", as
   await page.focus("#viewport");
   await page.keyboard.press("Escape");
   assert.ok(await page.isHidden("#landmark-tag"), "Escape did not let go");
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 journey("the wheel widens and narrows the reach of a drag, which stays one edit", async (open) => {
   const visitor = await open();
@@ -137,7 +137,7 @@ journey("the wheel widens and narrows the reach of a drag, which stays one edit"
     // No way along the skin is shorter than the straight one.
     if (apart_mm > radii_mm[2]) assert.ok(moved_mm < 1e-6, `vertex ${vertex}, ${apart_mm} mm away, moved by ${moved_mm} mm`);
   }
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 journey("the other side follows where the mirror is on, and its plane is a hairline while a drag runs", async (open) => {
   const visitor = await open();
@@ -190,7 +190,7 @@ journey("a click with Alt pins a landmark, which then stays, and unpins it", asy
   await page.mouse.click(corner.x, corner.y);
   await page.keyboard.up("Alt");
   assert.ok(!(await visitor.anchors()).includes(MOUTH_CORNERS[0]));
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 journey("every operator and constraint says in a line what it does, and does what the command line does", async (open) => {
   const visitor = await open();
@@ -243,4 +243,4 @@ journey("a landmark is dragged on the densest mesh as on the coarse one", async 
   assert.ok(furthest_mm < 1.5 * Math.hypot(...way(start, moved, NOSE_TIP)), `a vertex went ${furthest_mm} mm`);
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await visitor.meshJson("mm"), start);
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });

@@ -46,7 +46,7 @@ journey("a wider ring gives way further, and a narrow one less", async (open) =>
     widths.push(right - left);
   }
   assert.ok(widths[0] + 20 < widths[1] && widths[1] + 20 < widths[2], JSON.stringify(widths));
-});
+}, { isRare: true });
 
 journey("the page and the command line write the same photo", async (open) => {
   const visitor = await open();
@@ -75,7 +75,7 @@ journey("the face seen from further away, from nearer, and as it was taken", asy
   await visitor.unfold("section-in-photo");
   await visitor.page.click("#seen-as-taken");
   assert.equal(difference(PNG.sync.read(await visitor.download("download-photo-png")), await sample()), 0);
-});
+}, { isRare: true });
 
 journey("a transparent photo leaves the page transparent as a PNG, and over white as a JPEG", async (open) => {
   const visitor = await open();

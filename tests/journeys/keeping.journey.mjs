@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 import { Visitor } from "./visitor.mjs";
 
 journey("an edit a moment before a reload, or before the tab is closed, is kept", async (open) => {
@@ -45,13 +45,13 @@ journey("an edit is kept however long before the reload it was made", async (ope
     await visitor.untilFace();
     assert.equal(await noseOut(visitor), place + 2, `${wait_ms} ms`);
   }
-});
+}, { isRare: true });
 
-for (const [how, refuse] of /** @type {const} */ ([
+for (const [how, refuse] of alike(/** @type {const} */ ([
   ["throws", refuseByThrowing],
   ["answers with an error", refuseByError],
   ["is full", refuseByFullness],
-])) {
+]))) {
   journey(`where the database ${how}, the page says once that nothing is kept, and the work goes on`, async (open) => {
     const visitor = await open({ before: (context) => context.addInitScript(refuse) });
     const { page } = visitor;

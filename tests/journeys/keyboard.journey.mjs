@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 import { difference } from "./pixels.mjs";
 
 journey("everything from photo to file by keyboard alone", async (open) => {
@@ -60,7 +60,7 @@ journey("the first stop of the keyboard leads past everything to the search, whi
   await page.keyboard.type("bottom of the chin");
   await page.keyboard.press("Enter");
   assert.equal(await visitor.landmark(), 152);
-});
+}, { isRare: true });
 
 journey("a question mark lists the keys, but not where text is typed", async (open) => {
   const visitor = await open();
@@ -96,7 +96,7 @@ journey("the camera follows the keys while the view has the focus", async (open)
   await page.keyboard.press("Alt+ArrowDown");
   await page.keyboard.press("Space");
   assert.ok(difference(start, await visitor.view()) < 0.001, "Space did not reset the view");
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 /** What Tab reaches with each of the panel's tabs, beside what stands on each of them. */
 const STOPS = {
@@ -106,7 +106,7 @@ const STOPS = {
 };
 const EVERYWHERE = ["viewport", "undo", "language", "theme", "open-keys", "open-credits", "download-glb"];
 
-for (const [tab, stops] of Object.entries(STOPS)) {
+for (const [tab, stops] of alike(Object.entries(STOPS))) {
   journey(`Tab goes through everything on the tab ${tab}, and shows the whole of a ring around where it is`, async (open) => {
     const visitor = await open();
     const { page } = visitor;
@@ -143,7 +143,7 @@ journey("in a dialog the ring is whole, too", async (open) => {
     await page.keyboard.press("Enter");
     assert.ok(await page.isHidden(`#${dialog}`));
   }
-});
+}, { isRare: true });
 
 /**
  * What has the focus: a name for it, whether it had the focus before, whether an outline shows it, whether it is in the

@@ -2,10 +2,10 @@ import assert from "node:assert/strict";
 import { AUDIENCES } from "./audiences.mjs";
 import { findings } from "./boxes.mjs";
 import { chinFindings } from "./chin.mjs";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 import { STATES, withHeldWork, wrongWith } from "./states.mjs";
 
-for (const { id, options } of AUDIENCES) {
+for (const { id, options } of alike(AUDIENCES, 2)) {
   journey(`in a window of ${id.replace("x", " × ")} nothing overlaps, is cut or covered, in either language`, async (open) => {
     const visitor = await open({ ...options, colorScheme: "light", before: withHeldWork });
     /** Each finding with the state in which it was first seen. @type {Map<string, string>} */

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -47,7 +47,7 @@ journey("each lens shows the face another way, on the page and in a picture, and
   assert.deepEqual(await visitor.history(), []);
 }, { needs: "eyes" });
 
-for (const lens of ["parallel", "near"]) {
+for (const lens of alike(["parallel", "near"])) {
   journey(`with a lens, what lights up under the pointer is what a press takes: ${lens}`, async (open) => {
     const visitor = await open();
     const { page } = visitor;

@@ -29,7 +29,7 @@ journey("of a large photo and a GLB right after it, the GLB stays", async (open)
   assertCameBack(await visitor.meshJson("mm"), work);
   assert.ok(await page.isHidden("#notice"));
   assert.ok(await page.isHidden("#progress"));
-});
+}, { isRare: true });
 
 journey("of a large photo and a small one right after it, the small one stays", async (open) => {
   const visitor = await open();

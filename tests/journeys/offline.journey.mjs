@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 import { DIST, serve } from "./server.mjs";
 
 const BELOW = "/kept/";
@@ -17,7 +17,7 @@ const TROUBLES = {
   "gives a page of its own for every file": (name, response) => name !== "" && portal(response),
 };
 
-for (const [what, disturbance] of Object.entries(TROUBLES)) {
+for (const [what, disturbance] of alike(Object.entries(TROUBLES), 2)) {
   journey(`the stored page works with a server that ${what}`, async (open) => {
     await withServer(async (server) => {
       const visitor = await open({ url: server.url, serviceWorkers: "allow" });

@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 
 const DESKTOP = { viewport: { width: 1280, height: 720 } };
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
@@ -19,7 +19,7 @@ journey("the panel goes from photo to sliders, to the hand, to what was done, an
   assert.deepEqual(await seen(), ["Foto", "Traços", "Expressões", "Mover à mão", "Na foto", "Histórico", "Avançado"]);
 });
 
-for (const [device, options] of Object.entries({ desktop: DESKTOP, phone: PHONE, "phone on its side": SHORT })) {
+for (const [device, options] of alike(Object.entries({ desktop: DESKTOP, phone: PHONE, "phone on its side": SHORT }))) {
   journey(`shape, view and export are tabs, by keys too, and the download is in sight on each: ${device}`, async (open) => {
     const visitor = await open(options);
     const { page } = visitor;
@@ -84,7 +84,7 @@ journey("the presets say which is on and what it means, and that none is", async
   assert.ok(!(await custom.isChecked()));
 });
 
-for (const [size, panel_px] of [[[1280, 720], 320], [[720, 450], 280]]) {
+for (const [size, panel_px] of alike([[[1280, 720], 320], [[720, 450], 280]])) {
   journey(`segments of a row are of one height and one line in either language: ${size.join(" × ")}`, async (open) => {
     const visitor = await open({ viewport: { width: size[0], height: size[1] } });
     const { page } = visitor;
@@ -106,7 +106,7 @@ for (const [size, panel_px] of [[[1280, 720], 320], [[720, 450], 280]]) {
   });
 }
 
-for (const [width, height] of [[1280, 720], [720, 450], [844, 390], [360, 640]]) {
+for (const [width, height] of alike([[1280, 720], [720, 450], [844, 390], [360, 640]])) {
   journey(`the list of keys is not cut, begins at its top, and can be left: ${width} × ${height}`, async (open) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;
@@ -137,7 +137,7 @@ journey("language and theme are in reach on a small screen while a face is open"
   const before = await page.getAttribute("html", "data-theme");
   await page.click("#theme");
   assert.notEqual(await page.getAttribute("html", "data-theme"), before);
-});
+}, { isRare: true });
 
 journey("fingers are told to tap and choose, a mouse to click and drop", async (open) => {
   const texts = (visitor) => visitor.page.evaluate(() => ["welcome-title", "landmark-help"].map((id) => document.getElementById(id).textContent).join(" "));

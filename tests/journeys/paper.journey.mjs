@@ -47,7 +47,7 @@ journey("what each operator and constraint does is what the command line finds",
       assert.ok(apart <= within, `${method.operator} ${method.hold}: ${measure} ${here[place]}, not ${method[measure]}`);
     }
   }
-});
+}, { isRare: true });
 
 /** The numbers in a table's rows. */
 async function cells(page, table) {

@@ -83,7 +83,7 @@ journey("who drags beside the face turns it out of the photo", async (open) => {
   assert.deepEqual(await visitor.history(), []);
   await visitor.page.keyboard.press("p");
   assert.equal(await scene(visitor), "picture");
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 journey("the small photo shows every edit as it is made", async (open) => {
   const visitor = await open();
@@ -119,7 +119,7 @@ journey("both stand side by side where the window is wide, and a press on the ph
   await visitor.page.setViewportSize({ width: 800, height: 900 });
   await visitor.page.keyboard.press("p");
   assert.ok(!(await visitor.page.isVisible("#beside")), "a narrow window has no room for both");
-});
+}, { isRare: true });
 
 journey("what the brush keeps stays, with an undo of its own, and is there after a reload", async (open) => {
   const visitor = await open();

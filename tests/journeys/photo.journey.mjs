@@ -86,7 +86,7 @@ journey("the same landmark shows on photo and mesh, whichever side the pointer i
   await page.mouse.move(view.x + view.width / 2, view.y + view.height / 2);
   await visitor.frames(2);
   assert.ok(difference(plain, PNG.sync.read(await photo.screenshot())) > 0, "the photo does not mark the landmark");
-});
+}, { isRare: true });
 
 journey("landmarks lie on the panel's photo where they are in the photo", async (open) => {
   const visitor = await open();

@@ -59,7 +59,7 @@ journey("a region's landmarks are marked, and it is dragged by any of them and b
   assert.deepEqual(await visitor.history(), ["nose", "nose"]);
   const along = way(lifted, await visitor.meshJson("mm"), NOSE_TIP);
   assert.ok(along[1] < -1 && Math.hypot(along[0], along[2]) < 1e-9, `not along y: ${along}`);
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 journey("clicks take the region under the pointer, then the larger one, and the choice of a landmark comes back", async (open) => {
   const visitor = await open();

@@ -1,9 +1,9 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 import { assertCameBack } from "./meshes.mjs";
 import { colourCount, meanColour } from "./pixels.mjs";
 
-for (const paint of ["photo", "colours"]) {
+for (const paint of alike(["photo", "colours"])) {
   journey(`a downloaded GLB painted with ${paint} brings the face back after a reload, with its history`, async (open) => {
     const visitor = await open();
     const { page } = visitor;

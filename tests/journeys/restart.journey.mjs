@@ -1,12 +1,12 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 import { keptWorks } from "./kept.mjs";
 import { meanColour } from "./pixels.mjs";
 
-for (const { drawn, needs, module } of [
+for (const { drawn, needs, module } of alike([
   { drawn: "WebGPU", needs: "eyes", module: "rosto-studio-web" },
   { drawn: "WebGL2", needs: "webgl", module: "rosto-studio-webgl" },
-]) {
+])) {
   journey(
     `a module whose memory is spoilt under ${drawn} is started again, twice, with the work, the choices and the look`,
     async (open) => {

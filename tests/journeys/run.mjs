@@ -1,11 +1,11 @@
-// Walks every journey through the built page, or those whose names contain the words given, and counts. Two are walked at
-// a time, each in a browser of its own, where the machine has two cores. With --timed, the ones that measure instead, one
-// by one: what they find depends on what else the machine does.
+// Walks the journeys of a test run through the built page, with --all every one, or those whose names contain the words
+// given, and counts. Two are walked at a time, each in a browser of its own, where the machine has two cores. With --timed,
+// the ones that measure instead, one by one: what they find depends on what else the machine does.
 import { readdir } from "node:fs/promises";
 import { availableParallelism } from "node:os";
 import path from "node:path";
 import { Browsers } from "./browsers.mjs";
-import { journeys } from "./journey.mjs";
+import { WANTED, journeys } from "./journey.mjs";
 import { DIST, serve } from "./server.mjs";
 import { Visitor } from "./visitor.mjs";
 
@@ -21,8 +21,7 @@ for (const file of (await readdir(HERE)).filter((name) => name.endsWith(ending))
   await import(path.join(HERE, file));
 }
 
-const wanted = process.argv.slice(2).filter((word) => word !== "--timed").join(" ");
-const waiting = journeys.filter(({ name }) => name.includes(wanted));
+const waiting = journeys.filter(({ name }) => name.includes(WANTED));
 const server = await serve(DIST, BELOW);
 let passed = 0;
 let failed = 0;

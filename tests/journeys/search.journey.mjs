@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 
 /** What is typed, and what of the face is meant by it. */
 const FOUND = {
@@ -26,7 +26,7 @@ const FOUND = {
   ],
 };
 
-for (const [language, wishes] of Object.entries(FOUND)) {
+for (const [language, wishes] of alike(Object.entries(FOUND))) {
   journey(`a search takes the best match, whatever the case and the accents: ${language}`, async (open) => {
     const visitor = await open({ locale: language === "pt" ? "pt-BR" : "en-GB" });
     const { page } = visitor;

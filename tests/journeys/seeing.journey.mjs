@@ -70,7 +70,7 @@ journey("the light follows the small sphere, and its colour what is chosen", asy
   assert.ok(difference(first, fromTheRight) > 0.05);
   await page.fill("#light-colour", "#ff4000");
   assert.ok(difference(fromTheRight, await visitor.view()) > 0.05);
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 journey("a photo keeps the light that it was taken in; the lamp is for the others, or for who asks", async (open) => {
   const visitor = await open();
@@ -170,7 +170,7 @@ journey("the turntable turns until it is switched off", async (open) => {
   assert.ok(difference(first, turned) > 0.02, "nothing turned");
   await page.waitForTimeout(300);
   assert.equal(difference(turned, await visitor.view()), 0, "it went on turning");
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 journey("the background is a colour of one's own, in the picture too, which can leave it out", async (open) => {
   const visitor = await open();
@@ -191,7 +191,7 @@ journey("the background is a colour of one's own, in the picture too, which can 
   await visitor.reach("#background-plain");
   await page.uncheck("#background-plain");
   assert.notDeepEqual(corner(await visitor.view()), [0x0c, 0xb4, 0xfa, 255]);
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 /** @param {import("./pixels.mjs").Pixels} pixels */
 function corner({ data }) {

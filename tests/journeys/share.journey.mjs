@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -69,14 +69,14 @@ journey("before and after are handed on where the browser can, and downloaded wh
   await page.click("[data-action='share-pair']");
   await page.waitForFunction(() => window["sent"].length === 3);
   assert.ok(await page.isHidden("#notice"));
-});
+}, { isRare: true });
 
 journey("a browser that hands nothing on has no button for it", async (open) => {
   const visitor = await open({ before: (context) => context.addInitScript("delete Navigator.prototype.canShare") });
   await visitor.dropSample();
   await visitor.unfold("section-export");
   assert.ok(await visitor.page.isHidden("[data-action='share-pair']"));
-});
+}, { isRare: true });
 
 journey("the face swings once in a clip of four seconds without any tool, and is then as it was", async (open) => {
   const visitor = await open();
@@ -112,10 +112,10 @@ journey("the face swings once in a clip of four seconds without any tool, and is
   assert.equal(accents(first), 0, "a tool is in the clip");
 }, { needs: "eyes" });
 
-for (const { by, stop } of [
+for (const { by, stop } of alike([
   { by: "Escape", stop: (/** @type {import("./visitor.mjs").Visitor} */ { page }) => page.keyboard.press("Escape") },
   { by: "the button", stop: (/** @type {import("./visitor.mjs").Visitor} */ { page }) => page.click("#clip") },
-]) {
+])) {
   journey(`a clip that is cancelled by ${by} leaves no file and no trace`, async (open) => {
     const visitor = await open();
     const { page } = visitor;
@@ -149,7 +149,7 @@ journey("a clip ends when the page goes out of sight, and says why", async (open
   await page.evaluate(() => document.dispatchEvent(new Event("visibilitychange")));
   await untilInterrupted(page);
   assert.equal(difference(await visitor.view(), before), 0);
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 journey("a clip ends when another face comes, which is seen as at first", async (open) => {
   const visitor = await open();
@@ -166,7 +166,7 @@ journey("a clip ends when another face comes, which is seen as at first", async 
   const opened = await visitor.view();
   await page.click("#toolbar [data-action='reset-view']");
   assert.equal(difference(await visitor.view(), opened), 0, "the face is turned by what the clip turned the other");
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 journey("a clip ends when the graphics process crashes, and another can be recorded", async (open) => {
   const visitor = await open();

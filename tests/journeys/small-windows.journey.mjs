@@ -1,16 +1,16 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 import { STATES, withHeldWork, wrongWith } from "./states.mjs";
 
 /** Windows smaller than, or between, those of the contact sheets. */
 const WINDOWS = [
-  { width: 640, height: 360, hasTouch: true },
   { width: 320, height: 568, hasTouch: true },
+  { width: 640, height: 360, hasTouch: true },
 ];
 
 const SEEN = ["empty", "working", "arrived", "selected", "view", "export", "notice", "keys"];
 
-for (const { width, height, hasTouch = false } of WINDOWS) {
+for (const { width, height, hasTouch = false } of alike(WINDOWS)) {
   journey(`in a small window of ${width} × ${height} everything is in reach, and nothing overlaps or is cut`, async (open) => {
     const visitor = await open({ viewport: { width, height }, hasTouch, isMobile: hasTouch, before: withHeldWork });
     /** @type {string[]} */

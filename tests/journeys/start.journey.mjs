@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 
 /** Answers to the request for a module that leave the page without it. */
 const TROUBLES = [
@@ -55,7 +55,7 @@ journey("a page whose modules do not come says so, and takes it back when they d
   await page.waitForSelector("#not-started", { state: "hidden" });
 });
 
-for (const [what, block] of /** @type {const} */ ([["cannot be read", blockStorage], ["takes nothing", fillStorage]])) {
+for (const [what, block] of alike(/** @type {const} */ ([["cannot be read", blockStorage], ["takes nothing", fillStorage]]))) {
   journey(`with a storage that ${what} the page works, and only forgets`, async (open) => {
     const visitor = await open({ colorScheme: "light", before: (context) => context.addInitScript(block) });
     const { page } = visitor;
@@ -74,7 +74,7 @@ for (const [what, block] of /** @type {const} */ ([["cannot be read", blockStora
   });
 }
 
-for (const status of [404, "lost"]) {
+for (const status of alike([404, "lost"])) {
   journey(`a sample that is ${status} gets a notice, and can be tried again`, async (open) => {
     const visitor = await open({
       before: (context) => context.route("**/assets/sample.png", (route) => (status === "lost" ? route.abort() : route.fulfill({ status }))),

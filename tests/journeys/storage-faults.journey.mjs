@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 import { keptWorks } from "./kept.mjs";
 import { asJpeg } from "./pictures.mjs";
 import { anotherTab, continueIn, standing, untilKept } from "./tabs.mjs";
@@ -31,11 +31,11 @@ journey("where the space runs out as the work is committed, the page says once t
   assert.deepEqual(await standing(visitor), next);
 });
 
-for (const [what, remove] of /** @type {const} */ ([
+for (const [what, remove] of alike(/** @type {const} */ ([
   ["is deleted", deleteDatabase],
   ["loses the face", (page) => clearStore(page, "faces")],
   ["loses what was done", (page) => clearStore(page, "done")],
-])) {
+]))) {
   journey(`the next change brings back everything to a database that ${what} while the page is open`, async (open) => {
     const visitor = await open();
     const { page } = visitor;
@@ -96,10 +96,10 @@ for (const [what, isLost, found] of /** @type {const} */ ([
   });
 }
 
-for (const [what, seize] of /** @type {const} */ ([
+for (const [what, seize] of alike(/** @type {const} */ ([
   ["keeps the database from opening", seizeDatabase],
   ["has a transaction that does not end", seizeStores],
-])) {
+]))) {
   journey(`while another tab ${what}, the page says once that nothing is kept, and later keeps all of it`, async (open) => {
     const visitor = await open();
     const { page } = visitor;

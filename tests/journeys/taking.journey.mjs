@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 import { way } from "./meshes.mjs";
 import { accentPixels } from "./pixels.mjs";
 
@@ -56,7 +56,7 @@ journey("a drag past a slider's end stops there and says so", async (open) => {
   const slider = page.locator("#landmark-sliders [data-axis='y'] input[type=number]");
   assert.equal(await slider.inputValue(), await slider.getAttribute("max"));
   assert.ok(Math.abs(way(start, await visitor.meshJson("mm"), NOSE_TIP)[1] - Number(await slider.inputValue())) < 1e-9);
-});
+}, { isRare: true });
 
 journey("an edit is near and shows how far it reaches: pulling the nose leaves teeth and eyelids alone", async (open) => {
   const visitor = await open();
@@ -91,7 +91,7 @@ journey("an edit is near and shows how far it reaches: pulling the nose leaves t
   assert.ok(accentPixels(near) > accentPixels(whole) + 60, `${accentPixels(near)} and ${accentPixels(whole)} pixels of the accent`);
 }, { needs: "eyes" });
 
-for (const [mode, least] of /** @type {const} */ ([["landmark", 12], ["region", 12], ["point", 12]])) {
+for (const [mode, least] of alike(/** @type {const} */ ([["landmark", 12], ["region", 12], ["point", 12]]))) {
   journey(`what lights up under the pointer is what a press takes: ${mode}`, async (open) => {
     const visitor = await open();
     await visitor.dropSample();
@@ -129,7 +129,7 @@ journey("what lights up below a pointer that rests is what a press takes, howeve
     await page.mouse.move(x, y);
   }
   assert.ok(names.size > 3, `the same everywhere: ${[...names]}`);
-});
+}, { isRare: true });
 
 journey("beside the face, or with another button, the face turns; with Shift it moves", async (open) => {
   const visitor = await open();

@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 import { way } from "./meshes.mjs";
 import { difference } from "./pixels.mjs";
 
@@ -114,7 +114,7 @@ journey("on a phone the sheet leaves most of the face free, and nothing scrolls 
   }
 });
 
-for (const width of [360, 390, 820, 1024, 1280]) {
+for (const width of alike([360, 390, 820, 1024, 1280])) {
   journey(`nothing floats over anything else at ${width} px`, async (open) => {
     const visitor = await open({ ...PHONE, viewport: { width, height: 800 } });
     const { page } = visitor;

@@ -91,7 +91,7 @@ journey("a worker that never comes is given up after a minute, and the next phot
   silences = false;
   await visitor.dropSample();
   assert.ok(await page.isHidden("#notice"));
-});
+}, { isRare: true });
 
 journey("a worker on a slow connection is waited for", async (open) => {
   const module = "wasm/rosto-vision-web_bg.wasm";

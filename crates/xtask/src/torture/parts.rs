@@ -4,7 +4,7 @@ use super::Amounts;
 use crate::failure::{Doing, Result};
 use crate::process::{Ended, Run};
 use crate::setup::Kit;
-use crate::{dist, workspace};
+use crate::{dist, test, workspace};
 use std::time::Duration;
 
 /// A program that tries to break something.
@@ -46,7 +46,7 @@ pub fn chosen(amounts: &Amounts) -> Vec<Part> {
         },
         Part {
             name: "page",
-            what: "random actions on the page in headless Chromium",
+            what: "random actions on the page in headless Chromium, after every journey",
             title: "A restless visitor of the page",
             amount: amounts.page_actions,
             missing: || without("package.json", "\"restless\"", "package.json has no script `restless`"),
@@ -72,6 +72,11 @@ fn session(_: &Kit, actions: u64) -> Result<Ended> {
 
 fn page(kit: &Kit, actions: u64) -> Result<Ended> {
     dist::build(kit)?;
+    let journeys = kit.run("npm")?.args(["run", "--silent", "journeys", "--", "--all"]);
+    let walked = logged("journeys", journeys.env("ROSTO_CLI", test::command_line()?))?;
+    if !walked.success {
+        return Ok(walked);
+    }
     let npm = kit.run("npm")?.args(["run", "--silent", "restless", "--", "--actions"]);
     logged("page", npm.arg(actions.to_string()))
 }
