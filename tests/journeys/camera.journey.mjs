@@ -94,7 +94,7 @@ journey("Escape during the countdown takes no photo", async (open) => {
   assert.equal(await page.innerText("#camera-countdown"), "");
   assert.equal(await page.getAttribute("body", "data-state"), "empty");
   assert.ok(await page.isHidden("#progress"));
-}, needs);
+}, { ...needs, isRare: true });
 
 journey("no photo is taken of a video that has no size yet", async (open) => {
   const visitor = await open({

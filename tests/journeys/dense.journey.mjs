@@ -63,7 +63,7 @@ journey("any point of the densest mesh is clicked, dragged and undone, as the co
   assert.match((await visitor.history())[0], new RegExp(`^ponto ${vertex.toLocaleString("de")} perto d[ao] `));
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await visitor.meshJson("mm"), start);
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 journey("a point is moved by sliders on both sides, waits while the mesh is coarser, and can be switched off", async (open) => {
   const visitor = await arriveAtPoints(open, 1);
@@ -122,4 +122,4 @@ journey("edits of points come back from a GLB, and stay where they are when eyes
   const lifted = opened.positions.map((place) => Math.hypot(...place.map((at, axis) => at - moved.positions[5_000][axis])));
   assert.ok(Math.min(...lifted) < 1, "the point did not come along");
   assert.notEqual(opened.positions.length, start.positions.length);
-});
+}, { isRare: true });

@@ -4,7 +4,7 @@ import { appendFile, cp, mkdtemp, readFile, readdir, rm } from "node:fs/promises
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { promisify } from "node:util";
-import { journey } from "./journey.mjs";
+import { alike, journey } from "./journey.mjs";
 import { DIST, serve } from "./server.mjs";
 import { anotherTab } from "./tabs.mjs";
 
@@ -13,10 +13,10 @@ const LISTING = path.resolve(import.meta.dirname, "../../web/list-for-offline.mj
 /** What only browsers without WebGPU store. */
 const FALLBACK = /^wasm\/rosto-studio-webgl/;
 
-for (const [when, how, needs] of /** @type {const} */ ([
+for (const [when, how, needs] of alike(/** @type {const} */ ([
   ["opened on a first visit", { reloads: false }, "gpu"],
   ["opened without WebGPU", { reloads: true }, "webgl"],
-])) {
+]))) {
   journey(`a tab that was ${when} keeps its version after a deploy, and a new one has the new version`, async (open) => {
     await withBuilds(async (server, newer) => {
       const old = await open({ url: server.url, serviceWorkers: "allow" });

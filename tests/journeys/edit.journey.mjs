@@ -66,7 +66,7 @@ journey("details that turn with the surface follow every tick, and make the comm
   assertSameMesh(await visitor.meshJson("mm"), turned);
   const kept = await meshByCommandLine(SAMPLE, [...options.split(" ").slice(0, -1), "--edit", "61:0,0,14"]);
   assert.throws(() => assertSameMesh(kept, turned), "details that keep their direction make the same mesh");
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 journey("a point is picked by clicking it on the mesh", async (open) => {
   const visitor = await open();

@@ -43,7 +43,7 @@ journey("a project of 20 000 edits opens, and edits and undo are as quick as eve
   for (const ms of [opening_ms, edit_ms, slide_ms, undo_ms]) assert.ok(ms < LIMIT_MS, `${ms} ms`);
   // What is listed is said to be a part of it.
   assert.match((await page.locator("#history .earlier").innerText()).replaceAll(/\D/g, ""), /^19900$/);
-});
+}, { isRare: true });
 
 journey("an offset without measure goes to the slider's end", async (open) => {
   const visitor = await open();

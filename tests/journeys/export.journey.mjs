@@ -121,7 +121,7 @@ journey("the panel says what the GLB holds, is called and weighs, and follows ev
   await visitor.slide("nose-width", 2);
   await visitor.unfold("section-export");
   assert.equal((await facts()).length, 2, "the size is that of another file");
-});
+}, { isRare: true });
 
 journey("what is printed is measured before the download as by the command line, and is the same to the byte", async (open) => {
   const visitor = await open();
@@ -142,7 +142,7 @@ journey("what is printed is measured before the download as by the command line,
     const made = await filesByCommandLine(SAMPLE, "face.3mf", [...AS_THE_PAGE, "--solid", body]);
     assert.ok((await visitor.download("download-3mf")).equals(made.files.get("face.3mf") ?? Buffer.alloc(0)), `another 3MF: ${body}`);
   }
-});
+}, { isRare: true });
 
 journey("a body that cannot be printed is refused with what would do", async (open) => {
   const visitor = await open();
@@ -213,7 +213,7 @@ journey("the GLB is handed on, the picture copied and the face shown in the room
   await page.click("#copy-picture");
   assert.equal((await visitor.notice()).code, "not-copied");
   assert.equal((await Promise.all([page.waitForEvent("download"), page.click("#share-glb")]))[0].suggestedFilename(), "ana.glb");
-});
+}, { isRare: true });
 
 journey("a browser that neither hands on nor copies nor shows in the room has no buttons for it", async (open) => {
   const without = "delete Navigator.prototype.canShare; delete window.ClipboardItem";

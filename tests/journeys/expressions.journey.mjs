@@ -78,4 +78,4 @@ journey("both sides go together or apart, and rest takes all back as one change"
   assert.ok(furthest(shape, await visitor.meshJson("mm")) < 1e-9);
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await visitor.meshJson("mm"), smiling);
-});
+}, { isRare: true });

@@ -67,7 +67,7 @@ journey("the face before is one press away, with its edits, and so is the one th
     await goBack(visitor, "portrait");
   }
   assert.ok(await page.isHidden("#face-choice"));
-});
+}, { isRare: true });
 
 journey("photos before the last one are there, too, each with its edits and by its name", async (open) => {
   const visitor = await open();
@@ -112,7 +112,7 @@ journey("a group can be gone back to from another photo, each of its faces as it
   assert.deepEqual(await standing(visitor), second);
   await choose(visitor, 0);
   assert.deepEqual(await standing(visitor), first);
-});
+}, { isRare: true });
 
 journey("of faces chosen one right after the other the last is shown, and the strip says so", async (open) => {
   const visitor = await open();

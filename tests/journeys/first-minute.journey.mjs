@@ -25,7 +25,7 @@ journey("hints wait for the deed, one after the other; a dot pulses where to dra
   await page.reload();
   await visitor.dropSample();
   assert.equal(await hint(), "", "a hint was given to who knows");
-});
+}, { isRare: true });
 
 journey("a hint for fingers speaks of fingers", async (open) => {
   const visitor = await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
@@ -37,7 +37,7 @@ journey("a hint for fingers speaks of fingers", async (open) => {
   for (const up of [10, 20]) await touch.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: [{ x: tip.x, y: tip.y - up }] });
   await touch.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
   assert.match(await page.innerText("#hint"), /two fingers/);
-});
+}, { isRare: true });
 
 journey("a face that has arrived turns a little and back, but not for who asked for less motion", async (open) => {
   for (const reducedMotion of /** @type {const} */ (["no-preference", "reduce"])) {
@@ -67,7 +67,7 @@ journey("a face that has arrived turns a little and back, but not for who asked 
     assert.equal(swing_px > 15, reducedMotion === "no-preference", `${reducedMotion}: the nose swings by ${swing_px} px`);
     await visitor.leave();
   }
-});
+}, { isRare: true });
 
 for (const [drawn, needs] of /** @type {const} */ ([["WebGPU", "eyes"], ["WebGL2", "webgl"]])) {
   journey(

@@ -39,7 +39,7 @@ journey("a GLB of the command line's finest mesh opens, with an edit that waits,
   assert.deepEqual(await visitor.meshJson("mm"), work);
   assert.equal((await visitor.history()).length, 3);
   assert.equal(await page.locator("#history .waits").count(), 1);
-});
+}, { isRare: true });
 
 journey("a GLB whose texture another program has halved opens with the photo in its place", async (open) => {
   const { visitor, page, work } = await withAnEdit(open);

@@ -40,4 +40,4 @@ journey("an AVIF that is too large, or broken, gets its message, and the page wo
     await visitor.page.click("#notice-close");
     assert.deepEqual(await visitor.meshJson("mm"), work);
   }
-});
+}, { isRare: true });

@@ -169,7 +169,7 @@ journey("the other side follows where the mirror is on, and its plane is a hairl
   assert.equal(await whileDragging(), 0, "a plane is drawn without the mirror");
   await visitor.offset("x", -4);
   assert.ok(Math.abs(way(start, await visitor.meshJson("mm"), MOUTH_CORNERS[1])[0]) < 2);
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 journey("a click with Alt pins a landmark, which then stays, and unpins it", async (open) => {
   const visitor = await open();
@@ -217,7 +217,7 @@ journey("every operator and constraint says in a line what it does, and does wha
   assert.ok(!(await page.isChecked("input[name='preset'][value='paper']")));
   await visitor.prefer("sculpt");
   assert.equal(await page.inputValue("#operator"), "cotangent");
-});
+}, { isRare: true });
 
 journey("a landmark is dragged on the densest mesh as on the coarse one", async (open) => {
   const visitor = await open();

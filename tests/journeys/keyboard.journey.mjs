@@ -77,7 +77,7 @@ journey("a question mark lists the keys, but not where text is typed", async (op
   assert.ok(await page.isHidden("#keys"));
   await page.click("[data-action='open-keys']");
   assert.ok(await page.isVisible("#keys"));
-});
+}, { isRare: true });
 
 journey("the camera follows the keys while the view has the focus", async (open) => {
   const visitor = await open();

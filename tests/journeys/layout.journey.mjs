@@ -5,7 +5,7 @@ import { chinFindings } from "./chin.mjs";
 import { alike, journey } from "./journey.mjs";
 import { STATES, withHeldWork, wrongWith } from "./states.mjs";
 
-for (const { id, options } of alike(AUDIENCES, 2)) {
+for (const { id, options } of alike(AUDIENCES)) {
   journey(`in a window of ${id.replace("x", " × ")} nothing overlaps, is cut or covered, in either language`, async (open) => {
     const visitor = await open({ ...options, colorScheme: "light", before: withHeldWork });
     /** Each finding with the state in which it was first seen. @type {Map<string, string>} */
@@ -35,7 +35,7 @@ journey("all of the face is in what a window leaves free, and again whenever the
     for (const what of await chinFindings(visitor)) found.push(`${id}: ${what}`);
   }
   assert.deepEqual(found, []);
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 /** Faults, each put into a page that has none. @type {[string, string, Record<string, string>, RegExp][]} */
 const FAULTS = [

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
-import { alike, journey } from "./journey.mjs";
+import { journey } from "./journey.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -45,9 +45,9 @@ journey("each lens shows the face another way, on the page and in a picture, and
   await page.click("#toolbar [data-action='reset-view']");
   assert.equal(difference(views[0], await visitor.view()), 0, "the portrait did not come back");
   assert.deepEqual(await visitor.history(), []);
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
-for (const lens of alike(["parallel", "near"])) {
+for (const lens of ["parallel", "near"]) {
   journey(`with a lens, what lights up under the pointer is what a press takes: ${lens}`, async (open) => {
     const visitor = await open();
     const { page } = visitor;
@@ -60,7 +60,7 @@ for (const lens of alike(["parallel", "near"])) {
     const { lit, turned } = await visitor.takeAtEach(7);
     assert.ok(lit >= 7, `${lit} places light up`);
     assert.deepEqual(turned, [], "lit places that a press does not take");
-  });
+  }, { isRare: true });
 }
 
 journey("as photographed, the mesh lies where the face is in the photo, and the lens is kept", async (open) => {

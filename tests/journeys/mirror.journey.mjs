@@ -70,7 +70,7 @@ journey("what is seen in the mirror is kept as a photo with its edits, and the c
   assert.equal(await visitor.sliderValue("nose-width"), NOSE_MM);
   assert.equal(await visitor.sliderValue("eye-size"), 2);
   assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
-}, { needs: "moving-camera" });
+}, { needs: "moving-camera", isRare: true });
 
 journey("without a face open, the first one that the camera sees is opened; a double click opens one camera", async (open) => {
   const visitor = await open({ before, viewport: { width: 390, height: 844 } });
@@ -89,7 +89,7 @@ journey("without a face open, the first one that the camera sees is opened; a do
   assert.equal(await page.getAttribute("body", "data-state"), "face");
   assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
   assert.equal(await page.getAttribute("#privacy-count", "data-requests"), "0", "nothing was sent");
-}, { needs: "moving-camera" });
+}, { needs: "moving-camera", isRare: true });
 
 journey("in the mirror a face is lost and found, a worker that dies is said, and a hidden page has no camera", async (open) => {
   const visitor = await open({
@@ -123,7 +123,7 @@ journey("in the mirror a face is lost and found, a worker that dies is said, and
   await page.waitForSelector("#camera-shutter:enabled");
   assert.ok(await page.isHidden("#live"));
   assert.equal((await camera(visitor)).live, 1);
-}, { needs: "moving-camera" });
+}, { needs: "moving-camera", isRare: true });
 
 journey("a camera that is refused or unplugged ends the mirror, and says why", async (open) => {
   const visitor = await open({ before });

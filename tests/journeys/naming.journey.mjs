@@ -60,7 +60,7 @@ journey("each face of a group has a name of its own", async (open) => {
   assert.equal(await nameOf(visitor, "download-glb"), "group.glb");
   await page.locator("#face-options input").nth(1).click({ force: true });
   await untilNamed(visitor, "download-glb", "group-2.glb");
-});
+}, { isRare: true });
 
 journey(
   "a photo from the camera is a selfie",

@@ -17,7 +17,7 @@ const TROUBLES = {
   "gives a page of its own for every file": (name, response) => name !== "" && portal(response),
 };
 
-for (const [what, disturbance] of alike(Object.entries(TROUBLES), 2)) {
+for (const [what, disturbance] of alike(Object.entries(TROUBLES))) {
   journey(`the stored page works with a server that ${what}`, async (open) => {
     await withServer(async (server) => {
       const visitor = await open({ url: server.url, serviceWorkers: "allow" });

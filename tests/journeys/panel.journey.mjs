@@ -82,7 +82,7 @@ journey("the presets say which is on and what it means, and that none is", async
   await visitor.prefer("sculpt");
   assert.deepEqual(await segments(), ["Sculpt", "Paper"]);
   assert.ok(!(await custom.isChecked()));
-});
+}, { isRare: true });
 
 for (const [size, panel_px] of alike([[[1280, 720], 320], [[720, 450], 280]])) {
   journey(`segments of a row are of one height and one line in either language: ${size.join(" × ")}`, async (open) => {
@@ -103,7 +103,7 @@ for (const [size, panel_px] of alike([[[1280, 720], 320], [[720, 450], 280]])) {
         assert.deepEqual(wide, [], `${language}, ${tab}`);
       }
     }
-  });
+  }, { isRare: true });
 }
 
 for (const [width, height] of alike([[1280, 720], [720, 450], [844, 390], [360, 640]])) {

@@ -72,7 +72,7 @@ journey("sliders, regions and the wipe work on the photo", async (open) => {
   await visitor.page.click("#compare");
   const wiped = await visitor.view();
   assert.ok(difference(wiped, before) > 0 && difference(wiped, after) > 0, "the wipe shows both");
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 journey("who drags beside the face turns it out of the photo", async (open) => {
   const visitor = await open();
@@ -167,4 +167,4 @@ journey("an edit in depth says that it hardly shows, and offers the view in whic
   await visitor.frames(3);
   const [tip, chin] = [await visitor.landmarkPlace(4), await visitor.landmarkPlace(152)];
   assert.ok(Math.abs(tip.x - chin.x) > 40, "the face is seen from the side");
-});
+}, { isRare: true });

@@ -58,7 +58,7 @@ journey("a GLB that cannot be opened leaves the face, its history and what is ke
     { name: "a photo without width", codes: ["damaged-glb", "bad-face"], file: changed((extras) => (extras.photo_px = [0, 512])) },
   );
   await expectRefused(visitor, bad, "face.glb");
-});
+}, { isRare: true });
 
 journey("kept work whose picture is damaged gets a notice, and the page goes on", async (open) => {
   const visitor = await open();

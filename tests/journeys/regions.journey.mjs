@@ -112,4 +112,4 @@ journey("one thing is reset by itself, in one step that undo takes back", async 
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await visitor.meshJson("mm"), both);
   assert.equal(await page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]"), "4");
-});
+}, { isRare: true });

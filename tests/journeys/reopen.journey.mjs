@@ -54,7 +54,7 @@ journey("a GLB brings its density and its eyes and mouth along", async (open) =>
   const opened = await visitor.meshJson("mm");
   assert.deepEqual(opened.positions, work.positions);
   assert.deepEqual(opened.triangles, work.triangles);
-});
+}, { isRare: true });
 
 journey("a GLB of another program, or half of ours, leaves the work and a message", async (open) => {
   const visitor = await open();

@@ -47,7 +47,7 @@ journey("lines, dots, density and open eyes and mouth each change what is drawn,
     await page.selectOption(`#${select}`, usual);
   }
   assert.equal(difference(first, await visitor.view()), 0, "the view did not come back");
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 journey("the light follows the small sphere, and its colour what is chosen", async (open) => {
   const visitor = await open();
@@ -86,7 +86,7 @@ journey("a photo keeps the light that it was taken in; the lamp is for the other
   await page.check("input[name='shading'][value='clay']", { force: true });
   assert.ok(await page.locator("#lamp").evaluate((lamp) => !lamp.disabled));
   assert.ok(await page.isHidden("#light-photo"));
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 journey("before and after: all of it while the button or B is held, beside each other by an edge that moves", async (open) => {
   const visitor = await open();
@@ -140,7 +140,7 @@ journey("before and after: all of it while the button or B is held, beside each 
   await page.click("#compare");
   await visitor.dropSample();
   assert.ok(await page.isHidden("#wipe"), "another face is compared with nothing yet");
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 journey("a picture that is saved shows the face alone", async (open) => {
   const visitor = await open();

@@ -37,7 +37,7 @@ journey("before and after are the halves of one picture, and the view stays as i
   assert.equal(differenceNear(left, right, { x: 40, y: 40 }, 30), 0, "they differ where nothing was edited");
   assert.ok(difference(below(left), below(middleOf(found, left.width))) > 0.005, "there is no caption");
   assertSame(await standing(visitor), before);
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 journey("a picture of before and after that cannot be made says so and leaves the view as it was", async (open) => {
   const visitor = await open();

@@ -30,7 +30,7 @@ journey("a face tells from how far it was photographed, and follows when that is
   await page.click("[data-action=distance-known]");
   assert.equal(await number.inputValue(), usual);
   assert.deepEqual(await measures(page), found);
-}, { needs: "eyes" });
+}, { needs: "eyes", isRare: true });
 
 journey("the tape measures from one point to another, with its error", async (open) => {
   const visitor = await open();

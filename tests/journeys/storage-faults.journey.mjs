@@ -190,7 +190,7 @@ journey("the latest work is the one that was kept last, however the clock was se
   await fourth.findLandmark("nose tip");
   assert.equal(Number(await fourth.page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]")), 3);
   for (const visitor of [third, fourth]) visitor.checkNothingBroke();
-});
+}, { isRare: true });
 
 /** Two works of one visitor, who is back on the page; the latest is the one of the sample itself. */
 async function twoWorks(open) {

@@ -75,7 +75,7 @@ journey("a tab writes its own slot alone, and a new face does not write over the
   assert.equal(now.length, 3);
   assert.deepEqual(now.find(({ slot }) => slot === kept.slot)?.edits, kept.edits);
   second.checkNothingBroke();
-});
+}, { isRare: true });
 
 journey("a face that was left in one tab and goes on in another comes back in the first as it was left there", async (open) => {
   const first = await open();

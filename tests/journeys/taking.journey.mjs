@@ -159,4 +159,4 @@ journey("beside the face, or with another button, the face turns; with Shift it 
     }
   }
   assert.deepEqual(await visitor.history(), []);
-});
+}, { isRare: true });
