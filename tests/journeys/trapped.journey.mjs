@@ -64,7 +64,10 @@ async function pressEverything({ page, frames }) {
 function countCalls() {
   const modules = { calls: [], isWaiting: false, release: () => {}, hold: () => {} };
   let held = Promise.resolve();
-  modules.hold = () => (held = new Promise((resolve) => (modules.release = resolve)));
+  // Returns nothing: page.evaluate would wait for the promise.
+  modules.hold = () => {
+    held = new Promise((resolve) => (modules.release = resolve));
+  };
   globalThis.modules = modules;
   const instantiate = WebAssembly.instantiate;
   WebAssembly.instantiate = async (module, imports) => {
