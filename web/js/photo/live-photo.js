@@ -13,7 +13,9 @@ export class LivePhoto {
   #crop = { left: 0, top: 0, width: 1, height: 1 };
   /** How many px of the upright photo make one of the picture that the crop is of. */
   #photoPerPicture = 1;
-  /** With the edits. */
+  /** In the size in which it is wanted, as it was taken. @type {ImageData | undefined} */
+  #taken;
+  /** The same with the edits. */
   #canvas = new OffscreenCanvas(1, 1);
   /** Whether it has changed since it was drawn. */
   #isDue = true;
@@ -57,18 +59,17 @@ export class LivePhoto {
     if (!part) return undefined;
     const wanted = Math.max(1, Math.min(Math.round(width), part.width));
     this.#give(part, wanted);
-    if (this.#isDue) this.#drawn = this.#draw(part);
+    if (this.#isDue) this.#drawn = this.#draw() ?? part;
     this.#isDue = false;
     return this.#drawn;
   }
 
-  /** @param {ImageBitmap} part */
-  #draw(part) {
+  #draw() {
     const rgba = this.#bench.ask((studio) => studio.panelPhoto());
-    if (!rgba) return part;
     const { width: w, height: h } = this.#canvas;
-    const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (rgba.buffer));
-    this.#canvas.getContext("2d")?.putImageData(new ImageData(pixels, w, h), 0, 0);
+    const pixels = rgba ? new ImageData(new Uint8ClampedArray(/** @type {ArrayBuffer} */ (rgba.buffer)), w, h) : this.#taken;
+    if (!pixels) return undefined;
+    this.#canvas.getContext("2d")?.putImageData(pixels, 0, 0);
     return this.#canvas;
   }
 
@@ -87,7 +88,8 @@ export class LivePhoto {
     if (!context) return;
     context.imageSmoothingQuality = "high";
     context.drawImage(part, 0, 0, width, height);
-    const rgba = new Uint8Array(context.getImageData(0, 0, width, height).data.buffer);
+    this.#taken = context.getImageData(0, 0, width, height);
+    const rgba = new Uint8Array(this.#taken.data.buffer);
     const { left, top } = this.#crop;
     const per = this.#photoPerPicture;
     const scale = width / (this.#crop.width * per);
