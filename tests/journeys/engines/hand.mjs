@@ -14,6 +14,13 @@
  * @property {() => Promise<void>} close
  */
 
+/** Thrown where the browser itself has crashed. */
+export class BrowserCrashed extends Error {
+  constructor() {
+    super("the browser crashed");
+  }
+}
+
 const STEPS = 8;
 /** A pointer that goes at a person's speed, so that no engine takes two moves for one. */
 const STEP_MS = 16;

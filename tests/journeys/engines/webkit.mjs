@@ -5,6 +5,7 @@ import { createServer } from "node:net";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { find } from "./find.mjs";
+import { BrowserCrashed } from "./hand.mjs";
 
 const START_MS = 15_000;
 const SCRIPT_MS = 120_000;
@@ -101,6 +102,8 @@ async function started(sessions) {
 async function request(method, url, body) {
   const answer = await fetch(url, { method, body: body && JSON.stringify(body) });
   const { value } = await answer.json();
+  // What WebKitWebDriver answers once the page's process has crashed.
+  if (value?.error === "invalid session id") throw new BrowserCrashed();
   if (!answer.ok) throw new Error(`${value.error}: ${value.message}`);
   return value;
 }
