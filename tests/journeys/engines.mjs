@@ -13,7 +13,7 @@ import { DIST, serve } from "./server.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
 const PICTURES = path.join(ROOT, "target/engines");
-/** WebKit 2.50's WebAssembly interpreter crashes now and then. What crashes it each time is the page's fault. */
+/** Launches per engine. WebKitGTK 2.50 sometimes crashes in its WebAssembly interpreter; a second crash fails the test. */
 const MOST_LAUNCHES = 2;
 
 const ENGINES = { chromium, firefox: onDisplay(firefox), webkit: onDisplay(webkit) };
@@ -36,7 +36,7 @@ async function visit(name, launch, launchesLeft = MOST_LAUNCHES) {
   const row = { engine: name, version: "—", "drawn by": "—", passed: "no", seconds: "" };
   /** @type {import("./engines/hand.mjs").Driver | undefined} */
   let driver;
-  let isAgain = false;
+  let willRetry = false;
   try {
     driver = await launch();
     row.engine = driver.engine;
@@ -45,14 +45,14 @@ async function visit(name, launch, launchesLeft = MOST_LAUNCHES) {
     await element(driver, site.url, PICTURES);
     row.passed = "yes";
   } catch (error) {
-    isAgain = error instanceof BrowserCrashed && launchesLeft > 1;
-    console.log(isAgain ? `${row.engine} ${row.version} crashed, and is started again` : `✗ ${row.engine} ${row.version}: ${error?.stack ?? error}`);
+    willRetry = error instanceof BrowserCrashed && launchesLeft > 1;
+    console.log(willRetry ? `${row.engine} ${row.version} crashed; launching it again` : `✗ ${row.engine} ${row.version}: ${error?.stack ?? error}`);
     const errors = await driver?.errors().catch(() => []);
     for (const error of errors ?? []) console.log(`    page: ${error}`);
   } finally {
     await driver?.close().catch((error) => console.log(`  ${row.engine} did not close: ${error.message}`));
   }
-  if (isAgain) return visit(name, launch, launchesLeft - 1);
+  if (willRetry) return visit(name, launch, launchesLeft - 1);
   row.seconds = ((performance.now() - started) / 1000).toFixed(1);
   return row;
 }

@@ -124,8 +124,8 @@ journey("of a large photo the page's own thread draws only what it shows", async
 });
 
 /**
- * Runs in the page: notes how many px each picture has that one of its canvases is given. Frames come late, so that the photo
- * is drawn before it follows the edits, too.
+ * Runs in the page: records the size in px of each image passed to `drawImage` on a canvas element. Delays animation frames, so
+ * that the panel also draws the photo before the first frame has applied the edits.
  */
 function countDrawn() {
   const { requestAnimationFrame } = globalThis;

@@ -64,7 +64,7 @@ async function pressEverything({ page, frames }) {
 function countCalls() {
   const modules = { calls: [], isWaiting: false, release: () => {}, hold: () => {} };
   let held = Promise.resolve();
-  // Returns nothing: page.evaluate would wait for the promise.
+  // Returns undefined: `page.evaluate` awaits a returned promise.
   modules.hold = () => {
     held = new Promise((resolve) => (modules.release = resolve));
   };

@@ -5,7 +5,7 @@ import { PNG } from "pngjs";
 import { colourCount, difference } from "../pixels.mjs";
 import { validateGlb } from "../validate-glb.mjs";
 import { SAMPLE } from "../visitor.mjs";
-import { Hand } from "./hand.mjs";
+import { BrowserCrashed, Hand } from "./hand.mjs";
 
 /** @typedef {import("./hand.mjs").Driver} Driver */
 
@@ -171,6 +171,7 @@ export async function until(driver, condition, what) {
     try {
       if (await driver.evaluate(`return Boolean(${condition})`)) return;
     } catch (error) {
+      if (error instanceof BrowserCrashed) throw error;
       unanswered = error;
     }
   }

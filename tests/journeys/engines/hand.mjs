@@ -14,7 +14,7 @@
  * @property {() => Promise<void>} close
  */
 
-/** Thrown where the browser itself has crashed. */
+/** The browser crashed; not a failure of the page's scripts. */
 export class BrowserCrashed extends Error {
   constructor() {
     super("the browser crashed");

@@ -102,7 +102,7 @@ async function started(sessions) {
 async function request(method, url, body) {
   const answer = await fetch(url, { method, body: body && JSON.stringify(body) });
   const { value } = await answer.json();
-  // What WebKitWebDriver answers once the page's process has crashed.
+  // WebKitWebDriver reports a crash of the web process this way.
   if (value?.error === "invalid session id") throw new BrowserCrashed();
   if (!answer.ok) throw new Error(`${value.error}: ${value.message}`);
   return value;

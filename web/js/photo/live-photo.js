@@ -13,9 +13,9 @@ export class LivePhoto {
   #crop = { left: 0, top: 0, width: 1, height: 1 };
   /** How many px of the upright photo make one of the picture that the crop is of. */
   #photoPerPicture = 1;
-  /** In the size in which it is wanted, as it was taken. @type {ImageData | undefined} */
-  #taken;
-  /** The same with the edits. */
+  /** The part scaled to the requested width, without edits. @type {ImageData | undefined} */
+  #unedited;
+  /** The same size, with the edits where the studio has them. */
   #canvas = new OffscreenCanvas(1, 1);
   /** Whether it has changed since it was drawn. */
   #isDue = true;
@@ -66,8 +66,8 @@ export class LivePhoto {
 
   #draw() {
     const rgba = this.#bench.ask((studio) => studio.panelPhoto());
-    const { width: w, height: h } = this.#canvas;
-    const pixels = rgba ? new ImageData(new Uint8ClampedArray(/** @type {ArrayBuffer} */ (rgba.buffer)), w, h) : this.#taken;
+    const edited = rgba && new ImageData(new Uint8ClampedArray(/** @type {ArrayBuffer} */ (rgba.buffer)), this.#canvas.width);
+    const pixels = edited ?? this.#unedited;
     if (!pixels) return undefined;
     this.#canvas.getContext("2d")?.putImageData(pixels, 0, 0);
     return this.#canvas;
@@ -88,8 +88,8 @@ export class LivePhoto {
     if (!context) return;
     context.imageSmoothingQuality = "high";
     context.drawImage(part, 0, 0, width, height);
-    this.#taken = context.getImageData(0, 0, width, height);
-    const rgba = new Uint8Array(this.#taken.data.buffer);
+    this.#unedited = context.getImageData(0, 0, width, height);
+    const rgba = new Uint8Array(this.#unedited.data.buffer);
     const { left, top } = this.#crop;
     const per = this.#photoPerPicture;
     const scale = width / (this.#crop.width * per);
