@@ -109,7 +109,9 @@ def test_an_error_of_the_generators_own_is_passed_on(pixels, jobs):
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_an_interrupt_ends_a_batch_at_once(portrait, jobs):
     script = """
-import sys, time, rosto
+import signal, sys, rosto
+# A shell starts background jobs with SIGINT ignored, and Python inherits that.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 photo, jobs = open(sys.argv[1], "rb").read(), int(sys.argv[2])
 def photos():
     for number in range(10_000):
@@ -123,7 +125,10 @@ except KeyboardInterrupt:
 """
     words = [sys.executable, "-c", script, str(portrait), str(jobs)]
     with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as process:
-        assert process.stdout.readline() == "begun\n"
-        process.send_signal(signal.SIGINT)
-        # All 10,000 would take an hour.
-        assert process.communicate(timeout=60)[0] == "interrupted\n" and process.returncode == 0
+        try:
+            assert process.stdout.readline() == "begun\n"
+            process.send_signal(signal.SIGINT)
+            # All 10,000 would take an hour.
+            assert process.communicate(timeout=60)[0] == "interrupted\n" and process.returncode == 0
+        finally:
+            process.kill()
