@@ -39,36 +39,6 @@ export function titleOf(text) {
   return (/^# (.+)$/m.exec(text)?.[1] ?? "").replaceAll("`", "");
 }
 
-/**
- * All links and pictures of a text as it stands.
- *
- * @param {Reader} markdown
- * @param {string} text
- */
-export function addressesIn(markdown, text) {
-  /** @type {string[]} */
-  const found = [];
-  const tokens = markdown.parse(text, {});
-  for (const token of everyOf(tokens)) {
-    put(token, (address) => {
-      found.push(address);
-      return address;
-    });
-  }
-  return found;
-}
-
-/**
- * The addresses of a text's headings.
- *
- * @param {Reader} markdown
- * @param {string} text
- */
-export function headingsIn(markdown, text) {
-  const headings = markdown.parse(text, {}).filter(({ type }) => type === "heading_open");
-  return headings.map((heading) => heading.attrGet("id"));
-}
-
 /** Whether an address is one on the web. @param {string} address */
 export function isElsewhere(address) {
   return /^[a-z][a-z0-9+.-]*:/i.test(address);

@@ -8,37 +8,31 @@ mod record;
 mod sources;
 mod table;
 
-use crate::failure::{Failure, Result};
 use crate::figures::Document;
-use crate::{cache, machine, progress, setup, workspace};
+use crate::run::announced;
+use crate::{machine, places, setup};
+use anyhow::{Result, bail, ensure};
 use record::Record;
-use std::process::ExitCode;
-use std::time::Instant;
 
 /// Where the figures go.
 pub const DOCUMENT: Document = Document { file: "docs/benchmarks.md", task: "bench", figures: "figures" };
 const GROWTH: &str = "docs/images/growth.svg";
 
 /// Measures and prints the tables; `--write` puts them into the document, and draws how time grows with size.
-pub fn run(arguments: &[&str]) -> Result<ExitCode> {
+pub fn run(arguments: &[&str]) -> Result<()> {
     let (options, wanted): (Vec<&str>, Vec<&str>) = arguments.iter().partition(|argument| argument.starts_with('-'));
     let write = match options.as_slice() {
         [] => false,
         ["--write"] => true,
-        _ => return Err(Failure::new(format!("unknown options {options:?}")).advice("the only option is --write")),
+        _ => bail!("unknown options {options:?}: the only option is --write"),
     };
     let kit = setup::for_tests()?;
     let mut records = Vec::new();
     for source in sources::chosen(&wanted)? {
-        progress::announce(source.name, source.what);
-        let started = Instant::now();
-        let output = (source.measure)(&kit)?;
+        let output = announced(source.name, source.what, || (source.measure)(&kit))?;
         let measured = record::read(&output);
-        if measured.is_empty() {
-            return Err(Failure::new(format!("{} printed no figures", source.name)).tried(output));
-        }
+        ensure!(!measured.is_empty(), "{} printed no figures: {output}", source.name);
         records.extend(measured);
-        progress::done(source.name, started);
     }
     let tables = table::all(&records);
     println!("\n{}\n\n{tables}", machine::describe());
@@ -46,11 +40,11 @@ pub fn run(arguments: &[&str]) -> Result<ExitCode> {
         DOCUMENT.update(&tables)?;
         draw_growth(&records)?;
     }
-    Ok(ExitCode::SUCCESS)
+    Ok(())
 }
 
-fn draw_growth(records: &[Record]) -> Result {
+fn draw_growth(records: &[Record]) -> Result<()> {
     let title = "Factorisation and one solve, on one thread";
     let Some(picture) = plot::growth("edit", title, records) else { return Ok(()) };
-    cache::write(&workspace::root().join(GROWTH), picture)
+    Ok(fs_err::write(places::root().join(GROWTH), picture)?)
 }

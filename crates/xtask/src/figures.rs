@@ -1,7 +1,8 @@
 //! Documents with figures that a task writes.
 
-use crate::failure::{Failure, Result};
-use crate::{cache, machine, workspace};
+use crate::{machine, places};
+use anyhow::{Context, Result};
+use fs_err as fs;
 
 /// A document, and the task that writes its figures.
 pub struct Document {
@@ -17,11 +18,11 @@ const END: &str = "<!-- end of figures -->\n";
 
 impl Document {
     /// Replaces the figures, and says on what machine they were taken.
-    pub fn update(&self, tables: &str) -> Result {
-        let file = workspace::root().join(self.file);
+    pub fn update(&self, tables: &str) -> Result<()> {
+        let file = places::root().join(self.file);
         let empty = || format!("# {}\n\n{}{END}", self.task, self.begin());
-        let present = std::fs::read_to_string(&file).unwrap_or_else(|_| empty());
-        cache::write(&file, self.with_figures(&present, &format!("{}\n\n{tables}\n", machine::describe()))?)?;
+        let present = fs::read_to_string(&file).unwrap_or_else(|_| empty());
+        fs::write(&file, self.with_figures(&present, &format!("{}\n\n{tables}\n", machine::describe()))?)?;
         println!("{} is up to date.", self.file);
         Ok(())
     }
@@ -33,9 +34,9 @@ impl Document {
     /// The document with what stands between its two marks replaced.
     fn with_figures(&self, document: &str, figures: &str) -> Result<String> {
         let begin = self.begin();
-        let missing = || Failure::new(format!("{} has lost the marks between which the figures stand", self.file));
-        let (before, rest) = document.split_once(&begin).ok_or_else(missing)?;
-        let (_, after) = rest.split_once(END).ok_or_else(missing)?;
+        let missing = || format!("{} has lost the marks around its figures", self.file);
+        let (before, rest) = document.split_once(&begin).with_context(missing)?;
+        let (_, after) = rest.split_once(END).with_context(missing)?;
         Ok(format!("{before}{begin}{figures}{END}{after}"))
     }
 }
@@ -62,7 +63,7 @@ mod tests {
             .into_iter()
             .chain(crate::torture::documents())
         {
-            let present = std::fs::read_to_string(workspace::root().join(document.file)).unwrap();
+            let present = fs::read_to_string(places::root().join(document.file)).unwrap();
             assert!(document.with_figures(&present, "").is_ok(), "{}: {}", document.file, document.figures);
         }
     }

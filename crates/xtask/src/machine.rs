@@ -1,11 +1,11 @@
 //! On what the figures were taken.
 
-use crate::process::Run;
+use crate::run::Run;
 
 /// One line: processor, number of cores, compiler.
 pub fn describe() -> String {
     let cores = std::thread::available_parallelism().map_or_else(|_| "?".to_owned(), |cores| cores.to_string());
-    let compiler = Run::new("rustc").arg("--version").quietly().map_or_else(|_| String::new(), |ended| ended.output);
+    let compiler = Run::new("rustc").arg("--version").checked().unwrap_or_default();
     format!("Measured on {} with {cores} cores, {}.", processor(), compiler.trim())
 }
 

@@ -1,90 +1,81 @@
-//! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `reproduce`, `npm`, `test`, `deny`, `semver`, `bench`,
-//! `robustness`, `readers`, `torture`, `screenshots`, `wheel`, `site`.
+//! The workspace's tasks: see `cargo xtask help`.
 
-mod apt;
+mod assets;
 mod bench;
-mod browser;
-mod cache;
-mod crates;
-mod debian;
-mod deny;
-mod dist;
-mod failure;
 mod figures;
-mod help;
 mod machine;
-mod networks;
-mod npm;
-mod package;
-mod paths;
-mod portrait;
-mod process;
-mod progress;
+mod page;
+mod places;
 mod python;
 mod readers;
-mod reproduce;
 mod robustness;
-mod screenshots;
-mod semver;
-mod serve;
+mod run;
+mod rust;
 mod setup;
-mod site;
-mod size;
+mod steps;
+mod system;
 mod test;
-mod toolchain;
-mod tools;
 mod torture;
-mod versions;
-mod wheel;
-mod workspace;
 
-use failure::{Failure, Result};
+use anyhow::{Result, anyhow};
 use std::process::ExitCode;
-use std::time::Instant;
+
+/// A task by its name, with its help.
+type Task = (&'static str, &'static str, fn(&[&str]) -> Result<()>);
+
+const TASKS: [Task; 15] = [
+    ("setup", "obtain all that the tasks below need and that is missing", setup::run),
+    ("serve", "build the page and serve it on 127.0.0.1:8080, or the next free port", page::serve),
+    ("dist", "build the page for the web into dist/, and show its sizes", page::dist),
+    (
+        "reproduce",
+        "build the page once more, from nothing and elsewhere: it must be dist/ byte for byte",
+        page::reproduce,
+    ),
+    ("npm", "build the npm package out of the page into target/npm, and pack it", page::npm),
+    ("test", "[STEP…] check and test everything, or only the named steps", test::run),
+    ("deny", "check licences, bans and sources of all that is compiled against deny.toml", rust::deny),
+    ("bench", "[WHAT…] measure against the paper and the peers; --write updates docs/benchmarks.md", bench::run),
+    (
+        "robustness",
+        "which faces are found, compared with MediaPipe; --write updates docs/robustness.md",
+        robustness::run,
+    ),
+    ("readers", "every file in other programs, Blender too; --write updates docs/opens-elsewhere.md", readers::run),
+    ("torture", "fuzz the readers and the session for hours", torture::run),
+    ("screenshots", "take the documentation's pictures, the contact sheets, and axe-core's report", page::screenshots),
+    ("wheel", "build the Python package into target/wheels, and try it in an empty environment", python::wheel),
+    ("site", "build the documentation as a static site into target/site", page::site),
+    ("help", "this text", help),
+];
+
+const NOTES: &str = "
+Every task first obtains what it needs. Tools go to $XDG_CACHE_HOME/rosto (by default ~/.cache/rosto) and are shared by
+all checkouts; nothing is fetched or built twice. Debian packages are installed only where something is missing.
+
+  ROSTO_BROWSER  the Chromium or Chrome that the tests drive
+  CHROMEDRIVER   its driver
+";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    match run(&arguments) {
-        Ok(code) => code,
-        Err(failure) => {
-            eprintln!("\n✗ {failure}");
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let (name, rest) = words.split_first().map_or(("help", &[][..]), |(name, rest)| (*name, rest));
+    let name = if matches!(name, "-h" | "--help") { "help" } else { name };
+    let task = TASKS.iter().find(|(task, ..)| *task == name);
+    let unknown = || anyhow!("`{name}` is not a task: cargo xtask help lists them");
+    match task.ok_or_else(unknown).and_then(|(.., run)| run(rest)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("\n✗ {}", run::causes(&error));
             ExitCode::FAILURE
         }
     }
 }
 
-fn run(arguments: &[String]) -> Result<ExitCode> {
-    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    match words.as_slice() {
-        ["setup"] => set_up(),
-        ["serve"] => serve::run(),
-        ["dist"] => dist::run(),
-        ["reproduce"] => reproduce::run(),
-        ["npm"] => package::run(),
-        ["test", steps @ ..] => test::run(steps),
-        ["deny"] => deny::run(),
-        ["semver"] => semver::run(),
-        ["bench", arguments @ ..] => bench::run(arguments),
-        ["robustness", arguments @ ..] => robustness::run(arguments),
-        ["readers", arguments @ ..] => readers::run(arguments),
-        ["torture", arguments @ ..] => torture::run(arguments),
-        ["screenshots"] => screenshots::run(),
-        ["wheel"] => wheel::run(),
-        ["site"] => site::run(),
-        [] | ["help" | "-h" | "--help"] => {
-            print!("{}", help::TEXT);
-            Ok(ExitCode::SUCCESS)
-        }
-        unknown => {
-            let failure = Failure::new(format!("`{}` is no task", unknown.join(" ")));
-            Err(failure.advice("cargo xtask help lists the tasks"))
-        }
-    }
-}
-
-fn set_up() -> Result<ExitCode> {
-    let started = Instant::now();
-    setup::for_tests()?;
-    println!("Everything is in place ({}).", progress::elapsed(started.elapsed()));
-    Ok(ExitCode::SUCCESS)
+fn help(_: &[&str]) -> Result<()> {
+    println!("cargo xtask TASK\n");
+    TASKS.iter().for_each(|(name, what, _)| println!("  {name:<12} {what}"));
+    print!("{NOTES}");
+    Ok(())
 }

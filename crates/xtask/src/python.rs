@@ -1,108 +1,88 @@
-//! Virtual environments of Python in the user's cache, each made anew when its pinned versions change.
+//! Virtual environments of Python in the user's cache, and the Python package in them.
 
-use crate::failure::{Doing, Failure, Result};
-use crate::process::Run;
-use crate::{cache, workspace};
+use crate::places::{self, cache, remove_folder, root, target};
+use crate::run::{Run, announced};
+use crate::{assets, system};
+use anyhow::{Context, Result};
+use fs_err as fs;
+use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
-const LIMIT: Duration = Duration::from_secs(3600);
+const PACKAGE: &str = "crates/python";
+/// What builds the package.
+pub const MATURIN: &str = "crates/python/requirements-build.txt";
+const TESTS: &str = "tests/python/requirements.txt";
 
-/// A virtual environment.
-pub struct Environment {
-    folder: PathBuf,
-}
-
-impl Environment {
-    /// The environment for what these files of requirements name, empty if it is new.
-    pub fn obtain(requirements: &[&str]) -> Result<Self> {
-        let versions = requirements.iter().map(|file| cache::sha256_of(&workspace::root().join(file)));
-        let identity = versions.collect::<Result<Vec<_>>>()?.concat();
-        let folder = cache::tool("python", &cache::sha256(identity.as_bytes())[..16])?;
-        let environment = Self { folder };
-        environment.once("made", || make(&environment.folder))?;
-        Ok(environment)
+/// The interpreter of an environment with the packages that these files of requirements pin. Other pins make another
+/// environment.
+pub fn environment(requirements: &[&str], why: &str) -> Result<PathBuf> {
+    let pins = requirements.iter().map(|file| fs::read_to_string(root().join(file)));
+    let folder = cache()?.join("python").join(&sha256(pins.collect::<Result<String, _>>()?.as_bytes())[..16]);
+    let python = folder.join("bin/python");
+    let complete = folder.join("complete");
+    if complete.is_file() {
+        return Ok(python);
     }
-
-    /// Its interpreter.
-    pub fn python(&self) -> PathBuf {
-        self.folder.join("bin").join("python")
-    }
-
-    /// Whether a file of requirements is installed.
-    pub fn has(&self, requirements: &str) -> bool {
-        self.folder.join(mark_of(requirements)).is_file()
-    }
-
-    /// Installs what a file of requirements names, unless it is there.
-    pub fn install(&self, requirements: &str) -> Result {
-        let file = workspace::root().join(requirements);
-        self.once(&mark_of(requirements), || self.pip(&["-r".as_ref(), file.as_path()]))
-    }
-
-    /// Installs as many of the packages that a file of requirements names, with all that they need, as there are for this
-    /// Python; returns why for each of the others.
-    pub fn install_each(&self, requirements: &str) -> Result<Vec<Failure>> {
-        let listed = std::fs::read_to_string(workspace::root().join(requirements)).doing("reading requirements")?;
-        let mut lost = Vec::new();
-        for entry in entries(&listed) {
-            // pip takes hashes from files alone.
-            let alone = self.folder.join("one-requirement.txt");
-            cache::write(&alone, entry)?;
-            if let Err(cause) = self.pip(&["--no-deps".as_ref(), "-r".as_ref(), alone.as_path()]) {
-                let package = entry.split_whitespace().next().unwrap_or(entry);
-                lost.push(Failure::new(format!("{package} does not install for this Python")).because(&cause));
-            }
+    announced(&format!("Python packages of {}", requirements.join(" and ")), why, || {
+        with_pip()?;
+        remove_folder(&folder)?;
+        Run::new("python3").words("-m venv").arg(&folder).checked()?;
+        for file in requirements {
+            pip(&python).words("install --quiet -r").arg(file).checked()?;
         }
-        Ok(lost)
-    }
-
-    fn pip(&self, wanted: &[&Path]) -> Result {
-        let pip = Run::new(self.python()).args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"]);
-        pip.args(wanted).within(LIMIT).run()?.checked().map(|_| ())
-    }
-
-    fn once(&self, mark: &str, work: impl FnOnce() -> Result) -> Result {
-        let mark = self.folder.join(mark);
-        if mark.is_file() {
-            return Ok(());
-        }
-        work()?;
-        cache::write(&mark, "")
-    }
-}
-
-/// A virtual environment knows its own path, so it is made in place.
-fn make(folder: &Path) -> Result {
-    cache::remove_folder(folder)?;
-    Run::new("python3").args(["-m", "venv"]).arg(folder).within(LIMIT).run()?.checked().map_err(|cause| {
-        let failure = Failure::new("a virtual environment of Python could not be made").because(&cause);
-        failure.advice("install Python 3 with venv, on Debian: apt-get install python3-venv")
+        Ok(fs::write(complete, "")?)
     })?;
+    Ok(python)
+}
+
+/// Python with pip and virtual environments, which Debian has in packages of their own.
+pub fn with_pip() -> Result<()> {
+    match Run::new("python3").arg("-c").arg("import ensurepip, pip").checked() {
+        Ok(_) => Ok(()),
+        Err(_) => announced("pip", "it installs Python packages", || system::install("python3-pip python3-venv")),
+    }
+}
+
+/// The interpreter that runs the package's tests, with the package built of what the native tests are built of.
+pub fn for_tests() -> Result<PathBuf> {
+    let python = environment(&[MATURIN, TESTS], "300 MB: tests use the Python package with Ray, Dask and a notebook")?;
+    install_package(&python, "--profile dev --compatibility linux")?;
+    Ok(python)
+}
+
+/// Builds the package and installs it into an environment that has maturin and all that the package needs.
+pub fn install_package(python: &Path, maturin: &str) -> Result<()> {
+    let install = pip(python).words("install --quiet --no-deps --force-reinstall --no-build-isolation").arg(PACKAGE);
+    install.env("MATURIN_PEP517_ARGS", format!("--locked {maturin}")).checked().map(|_| ())
+}
+
+/// `cargo xtask wheel`: builds the wheel into `target/wheels`, installs it where nothing else is, and finds a face with it.
+pub fn wheel(_: &[&str]) -> Result<()> {
+    assets::obtain()?;
+    let maturin = environment(&[MATURIN], "maturin builds the Python package")?;
+    let wheels = target().join("wheels");
+    remove_folder(&wheels)?;
+    announced("wheel", "the first time takes some minutes", || {
+        let build = Run::new(maturin).words("-m maturin build --release --locked --out").arg(&wheels);
+        build.args(["--manifest-path", "crates/python/Cargo.toml"]).checked()
+    })?;
+    let wheel = fs::read_dir(&wheels)?.next().context("maturin has built no wheel")??.path();
+    let empty = target().join("python/empty");
+    let python = empty.join("bin/python");
+    Run::new("python3").words("-m venv --clear").arg(&empty).checked()?;
+    pip(&python).arg("install").arg(&wheel).checked()?;
+    let find =
+        "import rosto, sys; print('landmarks of the sample portrait:', rosto.landmarks(sys.argv[1:]).points.shape)";
+    print!("{}", Run::new(&python).args(["-c", find]).arg(places::assets().join("sample.png")).checked()?);
+    println!("{} is ready.", wheel.display());
     Ok(())
 }
 
-fn mark_of(requirements: &str) -> String {
-    format!("complete-{}", requirements.replace('/', "-"))
+fn pip(python: &Path) -> Run {
+    Run::new(python).words("-m pip --disable-pip-version-check").log("pip")
 }
 
-/// The packages of a file of requirements, each with its hashes on the lines that follow.
-fn entries(requirements: &str) -> Vec<&str> {
-    let starts = requirements.match_indices('\n').map(|(at, _)| at + 1).chain([0]);
-    let is_start = |at: &usize| requirements[*at..].starts_with(|first: char| first.is_ascii_alphanumeric());
-    let mut starts: Vec<usize> = starts.filter(is_start).collect();
-    starts.sort_unstable();
-    let ends = starts.iter().skip(1).copied().chain([requirements.len()]);
-    starts.iter().zip(ends).map(|(&start, end)| &requirements[start..end]).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_package_keeps_the_hashes_that_follow_it() {
-        let entries = entries("# what for\na==1 \\\n    --hash=sha256:0 \\\n    --hash=sha256:1\nb==2\n");
-        assert_eq!(entries, ["a==1 \\\n    --hash=sha256:0 \\\n    --hash=sha256:1\n", "b==2\n"]);
-    }
+/// Lower-case hexadecimal SHA-256.
+pub fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }

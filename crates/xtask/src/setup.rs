@@ -1,85 +1,79 @@
-//! Obtains everything a task needs, and only what is missing.
+//! Obtains everything that a task needs, and only what is missing.
 
-use crate::browser::{Browser, obtain_engines};
-use crate::failure::{Failure, Result};
-use crate::process::Run;
-use crate::readers::Readers;
-use crate::toolchain::{Toolchain, require_component};
-use crate::{networks, npm, paths, portrait, tools, workspace};
+use crate::places::{WASM, remapped, root};
+use crate::run::{Run, causes, elapsed};
+use crate::rust::{self, TRUNK, WASM_BINDGEN};
+use crate::{assets, python, system};
+use anyhow::{Result, ensure};
 use std::ffi::{OsStr, OsString};
-use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::Instant;
 
-/// Where everything is, and the environment in which programs find it.
+const READERS: &str = "tests/readers/requirements.txt";
+
+/// What was obtained, as the environment of the programs that need it.
 pub struct Kit {
-    toolchain: Toolchain,
-    programs: Vec<PathBuf>,
-    browser: Option<Browser>,
-    missing_engines: Vec<Failure>,
-    readers: Readers,
+    environment: Vec<(String, OsString)>,
+    /// Why something could not be had; the tests that do without it run all the same.
+    missing: Vec<anyhow::Error>,
+}
+
+/// `cargo xtask setup`.
+pub fn run(_: &[&str]) -> Result<()> {
+    let started = Instant::now();
+    let kit = for_tests()?;
+    kit.report_missing();
+    ensure!(kit.missing.is_empty(), "not everything could be had: see above");
+    println!("Everything is in place ({}).", elapsed(started.elapsed()));
+    Ok(())
 }
 
 /// What is needed to build and serve the page.
 pub fn for_page() -> Result<Kit> {
-    let kit = page_kit()?;
-    tools::tidy_up()?;
-    Ok(kit)
+    assets::obtain()?;
+    let debian = rust::for_wasm()?;
+    let programs = [WASM_BINDGEN.obtain()?, TRUNK.obtain()?, root().join("node_modules/.bin")];
+    rust::tidy_up()?;
+    let folders = debian.iter().map(|sysroot| sysroot.join("bin")).chain(programs);
+    let present = std::env::var_os("PATH").unwrap_or_default();
+    let path = std::env::join_paths(folders.chain(std::env::split_paths(&present)))?;
+    // Whatever is built for wasm32 is built with the same flags, or the tests would build the page's modules again.
+    let flags = format!("CARGO_TARGET_{}_RUSTFLAGS", WASM.to_uppercase().replace('-', "_"));
+    let mut environment = vec![("PATH".to_owned(), path), (flags, remapped().into())];
+    // rustup's stand-in for cargo-clippy comes before the one on PATH, and takes a folder here.
+    environment.extend(debian.map(|sysroot| ("RUSTUP_TOOLCHAIN".to_owned(), sysroot.into())));
+    Ok(Kit { environment, missing: Vec::new() })
 }
 
-fn page_kit() -> Result<Kit> {
-    let node_modules = npm::obtain()?;
-    networks::obtain(&node_modules)?;
-    portrait::obtain()?;
-    let toolchain = Toolchain::obtain()?;
-    let programs = vec![tools::wasm_bindgen()?.obtain()?, tools::trunk().obtain()?, npm::programs()];
-    Ok(Kit { toolchain, programs, browser: None, missing_engines: Vec::new(), readers: Readers::default() })
-}
-
-/// What is needed to test it, too.
+/// What is needed to test it, too. Packages arrive while tools compile.
 pub fn for_tests() -> Result<Kit> {
-    require_component("rustfmt", &["fmt", "--version"])?;
-    require_component("clippy", &["clippy", "--version"])?;
-    let mut kit = page_kit()?;
-    kit.programs.push(tools::wasm_pack().obtain()?);
-    tools::tidy_up()?;
-    kit.browser = Some(Browser::obtain()?);
-    kit.missing_engines = obtain_engines();
-    kit.readers = Readers::obtain();
-    Ok(kit)
+    thread::scope(|scope| {
+        let system = scope.spawn(system::obtain);
+        let readers = scope.spawn(|| python::environment(&[READERS], "62 MB: a test opens every file with them"));
+        rust::components()?;
+        let mut kit = for_page()?;
+        kit.missing = system.join().expect("invariant: setting up does not panic");
+        match readers.join().expect("invariant: setting up does not panic") {
+            Ok(python) => kit.environment.push(("ROSTO_READERS_PYTHON".to_owned(), python.into())),
+            Err(missing) => kit.missing.push(missing),
+        }
+        Ok(kit)
+    })
 }
 
 impl Kit {
-    /// A program that builds for wasm32 or calls one that does: the wasm32 compiler and all tools are on its PATH.
-    pub fn run(&self, program: impl AsRef<OsStr>) -> Result<Run> {
-        let folders: Vec<PathBuf> = self.toolchain.path().into_iter().chain(self.programs.iter().cloned()).collect();
-        let path = workspace::path_with(&folders)?;
-        let found = find_in(&path, program.as_ref());
-        let run = Run::new(found.as_deref().unwrap_or(Path::new(program.as_ref())));
-        let browser = self.browser.iter().flat_map(Browser::variables).collect::<Vec<_>>();
-        let run = run.without_env("CARGO").env("PATH", path).envs(&self.toolchain.variables()).envs(&browser);
-        // Whatever is built for wasm32 is built with the same flags, or the tests would build the page's modules again.
-        let (flags, value) = paths::remapped();
-        let run = run.env(&flags, value);
-        Ok(run.current_dir(workspace::root()))
+    /// A program that finds what was obtained.
+    pub fn run(&self, program: impl AsRef<OsStr>) -> Run {
+        self.environment.iter().fold(Run::new(program), |run, (name, value)| run.env(name, value))
     }
 
-    /// The browser, where the tests need one.
-    pub fn browser(&self) -> Option<&Browser> {
-        self.browser.as_ref()
+    /// A script of `package.json`.
+    pub fn npm(&self, script: &str) -> Run {
+        self.run("npm").args(["run", "--silent", script])
     }
 
-    /// Why an engine beside Chromium is not there, for each that could not be had.
-    pub fn missing_engines(&self) -> &[Failure] {
-        &self.missing_engines
+    /// Prints why something could not be had.
+    pub fn report_missing(&self) {
+        self.missing.iter().for_each(|missing| println!("✗ {}", causes(missing)));
     }
-
-    /// The programs that open our files.
-    pub fn readers(&self) -> &Readers {
-        &self.readers
-    }
-}
-
-/// Looks a program up on the PATH it is going to have, which is not this program's own.
-fn find_in(path: &OsString, program: &OsStr) -> Option<PathBuf> {
-    let name = format!("{}{}", program.to_string_lossy(), std::env::consts::EXE_SUFFIX);
-    std::env::split_paths(path).map(|folder| folder.join(&name)).find(|file| file.is_file())
 }

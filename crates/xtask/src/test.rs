@@ -1,66 +1,60 @@
-//! `cargo xtask test`: every check of the workspace, one closing line.
-//!
-//! All steps run even when one fails; what a failing step printed is shown in full, and what failed is named once more
-//! at the end, where a log that was cut still has it.
+//! `cargo xtask test`: every check of the workspace, or the steps that are named.
 
-mod counts;
-mod steps;
-
-use crate::failure::{Failure, Result};
-use crate::{progress, setup};
-use counts::Counts;
-use std::process::ExitCode;
+use crate::run::{causes, elapsed, last_lines};
+use crate::setup::{self, Kit};
+use crate::steps::{ALL, Step};
+use anyhow::{Result, bail, ensure};
 use std::time::Instant;
-pub use steps::command_line;
-use steps::{Report, Step};
 
-/// Runs all steps, or those named, and closes with one line `N passed, N failed`.
-pub fn run(wanted: &[&str]) -> Result<ExitCode> {
-    let all = steps::all()?;
-    let chosen = choose(all, wanted)?;
-    let mut failing = Vec::new();
-    let total = match setup::for_tests() {
-        Ok(kit) => {
-            let counts = chosen.into_iter().map(|step| run_step(&kit, step, &mut failing));
-            counts.fold(Counts::default(), Counts::plus)
-        }
-        Err(failure) => {
-            println!("✗ set-up: {failure}");
-            Counts { passed: 0, failed: 1 }
-        }
-    };
-    println!();
-    failing.iter().for_each(|line| println!("✗ {line}"));
-    println!("{} passed, {} failed", total.passed, total.failed);
-    Ok(if total.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
-}
+/// Shown where the step fails, and once more at the end, where a log that was cut still has it.
+const SHOWN_LINES: [usize; 2] = [400, 40];
 
-fn choose(all: Vec<Step>, wanted: &[&str]) -> Result<Vec<Step>> {
-    let unknown = wanted.iter().find(|name| !all.iter().any(|step| step.is_called(name)));
+/// Runs all steps or those named, even when one fails.
+pub fn run(wanted: &[&str]) -> Result<()> {
+    let unknown = wanted.iter().find(|name| !ALL.iter().any(|step| step.is_called(name)));
     if let Some(name) = unknown {
-        let names: Vec<&str> = all.iter().map(|step| step.name.as_str()).collect();
-        return Err(Failure::new(format!("`{name}` is no step")).advice(format!("the steps are {}", names.join(", "))));
+        bail!("`{name}` is not a step; the steps are {}", ALL.map(|step| step.name).join(", "));
     }
-    Ok(all.into_iter().filter(|step| wanted.is_empty() || wanted.iter().any(|name| step.is_called(name))).collect())
+    let steps = ALL.iter().filter(|step| wanted.is_empty() || wanted.iter().any(|name| step.is_called(name)));
+    let kit = setup::for_tests()?;
+    let results: Vec<_> = steps.map(|step| (step.name, step.run(&kit))).collect();
+    let failed: Vec<&str> = results.iter().filter(|(_, result)| result.is_err()).map(|(name, _)| *name).collect();
+    for (name, result) in &results {
+        if let Err(output) = result {
+            println!("\n✗ {name}\n{}", last_lines(output, SHOWN_LINES[1]));
+        }
+    }
+    if !failed.is_empty() {
+        kit.report_missing();
+    }
+    ensure!(failed.is_empty(), "{} of {} steps failed: {}", failed.len(), results.len(), failed.join(", "));
+    println!("\n{} steps passed", results.len());
+    Ok(())
 }
 
-/// Adds to `failing` what failed of the step.
-fn run_step(kit: &setup::Kit, step: Step, failing: &mut Vec<String>) -> Counts {
-    println!("▸ {} ({})", step.name, step.what);
-    let started = Instant::now();
-    let report = (step.work)(kit).unwrap_or_else(|failure| Report::failed(failure.to_string()));
-    let Counts { passed, failed } = report.counts;
-    let mark = if failed == 0 { "✓" } else { "✗" };
-    if failed > 0 {
-        println!("{}", report.output.trim_end());
-        failing.extend(failures_of(&step.name, &report.output));
+impl Step {
+    /// Whether the command line means this step: by its name, or by the part before the colon.
+    fn is_called(&self, name: &str) -> bool {
+        self.name == name || self.name.split(':').next() == Some(name)
     }
-    println!("  {mark} {}: {passed} passed, {failed} failed, {}", step.name, progress::elapsed(started.elapsed()));
-    report.counts
-}
 
-/// A line for each test that a failed step names, or for the step where it names none: what did not compile, say.
-fn failures_of(step: &str, output: &str) -> Vec<String> {
-    let named = counts::failing(output);
-    if named.is_empty() { vec![step.to_owned()] } else { named.iter().map(|test| format!("{step}: {test}")).collect() }
+    /// Runs it; fails with its output.
+    fn run(&self, kit: &Kit) -> Result<(), String> {
+        println!("▸ {} ({})", self.name, self.what);
+        let started = Instant::now();
+        let ended = (self.program)(kit).and_then(|program| {
+            let program = program.env("CARGO_TERM_COLOR", "never").env("NO_COLOR", "1");
+            program.log(&self.name.replace(':', "-")).run()
+        });
+        let result = match ended {
+            Ok(ended) if ended.success => Ok(()),
+            Ok(ended) => Err(ended.output),
+            Err(error) => Err(causes(&error)),
+        };
+        if let Err(output) = &result {
+            println!("{}", last_lines(output, SHOWN_LINES[0]));
+        }
+        println!("  {} {}, {}", if result.is_ok() { "✓" } else { "✗" }, self.name, elapsed(started.elapsed()));
+        result
+    }
 }

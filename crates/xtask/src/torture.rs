@@ -4,11 +4,10 @@
 mod parts;
 mod table;
 
-use crate::failure::{Failure, Result};
 use crate::figures::Document;
-use crate::{progress, setup};
+use crate::setup;
+use anyhow::{Result, bail, ensure};
 use parts::Part;
-use std::process::ExitCode;
 use std::time::Instant;
 
 /// How much of each part is done.
@@ -21,41 +20,37 @@ struct Amounts {
 }
 
 /// Runs all parts, or those whose amount is not 0, and fails if one of them found something.
-pub fn run(arguments: &[&str]) -> Result<ExitCode> {
+pub fn run(arguments: &[&str]) -> Result<()> {
     let amounts = Amounts::read(arguments)?;
     let kit = setup::for_tests()?;
     let mut found_nothing = true;
     for part in parts::chosen(&amounts) {
-        progress::announce(part.name, &format!("{} {}", table::grouped(part.amount), part.what));
+        println!("▸ {} ({} {})", part.name, table::grouped(part.amount), part.what);
         if let Some(missing) = (part.missing)() {
-            progress::note(&format!("left out: {missing}"));
+            println!("  · left out: {missing}");
             continue;
         }
         let started = Instant::now();
         let ended = (part.run)(&kit, part.amount)?;
         if !ended.success {
             found_nothing = false;
-            println!("{}", ended.describe());
+            println!("{}", ended.output);
         }
-        let table = part.table(&ended);
+        let table = table::of(part.title, part.amount, started.elapsed(), ended.success, &ended.output);
         println!("\n{table}");
         // At once: the next part takes hours.
         if amounts.write {
             part.document().update(&table)?;
         }
-        progress::done(part.name, started);
     }
-    Ok(if found_nothing { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    ensure!(found_nothing, "something was found: see above");
+    Ok(())
 }
 
 impl Part {
     /// Where its figures go.
     fn document(&self) -> Document {
         Document { file: "docs/torture.md", task: "torture", figures: self.name }
-    }
-
-    fn table(&self, ended: &crate::process::Ended) -> String {
-        table::of(self.title, self.amount, ended.took, ended.success, &ended.output)
     }
 }
 
@@ -82,11 +77,11 @@ impl Amounts {
                 _ => {
                     let advice =
                         "the options are --inputs, --actions and --page-actions, each with a number, and --write";
-                    return Err(Failure::new(format!("unknown option {word}")).advice(advice));
+                    bail!("unknown option {word}: {advice}");
                 }
             };
             let number = words.next().and_then(|number| number.replace('_', "").parse().ok());
-            *amount = number.ok_or_else(|| Failure::new(format!("{word} wants a whole number")))?;
+            *amount = number.ok_or_else(|| anyhow::anyhow!("{word} wants a whole number"))?;
         }
         Ok(amounts)
     }

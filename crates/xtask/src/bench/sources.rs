@@ -1,13 +1,11 @@
 //! The measuring programs and what each needs.
 
-use crate::failure::{Failure, Result};
-use crate::process::Run;
-use crate::python::Environment;
+use crate::places::{WASM, assets, root, target};
+use crate::run::Run;
 use crate::setup::Kit;
-use crate::toolchain::WASM;
-use crate::{dist, progress, wheel, workspace};
+use crate::{page, python};
+use anyhow::{Result, bail};
 use std::path::PathBuf;
-use std::time::Duration;
 
 /// A program that measures.
 pub struct Source {
@@ -19,7 +17,6 @@ pub struct Source {
     pub measure: fn(&Kit) -> Result<String>,
 }
 
-const LIMIT: Duration = Duration::from_secs(3600);
 const MEDIAPIPE: &str = "tests/reference/mediapipe_requirements.txt";
 const PEERS: &str = "tests/bench/peers.py";
 const REQUIREMENTS: &str = "tests/bench/requirements.txt";
@@ -60,7 +57,7 @@ const ALL: [Source; 11] = [
 pub fn chosen(wanted: &[&str]) -> Result<Vec<&'static Source>> {
     if let Some(unknown) = wanted.iter().find(|name| !ALL.iter().any(|source| source.name == **name)) {
         let names = ALL.iter().map(|source| source.name).collect::<Vec<_>>().join(", ");
-        return Err(Failure::new(format!("`{unknown}` is no benchmark")).advice(format!("there are {names}")));
+        bail!("`{unknown}` is not a benchmark; there are {names}");
     }
     Ok(ALL.iter().filter(|source| wanted.is_empty() || wanted.contains(&source.name)).collect())
 }
@@ -70,15 +67,14 @@ fn engine(_: &Kit) -> Result<String> {
 }
 
 fn landmarks(_: &Kit) -> Result<String> {
-    example("rosto-landmarks", "bench", &[workspace::assets()])
+    example("rosto-landmarks", "bench", &[assets()])
 }
 
 fn many(_: &Kit) -> Result<String> {
-    let environment = Environment::obtain(&[MEDIAPIPE])?;
-    environment.install(MEDIAPIPE)?;
-    wheel::install_release(&environment.python())?;
-    let script = Run::new(environment.python()).arg(workspace::root().join("tests/bench/many.py"));
-    script.arg(workspace::assets().join("sample.png")).within(LIMIT).run()?.checked()
+    let python = python::environment(&[MEDIAPIPE, python::MATURIN], "MediaPipe's package is compared with ours")?;
+    python::install_package(&python, "--release")?;
+    let script = Run::new(python).arg(root().join("tests/bench/many.py"));
+    script.arg(assets().join("sample.png")).checked()
 }
 
 fn photo(_: &Kit) -> Result<String> {
@@ -90,14 +86,14 @@ fn texture(_: &Kit) -> Result<String> {
 }
 
 fn example(package: &str, name: &str, arguments: &[PathBuf]) -> Result<String> {
-    let cargo = Run::new("cargo").current_dir(workspace::root()).args(["run", "--quiet", "--release", "--locked"]);
+    let cargo = Run::new("cargo").current_dir(root()).args(["run", "--quiet", "--release", "--locked"]);
     let run = cargo.args(["--package", package, "--example", name, "--"]).args(arguments);
-    run.within(LIMIT).run()?.checked()
+    run.checked()
 }
 
 fn peers(_: &Kit) -> Result<String> {
     let python = python_with_peers()?;
-    Run::new(python).arg(workspace::root().join(PEERS)).within(LIMIT).run()?.checked()
+    Run::new(python).arg(root().join(PEERS)).checked()
 }
 
 fn chrome_edits(kit: &Kit) -> Result<String> {
@@ -106,12 +102,12 @@ fn chrome_edits(kit: &Kit) -> Result<String> {
 }
 
 /// Builds an example as the page is built.
-fn example_for_web(kit: &Kit, example: &[&str], module: &str) -> Result {
-    let build = kit.run("cargo")?.args(["build", "--quiet", "--locked", "--profile", "web", "--target", WASM]);
-    build.args(example).within(LIMIT).run()?.checked()?;
-    let module = workspace::target().join(WASM).join("web/examples").join(module);
-    let bind = kit.run("wasm-bindgen")?.args(["--target", "web", "--no-typescript", "--out-dir"]);
-    bind.arg(workspace::target().join("bench")).arg(module).run()?.checked()?;
+fn example_for_web(kit: &Kit, example: &[&str], module: &str) -> Result<()> {
+    let build = kit.run("cargo").args(["build", "--quiet", "--locked", "--profile", "web", "--target", WASM]);
+    build.args(example).checked()?;
+    let module = target().join(WASM).join("web/examples").join(module);
+    let bind = kit.run("wasm-bindgen").args(["--target", "web", "--no-typescript", "--out-dir"]);
+    bind.arg(target().join("bench")).arg(module).checked()?;
     Ok(())
 }
 
@@ -135,20 +131,14 @@ fn chrome_film(kit: &Kit) -> Result<String> {
 
 /// Runs a script that visits the page as it is built for the web.
 fn in_chrome(kit: &Kit, script: &str) -> Result<String> {
-    dist::build(kit)?;
-    kit.run("node")?.arg(script).within(LIMIT).run()?.checked()
+    page::build(kit)?;
+    kit.run("node").arg(script).checked()
 }
 
 /// A Python of its own with the peers.
 fn python_with_peers() -> Result<PathBuf> {
-    let environment = Environment::obtain(&[REQUIREMENTS, OPTIONAL_REQUIREMENTS])?;
-    if !environment.has(REQUIREMENTS) {
-        progress::note("installing the Python peers");
-    }
-    environment.install(REQUIREMENTS)?;
-    // Tried again as long as it is missing: what it needs of the system may have come since.
-    if environment.install(OPTIONAL_REQUIREMENTS).is_err() {
-        progress::note("CHOLMOD does not install here (on Debian it needs libsuitesparse-dev); it is left out");
-    }
-    Ok(environment.python())
+    python::environment(&[REQUIREMENTS, OPTIONAL_REQUIREMENTS], "the peers, CHOLMOD too").or_else(|_| {
+        println!("  · CHOLMOD is left out: it does not install here, and on Debian it needs libsuitesparse-dev");
+        python::environment(&[REQUIREMENTS], "the peers")
+    })
 }

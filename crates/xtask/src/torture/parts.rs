@@ -1,10 +1,12 @@
 //! The three parts of the long run, each a program of its own.
 
 use super::Amounts;
-use crate::failure::{Doing, Result};
-use crate::process::{Ended, Run};
+use crate::page;
+use crate::places::{assets, root, target};
+use crate::run::{Ended, Run};
 use crate::setup::Kit;
-use crate::{dist, test, workspace};
+use crate::steps::command_line;
+use anyhow::Result;
 use std::time::Duration;
 
 /// A program that tries to break something.
@@ -57,35 +59,35 @@ pub fn chosen(amounts: &Amounts) -> Vec<Part> {
 }
 
 fn bytes(_: &Kit, inputs: u64) -> Result<Ended> {
-    let folder = workspace::target().join("torture");
-    let cargo = Run::new("cargo").current_dir(workspace::root()).args(["run", "--quiet", "--release", "--locked"]);
+    let folder = target().join("torture");
+    let cargo = Run::new("cargo").current_dir(root()).args(["run", "--quiet", "--release", "--locked"]);
     let program = cargo.args(["--package", "rosto-cli", "--example", "torture", "--", "--inputs"]);
-    let program = program.arg(inputs.to_string()).arg("--assets").arg(workspace::assets());
+    let program = program.arg(inputs.to_string()).arg("--assets").arg(assets());
     logged("bytes", program.arg("--folder").arg(folder))
 }
 
 fn session(_: &Kit, actions: u64) -> Result<Ended> {
-    let cargo = Run::new("cargo").current_dir(workspace::root()).args(["test", "--quiet", "--release", "--locked"]);
+    let cargo = Run::new("cargo").current_dir(root()).args(["test", "--quiet", "--release", "--locked"]);
     let test = cargo.args(["--package", "rosto-session", "random", "--", "--nocapture"]);
     logged("session", test.env("ROSTO_ACTIONS", actions.to_string()))
 }
 
 fn page(kit: &Kit, actions: u64) -> Result<Ended> {
-    dist::build(kit)?;
-    let journeys = kit.run("npm")?.args(["run", "--silent", "journeys", "--", "--all"]);
-    let walked = logged("journeys", journeys.env("ROSTO_CLI", test::command_line()?))?;
+    page::build(kit)?;
+    let journeys = kit.run("npm").args(["run", "--silent", "journeys", "--", "--all"]);
+    let walked = logged("journeys", journeys.env("ROSTO_CLI", command_line()?))?;
     if !walked.success {
         return Ok(walked);
     }
-    let npm = kit.run("npm")?.args(["run", "--silent", "restless", "--", "--actions"]);
+    let npm = kit.run("npm").args(["run", "--silent", "restless", "--", "--actions"]);
     logged("page", npm.arg(actions.to_string()))
 }
 
 fn logged(name: &str, run: Run) -> Result<Ended> {
-    run.within(LIMIT).log_to(workspace::logs()?.join(format!("torture-{name}.log"))).run().doing(name)
+    run.within(LIMIT).log(&format!("torture-{name}")).run()
 }
 
 fn without(file: &str, text: &str, missing: &'static str) -> Option<&'static str> {
-    let found = std::fs::read_to_string(workspace::root().join(file)).is_ok_and(|found| found.contains(text));
+    let found = std::fs::read_to_string(root().join(file)).is_ok_and(|found| found.contains(text));
     (!found).then_some(missing)
 }

