@@ -1,51 +1,138 @@
-//! What is known of the workspace, in a form in which a breach can be planted.
+//! Dependencies and sources of the workspace, in a form in which a breach can be planted.
 
-use std::collections::BTreeMap;
+use serde_json::Value;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::process::Command;
 
-use crate::graph::{self, Graph};
-use crate::sources::{self, Source};
+/// Direct dependencies by package. Only what ships counts: no development or build dependencies.
+type Graph = BTreeMap<String, BTreeSet<String>>;
 
-/// Who depends on whom, and what stands in the sources.
+/// Everything that the invariants look at.
 #[derive(Clone)]
 pub struct Facts {
-    /// What the manifests declare, for all targets.
+    /// What each of our packages declares, for all targets.
     pub declared: Graph,
-    /// What a build for this machine resolves to.
+    /// What every package in a build for this machine depends on.
     pub host: Graph,
-    /// What a build for wasm32 resolves to.
+    /// The same for wasm32.
     pub wasm: Graph,
-    /// What the page's two modules take in, each with its own features.
-    pub modules: BTreeMap<&'static str, Vec<String>>,
-    /// The sources of every package of ours, without comments and tests.
-    pub sources: BTreeMap<String, Vec<Source>>,
+    /// Packages in each of the page's two modules, built with its features alone.
+    pub modules: BTreeMap<&'static str, BTreeSet<String>>,
+    /// Lines of each of our packages as place and code, without comments and tests.
+    pub sources: BTreeMap<String, Vec<(String, String)>>,
 }
 
 impl Facts {
-    /// As cargo and the disk tell them.
+    /// Asks cargo and reads the sources.
     pub fn of_workspace() -> Self {
-        let declared = Graph::of_workspace();
-        let modules = ["rosto-studio-web", "rosto-studio-webgl"];
-        let built = modules.map(|package| (package, graph::built_for_wasm(package).into_iter().collect()));
-        let sources = declared.members().into_iter().map(|package| (package.clone(), sources::of(&package))).collect();
-        Self { declared, host: Graph::of_host(), wasm: Graph::of_wasm(), modules: built.into(), sources }
+        let declared = declared();
+        let modules = ["rosto-studio-web", "rosto-studio-webgl"].map(|package| (package, built_for_wasm(package)));
+        let sources = declared.keys().map(|package| (package.clone(), sources(package))).collect();
+        let [host, wasm] = ["host-tuple", "wasm32-unknown-unknown"].map(resolved);
+        Self { declared, host, wasm, modules: modules.into(), sources }
     }
 
-    /// Where one of these words stands in the sources of one of these packages.
-    pub fn words(&self, packages: &[&str], words: &[&str]) -> Vec<String> {
-        let lines = packages.iter().flat_map(|package| self.sources[*package].iter());
-        lines.filter(|line| words.iter().any(|word| line.code.contains(word))).map(Source::to_string).collect()
+    /// Lines of these packages that contain one of these words.
+    pub fn words<'a>(&self, packages: impl IntoIterator<Item = &'a str>, words: &[&str]) -> Vec<String> {
+        let lines = packages.into_iter().flat_map(|package| &self.sources[package]);
+        let found = lines.filter(|(_, code)| words.iter().any(|word| code.contains(word)));
+        found.map(|(place, code)| format!("{place}: {}", code.trim())).collect()
     }
 
     /// Plants a line in the sources of a package.
     pub fn write(&mut self, package: &str, code: &str) {
-        let line = Source { place: format!("{package}, planted"), code: code.to_owned() };
-        self.sources.get_mut(package).unwrap().push(line);
+        self.sources.get_mut(package).unwrap().push((format!("{package}, planted"), code.to_owned()));
     }
 
-    /// Plants a dependency, in every graph.
+    /// Plants a dependency in every graph.
     pub fn depend(&mut self, package: &str, on: &str) {
         for graph in [&mut self.declared, &mut self.host, &mut self.wasm] {
-            graph.add(package, on);
+            graph.get_mut(package).unwrap().insert(on.to_owned());
         }
     }
+}
+
+/// Everything that a package depends on, directly or not.
+pub fn reachable(graph: &Graph, package: &str) -> BTreeSet<String> {
+    let mut reached = graph[package].clone();
+    let mut waiting: Vec<String> = reached.iter().cloned().collect();
+    while let Some(next) = waiting.pop() {
+        let further = graph.get(&next).into_iter().flatten();
+        waiting.extend(further.filter(|name| reached.insert((*name).clone())).cloned().collect::<Vec<_>>());
+    }
+    reached
+}
+
+fn declared() -> Graph {
+    let metadata = metadata(&["--no-deps"]);
+    let packages = metadata["packages"].as_array().unwrap().iter();
+    let direct = |package: &Value| {
+        let all = package["dependencies"].as_array().unwrap().iter();
+        all.filter(|dependency| dependency["kind"].is_null()).map(|dependency| text(&dependency["name"])).collect()
+    };
+    packages.map(|package| (text(&package["name"]), direct(package))).collect()
+}
+
+fn resolved(target: &str) -> Graph {
+    let metadata = metadata(&["--filter-platform", target]);
+    let packages = metadata["packages"].as_array().unwrap().iter();
+    let names: BTreeMap<_, _> = packages.map(|package| (text(&package["id"]), text(&package["name"]))).collect();
+    let mut graph = Graph::new();
+    for node in metadata["resolve"]["nodes"].as_array().unwrap() {
+        let ships =
+            |dependency: &&Value| dependency["dep_kinds"].as_array().unwrap().iter().any(|kind| kind["kind"].is_null());
+        let direct = node["deps"].as_array().unwrap().iter().filter(ships);
+        // Two versions of one package are one name here: what either reaches counts.
+        let all = graph.entry(names[&text(&node["id"])].clone()).or_default();
+        all.extend(direct.map(|dependency| names[&text(&dependency["pkg"])].clone()));
+    }
+    graph
+}
+
+fn built_for_wasm(package: &str) -> BTreeSet<String> {
+    let tree = ["tree", "--prefix", "none", "--edges", "normal", "--target", "wasm32-unknown-unknown", "--package"];
+    let printed = cargo(&[&tree[..], &[package]].concat());
+    printed.lines().filter_map(|line| line.split(' ').next()).map(str::to_owned).collect()
+}
+
+fn metadata(arguments: &[&str]) -> Value {
+    serde_json::from_str(&cargo(&[&["metadata", "--format-version", "1"], arguments].concat())).unwrap()
+}
+
+fn cargo(arguments: &[&str]) -> String {
+    let output = Command::new(env!("CARGO")).args(arguments).arg("--locked").output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+fn text(value: &Value) -> String {
+    value.as_str().unwrap().to_owned()
+}
+
+/// The sources of a package, its shaders among them.
+fn sources(package: &str) -> Vec<(String, String)> {
+    let folder = match package {
+        // The same sources twice, see its manifest.
+        "rosto-studio-webgl" => "studio-web",
+        _ => package.strip_prefix("rosto-").unwrap_or(package),
+    };
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(folder);
+    let files = [files_below(&folder.join("src"), "rs"), files_below(&folder.join("shaders"), "wgsl")].concat();
+    assert!(!files.is_empty(), "{package} has no sources in {}", folder.display());
+    files.iter().flat_map(|file| lines(file)).collect()
+}
+
+fn lines(file: &Path) -> Vec<(String, String)> {
+    let text = std::fs::read_to_string(file).unwrap();
+    let ships =
+        |line: &&str| !["#[cfg(test)]", "#[cfg(all(test"].iter().any(|test| line.trim_start().starts_with(test));
+    let code = text.lines().take_while(ships).enumerate().filter(|(_, line)| !line.trim_start().starts_with("//"));
+    code.map(|(index, line)| (format!("{}:{}", file.display(), index + 1), line.to_owned())).collect()
+}
+
+fn files_below(folder: &Path, ending: &str) -> Vec<PathBuf> {
+    let paths = std::fs::read_dir(folder).into_iter().flatten().map(|entry| entry.unwrap().path());
+    let files = paths.flat_map(|path| if path.is_dir() { files_below(&path, ending) } else { vec![path] });
+    files.filter(|file| file.extension().is_some_and(|extension| extension == ending)).collect()
 }

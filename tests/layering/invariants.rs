@@ -1,69 +1,24 @@
-//! What must not be, as ARCHITECTURE.md says it.
+//! The invariants of ARCHITECTURE.md, in its words and its order.
 
-use crate::facts::Facts;
-use crate::graph::Graph;
+use crate::facts::{Facts, reachable};
+use std::collections::{BTreeMap, BTreeSet};
 
-/// One absence.
+/// Something that must be absent.
 pub struct Invariant {
-    /// What ARCHITECTURE.md says, word for word.
+    /// The words of ARCHITECTURE.md.
     pub says: &'static str,
-    /// Where it is broken.
+    /// Finds the breaches.
     pub breaches: fn(&Facts) -> Vec<String>,
-    /// Breaks it.
+    /// Plants one.
     pub plant: fn(&mut Facts),
 }
 
-/// Which crates of the workspace each crate may know; the table of ARCHITECTURE.md in the order of the way of the data.
-const MAY_KNOW: [(&str, &[&str]); 21] = [
-    ("rosto-named", &[]),
-    ("rosto-mesh", &[]),
-    ("rosto-laplacian", &["mesh", "named"]),
-    ("rosto-photo", &[]),
-    ("rosto-landmarks", &["photo"]),
-    ("rosto-face", &["laplacian", "mesh", "photo", "named"]),
-    ("rosto-solid", &["mesh"]),
-    ("rosto-warp", &["laplacian", "mesh", "photo"]),
-    ("rosto-texture", &["mesh", "photo"]),
-    ("rosto-studio", &["face", "laplacian", "mesh", "named", "texture", "warp"]),
-    ("rosto-export", &["face", "mesh", "named", "solid"]),
-    ("rosto-stage", &["mesh", "named"]),
-    ("rosto-session", &["export", "face", "laplacian", "mesh", "named", "stage", "studio", "warp"]),
-    ("rosto-viewport", &["mesh", "stage"]),
-    ("rosto-studio-web", &PAGE_MAY_KNOW),
-    ("rosto-studio-webgl", &PAGE_MAY_KNOW),
-    ("rosto-vision-web", &["landmarks", "photo", "texture", "warp"]),
-    ("rosto-cli", &["export", "face", "landmarks", "laplacian", "mesh", "named", "photo", "studio", "warp"]),
-    ("rosto-python", &["cli", "landmarks", "laplacian", "mesh", "photo"]),
-    ("rosto-model-import", &[]),
-    ("xtask", &["model-import"]),
-];
-
-const PAGE_MAY_KNOW: [&str; 9] =
-    ["warp", "session", "studio", "stage", "viewport", "export", "face", "laplacian", "mesh"];
-
-/// The crates that know neither browser, clock, file, network, environment nor random source.
-const CORE: [&str; 14] = [
-    "rosto-named",
-    "rosto-mesh",
-    "rosto-laplacian",
-    "rosto-photo",
-    "rosto-landmarks",
-    "rosto-face",
-    "rosto-solid",
-    "rosto-warp",
-    "rosto-texture",
-    "rosto-studio",
-    "rosto-export",
-    "rosto-stage",
-    "rosto-session",
-    VIEWPORT,
-];
-
-/// The one of them that draws.
+/// The one core crate that draws.
 const VIEWPORT: &str = "rosto-viewport";
-
-/// What the page's JavaScript calls.
+/// The crates that the page's JavaScript calls.
 const FACADES: [&str; 3] = ["rosto-studio-web", "rosto-studio-webgl", "rosto-vision-web"];
+/// All others are the core, which knows neither browser, clock, file, network, environment nor random source.
+const SHELLS: [&str; 4] = ["rosto-cli", "rosto-python", "rosto-model-import", "xtask"];
 
 const BROWSER: [&str; 5] = ["web-sys", "js-sys", "wasm-bindgen", "wasm-bindgen-futures", "gloo"];
 const GPU: [&str; 2] = ["wgpu", "naga"];
@@ -76,27 +31,24 @@ const GLOBAL: [&str; 6] = ["static mut", "thread_local!", "OnceLock", "LazyLock"
 pub const INVARIANTS: [Invariant; 12] = [
     Invariant {
         says: "No crate knows another one of ours than those its row in the table above names.",
-        breaches: |facts| {
-            facts.declared.members().iter().flat_map(|package| strangers(&facts.declared, package)).collect()
-        },
+        breaches: strangers,
         plant: |facts| facts.depend("rosto-mesh", "rosto-face"),
     },
     Invariant {
         says: "No core crate but `viewport` reaches a browser, by however many steps, but for what tract takes along; and \
                only the façades (`studio-web`, `studio-webgl`, `vision-web`) name web-sys.",
         breaches: |facts| {
-            let without_tract = without_gpu().filter(|package| *package != "rosto-landmarks");
+            let without_tract = without_gpu(facts).filter(|package| *package != "rosto-landmarks");
             let reached = without_tract.flat_map(|package| reaches(&facts.wasm, package, &BROWSER));
-            reached.chain(named(&facts.declared, &BROWSER, |package| FACADES.contains(&package))).collect()
+            reached.chain(named(facts, &BROWSER, &FACADES)).collect()
         },
         plant: |facts| facts.depend("rosto-export", "web-sys"),
     },
     Invariant {
         says: "No crate but `landmarks` names tract, and the page's modules do not reach it.",
         breaches: |facts| {
-            let page =
-                ["rosto-studio-web", "rosto-studio-webgl"].iter().flat_map(|p| reaches(&facts.wasm, p, &["tract"]));
-            page.chain(named_from(&facts.declared, "tract", "rosto-landmarks")).collect()
+            let page = FACADES[..2].iter().flat_map(|package| reaches(&facts.wasm, package, &["tract"]));
+            page.chain(named(facts, &["tract"], &["rosto-landmarks"])).collect()
         },
         plant: |facts| facts.depend("rosto-face", "tract-onnx"),
     },
@@ -105,37 +57,41 @@ pub const INVARIANTS: [Invariant; 12] = [
                does not reach it.",
         breaches: |facts| {
             let others = ["rosto-vision-web", "rosto-cli"];
-            let reached = without_gpu().chain(others).flat_map(|package| {
+            let reached = without_gpu(facts).chain(others).flat_map(|package| {
                 [reaches(&facts.wasm, package, &GPU), reaches(&facts.host, package, &GPU)].concat()
             });
-            reached.chain(named_from(&facts.declared, "wgpu", VIEWPORT)).collect()
+            reached.chain(named(facts, &["wgpu"], &[VIEWPORT])).collect()
         },
         plant: |facts| facts.depend("rosto-mesh", "wgpu"),
     },
     Invariant {
         says: "No WebGL is in the page's module but in `studio-webgl`'s.",
         breaches: |facts| {
-            let has = |package: &str| facts.modules[package].iter().any(|name| name == "glow");
-            let wrong = [("rosto-studio-web", false), ("rosto-studio-webgl", true)];
-            let wrong = wrong.into_iter().filter(|(package, wanted)| has(package) != *wanted);
+            let wanted = [("rosto-studio-web", false), ("rosto-studio-webgl", true)].into_iter();
+            let wrong = wanted.filter(|(package, wanted)| facts.modules[package].contains("glow") != *wanted);
             wrong.map(|(package, wanted)| format!("{package} with glow: {}", !wanted)).collect()
         },
-        plant: |facts| facts.modules.get_mut("rosto-studio-web").unwrap().push("glow".to_owned()),
+        plant: |facts| {
+            facts.modules.get_mut("rosto-studio-web").unwrap().insert("glow".to_owned());
+        },
     },
     Invariant {
         says: "No core crate reads a clock, a file, the network or the environment.",
-        breaches: |facts| facts.words(&CORE, &OUTSIDE),
+        breaches: |facts| facts.words(core(facts), &OUTSIDE),
         plant: |facts| facts.write("rosto-studio", "let now = std::time::Instant::now();"),
     },
     Invariant {
         says: "No core crate draws at random: a seed comes in as a value. (On wasm32 alone `landmarks` names getrandom, to tell \
                tract's which source there is.)",
-        breaches: |facts| CORE.iter().flat_map(|package| direct(&facts.host, package, &RANDOM)).collect(),
+        breaches: |facts| {
+            let drawn = |package| facts.host[package].iter().filter(|name| RANDOM.contains(&name.as_str()));
+            core(facts).flat_map(drawn).map(|name| format!("a core crate names {name}")).collect()
+        },
         plant: |facts| facts.depend("rosto-laplacian", "rand"),
     },
     Invariant {
         says: "No core crate has global state.",
-        breaches: |facts| facts.words(&CORE, &GLOBAL),
+        breaches: |facts| facts.words(core(facts), &GLOBAL),
         plant: |facts| facts.write("rosto-session", "static CACHE: OnceLock<u32> = OnceLock::new();"),
     },
     Invariant {
@@ -143,11 +99,9 @@ pub const INVARIANTS: [Invariant; 12] = [
                documented (`export`, `studio::project`, the preferences of `session`), so that no file changes because a type \
                does.",
         breaches: |facts| {
-            let derived = facts.words(&CORE, &["Serialize", "Deserialize"]);
-            derived
-                .into_iter()
-                .chain(CORE.iter().flat_map(|package| direct(&facts.declared, package, &["serde"])))
-                .collect()
+            let derived = facts.words(core(facts), &["Serialize", "Deserialize"]);
+            let naming = core(facts).filter(|package| facts.declared[*package].contains("serde"));
+            derived.into_iter().chain(naming.map(|package| format!("{package} names serde"))).collect()
         },
         plant: |facts| facts.write("rosto-face", "#[derive(Serialize)]"),
     },
@@ -156,14 +110,14 @@ pub const INVARIANTS: [Invariant; 12] = [
                `Face`: they know meshes, pictures and what is seen of them.",
         breaches: |facts| {
             let general = ["rosto-mesh", "rosto-laplacian", "rosto-stage", "rosto-viewport"];
-            facts.words(&general, &["photo", "Photo", "landmark", "Landmark", "LANDMARK", "468", "selfie", "Face"])
+            facts.words(general, &["photo", "Photo", "landmark", "Landmark", "LANDMARK", "468", "selfie", "Face"])
         },
         plant: |facts| facts.write("rosto-viewport", "const LANDMARKS: u32 = 468;"),
     },
     Invariant {
         says: "No `f32` is in `mesh` and `laplacian`: mathematics is in `f64`, and single precision begins where a picture is \
                drawn or a file written.",
-        breaches: |facts| facts.words(&["rosto-mesh", "rosto-laplacian"], &["f32"]),
+        breaches: |facts| facts.words(["rosto-mesh", "rosto-laplacian"], &["f32"]),
         plant: |facts| facts.write("rosto-laplacian", "let weight = 1.0_f32;"),
     },
     Invariant {
@@ -173,50 +127,52 @@ pub const INVARIANTS: [Invariant; 12] = [
     },
 ];
 
+/// The core crates.
+fn core(facts: &Facts) -> impl Iterator<Item = &str> {
+    let all = facts.declared.keys().map(String::as_str);
+    all.filter(|package| !FACADES.contains(package) && !SHELLS.contains(package))
+}
+
 /// The core crates that draw nothing.
-fn without_gpu() -> impl Iterator<Item = &'static str> {
-    CORE.into_iter().filter(|package| *package != VIEWPORT)
+fn without_gpu(facts: &Facts) -> impl Iterator<Item = &str> {
+    core(facts).filter(|package| *package != VIEWPORT)
 }
 
-/// Packages of ours that one declares and may not know.
-fn strangers(graph: &Graph, package: &str) -> Vec<String> {
-    let Some((_, allowed)) = MAY_KNOW.iter().find(|(name, _)| *name == package) else {
-        return vec![format!("{package} is missing in the table of who may know whom")];
+/// The crates that each crate may know, from the table of ARCHITECTURE.md.
+fn may_know() -> BTreeMap<String, BTreeSet<String>> {
+    let table = include_str!("../../ARCHITECTURE.md").split("\n## ").find(|section| section.starts_with("The crates"));
+    let rows = table.unwrap().lines().filter(|line| line.starts_with("| `"));
+    let full_name = |name: &str| if name == "xtask" { name.to_owned() } else { format!("rosto-{name}") };
+    let of_row = |row: &str| {
+        let mut cells = row.split('|').skip(1).map(|cell| cell.split('`').skip(1).step_by(2).map(full_name).collect());
+        let name: BTreeSet<String> = cells.next().unwrap();
+        (name.into_iter().next().unwrap(), cells.nth(1).unwrap())
     };
-    let is_allowed = |name: &str| allowed.contains(&name.strip_prefix("rosto-").unwrap_or(name));
-    let known = graph.direct(package).into_iter();
-    known
-        .filter(|name| graph.is_member(name) && !is_allowed(name))
-        .map(|name| format!("{package} knows {name}"))
-        .collect()
+    rows.map(of_row).collect()
 }
 
-/// What of this a package reaches, by whatever way.
-fn reaches(graph: &Graph, package: &str, prefixes: &[&str]) -> Vec<String> {
-    let reached = graph.reachable(package).into_iter();
+/// Packages of ours that the others know and may not.
+fn strangers(facts: &Facts) -> Vec<String> {
+    let allowed = may_know();
+    let ours = |name: &&String| facts.declared.contains_key(*name);
+    let known = facts.declared.iter().flat_map(|(package, on)| on.iter().filter(ours).map(move |name| (package, name)));
+    let strangers = known.filter(|(package, name)| !allowed.get(*package).is_some_and(|names| names.contains(*name)));
+    let unlisted = facts.declared.keys().filter(|package| !allowed.contains_key(*package));
+    let missing = unlisted.map(|package| format!("{package} is missing in the table of crates"));
+    strangers.map(|(package, name)| format!("{package} knows {name}")).chain(missing).collect()
+}
+
+/// Packages with one of these prefixes that a package reaches.
+fn reaches(graph: &BTreeMap<String, BTreeSet<String>>, package: &str, prefixes: &[&str]) -> Vec<String> {
+    let reached = reachable(graph, package).into_iter();
     let found = reached.filter(|name| prefixes.iter().any(|prefix| name.starts_with(prefix)));
     found.map(|name| format!("{package} reaches {name}")).collect()
 }
 
-/// What of this a package declares itself.
-fn direct(graph: &Graph, package: &str, names: &[&str]) -> Vec<String> {
-    let declared = graph.direct(package).into_iter();
-    declared.filter(|name| names.contains(&name.as_str())).map(|name| format!("{package} names {name}")).collect()
-}
-
-/// Packages that declare one of these and for which `may` does not hold.
-fn named(graph: &Graph, names: &[&str], may: fn(&str) -> bool) -> Vec<String> {
-    let others = graph.members().into_iter().filter(|package| !may(package));
-    others.flat_map(|package| direct(graph, &package, names)).collect()
-}
-
-/// Packages but one that declare something whose name begins so.
-fn named_from(graph: &Graph, prefix: &str, but: &str) -> Vec<String> {
-    let others = graph.members().into_iter().filter(|package| package != but);
-    let declared =
-        others.flat_map(|package| graph.direct(&package).into_iter().map(move |name| (package.clone(), name)));
-    declared
-        .filter(|(_, name)| name.starts_with(prefix))
-        .map(|(package, name)| format!("{package} names {name}"))
-        .collect()
+/// Packages that declare something with one of these prefixes, except those that may.
+fn named(facts: &Facts, prefixes: &[&str], may: &[&str]) -> Vec<String> {
+    let others = facts.declared.iter().filter(|(package, _)| !may.contains(&package.as_str()));
+    let declared = others.flat_map(|(package, on)| on.iter().map(move |name| (package, name)));
+    let found = declared.filter(|(_, name)| prefixes.iter().any(|prefix| name.starts_with(prefix)));
+    found.map(|(package, name)| format!("{package} names {name}")).collect()
 }

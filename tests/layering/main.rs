@@ -1,14 +1,12 @@
-//! The invariants of ARCHITECTURE.md: each stands there word for word, holds, and would be missed.
+//! The invariants of ARCHITECTURE.md: each is written there word for word, holds, and fails when it is broken.
 //!
-//! An invariant is an absence, looked for in what cargo resolves (transitively) or in the sources of crates. That the
-//! looking works is shown by planting: with a dependency or a line that breaks it, each must fail.
+//! An invariant is an absence, looked for in what cargo resolves (transitively) or in the sources of crates. Planting a
+//! dependency or a line that breaks it shows that the search works.
 
 #![cfg(test)]
 
 mod facts;
-mod graph;
 mod invariants;
-mod sources;
 
 use facts::Facts;
 use invariants::INVARIANTS;

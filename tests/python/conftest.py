@@ -45,13 +45,3 @@ class CommandLine:
 @pytest.fixture(scope="session")
 def command_line() -> CommandLine:
     return CommandLine()
-
-
-def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """Closes as the project's other runners do: what failed, each with its reason, and how many."""
-    stats = terminalreporter.stats
-    failed = stats.get("failed", []) + stats.get("error", [])
-    for report in failed:
-        reason = str(getattr(report.longrepr, "reprcrash", None) or report.longrepr).splitlines()
-        terminalreporter.write_line(f"✗ {report.nodeid}\n{reason[0] if reason else ''}")
-    terminalreporter.write_line(f"python: {len(stats.get('passed', []))} passed, {len(failed)} failed")
