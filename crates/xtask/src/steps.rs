@@ -3,11 +3,10 @@
 //! The order keeps quick checks first and lets later steps use what earlier ones built: the page built for the web carries
 //! the types that tsc reads and is what the browsers visit.
 
-use crate::page;
 use crate::places::{WASM, root, target};
-use crate::python;
 use crate::run::{Run, is_program};
 use crate::setup::Kit;
+use crate::{page, python};
 use anyhow::Result;
 use fs_err as fs;
 use std::path::PathBuf;
@@ -40,8 +39,8 @@ pub const ALL: [Step; 19] = [
         Ok(cargo("publish --workspace --dry-run --no-verify --allow-dirty --locked"))
     }),
     step("native", "theorems, golden numbers, shaders, layering", |_| {
-        let nextest = if is_program("cargo-nextest") { "nextest run" } else { "test --lib --bins --tests --examples" };
-        Ok(over_the_workspace(nextest).arg("--no-fail-fast"))
+        let runner = if is_program("cargo-nextest") { "nextest run" } else { "test" };
+        Ok(over_the_workspace(runner).words("--tests --no-fail-fast"))
     }),
     step("examples", "the examples in the documentation", |_| {
         Ok(over_the_workspace("test --doc").arg("--no-fail-fast"))
@@ -83,7 +82,7 @@ const fn step(name: &'static str, what: &'static str, program: fn(&Kit) -> Resul
 
 /// The command line's program as the native tests build it.
 pub fn command_line() -> Result<PathBuf> {
-    over_the_workspace("test").words("--quiet --no-run").log("command-line").checked()?;
+    over_the_workspace("test").words("--quiet --tests --no-run").log("command-line").checked()?;
     Ok(target().join("debug/rosto"))
 }
 
@@ -100,9 +99,10 @@ fn over_the_workspace(command: &str) -> Run {
     cargo(command).words("--workspace --exclude rosto-*-web* --locked")
 }
 
-/// Tests of one of the page's modules with the features and in the profile of that module, so that both are built of the same.
+/// Tests of one of the page's modules with the features and in the profile of that module, so that both are built of the
+/// same.
 fn in_chromium(kit: &Kit) -> Run {
-    let test = kit.run("cargo").words("test --locked --no-fail-fast --profile web --target").arg(WASM);
+    let test = kit.run("cargo").words("test --tests --locked --no-fail-fast --profile web --target").arg(WASM);
     let test = test.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", "wasm-bindgen-test-runner");
     test.env("WASM_BINDGEN_TEST_ONLY_WEB", "1").env("WASM_BINDGEN_TEST_TIMEOUT", "600")
 }

@@ -5,82 +5,38 @@ use anyhow::{Context, Result, ensure};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
-/// A program that the tests drive.
-struct Program {
-    name: &'static str,
-    /// Any of them will do.
-    programs: &'static [&'static str],
-    /// Names the program where it is not on PATH.
-    variable: &'static str,
-    packages: &'static str,
-    why: &'static str,
-}
+/// A program that the tests drive: its name, what it is called of which any will do (`$NAME` is a variable that names it),
+/// Debian's packages, and why it is needed.
+type Program = (&'static str, &'static [&'static str], &'static str, &'static str);
 
+const CHROMIUM: [&str; 7] = [
+    "$ROSTO_BROWSER",
+    "chromium",
+    "chromium-browser",
+    "google-chrome",
+    "google-chrome-stable",
+    "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
+    "/Applications/Chromium.app/Contents/MacOS/Chromium",
+];
+const SCREEN: &str = "xvfb libgl1-mesa-dri libegl1";
 const PROGRAMS: [Program; 6] = [
-    Program {
-        name: "Chromium",
-        programs: &[
-            "chromium",
-            "chromium-browser",
-            "google-chrome",
-            "google-chrome-stable",
-            "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
-            "/Applications/Chromium.app/Contents/MacOS/Chromium",
-        ],
-        variable: "ROSTO_BROWSER",
-        packages: "chromium",
-        why: "the tests visit the page in it",
-    },
-    Program {
-        name: "Chromium's driver",
-        programs: &["chromedriver"],
-        variable: "CHROMEDRIVER",
-        packages: "chromium-driver",
-        why: "it runs the WebAssembly tests in Chromium",
-    },
-    Program {
-        name: "Xvfb",
-        programs: &["Xvfb"],
-        variable: "",
-        packages: "xvfb libgl1-mesa-dri libegl1",
-        why: "Firefox and WebKit draw on it",
-    },
-    Program {
-        name: "Firefox",
-        programs: &["firefox-esr", "firefox"],
-        variable: "",
-        packages: "firefox-esr",
-        why: "a test visits the page in it",
-    },
-    Program {
-        name: "WebKit",
-        programs: &["WebKitWebDriver"],
-        variable: "",
-        packages: "webkit2gtk-driver",
-        why: "a test visits the page in it",
-    },
-    Program {
-        name: "PrusaSlicer, 92 MB",
-        programs: &["prusa-slicer"],
-        variable: "",
-        packages: "prusa-slicer",
-        why: "a test has it slice the bodies for 3D printers",
-    },
+    ("Chromium", &CHROMIUM, "chromium", "tests visit the page in it"),
+    ("Chromium's driver", &["$CHROMEDRIVER", "chromedriver"], "chromium-driver", "it runs the WebAssembly tests"),
+    ("Xvfb", &["Xvfb"], SCREEN, "Firefox and WebKit draw on it"),
+    ("Firefox", &["firefox-esr", "firefox"], "firefox-esr", "a test visits the page in it"),
+    ("WebKit", &["WebKitWebDriver"], "webkit2gtk-driver", "a test visits the page in it"),
+    ("PrusaSlicer, 92 MB", &["prusa-slicer"], "prusa-slicer", "a test slices the bodies for 3D printers with it"),
 ];
 
 /// Installs the programs that are missing; returns why for each that could not be had, since the tests of the others run
 /// all the same.
 pub fn obtain() -> Vec<anyhow::Error> {
-    PROGRAMS.iter().filter_map(|program| program.obtain().err()).collect()
-}
-
-impl Program {
-    fn obtain(&self) -> Result<()> {
-        if std::env::var_os(self.variable).is_some() || self.programs.iter().any(|name| is_program(name)) {
-            return Ok(());
-        }
-        announced(self.name, self.why, || install(self.packages))
-    }
+    let is_here = |name: &&str| match name.strip_prefix('$') {
+        Some(variable) => std::env::var_os(variable).is_some(),
+        None => is_program(name),
+    };
+    let missing = PROGRAMS.iter().filter(|(_, names, ..)| !names.iter().any(is_here));
+    missing.filter_map(|(name, _, packages, why)| announced(name, why, || install(packages)).err()).collect()
 }
 
 /// Installs packages with apt-get, as root or through `sudo -n`.
