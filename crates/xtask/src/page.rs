@@ -1,6 +1,6 @@
 //! What is built of the page: `dist/`, the npm package, the site beside it, and the documentation's pictures.
 
-use crate::places::{root, target};
+use crate::places::{cache, remove_folder, root, target};
 use crate::run::{Run, announced, is_program};
 use crate::setup::{self, Kit};
 use crate::steps;
@@ -52,7 +52,7 @@ pub fn npm(_: &[&str]) -> Result<()> {
     let kit = setup::for_page()?;
     build(&kit)?;
     let folder = target().join("npm");
-    crate::places::remove_folder(&folder)?;
+    remove_folder(&folder)?;
     print!("{}", kit.run("node").arg("web/package/build.mjs").checked()?);
     let pack = kit.run("npm").words("pack --silent --pack-destination").arg(&folder).arg(folder.join("rosto"));
     println!("{} is ready.", folder.join(pack.checked()?.trim()).display());
@@ -70,7 +70,7 @@ pub fn site(_: &[&str]) -> Result<()> {
 
 /// The program that builds the site.
 pub fn build_site(kit: &Kit) -> Result<Run> {
-    let node = kit.run("node").args(["docs/site/build.mjs"]).arg(target().join("site")).log("site");
+    let node = kit.run("node").arg("docs/site/build.mjs").arg(target().join("site")).log("site");
     Ok(node.env("ROSTO_CLI", steps::command_line()?))
 }
 
@@ -92,12 +92,10 @@ pub fn screenshots(_: &[&str]) -> Result<()> {
 /// `cargo xtask reproduce`: builds the page once more, in a checkout of its own and from nothing, and compares the two.
 pub fn reproduce(_: &[&str]) -> Result<()> {
     let git = |words: &str| Run::new("git").words(words);
-    ensure!(
-        git("status --porcelain").checked()?.trim().is_empty(),
-        "commit first: the other checkout has what git has"
-    );
+    let changes = git("status --porcelain").checked()?;
+    ensure!(changes.is_empty(), "commit these first, since the other checkout has what git has:\n{changes}");
     build(&setup::for_page()?)?;
-    let other = crate::places::cache()?.join(format!("another-checkout-{}", std::process::id()));
+    let other = cache()?.join(format!("another-checkout-{}", std::process::id()));
     git("worktree add --detach").arg(&other).checked()?;
     // A build folder of its own, and cargo's toolchain found anew.
     let mut again = Run::new("cargo").words("xtask dist").current_dir(&other).log("reproduce");

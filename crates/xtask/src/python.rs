@@ -8,7 +8,6 @@ use fs_err as fs;
 use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
 
-const PACKAGE: &str = "crates/python";
 /// What builds the package.
 pub const MATURIN: &str = "crates/python/requirements-build.txt";
 const TESTS: &str = "tests/python/requirements.txt";
@@ -50,32 +49,35 @@ pub fn for_tests() -> Result<PathBuf> {
     Ok(python)
 }
 
-/// Builds the package and installs it into an environment that has maturin and all that the package needs.
-pub fn install_package(python: &Path, maturin: &str) -> Result<()> {
-    let install = pip(python).words("install --quiet --no-deps --force-reinstall --no-build-isolation").arg(PACKAGE);
-    install.env("MATURIN_PEP517_ARGS", format!("--locked {maturin}")).checked().map(|_| ())
+/// Builds the package with these options of maturin and installs it into an environment that has maturin and all that the
+/// package needs.
+pub fn install_package(python: &Path, options: &str) -> Result<()> {
+    let wheel = build(python, "python/wheels", options)?;
+    pip(python).words("install --quiet --no-deps --force-reinstall").arg(wheel).checked().map(|_| ())
 }
 
 /// `cargo xtask wheel`: builds the wheel into `target/wheels`, installs it where nothing else is, and finds a face with it.
 pub fn wheel(_: &[&str]) -> Result<()> {
     assets::obtain()?;
     let maturin = environment(&[MATURIN], "maturin builds the Python package")?;
-    let wheels = target().join("wheels");
-    remove_folder(&wheels)?;
-    announced("wheel", "the first time takes some minutes", || {
-        let build = Run::new(maturin).words("-m maturin build --release --locked --out").arg(&wheels);
-        build.args(["--manifest-path", "crates/python/Cargo.toml"]).checked()
-    })?;
-    let wheel = fs::read_dir(&wheels)?.next().context("maturin has built no wheel")??.path();
+    let wheel = announced("wheel", "the first time takes some minutes", || build(&maturin, "wheels", "--release"))?;
     let empty = target().join("python/empty");
     let python = empty.join("bin/python");
     Run::new("python3").words("-m venv --clear").arg(&empty).checked()?;
     pip(&python).arg("install").arg(&wheel).checked()?;
-    let find =
-        "import rosto, sys; print('landmarks of the sample portrait:', rosto.landmarks(sys.argv[1:]).points.shape)";
+    let find = "import rosto, sys; print('landmarks of the portrait:', rosto.landmarks(sys.argv[1:]).points.shape)";
     print!("{}", Run::new(&python).args(["-c", find]).arg(places::assets().join("sample.png")).checked()?);
     println!("{} is ready.", wheel.display());
     Ok(())
+}
+
+/// Builds the only wheel in a folder of `target`.
+fn build(maturin: &Path, folder: &str, options: &str) -> Result<PathBuf> {
+    let folder = target().join(folder);
+    remove_folder(&folder)?;
+    let build = Run::new(maturin).words("-m maturin build --locked --manifest-path crates/python/Cargo.toml");
+    build.words(options).arg("--out").arg(&folder).log("maturin").checked()?;
+    Ok(fs::read_dir(&folder)?.next().context("maturin has built no wheel")??.path())
 }
 
 fn pip(python: &Path) -> Run {

@@ -1,11 +1,11 @@
 //! Running other programs: with a log, a time limit and signs of life.
 
 use crate::places::{logs, root};
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, bail};
 use fs_err as fs;
 use std::ffi::OsStr;
 use std::io::ErrorKind;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -99,8 +99,8 @@ impl Run {
 
     fn wait(&mut self, log: &Path) -> Result<bool> {
         let mut child = self.command.spawn().map_err(|error| match error.kind() {
-            ErrorKind::NotFound => anyhow::anyhow!("the program `{}` is not on this machine", self.name),
-            _ => anyhow::anyhow!("`{}` does not start: {error}", self.name),
+            ErrorKind::NotFound => anyhow!("the program `{}` is not on this machine", self.name),
+            _ => anyhow!("`{}` does not start: {error}", self.name),
         })?;
         let (started, mut signs) = (Instant::now(), 0);
         while started.elapsed() < self.limit {
@@ -159,11 +159,16 @@ pub fn elapsed(duration: Duration) -> String {
     }
 }
 
-/// Whether a program is on PATH or, given as an absolute path, in its place.
+/// Whether a program is on this machine.
 pub fn is_program(name: &str) -> bool {
-    let path = std::env::var_os("PATH").unwrap_or_default();
+    find(name).is_some()
+}
+
+/// Finds a program on PATH or, given its absolute path, in its place.
+pub fn find(name: &str) -> Option<PathBuf> {
+    let path = std::env::var_os("PATH")?;
     let file = format!("{name}{}", std::env::consts::EXE_SUFFIX);
-    std::env::split_paths(&path).any(|folder| folder.join(&file).is_file())
+    std::env::split_paths(&path).map(|folder| folder.join(&file)).find(|file| file.is_file())
 }
 
 fn last_line(log: &Path) -> String {

@@ -37,7 +37,7 @@ pub fn for_page() -> Result<Kit> {
     let folders = debian.iter().map(|sysroot| sysroot.join("bin")).chain(programs);
     let present = std::env::var_os("PATH").unwrap_or_default();
     let path = std::env::join_paths(folders.chain(std::env::split_paths(&present)))?;
-    // Whatever is built for wasm32 is built with the same flags, or the tests would build the page's modules again.
+    // The same flags for everything that is built for wasm32, or the tests would build the page's modules again.
     let flags = format!("CARGO_TARGET_{}_RUSTFLAGS", WASM.to_uppercase().replace('-', "_"));
     let mut environment = vec![("PATH".to_owned(), path), (flags, remapped().into())];
     // rustup's stand-in for cargo-clippy comes before the one on PATH, and takes a folder here.
@@ -53,6 +53,7 @@ pub fn for_tests() -> Result<Kit> {
         rust::components()?;
         let mut kit = for_page()?;
         kit.missing = system.join().expect("invariant: setting up does not panic");
+        kit.environment.extend(system::chromium().map(|program| ("ROSTO_BROWSER".to_owned(), program.into())));
         match readers.join().expect("invariant: setting up does not panic") {
             Ok(python) => kit.environment.push(("ROSTO_READERS_PYTHON".to_owned(), python.into())),
             Err(missing) => kit.missing.push(missing),

@@ -54,8 +54,7 @@ pub const ALL: [Step; 19] = [
         Ok(kit.npm("site").env("ROSTO_SITE", target().join("site")))
     }),
     step("wasm:page", "the page's module in headless Chromium", |kit| {
-        let others = tested_on_wasm()?.into_iter().filter(|name| name != WORKER_MODULE);
-        Ok(packages(in_chromium(kit), others))
+        Ok(packages(in_chromium(kit), tested_on_wasm()?.into_iter().filter(|name| name != WORKER_MODULE)))
     }),
     step("wasm:webgl", "the page's module for WebGL2 in headless Chromium", |kit| {
         let webgl = packages(in_chromium(kit), [WEBGL_MODULE, "rosto-viewport"]);
@@ -72,7 +71,7 @@ pub const ALL: [Step; 19] = [
     step("engines", "the page in Chromium, Firefox and WebKit, by WebGL2", |kit| Ok(kit.npm("engines"))),
 ];
 
-/// The page's module with the feature `webgl`. Whatever cargo builds together with it gets the feature, too.
+/// The page's module with the feature `webgl`. Everything that cargo builds together with it gets the feature, too.
 const WEBGL_MODULE: &str = "rosto-studio-webgl";
 const WORKER_MODULE: &str = "rosto-vision-web";
 
@@ -94,7 +93,7 @@ fn cargo(words: &str) -> Run {
     Run::new("cargo").words(words)
 }
 
-/// A command of cargo's for all that runs on this machine's target: the façades would be built for nobody.
+/// A command of cargo's for this machine's target, without the façades, which are for wasm32 alone.
 fn over_the_workspace(command: &str) -> Run {
     cargo(command).words("--workspace --exclude rosto-*-web* --locked")
 }

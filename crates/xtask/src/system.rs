@@ -1,7 +1,8 @@
 //! Programs of the system, as Debian's packages: installed only where they are missing.
 
-use crate::run::{Run, announced, is_program};
+use crate::run::{Run, announced, find, is_program};
 use anyhow::{Context, Result, ensure};
+use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
@@ -37,6 +38,12 @@ pub fn obtain() -> Vec<anyhow::Error> {
     };
     let missing = PROGRAMS.iter().filter(|(_, names, ..)| !names.iter().any(is_here));
     missing.filter_map(|(name, _, packages, why)| announced(name, why, || install(packages)).err()).collect()
+}
+
+/// The Chromium or Chrome that the tests visit the page in.
+pub fn chromium() -> Option<PathBuf> {
+    let named = std::env::var_os("ROSTO_BROWSER").map(PathBuf::from);
+    named.or_else(|| CHROMIUM.into_iter().find_map(find))
 }
 
 /// Installs packages with apt-get, as root or through `sudo -n`.

@@ -24,9 +24,7 @@ pub fn run(wanted: &[&str]) -> Result<()> {
             println!("\n✗ {name}\n{}", last_lines(output, SHOWN_LINES[1]));
         }
     }
-    if !failed.is_empty() {
-        kit.report_missing();
-    }
+    kit.report_missing();
     ensure!(failed.is_empty(), "{} of {} steps failed: {}", failed.len(), results.len(), failed.join(", "));
     println!("\n{} steps passed", results.len());
     Ok(())
