@@ -12,9 +12,8 @@ cargo xtask TASK
   test [STEP…]  check and test everything, or only the named steps
   deny          check licences, bans and sources of all that is compiled, as deny.toml wants them
   semver        whether the versions of the published crates say what has changed since the last release
-  bench [WHAT…] measure against the paper and the peers; --write updates docs/benchmarks.md
-  robustness    which faces are found, beside MediaPipe; --write updates docs/robustness.md
-  readers       every file in programs that are not ours, Blender too; --write updates docs/opens-elsewhere.md
+  bench [PART…] measure Rosto and its peers into docs/benchmarks.json: native, solvers, batches, browser
+  readers       open every file in programs that are not ours, Blender included
   torture       broken bytes and random visitors, for hours; --write updates docs/torture.md
                   [--inputs N] [--actions N] [--page-actions N]; 0 leaves a part out
   screenshots   take the documentation's pictures of the page, its contact sheets, and axe-core's report

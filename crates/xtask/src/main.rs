@@ -1,5 +1,5 @@
 //! The workspace's tasks: `cargo xtask setup`, `serve`, `dist`, `reproduce`, `npm`, `test`, `deny`, `semver`, `bench`,
-//! `robustness`, `readers`, `torture`, `screenshots`, `wheel`, `site`.
+//! `readers`, `torture`, `screenshots`, `wheel`, `site`.
 
 mod apt;
 mod bench;
@@ -23,7 +23,6 @@ mod progress;
 mod python;
 mod readers;
 mod reproduce;
-mod robustness;
 mod screenshots;
 mod semver;
 mod serve;
@@ -64,9 +63,8 @@ fn run(arguments: &[String]) -> Result<ExitCode> {
         ["test", steps @ ..] => test::run(steps),
         ["deny"] => deny::run(),
         ["semver"] => semver::run(),
-        ["bench", arguments @ ..] => bench::run(arguments),
-        ["robustness", arguments @ ..] => robustness::run(arguments),
-        ["readers", arguments @ ..] => readers::run(arguments),
+        ["bench", parts @ ..] => bench::run(parts),
+        ["readers"] => readers::run(),
         ["torture", arguments @ ..] => torture::run(arguments),
         ["screenshots"] => screenshots::run(),
         ["wheel"] => wheel::run(),

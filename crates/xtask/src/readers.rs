@@ -1,20 +1,16 @@
-//! The programs that are not ours and open our files, and `cargo xtask readers`: what each of them sees, Blender too.
+//! The programs that are not ours and open our files, and `cargo xtask readers`, which includes Blender.
 
-use crate::failure::{Doing, Failure, Result};
-use crate::figures::Document;
+use crate::failure::{Failure, Result};
 use crate::process::{Run, find_program};
 use crate::python::Environment;
-use crate::{apt, progress, setup, test, versions, workspace};
+use crate::{apt, progress, setup, test, versions};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-/// Where the tables go.
-pub const DOCUMENT: Document = Document { file: "docs/opens-elsewhere.md", task: "readers", figures: "figures" };
 const REQUIREMENTS: &str = "tests/readers/requirements.txt";
 /// Several times as large as all the others together: not for every run of the tests.
 const BLENDER: &str = "tests/readers/requirements-blender.txt";
-const TABLES: &str = "readers/tables.md";
 const SLICER: &str = "prusa-slicer";
 const LIMIT: Duration = Duration::from_secs(3600);
 
@@ -49,26 +45,14 @@ impl Readers {
     }
 }
 
-/// Prints what all readers see; `--write` puts it into the document.
-pub fn run(arguments: &[&str]) -> Result<ExitCode> {
-    let write = match arguments {
-        [] => false,
-        ["--write"] => true,
-        _ => return Err(Failure::new(format!("unknown options {arguments:?}")).advice("the only option is --write")),
-    };
+/// Opens every file with every reader, Blender included.
+pub fn run() -> Result<ExitCode> {
     let kit = setup::for_tests()?;
     let blender = blender()?;
     progress::announce("readers", "every file in programs that are not ours");
-    let started = Instant::now();
     let run = kit.readers().over_all_files(kit.run("npm")?, test::command_line()?);
     let ended = run.env("ROSTO_READERS_BLENDER", blender).within(LIMIT).run()?;
-    progress::done("readers", started);
-    let tables = workspace::target().join(TABLES);
-    let tables = std::fs::read_to_string(&tables).doing(format!("reading {}", tables.display()))?;
-    println!("{}\n{tables}", ended.output);
-    if write {
-        DOCUMENT.update(tables.trim_end())?;
-    }
+    println!("{}", ended.output);
     Ok(if ended.success { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 

@@ -222,7 +222,7 @@ fn journeys(kit: &Kit) -> Result<Report> {
 fn opened_elsewhere(kit: &Kit) -> Result<Report> {
     let report = tests("readers", kit.readers().over_all_files(quiet(kit.run("npm")?), command_line()?))?;
     let missing: String = kit.readers().missing().iter().map(|failure| format!("{failure}\n")).collect();
-    let left_out = report.output.lines().filter(|line| line.starts_with('–'));
+    let left_out = report.output.lines().filter(|line| line.starts_with('﹣'));
     left_out.for_each(|line| println!("  {line}"));
     Ok(Report { output: format!("{missing}{}", report.output), ..report })
 }
