@@ -41,8 +41,8 @@ fn edits(criterion: &mut Criterion) {
         let ready = system();
         let response = ready.respond(&constraints()).unwrap();
         let mut edited = rest.clone();
-        group.bench_function(id("response of a handle"), |bencher| {
-            bencher.iter(|| ready.respond(&constraints()).unwrap());
+        group.bench_function(id("edit with the factor at hand"), |bencher| {
+            bencher.iter(|| ready.respond(&constraints()).unwrap().displace(&rest, &[OFFSET], black_box(&mut edited)));
         });
         group.bench_function(id("slider tick"), |bencher| {
             bencher.iter(|| response.displace(&rest, &[OFFSET], black_box(&mut edited)));

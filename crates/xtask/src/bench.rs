@@ -67,7 +67,7 @@ fn browser(kit: &Kit) -> Result<Run> {
     let build = build.args(["rosto-vision-web", "--features", "bench", "--example", "networks"]);
     build.within(LIMIT).run()?.checked()?;
     let bind = kit.run("wasm-bindgen")?.args(["--target", "web", "--no-typescript", "--out-dir"]);
-    let bind = bind.arg(workspace::target().join("bench"));
+    let bind = bind.arg(workspace::root().join("target/bench"));
     bind.arg(workspace::target().join(WASM).join("web/examples/networks.wasm")).run()?.checked()?;
     kit.run("node").map(|node| node.arg("tests/bench/browser.mjs"))
 }
