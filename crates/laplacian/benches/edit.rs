@@ -48,7 +48,8 @@ fn edits(criterion: &mut Criterion) {
             bencher.iter(|| response.displace(&rest, &[OFFSET], black_box(&mut edited)));
         });
         group.bench_function(id("edit from nothing"), |bencher| {
-            bencher.iter(|| system().respond(&constraints()).unwrap().displace(&rest, &[OFFSET], black_box(&mut edited)));
+            bencher
+                .iter(|| system().respond(&constraints()).unwrap().displace(&rest, &[OFFSET], black_box(&mut edited)));
         });
     }
 }
