@@ -66,7 +66,7 @@ export function findings(row, truth, seen, said = "") {
   return [
     ...(seen.remarks ?? []),
     ...unless(!seen.size || seen.size.every((length, axis) => near(length, truth.size[axis], SAME_SIZE_M)), `size ${seen.size} m, not ${truth.size}`),
-    ...(seen.positions ? [...shapeFindings(row, truth, seen, said), ...colourFindings(row, truth, seen)] : []),
+    ...(seen.positions ? meshFindings(row, truth, seen, said) : []),
     ...unless(outside === 0, `${outside} texture coordinates outside 0 to 1`),
     ...unless(seen.colours === undefined || seen.colours >= LEAST_COLOURS, `a picture of ${seen.colours} colours`),
     ...morphFindings(row, seen),
@@ -76,7 +76,7 @@ export function findings(row, truth, seen, said = "") {
   ];
 }
 
-function shapeFindings(row, truth, seen, said) {
+function meshFindings(row, truth, seen, said) {
   const points = pointsOf(row, truth, seen);
   const known = points.map((point) => truth.places.at(point));
   const faces = new Set(seen.triangles.map((corners) => oriented(corners.map((corner) => known[corner]))));
@@ -86,6 +86,7 @@ function shapeFindings(row, truth, seen, said) {
     ...(row.body ? [...bodyFindings(points, seen, said), ...roundingFindings(known, points, truth, said)] : []),
     ...(row.body || row.eyesAndMouth ? [] : sheetFindings(known, seen.triangles, truth)),
     ...(MOVED[row.ending] ?? []).flatMap((axis) => originFindings(axis, row, seen)),
+    ...(row.skin === "none" ? [] : colourFindings(row, truth, seen, known)),
   ];
 }
 
@@ -147,20 +148,14 @@ function bodyFindings(points, { triangles: corners, closed, volume: theirs, unit
   ];
 }
 
-function colourFindings(row, truth, seen) {
-  if (row.skin === "none") return [];
-  const [off, most] = [colourError(row, truth, seen), MOST_OFF[row.skin]];
-  return unless(off < most, `colours ${off} off in the mean, of 255; at most ${most}`);
-}
-
-/** Mean colour error over the corners of the face's triangles; NaN if the reader shows none. A body's sides and back do not count. */
-function colourError(row, truth, { skin, corner_skin, ...seen }) {
-  const places = pointsOf(row, truth, seen).map((point) => truth.places.at(point));
-  const offs = seen.triangles.flatMap((corners, at) => {
-    if (!truth.triangles.has(oriented(corners.map((corner) => places[corner])))) return [];
-    return corners.map((corner, step) => colourDistance(truth.colours[places[corner]], corner_skin?.[at][step] ?? skin?.[corner]));
+/** Mean colour error over the corners of the face's triangles; a body's sides and back do not count. */
+function colourFindings(row, truth, { triangles, skin, corner_skin }, known) {
+  const offs = triangles.flatMap((corners, at) => {
+    if (!truth.triangles.has(oriented(corners.map((corner) => known[corner])))) return [];
+    return corners.map((corner, step) => colourDistance(truth.colours[known[corner]], corner_skin?.[at][step] ?? skin?.[corner]));
   });
-  return offs.reduce((sum, off) => sum + off, 0) / offs.length;
+  const [off, most] = [offs.reduce((sum, each) => sum + each, 0) / offs.length, MOST_OFF[row.skin]];
+  return unless(off < most, `colours ${off} off in the mean, of 255; at most ${most}`);
 }
 
 /** @param {Point} meant @param {Point | undefined} shown */
