@@ -1,15 +1,13 @@
 //! A head whose texture is known all around, and photos that are taken of it.
 
-#![allow(dead_code, reason = "the theorems and the bench each take their part")]
-
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 use rosto_face::*;
 use rosto_mesh::vertex_normals;
 use rosto_photo::Sampler;
 use rosto_studio::{CoordinateFrame, Document, Rest, SMOOTH_DENSITY};
 use rosto_texture::spans;
-use serde_json::Value;
 
+use crate::faces::portrait_landmarks;
 use crate::seeded::Seeded;
 
 /// From the camera to the middle of the head.
@@ -26,19 +24,6 @@ pub struct Head {
     pub places_m: Vec<DVec3>,
     pub atlas_uvs: Vec<DVec2>,
     pub texture: Photo,
-}
-
-/// Landmarks that MediaPipe found in the sample portrait, which is 512×512 px.
-pub fn portrait_landmarks() -> Vec<[f32; 3]> {
-    landmarks_in(include_str!("golden/portrait_landmarks.json"))
-}
-
-/// Landmarks from a JSON object that has them as `landmarks`.
-pub fn landmarks_in(json: &str) -> Vec<[f32; 3]> {
-    let file: Value = serde_json::from_str(json).expect("the landmarks are JSON");
-    let number = |value: &Value| value.as_f64().expect("landmarks are numbers") as f32;
-    let rows = file["landmarks"].as_array().expect("the file lists landmarks");
-    rows.iter().map(|row| [0, 1, 2].map(|axis| number(&row[axis]))).collect()
 }
 
 /// The face in a square picture.

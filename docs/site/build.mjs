@@ -7,6 +7,7 @@ import { copyFile, mkdir, readFile, rm, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { commandLine } from "./command-line.mjs";
 import { html, isElsewhere, reader, resolved, titleOf } from "./markdown.mjs";
+import { measured } from "./measurements.mjs";
 import { PAGES } from "./pages.mjs";
 import { pythonReference } from "./python.mjs";
 import { whole } from "./template.mjs";
@@ -37,8 +38,10 @@ async function made(page) {
 }
 
 /** @param {Page} page */
-async function textOf({ source, reference }) {
-  if (source) return readFile(join(ROOT, source), "utf8");
+async function textOf({ source, data, reference }) {
+  const text = source && (await readFile(join(ROOT, source), "utf8"));
+  if (text && data) return text + measured(JSON.parse(await readFile(join(ROOT, data), "utf8")));
+  if (text) return text;
   return reference === "python" ? pythonReference(ROOT) : commandLine(program());
 }
 

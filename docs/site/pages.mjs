@@ -6,6 +6,7 @@
  * @property {string} name of the file, without its ending
  * @property {string} [title] in the list of pages, where the text's own heading is too long
  * @property {string} [source] the Markdown, from the repository's root
+ * @property {string} [data] measurements to append as a table, from the repository's root
  * @property {"command-line" | "python"} [reference] what says it of itself instead
  *
  * @typedef {{ title: string, pages: Page[] }} Group
@@ -58,7 +59,7 @@ export const GROUPS = [
       doc("opens-elsewhere", "Opens elsewhere"),
       doc("accessibility", "Accessibility"),
       doc("torture", "What was thrown at it"),
-      doc("benchmarks", "Benchmarks"),
+      { ...doc("benchmarks", "Benchmarks"), data: "docs/benchmarks.json" },
     ],
   },
   {

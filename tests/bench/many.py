@@ -80,17 +80,18 @@ def measure(make, refined, photos, workers, in_threads):
     return clock * 1e3 / len(photos), processor * 1e3 / len(photos)
 
 
-def report(task, refined, photos, workers, ways):
+def report(what, refined, photos, workers, ways):
     peers = [("rosto", rosto_worker), ("mediapipe", mediapipe_worker)]
     runs = [(name + suffix, make, in_threads) for suffix, in_threads in ways for name, make in peers]
     times = {name: [] for name, *_ in runs}
     for _ in range(ROUNDS):
         for name, make, in_threads in runs:
             times[name].append(measure(make, refined, photos, workers, in_threads))
-    for kind, of in [("", 0), ("-processor", 1)]:
+    for kind, of in [("", 0), (", processor time", 1)]:
         for name, measured in times.items():
             ms = statistics.median(each[of] for each in measured)
-            print(json.dumps({"task": task + kind, "peer": name, "ms": ms, "runs": PHOTOS * ROUNDS}), flush=True)
+            record = {"task": "batch", "what": what + kind, "size": f"{SIDE_PX} px JPEG", "peer": name, "value": ms, "unit": "ms"}
+            print(json.dumps(record | {"samples": PHOTOS * ROUNDS}), flush=True)
 
 
 def main():
@@ -98,9 +99,9 @@ def main():
         paths = variants.write(Path(sys.argv[1]), Path(folder), PHOTOS, SIDE_PX)
         photos = [path.read_bytes() for path in paths]
     alone, both = [("", False)], [("", False), (", threads", True)]
-    report("many-one", False, photos, 1, alone)
-    report("many-one-refined", True, photos, 1, alone)
-    report("many-two", False, photos, 2, both)
+    report("photo to 468 landmarks, one worker", False, photos, 1, alone)
+    report("photo to 478 landmarks, one worker", True, photos, 1, alone)
+    report("photo to 468 landmarks, two workers", False, photos, 2, both)
 
 
 if __name__ == "__main__":

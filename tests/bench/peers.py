@@ -1,14 +1,11 @@
-"""How long the editing engine's peers take, on one thread, for the matrices the engine solves.
+"""How long other solvers take, on one thread, for the matrices of `crates/laplacian/benches/edit.rs`.
 
-Prints one JSON object a line:
+Prints one JSON object a line: the median time in ms of
 
-    {"task": TASK, "peer": PEER, "vertices": N, "ms": MEDIAN, "runs": R}
-
-TASK is one of
-    paper-edit   one edit the paper's way: a dense pseudo-inverse for each of the three axes (468 vertices only)
-    factor       factorisation of N, analysis and ordering included
-    solve        one right-hand side with the factor kept
-    edit         factor and solve together, as a program without a kept factor does it
+    edit from nothing   the paper's way: a dense pseudo-inverse for each of the three axes (468 vertices only)
+    factor              factorisation of N, analysis and ordering included
+    solve               one right-hand side with the factor kept
+    factor and solve    together, as a program without a kept factor does it
 
 N = L_s^T L_s + I_a + I_b + I_e (the paper's normal equations) on the canonical face split four to one 0 to 4 times
 (468, 1 833, 7 257, 28 881, 115 233 vertices); a new vertex for each edge, in the order of the sorted edges, after the
@@ -72,9 +69,10 @@ def median_ms(action):
     return statistics.median(times), len(times)
 
 
-def report(task, peer, vertices, action):
+def report(what, peer, vertices, action):
     ms, runs = median_ms(action)
-    print(json.dumps({"task": task, "peer": peer, "vertices": vertices, "ms": ms, "runs": runs}), flush=True)
+    record = {"task": "edit", "what": what, "size": f"{vertices} vertices", "peer": peer, "value": ms, "unit": "ms", "samples": runs}
+    print(json.dumps(record), flush=True)
 
 
 def pseudo_inverse_edit(laplacian, positions):
@@ -112,7 +110,7 @@ def libigl():
     return factor
 
 
-PEERS = {"scipy-splu": scipy_splu, "cholmod": cholmod, "libigl": libigl}
+PEERS = {"SciPy splu": scipy_splu, "CHOLMOD": cholmod, "libigl": libigl}
 
 
 def bench_peer(name, factor, matrix):
@@ -125,7 +123,7 @@ def bench_peer(name, factor, matrix):
         raise ArithmeticError(f"{name} leaves a residual of {residual:.1e} at {n} vertices")
     report("factor", name, n, lambda: factor(matrix))
     report("solve", name, n, lambda: solve(unit))
-    report("edit", name, n, lambda: factor(matrix)(unit))
+    report("factor and solve", name, n, lambda: factor(matrix)(unit))
 
 
 def main():
@@ -136,7 +134,7 @@ def main():
     count, triangles = len(table["vertices"]), np.array(table["triangles_canonical"])
     laplacian = uniform_laplacian(count, triangles)
     positions = np.array(table["vertices"])
-    report("paper-edit", "numpy-pinv", count, lambda: pseudo_inverse_edit(laplacian, positions))
+    report("edit from nothing", "NumPy pinv", count, lambda: pseudo_inverse_edit(laplacian, positions))
     for level in range(levels + 1):
         if level:
             count, triangles = split(count, triangles)

@@ -1,5 +1,4 @@
 // The readers that run in a browser: three.js and <model-viewer>.
-import { readFileSync } from "node:fs";
 import path from "node:path";
 import { PNG } from "pngjs";
 import { launch } from "../journeys/browser.mjs";
@@ -7,26 +6,25 @@ import { colourCount } from "../journeys/pixels.mjs";
 import { serve } from "../journeys/server.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
-/** What <model-viewer> says where the machine draws fewer than two pictures a second: nothing about the file. */
+/** <model-viewer>'s warning where the machine draws fewer than two pictures a second: nothing about the file. */
 const SLOW = "rAF timed out in updateSource";
-const BLANK = "tests/readers/chromium/page.html";
 
-/** @typedef {import("./readers.mjs").Seen} Seen */
+/** @typedef {import("./judge.mjs").Seen} Seen */
+/** @typedef {Awaited<ReturnType<typeof openPage>>} Open */
 
-/** A page that both readers can be loaded into, with what it says on its console. */
+/** A page that both readers load into, with its warnings and errors. */
 export async function openPage() {
   const browser = await launch({ gpu: "webgl" });
   const server = await serve(ROOT, "/");
   const page = await browser.newPage({ viewport: { width: 512, height: 512 } });
   /** @type {string[]} */
   const said = [];
-  const isRemark = (message) => ["warning", "error"].includes(message.type()) && message.text() !== SLOW;
-  page.on("console", (message) => isRemark(message) && said.push(message.text()));
+  page.on("console", (message) => ["warning", "error"].includes(message.type()) && message.text() !== SLOW && said.push(message.text()));
   page.on("pageerror", (error) => said.push(String(error)));
-  await page.goto(`${server.url}${BLANK}`);
+  await page.goto(`${server.url}tests/readers/chromium/page.html`);
   return {
     page,
-    /** What has been said since it was asked last: warnings and errors. */
+    /** Those since the last call. */
     remarks: () => said.splice(0),
     close: async () => {
       await browser.close();
@@ -35,51 +33,41 @@ export async function openPage() {
   };
 }
 
-/** The files as three.js' loaders have them. @param {string[]} files @returns {Promise<Seen[]>} */
-export function readByThree(files) {
-  return each(files, async ({ page, remarks }, url) => {
-    // As text: number by number, it would take longer to pass on than to read.
-    const seen = await page.evaluate(async (/** @type {string} */ at) => {
-      const three = await import("/tests/readers/chromium/three-reads.mjs");
-      return JSON.stringify({ version: three.version, ...(await three.see(at)) });
-    }, url);
-    return { reader: "three.js", ...JSON.parse(seen), remarks: remarks() };
-  });
-}
-
-/** The files as <model-viewer> shows them. @param {string[]} files @returns {Promise<Seen[]>} */
-export function showInModelViewer(files) {
-  const version = versionOf("@google/model-viewer");
-  return each(files, async ({ page, remarks }, url) => {
-    const seen = await page.evaluate(async (/** @type {string} */ at) => {
-      const viewer = await import("/tests/readers/chromium/model-viewer-shows.mjs");
-      return viewer.show(at);
-    }, url);
-    const colours = colourCount(PNG.sync.read(await page.screenshot()));
-    return { reader: "model-viewer", version, ...seen, colours, remarks: remarks() };
-  });
-}
-
-/** The version of a package as it is installed. @param {string} name */
-export function versionOf(name) {
-  return JSON.parse(readFileSync(path.join(ROOT, "node_modules", name, "package.json"), "utf8")).version;
-}
-
-/** The path under which a page asks for a file. @param {string} file */
+/** A file's address for the page. @param {string} file */
 export function urlOf(file) {
   return `/${path.relative(ROOT, file)}`;
 }
 
-/**
- * @param {string[]} files
- * @param {(open: Awaited<ReturnType<typeof openPage>>, url: string) => Promise<object>} see
- */
+/** @param {string[]} files */
+export function readByThree(files) {
+  return each(files, async ({ page }, url) => {
+    // As text: passing numbers one by one takes longer than reading them.
+    const seen = await page.evaluate(async (/** @type {string} */ at) => {
+      const three = await import("/tests/readers/chromium/three-reads.mjs");
+      return JSON.stringify(await three.see(at));
+    }, url);
+    return JSON.parse(seen);
+  });
+}
+
+/** @param {string[]} files */
+export function showInModelViewer(files) {
+  return each(files, async ({ page }, url) => {
+    const size = await page.evaluate(async (/** @type {string} */ at) => {
+      const viewer = await import("/tests/readers/chromium/model-viewer-shows.mjs");
+      return viewer.show(at);
+    }, url);
+    return { size, colours: colourCount(PNG.sync.read(await page.screenshot())) };
+  });
+}
+
+/** @param {string[]} files @param {(open: Open, url: string) => Promise<Partial<Seen>>} see @returns {Promise<Seen[]>} */
 async function each(files, see) {
   const open = await openPage();
   const all = [];
   for (const file of files) {
-    const seen = await see(open, urlOf(file)).catch((error) => ({ error: String(error?.stack ?? error), remarks: open.remarks() }));
-    all.push({ path: file, ...seen });
+    const seen = await see(open, urlOf(file)).catch((error) => ({ error: String(error?.stack ?? error) }));
+    all.push({ path: file, ...seen, remarks: open.remarks() });
   }
   await open.close();
   return all;

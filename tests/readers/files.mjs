@@ -1,56 +1,52 @@
-// Files of rows of the table, written by the command line.
+// Files of the table's rows, written by the command line.
 import { execFile } from "node:child_process";
 import { mkdir, readFile, rm } from "node:fs/promises";
+import { availableParallelism } from "node:os";
 import path from "node:path";
+import { Readable } from "node:stream";
 import { promisify } from "node:util";
 import { program } from "../journeys/command-line.mjs";
-import { SAMPLE } from "../journeys/visitor.mjs";
-import { inLanes } from "./lanes.mjs";
 import { commandOf } from "./table.mjs";
 
 /** @typedef {import("./table.mjs").Row} Row */
-/** A file, and what the command line said about it or why it refused to write it. @typedef {{ row: Row, path: string, said: string, refused: boolean }} Written */
+/** A file, and the command line's output about it. @typedef {{ row: Row, path: string, said: string }} Written */
 
-/** Everything that a run writes lies here. */
-export const FOLDER = path.resolve(import.meta.dirname, "../../target/readers");
+const ROOT = path.resolve(import.meta.dirname, "../..");
+/** The photo of all files. */
+export const SAMPLE = path.join(ROOT, "web/assets/sample.png");
+/** Everything that a run writes. */
+export const FOLDER = path.join(ROOT, "target/readers");
 
-/** @type {Map<string, Promise<Written>>} */
-const begun = new Map();
+/** @type {Map<string, Promise<any>>} */
+const shapes = new Map();
 
-/** Empties the folder: what an earlier program wrote must not be what is read. */
-export async function makeRoom() {
+/** Removes the files of earlier programs. */
+export async function emptyFolder() {
   await rm(FOLDER, { recursive: true, force: true });
   await mkdir(FOLDER, { recursive: true });
 }
 
-/** The files of rows, each written once. @param {Row[]} rows */
+/** Writes the files of rows, one per core at a time; throws what the command line reports if it refuses one. @param {Row[]} rows @returns {Promise<Written[]>} */
 export function written(rows) {
-  return inLanes(rows, file);
+  return Readable.from(rows).map(write, { concurrency: availableParallelism() }).toArray();
 }
 
-/** A shape in mm, in the one format that nobody but us reads. @param {Row["shape"]} shape */
-export async function shapeAsJson(shape) {
-  const { path: made, said, refused } = await file({ ending: "json", shape, options: [], skin: "colours" });
-  if (refused) throw new Error(said);
-  return JSON.parse(await readFile(made, "utf8"));
+/** A shape in mm, in our own JSON format. @param {Row["shape"]} shape */
+export function shapeOf(shape) {
+  const key = JSON.stringify(shape);
+  const reading = shapes.get(key) ?? write({ ending: "json", shape, options: [], skin: "colours" }).then(({ path: file }) => readFile(file, "utf8")).then(JSON.parse);
+  shapes.set(key, reading);
+  return reading;
 }
 
-/** @param {Row} row */
-function file(row) {
-  const made = path.join(FOLDER, `${nameOf(row)}.${row.ending}`);
-  const making = begun.get(made) ?? write(row, made);
-  begun.set(made, making);
-  return making;
+/** @param {Row} row @returns {Promise<Written>} */
+async function write(row) {
+  const file = path.join(FOLDER, `${nameOf(row)}.${row.ending}`);
+  const { stdout, stderr } = await promisify(execFile)(program(), ["mesh", SAMPLE, "-o", file, ...commandOf(row)]);
+  return { row, path: file, said: `${stdout}${stderr}` };
 }
 
-/** @param {Row} row @param {string} to @returns {Promise<Written>} */
-async function write(row, to) {
-  const command = ["mesh", SAMPLE, "-o", to, ...commandOf(row)];
-  const { stdout, stderr, refused } = await promisify(execFile)(program(), command).catch((error) => ({ ...error, refused: true }));
-  return { row, path: to, said: `${stdout}${stderr}`, refused: refused === true };
-}
-
-/** What tells a row from all others of its format, in letters that every reader takes in a name. @param {Row} row */
+/** Unique within a format, in letters every reader accepts. @param {Row} row */
 function nameOf({ shape, options }) {
   const chosen = options.map((word) => word.replace(/^-+/, "").replaceAll(/[^a-z0-9.]+/g, "-"));
   return [shape.topology, shape.density, ...({ none: [], made: ["edited"], expressed: ["expressed"] })[shape.edits], ...chosen].join("-");

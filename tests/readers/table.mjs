@@ -1,96 +1,77 @@
-// What is opened, by whom: every file that the command line writes, in one table; every program that is not ours, in another.
-// A new option or format is a line here; what must be seen of it follows from what the line says.
-import { BLEND_SHAPES } from "./arkit.mjs";
+// The files to open: every kind that the command line writes. A new option or format is a line here; the expectations follow from it.
 
 /**
- * A file to be opened.
+ * A file to open.
  *
  * @typedef {object} Row
  * @property {string} ending the format
- * @property {string[]} options of `rosto mesh`, besides those that make the shape
+ * @property {string[]} options of `rosto mesh`, without those of the shape
  * @property {Shape} shape
- * @property {"photo" | "whole" | "colours" | "few" | "none"} skin what it shows at its vertices: a texture of the photo or of the whole
- *   face, their colours, a few of them for printers, or nothing
- * @property {"solid"} [body] a closed one, with the face at its front
- * @property {Record<string, number>} [morphs] its morph targets' weights by their names
- * @property {"pieces"} [eyesAndMouth] pieces of their own, which lie elsewhere: the rest is the face's
+ * @property {"photo" | "whole" | "colours" | "few" | "none"} skin a texture of the photo or of the whole face, vertex colours, a
+ *   printer's palette, or nothing
+ * @property {"solid"} [body] closed, with the face at its front
+ * @property {Record<string, number>} [morphs] weights of the morph targets by name
+ * @property {"pieces"} [eyesAndMouth] separate pieces, which lie elsewhere than the face's own fillings
  * @property {true} [unlit]
  */
 
 /** @typedef {{ topology: "tessellation" | "canonical", density: number, edits: keyof typeof MAKE }} Shape */
 
-/** Edits that every kind of file is tried with: each is a morph target of its own name where edits are morph targets. */
-export const EDITS = { "jaw-width": ["--slider", "jaw-width:-4"], nose: ["--region", "nose:0,0,5"] };
+/** Each is a morph target of its own name where edits are morph targets. */
+const EDITS = { "jaw-width": ["--slider", "jaw-width:-4"], nose: ["--region", "nose:0,0,5"] };
 
-/** What a face shows where it shows something, of all that it could; lids that met would lie in one place. */
+/** ARKit's names of blend shapes (ARFaceAnchor.BlendShapeLocation), without tongue and gaze, which a face mesh has no parts for. */
+const BLEND_SHAPES = [
+  ...[
+    "browDown", "browOuterUp", "cheekSquint", "eyeBlink", "eyeSquint", "eyeWide", "jaw", "mouth", "mouthDimple", "mouthFrown",
+    "mouthLowerDown", "mouthPress", "mouthSmile", "mouthStretch", "mouthUpperUp", "noseSneer",
+  ].flatMap((name) => [`${name}Left`, `${name}Right`]),
+  "browInnerUp", "cheekPuff", "jawForward", "jawOpen", "mouthClose", "mouthFunnel", "mouthPucker", "mouthRollLower", "mouthRollUpper",
+  "mouthShrugLower", "mouthShrugUpper",
+];
+/** Expressions with a weight; closed lids would share places. */
 const SHOWN = { jawOpen: 0.6, mouthSmileLeft: 0.5, eyeBlinkRight: 0.5 };
 
-/** How the command line is asked for edits. */
+/** The command line's options for edits. */
 const MAKE = {
   none: [],
   made: Object.values(EDITS).flat(),
   expressed: Object.entries(SHOWN).flatMap(([name, weight]) => ["--expression", `${name}:${weight}`]),
 };
 
-/** A format's own unit in metres, where it is none. */
+/** Units in metres of the formats that have another. */
 export const METRES = { stl: 0.001, "3mf": 0.001 };
 
-/** The axes along which a format moves the whole, so that it begins at 0: a face on the ground, a body where printers count from. */
+/** Axes along which a format moves the model to begin at 0: a face onto the ground, a body to a printer's origin. */
 export const MOVED = { "3mf": [0, 1, 2], usdz: [1] };
 
 /** @type {{ options: string[], skin: Row["skin"] }[]} */
-export const BASE_COLOURS = [
-  { options: ["--base-colour", "whole"], skin: "whole" },
-  { options: ["--base-colour", "photo"], skin: "photo" },
-  { options: ["--base-colour", "colours"], skin: "colours" },
-];
+const BASE_COLOURS = ["whole", "photo", "colours"].map((skin) => ({ options: ["--base-colour", skin], skin }));
+const MATERIALS = ["lit", "unlit"];
+const MORPH_TARGETS = { options: ["--morph-targets"], morphs: Object.fromEntries(Object.keys(EDITS).map((name) => [name, 1])) };
+/** @type {Pick<Row, "options" | "morphs">} */
+const EXPRESSIONS = { options: ["--expressions"], morphs: { ...Object.fromEntries(BLEND_SHAPES.map((name) => [name, 0])), ...SHOWN } };
 
-/** @type {{ options: string[], unlit?: true }[]} */
-export const MATERIALS = [{ options: ["--material", "lit"] }, { options: ["--material", "unlit"], unlit: true }];
+/** @type {({ edits: Shape["edits"] } & Pick<Row, "options" | "morphs">)[]} */
+const EDITS_AS = [{ edits: "none", options: [] }, { edits: "made", options: [] }, { edits: "made", ...MORPH_TARGETS }, { edits: "expressed", ...EXPRESSIONS }];
 
-/** Each edit at weight 1. */
-const AT_ONE = Object.fromEntries(Object.keys(EDITS).map((name) => [name, 1]));
-/** Every expression that there is. @type {Record<string, number>} */
-const EXPRESSIONS = { ...Object.fromEntries(BLEND_SHAPES.map((name) => [name, 0])), ...SHOWN };
-
-/** @type {{ edits: Shape["edits"], options: string[], morphs?: Row["morphs"] }[]} */
-export const EDITS_AS = [
-  { edits: "none", options: [] },
-  { edits: "made", options: [] },
-  { edits: "made", options: ["--morph-targets"], morphs: AT_ONE },
-  { edits: "expressed", options: ["--expressions"], morphs: EXPRESSIONS },
-];
-
-export const DENSITIES = [0, 1, 2, 3];
-/** @type {Shape["topology"][]} */
-export const TOPOLOGIES = ["tessellation", "canonical"];
-
-/** The shape that files of every format are written of. @type {Shape} */
+/** @type {Shape} */
 const FACE = { topology: "canonical", density: 2, edits: "made" };
-/** With holes for eyes and mouth, as few triangles as there are. @type {Shape} */
+/** With holes for eyes and mouth, and the fewest triangles. @type {Shape} */
 const SHEET = { topology: "tessellation", density: 0, edits: "none" };
 
-const MORPHS = { options: ["--base-colour", "photo", "--morph-targets"], skin: "photo", morphs: AT_ONE };
-/** As avatars are driven. */
-const AVATAR = {
-  shape: { topology: "canonical", density: 2, edits: "expressed" },
-  options: ["--base-colour", "photo", "--expressions"],
-  skin: "photo",
-  morphs: EXPRESSIONS,
-  eyesAndMouth: "pieces",
-};
+const [, PHOTO] = BASE_COLOURS;
+const MORPHS = { shape: FACE, ...PHOTO, ...MORPH_TARGETS, options: [...PHOTO.options, ...MORPH_TARGETS.options] };
+/** For animation. */
+const AVATAR = { ...MORPHS, shape: { ...FACE, edits: "expressed" }, ...EXPRESSIONS, options: [...PHOTO.options, ...EXPRESSIONS.options], eyesAndMouth: "pieces" };
+/** For printers. */
+const BODIES = ["thickness:2", "flat:3"].map((solid) => ({ shape: FACE, options: ["--solid", solid], body: "solid" }));
 
-/** What printers are given. @type {Pick<Row, "shape" | "options" | "body">[]} */
-const BODIES = [
-  { shape: FACE, options: ["--solid", "thickness:2"], body: "solid" },
-  { shape: FACE, options: ["--solid", "flat:3"], body: "solid" },
-];
-
-/** What the readers open. @type {Row[]} */
+/** Opened by the readers. @type {Row[]} */
 export const ROWS = [
   ...["glb", "gltf", "obj", "usdz"].flatMap((ending) => BASE_COLOURS.map((base) => ({ ending, shape: FACE, ...base }))),
-  ...["glb", "gltf"].flatMap((ending) => [{ ending, shape: FACE, ...MORPHS }, { ending, ...AVATAR }]),
-  ...["glb", "gltf", "obj", "usdz"].map((ending) => ({ ending, shape: SHEET, ...BASE_COLOURS[1] })),
+  ...["glb", "gltf"].flatMap((ending) => [{ ending, ...MORPHS }, { ending, ...AVATAR }]),
+  ...["glb", "gltf", "obj", "usdz"].map((ending) => ({ ending, shape: SHEET, ...PHOTO })),
   ...[FACE, SHEET].map((shape) => ({ ending: "ply", shape, options: [], skin: "colours" })),
   ...[FACE, SHEET].map((shape) => ({ ending: "stl", shape, options: ["--solid", "surface"], skin: "none" })),
   ...BODIES.map((body) => ({ ending: "stl", ...body, skin: "none" })),
@@ -98,21 +79,19 @@ export const ROWS = [
   { ending: "3mf", shape: FACE, options: ["--solid", "flat:3", "--colours", "few"], body: "solid", skin: "few" },
 ];
 
-/** The face found by one look, and a picture no larger than need be: none of the choices below depends on them. */
+/** The face found by one look, and a small texture: the choices below do not depend on them. */
 const quickly = (/** @type {Row["skin"]} */ skin) => ["--mediapipe", ...(skin === "whole" ? ["--texture-size", "1024"] : [])];
 
-/** Every combination of what can be chosen about a GLB. @type {Row[]} */
+/** Every combination of a GLB's choices, for the validator. @type {Row[]} */
 export const MATRIX = BASE_COLOURS.flatMap((base) =>
   MATERIALS.flatMap((material) =>
-    EDITS_AS.flatMap(({ edits, options, morphs }) =>
-      TOPOLOGIES.flatMap((topology) =>
-        DENSITIES.map((density) => ({
+    EDITS_AS.flatMap(({ edits, options }) =>
+      ["tessellation", "canonical"].flatMap((topology) =>
+        [0, 1, 2, 3].map((density) => ({
           ending: "glb",
           shape: { topology, density, edits },
-          ...base,
-          ...material,
-          options: [...quickly(base.skin), ...base.options, ...material.options, ...options],
-          ...(morphs && { morphs }),
+          skin: base.skin,
+          options: [...quickly(base.skin), ...base.options, "--material", material, ...options],
         })),
       ),
     ),
@@ -120,26 +99,19 @@ export const MATRIX = BASE_COLOURS.flatMap((base) =>
 );
 
 /**
- * What three.js draws over the photo, and how far its colours may be off in the mean, of 255: a texture is the photo's own JPEG,
- * drawn between its pixels; a colour for each vertex knows nothing of what lies between them.
+ * Drawn over the photo by three.js, with the largest mean colour error, of 255: a texture is the photo's own JPEG, drawn between
+ * its pixels; vertex colours are interpolated between vertices.
  *
  * @type {{ row: Row, most: number }[]}
  */
 export const ON_THE_PHOTO = [0, 2].flatMap((density) =>
   BASE_COLOURS.map(({ options, skin }) => ({
-    row: {
-      ending: "glb",
-      shape: { topology: "canonical", density, edits: "none" },
-      options: [...options, "--material", "unlit"],
-      skin,
-      unlit: true,
-    },
+    row: { ending: "glb", shape: { topology: "canonical", density, edits: "none" }, options: [...options, "--material", "unlit"], skin, unlit: true },
     most: { whole: 8, photo: 3, colours: density === 0 ? 12 : 6 }[skin],
   })),
 );
 
-/** All that makes the file of a row, as the command line wants it. @param {Row} row */
-export function commandOf({ shape, options }) {
-  const { topology, density, edits } = shape;
+/** The command line's options for a row. @param {Row} row */
+export function commandOf({ shape: { topology, density, edits }, options }) {
   return ["--units", "mm", "--topology", topology, "--density", String(density), ...MAKE[edits], ...options];
 }

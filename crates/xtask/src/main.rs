@@ -2,13 +2,10 @@
 
 mod assets;
 mod bench;
-mod figures;
-mod machine;
 mod page;
 mod places;
 mod python;
 mod readers;
-mod robustness;
 mod run;
 mod rust;
 mod setup;
@@ -23,7 +20,7 @@ use std::process::ExitCode;
 /// A task by its name, with its help.
 type Task = (&'static str, &'static str, fn(&[&str]) -> Result<()>);
 
-const TASKS: [Task; 15] = [
+const TASKS: [Task; 14] = [
     ("setup", "obtain all that the tasks below need and that is missing", setup::run),
     ("serve", "build the page and serve it on 127.0.0.1:8080, or the next free port", page::serve),
     ("dist", "build the page for the web into dist/, and show its sizes", page::dist),
@@ -35,13 +32,8 @@ const TASKS: [Task; 15] = [
     ("npm", "build the npm package out of the page into target/npm, and pack it", page::npm),
     ("test", "[STEP…] check and test everything, or only the named steps", test::run),
     ("deny", "check licences, bans and sources of all that is compiled against deny.toml", rust::deny),
-    ("bench", "[WHAT…] measure against the paper and the peers; --write updates docs/benchmarks.md", bench::run),
-    (
-        "robustness",
-        "which faces are found, compared with MediaPipe; --write updates docs/robustness.md",
-        robustness::run,
-    ),
-    ("readers", "every file in other programs, Blender too; --write updates docs/opens-elsewhere.md", readers::run),
+    ("bench", "[PART…] measure Rosto and its peers into docs/benchmarks.json: native, solvers, batches, browser", bench::run),
+    ("readers", "open every file in programs that are not ours, Blender included", readers::run),
     ("torture", "fuzz the readers and the session for hours", torture::run),
     ("screenshots", "take the documentation's pictures, the contact sheets, and axe-core's report", page::screenshots),
     ("wheel", "build the Python package into target/wheels, and try it in an empty environment", python::wheel),

@@ -1,7 +1,7 @@
 // In the browser: a GLB in <model-viewer>, as a page on the web shows it.
 import "/node_modules/@google/model-viewer/dist/model-viewer.min.js";
 
-/** Shows a file, and tells its size in metres once it is drawn. @param {string} url */
+/** Shows a file; returns its size in metres once it is drawn. @param {string} url */
 export async function show(url) {
   document.querySelector("model-viewer")?.remove();
   const viewer = document.createElement("model-viewer");
@@ -14,6 +14,5 @@ export async function show(url) {
   await shown;
   await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
   const { x, y, z } = viewer.getDimensions();
-  const materials = viewer.model.materials.map(({ name }) => name);
-  return { size: [x, y, z], materials };
+  return [x, y, z];
 }

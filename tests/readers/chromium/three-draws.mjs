@@ -3,11 +3,10 @@ import { Matrix4, NoToneMapping, PerspectiveCamera, Scene, WebGLRenderer } from 
 import { load } from "./three-reads.mjs";
 
 /**
- * The colours that three.js draws, RGBA from the top left as base64, where the file is; nothing where it is not. There is no
- * light, so only what is unlit has colours.
+ * RGBA from the top left as base64, transparent outside the file. There is no light, so only unlit materials have colours.
  *
  * @param {string} url
- * @param {{ width: number, height: number, focal_px: number, cameraFromModel: number[] }} camera the matrix row by row; it
+ * @param {{ width: number, height: number, focal_px: number, cameraFromModel: number[] }} camera the matrix by columns; it
  *   looks along −Z through the middle of the picture
  */
 export async function draw(url, { width, height, focal_px, cameraFromModel }) {
@@ -16,20 +15,17 @@ export async function draw(url, { width, height, focal_px, cameraFromModel }) {
   renderer.setPixelRatio(1);
   renderer.setSize(width, height);
   const upright_deg = (360 / Math.PI) * Math.atan(height / 2 / focal_px);
-  const camera = new PerspectiveCamera(upright_deg, width / height, 0.01, 100);
-  const scene = new Scene();
   const shown = await load(url);
-  shown.applyMatrix4(new Matrix4().set(...cameraFromModel));
-  scene.add(shown);
-  renderer.render(scene, camera);
-  const canvas = new OffscreenCanvas(width, height);
-  canvas.getContext("2d").drawImage(renderer.domElement, 0, 0);
+  shown.applyMatrix4(new Matrix4().fromArray(cameraFromModel));
+  renderer.render(new Scene().add(shown), new PerspectiveCamera(upright_deg, width / height, 0.01, 100));
+  const context = new OffscreenCanvas(width, height).getContext("2d");
+  context.drawImage(renderer.domElement, 0, 0);
   renderer.dispose();
   renderer.forceContextLoss();
-  return base64(canvas.getContext("2d").getImageData(0, 0, width, height).data);
+  return base64(context.getImageData(0, 0, width, height).data);
 }
 
-/** Numbers one by one would take longer to pass on than to draw. @param {Uint8ClampedArray} bytes */
+/** Passing numbers one by one takes longer than drawing. @param {Uint8ClampedArray} bytes */
 function base64(bytes) {
   let text = "";
   for (let at = 0; at < bytes.length; at += 8192) text += String.fromCharCode(...bytes.subarray(at, at + 8192));

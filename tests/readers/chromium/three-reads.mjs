@@ -1,5 +1,5 @@
-// In the browser: what three.js' own loaders make of a file, told as the readers in Python tell it.
-import { Color, LoadingManager, REVISION, Vector3 } from "three";
+// In the browser: the mesh that three.js' own loaders make of a file.
+import { Color, LoadingManager, Vector3 } from "three";
 import { ThreeMFLoader } from "three/addons/loaders/3MFLoader.js";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { MTLLoader } from "three/addons/loaders/MTLLoader.js";
@@ -8,10 +8,7 @@ import { PLYLoader } from "three/addons/loaders/PLYLoader.js";
 import { STLLoader } from "three/addons/loaders/STLLoader.js";
 import { USDLoader } from "three/addons/loaders/USDLoader.js";
 
-/** As three.js numbers its releases. */
-export const version = REVISION;
-
-/** For a picture to be decoded. */
+/** Limit for decoding a picture. */
 const WAIT_MS = 10_000;
 
 const LOADERS = {
@@ -24,7 +21,7 @@ const LOADERS = {
   usdz: (url, manager) => new USDLoader(manager).loadAsync(url),
 };
 
-/** What a file is to three.js, with its pictures: an object, or the bare geometry. @param {string} url */
+/** A file with its pictures: an object, or the bare geometry. @param {string} url */
 export async function load(url) {
   const manager = new LoadingManager();
   const lost = [];
@@ -46,41 +43,33 @@ export async function see(url) {
   const meshes = [];
   loaded.traverse((object) => object.isMesh && meshes.push(object));
   if (meshes.length !== 1) throw new Error(`${meshes.length} meshes`);
-  await pictured(meshes[0].material);
-  return seenOf(meshes[0]);
-}
-
-/** Some loaders give a material before its picture is there. */
-async function pictured(material) {
-  const until = performance.now() + WAIT_MS;
-  while (material?.map && !material.map.image?.width && performance.now() < until) await new Promise((resolve) => setTimeout(resolve, 20));
-}
-
-function seenOf(mesh) {
-  const { geometry, material } = mesh;
-  const names = Object.entries(mesh.morphTargetDictionary ?? {}).sort((a, b) => a[1] - b[1]);
+  const [mesh] = meshes;
+  await decoded(mesh.material.map);
   return {
     // With the morph targets at their weights, as it is drawn.
-    ...shapeOf(geometry, (at, point) => mesh.getVertexPosition(at, point).applyMatrix4(mesh.matrixWorld)),
-    ...skinOf(geometry, material),
-    morphs: names.map(([name, at]) => ({ name, weight: mesh.morphTargetInfluences[at] })),
-    unlit: material.isMeshBasicMaterial === true,
+    ...shapeOf(mesh.geometry, (at, point) => mesh.getVertexPosition(at, point).applyMatrix4(mesh.matrixWorld)),
+    ...skinOf(mesh.geometry, mesh.material),
+    morphs: Object.entries(mesh.morphTargetDictionary ?? {}).map(([name, at]) => ({ name, weight: mesh.morphTargetInfluences[at] })),
+    unlit: mesh.material.isMeshBasicMaterial === true,
   };
 }
 
-function shapeOf(geometry, placed) {
-  const { position } = geometry.attributes;
+/** Some loaders return a material before its picture. */
+async function decoded(map) {
+  const until = performance.now() + WAIT_MS;
+  while (map && !map.image?.width && performance.now() < until) await new Promise((resolve) => setTimeout(resolve, 20));
+}
+
+function shapeOf({ attributes: { position }, index }, at = (vertex, into) => into.fromBufferAttribute(position, vertex)) {
   const point = new Vector3();
-  const at = placed ?? ((index, into) => into.fromBufferAttribute(position, index));
-  const corners = geometry.index ? [...geometry.index.array] : Array.from({ length: position.count }, (_, index) => index);
+  const corners = index ? [...index.array] : Array.from({ length: position.count }, (_, vertex) => vertex);
   return {
-    positions: Array.from({ length: position.count }, (_, index) => at(index, point).toArray()),
-    triangles: Array.from({ length: corners.length / 3 }, (_, index) => corners.slice(3 * index, 3 * index + 3)),
+    positions: Array.from({ length: position.count }, (_, vertex) => at(vertex, point).toArray()),
+    triangles: Array.from({ length: corners.length / 3 }, (_, triangle) => corners.slice(3 * triangle, 3 * triangle + 3)),
   };
 }
 
-function skinOf(geometry, material) {
-  const { uv, color } = geometry.attributes;
+function skinOf({ attributes: { uv, color } }, material) {
   if (uv && material?.map) return texturedSkin(uv, material.map);
   if (!color || (material && !material.vertexColors)) return {};
   const one = new Color();
@@ -89,8 +78,7 @@ function skinOf(geometry, material) {
 }
 
 function texturedSkin(uv, { image, flipY }) {
-  const canvas = new OffscreenCanvas(image.width, image.height);
-  const context = canvas.getContext("2d");
+  const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
   context.drawImage(image, 0, 0);
   const { data, width, height } = context.getImageData(0, 0, image.width, image.height);
   const texel = (share, size) => Math.max(0, Math.min(size - 1, Math.floor(share * size)));

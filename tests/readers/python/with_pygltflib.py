@@ -2,13 +2,12 @@
 
 import base64
 import io
-from importlib.metadata import version
 
 import numpy
 import PIL.Image
 from pygltflib import GLTF2
 
-from seen import srgb_from_linear, tell, textured
+from seen import report, srgb_from_linear, textured
 
 COMPONENTS = {5120: "i1", 5121: "u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
@@ -16,27 +15,28 @@ WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 
 def read(path):
     file = GLTF2().load(path)
-    (primitive,) = file.meshes[0].primitives
-    attributes = primitive.attributes
-    positions = values(file, attributes.POSITION).astype(float)
-    morphs = []
-    names = file.meshes[0].extras.get("targetNames", [])
-    for at, target in enumerate(primitive.targets or []):
-        moved = values(file, target["POSITION"] if isinstance(target, dict) else target.POSITION)
-        weight = file.meshes[0].weights[at]
-        positions = positions + weight * moved
-        morphs.append({"name": names[at] if at < len(names) else None, "weight": weight})
-    triangles = values(file, primitive.indices).reshape(-1, 3)
-    return {"positions": positions, "triangles": triangles, "morphs": morphs, **skin(file, primitive)}
+    (mesh,) = file.meshes
+    (primitive,) = mesh.primitives
+    positions = values(file, primitive.attributes.POSITION).astype(float)
+    weights = mesh.weights or []
+    for weight, target in zip(weights, primitive.targets or [], strict=True):
+        positions += weight * values(file, target["POSITION"])
+    names = mesh.extras.get("targetNames", [None] * len(weights))
+    return {
+        "positions": positions,
+        "triangles": values(file, primitive.indices).reshape(-1, 3),
+        "morphs": [{"name": name, "weight": weight} for name, weight in zip(names, weights, strict=True)],
+        **skin(file, primitive.attributes, file.materials[primitive.material]),
+    }
 
 
-def skin(file, primitive):
-    attributes = primitive.attributes
-    material = file.materials[primitive.material]
+def skin(file, attributes, material):
     seen = {"unlit": "KHR_materials_unlit" in (material.extensions or {})}
     texture = material.pbrMetallicRoughness.baseColorTexture
     if texture is not None:
-        picture = picture_of(file, file.images[file.textures[texture.index].source])
+        image = file.images[file.textures[texture.index].source]
+        data = from_uri(image.uri) if image.uri else view_of(file, image.bufferView)
+        picture = PIL.Image.open(io.BytesIO(data)).convert("RGB")
         return seen | textured(picture, values(file, attributes.TEXCOORD_0), "top")
     if attributes.COLOR_0 is not None:
         colours = values(file, attributes.COLOR_0)
@@ -51,44 +51,26 @@ def values(file, index):
     kind, width = numpy.dtype(COMPONENTS[accessor.componentType]), WIDTHS[accessor.type]
     rows = numpy.zeros((accessor.count, width), kind)
     if accessor.bufferView is not None:
-        view = file.bufferViews[accessor.bufferView]
-        start = (view.byteOffset or 0) + (accessor.byteOffset or 0)
-        stride = view.byteStride or width * kind.itemsize
-        data = bytes_of(file, view.buffer)
-        rows[:] = numpy.ndarray(rows.shape, kind, data, start, (stride, kind.itemsize))
-    for sparse in [accessor.sparse] if accessor.sparse else []:
-        rows[sparse_indices(file, sparse)] = sparse_values(file, sparse, kind, width)
+        stride = file.bufferViews[accessor.bufferView].byteStride or width * kind.itemsize
+        data = view_of(file, accessor.bufferView)
+        rows[:] = numpy.ndarray(rows.shape, kind, data, accessor.byteOffset or 0, (stride, kind.itemsize))
+    if accessor.sparse:
+        places, changed = accessor.sparse.indices, accessor.sparse.values
+        at = numpy.frombuffer(view_of(file, places.bufferView), COMPONENTS[places.componentType], accessor.sparse.count, places.byteOffset or 0)
+        data = view_of(file, changed.bufferView)
+        rows[at] = numpy.frombuffer(data, kind, len(at) * width, changed.byteOffset or 0).reshape(-1, width)
     return rows
 
 
-def sparse_indices(file, sparse):
-    view = file.bufferViews[sparse.indices.bufferView]
-    start = (view.byteOffset or 0) + (sparse.indices.byteOffset or 0)
-    kind = COMPONENTS[sparse.indices.componentType]
-    return numpy.frombuffer(bytes_of(file, view.buffer), kind, sparse.count, start)
+def view_of(file, index):
+    view = file.bufferViews[index]
+    uri, start = file.buffers[view.buffer].uri, view.byteOffset or 0
+    data = from_uri(uri) if uri else file.binary_blob()
+    return data[start : start + view.byteLength]
 
 
-def sparse_values(file, sparse, kind, width):
-    view = file.bufferViews[sparse.values.bufferView]
-    start = (view.byteOffset or 0) + (sparse.values.byteOffset or 0)
-    return numpy.frombuffer(bytes_of(file, view.buffer), kind, sparse.count * width, start).reshape(-1, width)
+def from_uri(uri):
+    return base64.b64decode(uri.partition(",")[2])
 
 
-def bytes_of(file, index):
-    uri = file.buffers[index].uri
-    return file.binary_blob() if uri is None else base64.b64decode(uri.partition(",")[2])
-
-
-def picture_of(file, image):
-    if image.uri is not None:
-        data = base64.b64decode(image.uri.partition(",")[2])
-    else:
-        view = file.bufferViews[image.bufferView]
-        start = view.byteOffset or 0
-        data = bytes_of(file, view.buffer)[start : start + view.byteLength]
-    picture = PIL.Image.open(io.BytesIO(data))
-    picture.load()
-    return picture
-
-
-tell("pygltflib", version("pygltflib"), read)
+report(read)

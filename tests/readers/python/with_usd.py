@@ -7,15 +7,15 @@ import numpy
 import PIL.Image
 from pxr import Usd, UsdGeom, UsdShade, UsdUtils, UsdValidation
 
-from seen import srgb_from_linear, tell, textured
+from seen import report, srgb_from_linear, textured
 
 
 def read(path):
     stage = Usd.Stage.Open(path)
     (mesh,) = [UsdGeom.Mesh(prim) for prim in stage.Traverse() if prim.IsA(UsdGeom.Mesh)]
-    counts = numpy.array(mesh.GetFaceVertexCountsAttr().Get())
-    if (counts != 3).any():
-        raise ValueError(f"faces of {sorted(set(counts))} corners")
+    counts = set(mesh.GetFaceVertexCountsAttr().Get())
+    if counts != {3}:
+        raise ValueError(f"faces of {counts} corners")
     to_world = numpy.array(UsdGeom.XformCache().GetLocalToWorldTransform(mesh.GetPrim()))
     points = numpy.array(mesh.GetPointsAttr().Get(), dtype=float)
     corners = numpy.array(mesh.GetFaceVertexIndicesAttr().Get())
@@ -30,13 +30,12 @@ def read(path):
 
 
 def remarks(stage, path):
-    """What both of USD's own checks have to say, the older with Apple's rules."""
+    """Both of USD's own checks; the older has Apple's rules."""
     checker = UsdUtils.ComplianceChecker(arkit=True)
     checker.CheckCompliance(path)
-    said = checker.GetErrors() + checker.GetFailedChecks() + checker.GetWarnings()
-    registry = UsdValidation.ValidationRegistry()
-    context = UsdValidation.ValidationContext(registry.GetOrLoadAllValidators())
-    return said + [error.GetErrorAsString() for error in context.Validate(stage)]
+    context = UsdValidation.ValidationContext(UsdValidation.ValidationRegistry().GetOrLoadAllValidators())
+    errors = [error.GetErrorAsString() for error in context.Validate(stage)]
+    return checker.GetErrors() + checker.GetFailedChecks() + checker.GetWarnings() + errors
 
 
 def skin(mesh, corners, count, path):
@@ -48,19 +47,14 @@ def skin(mesh, corners, count, path):
     file = UsdShade.Shader(source.source).GetInput("file")
     if not file:
         return {"skin": srgb_from_linear(mesh.GetDisplayColorPrimvar().ComputeFlattened())}
-    uvs = UsdGeom.PrimvarsAPI(mesh).GetPrimvar("st")
-    of_corners = numpy.array(uvs.ComputeFlattened())
-    uvs = of_corners if uvs.GetInterpolation() == UsdGeom.Tokens.vertex else numpy.zeros((count, 2))
-    if len(of_corners) == len(corners) and len(of_corners) != count:
+    primvar = UsdGeom.PrimvarsAPI(mesh).GetPrimvar("st")
+    uvs = numpy.array(primvar.ComputeFlattened())
+    if primvar.GetInterpolation() != UsdGeom.Tokens.vertex:
+        of_corners, uvs = uvs, numpy.zeros((count, 2))
         uvs[corners] = of_corners
-    return textured(picture_in(path, file.Get().path), uvs, "bottom")
-
-
-def picture_in(path, name):
     with zipfile.ZipFile(path) as package:
-        picture = PIL.Image.open(io.BytesIO(package.read(name.removeprefix("./"))))
-        picture.load()
-    return picture
+        picture = PIL.Image.open(io.BytesIO(package.read(file.Get().path.removeprefix("./"))))
+        return textured(picture.convert("RGB"), uvs, "bottom")
 
 
-tell("OpenUSD", ".".join(str(part) for part in Usd.GetVersion()[1:]), read)
+report(read)

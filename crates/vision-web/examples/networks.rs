@@ -1,4 +1,4 @@
-//! The networks by themselves, as `chrome-landmarks.mjs` times them beside onnxruntime-web.
+//! The networks by themselves, for `tests/bench/browser.mjs`, which compares them with onnxruntime-web.
 
 use std::hint::black_box;
 

@@ -1,0 +1,87 @@
+//! A photo of 12 megapixels that follows the edits of its face, and the whole texture of that face, on one thread.
+//!
+//! The face is MediaPipe's of the sample portrait, half as wide as the photo, so that nearly all of it moves; the photo's
+//! content does not matter.
+#![allow(clippy::unwrap_used, reason = "a benchmark fails by panicking")]
+#![allow(missing_docs, reason = "Criterion's macros make public functions")]
+
+use std::hint::black_box;
+
+use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
+use glam::DVec3;
+use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, PhotoLens, Triangulation};
+use rosto_studio::{DEFAULT_RING, Document, FaceSlider, InPhoto, Rest, whole_texture};
+use rosto_warp::drawn;
+use serde_json::Value;
+
+const SIDE_PX: u32 = 3464;
+/// Of the face in the portrait and in the photo, and its enlargement there.
+const MIDDLE: [f32; 3] = [0.43, 0.24, 0.0];
+const PLACE: [f32; 3] = [0.5, 0.5, 0.0];
+const LARGER: f32 = 2.7;
+
+fn in_the_photo(criterion: &mut Criterion) {
+    let photo = photo();
+    let face = face(&photo);
+    let camera = face.camera();
+    let mut group = criterion.benchmark_group("in the photo");
+    group.sample_size(10);
+    for density in [0, 3] {
+        let document = document(&face, density);
+        let (rest_m, size) = (document.rest(), format!("{} vertices", document.rest().len()));
+        let id = |what: &str| BenchmarkId::new(what, &size);
+        let made = || InPhoto::new(&face, &document, DEFAULT_RING, &[]).unwrap();
+        let mut in_photo = made();
+        group.bench_function(id("ready to follow"), |bencher| bencher.iter(made));
+        for (what, share) in [("slider tick", 1.0), ("slider tick, limited against folds", 4.0)] {
+            let moved = |(rest, now): (&DVec3, &DVec3)| rest.lerp(*now, share);
+            let now_m: Vec<DVec3> = rest_m.iter().zip(document.positions()).map(moved).collect();
+            group.bench_function(id(what), |bencher| {
+                bencher.iter(|| in_photo.follow(rest_m, black_box(&now_m), camera, camera));
+            });
+        }
+        in_photo.follow(rest_m, document.positions(), camera, camera);
+        group.bench_function(id("drawn for its file"), |bencher| bencher.iter(|| drawn(&photo, in_photo.patch())));
+    }
+}
+
+fn texture(criterion: &mut Criterion) {
+    let face = face(&photo());
+    let mut group = criterion.benchmark_group("texture");
+    group.sample_size(10);
+    for side_px in [1024, 2048, 4096] {
+        let id = BenchmarkId::new("whole texture of one photo", format!("{side_px} px"));
+        group.bench_function(id, |bencher| bencher.iter(|| whole_texture(&face, side_px).unwrap()));
+    }
+}
+
+/// Slopes and waves.
+fn photo() -> Photo {
+    let pixel = |i: u32| [i % SIDE_PX / 16, i / SIDE_PX / 16, (i % SIDE_PX) ^ (i / SIDE_PX)].map(|value| value as u8);
+    Photo::from_rgb(SIDE_PX, SIDE_PX, (0..SIDE_PX * SIDE_PX).flat_map(pixel).collect()).unwrap()
+}
+
+fn face(photo: &Photo) -> FaceModel {
+    let golden: Value = serde_json::from_str(include_str!("../../../tests/golden/portrait_landmarks.json")).unwrap();
+    let number = |value: &Value| value.as_f64().unwrap() as f32;
+    let larger = |row: &Value| [0, 1, 2].map(|axis| LARGER * (number(&row[axis]) - MIDDLE[axis]) + PLACE[axis]);
+    let landmarks: Vec<[f32; 3]> = golden["landmarks"].as_array().unwrap().iter().map(larger).collect();
+    let colours = [[0; 3]; LANDMARK_COUNT];
+    let (width, height, picture) = (photo.width(), photo.height(), photo.scaled_down(1024));
+    let input =
+        FaceInput { landmarks: &landmarks, width, height, colours: &colours, picture, lens: PhotoLens::Estimated };
+    FaceModel::new(input, Triangulation::Canonical).unwrap()
+}
+
+/// A narrower jaw and a wider nose, which fold nothing.
+fn document(face: &FaceModel, density: u32) -> Document {
+    let mut document = Document::new(Rest::of_face(face)).unwrap();
+    document.set_density(density).unwrap();
+    for (slider, amount_m) in [(FaceSlider::JawWidth, -0.004), (FaceSlider::NoseWidth, 0.002)] {
+        document.apply(slider.id(), slider.command(amount_m)).unwrap();
+    }
+    document
+}
+
+criterion_group!(benches, in_the_photo, texture);
+criterion_main!(benches);

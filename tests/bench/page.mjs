@@ -1,0 +1,282 @@
+// In the browser: the measurements of browser.mjs, each an export that resolves to records without samples.
+import * as frames from "/tests/journeys/film-frames.mjs";
+
+const PHOTO = "/web/assets/sample.png";
+const MEDIAPIPE = "/node_modules/@mediapipe/face_mesh/";
+const ROSTO = "rosto";
+const FACE_MESH = "@mediapipe/face_mesh";
+/** Photos after the first. */
+const PHOTOS = 10;
+const RUNS = 40;
+/** Frames of a face at rest before those that count, and in which it turns and nears after them. */
+const [WARM_UP, TURNING] = [30, 60];
+/** A long afternoon's edits. */
+const ENTRIES = 40;
+/** Browsers round their clocks: events between two readings. */
+const EVENTS = 20;
+
+/** From a photo's bytes to its landmarks, in Rosto's worker module. */
+export async function photosByRosto() {
+  const photo = await bytes(PHOTO);
+  let vision;
+  const start_ms = await elapsed(async () => {
+    const { default: init, Vision } = await import("/dist/wasm/rosto-vision-web.js");
+    await init();
+    vision = new Vision(await bytes("/dist/assets/face_detector.onnx"), await bytes("/dist/assets/face_landmarks_attention.onnx"));
+  });
+  return photos(ROSTO, start_ms, async () => {
+    const found = vision.find(photo, 1, () => {});
+    if (found.faceCount !== 1) throw new Error(`${found.faceCount} faces`);
+    found.free();
+  });
+}
+
+/** The same in the published @mediapipe/face_mesh, which looks for the face only once and follows it from photo to photo. */
+export async function photosByMediaPipe() {
+  const photo = await (await fetch(PHOTO)).blob();
+  let mesh;
+  let faces;
+  const start_ms = await elapsed(async () => {
+    mesh = await faceMesh({ maxNumFaces: 1 }, (found) => {
+      faces = found?.length ?? 0;
+    });
+  });
+  return photos(FACE_MESH, start_ms, async () => {
+    const image = new Image();
+    image.src = URL.createObjectURL(photo);
+    await image.decode();
+    await mesh.send({ image });
+    URL.revokeObjectURL(image.src);
+    if (faces !== 1) throw new Error(`${faces} faces`);
+  });
+}
+
+async function photos(peer, start_ms, find) {
+  const first_ms = await elapsed(find);
+  const later_ms = await repeated(PHOTOS, find);
+  const record = (what, value) => ({ task: "photo in Chrome", what, size: "512 px PNG", peer, unit: "ms", value });
+  return [
+    record("program and networks loaded", start_ms),
+    record("first photo to landmarks", first_ms),
+    record("later photos to landmarks", median(later_ms)),
+  ];
+}
+
+/** Both networks alone, turn by turn, in Rosto and in onnxruntime-web on one thread. */
+export async function networks() {
+  const files = { detector: await bytes("/web/assets/face_detector.onnx"), landmarks: await bytes("/web/assets/face_landmarks.onnx") };
+  const sides = { detector: 128, landmarks: 192 };
+  const planes = (side) => Float32Array.from({ length: 3 * side * side }, (_, i) => Math.sin(i / 97) / 2 + 0.5);
+  const programs = { [ROSTO]: await networksOfRosto(files), "onnxruntime-web": await networksOfOnnxRuntime(files) };
+  const record = (what, peer, value) => ({ task: "networks in Chrome", what, size: "1 thread", peer, unit: "ms", value });
+  const records = Object.entries(programs).map(([peer, { ready_ms }]) => record("both networks from file to ready", peer, ready_ms));
+  for (const [network, side] of Object.entries(sides)) {
+    const picture = planes(side);
+    const times = Object.fromEntries(Object.keys(programs).map((peer) => [peer, []]));
+    for (let run = 0; run < 2 * RUNS; run += 1) {
+      for (const [peer, { run: once }] of Object.entries(programs)) times[peer].push(await elapsed(() => once(network, picture, side)));
+    }
+    // In the first half the browser finds out what to optimise.
+    for (const [peer, all_ms] of Object.entries(times)) records.push(record(`${network} network`, peer, median(all_ms.slice(RUNS))));
+  }
+  return records;
+}
+
+async function networksOfRosto(files) {
+  const { default: init, Networks } = await import("/target/bench/networks.js");
+  await init();
+  let made;
+  const ready_ms = await elapsed(() => {
+    made = new Networks(files.detector, files.landmarks);
+  });
+  return { ready_ms, run: (network, picture) => (network === "detector" ? made.detect(picture) : made.mesh(picture)) };
+}
+
+async function networksOfOnnxRuntime(files) {
+  const ort = await import("/node_modules/onnxruntime-web/dist/ort.wasm.bundle.min.mjs");
+  ort.env.wasm.numThreads = 1;
+  ort.env.wasm.wasmPaths = new URL("/node_modules/onnxruntime-web/dist/", location.href).href;
+  const session = (network) => ort.InferenceSession.create(files[network]);
+  // The first session loads the program, which does not count for Rosto either.
+  await session("detector");
+  const sessions = {};
+  const ready_ms = await elapsed(async () => {
+    for (const network of Object.keys(files)) sessions[network] = await session(network);
+  });
+  const run = (network, picture, side) => {
+    const [input] = sessions[network].inputNames;
+    return sessions[network].run({ [input]: new ort.Tensor("float32", picture, [1, 3, side, side]) });
+  };
+  return { ready_ms, run };
+}
+
+/** A face followed through the end-to-end tests' film, frame by frame in turn, on the same pixels and times. */
+export async function film() {
+  const portrait = await portraitPixels();
+  const programs = { [ROSTO]: await followRosto(), [FACE_MESH]: await followMediaPipe() };
+  const seen = Object.fromEntries(Object.keys(programs).map((peer) => [peer, []]));
+  for (let number = -WARM_UP; number < frames.FRAMES + TURNING; number += 1) {
+    const pixels = new ImageData(frames.frameOf(portrait, placeIn(number), Math.abs(number)), frames.WIDTH_PX, frames.HEIGHT_PX);
+    for (const [peer, follow] of Object.entries(programs)) {
+      const answer = await follow(pixels, (1000 / frames.FRAMES_PER_S) * (number + WARM_UP + 1));
+      if (number >= 0) seen[peer].push({ number, ...answer });
+    }
+  }
+  return Object.entries(seen).flatMap(([peer, all]) => filmRecords(peer, all));
+}
+
+/** The tests' film, and the face turning and nearing after it. */
+function placeIn(number) {
+  if (number < frames.FRAMES) return frames.placeIn(Math.max(0, number));
+  const phase = (2 * Math.PI * (number - frames.FRAMES)) / TURNING;
+  return { ...frames.placeIn(0), degrees: 20 * Math.sin(phase), scale: 1.6 - 0.3 * (1 - Math.cos(phase)) / 2 };
+}
+
+async function portraitPixels() {
+  const bitmap = await createImageBitmap(await (await fetch(PHOTO)).blob());
+  const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+  context.drawImage(bitmap, 0, 0);
+  return context.getImageData(0, 0, bitmap.width, bitmap.height);
+}
+
+async function followRosto() {
+  const { VisionClient } = await import("/dist/js/photo/vision-client.js");
+  const vision = new VisionClient();
+  vision.start();
+  await vision.ready;
+  return async (pixels, time_ms) => {
+    const bitmap = await createImageBitmap(pixels);
+    let answer;
+    const ms = await elapsed(async () => {
+      answer = await vision.follow(bitmap, time_ms);
+    });
+    answer.frame.close();
+    const { landmarks } = answer;
+    return { ms, points: landmarks && Array.from({ length: landmarks.length / 3 }, (_, at) => [landmarks[3 * at], landmarks[3 * at + 1]]) };
+  };
+}
+
+async function followMediaPipe() {
+  let points;
+  const mesh = await faceMesh({ maxNumFaces: 1, refineLandmarks: true }, ([face] = []) => {
+    points = face?.map(({ x, y }) => [x, y]);
+  });
+  const context = Object.assign(document.createElement("canvas"), { width: frames.WIDTH_PX, height: frames.HEIGHT_PX }).getContext("2d");
+  return async (pixels, time_ms) => {
+    context.putImageData(pixels, 0, 0);
+    points = undefined;
+    return { ms: await elapsed(() => mesh.send({ image: context.canvas }, time_ms)), points };
+  };
+}
+
+/** @param {string} peer @param {{ number: number, ms: number, points?: number[][] }[]} all */
+function filmRecords(peer, all) {
+  const lost = all.filter(({ points }) => !points).map(({ number }) => number);
+  if (lost.length > 0) throw new Error(`${peer} found no face in frames ${lost}`);
+  const px = all.map(({ number, points }) => ({ number, points: points.map(([x, y]) => [x * frames.WIDTH_PX, y * frames.HEIGHT_PX]) }));
+  const still = px.filter(({ number }) => number < frames.STILL_FRAMES);
+  const rest = still[0].points.map((_, at) => [0, 1].map((axis) => mean(still.map(({ points }) => points[at][axis]))));
+  const squares = still.flatMap(({ points }) => points.map(([x, y], at) => (x - rest[at][0]) ** 2 + (y - rest[at][1]) ** 2));
+  const moving = px.filter(({ number }) => number < frames.FRAMES && frames.speedIn(number) !== 0);
+  const lags_ms = moving.map(({ number, points }) => {
+    const aside_px = frames.placeIn(number).x - frames.placeIn(0).x;
+    const behind_px = mean(points.map(([x], at) => rest[at][0] + aside_px - x));
+    return (1000 / frames.FRAMES_PER_S) * (behind_px / frames.speedIn(number));
+  });
+  const times_ms = all.map(({ ms }) => ms).sort((a, b) => a - b);
+  const record = (what, unit, value) => ({ task: "film in Chrome", what, size: "640×480 px", peer, unit, value });
+  return [
+    record("frame to 478 landmarks", "ms", median(times_ms)),
+    record("frame to 478 landmarks, 95th percentile", "ms", times_ms[Math.floor(0.95 * times_ms.length)]),
+    record("jitter of a face at rest, RMS", "px", Math.sqrt(mean(squares))),
+    record("lag behind a face at 200 px/s", "ms", Math.abs(mean(lags_ms))),
+  ];
+}
+
+/** On the page itself: its start, a photo, and slider ticks from the input event to the end of the last listener. */
+export async function editing() {
+  await until(() => document.querySelector("#language option"));
+  const record = (what, size, value) => ({ task: "page in Chrome", what, size, peer: ROSTO, unit: "ms", value });
+  const records = [record("navigation to a page that answers", null, performance.now())];
+  const transfer = new DataTransfer();
+  transfer.items.add(new File([await (await fetch(PHOTO)).blob()], "portrait.png"));
+  const face_ms = await elapsed(async () => {
+    document.getElementById("stage")?.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
+    await until(() => document.body.dataset.state === "face");
+  });
+  records.push(record("dropped photo to face on the canvas", "512 px PNG", face_ms));
+  await until(() => document.body.dataset.texture === undefined);
+  for (let entry = 0; entry < ENTRIES; entry += 1) edit(11 * entry + 1);
+  const entries = document.querySelectorAll("#history li").length;
+  if (entries < ENTRIES) throw new Error(`${entries} entries, not ${ENTRIES}`);
+  for (const [density, size] of [["0", "468 vertices"], ["3", "28881 vertices"]]) {
+    set(document.getElementById("density"), density, "change");
+    await new Promise((done) => setTimeout(done, 500));
+    const range = document.querySelector("#landmark-sliders [data-axis='z'] input[type=range]");
+    let tick = 0;
+    const ticks_ms = await repeated(RUNS, async () => {
+      for (let event = 0; event < EVENTS; event += 1) set(range, String((tick++ % 60) / 10), "input");
+    });
+    records.push(record(`slider tick with all listeners, ${ENTRIES} edits`, size, median(ticks_ms) / EVENTS));
+  }
+  return records;
+}
+
+/** @param {number} landmark */
+function edit(landmark) {
+  set(document.getElementById("landmark-search"), String(landmark), "change");
+  const number = document.querySelector("#landmark-sliders [data-axis='z'] input[type=number]");
+  set(number, "0.5", "input");
+  set(number, "0.5", "change");
+}
+
+function set(control, value, event) {
+  control.value = value;
+  control.dispatchEvent(new Event(event, { bubbles: true }));
+}
+
+/** MediaPipe's face mesh, loaded and ready; `found` gets the faces of each picture. */
+async function faceMesh(options, found) {
+  await new Promise((loaded, failed) => {
+    const script = document.createElement("script");
+    Object.assign(script, { src: `${MEDIAPIPE}face_mesh.js`, onload: loaded, onerror: failed });
+    document.head.append(script);
+  });
+  const mesh = new globalThis.FaceMesh({ locateFile: (name) => MEDIAPIPE + name });
+  mesh.setOptions(options);
+  mesh.onResults(({ multiFaceLandmarks }) => found(multiFaceLandmarks));
+  await mesh.initialize();
+  return mesh;
+}
+
+async function bytes(url) {
+  return new Uint8Array(await (await fetch(url)).arrayBuffer());
+}
+
+async function until(holds) {
+  while (!holds()) await new Promise((next) => setTimeout(next, 5));
+}
+
+/** Times in ms of repeated work, each from the start of a frame. */
+async function repeated(times, work) {
+  const all_ms = [];
+  for (let time = 0; time < times; time += 1) {
+    await new Promise(requestAnimationFrame);
+    all_ms.push(await elapsed(work));
+  }
+  return all_ms;
+}
+
+async function elapsed(work) {
+  const start = performance.now();
+  await work();
+  return performance.now() - start;
+}
+
+function median(numbers) {
+  return numbers.toSorted((a, b) => a - b)[numbers.length >> 1];
+}
+
+function mean(numbers) {
+  return numbers.reduce((sum, each) => sum + each, 0) / numbers.length;
+}

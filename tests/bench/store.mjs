@@ -1,0 +1,14 @@
+// Stores measurements in docs/benchmarks.json, in place of the earlier ones of the same tasks: node tests/bench/store.mjs LINES
+import { readFileSync, writeFileSync } from "node:fs";
+import { cpus } from "node:os";
+
+const RESULTS = new URL("../../docs/benchmarks.json", import.meta.url);
+const [lines] = process.argv.slice(2);
+const machine = `${cpus()[0].model}, ${cpus().length} cores`;
+
+const measured = readFileSync(lines, "utf8").split("\n").filter((line) => line.startsWith("{")).map((line) => JSON.parse(line));
+if (measured.length === 0) throw new Error(`${lines} has no measurements`);
+const tasks = new Set(measured.map(({ task }) => task));
+const kept = JSON.parse(readFileSync(RESULTS, "utf8")).filter(({ task }) => !tasks.has(task));
+const records = [...kept, ...measured.map((record) => ({ ...record, value: Number(record.value.toPrecision(4)), machine }))];
+writeFileSync(RESULTS, `[\n${records.map((record) => JSON.stringify(record)).join(",\n")}\n]\n`);
