@@ -14,7 +14,7 @@ pub struct Invariant {
 }
 
 /// Which crates of the workspace each crate may know; the table of ARCHITECTURE.md in the order of the way of the data.
-const MAY_KNOW: [(&str, &[&str]); 21] = [
+const MAY_KNOW: [(&str, &[&str]); 22] = [
     ("rosto-named", &[]),
     ("rosto-mesh", &[]),
     ("rosto-laplacian", &["mesh", "named"]),
@@ -35,6 +35,7 @@ const MAY_KNOW: [(&str, &[&str]); 21] = [
     ("rosto-cli", &["export", "face", "landmarks", "laplacian", "mesh", "named", "photo", "studio", "warp"]),
     ("rosto-python", &["cli", "landmarks", "laplacian", "mesh", "photo"]),
     ("rosto-model-import", &[]),
+    ("rosto-fuzz", &["export", "face", "photo", "studio"]),
     ("xtask", &["model-import"]),
 ];
 

@@ -23,6 +23,7 @@ pub fn of(package: &str) -> Vec<Source> {
     let folder = match package {
         // The same sources twice, see its manifest.
         "rosto-studio-webgl" => "studio-web",
+        "rosto-fuzz" => "../tests/fuzz",
         _ => package.strip_prefix("rosto-").unwrap_or(package),
     };
     let crate_folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(folder);

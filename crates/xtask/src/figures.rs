@@ -58,10 +58,7 @@ mod tests {
 
     #[test]
     fn every_document_with_figures_has_its_marks() {
-        for document in [crate::bench::DOCUMENT, crate::readers::DOCUMENT, crate::robustness::DOCUMENT]
-            .into_iter()
-            .chain(crate::torture::documents())
-        {
+        for document in [crate::bench::DOCUMENT, crate::readers::DOCUMENT, crate::robustness::DOCUMENT] {
             let present = std::fs::read_to_string(workspace::root().join(document.file)).unwrap();
             assert!(document.with_figures(&present, "").is_ok(), "{}: {}", document.file, document.figures);
         }

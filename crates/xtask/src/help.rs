@@ -15,8 +15,7 @@ cargo xtask TASK
   bench [WHAT…] measure against the paper and the peers; --write updates docs/benchmarks.md
   robustness    which faces are found, beside MediaPipe; --write updates docs/robustness.md
   readers       every file in programs that are not ours, Blender too; --write updates docs/opens-elsewhere.md
-  torture       broken bytes and random visitors, for hours; --write updates docs/torture.md
-                  [--inputs N] [--actions N] [--page-actions N]; 0 leaves a part out
+  torture [MIN] fuzz the readers, then run property, browser and monkey tests at length; 10 minutes a part by default
   screenshots   take the documentation's pictures of the page, its contact sheets, and axe-core's report
   wheel         build the Python package into target/wheels, and try it in an empty environment
   site          build the documentation as a static site into target/site

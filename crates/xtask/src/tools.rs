@@ -65,6 +65,12 @@ pub fn cargo_semver_checks() -> Tool {
     Tool::new("cargo-semver-checks", versions::CARGO_SEMVER_CHECKS, why)
 }
 
+/// Runs the fuzz targets.
+pub fn cargo_fuzz() -> Tool {
+    let why = "it fuzzes the readers";
+    Tool { speed: Speed::Waits, ..Tool::new("cargo-fuzz", versions::CARGO_FUZZ, why) }
+}
+
 impl Tool {
     /// A program that is called as its crate is.
     fn new(package: &'static str, version: &str, why: &'static str) -> Self {

@@ -1,106 +1,62 @@
-//! `cargo xtask torture`: what takes too long for the tests. Broken bytes for every reader, and visitors who do anything
-//! in any order, natively and on the page.
-
-mod parts;
-mod table;
+//! `cargo xtask torture [MINUTES]`: the fuzz targets, the property tests, every browser test and the monkey test, at length.
 
 use crate::failure::{Failure, Result};
-use crate::figures::Document;
-use crate::{progress, setup};
-use parts::Part;
+use crate::process::Run;
+use crate::setup::{self, Kit};
+use crate::{dist, test, tools, workspace};
 use std::process::ExitCode;
-use std::time::Instant;
+use std::time::UNIX_EPOCH;
 
-/// How much of each part is done.
-#[derive(Clone, Debug, PartialEq)]
-struct Amounts {
-    inputs: u64,
-    actions: u64,
-    page_actions: u64,
-    write: bool,
-}
+const TARGETS: [&str; 5] = ["picture", "profile", "glb", "project", "edits"];
+/// About a minute's worth on two cores.
+const CASES_PER_MINUTE: u32 = 4000;
 
-/// Runs all parts, or those whose amount is not 0, and fails if one of them found something.
+/// Runs all parts to their end, and fails if one of them did.
 pub fn run(arguments: &[&str]) -> Result<ExitCode> {
-    let amounts = Amounts::read(arguments)?;
+    let minutes = match arguments {
+        [] => Some(10),
+        [minutes] => minutes.parse().ok(),
+        _ => None,
+    };
+    let minutes = minutes.ok_or_else(|| Failure::new("the option is a whole number: minutes for each part"))?;
     let kit = setup::for_tests()?;
-    let mut found_nothing = true;
-    for part in parts::chosen(&amounts) {
-        progress::announce(part.name, &format!("{} {}", table::grouped(part.amount), part.what));
-        if let Some(missing) = (part.missing)() {
-            progress::note(&format!("left out: {missing}"));
-            continue;
-        }
-        let started = Instant::now();
-        let ended = (part.run)(&kit, part.amount)?;
-        if !ended.success {
-            found_nothing = false;
-            println!("{}", ended.describe());
-        }
-        let table = part.table(&ended);
-        println!("\n{table}");
-        // At once: the next part takes hours.
-        if amounts.write {
-            part.document().update(&table)?;
-        }
-        progress::done(part.name, started);
-    }
-    Ok(if found_nothing { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    let parts = fuzz(minutes)?.into_iter().chain([properties(minutes)]).chain(browser(&kit, minutes)?);
+    let succeeded = parts.map(succeeds).collect::<Result<Vec<bool>>>()?;
+    Ok(if succeeded.contains(&false) { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
 
-impl Part {
-    /// Where its figures go.
-    fn document(&self) -> Document {
-        Document { file: "docs/torture.md", task: "torture", figures: self.name }
-    }
-
-    fn table(&self, ended: &crate::process::Ended) -> String {
-        table::of(self.title, self.amount, ended.took, ended.success, &ended.output)
-    }
+fn fuzz(minutes: u32) -> Result<Vec<Run>> {
+    let fuzz = tools::cargo_fuzz().obtain()?.join("cargo-fuzz");
+    let seeds = cargo(["run", "--package", "rosto-fuzz", "--example", "seeds", "tests/fuzz/corpus"]);
+    let target = |target| {
+        let run = ["run", "--fuzz-dir", "tests/fuzz", "--sanitizer", "none", "--features", "libfuzzer", target, "--"];
+        let run = Run::new(&fuzz).args(run).args(["-timeout=10", &format!("-max_total_time={}", 60 * minutes)]);
+        run.current_dir(workspace::root())
+    };
+    Ok([seeds].into_iter().chain(TARGETS.map(target)).collect())
 }
 
-/// Where the figures of all parts go.
-#[cfg(test)]
-pub fn documents() -> impl Iterator<Item = Document> {
-    let all = Amounts { inputs: 1, actions: 1, page_actions: 1, write: true };
-    parts::chosen(&all).into_iter().map(|part| part.document())
+/// Other cases in each run.
+fn properties(minutes: u32) -> Run {
+    let packages = ["test", "--release", "--package", "rosto-fuzz", "--package", "rosto-session"];
+    let tests = cargo(packages).args(["--", "visitor", "damaged"]);
+    let seed = UNIX_EPOCH.elapsed().map_or(0, |since| since.as_secs());
+    tests.env("PROPTEST_CASES", (CASES_PER_MINUTE * minutes).to_string()).env("PROPTEST_RNG_SEED", seed.to_string())
 }
 
-impl Amounts {
-    fn read(arguments: &[&str]) -> Result<Self> {
-        let mut amounts = Self { inputs: 10_000_000, actions: 10_000_000, page_actions: 20_000, write: false };
-        let mut words = arguments.iter();
-        while let Some(&word) = words.next() {
-            let amount = match word {
-                "--inputs" => &mut amounts.inputs,
-                "--actions" => &mut amounts.actions,
-                "--page-actions" => &mut amounts.page_actions,
-                "--write" => {
-                    amounts.write = true;
-                    continue;
-                }
-                _ => {
-                    let advice =
-                        "the options are --inputs, --actions and --page-actions, each with a number, and --write";
-                    return Err(Failure::new(format!("unknown option {word}")).advice(advice));
-                }
-            };
-            let number = words.next().and_then(|number| number.replace('_', "").parse().ok());
-            *amount = number.ok_or_else(|| Failure::new(format!("{word} wants a whole number")))?;
-        }
-        Ok(amounts)
-    }
+fn browser(kit: &Kit, minutes: u32) -> Result<[Run; 2]> {
+    dist::build(kit)?;
+    let every = kit.run("npm")?.args(["run", "--silent", "journeys", "--", "--all"]);
+    let monkey = kit.run("npm")?.args(["run", "--silent", "restless", "--", "--minutes", &minutes.to_string()]);
+    Ok([every.env("ROSTO_CLI", test::command_line()?), monkey])
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+fn cargo<const N: usize>(arguments: [&str; N]) -> Run {
+    Run::new("cargo").args(arguments).current_dir(workspace::root())
+}
 
-    #[test]
-    fn amounts_are_read_and_anything_else_is_refused() {
-        let read = |words: &[&str]| Amounts::read(words);
-        let given = read(&["--inputs", "5_000", "--write", "--page-actions", "0"]).unwrap();
-        assert_eq!(given, Amounts { inputs: 5000, actions: 10_000_000, page_actions: 0, write: true });
-        assert!(read(&["--inputs"]).is_err() && read(&["--inputs", "many"]).is_err() && read(&["bytes"]).is_err());
-    }
+fn succeeds(part: Run) -> Result<bool> {
+    let ended = part.run()?;
+    println!("{}", ended.describe());
+    Ok(ended.success)
 }

@@ -16,6 +16,9 @@ pub const CARGO_DENY: &str = "0.20.2";
 /// Compares the published crates with their last release.
 pub const CARGO_SEMVER_CHECKS: &str = "0.51.0";
 
+/// Runs the fuzz targets with libFuzzer.
+pub const CARGO_FUZZ: &str = "0.13.2";
+
 /// A file of which only the one with this sha256 is accepted.
 pub struct PinnedFile {
     /// Path below the folder that holds it.
