@@ -27,17 +27,6 @@ impl Kind {
     /// All kinds.
     pub const ALL: [Self; 5] = [Self::Picture, Self::Profile, Self::Glb, Self::Project, Self::Edits];
 
-    /// The name of its fuzz target.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Picture => "picture",
-            Self::Profile => "profile",
-            Self::Glb => "glb",
-            Self::Project => "project",
-            Self::Edits => "edits",
-        }
-    }
-
     /// Valid files, small where they can be.
     pub fn seeds(self) -> Vec<Vec<u8>> {
         seeds::of(self)
