@@ -11,32 +11,32 @@ use crate::invariants::{hold, hold_deeply, seen, shape};
 /// Reading, writing, undoing and replaying everything takes long.
 const DEEPLY_EVERY: usize = 50;
 
-/// A sixteenth of the cases that `PROPTEST_CASES` asks for: each is a whole visit.
+/// A quarter of the cases that `PROPTEST_CASES` asks for: each is a whole visit.
 fn visits() -> ProptestConfig {
     let config = ProptestConfig::default();
-    ProptestConfig { cases: config.cases.div_ceil(16), max_shrink_iters: 4_000, ..config }
+    ProptestConfig { cases: config.cases.div_ceil(4), max_shrink_iters: 4_000, ..config }
 }
 
 proptest! {
     #![proptest_config(visits())]
 
     #[test]
-    fn a_visitor_who_does_anything_breaks_nothing(intents in vec(intents::anything(), 1..100)) {
+    fn a_visitor_who_does_anything_breaks_nothing(intents in vec(intents::anything(), 1..150)) {
         visit(&intents)?;
     }
 
     #[test]
-    fn a_visitor_who_edits_breaks_nothing(intents in vec(intents::editing(), 1..100)) {
+    fn a_visitor_who_edits_breaks_nothing(intents in vec(intents::editing(), 1..150)) {
         visit(&intents)?;
     }
 
     #[test]
-    fn a_visitor_who_points_and_looks_breaks_nothing(intents in vec(intents::looking(), 1..100)) {
+    fn a_visitor_who_points_and_looks_breaks_nothing(intents in vec(intents::looking(), 1..150)) {
         visit(&intents)?;
     }
 
     #[test]
-    fn a_visitor_who_changes_meshes_breaks_nothing(intents in vec(intents::meshing(), 1..100)) {
+    fn a_visitor_who_changes_meshes_breaks_nothing(intents in vec(intents::meshing(), 1..150)) {
         visit(&intents)?;
     }
 }

@@ -72,13 +72,14 @@ pub fn glbs() -> Vec<Vec<u8>> {
         (Tessellation, VertexColours, Material::Lit, &[]),
     ];
     let histories = histories();
-    let write = |((triangulation, base_colour, material, morphs), history)| {
-        let face = face(triangulation);
-        let options =
-            GlbOptions { base_colour, material, morphs, source: Some(source(&face, history)), ..GlbOptions::default() };
-        glb(&Model::of_face(&face), &options).expect("invariant: the canonical face can be written")
-    };
-    kinds.into_iter().zip(&histories[1..]).map(write).collect()
+    let written =
+        kinds.into_iter().zip(&histories[1..]).map(|((triangulation, base_colour, material, morphs), history)| {
+            let face = face(triangulation);
+            let source = Some(source(&face, history));
+            let options = GlbOptions { base_colour, material, morphs, source, ..GlbOptions::default() };
+            glb(&Model::of_face(&face), &options).expect("invariant: the canonical face can be written")
+        });
+    written.collect()
 }
 
 /// Projects with every history.

@@ -26,9 +26,9 @@ enum Edit {
     Json(json::Edit),
 }
 
-/// Up to six changes, after which checksums and lengths are mostly put right.
+/// Up to four changes, after which checksums and lengths are mostly put right.
 pub fn damage(kind: Kind) -> impl Strategy<Value = Damage> {
-    (any::<Index>(), vec(edit(kind), 1..=6), prop::bool::weighted(0.75)).prop_map(|(seed, edits, is_repaired)| Damage {
+    (any::<Index>(), vec(edit(kind), 1..=4), prop::bool::weighted(0.75)).prop_map(|(seed, edits, is_repaired)| Damage {
         seed,
         edits,
         is_repaired,
@@ -37,7 +37,11 @@ pub fn damage(kind: Kind) -> impl Strategy<Value = Damage> {
 
 fn edit(kind: Kind) -> impl Strategy<Value = Edit> {
     let length = || prop_oneof![1..9_usize, 1..300_usize];
-    let of_json = if matches!(kind, Kind::Picture | Kind::Profile) { 0 } else { 24 };
+    let of_json = match kind {
+        Kind::Picture | Kind::Profile => 0,
+        Kind::Glb | Kind::Project => 18,
+        Kind::Edits => 63,
+    };
     prop_oneof![
         3 => (any::<Index>(), any::<u8>()).prop_map(|(at, byte)| Edit::Set(at, vec![byte])),
         3 => (any::<Index>(), number()).prop_map(|(at, number)| Edit::Set(at, number)),
