@@ -38,12 +38,12 @@ fn a_damaged_profile_never_costs_the_picture() {
 
 #[test]
 fn a_damaged_glb_is_read_or_refused() {
-    assert_deep(accepted(Kind::Glb, 4));
+    assert_deep(accepted(Kind::Glb, 2));
 }
 
 #[test]
 fn a_damaged_project_is_read_or_refused() {
-    assert_deep(accepted(Kind::Project, 4));
+    assert_deep(accepted(Kind::Project, 2));
 }
 
 #[test]
