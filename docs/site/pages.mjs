@@ -58,7 +58,7 @@ export const GROUPS = [
       doc("robustness", "Which faces are found"),
       doc("opens-elsewhere", "Opens elsewhere"),
       doc("accessibility", "Accessibility"),
-      doc("torture", "What was thrown at it"),
+      doc("torture", "Fuzzing"),
       { ...doc("benchmarks", "Benchmarks"), data: "docs/benchmarks.json" },
     ],
   },

@@ -115,6 +115,7 @@ fn sources(package: &str) -> Vec<(String, String)> {
     let folder = match package {
         // The same sources twice, see its manifest.
         "rosto-studio-webgl" => "studio-web",
+        "rosto-fuzz" => "../tests/fuzz",
         _ => package.strip_prefix("rosto-").unwrap_or(package),
     };
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(folder);

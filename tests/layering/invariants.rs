@@ -18,7 +18,7 @@ const VIEWPORT: &str = "rosto-viewport";
 /// The crates that the page's JavaScript calls.
 const FACADES: [&str; 3] = ["rosto-studio-web", "rosto-studio-webgl", "rosto-vision-web"];
 /// All others are the core, which knows neither browser, clock, file, network, environment nor random source.
-const SHELLS: [&str; 4] = ["rosto-cli", "rosto-python", "rosto-model-import", "xtask"];
+const SHELLS: [&str; 5] = ["rosto-cli", "rosto-python", "rosto-model-import", "rosto-fuzz", "xtask"];
 
 const BROWSER: [&str; 5] = ["web-sys", "js-sys", "wasm-bindgen", "wasm-bindgen-futures", "gloo"];
 const GPU: [&str; 2] = ["wgpu", "naga"];

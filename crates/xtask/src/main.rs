@@ -34,7 +34,7 @@ const TASKS: [Task; 14] = [
     ("deny", "check licences, bans and sources of all that is compiled against deny.toml", rust::deny),
     ("bench", "[PART…] measure Rosto and its peers into docs/benchmarks.json: native, solvers, batches, browser", bench::run),
     ("readers", "open every file in programs that are not ours, Blender included", readers::run),
-    ("torture", "fuzz the readers and the session for hours", torture::run),
+    ("torture", "[MINUTES] fuzz, then run property, browser and monkey tests at length; 10 minutes a part by default", torture::run),
     ("screenshots", "take the documentation's pictures, the contact sheets, and axe-core's report", page::screenshots),
     ("wheel", "build the Python package into target/wheels, and try it in an empty environment", python::wheel),
     ("site", "build the documentation as a static site into target/site", page::site),

@@ -49,6 +49,10 @@ pub const CARGO_DENY: Tool = Tool {
     why: "it checks licences, bans and sources of all that is compiled",
 };
 
+/// Runs the fuzz targets with libFuzzer.
+pub const CARGO_FUZZ: Tool =
+    Tool { package: "cargo-fuzz", version: "0.13.2", options: "", opt_level: "0", why: "it fuzzes the readers" };
+
 impl Tool {
     /// The folder that holds the program, installed if it is not there yet.
     pub fn obtain(&self) -> Result<PathBuf> {

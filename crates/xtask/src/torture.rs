@@ -1,101 +1,57 @@
-//! `cargo xtask torture`: what takes too long for the tests. Broken bytes for every reader, and visitors who do anything
-//! in any order, natively and on the page.
+//! `cargo xtask torture [MINUTES]`: the fuzz targets, the property tests, every browser test and the monkey test, at length.
 
-mod parts;
-mod table;
+use crate::run::{Run, elapsed, last_lines};
+use crate::rust::CARGO_FUZZ;
+use crate::setup::{self, Kit};
+use crate::{page, steps};
+use anyhow::{Context, Result, ensure};
+use std::time::{Duration, Instant, UNIX_EPOCH};
 
-use crate::figures::Document;
-use crate::setup;
-use anyhow::{Result, bail, ensure};
-use parts::Part;
-use std::time::Instant;
+const TARGETS: [&str; 5] = ["picture", "profile", "glb", "project", "edits"];
+/// About a minute's worth on two cores.
+const CASES_PER_MINUTE: u32 = 4000;
+const LIMIT: Duration = Duration::from_secs(24 * 3600);
+const SHOWN_LINES: usize = 100;
 
-/// How much of each part is done.
-#[derive(Clone, Debug, PartialEq)]
-struct Amounts {
-    inputs: u64,
-    actions: u64,
-    page_actions: u64,
-    write: bool,
-}
-
-/// Runs all parts, or those whose amount is not 0, and fails if one of them found something.
+/// Runs every part, for about so many minutes each, and fails if one of them did.
 pub fn run(arguments: &[&str]) -> Result<()> {
-    let amounts = Amounts::read(arguments)?;
+    let minutes = arguments.first().map_or(Ok(10), |minutes| minutes.parse());
+    let minutes = minutes.context("the option is a whole number: minutes for each part")?;
     let kit = setup::for_tests()?;
-    let mut found_nothing = true;
-    for part in parts::chosen(&amounts) {
-        println!("▸ {} ({} {})", part.name, table::grouped(part.amount), part.what);
-        if let Some(missing) = (part.missing)() {
-            println!("  · left out: {missing}");
-            continue;
-        }
-        let started = Instant::now();
-        let ended = (part.run)(&kit, part.amount)?;
-        if !ended.success {
-            found_nothing = false;
-            println!("{}", ended.output);
-        }
-        let table = table::of(part.title, part.amount, started.elapsed(), ended.success, &ended.output);
-        println!("\n{table}");
-        // At once: the next part takes hours.
-        if amounts.write {
-            part.document().update(&table)?;
-        }
-    }
-    ensure!(found_nothing, "something was found: see above");
+    let parts = fuzz(minutes)?.into_iter().chain([properties(minutes)]).chain(browser(&kit, minutes)?);
+    let failed = parts.map(is_failure).collect::<Result<Vec<bool>>>()?.into_iter().filter(|failed| *failed).count();
+    ensure!(failed == 0, "{failed} parts failed: see above");
     Ok(())
 }
 
-impl Part {
-    /// Where its figures go.
-    fn document(&self) -> Document {
-        Document { file: "docs/torture.md", task: "torture", figures: self.name }
-    }
+fn fuzz(minutes: u32) -> Result<Vec<Run>> {
+    let fuzz = CARGO_FUZZ.obtain()?.join("cargo-fuzz");
+    let seeds = Run::new("cargo").words("run --package rosto-fuzz --example seeds tests/fuzz/corpus").log("seeds");
+    let target = |target| {
+        let run = Run::new(&fuzz).words("run --fuzz-dir tests/fuzz --sanitizer none --features libfuzzer");
+        let run = run.args([target, "--", "-timeout=10", &format!("-max_total_time={}", 60 * minutes)]);
+        run.log(&format!("fuzz-{target}"))
+    };
+    Ok([seeds].into_iter().chain(TARGETS.map(target)).collect())
 }
 
-/// Where the figures of all parts go.
-#[cfg(test)]
-pub fn documents() -> impl Iterator<Item = Document> {
-    let all = Amounts { inputs: 1, actions: 1, page_actions: 1, write: true };
-    parts::chosen(&all).into_iter().map(|part| part.document())
+/// Other cases in each run.
+fn properties(minutes: u32) -> Run {
+    let tests = Run::new("cargo").words("test --release --package rosto-fuzz --package rosto-session -- visitor damaged");
+    let seed = UNIX_EPOCH.elapsed().map_or(0, |since| since.as_secs());
+    let tests = tests.env("PROPTEST_CASES", (CASES_PER_MINUTE * minutes).to_string()).log("properties");
+    tests.env("PROPTEST_RNG_SEED", seed.to_string())
 }
 
-impl Amounts {
-    fn read(arguments: &[&str]) -> Result<Self> {
-        let mut amounts = Self { inputs: 10_000_000, actions: 10_000_000, page_actions: 20_000, write: false };
-        let mut words = arguments.iter();
-        while let Some(&word) = words.next() {
-            let amount = match word {
-                "--inputs" => &mut amounts.inputs,
-                "--actions" => &mut amounts.actions,
-                "--page-actions" => &mut amounts.page_actions,
-                "--write" => {
-                    amounts.write = true;
-                    continue;
-                }
-                _ => {
-                    let advice =
-                        "the options are --inputs, --actions and --page-actions, each with a number, and --write";
-                    bail!("unknown option {word}: {advice}");
-                }
-            };
-            let number = words.next().and_then(|number| number.replace('_', "").parse().ok());
-            *amount = number.ok_or_else(|| anyhow::anyhow!("{word} wants a whole number"))?;
-        }
-        Ok(amounts)
-    }
+fn browser(kit: &Kit, minutes: u32) -> Result<[Run; 2]> {
+    page::build(kit)?;
+    let every = kit.npm("journeys:all").env("ROSTO_CLI", steps::command_line()?).log("journeys-all");
+    Ok([every, kit.npm("monkey").args(["--", "--minutes", &minutes.to_string()]).log("monkey")])
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn amounts_are_read_and_anything_else_is_refused() {
-        let read = |words: &[&str]| Amounts::read(words);
-        let given = read(&["--inputs", "5_000", "--write", "--page-actions", "0"]).unwrap();
-        assert_eq!(given, Amounts { inputs: 5000, actions: 10_000_000, page_actions: 0, write: true });
-        assert!(read(&["--inputs"]).is_err() && read(&["--inputs", "many"]).is_err() && read(&["bytes"]).is_err());
-    }
+fn is_failure(part: Run) -> Result<bool> {
+    let started = Instant::now();
+    let ended = part.within(LIMIT).run()?;
+    println!("{}\n  {}", last_lines(&ended.output, SHOWN_LINES), elapsed(started.elapsed()));
+    Ok(!ended.success)
 }

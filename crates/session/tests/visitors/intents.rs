@@ -11,8 +11,8 @@ use rosto_studio::{ConstraintKind, Details, Expression, FaceSlider, Mirror, Oper
 
 use crate::faces::{SIZE_PX, found, worked_on};
 
-/// One intent, most of them such as a page sends.
-pub fn intent() -> impl Strategy<Value = Intent> {
+/// One intent of any kind.
+pub fn anything() -> impl Strategy<Value = Intent> {
     prop_oneof![
         8 => selecting(),
         8 => choosing(),
@@ -24,6 +24,21 @@ pub fn intent() -> impl Strategy<Value = Intent> {
         3 => in_photo(),
         1 => opening(),
     ]
+}
+
+/// One intent that changes the face, or how.
+pub fn editing() -> impl Strategy<Value = Intent> {
+    prop_oneof![2 => selecting(), 2 => choosing(), 4 => moving(), 3 => history()]
+}
+
+/// One intent of the pointer or the view, on a face that is edited.
+pub fn looking() -> impl Strategy<Value = Intent> {
+    prop_oneof![6 => pointing(), 1 => selecting(), 1 => moving(), 1 => history(), 3 => seeing(), 1 => in_photo()]
+}
+
+/// One intent that replaces the mesh or the face, or edits it.
+pub fn meshing() -> impl Strategy<Value = Intent> {
+    prop_oneof![4 => mesh(), 1 => opening(), 2 => selecting(), 3 => moving(), 3 => history()]
 }
 
 fn selecting() -> impl Strategy<Value = Intent> {

@@ -60,40 +60,41 @@ fn symmetrised(share: f64) -> Entry {
     Entry { label: "symmetrise".to_owned(), command: Command::Symmetrise { share }, switch: Switch::On }
 }
 
-/// GLBs of ours: painted both ways, in both triangulations, with a history and a morph target and without.
-pub fn glbs(histories: &[String]) -> Vec<Vec<u8>> {
+/// GLBs painted both ways, in both triangulations, with every history, with a morph target and without.
+pub fn glbs() -> Vec<Vec<u8>> {
+    use {BaseColour::Photo, BaseColour::VertexColours, Triangulation::Canonical, Triangulation::Tessellation};
     let displacements_m = vec![DVec3::Z * 0.001; LANDMARK_COUNT];
     let morph = Morph { name: "nose", displacements_m: &displacements_m, weight: 0.5 };
-    let kinds =
-        [Triangulation::Canonical, Triangulation::Tessellation].into_iter().zip([Material::Lit, Material::Unlit]);
-    let painted =
-        kinds.flat_map(|kind| [BaseColour::Photo, BaseColour::VertexColours].map(|base_colour| (kind, base_colour)));
-    let with_history = painted.zip(histories.iter().skip(1).cycle());
-    let write = |(((triangulation, material), base_colour), history): (((_, _), BaseColour), &String)| {
-        let face = face(triangulation);
-        let source =
-            Some(Source { face: &face, triangulation, density: 0, history: Some(history), in_photo: Some(IN_PHOTO) });
-        let morphs = if base_colour == BaseColour::Photo { std::slice::from_ref(&morph) } else { &[] };
-        let options = GlbOptions { base_colour, material, morphs, source, ..GlbOptions::default() };
-        glb(&Model::of_face(&face), &options).expect("invariant: the canonical face can be written")
-    };
-    with_history.map(write).collect()
+    let kinds = [
+        (Canonical, Photo, Material::Lit, &[][..]),
+        (Canonical, VertexColours, Material::Unlit, &[]),
+        (Tessellation, Photo, Material::Unlit, &[morph]),
+        (Tessellation, VertexColours, Material::Lit, &[]),
+    ];
+    let histories = histories();
+    let written =
+        kinds.into_iter().zip(&histories[1..]).map(|((triangulation, base_colour, material, morphs), history)| {
+            let face = face(triangulation);
+            let source = Some(source(&face, history));
+            let options = GlbOptions { base_colour, material, morphs, source, ..GlbOptions::default() };
+            glb(&Model::of_face(&face), &options).expect("invariant: the canonical face can be written")
+        });
+    written.collect()
 }
 
 /// Projects with every history.
-pub fn projects(histories: &[String]) -> Vec<Vec<u8>> {
+pub fn projects() -> Vec<Vec<u8>> {
     let face = face(Triangulation::Tessellation);
     let mut png = Vec::new();
-    let written =
-        PngEncoder::new(&mut png).write_image(face.picture().pixels(), SIDE_PX, SIDE_PX, ExtendedColorType::Rgb8);
+    let pixels = face.picture().pixels();
+    let written = PngEncoder::new(&mut png).write_image(pixels, SIDE_PX, SIDE_PX, ExtendedColorType::Rgb8);
     written.expect("invariant: the picture can be written");
-    let write = |history: &String| {
-        let triangulation = face.triangulation();
-        let source =
-            Source { face: &face, triangulation, density: 0, history: Some(history), in_photo: Some(IN_PHOTO) };
-        rosto_export::project::write(&source, &png)
-    };
-    histories.iter().map(|history| write(history).expect("invariant: the canonical face can be written")).collect()
+    let projects = histories().into_iter().map(|history| rosto_export::project::write(&source(&face, &history), &png));
+    projects.collect::<Result<_, _>>().expect("invariant: the canonical face can be written")
+}
+
+fn source<'a>(face: &'a FaceModel, history: &'a str) -> Source<'a> {
+    Source { face, triangulation: face.triangulation(), density: 0, history: Some(history), in_photo: Some(IN_PHOTO) }
 }
 
 /// The canonical face laid flat over a small picture.

@@ -1,0 +1,87 @@
+//! Rosto's own readers, in the order in which the program calls them, and what they promise.
+
+use std::sync::LazyLock;
+
+use rosto_export::{Reopened, reopen, sniff};
+use rosto_face::{FaceInput, FaceModel};
+use rosto_photo::{Limits, Photo, decode};
+use rosto_studio::{Document, Rest, project};
+
+use crate::seeds::{canonical_rest, with_profile};
+
+/// Smaller than the program's own, so that a reader that ignores them exceeds its memory.
+const LIMITS: Limits = Limits { max_bytes: 40_000_000, max_pixels: 1 << 18 };
+
+/// Decodes a photo and scales it down.
+pub fn picture(bytes: &[u8]) -> bool {
+    let decoded = decode(bytes, &LIMITS);
+    match &decoded {
+        Ok(photo) => assert_sound(photo),
+        Err(error) => assert!(!error.to_string().is_empty() && !error.hint().is_empty(), "a refusal without words"),
+    }
+    decoded.is_ok()
+}
+
+/// Decodes an intact JPEG with this colour profile.
+pub fn profile(bytes: &[u8]) -> bool {
+    assert!(picture(&with_profile(bytes)), "a damaged profile costs the picture");
+    true
+}
+
+/// Opens the face in a GLB, its texture and its history.
+pub fn glb(bytes: &[u8]) -> bool {
+    reopen(bytes).is_ok_and(|opened| face(&opened))
+}
+
+/// Opens the face in a project, its picture and its history.
+pub fn project(bytes: &[u8]) -> bool {
+    let _ = sniff(bytes);
+    rosto_export::project::read(bytes).is_ok_and(|opened| face(&opened))
+}
+
+/// Replays a history over the canonical face.
+pub fn edits(bytes: &[u8]) -> bool {
+    static REST: LazyLock<Rest> = LazyLock::new(canonical_rest);
+    std::str::from_utf8(bytes).is_ok_and(|text| history(text, REST.clone()))
+}
+
+fn face(opened: &Reopened<'_>) -> bool {
+    assert!(opened.density <= 4);
+    let Some(picture) = texture(opened) else { return false };
+    let [width, height] = opened.photo_size_px;
+    let (landmarks, colours) = (&opened.landmarks, &opened.colours_srgb);
+    let input = FaceInput { landmarks, width, height, colours, picture, lens: opened.lens };
+    let Ok(model) = FaceModel::new(input, opened.triangulation) else { return false };
+    assert!(model.positions_m().iter().all(|position| position.is_finite()), "a face with an infinite position");
+    opened.history.as_ref().is_none_or(|text| history(text, Rest::of_face(&model)))
+}
+
+fn texture(opened: &Reopened<'_>) -> Option<Photo> {
+    let painted = opened.painted();
+    assert!(painted.rgba.len() <= 4 * 2048 * 2048);
+    let Some(texture) = &opened.texture else {
+        let rgb = painted.rgba.as_chunks::<4>().0.iter().flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]);
+        return Photo::from_rgb(painted.width, painted.height, rgb.collect()).ok();
+    };
+    let mut sides = texture.picture_size_px.into_iter().chain(texture.size_px);
+    assert!(sides.all(|side| (1..=8192).contains(&side)) && !texture.encoded.is_empty());
+    decode(&texture.encoded, &LIMITS).ok()
+}
+
+fn history(text: &str, rest: Rest) -> bool {
+    let Ok(entries) = project::from_json(text) else { return false };
+    let again = project::from_json(&project::to_json(&entries));
+    assert_eq!(again.as_ref(), Ok(&entries), "a history changes by being written and read");
+    let Ok(document) = Document::replay(rest, entries) else { return false };
+    assert!(document.positions().iter().all(|position| position.is_finite()), "a history with an infinite position");
+    true
+}
+
+fn assert_sound(photo: &Photo) {
+    let pixels = u64::from(photo.width()) * u64::from(photo.height());
+    assert_eq!(photo.pixels().len() as u64, pixels * 3, "a photo without three bytes for each pixel");
+    assert!((1..=LIMITS.max_pixels).contains(&pixels), "a photo beyond its limit");
+    assert!(photo.focal_length_35mm().is_none_or(|mm| (8.0..=400.0).contains(&mm)), "a lens that nobody has");
+    let small = photo.scaled_down(8);
+    assert!(small.width().max(small.height()) <= 8, "a photo that was not scaled down");
+}

@@ -1,0 +1,77 @@
+//! Changes to the JSON in a file that leave it JSON.
+
+use proptest::prelude::*;
+use proptest::sample::{Index, select};
+use rosto_fuzz::Kind;
+use serde_json::Value;
+
+#[derive(Debug, Clone)]
+pub enum Edit {
+    /// Replaces a number.
+    Number(Index, &'static str),
+    /// Replaces any value.
+    Value(Index, &'static str),
+    /// Puts a copy of the second value in the place of the first.
+    Copy(Index, Index),
+    /// Repeats a value; in a list, there are more then.
+    Repeat(Index, usize),
+}
+
+/// At which readers stumble.
+const NUMBERS: &str = "0 -0.0 1 -1 2 3 0.5 1.5 1e-320 1e-9 1e9 1e153 -1e308 1e400 255 467 468 1832 9999 2147483648 4294967295 \
+                       4294967296 18446744073709551615 18446744073709551616";
+const VALUES: &str =
+    r#"0 null true false "" [] {} "on" "exact" "AAAA" "\ud83d\ude00\u0000" [[]] [null] {"soft":0} {"random":0}"#;
+
+pub fn edit() -> impl Strategy<Value = Edit> {
+    let one_of = |texts: &'static str| select(texts.split_whitespace().collect::<Vec<_>>());
+    prop_oneof![
+        6 => (any::<Index>(), one_of(NUMBERS)).prop_map(|(at, number)| Edit::Number(at, number)),
+        1 => (any::<Index>(), one_of(VALUES)).prop_map(|(at, value)| Edit::Value(at, value)),
+        2 => any::<(Index, Index)>().prop_map(|(at, from)| Edit::Copy(at, from)),
+        1 => (any::<Index>(), select(&[2_usize, 3, 8][..])).prop_map(|(at, times)| Edit::Repeat(at, times)),
+    ]
+}
+
+impl Edit {
+    /// Changes nothing where the file holds no JSON any more.
+    pub fn apply(&self, kind: Kind, bytes: &mut Vec<u8>) -> Option<()> {
+        /// No seed has this text.
+        const PLACE: &str = "the place that changes";
+        let range = kind.json(bytes)?;
+        let mut json: Value = serde_json::from_slice(&bytes[range.clone()]).ok()?;
+        let (mut values, mut numbers) = (Vec::new(), Vec::new());
+        collect(&json, String::new(), &mut values, &mut numbers);
+        let choose = |at: &Index, among: &[String]| among.get(at.index(among.len().max(1))).cloned();
+        let text = |pointer: &str| json.pointer(pointer).map(Value::to_string);
+        let (place, with) = match self {
+            Self::Number(at, number) => (choose(at, &numbers)?, (*number).to_owned()),
+            Self::Value(at, value) => (choose(at, &values)?, (*value).to_owned()),
+            Self::Copy(at, from) => (choose(at, &values)?, text(&choose(from, &values)?)?),
+            Self::Repeat(at, times) => {
+                let place = choose(at, &values)?;
+                let repeated = vec![text(&place)?; *times].join(",");
+                (place, repeated)
+            }
+        };
+        *json.pointer_mut(&place)? = PLACE.into();
+        let text = json.to_string().replacen(&format!("{PLACE:?}"), &with, 1);
+        bytes.splice(range, text.into_bytes());
+        Some(())
+    }
+}
+
+/// Adds the pointers to this value and all within it; those to numbers also to `numbers`.
+fn collect(value: &Value, pointer: String, values: &mut Vec<String>, numbers: &mut Vec<String>) {
+    match value {
+        Value::Array(list) => {
+            list.iter().enumerate().for_each(|(at, value)| collect(value, format!("{pointer}/{at}"), values, numbers))
+        }
+        Value::Object(fields) => {
+            fields.iter().for_each(|(key, value)| collect(value, format!("{pointer}/{key}"), values, numbers))
+        }
+        Value::Number(_) => numbers.push(pointer.clone()),
+        _ => {}
+    }
+    values.push(pointer);
+}

@@ -1,0 +1,52 @@
+//! Any small damage to a valid file: it is read or refused, and the reader keeps its promises.
+
+mod damage;
+
+use std::cell::Cell;
+
+use proptest::test_runner::{Config, TestRunner};
+use rosto_fuzz::Kind;
+
+/// Reads `times` as many damaged files as `PROPTEST_CASES` says; returns the share of them that was accepted.
+fn accepted(kind: Kind, times: u32) -> f64 {
+    let config = Config::default();
+    let cases = config.cases * times;
+    let (seeds, accepted) = (kind.seeds(), Cell::new(0));
+    let mut runner = TestRunner::new(Config { cases, ..config });
+    let outcome = runner.run(&damage::damage(kind), |damage| {
+        accepted.set(accepted.get() + u32::from(kind.check(&damage.apply(kind, &seeds))));
+        Ok(())
+    });
+    outcome.unwrap_or_else(|failure| panic!("{failure}"));
+    f64::from(accepted.get()) / f64::from(cases)
+}
+
+/// Neither so little damage that nothing is refused, nor so much that nothing behind the first check is reached.
+fn assert_deep(share: f64) {
+    assert!((0.05..0.95).contains(&share), "{share} of the files were accepted");
+}
+
+#[test]
+fn a_damaged_picture_is_read_or_refused() {
+    assert_deep(accepted(Kind::Picture, 32));
+}
+
+#[test]
+fn a_damaged_profile_never_costs_the_picture() {
+    assert_eq!(accepted(Kind::Profile, 8), 1.0);
+}
+
+#[test]
+fn a_damaged_glb_is_read_or_refused() {
+    assert_deep(accepted(Kind::Glb, 2));
+}
+
+#[test]
+fn a_damaged_project_is_read_or_refused() {
+    assert_deep(accepted(Kind::Project, 2));
+}
+
+#[test]
+fn damaged_edits_are_read_or_refused() {
+    assert_deep(accepted(Kind::Edits, 8));
+}
