@@ -8,7 +8,6 @@ import { ROOT, inBlankPage, report } from "./blank-page.mjs";
 
 const BESIDE = {
   film: path.join(ROOT, "tests/journeys"),
-  restless: path.join(ROOT, "tests/journeys/restless"),
   face_mesh: path.join(ROOT, "node_modules/@mediapipe/face_mesh"),
 };
 
