@@ -1,11 +1,11 @@
 import { spawn } from "node:child_process";
 import { once } from "node:events";
-import { accessSync, constants } from "node:fs";
 import { mkdir, mkdtemp, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { Builder } from "selenium-webdriver";
 import logInspector from "selenium-webdriver/bidi/logInspector.js";
+import { findInPath } from "selenium-webdriver/io/index.js";
 import { DriverService } from "selenium-webdriver/remote/index.js";
 
 /**
@@ -22,11 +22,11 @@ const SCREEN = "1280x900x24";
 const START_MS = 15_000;
 const SCRIPT_MS = 120_000;
 
-/** Each engine's driver, the Debian package that has it, and the capabilities of a browser that saves its downloads unasked. */
+/** Each engine's driver, and the capabilities of a browser that saves its downloads unasked. */
 export const ENGINES = {
-  chromium: { driver: "chromedriver", debian: "chromium-driver", capabilities: chromium },
-  firefox: { driver: "geckodriver", debian: "firefox-esr", capabilities: firefox },
-  webkit: { driver: "WebKitWebDriver", debian: "webkit2gtk-driver", capabilities: () => ({}) },
+  chromium: { driver: "chromedriver", capabilities: chromium },
+  firefox: { driver: "geckodriver", capabilities: firefox },
+  webkit: { driver: "WebKitWebDriver", capabilities: () => ({ browserName: "MiniBrowser" }) },
 };
 
 /** Without WebGPU. @param {string} downloads */
@@ -35,7 +35,7 @@ function chromium(downloads) {
     browserName: "chrome",
     webSocketUrl: true,
     "goog:chromeOptions": {
-      binary: process.env.ROSTO_BROWSER ?? find(["chromium", "chromium-browser", "google-chrome"]),
+      binary: process.env.ROSTO_BROWSER ?? find("chromium", "chromium-browser", "google-chrome"),
       args: ["--headless", "--no-sandbox", "--use-angle=swiftshader", "--ignore-gpu-blocklist", "--disable-features=WebGPU"],
       prefs: { "download.default_directory": downloads },
     },
@@ -46,7 +46,7 @@ function chromium(downloads) {
 function firefox(downloads) {
   const saved = { "browser.download.folderList": 2, "browser.download.dir": downloads, "browser.download.alwaysOpenPanel": false };
   const prefs = { ...saved, "webgl.force-enabled": true };
-  return { browserName: "firefox", webSocketUrl: true, "moz:firefoxOptions": { binary: find(["firefox-esr", "firefox"]), prefs } };
+  return { browserName: "firefox", webSocketUrl: true, "moz:firefoxOptions": { binary: find("firefox-esr", "firefox"), prefs } };
 }
 
 /**
@@ -61,7 +61,7 @@ export async function start(name, env) {
   const home = await mkdtemp(path.join(tmpdir(), `rosto-${name}-`));
   const downloads = await downloadsIn(home);
   const folders = { HOME: home, XDG_CONFIG_HOME: path.join(home, "config"), XDG_CACHE_HOME: path.join(home, "cache"), XDG_DATA_HOME: path.join(home, "data") };
-  const executable = (name === "chromium" && process.env.CHROMEDRIVER) || find([program]);
+  const executable = (name === "chromium" && process.env.CHROMEDRIVER) || find(program);
   const service = new DriverService.Builder(executable).setLoopback(true).setEnvironment({ ...env, ...folders }).build();
   /** @type {import("selenium-webdriver").WebDriver | undefined} */
   let driver;
@@ -103,31 +103,31 @@ async function reported(driver) {
   return async () => errors;
 }
 
-/** WebKit's driver does not speak BiDi: the page's errors as {@link noteErrors} wrote them down. @param {import("selenium-webdriver").WebDriver} driver @returns {Promise<string[]>} */
+/** What {@link noteErrors} noted: WebKit's driver does not speak BiDi. @param {import("selenium-webdriver").WebDriver} driver @returns {Promise<string[]>} */
 function noted(driver) {
   return driver.executeScript("return JSON.parse(sessionStorage.getItem('errors') ?? '[]')");
 }
 
-/** Notes the page's errors from now on, also across reloads. @param {import("selenium-webdriver").WebDriver} driver */
+/** Has a page that has just loaded note its errors. @param {import("selenium-webdriver").WebDriver} driver */
 export function noteErrors(driver) {
   return driver.executeScript(() => {
-    const note = (error) => {
+    const note = (...words) => {
       const noted = JSON.parse(sessionStorage.getItem("errors") ?? "[]");
-      sessionStorage.setItem("errors", JSON.stringify([...noted, String(error?.stack ?? error)]));
+      sessionStorage.setItem("errors", JSON.stringify([...noted, words.join(" ")]));
     };
-    addEventListener("error", ({ error, message }) => note(error ?? message));
-    addEventListener("unhandledrejection", ({ reason }) => note(reason));
-    const said = console.error;
+    addEventListener("error", ({ message, error }) => note(message, error?.stack));
+    addEventListener("unhandledrejection", ({ reason }) => note(reason, reason?.stack));
+    const { error } = console;
     console.error = (...words) => {
-      note(words.join(" "));
-      said(...words);
+      note(...words);
+      error(...words);
     };
   });
 }
 
 /** A screen that nobody sees: Firefox and WebKit have no WebGL without one. */
 export async function openDisplay() {
-  const server = spawn(find(["Xvfb"]), ["-displayfd", "3", "-screen", "0", SCREEN, "-nolisten", "tcp"], { stdio: ["ignore", "ignore", "ignore", "pipe"] });
+  const server = spawn(find("Xvfb"), ["-displayfd", "3", "-screen", "0", SCREEN, "-nolisten", "tcp"], { stdio: ["ignore", "ignore", "ignore", "pipe"] });
   const [number] = await once(server.stdio[3], "data", { signal: AbortSignal.timeout(START_MS) });
   return {
     /** For programs that draw on it, in software. */
@@ -137,19 +137,8 @@ export async function openDisplay() {
 }
 
 /** A program on PATH, by the first of its names that is there. @param {string[]} names */
-function find(names) {
-  const folders = (process.env.PATH ?? "").split(path.delimiter);
-  const found = names.flatMap((name) => folders.map((folder) => path.join(folder, name))).find(isProgram);
+function find(...names) {
+  const found = names.map((name) => findInPath(name)).find(Boolean);
   if (!found) throw new Error(`no ${names.join(" or ")} on this machine; \`cargo xtask setup\` installs it`);
   return found;
-}
-
-/** @param {string} file */
-function isProgram(file) {
-  try {
-    accessSync(file, constants.X_OK);
-    return true;
-  } catch {
-    return false;
-  }
 }

@@ -97,7 +97,7 @@ async function use({ page }, { value, keys, last, ...which }) {
   if (!chosen) return "nothing";
   const { kind, label, x, y, width, height } = chosen;
   const across = (/** @type {number} */ share) => x + 8 + share * (width - 16);
-  if (kind === "select-one" || kind === "select" || kind === "color") await page.evaluate((value) => window["monkey"].set(value), value);
+  if (kind === "select" || kind === "color") await page.evaluate((value) => window["monkey"].set(value), value);
   else if (kind === "number" || kind === "text" || kind === "search") await enter(page, at(kind === "number" ? NUMBERS : TEXTS, value), at([...FIELD_KEYS, ""], last));
   else if (kind === "range" && last < 0.5) await enter(page, undefined, ...keys);
   else if (kind === "range") await dragTo(page, { x: across(value), y: y + height / 2 }, across(2 * last - 1));
