@@ -14,6 +14,7 @@ import { DriverService } from "selenium-webdriver/remote/index.js";
  * @property {string} name of the engine
  * @property {string} version with the browser's name
  * @property {string} downloads the folder that files are downloaded to
+ * @property {() => Promise<Buffer>} screenshot PNG
  * @property {() => Promise<string[]>} errors uncaught errors of the page, and errors on its console
  * @property {() => Promise<void>} close
  */
@@ -78,7 +79,7 @@ export async function start(name, env) {
     const actual = await driver.getCapabilities();
     const version = `${actual.getBrowserName()} ${actual.getBrowserVersion()}`;
     const errors = actual.get("webSocketUrl") ? await reported(driver) : () => noted(driver);
-    return { driver, name, version, downloads, errors, close };
+    return { driver, name, version, downloads, screenshot: () => screenshotOf(driver), errors, close };
   } catch (error) {
     await close();
     throw error;
@@ -92,6 +93,13 @@ async function downloadsIn(home) {
   await mkdir(path.join(home, "config"));
   await writeFile(path.join(home, "config/user-dirs.dirs"), `XDG_DOWNLOAD_DIR="${downloads}"\n`);
   return downloads;
+}
+
+/** chromedriver's own screenshots have a limit of 10 s, which is too short for a busy machine without a GPU. @param {any} driver */
+async function screenshotOf(driver) {
+  const isChromium = "sendAndGetDevToolsCommand" in driver;
+  const png = isChromium ? (await driver.sendAndGetDevToolsCommand("Page.captureScreenshot", {})).data : await driver.takeScreenshot();
+  return Buffer.from(png, "base64");
 }
 
 /** The page's errors as WebDriver BiDi reports them. @param {import("selenium-webdriver").WebDriver} driver */

@@ -27,7 +27,7 @@ const ARRIVING = /\.(part|crdownload|wkdownload|tmp)$|^\./;
  */
 export async function walkCore(browser, url, pictures) {
   const { driver } = browser;
-  const picture = (/** @type {string} */ name) => shot(driver, path.join(pictures, `${browser.name}-${name}.png`));
+  const picture = (/** @type {string} */ name) => shot(browser, path.join(pictures, `${browser.name}-${name}.png`));
   const untilEdits = (/** @type {number} */ count) => until(driver, `document.querySelectorAll("#history li").length === ${count}`, `${count} edits in the history`);
 
   await driver.get(url);

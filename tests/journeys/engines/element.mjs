@@ -11,8 +11,9 @@ import { checkGlb, drag, shot, until } from "./steps.mjs";
  * @param {string} url
  * @param {string} pictures the folder for screenshots
  */
-export async function walkElement({ driver, name, errors }, url, pictures) {
-  const picture = (/** @type {string} */ what) => shot(driver, path.join(pictures, `${name}-element-${what}.png`));
+export async function walkElement(browser, url, pictures) {
+  const { driver, name, errors } = browser;
+  const picture = (/** @type {string} */ what) => shot(browser, path.join(pictures, `${name}-element-${what}.png`));
   const untilEdits = (/** @type {number} */ count) => until(driver, `document.querySelector("rosto-studio").state.edits === ${count}`, `${count} edits`);
 
   await driver.get(url);

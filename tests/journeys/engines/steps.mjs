@@ -41,10 +41,10 @@ export function frames(driver) {
   });
 }
 
-/** @param {WebDriver} driver @param {string} file */
-export async function shot(driver, file) {
+/** @param {import("./browsers.mjs").Browser} browser @param {string} file */
+export async function shot({ driver, screenshot }, file) {
   await frames(driver);
-  const png = Buffer.from(await driver.takeScreenshot(), "base64");
+  const png = await screenshot();
   await writeFile(file, png);
   return PNG.sync.read(png);
 }

@@ -123,7 +123,7 @@ async function dragTo({ mouse }, from, x) {
 
 /** @param {Visit} visit @param {{ keys: string[], isOnView: boolean }} how */
 async function press({ page }, { keys, isOnView }) {
-  if (isOnView) await page.focus("#viewport");
+  if (isOnView) await page.evaluate(() => document.getElementById("viewport").focus());
   for (const key of keys) await page.keyboard.press(key);
 }
 
