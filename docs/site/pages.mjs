@@ -21,7 +21,6 @@ export const GROUPS = [
       doc("tutorial", "From selfie to print"),
       { name: "readme", title: "Overview", source: "README.md" },
       doc("features", "Features"),
-      doc("states", "Every state of the page"),
     ],
   },
   {

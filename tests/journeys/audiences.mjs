@@ -12,9 +12,6 @@ export const AUDIENCES = /** @type {Audience[]} */ ([
   audience(720, 450),
 ]);
 
-/** What a browser of somebody who reads a language asks for. @type {Record<string, string>} */
-export const LOCALES = { en: "en-GB", pt: "pt-BR" };
-
 /**
  * @param {number} width
  * @param {number} height

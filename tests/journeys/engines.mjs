@@ -1,84 +1,49 @@
-// The core journey and the element's in every engine, through WebGL2: node tests/journeys/engines.mjs [ENGINE…]. Screenshots go to
+// The core walk and the element's in every engine, by WebGL2: node tests/journeys/engines.mjs [ENGINE…]. Screenshots go to
 // target/engines.
+import { mkdir } from "node:fs/promises";
 import path from "node:path";
-import { chromium } from "./engines/chromium.mjs";
-import { core } from "./engines/core.mjs";
-import { openDisplay } from "./engines/display.mjs";
-import { element } from "./engines/element.mjs";
-import { firefox } from "./engines/firefox.mjs";
-import { BrowserCrashed } from "./engines/hand.mjs";
-import { webkit } from "./engines/webkit.mjs";
+import { error as errors } from "selenium-webdriver";
+import { ENGINES, openDisplay, start } from "./engines/browsers.mjs";
+import { walkCore } from "./engines/core.mjs";
+import { walkElement } from "./engines/element.mjs";
 import { installed, SITE } from "./package.mjs";
 import { DIST, serve } from "./server.mjs";
 
-const ROOT = path.resolve(import.meta.dirname, "../..");
-const PICTURES = path.join(ROOT, "target/engines");
+const PICTURES = path.resolve(import.meta.dirname, "../../target/engines");
 /** Launches per engine. WebKitGTK 2.50 sometimes crashes in its WebAssembly interpreter; a second crash fails the test. */
 const MOST_LAUNCHES = 2;
 
-const ENGINES = { chromium, firefox: onDisplay(firefox), webkit: onDisplay(webkit) };
-
 const wanted = process.argv.slice(2);
+const names = Object.keys(ENGINES).filter((name) => wanted.length === 0 || wanted.includes(name));
 await installed();
-const [server, site] = await Promise.all([serve(DIST, "/some/where/"), serve(SITE, "/a/page/")]);
-const rows = [];
-for (const [name, launch] of Object.entries(ENGINES)) {
-  if (wanted.length === 0 || wanted.includes(name)) rows.push(await visit(name, launch));
-}
-for (const one of [server, site]) one.close();
-const passed = rows.filter((row) => row.passed === "yes").length;
-console.log(`\n${table(rows)}\n\nengines: ${passed} passed, ${rows.length - passed} failed`);
-process.exitCode = passed === rows.length && passed > 0 ? 0 : 1;
+await mkdir(PICTURES, { recursive: true });
+const [core, element] = await Promise.all([serve(DIST, "/some/where/"), serve(SITE, "/a/page/")]);
+const display = await openDisplay();
+let passed = 0;
+for (const name of names) if (await visit(name)) passed += 1;
+for (const one of [core, element, display]) one.close();
+console.log(`engines: ${passed} passed, ${names.length - passed} failed`);
+process.exitCode = passed > 0 && passed === names.length ? 0 : 1;
 
-/** @param {string} name @param {() => Promise<import("./engines/hand.mjs").Driver>} launch @param {number} [launchesLeft] */
-async function visit(name, launch, launchesLeft = MOST_LAUNCHES) {
+/** @param {string} name @returns {Promise<boolean>} whether it passed */
+async function visit(name, launchesLeft = MOST_LAUNCHES) {
   const started = performance.now();
-  const row = { engine: name, version: "—", "drawn by": "—", passed: "no", seconds: "" };
-  /** @type {import("./engines/hand.mjs").Driver | undefined} */
-  let driver;
   let willRetry = false;
+  /** @type {import("./engines/browsers.mjs").Browser | undefined} */
+  let browser;
   try {
-    driver = await launch();
-    row.engine = driver.engine;
-    row.version = driver.version;
-    row["drawn by"] = await core(driver, server.url, PICTURES);
-    await element(driver, site.url, PICTURES);
-    row.passed = "yes";
+    browser = await start(name, display.env);
+    const drawnBy = await walkCore(browser, core.url, PICTURES);
+    await walkElement(browser, element.url, PICTURES);
+    console.log(`✓ ${browser.version}, drawn by ${drawnBy} (${((performance.now() - started) / 1000).toFixed(0)} s)`);
+    return true;
   } catch (error) {
-    willRetry = error instanceof BrowserCrashed && launchesLeft > 1;
-    console.log(willRetry ? `${row.engine} ${row.version} crashed; launching it again` : `✗ ${row.engine} ${row.version}: ${error?.stack ?? error}`);
-    const errors = await driver?.errors().catch(() => []);
-    for (const error of errors ?? []) console.log(`    page: ${error}`);
+    // A driver whose browser has crashed reports its session as unknown.
+    willRetry = error instanceof errors.NoSuchSessionError && launchesLeft > 1;
+    console.log(willRetry ? `${name} crashed; launching it again` : `✗ ${name}: ${error.stack}`);
+    if (!willRetry) for (const said of (await browser?.errors().catch(() => [])) ?? []) console.log(`    page: ${said}`);
   } finally {
-    await driver?.close().catch((error) => console.log(`  ${row.engine} did not close: ${error.message}`));
+    await browser?.close();
   }
-  if (willRetry) return visit(name, launch, launchesLeft - 1);
-  row.seconds = ((performance.now() - started) / 1000).toFixed(1);
-  return row;
-}
-
-/**
- * An engine on a screen of its own, which goes with it.
- *
- * @param {(env: NodeJS.ProcessEnv) => Promise<import("./engines/hand.mjs").Driver>} launch
- */
-function onDisplay(launch) {
-  return async () => {
-    const display = await openDisplay();
-    try {
-      const driver = await launch(display.env);
-      return { ...driver, close: () => driver.close().finally(display.close) };
-    } catch (error) {
-      display.close();
-      throw error;
-    }
-  };
-}
-
-/** @param {Record<string, string>[]} rows */
-function table(rows) {
-  const columns = Object.keys(rows[0] ?? { engine: "" });
-  const width = (/** @type {string} */ column) => Math.max(...[column, ...rows.map((row) => row[column])].map(({ length }) => length));
-  const line = (/** @type {(column: string) => string} */ cell) => `| ${columns.map((column) => cell(column).padEnd(width(column))).join(" | ")} |`;
-  return [line((column) => column), line((column) => "-".repeat(width(column))), ...rows.map((row) => line((column) => row[column]))].join("\n");
+  return willRetry && visit(name, launchesLeft - 1);
 }

@@ -1,6 +1,5 @@
 // A film of the sample portrait's head before a ground that rests, frame by frame; for pages and for Node alike, so that
 // whoever follows the film anywhere sees the same pixels.
-import { Chance } from "./restless/chance.mjs";
 
 export const WIDTH_PX = 640;
 export const HEIGHT_PX = 480;
@@ -72,13 +71,13 @@ export function carried({ x, y, scale, degrees }, [px, py]) {
 export function frameOf(portrait, place, number) {
   const data = new Uint8ClampedArray(4 * WIDTH_PX * HEIGHT_PX);
   const [cos, sin] = turn(place.degrees);
-  const chance = new Chance(number + 1);
+  const noise = noiseOf(number + 1);
   for (let y = 0, at = 0; y < HEIGHT_PX; y += 1) {
     for (let x = 0; x < WIDTH_PX; x += 1, at += 4) {
       const [dx, dy] = [(x - place.x) / place.scale, (y - place.y) / place.scale];
       put(data, at, portrait, MIDDLE[0] + cos * dx + sin * dy, MIDDLE[1] - sin * dx + cos * dy);
       if (data[at + 3] === 0) data.set([(x * 255) / WIDTH_PX, (y * 255) / HEIGHT_PX, 90, 255], at);
-      for (let channel = 0; channel < 3; channel += 1) data[at + channel] += NOISE * (2 * chance.next() - 1);
+      for (let channel = 0; channel < 3; channel += 1) data[at + channel] += NOISE * (2 * noise() - 1);
     }
   }
   for (let bit = 0; bit < SQUARE.count; bit += 1) paint(data, bit, (number >> bit) & 1 ? 255 : 0);
@@ -99,6 +98,17 @@ export function numberOf(frame) {
     if (frame.data[at + 1] > 127) number |= 1 << bit;
   }
   return number;
+}
+
+/** Values from 0 to 1, the same for the same seed everywhere: mulberry32. @param {number} seed */
+function noiseOf(seed) {
+  let state = seed;
+  return () => {
+    state = (state + 0x6d2b79f5) | 0;
+    let mixed = Math.imul(state ^ (state >>> 15), state | 1);
+    mixed ^= mixed + Math.imul(mixed ^ (mixed >>> 7), mixed | 61);
+    return ((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32;
+  };
 }
 
 /** Bilinear, where the head is. */

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { alike, journey } from "./journey.mjs";
 import { STATES, withHeldWork, wrongWith } from "./states.mjs";
 
-/** Windows smaller than, or between, those of the contact sheets. */
+/** Windows smaller than, or between, those of the other layout tests. */
 const WINDOWS = [
   { width: 320, height: 568, hasTouch: true },
   { width: 640, height: 360, hasTouch: true },

@@ -1,0 +1,31 @@
+// Draws the pictures of the documentation, docs/images/*, from the built page and the models: node docs/pictures/draw.mjs [NAME…].
+// docs/images/growth.svg alone comes from the benchmarks.
+import path from "node:path";
+import { launch } from "../../tests/journeys/browser.mjs";
+import { DIST, serve } from "../../tests/journeys/server.mjs";
+import { drawFirstMinute } from "./first-minute.mjs";
+import { drawExpressions, drawSlices, drawTextures } from "./models.mjs";
+import { drawInPhoto, SCREENSHOTS, takeScreenshot } from "./page.mjs";
+
+const IMAGES = path.resolve(import.meta.dirname, "../images");
+
+/** @type {Record<string, (browser: import("playwright-core").Browser, file: string, url: string) => Promise<void>>} */
+const PICTURES = {
+  ...Object.fromEntries(Object.keys(SCREENSHOTS).map((name) => [`${name}.png`, takeScreenshot])),
+  "first-minute.jpg": drawFirstMinute,
+  "in-photo.jpg": drawInPhoto,
+  "expressions.jpg": drawExpressions,
+  "texture.jpg": drawTextures,
+  "sliced.jpg": drawSlices,
+};
+
+const wanted = process.argv.slice(2);
+const server = await serve(DIST, "/");
+const browser = await launch();
+for (const [name, draw] of Object.entries(PICTURES)) {
+  if (wanted.length > 0 && !wanted.includes(path.parse(name).name)) continue;
+  await draw(browser, path.join(IMAGES, name), server.url);
+  console.log(`docs/images/${name}`);
+}
+await browser.close();
+server.close();

@@ -1,0 +1,52 @@
+// A monkey test of the built page by fast-check: node tests/journeys/monkey.mjs [--runs N] [--actions MOST] [--seed S]
+// [--path P] [--replay R]. Two lanes share the runs where the machine has two cores. A failure is shrunk and printed with its seed,
+// path and replay path, which repeat it.
+import { availableParallelism } from "node:os";
+import { parseArgs } from "node:util";
+import fc from "fast-check";
+import { action } from "./monkey/actions.mjs";
+import { Visit } from "./monkey/visit.mjs";
+import { portraitFilm } from "./pictures.mjs";
+import { DIST, serve } from "./server.mjs";
+
+const SHRINKING_MS = 300_000;
+
+/** @typedef {{ runs: number, actions: number, seed: number, path?: string, replay?: string }} Amount `actions`: the most in one run */
+
+/** @param {Amount} amount @returns {Promise<number>} the actions that were done */
+export async function monkeyTest({ runs, actions, seed, path, replay }) {
+  const server = await serve(DIST, "/some/where/");
+  const film = await portraitFilm();
+  let done = 0;
+  let shrinkingEnds = Number.POSITIVE_INFINITY;
+  const visit = fc.asyncProperty(fc.commands([action], { maxCommands: actions, size: "max", replayPath: replay }), async (commands) => {
+    if (performance.now() > shrinkingEnds) return;
+    const visit = await Visit.start(server.url, film);
+    try {
+      await fc.asyncModelRun(() => ({ model: visit, real: visit }), commands);
+      await visit.look(3);
+    } catch (error) {
+      shrinkingEnds = Math.min(shrinkingEnds, performance.now() + SHRINKING_MS);
+      throw error;
+    } finally {
+      done += visit.done;
+      await visit.end();
+    }
+  });
+  try {
+    await fc.assert(visit, { numRuns: runs, seed, path, unbiased: true });
+  } finally {
+    server.close();
+  }
+  return done;
+}
+
+if (process.argv[1] === import.meta.filename) {
+  const text = /** @type {const} */ ({ type: "string" });
+  const { values } = parseArgs({ options: { runs: { ...text, default: "100" }, actions: { ...text, default: "250" }, seed: { ...text, default: "1" }, path: text, replay: text } });
+  const lanes = values.path ? 1 : Math.min(2, availableParallelism());
+  const amount = { actions: Number(values.actions), path: values.path, replay: values.replay };
+  const ended = await Promise.allSettled(Array.from({ length: lanes }, (_, lane) => monkeyTest({ ...amount, runs: Math.ceil(Number(values.runs) / lanes), seed: Number(values.seed) + lane })));
+  for (const { status, value, reason } of ended) console.log(status === "fulfilled" ? `${value} actions, nothing found` : reason);
+  process.exitCode = ended.every(({ status }) => status === "fulfilled") ? 0 : 1;
+}
