@@ -1,12 +1,11 @@
 import assert from "node:assert/strict";
 import { camera, watchCamera } from "./camera-watch.mjs";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 
-/** Every journey here asks for the camera and counts what became of it. */
-const needs = { needs: /** @type {const} */ ("camera") };
-const before = (/** @type {import("playwright-core").BrowserContext} */ context) => context.addInitScript(watchCamera);
+/** Counts how often the page asks for the camera, and what becomes of it. */
+const before = (/** @type {import("@playwright/test").BrowserContext} */ context) => context.addInitScript(watchCamera);
 
-journey("a double click opens one camera, and Escape stops it", async (open) => {
+test("a double click opens one camera, and Escape stops it", { tag: "@camera" }, async ({ open }) => {
   const visitor = await open({ before });
   await visitor.page.dblclick("#welcome [data-action='camera']");
   await visitor.page.waitForSelector("#camera-shutter:enabled");
@@ -20,9 +19,9 @@ journey("a double click opens one camera, and Escape stops it", async (open) => 
   assert.equal((await camera(visitor)).live, 1);
   await visitor.page.click("#camera [data-action='close-camera']");
   assert.deepEqual(await camera(visitor), { asked: 2, tracks: 2, live: 0 });
-}, needs);
+});
 
-journey("two presses before the page has answered either ask for the camera once", async (open) => {
+test("two presses before the page has answered either ask for the camera once", { tag: ["@camera", "@rare"] }, async ({ open }) => {
   const visitor = await open({ before });
   // A script's press does not wait, as a hand's does, for the page to be there.
   await visitor.untilLoaded();
@@ -35,9 +34,9 @@ journey("two presses before the page has answered either ask for the camera once
   await visitor.page.keyboard.press("Escape");
   await untilClosed(visitor.page);
   assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
-}, { ...needs, isRare: true });
+});
 
-journey("the dialog is there while the browser asks, and a camera allowed after it was closed is stopped at once", async (open) => {
+test("the dialog is there while the browser asks, and a camera allowed after it was closed is stopped at once", { tag: ["@camera", "@rare"] }, async ({ open }) => {
   const visitor = await open({ before });
   const { page } = visitor;
   await page.evaluate(() => (window.cameraWaits = true));
@@ -60,10 +59,10 @@ journey("the dialog is there while the browser asks, and a camera allowed after 
   await page.keyboard.press("Escape");
   await untilClosed(page);
   assert.equal((await camera(visitor)).live, 0);
-}, { ...needs, isRare: true });
+});
 
-for (const moment of alike(["before the photo", "during the countdown"])) {
-  journey(`a camera that is unplugged ${moment} closes the dialog with a message, and no photo is taken`, async (open) => {
+for (const [moment, tag] of alike(["before the photo", "during the countdown"])) {
+  test(`a camera that is unplugged ${moment} closes the dialog with a message, and no photo is taken`, { tag: [...tag, "@camera"] }, async ({ open }) => {
     const visitor = await open({ before });
     const { page } = visitor;
     await page.click("#welcome [data-action='camera']");
@@ -76,10 +75,10 @@ for (const moment of alike(["before the photo", "during the countdown"])) {
     assert.equal(await page.getAttribute("#notice", "data-code"), "camera-lost");
     assert.equal(await page.getAttribute("body", "data-state"), "empty");
     assert.equal((await camera(visitor)).live, 0);
-  }, needs);
+  });
 }
 
-journey("Escape during the countdown takes no photo", async (open) => {
+test("Escape during the countdown takes no photo", { tag: ["@camera", "@rare"] }, async ({ open }) => {
   const visitor = await open({ before });
   const { page } = visitor;
   await page.click("#welcome [data-action='camera']");
@@ -94,9 +93,9 @@ journey("Escape during the countdown takes no photo", async (open) => {
   assert.equal(await page.innerText("#camera-countdown"), "");
   assert.equal(await page.getAttribute("body", "data-state"), "empty");
   assert.ok(await page.isHidden("#progress"));
-}, { ...needs, isRare: true });
+});
 
-journey("no photo is taken of a video that has no size yet", async (open) => {
+test("no photo is taken of a video that has no size yet", { tag: ["@camera", "@rare"] }, async ({ open }) => {
   const visitor = await open({
     before: async (context) => {
       await before(context);
@@ -115,12 +114,12 @@ journey("no photo is taken of a video that has no size yet", async (open) => {
     document.getElementById("camera-preview").dispatchEvent(new Event("resize"));
   });
   await page.waitForSelector("#camera-shutter:enabled");
-}, { ...needs, isRare: true });
+});
 
 /**
  * Waits until the dialog is gone and nothing of the camera runs, which the browser tells the page a moment later.
  *
- * @param {import("playwright-core").Page} page
+ * @param {import("@playwright/test").Page} page
  */
 async function untilClosed(page) {
   await page.waitForSelector("#camera", { state: "hidden" });

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { meshByCommandLine } from "./command-line.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { assertSameShape, furthest, way } from "./meshes.mjs";
 import { difference } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
@@ -30,7 +30,7 @@ async function clickBesideTheNose(visitor) {
   await visitor.frames(3);
 }
 
-journey("any point of the densest mesh is clicked, dragged and undone, as the command line moves it", async (open) => {
+test("any point of the densest mesh is clicked, dragged and undone, as the command line moves it", { tag: ["@eyes", "@rare"] }, async ({ open }) => {
   const visitor = await arriveAtPoints(open, 3);
   const { page } = visitor;
   assert.equal(await page.inputValue("#density"), "3");
@@ -63,9 +63,9 @@ journey("any point of the densest mesh is clicked, dragged and undone, as the co
   assert.match((await visitor.history())[0], new RegExp(`^ponto ${vertex.toLocaleString("de")} perto d[ao] `));
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await visitor.meshJson("mm"), start);
-}, { needs: "eyes", isRare: true });
+});
 
-journey("a point is moved by sliders on both sides, waits while the mesh is coarser, and can be switched off", async (open) => {
+test("a point is moved by sliders on both sides, waits while the mesh is coarser, and can be switched off", { tag: "@rare" }, async ({ open }) => {
   const visitor = await arriveAtPoints(open, 1);
   const { page } = visitor;
   const start = await visitor.meshJson("mm");
@@ -94,9 +94,9 @@ journey("a point is moved by sliders on both sides, waits while the mesh is coar
   await visitor.reach("#history");
   await page.check("#history input");
   assert.deepEqual(await visitor.meshJson("mm"), moved);
-}, { isRare: true });
+});
 
-journey("edits of points come back from a GLB, and stay where they are when eyes and mouth are opened", async (open) => {
+test("edits of points come back from a GLB, and stay where they are when eyes and mouth are opened", { tag: "@rare" }, async ({ open }) => {
   const visitor = await arriveAtPoints(open, 2);
   const { page } = visitor;
   const start = await visitor.meshJson("mm");
@@ -122,4 +122,4 @@ journey("edits of points come back from a GLB, and stay where they are when eyes
   const lifted = opened.positions.map((place) => Math.hypot(...place.map((at, axis) => at - moved.positions[5_000][axis])));
   assert.ok(Math.min(...lifted) < 1, "the point did not come along");
   assert.notEqual(opened.positions.length, start.positions.length);
-}, { isRare: true });
+});

@@ -4,7 +4,7 @@ import { appendFile, cp, mkdtemp, readFile, readdir, rm } from "node:fs/promises
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { promisify } from "node:util";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { DIST, serve } from "./server.mjs";
 import { anotherTab } from "./tabs.mjs";
 
@@ -13,11 +13,11 @@ const LISTING = path.resolve(import.meta.dirname, "../../web/list-for-offline.mj
 /** What only browsers without WebGPU store. */
 const FALLBACK = /^wasm\/rosto-studio-webgl/;
 
-for (const [when, how, needs] of alike(/** @type {const} */ ([
+for (const [[when, how, needs], tag] of alike(/** @type {const} */ ([
   ["opened on a first visit", { reloads: false }, "gpu"],
   ["opened without WebGPU", { reloads: true }, "webgl"],
 ]))) {
-  journey(`a tab that was ${when} keeps its version after a deploy, and a new one has the new version`, async (open) => {
+  test(`a tab that was ${when} keeps its version after a deploy, and a new one has the new version`, { tag: [...tag, `@${needs}`] }, async ({ open }) => {
     await withBuilds(async (server, newer) => {
       const old = await open({ url: server.url, serviceWorkers: "allow" });
       await old.untilLoaded();
@@ -66,10 +66,10 @@ for (const [when, how, needs] of alike(/** @type {const} */ ([
       await expectBuild(next, newer, needs);
       next.checkNothingBroke();
     });
-  }, { needs });
+  });
 }
 
-journey("a version that was never stored is not made up of files of the next one", async (open) => {
+test("a version that was never stored is not made up of files of the next one", async ({ open }) => {
   await withBuilds(async (server, newer) => {
     const old = await open({ url: server.url, serviceWorkers: "allow" });
     await old.untilLoaded();
@@ -119,7 +119,7 @@ async function expectBuild(visitor, folder, needs = "gpu") {
   }
 }
 
-/** @param {import("playwright-core").Page} page @param {string[]} files */
+/** @param {import("@playwright/test").Page} page @param {string[]} files */
 function hashesIn(page, files) {
   return page.evaluate(async (files) => {
     const hashOf = async (file) => {
@@ -155,7 +155,7 @@ async function untilFallbackStored({ page }) {
   }
 }
 
-/** @param {import("playwright-core").Page} page */
+/** @param {import("@playwright/test").Page} page */
 function stores(page) {
   return page.evaluate(async () => (await caches.keys()).filter((name) => name !== "rosto-notes"));
 }
@@ -168,7 +168,7 @@ async function untilStored({ page }, count) {
   }
 }
 
-/** @param {import("playwright-core").Page} page */
+/** @param {import("@playwright/test").Page} page */
 async function stopServiceWorkers(page) {
   const browser = await page.context().newCDPSession(page);
   await browser.send("ServiceWorker.enable");

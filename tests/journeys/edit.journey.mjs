@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
 import { meshByCommandLine } from "./command-line.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { assertSameMesh } from "./meshes.mjs";
 import { chromaticity, colourCount, difference, meanColour } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
@@ -11,8 +11,7 @@ import { SAMPLE } from "./visitor.mjs";
 const FACE_IN_PORTRAIT = { left: 0.4, top: 0.17, right: 0.47, bottom: 0.3 };
 const FACE_ON_CANVAS = { left: 0.46, top: 0.42, right: 0.54, bottom: 0.58 };
 
-journey("a dropped portrait becomes a mesh in its own colours", async (open) => {
-  const visitor = await open();
+test("a dropped portrait becomes a mesh in its own colours", { tag: "@eyes" }, async ({ visitor }) => {
   await visitor.dropSample();
   const view = await visitor.view();
   assert.ok(colourCount(view) > 40, `only ${colourCount(view)} colours on the canvas`);
@@ -22,10 +21,9 @@ journey("a dropped portrait becomes a mesh in its own colours", async (open) => 
   for (const [channel, share] of seen.entries()) {
     assert.ok(Math.abs(share - wanted[channel]) < 0.04, `colours ${seen} are far from the portrait's ${wanted}`);
   }
-}, { needs: "eyes" });
+});
 
-journey("moving the nose tip changes picture and mesh as the command line does, and undo restores both", async (open) => {
-  const visitor = await open();
+test("moving the nose tip changes picture and mesh as the command line does, and undo restores both", { tag: "@eyes" }, async ({ visitor }) => {
   await visitor.dropSample();
   await visitor.prefer("paper");
   await visitor.unfold("section-view");
@@ -48,10 +46,9 @@ journey("moving the nose tip changes picture and mesh as the command line does, 
   assert.equal(difference(before.view, await visitor.view()), 0, "undo left the picture changed");
   await visitor.page.click("#toolbar [data-action='redo']");
   assert.deepEqual(await visitor.meshJson("mm"), after.mesh);
-}, { needs: "eyes" });
+});
 
-journey("details that turn with the surface follow every tick, and make the command line's mesh", async (open) => {
-  const visitor = await open();
+test("details that turn with the surface follow every tick, and make the command line's mesh", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
   await visitor.dropSample();
   await visitor.findLandmark("61");
   await visitor.unfold("section-advanced");
@@ -66,10 +63,9 @@ journey("details that turn with the surface follow every tick, and make the comm
   assertSameMesh(await visitor.meshJson("mm"), turned);
   const kept = await meshByCommandLine(SAMPLE, [...options.split(" ").slice(0, -1), "--edit", "61:0,0,14"]);
   assert.throws(() => assertSameMesh(kept, turned), "details that keep their direction make the same mesh");
-}, { needs: "eyes", isRare: true });
+});
 
-journey("a point is picked by clicking it on the mesh", async (open) => {
-  const visitor = await open();
+test("a point is picked by clicking it on the mesh", async ({ visitor }) => {
   await visitor.dropSample();
   const box = await visitor.page.locator("#viewport").boundingBox();
   await visitor.page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
@@ -77,8 +73,7 @@ journey("a point is picked by clicking it on the mesh", async (open) => {
   assert.ok(await visitor.page.locator("#landmark-tag").isVisible());
 });
 
-journey("light, paint and camera change the picture, and the view resets", async (open) => {
-  const visitor = await open();
+test("light, paint and camera change the picture, and the view resets", { tag: "@eyes" }, async ({ visitor }) => {
   await visitor.dropSample();
   await visitor.unfold("section-view");
   await visitor.page.check("#light-photo");
@@ -101,4 +96,4 @@ journey("light, paint and camera change the picture, and the view resets", async
   await visitor.page.click("[data-action='reset-view']");
   await visitor.page.mouse.move(box.x + 4, box.y + 4);
   assert.ok(difference(painted, await visitor.view()) < 0.001, "the view did not come back");
-}, { needs: "eyes" });
+});

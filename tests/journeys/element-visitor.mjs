@@ -1,5 +1,5 @@
 import { PNG } from "pngjs";
-import { journey } from "./journey.mjs";
+import { test as base } from "./fixtures.mjs";
 import { installed, SITE } from "./package.mjs";
 import { serve } from "./server.mjs";
 
@@ -14,24 +14,18 @@ const EVENTS = ["rosto-ready", "rosto-face", "rosto-change", "rosto-error"];
  * @property {(options?: object) => Promise<import("./visitor.mjs").Visitor>} open the project's own page
  */
 
-/**
- * A way through pages that have the element.
- *
- * @param {string} name
- * @param {(site: Site) => Promise<void>} walk
- * @param {{ needs?: import("./journey.mjs").Journey["needs"] }} [options]
- */
-export function onSite(name, walk, options) {
-  journey(name, async (open) => {
+/** Tests with a {@link Site}. */
+export const test = base.extend({
+  site: async ({ open }, use) => {
     await installed();
     const server = await serve(SITE, BELOW);
-    const page = pagesOn(server);
     const arrive = async (url = server.url) => {
       return new ElementVisitor(await open({ url, before: (context) => context.addInitScript(listen, EVENTS) }));
     };
-    await walk({ page, arrive, open }).finally(server.close);
-  }, options);
-}
+    await use({ page: pagesOn(server), arrive, open });
+    server.close();
+  },
+});
 
 /** @param {Awaited<ReturnType<typeof serve>>} server */
 function pagesOn(server) {

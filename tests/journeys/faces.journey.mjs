@@ -1,13 +1,11 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { keptWorks } from "./kept.mjs";
 import { asJpeg, sixTimes, twice } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-journey("each face of a group keeps its own edits: going to the other one and back loses nothing", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("each face of a group keeps its own edits: going to the other one and back loses nothing", async ({ visitor, page }) => {
   await openGroup(visitor);
   await edit(visitor, "nose tip", 9);
   await edit(visitor, "nose tip", -2);
@@ -39,9 +37,7 @@ journey("each face of a group keeps its own edits: going to the other one and ba
   assert.match(kept.find(({ name }) => name === "group").edits, /nose-tip/);
 });
 
-journey("the face before is one press away, with its edits, and so is the one that was left for it", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("the face before is one press away, with its edits, and so is the one that was left for it", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   assert.ok(await page.isHidden("#faces"), "there is nothing to go back to yet");
   await edit(visitor, "nose tip", 9);
@@ -67,11 +63,9 @@ journey("the face before is one press away, with its edits, and so is the one th
     await goBack(visitor, "portrait");
   }
   assert.ok(await page.isHidden("#face-choice"));
-}, { isRare: true });
+});
 
-journey("photos before the last one are there, too, each with its edits and by its name", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("photos before the last one are there, too, each with its edits and by its name", { tag: "@rare" }, async ({ visitor, page }) => {
   const bytes = await readFile(SAMPLE);
   const left = new Map();
   for (const [place, name] of ["ana", "bia", "clara", "dora", "eva"].entries()) {
@@ -91,11 +85,9 @@ journey("photos before the last one are there, too, each with its edits and by i
   // Whom the strip has no room for is in the browser's database all the same.
   await page.waitForTimeout(800);
   assert.ok((await keptWorks(page)).some(({ name, edits }) => name === "ana" && edits.includes("nose-tip")));
-}, { isRare: true });
+});
 
-journey("a group can be gone back to from another photo, each of its faces as it was left", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a group can be gone back to from another photo, each of its faces as it was left", { tag: "@rare" }, async ({ visitor, page }) => {
   await openGroup(visitor);
   await edit(visitor, "nose tip", 9);
   const first = await standing(visitor);
@@ -112,11 +104,9 @@ journey("a group can be gone back to from another photo, each of its faces as it
   assert.deepEqual(await standing(visitor), second);
   await choose(visitor, 0);
   assert.deepEqual(await standing(visitor), first);
-}, { isRare: true });
+});
 
-journey("of faces chosen one right after the other the last is shown, and the strip says so", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("of faces chosen one right after the other the last is shown, and the strip says so", { tag: "@rare" }, async ({ visitor, page }) => {
   await openGroup(visitor);
   await edit(visitor, "nose tip", 9);
   const first = await standing(visitor);
@@ -133,9 +123,9 @@ journey("of faces chosen one right after the other the last is shown, and the st
   await page.waitForSelector("#notice[data-code='not-a-picture']");
   assert.deepEqual(await chosen(page), [true, false]);
   assert.deepEqual(await standing(visitor), first);
-}, { isRare: true });
+});
 
-journey("where the browser keeps nothing, the face before comes back all the same", async (open) => {
+test("where the browser keeps nothing, the face before comes back all the same", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ before: (context) => context.addInitScript(refuseDatabase) });
   const { page } = visitor;
   await openGroup(visitor);
@@ -149,11 +139,9 @@ journey("where the browser keeps nothing, the face before comes back all the sam
   await untilNamed(visitor, "alone");
   await goBack(visitor, "group");
   assert.deepEqual(await standing(visitor), first);
-}, { isRare: true });
+});
 
-journey("work that went back and forth is there after a reload, the face that was shown last first", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("work that went back and forth is there after a reload, the face that was shown last first", async ({ visitor, page }) => {
   await openGroup(visitor);
   await edit(visitor, "nose tip", 9);
   for (const index of [1, 0, 1, 0]) await choose(visitor, index);
@@ -167,9 +155,7 @@ journey("work that went back and forth is there after a reload, the face that wa
   assert.deepEqual(await standing(visitor), first);
 });
 
-journey("a module that is started again brings the face back among its group", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a module that is started again brings the face back among its group", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
   await openGroup(visitor);
   await edit(visitor, "nose tip", 9);
@@ -187,9 +173,9 @@ journey("a module that is started again brings the face back among its group", a
   await page.waitForSelector("#notice[data-code='restarted']");
   await choose(visitor, 0);
   assert.deepEqual(await standing(visitor), first);
-}, { isRare: true });
+});
 
-journey("more faces than a phone is wide are reached by a swipe, and the one that is chosen is in sight", async (open) => {
+test("more faces than a phone is wide are reached by a swipe, and the one that is chosen is in sight", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true });
   const { page } = visitor;
   await visitor.dropSample();
@@ -206,10 +192,10 @@ journey("more faces than a phone is wide are reached by a swipe, and the one tha
   const { x, width } = await last.boundingBox();
   assert.ok(x > strip.x && x + width < strip.x + strip.width, "the chosen face is out of sight");
   assert.equal(await page.evaluate("scrollX + document.getElementById('stage').scrollLeft"), 0);
-}, { isRare: true });
+});
 
-for (const { width, height } of alike([{ width: 390, height: 844 }, { width: 844, height: 390 }, { width: 720, height: 450 }])) {
-  journey(`at ${width}×${height} the faces of a group are offered over the stage, and lie over nothing else`, async (open) => {
+for (const [{ width, height }, tag] of alike([{ width: 390, height: 844 }, { width: 844, height: 390 }, { width: 720, height: 450 }])) {
+  test(`at ${width}×${height} the faces of a group are offered over the stage, and lie over nothing else`, { tag }, async ({ open }) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;
     await visitor.dropSample();

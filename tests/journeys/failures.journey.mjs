@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 /** The sample with an edit of the nose tip; resolves to the mesh. */
@@ -34,9 +34,7 @@ async function failToSave(visitor, action) {
   return notice;
 }
 
-journey("what was there is still there when there is no memory for what was to be opened", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("what was there is still there when there is no memory for what was to be opened", async ({ visitor, page }) => {
   const mesh = await work(visitor);
   await page.evaluate(() => {
     const create = globalThis.createImageBitmap;
@@ -53,8 +51,8 @@ journey("what was there is still there when there is no memory for what was to b
   await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
 });
 
-for (const [what, label] of alike([["the picture", "still"], ["what it is drawn into", "attachment"]])) {
-  journey(`without graphics memory for ${what} no picture is saved, and the page says why`, async (open) => {
+for (const [[what, label], tag] of alike([["the picture", "still"], ["what it is drawn into", "attachment"]])) {
+  test(`without graphics memory for ${what} no picture is saved, and the page says why`, { tag }, async ({ open }) => {
     const visitor = await open({ before: (context) => context.addInitScript(watchTextures) });
     const { page } = visitor;
     const mesh = await work(visitor);
@@ -69,7 +67,7 @@ for (const [what, label] of alike([["the picture", "still"], ["what it is drawn 
   });
 }
 
-journey("a picture that the graphics card took along with itself is reported, and the report outlives the card's return", async (open) => {
+test("a picture that the graphics card took along with itself is reported, and the report outlives the card's return", async ({ open }) => {
   const visitor = await open({ before: (context) => context.addInitScript(watchDevices) });
   const { page } = visitor;
   const mesh = await work(visitor);
@@ -92,13 +90,11 @@ journey("a picture that the graphics card took along with itself is reported, an
   assert.deepEqual(await visitor.meshJson("mm"), mesh);
 });
 
-for (const { reply, action, code } of alike([
+for (const [{ reply, action, code }, tag] of alike([
   { reply: "drawn", action: "download-photo-png", code: "photo-not-written" },
   { reply: "textured", action: "download-glb", code: "texture-not-made" },
 ])) {
-  journey(`a worker that dies before it has ${reply} what goes into a file is not said to have been reading a photo`, async (open) => {
-    const visitor = await open();
-    const { page } = visitor;
+  test(`a worker that dies before it has ${reply} what goes into a file is not said to have been reading a photo`, { tag }, async ({ visitor, page }) => {
     const doom = (worker) => worker.evaluate(dieBefore, reply).catch(() => {});
     page.on("worker", doom);
     await visitor.untilLoaded();
@@ -111,9 +107,7 @@ for (const { reply, action, code } of alike([
   });
 }
 
-journey("a notice shows above a dialog that is open, can be closed there, and is on the stage again after the dialog", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a notice shows above a dialog that is open, can be closed there, and is on the stage again after the dialog", async ({ visitor, page }) => {
   await visitor.dropSample();
   const dropWords = () => page.evaluate(() => {
     const dataTransfer = new DataTransfer();

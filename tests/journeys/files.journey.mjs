@@ -2,16 +2,14 @@ import assert from "node:assert/strict";
 import { mkdir, mkdtemp, open as openFile, readFile, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import path from "node:path";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { heic, text } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 /** The largest photo that is taken. */
 const MAX_PHOTO_BYTES = 40_000_000;
 
-journey("of several files the first that can be opened is, and the page says that it is one of them", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("of several files the first that can be opened is, and the page says that it is one of them", async ({ visitor, page }) => {
   await visitor.untilItAnswers();
   const portrait = await readFile(SAMPLE);
   const notes = { bytes: text(), name: "notes.txt", type: "text/plain" };
@@ -37,9 +35,7 @@ journey("of several files the first that can be opened is, and the page says tha
   await page.waitForSelector("#notice[data-code='unsupported-format']");
 });
 
-journey("an address, text or a picture's HTML gets an answer, and text fields still take text", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("an address, text or a picture's HTML gets an answer, and text fields still take text", async ({ visitor, page }) => {
   await visitor.dropSample();
   const words = [
     { "text/uri-list": "https://example.com/me.jpg", "text/plain": "https://example.com/me.jpg" },
@@ -66,7 +62,7 @@ journey("an address, text or a picture's HTML gets an answer, and text fields st
   assert.ok(await page.isHidden("#notice"));
 });
 
-journey("a dropped folder gets an answer", async (open) => {
+test("a dropped folder gets an answer", async ({ open }) => {
   await withFolder(async (folder) => {
     const visitor = await open();
     await visitor.untilItAnswers();
@@ -80,7 +76,7 @@ journey("a dropped folder gets an answer", async (open) => {
   });
 });
 
-journey("a file of gigabytes is too large, not unreadable; the limit is where the worker has it", async (open) => {
+test("a file of gigabytes is too large, not unreadable; the limit is where the worker has it", async ({ open }) => {
   await withFolder(async (folder) => {
     const visitor = await open();
     const { page } = visitor;
@@ -106,7 +102,7 @@ journey("a file of gigabytes is too large, not unreadable; the limit is where th
 /**
  * Drops or pastes files or data, as other programs bring them.
  *
- * @param {import("playwright-core").Page} page
+ * @param {import("@playwright/test").Page} page
  * @param {"drop" | "paste"} way
  * @param {{ bytes: Uint8Array, name: string, type: string }[]} files
  * @param {Record<string, string>} [data] by MIME type
@@ -134,7 +130,7 @@ async function bring(page, way, files, data = {}) {
 /**
  * Drops what lies on the disk, as a file manager does.
  *
- * @param {import("playwright-core").Page} page
+ * @param {import("@playwright/test").Page} page
  * @param {string[]} files
  */
 async function dropFromDesktop(page, files) {

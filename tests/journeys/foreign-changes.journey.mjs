@@ -1,14 +1,14 @@
 import assert from "node:assert/strict";
 import { partsOfGlb, viewOf, withView } from "./changed-files.mjs";
 import { glbByCommandLine } from "./command-line.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { furthest } from "./meshes.mjs";
 import { meanColour } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 const DENSEST = 28_881;
 
-journey("a GLB of the command line's finest mesh opens, with an edit that waits, and is gone on with", async (open) => {
+test("a GLB of the command line's finest mesh opens, with an edit that waits, and is gone on with", { tag: "@rare" }, async ({ open }) => {
   const options = "--units mm --topology canonical --density 4 --edit 20000@4:0,0,2 --edit 1:0,0,6".split(" ");
   const glb = await glbByCommandLine(SAMPLE, options);
   const visitor = await open();
@@ -39,9 +39,9 @@ journey("a GLB of the command line's finest mesh opens, with an edit that waits,
   assert.deepEqual(await visitor.meshJson("mm"), work);
   assert.equal((await visitor.history()).length, 3);
   assert.equal(await page.locator("#history .waits").count(), 1);
-}, { isRare: true });
+});
 
-journey("a GLB whose texture another program has halved opens with the photo in its place", async (open) => {
+test("a GLB whose texture another program has halved opens with the photo in its place", { tag: ["@eyes", "@rare"] }, async ({ open }) => {
   const { visitor, page, work } = await withAnEdit(open);
   const parts = partsOfGlb(await visitor.download("download-glb"));
   const at = parts.json.images[0].bufferView;
@@ -63,9 +63,9 @@ journey("a GLB whose texture another program has halved opens with the photo in 
       assert.ok(off < 8, `colours are ${off} levels off at ${left}, ${top}`);
     }
   }
-}, { needs: "eyes", isRare: true });
+});
 
-journey("a GLB whose shape another program has changed opens as it was saved, and the page says so", async (open) => {
+test("a GLB whose shape another program has changed opens as it was saved, and the page says so", async ({ open }) => {
   const { visitor, page, work } = await withAnEdit(open);
   const glb = await visitor.download("download-glb");
   const parts = partsOfGlb(glb);

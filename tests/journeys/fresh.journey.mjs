@@ -1,15 +1,15 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { asJpeg, twice } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-for (const [what, fileOf] of alike(/** @type {const} */ ([
+for (const [[what, fileOf], tag] of alike(/** @type {const} */ ([
   ["photo", async ({ page }) => ({ bytes: await asJpeg(page, await readFile(SAMPLE)), name: "new.jpg" })],
   ["project", async (visitor) => ({ bytes: await visitor.download("save-project"), name: "new.rosto" })],
   ["GLB", async (visitor) => ({ bytes: await visitor.download("download-glb"), name: "new.glb" })],
 ]))) {
-  journey(`after a new ${what} no control shows what was selected, typed or scrolled before`, async (open) => {
+  test(`after a new ${what} no control shows what was selected, typed or scrolled before`, { tag }, async ({ open }) => {
     const visitor = await open({ viewport: { width: 1024, height: 480 } });
     const { page } = visitor;
     await visitor.untilLoaded();
@@ -45,9 +45,7 @@ for (const [what, fileOf] of alike(/** @type {const} */ ([
   });
 }
 
-journey("a search that was not entered is gone with its face", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a search that was not entered is gone with its face", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.unfold("section-landmark");
   const help = await page.innerText("#landmark-help");
@@ -61,11 +59,9 @@ journey("a search that was not entered is gone with its face", async (open) => {
   assert.equal(await page.innerText("#landmark-help"), help);
   assert.ok(!(await page.locator("#landmark-search").evaluate((field) => field.hasAttribute("aria-invalid"))));
   assert.ok(await page.isHidden("#notice"));
-}, { isRare: true });
+});
 
-journey("another face of a group leaves the visitor at the tab where they are", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("another face of a group leaves the visitor at the tab where they are", async ({ visitor, page }) => {
   await visitor.drop(await twice(page, await readFile(SAMPLE)), "group.png");
   await page.waitForSelector("#face-choice:not([hidden])");
   await visitor.untilFace();

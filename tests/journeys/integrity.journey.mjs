@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { faceless } from "./pictures.mjs";
 import { DIST, serve } from "./server.mjs";
 import { SAMPLE } from "./visitor.mjs";
@@ -9,8 +9,8 @@ import { SAMPLE } from "./visitor.mjs";
 /** What the worker cannot do without. */
 const OF_THE_WORKER = ["assets/face_detector.onnx", "assets/face_landmarks_attention.onnx", "wasm/rosto-vision-web_bg.wasm"];
 
-for (const file of alike(OF_THE_WORKER)) {
-  journey(`a ${path.extname(file)} of which one bit is another is not used (${path.basename(file)}), and nothing is lost`, async (open) => {
+for (const [file, tag] of alike(OF_THE_WORKER)) {
+  test(`a ${path.extname(file)} of which one bit is another is not used (${path.basename(file)}), and nothing is lost`, { tag }, async ({ open }) => {
     await withServer(async (server) => {
       const visitor = await open({ url: server.url });
       const { page } = visitor;
@@ -42,8 +42,8 @@ for (const file of alike(OF_THE_WORKER)) {
   });
 }
 
-for (const file of alike(["wasm/rosto-studio-web_bg.wasm", "integrity.json"])) {
-  journey(`a visitor's first page with a damaged ${path.basename(file)} says what is the matter`, async (open) => {
+for (const [file, tag] of alike(["wasm/rosto-studio-web_bg.wasm", "integrity.json"])) {
+  test(`a visitor's first page with a damaged ${path.basename(file)} says what is the matter`, { tag }, async ({ open }) => {
     await withServer(async (server) => {
       await damage(server, file);
       const visitor = await open({ url: server.url });
@@ -56,7 +56,7 @@ for (const file of alike(["wasm/rosto-studio-web_bg.wasm", "integrity.json"])) {
   });
 }
 
-journey("one damaged answer is asked for again, and nobody notices", async (open) => {
+test("one damaged answer is asked for again, and nobody notices", async ({ open }) => {
   await withServer(async (server) => {
     const asked = await damage(server, OF_THE_WORKER[0], 1);
     const visitor = await open({ url: server.url });

@@ -1,10 +1,8 @@
 import assert from "node:assert/strict";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { Visitor } from "./visitor.mjs";
 
-journey("an edit a moment before a reload, or before the tab is closed, is kept", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("an edit a moment before a reload, or before the tab is closed, is kept", async ({ visitor, page }) => {
   const address = page.url();
   await visitor.dropSample();
   await visitor.findLandmark("nose tip");
@@ -32,9 +30,7 @@ journey("an edit a moment before a reload, or before the tab is closed, is kept"
   next.checkNothingBroke();
 });
 
-journey("an edit is kept however long before the reload it was made", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("an edit is kept however long before the reload it was made", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.findLandmark("nose tip");
   // Around the pause after which the database is told, it has been asked and has not answered.
@@ -45,14 +41,14 @@ journey("an edit is kept however long before the reload it was made", async (ope
     await visitor.untilFace();
     assert.equal(await noseOut(visitor), place + 2, `${wait_ms} ms`);
   }
-}, { isRare: true });
+});
 
-for (const [how, refuse] of alike(/** @type {const} */ ([
+for (const [[how, refuse], tag] of alike(/** @type {const} */ ([
   ["throws", refuseByThrowing],
   ["answers with an error", refuseByError],
   ["is full", refuseByFullness],
 ]))) {
-  journey(`where the database ${how}, the page says once that nothing is kept, and the work goes on`, async (open) => {
+  test(`where the database ${how}, the page says once that nothing is kept, and the work goes on`, { tag }, async ({ open }) => {
     const visitor = await open({ before: (context) => context.addInitScript(refuse) });
     const { page } = visitor;
     await visitor.dropSample();

@@ -2,11 +2,11 @@ import assert from "node:assert/strict";
 import { AUDIENCES } from "./audiences.mjs";
 import { findings } from "./boxes.mjs";
 import { chinFindings } from "./chin.mjs";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { STATES, withHeldWork, wrongWith } from "./states.mjs";
 
-for (const { id, options } of alike(AUDIENCES)) {
-  journey(`in a window of ${id.replace("x", " × ")} nothing overlaps, is cut or covered, in either language`, async (open) => {
+for (const [{ id, options }, tag] of alike(AUDIENCES)) {
+  test(`in a window of ${id.replace("x", " × ")} nothing overlaps, is cut or covered, in either language`, { tag }, async ({ open }) => {
     const visitor = await open({ ...options, colorScheme: "light", before: withHeldWork });
     /** Each finding with the state in which it was first seen. @type {Map<string, string>} */
     const found = new Map();
@@ -23,7 +23,7 @@ for (const { id, options } of alike(AUDIENCES)) {
   });
 }
 
-journey("all of the face is in what a window leaves free, and again whenever the window becomes another", async (open) => {
+test("all of the face is in what a window leaves free, and again whenever the window becomes another", { tag: ["@eyes", "@rare"] }, async ({ open }) => {
   const visitor = await open({ colorScheme: "light" });
   await visitor.dropSample();
   const found = [];
@@ -35,7 +35,7 @@ journey("all of the face is in what a window leaves free, and again whenever the
     for (const what of await chinFindings(visitor)) found.push(`${id}: ${what}`);
   }
   assert.deepEqual(found, []);
-}, { needs: "eyes", isRare: true });
+});
 
 /** Faults, each put into a page that has none. @type {[string, string, Record<string, string>, RegExp][]} */
 const FAULTS = [
@@ -47,7 +47,7 @@ const FAULTS = [
   ["scrolls sideways", "#section-photo", { width: "400px" }, /#sections scrolls sideways by/],
 ];
 
-journey("what overlaps, leaves the window, is cut, wraps, is covered or scrolls sideways is found", async (open) => {
+test("what overlaps, leaves the window, is cut, wraps, is covered or scrolls sideways is found", async ({ open }) => {
   const visitor = await open({ viewport: { width: 1280, height: 800 } });
   const { page } = visitor;
   await visitor.dropSample();

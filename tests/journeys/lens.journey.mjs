@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -19,9 +19,7 @@ async function chooseLens(visitor, lens) {
   await visitor.frames(3);
 }
 
-journey("each lens shows the face another way, on the page and in a picture, and says how", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("each lens shows the face another way, on the page and in a picture, and says how", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.unfold("section-view");
   assert.ok(await page.isChecked("input[name='lens'][value='portrait']"));
@@ -45,12 +43,10 @@ journey("each lens shows the face another way, on the page and in a picture, and
   await page.click("#toolbar [data-action='reset-view']");
   assert.equal(difference(views[0], await visitor.view()), 0, "the portrait did not come back");
   assert.deepEqual(await visitor.history(), []);
-}, { needs: "eyes", isRare: true });
+});
 
 for (const lens of ["parallel", "near"]) {
-  journey(`with a lens, what lights up under the pointer is what a press takes: ${lens}`, async (open) => {
-    const visitor = await open();
-    const { page } = visitor;
+  test(`with a lens, what lights up under the pointer is what a press takes: ${lens}`, { tag: "@rare" }, async ({ visitor, page }) => {
     await visitor.dropSample();
     await chooseLens(visitor, lens);
     // Turned, raised and nearer, so that no axis of the view is one of the face's.
@@ -60,12 +56,10 @@ for (const lens of ["parallel", "near"]) {
     const { lit, turned } = await visitor.takeAtEach(7);
     assert.ok(lit >= 7, `${lit} places light up`);
     assert.deepEqual(turned, [], "lit places that a press does not take");
-  }, { isRare: true });
+  });
 }
 
-journey("as photographed, the mesh lies where the face is in the photo, and the lens is kept", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("as photographed, the mesh lies where the face is in the photo, and the lens is kept", async ({ visitor, page }) => {
   await visitor.dropSample();
   await chooseLens(visitor, "as-taken");
   const { width, height } = PNG.sync.read(await readFile(SAMPLE));

@@ -5,7 +5,7 @@ import path from "node:path";
 import { findings } from "./boxes.mjs";
 import { camera, watchCamera } from "./camera-watch.mjs";
 import { FRAMES_PER_S, HEIGHT_PX, WIDTH_PX, carried, numberOf, placeIn } from "./film-frames.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { differenceNear, meanColour } from "./pixels.mjs";
 
 /** @typedef {import("./visitor.mjs").Visitor} Visitor */
@@ -14,9 +14,9 @@ const GOLDEN = path.join(import.meta.dirname, "../golden/refined_landmarks.json"
 const NOSE_TIP = 4;
 const NOSE_MM = 5;
 
-const before = (/** @type {import("playwright-core").BrowserContext} */ context) => Promise.all([watchCamera, watchFrames].map((script) => context.addInitScript(script)));
+const before = (/** @type {import("@playwright/test").BrowserContext} */ context) => Promise.all([watchCamera, watchFrames].map((script) => context.addInitScript(script)));
 
-journey("in the mirror the film is seen with its sides swapped, and with the edits where the face is", async (open) => {
+test("in the mirror the film is seen with its sides swapped, and with the edits where the face is", { tag: "@seen-camera" }, async ({ open }) => {
   const visitor = await open({ before });
   const { page } = visitor;
   await visitor.dropSample();
@@ -52,9 +52,9 @@ journey("in the mirror the film is seen with its sides swapped, and with the edi
   }
   await page.click("#live-close");
   assert.equal((await camera(visitor)).live, 0);
-}, { needs: "seen-camera" });
+});
 
-journey("what is seen in the mirror is kept as a photo with its edits, and the camera stops", async (open) => {
+test("what is seen in the mirror is kept as a photo with its edits, and the camera stops", { tag: ["@moving-camera", "@rare"] }, async ({ open }) => {
   const visitor = await open({ before });
   const { page } = visitor;
   await visitor.dropSample();
@@ -70,9 +70,9 @@ journey("what is seen in the mirror is kept as a photo with its edits, and the c
   assert.equal(await visitor.sliderValue("nose-width"), NOSE_MM);
   assert.equal(await visitor.sliderValue("eye-size"), 2);
   assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
-}, { needs: "moving-camera", isRare: true });
+});
 
-journey("without a face open, the first one that the camera sees is opened; a double click opens one camera", async (open) => {
+test("without a face open, the first one that the camera sees is opened; a double click opens one camera", { tag: ["@moving-camera", "@rare"] }, async ({ open }) => {
   const visitor = await open({ before, viewport: { width: 390, height: 844 } });
   const { page } = visitor;
   await visitor.untilLoaded();
@@ -89,9 +89,9 @@ journey("without a face open, the first one that the camera sees is opened; a do
   assert.equal(await page.getAttribute("body", "data-state"), "face");
   assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
   assert.equal(await page.getAttribute("#privacy-count", "data-requests"), "0", "nothing was sent");
-}, { needs: "moving-camera", isRare: true });
+});
 
-journey("in the mirror a face is lost and found, a worker that dies is said, and a hidden page has no camera", async (open) => {
+test("in the mirror a face is lost and found, a worker that dies is said, and a hidden page has no camera", { tag: ["@moving-camera", "@rare"] }, async ({ open }) => {
   const visitor = await open({
     before: async (context) => {
       await before(context);
@@ -123,9 +123,9 @@ journey("in the mirror a face is lost and found, a worker that dies is said, and
   await page.waitForSelector("#camera-shutter:enabled");
   assert.ok(await page.isHidden("#live"));
   assert.equal((await camera(visitor)).live, 1);
-}, { needs: "moving-camera", isRare: true });
+});
 
-journey("a camera that is refused or unplugged ends the mirror, and says why", async (open) => {
+test("a camera that is refused or unplugged ends the mirror, and says why", { tag: "@moving-camera" }, async ({ open }) => {
   const visitor = await open({ before });
   const { page } = visitor;
   await visitor.untilLoaded();
@@ -142,7 +142,7 @@ journey("a camera that is refused or unplugged ends the mirror, and says why", a
   assert.equal((await camera(visitor)).live, 0);
   // The photo is there again, and is turned as before.
   await page.waitForFunction(() => document.body.dataset.scene === "solid");
-}, { needs: "moving-camera" });
+});
 
 /** Opens the mirror over the face that is open, and waits until the stage shows it. @param {Visitor} visitor */
 async function openMirror(visitor) {

@@ -1,12 +1,10 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { twice } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-journey("files are named after the photo, over a reload and out of a file of ours", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("files are named after the photo, over a reload and out of a file of ours", async ({ visitor, page }) => {
   await visitor.drop(await readFile(SAMPLE), 'ana: "Rio" 7.2.png');
   await visitor.untilFace();
   assert.equal(await nameOf(visitor, "download-glb"), "ana Rio 7.2.glb");
@@ -37,46 +35,36 @@ journey("files are named after the photo, over a reload and out of a file of our
   }
 });
 
-for (const { name, says } of alike([
+for (const [{ name, says }, tag] of alike([
   { name: "image.png", says: "face.rosto" },
   { name: "..", says: "face.rosto" },
   { name: "CON.png", says: "face.rosto" },
   { name: "María\u202egnp.exe.png", says: "Maríagnp.exe.rosto" },
 ])) {
-  journey(`a photo called ${JSON.stringify(name)} gives ${says}`, async (open) => {
-    const visitor = await open();
+  test(`a photo called ${JSON.stringify(name)} gives ${says}`, { tag }, async ({ visitor }) => {
     await visitor.drop(await readFile(SAMPLE), name);
     await visitor.untilFace();
     assert.equal(await nameOf(visitor, "save-project"), says);
   });
 }
 
-journey("each face of a group has a name of its own", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("each face of a group has a name of its own", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.drop(await twice(page, await readFile(SAMPLE)), "group.png");
   await page.waitForSelector("#face-choice:not([hidden])");
   await visitor.untilFace();
   assert.equal(await nameOf(visitor, "download-glb"), "group.glb");
   await page.locator("#face-options input").nth(1).click({ force: true });
   await untilNamed(visitor, "download-glb", "group-2.glb");
-}, { isRare: true });
+});
 
-journey(
-  "a photo from the camera is a selfie",
-  async (open) => {
-    const visitor = await open();
-    await visitor.page.click("#welcome [data-action='camera']");
-    await visitor.page.click("#camera-shutter:enabled");
-    await visitor.untilFace();
-    assert.equal(await nameOf(visitor, "save-project"), "selfie.rosto");
-  },
-  { needs: "camera" },
-);
+test("a photo from the camera is a selfie", { tag: "@camera" }, async ({ visitor }) => {
+  await visitor.page.click("#welcome [data-action='camera']");
+  await visitor.page.click("#camera-shutter:enabled");
+  await visitor.untilFace();
+  assert.equal(await nameOf(visitor, "save-project"), "selfie.rosto");
+});
 
-journey("the sample is offered as a small picture, which moves nothing and asks for nothing", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("the sample is offered as a small picture, which moves nothing and asks for nothing", async ({ visitor, page }) => {
   /** @type {string[]} */
   const asked = [];
   await visitor.untilLoaded();
@@ -93,9 +81,7 @@ journey("the sample is offered as a small picture, which moves nothing and asks 
   assert.equal(await nameOf(visitor, "save-project"), "sample.rosto");
 });
 
-journey("who returns is offered first to go on, and only that button stands out", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("who returns is offered first to go on, and only that button stands out", async ({ visitor, page }) => {
   await visitor.untilLoaded();
   assert.deepEqual(await offered(page), [["choose", true], ["camera", false], ["mirror", false], ["sample", false]]);
   await visitor.dropSample();

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { assertCameBack } from "./meshes.mjs";
 import { asJpeg } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
@@ -8,9 +8,7 @@ import { SAMPLE } from "./visitor.mjs";
 /** 12 megapixels, as a phone takes them. */
 const LARGE = { width: 4000, height: 3000 };
 
-journey("of a large photo and a GLB right after it, the GLB stays", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("of a large photo and a GLB right after it, the GLB stays", { tag: "@rare" }, async ({ visitor, page }) => {
   const large = await asJpeg(page, await readFile(SAMPLE), LARGE);
   await visitor.dropSample();
   await visitor.findLandmark("nose tip");
@@ -29,11 +27,9 @@ journey("of a large photo and a GLB right after it, the GLB stays", async (open)
   assertCameBack(await visitor.meshJson("mm"), work);
   assert.ok(await page.isHidden("#notice"));
   assert.ok(await page.isHidden("#progress"));
-}, { isRare: true });
+});
 
-journey("of a large photo and a small one right after it, the small one stays", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("of a large photo and a small one right after it, the small one stays", async ({ visitor, page }) => {
   const portrait = await readFile(SAMPLE);
   const large = await asJpeg(page, portrait, LARGE);
   await visitor.dropSample();

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { DIST, serve } from "./server.mjs";
 
 const BELOW = "/kept/";
@@ -17,8 +17,8 @@ const TROUBLES = {
   "gives a page of its own for every file": (name, response) => name !== "" && portal(response),
 };
 
-for (const [what, disturbance] of alike(Object.entries(TROUBLES))) {
-  journey(`the stored page works with a server that ${what}`, async (open) => {
+for (const [[what, disturbance], tag] of alike(Object.entries(TROUBLES))) {
+  test(`the stored page works with a server that ${what}`, { tag }, async ({ open }) => {
     await withServer(async (server) => {
       const visitor = await open({ url: server.url, serviceWorkers: "allow" });
       await visitor.untilLoaded();
@@ -34,7 +34,7 @@ for (const [what, disturbance] of alike(Object.entries(TROUBLES))) {
   });
 }
 
-journey("a page of a newer version comes from the network with all its files, or says that it did not load", async (open) => {
+test("a page of a newer version comes from the network with all its files, or says that it did not load", async ({ open }) => {
   await withServer(async (server) => {
     const visitor = await open({ url: server.url, serviceWorkers: "allow" });
     await visitor.untilLoaded();
@@ -70,7 +70,7 @@ journey("a page of a newer version comes from the network with all its files, or
   });
 });
 
-journey("what is not the file that was built is not stored", async (open) => {
+test("what is not the file that was built is not stored", async ({ open }) => {
   await withServer(async (server) => {
     const tabs = await readFile(path.join(DIST, "js/page/tabs.js"));
     server.disturb((name, response) => name === "js/page/tabs.js" && send(response, `${tabs}\n// from another version\n`, "text/javascript"));
@@ -98,7 +98,7 @@ async function withServer(use) {
   }
 }
 
-/** @param {import("playwright-core").Page} page */
+/** @param {import("@playwright/test").Page} page */
 async function stopServiceWorkers(page) {
   const browser = await page.context().newCDPSession(page);
   await browser.send("ServiceWorker.enable");

@@ -1,11 +1,11 @@
 import assert from "node:assert/strict";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 
 const DESKTOP = { viewport: { width: 1280, height: 720 } };
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 const SHORT = { viewport: { width: 844, height: 390 }, hasTouch: true, isMobile: true };
 
-journey("the panel goes from photo to sliders, to the hand, to what was done, and ends with the advanced", async (open) => {
+test("the panel goes from photo to sliders, to the hand, to what was done, and ends with the advanced", async ({ open }) => {
   const visitor = await open(DESKTOP);
   const { page } = visitor;
   await visitor.dropSample();
@@ -19,8 +19,8 @@ journey("the panel goes from photo to sliders, to the hand, to what was done, an
   assert.deepEqual(await seen(), ["Foto", "Traços", "Expressões", "Mover à mão", "Na foto", "Histórico", "Avançado"]);
 });
 
-for (const [device, options] of alike(Object.entries({ desktop: DESKTOP, phone: PHONE, "phone on its side": SHORT }))) {
-  journey(`shape, view and export are tabs, by keys too, and the download is in sight on each: ${device}`, async (open) => {
+for (const [[device, options], tag] of alike(Object.entries({ desktop: DESKTOP, phone: PHONE, "phone on its side": SHORT }))) {
+  test(`shape, view and export are tabs, by keys too, and the download is in sight on each: ${device}`, { tag }, async ({ open }) => {
     const visitor = await open(options);
     const { page } = visitor;
     await visitor.untilLoaded();
@@ -43,7 +43,7 @@ for (const [device, options] of alike(Object.entries({ desktop: DESKTOP, phone: 
     assert.match(download.suggestedFilename(), /\.glb$/);
   });
 
-  journey(`the photo folds to a row with its face, which unfolds it and changes it: ${device}`, async (open) => {
+  test(`the photo folds to a row with its face, which unfolds it and changes it: ${device}`, { tag }, async ({ open }) => {
     const visitor = await open(options);
     const { page } = visitor;
     await visitor.dropSample();
@@ -63,7 +63,7 @@ for (const [device, options] of alike(Object.entries({ desktop: DESKTOP, phone: 
   });
 }
 
-journey("the presets say which is on and what it means, and that none is", async (open) => {
+test("the presets say which is on and what it means, and that none is", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open(DESKTOP);
   const { page } = visitor;
   await visitor.dropSample();
@@ -82,10 +82,10 @@ journey("the presets say which is on and what it means, and that none is", async
   await visitor.prefer("sculpt");
   assert.deepEqual(await segments(), ["Sculpt", "Paper"]);
   assert.ok(!(await custom.isChecked()));
-}, { isRare: true });
+});
 
-for (const [size, panel_px] of alike([[[1280, 720], 320], [[720, 450], 280]])) {
-  journey(`segments of a row are of one height and one line in either language: ${size.join(" × ")}`, async (open) => {
+for (const [size, panel_px] of [[[1280, 720], 320], [[720, 450], 280]]) {
+  test(`segments of a row are of one height and one line in either language: ${size.join(" × ")}`, { tag: "@rare" }, async ({ open }) => {
     const visitor = await open({ viewport: { width: size[0], height: size[1] } });
     const { page } = visitor;
     await visitor.dropSample();
@@ -103,11 +103,11 @@ for (const [size, panel_px] of alike([[[1280, 720], 320], [[720, 450], 280]])) {
         assert.deepEqual(wide, [], `${language}, ${tab}`);
       }
     }
-  }, { isRare: true });
+  });
 }
 
-for (const [width, height] of alike([[1280, 720], [720, 450], [844, 390], [360, 640]])) {
-  journey(`the list of keys is not cut, begins at its top, and can be left: ${width} × ${height}`, async (open) => {
+for (const [[width, height], tag] of alike([[1280, 720], [720, 450], [844, 390], [360, 640]])) {
+  test(`the list of keys is not cut, begins at its top, and can be left: ${width} × ${height}`, { tag }, async ({ open }) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;
     await visitor.dropSample();
@@ -127,7 +127,7 @@ for (const [width, height] of alike([[1280, 720], [720, 450], [844, 390], [360, 
   });
 }
 
-journey("language and theme are in reach on a small screen while a face is open", async (open) => {
+test("language and theme are in reach on a small screen while a face is open", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open(PHONE);
   const { page } = visitor;
   await visitor.dropSample();
@@ -137,9 +137,9 @@ journey("language and theme are in reach on a small screen while a face is open"
   const before = await page.getAttribute("html", "data-theme");
   await page.click("#theme");
   assert.notEqual(await page.getAttribute("html", "data-theme"), before);
-}, { isRare: true });
+});
 
-journey("fingers are told to tap and choose, a mouse to click and drop", async (open) => {
+test("fingers are told to tap and choose, a mouse to click and drop", async ({ open }) => {
   const texts = (visitor) => visitor.page.evaluate(() => ["welcome-title", "landmark-help"].map((id) => document.getElementById(id).textContent).join(" "));
   const phone = await open(PHONE);
   await phone.dropSample();
@@ -151,7 +151,7 @@ journey("fingers are told to tap and choose, a mouse to click and drop", async (
   assert.match(await texts(desk), /Drop a photo of a face.*Click a point/);
 });
 
-journey("no visitor who begins reads of landmarks, their count, or requests", async (open) => {
+test("no visitor who begins reads of landmarks, their count, or requests", async ({ open }) => {
   const JARGON = /landmark|request|0–467|0 to 467|\b468\b|requisi/i;
   for (const locale of ["en-GB", "pt-BR"]) {
     const visitor = await open({ ...DESKTOP, locale });

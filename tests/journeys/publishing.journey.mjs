@@ -5,7 +5,7 @@ import { copyFile, cp, mkdir, mkdtemp, readFile, readdir, rm } from "node:fs/pro
 import { homedir, tmpdir } from "node:os";
 import path from "node:path";
 import { promisify } from "node:util";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { DIST, serve } from "./server.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
@@ -13,8 +13,7 @@ const HOOK = path.join(ROOT, "web/list-for-offline.mjs");
 const COMPARE = path.join(ROOT, "web/compare-published.mjs");
 const run = promisify(execFile);
 
-journey("the page comes with its policy as a header, and with those that a page's text cannot say", async (open) => {
-  const visitor = await open();
+test("the page comes with its policy as a header, and with those that a page's text cannot say", async ({ visitor }) => {
   const answers = await visitor.page.evaluate(async () => {
     const names = ["./", "js/worker/vision-worker.js", "service-worker.js", "wasm/rosto-vision-web_bg.wasm"];
     const all = await Promise.all(names.map((name) => fetch(name)));
@@ -31,8 +30,7 @@ journey("the page comes with its policy as a header, and with those that a page'
   }
 });
 
-journey("no other page frames this one", async (open) => {
-  const { page } = await open();
+test("no other page frames this one", async ({ page }) => {
   const another = await page.context().newPage();
   await another.setContent(`<iframe src="${page.url()}"></iframe>`);
   const frame = await (await another.waitForSelector("iframe")).contentFrame();
@@ -40,7 +38,7 @@ journey("no other page frames this one", async (open) => {
   assert.equal(await frame.locator("#stage").count(), 0);
 });
 
-journey("every kind of host is told the same headers", async () => {
+test("every kind of host is told the same headers", async () => {
   const said = async (name, pattern) => [...String(await readFile(path.join(DIST, name))).matchAll(pattern)].map(([, name, value]) => [name, value]);
   const plain = await said("_headers", /^ {2}([\w-]+): (.*)$/gm);
   assert.equal(plain.length, 6);
@@ -50,7 +48,7 @@ journey("every kind of host is told the same headers", async () => {
   assert.deepEqual(headers[0].headers.map(({ key, value }) => [key, value]), plain);
 });
 
-journey("the list has every file of the page with its SHA-256, and the page's text has the list's", async () => {
+test("the list has every file of the page with its SHA-256, and the page's text has the list's", async () => {
   const list = await readFile(path.join(DIST, "integrity.json"));
   const { files } = JSON.parse(String(list));
   const known = new Set(["index.html", "service-worker.js", "integrity.json", "_headers", "vercel.json", "nginx.conf"]);
@@ -65,7 +63,7 @@ journey("the list has every file of the page with its SHA-256, and the page's te
   assert.ok(page.includes(`<meta name="version" content="${version}">`));
 });
 
-journey("the list does not depend on the order in which files lie on the disk, or on how often it is written", async () => {
+test("the list does not depend on the order in which files lie on the disk, or on how often it is written", async () => {
   const folder = await mkdtemp(path.join(tmpdir(), "rosto-dist-"));
   try {
     for (const name of (await filesOf(DIST)).reverse()) {
@@ -83,7 +81,7 @@ journey("the list does not depend on the order in which files lie on the disk, o
   }
 });
 
-journey("no file of the page tells of the machine that built it", async () => {
+test("no file of the page tells of the machine that built it", async () => {
   const cargo = process.env.CARGO_HOME ?? path.join(homedir(), ".cargo");
   const traces = [ROOT, cargo, `${homedir()}${path.sep}`, process.env.CARGO_TARGET_DIR].filter(Boolean);
   for (const name of await filesOf(DIST)) {
@@ -92,7 +90,7 @@ journey("no file of the page tells of the machine that built it", async () => {
   }
 });
 
-journey("whoever has built the page can tell whether a published one is the same", async () => {
+test("whoever has built the page can tell whether a published one is the same", async () => {
   const folder = await mkdtemp(path.join(tmpdir(), "rosto-published-"));
   await cp(DIST, folder, { recursive: true });
   const server = await serve(folder, "/published/");

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { changedProject, glbOf, partsOfGlb, projectWithoutShape } from "./changed-files.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 
 /** @type {Record<string, (history: any) => void>} */
 const BAD_HISTORIES = {
@@ -23,8 +23,7 @@ const BAD_HEADERS = [
   })),
 ];
 
-journey("a project that cannot be opened leaves the face, its history and what is kept of it", async (open) => {
-  const visitor = await open();
+test("a project that cannot be opened leaves the face, its history and what is kept of it", async ({ visitor }) => {
   const project = await workOn(visitor, "save-project");
   const bad = BAD_HEADERS.map(({ change, ...told }) => ({
     ...told,
@@ -37,8 +36,7 @@ journey("a project that cannot be opened leaves the face, its history and what i
   await expectRefused(visitor, bad, "face.rosto");
 });
 
-journey("a GLB that cannot be opened leaves the face, its history and what is kept of it", async (open) => {
-  const visitor = await open();
+test("a GLB that cannot be opened leaves the face, its history and what is kept of it", { tag: "@rare" }, async ({ visitor }) => {
   const glb = await workOn(visitor, "download-glb");
   /** @param {(extras: any) => void} change */
   const changed = (change) => {
@@ -58,11 +56,9 @@ journey("a GLB that cannot be opened leaves the face, its history and what is ke
     { name: "a photo without width", codes: ["damaged-glb", "bad-face"], file: changed((extras) => (extras.photo_px = [0, 512])) },
   );
   await expectRefused(visitor, bad, "face.glb");
-}, { isRare: true });
+});
 
-journey("kept work whose picture is damaged gets a notice, and the page goes on", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("kept work whose picture is damaged gets a notice, and the page goes on", async ({ visitor, page }) => {
   await workOn(visitor, "save-project");
   await page.waitForFunction(faceIsKept);
   await page.reload();

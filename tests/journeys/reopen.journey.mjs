@@ -1,12 +1,10 @@
 import assert from "node:assert/strict";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { assertCameBack } from "./meshes.mjs";
 import { colourCount, meanColour } from "./pixels.mjs";
 
-for (const paint of alike(["photo", "colours"])) {
-  journey(`a downloaded GLB painted with ${paint} brings the face back after a reload, with its history`, async (open) => {
-    const visitor = await open();
-    const { page } = visitor;
+for (const [paint, tag] of alike(["photo", "colours"])) {
+  test(`a downloaded GLB painted with ${paint} brings the face back after a reload, with its history`, { tag: [...tag, "@eyes"] }, async ({ visitor, page }) => {
     await visitor.dropSample();
     const unedited = await visitor.meshJson("mm");
     await visitor.findLandmark("nose tip");
@@ -34,12 +32,10 @@ for (const paint of alike(["photo", "colours"])) {
     await page.click("#toolbar [data-action='redo']");
     await page.click("#toolbar [data-action='redo']");
     assertCameBack(await visitor.meshJson("mm"), work);
-  }, { needs: "eyes" });
+  });
 }
 
-journey("a GLB brings its density and its eyes and mouth along", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a GLB brings its density and its eyes and mouth along", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.unfold("section-view");
   await page.selectOption("#triangulation", "tessellation");
@@ -54,11 +50,9 @@ journey("a GLB brings its density and its eyes and mouth along", async (open) =>
   const opened = await visitor.meshJson("mm");
   assert.deepEqual(opened.positions, work.positions);
   assert.deepEqual(opened.triangles, work.triangles);
-}, { isRare: true });
+});
 
-journey("a GLB of another program, or half of ours, leaves the work and a message", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a GLB of another program, or half of ours, leaves the work and a message", async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.findLandmark("nose tip");
   await visitor.offset("z", 4);

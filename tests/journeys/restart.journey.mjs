@@ -1,58 +1,50 @@
 import assert from "node:assert/strict";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { keptWorks } from "./kept.mjs";
 import { meanColour } from "./pixels.mjs";
 
-for (const { drawn, needs, module } of alike([
+for (const [{ drawn, needs, module }, tag] of alike([
   { drawn: "WebGPU", needs: "eyes", module: "rosto-studio-web" },
   { drawn: "WebGL2", needs: "webgl", module: "rosto-studio-webgl" },
 ])) {
-  journey(
-    `a module whose memory is spoilt under ${drawn} is started again, twice, with the work, the choices and the look`,
-    async (open) => {
-      const visitor = await open();
-      const { page } = visitor;
-      await visitor.untilLoaded();
-      const start = await workOn(visitor);
-      const work = await visitor.meshJson("mm");
-      const stands = await standing(visitor);
-      await page.mouse.move(4, 4);
-      const view = await visitor.view();
+  test(`a module whose memory is spoilt under ${drawn} is started again, twice, with the work, the choices and the look`, { tag: [...tag, `@${needs}`] }, async ({ visitor, page }) => {
+    await visitor.untilLoaded();
+    const start = await workOn(visitor);
+    const work = await visitor.meshJson("mm");
+    const stands = await standing(visitor);
+    await page.mouse.move(4, 4);
+    const view = await visitor.view();
 
-      await page.evaluate(spoil, { module: `${module}.js` });
-      await moveOverTheFace(visitor);
+    await page.evaluate(spoil, { module: `${module}.js` });
+    await moveOverTheFace(visitor);
+    await untilRestarted(visitor);
+    assert.match((await visitor.notice()).text, /started again\s+Your work is back as it was/);
+    await expectTheSame(visitor, { work, stands, view });
+
+    for (const again of [1, 2]) {
+      // Escape would cancel an edit, too, after which the work is kept: that would meet the spoilt memory before the key does.
+      await page.click("#notice-close");
+      await page.waitForSelector("#notice", { state: "hidden" });
+      await page.evaluate(spoil, { module: `${module}.js?again=${again}` });
+      await page.focus("#viewport");
+      // A change of the camera by key.
+      await page.keyboard.press("ArrowLeft");
       await untilRestarted(visitor);
-      assert.match((await visitor.notice()).text, /started again\s+Your work is back as it was/);
+      if (again === 2) break;
       await expectTheSame(visitor, { work, stands, view });
-
-      for (const again of [1, 2]) {
-        // Escape would cancel an edit, too, after which the work is kept: that would meet the spoilt memory before the key does.
-        await page.click("#notice-close");
-        await page.waitForSelector("#notice", { state: "hidden" });
-        await page.evaluate(spoil, { module: `${module}.js?again=${again}` });
-        await page.focus("#viewport");
-        // A change of the camera by key.
-        await page.keyboard.press("ArrowLeft");
-        await untilRestarted(visitor);
-        if (again === 2) break;
-        await expectTheSame(visitor, { work, stands, view });
-      }
-      assert.deepEqual(await visitor.meshJson("mm"), work);
-      await page.click("#toolbar [data-action='undo']");
-      await page.click("#toolbar [data-action='undo']");
-      assert.deepEqual(await visitor.meshJson("mm"), start);
-      await page.click("#toolbar [data-action='redo']");
-      await page.click("#toolbar [data-action='redo']");
-      assert.deepEqual(await visitor.meshJson("mm"), work);
-      assert.equal(await page.getAttribute("#privacy-count", "data-requests"), "0");
-    },
-    { needs },
-  );
+    }
+    assert.deepEqual(await visitor.meshJson("mm"), work);
+    await page.click("#toolbar [data-action='undo']");
+    await page.click("#toolbar [data-action='undo']");
+    assert.deepEqual(await visitor.meshJson("mm"), start);
+    await page.click("#toolbar [data-action='redo']");
+    await page.click("#toolbar [data-action='redo']");
+    assert.deepEqual(await visitor.meshJson("mm"), work);
+    assert.equal(await page.getAttribute("#privacy-count", "data-requests"), "0");
+  });
 }
 
-journey("a panic while a file is made or opened starts the module again, and the next try has an answer", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a panic while a file is made or opened starts the module again, and the next try has an answer", async ({ visitor, page }) => {
   await visitor.untilLoaded();
   await workOn(visitor);
   const work = await visitor.meshJson("mm");
@@ -80,9 +72,7 @@ journey("a panic while a file is made or opened starts the module again, and the
   assert.notDeepEqual(await visitor.meshJson("mm"), work);
 });
 
-journey("another face that is opened while the module starts again leaves the work where it is kept", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("another face that is opened while the module starts again leaves the work where it is kept", async ({ visitor, page }) => {
   await visitor.untilLoaded();
   await visitor.dropSample();
   const other = await visitor.download("save-project");

@@ -1,13 +1,11 @@
 import assert from "node:assert/strict";
 import { PNG } from "pngjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
 
 const PAINTS = ["picture", "colours", "clay", "normals", "response", "distortion"];
 
-journey("every paint shows the face another way, with a legend where colours are numbers", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("every paint shows the face another way, with a legend where colours are numbers", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   // So that what would follow the nose is most of the face.
   await visitor.reach("#nearby");
@@ -28,11 +26,9 @@ journey("every paint shows the face another way, with a legend where colours are
       if (one < other) assert.ok(differenceNear(view, another, nose, 150) > 0.05, `${PAINTS[one]} looks like ${PAINTS[other]}`);
     }
   }
-}, { needs: "eyes" });
+});
 
-journey("lines, dots, density and open eyes and mouth each change what is drawn, and back", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("lines, dots, density and open eyes and mouth each change what is drawn, and back", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.unfold("section-view");
   const first = await visitor.view();
@@ -47,11 +43,9 @@ journey("lines, dots, density and open eyes and mouth each change what is drawn,
     await page.selectOption(`#${select}`, usual);
   }
   assert.equal(difference(first, await visitor.view()), 0, "the view did not come back");
-}, { needs: "eyes", isRare: true });
+});
 
-journey("the light follows the small sphere, and its colour what is chosen", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("the light follows the small sphere, and its colour what is chosen", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.unfold("section-view");
   await page.check("input[name='shading'][value='clay']", { force: true });
@@ -70,11 +64,9 @@ journey("the light follows the small sphere, and its colour what is chosen", asy
   assert.ok(difference(first, fromTheRight) > 0.05);
   await page.fill("#light-colour", "#ff4000");
   assert.ok(difference(fromTheRight, await visitor.view()) > 0.05);
-}, { needs: "eyes", isRare: true });
+});
 
-journey("a photo keeps the light that it was taken in; the lamp is for the others, or for who asks", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a photo keeps the light that it was taken in; the lamp is for the others, or for who asks", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.unfold("section-view");
   assert.ok(await page.locator("#lamp").evaluate((lamp) => lamp.disabled), "the lamp can be moved, and lights nothing");
@@ -86,11 +78,9 @@ journey("a photo keeps the light that it was taken in; the lamp is for the other
   await page.check("input[name='shading'][value='clay']", { force: true });
   assert.ok(await page.locator("#lamp").evaluate((lamp) => !lamp.disabled));
   assert.ok(await page.isHidden("#light-photo"));
-}, { needs: "eyes", isRare: true });
+});
 
-journey("before and after: all of it while the button or B is held, beside each other by an edge that moves", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("before and after: all of it while the button or B is held, beside each other by an edge that moves", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
   await visitor.dropSample();
   const before = await visitor.view();
   await visitor.findLandmark("nose tip");
@@ -140,11 +130,9 @@ journey("before and after: all of it while the button or B is held, beside each 
   await page.click("#compare");
   await visitor.dropSample();
   assert.ok(await page.isHidden("#wipe"), "another face is compared with nothing yet");
-}, { needs: "eyes", isRare: true });
+});
 
-journey("a picture that is saved shows the face alone", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a picture that is saved shows the face alone", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   const plain = PNG.sync.read(await visitor.download("download-picture"));
   await visitor.findLandmark("nose tip");
@@ -155,11 +143,9 @@ journey("a picture that is saved shows the face alone", async (open) => {
   await page.check("#anchors-shown");
   assert.ok(difference(unmarked, await visitor.view()) > 0, "what stays is not marked");
   assert.deepEqual(PNG.sync.read(await visitor.download("download-picture")), plain);
-}, { needs: "eyes" });
+});
 
-journey("the turntable turns until it is switched off", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("the turntable turns until it is switched off", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.unfold("section-view");
   const first = await visitor.view();
@@ -170,11 +156,9 @@ journey("the turntable turns until it is switched off", async (open) => {
   assert.ok(difference(first, turned) > 0.02, "nothing turned");
   await page.waitForTimeout(300);
   assert.equal(difference(turned, await visitor.view()), 0, "it went on turning");
-}, { needs: "eyes", isRare: true });
+});
 
-journey("the background is a colour of one's own, in the picture too, which can leave it out", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("the background is a colour of one's own, in the picture too, which can leave it out", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.unfold("section-view");
   await page.fill("#background-colour", "#0cb4fa");
@@ -191,7 +175,7 @@ journey("the background is a colour of one's own, in the picture too, which can 
   await visitor.reach("#background-plain");
   await page.uncheck("#background-plain");
   assert.notDeepEqual(corner(await visitor.view()), [0x0c, 0xb4, 0xfa, 255]);
-}, { needs: "eyes", isRare: true });
+});
 
 /** @param {import("./pixels.mjs").Pixels} pixels */
 function corner({ data }) {

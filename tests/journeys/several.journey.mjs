@@ -4,7 +4,7 @@ import { tmpdir } from "node:os";
 import path from "node:path";
 import { partsOfGlb } from "./changed-files.mjs";
 import { glbByCommandLine, meshByCommandLine } from "./command-line.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { assertSameShape, furthest } from "./meshes.mjs";
 import { faceless } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
@@ -44,17 +44,17 @@ async function addPhotos(visitor, files, count) {
   await visitor.untilFace();
 }
 
-/** @param {import("playwright-core").Page} page */
+/** @param {import("@playwright/test").Page} page */
 function rows(page) {
   return page.locator("#photo-list li span").allInnerTexts();
 }
 
-/** The side that each photo shows, whatever its angle. @param {import("playwright-core").Page} page */
+/** The side that each photo shows, whatever its angle. @param {import("@playwright/test").Page} page */
 async function sidesIn(page) {
   return (await rows(page)).map((row) => /to its (left|right)/.exec(row)?.[1]);
 }
 
-journey("photos from other sides make another mesh, the command line's, and are kept and taken away again", async (open) => {
+test("photos from other sides make another mesh, the command line's, and are kept and taken away again", async ({ open }) => {
   const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
   try {
     const visitor = await open();
@@ -105,9 +105,7 @@ journey("photos from other sides make another mesh, the command line's, and are 
   }
 });
 
-journey("a photo without a face is named and not added, and one from where there is one says that it adds little", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a photo without a face is named and not added, and one from where there is one says that it adds little", async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.findLandmark("nose tip");
   await visitor.offset("z", 9);
@@ -131,7 +129,7 @@ function pressRemove(page, row, presses) {
   }, { row, presses });
 }
 
-journey("a photo is removed once however often its button is pressed, and comes back by mouse or key with all that it gave", async (open) => {
+test("a photo is removed once however often its button is pressed, and comes back by mouse or key with all that it gave", async ({ open }) => {
   const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
   try {
     const visitor = await open();

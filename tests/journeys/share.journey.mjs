@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -14,9 +14,7 @@ const GAP = 0.008;
 /** What is looked at of a clip's frames. */
 const FRAME_PX = 180;
 
-journey("before and after are the halves of one picture, and the view stays as it was", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("before and after are the halves of one picture, and the view stays as it was", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
   await visitor.drop(await readFile(SAMPLE), "ana.png");
   await visitor.untilFace();
   const found = PNG.sync.read(await visitor.download("download-picture"));
@@ -37,11 +35,9 @@ journey("before and after are the halves of one picture, and the view stays as i
   assert.equal(differenceNear(left, right, { x: 40, y: 40 }, 30), 0, "they differ where nothing was edited");
   assert.ok(difference(below(left), below(middleOf(found, left.width))) > 0.005, "there is no caption");
   assertSame(await standing(visitor), before);
-}, { needs: "eyes", isRare: true });
+});
 
-journey("a picture of before and after that cannot be made says so and leaves the view as it was", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a picture of before and after that cannot be made says so and leaves the view as it was", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.findLandmark("nose tip");
   await visitor.offset("x", 12);
@@ -51,9 +47,9 @@ journey("a picture of before and after that cannot be made says so and leaves th
   await page.click("[data-action='download-pair']");
   assert.equal((await visitor.notice()).code, "not-drawn");
   assertSame(await standing(visitor), before);
-}, { needs: "eyes" });
+});
 
-journey("before and after are handed on where the browser can, and downloaded where it then will not", async (open) => {
+test("before and after are handed on where the browser can, and downloaded where it then will not", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ before: (context) => context.addInitScript(sendFiles) });
   const { page } = visitor;
   await visitor.dropSample();
@@ -69,18 +65,16 @@ journey("before and after are handed on where the browser can, and downloaded wh
   await page.click("[data-action='share-pair']");
   await page.waitForFunction(() => window["sent"].length === 3);
   assert.ok(await page.isHidden("#notice"));
-}, { isRare: true });
+});
 
-journey("a browser that hands nothing on has no button for it", async (open) => {
+test("a browser that hands nothing on has no button for it", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ before: (context) => context.addInitScript("delete Navigator.prototype.canShare") });
   await visitor.dropSample();
   await visitor.unfold("section-export");
   assert.ok(await visitor.page.isHidden("[data-action='share-pair']"));
-}, { isRare: true });
+});
 
-journey("the face swings once in a clip of four seconds without any tool, and is then as it was", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("the face swings once in a clip of four seconds without any tool, and is then as it was", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.drop(await readFile(SAMPLE), "ana.png");
   await visitor.untilFace();
   await visitor.findLandmark("nose tip");
@@ -110,15 +104,13 @@ journey("the face swings once in a clip of four seconds without any tool, and is
   assert.ok(Math.max(...turned) > 0.2, `it stands still: ${turned}`);
   assert.ok(difference(first, last) < 0.05, `it does not come back: ${difference(first, last)}`);
   assert.equal(accents(first), 0, "a tool is in the clip");
-}, { needs: "eyes" });
+});
 
-for (const { by, stop } of alike([
+for (const [{ by, stop }, tag] of alike([
   { by: "Escape", stop: (/** @type {import("./visitor.mjs").Visitor} */ { page }) => page.keyboard.press("Escape") },
   { by: "the button", stop: (/** @type {import("./visitor.mjs").Visitor} */ { page }) => page.click("#clip") },
 ])) {
-  journey(`a clip that is cancelled by ${by} leaves no file and no trace`, async (open) => {
-    const visitor = await open();
-    const { page } = visitor;
+  test(`a clip that is cancelled by ${by} leaves no file and no trace`, { tag: [...tag, "@eyes"] }, async ({ visitor, page }) => {
     await visitor.dropSample();
     await visitor.findLandmark("nose tip");
     await page.focus("#viewport");
@@ -135,12 +127,10 @@ for (const { by, stop } of alike([
     await page.waitForTimeout(1500);
     assert.equal(downloads, 0);
     assertSame(await standing(visitor), before);
-  }, { needs: "eyes" });
+  });
 }
 
-journey("a clip ends when the page goes out of sight, and says why", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a clip ends when the page goes out of sight, and says why", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
   await visitor.dropSample();
   const before = await visitor.view();
   await visitor.unfold("section-export");
@@ -149,11 +139,9 @@ journey("a clip ends when the page goes out of sight, and says why", async (open
   await page.evaluate(() => document.dispatchEvent(new Event("visibilitychange")));
   await untilInterrupted(page);
   assert.equal(difference(await visitor.view(), before), 0);
-}, { needs: "eyes", isRare: true });
+});
 
-journey("a clip ends when another face comes, which is seen as at first", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a clip ends when another face comes, which is seen as at first", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.drop(await readFile(SAMPLE), "another.png");
   await page.waitForSelector("#previous-face");
@@ -166,11 +154,9 @@ journey("a clip ends when another face comes, which is seen as at first", async 
   const opened = await visitor.view();
   await page.click("#toolbar [data-action='reset-view']");
   assert.equal(difference(await visitor.view(), opened), 0, "the face is turned by what the clip turned the other");
-}, { needs: "eyes", isRare: true });
+});
 
-journey("a clip ends when the graphics process crashes, and another can be recorded", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a clip ends when the graphics process crashes, and another can be recorded", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.unfold("section-export");
   await page.click("#clip");
@@ -182,9 +168,9 @@ journey("a clip ends when the graphics process crashes, and another can be recor
   await page.waitForTimeout(1000);
   await page.click("#clip");
   assert.equal((await coming).suggestedFilename(), "portrait-turning.webm");
-}, { needs: "eyes" });
+});
 
-journey("a browser that records nothing says so in place of the button", async (open) => {
+test("a browser that records nothing says so in place of the button", async ({ open }) => {
   const visitor = await open({ before: (context) => context.addInitScript("delete window.MediaRecorder") });
   const { page } = visitor;
   await visitor.dropSample();
@@ -210,12 +196,12 @@ function assertSame(now, before) {
   assert.equal(difference(now.view, before.view), 0, "the view is not what it was");
 }
 
-/** @param {import("playwright-core").Page} page */
+/** @param {import("@playwright/test").Page} page */
 function halfWay(page) {
   return page.waitForFunction(() => document.getElementById("clip-progress").value > 0.2);
 }
 
-/** @param {import("playwright-core").Page} page */
+/** @param {import("@playwright/test").Page} page */
 async function untilInterrupted(page) {
   await page.waitForSelector("#clip-line");
   assert.match(await page.innerText("#clip-line"), /interrupted/);
@@ -265,7 +251,7 @@ function accents({ data }) {
 /**
  * Looks at some frames of a clip, in a page of its own: the page's policy plays no films.
  *
- * @param {import("playwright-core").Browser} browser
+ * @param {import("@playwright/test").Browser} browser
  * @param {Buffer} bytes
  */
 async function played(browser, bytes) {

@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { STATES, withHeldWork, wrongWith } from "./states.mjs";
 
 /** Windows smaller than, or between, those of the contact sheets. */
@@ -10,8 +10,8 @@ const WINDOWS = [
 
 const SEEN = ["empty", "working", "arrived", "selected", "view", "export", "notice", "keys"];
 
-for (const { width, height, hasTouch = false } of alike(WINDOWS)) {
-  journey(`in a small window of ${width} × ${height} everything is in reach, and nothing overlaps or is cut`, async (open) => {
+for (const [{ width, height, hasTouch = false }, tag] of alike(WINDOWS)) {
+  test(`in a small window of ${width} × ${height} everything is in reach, and nothing overlaps or is cut`, { tag }, async ({ open }) => {
     const visitor = await open({ viewport: { width, height }, hasTouch, isMobile: hasTouch, before: withHeldWork });
     /** @type {string[]} */
     const found = [];

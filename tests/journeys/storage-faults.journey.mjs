@@ -1,14 +1,12 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { keptWorks } from "./kept.mjs";
 import { asJpeg } from "./pictures.mjs";
 import { anotherTab, continueIn, standing, untilKept } from "./tabs.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-journey("where the space runs out as the work is committed, the page says once that it is not kept, and goes on", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("where the space runs out as the work is committed, the page says once that it is not kept, and goes on", async ({ visitor, page }) => {
   const browser = await page.context().newCDPSession(page);
   const { origin } = new URL(page.url());
   await browser.send("Storage.overrideQuotaForOrigin", { origin, quotaSize: 20_000 });
@@ -31,14 +29,12 @@ journey("where the space runs out as the work is committed, the page says once t
   assert.deepEqual(await standing(visitor), next);
 });
 
-for (const [what, remove] of alike(/** @type {const} */ ([
+for (const [[what, remove], tag] of alike(/** @type {const} */ ([
   ["is deleted", deleteDatabase],
   ["loses the face", (page) => clearStore(page, "faces")],
   ["loses what was done", (page) => clearStore(page, "done")],
 ]))) {
-  journey(`the next change brings back everything to a database that ${what} while the page is open`, async (open) => {
-    const visitor = await open();
-    const { page } = visitor;
+  test(`the next change brings back everything to a database that ${what} while the page is open`, { tag }, async ({ visitor, page }) => {
     await visitor.dropSample();
     await edit(visitor, 9);
     await untilKept(visitor, 1);
@@ -68,8 +64,7 @@ const DAMAGES = [
   (face, { order: _, ...done }) => [face, { ...done, edits: 7 }],
 ];
 
-journey("works that are damaged in whatever way hide no older one", async (open) => {
-  const visitor = await open();
+test("works that are damaged in whatever way hide no older one", async ({ visitor }) => {
   await visitor.dropSample();
   await edit(visitor, 9);
   const work = await standing(visitor);
@@ -88,7 +83,7 @@ for (const [what, isLost, found] of /** @type {const} */ ([
   ["picture", "(size) => size > 1e6", "older"],
   ["photo's own file", "(size) => size === 1", "latest"],
 ])) {
-  journey(`where the ${what} of the latest work cannot be read, the ${found} work is opened`, async (open) => {
+  test(`where the ${what} of the latest work cannot be read, the ${found} work is opened`, async ({ open }) => {
     const { visitor, ...works } = await twoWorks(open);
     await visitor.page.evaluate(`(${loseBlob})(${isLost})`);
     await continueIn(visitor);
@@ -96,13 +91,11 @@ for (const [what, isLost, found] of /** @type {const} */ ([
   });
 }
 
-for (const [what, seize] of alike(/** @type {const} */ ([
+for (const [[what, seize], tag] of alike(/** @type {const} */ ([
   ["keeps the database from opening", seizeDatabase],
   ["has a transaction that does not end", seizeStores],
 ]))) {
-  journey(`while another tab ${what}, the page says once that nothing is kept, and later keeps all of it`, async (open) => {
-    const visitor = await open();
-    const { page } = visitor;
+  test(`while another tab ${what}, the page says once that nothing is kept, and later keeps all of it`, { tag }, async ({ visitor, page }) => {
     await visitor.dropSample();
     await edit(visitor, 9);
     await untilKept(visitor, 1);
@@ -131,7 +124,7 @@ for (const [what, seize] of alike(/** @type {const} */ ([
   });
 }
 
-journey("work that cannot be read for another tab's sake is not said to be damaged", async (open) => {
+test("work that cannot be read for another tab's sake is not said to be damaged", async ({ open }) => {
   const { visitor, latest } = await twoWorks(open);
   const { page } = visitor;
   const other = await anotherTab(visitor, page.url());
@@ -144,7 +137,7 @@ journey("work that cannot be read for another tab's sake is not said to be damag
   assert.deepEqual(await standing(visitor), latest);
 });
 
-journey("locks that are not answered keep no work from being kept and opened again", async (open) => {
+test("locks that are not answered keep no work from being kept and opened again", async ({ open }) => {
   const visitor = await open({ before: (context) => context.addInitScript(muteLocks) });
   const { page } = visitor;
   await visitor.dropSample();
@@ -157,7 +150,7 @@ journey("locks that are not answered keep no work from being kept and opened aga
   assert.deepEqual(await standing(visitor), work);
 });
 
-journey("the latest work is the one that was kept last, however the clock was set in between", async (open) => {
+test("the latest work is the one that was kept last, however the clock was set in between", { tag: "@rare" }, async ({ open }) => {
   const first = await open();
   const address = first.page.url();
   await first.dropSample();
@@ -190,7 +183,7 @@ journey("the latest work is the one that was kept last, however the clock was se
   await fourth.findLandmark("nose tip");
   assert.equal(Number(await fourth.page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]")), 3);
   for (const visitor of [third, fourth]) visitor.checkNothingBroke();
-}, { isRare: true });
+});
 
 /** Two works of one visitor, who is back on the page; the latest is the one of the sample itself. */
 async function twoWorks(open) {
@@ -237,12 +230,12 @@ async function addDamaged(damages) {
   database.close();
 }
 
-/** @param {import("playwright-core").Page} page */
+/** @param {import("@playwright/test").Page} page */
 function deleteDatabase(page) {
   return page.evaluate(() => new Promise((resolve) => (indexedDB.deleteDatabase("rosto").onsuccess = () => resolve())));
 }
 
-/** @param {import("playwright-core").Page} page @param {string} name */
+/** @param {import("@playwright/test").Page} page @param {string} name */
 function clearStore(page, name) {
   return page.evaluate(async (name) => {
     const database = await new Promise((resolve) => (indexedDB.open("rosto").onsuccess = ({ target }) => resolve(target.result)));

@@ -1,12 +1,12 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { keptWorks } from "./kept.mjs";
 import { asJpeg, twice } from "./pictures.mjs";
 import { anotherTab, continueIn, standing, untilKept } from "./tabs.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-journey("two tabs keep two works: each comes back with its own face and edits", async (open) => {
+test("two tabs keep two works: each comes back with its own face and edits", async ({ open }) => {
   const first = await open();
   const { page } = first;
   const address = page.url();
@@ -51,7 +51,7 @@ journey("two tabs keep two works: each comes back with its own face and edits", 
   for (const visitor of [second, third, fourth]) visitor.checkNothingBroke();
 });
 
-journey("a tab writes its own slot alone, and a new face does not write over the one before", async (open) => {
+test("a tab writes its own slot alone, and a new face does not write over the one before", { tag: "@rare" }, async ({ open }) => {
   const first = await open();
   const { page } = first;
   await first.dropSample();
@@ -75,9 +75,9 @@ journey("a tab writes its own slot alone, and a new face does not write over the
   assert.equal(now.length, 3);
   assert.deepEqual(now.find(({ slot }) => slot === kept.slot)?.edits, kept.edits);
   second.checkNothingBroke();
-}, { isRare: true });
+});
 
-journey("a face that was left in one tab and goes on in another comes back in the first as it was left there", async (open) => {
+test("a face that was left in one tab and goes on in another comes back in the first as it was left there", async ({ open }) => {
   const first = await open();
   const { page } = first;
   await first.drop(await twice(page, await readFile(SAMPLE)), "group.png");
@@ -118,7 +118,7 @@ journey("a face that was left in one tab and goes on in another comes back in th
   second.checkNothingBroke();
 });
 
-journey("work that is open in another tab by now is said to be there, or the next one is opened", async (open) => {
+test("work that is open in another tab by now is said to be there, or the next one is opened", async ({ open }) => {
   const first = await open();
   const { page } = first;
   await first.dropSample();

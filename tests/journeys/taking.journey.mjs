@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { way } from "./meshes.mjs";
 import { accentPixels } from "./pixels.mjs";
 
@@ -10,9 +10,7 @@ const NOSE_SIDES = [45, 275];
 const EYELIDS = [159, 386, 145, 374];
 const INNER_LIPS = [13, 14, 82, 87, 312, 317];
 
-journey("the nose goes sideways, too, without the mirror, and says so", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("the nose goes sideways, too, without the mirror, and says so", async ({ visitor, page }) => {
   await visitor.dropSample();
   assert.ok(await page.isChecked("#mirror"));
   const tip = await visitor.landmarkPlace(NOSE_TIP);
@@ -41,9 +39,7 @@ journey("the nose goes sideways, too, without the mirror, and says so", async (o
   assert.ok(lifted[1] > 3 && Math.hypot(lifted[0], lifted[2]) < 1e-9, `what a slider rounds is no move: ${lifted}`);
 });
 
-journey("a drag past a slider's end stops there and says so", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a drag past a slider's end stops there and says so", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   const tip = await visitor.landmarkPlace(NOSE_TIP);
   const start = await visitor.meshJson("mm");
@@ -56,11 +52,9 @@ journey("a drag past a slider's end stops there and says so", async (open) => {
   const slider = page.locator("#landmark-sliders [data-axis='y'] input[type=number]");
   assert.equal(await slider.inputValue(), await slider.getAttribute("max"));
   assert.ok(Math.abs(way(start, await visitor.meshJson("mm"), NOSE_TIP)[1] - Number(await slider.inputValue())) < 1e-9);
-}, { isRare: true });
+});
 
-journey("an edit is near and shows how far it reaches: pulling the nose leaves teeth and eyelids alone", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("an edit is near and shows how far it reaches: pulling the nose leaves teeth and eyelids alone", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.findLandmark("nose tip");
   assert.ok(await page.isChecked("#nearby") && (await page.isChecked("input[name='preset'][value='sculpt']")));
@@ -89,11 +83,10 @@ journey("an edit is near and shows how far it reaches: pulling the nose leaves t
   }
   const [near, whole] = shots;
   assert.ok(accentPixels(near) > accentPixels(whole) + 60, `${accentPixels(near)} and ${accentPixels(whole)} pixels of the accent`);
-}, { needs: "eyes" });
+});
 
-for (const [mode, least] of alike(/** @type {const} */ ([["landmark", 12], ["region", 12], ["point", 12]]))) {
-  journey(`what lights up under the pointer is what a press takes: ${mode}`, async (open) => {
-    const visitor = await open();
+for (const [[mode, least], tag] of alike(/** @type {const} */ ([["landmark", 12], ["region", 12], ["point", 12]]))) {
+  test(`what lights up under the pointer is what a press takes: ${mode}`, { tag }, async ({ visitor }) => {
     await visitor.dropSample();
     await visitor.reach("#selection");
     await visitor.page.check(`input[name='selection'][value='${mode}']`, { force: true });
@@ -103,9 +96,7 @@ for (const [mode, least] of alike(/** @type {const} */ ([["landmark", 12], ["reg
   });
 }
 
-journey("what lights up below a pointer that rests is what a press takes, however the face has moved there", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("what lights up below a pointer that rests is what a press takes, however the face has moved there", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   const tip = await visitor.landmarkPlace(NOSE_TIP);
   const { x, y } = { x: tip.x + 45, y: tip.y - 30 };
@@ -129,11 +120,9 @@ journey("what lights up below a pointer that rests is what a press takes, howeve
     await page.mouse.move(x, y);
   }
   assert.ok(names.size > 3, `the same everywhere: ${[...names]}`);
-}, { isRare: true });
+});
 
-journey("beside the face, or with another button, the face turns; with Shift it moves", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("beside the face, or with another button, the face turns; with Shift it moves", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   const tip = await visitor.landmarkPlace(NOSE_TIP);
   const brow = await visitor.landmarkPlace(FOREHEAD);
@@ -159,4 +148,4 @@ journey("beside the face, or with another button, the face turns; with Shift it 
     }
   }
   assert.deepEqual(await visitor.history(), []);
-}, { isRare: true });
+});

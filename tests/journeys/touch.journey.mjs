@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { way } from "./meshes.mjs";
 import { difference } from "./pixels.mjs";
 
@@ -7,7 +7,7 @@ const NOSE_TIP = 1;
 const LOWER_LIP = 17;
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
 
-journey("on a phone two fingers turn the face and pinch it larger, three move it, and one drags what it is on", async (open) => {
+test("on a phone two fingers turn the face and pinch it larger, three move it, and one drags what it is on", async ({ open }) => {
   const visitor = await open(PHONE);
   const { page } = visitor;
   await visitor.dropSample();
@@ -54,7 +54,7 @@ journey("on a phone two fingers turn the face and pinch it larger, three move it
   assert.ok(along[1] > 2 && Math.hypot(along[0], along[2]) < 1e-9, `it went by ${along}`);
 });
 
-journey("on a phone a tap selects and a drag moves it, while a second finger changes how far that reaches", async (open) => {
+test("on a phone a tap selects and a drag moves it, while a second finger changes how far that reaches", async ({ open }) => {
   const visitor = await open(PHONE);
   const { page } = visitor;
   await visitor.dropSample();
@@ -86,7 +86,7 @@ journey("on a phone a tap selects and a drag moves it, while a second finger cha
   assert.equal(await visitor.landmark(), LOWER_LIP);
 });
 
-journey("on a phone one finger beside the face turns it", async (open) => {
+test("on a phone one finger beside the face turns it", { tag: "@eyes" }, async ({ open }) => {
   const visitor = await open(PHONE);
   const { page } = visitor;
   await visitor.dropSample();
@@ -96,9 +96,9 @@ journey("on a phone one finger beside the face turns it", async (open) => {
   await stroke(touch, [[{ x: 12, y: at.y + at.height - 90 }], [{ x: 112, y: at.y + at.height - 90 }]]);
   assert.ok(difference(start, await visitor.view()) > 0.02, "one finger did not turn the face");
   assert.deepEqual(await visitor.history(), []);
-}, { needs: "eyes" });
+});
 
-journey("on a phone the sheet leaves most of the face free, and nothing scrolls sideways at 360 px", async (open) => {
+test("on a phone the sheet leaves most of the face free, and nothing scrolls sideways at 360 px", async ({ open }) => {
   const visitor = await open({ ...PHONE, viewport: { width: 360, height: 740 } });
   const { page } = visitor;
   await visitor.dropSample();
@@ -114,8 +114,8 @@ journey("on a phone the sheet leaves most of the face free, and nothing scrolls 
   }
 });
 
-for (const width of alike([360, 390, 820, 1024, 1280])) {
-  journey(`nothing floats over anything else at ${width} px`, async (open) => {
+for (const [width, tag] of alike([360, 390, 820, 1024, 1280])) {
+  test(`nothing floats over anything else at ${width} px`, { tag }, async ({ open }) => {
     const visitor = await open({ ...PHONE, viewport: { width, height: 800 } });
     const { page } = visitor;
     await visitor.dropSample();
@@ -140,7 +140,7 @@ function areApart(one, other) {
 /**
  * Moves fingers from place to place.
  *
- * @param {import("playwright-core").CDPSession} touch
+ * @param {import("@playwright/test").CDPSession} touch
  * @param {{ x: number, y: number }[][]} places
  */
 async function stroke(touch, [from, to]) {

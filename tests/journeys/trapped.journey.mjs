@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 
-journey("nothing is asked of a module that has trapped, whatever is pressed before and after another one is there", async (open) => {
+test("nothing is asked of a module that has trapped, whatever is pressed before and after another one is there", async ({ open }) => {
   const visitor = await open({ before: (context) => context.addInitScript(countCalls) });
   const { page } = visitor;
   await visitor.untilLoaded();

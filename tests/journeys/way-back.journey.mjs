@@ -1,18 +1,16 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { keptWorks } from "./kept.mjs";
 import { anotherTab, continueIn, standing, untilKept } from "./tabs.mjs";
 
-const NEEDS = /** @type {const} */ ({ needs: "way-back" });
-
-journey("work of a page that was left by a link is offered in another tab", async (open) => {
+test("work of a page that was left by a link is offered in another tab", { tag: "@way-back" }, async ({ open }) => {
   const { visitor, address } = await leave(open);
   const other = await anotherTab(visitor, address);
   await other.page.waitForSelector("#continue:not([hidden])");
   other.checkNothingBroke();
-}, NEEDS);
+});
 
-journey("a page that is gone back to goes on with its work", async (open) => {
+test("a page that is gone back to goes on with its work", { tag: "@way-back" }, async ({ open }) => {
   const { visitor, page } = await leave(open);
   assert.ok(await goBack(page), "the browser did not keep the page");
   await untilHeld(visitor, 1);
@@ -23,10 +21,10 @@ journey("a page that is gone back to goes on with its work", async (open) => {
   await page.reload();
   await continueIn(visitor);
   assert.deepEqual(await standing(visitor), work);
-}, NEEDS);
+});
 
 for (const [how, stays] of /** @type {const} */ ([["is open in", true], ["went on in", false]])) {
-  journey(`a page that is gone back to leaves alone the work that ${how} another tab`, async (open) => {
+  test(`a page that is gone back to leaves alone the work that ${how} another tab`, { tag: "@way-back" }, async ({ open }) => {
     const { visitor, page, address } = await leave(open);
     const other = await anotherTab(visitor, address);
     await continueIn(other);
@@ -52,7 +50,7 @@ for (const [how, stays] of /** @type {const} */ ([["is open in", true], ["went o
       assert.deepEqual(await standing(visitor), work);
     }
     next.checkNothingBroke();
-  }, NEEDS);
+  });
 }
 
 /** Edits a face and follows a link to somewhere else. */
@@ -84,7 +82,7 @@ async function goOn(visitor) {
 /**
  * Goes back; returns whether the browser had kept the page. Chromium 148 drops it once another tab asks for any lock.
  *
- * @param {import("playwright-core").Page} page
+ * @param {import("@playwright/test").Page} page
  */
 async function goBack(page) {
   await page.goBack({ waitUntil: "commit" });

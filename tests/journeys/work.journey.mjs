@@ -1,9 +1,8 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
 
-journey("the work survives a reload and is offered again", async (open) => {
-  const visitor = await open();
+test("the work survives a reload and is offered again", async ({ visitor }) => {
   await visitor.dropSample();
   await visitor.findLandmark("nose tip");
   await visitor.offset("z", 9);
@@ -17,7 +16,7 @@ journey("the work survives a reload and is offered again", async (open) => {
   assert.notDeepEqual(await visitor.meshJson("mm"), work);
 });
 
-journey("a project file brings the face and its edits to another browser", async (open) => {
+test("a project file brings the face and its edits to another browser", async ({ open }) => {
   const first = await open();
   await first.dropSample();
   await first.findLandmark("nose tip");
@@ -36,9 +35,7 @@ journey("a project file brings the face and its edits to another browser", async
   assert.deepEqual(await second.meshJson("mm"), work);
 });
 
-journey("history lists the edits, and each can be switched off and on", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("history lists the edits, and each can be switched off and on", async ({ visitor, page }) => {
   await visitor.dropSample();
   const start = await visitor.meshJson("mm");
   await visitor.findLandmark("nose tip");
@@ -65,9 +62,7 @@ journey("history lists the edits, and each can be switched off and on", async (o
   assert.equal(await page.locator("#history li").count(), 2);
 });
 
-journey("a key held down shows the face as it was found", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a key held down shows the face as it was found", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.findLandmark("nose tip");
   await page.focus("#viewport");
@@ -83,4 +78,4 @@ journey("a key held down shows the face as it was found", async (open) => {
   assert.ok(difference(before, after) > 0.002);
   assert.ok(difference(after, released) === 0, "letting go did not bring the edit back");
   assert.ok(difference(before, held) < difference(after, held), "the held key did not show the face as it was found");
-}, { needs: "eyes" });
+});

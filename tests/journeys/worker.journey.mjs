@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { colourCount } from "./pixels.mjs";
 import { faceless } from "./pictures.mjs";
 import { DIST, serve } from "./server.mjs";
@@ -9,7 +9,7 @@ import { SAMPLE } from "./visitor.mjs";
 
 const WORKER_MODULE = "**/rosto-vision-web_bg.wasm";
 
-journey("the page draws and answers before the worker's module has arrived", async (open) => {
+test("the page draws and answers before the worker's module has arrived", { tag: "@eyes" }, async ({ open }) => {
   let deliver = () => {};
   const held = new Promise((resolve) => (deliver = resolve));
   const visitor = await open({
@@ -28,10 +28,9 @@ journey("the page draws and answers before the worker's module has arrived", asy
   await visitor.page.waitForSelector("#progress-title:has-text('Loading the face networks')");
   deliver();
   await visitor.untilFace();
-}, { needs: "eyes" });
+});
 
-journey("a worker that dies is started again, and the work on screen stays", async (open) => {
-  const visitor = await open();
+test("a worker that dies is started again, and the work on screen stays", async ({ visitor }) => {
   await visitor.dropSample();
   await visitor.findLandmark("nose tip");
   await visitor.offset("z", 7);
@@ -46,8 +45,7 @@ journey("a worker that dies is started again, and the work on screen stays", asy
   await visitor.page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
 });
 
-journey("a photo that takes the worker down leaves the work and a message", async (open) => {
-  const visitor = await open();
+test("a photo that takes the worker down leaves the work and a message", async ({ visitor }) => {
   await visitor.dropSample();
   await visitor.findLandmark("nose tip");
   await visitor.offset("z", 7);
@@ -67,7 +65,7 @@ journey("a photo that takes the worker down leaves the work and a message", asyn
   await visitor.dropSample();
 });
 
-journey("a worker that never comes is given up after a minute, and the next photo starts another", async (open) => {
+test("a worker that never comes is given up after a minute, and the next photo starts another", { tag: "@rare" }, async ({ open }) => {
   let silences = true;
   const visitor = await open({
     before: async (context) => {
@@ -91,9 +89,9 @@ journey("a worker that never comes is given up after a minute, and the next phot
   silences = false;
   await visitor.dropSample();
   assert.ok(await page.isHidden("#notice"));
-}, { isRare: true });
+});
 
-journey("a worker on a slow connection is waited for", async (open) => {
+test("a worker on a slow connection is waited for", async ({ open }) => {
   const module = "wasm/rosto-vision-web_bg.wasm";
   const bytes = await readFile(path.join(DIST, module));
   const piece_bytes = Math.ceil(bytes.length / 6);
@@ -125,7 +123,7 @@ journey("a worker on a slow connection is waited for", async (open) => {
   }
 });
 
-journey("the bar shows how much of the whole is done, and never goes back", async (open) => {
+test("the bar shows how much of the whole is done, and never goes back", async ({ open }) => {
   const visitor = await open({
     before: (context) =>
       context.addInitScript(() => {

@@ -1,0 +1,78 @@
+import { test as base } from "@playwright/test";
+import { Browsers, kindFor } from "./browsers.mjs";
+import { DIST, serve } from "./server.mjs";
+import { Visitor } from "./visitor.mjs";
+
+const BELOW = "/some/where/";
+
+/**
+ * Tests of the page. Tags choose the browser: `@eyes` (screenshots show the 3D view), `@webgl`, `@no-gpu`, `@camera`,
+ * `@moving-camera` (plays the film of film-frames.mjs), `@seen-camera` (both of the former), `@way-back` (keeps the pages that are left).
+ * `@rare` tests are left out of the usual run.
+ */
+export const test = base.extend({
+  /** Browsers of this worker, each launched when a test first needs it. */
+  browsers: [
+    // biome-ignore lint/correctness/noEmptyPattern: Playwright reads the dependencies here
+    async ({}, use) => {
+      const browsers = new Browsers();
+      await use(browsers);
+      await browsers.close();
+    },
+    { scope: "worker" },
+  ],
+
+  /** Server of the built page. */
+  server: [
+    // biome-ignore lint/correctness/noEmptyPattern: Playwright reads the dependencies here
+    async ({}, use) => {
+      const server = await serve(DIST, BELOW);
+      await use(server);
+      server.close();
+    },
+    { scope: "worker" },
+  ],
+
+  /** Opens the page in a new browser context; takes the options of {@link Visitor.arrive} and another `url`. */
+  open: async ({ browsers, server }, use, testInfo) => {
+    const kind = kindFor(testInfo.tags);
+    /** @type {Visitor[]} */
+    const visitors = [];
+    try {
+      await use(async ({ url = server.url, ...options } = {}) => {
+        const visitor = await Visitor.arrive(await browsers.get(kind), url, options);
+        visitor.sees = browsers.sees(kind);
+        visitors.push(visitor);
+        return visitor;
+      });
+      for (const visitor of visitors) visitor.checkNothingBroke();
+    } finally {
+      await attachConsoles(visitors, testInfo);
+      for (const visitor of visitors) await browsers.release(visitor);
+    }
+  },
+
+  visitor: async ({ open }, use) => use(await open()),
+
+  page: async ({ visitor }, use) => use(visitor.page),
+});
+
+/**
+ * Similar cases: the usual run takes the first, each other is rare.
+ *
+ * @template T
+ * @param {readonly T[]} cases
+ * @returns {[T, string[]][]} each with its tags
+ */
+export function alike(cases) {
+  return cases.map((one, place) => [one, place === 0 ? [] : ["@rare"]]);
+}
+
+/** @param {Visitor[]} visitors @param {import("@playwright/test").TestInfo} testInfo */
+async function attachConsoles(visitors, testInfo) {
+  if (testInfo.status === testInfo.expectedStatus && testInfo.errors.length === 0) return;
+  for (const { said, browserSaid } of visitors) {
+    const lines = [...said.map((line) => `page: ${line}`), ...browserSaid.map((line) => `browser: ${line}`)];
+    await testInfo.attach("console", { body: lines.join("\n"), contentType: "text/plain" });
+  }
+}
