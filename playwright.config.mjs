@@ -12,6 +12,7 @@ export default defineConfig({
   // Tests that pass only then are listed as flaky.
   retries: 1,
   reporter: "list",
+  expect: { timeout: 30_000 },
   use: { trace: "on-first-retry" },
   projects: [
     { name: "usual", testMatch: JOURNEYS, grepInvert: /@rare/ },

@@ -31,8 +31,7 @@ export async function* audits(visitor) {
   await visitor.untilLoaded();
   yield await audit(page, "empty");
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 5);
+  await visitor.move("nose tip", "z", 5);
   for (const section of SECTIONS) {
     await visitor.unfold(`section-${section}`);
     if (section === "paper") await runPaper(page);
@@ -53,14 +52,14 @@ export async function* audits(visitor) {
   yield await audit(page, "notice");
 }
 
-/** @param {import("playwright-core").Page} page */
+/** @param {import("@playwright/test").Page} page */
 async function runPaper(page) {
   await page.click("[data-action='run-paper']");
   await page.waitForSelector("#paper-results:not([hidden])", { timeout: 150_000 });
 }
 
 /**
- * @param {import("playwright-core").Page} page
+ * @param {import("@playwright/test").Page} page
  * @param {string} state
  */
 async function audit(page, state) {

@@ -1,4 +1,4 @@
-/** @typedef {{ id: string, options: import("playwright-core").BrowserContextOptions }} Audience */
+/** @typedef {{ id: string, options: import("@playwright/test").BrowserContextOptions }} Audience */
 
 const TOUCH = { hasTouch: true, isMobile: true };
 

@@ -6,8 +6,7 @@ import { SAMPLE } from "./visitor.mjs";
 
 test("what is no photo of a face gets a message each, and the page works on", async ({ visitor }) => {
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 4);
+  await visitor.move("nose tip", "z", 4);
   const work = await visitor.meshJson("mm");
 
   const jpeg = await asJpeg(visitor.page, await readFile(SAMPLE));

@@ -4,6 +4,10 @@ import { alike, test } from "./fixtures.mjs";
 
 /** Counts how often the page asks for the camera, and what becomes of it. */
 const before = (/** @type {import("@playwright/test").BrowserContext} */ context) => context.addInitScript(watchCamera);
+const beforeWithClock = (/** @type {import("@playwright/test").BrowserContext} */ context) => Promise.all([context.clock.install(), before(context)]);
+
+/** Longer than the countdown. */
+const COUNTED_MS = 5000;
 
 test("a double click opens one camera, and Escape stops it", { tag: "@camera" }, async ({ open }) => {
   const visitor = await open({ before });
@@ -63,7 +67,7 @@ test("the dialog is there while the browser asks, and a camera allowed after it 
 
 for (const [moment, tag] of alike(["before the photo", "during the countdown"])) {
   test(`a camera that is unplugged ${moment} closes the dialog with a message, and no photo is taken`, { tag: [...tag, "@camera"] }, async ({ open }) => {
-    const visitor = await open({ before });
+    const visitor = await open({ before: beforeWithClock });
     const { page } = visitor;
     await page.click("#welcome [data-action='camera']");
     await page.waitForSelector("#camera-shutter:enabled");
@@ -71,7 +75,8 @@ for (const [moment, tag] of alike(["before the photo", "during the countdown"]))
     await page.evaluate(() => window.unplugCamera());
     assert.equal((await visitor.notice()).code, "camera-lost");
     assert.ok(await page.isHidden("#camera"));
-    await page.waitForTimeout(4000);
+    await page.clock.runFor(COUNTED_MS);
+    await visitor.frames(10);
     assert.equal(await page.getAttribute("#notice", "data-code"), "camera-lost");
     assert.equal(await page.getAttribute("body", "data-state"), "empty");
     assert.equal((await camera(visitor)).live, 0);
@@ -79,7 +84,7 @@ for (const [moment, tag] of alike(["before the photo", "during the countdown"]))
 }
 
 test("Escape during the countdown takes no photo", { tag: ["@camera", "@rare"] }, async ({ open }) => {
-  const visitor = await open({ before });
+  const visitor = await open({ before: beforeWithClock });
   const { page } = visitor;
   await page.click("#welcome [data-action='camera']");
   await page.click("#camera-shutter:enabled");
@@ -88,7 +93,8 @@ test("Escape during the countdown takes no photo", { tag: ["@camera", "@rare"] }
   await untilClosed(page);
   // Open again: the first countdown must not take the second one's photo.
   await page.click("#welcome [data-action='camera']");
-  await page.waitForTimeout(4500);
+  await page.clock.runFor(COUNTED_MS);
+  await visitor.frames(10);
   assert.ok(await page.isVisible("#camera"));
   assert.equal(await page.innerText("#camera-countdown"), "");
   assert.equal(await page.getAttribute("body", "data-state"), "empty");

@@ -100,8 +100,7 @@ test("edits of points come back from a GLB, and stay where they are when eyes an
   const visitor = await arriveAtPoints(open, 2);
   const { page } = visitor;
   const start = await visitor.meshJson("mm");
-  await visitor.findLandmark("5000");
-  await visitor.offset("z", 2);
+  await visitor.move("5000", "z", 2);
   const moved = await visitor.meshJson("mm");
   const history = await visitor.history();
   const glb = await visitor.download("download-glb");

@@ -4,11 +4,14 @@ import { appendFile, cp, mkdtemp, readFile, readdir, rm } from "node:fs/promises
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { promisify } from "node:util";
+import { expect } from "@playwright/test";
 import { alike, test } from "./fixtures.mjs";
 import { DIST, serve } from "./server.mjs";
-import { anotherTab } from "./tabs.mjs";
 
 const LISTING = path.resolve(import.meta.dirname, "../../web/list-for-offline.mjs");
+
+/** Scripts that a tab loads late. */
+const LATE = ["js/page/tasks.js", "js/worker/frames.js", "js/worker/validator-worker.js"];
 
 /** What only browsers without WebGPU store. */
 const FALLBACK = /^wasm\/rosto-studio-webgl/;
@@ -18,7 +21,7 @@ for (const [[when, how, needs], tag] of alike(/** @type {const} */ ([
   ["opened without WebGPU", { reloads: true }, "webgl"],
 ]))) {
   test(`a tab that was ${when} keeps its version after a deploy, and a new one has the new version`, { tag: [...tag, `@${needs}`] }, async ({ open }) => {
-    await withBuilds(async (server, newer) => {
+    await withBuilds(async (server, older, newer) => {
       const old = await open({ url: server.url, serviceWorkers: "allow" });
       await old.untilLoaded();
       if (how.reloads) await old.page.reload();
@@ -26,8 +29,8 @@ for (const [[when, how, needs], tag] of alike(/** @type {const} */ ([
       if (needs === "webgl") await untilFallbackStored(old);
 
       server.deploy(newer);
-      await expectBuild(old, DIST, needs);
-      const next = await anotherTab(old, server.url);
+      await expectBuild(old, older, needs);
+      const next = await old.anotherTab();
       await expectBuild(next, newer, needs);
       await next.page.reload();
       await next.untilLoaded();
@@ -37,10 +40,10 @@ for (const [[when, how, needs], tag] of alike(/** @type {const} */ ([
       // The browser ends a service worker that has had nothing to do for a while.
       for (const visitor of [old, next, old]) {
         await stopServiceWorkers(visitor.page);
-        await expectBuild(visitor, visitor === old ? DIST : newer, needs);
+        await expectBuild(visitor, visitor === old ? older : newer, needs);
       }
-      assert.deepEqual(await runsIn(old), { page: "older", worker: "older", validator: "older" });
-      assert.deepEqual(await runsIn(next), { page: "newer", worker: "newer", validator: "newer" });
+      await expectScripts(old, "older");
+      await expectScripts(next, "newer");
       await old.page.bringToFront();
       await old.dropSample();
       server.disturb((_, response) => Boolean(response.writeHead(503).end()));
@@ -64,48 +67,52 @@ for (const [[when, how, needs], tag] of alike(/** @type {const} */ ([
       await next.page.reload();
       await next.page.waitForSelector("body[data-bench='open']");
       await expectBuild(next, newer, needs);
-      next.checkNothingBroke();
     });
   });
 }
 
 test("a version that was never stored is not made up of files of the next one", async ({ open }) => {
-  await withBuilds(async (server, newer) => {
+  await withBuilds(async (server, older, newer) => {
     const old = await open({ url: server.url, serviceWorkers: "allow" });
     await old.untilLoaded();
     server.deploy(newer);
     server.disturb((name, response) => name === "service-worker.js" && Boolean(response.writeHead(503).end()));
-    const next = await anotherTab(old, server.url);
+    const next = await old.anotherTab();
     await expectBuild(next, newer);
     // As if a third version were out.
-    server.deploy(DIST);
+    server.deploy(older);
     const files = ["words/pt.json", "js/page/tasks.js", "css/base.css"];
     assert.deepEqual(await hashesIn(next.page, files), files.map(() => "refused"));
-    await expectBuild(old, DIST);
+    await expectBuild(old, older);
   });
 });
 
 /**
- * Serves the page as it was built, and makes another build of it in which each file that can take a comment has another.
+ * Makes two builds of the page, which differ in each file that can take a comment, and serves the older one.
  *
- * @param {(server: Awaited<ReturnType<typeof serve>>, newer: string) => Promise<void>} use
+ * @param {(server: Awaited<ReturnType<typeof serve>>, older: string, newer: string) => Promise<void>} use
  */
 async function withBuilds(use) {
-  const newer = await mkdtemp(path.join(tmpdir(), "rosto-build-"));
-  const server = await serve(DIST, "/deployed/");
+  const builds = await Promise.all(["older", "newer"].map(buildOf));
+  const server = await serve(builds[0], "/deployed/");
   try {
-    await cp(DIST, newer, { recursive: true });
-    const files = (await readdir(newer, { recursive: true })).filter((name) => /^(js|css|words|wasm)\/.*\.(js|css|json)$/.test(name));
-    for (const name of files) await appendFile(path.join(newer, name), name.endsWith("json") ? "\n" : "\n/* newer */\n");
-    for (const name of ["js/page/tasks.js", "js/worker/frames.js", "js/worker/validator-worker.js"]) {
-      await appendFile(path.join(newer, name), 'globalThis.build = "newer";\n');
-    }
-    await promisify(execFile)(process.execPath, [LISTING], { env: { ...process.env, TRUNK_STAGING_DIR: newer } });
-    await use(server, newer);
+    await use(server, ...builds);
   } finally {
     server.close();
-    await rm(newer, { recursive: true });
+    for (const build of builds) await rm(build, { recursive: true });
   }
+}
+
+/** A build whose late scripts name it as `build`. @param {string} name */
+async function buildOf(name) {
+  const folder = await mkdtemp(path.join(tmpdir(), "rosto-build-"));
+  await cp(DIST, folder, { recursive: true });
+  const files = (await readdir(folder, { recursive: true })).filter((name) => /^(js|css|words|wasm)\/.*\.(js|css|json)$/.test(name));
+  const text = (file) => (file.endsWith("json") ? " ".repeat(name.length - 4) : `/* ${name} */`);
+  for (const file of files) await appendFile(path.join(folder, file), `\n${text(file)}\n`);
+  for (const file of LATE) await appendFile(path.join(folder, file), `globalThis.build = "${name}";\n`);
+  await promisify(execFile)(process.execPath, [LISTING], { env: { ...process.env, TRUNK_STAGING_DIR: folder } });
+  return folder;
 }
 
 /** Whether a tab gets each file as it is in a build; one that this browser has not stored, as it is or not at all. */
@@ -132,40 +139,27 @@ function hashesIn(page, files) {
   }, files);
 }
 
-/** Which build the scripts are of that a tab loads late: a module, a worker that is started again, and another worker. */
-async function runsIn({ page }) {
+/** Expects scripts of a build where a tab loads them late: a module, a worker that is started again, and another worker. */
+async function expectScripts({ page }, build) {
   await page.evaluate(() => {
     delete globalThis.build;
     return import("./js/page/tasks.js?late");
   });
-  const read = (place) => place.evaluate(() => globalThis.build ?? "older");
   const dying = page.workers().find((worker) => worker.url().endsWith("vision-worker.js"));
   const [worker] = await Promise.all([page.waitForEvent("worker"), dying.evaluate(() => self.close()).catch(() => {})]);
   const start = async () => new (await import("./js/page/validator.js")).Validator().start();
   const [validator] = await Promise.all([page.waitForEvent("worker"), page.evaluate(start)]);
-  await page.waitForTimeout(1000);
-  return { page: await read(page), worker: await read(worker), validator: await read(validator) };
+  for (const place of [page, worker, validator]) await expect.poll(() => place.evaluate(() => globalThis.build)).toBe(build);
 }
 
 async function untilFallbackStored({ page }) {
-  const isStored = () => page.evaluate(async () => Boolean(await caches.match("wasm/rosto-studio-webgl_bg.wasm")));
-  for (let tries = 0; !(await isStored()); tries += 1) {
-    assert.ok(tries < 100, "the module for WebGL2 is not stored");
-    await page.waitForTimeout(100);
-  }
-}
-
-/** @param {import("@playwright/test").Page} page */
-function stores(page) {
-  return page.evaluate(async () => (await caches.keys()).filter((name) => name !== "rosto-notes"));
+  await page.waitForFunction(async () => Boolean(await caches.match("wasm/rosto-studio-webgl_bg.wasm")));
 }
 
 /** Waits until the stores are those of so many versions. */
 async function untilStored({ page }, count) {
-  for (let tries = 0; (await stores(page)).length !== count; tries += 1) {
-    assert.ok(tries < 100, `the stores are ${await stores(page)}`);
-    await page.waitForTimeout(100);
-  }
+  const stores = () => page.evaluate(async () => (await caches.keys()).filter((name) => name !== "rosto-notes"));
+  await expect.poll(async () => (await stores()).length).toBe(count);
 }
 
 /** @param {import("@playwright/test").Page} page */

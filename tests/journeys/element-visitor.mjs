@@ -2,6 +2,7 @@ import { PNG } from "pngjs";
 import { test as base } from "./fixtures.mjs";
 import { installed, SITE } from "./package.mjs";
 import { serve } from "./server.mjs";
+import { watchGpus } from "./watches.mjs";
 
 const BELOW = "/a/page/";
 /** What the element tells. */
@@ -20,7 +21,8 @@ export const test = base.extend({
     await installed();
     const server = await serve(SITE, BELOW);
     const arrive = async (url = server.url) => {
-      return new ElementVisitor(await open({ url, before: (context) => context.addInitScript(listen, EVENTS) }));
+      const before = (context) => Promise.all([context.addInitScript(watchGpus), context.addInitScript(listen, EVENTS)]);
+      return new ElementVisitor(await open({ url, before }));
     };
     await use({ page: pagesOn(server), arrive, open });
     server.close();
@@ -139,18 +141,8 @@ export class ElementVisitor {
   }
 }
 
-/** Runs in the page before it: remembers what elements tell, and which GPUs they were given and have given back. @param {string[]} types */
+/** Runs in the page before it: remembers what elements tell. @param {string[]} types */
 function listen(types) {
   window.heard = [];
   for (const type of types) addEventListener(type, ({ detail }) => window.heard.push({ type, detail: detail && structuredClone(detail) }));
-  window.gpus = [];
-  const ask = globalThis.GPUAdapter?.prototype.requestDevice;
-  if (!ask) return;
-  globalThis.GPUAdapter.prototype.requestDevice = async function (...wishes) {
-    const device = await ask.apply(this, wishes);
-    const gpu = { isGone: false };
-    window.gpus.push(gpu);
-    device.lost.then(() => (gpu.isGone = true));
-    return device;
-  };
 }

@@ -8,8 +8,7 @@ const LIMIT_MS = 30_000;
 
 test("a project of 20 000 edits opens, and edits and undo are as quick as ever", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 1);
+  await visitor.move("nose tip", "z", 1);
   const project = changedProject(await visitor.download("save-project"), (header) => {
     const [entry] = header.edits.entries;
     header.edits.entries = Array.from({ length: ENTRIES }, (_, place) => {
@@ -78,10 +77,7 @@ test("a panel that fails does not keep the others from what they show", { tag: "
   assert.equal(await visitor.sliderValue("nose-width"), 4);
   // What could not be shown is said.
   assert.equal((await visitor.notice()).code, "other");
-  await page.waitForTimeout(600);
-  await page.reload();
-  await page.click("#continue");
-  await visitor.untilFace();
+  await visitor.comeBack();
   assert.equal(await visitor.sliderValue("nose-width"), 4);
 });
 
@@ -108,8 +104,7 @@ test("on a dense mesh a point that is not there is not said to be between 0 and 
 test("what the module hands out is given back: 200 edits and undos leave no objects behind", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await page.evaluate(countObjects);
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 1);
+  await visitor.move("nose tip", "z", 1);
   const before = await page.evaluate("objects()");
   await page.evaluate(async () => {
     const input = document.querySelector("#landmark-sliders [data-axis='z'] input[type=number]");

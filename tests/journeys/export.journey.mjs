@@ -18,8 +18,7 @@ const DENSITIES = [
 test("a GLB of every density passes the validator, which says so on the page before the download", async ({ visitor, page }) => {
   await visitor.untilLoaded();
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 5);
+  await visitor.move("nose tip", "z", 5);
   await visitor.unfold("section-export");
   for (const [density, { vertices, triangles }] of DENSITIES.entries()) {
     await page.selectOption("#export-density", String(density));
@@ -40,8 +39,7 @@ test("a GLB of every density passes the validator, which says so on the page bef
 test("the verdict goes when the face changes, and a GLB holds what is asked for", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 5);
+  await visitor.move("nose tip", "z", 5);
   await visitor.unfold("section-export");
   await page.check("input[name='base-colour'][value='colours']", { force: true });
   await page.check("#export-unlit");

@@ -34,10 +34,7 @@ test("an expression is seen, undone, outlives a reload, and is a morph target by
   assert.deepEqual(await visitor.meshJson("mm"), shape);
   assert.equal(await stands(visitor, "jawOpen"), 0);
   await page.click("#toolbar [data-action='redo']");
-  await page.waitForTimeout(600);
-  await page.reload();
-  await page.click("#continue");
-  await visitor.untilFace();
+  await visitor.comeBack();
   assert.deepEqual(await visitor.meshJson("mm"), work);
   assert.equal(await stands(visitor, "jawOpen"), 60);
 

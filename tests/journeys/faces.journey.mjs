@@ -1,7 +1,8 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
+import { expect } from "@playwright/test";
 import { alike, test } from "./fixtures.mjs";
-import { keptWorks } from "./kept.mjs";
+import { keptWorks, untilKept } from "./kept.mjs";
 import { asJpeg, sixTimes, twice } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -31,7 +32,7 @@ test("each face of a group keeps its own edits: going to the other one and back 
   await choose(visitor, 1);
   assert.deepEqual(await standing(visitor), second);
   // Each has one slot, and one of them is the tab's.
-  await page.waitForTimeout(800);
+  await untilKept(page);
   const kept = await keptWorks(page);
   assert.deepEqual(kept.map(({ name, isHeld }) => [name, isHeld]).sort(), [["group", false], ["group-2", true]]);
   assert.match(kept.find(({ name }) => name === "group").edits, /nose-tip/);
@@ -83,7 +84,7 @@ test("photos before the last one are there, too, each with its edits and by its 
   await goBack(visitor, "eva");
   assert.deepEqual(await standing(visitor), left.get("eva"));
   // Whom the strip has no room for is in the browser's database all the same.
-  await page.waitForTimeout(800);
+  await untilKept(page);
   assert.ok((await keptWorks(page)).some(({ name, edits }) => name === "ana" && edits.includes("nose-tip")));
 });
 
@@ -147,11 +148,9 @@ test("work that went back and forth is there after a reload, the face that was s
   for (const index of [1, 0, 1, 0]) await choose(visitor, index);
   await edit(visitor, "nose tip", 3);
   const first = await standing(visitor);
-  await page.waitForTimeout(800);
+  await untilKept(page, 2);
   assert.equal((await keptWorks(page)).length, 2);
-  await page.reload();
-  await page.click("#continue");
-  await visitor.untilFace();
+  await visitor.comeBack();
   assert.deepEqual(await standing(visitor), first);
 });
 
@@ -227,8 +226,7 @@ async function openGroup(visitor) {
 
 /** @param {import("./visitor.mjs").Visitor} visitor */
 async function edit(visitor, landmark, offset_mm) {
-  await visitor.findLandmark(landmark);
-  await visitor.offset("z", offset_mm);
+  await visitor.move(landmark, "z", offset_mm);
 }
 
 /** Another face of the group, by its place in the strip. */
@@ -243,27 +241,10 @@ async function goBack(visitor, name) {
   await untilNamed(visitor, name);
 }
 
-/** Waits until the face of that name is open: downloads are named after it. */
+/** Waits until the face of that name is open: files are named after it. */
 async function untilNamed(visitor, name) {
-  const { page } = visitor;
-  const seen = new Set();
-  for (let tries = 0; tries < 40; tries += 1) {
-    await page.waitForSelector("#progress", { state: "hidden" });
-    await visitor.frames(3);
-    await visitor.unfold("section-export");
-    const file = await pictureName(page);
-    if (file === `${name}.png`) return;
-    seen.add(file);
-    await page.waitForTimeout(100);
-  }
-  assert.fail(`${name} does not open, only ${[...seen]}`);
-}
-
-/** What a picture of the open face is called; nothing while another one comes, which begins at another tab. */
-async function pictureName(page) {
-  const named = page.waitForEvent("download", { timeout: 5_000 }).then((download) => download.suggestedFilename(), () => undefined);
-  await page.click("[data-action='download-picture']", { timeout: 2_000 }).catch(() => {});
-  return named;
+  await expect(visitor.page.locator("#export-name")).toHaveText(new RegExp(`^${name}(-\\d{3,})?\\.glb$`));
+  await visitor.untilFace();
 }
 
 /** What is open, and what has been done to it. */

@@ -4,12 +4,12 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { alike, test } from "./fixtures.mjs";
 import { SAMPLE } from "./visitor.mjs";
+import { watchGpus } from "./watches.mjs";
 
 /** The sample with an edit of the nose tip; resolves to the mesh. */
 async function work(visitor) {
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 7);
+  await visitor.move("nose tip", "z", 7);
   return visitor.meshJson("mm");
 }
 
@@ -68,20 +68,20 @@ for (const [[what, label], tag] of alike([["the picture", "still"], ["what it is
 }
 
 test("a picture that the graphics card took along with itself is reported, and the report outlives the card's return", async ({ open }) => {
-  const visitor = await open({ before: (context) => context.addInitScript(watchDevices) });
+  const visitor = await open({ before: (context) => context.addInitScript(watchGpus) });
   const { page } = visitor;
   const mesh = await work(visitor);
-  const devices = await page.evaluate("devices.length");
+  const gpus = await page.evaluate("gpus.length");
   await page.evaluate(() => {
     const map = GPUBuffer.prototype.mapAsync;
     GPUBuffer.prototype.mapAsync = function (...how) {
       GPUBuffer.prototype.mapAsync = map;
-      globalThis.devices.at(-1).destroy();
+      window.gpus.at(-1).device.destroy();
       return map.apply(this, how);
     };
   });
   assert.equal((await failToSave(visitor, "download-picture")).code, "not-drawn");
-  await page.waitForFunction((devices) => globalThis.devices.length > devices, devices);
+  await page.waitForFunction((gpus) => window.gpus.length > gpus, gpus);
   await visitor.frames(20);
   assert.equal((await visitor.notice()).code, "not-drawn");
   await page.keyboard.press("Escape");
@@ -161,17 +161,5 @@ function watchTextures() {
     const side = this.limits.maxTextureDimension2D;
     const size = { width: side, height: side, depthOrArrayLayers: this.limits.maxTextureArrayLayers };
     return create.call(this, { ...wanted, size, sampleCount: 1, format: "rgba16float" });
-  };
-}
-
-/** Runs in the page: what it has been given to draw with, in `devices`. */
-function watchDevices() {
-  globalThis.devices = [];
-  if (typeof GPUAdapter === "undefined") return;
-  const ask = GPUAdapter.prototype.requestDevice;
-  GPUAdapter.prototype.requestDevice = async function (...wishes) {
-    const device = await ask.apply(this, wishes);
-    globalThis.devices.push(device);
-    return device;
   };
 }

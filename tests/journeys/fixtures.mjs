@@ -1,6 +1,7 @@
 import { test as base } from "@playwright/test";
 import { Browsers, kindFor } from "./browsers.mjs";
 import { DIST, serve } from "./server.mjs";
+import { storedProject } from "./stored-project.mjs";
 import { Visitor } from "./visitor.mjs";
 
 const BELOW = "/some/where/";
@@ -33,15 +34,21 @@ export const test = base.extend({
     { scope: "worker" },
   ],
 
+  /** The sample portrait as a project. */
+  project: [
+    async ({ browsers, server }, use) => use(await storedProject(() => browsers.get("gpu"), server.url)),
+    { scope: "worker", timeout: 60_000 },
+  ],
+
   /** Opens the page in a new browser context; takes the options of {@link Visitor.arrive} and another `url`. */
-  open: async ({ browsers, server }, use, testInfo) => {
+  open: async ({ browsers, project, server }, use, testInfo) => {
     const kind = kindFor(testInfo.tags);
     /** @type {Visitor[]} */
     const visitors = [];
     try {
       await use(async ({ url = server.url, ...options } = {}) => {
         const visitor = await Visitor.arrive(await browsers.get(kind), url, options);
-        visitor.sees = browsers.sees(kind);
+        Object.assign(visitor, { project, sees: browsers.sees(kind) });
         visitors.push(visitor);
         return visitor;
       });

@@ -25,8 +25,7 @@ test("a GLB of the command line's finest mesh opens, with an edit that waits, an
   assert.equal(history.length, 2);
   assert.match(history[1], /^point 20,000/);
 
-  await visitor.findLandmark("bottom of the chin");
-  await visitor.offset("y", -6);
+  await visitor.move("bottom of the chin", "y", -6);
   const work = await visitor.meshJson("mm");
   assert.ok(furthest(found, work) > 3);
   assert.equal((await visitor.history()).length, 3);
@@ -34,8 +33,7 @@ test("a GLB of the command line's finest mesh opens, with an edit that waits, an
   assert.deepEqual(await visitor.meshJson("mm"), found);
   await page.click("#toolbar [data-action='redo']");
   await page.reload();
-  await page.click("#continue");
-  await visitor.untilFace();
+  await visitor.resume();
   assert.deepEqual(await visitor.meshJson("mm"), work);
   assert.equal((await visitor.history()).length, 3);
   assert.equal(await page.locator("#history .waits").count(), 1);
@@ -87,8 +85,7 @@ test("a GLB whose shape another program has changed opens as it was saved, and t
 async function withAnEdit(open) {
   const visitor = await open();
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 6);
+  await visitor.move("nose tip", "z", 6);
   return { visitor, page: visitor.page, work: await visitor.meshJson("mm") };
 }
 

@@ -10,7 +10,7 @@ for (const [[what, fileOf], tag] of alike(/** @type {const} */ ([
   ["GLB", async (visitor) => ({ bytes: await visitor.download("download-glb"), name: "new.glb" })],
 ]))) {
   test(`after a new ${what} no control shows what was selected, typed or scrolled before`, { tag }, async ({ open }) => {
-    const visitor = await open({ viewport: { width: 1024, height: 480 } });
+    const visitor = await open({ viewport: { width: 1024, height: 480 }, before: (context) => context.clock.install() });
     const { page } = visitor;
     await visitor.untilLoaded();
     await visitor.dropSample();
@@ -39,7 +39,7 @@ for (const [[what, fileOf], tag] of alike(/** @type {const} */ ([
 
     // What was typed for the face before does not come upon this one later.
     await page.locator("#symmetrise-share").focus();
-    await page.waitForTimeout(1000);
+    await page.clock.runFor(1000);
     assert.deepEqual(await visitor.history(), []);
     assert.equal(await visitor.sliderValue("nose-width"), 0);
   });

@@ -1,22 +1,21 @@
 import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
+import { crashGpu, watchGpus } from "./watches.mjs";
 
 for (const [{ drawn, needs }, tag] of alike([
   { drawn: "WebGPU", needs: "eyes" },
   { drawn: "WebGL2", needs: "webgl" },
 ])) {
   test(`when the graphics process crashes under ${drawn}, the view comes back by itself and the work goes on`, { tag: [...tag, `@${needs}`] }, async ({ open }) => {
-    const visitor = await open({ before: (context) => context.addInitScript(countGpus) });
+    const visitor = await open({ before: (context) => context.addInitScript(watchGpus) });
     const { page } = visitor;
     await visitor.dropSample();
-    await visitor.findLandmark("nose tip");
-    await visitor.offset("z", 9);
+    await visitor.move("nose tip", "z", 9);
     const before = { view: await visitor.view(), mesh: await visitor.meshJson("mm") };
-    const gpus = await page.evaluate("gpus");
-    const browser = await page.context().browser().newBrowserCDPSession();
-    await browser.send("Browser.crashGpuProcess");
-    await page.waitForFunction((gpus) => globalThis.gpus > gpus, gpus);
+    const gpus = await page.evaluate("gpus.length");
+    await crashGpu(page);
+    await page.waitForFunction((gpus) => window.gpus.length > gpus, gpus);
     assert.ok(difference(before.view, await visitor.view()) < 0.001, "the view is not what it was");
     assert.deepEqual(await visitor.meshJson("mm"), before.mesh);
     await visitor.offset("y", 9);
@@ -48,18 +47,3 @@ test("while WebGL2 stays away the page says so and edits go on, and they show wh
   await page.click("#toolbar [data-action='undo']");
   assert.ok(difference(found, await visitor.view()) < 0.001, "the face is not what it was");
 });
-
-/** Runs in the page: counts in `gpus` what the page has been given to draw with since it was opened. */
-function countGpus() {
-  const page = /** @type {{ gpus: number }} */ (/** @type {unknown} */ (globalThis));
-  page.gpus = 0;
-  addEventListener("webglcontextrestored", () => (page.gpus += 1), { capture: true });
-  const { GPUAdapter } = globalThis;
-  const ask = GPUAdapter?.prototype.requestDevice;
-  if (!ask) return;
-  GPUAdapter.prototype.requestDevice = async function (...wishes) {
-    const device = await ask.apply(this, wishes);
-    page.gpus += 1;
-    return device;
-  };
-}

@@ -15,8 +15,7 @@ for (const [file, tag] of alike(OF_THE_WORKER)) {
       const visitor = await open({ url: server.url });
       const { page } = visitor;
       await visitor.dropSample();
-      await visitor.findLandmark("nose tip");
-      await visitor.offset("z", 7);
+      await visitor.move("nose tip", "z", 7);
       const work = await visitor.meshJson("mm");
 
       const asked = await damage(server, file);

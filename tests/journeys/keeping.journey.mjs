@@ -1,21 +1,20 @@
 import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
+import { untilKept } from "./kept.mjs";
 import { Visitor } from "./visitor.mjs";
 
 test("an edit a moment before a reload, or before the tab is closed, is kept", async ({ visitor, page }) => {
   const address = page.url();
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 3);
-  await page.waitForTimeout(600);
+  await visitor.move("nose tip", "z", 3);
+  await untilKept(page);
 
   await typeAndGo(page, 7, "reload");
   await page.waitForSelector("#continue:not([hidden])");
-  await page.click("#continue");
-  await visitor.untilFace();
+  await visitor.resume();
   assert.equal(await noseOut(visitor), 7);
 
-  await page.waitForTimeout(600);
+  await untilKept(page);
   const other = await page.context().newPage();
   await typeAndGo(page, -5, "stay");
   await page.close({ runBeforeUnload: true });
@@ -37,8 +36,7 @@ test("an edit is kept however long before the reload it was made", { tag: "@rare
   for (const [place, wait_ms] of [185, 200, 205, 210, 220, 240].entries()) {
     await visitor.findLandmark("nose tip");
     await typeAndGo(page, place + 2, "reload", wait_ms);
-    await page.click("#continue");
-    await visitor.untilFace();
+    await visitor.resume();
     assert.equal(await noseOut(visitor), place + 2, `${wait_ms} ms`);
   }
 });
@@ -58,11 +56,12 @@ for (const [[how, refuse], tag] of alike(/** @type {const} */ ([
     await page.waitForSelector("#notice", { state: "hidden" });
 
     const found = await visitor.meshJson("mm");
-    await visitor.findLandmark("nose tip");
-    await visitor.offset("z", 9);
+    const refusals = await page.evaluate("refusals");
+    await visitor.move("nose tip", "z", 9);
     const work = await visitor.meshJson("mm");
     assert.notDeepEqual(work, found);
-    await page.waitForTimeout(600);
+    await page.waitForFunction((before) => globalThis.refusals > before, refusals);
+    await visitor.frames(2);
     assert.ok(await page.isHidden("#notice"), "it is said again");
     const project = await visitor.download("save-project");
     await page.click("#toolbar [data-action='undo']");
@@ -100,15 +99,19 @@ async function typeAndGo(page, offset_mm, next, wait_ms = 0) {
   await (gone ? Promise.all([gone, typed.catch(() => {})]) : typed);
 }
 
-/** Runs in the page, as everything below: as some browsers do in private windows. */
+/** Runs in the page, as everything below, and counts in `refusals`: as some browsers do in private windows. */
 function refuseByThrowing() {
+  globalThis.refusals = 0;
   IDBFactory.prototype.open = () => {
+    globalThis.refusals += 1;
     throw new DOMException("The operation is insecure.", "SecurityError");
   };
 }
 
 function refuseByError() {
+  globalThis.refusals = 0;
   IDBFactory.prototype.open = () => {
+    globalThis.refusals += 1;
     const request = Object.create(IDBOpenDBRequest.prototype, {
       error: { value: new DOMException("A mutation operation was attempted on a database that did not allow mutations.", "InvalidStateError") },
       onerror: { value: null, writable: true },
@@ -122,7 +125,9 @@ function refuseByError() {
 }
 
 function refuseByFullness() {
+  globalThis.refusals = 0;
   IDBObjectStore.prototype.put = () => {
+    globalThis.refusals += 1;
     throw new DOMException("The disk is full.", "QuotaExceededError");
   };
 }

@@ -101,8 +101,7 @@ const EVERYWHERE = ["viewport", "undo", "language", "theme", "open-keys", "open-
 for (const [[tab, stops], tag] of alike(Object.entries(STOPS))) {
   test(`Tab goes through everything on the tab ${tab}, and shows the whole of a ring around where it is`, { tag }, async ({ visitor, page }) => {
     await visitor.dropSample();
-    await visitor.findLandmark("nose tip");
-    await visitor.offset("z", 3);
+    await visitor.move("nose tip", "z", 3);
     await visitor.unfold("section-paper");
     await page.click(`#tab-${tab}`);
     await page.focus(".skip-link");

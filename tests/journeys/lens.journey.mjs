@@ -77,8 +77,7 @@ test("as photographed, the mesh lies where the face is in the photo, and the len
     assert.ok(Math.hypot(...off) < 1.5, `${off} px off`);
   }
   await page.reload();
-  await page.click("#continue");
-  await visitor.untilFace();
+  await visitor.resume();
   await visitor.unfold("section-view");
   assert.ok(await page.isChecked("input[name='lens'][value='as-taken']"));
   const again = await visitor.landmarkPlace(ALL_OVER[0]);

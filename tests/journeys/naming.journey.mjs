@@ -1,6 +1,8 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
+import { expect } from "@playwright/test";
 import { alike, test } from "./fixtures.mjs";
+import { untilKept } from "./kept.mjs";
 import { twice } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -18,10 +20,7 @@ test("files are named after the photo, over a reload and out of a file of ours",
   const glb = await visitor.download("download-glb");
   const project = await visitor.download("save-project");
 
-  await page.waitForTimeout(600);
-  await page.reload();
-  await page.click("#continue");
-  await visitor.untilFace();
+  await visitor.comeBack();
   assert.equal(await nameOf(visitor, "save-project"), "ana Rio 7.2.rosto");
 
   // A name that was given elsewhere holds, and the number of points is not in it twice.
@@ -31,7 +30,7 @@ test("files are named after the photo, over a reload and out of a file of ours",
   ]) {
     await visitor.drop(bytes, name);
     await page.waitForSelector("#progress", { state: "hidden" });
-    await untilNamed(visitor, "download-glb", says);
+    await expect.poll(() => nameOf(visitor, "download-glb")).toBe(says);
   }
 });
 
@@ -54,7 +53,7 @@ test("each face of a group has a name of its own", { tag: "@rare" }, async ({ vi
   await visitor.untilFace();
   assert.equal(await nameOf(visitor, "download-glb"), "group.glb");
   await page.locator("#face-options input").nth(1).click({ force: true });
-  await untilNamed(visitor, "download-glb", "group-2.glb");
+  await expect.poll(() => nameOf(visitor, "download-glb")).toBe("group-2.glb");
 });
 
 test("a photo from the camera is a selfie", { tag: "@camera" }, async ({ visitor }) => {
@@ -85,7 +84,7 @@ test("who returns is offered first to go on, and only that button stands out", a
   await visitor.untilLoaded();
   assert.deepEqual(await offered(page), [["choose", true], ["camera", false], ["mirror", false], ["sample", false]]);
   await visitor.dropSample();
-  await page.waitForTimeout(800);
+  await untilKept(page);
   await page.reload();
   await page.waitForSelector("#continue:not([hidden])");
   await visitor.untilLoaded();
@@ -111,13 +110,4 @@ async function nameOf(visitor, action) {
   const coming = visitor.page.waitForEvent("download");
   await visitor.download(action);
   return (await coming).suggestedFilename();
-}
-
-async function untilNamed(visitor, action, name) {
-  for (let tries = 0; ; tries += 1) {
-    const now = await nameOf(visitor, action);
-    if (now === name) return;
-    assert.ok(tries < 40, `${now} instead of ${name}`);
-    await visitor.page.waitForTimeout(100);
-  }
 }

@@ -28,10 +28,7 @@ test("a press on the small photo puts it on the stage; the switch and P go back,
   await visitor.page.keyboard.press("p");
   assert.equal(await scene(visitor), "picture");
   assert.equal(difference(photo, await visitor.view()), 0);
-  await visitor.page.waitForTimeout(600);
-  await visitor.page.reload();
-  await visitor.page.click("#continue");
-  await visitor.untilFace();
+  await visitor.comeBack();
   assert.equal(await scene(visitor), "picture");
 });
 
@@ -131,10 +128,7 @@ test("what the brush keeps stays, with an undo of its own, and is there after a 
   const kept = await photo();
   assert.ok(difference(edited, kept) > 0.0005, "what was painted follows the edit");
   assert.deepEqual(await visitor.history(), ["Jaw width"], "a stroke is no entry of the history");
-  await visitor.page.waitForTimeout(600);
-  await visitor.page.reload();
-  await visitor.page.click("#continue");
-  await visitor.untilFace();
+  await visitor.comeBack();
   assert.equal(difference(kept, await photo()), 0, "the stroke is gone after a reload");
   await visitor.unfold("section-in-photo");
   await visitor.page.check("#brush", { force: true });

@@ -61,7 +61,7 @@ export function enormousPng() {
 /**
  * The same photo as a JPEG, written by the browser; of another size if asked so, and then of the portrait's upper part.
  *
- * @param {import("playwright-core").Page} page
+ * @param {import("@playwright/test").Page} page
  * @param {Uint8Array} png
  * @param {{ width: number, height: number }} [size] px
  */
@@ -72,7 +72,7 @@ export function asJpeg(page, png, size) {
 /**
  * Twice the same face side by side, cut out of the portrait by the browser.
  *
- * @param {import("playwright-core").Page} page
+ * @param {import("@playwright/test").Page} page
  * @param {Uint8Array} png
  */
 export function twice(page, png) {
@@ -82,7 +82,7 @@ export function twice(page, png) {
 /**
  * Six times the same face, in two rows.
  *
- * @param {import("playwright-core").Page} page
+ * @param {import("@playwright/test").Page} page
  * @param {Uint8Array} png
  */
 export function sixTimes(page, png) {
@@ -92,7 +92,7 @@ export function sixTimes(page, png) {
 /**
  * So out of focus that a face is hard to tell.
  *
- * @param {import("playwright-core").Page} page
+ * @param {import("@playwright/test").Page} page
  * @param {Uint8Array} png
  */
 export function outOfFocus(page, png) {

@@ -14,8 +14,7 @@ test("after loading, no request leaves the page", async ({ open }) => {
   requests.length = 0;
   await visitor.page.click("#welcome [data-action='sample']");
   await visitor.untilFace();
-  await visitor.findLandmark("bottom of the chin");
-  await visitor.offset("y", -6);
+  await visitor.move("bottom of the chin", "y", -6);
   await visitor.download("download-glb");
   await visitor.dropSample();
   const left = requests.filter((url) => !url.startsWith("blob:") && !url.startsWith("data:"));

@@ -74,18 +74,15 @@ test("kept work whose picture is damaged gets a notice, and the page goes on", a
   }
   await visitor.dropSample();
   const found = await visitor.meshJson("mm");
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 5);
+  await visitor.move("nose tip", "z", 5);
   assert.notDeepEqual(await visitor.meshJson("mm"), found);
 });
 
 /** A face with two edits, and its file. */
 async function workOn(visitor, action) {
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 9);
-  await visitor.findLandmark("bottom of the chin");
-  await visitor.offset("y", -6);
+  await visitor.move("nose tip", "z", 9);
+  await visitor.move("bottom of the chin", "y", -6);
   return visitor.download(action);
 }
 
@@ -109,13 +106,11 @@ async function expectRefused(visitor, bad, fileName) {
     assert.deepEqual(await visitor.meshJson("mm"), work, name);
   }
   // What comes next is done to the same face, and is kept.
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("y", 3);
+  await visitor.move("nose tip", "y", 3);
   const next = await visitor.meshJson("mm");
   assert.notDeepEqual(next, work);
   await page.reload();
-  await page.click("#continue");
-  await visitor.untilFace();
+  await visitor.resume();
   assert.deepEqual(await visitor.meshJson("mm"), next);
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await visitor.meshJson("mm"), work);

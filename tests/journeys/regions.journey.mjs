@@ -87,8 +87,7 @@ test("clicks take the region under the pointer, then the larger one, and the cho
 
 test("one thing is reset by itself, in one step that undo takes back", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.dropSample();
-  await visitor.findLandmark("bottom of the chin");
-  await visitor.offset("y", -6);
+  await visitor.move("bottom of the chin", "y", -6);
   const chin = await visitor.meshJson("mm");
   await visitor.chooseRegion("nose");
   assert.ok(await page.isDisabled("[data-action='reset-selection']"));

@@ -7,10 +7,8 @@ for (const [paint, tag] of alike(["photo", "colours"])) {
   test(`a downloaded GLB painted with ${paint} brings the face back after a reload, with its history`, { tag: [...tag, "@eyes"] }, async ({ visitor, page }) => {
     await visitor.dropSample();
     const unedited = await visitor.meshJson("mm");
-    await visitor.findLandmark("nose tip");
-    await visitor.offset("z", 9);
-    await visitor.findLandmark("bottom of the chin");
-    await visitor.offset("y", -6);
+    await visitor.move("nose tip", "z", 9);
+    await visitor.move("bottom of the chin", "y", -6);
     const work = await visitor.meshJson("mm");
     await visitor.reach("#export-units");
     await page.check(`input[name="base-colour"][value="${paint}"]`, { force: true });
@@ -40,8 +38,7 @@ test("a GLB brings its density and its eyes and mouth along", { tag: "@rare" }, 
   await visitor.unfold("section-view");
   await page.selectOption("#triangulation", "tessellation");
   await page.selectOption("#density", "1");
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 4);
+  await visitor.move("nose tip", "z", 4);
   const work = await visitor.meshJson("mm");
   const file = await visitor.download("download-glb");
   await page.reload();
@@ -54,8 +51,7 @@ test("a GLB brings its density and its eyes and mouth along", { tag: "@rare" }, 
 
 test("a GLB of another program, or half of ours, leaves the work and a message", async ({ visitor, page }) => {
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 4);
+  await visitor.move("nose tip", "z", 4);
   const work = await visitor.meshJson("mm");
   const file = await visitor.download("download-glb");
   for (const { bytes, code, says } of [

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
-import { keptWorks } from "./kept.mjs";
+import { keptWorks, untilKept } from "./kept.mjs";
 import { meanColour } from "./pixels.mjs";
 
 for (const [{ drawn, needs, module }, tag] of alike([
@@ -77,7 +77,7 @@ test("another face that is opened while the module starts again leaves the work 
   await visitor.dropSample();
   const other = await visitor.download("save-project");
   await workOn(visitor);
-  await page.waitForTimeout(600);
+  await untilKept(page);
   const kept = (await histories(page)).filter((edits) => edits.includes("nose-tip"));
   assert.equal(kept.length, 1);
 
@@ -96,7 +96,7 @@ test("another face that is opened while the module starts again leaves the work 
   await untilRestarted(visitor);
   await visitor.drop(other, "other.rosto");
   await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
-  await page.waitForTimeout(1000);
+  await untilKept(page);
   assert.deepEqual((await histories(page)).filter((edits) => edits.includes("nose-tip")), kept);
 });
 
@@ -115,8 +115,7 @@ async function workOn(visitor) {
   await page.check("input[name='shading'][value='colours']", { force: true });
   await page.locator("#light-sliders input[type=number]").first().fill("80");
   const start = await visitor.meshJson("mm");
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 9);
+  await visitor.move("nose tip", "z", 9);
   await visitor.slide("nose-width", 4);
   // Nothing is selected any more: what is in hand does not come back.
   const { x, y } = await visitor.besideTheFace();

@@ -1,4 +1,5 @@
 import assert from "node:assert/strict";
+import { expect } from "@playwright/test";
 import { PNG } from "pngjs";
 import { test } from "./fixtures.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
@@ -92,7 +93,7 @@ test("before and after: all of it while the button or B is held, beside each oth
   const button = await page.locator("#compare").boundingBox();
   await page.mouse.move(button.x + 10, button.y + 10);
   await page.mouse.down();
-  await page.waitForTimeout(500);
+  await page.waitForSelector("[data-comparing]");
   // The button would be let go of if it were hidden for the picture.
   await visitor.frames(3);
   const held = PNG.sync.read(await page.locator("#viewport").screenshot());
@@ -150,11 +151,11 @@ test("the turntable turns until it is switched off", { tag: ["@eyes", "@rare"] }
   await visitor.unfold("section-view");
   const first = await visitor.view();
   await page.check("#turntable");
-  await page.waitForTimeout(500);
+  const shot = async () => PNG.sync.read(await page.locator("#viewport").screenshot());
+  await expect.poll(async () => difference(first, await shot()), { message: "nothing turned" }).toBeGreaterThan(0.02);
   await page.uncheck("#turntable");
   const turned = await visitor.view();
-  assert.ok(difference(first, turned) > 0.02, "nothing turned");
-  await page.waitForTimeout(300);
+  await visitor.frames(20);
   assert.equal(difference(turned, await visitor.view()), 0, "it went on turning");
 });
 

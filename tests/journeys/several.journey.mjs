@@ -62,8 +62,7 @@ test("photos from other sides make another mesh, the command line's, and are kep
     await visitor.dropSample();
     const alone = await visitor.meshJson("mm");
     const [one, other] = [await turnedPhoto(visitor, "ArrowLeft", folder), await turnedPhoto(visitor, "ArrowRight", folder)];
-    await visitor.findLandmark("nose tip");
-    await visitor.offset("z", 9);
+    await visitor.move("nose tip", "z", 9);
 
     await addPhotos(visitor, [one], 2);
     assert.equal((await rows(page)).filter((row) => row.startsWith("From the front")).length, 1);
@@ -83,8 +82,7 @@ test("photos from other sides make another mesh, the command line's, and are kep
     const edited = await visitor.meshJson("mm");
 
     await page.reload();
-    await page.click("#continue");
-    await visitor.untilFace();
+    await visitor.resume();
     assert.equal((await rows(page)).length, 3);
     assert.deepEqual(await visitor.meshJson("mm"), edited, "to the last bit");
     await visitor.drop(glb, "portrait.glb");
@@ -107,8 +105,7 @@ test("photos from other sides make another mesh, the command line's, and are kep
 
 test("a photo without a face is named and not added, and one from where there is one says that it adds little", async ({ visitor, page }) => {
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 9);
+  await visitor.move("nose tip", "z", 9);
   const before = await visitor.meshJson("mm");
   await page.setInputFiles("#further-files", { name: "wall.png", mimeType: "image/png", buffer: Buffer.from(faceless()) });
   const { code, text } = await visitor.notice();

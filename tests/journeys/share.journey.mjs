@@ -4,6 +4,7 @@ import { PNG } from "pngjs";
 import { alike, test } from "./fixtures.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
+import { crashGpu, watchGpus } from "./watches.mjs";
 
 /** A clip is there by then, however slowly the machine draws. */
 const CLIP_MS = 30_000;
@@ -18,8 +19,7 @@ test("before and after are the halves of one picture, and the view stays as it w
   await visitor.drop(await readFile(SAMPLE), "ana.png");
   await visitor.untilFace();
   const found = PNG.sync.read(await visitor.download("download-picture"));
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("x", 12);
+  await visitor.move("nose tip", "x", 12);
   const place = await visitor.onView(await visitor.selectedPlace());
   const edited = PNG.sync.read(await visitor.download("download-picture"));
   const before = await standing(visitor);
@@ -39,8 +39,7 @@ test("before and after are the halves of one picture, and the view stays as it w
 
 test("a picture of before and after that cannot be made says so and leaves the view as it was", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("x", 12);
+  await visitor.move("nose tip", "x", 12);
   const before = await standing(visitor);
   await page.evaluate(refusePictures);
   await visitor.unfold("section-export");
@@ -77,8 +76,7 @@ test("a browser that hands nothing on has no button for it", { tag: "@rare" }, a
 test("the face swings once in a clip of four seconds without any tool, and is then as it was", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.drop(await readFile(SAMPLE), "ana.png");
   await visitor.untilFace();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 8);
+  await visitor.move("nose tip", "z", 8);
   const before = await standing(visitor);
   await visitor.unfold("section-export");
   const coming = page.waitForEvent("download", { timeout: CLIP_MS });
@@ -124,7 +122,7 @@ for (const [{ by, stop }, tag] of alike([
     await stop(visitor);
     await page.waitForSelector("#clip-progress", { state: "hidden" });
     assert.equal(await page.innerText("#toast"), "The clip is not kept");
-    await page.waitForTimeout(1500);
+    await visitor.frames(30);
     assert.equal(downloads, 0);
     assertSame(await standing(visitor), before);
   });
@@ -156,16 +154,18 @@ test("a clip ends when another face comes, which is seen as at first", { tag: ["
   assert.equal(difference(await visitor.view(), opened), 0, "the face is turned by what the clip turned the other");
 });
 
-test("a clip ends when the graphics process crashes, and another can be recorded", { tag: "@eyes" }, async ({ visitor, page }) => {
+test("a clip ends when the graphics process crashes, and another can be recorded", { tag: "@eyes" }, async ({ open }) => {
+  const visitor = await open({ before: (context) => context.addInitScript(watchGpus) });
+  const { page } = visitor;
   await visitor.dropSample();
   await visitor.unfold("section-export");
   await page.click("#clip");
   await halfWay(page);
-  const browser = await page.context().browser().newBrowserCDPSession();
-  await browser.send("Browser.crashGpuProcess");
+  const gpus = await page.evaluate("gpus.length");
+  await crashGpu(page);
   await page.waitForSelector("#clip-progress", { state: "hidden", timeout: CLIP_MS });
+  await page.waitForFunction((gpus) => window.gpus.length > gpus, gpus);
   const coming = page.waitForEvent("download", { timeout: CLIP_MS });
-  await page.waitForTimeout(1000);
   await page.click("#clip");
   assert.equal((await coming).suggestedFilename(), "portrait-turning.webm");
 });

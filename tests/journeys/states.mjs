@@ -1,6 +1,7 @@
 import { readFile } from "node:fs/promises";
 import { findings } from "./boxes.mjs";
 import { Hand } from "./hand.mjs";
+import { untilKept } from "./kept.mjs";
 import { faceless, twice } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -34,7 +35,7 @@ export const STATES = [
   { id: "returning", enter: comeBack },
 ];
 
-/** Lets the worker's answer be held back; for `before` of a visitor. @param {import("playwright-core").BrowserContext} context */
+/** Lets the worker's answer be held back; for `before` of a visitor. @param {import("@playwright/test").BrowserContext} context */
 export function withHeldWork(context) {
   return context.addInitScript(holdAnswers);
 }
@@ -200,8 +201,7 @@ async function openGroup(visitor) {
 /** @param {Visitor} visitor */
 async function comeBack(visitor) {
   await haveFace(visitor);
-  // Work is kept a moment after it is done.
-  await visitor.page.waitForTimeout(600);
+  await untilKept(visitor.page);
   await visitor.page.reload();
   await visitor.page.waitForSelector("#continue:not([hidden])");
   await visitor.untilLoaded();

@@ -1,32 +1,38 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { alike, test } from "./fixtures.mjs";
-import { keptWorks } from "./kept.mjs";
+import { keptWorks, untilKept } from "./kept.mjs";
 import { asJpeg } from "./pictures.mjs";
-import { anotherTab, continueIn, standing, untilKept } from "./tabs.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-test("where the space runs out as the work is committed, the page says once that it is not kept, and goes on", async ({ visitor, page }) => {
+/** Longer than the page waits for a database or a lock. */
+const PATIENCE_S = 8;
+const withClock = (/** @type {import("@playwright/test").BrowserContext} */ context) => context.clock.install();
+
+test("where the space runs out as the work is committed, the page says once that it is not kept, and goes on", async ({ open }) => {
+  const visitor = await open({ before: (context) => context.addInitScript(countAborts) });
+  const { page } = visitor;
   const browser = await page.context().newCDPSession(page);
   const { origin } = new URL(page.url());
   await browser.send("Storage.overrideQuotaForOrigin", { origin, quotaSize: 20_000 });
   await visitor.dropSample();
   await expectNotKept(visitor);
   assert.deepEqual(await keptWorks(page), []);
+  const aborts = await page.evaluate("aborts");
   await edit(visitor, 9);
-  const work = await standing(visitor);
-  await page.waitForTimeout(1000);
+  const work = await visitor.work();
+  await page.waitForFunction((before) => globalThis.aborts > before, aborts);
+  await visitor.frames(2);
   assert.ok(await page.isHidden("#notice"), "it is said again");
 
   // Once there is space, the next change brings everything to the database.
   await browser.send("Storage.overrideQuotaForOrigin", { origin });
   await visitor.offset("y", 4);
-  const next = await standing(visitor);
+  const next = await visitor.work();
   assert.notDeepEqual(next, work);
-  await untilKept(visitor, 1);
-  await page.reload();
-  await continueIn(visitor);
-  assert.deepEqual(await standing(visitor), next);
+  await untilKept(visitor.page);
+  await visitor.comeBack();
+  assert.deepEqual(await visitor.work(), next);
 });
 
 for (const [[what, remove], tag] of alike(/** @type {const} */ ([
@@ -37,18 +43,16 @@ for (const [[what, remove], tag] of alike(/** @type {const} */ ([
   test(`the next change brings back everything to a database that ${what} while the page is open`, { tag }, async ({ visitor, page }) => {
     await visitor.dropSample();
     await edit(visitor, 9);
-    await untilKept(visitor, 1);
-    const other = await anotherTab(visitor, page.url());
+    await untilKept(visitor.page);
+    const other = await visitor.anotherTab();
     await remove(other.page);
     await page.bringToFront();
     await visitor.offset("y", 4);
-    const work = await standing(visitor);
-    await untilKept(visitor, 1);
+    const work = await visitor.work();
+    await untilKept(visitor.page);
     assert.ok(await page.isHidden("#notice"));
-    await page.reload();
-    await continueIn(visitor);
-    assert.deepEqual(await standing(visitor), work);
-    other.checkNothingBroke();
+    await visitor.comeBack();
+    assert.deepEqual(await visitor.work(), work);
   });
 }
 
@@ -67,16 +71,14 @@ const DAMAGES = [
 test("works that are damaged in whatever way hide no older one", async ({ visitor }) => {
   await visitor.dropSample();
   await edit(visitor, 9);
-  const work = await standing(visitor);
-  await untilKept(visitor, 1);
-  const next = await anotherTab(visitor, visitor.page.url());
+  const work = await visitor.work();
+  await untilKept(visitor.page);
+  const next = await visitor.anotherTab();
   await next.page.evaluate(`(${addDamaged})([${DAMAGES}])`);
   await visitor.page.goto("about:blank");
-  await next.page.reload();
-  await continueIn(next);
-  assert.deepEqual(await standing(next), work);
+  await next.comeBack();
+  assert.deepEqual(await next.work(), work);
   assert.equal((await next.notice()).code, "earlier-work");
-  next.checkNothingBroke();
 });
 
 for (const [what, isLost, found] of /** @type {const} */ ([
@@ -86,8 +88,8 @@ for (const [what, isLost, found] of /** @type {const} */ ([
   test(`where the ${what} of the latest work cannot be read, the ${found} work is opened`, async ({ open }) => {
     const { visitor, ...works } = await twoWorks(open);
     await visitor.page.evaluate(`(${loseBlob})(${isLost})`);
-    await continueIn(visitor);
-    assert.deepEqual(await standing(visitor), works[found]);
+    await visitor.resume();
+    assert.deepEqual(await visitor.work(), works[found]);
   });
 }
 
@@ -95,79 +97,79 @@ for (const [[what, seize], tag] of alike(/** @type {const} */ ([
   ["keeps the database from opening", seizeDatabase],
   ["has a transaction that does not end", seizeStores],
 ]))) {
-  test(`while another tab ${what}, the page says once that nothing is kept, and later keeps all of it`, { tag }, async ({ visitor, page }) => {
+  test(`while another tab ${what}, the page says once that nothing is kept, and later keeps all of it`, { tag }, async ({ open }) => {
+    const visitor = await open({ before: withClock });
+    const { page } = visitor;
     await visitor.dropSample();
     await edit(visitor, 9);
-    await untilKept(visitor, 1);
-    const other = await anotherTab(visitor, page.url());
+    await untilKept(visitor.page);
+    const other = await visitor.anotherTab();
     await other.page.evaluate(seize);
 
     await page.bringToFront();
     await visitor.offset("y", 4);
+    await pass(visitor, PATIENCE_S);
     await expectNotKept(visitor);
     await visitor.offset("y", 6);
-    const work = await standing(visitor);
-    await page.waitForTimeout(8000);
+    const work = await visitor.work();
+    await pass(visitor, PATIENCE_S);
     assert.ok(await page.isHidden("#notice"), "it is said again");
 
     await other.page.evaluate(() => globalThis.release());
     await visitor.offset("x", 2);
-    const next = await standing(visitor);
+    const next = await visitor.work();
     assert.notDeepEqual(next, work);
-    await untilKept(visitor, 1);
-    await page.waitForTimeout(1000);
+    await untilKept(visitor.page);
     assert.equal((await keptWorks(page)).length, 1);
-    await page.reload();
-    await continueIn(visitor);
-    assert.deepEqual(await standing(visitor), next);
-    other.checkNothingBroke();
+    await visitor.comeBack();
+    assert.deepEqual(await visitor.work(), next);
   });
 }
 
 test("work that cannot be read for another tab's sake is not said to be damaged", async ({ open }) => {
   const { visitor, latest } = await twoWorks(open);
   const { page } = visitor;
-  const other = await anotherTab(visitor, page.url());
+  const other = await visitor.anotherTab();
   await other.page.evaluate(seizeStores);
   await page.bringToFront();
   await page.click("#continue");
+  await pass(visitor, PATIENCE_S);
   assert.equal((await visitor.notice()).code, "kept-work-busy");
   await other.page.evaluate(() => globalThis.release());
-  await continueIn(visitor);
-  assert.deepEqual(await standing(visitor), latest);
+  await visitor.resume();
+  assert.deepEqual(await visitor.work(), latest);
 });
 
 test("locks that are not answered keep no work from being kept and opened again", async ({ open }) => {
-  const visitor = await open({ before: (context) => context.addInitScript(muteLocks) });
+  const visitor = await open({ before: (context) => Promise.all([withClock(context), context.addInitScript(muteLocks)]) });
   const { page } = visitor;
   await visitor.dropSample();
   await edit(visitor, 9);
-  const work = await standing(visitor);
-  await page.waitForTimeout(6000);
+  const work = await visitor.work();
+  await pass(visitor, PATIENCE_S);
   assert.ok(await page.isHidden("#notice"));
   await page.reload();
-  await continueIn(visitor);
-  assert.deepEqual(await standing(visitor), work);
+  await visitor.resume();
+  assert.deepEqual(await visitor.work(), work);
 });
 
 test("the latest work is the one that was kept last, however the clock was set in between", { tag: "@rare" }, async ({ open }) => {
   const first = await open();
-  const address = first.page.url();
   await first.dropSample();
   await edit(first, 9);
-  await untilKept(first, 1);
+  await untilKept(first.page);
 
-  const second = await anotherTab(first, address, setClockBack);
+  const second = await first.anotherTab(setClockBack);
   await second.drop(await asJpeg(second.page, await readFile(SAMPLE), { width: 640, height: 480 }), "other.jpg");
   await second.untilFace();
   await edit(second, -6);
-  const latest = await standing(second);
-  await untilKept(second, 2);
+  const latest = await second.work();
+  await untilKept(second.page, 2);
   for (const { page } of [first, second]) await page.goto("about:blank");
 
-  const third = await anotherTab(first, address);
-  await continueIn(third);
-  assert.deepEqual(await standing(third), latest);
+  const third = await first.anotherTab();
+  await third.resume();
+  assert.deepEqual(await third.work(), latest);
   // So too with what only the last moment has said.
   await third.findLandmark("nose tip");
   await third.page.evaluate(setClockBack);
@@ -178,35 +180,41 @@ test("the latest work is the one that was kept last, however the clock was set i
     field.dispatchEvent(new Event("change"));
   });
   await third.page.goto("about:blank");
-  const fourth = await anotherTab(first, address);
-  await continueIn(fourth);
+  const fourth = await first.anotherTab();
+  await fourth.resume();
   await fourth.findLandmark("nose tip");
   assert.equal(Number(await fourth.page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]")), 3);
-  for (const visitor of [third, fourth]) visitor.checkNothingBroke();
 });
 
 /** Two works of one visitor, who is back on the page; the latest is the one of the sample itself. */
 async function twoWorks(open) {
-  const visitor = await open();
+  const visitor = await open({ before: withClock });
   const { page } = visitor;
   await visitor.drop(await asJpeg(page, await readFile(SAMPLE), { width: 640, height: 480 }), "older.jpg");
   await visitor.untilFace();
   await edit(visitor, -6);
-  const older = await standing(visitor);
-  await untilKept(visitor, 1);
+  const older = await visitor.work();
+  await untilKept(visitor.page);
   await visitor.dropSample();
   await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
   await edit(visitor, 9);
-  const latest = await standing(visitor);
-  await untilKept(visitor, 2);
+  const latest = await visitor.work();
+  await untilKept(visitor.page, 2);
   await page.reload();
   await page.waitForSelector("#continue:not([hidden])");
   return { visitor, older, latest };
 }
 
+/** Has so many seconds pass for the page, and lets the database answer in each. */
+async function pass(visitor, seconds) {
+  for (let second = 0; second < seconds; second++) {
+    await visitor.page.clock.runFor(1000);
+    await visitor.frames(3);
+  }
+}
+
 async function edit(visitor, offset_mm) {
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", offset_mm);
+  await visitor.move("nose tip", "z", offset_mm);
 }
 
 async function expectNotKept(visitor) {
@@ -275,6 +283,15 @@ function loseBlob(isLost) {
     if (isDone || !isLost(this.size)) return arrayBuffer.call(this);
     isDone = true;
     return Promise.reject(new DOMException("The file could not be read.", "NotReadableError"));
+  };
+}
+
+function countAborts() {
+  globalThis.aborts = 0;
+  const { abort } = IDBTransaction.prototype;
+  IDBTransaction.prototype.abort = function () {
+    globalThis.aborts += 1;
+    abort.call(this);
   };
 }
 

@@ -9,7 +9,7 @@ const CATEGORIES = ["toplevel", "devtools.timeline", "disabled-by-default-devtoo
 /**
  * The events of a trace while something is done.
  *
- * @param {import("playwright-core").Page} page
+ * @param {import("@playwright/test").Page} page
  * @param {() => Promise<void>} act
  * @returns {Promise<Event[]>}
  */

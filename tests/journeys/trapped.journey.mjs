@@ -1,18 +1,17 @@
 import assert from "node:assert/strict";
 import { test } from "./fixtures.mjs";
+import { untilKept } from "./kept.mjs";
 
 test("nothing is asked of a module that has trapped, whatever is pressed before and after another one is there", async ({ open }) => {
   const visitor = await open({ before: (context) => context.addInitScript(countCalls) });
   const { page } = visitor;
   await visitor.untilLoaded();
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 9);
+  await visitor.move("nose tip", "z", 9);
   await page.click("[data-tab-name='export']").catch(() => {});
   await visitor.meshJson("mm");
   const project = await visitor.download("save-project");
-  // What was done is kept a moment later.
-  await page.waitForTimeout(600);
+  await untilKept(page);
 
   await page.evaluate("modules.hold()");
   await page.evaluate(trapNext);

@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { PNG } from "pngjs";
+import { untilKept } from "./kept.mjs";
 
 export const SAMPLE = path.resolve(import.meta.dirname, "../../web/assets/sample.png");
 
@@ -21,11 +22,15 @@ export class Visitor {
   browserSaid = [];
   /** Whether screenshots show the 3D view. */
   sees = true;
+  /** Other tabs of the same browser. @type {Visitor[]} */
+  tabs = [];
+  /** A project of the sample portrait, for {@link openFace}. @type {Uint8Array | undefined} */
+  project;
 
   /**
-   * @param {import("playwright-core").Browser} browser
+   * @param {import("@playwright/test").Browser} browser
    * @param {string} url
-   * @param {{ before?: (context: import("playwright-core").BrowserContext) => Promise<void> } & import("playwright-core").BrowserContextOptions} [options]
+   * @param {{ before?: (context: import("@playwright/test").BrowserContext) => Promise<void> } & import("@playwright/test").BrowserContextOptions} [options]
    */
   static async arrive(browser, url, { before, ...options } = {}) {
     const context = await browser.newContext({
@@ -40,13 +45,14 @@ export class Visitor {
     await context.addInitScript(reportViolations, VIOLATION);
     const page = await context.newPage();
     const visitor = new Visitor(page);
+    visitor.address = url;
     // Every file dialog is answered with the sample. One that opens before Playwright listens for it would be lost.
     page.on("filechooser", (chooser) => chooser.setFiles(SAMPLE));
     await page.goto(url);
     return visitor;
   }
 
-  /** @param {import("playwright-core").Page} page */
+  /** @param {import("@playwright/test").Page} page */
   constructor(page) {
     this.page = page;
     page.setDefaultTimeout(60_000);
@@ -60,11 +66,22 @@ export class Visitor {
   }
 
   checkNothingBroke() {
-    assert.deepEqual(this.broken, []);
+    assert.deepEqual([this, ...this.tabs].flatMap(({ broken }) => broken), []);
   }
 
   async leave() {
     await this.page.context().close();
+  }
+
+  /** Opens the page in another tab. @param {() => void} [script] runs in the page before its own */
+  async anotherTab(script) {
+    const other = new Visitor(await this.page.context().newPage());
+    Object.assign(other, { sees: this.sees, project: this.project, address: this.address, tabs: this.tabs });
+    this.tabs.push(other);
+    if (script) await other.page.addInitScript(script);
+    await other.page.goto(this.address);
+    await other.untilLoaded();
+    return other;
   }
 
   /** Waits until the page has all its parts, after which it makes no request. */
@@ -101,6 +118,32 @@ export class Visitor {
   async dropSample() {
     await this.drop(await readFile(SAMPLE), "portrait.png");
     await this.untilFace();
+  }
+
+  /** Opens the sample portrait without a search for its face. */
+  async openFace() {
+    await this.drop(this.project, "portrait.rosto");
+    await this.untilFace();
+  }
+
+  /** Reloads the page once its work is kept, and resumes it. */
+  async comeBack() {
+    await untilKept(this.page);
+    await this.page.reload();
+    await this.resume();
+  }
+
+  /** Resumes the work that the empty page offers. */
+  async resume() {
+    await this.page.bringToFront();
+    await this.page.click("#continue");
+    await this.untilFace();
+  }
+
+  /** The mesh, and what was done to it. */
+  async work() {
+    await this.page.bringToFront();
+    return { mesh: await this.meshJson("mm"), history: await this.history() };
   }
 
   /**
@@ -300,6 +343,18 @@ export class Visitor {
     await field.fill(String(offset_mm));
     await field.press("Tab");
     await this.frames(3);
+  }
+
+  /**
+   * Moves a landmark along an axis.
+   *
+   * @param {string} landmark
+   * @param {"x" | "y" | "z"} axis
+   * @param {number} offset_mm
+   */
+  async move(landmark, axis, offset_mm) {
+    await this.findLandmark(landmark);
+    await this.offset(axis, offset_mm);
   }
 
   /**

@@ -54,8 +54,7 @@ test("without navigator.gpu only the module for WebGL2 is downloaded, and it mak
   await visitor.dropSample();
   assert.ok(asked.includes(FOR_WEBGL2) && !asked.includes(FOR_WEBGPU), asked.join(" "));
   await visitor.prefer("paper");
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 12);
+  await visitor.move("nose tip", "z", 12);
   const edit = `${await visitor.landmark()}:0,0,12:${(await visitor.anchors()).join(",")}`;
   const options = ["--units", "mm", "--density", "0", "--edit", edit];
   assertSameMesh(await visitor.meshJson("mm"), await meshByCommandLine(SAMPLE, options));

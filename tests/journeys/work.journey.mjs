@@ -4,13 +4,9 @@ import { difference } from "./pixels.mjs";
 
 test("the work survives a reload and is offered again", async ({ visitor }) => {
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 9);
+  await visitor.move("nose tip", "z", 9);
   const work = await visitor.meshJson("mm");
-  await visitor.page.waitForTimeout(600);
-  await visitor.page.reload();
-  await visitor.page.click("#continue");
-  await visitor.untilFace();
+  await visitor.comeBack();
   assert.deepEqual(await visitor.meshJson("mm"), work);
   await visitor.page.click("#toolbar [data-action='undo']");
   assert.notDeepEqual(await visitor.meshJson("mm"), work);
@@ -19,8 +15,7 @@ test("the work survives a reload and is offered again", async ({ visitor }) => {
 test("a project file brings the face and its edits to another browser", async ({ open }) => {
   const first = await open();
   await first.dropSample();
-  await first.findLandmark("nose tip");
-  await first.offset("y", -5);
+  await first.move("nose tip", "y", -5);
   const work = await first.meshJson("mm");
   const file = await first.download("save-project");
 
@@ -38,11 +33,9 @@ test("a project file brings the face and its edits to another browser", async ({
 test("history lists the edits, and each can be switched off and on", async ({ visitor, page }) => {
   await visitor.dropSample();
   const start = await visitor.meshJson("mm");
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 9);
+  await visitor.move("nose tip", "z", 9);
   const nose = await visitor.meshJson("mm");
-  await visitor.findLandmark("bottom of the chin");
-  await visitor.offset("y", -6);
+  await visitor.move("bottom of the chin", "y", -6);
   const both = await visitor.meshJson("mm");
   assert.equal(await page.locator("#history li").count(), 2);
 

@@ -1,11 +1,13 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
+import { expect } from "@playwright/test";
 import { test } from "./fixtures.mjs";
 import { colourCount } from "./pixels.mjs";
 import { faceless } from "./pictures.mjs";
 import { DIST, serve } from "./server.mjs";
 import { SAMPLE } from "./visitor.mjs";
+import { watchWorkers } from "./watches.mjs";
 
 const WORKER_MODULE = "**/rosto-vision-web_bg.wasm";
 
@@ -32,8 +34,7 @@ test("the page draws and answers before the worker's module has arrived", { tag:
 
 test("a worker that dies is started again, and the work on screen stays", async ({ visitor }) => {
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 7);
+  await visitor.move("nose tip", "z", 7);
   const work = await visitor.meshJson("mm");
 
   const [dying] = visitor.page.workers();
@@ -47,8 +48,7 @@ test("a worker that dies is started again, and the work on screen stays", async 
 
 test("a photo that takes the worker down leaves the work and a message", async ({ visitor }) => {
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 7);
+  await visitor.move("nose tip", "z", 7);
   const work = await visitor.meshJson("mm");
 
   const [dying] = visitor.page.workers();
@@ -67,17 +67,22 @@ test("a photo that takes the worker down leaves the work and a message", async (
 
 test("a worker that never comes is given up after a minute, and the next photo starts another", { tag: "@rare" }, async ({ open }) => {
   let silences = true;
+  let asked = 0;
   const visitor = await open({
     before: async (context) => {
       await context.clock.install();
-      await context.route(WORKER_MODULE, (route) => (silences ? undefined : route.continue()));
+      await context.route(WORKER_MODULE, (route) => {
+        asked += 1;
+        return silences ? undefined : route.continue();
+      });
     },
   });
   const { page } = visitor;
   await page.waitForSelector("body[data-bench='open']");
   await visitor.drop(await readFile(SAMPLE), "portrait.png");
   await page.waitForSelector("#progress-title:has-text('Loading the face networks')");
-  await page.waitForTimeout(2000);
+  await expect.poll(() => asked).toBeGreaterThan(0);
+  await visitor.frames(5);
   await page.clock.fastForward(50_000);
   assert.ok(await page.isVisible("#progress"), "it was given up too soon");
   await page.clock.fastForward(15_000);
@@ -104,15 +109,16 @@ test("a worker on a slow connection is waited for", async ({ open }) => {
     return true;
   });
   try {
-    const visitor = await open({ url: server.url, before: (context) => context.clock.install() });
+    const visitor = await open({ url: server.url, before: (context) => Promise.all([context.clock.install(), context.addInitScript(watchWorkers)]) });
     const { page } = visitor;
     await page.waitForSelector("body[data-bench='open']");
     await visitor.drop(await readFile(SAMPLE), "portrait.png");
     await page.waitForSelector("#progress-title:has-text('Loading the face networks')");
     for (let at = 0; at < bytes.length; at += piece_bytes) {
+      const said = await page.evaluate(() => window.workersSaid.filter((type) => type === "loading").length);
       response?.write(bytes.subarray(at, at + piece_bytes));
-      // The worker tells of what arrives once in a second.
-      await page.waitForTimeout(1500);
+      // The worker reports what arrives once in a second.
+      await page.waitForFunction((count) => window.workersSaid.filter((type) => type === "loading").length > count, said);
       if (at + piece_bytes < bytes.length) await page.clock.fastForward(40_000);
     }
     response?.end();
