@@ -6,6 +6,7 @@ const JOURNEYS = "*.journey.mjs";
 export default defineConfig({
   testDir: "tests/journeys",
   outputDir: "target/journeys",
+  preserveOutput: "failures-only",
   timeout: 180_000,
   fullyParallel: true,
   workers: Math.min(2, availableParallelism()),

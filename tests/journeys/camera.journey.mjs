@@ -3,14 +3,12 @@ import { camera, watchCamera } from "./camera-watch.mjs";
 import { alike, test } from "./fixtures.mjs";
 
 /** Counts how often the page asks for the camera, and what becomes of it. */
-const before = (/** @type {import("@playwright/test").BrowserContext} */ context) => context.addInitScript(watchCamera);
-const beforeWithClock = (/** @type {import("@playwright/test").BrowserContext} */ context) => Promise.all([context.clock.install(), before(context)]);
+test.use({ visit: { scripts: [watchCamera] } });
 
 /** Longer than the countdown. */
 const COUNTED_MS = 5000;
 
-test("a double click opens one camera, and Escape stops it", { tag: "@camera" }, async ({ open }) => {
-  const visitor = await open({ before });
+test("a double click opens one camera, and Escape stops it", { tag: "@camera" }, async ({ visitor }) => {
   await visitor.page.dblclick("#welcome [data-action='camera']");
   await visitor.page.waitForSelector("#camera-shutter:enabled");
   await visitor.page.keyboard.press("Escape");
@@ -25,8 +23,7 @@ test("a double click opens one camera, and Escape stops it", { tag: "@camera" },
   assert.deepEqual(await camera(visitor), { asked: 2, tracks: 2, live: 0 });
 });
 
-test("two presses before the page has answered either ask for the camera once", { tag: ["@camera", "@rare"] }, async ({ open }) => {
-  const visitor = await open({ before });
+test("two presses before the page has answered either ask for the camera once", { tag: ["@camera", "@rare"] }, async ({ visitor }) => {
   // A script's press does not wait, as a hand's does, for the page to be there.
   await visitor.untilLoaded();
   await visitor.page.evaluate(() => {
@@ -40,9 +37,7 @@ test("two presses before the page has answered either ask for the camera once", 
   assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
 });
 
-test("the dialog is there while the browser asks, and a camera allowed after it was closed is stopped at once", { tag: ["@camera", "@rare"] }, async ({ open }) => {
-  const visitor = await open({ before });
-  const { page } = visitor;
+test("the dialog is there while the browser asks, and a camera allowed after it was closed is stopped at once", { tag: ["@camera", "@rare"] }, async ({ visitor, page }) => {
   await page.evaluate(() => (window.cameraWaits = true));
   await page.click("#welcome [data-action='camera']");
   assert.match(await page.innerText("#camera-status"), /Allow the camera/);
@@ -67,7 +62,7 @@ test("the dialog is there while the browser asks, and a camera allowed after it 
 
 for (const [moment, tag] of alike(["before the photo", "during the countdown"])) {
   test(`a camera that is unplugged ${moment} closes the dialog with a message, and no photo is taken`, { tag: [...tag, "@camera"] }, async ({ open }) => {
-    const visitor = await open({ before: beforeWithClock });
+    const visitor = await open({ hasClock: true });
     const { page } = visitor;
     await page.click("#welcome [data-action='camera']");
     await page.waitForSelector("#camera-shutter:enabled");
@@ -84,7 +79,7 @@ for (const [moment, tag] of alike(["before the photo", "during the countdown"]))
 }
 
 test("Escape during the countdown takes no photo", { tag: ["@camera", "@rare"] }, async ({ open }) => {
-  const visitor = await open({ before: beforeWithClock });
+  const visitor = await open({ hasClock: true });
   const { page } = visitor;
   await page.click("#welcome [data-action='camera']");
   await page.click("#camera-shutter:enabled");
@@ -102,14 +97,8 @@ test("Escape during the countdown takes no photo", { tag: ["@camera", "@rare"] }
 });
 
 test("no photo is taken of a video that has no size yet", { tag: ["@camera", "@rare"] }, async ({ open }) => {
-  const visitor = await open({
-    before: async (context) => {
-      await before(context);
-      await context.addInitScript(() => {
-        Object.defineProperty(HTMLVideoElement.prototype, "videoWidth", { get: () => window.videoHasSize ? 512 : 0 });
-      });
-    },
-  });
+  const hideSize = () => Object.defineProperty(HTMLVideoElement.prototype, "videoWidth", { get: () => (window.videoHasSize ? 512 : 0) });
+  const visitor = await open({ scripts: [watchCamera, hideSize] });
   const { page } = visitor;
   await page.click("#welcome [data-action='camera']");
   await page.waitForFunction(() => document.getElementById("camera-preview").readyState >= HTMLMediaElement.HAVE_FUTURE_DATA);

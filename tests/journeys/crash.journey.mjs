@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "./fixtures.mjs";
 
 test("a landmark without anything to hold the face, another density, and the page goes on", async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   await visitor.unfold("section-advanced");
   await page.selectOption("#anchors", "pins");

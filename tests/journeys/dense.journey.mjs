@@ -14,7 +14,7 @@ const AS_THE_PAGE = "--units mm --topology canonical --operator cotangent --hold
 /** A face at a density, with any of its points to be taken. */
 async function arriveAtPoints(open, density) {
   const visitor = await open();
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-landmark");
   await visitor.page.check("input[name='selection'][value='point']", { force: true });
   await visitor.page.selectOption("#point-density", String(density));

@@ -1,12 +1,11 @@
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
-import { appendFile, cp, mkdtemp, readFile, readdir, rm } from "node:fs/promises";
-import { tmpdir } from "node:os";
+import { appendFile, cp, readFile, readdir } from "node:fs/promises";
 import path from "node:path";
 import { promisify } from "node:util";
 import { expect } from "@playwright/test";
 import { alike, test } from "./fixtures.mjs";
-import { DIST, serve } from "./server.mjs";
+import { DIST } from "./server.mjs";
 
 const LISTING = path.resolve(import.meta.dirname, "../../web/list-for-offline.mjs");
 
@@ -20,92 +19,80 @@ for (const [[when, how, needs], tag] of alike(/** @type {const} */ ([
   ["opened on a first visit", { reloads: false }, "gpu"],
   ["opened without WebGPU", { reloads: true }, "webgl"],
 ]))) {
-  test(`a tab that was ${when} keeps its version after a deploy, and a new one has the new version`, { tag: [...tag, `@${needs}`] }, async ({ open }) => {
-    await withBuilds(async (server, older, newer) => {
-      const old = await open({ url: server.url, serviceWorkers: "allow" });
-      await old.untilLoaded();
-      if (how.reloads) await old.page.reload();
-      await old.untilLoaded();
-      if (needs === "webgl") await untilFallbackStored(old);
+  test(`a tab that was ${when} keeps its version after a deploy, and a new one has the new version`, { tag: [...tag, `@${needs}`] }, async ({ open, server }, testInfo) => {
+    const [older, newer] = await Promise.all(["older", "newer"].map((name) => buildOf(name, testInfo.outputPath(name))));
+    server.deploy(older);
+    const old = await open({ serviceWorkers: "allow" });
+    await old.untilLoaded();
+    if (how.reloads) await old.page.reload();
+    await old.untilLoaded();
+    if (needs === "webgl") await untilFallbackStored(old);
 
-      server.deploy(newer);
-      await expectBuild(old, older, needs);
-      const next = await old.anotherTab();
-      await expectBuild(next, newer, needs);
-      await next.page.reload();
-      await next.untilLoaded();
-      await expectBuild(next, newer, needs);
-      await untilStored(next, 2);
+    server.deploy(newer);
+    await expectBuild(old, older, needs);
+    const next = await old.anotherTab();
+    await expectBuild(next, newer, needs);
+    await next.page.reload();
+    await next.untilLoaded();
+    await expectBuild(next, newer, needs);
+    await untilStored(next, 2);
 
-      // The browser ends a service worker that has had nothing to do for a while.
-      for (const visitor of [old, next, old]) {
-        await stopServiceWorkers(visitor.page);
-        await expectBuild(visitor, visitor === old ? older : newer, needs);
-      }
-      await expectScripts(old, "older");
-      await expectScripts(next, "newer");
-      await old.page.bringToFront();
-      await old.dropSample();
-      server.disturb((_, response) => Boolean(response.writeHead(503).end()));
-      await next.page.bringToFront();
-      await next.page.reload();
-      await next.page.waitForSelector("body[data-bench='open']");
-      await expectBuild(next, newer, needs);
-      server.disturb();
+    // The browser ends a service worker that has had nothing to do for a while.
+    for (const visitor of [old, next, old]) {
+      await stopServiceWorkers(visitor.page);
+      await expectBuild(visitor, visitor === old ? older : newer, needs);
+    }
+    await expectScripts(old, "older");
+    await expectScripts(next, "newer");
+    await old.page.bringToFront();
+    await old.dropSample();
+    server.disturb((_, response) => Boolean(response.writeHead(503).end()));
+    await next.page.bringToFront();
+    await next.page.reload();
+    await next.page.waitForSelector("body[data-bench='open']");
+    await expectBuild(next, newer, needs);
+    server.disturb();
 
-      // On a page of neither version the new script takes over once the old one has stopped.
-      await old.page.close();
-      const nowhere = new URL("/", server.url).href;
-      await next.page.route(nowhere, (route) => route.fulfill({ contentType: "text/html", body: "" }));
-      await next.page.goto(nowhere);
-      await stopServiceWorkers(next.page);
-      await next.page.goto(server.url);
-      await next.untilLoaded();
-      await untilStored(next, 1);
-      await expectBuild(next, newer);
-      server.disturb((_, response) => Boolean(response.writeHead(503).end()));
-      await next.page.reload();
-      await next.page.waitForSelector("body[data-bench='open']");
-      await expectBuild(next, newer, needs);
-    });
+    // On a page of neither version the new script takes over once the old one has stopped.
+    await old.page.close();
+    const nowhere = new URL("/", server.url).href;
+    await next.page.route(nowhere, (route) => route.fulfill({ contentType: "text/html", body: "" }));
+    await next.page.goto(nowhere);
+    await stopServiceWorkers(next.page);
+    await next.page.goto(server.url);
+    await next.untilLoaded();
+    await untilStored(next, 1);
+    await expectBuild(next, newer);
+    server.disturb((_, response) => Boolean(response.writeHead(503).end()));
+    await next.page.reload();
+    await next.page.waitForSelector("body[data-bench='open']");
+    await expectBuild(next, newer, needs);
   });
 }
 
-test("a version that was never stored is not made up of files of the next one", async ({ open }) => {
-  await withBuilds(async (server, older, newer) => {
-    const old = await open({ url: server.url, serviceWorkers: "allow" });
-    await old.untilLoaded();
-    server.deploy(newer);
-    server.disturb((name, response) => name === "service-worker.js" && Boolean(response.writeHead(503).end()));
-    const next = await old.anotherTab();
-    await expectBuild(next, newer);
-    // As if a third version were out.
-    server.deploy(older);
-    const files = ["words/pt.json", "js/page/tasks.js", "css/base.css"];
-    assert.deepEqual(await hashesIn(next.page, files), files.map(() => "refused"));
-    await expectBuild(old, older);
-  });
+test("a version that was never stored is not made up of files of the next one", async ({ open, server }, testInfo) => {
+  const [older, newer] = await Promise.all(["older", "newer"].map((name) => buildOf(name, testInfo.outputPath(name))));
+  server.deploy(older);
+  const old = await open({ serviceWorkers: "allow" });
+  await old.untilLoaded();
+  server.deploy(newer);
+  server.disturb((name, response) => name === "service-worker.js" && Boolean(response.writeHead(503).end()));
+  const next = await old.anotherTab();
+  await expectBuild(next, newer);
+  // As if a third version were out.
+  server.deploy(older);
+  const files = ["words/pt.json", "js/page/tasks.js", "css/base.css"];
+  assert.deepEqual(await hashesIn(next.page, files), files.map(() => "refused"));
+  await expectBuild(old, older);
 });
 
 /**
- * Makes two builds of the page, which differ in each file that can take a comment, and serves the older one.
+ * Makes a build of the page in which each file that can take a comment has one, and late scripts name it as `build`.
  *
- * @param {(server: Awaited<ReturnType<typeof serve>>, older: string, newer: string) => Promise<void>} use
+ * @param {string} name
+ * @param {string} folder
  */
-async function withBuilds(use) {
-  const builds = await Promise.all(["older", "newer"].map(buildOf));
-  const server = await serve(builds[0], "/deployed/");
-  try {
-    await use(server, ...builds);
-  } finally {
-    server.close();
-    for (const build of builds) await rm(build, { recursive: true });
-  }
-}
-
-/** A build whose late scripts name it as `build`. @param {string} name */
-async function buildOf(name) {
-  const folder = await mkdtemp(path.join(tmpdir(), "rosto-build-"));
+async function buildOf(name, folder) {
   await cp(DIST, folder, { recursive: true });
   const files = (await readdir(folder, { recursive: true })).filter((name) => /^(js|css|words|wasm)\/.*\.(js|css|json)$/.test(name));
   const text = (file) => (file.endsWith("json") ? " ".repeat(name.length - 4) : `/* ${name} */`);

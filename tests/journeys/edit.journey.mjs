@@ -24,7 +24,7 @@ test("a dropped portrait becomes a mesh in its own colours", { tag: "@eyes" }, a
 });
 
 test("moving the nose tip changes picture and mesh as the command line does, and undo restores both", { tag: "@eyes" }, async ({ visitor }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.prefer("paper");
   await visitor.unfold("section-view");
   await visitor.page.click("[data-action='view-left']");
@@ -49,7 +49,7 @@ test("moving the nose tip changes picture and mesh as the command line does, and
 });
 
 test("details that turn with the surface follow every tick, and make the command line's mesh", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.findLandmark("61");
   await visitor.unfold("section-advanced");
   await visitor.page.selectOption("#details", "turned");
@@ -66,7 +66,7 @@ test("details that turn with the surface follow every tick, and make the command
 });
 
 test("a point is picked by clicking it on the mesh", async ({ visitor }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   const box = await visitor.page.locator("#viewport").boundingBox();
   await visitor.page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
   assert.match(await visitor.page.inputValue("#landmark-search"), / · \d+$/);
@@ -74,7 +74,7 @@ test("a point is picked by clicking it on the mesh", async ({ visitor }) => {
 });
 
 test("light, paint and camera change the picture, and the view resets", { tag: "@eyes" }, async ({ visitor }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-view");
   await visitor.page.check("#light-photo");
   const first = await visitor.view();

@@ -12,7 +12,6 @@ const EVENTS = ["rosto-ready", "rosto-face", "rosto-change", "rosto-error"];
  * @typedef {object} Site the example, and pages like it, beside the installed package
  * @property {(body: string, policy?: string) => string} page has a page with the element in it, and tells its address
  * @property {(url?: string) => Promise<ElementVisitor>} arrive at the example, or at another page
- * @property {(options?: object) => Promise<import("./visitor.mjs").Visitor>} open the project's own page
  */
 
 /** Tests with a {@link Site}. */
@@ -24,7 +23,7 @@ export const test = base.extend({
       const before = (context) => Promise.all([context.addInitScript(watchGpus), context.addInitScript(listen, EVENTS)]);
       return new ElementVisitor(await open({ url, before }));
     };
-    await use({ page: pagesOn(server), arrive, open });
+    await use({ page: pagesOn(server), arrive });
     server.close();
   },
 });

@@ -53,11 +53,10 @@ test("the example page has the face in its photo reshaped by slider and hand, in
   assert.deepEqual(await validateGlb(new Uint8Array(glb)), { clean: true, counts: "0/0/0/0", messages: [] });
 });
 
-test("the element's GLB is the command line's, byte for byte, of the same face and edits", async ({ site }) => {
-  const project = await projectAsCommandLine(await site.open());
+test("the element's GLB is the command line's, byte for byte, of the same face and edits", async ({ site, project }) => {
   const visitor = await site.arrive();
   await visitor.until("rosto-face");
-  await visitor.openFile(project, "portrait.rosto");
+  await visitor.openFile(await projectAsCommandLine(project), "portrait.rosto");
   for (const { edit, options } of EDITS) {
     await visitor.act(edit);
     const theirs = await glbByCommandLine(SAMPLE, [...AS_THE_PAGE, ...AS_THE_ELEMENT, ...options]);

@@ -7,7 +7,7 @@ const ENTRIES = 20_000;
 const LIMIT_MS = 30_000;
 
 test("a project of 20 000 edits opens, and edits and undo are as quick as ever", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.move("nose tip", "z", 1);
   const project = changedProject(await visitor.download("save-project"), (header) => {
     const [entry] = header.edits.entries;
@@ -43,7 +43,7 @@ test("a project of 20 000 edits opens, and edits and undo are as quick as ever",
 });
 
 test("an offset without measure goes to the slider's end", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   for (const [typed, taken] of /** @type {const} */ ([["1e308", 40], ["-1e308", -40], ["1e309", 40]])) {
     const field = page.locator("#landmark-sliders [data-axis='z'] input[type=number]");
@@ -64,7 +64,7 @@ test("an offset without measure goes to the slider's end", { tag: "@rare" }, asy
 });
 
 test("a panel that fails does not keep the others from what they show", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   // The landmark panel comes long before the history.
   await page.evaluate(() => document.getElementById("landmark-anchors").remove());
   await visitor.slide("nose-width", 4);
@@ -82,7 +82,7 @@ test("a panel that fails does not keep the others from what they show", { tag: "
 });
 
 test("on a dense mesh a point that is not there is not said to be between 0 and 467", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-landmark");
   await page.check("input[name='selection'][value='point']", { force: true });
   await page.selectOption("#point-density", "2");
@@ -102,7 +102,7 @@ test("on a dense mesh a point that is not there is not said to be between 0 and 
 });
 
 test("what the module hands out is given back: 200 edits and undos leave no objects behind", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await page.evaluate(countObjects);
   await visitor.move("nose tip", "z", 1);
   const before = await page.evaluate("objects()");

@@ -17,7 +17,7 @@ const DENSITIES = [
 
 test("a GLB of every density passes the validator, which says so on the page before the download", async ({ visitor, page }) => {
   await visitor.untilLoaded();
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.move("nose tip", "z", 5);
   await visitor.unfold("section-export");
   for (const [density, { vertices, triangles }] of DENSITIES.entries()) {
@@ -38,7 +38,7 @@ test("a GLB of every density passes the validator, which says so on the page bef
 
 test("the verdict goes when the face changes, and a GLB holds what is asked for", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.move("nose tip", "z", 5);
   await visitor.unfold("section-export");
   await page.check("input[name='base-colour'][value='colours']", { force: true });
@@ -55,7 +55,7 @@ test("the verdict goes when the face changes, and a GLB holds what is asked for"
 });
 
 test("OBJ, PLY and STL hold the mesh that is on the screen", async ({ visitor }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-export");
   await visitor.page.selectOption("#export-density", "1");
   const { vertices, triangles } = DENSITIES[1];
@@ -72,7 +72,7 @@ test("OBJ, PLY and STL hold the mesh that is on the screen", async ({ visitor })
 });
 
 test("a painted OBJ comes with its material and its picture, and a face for printing or for a phone as one package", async ({ visitor }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-export");
   for (const { format, ending, names } of [
     { format: "obj", ending: "zip", names: ["face.obj", "face.mtl", "face.png"] },
@@ -91,7 +91,7 @@ test("a painted OBJ comes with its material and its picture, and a face for prin
 
 test("the panel says what the GLB holds, is called and weighs, and follows every choice", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-export");
   const facts = async () => (await page.innerText("#export-facts")).split(/\s*\n\s*/).filter(Boolean);
   assert.deepEqual(await facts(), ["portrait.glb", "GLB: 7,257 points, 14,368 triangles, a picture of 1024 × 1024 px."]);
@@ -133,7 +133,7 @@ test("what is printed is measured before the download as by the command line, an
 });
 
 test("a body that cannot be printed is refused with what would do", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.reach("#print-facts");
   let downloads = 0;
   page.on("download", () => (downloads += 1));
@@ -165,10 +165,9 @@ test("a body that cannot be printed is refused with what would do", { tag: "@rar
 });
 
 test("the GLB is handed on, the picture copied and the face shown in the room where the browser can", { tag: "@rare" }, async ({ open }) => {
-  const visitor = await open({ before: (context) => context.addInitScript(takeFiles) });
+  const visitor = await open({ scripts: [takeFiles] });
   const { page } = visitor;
-  await visitor.drop(await readFile(SAMPLE), "ana.png");
-  await visitor.untilFace();
+  await visitor.openFace("ana");
   await visitor.unfold("section-export");
   await page.click("#share-glb");
   const shared = await taken(page, "sent");
@@ -203,8 +202,8 @@ test("the GLB is handed on, the picture copied and the face shown in the room wh
 
 test("a browser that neither hands on nor copies nor shows in the room has no buttons for it", { tag: "@rare" }, async ({ open }) => {
   const without = "delete Navigator.prototype.canShare; delete window.ClipboardItem";
-  const visitor = await open({ before: (context) => context.addInitScript(without) });
-  await visitor.dropSample();
+  const visitor = await open({ scripts: [without] });
+  await visitor.openFace();
   await visitor.unfold("section-export");
   for (const id of ["share-glb", "copy-picture", "ar-link"]) assert.ok(await visitor.page.isHidden(`#${id}`), id);
 });

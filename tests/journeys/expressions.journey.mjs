@@ -21,7 +21,7 @@ async function stands(visitor, expression) {
 const described = (file) => JSON.parse(file.subarray(20, 20 + file.readUInt32LE(12)).toString());
 
 test("an expression is seen, undone, outlives a reload, and is a morph target by its name", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   const [rest, shape] = [await visitor.view(), await visitor.meshJson("mm")];
   await express(visitor, "jawOpen", 60);
   assert.deepEqual(await visitor.history(), ["Mouth open"]);
@@ -51,7 +51,7 @@ test("an expression is seen, undone, outlives a reload, and is a morph target by
 });
 
 test("both sides go together or apart, and rest takes all back as one change", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   const shape = await visitor.meshJson("mm");
   await visitor.unfold("section-expressions");
   await page.check("#expressions-both");

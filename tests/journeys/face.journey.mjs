@@ -8,7 +8,7 @@ import { SAMPLE } from "./visitor.mjs";
 const WINGS = [64, 294];
 
 test("nose width moves both sides alike, is one entry, and is what the command line does", async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   assert.equal(await page.locator("#face-sliders .slider").count(), 10);
   const before = await visitor.meshJson("mm");
 
@@ -40,7 +40,7 @@ test("nose width moves both sides alike, is one entry, and is what the command l
 });
 
 test("a slider stands at the sum of its entries, and a double click on its name puts it back", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   const start = await visitor.meshJson("mm");
   await visitor.slide("lip-fullness", 2);
   await visitor.slide("chin-length", -3);
@@ -60,7 +60,7 @@ test("a slider stands at the sum of its entries, and a double click on its name 
 });
 
 test("the sliders work by keyboard, speak Portuguese, and leave the selected landmark in hand", async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   await page.selectOption("#language", "pt");
   assert.equal(await page.innerText("[data-slider='jaw-width'] .slider-label"), "Largura da mandíbula");
@@ -77,7 +77,7 @@ test("the sliders work by keyboard, speak Portuguese, and leave the selected lan
 });
 
 test("symmetry is an action with a share, listed and undone like any edit", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   const before = await visitor.meshJson("mm");
   await visitor.unfold("section-face");
   await page.fill("#symmetrise-share", "100");

@@ -39,7 +39,7 @@ test("each face of a group keeps its own edits: going to the other one and back 
 });
 
 test("the face before is one press away, with its edits, and so is the one that was left for it", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   assert.ok(await page.isHidden("#faces"), "there is nothing to go back to yet");
   await edit(visitor, "nose tip", 9);
   const photo = await standing(visitor);
@@ -67,10 +67,9 @@ test("the face before is one press away, with its edits, and so is the one that 
 });
 
 test("photos before the last one are there, too, each with its edits and by its name", { tag: "@rare" }, async ({ visitor, page }) => {
-  const bytes = await readFile(SAMPLE);
   const left = new Map();
   for (const [place, name] of ["ana", "bia", "clara", "dora", "eva"].entries()) {
-    await visitor.drop(bytes, `${name}.png`);
+    await visitor.openFace(name);
     await untilNamed(visitor, name);
     await edit(visitor, "nose tip", place + 2);
     left.set(name, await standing(visitor));
@@ -96,7 +95,7 @@ test("a group can be gone back to from another photo, each of its faces as it wa
   await visitor.slide("jaw-width", 4);
   const second = await standing(visitor);
 
-  await visitor.drop(await readFile(SAMPLE), "alone.png");
+  await visitor.openFace("alone");
   await untilNamed(visitor, "alone");
   assert.ok(await page.isHidden("#face-choice"));
   await goBack(visitor, "group-2");
@@ -127,7 +126,7 @@ test("of faces chosen one right after the other the last is shown, and the strip
 });
 
 test("where the browser keeps nothing, the face before comes back all the same", { tag: "@rare" }, async ({ open }) => {
-  const visitor = await open({ before: (context) => context.addInitScript(refuseDatabase) });
+  const visitor = await open({ scripts: [refuseDatabase] });
   const { page } = visitor;
   await openGroup(visitor);
   await page.waitForSelector("#notice[data-code='not-kept']");
@@ -136,7 +135,7 @@ test("where the browser keeps nothing, the face before comes back all the same",
   await choose(visitor, 1);
   await choose(visitor, 0);
   assert.deepEqual(await standing(visitor), first);
-  await visitor.drop(await readFile(SAMPLE), "alone.png");
+  await visitor.openFace("alone");
   await untilNamed(visitor, "alone");
   await goBack(visitor, "group");
   assert.deepEqual(await standing(visitor), first);
@@ -177,7 +176,7 @@ test("a module that is started again brings the face back among its group", { ta
 test("more faces than a phone is wide are reached by a swipe, and the one that is chosen is in sight", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true });
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.drop(await sixTimes(page, await readFile(SAMPLE)), "group.png");
   await page.waitForSelector("#face-choice:not([hidden])");
   await visitor.untilFace();
@@ -197,7 +196,7 @@ for (const [{ width, height }, tag] of alike([{ width: 390, height: 844 }, { wid
   test(`at ${width}×${height} the faces of a group are offered over the stage, and lie over nothing else`, { tag }, async ({ open }) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;
-    await visitor.dropSample();
+    await visitor.openFace();
     await openGroup(visitor);
     assert.ok(await page.isVisible("#previous-face"));
     const strip = await page.locator("#faces").boundingBox();

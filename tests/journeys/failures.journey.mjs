@@ -8,7 +8,7 @@ import { watchGpus } from "./watches.mjs";
 
 /** The sample with an edit of the nose tip; resolves to the mesh. */
 async function work(visitor) {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.move("nose tip", "z", 7);
   return visitor.meshJson("mm");
 }
@@ -53,7 +53,7 @@ test("what was there is still there when there is no memory for what was to be o
 
 for (const [[what, label], tag] of alike([["the picture", "still"], ["what it is drawn into", "attachment"]])) {
   test(`without graphics memory for ${what} no picture is saved, and the page says why`, { tag }, async ({ open }) => {
-    const visitor = await open({ before: (context) => context.addInitScript(watchTextures) });
+    const visitor = await open({ scripts: [watchTextures] });
     const { page } = visitor;
     const mesh = await work(visitor);
     await page.evaluate((label) => (globalThis.starved = label), label);
@@ -68,7 +68,7 @@ for (const [[what, label], tag] of alike([["the picture", "still"], ["what it is
 }
 
 test("a picture that the graphics card took along with itself is reported, and the report outlives the card's return", async ({ open }) => {
-  const visitor = await open({ before: (context) => context.addInitScript(watchGpus) });
+  const visitor = await open({ scripts: [watchGpus] });
   const { page } = visitor;
   const mesh = await work(visitor);
   const gpus = await page.evaluate("gpus.length");
@@ -108,7 +108,7 @@ for (const [{ reply, action, code }, tag] of alike([
 }
 
 test("a notice shows above a dialog that is open, can be closed there, and is on the stage again after the dialog", async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   const dropWords = () => page.evaluate(() => {
     const dataTransfer = new DataTransfer();
     dataTransfer.setData("text/plain", "words");

@@ -1,7 +1,5 @@
 import assert from "node:assert/strict";
-import { mkdir, mkdtemp, open as openFile, readFile, rm } from "node:fs/promises";
-import { tmpdir } from "node:os";
-import path from "node:path";
+import { mkdir, readFile, truncate, writeFile } from "node:fs/promises";
 import { test } from "./fixtures.mjs";
 import { heic, text } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
@@ -62,41 +60,33 @@ test("an address, text or a picture's HTML gets an answer, and text fields still
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("a dropped folder gets an answer", async ({ open }) => {
-  await withFolder(async (folder) => {
-    const visitor = await open();
-    await visitor.untilItAnswers();
-    const photos = path.join(folder, "photos.png");
-    await mkdir(photos);
-    await dropFromDesktop(visitor.page, [photos]);
-    assert.equal((await visitor.notice()).code, "folder");
-    await dropFromDesktop(visitor.page, [photos, SAMPLE]);
-    await visitor.untilFace();
-    await visitor.page.waitForSelector("#notice", { state: "hidden" });
-  });
+test("a dropped folder gets an answer", async ({ visitor }, testInfo) => {
+  await visitor.untilItAnswers();
+  const photos = testInfo.outputPath("photos.png");
+  await mkdir(photos);
+  await dropFromDesktop(visitor.page, [photos]);
+  assert.equal((await visitor.notice()).code, "folder");
+  await dropFromDesktop(visitor.page, [photos, SAMPLE]);
+  await visitor.untilFace();
+  await visitor.page.waitForSelector("#notice", { state: "hidden" });
 });
 
-test("a file of gigabytes is too large, not unreadable; the limit is where the worker has it", async ({ open }) => {
-  await withFolder(async (folder) => {
-    const visitor = await open();
-    const { page } = visitor;
-    await visitor.untilItAnswers();
-    for (const [bytes, code] of /** @type {const} */ ([
-      [3 * 2 ** 30, "too-many-bytes"],
-      [MAX_PHOTO_BYTES, "not-a-picture"],
-      [MAX_PHOTO_BYTES + 1, "too-many-bytes"],
-    ])) {
-      const name = path.join(folder, `${bytes}.jpg`);
-      // A file with a hole: it has the size, but fills no disk.
-      const file = await openFile(name, "w");
-      await file.truncate(bytes);
-      await file.close();
-      await page.setInputFiles("#photo-file", name);
-      await page.waitForSelector(`#notice[data-code='${code}']`);
-      await page.waitForSelector("#progress", { state: "hidden" });
-    }
-    await visitor.dropSample();
-  });
+test("a file of gigabytes is too large, not unreadable; the limit is where the worker has it", async ({ visitor, page }, testInfo) => {
+  await visitor.untilItAnswers();
+  for (const [bytes, code] of /** @type {const} */ ([
+    [3 * 2 ** 30, "too-many-bytes"],
+    [MAX_PHOTO_BYTES, "not-a-picture"],
+    [MAX_PHOTO_BYTES + 1, "too-many-bytes"],
+  ])) {
+    const name = testInfo.outputPath(`${bytes}.jpg`);
+    // A file with a hole: it has the size, but fills no disk.
+    await writeFile(name, "");
+    await truncate(name, bytes);
+    await page.setInputFiles("#photo-file", name);
+    await page.waitForSelector(`#notice[data-code='${code}']`);
+    await page.waitForSelector("#progress", { state: "hidden" });
+  }
+  await visitor.dropSample();
 });
 
 /**
@@ -140,14 +130,4 @@ async function dropFromDesktop(page, files) {
     await browser.send("Input.dispatchDragEvent", { type, x: 200, y: 200, data });
   }
   await browser.detach();
-}
-
-/** @param {(folder: string) => Promise<void>} use */
-async function withFolder(use) {
-  const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
-  try {
-    await use(folder);
-  } finally {
-    await rm(folder, { recursive: true });
-  }
 }

@@ -4,6 +4,7 @@ import { DIST, serve } from "./server.mjs";
 import { storedProject } from "./stored-project.mjs";
 import { Visitor } from "./visitor.mjs";
 
+/** Hosts may serve the page below a path of their own. */
 const BELOW = "/some/where/";
 
 /**
@@ -23,31 +24,32 @@ export const test = base.extend({
     { scope: "worker" },
   ],
 
-  /** Server of the built page. */
-  server: [
-    // biome-ignore lint/correctness/noEmptyPattern: Playwright reads the dependencies here
-    async ({}, use) => {
-      const server = await serve(DIST, BELOW);
-      await use(server);
-      server.close();
-    },
-    { scope: "worker" },
-  ],
-
   /** The sample portrait as a project. */
   project: [
-    async ({ browsers, server }, use) => use(await storedProject(() => browsers.get("gpu"), server.url)),
+    async ({ browsers }, use) => use(await storedProject(() => browsers.get("gpu"))),
     { scope: "worker", timeout: 60_000 },
   ],
 
-  /** Opens the page in a new browser context; takes the options of {@link Visitor.arrive} and another `url`. */
-  open: async ({ browsers, project, server }, use, testInfo) => {
+  /** Server of the built page. */
+  // biome-ignore lint/correctness/noEmptyPattern: Playwright reads the dependencies here
+  server: async ({}, use) => {
+    const server = await serve(DIST, BELOW);
+    await use(server);
+    server.close();
+  },
+
+  /** How a visitor arrives: the options of {@link Visitor.arrive}, and an `url`. */
+  visit: [{}, { option: true }],
+
+  /** Opens the page in a new browser context. */
+  open: async ({ browsers, project, server, visit }, use, testInfo) => {
     const kind = kindFor(testInfo.tags);
     /** @type {Visitor[]} */
     const visitors = [];
     try {
-      await use(async ({ url = server.url, ...options } = {}) => {
-        const visitor = await Visitor.arrive(await browsers.get(kind), url, options);
+      await use(async (options) => {
+        const { url = server.url, ...visiting } = { ...visit, ...options };
+        const visitor = await Visitor.arrive(await browsers.get(kind), url, visiting);
         Object.assign(visitor, { project, sees: browsers.sees(kind) });
         visitors.push(visitor);
         return visitor;

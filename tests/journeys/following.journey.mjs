@@ -16,8 +16,9 @@ const WATCHED_MS = 9000;
 /** So long after the face has come to rest the smoothing has done so, too. */
 const SETTLED_FRAMES = 10;
 
-test("a camera's face is followed: it rests where the film has it, and does not lag when it moves", { tag: "@moving-camera" }, async ({ open }) => {
-  const { page } = await open({ before: bringFiles });
+test.use({ visit: { before: bringFiles } });
+
+test("a camera's face is followed: it rests where the film has it, and does not lag when it moves", { tag: "@moving-camera" }, async ({ page }) => {
   const seen = await page.evaluate(async (duration_ms) => {
     const { watch } = await import(new URL("film/following-page.mjs", document.baseURI).href);
     return watch(duration_ms);
@@ -40,8 +41,7 @@ test("a camera's face is followed: it rests where the film has it, and does not 
   assert.ok(Math.abs(lag) < 60, `it is ${lag} ms behind`);
 });
 
-test("of frames that come at once the first and the last are answered, and no bitmap is left over", { tag: "@rare" }, async ({ open }) => {
-  const { page } = await open({ before: bringFiles });
+test("of frames that come at once the first and the last are answered, and no bitmap is left over", { tag: "@rare" }, async ({ page }) => {
   const { answered, left } = await page.evaluate(async () => {
     const { client } = await import(new URL("film/following-page.mjs", document.baseURI).href);
     const vision = await client();
@@ -55,8 +55,7 @@ test("of frames that come at once the first and the last are answered, and no bi
   assert.equal(left, 0);
 });
 
-test("a large frame is read smaller, and its landmarks are where they are in it", { tag: "@rare" }, async ({ open }) => {
-  const { page } = await open({ before: bringFiles });
+test("a large frame is read smaller, and its landmarks are where they are in it", { tag: "@rare" }, async ({ page }) => {
   const [small, large] = await page.evaluate(async () => {
     const { client } = await import(new URL("film/following-page.mjs", document.baseURI).href);
     const vision = await client();
@@ -77,9 +76,7 @@ test("a large frame is read smaller, and its landmarks are where they are in it"
   assert.ok(Math.abs(off(0)) < 0.5 && Math.abs(off(1)) < 0.5, `${off(0)}, ${off(1)} px of 1920 × 1440`);
 });
 
-test("whoever stops following is answered at once, and a worker that dies is said and replaced", async ({ open }) => {
-  const visitor = await open({ before: bringFiles });
-  const { page } = visitor;
+test("whoever stops following is answered at once, and a worker that dies is said and replaced", async ({ visitor, page }) => {
   // The page's own workers are started by then.
   await visitor.untilLoaded();
   const told = await page.evaluate(async () => {

@@ -84,7 +84,7 @@ test("a GLB whose shape another program has changed opens as it was saved, and t
 /** A visitor with one edit of the sample, and the mesh that it has led to. */
 async function withAnEdit(open) {
   const visitor = await open();
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.move("nose tip", "z", 6);
   return { visitor, page: visitor.page, work: await visitor.meshJson("mm") };
 }

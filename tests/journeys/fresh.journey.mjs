@@ -10,10 +10,10 @@ for (const [[what, fileOf], tag] of alike(/** @type {const} */ ([
   ["GLB", async (visitor) => ({ bytes: await visitor.download("download-glb"), name: "new.glb" })],
 ]))) {
   test(`after a new ${what} no control shows what was selected, typed or scrolled before`, { tag }, async ({ open }) => {
-    const visitor = await open({ viewport: { width: 1024, height: 480 }, before: (context) => context.clock.install() });
+    const visitor = await open({ viewport: { width: 1024, height: 480 }, hasClock: true });
     const { page } = visitor;
     await visitor.untilLoaded();
-    await visitor.dropSample();
+    await visitor.openFace();
     const { bytes, name } = await fileOf(visitor);
     const fresh = await controls(page);
 
@@ -46,7 +46,7 @@ for (const [[what, fileOf], tag] of alike(/** @type {const} */ ([
 }
 
 test("a search that was not entered is gone with its face", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-landmark");
   const help = await page.innerText("#landmark-help");
   await page.fill("#landmark-search", "no such place");

@@ -8,9 +8,9 @@ for (const [{ drawn, needs }, tag] of alike([
   { drawn: "WebGL2", needs: "webgl" },
 ])) {
   test(`when the graphics process crashes under ${drawn}, the view comes back by itself and the work goes on`, { tag: [...tag, `@${needs}`] }, async ({ open }) => {
-    const visitor = await open({ before: (context) => context.addInitScript(watchGpus) });
+    const visitor = await open({ scripts: [watchGpus] });
     const { page } = visitor;
-    await visitor.dropSample();
+    await visitor.openFace();
     await visitor.move("nose tip", "z", 9);
     const before = { view: await visitor.view(), mesh: await visitor.meshJson("mm") };
     const gpus = await page.evaluate("gpus.length");
@@ -27,7 +27,7 @@ for (const [{ drawn, needs }, tag] of alike([
 }
 
 test("while WebGL2 stays away the page says so and edits go on, and they show when it is back", { tag: "@webgl" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   const found = await visitor.view();
   const extension = await page.evaluateHandle(() => {

@@ -13,7 +13,7 @@ const DENSEST = 28_881;
 const MOUTH_CORNERS = [61, 291];
 
 test("the pointer over a landmark marks it and names it, and lets go of it beside the face", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   const tip = await visitor.tagged();
   const beside = await visitor.besideTheFace();
@@ -33,7 +33,7 @@ test("the pointer over a landmark marks it and names it, and lets go of it besid
 });
 
 test("a landmark follows the pointer in the view plane, slowly with Shift, and glows as it goes", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   const tip = await visitor.tagged();
   const start = await visitor.meshJson("mm");
@@ -59,7 +59,7 @@ test("a landmark follows the pointer in the view plane, slowly with Shift, and g
 });
 
 test("X, Y and Z keep a drag to an axis, and Escape puts everything back", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.reach("#mirror");
   await page.uncheck("#mirror");
   await visitor.findLandmark("nose tip");
@@ -97,7 +97,7 @@ test("X, Y and Z keep a drag to an axis, and Escape puts everything back", { tag
 });
 
 test("the wheel widens and narrows the reach of a drag, which stays one edit", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   const tip = await visitor.tagged();
   const start = await visitor.meshJson("mm");
@@ -132,7 +132,7 @@ test("the wheel widens and narrows the reach of a drag, which stays one edit", {
 });
 
 test("the other side follows where the mirror is on, and its plane is a hairline while a drag runs", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.findLandmark(String(MOUTH_CORNERS[0]));
   const start = await visitor.meshJson("mm");
   await visitor.offset("x", -4);
@@ -162,7 +162,7 @@ test("the other side follows where the mirror is on, and its plane is a hairline
 });
 
 test("a click with Alt pins a landmark, which then stays, and unpins it", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.findLandmark(String(MOUTH_CORNERS[0]));
   const corner = await visitor.tagged();
   await visitor.findLandmark("nose tip");
@@ -181,7 +181,7 @@ test("a click with Alt pins a landmark, which then stays, and unpins it", { tag:
 });
 
 test("every operator and constraint says in a line what it does, and does what the command line does", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   const said = new Set();
   const operators = await page.locator("#operator option").evaluateAll((options) => options.map((option) => option.value));
@@ -206,7 +206,7 @@ test("every operator and constraint says in a line what it does, and does what t
 });
 
 test("a landmark is dragged on the densest mesh as on the coarse one", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await page.selectOption("#density", "3", { force: true });
   await visitor.findLandmark("nose tip");
   const tip = await visitor.tagged();

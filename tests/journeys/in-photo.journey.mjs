@@ -21,7 +21,7 @@ test("without an edit the photo leaves the page as it came, byte for byte", asyn
 });
 
 test("an edit changes the photo where the face is, and nothing beyond the ring", async ({ visitor }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.slide("nose-width", -4);
   await visitor.slide("jaw-width", -6);
   const before = await sample();
@@ -32,7 +32,7 @@ test("an edit changes the photo where the face is, and nothing beyond the ring",
 });
 
 test("a wider ring gives way further, and a narrow one less", { tag: "@rare" }, async ({ visitor }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.slide("face-length", 8);
   const widths = [];
   for (const share of [10, 35, 80]) {
@@ -56,7 +56,7 @@ test("the page and the command line write the same photo", async ({ visitor }) =
 });
 
 test("the face seen from further away, from nearer, and as it was taken", { tag: "@rare" }, async ({ visitor }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   const photos = [];
   for (const cm of [30, 300]) {
     await visitor.unfold("section-in-photo");

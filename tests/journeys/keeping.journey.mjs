@@ -5,7 +5,7 @@ import { Visitor } from "./visitor.mjs";
 
 test("an edit a moment before a reload, or before the tab is closed, is kept", async ({ visitor, page }) => {
   const address = page.url();
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.move("nose tip", "z", 3);
   await untilKept(page);
 
@@ -30,7 +30,7 @@ test("an edit a moment before a reload, or before the tab is closed, is kept", a
 });
 
 test("an edit is kept however long before the reload it was made", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   // Around the pause after which the database is told, it has been asked and has not answered.
   for (const [place, wait_ms] of [185, 200, 205, 210, 220, 240].entries()) {
@@ -47,9 +47,9 @@ for (const [[how, refuse], tag] of alike(/** @type {const} */ ([
   ["is full", refuseByFullness],
 ]))) {
   test(`where the database ${how}, the page says once that nothing is kept, and the work goes on`, { tag }, async ({ open }) => {
-    const visitor = await open({ before: (context) => context.addInitScript(refuse) });
+    const visitor = await open({ scripts: [refuse] });
     const { page } = visitor;
-    await visitor.dropSample();
+    await visitor.openFace();
     await page.waitForSelector("#notice[data-code='not-kept']");
     assert.match((await visitor.notice()).text, /keeps nothing\s+Save the project/);
     await page.keyboard.press("Escape");

@@ -43,7 +43,7 @@ test("everything from photo to file by keyboard alone", async ({ visitor, page }
 });
 
 test("the first stop of the keyboard leads past everything to the search, whichever tab hides it", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await page.keyboard.press("Tab");
   assert.ok(await page.evaluate(() => document.activeElement?.matches(".skip-link")), "the first stop is another");
   await page.keyboard.press("Enter");
@@ -59,7 +59,7 @@ test("the first stop of the keyboard leads past everything to the search, whiche
 });
 
 test("a question mark lists the keys, but not where text is typed", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await page.focus("#landmark-search");
   await page.keyboard.press("?");
   assert.equal(await page.inputValue("#landmark-search"), "?");
@@ -74,7 +74,7 @@ test("a question mark lists the keys, but not where text is typed", { tag: "@rar
 });
 
 test("the camera follows the keys while the view has the focus", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await page.focus("#viewport");
   const start = await visitor.view();
   for (const key of ["ArrowLeft", "Control+Shift+ArrowUp", "Alt+ArrowUp", "l", "t", "w"]) {
@@ -100,7 +100,7 @@ const EVERYWHERE = ["viewport", "undo", "language", "theme", "open-keys", "open-
 
 for (const [[tab, stops], tag] of alike(Object.entries(STOPS))) {
   test(`Tab goes through everything on the tab ${tab}, and shows the whole of a ring around where it is`, { tag }, async ({ visitor, page }) => {
-    await visitor.dropSample();
+    await visitor.openFace();
     await visitor.move("nose tip", "z", 3);
     await visitor.unfold("section-paper");
     await page.click(`#tab-${tab}`);
@@ -122,7 +122,7 @@ for (const [[tab, stops], tag] of alike(Object.entries(STOPS))) {
 test("in a dialog the ring is whole, too", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ viewport: { width: 720, height: 450 } });
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   for (const dialog of ["keys", "credits"]) {
     await page.evaluate((dialog) => document.querySelector(`[data-action='open-${dialog}']`).click(), dialog);
     await page.keyboard.press("Tab");

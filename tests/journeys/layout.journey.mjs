@@ -26,7 +26,7 @@ for (const [{ id, options }, tag] of alike(AUDIENCES)) {
 
 test("all of the face is in what a window leaves free, and again whenever the window becomes another", { tag: ["@eyes", "@rare"] }, async ({ open }) => {
   const visitor = await open({ colorScheme: "light" });
-  await visitor.dropSample();
+  await visitor.openFace();
   for (const { id, options } of [...AUDIENCES, ...AUDIENCES.toReversed()]) {
     await visitor.page.setViewportSize(options.viewport);
     // The camera glides there.
@@ -47,7 +47,7 @@ const FAULTS = [
 test("what overlaps, leaves the window, is cut, wraps, is covered or scrolls sideways is found", async ({ open }) => {
   const visitor = await open({ viewport: { width: 1280, height: 800 } });
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   assert.deepEqual(await findings(page), []);
   for (const [fault, selector, style, sign] of FAULTS) {
     const undo = await page.evaluate(restyle, { selector, style });

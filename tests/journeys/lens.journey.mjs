@@ -20,7 +20,7 @@ async function chooseLens(visitor, lens) {
 }
 
 test("each lens shows the face another way, on the page and in a picture, and says how", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-view");
   assert.ok(await page.isChecked("input[name='lens'][value='portrait']"));
   const [views, pictures, helps] = [[], [], new Set()];
@@ -47,7 +47,7 @@ test("each lens shows the face another way, on the page and in a picture, and sa
 
 for (const lens of ["parallel", "near"]) {
   test(`with a lens, what lights up under the pointer is what a press takes: ${lens}`, { tag: "@rare" }, async ({ visitor, page }) => {
-    await visitor.dropSample();
+    await visitor.openFace();
     await chooseLens(visitor, lens);
     // Turned, raised and nearer, so that no axis of the view is one of the face's.
     await page.focus("#viewport");
@@ -60,7 +60,7 @@ for (const lens of ["parallel", "near"]) {
 }
 
 test("as photographed, the mesh lies where the face is in the photo, and the lens is kept", async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await chooseLens(visitor, "as-taken");
   const { width, height } = PNG.sync.read(await readFile(SAMPLE));
   const { positions } = await visitor.meshJson("image");

@@ -15,11 +15,9 @@ const GOLDEN = path.join(import.meta.dirname, "../golden/refined_landmarks.json"
 const NOSE_TIP = 4;
 const NOSE_MM = 5;
 
-const before = (/** @type {import("@playwright/test").BrowserContext} */ context) => Promise.all([watchCamera, watchFrames].map((script) => context.addInitScript(script)));
+test.use({ visit: { scripts: [watchCamera, watchFrames] } });
 
-test("in the mirror the film is seen with its sides swapped, and with the edits where the face is", { tag: "@seen-camera" }, async ({ open }) => {
-  const visitor = await open({ before });
-  const { page } = visitor;
+test("in the mirror the film is seen with its sides swapped, and with the edits where the face is", { tag: "@seen-camera" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.slide("nose-width", NOSE_MM);
   await openMirror(visitor);
@@ -55,9 +53,7 @@ test("in the mirror the film is seen with its sides swapped, and with the edits 
   assert.equal((await camera(visitor)).live, 0);
 });
 
-test("what is seen in the mirror is kept as a photo with its edits, and the camera stops", { tag: ["@moving-camera", "@rare"] }, async ({ open }) => {
-  const visitor = await open({ before });
-  const { page } = visitor;
+test("what is seen in the mirror is kept as a photo with its edits, and the camera stops", { tag: ["@moving-camera", "@rare"] }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.slide("nose-width", NOSE_MM);
   await openMirror(visitor);
@@ -74,7 +70,7 @@ test("what is seen in the mirror is kept as a photo with its edits, and the came
 });
 
 test("without a face open, the first one that the camera sees is opened; a double click opens one camera", { tag: ["@moving-camera", "@rare"] }, async ({ open }) => {
-  const visitor = await open({ before, viewport: { width: 390, height: 844 } });
+  const visitor = await open({ viewport: { width: 390, height: 844 } });
   const { page } = visitor;
   await visitor.untilLoaded();
   await page.dblclick("#welcome [data-action='mirror']");
@@ -96,12 +92,7 @@ test("without a face open, the first one that the camera sees is opened; a doubl
 });
 
 test("in the mirror a face is lost and found, a worker that dies is said, and a hidden page has no camera", { tag: ["@moving-camera", "@rare"] }, async ({ open }) => {
-  const visitor = await open({
-    before: async (context) => {
-      await before(context);
-      await context.addInitScript(watchWorkers);
-    },
-  });
+  const visitor = await open({ scripts: [watchCamera, watchFrames, trapWorkers] });
   const { page } = visitor;
   await visitor.dropSample();
   await openMirror(visitor);
@@ -129,9 +120,7 @@ test("in the mirror a face is lost and found, a worker that dies is said, and a 
   assert.equal((await camera(visitor)).live, 1);
 });
 
-test("a camera that is refused or unplugged ends the mirror, and says why", { tag: "@moving-camera" }, async ({ open }) => {
-  const visitor = await open({ before });
-  const { page } = visitor;
+test("a camera that is refused or unplugged ends the mirror, and says why", { tag: "@moving-camera" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
   await page.evaluate(() => (window.isRefused = true));
   await page.click("#welcome [data-action='mirror']");
@@ -248,7 +237,7 @@ function watchFrames() {
 }
 
 /** Runs in the page before its own scripts, too. */
-function watchWorkers() {
+function trapWorkers() {
   const Original = Worker;
   window.Worker = class extends Original {
     postMessage(message, transfer) {

@@ -64,17 +64,15 @@ test("a photo from the camera is a selfie", { tag: "@camera" }, async ({ visitor
 });
 
 test("the sample is offered as a small picture, which moves nothing and asks for nothing", async ({ visitor, page }) => {
-  /** @type {string[]} */
-  const asked = [];
   await visitor.untilLoaded();
-  page.on("request", (request) => asked.push(request.url()));
+  visitor.requests.length = 0;
   await page.reload();
   await visitor.untilItAnswers();
   const before = await page.locator("#welcome [data-action='sample']").boundingBox();
   await visitor.untilLoaded();
   assert.ok((await coloursOf(page)) > 50, "the thumbnail is empty");
   assert.deepEqual(await page.locator("#welcome [data-action='sample']").boundingBox(), before);
-  assert.equal(asked.filter((url) => url.endsWith("sample.png")).length, 1);
+  assert.equal(visitor.requests.filter((url) => url.endsWith("sample.png")).length, 1);
   await page.click("#welcome [data-action='sample']");
   await visitor.untilFace();
   assert.equal(await nameOf(visitor, "save-project"), "sample.rosto");

@@ -10,7 +10,7 @@ import { watchWorkers } from "./watches.mjs";
 const LARGE = { width: 4000, height: 3000 };
 
 test("of a large photo and a GLB right after it, the GLB stays", { tag: "@rare" }, async ({ open }) => {
-  const visitor = await open({ before: (context) => context.addInitScript(watchWorkers) });
+  const visitor = await open({ scripts: [watchWorkers] });
   const { page } = visitor;
   const large = await asJpeg(page, await readFile(SAMPLE), LARGE);
   await visitor.dropSample();
@@ -32,7 +32,7 @@ test("of a large photo and a GLB right after it, the GLB stays", { tag: "@rare" 
 });
 
 test("of a large photo and a small one right after it, the small one stays", async ({ open }) => {
-  const visitor = await open({ before: (context) => context.addInitScript(watchWorkers) });
+  const visitor = await open({ scripts: [watchWorkers] });
   const { page } = visitor;
   const portrait = await readFile(SAMPLE);
   const large = await asJpeg(page, portrait, LARGE);

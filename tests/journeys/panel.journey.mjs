@@ -8,7 +8,7 @@ const SHORT = { viewport: { width: 844, height: 390 }, hasTouch: true, isMobile:
 test("the panel goes from photo to sliders, to the hand, to what was done, and ends with the advanced", async ({ open }) => {
   const visitor = await open(DESKTOP);
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   const seen = () => page.locator("#sections h2:not(.visually-hidden)").evaluateAll((all) => all.filter((h2) => h2.checkVisibility()).map((h2) => h2.innerText));
   assert.deepEqual(await seen(), ["Photo", "Features", "Expressions", "Move by hand", "In the photo", "History", "Advanced"]);
   for (const id of ["operator", "constraint", "details", "anchors", "anchors-shown", "section-paper"]) {
@@ -26,7 +26,7 @@ for (const [[device, options], tag] of alike(Object.entries({ desktop: DESKTOP, 
     await visitor.untilLoaded();
     assert.ok(await page.isHidden("[role=tablist]"));
     assert.ok(await page.isHidden("[data-action='download-glb']"), "there is nothing to download yet");
-    await visitor.dropSample();
+    await visitor.openFace();
     await page.focus("#tab-shape");
     const sections = { shape: "section-face", view: "section-view", export: "section-export" };
     for (const [key, tab] of [["ArrowRight", "view"], ["ArrowRight", "export"], ["ArrowRight", "shape"], ["ArrowLeft", "export"], ["Home", "shape"], ["End", "export"]]) {
@@ -46,7 +46,7 @@ for (const [[device, options], tag] of alike(Object.entries({ desktop: DESKTOP, 
   test(`the photo folds to a row with its face, which unfolds it and changes it: ${device}`, { tag }, async ({ open }) => {
     const visitor = await open(options);
     const { page } = visitor;
-    await visitor.dropSample();
+    await visitor.openFace();
     assert.ok(await page.isHidden("#photo-picture"));
     assert.ok(await page.isHidden("#drop-zone"));
     const row = await page.locator("#section-photo").boundingBox();
@@ -66,7 +66,7 @@ for (const [[device, options], tag] of alike(Object.entries({ desktop: DESKTOP, 
 test("the presets say which is on and what it means, and that none is", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open(DESKTOP);
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   const segments = () => page.locator("[data-choice='preset'] span").evaluateAll((all) => all.filter((span) => span.checkVisibility()).map((span) => span.innerText));
   const custom = page.locator("input[name='preset'][value='custom']");
   assert.deepEqual(await segments(), ["Sculpt", "Paper"]);
@@ -88,7 +88,7 @@ for (const [size, panel_px] of [[[1280, 720], 320], [[720, 450], 280]]) {
   test(`segments of a row are of one height and one line in either language: ${size.join(" × ")}`, { tag: "@rare" }, async ({ open }) => {
     const visitor = await open({ viewport: { width: size[0], height: size[1] } });
     const { page } = visitor;
-    await visitor.dropSample();
+    await visitor.openFace();
     assert.equal((await page.locator("#panel").boundingBox()).width, panel_px);
     await visitor.reach("#mirror");
     await page.locator("#mirror").click();
@@ -110,7 +110,7 @@ for (const [[width, height], tag] of alike([[1280, 720], [720, 450], [844, 390],
   test(`the list of keys is not cut, begins at its top, and can be left: ${width} × ${height}`, { tag }, async ({ open }) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;
-    await visitor.dropSample();
+    await visitor.openFace();
     for (const language of ["en", "pt"]) {
       await visitor.speak(language);
       for (const dialog of ["keys", "credits"]) {
@@ -130,7 +130,7 @@ for (const [[width, height], tag] of alike([[1280, 720], [720, 450], [844, 390],
 test("language and theme are in reach on a small screen while a face is open", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open(PHONE);
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   await page.locator("#language").scrollIntoViewIfNeeded();
   await page.selectOption("#language", "pt");
   assert.equal(await page.innerText("#tab-export"), "Exportar");
@@ -142,12 +142,12 @@ test("language and theme are in reach on a small screen while a face is open", {
 test("fingers are told to tap and choose, a mouse to click and drop", async ({ open }) => {
   const texts = (visitor) => visitor.page.evaluate(() => ["welcome-title", "landmark-help"].map((id) => document.getElementById(id).textContent).join(" "));
   const phone = await open(PHONE);
-  await phone.dropSample();
+  await phone.openFace();
   const byFinger = await texts(phone);
   assert.match(byFinger, /Choose or take a photo of a face.*Tap a point/);
   assert.doesNotMatch(byFinger, /\b(drop|click)\b/i);
   const desk = await open(DESKTOP);
-  await desk.dropSample();
+  await desk.openFace();
   assert.match(await texts(desk), /Drop a photo of a face.*Click a point/);
 });
 
@@ -160,7 +160,7 @@ test("no visitor who begins reads of landmarks, their count, or requests", async
     assert.doesNotMatch(await page.innerText("body"), JARGON);
     const steps = await page.locator("#progress").evaluate((progress) => progress.textContent);
     assert.doesNotMatch(steps, JARGON);
-    await visitor.dropSample();
+    await visitor.openFace();
     await visitor.slide("nose-width", 2);
     await visitor.unfold("section-photo");
     assert.doesNotMatch(await page.innerText("body"), JARGON);

@@ -7,7 +7,7 @@ import { SAMPLE } from "./visitor.mjs";
 const TABLE_1 = [[218, 214], [3, 7], [399, 362], [364, 389], [366, 401], [393, 363], [387, 374], [384, 584]];
 
 test("the paper's experiment runs in the browser, beside its Table 1, and leaves the work alone", async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.slide("nose-width", 2);
   const before = await visitor.meshJson("mm");
   await visitor.unfold("section-paper");
@@ -29,7 +29,7 @@ test("the paper's experiment runs in the browser, beside its Table 1, and leaves
 });
 
 test("what each operator and constraint does is what the command line finds", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-paper");
   await page.click("[data-action='run-paper']");
   await page.waitForSelector("#paper-results:not([hidden])", { timeout: 150_000 });

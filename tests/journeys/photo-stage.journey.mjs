@@ -8,7 +8,7 @@ const scene = (visitor) => visitor.page.evaluate(() => document.body.dataset.sce
 
 /** @param {import("./visitor.mjs").Visitor} visitor */
 async function photoOnStage(visitor) {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.page.focus("#viewport");
   // By its key, so that the view has the focus as it has it later.
   await visitor.page.keyboard.press("p");
@@ -16,7 +16,7 @@ async function photoOnStage(visitor) {
 }
 
 test("a press on the small photo puts it on the stage; the switch and P go back, and it is remembered", { tag: "@eyes" }, async ({ visitor }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   assert.equal(await scene(visitor), "solid", "the face in the round is what a visitor arrives at");
   const solid = await visitor.view();
   await visitor.page.click("#photo-to-stage");
@@ -79,7 +79,7 @@ test("who drags beside the face turns it out of the photo", { tag: ["@eyes", "@r
 });
 
 test("the small photo shows every edit as it is made", async ({ visitor }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.frames(4);
   const pixels = () => visitor.page.locator("#photo-thumbnail").evaluate((canvas) => [...canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data]);
   const differing = (/** @type {number[]} */ a, /** @type {number[]} */ b) => a.filter((value, at) => Math.abs(value - (b[at] ?? 0)) > 4).length;
@@ -95,7 +95,7 @@ test("the small photo shows every edit as it is made", async ({ visitor }) => {
 
 test("both stand side by side where the window is wide, and a press on the photo gives it the stage", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ viewport: { width: 1440, height: 900 } });
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.page.click("#both");
   await visitor.frames(4);
   const seen = await visitor.page.evaluate(() => {

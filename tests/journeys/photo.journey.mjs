@@ -99,7 +99,7 @@ test("landmarks lie on the panel's photo where they are in the photo", async ({ 
 });
 
 test("of a large photo the page's own thread draws only what it shows", async ({ open }) => {
-  const visitor = await open({ before: (context) => context.addInitScript(countDrawn) });
+  const visitor = await open({ scripts: [countDrawn] });
   const { page } = visitor;
   // Before the bench is there, a part of the photo that nobody has scaled yet is drawn.
   await visitor.untilLoaded();

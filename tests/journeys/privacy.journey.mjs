@@ -1,23 +1,16 @@
 import assert from "node:assert/strict";
 import { test } from "./fixtures.mjs";
 
-test("after loading, no request leaves the page", async ({ open }) => {
-  /** @type {string[]} */
-  const requests = [];
-  const visitor = await open({
-    before: async (context) => {
-      context.on("request", (request) => requests.push(request.url()));
-    },
-  });
+test("after loading, no request leaves the page", async ({ visitor }) => {
   await visitor.untilLoaded();
   assert.match(await visitor.page.innerText("#privacy"), /stays on this device.*nothing sent since the page loaded/s);
-  requests.length = 0;
+  visitor.requests.length = 0;
   await visitor.page.click("#welcome [data-action='sample']");
   await visitor.untilFace();
   await visitor.move("bottom of the chin", "y", -6);
   await visitor.download("download-glb");
   await visitor.dropSample();
-  const left = requests.filter((url) => !url.startsWith("blob:") && !url.startsWith("data:"));
+  const left = visitor.requests.filter((url) => !url.startsWith("blob:") && !url.startsWith("data:"));
   assert.deepEqual(left, []);
   assert.equal(await visitor.page.getAttribute("#privacy-count", "data-requests"), "0");
   assert.match(await visitor.page.innerText("#privacy"), /On this device.*nothing sent/);

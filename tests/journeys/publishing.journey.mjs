@@ -1,12 +1,12 @@
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { createHash } from "node:crypto";
-import { copyFile, cp, mkdir, mkdtemp, readFile, readdir, rm } from "node:fs/promises";
-import { homedir, tmpdir } from "node:os";
+import { copyFile, mkdir, readFile, readdir } from "node:fs/promises";
+import { homedir } from "node:os";
 import path from "node:path";
 import { promisify } from "node:util";
 import { test } from "./fixtures.mjs";
-import { DIST, serve } from "./server.mjs";
+import { DIST } from "./server.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
 const HOOK = path.join(ROOT, "web/list-for-offline.mjs");
@@ -64,20 +64,16 @@ test("the list has every file of the page with its SHA-256, and the page's text 
 });
 
 test("the list does not depend on the order in which files lie on the disk, or on how often it is written", async () => {
-  const folder = await mkdtemp(path.join(tmpdir(), "rosto-dist-"));
-  try {
-    for (const name of (await filesOf(DIST)).reverse()) {
-      await mkdir(path.dirname(path.join(folder, name)), { recursive: true });
-      await copyFile(path.join(DIST, name), path.join(folder, name));
+  const folder = test.info().outputPath("dist");
+  for (const name of (await filesOf(DIST)).reverse()) {
+    await mkdir(path.dirname(path.join(folder, name)), { recursive: true });
+    await copyFile(path.join(DIST, name), path.join(folder, name));
+  }
+  for (let times = 0; times < 2; times += 1) {
+    await run("node", [HOOK], { env: { ...process.env, TRUNK_STAGING_DIR: folder } });
+    for (const name of await filesOf(DIST)) {
+      assert.ok((await readFile(path.join(folder, name))).equals(await readFile(path.join(DIST, name))), name);
     }
-    for (let times = 0; times < 2; times += 1) {
-      await run("node", [HOOK], { env: { ...process.env, TRUNK_STAGING_DIR: folder } });
-      for (const name of await filesOf(DIST)) {
-        assert.ok((await readFile(path.join(folder, name))).equals(await readFile(path.join(DIST, name))), name);
-      }
-    }
-  } finally {
-    await rm(folder, { recursive: true });
   }
 });
 
@@ -90,20 +86,12 @@ test("no file of the page tells of the machine that built it", async () => {
   }
 });
 
-test("whoever has built the page can tell whether a published one is the same", async () => {
-  const folder = await mkdtemp(path.join(tmpdir(), "rosto-published-"));
-  await cp(DIST, folder, { recursive: true });
-  const server = await serve(folder, "/published/");
+test("whoever has built the page can tell whether a published one is the same", async ({ server }) => {
   const compared = () => run("node", [COMPARE, server.url, DIST]).then(({ stdout }) => stdout, ({ stdout }) => stdout);
-  try {
-    assert.match(await compared(), /every one of \d+ files is the same/);
-    const worker = String(await readFile(path.join(DIST, "js/worker/vision-worker.js")));
-    server.disturb((name, response) => name === "js/worker/vision-worker.js" && Boolean(response.end(`${worker}\n`)));
-    assert.match(await compared(), /✗ js\/worker\/vision-worker\.js/);
-  } finally {
-    server.close();
-    await rm(folder, { recursive: true });
-  }
+  assert.match(await compared(), /every one of \d+ files is the same/);
+  const worker = String(await readFile(path.join(DIST, "js/worker/vision-worker.js")));
+  server.disturb((name, response) => name === "js/worker/vision-worker.js" && Boolean(response.end(`${worker}\n`)));
+  assert.match(await compared(), /✗ js\/worker\/vision-worker\.js/);
 });
 
 /** Sorted names below the folder. @param {string} folder */

@@ -72,7 +72,7 @@ test("kept work whose picture is damaged gets a notice, and the page goes on", a
     await page.keyboard.press("Escape");
     await page.waitForSelector("#notice", { state: "hidden" });
   }
-  await visitor.dropSample();
+  await visitor.openFace();
   const found = await visitor.meshJson("mm");
   await visitor.move("nose tip", "z", 5);
   assert.notDeepEqual(await visitor.meshJson("mm"), found);
@@ -80,7 +80,7 @@ test("kept work whose picture is damaged gets a notice, and the page goes on", a
 
 /** A face with two edits, and its file. */
 async function workOn(visitor, action) {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.move("nose tip", "z", 9);
   await visitor.move("bottom of the chin", "y", -6);
   return visitor.download(action);

@@ -12,7 +12,7 @@ const NOSE_TIP = 1;
 const CHIN = 152;
 
 test("a region moves as one by its sliders, under its name, as the command line moves it", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.chooseRegion("left-brow");
   assert.match(await page.innerText("#said"), /left brow selected/);
   assert.equal(await page.innerText("#landmark-tag"), "left brow");
@@ -36,7 +36,7 @@ test("a region moves as one by its sliders, under its name, as the command line 
 });
 
 test("a region's landmarks are marked, and it is dragged by any of them and by its gizmo", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   const noseTip = await visitor.tagged();
   const bare = await visitor.view();
@@ -59,7 +59,7 @@ test("a region's landmarks are marked, and it is dragged by any of them and by i
 });
 
 test("clicks take the region under the pointer, then the larger one, and the choice of a landmark comes back", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   const tip = await visitor.tagged();
   const beside = await visitor.besideTheFace();
@@ -86,7 +86,7 @@ test("clicks take the region under the pointer, then the larger one, and the cho
 });
 
 test("one thing is reset by itself, in one step that undo takes back", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.move("bottom of the chin", "y", -6);
   const chin = await visitor.meshJson("mm");
   await visitor.chooseRegion("nose");

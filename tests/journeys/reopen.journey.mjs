@@ -5,7 +5,7 @@ import { colourCount, meanColour } from "./pixels.mjs";
 
 for (const [paint, tag] of alike(["photo", "colours"])) {
   test(`a downloaded GLB painted with ${paint} brings the face back after a reload, with its history`, { tag: [...tag, "@eyes"] }, async ({ visitor, page }) => {
-    await visitor.dropSample();
+    await visitor.openFace();
     const unedited = await visitor.meshJson("mm");
     await visitor.move("nose tip", "z", 9);
     await visitor.move("bottom of the chin", "y", -6);
@@ -34,7 +34,7 @@ for (const [paint, tag] of alike(["photo", "colours"])) {
 }
 
 test("a GLB brings its density and its eyes and mouth along", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-view");
   await page.selectOption("#triangulation", "tessellation");
   await page.selectOption("#density", "1");
@@ -50,7 +50,7 @@ test("a GLB brings its density and its eyes and mouth along", { tag: "@rare" }, 
 });
 
 test("a GLB of another program, or half of ours, leaves the work and a message", async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.move("nose tip", "z", 4);
   const work = await visitor.meshJson("mm");
   const file = await visitor.download("download-glb");

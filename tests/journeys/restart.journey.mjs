@@ -74,7 +74,7 @@ test("a panic while a file is made or opened starts the module again, and the ne
 
 test("another face that is opened while the module starts again leaves the work where it is kept", async ({ visitor, page }) => {
   await visitor.untilLoaded();
-  await visitor.dropSample();
+  await visitor.openFace();
   const other = await visitor.download("save-project");
   await workOn(visitor);
   await untilKept(page);
@@ -108,7 +108,7 @@ async function histories(page) {
 /** Two edits on a finer mesh, with other choices and another view; resolves to the mesh before them. */
 async function workOn(visitor) {
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.prefer("paper");
   await visitor.unfold("section-view");
   await page.selectOption("#density", "1");

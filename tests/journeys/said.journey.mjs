@@ -8,7 +8,7 @@ for (const [{ width, height }, tag] of alike([{ width: 1280, height: 720 }, { wi
   test(`at ${width}×${height} a download is seen on the stage for a moment, said once, and covers no tool`, { tag }, async ({ open }) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;
-    await visitor.dropSample();
+    await visitor.openFace();
     assert.ok(await page.isHidden("#toast"));
     await page.evaluate(hearAll);
     await visitor.download("save-project");

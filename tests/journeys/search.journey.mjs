@@ -30,7 +30,7 @@ for (const [[language, wishes], tag] of alike(Object.entries(FOUND))) {
   test(`a search takes the best match, whatever the case and the accents: ${language}`, { tag }, async ({ open }) => {
     const visitor = await open({ locale: language === "pt" ? "pt-BR" : "en-GB" });
     const { page } = visitor;
-    await visitor.dropSample();
+    await visitor.openFace();
     for (const [typed, meant] of wishes) {
       await visitor.findLandmark(typed);
       assert.match(await page.inputValue("#landmark-search"), meant, typed);
@@ -51,7 +51,7 @@ test("the best match is the whole name, then its beginning, then words, then a p
 });
 
 test("only what nothing is called is an error, which looks like one until something else is typed", async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.findLandmark("nose");
   const look = () => page.locator("#landmark-search").evaluate((field) => {
     const help = document.getElementById("landmark-help");

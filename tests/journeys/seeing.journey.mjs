@@ -7,7 +7,7 @@ import { difference, differenceNear } from "./pixels.mjs";
 const PAINTS = ["picture", "colours", "clay", "normals", "response", "distortion"];
 
 test("every paint shows the face another way, with a legend where colours are numbers", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   // So that what would follow the nose is most of the face.
   await visitor.reach("#nearby");
   await page.uncheck("#nearby");
@@ -30,7 +30,7 @@ test("every paint shows the face another way, with a legend where colours are nu
 });
 
 test("lines, dots, density and open eyes and mouth each change what is drawn, and back", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-view");
   const first = await visitor.view();
   for (const box of ["wireframe", "dots"]) {
@@ -47,7 +47,7 @@ test("lines, dots, density and open eyes and mouth each change what is drawn, an
 });
 
 test("the light follows the small sphere, and its colour what is chosen", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-view");
   await page.check("input[name='shading'][value='clay']", { force: true });
   const first = await visitor.view();
@@ -68,7 +68,7 @@ test("the light follows the small sphere, and its colour what is chosen", { tag:
 });
 
 test("a photo keeps the light that it was taken in; the lamp is for the others, or for who asks", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-view");
   assert.ok(await page.locator("#lamp").evaluate((lamp) => lamp.disabled), "the lamp can be moved, and lights nothing");
   const own = await visitor.view();
@@ -82,7 +82,7 @@ test("a photo keeps the light that it was taken in; the lamp is for the others, 
 });
 
 test("before and after: all of it while the button or B is held, beside each other by an edge that moves", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   const before = await visitor.view();
   await visitor.findLandmark("nose tip");
   const nose = await visitor.onView(await visitor.tagged());
@@ -129,12 +129,12 @@ test("before and after: all of it while the button or B is held, beside each oth
   await page.keyboard.press("Escape");
   assert.ok(await page.isHidden("#wipe"));
   await page.click("#compare");
-  await visitor.dropSample();
+  await visitor.openFace();
   assert.ok(await page.isHidden("#wipe"), "another face is compared with nothing yet");
 });
 
 test("a picture that is saved shows the face alone", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   const plain = PNG.sync.read(await visitor.download("download-picture"));
   await visitor.findLandmark("nose tip");
   await visitor.reach("#pinned");
@@ -147,7 +147,7 @@ test("a picture that is saved shows the face alone", { tag: "@eyes" }, async ({ 
 });
 
 test("the turntable turns until it is switched off", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-view");
   const first = await visitor.view();
   await page.check("#turntable");
@@ -160,7 +160,7 @@ test("the turntable turns until it is switched off", { tag: ["@eyes", "@rare"] }
 });
 
 test("the background is a colour of one's own, in the picture too, which can leave it out", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-view");
   await page.fill("#background-colour", "#0cb4fa");
   assert.ok(await page.isChecked("#background-plain"));

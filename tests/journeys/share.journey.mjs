@@ -3,7 +3,6 @@ import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
 import { alike, test } from "./fixtures.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
-import { SAMPLE } from "./visitor.mjs";
 import { crashGpu, watchGpus } from "./watches.mjs";
 
 /** A clip is there by then, however slowly the machine draws. */
@@ -16,8 +15,7 @@ const GAP = 0.008;
 const FRAME_PX = 180;
 
 test("before and after are the halves of one picture, and the view stays as it was", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.drop(await readFile(SAMPLE), "ana.png");
-  await visitor.untilFace();
+  await visitor.openFace("ana");
   const found = PNG.sync.read(await visitor.download("download-picture"));
   await visitor.move("nose tip", "x", 12);
   const place = await visitor.onView(await visitor.selectedPlace());
@@ -38,7 +36,7 @@ test("before and after are the halves of one picture, and the view stays as it w
 });
 
 test("a picture of before and after that cannot be made says so and leaves the view as it was", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.move("nose tip", "x", 12);
   const before = await standing(visitor);
   await page.evaluate(refusePictures);
@@ -49,9 +47,9 @@ test("a picture of before and after that cannot be made says so and leaves the v
 });
 
 test("before and after are handed on where the browser can, and downloaded where it then will not", { tag: "@rare" }, async ({ open }) => {
-  const visitor = await open({ before: (context) => context.addInitScript(sendFiles) });
+  const visitor = await open({ scripts: [sendFiles] });
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-export");
   await page.click("[data-action='share-pair']");
   await page.waitForFunction(() => window["sent"].length === 1);
@@ -67,15 +65,14 @@ test("before and after are handed on where the browser can, and downloaded where
 });
 
 test("a browser that hands nothing on has no button for it", { tag: "@rare" }, async ({ open }) => {
-  const visitor = await open({ before: (context) => context.addInitScript("delete Navigator.prototype.canShare") });
-  await visitor.dropSample();
+  const visitor = await open({ scripts: ["delete Navigator.prototype.canShare"] });
+  await visitor.openFace();
   await visitor.unfold("section-export");
   assert.ok(await visitor.page.isHidden("[data-action='share-pair']"));
 });
 
 test("the face swings once in a clip of four seconds without any tool, and is then as it was", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.drop(await readFile(SAMPLE), "ana.png");
-  await visitor.untilFace();
+  await visitor.openFace("ana");
   await visitor.move("nose tip", "z", 8);
   const before = await standing(visitor);
   await visitor.unfold("section-export");
@@ -109,7 +106,7 @@ for (const [{ by, stop }, tag] of alike([
   { by: "the button", stop: (/** @type {import("./visitor.mjs").Visitor} */ { page }) => page.click("#clip") },
 ])) {
   test(`a clip that is cancelled by ${by} leaves no file and no trace`, { tag: [...tag, "@eyes"] }, async ({ visitor, page }) => {
-    await visitor.dropSample();
+    await visitor.openFace();
     await visitor.findLandmark("nose tip");
     await page.focus("#viewport");
     await page.keyboard.press("ArrowRight");
@@ -129,7 +126,7 @@ for (const [{ by, stop }, tag] of alike([
 }
 
 test("a clip ends when the page goes out of sight, and says why", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   const before = await visitor.view();
   await visitor.unfold("section-export");
   await page.click("#clip");
@@ -140,8 +137,8 @@ test("a clip ends when the page goes out of sight, and says why", { tag: ["@eyes
 });
 
 test("a clip ends when another face comes, which is seen as at first", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.dropSample();
-  await visitor.drop(await readFile(SAMPLE), "another.png");
+  await visitor.openFace();
+  await visitor.openFace("another");
   await page.waitForSelector("#previous-face");
   await visitor.unfold("section-export");
   await page.click("#clip");
@@ -155,9 +152,9 @@ test("a clip ends when another face comes, which is seen as at first", { tag: ["
 });
 
 test("a clip ends when the graphics process crashes, and another can be recorded", { tag: "@eyes" }, async ({ open }) => {
-  const visitor = await open({ before: (context) => context.addInitScript(watchGpus) });
+  const visitor = await open({ scripts: [watchGpus] });
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-export");
   await page.click("#clip");
   await halfWay(page);
@@ -171,9 +168,9 @@ test("a clip ends when the graphics process crashes, and another can be recorded
 });
 
 test("a browser that records nothing says so in place of the button", async ({ open }) => {
-  const visitor = await open({ before: (context) => context.addInitScript("delete window.MediaRecorder") });
+  const visitor = await open({ scripts: ["delete window.MediaRecorder"] });
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-export");
   assert.ok(await page.isHidden("#clip"));
   assert.equal(await page.innerText("#clip-line"), "This browser cannot record a turning clip.");

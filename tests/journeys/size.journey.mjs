@@ -11,7 +11,7 @@ async function measures(page) {
 }
 
 test("a face tells from how far it was photographed, and follows when that is changed", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-size");
   assert.match(await page.innerText("#size-camera"), /about \d+ cm ± \d+, read off the face/);
   assert.match(await page.innerText("#size-pose"), /Head turned -?\d+° sideways/);
@@ -31,7 +31,7 @@ test("a face tells from how far it was photographed, and follows when that is ch
 });
 
 test("the tape measures from one point to another, with its error", async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.findLandmark("right mouth corner");
   await visitor.unfold("section-size");
   await page.click("[data-action=tape-start]");
@@ -46,7 +46,7 @@ test("the tape measures from one point to another, with its error", async ({ vis
 });
 
 test("the distance that was chosen comes back with the work", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-size");
   const number = page.locator("#size-distance input[type=number]");
   await number.fill("31");
@@ -62,7 +62,7 @@ test("the distance that was chosen comes back with the work", { tag: "@rare" }, 
 });
 
 test("a tape from a point that a coarser mesh has not is taken away, and the page goes on", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-view");
   await page.selectOption("#density", "1");
   await visitor.unfold("section-landmark");

@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
+import { withHeld } from "./held.mjs";
 
 /** Answers to the request for a module that leave the page without it. */
 const TROUBLES = [
@@ -28,18 +29,14 @@ for (const { file, what, answer, errors } of TROUBLES) {
 }
 
 test("a page whose modules do not come says so, and takes it back when they do", async ({ open }) => {
-  let deliver = () => {};
-  const held = new Promise((resolve) => (deliver = () => resolve(undefined)));
   /** @type {(page: import("@playwright/test").Page) => void} */
   let show = () => {};
   const shown = new Promise((/** @type {(page: import("@playwright/test").Page) => void} */ resolve) => (show = resolve));
+  const { before, deliver } = withHeld("**/words/en.json");
   const arrived = open({
+    hasClock: true,
     before: async (context) => {
-      await context.clock.install();
-      await context.route("**/words/en.json", async (route) => {
-        await held;
-        await route.continue();
-      });
+      await before(context);
       context.once("page", show);
     },
   });
@@ -57,7 +54,7 @@ test("a page whose modules do not come says so, and takes it back when they do",
 
 for (const [[what, block], tag] of alike(/** @type {const} */ ([["cannot be read", blockStorage], ["takes nothing", fillStorage]]))) {
   test(`with a storage that ${what} the page works, and only forgets`, { tag }, async ({ open }) => {
-    const visitor = await open({ colorScheme: "light", before: (context) => context.addInitScript(block) });
+    const visitor = await open({ colorScheme: "light", scripts: [block] });
     const { page } = visitor;
     await page.waitForSelector("body[data-bench='open']");
     await page.selectOption("#language", "pt");

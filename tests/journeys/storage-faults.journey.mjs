@@ -7,15 +7,14 @@ import { SAMPLE } from "./visitor.mjs";
 
 /** Longer than the page waits for a database or a lock. */
 const PATIENCE_S = 8;
-const withClock = (/** @type {import("@playwright/test").BrowserContext} */ context) => context.clock.install();
 
 test("where the space runs out as the work is committed, the page says once that it is not kept, and goes on", async ({ open }) => {
-  const visitor = await open({ before: (context) => context.addInitScript(countAborts) });
+  const visitor = await open({ scripts: [countAborts] });
   const { page } = visitor;
   const browser = await page.context().newCDPSession(page);
   const { origin } = new URL(page.url());
   await browser.send("Storage.overrideQuotaForOrigin", { origin, quotaSize: 20_000 });
-  await visitor.dropSample();
+  await visitor.openFace();
   await expectNotKept(visitor);
   assert.deepEqual(await keptWorks(page), []);
   const aborts = await page.evaluate("aborts");
@@ -41,7 +40,7 @@ for (const [[what, remove], tag] of alike(/** @type {const} */ ([
   ["loses what was done", (page) => clearStore(page, "done")],
 ]))) {
   test(`the next change brings back everything to a database that ${what} while the page is open`, { tag }, async ({ visitor, page }) => {
-    await visitor.dropSample();
+    await visitor.openFace();
     await edit(visitor, 9);
     await untilKept(visitor.page);
     const other = await visitor.anotherTab();
@@ -69,7 +68,7 @@ const DAMAGES = [
 ];
 
 test("works that are damaged in whatever way hide no older one", async ({ visitor }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await edit(visitor, 9);
   const work = await visitor.work();
   await untilKept(visitor.page);
@@ -98,9 +97,9 @@ for (const [[what, seize], tag] of alike(/** @type {const} */ ([
   ["has a transaction that does not end", seizeStores],
 ]))) {
   test(`while another tab ${what}, the page says once that nothing is kept, and later keeps all of it`, { tag }, async ({ open }) => {
-    const visitor = await open({ before: withClock });
+    const visitor = await open({ hasClock: true });
     const { page } = visitor;
-    await visitor.dropSample();
+    await visitor.openFace();
     await edit(visitor, 9);
     await untilKept(visitor.page);
     const other = await visitor.anotherTab();
@@ -141,9 +140,9 @@ test("work that cannot be read for another tab's sake is not said to be damaged"
 });
 
 test("locks that are not answered keep no work from being kept and opened again", async ({ open }) => {
-  const visitor = await open({ before: (context) => Promise.all([withClock(context), context.addInitScript(muteLocks)]) });
+  const visitor = await open({ hasClock: true, scripts: [muteLocks] });
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   await edit(visitor, 9);
   const work = await visitor.work();
   await pass(visitor, PATIENCE_S);
@@ -155,7 +154,7 @@ test("locks that are not answered keep no work from being kept and opened again"
 
 test("the latest work is the one that was kept last, however the clock was set in between", { tag: "@rare" }, async ({ open }) => {
   const first = await open();
-  await first.dropSample();
+  await first.openFace();
   await edit(first, 9);
   await untilKept(first.page);
 
@@ -188,7 +187,7 @@ test("the latest work is the one that was kept last, however the clock was set i
 
 /** Two works of one visitor, who is back on the page; the latest is the one of the sample itself. */
 async function twoWorks(open) {
-  const visitor = await open({ before: withClock });
+  const visitor = await open({ hasClock: true });
   const { page } = visitor;
   await visitor.drop(await asJpeg(page, await readFile(SAMPLE), { width: 640, height: 480 }), "older.jpg");
   await visitor.untilFace();

@@ -8,7 +8,7 @@ import { SAMPLE } from "./visitor.mjs";
 test("two tabs keep two works: each comes back with its own face and edits", async ({ open }) => {
   const first = await open();
   const { page } = first;
-  await first.dropSample();
+  await first.openFace();
   await first.move("nose tip", "z", 9);
 
   const second = await first.anotherTab();
@@ -48,13 +48,13 @@ test("two tabs keep two works: each comes back with its own face and edits", asy
 test("a tab writes its own slot alone, and a new face does not write over the one before", { tag: "@rare" }, async ({ open }) => {
   const first = await open();
   const { page } = first;
-  await first.dropSample();
+  await first.openFace();
   await first.move("nose tip", "z", 9);
   await untilKept(first.page);
   const [kept] = await keptWorks(first.page);
 
   const second = await first.anotherTab();
-  await second.dropSample();
+  await second.openFace();
   await second.move("bottom of the chin", "y", -6);
   await untilKept(second.page, 2);
   assert.deepEqual((await keptWorks(first.page)).find(({ slot }) => slot === kept.slot), kept);
@@ -107,7 +107,7 @@ test("a face that was left in one tab and goes on in another comes back in the f
 test("work that is open in another tab by now is said to be there, or the next one is opened", async ({ open }) => {
   const first = await open();
   const { page } = first;
-  await first.dropSample();
+  await first.openFace();
   await first.move("nose tip", "z", 9);
   await untilKept(first.page);
   await page.reload();

@@ -11,7 +11,7 @@ const EYELIDS = [159, 386, 145, 374];
 const INNER_LIPS = [13, 14, 82, 87, 312, 317];
 
 test("the nose goes sideways, too, without the mirror, and says so", async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   assert.ok(await page.isChecked("#mirror"));
   const tip = await visitor.landmarkPlace(NOSE_TIP);
   const start = await visitor.meshJson("mm");
@@ -40,7 +40,7 @@ test("the nose goes sideways, too, without the mirror, and says so", async ({ vi
 });
 
 test("a drag past a slider's end stops there and says so", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   const tip = await visitor.landmarkPlace(NOSE_TIP);
   const start = await visitor.meshJson("mm");
   await page.mouse.move(tip.x, tip.y);
@@ -55,7 +55,7 @@ test("a drag past a slider's end stops there and says so", { tag: "@rare" }, asy
 });
 
 test("an edit is near and shows how far it reaches: pulling the nose leaves teeth and eyelids alone", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   assert.ok(await page.isChecked("#nearby") && (await page.isChecked("input[name='preset'][value='sculpt']")));
   const start = await visitor.meshJson("mm");
@@ -87,7 +87,7 @@ test("an edit is near and shows how far it reaches: pulling the nose leaves teet
 
 for (const [[mode, least], tag] of alike(/** @type {const} */ ([["landmark", 12], ["region", 12], ["point", 12]]))) {
   test(`what lights up under the pointer is what a press takes: ${mode}`, { tag }, async ({ visitor }) => {
-    await visitor.dropSample();
+    await visitor.openFace();
     await visitor.reach("#selection");
     await visitor.page.check(`input[name='selection'][value='${mode}']`, { force: true });
     const { lit, turned } = await visitor.takeAtEach(9);
@@ -97,7 +97,7 @@ for (const [[mode, least], tag] of alike(/** @type {const} */ ([["landmark", 12]
 }
 
 test("what lights up below a pointer that rests is what a press takes, however the face has moved there", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   const tip = await visitor.landmarkPlace(NOSE_TIP);
   const { x, y } = { x: tip.x + 45, y: tip.y - 30 };
   const named = () => page.evaluate(() => document.getElementById("landmark-tag").value);
@@ -123,7 +123,7 @@ test("what lights up below a pointer that rests is what a press takes, however t
 });
 
 test("beside the face, or with another button, the face turns; with Shift it moves", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   const tip = await visitor.landmarkPlace(NOSE_TIP);
   const brow = await visitor.landmarkPlace(FOREHEAD);
   const beside = await visitor.besideTheFace();

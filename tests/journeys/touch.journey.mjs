@@ -10,7 +10,7 @@ const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile:
 test("on a phone two fingers turn the face and pinch it larger, three move it, and one drags what it is on", async ({ open }) => {
   const visitor = await open(PHONE);
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   const touch = await page.context().newCDPSession(page);
   const at = await page.locator("#viewport").boundingBox();
   const [x, y] = [at.x + at.width / 2, at.y + at.height / 2];
@@ -57,7 +57,7 @@ test("on a phone two fingers turn the face and pinch it larger, three move it, a
 test("on a phone a tap selects and a drag moves it, while a second finger changes how far that reaches", async ({ open }) => {
   const visitor = await open(PHONE);
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   const touch = await page.context().newCDPSession(page);
   const send = (type, touchPoints) => touch.send("Input.dispatchTouchEvent", { type, touchPoints });
   const lip = await visitor.landmarkPlace(LOWER_LIP);
@@ -89,7 +89,7 @@ test("on a phone a tap selects and a drag moves it, while a second finger change
 test("on a phone one finger beside the face turns it", { tag: "@eyes" }, async ({ open }) => {
   const visitor = await open(PHONE);
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   const touch = await page.context().newCDPSession(page);
   const at = await page.locator("#viewport").boundingBox();
   const start = await visitor.view();
@@ -101,7 +101,7 @@ test("on a phone one finger beside the face turns it", { tag: "@eyes" }, async (
 test("on a phone the sheet leaves most of the face free, and nothing scrolls sideways at 360 px", async ({ open }) => {
   const visitor = await open({ ...PHONE, viewport: { width: 360, height: 740 } });
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   const sheet = await page.locator("#panel").boundingBox();
   assert.ok(sheet.height <= 0.45 * 740 + 1, `the sheet is ${sheet.height} px high`);
   const size = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight]);
@@ -118,7 +118,7 @@ for (const [width, tag] of alike([360, 390, 820, 1024, 1280])) {
   test(`nothing floats over anything else at ${width} px`, { tag }, async ({ open }) => {
     const visitor = await open({ ...PHONE, viewport: { width, height: 800 } });
     const { page } = visitor;
-    await visitor.dropSample();
+    await visitor.openFace();
     for (const language of ["en", "pt"]) {
       await visitor.speak(language);
       const [toolbar, privacy, hint, panel] = await Promise.all(

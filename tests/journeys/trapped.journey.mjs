@@ -3,10 +3,10 @@ import { test } from "./fixtures.mjs";
 import { untilKept } from "./kept.mjs";
 
 test("nothing is asked of a module that has trapped, whatever is pressed before and after another one is there", async ({ open }) => {
-  const visitor = await open({ before: (context) => context.addInitScript(countCalls) });
+  const visitor = await open({ scripts: [countCalls] });
   const { page } = visitor;
   await visitor.untilLoaded();
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.move("nose tip", "z", 9);
   await page.click("[data-tab-name='export']").catch(() => {});
   await visitor.meshJson("mm");

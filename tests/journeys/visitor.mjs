@@ -22,17 +22,24 @@ export class Visitor {
   browserSaid = [];
   /** Whether screenshots show the 3D view. */
   sees = true;
+  /** Addresses of all requests so far. @type {string[]} */
+  requests = [];
   /** Other tabs of the same browser. @type {Visitor[]} */
   tabs = [];
   /** A project of the sample portrait, for {@link openFace}. @type {Uint8Array | undefined} */
   project;
 
   /**
+   * @typedef {object} Visit
+   * @property {(context: import("@playwright/test").BrowserContext) => unknown} [before] what is done before the page opens
+   * @property {((...values: any[]) => unknown | string)[]} [scripts] run in the page before its own
+   * @property {boolean} [hasClock] whether the page's time can be moved on
+   *
    * @param {import("@playwright/test").Browser} browser
    * @param {string} url
-   * @param {{ before?: (context: import("@playwright/test").BrowserContext) => Promise<void> } & import("@playwright/test").BrowserContextOptions} [options]
+   * @param {Visit & import("@playwright/test").BrowserContextOptions} [options]
    */
-  static async arrive(browser, url, { before, ...options } = {}) {
+  static async arrive(browser, url, { before, scripts = [], hasClock = false, ...options } = {}) {
     const context = await browser.newContext({
       viewport: { width: 1024, height: 640 },
       locale: "en-GB",
@@ -41,11 +48,16 @@ export class Visitor {
       acceptDownloads: true,
       ...options,
     });
+    if (hasClock) await context.clock.install();
+    for (const script of scripts) await context.addInitScript(script);
     await before?.(context);
+    /** @type {string[]} */
+    const requests = [];
+    context.on("request", (request) => requests.push(request.url()));
     await context.addInitScript(reportViolations, VIOLATION);
     const page = await context.newPage();
     const visitor = new Visitor(page);
-    visitor.address = url;
+    Object.assign(visitor, { address: url, requests });
     // Every file dialog is answered with the sample. One that opens before Playwright listens for it would be lost.
     page.on("filechooser", (chooser) => chooser.setFiles(SAMPLE));
     await page.goto(url);
@@ -120,9 +132,9 @@ export class Visitor {
     await this.untilFace();
   }
 
-  /** Opens the sample portrait without a search for its face. */
-  async openFace() {
-    await this.drop(this.project, "portrait.rosto");
+  /** Opens the sample portrait without a search for its face. @param {string} [name] of its file */
+  async openFace(name = "portrait") {
+    await this.drop(this.project, `${name}.rosto`);
     await this.untilFace();
   }
 

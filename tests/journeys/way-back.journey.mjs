@@ -53,7 +53,7 @@ async function leave(open) {
   const visitor = await open();
   const { page } = visitor;
   await visitor.untilLoaded();
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.move("nose tip", "z", 9);
   await untilKept(visitor.page);
   await page.evaluate(() => (globalThis.isSamePage = true));

@@ -43,15 +43,9 @@ test("without a WebGPU adapter the portrait becomes a mesh in WebGL2, is edited 
 });
 
 test("without navigator.gpu only the module for WebGL2 is downloaded, and it makes the command line's mesh", { tag: "@webgl" }, async ({ open }) => {
-  /** @type {string[]} */
-  const asked = [];
-  const visitor = await open({
-    before: async (context) => {
-      context.on("request", (request) => asked.push(new URL(request.url()).pathname.split("/").at(-1)));
-      await context.addInitScript(() => delete Navigator.prototype["gpu"]);
-    },
-  });
+  const visitor = await open({ scripts: ["delete Navigator.prototype.gpu"] });
   await visitor.dropSample();
+  const asked = visitor.requests.map((url) => new URL(url).pathname.split("/").at(-1));
   assert.ok(asked.includes(FOR_WEBGL2) && !asked.includes(FOR_WEBGPU), asked.join(" "));
   await visitor.prefer("paper");
   await visitor.move("nose tip", "z", 12);
@@ -61,18 +55,11 @@ test("without navigator.gpu only the module for WebGL2 is downloaded, and it mak
 });
 
 test("with WebGPU nothing of the module for WebGL2 is downloaded", async ({ open }) => {
-  /** @type {string[]} */
-  const asked = [];
-  const visitor = await open({
-    serviceWorkers: "allow",
-    before: async (context) => {
-      context.on("request", (request) => asked.push(request.url()));
-    },
-  });
+  const visitor = await open({ serviceWorkers: "allow" });
   await visitor.untilLoaded();
   assert.equal(await contextKind(visitor.page), "webgpu");
-  assert.ok(asked.some((url) => url.endsWith(FOR_WEBGPU)));
-  assert.deepEqual(asked.filter((url) => /\/wasm\/.*webgl/.test(url)), []);
+  assert.ok(visitor.requests.some((url) => url.endsWith(FOR_WEBGPU)));
+  assert.deepEqual(visitor.requests.filter((url) => /\/wasm\/.*webgl/.test(url)), []);
   for (const [file, stored] of [[FOR_WEBGPU, true], [FOR_WEBGL2, false]]) {
     assert.equal(await visitor.page.evaluate((file) => caches.match(`wasm/${file}`).then(Boolean), file), stored, file);
   }

@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { readFile, readdir } from "node:fs/promises";
 import path from "node:path";
 import { test } from "./fixtures.mjs";
+import { withHeld } from "./held.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
 const [en, pt] = await Promise.all(["en", "pt"].map(wordsOf));
@@ -109,16 +110,4 @@ async function allCodes() {
 /** @param {string} language */
 async function wordsOf(language) {
   return JSON.parse(await readFile(path.join(ROOT, `web/words/${language}.json`), "utf8"));
-}
-
-/** For a page to which a file does not come until it is delivered. @param {string} file */
-function withHeld(file) {
-  let deliver = () => {};
-  const held = new Promise((resolve) => (deliver = () => resolve(undefined)));
-  const before = (/** @type {import("@playwright/test").BrowserContext} */ context) =>
-    context.route(file, async (route) => {
-      await held;
-      await route.continue();
-    });
-  return { before, deliver: () => deliver() };
 }

@@ -14,7 +14,7 @@ test("the work survives a reload and is offered again", async ({ visitor }) => {
 
 test("a project file brings the face and its edits to another browser", async ({ open }) => {
   const first = await open();
-  await first.dropSample();
+  await first.openFace();
   await first.move("nose tip", "y", -5);
   const work = await first.meshJson("mm");
   const file = await first.download("save-project");
@@ -31,7 +31,7 @@ test("a project file brings the face and its edits to another browser", async ({
 });
 
 test("history lists the edits, and each can be switched off and on", async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   const start = await visitor.meshJson("mm");
   await visitor.move("nose tip", "z", 9);
   const nose = await visitor.meshJson("mm");
@@ -56,7 +56,7 @@ test("history lists the edits, and each can be switched off and on", async ({ vi
 });
 
 test("a key held down shows the face as it was found", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   await page.focus("#viewport");
   await page.keyboard.press("l");

@@ -3,24 +3,18 @@ import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { expect } from "@playwright/test";
 import { test } from "./fixtures.mjs";
+import { withHeld } from "./held.mjs";
 import { colourCount } from "./pixels.mjs";
 import { faceless } from "./pictures.mjs";
-import { DIST, serve } from "./server.mjs";
+import { DIST } from "./server.mjs";
 import { SAMPLE } from "./visitor.mjs";
 import { watchWorkers } from "./watches.mjs";
 
 const WORKER_MODULE = "**/rosto-vision-web_bg.wasm";
 
 test("the page draws and answers before the worker's module has arrived", { tag: "@eyes" }, async ({ open }) => {
-  let deliver = () => {};
-  const held = new Promise((resolve) => (deliver = resolve));
-  const visitor = await open({
-    before: (context) =>
-      context.route(WORKER_MODULE, async (route) => {
-        await held;
-        await route.continue();
-      }),
-  });
+  const { before, deliver } = withHeld(WORKER_MODULE);
+  const visitor = await open({ before });
   await visitor.page.waitForSelector("body[data-bench='open']");
   assert.ok(colourCount(await visitor.view()) > 4, "the canonical face is not drawn");
   await visitor.page.selectOption("#language", "pt");
@@ -69,13 +63,12 @@ test("a worker that never comes is given up after a minute, and the next photo s
   let silences = true;
   let asked = 0;
   const visitor = await open({
-    before: async (context) => {
-      await context.clock.install();
-      await context.route(WORKER_MODULE, (route) => {
+    hasClock: true,
+    before: (context) =>
+      context.route(WORKER_MODULE, (route) => {
         asked += 1;
         return silences ? undefined : route.continue();
-      });
-    },
+      }),
   });
   const { page } = visitor;
   await page.waitForSelector("body[data-bench='open']");
@@ -96,11 +89,10 @@ test("a worker that never comes is given up after a minute, and the next photo s
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("a worker on a slow connection is waited for", async ({ open }) => {
+test("a worker on a slow connection is waited for", async ({ open, server }) => {
   const module = "wasm/rosto-vision-web_bg.wasm";
   const bytes = await readFile(path.join(DIST, module));
   const piece_bytes = Math.ceil(bytes.length / 6);
-  const server = await serve(DIST, "/slow/");
   /** @type {import("node:http").ServerResponse | undefined} */
   let response;
   server.disturb((name, answer) => {
@@ -108,43 +100,25 @@ test("a worker on a slow connection is waited for", async ({ open }) => {
     response = answer.writeHead(200, { "content-type": "application/wasm", "content-length": bytes.length });
     return true;
   });
-  try {
-    const visitor = await open({ url: server.url, before: (context) => Promise.all([context.clock.install(), context.addInitScript(watchWorkers)]) });
-    const { page } = visitor;
-    await page.waitForSelector("body[data-bench='open']");
-    await visitor.drop(await readFile(SAMPLE), "portrait.png");
-    await page.waitForSelector("#progress-title:has-text('Loading the face networks')");
-    for (let at = 0; at < bytes.length; at += piece_bytes) {
-      const said = await page.evaluate(() => window.workersSaid.filter((type) => type === "loading").length);
-      response?.write(bytes.subarray(at, at + piece_bytes));
-      // The worker reports what arrives once in a second.
-      await page.waitForFunction((count) => window.workersSaid.filter((type) => type === "loading").length > count, said);
-      if (at + piece_bytes < bytes.length) await page.clock.fastForward(40_000);
-    }
-    response?.end();
-    await visitor.untilFace();
-    assert.ok(await page.isHidden("#notice"));
-  } finally {
-    server.close();
+  const visitor = await open({ hasClock: true, scripts: [watchWorkers] });
+  const { page } = visitor;
+  await page.waitForSelector("body[data-bench='open']");
+  await visitor.drop(await readFile(SAMPLE), "portrait.png");
+  await page.waitForSelector("#progress-title:has-text('Loading the face networks')");
+  for (let at = 0; at < bytes.length; at += piece_bytes) {
+    const said = await page.evaluate(() => window.workersSaid.filter((type) => type === "loading").length);
+    response?.write(bytes.subarray(at, at + piece_bytes));
+    // The worker reports what arrives once in a second.
+    await page.waitForFunction((count) => window.workersSaid.filter((type) => type === "loading").length > count, said);
+    if (at + piece_bytes < bytes.length) await page.clock.fastForward(40_000);
   }
+  response?.end();
+  await visitor.untilFace();
+  assert.ok(await page.isHidden("#notice"));
 });
 
 test("the bar shows how much of the whole is done, and never goes back", async ({ open }) => {
-  const visitor = await open({
-    before: (context) =>
-      context.addInitScript(() => {
-        window.told = [];
-        const listen = Worker.prototype.addEventListener;
-        Worker.prototype.addEventListener = function (type, listener, ...rest) {
-          const heard = (event) => {
-            listener(event);
-            if (event.data?.type !== "progress") return;
-            window.told.push({ fraction: event.data.fraction, bar: document.getElementById("progress-bar").value });
-          };
-          listen.call(this, type, type === "message" ? heard : listener, ...rest);
-        };
-      }),
-  });
+  const visitor = await open({ scripts: [watchProgress] });
   for (let photo = 0; photo < 2; photo += 1) {
     await visitor.page.evaluate(() => window.told.splice(0));
     await visitor.dropSample();
@@ -155,3 +129,16 @@ test("the bar shows how much of the whole is done, and never goes back", async (
     assert.deepEqual(bars, bars.toSorted((a, b) => a - b));
   }
 });
+
+/** Runs in the page before its own scripts. */
+function watchProgress() {
+  window.told = [];
+  const listen = Worker.prototype.addEventListener;
+  Worker.prototype.addEventListener = function (type, listener, ...rest) {
+    listen.call(this, type, listener, ...rest);
+    if (type !== "message") return;
+    listen.call(this, type, ({ data: { type, fraction } }) => {
+      if (type === "progress") window.told.push({ fraction, bar: document.getElementById("progress-bar").value });
+    });
+  };
+}
