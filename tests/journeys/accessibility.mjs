@@ -1,7 +1,6 @@
 import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
-import { twice } from "./pictures.mjs";
-import { SAMPLE } from "./visitor.mjs";
+import { openGroup } from "./groups.mjs";
 
 const require = createRequire(import.meta.url);
 const AXE = await readFile(require.resolve("axe-core/axe.min.js"), "utf8");
@@ -42,9 +41,7 @@ export async function* audits(visitor) {
     yield await audit(page, dialog);
     await page.keyboard.press("Escape");
   }
-  await visitor.drop(await twice(page, await readFile(SAMPLE)), "group.png");
-  await page.waitForSelector("#face-choice:not([hidden])");
-  await visitor.untilFace();
+  await openGroup(visitor);
   await visitor.download("save-project");
   yield await audit(page, "faces to choose from, after a download");
   await visitor.drop(new Uint8Array(), "nothing.jpg");

@@ -205,7 +205,7 @@ test("a browser that neither hands on nor copies nor shows in the room has no bu
   const visitor = await open({ scripts: [without] });
   await visitor.openFace();
   await visitor.unfold("section-export");
-  for (const id of ["share-glb", "copy-picture", "ar-link"]) assert.ok(await visitor.page.isHidden(`#${id}`), id);
+  for (const id of ["share-glb", "share-pair", "copy-picture", "ar-link"]) assert.ok(await visitor.page.isHidden(`#${id}`), id);
 });
 
 /** What the page says that a body measures: millimetres, cm³ and g, with the rounding of its folds if there is any. */

@@ -2,35 +2,37 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { expect } from "@playwright/test";
 import { alike, test } from "./fixtures.mjs";
+import { chooseFace, openGroup } from "./groups.mjs";
 import { keptWorks, untilKept } from "./kept.mjs";
-import { asJpeg, sixTimes, twice } from "./pictures.mjs";
+import { asJpeg, sixTimes } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
+import { refuseDatabase } from "./watches.mjs";
 
 test("each face of a group keeps its own edits: going to the other one and back loses nothing", async ({ visitor, page }) => {
   await openGroup(visitor);
-  await edit(visitor, "nose tip", 9);
-  await edit(visitor, "nose tip", -2);
+  await visitor.move("nose tip", "z", 9);
+  await visitor.move("nose tip", "z", -2);
   await visitor.unfold("section-view");
   await page.selectOption("#density", "1");
-  const first = await standing(visitor);
+  const first = await visitor.work();
 
   await choose(visitor, 1);
   assert.deepEqual(await visitor.history(), []);
   await visitor.slide("jaw-width", 4);
-  const second = await standing(visitor);
+  const second = await visitor.work();
   assert.notDeepEqual(second.mesh, first.mesh);
   await visitor.unfold("section-view");
   await page.check("#wireframe");
 
   await choose(visitor, 0);
-  assert.deepEqual(await standing(visitor), first);
+  assert.deepEqual(await visitor.work(), first);
   assert.ok(await page.isChecked("#wireframe"), "how the face is looked at went back with it");
   await page.click("#toolbar [data-action='undo']");
-  assert.notDeepEqual((await standing(visitor)).mesh, first.mesh);
+  assert.notDeepEqual((await visitor.work()).mesh, first.mesh);
   await page.click("#toolbar [data-action='redo']");
 
   await choose(visitor, 1);
-  assert.deepEqual(await standing(visitor), second);
+  assert.deepEqual(await visitor.work(), second);
   // Each has one slot, and one of them is the tab's.
   await untilKept(page);
   const kept = await keptWorks(page);
@@ -41,8 +43,8 @@ test("each face of a group keeps its own edits: going to the other one and back 
 test("the face before is one press away, with its edits, and so is the one that was left for it", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.openFace();
   assert.ok(await page.isHidden("#faces"), "there is nothing to go back to yet");
-  await edit(visitor, "nose tip", 9);
-  const photo = await standing(visitor);
+  await visitor.move("nose tip", "z", 9);
+  const photo = await visitor.work();
   const project = await visitor.download("save-project");
   const glb = await visitor.download("download-glb");
 
@@ -56,11 +58,11 @@ test("the face before is one press away, with its edits, and so is the one that 
     await visitor.drop(bytes, name);
     await untilNamed(visitor, "other");
     await visitor.slide("jaw-width", 4);
-    const other = await standing(visitor);
+    const other = await visitor.work();
     await goBack(visitor, "portrait");
-    assert.deepEqual(await standing(visitor), photo, name);
+    assert.deepEqual(await visitor.work(), photo, name);
     await goBack(visitor, "other");
-    assert.deepEqual(await standing(visitor), other, name);
+    assert.deepEqual(await visitor.work(), other, name);
     await goBack(visitor, "portrait");
   }
   assert.ok(await page.isHidden("#face-choice"));
@@ -71,17 +73,17 @@ test("photos before the last one are there, too, each with its edits and by its 
   for (const [place, name] of ["ana", "bia", "clara", "dora", "eva"].entries()) {
     await visitor.openFace(name);
     await untilNamed(visitor, name);
-    await edit(visitor, "nose tip", place + 2);
-    left.set(name, await standing(visitor));
+    await visitor.move("nose tip", "z", place + 2);
+    left.set(name, await visitor.work());
   }
   const offered = () => page.locator("#earlier-faces button").evaluateAll((buttons) => buttons.map((button) => button.title));
   assert.deepEqual(await offered(), ["Back to clara", "Back to bia"], "beside dora, who is the face before");
   await page.click("#earlier-faces button[title='Back to bia']");
   await untilNamed(visitor, "bia");
-  assert.deepEqual(await standing(visitor), left.get("bia"));
+  assert.deepEqual(await visitor.work(), left.get("bia"));
   assert.deepEqual(await offered(), ["Back to dora", "Back to clara"]);
   await goBack(visitor, "eva");
-  assert.deepEqual(await standing(visitor), left.get("eva"));
+  assert.deepEqual(await visitor.work(), left.get("eva"));
   // Whom the strip has no room for is in the browser's database all the same.
   await untilKept(page);
   assert.ok((await keptWorks(page)).some(({ name, edits }) => name === "ana" && edits.includes("nose-tip")));
@@ -89,11 +91,11 @@ test("photos before the last one are there, too, each with its edits and by its 
 
 test("a group can be gone back to from another photo, each of its faces as it was left", { tag: "@rare" }, async ({ visitor, page }) => {
   await openGroup(visitor);
-  await edit(visitor, "nose tip", 9);
-  const first = await standing(visitor);
+  await visitor.move("nose tip", "z", 9);
+  const first = await visitor.work();
   await choose(visitor, 1);
   await visitor.slide("jaw-width", 4);
-  const second = await standing(visitor);
+  const second = await visitor.work();
 
   await visitor.openFace("alone");
   await untilNamed(visitor, "alone");
@@ -101,15 +103,15 @@ test("a group can be gone back to from another photo, each of its faces as it wa
   await goBack(visitor, "group-2");
   assert.ok(await page.isVisible("#face-choice"));
   assert.deepEqual(await chosen(page), [false, true]);
-  assert.deepEqual(await standing(visitor), second);
+  assert.deepEqual(await visitor.work(), second);
   await choose(visitor, 0);
-  assert.deepEqual(await standing(visitor), first);
+  assert.deepEqual(await visitor.work(), first);
 });
 
 test("of faces chosen one right after the other the last is shown, and the strip says so", { tag: "@rare" }, async ({ visitor, page }) => {
   await openGroup(visitor);
-  await edit(visitor, "nose tip", 9);
-  const first = await standing(visitor);
+  await visitor.move("nose tip", "z", 9);
+  const first = await visitor.work();
   // In one task, faster than any of them can be opened.
   await page.evaluate(() => {
     const [one, other] = document.querySelectorAll("#face-options input");
@@ -117,12 +119,12 @@ test("of faces chosen one right after the other the last is shown, and the strip
   });
   await visitor.frames(20);
   assert.deepEqual(await chosen(page), [true, false]);
-  assert.deepEqual(await standing(visitor), first);
+  assert.deepEqual(await visitor.work(), first);
   // A photo without a face takes nobody's place.
   await visitor.drop(Buffer.from("no picture"), "broken.jpg");
   await page.waitForSelector("#notice[data-code='not-a-picture']");
   assert.deepEqual(await chosen(page), [true, false]);
-  assert.deepEqual(await standing(visitor), first);
+  assert.deepEqual(await visitor.work(), first);
 });
 
 test("where the browser keeps nothing, the face before comes back all the same", { tag: "@rare" }, async ({ open }) => {
@@ -130,34 +132,34 @@ test("where the browser keeps nothing, the face before comes back all the same",
   const { page } = visitor;
   await openGroup(visitor);
   await page.waitForSelector("#notice[data-code='not-kept']");
-  await edit(visitor, "nose tip", 9);
-  const first = await standing(visitor);
+  await visitor.move("nose tip", "z", 9);
+  const first = await visitor.work();
   await choose(visitor, 1);
   await choose(visitor, 0);
-  assert.deepEqual(await standing(visitor), first);
+  assert.deepEqual(await visitor.work(), first);
   await visitor.openFace("alone");
   await untilNamed(visitor, "alone");
   await goBack(visitor, "group");
-  assert.deepEqual(await standing(visitor), first);
+  assert.deepEqual(await visitor.work(), first);
 });
 
 test("work that went back and forth is there after a reload, the face that was shown last first", async ({ visitor, page }) => {
   await openGroup(visitor);
-  await edit(visitor, "nose tip", 9);
+  await visitor.move("nose tip", "z", 9);
   for (const index of [1, 0, 1, 0]) await choose(visitor, index);
-  await edit(visitor, "nose tip", 3);
-  const first = await standing(visitor);
+  await visitor.move("nose tip", "z", 3);
+  const first = await visitor.work();
   await untilKept(page, 2);
   assert.equal((await keptWorks(page)).length, 2);
   await visitor.comeBack();
-  assert.deepEqual(await standing(visitor), first);
+  assert.deepEqual(await visitor.work(), first);
 });
 
 test("a module that is started again brings the face back among its group", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
   await openGroup(visitor);
-  await edit(visitor, "nose tip", 9);
-  const first = await standing(visitor);
+  await visitor.move("nose tip", "z", 9);
+  const first = await visitor.work();
   await choose(visitor, 1);
   await page.evaluate(async () => {
     const module = "./wasm/rosto-studio-web.js";
@@ -170,7 +172,7 @@ test("a module that is started again brings the face back among its group", { ta
   await page.click("[data-action='download-json']");
   await page.waitForSelector("#notice[data-code='restarted']");
   await choose(visitor, 0);
-  assert.deepEqual(await standing(visitor), first);
+  assert.deepEqual(await visitor.work(), first);
 });
 
 test("more faces than a phone is wide are reached by a swipe, and the one that is chosen is in sight", { tag: "@rare" }, async ({ open }) => {
@@ -216,22 +218,9 @@ for (const [{ width, height }, tag] of alike([{ width: 390, height: 844 }, { wid
   });
 }
 
-/** @param {import("./visitor.mjs").Visitor} visitor */
-async function openGroup(visitor) {
-  await visitor.drop(await twice(visitor.page, await readFile(SAMPLE)), "group.png");
-  await visitor.page.waitForSelector("#face-choice:not([hidden])");
-  await visitor.untilFace();
-}
-
-/** @param {import("./visitor.mjs").Visitor} visitor */
-async function edit(visitor, landmark, offset_mm) {
-  await visitor.move(landmark, "z", offset_mm);
-}
-
 /** Another face of the group, by its place in the strip. */
 async function choose(visitor, index) {
-  const { page } = visitor;
-  await page.locator("#face-options input").nth(index).click({ force: true });
+  await chooseFace(visitor, index);
   await untilNamed(visitor, index === 0 ? "group" : `group-${index + 1}`);
 }
 
@@ -246,18 +235,6 @@ async function untilNamed(visitor, name) {
   await visitor.untilFace();
 }
 
-/** What is open, and what has been done to it. */
-async function standing(visitor) {
-  return { mesh: await visitor.meshJson("mm"), history: await visitor.history() };
-}
-
 function chosen(page) {
   return page.locator("#face-options input").evaluateAll((inputs) => inputs.map(({ checked }) => checked));
-}
-
-/** Runs in the page, as some browsers do in private windows. */
-function refuseDatabase() {
-  IDBFactory.prototype.open = () => {
-    throw new DOMException("The operation is insecure.", "SecurityError");
-  };
 }

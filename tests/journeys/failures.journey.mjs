@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { alike, test } from "./fixtures.mjs";
 import { SAMPLE } from "./visitor.mjs";
-import { watchGpus } from "./watches.mjs";
+import { dieBefore, watchGpus } from "./watches.mjs";
 
 /** The sample with an edit of the nose tip; resolves to the mesh. */
 async function work(visitor) {
@@ -142,15 +142,6 @@ test("a notice shows above a dialog that is open, can be closed there, and is on
   await page.waitForFunction(() => document.getElementById("notice").closest("dialog") !== null);
   assert.ok(await isOnTop());
 });
-
-/** Runs in the worker, which dies in place of this reply. */
-function dieBefore(reply) {
-  const tell = self.postMessage.bind(self);
-  self.postMessage = (message, transfer) => {
-    if (message.type === reply) throw new WebAssembly.RuntimeError("unreachable");
-    tell(message, transfer);
-  };
-}
 
 /** Runs in the page: textures with the label `starved` are asked for in a size that no GPU has memory for. */
 function watchTextures() {

@@ -1,7 +1,8 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { alike, test } from "./fixtures.mjs";
-import { asJpeg, twice } from "./pictures.mjs";
+import { chooseFace, openGroup } from "./groups.mjs";
+import { asJpeg } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 for (const [[what, fileOf], tag] of alike(/** @type {const} */ ([
@@ -62,14 +63,12 @@ test("a search that was not entered is gone with its face", { tag: "@rare" }, as
 });
 
 test("another face of a group leaves the visitor at the tab where they are", async ({ visitor, page }) => {
-  await visitor.drop(await twice(page, await readFile(SAMPLE)), "group.png");
-  await page.waitForSelector("#face-choice:not([hidden])");
-  await visitor.untilFace();
+  await openGroup(visitor);
   await visitor.findLandmark("nose tip");
   await visitor.unfold("section-face");
   await page.fill("#symmetrise-share", "80");
   await visitor.unfold("section-view");
-  await page.locator("#face-options input").nth(1).click({ force: true });
+  await chooseFace(visitor, 1);
   await page.waitForFunction(() => document.getElementById("symmetrise-share").value === "50");
   const { tab, search } = await controls(page);
   assert.deepEqual({ tab, search }, { tab: "view", search: "" });

@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
 import { untilKept } from "./kept.mjs";
 import { Visitor } from "./visitor.mjs";
+import { refuseDatabase } from "./watches.mjs";
 
 test("an edit a moment before a reload, or before the tab is closed, is kept", async ({ visitor, page }) => {
   const address = page.url();
@@ -42,7 +43,7 @@ test("an edit is kept however long before the reload it was made", { tag: "@rare
 });
 
 for (const [[how, refuse], tag] of alike(/** @type {const} */ ([
-  ["throws", refuseByThrowing],
+  ["throws", refuseDatabase],
   ["answers with an error", refuseByError],
   ["is full", refuseByFullness],
 ]))) {
@@ -99,15 +100,7 @@ async function typeAndGo(page, offset_mm, next, wait_ms = 0) {
   await (gone ? Promise.all([gone, typed.catch(() => {})]) : typed);
 }
 
-/** Runs in the page, as everything below, and counts in `refusals`: as some browsers do in private windows. */
-function refuseByThrowing() {
-  globalThis.refusals = 0;
-  IDBFactory.prototype.open = () => {
-    globalThis.refusals += 1;
-    throw new DOMException("The operation is insecure.", "SecurityError");
-  };
-}
-
+/** Runs in the page, as everything below, and counts in `refusals`. */
 function refuseByError() {
   globalThis.refusals = 0;
   IDBFactory.prototype.open = () => {

@@ -6,21 +6,24 @@ import { chinFindings } from "./chin.mjs";
 import { alike, test } from "./fixtures.mjs";
 import { STATES, withHeldWork, wrongWith } from "./states.mjs";
 
+/** Windows smaller than, or between, those of the contact sheets, and the states that are looked at in them. */
+const SMALL = [
+  { width: 320, height: 568 },
+  { width: 640, height: 360 },
+];
+const SEEN_SMALL = ["empty", "working", "arrived", "selected", "view", "export", "notice", "keys"];
+
 for (const [{ id, options }, tag] of alike(AUDIENCES)) {
   test(`in a window of ${id.replace("x", " × ")} nothing overlaps, is cut or covered, in either language`, { tag }, async ({ open }) => {
     const visitor = await open({ ...options, colorScheme: "light", before: withHeldWork });
-    /** Each finding with the state in which it was first seen. @type {Map<string, string>} */
-    const found = new Map();
-    const tell = (what, where) => found.set(what, found.get(what) ?? where);
-    for (const state of STATES) {
-      await state.enter(visitor);
-      for (const language of ["en", "pt"]) {
-        await visitor.speak(language);
-        for (const what of await wrongWith(visitor, state)) tell(what, `${state.id}, ${language}`);
-      }
-      await state.leave?.(visitor);
-    }
-    assert.deepEqual([...found], []);
+    await expectNothingWrong(visitor, STATES);
+  });
+}
+
+for (const [viewport, tag] of alike(SMALL)) {
+  test(`in a small window of ${viewport.width} × ${viewport.height} everything is in reach, and nothing overlaps or is cut`, { tag }, async ({ open }) => {
+    const visitor = await open({ viewport, hasTouch: true, isMobile: true, before: withHeldWork });
+    await expectNothingWrong(visitor, STATES.filter(({ id }) => SEEN_SMALL.includes(id)));
   });
 }
 
@@ -57,6 +60,21 @@ test("what overlaps, leaves the window, is cut, wraps, is covered or scrolls sid
   }
   assert.deepEqual(await findings(page), []);
 });
+
+/** Nothing is wrong with any of the states. @param {import("./visitor.mjs").Visitor} visitor @param {import("./states.mjs").State[]} states */
+async function expectNothingWrong(visitor, states) {
+  /** Each finding with the state in which it was first seen. @type {Map<string, string>} */
+  const found = new Map();
+  for (const state of states) {
+    await state.enter(visitor);
+    for (const language of ["en", "pt"]) {
+      await visitor.speak(language);
+      for (const what of await wrongWith(visitor, state)) found.set(what, found.get(what) ?? `${state.id}, ${language}`);
+    }
+    await state.leave?.(visitor);
+  }
+  assert.deepEqual([...found], []);
+}
 
 /** Runs in the page. @returns {Record<string, string>} what takes it back */
 function restyle({ selector, style }) {

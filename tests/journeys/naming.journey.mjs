@@ -2,8 +2,8 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { expect } from "@playwright/test";
 import { alike, test } from "./fixtures.mjs";
+import { chooseFace, openGroup } from "./groups.mjs";
 import { untilKept } from "./kept.mjs";
-import { twice } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 test("files are named after the photo, over a reload and out of a file of ours", async ({ visitor, page }) => {
@@ -47,12 +47,10 @@ for (const [{ name, says }, tag] of alike([
   });
 }
 
-test("each face of a group has a name of its own", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.drop(await twice(page, await readFile(SAMPLE)), "group.png");
-  await page.waitForSelector("#face-choice:not([hidden])");
-  await visitor.untilFace();
+test("each face of a group has a name of its own", { tag: "@rare" }, async ({ visitor }) => {
+  await openGroup(visitor);
   assert.equal(await nameOf(visitor, "download-glb"), "group.glb");
-  await page.locator("#face-options input").nth(1).click({ force: true });
+  await chooseFace(visitor, 1);
   await expect.poll(() => nameOf(visitor, "download-glb")).toBe("group-2.glb");
 });
 

@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
 import { keptWorks, untilKept } from "./kept.mjs";
 import { meanColour } from "./pixels.mjs";
+import { panicIn } from "./watches.mjs";
 
 for (const [{ drawn, needs, module }, tag] of alike([
   { drawn: "WebGPU", needs: "eyes", module: "rosto-studio-web" },
@@ -50,7 +51,7 @@ test("a panic while a file is made or opened starts the module again, and the ne
   const work = await visitor.meshJson("mm");
   const project = await visitor.download("save-project");
 
-  await page.evaluate(panicIn, { module: "rosto-studio-web.js", type: "Studio", method: "exportFile" });
+  await page.evaluate(panicIn, { method: "exportFile" });
   await visitor.reach("#export-units");
   await page.click("#section-export [data-action='download-json']");
   await untilRestarted(visitor);
@@ -60,7 +61,7 @@ test("a panic while a file is made or opened starts the module again, and the ne
   assert.equal(texture.readUInt32BE(16), 1024, "the texture of the whole face did not come back");
 
   await page.keyboard.press("Escape");
-  await page.evaluate(panicIn, { module: "rosto-studio-web.js?again=1", type: "Studio", method: "openWork" });
+  await page.evaluate(panicIn, { module: "rosto-studio-web.js?again=1", method: "openWork" });
   await visitor.drop(project, "face.rosto");
   await untilRestarted(visitor);
   assert.deepEqual(await visitor.meshJson("mm"), work);
@@ -166,18 +167,4 @@ async function spoil({ module }) {
   const { default: instantiate } = await import(address);
   const { memory } = await instantiate();
   new Uint8Array(memory.buffer).fill(0xff);
-}
-
-/** Runs in the page: the next call of that method traps, as a panic does. */
-async function panicIn({ module, type, method }) {
-  const address = new URL(`wasm/${module}`, document.baseURI).href;
-  const prototype = (await import(address))[type].prototype;
-  const call = prototype[method];
-  // (module (func (export "panic") unreachable))
-  const code = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 7, 9, 1, 5, 112, 97, 110, 105, 99, 0, 0, 10, 5, 1, 3, 0, 0, 11];
-  const { instance } = await WebAssembly.instantiate(new Uint8Array(code));
-  prototype[method] = (...values) => {
-    prototype[method] = call;
-    return instance.exports.panic(...values);
-  };
 }

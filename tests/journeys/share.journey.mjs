@@ -64,13 +64,6 @@ test("before and after are handed on where the browser can, and downloaded where
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("a browser that hands nothing on has no button for it", { tag: "@rare" }, async ({ open }) => {
-  const visitor = await open({ scripts: ["delete Navigator.prototype.canShare"] });
-  await visitor.openFace();
-  await visitor.unfold("section-export");
-  assert.ok(await visitor.page.isHidden("[data-action='share-pair']"));
-});
-
 test("the face swings once in a clip of four seconds without any tool, and is then as it was", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.openFace("ana");
   await visitor.move("nose tip", "z", 8);

@@ -1,8 +1,9 @@
 import { readFile } from "node:fs/promises";
 import { findings } from "./boxes.mjs";
+import { openGroup } from "./groups.mjs";
 import { Hand } from "./hand.mjs";
 import { untilKept } from "./kept.mjs";
-import { faceless, twice } from "./pictures.mjs";
+import { faceless } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 /** @typedef {import("./visitor.mjs").Visitor} Visitor */
@@ -31,7 +32,7 @@ export const STATES = [
   { id: "downloaded", enter: download, leave: (visitor) => openTab(visitor, "shape") },
   { id: "notice", enter: fail, leave: closeNotice },
   { id: "keys", enter: openKeys, leave: closeKeys },
-  { id: "group", enter: openGroup, face: "front" },
+  { id: "group", enter: (visitor) => openGroup(visitor, "the two of us.png"), face: "front" },
   { id: "returning", enter: comeBack },
 ];
 
@@ -189,13 +190,6 @@ async function openKeys({ page }) {
 async function closeKeys({ page }) {
   await page.click("[data-action='close-keys']");
   await page.waitForSelector("#keys", { state: "hidden" });
-}
-
-/** @param {Visitor} visitor */
-async function openGroup(visitor) {
-  await visitor.drop(await twice(visitor.page, await readFile(SAMPLE)), "the two of us.png");
-  await visitor.untilFace();
-  await visitor.page.waitForSelector("#face-options label:nth-child(2)", { state: "attached" });
 }
 
 /** @param {Visitor} visitor */

@@ -1,9 +1,7 @@
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
 import { alike, test } from "./fixtures.mjs";
+import { openOther } from "./groups.mjs";
 import { keptWorks, untilKept } from "./kept.mjs";
-import { asJpeg } from "./pictures.mjs";
-import { SAMPLE } from "./visitor.mjs";
 
 /** Longer than the page waits for a database or a lock. */
 const PATIENCE_S = 8;
@@ -18,7 +16,7 @@ test("where the space runs out as the work is committed, the page says once that
   await expectNotKept(visitor);
   assert.deepEqual(await keptWorks(page), []);
   const aborts = await page.evaluate("aborts");
-  await edit(visitor, 9);
+  await visitor.move("nose tip", "z", 9);
   const work = await visitor.work();
   await page.waitForFunction((before) => globalThis.aborts > before, aborts);
   await visitor.frames(2);
@@ -41,7 +39,7 @@ for (const [[what, remove], tag] of alike(/** @type {const} */ ([
 ]))) {
   test(`the next change brings back everything to a database that ${what} while the page is open`, { tag }, async ({ visitor, page }) => {
     await visitor.openFace();
-    await edit(visitor, 9);
+    await visitor.move("nose tip", "z", 9);
     await untilKept(visitor.page);
     const other = await visitor.anotherTab();
     await remove(other.page);
@@ -69,7 +67,7 @@ const DAMAGES = [
 
 test("works that are damaged in whatever way hide no older one", async ({ visitor }) => {
   await visitor.openFace();
-  await edit(visitor, 9);
+  await visitor.move("nose tip", "z", 9);
   const work = await visitor.work();
   await untilKept(visitor.page);
   const next = await visitor.anotherTab();
@@ -100,7 +98,7 @@ for (const [[what, seize], tag] of alike(/** @type {const} */ ([
     const visitor = await open({ hasClock: true });
     const { page } = visitor;
     await visitor.openFace();
-    await edit(visitor, 9);
+    await visitor.move("nose tip", "z", 9);
     await untilKept(visitor.page);
     const other = await visitor.anotherTab();
     await other.page.evaluate(seize);
@@ -143,7 +141,7 @@ test("locks that are not answered keep no work from being kept and opened again"
   const visitor = await open({ hasClock: true, scripts: [muteLocks] });
   const { page } = visitor;
   await visitor.openFace();
-  await edit(visitor, 9);
+  await visitor.move("nose tip", "z", 9);
   const work = await visitor.work();
   await pass(visitor, PATIENCE_S);
   assert.ok(await page.isHidden("#notice"));
@@ -155,13 +153,12 @@ test("locks that are not answered keep no work from being kept and opened again"
 test("the latest work is the one that was kept last, however the clock was set in between", { tag: "@rare" }, async ({ open }) => {
   const first = await open();
   await first.openFace();
-  await edit(first, 9);
+  await first.move("nose tip", "z", 9);
   await untilKept(first.page);
 
   const second = await first.anotherTab(setClockBack);
-  await second.drop(await asJpeg(second.page, await readFile(SAMPLE), { width: 640, height: 480 }), "other.jpg");
-  await second.untilFace();
-  await edit(second, -6);
+  await openOther(second);
+  await second.move("nose tip", "z", -6);
   const latest = await second.work();
   await untilKept(second.page, 2);
   for (const { page } of [first, second]) await page.goto("about:blank");
@@ -189,14 +186,13 @@ test("the latest work is the one that was kept last, however the clock was set i
 async function twoWorks(open) {
   const visitor = await open({ hasClock: true });
   const { page } = visitor;
-  await visitor.drop(await asJpeg(page, await readFile(SAMPLE), { width: 640, height: 480 }), "older.jpg");
-  await visitor.untilFace();
-  await edit(visitor, -6);
+  await openOther(visitor, "older.jpg");
+  await visitor.move("nose tip", "z", -6);
   const older = await visitor.work();
   await untilKept(visitor.page);
   await visitor.dropSample();
   await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
-  await edit(visitor, 9);
+  await visitor.move("nose tip", "z", 9);
   const latest = await visitor.work();
   await untilKept(visitor.page, 2);
   await page.reload();
@@ -210,10 +206,6 @@ async function pass(visitor, seconds) {
     await visitor.page.clock.runFor(1000);
     await visitor.frames(3);
   }
-}
-
-async function edit(visitor, offset_mm) {
-  await visitor.move("nose tip", "z", offset_mm);
 }
 
 async function expectNotKept(visitor) {

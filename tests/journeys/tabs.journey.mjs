@@ -1,9 +1,7 @@
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
 import { test } from "./fixtures.mjs";
+import { chooseFace, openGroup, openOther } from "./groups.mjs";
 import { keptWorks, untilKept } from "./kept.mjs";
-import { asJpeg, twice } from "./pictures.mjs";
-import { SAMPLE } from "./visitor.mjs";
 
 test("two tabs keep two works: each comes back with its own face and edits", async ({ open }) => {
   const first = await open();
@@ -14,8 +12,7 @@ test("two tabs keep two works: each comes back with its own face and edits", asy
   const second = await first.anotherTab();
   // The first tab's work is not offered while it is open there.
   assert.ok(await second.page.isHidden("#continue"));
-  await second.drop(await asJpeg(page, await readFile(SAMPLE), { width: 640, height: 480 }), "other.jpg");
-  await second.untilFace();
+  await openOther(second);
   await second.move("bottom of the chin", "y", -6);
   const others = await second.work();
 
@@ -47,7 +44,6 @@ test("two tabs keep two works: each comes back with its own face and edits", asy
 
 test("a tab writes its own slot alone, and a new face does not write over the one before", { tag: "@rare" }, async ({ open }) => {
   const first = await open();
-  const { page } = first;
   await first.openFace();
   await first.move("nose tip", "z", 9);
   await untilKept(first.page);
@@ -60,8 +56,7 @@ test("a tab writes its own slot alone, and a new face does not write over the on
   assert.deepEqual((await keptWorks(first.page)).find(({ slot }) => slot === kept.slot), kept);
 
   // Another photo in the first tab: what was done to the one before stays as it was.
-  await first.drop(await asJpeg(page, await readFile(SAMPLE), { width: 640, height: 480 }), "other.jpg");
-  await first.untilFace();
+  await openOther(first);
   await untilKept(first.page, 3);
   const now = await keptWorks(first.page);
   assert.equal(now.length, 3);
@@ -71,13 +66,12 @@ test("a tab writes its own slot alone, and a new face does not write over the on
 test("a face that was left in one tab and goes on in another comes back in the first as it was left there", async ({ open }) => {
   const first = await open();
   const { page } = first;
-  await first.drop(await twice(page, await readFile(SAMPLE)), "group.png");
-  await first.untilFace();
+  await openGroup(first);
   await first.move("nose tip", "z", 9);
   await untilKept(first.page);
   const left = await first.work();
   const choose = async (index) => {
-    await page.locator("#face-options input").nth(index).click({ force: true });
+    await chooseFace(first, index);
     await page.waitForFunction((count) => document.querySelectorAll("#history li").length === count, index === 0 ? 1 : 0);
   };
   await choose(1);
@@ -127,8 +121,7 @@ test("work that is open in another tab by now is said to be there, or the next o
   await second.speak("en");
 
   // Of two works, the other tab gets the one that nobody has.
-  await second.drop(await asJpeg(page, await readFile(SAMPLE), { width: 640, height: 480 }), "other.jpg");
-  await second.untilFace();
+  await openOther(second);
   await second.move("bottom of the chin", "y", -6);
   await untilKept(second.page, 2);
   const others = await second.work();

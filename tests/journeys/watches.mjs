@@ -1,4 +1,4 @@
-// Scripts that run in the page before its own and record what it cannot show.
+// Scripts that run in the page or its worker and record what it cannot show, or break something.
 
 /** Records the type of each message from a worker in `workersSaid`. */
 export function watchWorkers() {
@@ -29,4 +29,36 @@ export function watchGpus() {
 export async function crashGpu(page) {
   const browser = await page.context().browser().newBrowserCDPSession();
   await browser.send("Browser.crashGpuProcess");
+}
+
+/** Has the next call of a method of the page's module trap, as a panic does. @param {{ module?: string, type?: string, method: string }} call */
+export async function panicIn({ module = "rosto-studio-web.js", type = "Studio", method }) {
+  const address = new URL(`wasm/${module}`, document.baseURI).href;
+  const prototype = (await import(address))[type].prototype;
+  const call = prototype[method];
+  // (module (func (export "panic") unreachable))
+  const code = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 7, 9, 1, 5, 112, 97, 110, 105, 99, 0, 0, 10, 5, 1, 3, 0, 0, 11];
+  const { instance } = await WebAssembly.instantiate(new Uint8Array(code));
+  prototype[method] = (...values) => {
+    prototype[method] = call;
+    return instance.exports.panic(...values);
+  };
+}
+
+/** Has the worker die in place of a reply. @param {string} reply */
+export function dieBefore(reply) {
+  const tell = self.postMessage.bind(self);
+  self.postMessage = (message, transfer) => {
+    if (message.type === reply) throw new WebAssembly.RuntimeError("unreachable");
+    tell(message, transfer);
+  };
+}
+
+/** Refuses the database, as some browsers do in private windows, and counts that in `refusals`. */
+export function refuseDatabase() {
+  globalThis.refusals = 0;
+  IDBFactory.prototype.open = () => {
+    globalThis.refusals += 1;
+    throw new DOMException("The operation is insecure.", "SecurityError");
+  };
 }

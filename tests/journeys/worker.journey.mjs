@@ -8,7 +8,7 @@ import { colourCount } from "./pixels.mjs";
 import { faceless } from "./pictures.mjs";
 import { DIST } from "./server.mjs";
 import { SAMPLE } from "./visitor.mjs";
-import { watchWorkers } from "./watches.mjs";
+import { dieBefore, watchWorkers } from "./watches.mjs";
 
 const WORKER_MODULE = "**/rosto-vision-web_bg.wasm";
 
@@ -46,13 +46,7 @@ test("a photo that takes the worker down leaves the work and a message", async (
   const work = await visitor.meshJson("mm");
 
   const [dying] = visitor.page.workers();
-  await dying.evaluate(() => {
-    const tell = self.postMessage.bind(self);
-    self.postMessage = (message, transfer) => {
-      if (message.type === "found") throw new WebAssembly.RuntimeError("unreachable");
-      tell(message, transfer);
-    };
-  });
+  await dying.evaluate(dieBefore, "found");
   await visitor.drop(faceless(), "trap.png");
   assert.equal((await visitor.notice()).code, "worker-died");
   assert.deepEqual(await visitor.meshJson("mm"), work);
