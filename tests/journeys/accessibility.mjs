@@ -55,10 +55,7 @@ async function runPaper(page) {
   await page.waitForSelector("#paper-results:not([hidden])", { timeout: 150_000 });
 }
 
-/**
- * @param {import("@playwright/test").Page} page
- * @param {string} state
- */
+/** @param {import("@playwright/test").Page} page @param {string} state */
 async function audit(page, state) {
   await page.evaluate(AXE);
   const found = await page.evaluate(async () => {

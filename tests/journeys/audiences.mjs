@@ -15,12 +15,7 @@ export const AUDIENCES = /** @type {Audience[]} */ ([
 /** What a browser of somebody who reads a language asks for. @type {Record<string, string>} */
 export const LOCALES = { en: "en-GB", pt: "pt-BR" };
 
-/**
- * @param {number} width
- * @param {number} height
- * @param {object} [others]
- * @returns {Audience}
- */
+/** @param {number} width @param {number} height @param {object} [others] @returns {Audience} */
 function audience(width, height, others = {}) {
   return { id: `${width}x${height}`, options: { viewport: { width, height }, ...others } };
 }

@@ -43,11 +43,7 @@ async function faceBox(page) {
   return { top: y + first.row, left, right, chin, stage };
 }
 
-/**
- * The longest run of skin in each row of a picture that has one.
- *
- * @param {import("./pixels.mjs").Pixels} pixels
- */
+/** The longest run of skin in each row of a picture that has one. @param {import("./pixels.mjs").Pixels} pixels */
 function rowsOfSkin({ width, height, data }) {
   const rows = [];
   for (let row = 0; row < height; row++) {

@@ -1,26 +1,14 @@
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
-import { PNG } from "pngjs";
 import { meshByCommandLine } from "./command-line.mjs";
 import { test } from "./fixtures.mjs";
 import { assertSameMesh } from "./meshes.mjs";
-import { chromaticity, colourCount, difference, meanColour } from "./pixels.mjs";
+import { difference } from "./pixels.mjs";
+import { assertPortraitColours } from "./portrait-colours.mjs";
 import { SAMPLE } from "./visitor.mjs";
-
-/** The middle of the face, in the portrait and on the canvas as the face arrives. */
-const FACE_IN_PORTRAIT = { left: 0.4, top: 0.17, right: 0.47, bottom: 0.3 };
-const FACE_ON_CANVAS = { left: 0.46, top: 0.42, right: 0.54, bottom: 0.58 };
 
 test("a dropped portrait becomes a mesh in its own colours", { tag: "@eyes" }, async ({ visitor }) => {
   await visitor.dropSample();
-  const view = await visitor.view();
-  assert.ok(colourCount(view) > 40, `only ${colourCount(view)} colours on the canvas`);
-  const portrait = PNG.sync.read(await readFile(SAMPLE));
-  const wanted = chromaticity(meanColour(portrait, FACE_IN_PORTRAIT));
-  const seen = chromaticity(meanColour(view, FACE_ON_CANVAS));
-  for (const [channel, share] of seen.entries()) {
-    assert.ok(Math.abs(share - wanted[channel]) < 0.04, `colours ${seen} are far from the portrait's ${wanted}`);
-  }
+  await assertPortraitColours(await visitor.view());
 });
 
 test("moving the nose tip changes picture and mesh as the command line does, and undo restores both", { tag: "@eyes" }, async ({ visitor }) => {

@@ -79,11 +79,10 @@ test("a painted OBJ comes with its material and its picture, and a face for prin
     { format: "3mf", ending: "3mf", names: ["[Content_Types].xml", "_rels/.rels", "3D/3dmodel.model"] },
     { format: "usdz", ending: "usdz", names: ["face.usda", "face.jpg"] },
   ]) {
-    const coming = visitor.page.waitForEvent("download");
-    const archive = await visitor.download(`download-${format}`);
-    assert.equal((await coming).suggestedFilename(), `portrait.${ending}`);
+    const { name, bytes: archive } = await visitor.save(`download-${format}`);
+    assert.equal(name, `portrait.${ending}`);
     assert.equal(archive.toString("latin1", 0, 4), "PK\x03\x04");
-    for (const name of names) assert.ok(archive.includes(name), `no ${name} in the ${format}`);
+    for (const part of names) assert.ok(archive.includes(part), `no ${part} in the ${format}`);
   }
   const png = await visitor.download("download-png");
   assert.equal(png.toString("latin1", 1, 4), "PNG");
@@ -257,11 +256,10 @@ async function taken(page, what) {
 
 /** Downloads the GLB, has it validated here as well, and reads its description. */
 async function downloadedGlb(visitor) {
-  const coming = visitor.page.waitForEvent("download");
-  const bytes = await visitor.download("download-glb");
+  const { name, bytes } = await visitor.save("download-glb");
   const { issues } = await validator.validateBytes(new Uint8Array(bytes));
   const { numErrors, numWarnings, numInfos, numHints } = issues;
   assert.deepEqual([numErrors, numWarnings, numInfos, numHints], [0, 0, 0, 0], JSON.stringify(issues.messages));
   const json = JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString());
-  return { name: (await coming).suggestedFilename(), json, bytes: bytes.length };
+  return { name, json, bytes: bytes.length };
 }

@@ -117,12 +117,7 @@ async function bring(page, way, files, data = {}) {
   );
 }
 
-/**
- * Drops what lies on the disk, as a file manager does.
- *
- * @param {import("@playwright/test").Page} page
- * @param {string[]} files
- */
+/** Drops what lies on the disk, as a file manager does. @param {import("@playwright/test").Page} page @param {string[]} files */
 async function dropFromDesktop(page, files) {
   const browser = await page.context().newCDPSession(page);
   const data = { items: [], files, dragOperationsMask: 1 };

@@ -46,19 +46,17 @@ export const test = base.extend({
     const kind = kindFor(testInfo.tags);
     /** @type {Visitor[]} */
     const visitors = [];
-    try {
-      await use(async (options) => {
-        const { url = server.url, ...visiting } = { ...visit, ...options };
-        const visitor = await Visitor.arrive(await browsers.get(kind), url, visiting);
-        Object.assign(visitor, { project, sees: browsers.sees(kind) });
-        visitors.push(visitor);
-        return visitor;
-      });
-      for (const visitor of visitors) visitor.checkNothingBroke();
-    } finally {
-      await attachConsoles(visitors, testInfo);
-      for (const visitor of visitors) await browsers.release(visitor);
-    }
+    await use(async (options) => {
+      const { url = server.url, ...visiting } = { ...visit, ...options };
+      const visitor = await Visitor.arrive(await browsers.get(kind), url, visiting);
+      Object.assign(visitor, { project, sees: browsers.sees(kind) });
+      visitors.push(visitor);
+      return visitor;
+    });
+    const hasFailed = testInfo.status !== testInfo.expectedStatus || visitors.some(({ broken }) => broken.length > 0);
+    if (hasFailed) await attachConsoles(visitors, testInfo);
+    for (const visitor of visitors) await browsers.release(visitor);
+    for (const visitor of visitors) visitor.checkNothingBroke();
   },
 
   visitor: async ({ open }, use) => use(await open()),
@@ -79,7 +77,6 @@ export function alike(cases) {
 
 /** @param {Visitor[]} visitors @param {import("@playwright/test").TestInfo} testInfo */
 async function attachConsoles(visitors, testInfo) {
-  if (testInfo.status === testInfo.expectedStatus && testInfo.errors.length === 0) return;
   for (const { said, browserSaid } of visitors) {
     const lines = [...said.map((line) => `page: ${line}`), ...browserSaid.map((line) => `browser: ${line}`)];
     await testInfo.attach("console", { body: lines.join("\n"), contentType: "text/plain" });

@@ -122,11 +122,7 @@ test("a photo of twelve megapixels comes out whole", async ({ visitor }) => {
   assert.ok(box.right - box.left > 150 && box.right - box.left < 1800, JSON.stringify(box));
 });
 
-/**
- * A JPEG with an EXIF segment that says where it was taken, as text.
- *
- * @param {Buffer} jpeg
- */
+/** A JPEG with an EXIF segment that says where it was taken, as text. @param {Buffer} jpeg */
 function withExif(jpeg) {
   const tiff = Buffer.concat([Buffer.from("Exif\0\0MM\0\x2a\0\0\0\x08\0\0\0\0\0\0", "latin1"), Buffer.from("GPS Somewhere")]);
   const head = Buffer.from([0xff, 0xe1, 0, 0]);

@@ -9,10 +9,7 @@ const LENSES = ["portrait", "parallel", "near", "as-taken"];
 /** Nose tip, chin, the outer corners of the eyes, the corners of the mouth. */
 const ALL_OVER = [1, 152, 33, 263, 61, 291];
 
-/**
- * @param {import("./visitor.mjs").Visitor} visitor
- * @param {string} lens
- */
+/** @param {import("./visitor.mjs").Visitor} visitor @param {string} lens */
 async function chooseLens(visitor, lens) {
   await visitor.unfold("section-view");
   await visitor.page.check(`input[name="lens"][value="${lens}"]`, { force: true });

@@ -103,7 +103,5 @@ function coloursOf(page) {
 
 /** The name under which a download comes. */
 async function nameOf(visitor, action) {
-  const coming = visitor.page.waitForEvent("download");
-  await visitor.download(action);
-  return (await coming).suggestedFilename();
+  return (await visitor.save(action)).name;
 }

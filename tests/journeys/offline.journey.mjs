@@ -93,10 +93,7 @@ function isKept(visitor) {
   return visitor.page.evaluate(async () => Boolean((await navigator.serviceWorker.getRegistration())?.active));
 }
 
-/**
- * @param {import("node:http").ServerResponse} response
- * @param {number} status
- */
+/** @param {import("node:http").ServerResponse} response @param {number} status */
 function fail(response, status) {
   response.writeHead(status, { "content-type": "text/html" }).end("<!doctype html><title>No</title><p>Not now.");
   return true;
@@ -113,11 +110,7 @@ function begin(response) {
   return true;
 }
 
-/**
- * @param {import("node:http").ServerResponse} response
- * @param {string} text
- * @param {string} [type]
- */
+/** @param {import("node:http").ServerResponse} response @param {string} text @param {string} [type] */
 function send(response, text, type = "text/html; charset=utf-8") {
   response.writeHead(200, { "content-type": type, "cache-control": "no-cache" }).end(text);
   return true;

@@ -41,12 +41,7 @@ function withFace(project, { landmarks, colours, lens }) {
   return Buffer.concat([changed.subarray(0, start), face, changed.subarray(start + face.length)]);
 }
 
-/**
- * The files in an archive that is not compressed, by their names.
- *
- * @param {Buffer} zip
- * @returns {Map<string, Buffer>}
- */
+/** The files in an archive that is not compressed, by their names. @param {Buffer} zip @returns {Map<string, Buffer>} */
 export function storedFiles(zip) {
   const files = new Map();
   for (let at = 0; zip.readUInt32LE(at) === LOCAL_FILE; ) {

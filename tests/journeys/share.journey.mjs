@@ -14,17 +14,16 @@ const GAP = 0.008;
 /** What is looked at of a clip's frames. */
 const FRAME_PX = 180;
 
-test("before and after are the halves of one picture, and the view stays as it was", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
+test("before and after are the halves of one picture, and the view stays as it was", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
   await visitor.openFace("ana");
   const found = PNG.sync.read(await visitor.download("download-picture"));
   await visitor.move("nose tip", "x", 12);
   const place = await visitor.onView(await visitor.selectedPlace());
   const edited = PNG.sync.read(await visitor.download("download-picture"));
   const before = await standing(visitor);
-  const coming = page.waitForEvent("download");
-  const pair = PNG.sync.read(await visitor.download("download-pair"));
-  assert.equal((await coming).suggestedFilename(), "ana-before-after.png");
-  const [left, right] = halves(pair);
+  const { name, bytes } = await visitor.save("download-pair");
+  assert.equal(name, "ana-before-after.png");
+  const [left, right] = halves(PNG.sync.read(bytes));
   for (const [half, alone] of [[left, found], [right, edited]]) {
     assert.equal(difference(above(half), above(middleOf(alone, half.width))), 0, "a half is not the picture that is saved alone");
   }
@@ -177,10 +176,7 @@ async function standing(visitor) {
   return { mesh, history: await visitor.history(), view: await visitor.view() };
 }
 
-/**
- * @param {Awaited<ReturnType<typeof standing>>} now
- * @param {Awaited<ReturnType<typeof standing>>} before
- */
+/** @param {Awaited<ReturnType<typeof standing>>} now @param {Awaited<ReturnType<typeof standing>>} before */
 function assertSame(now, before) {
   assert.deepEqual([now.mesh, now.history], [before.mesh, before.history]);
   assert.equal(difference(now.view, before.view), 0, "the view is not what it was");

@@ -137,12 +137,7 @@ function areApart(one, other) {
   return beside || one.y + one.height <= other.y || other.y + other.height <= one.y;
 }
 
-/**
- * Moves fingers from place to place.
- *
- * @param {import("@playwright/test").CDPSession} touch
- * @param {{ x: number, y: number }[][]} places
- */
+/** Moves fingers from place to place. @param {import("@playwright/test").CDPSession} touch @param {{ x: number, y: number }[][]} places */
 async function stroke(touch, [from, to]) {
   const STEPS = 5;
   await touch.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: from });

@@ -106,12 +106,7 @@ export class Visitor {
     await this.page.waitForSelector("#language option", { state: "attached" });
   }
 
-  /**
-   * Drops a file anywhere on the page.
-   *
-   * @param {Uint8Array} bytes
-   * @param {string} name
-   */
+  /** Drops a file anywhere on the page. @param {Uint8Array} bytes @param {string} name */
   async drop(bytes, name) {
     await this.untilItAnswers();
     const transfer = await this.page.evaluateHandle(
@@ -158,11 +153,7 @@ export class Visitor {
     return { mesh: await this.meshJson("mm"), history: await this.history() };
   }
 
-  /**
-   * Has the page in another language, as by its list of them, which may be out of sight.
-   *
-   * @param {string} language
-   */
+  /** Has the page in another language, as by its list of them, which may be out of sight. @param {string} language */
   async speak(language) {
     await this.page.evaluate((language) => {
       const choice = document.getElementById("language");
@@ -181,11 +172,7 @@ export class Visitor {
     await this.frames(3);
   }
 
-  /**
-   * Waits for so many frames to be drawn.
-   *
-   * @param {number} count
-   */
+  /** Waits for so many frames to be drawn. @param {number} count */
   async frames(count) {
     await this.page.evaluate(async (count) => {
       for (let i = 0; i < count; i++) await new Promise(requestAnimationFrame);
@@ -197,11 +184,7 @@ export class Visitor {
     return this.reach(`#${id}`);
   }
 
-  /**
-   * Shows something of the panel, whichever tab or folds hide it.
-   *
-   * @param {string} selector
-   */
+  /** Shows something of the panel, whichever tab or folds hide it. @param {string} selector */
   async reach(selector) {
     const tab = await this.page.locator(`#sections > [data-tab]:is(${selector}, :has(${selector}))`).getAttribute("data-tab");
     const button = this.page.locator(`[data-tab-name="${tab}"]:not([aria-selected="true"])`);
@@ -210,22 +193,14 @@ export class Visitor {
     while ((await folded.count()) > 0) await folded.first().click();
   }
 
-  /**
-   * Finds a landmark by name or number.
-   *
-   * @param {string} text
-   */
+  /** Finds a landmark by name or number. @param {string} text */
   async findLandmark(text) {
     await this.unfold("section-landmark");
     await this.page.fill("#landmark-search", text);
     await this.page.press("#landmark-search", "Enter");
   }
 
-  /**
-   * Takes a whole part of the face in hand.
-   *
-   * @param {string} region its id, such as "left-brow"
-   */
+  /** Takes a whole part of the face in hand. @param {string} region its id, such as "left-brow" */
   async chooseRegion(region) {
     await this.unfold("section-landmark");
     await this.page.check("input[name='selection'][value='region']", { force: true });
@@ -244,20 +219,13 @@ export class Visitor {
     });
   }
 
-  /**
-   * Where in the window what is selected is. The pointer goes off the view for that: what it rests on would be named in its
-   * stead.
-   */
+  /** Where in the window what is selected is. The pointer goes off the view for that: what it rests on would be named in its stead. */
   async selectedPlace() {
     await this.page.mouse.move(1, 1);
     return this.tagged();
   }
 
-  /**
-   * Where in the window a landmark is; it is selected for that, and let go of again.
-   *
-   * @param {number} landmark
-   */
+  /** Where in the window a landmark is; it is selected for that, and let go of again. @param {number} landmark */
   async landmarkPlace(landmark) {
     await this.findLandmark(String(landmark));
     const place = await this.selectedPlace();
@@ -266,11 +234,7 @@ export class Visitor {
     return place;
   }
 
-  /**
-   * A place of the window in the pixels of {@link view}.
-   *
-   * @param {{ x: number, y: number }} place
-   */
+  /** A place of the window in the pixels of {@link view}. @param {{ x: number, y: number }} place */
   async onView({ x, y }) {
     const box = await this.page.locator("#viewport").boundingBox();
     const ratio = await this.page.evaluate(() => devicePixelRatio);
@@ -333,22 +297,13 @@ export class Visitor {
     await this.frames(3);
   }
 
-  /**
-   * Chooses how the face follows an edit.
-   *
-   * @param {"sculpt" | "paper"} preset
-   */
+  /** Chooses how the face follows an edit. @param {"sculpt" | "paper"} preset */
   async prefer(preset) {
     await this.unfold("section-landmark");
     await this.page.check(`input[name="preset"][value="${preset}"]`, { force: true });
   }
 
-  /**
-   * Types an offset into the number field of an axis.
-   *
-   * @param {"x" | "y" | "z"} axis
-   * @param {number} offset_mm
-   */
+  /** Types an offset into the number field of an axis. @param {"x" | "y" | "z"} axis @param {number} offset_mm */
   async offset(axis, offset_mm) {
     await this.unfold("section-landmark");
     const field = this.page.locator(`#landmark-sliders [data-axis="${axis}"] input[type=number]`);
@@ -357,13 +312,7 @@ export class Visitor {
     await this.frames(3);
   }
 
-  /**
-   * Moves a landmark along an axis.
-   *
-   * @param {string} landmark
-   * @param {"x" | "y" | "z"} axis
-   * @param {number} offset_mm
-   */
+  /** Moves a landmark along an axis. @param {string} landmark @param {"x" | "y" | "z"} axis @param {number} offset_mm */
   async move(landmark, axis, offset_mm) {
     await this.findLandmark(landmark);
     await this.offset(axis, offset_mm);
@@ -416,15 +365,20 @@ export class Visitor {
     return JSON.parse((await this.download("download-json")).toString());
   }
 
-  /** @param {string} action */
+  /** The file that a button saves. @param {string} action */
   async download(action) {
+    return (await this.save(action)).bytes;
+  }
+
+  /** The same with its name. @param {string} action */
+  async save(action) {
     await this.unfold("section-export");
     if (await this.page.locator(`#sections [data-action="${action}"]`).count()) await this.reach(`[data-action="${action}"]`);
     const [download] = await Promise.all([
       this.page.waitForEvent("download"),
       this.page.click(`#panel [data-action="${action}"]`),
     ]);
-    return readFile(await download.path());
+    return { bytes: await readFile(await download.path()), name: download.suggestedFilename() };
   }
 
   /** The pixels of the 3D view once it has come to rest, with what floats over it left out. */
@@ -462,11 +416,7 @@ export class Visitor {
   }
 }
 
-/**
- * Runs in the page.
- *
- * @param {string} violation
- */
+/** Runs in the page. @param {string} violation */
 function reportViolations(violation) {
   addEventListener("securitypolicyviolation", ({ violatedDirective, blockedURI, sample }) => {
     console.error(`${violation} ${violatedDirective} ${blockedURI} ${sample}`);

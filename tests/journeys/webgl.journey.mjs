@@ -1,18 +1,15 @@
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
 import { meshByCommandLine } from "./command-line.mjs";
 import { test } from "./fixtures.mjs";
 import { assertSameMesh } from "./meshes.mjs";
-import { chromaticity, colourCount, difference, meanColour } from "./pixels.mjs";
+import { colourCount, difference } from "./pixels.mjs";
+import { assertPortraitColours } from "./portrait-colours.mjs";
 import { validateGlb } from "./validate-glb.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 const FOR_WEBGPU = "rosto-studio-web_bg.wasm";
 const FOR_WEBGL2 = "rosto-studio-webgl_bg.wasm";
-/** The middle of the face, in the portrait and on the canvas as the face arrives. */
-const FACE_IN_PORTRAIT = { left: 0.4, top: 0.17, right: 0.47, bottom: 0.3 };
-const FACE_ON_CANVAS = { left: 0.46, top: 0.42, right: 0.54, bottom: 0.58 };
 
 test("without a WebGPU adapter the portrait becomes a mesh in WebGL2, is edited by number and by hand, and downloads", { tag: "@webgl" }, async ({ visitor, page }) => {
   assert.equal(await page.evaluate(async () => (await navigator.gpu?.requestAdapter()) ?? null), null);
@@ -21,17 +18,15 @@ test("without a WebGPU adapter the portrait becomes a mesh in WebGL2, is edited 
   await visitor.untilFace();
   assert.equal(await contextKind(page), "webgl2");
   const found = await visitor.view();
-  assert.ok(colourCount(found) > 40, `only ${colourCount(found)} colours on the canvas`);
-  const wanted = chromaticity(meanColour(PNG.sync.read(await readFile(SAMPLE)), FACE_IN_PORTRAIT));
-  const seen = chromaticity(meanColour(found, FACE_ON_CANVAS));
-  for (const [channel, share] of seen.entries()) assert.ok(Math.abs(share - wanted[channel]) < 0.04, `${seen} for ${wanted}`);
+  await assertPortraitColours(found);
 
   await visitor.findLandmark("nose tip");
   const held = await visitor.view();
   await visitor.offset("y", 9);
   const moved = await visitor.view();
   assert.ok(difference(held, moved) > 0.002, "the number did not change the picture");
-  await dragFromTheMiddle(visitor, 0, -30);
+  const box = await page.locator("#viewport").boundingBox();
+  await visitor.drag({ x: box.x + box.width / 2, y: box.y + box.height / 2 }, { x: 0, y: -30 });
   assert.equal((await visitor.history()).length, 2, "the drag moved no landmark");
   assert.ok(difference(moved, await visitor.view()) > 0.002, "the drag did not change the picture");
 
@@ -84,20 +79,4 @@ function contextKind(page) {
     const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("viewport"));
     return ["webgpu", "webgl2"].find((kind) => canvas.getContext(kind));
   });
-}
-
-/**
- * Drags what lies in the middle of the 3D view.
- *
- * @param {import("./visitor.mjs").Visitor} visitor
- * @param {number} dx_px
- * @param {number} dy_px
- */
-async function dragFromTheMiddle({ page }, dx_px, dy_px) {
-  const box = await page.locator("#viewport").boundingBox();
-  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x + dx_px, y + dy_px, { steps: 6 });
-  await page.mouse.up();
 }
