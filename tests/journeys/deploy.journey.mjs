@@ -20,7 +20,7 @@ for (const [[when, how, needs], tag] of alike(/** @type {const} */ ([
   ["opened without WebGPU", { reloads: true }, "webgl"],
 ]))) {
   test(`a tab that was ${when} keeps its version after a deploy, and a new one has the new version`, { tag: [...tag, `@${needs}`] }, async ({ open, server }, testInfo) => {
-    const [older, newer] = await Promise.all(["older", "newer"].map((name) => buildOf(name, testInfo.outputPath(name))));
+    const [older, newer] = await Promise.all([1, 2].map((number) => buildOf(number, testInfo.outputPath(String(number)))));
     server.deploy(older);
     const old = await open({ serviceWorkers: "allow" });
     await old.untilLoaded();
@@ -42,8 +42,8 @@ for (const [[when, how, needs], tag] of alike(/** @type {const} */ ([
       await stopServiceWorkers(visitor.page);
       await expectBuild(visitor, visitor === old ? older : newer, needs);
     }
-    await expectScripts(old, "older");
-    await expectScripts(next, "newer");
+    await expectScripts(old, 1);
+    await expectScripts(next, 2);
     await old.page.bringToFront();
     await old.dropSample();
     server.disturb((_, response) => Boolean(response.writeHead(503).end()));
@@ -71,7 +71,7 @@ for (const [[when, how, needs], tag] of alike(/** @type {const} */ ([
 }
 
 test("a version that was never stored is not made up of files of the next one", async ({ open, server }, testInfo) => {
-  const [older, newer] = await Promise.all(["older", "newer"].map((name) => buildOf(name, testInfo.outputPath(name))));
+  const [older, newer] = await Promise.all([1, 2].map((number) => buildOf(number, testInfo.outputPath(String(number)))));
   server.deploy(older);
   const old = await open({ serviceWorkers: "allow" });
   await old.untilLoaded();
@@ -87,17 +87,17 @@ test("a version that was never stored is not made up of files of the next one", 
 });
 
 /**
- * Makes a build of the page in which each file that can take a comment has one, and late scripts name it as `build`.
+ * Makes a build of the page in which each file that can take a comment has one, and late scripts set `build` to its number.
  *
- * @param {string} name
+ * @param {number} number
  * @param {string} folder
  */
-async function buildOf(name, folder) {
+async function buildOf(number, folder) {
   await cp(DIST, folder, { recursive: true });
   const files = (await readdir(folder, { recursive: true })).filter((name) => /^(js|css|words|wasm)\/.*\.(js|css|json)$/.test(name));
-  const text = (file) => (file.endsWith("json") ? " ".repeat(name.length - 4) : `/* ${name} */`);
+  const text = (file) => (file.endsWith("json") ? " ".repeat(number) : `/* ${number} */`);
   for (const file of files) await appendFile(path.join(folder, file), `\n${text(file)}\n`);
-  for (const file of LATE) await appendFile(path.join(folder, file), `globalThis.build = "${name}";\n`);
+  for (const file of LATE) await appendFile(path.join(folder, file), `globalThis.build = ${number};\n`);
   await promisify(execFile)(process.execPath, [LISTING], { env: { ...process.env, TRUNK_STAGING_DIR: folder } });
   return folder;
 }
@@ -143,7 +143,7 @@ async function untilFallbackStored({ page }) {
   await page.waitForFunction(async () => Boolean(await caches.match("wasm/rosto-studio-webgl_bg.wasm")));
 }
 
-/** Waits until the stores are those of so many versions. */
+/** Waits until there are the stores of `count` versions. */
 async function untilStored({ page }, count) {
   const stores = () => page.evaluate(async () => (await caches.keys()).filter((name) => name !== "rosto-notes"));
   await expect.poll(async () => (await stores()).length).toBe(count);

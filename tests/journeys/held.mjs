@@ -1,4 +1,4 @@
-/** For a page to which a file does not come until it is delivered. @param {string} file */
+/** Holds a file back from a page until `deliver` is called. @param {string} file */
 export function withHeld(file) {
   let deliver = () => {};
   const held = new Promise((resolve) => (deliver = () => resolve(undefined)));

@@ -25,13 +25,13 @@ export function keptWorks(page) {
 }
 
 /**
- * Waits until the database has all that was done on a page, which writes it at once when it goes out of sight.
+ * Waits until the database has everything that was done on a page. The page writes it as soon as it is hidden.
  *
  * @param {import("@playwright/test").Page} page
- * @param {number} [count] of the works that have to be there at least
+ * @param {number} [count] least number of kept works
  */
 export async function untilKept(page, count = 1) {
-  const unkept = await page.evaluate(goOutOfSight);
+  const unkept = await page.evaluate(hide);
   await expect(async () => {
     const works = await keptWorks(page);
     expect(works.length).toBeGreaterThanOrEqual(count);
@@ -39,14 +39,14 @@ export async function untilKept(page, count = 1) {
   }).toPass({ timeout: 20_000 });
 }
 
-/** Runs in the page. @returns what the database does not have yet of its work; nothing if it has everything */
-function goOutOfSight() {
+/** Runs in the page. @returns the work as it has to be kept; nothing if it is kept already */
+function hide() {
+  const before = { ...localStorage };
   Object.defineProperty(document, "visibilityState", { configurable: true, get: () => "hidden" });
   document.dispatchEvent(new Event("visibilitychange"));
   Reflect.deleteProperty(document, "visibilityState");
-  const spoken = Object.keys(localStorage).filter((key) => key.startsWith("rosto-last-words-"));
-  const [latest] = spoken.map((key) => JSON.parse(localStorage[key])).sort((one, other) => other.order - one.order);
-  if (!latest) return undefined;
-  const { order: _, ...unkept } = latest;
+  const spoken = Object.keys(localStorage).find((key) => key.startsWith("rosto-last-words-") && localStorage[key] !== before[key]);
+  if (!spoken) return undefined;
+  const { order: _, ...unkept } = JSON.parse(localStorage[spoken]);
   return unkept;
 }

@@ -50,7 +50,7 @@ test("of a large photo and a small one right after it, the small one stays", asy
   assert.ok(await page.isHidden("#notice"));
 });
 
-/** Waits until the worker has told of the faces of so many photos. */
+/** Waits until the worker has answered for `count` photos. */
 async function untilFound(visitor, count) {
   await visitor.page.waitForFunction((count) => window.workersSaid.filter((type) => type === "found").length === count, count);
   await visitor.frames(5);

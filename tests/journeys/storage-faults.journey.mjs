@@ -200,7 +200,7 @@ async function twoWorks(open) {
   return { visitor, older, latest };
 }
 
-/** Has so many seconds pass for the page, and lets the database answer in each. */
+/** Moves the page's clock on by `seconds`, and lets the database answer after each. */
 async function pass(visitor, seconds) {
   for (let second = 0; second < seconds; second++) {
     await visitor.page.clock.runFor(1000);
