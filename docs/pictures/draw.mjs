@@ -9,7 +9,7 @@ import { drawInPhoto, SCREENSHOTS, takeScreenshot } from "./page.mjs";
 
 const IMAGES = path.resolve(import.meta.dirname, "../images");
 
-/** @type {Record<string, (browser: import("playwright-core").Browser, file: string, url: string) => Promise<void>>} */
+/** @type {Record<string, (browser: import("@playwright/test").Browser, file: string, url: string) => Promise<void>>} */
 const PICTURES = {
   ...Object.fromEntries(Object.keys(SCREENSHOTS).map((name) => [`${name}.png`, takeScreenshot])),
   "first-minute.jpg": drawFirstMinute,

@@ -22,7 +22,7 @@ const STEPS = [
   ["Download: a GLB for any 3D program.", download],
 ];
 
-/** @param {import("playwright-core").Browser} browser @param {string} file @param {string} url */
+/** @param {import("@playwright/test").Browser} browser @param {string} file @param {string} url */
 export async function drawFirstMinute(browser, file, url) {
   const visitor = await Visitor.arrive(browser, url, {
     viewport: WINDOW, reducedMotion: "no-preference", colorScheme: "light",
@@ -115,7 +115,7 @@ async function hold(visitor, from, to) {
   return to;
 }
 
-/** @param {import("playwright-core").Locator} locator @returns {Promise<Place>} */
+/** @param {import("@playwright/test").Locator} locator @returns {Promise<Place>} */
 async function middleOf(locator) {
   const { x, y, width, height } = await locator.boundingBox();
   return { x: x + width / 2, y: y + height / 2 };

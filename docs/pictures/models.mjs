@@ -21,7 +21,7 @@ const HEIGHTS = [0.1, 0.35, 0.55, 0.75, 0.92];
 
 const run = promisify(execFile);
 
-/** @param {import("playwright-core").Browser} browser @param {string} file */
+/** @param {import("@playwright/test").Browser} browser @param {string} file */
 export async function drawExpressions(browser, file) {
   const folder = await drawnBy("expression_sheet");
   const names = (await readdir(folder)).sort();
@@ -29,7 +29,7 @@ export async function drawExpressions(browser, file) {
   await writeSheet(browser, file, await Promise.all(cells), { columns: 5, width: 270 });
 }
 
-/** A photo of each turn, and the side that it hides: as it is, by the photo alone, and by the whole texture. @param {import("playwright-core").Browser} browser @param {string} file */
+/** A photo of each turn, and the side that it hides: as it is, by the photo alone, and by the whole texture. @param {import("@playwright/test").Browser} browser @param {string} file */
 export async function drawTextures(browser, file) {
   const folder = await drawnBy("texture");
   const cell = async (/** @type {string} */ name, /** @type {string} */ caption) => ({ picture: cut(await readFile(path.join(folder, `${name}.png`)), HEAD), caption });
@@ -45,7 +45,7 @@ export async function drawTextures(browser, file) {
   await writeSheet(browser, file, await Promise.all(cells), { columns: 4, width: 230 });
 }
 
-/** The sample portrait as a mask of 2 mm, as PrusaSlicer plans its layers. @param {import("playwright-core").Browser} browser @param {string} file */
+/** The sample portrait as a mask of 2 mm, as PrusaSlicer plans its layers. @param {import("@playwright/test").Browser} browser @param {string} file */
 export async function drawSlices(browser, file) {
   const [body, plan] = ["mask.stl", "mask.gcode"].map((name) => path.join(DRAWN, name));
   await run(program(), ["mesh", SAMPLE, "-o", body, "--solid", "thickness:2"]);

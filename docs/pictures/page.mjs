@@ -5,7 +5,7 @@ import { asJpeg } from "../../tests/journeys/pictures.mjs";
 import { SAMPLE, Visitor } from "../../tests/journeys/visitor.mjs";
 import { cut, writeSheet } from "./sheet.mjs";
 
-/** @typedef {import("playwright-core").Browser} Browser */
+/** @typedef {import("@playwright/test").Browser} Browser */
 
 const DESKTOP = { viewport: { width: 1440, height: 900 } };
 

@@ -12,7 +12,7 @@ const ARROW = '<path d="M1 1v18l5-4 3 7 4-2-3-7h6Z" />';
 /**
  * Puts pictures together in rows, each above its caption, as a JPEG.
  *
- * @param {import("playwright-core").Browser} browser
+ * @param {import("@playwright/test").Browser} browser
  * @param {string} file
  * @param {Cell[]} cells
  * @param {{ columns: number, width: number }} layout `width` of each picture at most, px

@@ -1,12 +1,12 @@
 import assert from "node:assert/strict";
 import { AUDIENCES, audits } from "./accessibility.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 
 /** `npm run accessibility` checks the others. */
 const WALKED = ["phone, light"];
 
 for (const { name, options } of AUDIENCES.filter(({ name }) => WALKED.includes(name))) {
-  journey(`axe-core finds nothing to object to: ${name}`, async (open) => {
+  test(`axe-core finds nothing to object to: ${name}`, async ({ open }) => {
     let passed = 0;
     for await (const audit of audits(await open(options))) {
       assert.deepEqual(audit.violations, [], audit.state);

@@ -1,7 +1,6 @@
 import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
-import { twice } from "./pictures.mjs";
-import { SAMPLE } from "./visitor.mjs";
+import { openGroup } from "./groups.mjs";
 
 const require = createRequire(import.meta.url);
 const AXE = await readFile(require.resolve("axe-core/axe.min.js"), "utf8");
@@ -31,8 +30,7 @@ export async function* audits(visitor) {
   await visitor.untilLoaded();
   yield await audit(page, "empty");
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 5);
+  await visitor.move("nose tip", "z", 5);
   for (const section of SECTIONS) {
     await visitor.unfold(`section-${section}`);
     if (section === "paper") await runPaper(page);
@@ -43,9 +41,7 @@ export async function* audits(visitor) {
     yield await audit(page, dialog);
     await page.keyboard.press("Escape");
   }
-  await visitor.drop(await twice(page, await readFile(SAMPLE)), "group.png");
-  await page.waitForSelector("#face-choice:not([hidden])");
-  await visitor.untilFace();
+  await openGroup(visitor);
   await visitor.download("save-project");
   yield await audit(page, "faces to choose from, after a download");
   await visitor.drop(new Uint8Array(), "nothing.jpg");
@@ -53,16 +49,13 @@ export async function* audits(visitor) {
   yield await audit(page, "notice");
 }
 
-/** @param {import("playwright-core").Page} page */
+/** @param {import("@playwright/test").Page} page */
 async function runPaper(page) {
   await page.click("[data-action='run-paper']");
   await page.waitForSelector("#paper-results:not([hidden])", { timeout: 150_000 });
 }
 
-/**
- * @param {import("playwright-core").Page} page
- * @param {string} state
- */
+/** @param {import("@playwright/test").Page} page @param {string} state */
 async function audit(page, state) {
   await page.evaluate(AXE);
   const found = await page.evaluate(async () => {

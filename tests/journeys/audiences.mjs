@@ -1,4 +1,4 @@
-/** @typedef {{ id: string, options: import("playwright-core").BrowserContextOptions }} Audience */
+/** @typedef {{ id: string, options: import("@playwright/test").BrowserContextOptions }} Audience */
 
 const TOUCH = { hasTouch: true, isMobile: true };
 
@@ -12,12 +12,10 @@ export const AUDIENCES = /** @type {Audience[]} */ ([
   audience(720, 450),
 ]);
 
-/**
- * @param {number} width
- * @param {number} height
- * @param {object} [others]
- * @returns {Audience}
- */
+/** What a browser of somebody who reads a language asks for. @type {Record<string, string>} */
+export const LOCALES = { en: "en-GB", pt: "pt-BR" };
+
+/** @param {number} width @param {number} height @param {object} [others] @returns {Audience} */
 function audience(width, height, others = {}) {
   return { id: `${width}x${height}`, options: { viewport: { width, height }, ...others } };
 }

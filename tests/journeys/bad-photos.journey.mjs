@@ -1,14 +1,12 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { asJpeg, enormousPng, faceless, heic, outOfFocus, text } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-journey("what is no photo of a face gets a message each, and the page works on", async (open) => {
-  const visitor = await open();
+test("what is no photo of a face gets a message each, and the page works on", async ({ visitor }) => {
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 4);
+  await visitor.move("nose tip", "z", 4);
   const work = await visitor.meshJson("mm");
 
   const jpeg = await asJpeg(visitor.page, await readFile(SAMPLE));
@@ -37,8 +35,7 @@ journey("what is no photo of a face gets a message each, and the page works on",
   assert.ok(await visitor.page.locator("#notice").isHidden());
 });
 
-journey("a face that may be none is opened with a remark", async (open) => {
-  const visitor = await open();
+test("a face that may be none is opened with a remark", async ({ visitor }) => {
   await visitor.drop(await outOfFocus(visitor.page, await readFile(SAMPLE)), "blurred.png");
   await visitor.untilFace();
   assert.equal((await visitor.notice()).code, "may-not-be-a-face");

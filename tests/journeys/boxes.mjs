@@ -15,7 +15,7 @@ const SOURCE = [...Object.entries({ ...basics, ...cuts, ...overlaps }), ["lookOv
 /**
  * What is wrong with the boxes of the page as it stands; nothing if nothing is.
  *
- * @param {import("playwright-core").Page} page
+ * @param {import("@playwright/test").Page} page
  * @returns {Promise<string[]>}
  */
 export function findings(page) {
@@ -25,7 +25,7 @@ export function findings(page) {
 /**
  * What floats or stands over a box of the stage: over the chin, say.
  *
- * @param {import("playwright-core").Page} page
+ * @param {import("@playwright/test").Page} page
  * @param {{ left: number, top: number, right: number, bottom: number }} box in CSS px of the window
  * @returns {Promise<string[]>}
  */

@@ -1,98 +1,75 @@
+import { setTimeout as later } from "node:timers/promises";
 import { launch } from "./browser.mjs";
 import { movingFilm } from "./film.mjs";
 import { portraitFilm } from "./pictures.mjs";
 
-/** @typedef {import("./journey.mjs").Journey["needs"]} Needs */
-/** @typedef {import("playwright-core").Browser} Browser */
+/** @typedef {import("@playwright/test").Browser} Browser */
 
-/** Browsers whose screenshots do not show the 3D view. @type {Set<Needs>} */
-const UNSEEN = new Set(["gpu", "camera", "moving-camera", "way-back"]);
+/** Kinds of browsers: how each is launched, and whether its screenshots show the 3D view. */
+const KINDS = {
+  gpu: { seen: false, options: () => ({}) },
+  eyes: { seen: true, options: () => ({}) },
+  webgl: { seen: true, options: () => ({ gpu: "webgl" }) },
+  "no-gpu": { seen: true, options: () => ({ gpu: "none" }) },
+  camera: { seen: false, options: async () => ({ film: await portraitFilm() }) },
+  "moving-camera": { seen: false, options: async () => ({ film: await movingFilm() }) },
+  "seen-camera": { seen: true, options: async () => ({ film: await movingFilm() }) },
+  "way-back": { seen: false, options: () => ({ keepsPages: true }) },
+};
 
-/** Letting go of a page takes a browser a moment. One that takes longer than this never does. */
+/** @typedef {keyof typeof KINDS} Kind */
+
+/** Time limit for closing a page or a browser: one that takes longer hangs. */
 const CLOSING_MS = 30_000;
 
-/** The browsers of one lane, each launched when it is first needed. */
+/** Kind of browser that a test's tags ask for. @param {string[]} tags @returns {Kind} */
+export function kindFor(tags) {
+  return /** @type {Kind} */ (Object.keys(KINDS).find((kind) => tags.includes(`@${kind}`)) ?? "gpu");
+}
+
+/** Browsers of one worker, each launched when it is first needed, and again if it crashed. */
 export class Browsers {
-  /** @type {Map<Needs, { browser: Browser, pid: number }>} */
+  /** @type {Map<Kind, { browser: Browser, pid: number }>} */
   #open = new Map();
-  #isTimed;
 
-  /** @param {{ isTimed: boolean }} how what is timed is timed as visitors have it */
-  constructor({ isTimed }) {
-    this.#isTimed = isTimed;
+  /** Whether screenshots show the 3D view. @param {Kind} kind */
+  sees(kind) {
+    return KINDS[kind].seen;
   }
 
-  /** Whether screenshots show the 3D view. @param {Needs} needs */
-  sees(needs) {
-    return this.#isTimed || !UNSEEN.has(needs);
-  }
-
-  /** Another one where the last has crashed. @param {Needs} needs */
-  async for(needs) {
-    const last = this.#open.get(needs);
-    const open = last?.browser.isConnected() ? last : await this.#launch(needs);
-    this.#open.set(needs, open);
+  /** @param {Kind} kind */
+  async get(kind) {
+    const last = this.#open.get(kind);
+    const open = last?.browser.isConnected() ? last : await launched(kind);
+    this.#open.set(kind, open);
     return open.browser;
   }
 
-  /**
-   * Has a visitor leave. A browser that does not let go of the page is ended, and the next journey has another.
-   *
-   * @param {import("./visitor.mjs").Visitor} visitor
-   * @returns whether it let go
-   */
-  async leave(visitor) {
-    if (await isDone(visitor.leave())) return true;
-    for (const [needs, { browser, pid }] of this.#open) {
-      if (browser !== visitor.page.context().browser()) continue;
-      this.#open.delete(needs);
-      end(pid);
-    }
-    return false;
+  /** Closes a visitor's pages. @param {import("./visitor.mjs").Visitor} visitor */
+  async release(visitor) {
+    const open = [...this.#open.values()].find(({ browser }) => browser === visitor.page.context().browser());
+    await closeOrKill(visitor.leave(), open);
   }
 
   async close() {
-    for (const { browser, pid } of this.#open.values()) if (!(await isDone(browser.close()))) end(pid);
-  }
-
-  /** @param {Needs} needs */
-  async #launch(needs) {
-    const browser = await this.#launchFor(needs);
-    const session = await browser.newBrowserCDPSession();
-    const { processInfo } = await session.send("SystemInfo.getProcessInfo");
-    await session.detach();
-    return { browser, pid: processInfo.find(({ type }) => type === "browser").id };
-  }
-
-  /** @param {Needs} needs */
-  async #launchFor(needs) {
-    if (needs === "no-gpu") return launch({ gpu: "none" });
-    if (needs === "webgl") return launch({ gpu: "webgl" });
-    const seen = this.sees(needs);
-    if (needs === "camera") return launch({ film: await portraitFilm(), seen });
-    if (needs === "moving-camera" || needs === "seen-camera") return launch({ film: await movingFilm(), seen });
-    return launch({ seen, keepsPages: needs === "way-back" });
+    for (const open of this.#open.values()) await closeOrKill(open.browser.close(), open);
   }
 }
 
-/** @param {number} pid of a browser, which may be gone by itself */
-function end(pid) {
-  try {
-    process.kill(pid, "SIGKILL");
-  } catch (error) {
-    if (error.code !== "ESRCH") throw error;
-  }
+/** @param {Kind} kind */
+async function launched(kind) {
+  const { seen, options } = KINDS[kind];
+  const browser = await launch({ seen, ...(await options()) });
+  const session = await browser.newBrowserCDPSession();
+  const { processInfo } = await session.send("SystemInfo.getProcessInfo");
+  await session.detach();
+  return { browser, pid: processInfo.find(({ type }) => type === "browser").id };
 }
 
-/** @param {Promise<void>} closing */
-async function isDone(closing) {
-  let timer;
-  const late = new Promise((resolve) => {
-    timer = setTimeout(() => resolve(false), CLOSING_MS);
-  });
-  const done = closing.then(
-    () => true,
-    () => false,
-  );
-  return Promise.race([done, late]).finally(() => clearTimeout(timer));
+/** A browser that hangs is killed. @param {Promise<void>} closing @param {{ browser: Browser, pid: number } | undefined} open */
+async function closeOrKill(closing, open) {
+  const isClosed = await Promise.race([closing.then(() => true, () => true), later(CLOSING_MS, false, { ref: false })]);
+  if (isClosed || !open?.browser.isConnected()) return;
+  console.log("a browser hung while closing, and was killed");
+  process.kill(open.pid, "SIGKILL");
 }

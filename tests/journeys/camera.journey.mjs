@@ -1,13 +1,14 @@
 import assert from "node:assert/strict";
 import { camera, watchCamera } from "./camera-watch.mjs";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 
-/** Every journey here asks for the camera and counts what became of it. */
-const needs = { needs: /** @type {const} */ ("camera") };
-const before = (/** @type {import("playwright-core").BrowserContext} */ context) => context.addInitScript(watchCamera);
+/** Counts how often the page asks for the camera, and what becomes of it. */
+test.use({ visit: { scripts: [watchCamera] } });
 
-journey("a double click opens one camera, and Escape stops it", async (open) => {
-  const visitor = await open({ before });
+/** Longer than the countdown. */
+const COUNTED_MS = 5000;
+
+test("a double click opens one camera, and Escape stops it", { tag: "@camera" }, async ({ visitor }) => {
   await visitor.page.dblclick("#welcome [data-action='camera']");
   await visitor.page.waitForSelector("#camera-shutter:enabled");
   await visitor.page.keyboard.press("Escape");
@@ -20,10 +21,9 @@ journey("a double click opens one camera, and Escape stops it", async (open) => 
   assert.equal((await camera(visitor)).live, 1);
   await visitor.page.click("#camera [data-action='close-camera']");
   assert.deepEqual(await camera(visitor), { asked: 2, tracks: 2, live: 0 });
-}, needs);
+});
 
-journey("two presses before the page has answered either ask for the camera once", async (open) => {
-  const visitor = await open({ before });
+test("two presses before the page has answered either ask for the camera once", { tag: ["@camera", "@rare"] }, async ({ visitor }) => {
   // A script's press does not wait, as a hand's does, for the page to be there.
   await visitor.untilLoaded();
   await visitor.page.evaluate(() => {
@@ -35,11 +35,9 @@ journey("two presses before the page has answered either ask for the camera once
   await visitor.page.keyboard.press("Escape");
   await untilClosed(visitor.page);
   assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
-}, { ...needs, isRare: true });
+});
 
-journey("the dialog is there while the browser asks, and a camera allowed after it was closed is stopped at once", async (open) => {
-  const visitor = await open({ before });
-  const { page } = visitor;
+test("the dialog is there while the browser asks, and a camera allowed after it was closed is stopped at once", { tag: ["@camera", "@rare"] }, async ({ visitor, page }) => {
   await page.evaluate(() => (window.cameraWaits = true));
   await page.click("#welcome [data-action='camera']");
   assert.match(await page.innerText("#camera-status"), /Allow the camera/);
@@ -60,11 +58,11 @@ journey("the dialog is there while the browser asks, and a camera allowed after 
   await page.keyboard.press("Escape");
   await untilClosed(page);
   assert.equal((await camera(visitor)).live, 0);
-}, { ...needs, isRare: true });
+});
 
-for (const moment of alike(["before the photo", "during the countdown"])) {
-  journey(`a camera that is unplugged ${moment} closes the dialog with a message, and no photo is taken`, async (open) => {
-    const visitor = await open({ before });
+for (const [moment, tag] of alike(["before the photo", "during the countdown"])) {
+  test(`a camera that is unplugged ${moment} closes the dialog with a message, and no photo is taken`, { tag: [...tag, "@camera"] }, async ({ open }) => {
+    const visitor = await open({ hasClock: true });
     const { page } = visitor;
     await page.click("#welcome [data-action='camera']");
     await page.waitForSelector("#camera-shutter:enabled");
@@ -72,15 +70,16 @@ for (const moment of alike(["before the photo", "during the countdown"])) {
     await page.evaluate(() => window.unplugCamera());
     assert.equal((await visitor.notice()).code, "camera-lost");
     assert.ok(await page.isHidden("#camera"));
-    await page.waitForTimeout(4000);
+    await page.clock.runFor(COUNTED_MS);
+    await visitor.frames(10);
     assert.equal(await page.getAttribute("#notice", "data-code"), "camera-lost");
     assert.equal(await page.getAttribute("body", "data-state"), "empty");
     assert.equal((await camera(visitor)).live, 0);
-  }, needs);
+  });
 }
 
-journey("Escape during the countdown takes no photo", async (open) => {
-  const visitor = await open({ before });
+test("Escape during the countdown takes no photo", { tag: ["@camera", "@rare"] }, async ({ open }) => {
+  const visitor = await open({ hasClock: true });
   const { page } = visitor;
   await page.click("#welcome [data-action='camera']");
   await page.click("#camera-shutter:enabled");
@@ -89,22 +88,17 @@ journey("Escape during the countdown takes no photo", async (open) => {
   await untilClosed(page);
   // Open again: the first countdown must not take the second one's photo.
   await page.click("#welcome [data-action='camera']");
-  await page.waitForTimeout(4500);
+  await page.clock.runFor(COUNTED_MS);
+  await visitor.frames(10);
   assert.ok(await page.isVisible("#camera"));
   assert.equal(await page.innerText("#camera-countdown"), "");
   assert.equal(await page.getAttribute("body", "data-state"), "empty");
   assert.ok(await page.isHidden("#progress"));
-}, { ...needs, isRare: true });
+});
 
-journey("no photo is taken of a video that has no size yet", async (open) => {
-  const visitor = await open({
-    before: async (context) => {
-      await before(context);
-      await context.addInitScript(() => {
-        Object.defineProperty(HTMLVideoElement.prototype, "videoWidth", { get: () => window.videoHasSize ? 512 : 0 });
-      });
-    },
-  });
+test("no photo is taken of a video that has no size yet", { tag: ["@camera", "@rare"] }, async ({ open }) => {
+  const hideSize = () => Object.defineProperty(HTMLVideoElement.prototype, "videoWidth", { get: () => (window.videoHasSize ? 512 : 0) });
+  const visitor = await open({ scripts: [watchCamera, hideSize] });
   const { page } = visitor;
   await page.click("#welcome [data-action='camera']");
   await page.waitForFunction(() => document.getElementById("camera-preview").readyState >= HTMLMediaElement.HAVE_FUTURE_DATA);
@@ -115,12 +109,12 @@ journey("no photo is taken of a video that has no size yet", async (open) => {
     document.getElementById("camera-preview").dispatchEvent(new Event("resize"));
   });
   await page.waitForSelector("#camera-shutter:enabled");
-}, { ...needs, isRare: true });
+});
 
 /**
  * Waits until the dialog is gone and nothing of the camera runs, which the browser tells the page a moment later.
  *
- * @param {import("playwright-core").Page} page
+ * @param {import("@playwright/test").Page} page
  */
 async function untilClosed(page) {
   await page.waitForSelector("#camera", { state: "hidden" });

@@ -16,22 +16,14 @@ export function changedProject(file, change) {
   return Buffer.concat([Buffer.from(JSON.stringify(change(header) ?? header)), file.subarray(end)]);
 }
 
-/**
- * A project whose landmarks are all at one place.
- *
- * @param {Buffer} file
- */
+/** A project whose landmarks are all at one place. @param {Buffer} file */
 export function projectWithoutShape(file) {
   const changed = Buffer.from(file);
   const start = file.indexOf("\n") + 1;
   return changed.fill(0, start, start + 468 * 3 * 4);
 }
 
-/**
- * The JSON of a GLB, and its bytes.
- *
- * @param {Buffer} file
- */
+/** The JSON of a GLB, and its bytes. @param {Buffer} file */
 export function partsOfGlb(file) {
   const length = file.readUInt32LE(HEADER_BYTES);
   const end = HEADER_BYTES + CHUNK_HEADER_BYTES + length;
@@ -39,9 +31,7 @@ export function partsOfGlb(file) {
   return { json, bytes: Buffer.from(file.subarray(end + CHUNK_HEADER_BYTES)) };
 }
 
-/**
- * @param {{ json: any, bytes: Buffer }} parts
- */
+/** @param {{ json: any, bytes: Buffer }} parts */
 export function glbOf({ json, bytes }) {
   const text = padded(Buffer.from(JSON.stringify(json)), 0x20);
   const data = padded(bytes, 0);

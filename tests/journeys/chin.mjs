@@ -27,7 +27,7 @@ export async function chinFindings({ page }) {
   return found;
 }
 
-/** @param {import("playwright-core").Page} page */
+/** @param {import("@playwright/test").Page} page */
 async function faceBox(page) {
   await showOthers(page, "hidden");
   const shot = PNG.sync.read(await page.locator("#viewport").screenshot({ scale: "css" }));
@@ -43,11 +43,7 @@ async function faceBox(page) {
   return { top: y + first.row, left, right, chin, stage };
 }
 
-/**
- * The longest run of skin in each row of a picture that has one.
- *
- * @param {import("./pixels.mjs").Pixels} pixels
- */
+/** The longest run of skin in each row of a picture that has one. @param {import("./pixels.mjs").Pixels} pixels */
 function rowsOfSkin({ width, height, data }) {
   const rows = [];
   for (let row = 0; row < height; row++) {
@@ -69,7 +65,7 @@ function isSkin(data, at) {
   return Math.max(...channels) - Math.min(...channels) >= LEAST_COLOUR;
 }
 
-/** @param {import("playwright-core").Page} page @param {"" | "hidden"} visibility of all but the 3D view */
+/** @param {import("@playwright/test").Page} page @param {"" | "hidden"} visibility of all but the 3D view */
 function showOthers(page, visibility) {
   return page.evaluate((visibility) => {
     for (const element of document.querySelectorAll(".stage > :not(.viewport), .panel, #toast, #faces")) element.style.visibility = visibility;

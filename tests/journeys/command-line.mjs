@@ -8,32 +8,17 @@ import { promisify } from "node:util";
 const ROOT = path.resolve(import.meta.dirname, "../..");
 const TARGET = process.env.CARGO_TARGET_DIR ?? path.join(ROOT, "target");
 
-/**
- * The mesh that the command line makes of a photo, as JSON.
- *
- * @param {string} photo
- * @param {string[]} options of `rosto mesh`
- */
+/** The mesh that the command line makes of a photo, as JSON. @param {string} photo @param {string[]} options of `rosto mesh` */
 export async function meshByCommandLine(photo, options) {
   return JSON.parse((await fileByCommandLine("mesh", photo, "json", options)).toString());
 }
 
-/**
- * A GLB that the command line makes of a photo.
- *
- * @param {string} photo
- * @param {string[]} options of `rosto mesh`
- */
+/** A GLB that the command line makes of a photo. @param {string} photo @param {string[]} options of `rosto mesh` */
 export function glbByCommandLine(photo, options) {
   return fileByCommandLine("mesh", photo, "glb", options);
 }
 
-/**
- * The photo that the command line makes of a photo, as a PNG.
- *
- * @param {string} photo
- * @param {string[]} options of `rosto photo`
- */
+/** The photo that the command line makes of a photo, as a PNG. @param {string} photo @param {string[]} options of `rosto photo` */
 export function photoByCommandLine(photo, options) {
   return fileByCommandLine("photo", photo, "png", options);
 }
@@ -56,12 +41,7 @@ export function filesByCommandLine(photo, name, options) {
   });
 }
 
-/**
- * @param {"mesh" | "photo"} task
- * @param {string} photo
- * @param {string} ending
- * @param {string[]} options
- */
+/** @param {"mesh" | "photo"} task @param {string} photo @param {string} ending @param {string[]} options */
 function fileByCommandLine(task, photo, ending, options) {
   return inFolder(async (folder) => {
     const file = path.join(folder, `made.${ending}`);
@@ -83,12 +63,7 @@ async function inFolder(work) {
   }
 }
 
-/**
- * What `rosto paper` finds about each operator and constraint on a photo.
- *
- * @param {string} photo
- * @param {string[]} options
- */
+/** What `rosto paper` finds about each operator and constraint on a photo. @param {string} photo @param {string[]} options */
 export async function paperByCommandLine(photo, options) {
   const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
   try {

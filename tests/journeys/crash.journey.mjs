@@ -1,10 +1,8 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 
-journey("a landmark without anything to hold the face, another density, and the page goes on", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("a landmark without anything to hold the face, another density, and the page goes on", async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   await visitor.unfold("section-advanced");
   await page.selectOption("#anchors", "pins");

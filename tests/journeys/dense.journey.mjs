@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { meshByCommandLine } from "./command-line.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { assertSameShape, furthest, way } from "./meshes.mjs";
 import { difference } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
@@ -14,7 +14,7 @@ const AS_THE_PAGE = "--units mm --topology canonical --operator cotangent --hold
 /** A face at a density, with any of its points to be taken. */
 async function arriveAtPoints(open, density) {
   const visitor = await open();
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-landmark");
   await visitor.page.check("input[name='selection'][value='point']", { force: true });
   await visitor.page.selectOption("#point-density", String(density));
@@ -30,7 +30,7 @@ async function clickBesideTheNose(visitor) {
   await visitor.frames(3);
 }
 
-journey("any point of the densest mesh is clicked, dragged and undone, as the command line moves it", async (open) => {
+test("any point of the densest mesh is clicked, dragged and undone, as the command line moves it", { tag: ["@eyes", "@rare"] }, async ({ open }) => {
   const visitor = await arriveAtPoints(open, 3);
   const { page } = visitor;
   assert.equal(await page.inputValue("#density"), "3");
@@ -63,9 +63,9 @@ journey("any point of the densest mesh is clicked, dragged and undone, as the co
   assert.match((await visitor.history())[0], new RegExp(`^ponto ${vertex.toLocaleString("de")} perto d[ao] `));
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await visitor.meshJson("mm"), start);
-}, { needs: "eyes", isRare: true });
+});
 
-journey("a point is moved by sliders on both sides, waits while the mesh is coarser, and can be switched off", async (open) => {
+test("a point is moved by sliders on both sides, waits while the mesh is coarser, and can be switched off", { tag: "@rare" }, async ({ open }) => {
   const visitor = await arriveAtPoints(open, 1);
   const { page } = visitor;
   const start = await visitor.meshJson("mm");
@@ -94,14 +94,13 @@ journey("a point is moved by sliders on both sides, waits while the mesh is coar
   await visitor.reach("#history");
   await page.check("#history input");
   assert.deepEqual(await visitor.meshJson("mm"), moved);
-}, { isRare: true });
+});
 
-journey("edits of points come back from a GLB, and stay where they are when eyes and mouth are opened", async (open) => {
+test("edits of points come back from a GLB, and stay where they are when eyes and mouth are opened", { tag: "@rare" }, async ({ open }) => {
   const visitor = await arriveAtPoints(open, 2);
   const { page } = visitor;
   const start = await visitor.meshJson("mm");
-  await visitor.findLandmark("5000");
-  await visitor.offset("z", 2);
+  await visitor.move("5000", "z", 2);
   const moved = await visitor.meshJson("mm");
   const history = await visitor.history();
   const glb = await visitor.download("download-glb");
@@ -122,4 +121,4 @@ journey("edits of points come back from a GLB, and stay where they are when eyes
   const lifted = opened.positions.map((place) => Math.hypot(...place.map((at, axis) => at - moved.positions[5_000][axis])));
   assert.ok(Math.min(...lifted) < 1, "the point did not come along");
   assert.notEqual(opened.positions.length, start.positions.length);
-}, { isRare: true });
+});

@@ -1,111 +1,105 @@
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
-import { appendFile, cp, mkdtemp, readFile, readdir, rm } from "node:fs/promises";
-import { tmpdir } from "node:os";
+import { appendFile, cp, readFile, readdir } from "node:fs/promises";
 import path from "node:path";
 import { promisify } from "node:util";
-import { alike, journey } from "./journey.mjs";
-import { DIST, serve } from "./server.mjs";
-import { anotherTab } from "./tabs.mjs";
+import { expect } from "@playwright/test";
+import { alike, test } from "./fixtures.mjs";
+import { DIST } from "./server.mjs";
 
 const LISTING = path.resolve(import.meta.dirname, "../../web/list-for-offline.mjs");
+
+/** Scripts that a tab loads late. */
+const LATE = ["js/page/tasks.js", "js/worker/frames.js", "js/worker/validator-worker.js"];
 
 /** What only browsers without WebGPU store. */
 const FALLBACK = /^wasm\/rosto-studio-webgl/;
 
-for (const [when, how, needs] of alike(/** @type {const} */ ([
+for (const [[when, how, needs], tag] of alike(/** @type {const} */ ([
   ["opened on a first visit", { reloads: false }, "gpu"],
   ["opened without WebGPU", { reloads: true }, "webgl"],
 ]))) {
-  journey(`a tab that was ${when} keeps its version after a deploy, and a new one has the new version`, async (open) => {
-    await withBuilds(async (server, newer) => {
-      const old = await open({ url: server.url, serviceWorkers: "allow" });
-      await old.untilLoaded();
-      if (how.reloads) await old.page.reload();
-      await old.untilLoaded();
-      if (needs === "webgl") await untilFallbackStored(old);
+  test(`a tab that was ${when} keeps its version after a deploy, and a new one has the new version`, { tag: [...tag, `@${needs}`] }, async ({ open, server }, testInfo) => {
+    const [older, newer] = await Promise.all([1, 2].map((number) => buildOf(number, testInfo.outputPath(String(number)))));
+    server.deploy(older);
+    const old = await open({ serviceWorkers: "allow" });
+    await old.untilLoaded();
+    if (how.reloads) await old.page.reload();
+    await old.untilLoaded();
+    if (needs === "webgl") await untilFallbackStored(old);
 
-      server.deploy(newer);
-      await expectBuild(old, DIST, needs);
-      const next = await anotherTab(old, server.url);
-      await expectBuild(next, newer, needs);
-      await next.page.reload();
-      await next.untilLoaded();
-      await expectBuild(next, newer, needs);
-      await untilStored(next, 2);
+    server.deploy(newer);
+    await expectBuild(old, older, needs);
+    const next = await old.anotherTab();
+    await expectBuild(next, newer, needs);
+    await next.page.reload();
+    await next.untilLoaded();
+    await expectBuild(next, newer, needs);
+    await untilStored(next, 2);
 
-      // The browser ends a service worker that has had nothing to do for a while.
-      for (const visitor of [old, next, old]) {
-        await stopServiceWorkers(visitor.page);
-        await expectBuild(visitor, visitor === old ? DIST : newer, needs);
-      }
-      assert.deepEqual(await runsIn(old), { page: "older", worker: "older", validator: "older" });
-      assert.deepEqual(await runsIn(next), { page: "newer", worker: "newer", validator: "newer" });
-      await old.page.bringToFront();
-      await old.dropSample();
-      server.disturb((_, response) => Boolean(response.writeHead(503).end()));
-      await next.page.bringToFront();
-      await next.page.reload();
-      await next.page.waitForSelector("body[data-bench='open']");
-      await expectBuild(next, newer, needs);
-      server.disturb();
+    // The browser ends a service worker that has had nothing to do for a while.
+    for (const visitor of [old, next, old]) {
+      await stopServiceWorkers(visitor.page);
+      await expectBuild(visitor, visitor === old ? older : newer, needs);
+    }
+    await expectScripts(old, 1);
+    await expectScripts(next, 2);
+    await old.page.bringToFront();
+    await old.dropSample();
+    server.disturb((_, response) => Boolean(response.writeHead(503).end()));
+    await next.page.bringToFront();
+    await next.page.reload();
+    await next.page.waitForSelector("body[data-bench='open']");
+    await expectBuild(next, newer, needs);
+    server.disturb();
 
-      // On a page of neither version the new script takes over once the old one has stopped.
-      await old.page.close();
-      const nowhere = new URL("/", server.url).href;
-      await next.page.route(nowhere, (route) => route.fulfill({ contentType: "text/html", body: "" }));
-      await next.page.goto(nowhere);
-      await stopServiceWorkers(next.page);
-      await next.page.goto(server.url);
-      await next.untilLoaded();
-      await untilStored(next, 1);
-      await expectBuild(next, newer);
-      server.disturb((_, response) => Boolean(response.writeHead(503).end()));
-      await next.page.reload();
-      await next.page.waitForSelector("body[data-bench='open']");
-      await expectBuild(next, newer, needs);
-      next.checkNothingBroke();
-    });
-  }, { needs });
+    // On a page of neither version the new script takes over once the old one has stopped.
+    await old.page.close();
+    const nowhere = new URL("/", server.url).href;
+    await next.page.route(nowhere, (route) => route.fulfill({ contentType: "text/html", body: "" }));
+    await next.page.goto(nowhere);
+    await stopServiceWorkers(next.page);
+    await next.page.goto(server.url);
+    await next.untilLoaded();
+    await untilStored(next, 1);
+    await expectBuild(next, newer);
+    server.disturb((_, response) => Boolean(response.writeHead(503).end()));
+    await next.page.reload();
+    await next.page.waitForSelector("body[data-bench='open']");
+    await expectBuild(next, newer, needs);
+  });
 }
 
-journey("a version that was never stored is not made up of files of the next one", async (open) => {
-  await withBuilds(async (server, newer) => {
-    const old = await open({ url: server.url, serviceWorkers: "allow" });
-    await old.untilLoaded();
-    server.deploy(newer);
-    server.disturb((name, response) => name === "service-worker.js" && Boolean(response.writeHead(503).end()));
-    const next = await anotherTab(old, server.url);
-    await expectBuild(next, newer);
-    // As if a third version were out.
-    server.deploy(DIST);
-    const files = ["words/pt.json", "js/page/tasks.js", "css/base.css"];
-    assert.deepEqual(await hashesIn(next.page, files), files.map(() => "refused"));
-    await expectBuild(old, DIST);
-  });
+test("a version that was never stored is not made up of files of the next one", async ({ open, server }, testInfo) => {
+  const [older, newer] = await Promise.all([1, 2].map((number) => buildOf(number, testInfo.outputPath(String(number)))));
+  server.deploy(older);
+  const old = await open({ serviceWorkers: "allow" });
+  await old.untilLoaded();
+  server.deploy(newer);
+  server.disturb((name, response) => name === "service-worker.js" && Boolean(response.writeHead(503).end()));
+  const next = await old.anotherTab();
+  await expectBuild(next, newer);
+  // As if a third version were out.
+  server.deploy(older);
+  const files = ["words/pt.json", "js/page/tasks.js", "css/base.css"];
+  assert.deepEqual(await hashesIn(next.page, files), files.map(() => "refused"));
+  await expectBuild(old, older);
 });
 
 /**
- * Serves the page as it was built, and makes another build of it in which each file that can take a comment has another.
+ * Makes a build of the page in which each file that can take a comment has one, and late scripts set `build` to its number.
  *
- * @param {(server: Awaited<ReturnType<typeof serve>>, newer: string) => Promise<void>} use
+ * @param {number} number
+ * @param {string} folder
  */
-async function withBuilds(use) {
-  const newer = await mkdtemp(path.join(tmpdir(), "rosto-build-"));
-  const server = await serve(DIST, "/deployed/");
-  try {
-    await cp(DIST, newer, { recursive: true });
-    const files = (await readdir(newer, { recursive: true })).filter((name) => /^(js|css|words|wasm)\/.*\.(js|css|json)$/.test(name));
-    for (const name of files) await appendFile(path.join(newer, name), name.endsWith("json") ? "\n" : "\n/* newer */\n");
-    for (const name of ["js/page/tasks.js", "js/worker/frames.js", "js/worker/validator-worker.js"]) {
-      await appendFile(path.join(newer, name), 'globalThis.build = "newer";\n');
-    }
-    await promisify(execFile)(process.execPath, [LISTING], { env: { ...process.env, TRUNK_STAGING_DIR: newer } });
-    await use(server, newer);
-  } finally {
-    server.close();
-    await rm(newer, { recursive: true });
-  }
+async function buildOf(number, folder) {
+  await cp(DIST, folder, { recursive: true });
+  const files = (await readdir(folder, { recursive: true })).filter((name) => /^(js|css|words|wasm)\/.*\.(js|css|json)$/.test(name));
+  const text = (file) => (file.endsWith("json") ? " ".repeat(number) : `/* ${number} */`);
+  for (const file of files) await appendFile(path.join(folder, file), `\n${text(file)}\n`);
+  for (const file of LATE) await appendFile(path.join(folder, file), `globalThis.build = ${number};\n`);
+  await promisify(execFile)(process.execPath, [LISTING], { env: { ...process.env, TRUNK_STAGING_DIR: folder } });
+  return folder;
 }
 
 /** Whether a tab gets each file as it is in a build; one that this browser has not stored, as it is or not at all. */
@@ -119,7 +113,7 @@ async function expectBuild(visitor, folder, needs = "gpu") {
   }
 }
 
-/** @param {import("playwright-core").Page} page @param {string[]} files */
+/** @param {import("@playwright/test").Page} page @param {string[]} files */
 function hashesIn(page, files) {
   return page.evaluate(async (files) => {
     const hashOf = async (file) => {
@@ -132,43 +126,30 @@ function hashesIn(page, files) {
   }, files);
 }
 
-/** Which build the scripts are of that a tab loads late: a module, a worker that is started again, and another worker. */
-async function runsIn({ page }) {
+/** Expects scripts of a build where a tab loads them late: a module, a worker that is started again, and another worker. */
+async function expectScripts({ page }, build) {
   await page.evaluate(() => {
     delete globalThis.build;
     return import("./js/page/tasks.js?late");
   });
-  const read = (place) => place.evaluate(() => globalThis.build ?? "older");
   const dying = page.workers().find((worker) => worker.url().endsWith("vision-worker.js"));
   const [worker] = await Promise.all([page.waitForEvent("worker"), dying.evaluate(() => self.close()).catch(() => {})]);
   const start = async () => new (await import("./js/page/validator.js")).Validator().start();
   const [validator] = await Promise.all([page.waitForEvent("worker"), page.evaluate(start)]);
-  await page.waitForTimeout(1000);
-  return { page: await read(page), worker: await read(worker), validator: await read(validator) };
+  for (const place of [page, worker, validator]) await expect.poll(() => place.evaluate(() => globalThis.build)).toBe(build);
 }
 
 async function untilFallbackStored({ page }) {
-  const isStored = () => page.evaluate(async () => Boolean(await caches.match("wasm/rosto-studio-webgl_bg.wasm")));
-  for (let tries = 0; !(await isStored()); tries += 1) {
-    assert.ok(tries < 100, "the module for WebGL2 is not stored");
-    await page.waitForTimeout(100);
-  }
+  await page.waitForFunction(async () => Boolean(await caches.match("wasm/rosto-studio-webgl_bg.wasm")));
 }
 
-/** @param {import("playwright-core").Page} page */
-function stores(page) {
-  return page.evaluate(async () => (await caches.keys()).filter((name) => name !== "rosto-notes"));
-}
-
-/** Waits until the stores are those of so many versions. */
+/** Waits until there are the stores of `count` versions. */
 async function untilStored({ page }, count) {
-  for (let tries = 0; (await stores(page)).length !== count; tries += 1) {
-    assert.ok(tries < 100, `the stores are ${await stores(page)}`);
-    await page.waitForTimeout(100);
-  }
+  const stores = () => page.evaluate(async () => (await caches.keys()).filter((name) => name !== "rosto-notes"));
+  await expect.poll(async () => (await stores()).length).toBe(count);
 }
 
-/** @param {import("playwright-core").Page} page */
+/** @param {import("@playwright/test").Page} page */
 async function stopServiceWorkers(page) {
   const browser = await page.context().newCDPSession(page);
   await browser.send("ServiceWorker.enable");

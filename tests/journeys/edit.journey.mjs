@@ -1,32 +1,18 @@
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
-import { PNG } from "pngjs";
 import { meshByCommandLine } from "./command-line.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { assertSameMesh } from "./meshes.mjs";
-import { chromaticity, colourCount, difference, meanColour } from "./pixels.mjs";
+import { difference } from "./pixels.mjs";
+import { assertPortraitColours } from "./portrait-colours.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-/** The middle of the face, in the portrait and on the canvas as the face arrives. */
-const FACE_IN_PORTRAIT = { left: 0.4, top: 0.17, right: 0.47, bottom: 0.3 };
-const FACE_ON_CANVAS = { left: 0.46, top: 0.42, right: 0.54, bottom: 0.58 };
-
-journey("a dropped portrait becomes a mesh in its own colours", async (open) => {
-  const visitor = await open();
+test("a dropped portrait becomes a mesh in its own colours", { tag: "@eyes" }, async ({ visitor }) => {
   await visitor.dropSample();
-  const view = await visitor.view();
-  assert.ok(colourCount(view) > 40, `only ${colourCount(view)} colours on the canvas`);
-  const portrait = PNG.sync.read(await readFile(SAMPLE));
-  const wanted = chromaticity(meanColour(portrait, FACE_IN_PORTRAIT));
-  const seen = chromaticity(meanColour(view, FACE_ON_CANVAS));
-  for (const [channel, share] of seen.entries()) {
-    assert.ok(Math.abs(share - wanted[channel]) < 0.04, `colours ${seen} are far from the portrait's ${wanted}`);
-  }
-}, { needs: "eyes" });
+  await assertPortraitColours(await visitor.view());
+});
 
-journey("moving the nose tip changes picture and mesh as the command line does, and undo restores both", async (open) => {
-  const visitor = await open();
-  await visitor.dropSample();
+test("moving the nose tip changes picture and mesh as the command line does, and undo restores both", { tag: "@eyes" }, async ({ visitor }) => {
+  await visitor.openFace();
   await visitor.prefer("paper");
   await visitor.unfold("section-view");
   await visitor.page.click("[data-action='view-left']");
@@ -48,11 +34,10 @@ journey("moving the nose tip changes picture and mesh as the command line does, 
   assert.equal(difference(before.view, await visitor.view()), 0, "undo left the picture changed");
   await visitor.page.click("#toolbar [data-action='redo']");
   assert.deepEqual(await visitor.meshJson("mm"), after.mesh);
-}, { needs: "eyes" });
+});
 
-journey("details that turn with the surface follow every tick, and make the command line's mesh", async (open) => {
-  const visitor = await open();
-  await visitor.dropSample();
+test("details that turn with the surface follow every tick, and make the command line's mesh", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
+  await visitor.openFace();
   await visitor.findLandmark("61");
   await visitor.unfold("section-advanced");
   await visitor.page.selectOption("#details", "turned");
@@ -66,20 +51,18 @@ journey("details that turn with the surface follow every tick, and make the comm
   assertSameMesh(await visitor.meshJson("mm"), turned);
   const kept = await meshByCommandLine(SAMPLE, [...options.split(" ").slice(0, -1), "--edit", "61:0,0,14"]);
   assert.throws(() => assertSameMesh(kept, turned), "details that keep their direction make the same mesh");
-}, { needs: "eyes", isRare: true });
+});
 
-journey("a point is picked by clicking it on the mesh", async (open) => {
-  const visitor = await open();
-  await visitor.dropSample();
+test("a point is picked by clicking it on the mesh", async ({ visitor }) => {
+  await visitor.openFace();
   const box = await visitor.page.locator("#viewport").boundingBox();
   await visitor.page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
   assert.match(await visitor.page.inputValue("#landmark-search"), / · \d+$/);
   assert.ok(await visitor.page.locator("#landmark-tag").isVisible());
 });
 
-journey("light, paint and camera change the picture, and the view resets", async (open) => {
-  const visitor = await open();
-  await visitor.dropSample();
+test("light, paint and camera change the picture, and the view resets", { tag: "@eyes" }, async ({ visitor }) => {
+  await visitor.openFace();
   await visitor.unfold("section-view");
   await visitor.page.check("#light-photo");
   const first = await visitor.view();
@@ -101,4 +84,4 @@ journey("light, paint and camera change the picture, and the view resets", async
   await visitor.page.click("[data-action='reset-view']");
   await visitor.page.mouse.move(box.x + 4, box.y + 4);
   assert.ok(difference(painted, await visitor.view()) < 0.001, "the view did not come back");
-}, { needs: "eyes" });
+});

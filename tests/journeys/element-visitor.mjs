@@ -1,7 +1,8 @@
 import { PNG } from "pngjs";
-import { journey } from "./journey.mjs";
+import { test as base } from "./fixtures.mjs";
 import { installed, SITE } from "./package.mjs";
 import { serve } from "./server.mjs";
+import { watchGpus } from "./watches.mjs";
 
 const BELOW = "/a/page/";
 /** What the element tells. */
@@ -11,27 +12,21 @@ const EVENTS = ["rosto-ready", "rosto-face", "rosto-change", "rosto-error"];
  * @typedef {object} Site the example, and pages like it, beside the installed package
  * @property {(body: string, policy?: string) => string} page has a page with the element in it, and tells its address
  * @property {(url?: string) => Promise<ElementVisitor>} arrive at the example, or at another page
- * @property {(options?: object) => Promise<import("./visitor.mjs").Visitor>} open the project's own page
  */
 
-/**
- * A way through pages that have the element.
- *
- * @param {string} name
- * @param {(site: Site) => Promise<void>} walk
- * @param {{ needs?: import("./journey.mjs").Journey["needs"] }} [options]
- */
-export function onSite(name, walk, options) {
-  journey(name, async (open) => {
+/** Tests with a {@link Site}. */
+export const test = base.extend({
+  site: async ({ open }, use) => {
     await installed();
     const server = await serve(SITE, BELOW);
-    const page = pagesOn(server);
     const arrive = async (url = server.url) => {
-      return new ElementVisitor(await open({ url, before: (context) => context.addInitScript(listen, EVENTS) }));
+      const before = (context) => Promise.all([context.addInitScript(watchGpus), context.addInitScript(listen, EVENTS)]);
+      return new ElementVisitor(await open({ url, before }));
     };
-    await walk({ page, arrive, open }).finally(server.close);
-  }, options);
-}
+    await use({ page: pagesOn(server), arrive });
+    server.close();
+  },
+});
 
 /** @param {Awaited<ReturnType<typeof serve>>} server */
 function pagesOn(server) {
@@ -145,18 +140,8 @@ export class ElementVisitor {
   }
 }
 
-/** Runs in the page before it: remembers what elements tell, and which GPUs they were given and have given back. @param {string[]} types */
+/** Runs in the page before it: remembers what elements tell. @param {string[]} types */
 function listen(types) {
   window.heard = [];
   for (const type of types) addEventListener(type, ({ detail }) => window.heard.push({ type, detail: detail && structuredClone(detail) }));
-  window.gpus = [];
-  const ask = globalThis.GPUAdapter?.prototype.requestDevice;
-  if (!ask) return;
-  globalThis.GPUAdapter.prototype.requestDevice = async function (...wishes) {
-    const device = await ask.apply(this, wishes);
-    const gpu = { isGone: false };
-    window.gpus.push(gpu);
-    device.lost.then(() => (gpu.isGone = true));
-    return device;
-  };
 }

@@ -2,14 +2,16 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { glbByCommandLine } from "./command-line.mjs";
-import { onSite } from "./element-visitor.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./element-visitor.mjs";
 import { complaints } from "./package.mjs";
 import { faceless } from "./pictures.mjs";
 import { difference } from "./pixels.mjs";
 import { AS_THE_PAGE, projectAsCommandLine } from "./same-face.mjs";
 import { validateGlb } from "./validate-glb.mjs";
 import { SAMPLE } from "./visitor.mjs";
+
+// The package is built and installed once, by one worker.
+test.describe.configure({ mode: "default" });
 
 /** What a page has to allow at least that has the element and a policy. */
 const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; img-src 'self'";
@@ -22,7 +24,7 @@ const EDITS = [
   { edit: (face) => face.moveLandmark(1, [0, 0, 6]), options: [...SCULPT, "--edit", "1:0,0,6"] },
 ];
 
-onSite("the example page has the face in its photo reshaped by slider and hand, in order, and its GLB is valid", async (site) => {
+test("the example page has the face in its photo reshaped by slider and hand, in order, and its GLB is valid", { tag: "@eyes" }, async ({ site }) => {
   const visitor = await site.arrive();
   const { page } = visitor;
   await visitor.until("rosto-face");
@@ -49,13 +51,12 @@ onSite("the example page has the face in its photo reshaped by slider and hand, 
   const glb = await visitor.glb();
   assert.ok(glb.equals(await readFile(await download.path())), "the button downloads another file");
   assert.deepEqual(await validateGlb(new Uint8Array(glb)), { clean: true, counts: "0/0/0/0", messages: [] });
-}, { needs: "eyes" });
+});
 
-onSite("the element's GLB is the command line's, byte for byte, of the same face and edits", async (site) => {
-  const project = await projectAsCommandLine(await site.open());
+test("the element's GLB is the command line's, byte for byte, of the same face and edits", async ({ site, project }) => {
   const visitor = await site.arrive();
   await visitor.until("rosto-face");
-  await visitor.openFile(project, "portrait.rosto");
+  await visitor.openFile(await projectAsCommandLine(project), "portrait.rosto");
   for (const { edit, options } of EDITS) {
     await visitor.act(edit);
     const theirs = await glbByCommandLine(SAMPLE, [...AS_THE_PAGE, ...AS_THE_ELEMENT, ...options]);
@@ -71,7 +72,7 @@ onSite("the element's GLB is the command line's, byte for byte, of the same face
   assert.deepEqual(positions(await visitor.file("json")), positions(json), "a file that was saved does not go on where it was left");
 });
 
-onSite("an element says what it cannot open, by an event and on the stage, and opens what comes next", async (site) => {
+test("an element says what it cannot open, by an event and on the stage, and opens what comes next", async ({ site }) => {
   const visitor = await site.arrive(site.page(`<rosto-studio src="nowhere.jpg" lang="pt-BR" shading="clay"></rosto-studio>`));
   const { page } = visitor;
   assert.equal((await visitor.until("rosto-error")).code, "unreadable-file");
@@ -92,7 +93,7 @@ onSite("an element says what it cannot open, by an event and on the stage, and o
   assert.equal(await page.getAttribute("rosto-studio", "shading"), "normals");
 });
 
-onSite("two elements share a page and its worker, under a strict policy, and give all back when they go", async (site) => {
+test("two elements share a page and its worker, under a strict policy, and give all back when they go", async ({ site }) => {
   const two = `<rosto-studio src="portrait.png"></rosto-studio><rosto-studio density="0"><img src="portrait.png" alt=""></rosto-studio>`;
   const visitor = await site.arrive(site.page(two, POLICY));
   const { page } = visitor;
@@ -129,12 +130,12 @@ onSite("two elements share a page and its worker, under a strict policy, and giv
   if (page.workers().length > 0) await page.workers()[0].waitForEvent("close");
 });
 
-onSite("where nothing can be drawn in 3D the element shows the photo and says so", async (site) => {
+test("where nothing can be drawn in 3D the element shows the photo and says so", { tag: "@no-gpu" }, async ({ site }) => {
   const visitor = await site.arrive();
   assert.equal((await visitor.until("rosto-error")).code, "no-webgl");
   assert.match(await visitor.notice(), /cannot draw in 3D here\. Switch on/);
   assert.ok(await visitor.page.isVisible("rosto-studio img"));
-}, { needs: "no-gpu" });
+});
 
 const CONSUMER = `
 import { init } from "rosto";
@@ -150,7 +151,7 @@ export const found = new VisionClient().find(new Blob()).then(({ faces }) => fac
 export const session = FaceSession.open(document.createElement("canvas")).then((session) => session.apply((studio) => studio.undo()));
 `;
 
-journey("TypeScript knows the installed package, however it looks for modules", async () => {
+test("TypeScript knows the installed package, however it looks for modules", async () => {
   const strict = ["--ignoreConfig", "--strict", "--noEmit", "--target", "es2023", "--lib", "es2023,esnext.disposable,dom,dom.iterable"];
   const ways = [["--module", "esnext", "--moduleResolution", "bundler"], ["--module", "nodenext", "--moduleResolution", "nodenext"]];
   for (const way of ways) {

@@ -1,17 +1,14 @@
 import assert from "node:assert/strict";
 import { changedProject } from "./changed-files.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 
 const ENTRIES = 20_000;
 /** More than anything should take here, on a slow machine; the fault it is for took minutes. */
 const LIMIT_MS = 30_000;
 
-journey("a project of 20 000 edits opens, and edits and undo are as quick as ever", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 1);
+test("a project of 20 000 edits opens, and edits and undo are as quick as ever", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
+  await visitor.move("nose tip", "z", 1);
   const project = changedProject(await visitor.download("save-project"), (header) => {
     const [entry] = header.edits.entries;
     header.edits.entries = Array.from({ length: ENTRIES }, (_, place) => {
@@ -43,12 +40,10 @@ journey("a project of 20 000 edits opens, and edits and undo are as quick as eve
   for (const ms of [opening_ms, edit_ms, slide_ms, undo_ms]) assert.ok(ms < LIMIT_MS, `${ms} ms`);
   // What is listed is said to be a part of it.
   assert.match((await page.locator("#history .earlier").innerText()).replaceAll(/\D/g, ""), /^19900$/);
-}, { isRare: true });
+});
 
-journey("an offset without measure goes to the slider's end", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("an offset without measure goes to the slider's end", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   for (const [typed, taken] of /** @type {const} */ ([["1e308", 40], ["-1e308", -40], ["1e309", 40]])) {
     const field = page.locator("#landmark-sliders [data-axis='z'] input[type=number]");
@@ -66,12 +61,10 @@ journey("an offset without measure goes to the slider's end", async (open) => {
     assert.doesNotMatch(await page.locator("body").innerText(), /∞|NaN|e\+/);
   }
   assert.ok(await page.isHidden("#notice"));
-}, { isRare: true });
+});
 
-journey("a panel that fails does not keep the others from what they show", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("a panel that fails does not keep the others from what they show", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   // The landmark panel comes long before the history.
   await page.evaluate(() => document.getElementById("landmark-anchors").remove());
   await visitor.slide("nose-width", 4);
@@ -84,17 +77,12 @@ journey("a panel that fails does not keep the others from what they show", async
   assert.equal(await visitor.sliderValue("nose-width"), 4);
   // What could not be shown is said.
   assert.equal((await visitor.notice()).code, "other");
-  await page.waitForTimeout(600);
-  await page.reload();
-  await page.click("#continue");
-  await visitor.untilFace();
+  await visitor.comeBack();
   assert.equal(await visitor.sliderValue("nose-width"), 4);
-}, { isRare: true });
+});
 
-journey("on a dense mesh a point that is not there is not said to be between 0 and 467", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("on a dense mesh a point that is not there is not said to be between 0 and 467", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.unfold("section-landmark");
   await page.check("input[name='selection'][value='point']", { force: true });
   await page.selectOption("#point-density", "2");
@@ -111,15 +99,12 @@ journey("on a dense mesh a point that is not there is not said to be between 0 a
     assert.doesNotMatch(await page.innerText("#section-landmark"), /\b467\b/);
     assert.ok(await page.isHidden("#notice"));
   }
-}, { isRare: true });
+});
 
-journey("what the module hands out is given back: 200 edits and undos leave no objects behind", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("what the module hands out is given back: 200 edits and undos leave no objects behind", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await page.evaluate(countObjects);
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 1);
+  await visitor.move("nose tip", "z", 1);
   const before = await page.evaluate("objects()");
   await page.evaluate(async () => {
     const input = document.querySelector("#landmark-sliders [data-axis='z'] input[type=number]");
@@ -140,7 +125,7 @@ journey("what the module hands out is given back: 200 edits and undos leave no o
     const earlier = before[name] ? before[name].made - before[name].freed : 0;
     assert.ok(alive <= earlier, `${alive} objects of ${name} are alive, ${earlier} were before`);
   }
-}, { isRare: true });
+});
 
 /** @param {() => Promise<unknown>} act */
 async function timed(act) {

@@ -3,7 +3,7 @@ import { readFile } from "node:fs/promises";
 import validator from "gltf-validator";
 import { PNG } from "pngjs";
 import { filesByCommandLine } from "./command-line.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { AS_THE_PAGE, openAsCommandLine, storedFiles } from "./same-face.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -15,13 +15,10 @@ const DENSITIES = [
   { vertices: 28881, triangles: 57472 },
 ];
 
-journey("a GLB of every density passes the validator, which says so on the page before the download", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a GLB of every density passes the validator, which says so on the page before the download", async ({ visitor, page }) => {
   await visitor.untilLoaded();
-  await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 5);
+  await visitor.openFace();
+  await visitor.move("nose tip", "z", 5);
   await visitor.unfold("section-export");
   for (const [density, { vertices, triangles }] of DENSITIES.entries()) {
     await page.selectOption("#export-density", String(density));
@@ -39,13 +36,10 @@ journey("a GLB of every density passes the validator, which says so on the page 
   }
 });
 
-journey("the verdict goes when the face changes, and a GLB holds what is asked for", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("the verdict goes when the face changes, and a GLB holds what is asked for", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
-  await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 5);
+  await visitor.openFace();
+  await visitor.move("nose tip", "z", 5);
   await visitor.unfold("section-export");
   await page.check("input[name='base-colour'][value='colours']", { force: true });
   await page.check("#export-unlit");
@@ -58,11 +52,10 @@ journey("the verdict goes when the face changes, and a GLB holds what is asked f
   assert.match(json.meshes[0].extras.targetNames[0], /nose-tip/);
   await page.click("#toolbar [data-action='undo']");
   assert.ok(await page.isHidden("#verdict"), "the verdict is of another file");
-}, { isRare: true });
+});
 
-journey("OBJ, PLY and STL hold the mesh that is on the screen", async (open) => {
-  const visitor = await open();
-  await visitor.dropSample();
+test("OBJ, PLY and STL hold the mesh that is on the screen", async ({ visitor }) => {
+  await visitor.openFace();
   await visitor.unfold("section-export");
   await visitor.page.selectOption("#export-density", "1");
   const { vertices, triangles } = DENSITIES[1];
@@ -78,30 +71,26 @@ journey("OBJ, PLY and STL hold the mesh that is on the screen", async (open) => 
   assert.deepEqual([stl.readUInt32LE(80), stl.length], [body, 84 + 50 * body]);
 });
 
-journey("a painted OBJ comes with its material and its picture, and a face for printing or for a phone as one package", async (open) => {
-  const visitor = await open();
-  await visitor.dropSample();
+test("a painted OBJ comes with its material and its picture, and a face for printing or for a phone as one package", async ({ visitor }) => {
+  await visitor.openFace();
   await visitor.unfold("section-export");
   for (const { format, ending, names } of [
     { format: "obj", ending: "zip", names: ["face.obj", "face.mtl", "face.png"] },
     { format: "3mf", ending: "3mf", names: ["[Content_Types].xml", "_rels/.rels", "3D/3dmodel.model"] },
     { format: "usdz", ending: "usdz", names: ["face.usda", "face.jpg"] },
   ]) {
-    const coming = visitor.page.waitForEvent("download");
-    const archive = await visitor.download(`download-${format}`);
-    assert.equal((await coming).suggestedFilename(), `portrait.${ending}`);
+    const { name, bytes: archive } = await visitor.save(`download-${format}`);
+    assert.equal(name, `portrait.${ending}`);
     assert.equal(archive.toString("latin1", 0, 4), "PK\x03\x04");
-    for (const name of names) assert.ok(archive.includes(name), `no ${name} in the ${format}`);
+    for (const part of names) assert.ok(archive.includes(part), `no ${part} in the ${format}`);
   }
   const png = await visitor.download("download-png");
   assert.equal(png.toString("latin1", 1, 4), "PNG");
 });
 
-journey("the panel says what the GLB holds, is called and weighs, and follows every choice", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("the panel says what the GLB holds, is called and weighs, and follows every choice", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-export");
   const facts = async () => (await page.innerText("#export-facts")).split(/\s*\n\s*/).filter(Boolean);
   assert.deepEqual(await facts(), ["portrait.glb", "GLB: 7,257 points, 14,368 triangles, a picture of 1024 × 1024 px."]);
@@ -121,11 +110,9 @@ journey("the panel says what the GLB holds, is called and weighs, and follows ev
   await visitor.slide("nose-width", 2);
   await visitor.unfold("section-export");
   assert.equal((await facts()).length, 2, "the size is that of another file");
-}, { isRare: true });
+});
 
-journey("what is printed is measured before the download as by the command line, and is the same to the byte", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("what is printed is measured before the download as by the command line, and is the same to the byte", { tag: "@rare" }, async ({ visitor, page }) => {
   await openAsCommandLine(visitor);
   await visitor.reach("#print-facts");
   for (const [solid, length] of [["thickness", "2"], ["flat", "3"], ["surface"]]) {
@@ -142,12 +129,10 @@ journey("what is printed is measured before the download as by the command line,
     const made = await filesByCommandLine(SAMPLE, "face.3mf", [...AS_THE_PAGE, "--solid", body]);
     assert.ok((await visitor.download("download-3mf")).equals(made.files.get("face.3mf") ?? Buffer.alloc(0)), `another 3MF: ${body}`);
   }
-}, { isRare: true });
+});
 
-journey("a body that cannot be printed is refused with what would do", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("a body that cannot be printed is refused with what would do", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.reach("#print-facts");
   let downloads = 0;
   page.on("download", () => (downloads += 1));
@@ -176,13 +161,12 @@ journey("a body that cannot be printed is refused with what would do", async (op
   await page.waitForSelector("#print-refused", { state: "hidden" });
   assert.equal(await page.inputValue("#solid-mm"), "11.3", "the thickness was forgotten");
   assert.ok(await page.isHidden("#notice"));
-}, { isRare: true });
+});
 
-journey("the GLB is handed on, the picture copied and the face shown in the room where the browser can", async (open) => {
-  const visitor = await open({ before: (context) => context.addInitScript(takeFiles) });
+test("the GLB is handed on, the picture copied and the face shown in the room where the browser can", { tag: "@rare" }, async ({ open }) => {
+  const visitor = await open({ scripts: [takeFiles] });
   const { page } = visitor;
-  await visitor.drop(await readFile(SAMPLE), "ana.png");
-  await visitor.untilFace();
+  await visitor.openFace("ana");
   await visitor.unfold("section-export");
   await page.click("#share-glb");
   const shared = await taken(page, "sent");
@@ -213,15 +197,15 @@ journey("the GLB is handed on, the picture copied and the face shown in the room
   await page.click("#copy-picture");
   assert.equal((await visitor.notice()).code, "not-copied");
   assert.equal((await Promise.all([page.waitForEvent("download"), page.click("#share-glb")]))[0].suggestedFilename(), "ana.glb");
-}, { isRare: true });
+});
 
-journey("a browser that neither hands on nor copies nor shows in the room has no buttons for it", async (open) => {
+test("a browser that neither hands on nor copies nor shows in the room has no buttons for it", { tag: "@rare" }, async ({ open }) => {
   const without = "delete Navigator.prototype.canShare; delete window.ClipboardItem";
-  const visitor = await open({ before: (context) => context.addInitScript(without) });
-  await visitor.dropSample();
+  const visitor = await open({ scripts: [without] });
+  await visitor.openFace();
   await visitor.unfold("section-export");
-  for (const id of ["share-glb", "copy-picture", "ar-link"]) assert.ok(await visitor.page.isHidden(`#${id}`), id);
-}, { isRare: true });
+  for (const id of ["share-glb", "share-pair", "copy-picture", "ar-link"]) assert.ok(await visitor.page.isHidden(`#${id}`), id);
+});
 
 /** What the page says that a body measures: millimetres, cm³ and g, with the rounding of its folds if there is any. */
 async function measured(page) {
@@ -263,7 +247,7 @@ function takeFiles() {
   DOMTokenList.prototype.supports = (/** @type {string} */ token) => token === "ar";
 }
 
-/** What was handed over. @param {import("playwright-core").Page} page @param {string} what */
+/** What was handed over. @param {import("@playwright/test").Page} page @param {string} what */
 async function taken(page, what) {
   await page.waitForFunction((what) => what in window, what);
   const file = await page.evaluate((what) => window[what], what);
@@ -272,11 +256,10 @@ async function taken(page, what) {
 
 /** Downloads the GLB, has it validated here as well, and reads its description. */
 async function downloadedGlb(visitor) {
-  const coming = visitor.page.waitForEvent("download");
-  const bytes = await visitor.download("download-glb");
+  const { name, bytes } = await visitor.save("download-glb");
   const { issues } = await validator.validateBytes(new Uint8Array(bytes));
   const { numErrors, numWarnings, numInfos, numHints } = issues;
   assert.deepEqual([numErrors, numWarnings, numInfos, numHints], [0, 0, 0, 0], JSON.stringify(issues.messages));
   const json = JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString());
-  return { name: (await coming).suggestedFilename(), json, bytes: bytes.length };
+  return { name, json, bytes: bytes.length };
 }

@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { furthest } from "./meshes.mjs";
 import { difference } from "./pixels.mjs";
 
@@ -20,49 +20,38 @@ async function stands(visitor, expression) {
 /** The description in a GLB. @param {Buffer} file */
 const described = (file) => JSON.parse(file.subarray(20, 20 + file.readUInt32LE(12)).toString());
 
-journey(
-  "an expression is seen, undone, outlives a reload, and is a morph target by its name",
-  async (open) => {
-    const visitor = await open();
-    const { page } = visitor;
-    await visitor.dropSample();
-    const [rest, shape] = [await visitor.view(), await visitor.meshJson("mm")];
-    await express(visitor, "jawOpen", 60);
-    assert.deepEqual(await visitor.history(), ["Mouth open"]);
-    const opened = await visitor.view();
-    assert.ok(difference(rest, opened) > 0.01, "the mouth does not open");
-    const work = await visitor.meshJson("mm");
-    assert.ok(furthest(shape, work) > 5);
+test("an expression is seen, undone, outlives a reload, and is a morph target by its name", { tag: "@eyes" }, async ({ visitor, page }) => {
+  await visitor.openFace();
+  const [rest, shape] = [await visitor.view(), await visitor.meshJson("mm")];
+  await express(visitor, "jawOpen", 60);
+  assert.deepEqual(await visitor.history(), ["Mouth open"]);
+  const opened = await visitor.view();
+  assert.ok(difference(rest, opened) > 0.01, "the mouth does not open");
+  const work = await visitor.meshJson("mm");
+  assert.ok(furthest(shape, work) > 5);
 
-    await page.click("#toolbar [data-action='undo']");
-    assert.deepEqual(await visitor.meshJson("mm"), shape);
-    assert.equal(await stands(visitor, "jawOpen"), 0);
-    await page.click("#toolbar [data-action='redo']");
-    await page.waitForTimeout(600);
-    await page.reload();
-    await page.click("#continue");
-    await visitor.untilFace();
-    assert.deepEqual(await visitor.meshJson("mm"), work);
-    assert.equal(await stands(visitor, "jawOpen"), 60);
+  await page.click("#toolbar [data-action='undo']");
+  assert.deepEqual(await visitor.meshJson("mm"), shape);
+  assert.equal(await stands(visitor, "jawOpen"), 0);
+  await page.click("#toolbar [data-action='redo']");
+  await visitor.comeBack();
+  assert.deepEqual(await visitor.meshJson("mm"), work);
+  assert.equal(await stands(visitor, "jawOpen"), 60);
 
-    await visitor.untilLoaded();
-    await visitor.unfold("section-export");
-    await page.check("#export-expressions");
-    const { meshes } = described(await visitor.download("download-glb"));
-    await page.waitForSelector("#verdict[data-verdict='valid']");
-    const { targetNames } = meshes[0].extras;
-    assert.equal(targetNames.length, meshes[0].primitives[0].targets.length);
-    assert.equal(targetNames.length, await page.locator("[data-expression]").count());
-    assert.equal(meshes[0].weights[targetNames.indexOf("jawOpen")], 0.6);
-    assert.equal(meshes[0].weights.filter((weight) => weight !== 0).length, 1);
-  },
-  { needs: "eyes" },
-);
+  await visitor.untilLoaded();
+  await visitor.unfold("section-export");
+  await page.check("#export-expressions");
+  const { meshes } = described(await visitor.download("download-glb"));
+  await page.waitForSelector("#verdict[data-verdict='valid']");
+  const { targetNames } = meshes[0].extras;
+  assert.equal(targetNames.length, meshes[0].primitives[0].targets.length);
+  assert.equal(targetNames.length, await page.locator("[data-expression]").count());
+  assert.equal(meshes[0].weights[targetNames.indexOf("jawOpen")], 0.6);
+  assert.equal(meshes[0].weights.filter((weight) => weight !== 0).length, 1);
+});
 
-journey("both sides go together or apart, and rest takes all back as one change", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("both sides go together or apart, and rest takes all back as one change", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   const shape = await visitor.meshJson("mm");
   await visitor.unfold("section-expressions");
   await page.check("#expressions-both");
@@ -78,4 +67,4 @@ journey("both sides go together or apart, and rest takes all back as one change"
   assert.ok(furthest(shape, await visitor.meshJson("mm")) < 1e-9);
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await visitor.meshJson("mm"), smiling);
-}, { isRare: true });
+});

@@ -1,16 +1,14 @@
 import assert from "node:assert/strict";
 import { meshByCommandLine } from "./command-line.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { assertSameMesh, furthest, way } from "./meshes.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 /** The wings of the nose, right and left. */
 const WINGS = [64, 294];
 
-journey("nose width moves both sides alike, is one entry, and is what the command line does", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("nose width moves both sides alike, is one entry, and is what the command line does", async ({ visitor, page }) => {
+  await visitor.openFace();
   assert.equal(await page.locator("#face-sliders .slider").count(), 10);
   const before = await visitor.meshJson("mm");
 
@@ -41,10 +39,8 @@ journey("nose width moves both sides alike, is one entry, and is what the comman
   assert.equal(await visitor.sliderValue("nose-width"), amount_mm);
 });
 
-journey("a slider stands at the sum of its entries, and a double click on its name puts it back", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("a slider stands at the sum of its entries, and a double click on its name puts it back", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   const start = await visitor.meshJson("mm");
   await visitor.slide("lip-fullness", 2);
   await visitor.slide("chin-length", -3);
@@ -61,12 +57,10 @@ journey("a slider stands at the sum of its entries, and a double click on its na
     assert.equal(await visitor.sliderValue(slider), 0);
   }
   assert.ok(furthest(start, await visitor.meshJson("mm")) < 1e-9);
-}, { isRare: true });
+});
 
-journey("the sliders work by keyboard, speak Portuguese, and leave the selected landmark in hand", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("the sliders work by keyboard, speak Portuguese, and leave the selected landmark in hand", async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   await page.selectOption("#language", "pt");
   assert.equal(await page.innerText("[data-slider='jaw-width'] .slider-label"), "Largura da mandíbula");
@@ -82,10 +76,8 @@ journey("the sliders work by keyboard, speak Portuguese, and leave the selected 
   assert.equal(await visitor.landmark(), 1);
 });
 
-journey("symmetry is an action with a share, listed and undone like any edit", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("symmetry is an action with a share, listed and undone like any edit", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   const before = await visitor.meshJson("mm");
   await visitor.unfold("section-face");
   await page.fill("#symmetrise-share", "100");
@@ -98,4 +90,4 @@ journey("symmetry is an action with a share, listed and undone like any edit", a
   assertSameMesh(after, await meshByCommandLine(SAMPLE, [...canonical, "--symmetrise", "1"]));
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await visitor.meshJson("mm"), before);
-}, { isRare: true });
+});

@@ -1,51 +1,50 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { alike, journey } from "./journey.mjs";
-import { keptWorks } from "./kept.mjs";
-import { asJpeg, sixTimes, twice } from "./pictures.mjs";
+import { expect } from "@playwright/test";
+import { alike, test } from "./fixtures.mjs";
+import { chooseFace, openGroup } from "./groups.mjs";
+import { keptWorks, untilKept } from "./kept.mjs";
+import { asJpeg, sixTimes } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
+import { refuseDatabase } from "./watches.mjs";
 
-journey("each face of a group keeps its own edits: going to the other one and back loses nothing", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("each face of a group keeps its own edits: going to the other one and back loses nothing", async ({ visitor, page }) => {
   await openGroup(visitor);
-  await edit(visitor, "nose tip", 9);
-  await edit(visitor, "nose tip", -2);
+  await visitor.move("nose tip", "z", 9);
+  await visitor.move("nose tip", "z", -2);
   await visitor.unfold("section-view");
   await page.selectOption("#density", "1");
-  const first = await standing(visitor);
+  const first = await visitor.work();
 
   await choose(visitor, 1);
   assert.deepEqual(await visitor.history(), []);
   await visitor.slide("jaw-width", 4);
-  const second = await standing(visitor);
+  const second = await visitor.work();
   assert.notDeepEqual(second.mesh, first.mesh);
   await visitor.unfold("section-view");
   await page.check("#wireframe");
 
   await choose(visitor, 0);
-  assert.deepEqual(await standing(visitor), first);
+  assert.deepEqual(await visitor.work(), first);
   assert.ok(await page.isChecked("#wireframe"), "how the face is looked at went back with it");
   await page.click("#toolbar [data-action='undo']");
-  assert.notDeepEqual((await standing(visitor)).mesh, first.mesh);
+  assert.notDeepEqual((await visitor.work()).mesh, first.mesh);
   await page.click("#toolbar [data-action='redo']");
 
   await choose(visitor, 1);
-  assert.deepEqual(await standing(visitor), second);
+  assert.deepEqual(await visitor.work(), second);
   // Each has one slot, and one of them is the tab's.
-  await page.waitForTimeout(800);
+  await untilKept(page);
   const kept = await keptWorks(page);
   assert.deepEqual(kept.map(({ name, isHeld }) => [name, isHeld]).sort(), [["group", false], ["group-2", true]]);
   assert.match(kept.find(({ name }) => name === "group").edits, /nose-tip/);
 });
 
-journey("the face before is one press away, with its edits, and so is the one that was left for it", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("the face before is one press away, with its edits, and so is the one that was left for it", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   assert.ok(await page.isHidden("#faces"), "there is nothing to go back to yet");
-  await edit(visitor, "nose tip", 9);
-  const photo = await standing(visitor);
+  await visitor.move("nose tip", "z", 9);
+  const photo = await visitor.work();
   const project = await visitor.download("save-project");
   const glb = await visitor.download("download-glb");
 
@@ -59,67 +58,60 @@ journey("the face before is one press away, with its edits, and so is the one th
     await visitor.drop(bytes, name);
     await untilNamed(visitor, "other");
     await visitor.slide("jaw-width", 4);
-    const other = await standing(visitor);
+    const other = await visitor.work();
     await goBack(visitor, "portrait");
-    assert.deepEqual(await standing(visitor), photo, name);
+    assert.deepEqual(await visitor.work(), photo, name);
     await goBack(visitor, "other");
-    assert.deepEqual(await standing(visitor), other, name);
+    assert.deepEqual(await visitor.work(), other, name);
     await goBack(visitor, "portrait");
   }
   assert.ok(await page.isHidden("#face-choice"));
-}, { isRare: true });
+});
 
-journey("photos before the last one are there, too, each with its edits and by its name", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  const bytes = await readFile(SAMPLE);
+test("photos before the last one are there, too, each with its edits and by its name", { tag: "@rare" }, async ({ visitor, page }) => {
   const left = new Map();
   for (const [place, name] of ["ana", "bia", "clara", "dora", "eva"].entries()) {
-    await visitor.drop(bytes, `${name}.png`);
+    await visitor.openFace(name);
     await untilNamed(visitor, name);
-    await edit(visitor, "nose tip", place + 2);
-    left.set(name, await standing(visitor));
+    await visitor.move("nose tip", "z", place + 2);
+    left.set(name, await visitor.work());
   }
   const offered = () => page.locator("#earlier-faces button").evaluateAll((buttons) => buttons.map((button) => button.title));
   assert.deepEqual(await offered(), ["Back to clara", "Back to bia"], "beside dora, who is the face before");
   await page.click("#earlier-faces button[title='Back to bia']");
   await untilNamed(visitor, "bia");
-  assert.deepEqual(await standing(visitor), left.get("bia"));
+  assert.deepEqual(await visitor.work(), left.get("bia"));
   assert.deepEqual(await offered(), ["Back to dora", "Back to clara"]);
   await goBack(visitor, "eva");
-  assert.deepEqual(await standing(visitor), left.get("eva"));
+  assert.deepEqual(await visitor.work(), left.get("eva"));
   // Whom the strip has no room for is in the browser's database all the same.
-  await page.waitForTimeout(800);
+  await untilKept(page);
   assert.ok((await keptWorks(page)).some(({ name, edits }) => name === "ana" && edits.includes("nose-tip")));
-}, { isRare: true });
+});
 
-journey("a group can be gone back to from another photo, each of its faces as it was left", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a group can be gone back to from another photo, each of its faces as it was left", { tag: "@rare" }, async ({ visitor, page }) => {
   await openGroup(visitor);
-  await edit(visitor, "nose tip", 9);
-  const first = await standing(visitor);
+  await visitor.move("nose tip", "z", 9);
+  const first = await visitor.work();
   await choose(visitor, 1);
   await visitor.slide("jaw-width", 4);
-  const second = await standing(visitor);
+  const second = await visitor.work();
 
-  await visitor.drop(await readFile(SAMPLE), "alone.png");
+  await visitor.openFace("alone");
   await untilNamed(visitor, "alone");
   assert.ok(await page.isHidden("#face-choice"));
   await goBack(visitor, "group-2");
   assert.ok(await page.isVisible("#face-choice"));
   assert.deepEqual(await chosen(page), [false, true]);
-  assert.deepEqual(await standing(visitor), second);
+  assert.deepEqual(await visitor.work(), second);
   await choose(visitor, 0);
-  assert.deepEqual(await standing(visitor), first);
-}, { isRare: true });
+  assert.deepEqual(await visitor.work(), first);
+});
 
-journey("of faces chosen one right after the other the last is shown, and the strip says so", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("of faces chosen one right after the other the last is shown, and the strip says so", { tag: "@rare" }, async ({ visitor, page }) => {
   await openGroup(visitor);
-  await edit(visitor, "nose tip", 9);
-  const first = await standing(visitor);
+  await visitor.move("nose tip", "z", 9);
+  const first = await visitor.work();
   // In one task, faster than any of them can be opened.
   await page.evaluate(() => {
     const [one, other] = document.querySelectorAll("#face-options input");
@@ -127,53 +119,47 @@ journey("of faces chosen one right after the other the last is shown, and the st
   });
   await visitor.frames(20);
   assert.deepEqual(await chosen(page), [true, false]);
-  assert.deepEqual(await standing(visitor), first);
+  assert.deepEqual(await visitor.work(), first);
   // A photo without a face takes nobody's place.
   await visitor.drop(Buffer.from("no picture"), "broken.jpg");
   await page.waitForSelector("#notice[data-code='not-a-picture']");
   assert.deepEqual(await chosen(page), [true, false]);
-  assert.deepEqual(await standing(visitor), first);
-}, { isRare: true });
+  assert.deepEqual(await visitor.work(), first);
+});
 
-journey("where the browser keeps nothing, the face before comes back all the same", async (open) => {
-  const visitor = await open({ before: (context) => context.addInitScript(refuseDatabase) });
+test("where the browser keeps nothing, the face before comes back all the same", { tag: "@rare" }, async ({ open }) => {
+  const visitor = await open({ scripts: [refuseDatabase] });
   const { page } = visitor;
   await openGroup(visitor);
   await page.waitForSelector("#notice[data-code='not-kept']");
-  await edit(visitor, "nose tip", 9);
-  const first = await standing(visitor);
+  await visitor.move("nose tip", "z", 9);
+  const first = await visitor.work();
   await choose(visitor, 1);
   await choose(visitor, 0);
-  assert.deepEqual(await standing(visitor), first);
-  await visitor.drop(await readFile(SAMPLE), "alone.png");
+  assert.deepEqual(await visitor.work(), first);
+  await visitor.openFace("alone");
   await untilNamed(visitor, "alone");
   await goBack(visitor, "group");
-  assert.deepEqual(await standing(visitor), first);
-}, { isRare: true });
-
-journey("work that went back and forth is there after a reload, the face that was shown last first", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await openGroup(visitor);
-  await edit(visitor, "nose tip", 9);
-  for (const index of [1, 0, 1, 0]) await choose(visitor, index);
-  await edit(visitor, "nose tip", 3);
-  const first = await standing(visitor);
-  await page.waitForTimeout(800);
-  assert.equal((await keptWorks(page)).length, 2);
-  await page.reload();
-  await page.click("#continue");
-  await visitor.untilFace();
-  assert.deepEqual(await standing(visitor), first);
+  assert.deepEqual(await visitor.work(), first);
 });
 
-journey("a module that is started again brings the face back among its group", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("work that went back and forth is there after a reload, the face that was shown last first", async ({ visitor, page }) => {
+  await openGroup(visitor);
+  await visitor.move("nose tip", "z", 9);
+  for (const index of [1, 0, 1, 0]) await choose(visitor, index);
+  await visitor.move("nose tip", "z", 3);
+  const first = await visitor.work();
+  await untilKept(page, 2);
+  assert.equal((await keptWorks(page)).length, 2);
+  await visitor.comeBack();
+  assert.deepEqual(await visitor.work(), first);
+});
+
+test("a module that is started again brings the face back among its group", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
   await openGroup(visitor);
-  await edit(visitor, "nose tip", 9);
-  const first = await standing(visitor);
+  await visitor.move("nose tip", "z", 9);
+  const first = await visitor.work();
   await choose(visitor, 1);
   await page.evaluate(async () => {
     const module = "./wasm/rosto-studio-web.js";
@@ -186,13 +172,13 @@ journey("a module that is started again brings the face back among its group", a
   await page.click("[data-action='download-json']");
   await page.waitForSelector("#notice[data-code='restarted']");
   await choose(visitor, 0);
-  assert.deepEqual(await standing(visitor), first);
-}, { isRare: true });
+  assert.deepEqual(await visitor.work(), first);
+});
 
-journey("more faces than a phone is wide are reached by a swipe, and the one that is chosen is in sight", async (open) => {
+test("more faces than a phone is wide are reached by a swipe, and the one that is chosen is in sight", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true });
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.drop(await sixTimes(page, await readFile(SAMPLE)), "group.png");
   await page.waitForSelector("#face-choice:not([hidden])");
   await visitor.untilFace();
@@ -206,13 +192,13 @@ journey("more faces than a phone is wide are reached by a swipe, and the one tha
   const { x, width } = await last.boundingBox();
   assert.ok(x > strip.x && x + width < strip.x + strip.width, "the chosen face is out of sight");
   assert.equal(await page.evaluate("scrollX + document.getElementById('stage').scrollLeft"), 0);
-}, { isRare: true });
+});
 
-for (const { width, height } of alike([{ width: 390, height: 844 }, { width: 844, height: 390 }, { width: 720, height: 450 }])) {
-  journey(`at ${width}×${height} the faces of a group are offered over the stage, and lie over nothing else`, async (open) => {
+for (const [{ width, height }, tag] of alike([{ width: 390, height: 844 }, { width: 844, height: 390 }, { width: 720, height: 450 }])) {
+  test(`at ${width}×${height} the faces of a group are offered over the stage, and lie over nothing else`, { tag }, async ({ open }) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;
-    await visitor.dropSample();
+    await visitor.openFace();
     await openGroup(visitor);
     assert.ok(await page.isVisible("#previous-face"));
     const strip = await page.locator("#faces").boundingBox();
@@ -232,23 +218,9 @@ for (const { width, height } of alike([{ width: 390, height: 844 }, { width: 844
   });
 }
 
-/** @param {import("./visitor.mjs").Visitor} visitor */
-async function openGroup(visitor) {
-  await visitor.drop(await twice(visitor.page, await readFile(SAMPLE)), "group.png");
-  await visitor.page.waitForSelector("#face-choice:not([hidden])");
-  await visitor.untilFace();
-}
-
-/** @param {import("./visitor.mjs").Visitor} visitor */
-async function edit(visitor, landmark, offset_mm) {
-  await visitor.findLandmark(landmark);
-  await visitor.offset("z", offset_mm);
-}
-
 /** Another face of the group, by its place in the strip. */
 async function choose(visitor, index) {
-  const { page } = visitor;
-  await page.locator("#face-options input").nth(index).click({ force: true });
+  await chooseFace(visitor, index);
   await untilNamed(visitor, index === 0 ? "group" : `group-${index + 1}`);
 }
 
@@ -257,41 +229,12 @@ async function goBack(visitor, name) {
   await untilNamed(visitor, name);
 }
 
-/** Waits until the face of that name is open: downloads are named after it. */
+/** Waits until the face of that name is open: files are named after it. */
 async function untilNamed(visitor, name) {
-  const { page } = visitor;
-  const seen = new Set();
-  for (let tries = 0; tries < 40; tries += 1) {
-    await page.waitForSelector("#progress", { state: "hidden" });
-    await visitor.frames(3);
-    await visitor.unfold("section-export");
-    const file = await pictureName(page);
-    if (file === `${name}.png`) return;
-    seen.add(file);
-    await page.waitForTimeout(100);
-  }
-  assert.fail(`${name} does not open, only ${[...seen]}`);
-}
-
-/** What a picture of the open face is called; nothing while another one comes, which begins at another tab. */
-async function pictureName(page) {
-  const named = page.waitForEvent("download", { timeout: 5_000 }).then((download) => download.suggestedFilename(), () => undefined);
-  await page.click("[data-action='download-picture']", { timeout: 2_000 }).catch(() => {});
-  return named;
-}
-
-/** What is open, and what has been done to it. */
-async function standing(visitor) {
-  return { mesh: await visitor.meshJson("mm"), history: await visitor.history() };
+  await expect(visitor.page.locator("#export-name")).toHaveText(new RegExp(`^${name}(-\\d{3,})?\\.glb$`));
+  await visitor.untilFace();
 }
 
 function chosen(page) {
   return page.locator("#face-options input").evaluateAll((inputs) => inputs.map(({ checked }) => checked));
-}
-
-/** Runs in the page, as some browsers do in private windows. */
-function refuseDatabase() {
-  IDBFactory.prototype.open = () => {
-    throw new DOMException("The operation is insecure.", "SecurityError");
-  };
 }

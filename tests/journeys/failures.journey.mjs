@@ -2,14 +2,14 @@
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { SAMPLE } from "./visitor.mjs";
+import { dieBefore, watchGpus } from "./watches.mjs";
 
 /** The sample with an edit of the nose tip; resolves to the mesh. */
 async function work(visitor) {
-  await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 7);
+  await visitor.openFace();
+  await visitor.move("nose tip", "z", 7);
   return visitor.meshJson("mm");
 }
 
@@ -34,9 +34,7 @@ async function failToSave(visitor, action) {
   return notice;
 }
 
-journey("what was there is still there when there is no memory for what was to be opened", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("what was there is still there when there is no memory for what was to be opened", async ({ visitor, page }) => {
   const mesh = await work(visitor);
   await page.evaluate(() => {
     const create = globalThis.createImageBitmap;
@@ -53,9 +51,9 @@ journey("what was there is still there when there is no memory for what was to b
   await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
 });
 
-for (const [what, label] of alike([["the picture", "still"], ["what it is drawn into", "attachment"]])) {
-  journey(`without graphics memory for ${what} no picture is saved, and the page says why`, async (open) => {
-    const visitor = await open({ before: (context) => context.addInitScript(watchTextures) });
+for (const [[what, label], tag] of alike([["the picture", "still"], ["what it is drawn into", "attachment"]])) {
+  test(`without graphics memory for ${what} no picture is saved, and the page says why`, { tag }, async ({ open }) => {
+    const visitor = await open({ scripts: [watchTextures] });
     const { page } = visitor;
     const mesh = await work(visitor);
     await page.evaluate((label) => (globalThis.starved = label), label);
@@ -69,21 +67,21 @@ for (const [what, label] of alike([["the picture", "still"], ["what it is drawn 
   });
 }
 
-journey("a picture that the graphics card took along with itself is reported, and the report outlives the card's return", async (open) => {
-  const visitor = await open({ before: (context) => context.addInitScript(watchDevices) });
+test("a picture that the graphics card took along with itself is reported, and the report outlives the card's return", async ({ open }) => {
+  const visitor = await open({ scripts: [watchGpus] });
   const { page } = visitor;
   const mesh = await work(visitor);
-  const devices = await page.evaluate("devices.length");
+  const gpus = await page.evaluate("gpus.length");
   await page.evaluate(() => {
     const map = GPUBuffer.prototype.mapAsync;
     GPUBuffer.prototype.mapAsync = function (...how) {
       GPUBuffer.prototype.mapAsync = map;
-      globalThis.devices.at(-1).destroy();
+      window.gpus.at(-1).device.destroy();
       return map.apply(this, how);
     };
   });
   assert.equal((await failToSave(visitor, "download-picture")).code, "not-drawn");
-  await page.waitForFunction((devices) => globalThis.devices.length > devices, devices);
+  await page.waitForFunction((gpus) => window.gpus.length > gpus, gpus);
   await visitor.frames(20);
   assert.equal((await visitor.notice()).code, "not-drawn");
   await page.keyboard.press("Escape");
@@ -92,13 +90,11 @@ journey("a picture that the graphics card took along with itself is reported, an
   assert.deepEqual(await visitor.meshJson("mm"), mesh);
 });
 
-for (const { reply, action, code } of alike([
+for (const [{ reply, action, code }, tag] of alike([
   { reply: "drawn", action: "download-photo-png", code: "photo-not-written" },
   { reply: "textured", action: "download-glb", code: "texture-not-made" },
 ])) {
-  journey(`a worker that dies before it has ${reply} what goes into a file is not said to have been reading a photo`, async (open) => {
-    const visitor = await open();
-    const { page } = visitor;
+  test(`a worker that dies before it has ${reply} what goes into a file is not said to have been reading a photo`, { tag }, async ({ visitor, page }) => {
     const doom = (worker) => worker.evaluate(dieBefore, reply).catch(() => {});
     page.on("worker", doom);
     await visitor.untilLoaded();
@@ -111,10 +107,8 @@ for (const { reply, action, code } of alike([
   });
 }
 
-journey("a notice shows above a dialog that is open, can be closed there, and is on the stage again after the dialog", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("a notice shows above a dialog that is open, can be closed there, and is on the stage again after the dialog", async ({ visitor, page }) => {
+  await visitor.openFace();
   const dropWords = () => page.evaluate(() => {
     const dataTransfer = new DataTransfer();
     dataTransfer.setData("text/plain", "words");
@@ -149,15 +143,6 @@ journey("a notice shows above a dialog that is open, can be closed there, and is
   assert.ok(await isOnTop());
 });
 
-/** Runs in the worker, which dies in place of this reply. */
-function dieBefore(reply) {
-  const tell = self.postMessage.bind(self);
-  self.postMessage = (message, transfer) => {
-    if (message.type === reply) throw new WebAssembly.RuntimeError("unreachable");
-    tell(message, transfer);
-  };
-}
-
 /** Runs in the page: textures with the label `starved` are asked for in a size that no GPU has memory for. */
 function watchTextures() {
   if (typeof GPUDevice === "undefined") return;
@@ -167,17 +152,5 @@ function watchTextures() {
     const side = this.limits.maxTextureDimension2D;
     const size = { width: side, height: side, depthOrArrayLayers: this.limits.maxTextureArrayLayers };
     return create.call(this, { ...wanted, size, sampleCount: 1, format: "rgba16float" });
-  };
-}
-
-/** Runs in the page: what it has been given to draw with, in `devices`. */
-function watchDevices() {
-  globalThis.devices = [];
-  if (typeof GPUAdapter === "undefined") return;
-  const ask = GPUAdapter.prototype.requestDevice;
-  GPUAdapter.prototype.requestDevice = async function (...wishes) {
-    const device = await ask.apply(this, wishes);
-    globalThis.devices.push(device);
-    return device;
   };
 }

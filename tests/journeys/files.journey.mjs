@@ -1,17 +1,13 @@
 import assert from "node:assert/strict";
-import { mkdir, mkdtemp, open as openFile, readFile, rm } from "node:fs/promises";
-import { tmpdir } from "node:os";
-import path from "node:path";
-import { journey } from "./journey.mjs";
+import { mkdir, readFile, truncate, writeFile } from "node:fs/promises";
+import { test } from "./fixtures.mjs";
 import { heic, text } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 /** The largest photo that is taken. */
 const MAX_PHOTO_BYTES = 40_000_000;
 
-journey("of several files the first that can be opened is, and the page says that it is one of them", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("of several files the first that can be opened is, and the page says that it is one of them", async ({ visitor, page }) => {
   await visitor.untilItAnswers();
   const portrait = await readFile(SAMPLE);
   const notes = { bytes: text(), name: "notes.txt", type: "text/plain" };
@@ -37,9 +33,7 @@ journey("of several files the first that can be opened is, and the page says tha
   await page.waitForSelector("#notice[data-code='unsupported-format']");
 });
 
-journey("an address, text or a picture's HTML gets an answer, and text fields still take text", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("an address, text or a picture's HTML gets an answer, and text fields still take text", async ({ visitor, page }) => {
   await visitor.dropSample();
   const words = [
     { "text/uri-list": "https://example.com/me.jpg", "text/plain": "https://example.com/me.jpg" },
@@ -66,47 +60,39 @@ journey("an address, text or a picture's HTML gets an answer, and text fields st
   assert.ok(await page.isHidden("#notice"));
 });
 
-journey("a dropped folder gets an answer", async (open) => {
-  await withFolder(async (folder) => {
-    const visitor = await open();
-    await visitor.untilItAnswers();
-    const photos = path.join(folder, "photos.png");
-    await mkdir(photos);
-    await dropFromDesktop(visitor.page, [photos]);
-    assert.equal((await visitor.notice()).code, "folder");
-    await dropFromDesktop(visitor.page, [photos, SAMPLE]);
-    await visitor.untilFace();
-    await visitor.page.waitForSelector("#notice", { state: "hidden" });
-  });
+test("a dropped folder gets an answer", async ({ visitor }, testInfo) => {
+  await visitor.untilItAnswers();
+  const photos = testInfo.outputPath("photos.png");
+  await mkdir(photos);
+  await dropFromDesktop(visitor.page, [photos]);
+  assert.equal((await visitor.notice()).code, "folder");
+  await dropFromDesktop(visitor.page, [photos, SAMPLE]);
+  await visitor.untilFace();
+  await visitor.page.waitForSelector("#notice", { state: "hidden" });
 });
 
-journey("a file of gigabytes is too large, not unreadable; the limit is where the worker has it", async (open) => {
-  await withFolder(async (folder) => {
-    const visitor = await open();
-    const { page } = visitor;
-    await visitor.untilItAnswers();
-    for (const [bytes, code] of /** @type {const} */ ([
-      [3 * 2 ** 30, "too-many-bytes"],
-      [MAX_PHOTO_BYTES, "not-a-picture"],
-      [MAX_PHOTO_BYTES + 1, "too-many-bytes"],
-    ])) {
-      const name = path.join(folder, `${bytes}.jpg`);
-      // A file with a hole: it has the size, but fills no disk.
-      const file = await openFile(name, "w");
-      await file.truncate(bytes);
-      await file.close();
-      await page.setInputFiles("#photo-file", name);
-      await page.waitForSelector(`#notice[data-code='${code}']`);
-      await page.waitForSelector("#progress", { state: "hidden" });
-    }
-    await visitor.dropSample();
-  });
+test("a file of gigabytes is too large, not unreadable; the limit is where the worker has it", async ({ visitor, page }, testInfo) => {
+  await visitor.untilItAnswers();
+  for (const [bytes, code] of /** @type {const} */ ([
+    [3 * 2 ** 30, "too-many-bytes"],
+    [MAX_PHOTO_BYTES, "not-a-picture"],
+    [MAX_PHOTO_BYTES + 1, "too-many-bytes"],
+  ])) {
+    const name = testInfo.outputPath(`${bytes}.jpg`);
+    // A file with a hole: it has the size, but fills no disk.
+    await writeFile(name, "");
+    await truncate(name, bytes);
+    await page.setInputFiles("#photo-file", name);
+    await page.waitForSelector(`#notice[data-code='${code}']`);
+    await page.waitForSelector("#progress", { state: "hidden" });
+  }
+  await visitor.dropSample();
 });
 
 /**
  * Drops or pastes files or data, as other programs bring them.
  *
- * @param {import("playwright-core").Page} page
+ * @param {import("@playwright/test").Page} page
  * @param {"drop" | "paste"} way
  * @param {{ bytes: Uint8Array, name: string, type: string }[]} files
  * @param {Record<string, string>} [data] by MIME type
@@ -131,12 +117,7 @@ async function bring(page, way, files, data = {}) {
   );
 }
 
-/**
- * Drops what lies on the disk, as a file manager does.
- *
- * @param {import("playwright-core").Page} page
- * @param {string[]} files
- */
+/** Drops what lies on the disk, as a file manager does. @param {import("@playwright/test").Page} page @param {string[]} files */
 async function dropFromDesktop(page, files) {
   const browser = await page.context().newCDPSession(page);
   const data = { items: [], files, dragOperationsMask: 1 };
@@ -144,14 +125,4 @@ async function dropFromDesktop(page, files) {
     await browser.send("Input.dispatchDragEvent", { type, x: 200, y: 200, data });
   }
   await browser.detach();
-}
-
-/** @param {(folder: string) => Promise<void>} use */
-async function withFolder(use) {
-  const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
-  try {
-    await use(folder);
-  } finally {
-    await rm(folder, { recursive: true });
-  }
 }

@@ -49,12 +49,7 @@ export function speedIn(number) {
   return Math.abs(here - before - (after - here)) < 1e-6 ? here - before : 0;
 }
 
-/**
- * Where a point of the portrait, px, is in a frame.
- *
- * @param {Place} place
- * @param {number[]} point x, y
- */
+/** Where a point of the portrait, px, is in a frame. @param {Place} place @param {number[]} point x, y */
 export function carried({ x, y, scale, degrees }, [px, py]) {
   const [cos, sin] = turn(degrees);
   const [dx, dy] = [px - MIDDLE[0], py - MIDDLE[1]];
@@ -84,11 +79,7 @@ export function frameOf(portrait, place, number) {
   return data;
 }
 
-/**
- * The number in the corner of a frame.
- *
- * @param {Picture} frame
- */
+/** The number in the corner of a frame. @param {Picture} frame */
 export function numberOf(frame) {
   const scale = frame.width / WIDTH_PX;
   let number = 0;

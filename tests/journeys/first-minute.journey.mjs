@@ -1,11 +1,9 @@
 import assert from "node:assert/strict";
 import { PNG } from "pngjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
 
-journey("hints wait for the deed, one after the other; a dot pulses where to drag; who comes again knows", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("hints wait for the deed, one after the other; a dot pulses where to drag; who comes again knows", { tag: "@rare" }, async ({ visitor, page }) => {
   const hint = () => page.evaluate(() => (document.getElementById("hint").checkVisibility() ? document.getElementById("hint").textContent : ""));
   await visitor.dropSample();
   assert.equal(await hint(), "Drag the nose");
@@ -25,9 +23,9 @@ journey("hints wait for the deed, one after the other; a dot pulses where to dra
   await page.reload();
   await visitor.dropSample();
   assert.equal(await hint(), "", "a hint was given to who knows");
-}, { isRare: true });
+});
 
-journey("a hint for fingers speaks of fingers", async (open) => {
+test("a hint for fingers speaks of fingers", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   const { page } = visitor;
   await visitor.dropSample();
@@ -37,9 +35,9 @@ journey("a hint for fingers speaks of fingers", async (open) => {
   for (const up of [10, 20]) await touch.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: [{ x: tip.x, y: tip.y - up }] });
   await touch.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
   assert.match(await page.innerText("#hint"), /two fingers/);
-}, { isRare: true });
+});
 
-journey("a face that has arrived turns a little and back, but not for who asked for less motion", async (open) => {
+test("a face that has arrived turns a little and back, but not for who asked for less motion", { tag: "@rare" }, async ({ open }) => {
   for (const reducedMotion of /** @type {const} */ (["no-preference", "reduce"])) {
     const visitor = await open({ reducedMotion });
     const { page } = visitor;
@@ -67,28 +65,24 @@ journey("a face that has arrived turns a little and back, but not for who asked 
     assert.equal(swing_px > 15, reducedMotion === "no-preference", `${reducedMotion}: the nose swings by ${swing_px} px`);
     await visitor.leave();
   }
-}, { isRare: true });
+});
 
 for (const [drawn, needs] of /** @type {const} */ ([["WebGPU", "eyes"], ["WebGL2", "webgl"]])) {
-  journey(
-    `before a photo nothing but the wireframe lies over the page's ground: ${drawn}`,
-    async (open) => {
-      const visitor = await open({ colorScheme: "light", reducedMotion: "reduce" });
-      await visitor.untilLoaded();
-      const { data, width, height } = await visitor.view();
-      const nearGround = (/** @type {number} */ at) => [0xf5, 0xf3, 0xef].every((ground, channel) => Math.abs(data[at + channel] - ground) < 24);
-      const isGround = Array.from({ length: width * height }, (_, pixel) => nearGround(4 * pixel));
-      assert.ok(isGround[0] && isGround[width - 1], `the corner is ${data.subarray(0, 4)}`);
-      const share = isGround.filter(Boolean).length / isGround.length;
-      assert.ok(share > 0.7 && share < 0.999, `${share} of the view is ground`);
-    },
-    { needs },
-  );
+  test(`before a photo nothing but the wireframe lies over the page's ground: ${drawn}`, { tag: `@${needs}` }, async ({ open }) => {
+    const visitor = await open({ colorScheme: "light", reducedMotion: "reduce" });
+    await visitor.untilLoaded();
+    const { data, width, height } = await visitor.view();
+    const nearGround = (/** @type {number} */ at) => [0xf5, 0xf3, 0xef].every((ground, channel) => Math.abs(data[at + channel] - ground) < 24);
+    const isGround = Array.from({ length: width * height }, (_, pixel) => nearGround(4 * pixel));
+    assert.ok(isGround[0] && isGround[width - 1], `the corner is ${data.subarray(0, 4)}`);
+    const share = isGround.filter(Boolean).length / isGround.length;
+    assert.ok(share > 0.7 && share < 0.999, `${share} of the view is ground`);
+  });
 }
 
 for (const [reducedMotion, moves] of /** @type {const} */ ([["no-preference", true], ["reduce", false]])) {
   const verb = moves ? "turns slowly" : "keeps still";
-  journey(`with ${reducedMotion} for motion, the empty face ${verb}`, async (open) => {
+  test(`with ${reducedMotion} for motion, the empty face ${verb}`, { tag: "@eyes" }, async ({ open }) => {
     const visitor = await open({ reducedMotion });
     await visitor.untilLoaded();
     const first = await shot(visitor);
@@ -96,7 +90,7 @@ for (const [reducedMotion, moves] of /** @type {const} */ ([["no-preference", tr
     assert.equal(difference(first, await shot(visitor)) > 0, moves);
     const longest_ms = await visitor.page.evaluate(longestTransition);
     assert.ok(moves ? longest_ms >= 100 : longest_ms === 0, `a transition of ${longest_ms} ms`);
-  }, { needs: "eyes" });
+  });
 }
 
 /** @param {import("./visitor.mjs").Visitor} visitor */

@@ -19,11 +19,7 @@ export async function client() {
   return client;
 }
 
-/**
- * Follows the camera for a while, every frame of it handed over as soon as it is there.
- *
- * @param {number} duration_ms
- */
+/** Follows the camera for a while, every frame of it handed over as soon as it is there. @param {number} duration_ms */
 export async function watch(duration_ms) {
   const [vision, video] = await Promise.all([client(), camera()]);
   /** @type {Seen[]} */

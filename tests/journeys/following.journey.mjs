@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { FRAMES_PER_S, STILL_FRAMES, carried, placeIn, speedIn } from "./film-frames.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 
 /** @typedef {import("./following-page.mjs").Seen} Seen */
 
@@ -16,8 +16,9 @@ const WATCHED_MS = 9000;
 /** So long after the face has come to rest the smoothing has done so, too. */
 const SETTLED_FRAMES = 10;
 
-journey("a camera's face is followed: it rests where the film has it, and does not lag when it moves", async (open) => {
-  const { page } = await open({ before: bringFiles });
+test.use({ visit: { before: bringFiles } });
+
+test("a camera's face is followed: it rests where the film has it, and does not lag when it moves", { tag: "@moving-camera" }, async ({ page }) => {
   const seen = await page.evaluate(async (duration_ms) => {
     const { watch } = await import(new URL("film/following-page.mjs", document.baseURI).href);
     return watch(duration_ms);
@@ -38,10 +39,9 @@ journey("a camera's face is followed: it rests where the film has it, and does n
   assert.ok(lags_ms.length > 10, `${lags_ms.length} frames show it under way`);
   const lag = mean(lags_ms);
   assert.ok(Math.abs(lag) < 60, `it is ${lag} ms behind`);
-}, { needs: "moving-camera" });
+});
 
-journey("of frames that come at once the first and the last are answered, and no bitmap is left over", async (open) => {
-  const { page } = await open({ before: bringFiles });
+test("of frames that come at once the first and the last are answered, and no bitmap is left over", { tag: "@rare" }, async ({ page }) => {
   const { answered, left } = await page.evaluate(async () => {
     const { client } = await import(new URL("film/following-page.mjs", document.baseURI).href);
     const vision = await client();
@@ -53,10 +53,9 @@ journey("of frames that come at once the first and the last are answered, and no
   });
   assert.deepEqual(answered, [0, null, null, null, null, 165]);
   assert.equal(left, 0);
-}, { isRare: true });
+});
 
-journey("a large frame is read smaller, and its landmarks are where they are in it", async (open) => {
-  const { page } = await open({ before: bringFiles });
+test("a large frame is read smaller, and its landmarks are where they are in it", { tag: "@rare" }, async ({ page }) => {
   const [small, large] = await page.evaluate(async () => {
     const { client } = await import(new URL("film/following-page.mjs", document.baseURI).href);
     const vision = await client();
@@ -75,11 +74,9 @@ journey("a large frame is read smaller, and its landmarks are where they are in 
   // The middle of the first pixel is at 0 in both.
   const off = (axis) => mean(large.flatMap((at, index) => (index % 3 === axis ? [at - 3 * small[index] - 1] : [])));
   assert.ok(Math.abs(off(0)) < 0.5 && Math.abs(off(1)) < 0.5, `${off(0)}, ${off(1)} px of 1920 × 1440`);
-}, { isRare: true });
+});
 
-journey("whoever stops following is answered at once, and a worker that dies is said and replaced", async (open) => {
-  const visitor = await open({ before: bringFiles });
-  const { page } = visitor;
+test("whoever stops following is answered at once, and a worker that dies is said and replaced", async ({ visitor, page }) => {
   // The page's own workers are started by then.
   await visitor.untilLoaded();
   const told = await page.evaluate(async () => {
@@ -109,7 +106,7 @@ journey("whoever stops following is answered at once, and a worker that dies is 
 });
 
 /** These files are there for the page, beside its own. */
-async function bringFiles(/** @type {import("playwright-core").BrowserContext} */ context) {
+async function bringFiles(/** @type {import("@playwright/test").BrowserContext} */ context) {
   await context.route("**/film/**", (route) => {
     const [, name] = new URL(route.request().url()).pathname.split("/film/");
     return route.fulfill({ path: path.join(HERE, name) });

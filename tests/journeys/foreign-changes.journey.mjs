@@ -1,14 +1,14 @@
 import assert from "node:assert/strict";
 import { partsOfGlb, viewOf, withView } from "./changed-files.mjs";
 import { glbByCommandLine } from "./command-line.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { furthest } from "./meshes.mjs";
 import { meanColour } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 const DENSEST = 28_881;
 
-journey("a GLB of the command line's finest mesh opens, with an edit that waits, and is gone on with", async (open) => {
+test("a GLB of the command line's finest mesh opens, with an edit that waits, and is gone on with", { tag: "@rare" }, async ({ open }) => {
   const options = "--units mm --topology canonical --density 4 --edit 20000@4:0,0,2 --edit 1:0,0,6".split(" ");
   const glb = await glbByCommandLine(SAMPLE, options);
   const visitor = await open();
@@ -25,8 +25,7 @@ journey("a GLB of the command line's finest mesh opens, with an edit that waits,
   assert.equal(history.length, 2);
   assert.match(history[1], /^point 20,000/);
 
-  await visitor.findLandmark("bottom of the chin");
-  await visitor.offset("y", -6);
+  await visitor.move("bottom of the chin", "y", -6);
   const work = await visitor.meshJson("mm");
   assert.ok(furthest(found, work) > 3);
   assert.equal((await visitor.history()).length, 3);
@@ -34,14 +33,13 @@ journey("a GLB of the command line's finest mesh opens, with an edit that waits,
   assert.deepEqual(await visitor.meshJson("mm"), found);
   await page.click("#toolbar [data-action='redo']");
   await page.reload();
-  await page.click("#continue");
-  await visitor.untilFace();
+  await visitor.resume();
   assert.deepEqual(await visitor.meshJson("mm"), work);
   assert.equal((await visitor.history()).length, 3);
   assert.equal(await page.locator("#history .waits").count(), 1);
-}, { isRare: true });
+});
 
-journey("a GLB whose texture another program has halved opens with the photo in its place", async (open) => {
+test("a GLB whose texture another program has halved opens with the photo in its place", { tag: ["@eyes", "@rare"] }, async ({ open }) => {
   const { visitor, page, work } = await withAnEdit(open);
   const parts = partsOfGlb(await visitor.download("download-glb"));
   const at = parts.json.images[0].bufferView;
@@ -63,9 +61,9 @@ journey("a GLB whose texture another program has halved opens with the photo in 
       assert.ok(off < 8, `colours are ${off} levels off at ${left}, ${top}`);
     }
   }
-}, { needs: "eyes", isRare: true });
+});
 
-journey("a GLB whose shape another program has changed opens as it was saved, and the page says so", async (open) => {
+test("a GLB whose shape another program has changed opens as it was saved, and the page says so", async ({ open }) => {
   const { visitor, page, work } = await withAnEdit(open);
   const glb = await visitor.download("download-glb");
   const parts = partsOfGlb(glb);
@@ -86,9 +84,8 @@ journey("a GLB whose shape another program has changed opens as it was saved, an
 /** A visitor with one edit of the sample, and the mesh that it has led to. */
 async function withAnEdit(open) {
   const visitor = await open();
-  await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 6);
+  await visitor.openFace();
+  await visitor.move("nose tip", "z", 6);
   return { visitor, page: visitor.page, work: await visitor.meshJson("mm") };
 }
 

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 
 const picture = (name) => readFile(new URL(`pictures/${name}`, import.meta.url));
 
@@ -10,8 +10,7 @@ const CHIN = { landmark: 152, x: 0.5, y: 0.9 };
 /** A hundredth of the photo's height is 2 px. */
 const NEAR = 0.04;
 
-journey("an AVIF, which the browser decodes, becomes a face, upright and in its colours", async (open) => {
-  const visitor = await open();
+test("an AVIF, which the browser decodes, becomes a face, upright and in its colours", async ({ visitor }) => {
   await visitor.drop(await picture("drawn-face.avif"), "me.avif");
   await visitor.untilFace();
   assert.ok(await visitor.page.isHidden("#notice"));
@@ -24,8 +23,7 @@ journey("an AVIF, which the browser decodes, becomes a face, upright and in its 
   assert.ok(red > green + 20 && green > blue + 10, `the nose has the colour ${red}, ${green}, ${blue}`);
 });
 
-journey("an AVIF that is too large, or broken, gets its message, and the page works on", async (open) => {
-  const visitor = await open();
+test("an AVIF that is too large, or broken, gets its message, and the page works on", { tag: "@rare" }, async ({ visitor }) => {
   const whole = await picture("drawn-face.avif");
   await visitor.drop(whole, "me.avif");
   await visitor.untilFace();
@@ -40,4 +38,4 @@ journey("an AVIF that is too large, or broken, gets its message, and the page wo
     await visitor.page.click("#notice-close");
     assert.deepEqual(await visitor.meshJson("mm"), work);
   }
-}, { isRare: true });
+});

@@ -1,19 +1,20 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { alike, journey } from "./journey.mjs";
-import { asJpeg, twice } from "./pictures.mjs";
+import { alike, test } from "./fixtures.mjs";
+import { chooseFace, openGroup } from "./groups.mjs";
+import { asJpeg } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-for (const [what, fileOf] of alike(/** @type {const} */ ([
+for (const [[what, fileOf], tag] of alike(/** @type {const} */ ([
   ["photo", async ({ page }) => ({ bytes: await asJpeg(page, await readFile(SAMPLE)), name: "new.jpg" })],
   ["project", async (visitor) => ({ bytes: await visitor.download("save-project"), name: "new.rosto" })],
   ["GLB", async (visitor) => ({ bytes: await visitor.download("download-glb"), name: "new.glb" })],
 ]))) {
-  journey(`after a new ${what} no control shows what was selected, typed or scrolled before`, async (open) => {
-    const visitor = await open({ viewport: { width: 1024, height: 480 } });
+  test(`after a new ${what} no control shows what was selected, typed or scrolled before`, { tag }, async ({ open }) => {
+    const visitor = await open({ viewport: { width: 1024, height: 480 }, hasClock: true });
     const { page } = visitor;
     await visitor.untilLoaded();
-    await visitor.dropSample();
+    await visitor.openFace();
     const { bytes, name } = await fileOf(visitor);
     const fresh = await controls(page);
 
@@ -39,16 +40,14 @@ for (const [what, fileOf] of alike(/** @type {const} */ ([
 
     // What was typed for the face before does not come upon this one later.
     await page.locator("#symmetrise-share").focus();
-    await page.waitForTimeout(1000);
+    await page.clock.runFor(1000);
     assert.deepEqual(await visitor.history(), []);
     assert.equal(await visitor.sliderValue("nose-width"), 0);
   });
 }
 
-journey("a search that was not entered is gone with its face", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("a search that was not entered is gone with its face", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.unfold("section-landmark");
   const help = await page.innerText("#landmark-help");
   await page.fill("#landmark-search", "no such place");
@@ -61,19 +60,15 @@ journey("a search that was not entered is gone with its face", async (open) => {
   assert.equal(await page.innerText("#landmark-help"), help);
   assert.ok(!(await page.locator("#landmark-search").evaluate((field) => field.hasAttribute("aria-invalid"))));
   assert.ok(await page.isHidden("#notice"));
-}, { isRare: true });
+});
 
-journey("another face of a group leaves the visitor at the tab where they are", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.drop(await twice(page, await readFile(SAMPLE)), "group.png");
-  await page.waitForSelector("#face-choice:not([hidden])");
-  await visitor.untilFace();
+test("another face of a group leaves the visitor at the tab where they are", async ({ visitor, page }) => {
+  await openGroup(visitor);
   await visitor.findLandmark("nose tip");
   await visitor.unfold("section-face");
   await page.fill("#symmetrise-share", "80");
   await visitor.unfold("section-view");
-  await page.locator("#face-options input").nth(1).click({ force: true });
+  await chooseFace(visitor, 1);
   await page.waitForFunction(() => document.getElementById("symmetrise-share").value === "50");
   const { tab, search } = await controls(page);
   assert.deepEqual({ tab, search }, { tab: "view", search: "" });

@@ -1,75 +1,49 @@
 import assert from "node:assert/strict";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
+import { crashGpu, watchGpus } from "./watches.mjs";
 
-for (const { drawn, needs } of alike([
+for (const [{ drawn, needs }, tag] of alike([
   { drawn: "WebGPU", needs: "eyes" },
   { drawn: "WebGL2", needs: "webgl" },
 ])) {
-  journey(
-    `when the graphics process crashes under ${drawn}, the view comes back by itself and the work goes on`,
-    async (open) => {
-      const visitor = await open({ before: (context) => context.addInitScript(countGpus) });
-      const { page } = visitor;
-      await visitor.dropSample();
-      await visitor.findLandmark("nose tip");
-      await visitor.offset("z", 9);
-      const before = { view: await visitor.view(), mesh: await visitor.meshJson("mm") };
-      const gpus = await page.evaluate("gpus");
-      const browser = await page.context().browser().newBrowserCDPSession();
-      await browser.send("Browser.crashGpuProcess");
-      await page.waitForFunction((gpus) => globalThis.gpus > gpus, gpus);
-      assert.ok(difference(before.view, await visitor.view()) < 0.001, "the view is not what it was");
-      assert.deepEqual(await visitor.meshJson("mm"), before.mesh);
-      await visitor.offset("y", 9);
-      assert.ok(difference(before.view, await visitor.view()) > 0.002, "the picture no longer follows");
-      await page.click("#toolbar [data-action='undo']");
-      assert.deepEqual(await visitor.meshJson("mm"), before.mesh);
-      assert.ok(await page.isHidden("#notice"));
-    },
-    { needs },
-  );
-}
-
-journey(
-  "while WebGL2 stays away the page says so and edits go on, and they show when it is back",
-  async (open) => {
-    const visitor = await open();
+  test(`when the graphics process crashes under ${drawn}, the view comes back by itself and the work goes on`, { tag: [...tag, `@${needs}`] }, async ({ open }) => {
+    const visitor = await open({ scripts: [watchGpus] });
     const { page } = visitor;
-    await visitor.dropSample();
-    await visitor.findLandmark("nose tip");
-    const found = await visitor.view();
-    const extension = await page.evaluateHandle(() => {
-      const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("viewport"));
-      return canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
-    });
-    await extension.evaluate((extension) => extension.loseContext());
+    await visitor.openFace();
+    await visitor.move("nose tip", "z", 9);
+    const before = { view: await visitor.view(), mesh: await visitor.meshJson("mm") };
+    const gpus = await page.evaluate("gpus.length");
+    await crashGpu(page);
+    await page.waitForFunction((gpus) => window.gpus.length > gpus, gpus);
+    assert.ok(difference(before.view, await visitor.view()) < 0.001, "the view is not what it was");
+    assert.deepEqual(await visitor.meshJson("mm"), before.mesh);
     await visitor.offset("y", 9);
-    const { code, text } = await visitor.notice();
-    assert.equal(code, "device-lost");
-    assert.match(text, /work is kept/);
-    assert.deepEqual(await visitor.history(), ["nose tip · 1"]);
-    await extension.evaluate((extension) => extension.restoreContext());
-    await page.waitForSelector("#notice", { state: "hidden" });
-    const moved = await visitor.view();
-    assert.ok(difference(found, moved) > 0.002, "the edit does not show");
+    assert.ok(difference(before.view, await visitor.view()) > 0.002, "the picture no longer follows");
     await page.click("#toolbar [data-action='undo']");
-    assert.ok(difference(found, await visitor.view()) < 0.001, "the face is not what it was");
-  },
-  { needs: "webgl" },
-);
-
-/** Runs in the page: counts in `gpus` what the page has been given to draw with since it was opened. */
-function countGpus() {
-  const page = /** @type {{ gpus: number }} */ (/** @type {unknown} */ (globalThis));
-  page.gpus = 0;
-  addEventListener("webglcontextrestored", () => (page.gpus += 1), { capture: true });
-  const { GPUAdapter } = globalThis;
-  const ask = GPUAdapter?.prototype.requestDevice;
-  if (!ask) return;
-  GPUAdapter.prototype.requestDevice = async function (...wishes) {
-    const device = await ask.apply(this, wishes);
-    page.gpus += 1;
-    return device;
-  };
+    assert.deepEqual(await visitor.meshJson("mm"), before.mesh);
+    assert.ok(await page.isHidden("#notice"));
+  });
 }
+
+test("while WebGL2 stays away the page says so and edits go on, and they show when it is back", { tag: "@webgl" }, async ({ visitor, page }) => {
+  await visitor.openFace();
+  await visitor.findLandmark("nose tip");
+  const found = await visitor.view();
+  const extension = await page.evaluateHandle(() => {
+    const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("viewport"));
+    return canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
+  });
+  await extension.evaluate((extension) => extension.loseContext());
+  await visitor.offset("y", 9);
+  const { code, text } = await visitor.notice();
+  assert.equal(code, "device-lost");
+  assert.match(text, /work is kept/);
+  assert.deepEqual(await visitor.history(), ["nose tip · 1"]);
+  await extension.evaluate((extension) => extension.restoreContext());
+  await page.waitForSelector("#notice", { state: "hidden" });
+  const moved = await visitor.view();
+  assert.ok(difference(found, moved) > 0.002, "the edit does not show");
+  await page.click("#toolbar [data-action='undo']");
+  assert.ok(difference(found, await visitor.view()) < 0.001, "the face is not what it was");
+});

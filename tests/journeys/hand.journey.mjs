@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { meshByCommandLine } from "./command-line.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { assertSameMesh, furthest, way } from "./meshes.mjs";
 import { colourCount, difference, differenceNear } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
@@ -12,10 +12,8 @@ const DENSEST = 28_881;
 /** The corners of the mouth, right and left. */
 const MOUTH_CORNERS = [61, 291];
 
-journey("the pointer over a landmark marks it and names it, and lets go of it beside the face", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("the pointer over a landmark marks it and names it, and lets go of it beside the face", { tag: "@eyes" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   const tip = await visitor.tagged();
   const beside = await visitor.besideTheFace();
@@ -32,12 +30,10 @@ journey("the pointer over a landmark marks it and names it, and lets go of it be
   await visitor.frames(2);
   assert.ok(await page.isHidden("#landmark-tag"));
   assert.equal(await visitor.cursor(), "grab");
-}, { needs: "eyes" });
+});
 
-journey("a landmark follows the pointer in the view plane, slowly with Shift, and glows as it goes", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("a landmark follows the pointer in the view plane, slowly with Shift, and glows as it goes", { tag: "@eyes" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   const tip = await visitor.tagged();
   const start = await visitor.meshJson("mm");
@@ -60,12 +56,10 @@ journey("a landmark follows the pointer in the view plane, slowly with Shift, an
   await page.keyboard.up("Shift");
   const fine = way(moved, await visitor.meshJson("mm"), NOSE_TIP);
   assert.ok(Math.abs(fine[1] / usual[1] - 0.1) < 0.02, `${fine[1]} mm beside ${usual[1]}`);
-}, { needs: "eyes" });
+});
 
-journey("X, Y and Z keep a drag to an axis, and Escape puts everything back", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("X, Y and Z keep a drag to an axis, and Escape puts everything back", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.reach("#mirror");
   await page.uncheck("#mirror");
   await visitor.findLandmark("nose tip");
@@ -100,12 +94,10 @@ journey("X, Y and Z keep a drag to an axis, and Escape puts everything back", as
   await page.focus("#viewport");
   await page.keyboard.press("Escape");
   assert.ok(await page.isHidden("#landmark-tag"), "Escape did not let go");
-}, { needs: "eyes", isRare: true });
+});
 
-journey("the wheel widens and narrows the reach of a drag, which stays one edit", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("the wheel widens and narrows the reach of a drag, which stays one edit", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   const tip = await visitor.tagged();
   const start = await visitor.meshJson("mm");
@@ -137,12 +129,10 @@ journey("the wheel widens and narrows the reach of a drag, which stays one edit"
     // No way along the skin is shorter than the straight one.
     if (apart_mm > radii_mm[2]) assert.ok(moved_mm < 1e-6, `vertex ${vertex}, ${apart_mm} mm away, moved by ${moved_mm} mm`);
   }
-}, { needs: "eyes", isRare: true });
+});
 
-journey("the other side follows where the mirror is on, and its plane is a hairline while a drag runs", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("the other side follows where the mirror is on, and its plane is a hairline while a drag runs", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.findLandmark(String(MOUTH_CORNERS[0]));
   const start = await visitor.meshJson("mm");
   await visitor.offset("x", -4);
@@ -169,12 +159,10 @@ journey("the other side follows where the mirror is on, and its plane is a hairl
   assert.equal(await whileDragging(), 0, "a plane is drawn without the mirror");
   await visitor.offset("x", -4);
   assert.ok(Math.abs(way(start, await visitor.meshJson("mm"), MOUTH_CORNERS[1])[0]) < 2);
-}, { needs: "eyes", isRare: true });
+});
 
-journey("a click with Alt pins a landmark, which then stays, and unpins it", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("a click with Alt pins a landmark, which then stays, and unpins it", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.findLandmark(String(MOUTH_CORNERS[0]));
   const corner = await visitor.tagged();
   await visitor.findLandmark("nose tip");
@@ -190,12 +178,10 @@ journey("a click with Alt pins a landmark, which then stays, and unpins it", asy
   await page.mouse.click(corner.x, corner.y);
   await page.keyboard.up("Alt");
   assert.ok(!(await visitor.anchors()).includes(MOUTH_CORNERS[0]));
-}, { needs: "eyes", isRare: true });
+});
 
-journey("every operator and constraint says in a line what it does, and does what the command line does", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("every operator and constraint says in a line what it does, and does what the command line does", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   const said = new Set();
   const operators = await page.locator("#operator option").evaluateAll((options) => options.map((option) => option.value));
@@ -217,12 +203,10 @@ journey("every operator and constraint says in a line what it does, and does wha
   assert.ok(!(await page.isChecked("input[name='preset'][value='paper']")));
   await visitor.prefer("sculpt");
   assert.equal(await page.inputValue("#operator"), "cotangent");
-}, { isRare: true });
+});
 
-journey("a landmark is dragged on the densest mesh as on the coarse one", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("a landmark is dragged on the densest mesh as on the coarse one", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await page.selectOption("#density", "3", { force: true });
   await visitor.findLandmark("nose tip");
   const tip = await visitor.tagged();
@@ -243,4 +227,4 @@ journey("a landmark is dragged on the densest mesh as on the coarse one", async 
   assert.ok(furthest_mm < 1.5 * Math.hypot(...way(start, moved, NOSE_TIP)), `a vertex went ${furthest_mm} mm`);
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await visitor.meshJson("mm"), start);
-}, { needs: "eyes", isRare: true });
+});

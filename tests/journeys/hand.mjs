@@ -2,7 +2,7 @@
 
 const STEPS = 6;
 
-/** @type {WeakMap<import("playwright-core").Page, Hand>} */
+/** @type {WeakMap<import("@playwright/test").Page, Hand>} */
 const HANDS = new WeakMap();
 
 /** What a visitor points with: a finger where the window takes one, else the mouse. It may stay down for as long as it likes. */
@@ -17,7 +17,7 @@ export class Hand {
     return hand;
   }
 
-  /** @param {import("playwright-core").Page} page @param {import("playwright-core").CDPSession} [touch] */
+  /** @param {import("@playwright/test").Page} page @param {import("@playwright/test").CDPSession} [touch] */
   constructor(page, touch) {
     this.page = page;
     this.touch = touch;

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
 import { photoByCommandLine } from "./command-line.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { asJpeg } from "./pictures.mjs";
 import { difference, differenceNear, differingBox, largestStep } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
@@ -14,16 +14,14 @@ const REACH = { left: 120, top: 20, right: 320, bottom: 250 };
 
 const sample = async () => PNG.sync.read(await readFile(SAMPLE));
 
-journey("without an edit the photo leaves the page as it came, byte for byte", async (open) => {
-  const visitor = await open();
+test("without an edit the photo leaves the page as it came, byte for byte", async ({ visitor }) => {
   await visitor.dropSample();
   const file = PNG.sync.read(await visitor.download("download-photo-png"));
   assert.deepEqual(Buffer.from(file.data), Buffer.from((await sample()).data));
 });
 
-journey("an edit changes the photo where the face is, and nothing beyond the ring", async (open) => {
-  const visitor = await open();
-  await visitor.dropSample();
+test("an edit changes the photo where the face is, and nothing beyond the ring", async ({ visitor }) => {
+  await visitor.openFace();
   await visitor.slide("nose-width", -4);
   await visitor.slide("jaw-width", -6);
   const before = await sample();
@@ -33,9 +31,8 @@ journey("an edit changes the photo where the face is, and nothing beyond the rin
   assert.ok(box.left >= REACH.left && box.top >= REACH.top && box.right <= REACH.right && box.bottom <= REACH.bottom, JSON.stringify(box));
 });
 
-journey("a wider ring gives way further, and a narrow one less", async (open) => {
-  const visitor = await open();
-  await visitor.dropSample();
+test("a wider ring gives way further, and a narrow one less", { tag: "@rare" }, async ({ visitor }) => {
+  await visitor.openFace();
   await visitor.slide("face-length", 8);
   const widths = [];
   for (const share of [10, 35, 80]) {
@@ -46,10 +43,9 @@ journey("a wider ring gives way further, and a narrow one less", async (open) =>
     widths.push(right - left);
   }
   assert.ok(widths[0] + 20 < widths[1] && widths[1] + 20 < widths[2], JSON.stringify(widths));
-}, { isRare: true });
+});
 
-journey("the page and the command line write the same photo", async (open) => {
-  const visitor = await open();
+test("the page and the command line write the same photo", async ({ visitor }) => {
   await visitor.dropSample();
   await visitor.slide("nose-width", -4);
   await visitor.slide("chin-length", 6);
@@ -59,9 +55,8 @@ journey("the page and the command line write the same photo", async (open) => {
   assert.ok(step <= 1, String(step));
 });
 
-journey("the face seen from further away, from nearer, and as it was taken", async (open) => {
-  const visitor = await open();
-  await visitor.dropSample();
+test("the face seen from further away, from nearer, and as it was taken", { tag: "@rare" }, async ({ visitor }) => {
+  await visitor.openFace();
   const photos = [];
   for (const cm of [30, 300]) {
     await visitor.unfold("section-in-photo");
@@ -75,10 +70,9 @@ journey("the face seen from further away, from nearer, and as it was taken", asy
   await visitor.unfold("section-in-photo");
   await visitor.page.click("#seen-as-taken");
   assert.equal(difference(PNG.sync.read(await visitor.download("download-photo-png")), await sample()), 0);
-}, { isRare: true });
+});
 
-journey("a transparent photo leaves the page transparent as a PNG, and over white as a JPEG", async (open) => {
-  const visitor = await open();
+test("a transparent photo leaves the page transparent as a PNG, and over white as a JPEG", async ({ visitor }) => {
   const before = await sample();
   const transparent = (/** @type {number} */ x) => x >= before.width - 100;
   for (let pixel = 0; pixel < before.width * before.height; pixel++) {
@@ -100,8 +94,7 @@ journey("a transparent photo leaves the page transparent as a PNG, and over whit
   assert.ok(Math.min(red, green, blue) > 250, `${red}, ${green}, ${blue}`);
 });
 
-journey("a JPEG comes out upright and says nothing of where it was taken", async (open) => {
-  const visitor = await open();
+test("a JPEG comes out upright and says nothing of where it was taken", async ({ visitor }) => {
   const jpeg = withExif(await asJpeg(visitor.page, await readFile(SAMPLE)));
   await visitor.drop(jpeg, "selfie.jpg");
   await visitor.untilFace();
@@ -117,8 +110,7 @@ journey("a JPEG comes out upright and says nothing of where it was taken", async
   assert.deepEqual(size, { width: 512, height: 512 });
 });
 
-journey("a photo of twelve megapixels comes out whole", async (open) => {
-  const visitor = await open();
+test("a photo of twelve megapixels comes out whole", async ({ visitor }) => {
   const jpeg = await asJpeg(visitor.page, await readFile(SAMPLE), { width: 4000, height: 3000 });
   await visitor.drop(jpeg, "large.jpg");
   await visitor.untilFace();
@@ -130,11 +122,7 @@ journey("a photo of twelve megapixels comes out whole", async (open) => {
   assert.ok(box.right - box.left > 150 && box.right - box.left < 1800, JSON.stringify(box));
 });
 
-/**
- * A JPEG with an EXIF segment that says where it was taken, as text.
- *
- * @param {Buffer} jpeg
- */
+/** A JPEG with an EXIF segment that says where it was taken, as text. @param {Buffer} jpeg */
 function withExif(jpeg) {
   const tiff = Buffer.concat([Buffer.from("Exif\0\0MM\0\x2a\0\0\0\x08\0\0\0\0\0\0", "latin1"), Buffer.from("GPS Somewhere")]);
   const head = Buffer.from([0xff, 0xe1, 0, 0]);

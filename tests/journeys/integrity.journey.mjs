@@ -1,69 +1,60 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { faceless } from "./pictures.mjs";
-import { DIST, serve } from "./server.mjs";
+import { DIST } from "./server.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 /** What the worker cannot do without. */
 const OF_THE_WORKER = ["assets/face_detector.onnx", "assets/face_landmarks_attention.onnx", "wasm/rosto-vision-web_bg.wasm"];
 
-for (const file of alike(OF_THE_WORKER)) {
-  journey(`a ${path.extname(file)} of which one bit is another is not used (${path.basename(file)}), and nothing is lost`, async (open) => {
-    await withServer(async (server) => {
-      const visitor = await open({ url: server.url });
-      const { page } = visitor;
-      await visitor.dropSample();
-      await visitor.findLandmark("nose tip");
-      await visitor.offset("z", 7);
-      const work = await visitor.meshJson("mm");
-
-      const asked = await damage(server, file);
-      const [dying] = page.workers();
-      const next = page.waitForEvent("worker");
-      await dying.evaluate(() => self.close()).catch(() => {});
-      await next;
-      await visitor.drop(faceless(), "next.png");
-      const { code, text } = await visitor.notice();
-      assert.equal(code, "not-as-built");
-      assert.match(text, /not the one that was built.*Reload the page.*what you had is still here/s);
-      assert.ok(asked.length >= 2, "it was not asked for once more");
-      await visitor.speak("pt");
-      assert.match((await visitor.notice()).text, /não é a que foi construída.*Recarregue/s);
-      await visitor.speak("en");
-      assert.deepEqual(await visitor.meshJson("mm"), work);
-
-      server.disturb();
-      await visitor.drop(await readFile(SAMPLE), "portrait.png");
-      await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
-      await visitor.untilFace();
-    });
-  });
-}
-
-for (const file of alike(["wasm/rosto-studio-web_bg.wasm", "integrity.json"])) {
-  journey(`a visitor's first page with a damaged ${path.basename(file)} says what is the matter`, async (open) => {
-    await withServer(async (server) => {
-      await damage(server, file);
-      const visitor = await open({ url: server.url });
-      assert.equal((await visitor.notice()).code, "not-as-built");
-      server.disturb();
-      await visitor.page.reload();
-      await visitor.page.waitForSelector("body[data-bench='open']");
-      assert.ok(await visitor.page.isHidden("#notice"));
-    });
-  });
-}
-
-journey("one damaged answer is asked for again, and nobody notices", async (open) => {
-  await withServer(async (server) => {
-    const asked = await damage(server, OF_THE_WORKER[0], 1);
-    const visitor = await open({ url: server.url });
+for (const [file, tag] of alike(OF_THE_WORKER)) {
+  test(`a ${path.extname(file)} of which one bit is another is not used (${path.basename(file)}), and nothing is lost`, { tag }, async ({ visitor, page, server }) => {
     await visitor.dropSample();
-    assert.ok(asked.length >= 2);
+    await visitor.move("nose tip", "z", 7);
+    const work = await visitor.meshJson("mm");
+
+    const asked = await damage(server, file);
+    const [dying] = page.workers();
+    const next = page.waitForEvent("worker");
+    await dying.evaluate(() => self.close()).catch(() => {});
+    await next;
+    await visitor.drop(faceless(), "next.png");
+    const { code, text } = await visitor.notice();
+    assert.equal(code, "not-as-built");
+    assert.match(text, /not the one that was built.*Reload the page.*what you had is still here/s);
+    assert.ok(asked.length >= 2, "it was not asked for once more");
+    await visitor.speak("pt");
+    assert.match((await visitor.notice()).text, /não é a que foi construída.*Recarregue/s);
+    await visitor.speak("en");
+    assert.deepEqual(await visitor.meshJson("mm"), work);
+
+    server.disturb();
+    await visitor.drop(await readFile(SAMPLE), "portrait.png");
+    await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
+    await visitor.untilFace();
+  });
+}
+
+for (const [file, tag] of alike(["wasm/rosto-studio-web_bg.wasm", "integrity.json"])) {
+  test(`a visitor's first page with a damaged ${path.basename(file)} says what is the matter`, { tag }, async ({ open, server }) => {
+    await damage(server, file);
+    const visitor = await open();
+    assert.equal((await visitor.notice()).code, "not-as-built");
+    server.disturb();
+    await visitor.page.reload();
+    await visitor.page.waitForSelector("body[data-bench='open']");
     assert.ok(await visitor.page.isHidden("#notice"));
   });
+}
+
+test("one damaged answer is asked for again, and nobody notices", async ({ open, server }) => {
+  const asked = await damage(server, OF_THE_WORKER[0], 1);
+  const visitor = await open();
+  await visitor.dropSample();
+  assert.ok(asked.length >= 2);
+  assert.ok(await visitor.page.isHidden("#notice"));
 });
 
 /**
@@ -88,14 +79,4 @@ async function damage(server, file, times = Infinity) {
     return true;
   });
   return asked;
-}
-
-/** @param {(server: Awaited<ReturnType<typeof serve>>) => Promise<void>} use */
-async function withServer(use) {
-  const server = await serve(DIST, "/checked/");
-  try {
-    await use(server);
-  } finally {
-    server.close();
-  }
 }

@@ -1,23 +1,21 @@
 import assert from "node:assert/strict";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
+import { untilKept } from "./kept.mjs";
 import { Visitor } from "./visitor.mjs";
+import { refuseDatabase } from "./watches.mjs";
 
-journey("an edit a moment before a reload, or before the tab is closed, is kept", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("an edit a moment before a reload, or before the tab is closed, is kept", async ({ visitor, page }) => {
   const address = page.url();
-  await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 3);
-  await page.waitForTimeout(600);
+  await visitor.openFace();
+  await visitor.move("nose tip", "z", 3);
+  await untilKept(page);
 
   await typeAndGo(page, 7, "reload");
   await page.waitForSelector("#continue:not([hidden])");
-  await page.click("#continue");
-  await visitor.untilFace();
+  await visitor.resume();
   assert.equal(await noseOut(visitor), 7);
 
-  await page.waitForTimeout(600);
+  await untilKept(page);
   const other = await page.context().newPage();
   await typeAndGo(page, -5, "stay");
   await page.close({ runBeforeUnload: true });
@@ -32,41 +30,39 @@ journey("an edit a moment before a reload, or before the tab is closed, is kept"
   next.checkNothingBroke();
 });
 
-journey("an edit is kept however long before the reload it was made", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("an edit is kept however long before the reload it was made", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   // Around the pause after which the database is told, it has been asked and has not answered.
   for (const [place, wait_ms] of [185, 200, 205, 210, 220, 240].entries()) {
     await visitor.findLandmark("nose tip");
     await typeAndGo(page, place + 2, "reload", wait_ms);
-    await page.click("#continue");
-    await visitor.untilFace();
+    await visitor.resume();
     assert.equal(await noseOut(visitor), place + 2, `${wait_ms} ms`);
   }
-}, { isRare: true });
+});
 
-for (const [how, refuse] of alike(/** @type {const} */ ([
-  ["throws", refuseByThrowing],
+for (const [[how, refuse], tag] of alike(/** @type {const} */ ([
+  ["throws", refuseDatabase],
   ["answers with an error", refuseByError],
   ["is full", refuseByFullness],
 ]))) {
-  journey(`where the database ${how}, the page says once that nothing is kept, and the work goes on`, async (open) => {
-    const visitor = await open({ before: (context) => context.addInitScript(refuse) });
+  test(`where the database ${how}, the page says once that nothing is kept, and the work goes on`, { tag }, async ({ open }) => {
+    const visitor = await open({ scripts: [refuse] });
     const { page } = visitor;
-    await visitor.dropSample();
+    await visitor.openFace();
     await page.waitForSelector("#notice[data-code='not-kept']");
     assert.match((await visitor.notice()).text, /keeps nothing\s+Save the project/);
     await page.keyboard.press("Escape");
     await page.waitForSelector("#notice", { state: "hidden" });
 
     const found = await visitor.meshJson("mm");
-    await visitor.findLandmark("nose tip");
-    await visitor.offset("z", 9);
+    const refusals = await page.evaluate("refusals");
+    await visitor.move("nose tip", "z", 9);
     const work = await visitor.meshJson("mm");
     assert.notDeepEqual(work, found);
-    await page.waitForTimeout(600);
+    await page.waitForFunction((before) => globalThis.refusals > before, refusals);
+    await visitor.frames(2);
     assert.ok(await page.isHidden("#notice"), "it is said again");
     const project = await visitor.download("save-project");
     await page.click("#toolbar [data-action='undo']");
@@ -104,15 +100,11 @@ async function typeAndGo(page, offset_mm, next, wait_ms = 0) {
   await (gone ? Promise.all([gone, typed.catch(() => {})]) : typed);
 }
 
-/** Runs in the page, as everything below: as some browsers do in private windows. */
-function refuseByThrowing() {
-  IDBFactory.prototype.open = () => {
-    throw new DOMException("The operation is insecure.", "SecurityError");
-  };
-}
-
+/** Runs in the page, as everything below, and counts in `refusals`. */
 function refuseByError() {
+  globalThis.refusals = 0;
   IDBFactory.prototype.open = () => {
+    globalThis.refusals += 1;
     const request = Object.create(IDBOpenDBRequest.prototype, {
       error: { value: new DOMException("A mutation operation was attempted on a database that did not allow mutations.", "InvalidStateError") },
       onerror: { value: null, writable: true },
@@ -126,7 +118,9 @@ function refuseByError() {
 }
 
 function refuseByFullness() {
+  globalThis.refusals = 0;
   IDBObjectStore.prototype.put = () => {
+    globalThis.refusals += 1;
     throw new DOMException("The disk is full.", "QuotaExceededError");
   };
 }

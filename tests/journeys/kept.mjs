@@ -1,9 +1,11 @@
+import { expect } from "@playwright/test";
+
 /** @typedef {{ slot: string, name: string | undefined, isHeld: boolean, edits: string, order: number }} Kept */
 
 /**
- * The works in the browser's database that have a face, what was done to it, and whether a tab has it open.
+ * Works in the browser's database that have a face, what was done to it, and whether a tab has it open.
  *
- * @param {import("playwright-core").Page} page
+ * @param {import("@playwright/test").Page} page
  * @returns {Promise<Kept[]>}
  */
 export function keptWorks(page) {
@@ -20,4 +22,31 @@ export function keptWorks(page) {
     const works = slots.map((slot, place) => ({ slot, ...done[place], name: face(slot)?.name, isHeld: isHeld(slot) }));
     return works.filter(({ slot }) => keys.includes(slot));
   });
+}
+
+/**
+ * Waits until the database has everything that was done on a page. The page writes it as soon as it is hidden.
+ *
+ * @param {import("@playwright/test").Page} page
+ * @param {number} [count] least number of kept works
+ */
+export async function untilKept(page, count = 1) {
+  const unkept = await page.evaluate(hide);
+  await expect(async () => {
+    const works = await keptWorks(page);
+    expect(works.length).toBeGreaterThanOrEqual(count);
+    if (unkept) expect(works).toContainEqual(expect.objectContaining(unkept));
+  }).toPass({ timeout: 20_000 });
+}
+
+/** Runs in the page. @returns the work as it has to be kept; nothing if it is kept already */
+function hide() {
+  const before = { ...localStorage };
+  Object.defineProperty(document, "visibilityState", { configurable: true, get: () => "hidden" });
+  document.dispatchEvent(new Event("visibilitychange"));
+  Reflect.deleteProperty(document, "visibilityState");
+  const spoken = Object.keys(localStorage).find((key) => key.startsWith("rosto-last-words-") && localStorage[key] !== before[key]);
+  if (!spoken) return undefined;
+  const { order: _, ...unkept } = JSON.parse(localStorage[spoken]);
+  return unkept;
 }

@@ -1,10 +1,8 @@
 import assert from "node:assert/strict";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
 
-journey("everything from photo to file by keyboard alone", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("everything from photo to file by keyboard alone", async ({ visitor, page }) => {
   await visitor.untilLoaded();
 
   await page.focus("#drop-zone");
@@ -44,10 +42,8 @@ journey("everything from photo to file by keyboard alone", async (open) => {
   assert.equal(await page.inputValue("#landmark-sliders [data-axis='y'] input[type=number]"), "0");
 });
 
-journey("the first stop of the keyboard leads past everything to the search, whichever tab hides it", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("the first stop of the keyboard leads past everything to the search, whichever tab hides it", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await page.keyboard.press("Tab");
   assert.ok(await page.evaluate(() => document.activeElement?.matches(".skip-link")), "the first stop is another");
   await page.keyboard.press("Enter");
@@ -60,12 +56,10 @@ journey("the first stop of the keyboard leads past everything to the search, whi
   await page.keyboard.type("bottom of the chin");
   await page.keyboard.press("Enter");
   assert.equal(await visitor.landmark(), 152);
-}, { isRare: true });
+});
 
-journey("a question mark lists the keys, but not where text is typed", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("a question mark lists the keys, but not where text is typed", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await page.focus("#landmark-search");
   await page.keyboard.press("?");
   assert.equal(await page.inputValue("#landmark-search"), "?");
@@ -77,12 +71,10 @@ journey("a question mark lists the keys, but not where text is typed", async (op
   assert.ok(await page.isHidden("#keys"));
   await page.click("[data-action='open-keys']");
   assert.ok(await page.isVisible("#keys"));
-}, { isRare: true });
+});
 
-journey("the camera follows the keys while the view has the focus", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("the camera follows the keys while the view has the focus", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await page.focus("#viewport");
   const start = await visitor.view();
   for (const key of ["ArrowLeft", "Control+Shift+ArrowUp", "Alt+ArrowUp", "l", "t", "w"]) {
@@ -96,7 +88,7 @@ journey("the camera follows the keys while the view has the focus", async (open)
   await page.keyboard.press("Alt+ArrowDown");
   await page.keyboard.press("Space");
   assert.ok(difference(start, await visitor.view()) < 0.001, "Space did not reset the view");
-}, { needs: "eyes", isRare: true });
+});
 
 /** What Tab reaches with each of the panel's tabs, beside what stands on each of them. */
 const STOPS = {
@@ -106,13 +98,10 @@ const STOPS = {
 };
 const EVERYWHERE = ["viewport", "undo", "language", "theme", "open-keys", "open-credits", "download-glb"];
 
-for (const [tab, stops] of alike(Object.entries(STOPS))) {
-  journey(`Tab goes through everything on the tab ${tab}, and shows the whole of a ring around where it is`, async (open) => {
-    const visitor = await open();
-    const { page } = visitor;
-    await visitor.dropSample();
-    await visitor.findLandmark("nose tip");
-    await visitor.offset("z", 3);
+for (const [[tab, stops], tag] of alike(Object.entries(STOPS))) {
+  test(`Tab goes through everything on the tab ${tab}, and shows the whole of a ring around where it is`, { tag }, async ({ visitor, page }) => {
+    await visitor.openFace();
+    await visitor.move("nose tip", "z", 3);
     await visitor.unfold("section-paper");
     await page.click(`#tab-${tab}`);
     await page.focus(".skip-link");
@@ -130,10 +119,10 @@ for (const [tab, stops] of alike(Object.entries(STOPS))) {
   });
 }
 
-journey("in a dialog the ring is whole, too", async (open) => {
+test("in a dialog the ring is whole, too", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ viewport: { width: 720, height: 450 } });
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   for (const dialog of ["keys", "credits"]) {
     await page.evaluate((dialog) => document.querySelector(`[data-action='open-${dialog}']`).click(), dialog);
     await page.keyboard.press("Tab");
@@ -143,7 +132,7 @@ journey("in a dialog the ring is whole, too", async (open) => {
     await page.keyboard.press("Enter");
     assert.ok(await page.isHidden(`#${dialog}`));
   }
-}, { isRare: true });
+});
 
 /**
  * What has the focus: a name for it, whether it had the focus before, whether an outline shows it, whether it is in the

@@ -1,41 +1,41 @@
 import assert from "node:assert/strict";
+import { expect } from "@playwright/test";
 import { AUDIENCES } from "./audiences.mjs";
 import { findings } from "./boxes.mjs";
 import { chinFindings } from "./chin.mjs";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { STATES, withHeldWork, wrongWith } from "./states.mjs";
 
-for (const { id, options } of alike(AUDIENCES)) {
-  journey(`in a window of ${id.replace("x", " × ")} nothing overlaps, is cut or covered, in either language`, async (open) => {
+/** Windows smaller than, or between, those of the contact sheets, and the states that are looked at in them. */
+const SMALL = [
+  { width: 320, height: 568 },
+  { width: 640, height: 360 },
+];
+const SEEN_SMALL = ["empty", "working", "arrived", "selected", "view", "export", "notice", "keys"];
+
+for (const [{ id, options }, tag] of alike(AUDIENCES)) {
+  test(`in a window of ${id.replace("x", " × ")} nothing overlaps, is cut or covered, in either language`, { tag }, async ({ open }) => {
     const visitor = await open({ ...options, colorScheme: "light", before: withHeldWork });
-    /** Each finding with the state in which it was first seen. @type {Map<string, string>} */
-    const found = new Map();
-    const tell = (what, where) => found.set(what, found.get(what) ?? where);
-    for (const state of STATES) {
-      await state.enter(visitor);
-      for (const language of ["en", "pt"]) {
-        await visitor.speak(language);
-        for (const what of await wrongWith(visitor, state)) tell(what, `${state.id}, ${language}`);
-      }
-      await state.leave?.(visitor);
-    }
-    assert.deepEqual([...found], []);
+    await expectNothingWrong(visitor, STATES);
   });
 }
 
-journey("all of the face is in what a window leaves free, and again whenever the window becomes another", async (open) => {
+for (const [viewport, tag] of alike(SMALL)) {
+  test(`in a small window of ${viewport.width} × ${viewport.height} everything is in reach, and nothing overlaps or is cut`, { tag }, async ({ open }) => {
+    const visitor = await open({ viewport, hasTouch: true, isMobile: true, before: withHeldWork });
+    await expectNothingWrong(visitor, STATES.filter(({ id }) => SEEN_SMALL.includes(id)));
+  });
+}
+
+test("all of the face is in what a window leaves free, and again whenever the window becomes another", { tag: ["@eyes", "@rare"] }, async ({ open }) => {
   const visitor = await open({ colorScheme: "light" });
-  await visitor.dropSample();
-  const found = [];
+  await visitor.openFace();
   for (const { id, options } of [...AUDIENCES, ...AUDIENCES.toReversed()]) {
     await visitor.page.setViewportSize(options.viewport);
-    // Half a second is the longest that the camera glides.
-    await visitor.page.waitForTimeout(500);
-    await visitor.frames(3);
-    for (const what of await chinFindings(visitor)) found.push(`${id}: ${what}`);
+    // The camera glides there.
+    await expect.poll(() => chinFindings(visitor), { message: id }).toEqual([]);
   }
-  assert.deepEqual(found, []);
-}, { needs: "eyes", isRare: true });
+});
 
 /** Faults, each put into a page that has none. @type {[string, string, Record<string, string>, RegExp][]} */
 const FAULTS = [
@@ -47,10 +47,10 @@ const FAULTS = [
   ["scrolls sideways", "#section-photo", { width: "400px" }, /#sections scrolls sideways by/],
 ];
 
-journey("what overlaps, leaves the window, is cut, wraps, is covered or scrolls sideways is found", async (open) => {
+test("what overlaps, leaves the window, is cut, wraps, is covered or scrolls sideways is found", async ({ open }) => {
   const visitor = await open({ viewport: { width: 1280, height: 800 } });
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   assert.deepEqual(await findings(page), []);
   for (const [fault, selector, style, sign] of FAULTS) {
     const undo = await page.evaluate(restyle, { selector, style });
@@ -60,6 +60,21 @@ journey("what overlaps, leaves the window, is cut, wraps, is covered or scrolls 
   }
   assert.deepEqual(await findings(page), []);
 });
+
+/** Nothing is wrong with any of the states. @param {import("./visitor.mjs").Visitor} visitor @param {import("./states.mjs").State[]} states */
+async function expectNothingWrong(visitor, states) {
+  /** Each finding with the state in which it was first seen. @type {Map<string, string>} */
+  const found = new Map();
+  for (const state of states) {
+    await state.enter(visitor);
+    for (const language of ["en", "pt"]) {
+      await visitor.speak(language);
+      for (const what of await wrongWith(visitor, state)) found.set(what, found.get(what) ?? `${state.id}, ${language}`);
+    }
+    await state.leave?.(visitor);
+  }
+  assert.deepEqual([...found], []);
+}
 
 /** Runs in the page. @returns {Record<string, string>} what takes it back */
 function restyle({ selector, style }) {

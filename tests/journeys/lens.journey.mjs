@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -9,20 +9,15 @@ const LENSES = ["portrait", "parallel", "near", "as-taken"];
 /** Nose tip, chin, the outer corners of the eyes, the corners of the mouth. */
 const ALL_OVER = [1, 152, 33, 263, 61, 291];
 
-/**
- * @param {import("./visitor.mjs").Visitor} visitor
- * @param {string} lens
- */
+/** @param {import("./visitor.mjs").Visitor} visitor @param {string} lens */
 async function chooseLens(visitor, lens) {
   await visitor.unfold("section-view");
   await visitor.page.check(`input[name="lens"][value="${lens}"]`, { force: true });
   await visitor.frames(3);
 }
 
-journey("each lens shows the face another way, on the page and in a picture, and says how", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("each lens shows the face another way, on the page and in a picture, and says how", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.unfold("section-view");
   assert.ok(await page.isChecked("input[name='lens'][value='portrait']"));
   const [views, pictures, helps] = [[], [], new Set()];
@@ -45,13 +40,11 @@ journey("each lens shows the face another way, on the page and in a picture, and
   await page.click("#toolbar [data-action='reset-view']");
   assert.equal(difference(views[0], await visitor.view()), 0, "the portrait did not come back");
   assert.deepEqual(await visitor.history(), []);
-}, { needs: "eyes", isRare: true });
+});
 
 for (const lens of ["parallel", "near"]) {
-  journey(`with a lens, what lights up under the pointer is what a press takes: ${lens}`, async (open) => {
-    const visitor = await open();
-    const { page } = visitor;
-    await visitor.dropSample();
+  test(`with a lens, what lights up under the pointer is what a press takes: ${lens}`, { tag: "@rare" }, async ({ visitor, page }) => {
+    await visitor.openFace();
     await chooseLens(visitor, lens);
     // Turned, raised and nearer, so that no axis of the view is one of the face's.
     await page.focus("#viewport");
@@ -60,13 +53,11 @@ for (const lens of ["parallel", "near"]) {
     const { lit, turned } = await visitor.takeAtEach(7);
     assert.ok(lit >= 7, `${lit} places light up`);
     assert.deepEqual(turned, [], "lit places that a press does not take");
-  }, { isRare: true });
+  });
 }
 
-journey("as photographed, the mesh lies where the face is in the photo, and the lens is kept", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("as photographed, the mesh lies where the face is in the photo, and the lens is kept", async ({ visitor, page }) => {
+  await visitor.openFace();
   await chooseLens(visitor, "as-taken");
   const { width, height } = PNG.sync.read(await readFile(SAMPLE));
   const { positions } = await visitor.meshJson("image");
@@ -83,8 +74,7 @@ journey("as photographed, the mesh lies where the face is in the photo, and the 
     assert.ok(Math.hypot(...off) < 1.5, `${off} px off`);
   }
   await page.reload();
-  await page.click("#continue");
-  await visitor.untilFace();
+  await visitor.resume();
   await visitor.unfold("section-view");
   assert.ok(await page.isChecked("input[name='lens'][value='as-taken']"));
   const again = await visitor.landmarkPlace(ALL_OVER[0]);

@@ -2,10 +2,11 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
+import { expect } from "@playwright/test";
 import { findings } from "./boxes.mjs";
 import { camera, watchCamera } from "./camera-watch.mjs";
 import { FRAMES_PER_S, HEIGHT_PX, WIDTH_PX, carried, numberOf, placeIn } from "./film-frames.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { differenceNear, meanColour } from "./pixels.mjs";
 
 /** @typedef {import("./visitor.mjs").Visitor} Visitor */
@@ -14,11 +15,9 @@ const GOLDEN = path.join(import.meta.dirname, "../golden/refined_landmarks.json"
 const NOSE_TIP = 4;
 const NOSE_MM = 5;
 
-const before = (/** @type {import("playwright-core").BrowserContext} */ context) => Promise.all([watchCamera, watchFrames].map((script) => context.addInitScript(script)));
+test.use({ visit: { scripts: [watchCamera, watchFrames] } });
 
-journey("in the mirror the film is seen with its sides swapped, and with the edits where the face is", async (open) => {
-  const visitor = await open({ before });
-  const { page } = visitor;
+test("in the mirror the film is seen with its sides swapped, and with the edits where the face is", { tag: "@seen-camera" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.slide("nose-width", NOSE_MM);
   await openMirror(visitor);
@@ -26,7 +25,7 @@ journey("in the mirror the film is seen with its sides swapped, and with the edi
 
   const nose = await nosePlace();
   for (let time = 0; time < 3; time += 1) {
-    await page.waitForTimeout(700);
+    await visitor.frames(30);
     await setFrozen(visitor, true);
     const now = await filmOf(visitor);
     await page.focus("#viewport");
@@ -52,11 +51,9 @@ journey("in the mirror the film is seen with its sides swapped, and with the edi
   }
   await page.click("#live-close");
   assert.equal((await camera(visitor)).live, 0);
-}, { needs: "seen-camera" });
+});
 
-journey("what is seen in the mirror is kept as a photo with its edits, and the camera stops", async (open) => {
-  const visitor = await open({ before });
-  const { page } = visitor;
+test("what is seen in the mirror is kept as a photo with its edits, and the camera stops", { tag: ["@moving-camera", "@rare"] }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.slide("nose-width", NOSE_MM);
   await openMirror(visitor);
@@ -70,34 +67,32 @@ journey("what is seen in the mirror is kept as a photo with its edits, and the c
   assert.equal(await visitor.sliderValue("nose-width"), NOSE_MM);
   assert.equal(await visitor.sliderValue("eye-size"), 2);
   assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
-}, { needs: "moving-camera", isRare: true });
+});
 
-journey("without a face open, the first one that the camera sees is opened; a double click opens one camera", async (open) => {
-  const visitor = await open({ before, viewport: { width: 390, height: 844 } });
+test("without a face open, the first one that the camera sees is opened; a double click opens one camera", { tag: ["@moving-camera", "@rare"] }, async ({ open }) => {
+  const visitor = await open({ viewport: { width: 390, height: 844 } });
   const { page } = visitor;
   await visitor.untilLoaded();
   await page.dblclick("#welcome [data-action='mirror']");
   await visitor.untilFace();
   await untilShown(visitor);
   assert.equal(await page.getAttribute("body", "data-scene"), "picture");
-  const { age, interval_ms, jitter_px } = await untilSteady(visitor);
-  assert.ok(age <= 1 + (2 * interval_ms * FRAMES_PER_S) / 1000, `${age} frames old, every ${interval_ms} ms`);
-  assert.ok(jitter_px < 0.3, `it trembles by ${jitter_px} px`);
+  // It rests for a part of the film.
+  await expect(async () => {
+    const { age, interval_ms, jitter_px } = await figures(visitor);
+    assert.ok(age <= 1 + (2 * interval_ms * FRAMES_PER_S) / 1000, `${age} frames old, every ${interval_ms} ms`);
+    assert.ok(jitter_px < 0.3, `it trembles by ${jitter_px} px`);
+  }).toPass({ timeout: 30_000, intervals: [200] });
   assert.deepEqual(await findings(page), [], "on a phone nothing is cut and nothing overlaps");
   await page.keyboard.press("Escape");
   await page.waitForSelector("#live", { state: "hidden" });
   assert.equal(await page.getAttribute("body", "data-state"), "face");
   assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
   assert.equal(await page.getAttribute("#privacy-count", "data-requests"), "0", "nothing was sent");
-}, { needs: "moving-camera", isRare: true });
+});
 
-journey("in the mirror a face is lost and found, a worker that dies is said, and a hidden page has no camera", async (open) => {
-  const visitor = await open({
-    before: async (context) => {
-      await before(context);
-      await context.addInitScript(watchWorkers);
-    },
-  });
+test("in the mirror a face is lost and found, a worker that dies is said, and a hidden page has no camera", { tag: ["@moving-camera", "@rare"] }, async ({ open }) => {
+  const visitor = await open({ scripts: [watchCamera, watchFrames, trapWorkers] });
   const { page } = visitor;
   await visitor.dropSample();
   await openMirror(visitor);
@@ -123,11 +118,9 @@ journey("in the mirror a face is lost and found, a worker that dies is said, and
   await page.waitForSelector("#camera-shutter:enabled");
   assert.ok(await page.isHidden("#live"));
   assert.equal((await camera(visitor)).live, 1);
-}, { needs: "moving-camera", isRare: true });
+});
 
-journey("a camera that is refused or unplugged ends the mirror, and says why", async (open) => {
-  const visitor = await open({ before });
-  const { page } = visitor;
+test("a camera that is refused or unplugged ends the mirror, and says why", { tag: "@moving-camera" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
   await page.evaluate(() => (window.isRefused = true));
   await page.click("#welcome [data-action='mirror']");
@@ -142,7 +135,7 @@ journey("a camera that is refused or unplugged ends the mirror, and says why", a
   assert.equal((await camera(visitor)).live, 0);
   // The photo is there again, and is turned as before.
   await page.waitForFunction(() => document.body.dataset.scene === "solid");
-}, { needs: "moving-camera" });
+});
 
 /** Opens the mirror over the face that is open, and waits until the stage shows it. @param {Visitor} visitor */
 async function openMirror(visitor) {
@@ -165,21 +158,10 @@ async function figures({ page }) {
   return Object.fromEntries(Object.entries(found).map(([name, value]) => [name, Number(value)]));
 }
 
-/** The figures while the face in the film rests. @param {Visitor} visitor */
-async function untilSteady(visitor) {
-  let best = await figures(visitor);
-  for (let time = 0; time < 20; time += 1) {
-    await visitor.page.waitForTimeout(500);
-    const now = await figures(visitor);
-    if (!(best.jitter_px <= now.jitter_px)) best = now;
-  }
-  return best;
-}
-
 /** No frame more comes, and what was on its way is there. @param {Visitor} visitor @param {boolean} isFrozen */
 async function setFrozen({ page }, isFrozen) {
   await page.evaluate((isFrozen) => (window.isFrozen = isFrozen), isFrozen);
-  if (isFrozen) await page.waitForTimeout(600);
+  if (isFrozen) await page.waitForFunction(() => window.following === 0);
 }
 
 /** The film as the stage shows it, turned back and as large as it came. @param {Visitor} visitor */
@@ -231,7 +213,7 @@ function show({ page }, state) {
   }, state);
 }
 
-/** Runs in the page before its own scripts: frames that never come, and frames of nothing. */
+/** Runs in the page before its own scripts: frames that never come, frames of nothing, and how many the worker has not answered. */
 function watchFrames() {
   const bitmapOf = window.createImageBitmap.bind(window);
   window.createImageBitmap = async (source, ...options) => {
@@ -239,10 +221,23 @@ function watchFrames() {
     if (source instanceof HTMLVideoElement && window.isBlank) return bitmapOf(new ImageData(new Uint8ClampedArray(4 * 640 * 480).fill(200), 640));
     return bitmapOf(source, ...options);
   };
+  window.following = 0;
+  const { postMessage } = Worker.prototype;
+  Worker.prototype.postMessage = function (message, ...rest) {
+    postMessage.call(this, message, ...rest);
+    if (message.type !== "follow") return;
+    window.following += 1;
+    const hear = ({ data }) => {
+      if (data.id !== message.id) return;
+      window.following -= 1;
+      this.removeEventListener("message", hear);
+    };
+    this.addEventListener("message", hear);
+  };
 }
 
 /** Runs in the page before its own scripts, too. */
-function watchWorkers() {
+function trapWorkers() {
   const Original = Worker;
   window.Worker = class extends Original {
     postMessage(message, transfer) {

@@ -1,7 +1,7 @@
-import { journey } from "./journey.mjs";
+import { test } from "@playwright/test";
 import { monkeyTest } from "./monkey.mjs";
 
 /** `cargo xtask torture` goes on for longer. */
 const AMOUNT = { runs: 2, actions: 100, seed: 1 };
 
-journey("a monkey does anything at random, and nothing breaks", () => monkeyTest(AMOUNT));
+test("a monkey does anything at random, and nothing breaks", () => monkeyTest(AMOUNT));

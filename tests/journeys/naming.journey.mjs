@@ -1,12 +1,12 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { alike, journey } from "./journey.mjs";
-import { twice } from "./pictures.mjs";
+import { expect } from "@playwright/test";
+import { alike, test } from "./fixtures.mjs";
+import { chooseFace, openGroup } from "./groups.mjs";
+import { untilKept } from "./kept.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-journey("files are named after the photo, over a reload and out of a file of ours", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("files are named after the photo, over a reload and out of a file of ours", async ({ visitor, page }) => {
   await visitor.drop(await readFile(SAMPLE), 'ana: "Rio" 7.2.png');
   await visitor.untilFace();
   assert.equal(await nameOf(visitor, "download-glb"), "ana Rio 7.2.glb");
@@ -20,10 +20,7 @@ journey("files are named after the photo, over a reload and out of a file of our
   const glb = await visitor.download("download-glb");
   const project = await visitor.download("save-project");
 
-  await page.waitForTimeout(600);
-  await page.reload();
-  await page.click("#continue");
-  await visitor.untilFace();
+  await visitor.comeBack();
   assert.equal(await nameOf(visitor, "save-project"), "ana Rio 7.2.rosto");
 
   // A name that was given elsewhere holds, and the number of points is not in it twice.
@@ -33,73 +30,57 @@ journey("files are named after the photo, over a reload and out of a file of our
   ]) {
     await visitor.drop(bytes, name);
     await page.waitForSelector("#progress", { state: "hidden" });
-    await untilNamed(visitor, "download-glb", says);
+    await expect.poll(() => nameOf(visitor, "download-glb")).toBe(says);
   }
 });
 
-for (const { name, says } of alike([
+for (const [{ name, says }, tag] of alike([
   { name: "image.png", says: "face.rosto" },
   { name: "..", says: "face.rosto" },
   { name: "CON.png", says: "face.rosto" },
   { name: "María\u202egnp.exe.png", says: "Maríagnp.exe.rosto" },
 ])) {
-  journey(`a photo called ${JSON.stringify(name)} gives ${says}`, async (open) => {
-    const visitor = await open();
+  test(`a photo called ${JSON.stringify(name)} gives ${says}`, { tag }, async ({ visitor }) => {
     await visitor.drop(await readFile(SAMPLE), name);
     await visitor.untilFace();
     assert.equal(await nameOf(visitor, "save-project"), says);
   });
 }
 
-journey("each face of a group has a name of its own", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.drop(await twice(page, await readFile(SAMPLE)), "group.png");
-  await page.waitForSelector("#face-choice:not([hidden])");
-  await visitor.untilFace();
+test("each face of a group has a name of its own", { tag: "@rare" }, async ({ visitor }) => {
+  await openGroup(visitor);
   assert.equal(await nameOf(visitor, "download-glb"), "group.glb");
-  await page.locator("#face-options input").nth(1).click({ force: true });
-  await untilNamed(visitor, "download-glb", "group-2.glb");
-}, { isRare: true });
+  await chooseFace(visitor, 1);
+  await expect.poll(() => nameOf(visitor, "download-glb")).toBe("group-2.glb");
+});
 
-journey(
-  "a photo from the camera is a selfie",
-  async (open) => {
-    const visitor = await open();
-    await visitor.page.click("#welcome [data-action='camera']");
-    await visitor.page.click("#camera-shutter:enabled");
-    await visitor.untilFace();
-    assert.equal(await nameOf(visitor, "save-project"), "selfie.rosto");
-  },
-  { needs: "camera" },
-);
+test("a photo from the camera is a selfie", { tag: "@camera" }, async ({ visitor }) => {
+  await visitor.page.click("#welcome [data-action='camera']");
+  await visitor.page.click("#camera-shutter:enabled");
+  await visitor.untilFace();
+  assert.equal(await nameOf(visitor, "save-project"), "selfie.rosto");
+});
 
-journey("the sample is offered as a small picture, which moves nothing and asks for nothing", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  /** @type {string[]} */
-  const asked = [];
+test("the sample is offered as a small picture, which moves nothing and asks for nothing", async ({ visitor, page }) => {
   await visitor.untilLoaded();
-  page.on("request", (request) => asked.push(request.url()));
+  visitor.requests.length = 0;
   await page.reload();
   await visitor.untilItAnswers();
   const before = await page.locator("#welcome [data-action='sample']").boundingBox();
   await visitor.untilLoaded();
   assert.ok((await coloursOf(page)) > 50, "the thumbnail is empty");
   assert.deepEqual(await page.locator("#welcome [data-action='sample']").boundingBox(), before);
-  assert.equal(asked.filter((url) => url.endsWith("sample.png")).length, 1);
+  assert.equal(visitor.requests.filter((url) => url.endsWith("sample.png")).length, 1);
   await page.click("#welcome [data-action='sample']");
   await visitor.untilFace();
   assert.equal(await nameOf(visitor, "save-project"), "sample.rosto");
 });
 
-journey("who returns is offered first to go on, and only that button stands out", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("who returns is offered first to go on, and only that button stands out", async ({ visitor, page }) => {
   await visitor.untilLoaded();
   assert.deepEqual(await offered(page), [["choose", true], ["camera", false], ["mirror", false], ["sample", false]]);
   await visitor.dropSample();
-  await page.waitForTimeout(800);
+  await untilKept(page);
   await page.reload();
   await page.waitForSelector("#continue:not([hidden])");
   await visitor.untilLoaded();
@@ -122,16 +103,5 @@ function coloursOf(page) {
 
 /** The name under which a download comes. */
 async function nameOf(visitor, action) {
-  const coming = visitor.page.waitForEvent("download");
-  await visitor.download(action);
-  return (await coming).suggestedFilename();
-}
-
-async function untilNamed(visitor, action, name) {
-  for (let tries = 0; ; tries += 1) {
-    const now = await nameOf(visitor, action);
-    if (now === name) return;
-    assert.ok(tries < 40, `${now} instead of ${name}`);
-    await visitor.page.waitForTimeout(100);
-  }
+  return (await visitor.save(action)).name;
 }

@@ -1,14 +1,14 @@
 import assert from "node:assert/strict";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 
 const DESKTOP = { viewport: { width: 1280, height: 720 } };
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 const SHORT = { viewport: { width: 844, height: 390 }, hasTouch: true, isMobile: true };
 
-journey("the panel goes from photo to sliders, to the hand, to what was done, and ends with the advanced", async (open) => {
+test("the panel goes from photo to sliders, to the hand, to what was done, and ends with the advanced", async ({ open }) => {
   const visitor = await open(DESKTOP);
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   const seen = () => page.locator("#sections h2:not(.visually-hidden)").evaluateAll((all) => all.filter((h2) => h2.checkVisibility()).map((h2) => h2.innerText));
   assert.deepEqual(await seen(), ["Photo", "Features", "Expressions", "Move by hand", "In the photo", "History", "Advanced"]);
   for (const id of ["operator", "constraint", "details", "anchors", "anchors-shown", "section-paper"]) {
@@ -19,14 +19,14 @@ journey("the panel goes from photo to sliders, to the hand, to what was done, an
   assert.deepEqual(await seen(), ["Foto", "Traços", "Expressões", "Mover à mão", "Na foto", "Histórico", "Avançado"]);
 });
 
-for (const [device, options] of alike(Object.entries({ desktop: DESKTOP, phone: PHONE, "phone on its side": SHORT }))) {
-  journey(`shape, view and export are tabs, by keys too, and the download is in sight on each: ${device}`, async (open) => {
+for (const [[device, options], tag] of alike(Object.entries({ desktop: DESKTOP, phone: PHONE, "phone on its side": SHORT }))) {
+  test(`shape, view and export are tabs, by keys too, and the download is in sight on each: ${device}`, { tag }, async ({ open }) => {
     const visitor = await open(options);
     const { page } = visitor;
     await visitor.untilLoaded();
     assert.ok(await page.isHidden("[role=tablist]"));
     assert.ok(await page.isHidden("[data-action='download-glb']"), "there is nothing to download yet");
-    await visitor.dropSample();
+    await visitor.openFace();
     await page.focus("#tab-shape");
     const sections = { shape: "section-face", view: "section-view", export: "section-export" };
     for (const [key, tab] of [["ArrowRight", "view"], ["ArrowRight", "export"], ["ArrowRight", "shape"], ["ArrowLeft", "export"], ["Home", "shape"], ["End", "export"]]) {
@@ -43,10 +43,10 @@ for (const [device, options] of alike(Object.entries({ desktop: DESKTOP, phone: 
     assert.match(download.suggestedFilename(), /\.glb$/);
   });
 
-  journey(`the photo folds to a row with its face, which unfolds it and changes it: ${device}`, async (open) => {
+  test(`the photo folds to a row with its face, which unfolds it and changes it: ${device}`, { tag }, async ({ open }) => {
     const visitor = await open(options);
     const { page } = visitor;
-    await visitor.dropSample();
+    await visitor.openFace();
     assert.ok(await page.isHidden("#photo-picture"));
     assert.ok(await page.isHidden("#drop-zone"));
     const row = await page.locator("#section-photo").boundingBox();
@@ -63,10 +63,10 @@ for (const [device, options] of alike(Object.entries({ desktop: DESKTOP, phone: 
   });
 }
 
-journey("the presets say which is on and what it means, and that none is", async (open) => {
+test("the presets say which is on and what it means, and that none is", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open(DESKTOP);
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   const segments = () => page.locator("[data-choice='preset'] span").evaluateAll((all) => all.filter((span) => span.checkVisibility()).map((span) => span.innerText));
   const custom = page.locator("input[name='preset'][value='custom']");
   assert.deepEqual(await segments(), ["Sculpt", "Paper"]);
@@ -82,13 +82,13 @@ journey("the presets say which is on and what it means, and that none is", async
   await visitor.prefer("sculpt");
   assert.deepEqual(await segments(), ["Sculpt", "Paper"]);
   assert.ok(!(await custom.isChecked()));
-}, { isRare: true });
+});
 
-for (const [size, panel_px] of alike([[[1280, 720], 320], [[720, 450], 280]])) {
-  journey(`segments of a row are of one height and one line in either language: ${size.join(" × ")}`, async (open) => {
+for (const [size, panel_px] of [[[1280, 720], 320], [[720, 450], 280]]) {
+  test(`segments of a row are of one height and one line in either language: ${size.join(" × ")}`, { tag: "@rare" }, async ({ open }) => {
     const visitor = await open({ viewport: { width: size[0], height: size[1] } });
     const { page } = visitor;
-    await visitor.dropSample();
+    await visitor.openFace();
     assert.equal((await page.locator("#panel").boundingBox()).width, panel_px);
     await visitor.reach("#mirror");
     await page.locator("#mirror").click();
@@ -103,14 +103,14 @@ for (const [size, panel_px] of alike([[[1280, 720], 320], [[720, 450], 280]])) {
         assert.deepEqual(wide, [], `${language}, ${tab}`);
       }
     }
-  }, { isRare: true });
+  });
 }
 
-for (const [width, height] of alike([[1280, 720], [720, 450], [844, 390], [360, 640]])) {
-  journey(`the list of keys is not cut, begins at its top, and can be left: ${width} × ${height}`, async (open) => {
+for (const [[width, height], tag] of alike([[1280, 720], [720, 450], [844, 390], [360, 640]])) {
+  test(`the list of keys is not cut, begins at its top, and can be left: ${width} × ${height}`, { tag }, async ({ open }) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;
-    await visitor.dropSample();
+    await visitor.openFace();
     for (const language of ["en", "pt"]) {
       await visitor.speak(language);
       for (const dialog of ["keys", "credits"]) {
@@ -127,31 +127,31 @@ for (const [width, height] of alike([[1280, 720], [720, 450], [844, 390], [360, 
   });
 }
 
-journey("language and theme are in reach on a small screen while a face is open", async (open) => {
+test("language and theme are in reach on a small screen while a face is open", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open(PHONE);
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   await page.locator("#language").scrollIntoViewIfNeeded();
   await page.selectOption("#language", "pt");
   assert.equal(await page.innerText("#tab-export"), "Exportar");
   const before = await page.getAttribute("html", "data-theme");
   await page.click("#theme");
   assert.notEqual(await page.getAttribute("html", "data-theme"), before);
-}, { isRare: true });
+});
 
-journey("fingers are told to tap and choose, a mouse to click and drop", async (open) => {
+test("fingers are told to tap and choose, a mouse to click and drop", async ({ open }) => {
   const texts = (visitor) => visitor.page.evaluate(() => ["welcome-title", "landmark-help"].map((id) => document.getElementById(id).textContent).join(" "));
   const phone = await open(PHONE);
-  await phone.dropSample();
+  await phone.openFace();
   const byFinger = await texts(phone);
   assert.match(byFinger, /Choose or take a photo of a face.*Tap a point/);
   assert.doesNotMatch(byFinger, /\b(drop|click)\b/i);
   const desk = await open(DESKTOP);
-  await desk.dropSample();
+  await desk.openFace();
   assert.match(await texts(desk), /Drop a photo of a face.*Click a point/);
 });
 
-journey("no visitor who begins reads of landmarks, their count, or requests", async (open) => {
+test("no visitor who begins reads of landmarks, their count, or requests", async ({ open }) => {
   const JARGON = /landmark|request|0–467|0 to 467|\b468\b|requisi/i;
   for (const locale of ["en-GB", "pt-BR"]) {
     const visitor = await open({ ...DESKTOP, locale });
@@ -160,7 +160,7 @@ journey("no visitor who begins reads of landmarks, their count, or requests", as
     assert.doesNotMatch(await page.innerText("body"), JARGON);
     const steps = await page.locator("#progress").evaluate((progress) => progress.textContent);
     assert.doesNotMatch(steps, JARGON);
-    await visitor.dropSample();
+    await visitor.openFace();
     await visitor.slide("nose-width", 2);
     await visitor.unfold("section-photo");
     assert.doesNotMatch(await page.innerText("body"), JARGON);

@@ -1,15 +1,13 @@
 import assert from "node:assert/strict";
 import { paperByCommandLine } from "./command-line.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 /** Table 1 of the paper, in ms. */
 const TABLE_1 = [[218, 214], [3, 7], [399, 362], [364, 389], [366, 401], [393, 363], [387, 374], [384, 584]];
 
-journey("the paper's experiment runs in the browser, beside its Table 1, and leaves the work alone", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("the paper's experiment runs in the browser, beside its Table 1, and leaves the work alone", async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.slide("nose-width", 2);
   const before = await visitor.meshJson("mm");
   await visitor.unfold("section-paper");
@@ -30,10 +28,8 @@ journey("the paper's experiment runs in the browser, beside its Table 1, and lea
   assert.match(await page.innerText("#paper-table tr:nth-child(3) th"), /grau 3/);
 });
 
-journey("what each operator and constraint does is what the command line finds", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("what each operator and constraint does is what the command line finds", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.unfold("section-paper");
   await page.click("[data-action='run-paper']");
   await page.waitForSelector("#paper-results:not([hidden])", { timeout: 150_000 });
@@ -47,7 +43,7 @@ journey("what each operator and constraint does is what the command line finds",
       assert.ok(apart <= within, `${method.operator} ${method.hold}: ${measure} ${here[place]}, not ${method[measure]}`);
     }
   }
-}, { isRare: true });
+});
 
 /** The numbers in a table's rows. */
 async function cells(page, table) {

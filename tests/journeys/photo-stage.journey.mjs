@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { PNG } from "pngjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
 
 /** @param {import("./visitor.mjs").Visitor} visitor */
@@ -8,16 +8,15 @@ const scene = (visitor) => visitor.page.evaluate(() => document.body.dataset.sce
 
 /** @param {import("./visitor.mjs").Visitor} visitor */
 async function photoOnStage(visitor) {
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.page.focus("#viewport");
   // By its key, so that the view has the focus as it has it later.
   await visitor.page.keyboard.press("p");
   await visitor.frames(5);
 }
 
-journey("a press on the small photo puts it on the stage; the switch and P go back, and it is remembered", async (open) => {
-  const visitor = await open();
-  await visitor.dropSample();
+test("a press on the small photo puts it on the stage; the switch and P go back, and it is remembered", { tag: "@eyes" }, async ({ visitor }) => {
+  await visitor.openFace();
   assert.equal(await scene(visitor), "solid", "the face in the round is what a visitor arrives at");
   const solid = await visitor.view();
   await visitor.page.click("#photo-to-stage");
@@ -29,15 +28,11 @@ journey("a press on the small photo puts it on the stage; the switch and P go ba
   await visitor.page.keyboard.press("p");
   assert.equal(await scene(visitor), "picture");
   assert.equal(difference(photo, await visitor.view()), 0);
-  await visitor.page.waitForTimeout(600);
-  await visitor.page.reload();
-  await visitor.page.click("#continue");
-  await visitor.untilFace();
+  await visitor.comeBack();
   assert.equal(await scene(visitor), "picture");
-}, { needs: "eyes" });
+});
 
-journey("on the photo a point is dragged, and the photo follows where it is and nowhere else", async (open) => {
-  const visitor = await open();
+test("on the photo a point is dragged, and the photo follows where it is and nowhere else", { tag: "@eyes" }, async ({ visitor }) => {
   await photoOnStage(visitor);
   const nose = await visitor.landmarkPlace(4);
   await visitor.drag(nose, { x: 0, y: -24 });
@@ -53,10 +48,9 @@ journey("on the photo a point is dragged, and the photo follows where it is and 
   assert.equal(differenceNear(found, edited, { x: 40, y: 40 }, 35), 0, "a corner of the photo has changed");
   await visitor.page.keyboard.press("Control+Shift+z");
   assert.equal(difference(edited, await visitor.view()), 0, "redo brings the edit back");
-}, { needs: "eyes" });
+});
 
-journey("sliders, regions and the wipe work on the photo", async (open) => {
-  const visitor = await open();
+test("sliders, regions and the wipe work on the photo", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
   await photoOnStage(visitor);
   const before = await visitor.view();
   await visitor.slide("eye-size", 2);
@@ -72,10 +66,9 @@ journey("sliders, regions and the wipe work on the photo", async (open) => {
   await visitor.page.click("#compare");
   const wiped = await visitor.view();
   assert.ok(difference(wiped, before) > 0 && difference(wiped, after) > 0, "the wipe shows both");
-}, { needs: "eyes", isRare: true });
+});
 
-journey("who drags beside the face turns it out of the photo", async (open) => {
-  const visitor = await open();
+test("who drags beside the face turns it out of the photo", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
   await photoOnStage(visitor);
   const view = await visitor.page.locator("#viewport").boundingBox();
   await visitor.drag({ x: view.x + 30, y: view.y + 200 }, { x: 80, y: 0 });
@@ -83,11 +76,10 @@ journey("who drags beside the face turns it out of the photo", async (open) => {
   assert.deepEqual(await visitor.history(), []);
   await visitor.page.keyboard.press("p");
   assert.equal(await scene(visitor), "picture");
-}, { needs: "eyes", isRare: true });
+});
 
-journey("the small photo shows every edit as it is made", async (open) => {
-  const visitor = await open();
-  await visitor.dropSample();
+test("the small photo shows every edit as it is made", async ({ visitor }) => {
+  await visitor.openFace();
   await visitor.frames(4);
   const pixels = () => visitor.page.locator("#photo-thumbnail").evaluate((canvas) => [...canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data]);
   const differing = (/** @type {number[]} */ a, /** @type {number[]} */ b) => a.filter((value, at) => Math.abs(value - (b[at] ?? 0)) > 4).length;
@@ -101,9 +93,9 @@ journey("the small photo shows every edit as it is made", async (open) => {
   await visitor.page.keyboard.press("Escape");
 });
 
-journey("both stand side by side where the window is wide, and a press on the photo gives it the stage", async (open) => {
+test("both stand side by side where the window is wide, and a press on the photo gives it the stage", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ viewport: { width: 1440, height: 900 } });
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.page.click("#both");
   await visitor.frames(4);
   const seen = await visitor.page.evaluate(() => {
@@ -119,10 +111,9 @@ journey("both stand side by side where the window is wide, and a press on the ph
   await visitor.page.setViewportSize({ width: 800, height: 900 });
   await visitor.page.keyboard.press("p");
   assert.ok(!(await visitor.page.isVisible("#beside")), "a narrow window has no room for both");
-}, { isRare: true });
+});
 
-journey("what the brush keeps stays, with an undo of its own, and is there after a reload", async (open) => {
-  const visitor = await open();
+test("what the brush keeps stays, with an undo of its own, and is there after a reload", async ({ visitor }) => {
   await photoOnStage(visitor);
   const photo = async () => PNG.sync.read(await visitor.download("download-photo-png"));
   const isOff = (/** @type {string} */ button) => visitor.page.isDisabled(button);
@@ -137,10 +128,7 @@ journey("what the brush keeps stays, with an undo of its own, and is there after
   const kept = await photo();
   assert.ok(difference(edited, kept) > 0.0005, "what was painted follows the edit");
   assert.deepEqual(await visitor.history(), ["Jaw width"], "a stroke is no entry of the history");
-  await visitor.page.waitForTimeout(600);
-  await visitor.page.reload();
-  await visitor.page.click("#continue");
-  await visitor.untilFace();
+  await visitor.comeBack();
   assert.equal(difference(kept, await photo()), 0, "the stroke is gone after a reload");
   await visitor.unfold("section-in-photo");
   await visitor.page.check("#brush", { force: true });
@@ -152,8 +140,7 @@ journey("what the brush keeps stays, with an undo of its own, and is there after
   assert.deepEqual(await visitor.history(), ["Jaw width"]);
 });
 
-journey("an edit in depth says that it hardly shows, and offers the view in which it does", async (open) => {
-  const visitor = await open();
+test("an edit in depth says that it hardly shows, and offers the view in which it does", { tag: "@rare" }, async ({ visitor }) => {
   await photoOnStage(visitor);
   await visitor.findLandmark("nose tip");
   assert.ok(await visitor.page.isHidden("#depth-note"));
@@ -167,4 +154,4 @@ journey("an edit in depth says that it hardly shows, and offers the view in whic
   await visitor.frames(3);
   const [tip, chin] = [await visitor.landmarkPlace(4), await visitor.landmarkPlace(152)];
   assert.ok(Math.abs(tip.x - chin.x) > 40, "the face is seen from the side");
-}, { isRare: true });
+});

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
 import { meshByCommandLine } from "./command-line.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { asJpeg, dotted, twice } from "./pictures.mjs";
 import { colourCount, difference, middleOf } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
@@ -18,27 +18,21 @@ const MOST_SHOWN_PX = 640 * 320;
 /** Where the nose is in the portrait, in widths of it. */
 const NOSE_IN_PORTRAIT = 0.44;
 
-journey(
-  "a selfie from the camera becomes a face, not mirrored",
-  async (open) => {
-    const visitor = await open();
-    await visitor.page.click("#welcome [data-action='camera']");
-    const mirrored = await visitor.page.locator("#camera-preview").evaluate((video) => getComputedStyle(video).scale);
-    assert.equal(mirrored, "-1 1");
-    await visitor.page.click("#camera-shutter:enabled");
-    await visitor.page.waitForFunction(() => /[123]/.test(document.getElementById("camera-countdown").textContent));
-    await visitor.untilFace();
-    assert.ok(await visitor.page.locator("#camera").isHidden());
+test("a selfie from the camera becomes a face, not mirrored", { tag: "@camera" }, async ({ visitor }) => {
+  await visitor.page.click("#welcome [data-action='camera']");
+  const mirrored = await visitor.page.locator("#camera-preview").evaluate((video) => getComputedStyle(video).scale);
+  assert.equal(mirrored, "-1 1");
+  await visitor.page.click("#camera-shutter:enabled");
+  await visitor.page.waitForFunction(() => /[123]/.test(document.getElementById("camera-countdown").textContent));
+  await visitor.untilFace();
+  assert.ok(await visitor.page.locator("#camera").isHidden());
 
-    // Mirrored, the face would be in the other half of the picture.
-    const nose = (await visitor.meshJson("image")).positions[1];
-    assert.ok(Math.abs(nose[0] - NOSE_IN_PORTRAIT) < 0.03, `the nose is at ${nose[0]} of the width`);
-  },
-  { needs: "camera" },
-);
+  // Mirrored, the face would be in the other half of the picture.
+  const nose = (await visitor.meshJson("image")).positions[1];
+  assert.ok(Math.abs(nose[0] - NOSE_IN_PORTRAIT) < 0.03, `the nose is at ${nose[0]} of the width`);
+});
 
-journey("a pasted photo is opened", async (open) => {
-  const visitor = await open();
+test("a pasted photo is opened", async ({ visitor }) => {
   await visitor.untilItAnswers();
   const base64 = (await readFile(SAMPLE)).toString("base64");
   await visitor.page.evaluate((base64) => {
@@ -50,8 +44,7 @@ journey("a pasted photo is opened", async (open) => {
   await visitor.untilFace();
 });
 
-journey("of several faces in a photo, one is chosen", async (open) => {
-  const visitor = await open();
+test("of several faces in a photo, one is chosen", async ({ visitor }) => {
   await visitor.drop(await twice(visitor.page, await readFile(SAMPLE)), "twins.png");
   await visitor.untilFace();
   await visitor.page.waitForSelector("#face-choice:not([hidden])");
@@ -64,9 +57,7 @@ journey("of several faces in a photo, one is chosen", async (open) => {
   assert.ok(Math.abs(apart - 0.5) < 0.01, `the two noses are ${apart} of the width apart`);
 });
 
-journey("the same landmark shows on photo and mesh, whichever side the pointer is on", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("the same landmark shows on photo and mesh, whichever side the pointer is on", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.unfold("section-photo");
   const photo = page.locator("#photo-picture");
@@ -86,11 +77,9 @@ journey("the same landmark shows on photo and mesh, whichever side the pointer i
   await page.mouse.move(view.x + view.width / 2, view.y + view.height / 2);
   await visitor.frames(2);
   assert.ok(difference(plain, PNG.sync.read(await photo.screenshot())) > 0, "the photo does not mark the landmark");
-}, { isRare: true });
+});
 
-journey("landmarks lie on the panel's photo where they are in the photo", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("landmarks lie on the panel's photo where they are in the photo", async ({ visitor, page }) => {
   const { positions } = await meshByCommandLine(SAMPLE, ["--units", "image"]);
   const dots = APART.map(([landmark, colour]) => ({ x: positions[landmark][0] * SIDE_PX, y: positions[landmark][1] * SIDE_PX, colour }));
   await visitor.drop(dotted(await readFile(SAMPLE), dots, 4), "dotted.png");
@@ -109,8 +98,8 @@ journey("landmarks lie on the panel's photo where they are in the photo", async 
   }
 });
 
-journey("of a large photo the page's own thread draws only what it shows", async (open) => {
-  const visitor = await open({ before: (context) => context.addInitScript(countDrawn) });
+test("of a large photo the page's own thread draws only what it shows", async ({ open }) => {
+  const visitor = await open({ scripts: [countDrawn] });
   const { page } = visitor;
   // Before the bench is there, a part of the photo that nobody has scaled yet is drawn.
   await visitor.untilLoaded();

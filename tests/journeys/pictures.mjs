@@ -61,7 +61,7 @@ export function enormousPng() {
 /**
  * The same photo as a JPEG, written by the browser; of another size if asked so, and then of the portrait's upper part.
  *
- * @param {import("playwright-core").Page} page
+ * @param {import("@playwright/test").Page} page
  * @param {Uint8Array} png
  * @param {{ width: number, height: number }} [size] px
  */
@@ -72,29 +72,19 @@ export function asJpeg(page, png, size) {
 /**
  * Twice the same face side by side, cut out of the portrait by the browser.
  *
- * @param {import("playwright-core").Page} page
+ * @param {import("@playwright/test").Page} page
  * @param {Uint8Array} png
  */
 export function twice(page, png) {
   return redraw(page, png, { type: "image/png", columns: 2, part: FACE_IN_PORTRAIT });
 }
 
-/**
- * Six times the same face, in two rows.
- *
- * @param {import("playwright-core").Page} page
- * @param {Uint8Array} png
- */
+/** Six times the same face, in two rows. @param {import("@playwright/test").Page} page @param {Uint8Array} png */
 export function sixTimes(page, png) {
   return redraw(page, png, { type: "image/png", columns: 3, rows: 2, part: FACE_IN_PORTRAIT });
 }
 
-/**
- * So out of focus that a face is hard to tell.
- *
- * @param {import("playwright-core").Page} page
- * @param {Uint8Array} png
- */
+/** So out of focus that a face is hard to tell. @param {import("@playwright/test").Page} page @param {Uint8Array} png */
 export function outOfFocus(page, png) {
   return redraw(page, png, { type: "image/png", filter: "blur(5px)" });
 }
@@ -131,12 +121,7 @@ export async function portraitFilm() {
   return file;
 }
 
-/**
- * A short film of one still.
- *
- * @param {Uint8Array} png
- * @param {number} frames
- */
+/** A short film of one still. @param {Uint8Array} png @param {number} frames */
 function asFilm(png, frames) {
   const picture = PNG.sync.read(Buffer.from(png));
   const frame = yuvOf(picture);
@@ -144,11 +129,7 @@ function asFilm(png, frames) {
   return Buffer.concat([header, ...Array.from({ length: frames }, () => frame)]);
 }
 
-/**
- * A frame of a .y4m, in YUV 4:2:0.
- *
- * @param {{ width: number, height: number, data: Uint8Array | Uint8ClampedArray }} picture RGBA
- */
+/** A frame of a .y4m, in YUV 4:2:0. @param {{ width: number, height: number, data: Uint8Array | Uint8ClampedArray }} picture RGBA */
 export function yuvOf({ width, height, data }) {
   const luma = Buffer.alloc(width * height);
   const blue = Buffer.alloc((width / 2) * (height / 2));

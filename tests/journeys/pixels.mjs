@@ -19,22 +19,13 @@ export function meanColour(pixels, box) {
   return sum.map((total) => total / count);
 }
 
-/**
- * A colour without its brightness: shares of red, green and blue that sum to 1.
- *
- * @param {number[]} colour
- */
+/** A colour without its brightness: shares of red, green and blue that sum to 1. @param {number[]} colour */
 export function chromaticity(colour) {
   const sum = colour.reduce((a, b) => a + b);
   return colour.map((channel) => channel / sum);
 }
 
-/**
- * Share of the pixels in which two pictures of one size differ by more than a little.
- *
- * @param {Pixels} a
- * @param {Pixels} b
- */
+/** Share of the pixels in which two pictures of one size differ by more than a little. @param {Pixels} a @param {Pixels} b */
 export function difference(a, b) {
   if (a.width !== b.width || a.height !== b.height) throw new Error("the pictures differ in size");
   let changed = 0;
@@ -45,23 +36,13 @@ export function difference(a, b) {
   return changed / (a.width * a.height);
 }
 
-/**
- * The largest step between any channel of two pictures of one size.
- *
- * @param {Pixels} a
- * @param {Pixels} b
- */
+/** The largest step between any channel of two pictures of one size. @param {Pixels} a @param {Pixels} b */
 export function largestStep(a, b) {
   if (a.width !== b.width || a.height !== b.height) throw new Error("the pictures differ in size");
   return a.data.reduce((most, value, at) => Math.max(most, Math.abs(value - b.data[at])), 0);
 }
 
-/**
- * The box, in px, outside of which two pictures of one size are the same.
- *
- * @param {Pixels} a
- * @param {Pixels} b
- */
+/** The box, in px, outside of which two pictures of one size are the same. @param {Pixels} a @param {Pixels} b */
 export function differingBox(a, b) {
   const box = { left: a.width, top: a.height, right: 0, bottom: 0 };
   for (let at = 0; at < a.data.length; at += 4) {
@@ -75,11 +56,7 @@ export function differingBox(a, b) {
   return box;
 }
 
-/**
- * How many different colours there are, of 4096: 1 or 2 in a blank picture.
- *
- * @param {Pixels} pixels
- */
+/** How many different colours there are, of 4096: 1 or 2 in a blank picture. @param {Pixels} pixels */
 export function colourCount(pixels) {
   const seen = new Set();
   for (let at = 0; at < pixels.data.length; at += 4) {
@@ -127,12 +104,7 @@ export function accentPixels({ data }) {
   return count;
 }
 
-/**
- * @param {Pixels} pixels
- * @param {{ x: number, y: number }} place
- * @param {number} reach_px
- * @returns {Pixels}
- */
+/** @param {Pixels} pixels @param {{ x: number, y: number }} place @param {number} reach_px @returns {Pixels} */
 function around({ width, data }, { x, y }, reach_px) {
   const side = 2 * reach_px + 1;
   const cut = new Uint8Array(4 * side * side);

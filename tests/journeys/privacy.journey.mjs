@@ -1,31 +1,22 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 
-journey("after loading, no request leaves the page", async (open) => {
-  /** @type {string[]} */
-  const requests = [];
-  const visitor = await open({
-    before: async (context) => {
-      context.on("request", (request) => requests.push(request.url()));
-    },
-  });
+test("after loading, no request leaves the page", async ({ visitor }) => {
   await visitor.untilLoaded();
   assert.match(await visitor.page.innerText("#privacy"), /stays on this device.*nothing sent since the page loaded/s);
-  requests.length = 0;
+  visitor.requests.length = 0;
   await visitor.page.click("#welcome [data-action='sample']");
   await visitor.untilFace();
-  await visitor.findLandmark("bottom of the chin");
-  await visitor.offset("y", -6);
+  await visitor.move("bottom of the chin", "y", -6);
   await visitor.download("download-glb");
   await visitor.dropSample();
-  const left = requests.filter((url) => !url.startsWith("blob:") && !url.startsWith("data:"));
+  const left = visitor.requests.filter((url) => !url.startsWith("blob:") && !url.startsWith("data:"));
   assert.deepEqual(left, []);
   assert.equal(await visitor.page.getAttribute("#privacy-count", "data-requests"), "0");
   assert.match(await visitor.page.innerText("#privacy"), /On this device.*nothing sent/);
 });
 
-journey("the page's policy forbids every other host, inline scripts and eval", async (open) => {
-  const visitor = await open();
+test("the page's policy forbids every other host, inline scripts and eval", async ({ visitor }) => {
   const refused = await visitor.page.evaluate(async () => {
     const violations = [];
     document.addEventListener("securitypolicyviolation", (event) => violations.push(event.effectiveDirective));
@@ -51,8 +42,7 @@ journey("the page's policy forbids every other host, inline scripts and eval", a
   assert.ok(visitor.broken.splice(0).length > 0);
 });
 
-journey("markup and scripts are taken from the page's own policy alone", async (open) => {
-  const visitor = await open();
+test("markup and scripts are taken from the page's own policy alone", async ({ visitor }) => {
   await visitor.untilLoaded();
   const refused = await visitor.page.evaluate(async () => {
     const { ownScript, ownDrawing } = await import(new URL("js/page/trusted.js", document.baseURI).href);
@@ -85,7 +75,7 @@ journey("markup and scripts are taken from the page's own policy alone", async (
   assert.ok(visitor.broken.splice(0).length > 0);
 });
 
-journey("after the first visit the page works without a network", async (open) => {
+test("after the first visit the page works without a network", async ({ open }) => {
   const visitor = await open({ serviceWorkers: "allow" });
   await visitor.untilLoaded();
   await visitor.page.context().setOffline(true);

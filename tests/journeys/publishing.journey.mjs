@@ -1,20 +1,19 @@
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { createHash } from "node:crypto";
-import { copyFile, cp, mkdir, mkdtemp, readFile, readdir, rm } from "node:fs/promises";
-import { homedir, tmpdir } from "node:os";
+import { copyFile, mkdir, readFile, readdir } from "node:fs/promises";
+import { homedir } from "node:os";
 import path from "node:path";
 import { promisify } from "node:util";
-import { journey } from "./journey.mjs";
-import { DIST, serve } from "./server.mjs";
+import { test } from "./fixtures.mjs";
+import { DIST } from "./server.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
 const HOOK = path.join(ROOT, "web/list-for-offline.mjs");
 const COMPARE = path.join(ROOT, "web/compare-published.mjs");
 const run = promisify(execFile);
 
-journey("the page comes with its policy as a header, and with those that a page's text cannot say", async (open) => {
-  const visitor = await open();
+test("the page comes with its policy as a header, and with those that a page's text cannot say", async ({ visitor }) => {
   const answers = await visitor.page.evaluate(async () => {
     const names = ["./", "js/worker/vision-worker.js", "service-worker.js", "wasm/rosto-vision-web_bg.wasm"];
     const all = await Promise.all(names.map((name) => fetch(name)));
@@ -31,8 +30,7 @@ journey("the page comes with its policy as a header, and with those that a page'
   }
 });
 
-journey("no other page frames this one", async (open) => {
-  const { page } = await open();
+test("no other page frames this one", async ({ page }) => {
   const another = await page.context().newPage();
   await another.setContent(`<iframe src="${page.url()}"></iframe>`);
   const frame = await (await another.waitForSelector("iframe")).contentFrame();
@@ -40,7 +38,7 @@ journey("no other page frames this one", async (open) => {
   assert.equal(await frame.locator("#stage").count(), 0);
 });
 
-journey("every kind of host is told the same headers", async () => {
+test("every kind of host is told the same headers", async () => {
   const said = async (name, pattern) => [...String(await readFile(path.join(DIST, name))).matchAll(pattern)].map(([, name, value]) => [name, value]);
   const plain = await said("_headers", /^ {2}([\w-]+): (.*)$/gm);
   assert.equal(plain.length, 6);
@@ -50,7 +48,7 @@ journey("every kind of host is told the same headers", async () => {
   assert.deepEqual(headers[0].headers.map(({ key, value }) => [key, value]), plain);
 });
 
-journey("the list has every file of the page with its SHA-256, and the page's text has the list's", async () => {
+test("the list has every file of the page with its SHA-256, and the page's text has the list's", async () => {
   const list = await readFile(path.join(DIST, "integrity.json"));
   const { files } = JSON.parse(String(list));
   const known = new Set(["index.html", "service-worker.js", "integrity.json", "_headers", "vercel.json", "nginx.conf"]);
@@ -65,25 +63,21 @@ journey("the list has every file of the page with its SHA-256, and the page's te
   assert.ok(page.includes(`<meta name="version" content="${version}">`));
 });
 
-journey("the list does not depend on the order in which files lie on the disk, or on how often it is written", async () => {
-  const folder = await mkdtemp(path.join(tmpdir(), "rosto-dist-"));
-  try {
-    for (const name of (await filesOf(DIST)).reverse()) {
-      await mkdir(path.dirname(path.join(folder, name)), { recursive: true });
-      await copyFile(path.join(DIST, name), path.join(folder, name));
+test("the list does not depend on the order in which files lie on the disk, or on how often it is written", async () => {
+  const folder = test.info().outputPath("dist");
+  for (const name of (await filesOf(DIST)).reverse()) {
+    await mkdir(path.dirname(path.join(folder, name)), { recursive: true });
+    await copyFile(path.join(DIST, name), path.join(folder, name));
+  }
+  for (let times = 0; times < 2; times += 1) {
+    await run("node", [HOOK], { env: { ...process.env, TRUNK_STAGING_DIR: folder } });
+    for (const name of await filesOf(DIST)) {
+      assert.ok((await readFile(path.join(folder, name))).equals(await readFile(path.join(DIST, name))), name);
     }
-    for (let times = 0; times < 2; times += 1) {
-      await run("node", [HOOK], { env: { ...process.env, TRUNK_STAGING_DIR: folder } });
-      for (const name of await filesOf(DIST)) {
-        assert.ok((await readFile(path.join(folder, name))).equals(await readFile(path.join(DIST, name))), name);
-      }
-    }
-  } finally {
-    await rm(folder, { recursive: true });
   }
 });
 
-journey("no file of the page tells of the machine that built it", async () => {
+test("no file of the page tells of the machine that built it", async () => {
   const cargo = process.env.CARGO_HOME ?? path.join(homedir(), ".cargo");
   const traces = [ROOT, cargo, `${homedir()}${path.sep}`, process.env.CARGO_TARGET_DIR].filter(Boolean);
   for (const name of await filesOf(DIST)) {
@@ -92,20 +86,12 @@ journey("no file of the page tells of the machine that built it", async () => {
   }
 });
 
-journey("whoever has built the page can tell whether a published one is the same", async () => {
-  const folder = await mkdtemp(path.join(tmpdir(), "rosto-published-"));
-  await cp(DIST, folder, { recursive: true });
-  const server = await serve(folder, "/published/");
+test("whoever has built the page can tell whether a published one is the same", async ({ server }) => {
   const compared = () => run("node", [COMPARE, server.url, DIST]).then(({ stdout }) => stdout, ({ stdout }) => stdout);
-  try {
-    assert.match(await compared(), /every one of \d+ files is the same/);
-    const worker = String(await readFile(path.join(DIST, "js/worker/vision-worker.js")));
-    server.disturb((name, response) => name === "js/worker/vision-worker.js" && Boolean(response.end(`${worker}\n`)));
-    assert.match(await compared(), /✗ js\/worker\/vision-worker\.js/);
-  } finally {
-    server.close();
-    await rm(folder, { recursive: true });
-  }
+  assert.match(await compared(), /every one of \d+ files is the same/);
+  const worker = String(await readFile(path.join(DIST, "js/worker/vision-worker.js")));
+  server.disturb((name, response) => name === "js/worker/vision-worker.js" && Boolean(response.end(`${worker}\n`)));
+  assert.match(await compared(), /✗ js\/worker\/vision-worker\.js/);
 });
 
 /** Sorted names below the folder. @param {string} folder */

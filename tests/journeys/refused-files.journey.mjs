@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { changedProject, glbOf, partsOfGlb, projectWithoutShape } from "./changed-files.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 
 /** @type {Record<string, (history: any) => void>} */
 const BAD_HISTORIES = {
@@ -23,8 +23,7 @@ const BAD_HEADERS = [
   })),
 ];
 
-journey("a project that cannot be opened leaves the face, its history and what is kept of it", async (open) => {
-  const visitor = await open();
+test("a project that cannot be opened leaves the face, its history and what is kept of it", async ({ visitor }) => {
   const project = await workOn(visitor, "save-project");
   const bad = BAD_HEADERS.map(({ change, ...told }) => ({
     ...told,
@@ -37,8 +36,7 @@ journey("a project that cannot be opened leaves the face, its history and what i
   await expectRefused(visitor, bad, "face.rosto");
 });
 
-journey("a GLB that cannot be opened leaves the face, its history and what is kept of it", async (open) => {
-  const visitor = await open();
+test("a GLB that cannot be opened leaves the face, its history and what is kept of it", { tag: "@rare" }, async ({ visitor }) => {
   const glb = await workOn(visitor, "download-glb");
   /** @param {(extras: any) => void} change */
   const changed = (change) => {
@@ -58,11 +56,9 @@ journey("a GLB that cannot be opened leaves the face, its history and what is ke
     { name: "a photo without width", codes: ["damaged-glb", "bad-face"], file: changed((extras) => (extras.photo_px = [0, 512])) },
   );
   await expectRefused(visitor, bad, "face.glb");
-}, { isRare: true });
+});
 
-journey("kept work whose picture is damaged gets a notice, and the page goes on", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("kept work whose picture is damaged gets a notice, and the page goes on", async ({ visitor, page }) => {
   await workOn(visitor, "save-project");
   await page.waitForFunction(faceIsKept);
   await page.reload();
@@ -76,20 +72,17 @@ journey("kept work whose picture is damaged gets a notice, and the page goes on"
     await page.keyboard.press("Escape");
     await page.waitForSelector("#notice", { state: "hidden" });
   }
-  await visitor.dropSample();
+  await visitor.openFace();
   const found = await visitor.meshJson("mm");
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 5);
+  await visitor.move("nose tip", "z", 5);
   assert.notDeepEqual(await visitor.meshJson("mm"), found);
 });
 
 /** A face with two edits, and its file. */
 async function workOn(visitor, action) {
-  await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 9);
-  await visitor.findLandmark("bottom of the chin");
-  await visitor.offset("y", -6);
+  await visitor.openFace();
+  await visitor.move("nose tip", "z", 9);
+  await visitor.move("bottom of the chin", "y", -6);
   return visitor.download(action);
 }
 
@@ -113,13 +106,11 @@ async function expectRefused(visitor, bad, fileName) {
     assert.deepEqual(await visitor.meshJson("mm"), work, name);
   }
   // What comes next is done to the same face, and is kept.
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("y", 3);
+  await visitor.move("nose tip", "y", 3);
   const next = await visitor.meshJson("mm");
   assert.notDeepEqual(next, work);
   await page.reload();
-  await page.click("#continue");
-  await visitor.untilFace();
+  await visitor.resume();
   assert.deepEqual(await visitor.meshJson("mm"), next);
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await visitor.meshJson("mm"), work);

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { meshByCommandLine } from "./command-line.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { assertSameMesh, way } from "./meshes.mjs";
 import { difference } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
@@ -11,10 +11,8 @@ const AS_THE_PAGE = "--units mm --topology canonical --operator cotangent --hold
 const NOSE_TIP = 1;
 const CHIN = 152;
 
-journey("a region moves as one by its sliders, under its name, as the command line moves it", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("a region moves as one by its sliders, under its name, as the command line moves it", { tag: "@eyes" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.chooseRegion("left-brow");
   assert.match(await page.innerText("#said"), /left brow selected/);
   assert.equal(await page.innerText("#landmark-tag"), "left brow");
@@ -35,11 +33,10 @@ journey("a region moves as one by its sliders, under its name, as the command li
   await page.selectOption("#region", "");
   assert.ok(await page.isHidden("#landmark-tag"), "something is still selected");
   assert.ok(await page.isHidden("#notice"));
-}, { needs: "eyes" });
+});
 
-journey("a region's landmarks are marked, and it is dragged by any of them and by its gizmo", async (open) => {
-  const visitor = await open();
-  await visitor.dropSample();
+test("a region's landmarks are marked, and it is dragged by any of them and by its gizmo", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   const noseTip = await visitor.tagged();
   const bare = await visitor.view();
@@ -59,12 +56,10 @@ journey("a region's landmarks are marked, and it is dragged by any of them and b
   assert.deepEqual(await visitor.history(), ["nose", "nose"]);
   const along = way(lifted, await visitor.meshJson("mm"), NOSE_TIP);
   assert.ok(along[1] < -1 && Math.hypot(along[0], along[2]) < 1e-9, `not along y: ${along}`);
-}, { needs: "eyes", isRare: true });
+});
 
-journey("clicks take the region under the pointer, then the larger one, and the choice of a landmark comes back", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("clicks take the region under the pointer, then the larger one, and the choice of a landmark comes back", { tag: "@eyes" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   const tip = await visitor.tagged();
   const beside = await visitor.besideTheFace();
@@ -88,14 +83,11 @@ journey("clicks take the region under the pointer, then the larger one, and the 
   await page.check("input[name='selection'][value='landmark']", { force: true });
   assert.ok(await page.isHidden("#region"));
   assert.match(await page.inputValue("#landmark-search"), /· \d+$/);
-}, { needs: "eyes" });
+});
 
-journey("one thing is reset by itself, in one step that undo takes back", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
-  await visitor.findLandmark("bottom of the chin");
-  await visitor.offset("y", -6);
+test("one thing is reset by itself, in one step that undo takes back", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
+  await visitor.move("bottom of the chin", "y", -6);
   const chin = await visitor.meshJson("mm");
   await visitor.chooseRegion("nose");
   assert.ok(await page.isDisabled("[data-action='reset-selection']"));
@@ -112,4 +104,4 @@ journey("one thing is reset by itself, in one step that undo takes back", async 
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await visitor.meshJson("mm"), both);
   assert.equal(await page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]"), "4");
-}, { isRare: true });
+});

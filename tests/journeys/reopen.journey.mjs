@@ -1,18 +1,14 @@
 import assert from "node:assert/strict";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { assertCameBack } from "./meshes.mjs";
 import { colourCount, meanColour } from "./pixels.mjs";
 
-for (const paint of alike(["photo", "colours"])) {
-  journey(`a downloaded GLB painted with ${paint} brings the face back after a reload, with its history`, async (open) => {
-    const visitor = await open();
-    const { page } = visitor;
-    await visitor.dropSample();
+for (const [paint, tag] of alike(["photo", "colours"])) {
+  test(`a downloaded GLB painted with ${paint} brings the face back after a reload, with its history`, { tag: [...tag, "@eyes"] }, async ({ visitor, page }) => {
+    await visitor.openFace();
     const unedited = await visitor.meshJson("mm");
-    await visitor.findLandmark("nose tip");
-    await visitor.offset("z", 9);
-    await visitor.findLandmark("bottom of the chin");
-    await visitor.offset("y", -6);
+    await visitor.move("nose tip", "z", 9);
+    await visitor.move("bottom of the chin", "y", -6);
     const work = await visitor.meshJson("mm");
     await visitor.reach("#export-units");
     await page.check(`input[name="base-colour"][value="${paint}"]`, { force: true });
@@ -34,18 +30,15 @@ for (const paint of alike(["photo", "colours"])) {
     await page.click("#toolbar [data-action='redo']");
     await page.click("#toolbar [data-action='redo']");
     assertCameBack(await visitor.meshJson("mm"), work);
-  }, { needs: "eyes" });
+  });
 }
 
-journey("a GLB brings its density and its eyes and mouth along", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("a GLB brings its density and its eyes and mouth along", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.unfold("section-view");
   await page.selectOption("#triangulation", "tessellation");
   await page.selectOption("#density", "1");
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 4);
+  await visitor.move("nose tip", "z", 4);
   const work = await visitor.meshJson("mm");
   const file = await visitor.download("download-glb");
   await page.reload();
@@ -54,14 +47,11 @@ journey("a GLB brings its density and its eyes and mouth along", async (open) =>
   const opened = await visitor.meshJson("mm");
   assert.deepEqual(opened.positions, work.positions);
   assert.deepEqual(opened.triangles, work.triangles);
-}, { isRare: true });
+});
 
-journey("a GLB of another program, or half of ours, leaves the work and a message", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 4);
+test("a GLB of another program, or half of ours, leaves the work and a message", async ({ visitor, page }) => {
+  await visitor.openFace();
+  await visitor.move("nose tip", "z", 4);
   const work = await visitor.meshJson("mm");
   const file = await visitor.download("download-glb");
   for (const { bytes, code, says } of [

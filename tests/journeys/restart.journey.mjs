@@ -1,64 +1,57 @@
 import assert from "node:assert/strict";
-import { alike, journey } from "./journey.mjs";
-import { keptWorks } from "./kept.mjs";
+import { alike, test } from "./fixtures.mjs";
+import { keptWorks, untilKept } from "./kept.mjs";
 import { meanColour } from "./pixels.mjs";
+import { panicIn } from "./watches.mjs";
 
-for (const { drawn, needs, module } of alike([
+for (const [{ drawn, needs, module }, tag] of alike([
   { drawn: "WebGPU", needs: "eyes", module: "rosto-studio-web" },
   { drawn: "WebGL2", needs: "webgl", module: "rosto-studio-webgl" },
 ])) {
-  journey(
-    `a module whose memory is spoilt under ${drawn} is started again, twice, with the work, the choices and the look`,
-    async (open) => {
-      const visitor = await open();
-      const { page } = visitor;
-      await visitor.untilLoaded();
-      const start = await workOn(visitor);
-      const work = await visitor.meshJson("mm");
-      const stands = await standing(visitor);
-      await page.mouse.move(4, 4);
-      const view = await visitor.view();
+  test(`a module whose memory is spoilt under ${drawn} is started again, twice, with the work, the choices and the look`, { tag: [...tag, `@${needs}`] }, async ({ visitor, page }) => {
+    await visitor.untilLoaded();
+    const start = await workOn(visitor);
+    const work = await visitor.meshJson("mm");
+    const stands = await standing(visitor);
+    await page.mouse.move(4, 4);
+    const view = await visitor.view();
 
-      await page.evaluate(spoil, { module: `${module}.js` });
-      await moveOverTheFace(visitor);
+    await page.evaluate(spoil, { module: `${module}.js` });
+    await moveOverTheFace(visitor);
+    await untilRestarted(visitor);
+    assert.match((await visitor.notice()).text, /started again\s+Your work is back as it was/);
+    await expectTheSame(visitor, { work, stands, view });
+
+    for (const again of [1, 2]) {
+      // Escape would cancel an edit, too, after which the work is kept: that would meet the spoilt memory before the key does.
+      await page.click("#notice-close");
+      await page.waitForSelector("#notice", { state: "hidden" });
+      await page.evaluate(spoil, { module: `${module}.js?again=${again}` });
+      await page.focus("#viewport");
+      // A change of the camera by key.
+      await page.keyboard.press("ArrowLeft");
       await untilRestarted(visitor);
-      assert.match((await visitor.notice()).text, /started again\s+Your work is back as it was/);
+      if (again === 2) break;
       await expectTheSame(visitor, { work, stands, view });
-
-      for (const again of [1, 2]) {
-        // Escape would cancel an edit, too, after which the work is kept: that would meet the spoilt memory before the key does.
-        await page.click("#notice-close");
-        await page.waitForSelector("#notice", { state: "hidden" });
-        await page.evaluate(spoil, { module: `${module}.js?again=${again}` });
-        await page.focus("#viewport");
-        // A change of the camera by key.
-        await page.keyboard.press("ArrowLeft");
-        await untilRestarted(visitor);
-        if (again === 2) break;
-        await expectTheSame(visitor, { work, stands, view });
-      }
-      assert.deepEqual(await visitor.meshJson("mm"), work);
-      await page.click("#toolbar [data-action='undo']");
-      await page.click("#toolbar [data-action='undo']");
-      assert.deepEqual(await visitor.meshJson("mm"), start);
-      await page.click("#toolbar [data-action='redo']");
-      await page.click("#toolbar [data-action='redo']");
-      assert.deepEqual(await visitor.meshJson("mm"), work);
-      assert.equal(await page.getAttribute("#privacy-count", "data-requests"), "0");
-    },
-    { needs },
-  );
+    }
+    assert.deepEqual(await visitor.meshJson("mm"), work);
+    await page.click("#toolbar [data-action='undo']");
+    await page.click("#toolbar [data-action='undo']");
+    assert.deepEqual(await visitor.meshJson("mm"), start);
+    await page.click("#toolbar [data-action='redo']");
+    await page.click("#toolbar [data-action='redo']");
+    assert.deepEqual(await visitor.meshJson("mm"), work);
+    assert.equal(await page.getAttribute("#privacy-count", "data-requests"), "0");
+  });
 }
 
-journey("a panic while a file is made or opened starts the module again, and the next try has an answer", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a panic while a file is made or opened starts the module again, and the next try has an answer", async ({ visitor, page }) => {
   await visitor.untilLoaded();
   await workOn(visitor);
   const work = await visitor.meshJson("mm");
   const project = await visitor.download("save-project");
 
-  await page.evaluate(panicIn, { module: "rosto-studio-web.js", type: "Studio", method: "exportFile" });
+  await page.evaluate(panicIn, { method: "exportFile" });
   await visitor.reach("#export-units");
   await page.click("#section-export [data-action='download-json']");
   await untilRestarted(visitor);
@@ -68,7 +61,7 @@ journey("a panic while a file is made or opened starts the module again, and the
   assert.equal(texture.readUInt32BE(16), 1024, "the texture of the whole face did not come back");
 
   await page.keyboard.press("Escape");
-  await page.evaluate(panicIn, { module: "rosto-studio-web.js?again=1", type: "Studio", method: "openWork" });
+  await page.evaluate(panicIn, { module: "rosto-studio-web.js?again=1", method: "openWork" });
   await visitor.drop(project, "face.rosto");
   await untilRestarted(visitor);
   assert.deepEqual(await visitor.meshJson("mm"), work);
@@ -80,14 +73,12 @@ journey("a panic while a file is made or opened starts the module again, and the
   assert.notDeepEqual(await visitor.meshJson("mm"), work);
 });
 
-journey("another face that is opened while the module starts again leaves the work where it is kept", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("another face that is opened while the module starts again leaves the work where it is kept", async ({ visitor, page }) => {
   await visitor.untilLoaded();
-  await visitor.dropSample();
+  await visitor.openFace();
   const other = await visitor.download("save-project");
   await workOn(visitor);
-  await page.waitForTimeout(600);
+  await untilKept(page);
   const kept = (await histories(page)).filter((edits) => edits.includes("nose-tip"));
   assert.equal(kept.length, 1);
 
@@ -106,7 +97,7 @@ journey("another face that is opened while the module starts again leaves the wo
   await untilRestarted(visitor);
   await visitor.drop(other, "other.rosto");
   await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
-  await page.waitForTimeout(1000);
+  await untilKept(page);
   assert.deepEqual((await histories(page)).filter((edits) => edits.includes("nose-tip")), kept);
 });
 
@@ -118,15 +109,14 @@ async function histories(page) {
 /** Two edits on a finer mesh, with other choices and another view; resolves to the mesh before them. */
 async function workOn(visitor) {
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.prefer("paper");
   await visitor.unfold("section-view");
   await page.selectOption("#density", "1");
   await page.check("input[name='shading'][value='colours']", { force: true });
   await page.locator("#light-sliders input[type=number]").first().fill("80");
   const start = await visitor.meshJson("mm");
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 9);
+  await visitor.move("nose tip", "z", 9);
   await visitor.slide("nose-width", 4);
   // Nothing is selected any more: what is in hand does not come back.
   const { x, y } = await visitor.besideTheFace();
@@ -177,18 +167,4 @@ async function spoil({ module }) {
   const { default: instantiate } = await import(address);
   const { memory } = await instantiate();
   new Uint8Array(memory.buffer).fill(0xff);
-}
-
-/** Runs in the page: the next call of that method traps, as a panic does. */
-async function panicIn({ module, type, method }) {
-  const address = new URL(`wasm/${module}`, document.baseURI).href;
-  const prototype = (await import(address))[type].prototype;
-  const call = prototype[method];
-  // (module (func (export "panic") unreachable))
-  const code = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 7, 9, 1, 5, 112, 97, 110, 105, 99, 0, 0, 10, 5, 1, 3, 0, 0, 11];
-  const { instance } = await WebAssembly.instantiate(new Uint8Array(code));
-  prototype[method] = (...values) => {
-    prototype[method] = call;
-    return instance.exports.panic(...values);
-  };
 }

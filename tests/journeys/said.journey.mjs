@@ -1,14 +1,14 @@
 import assert from "node:assert/strict";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 
 /** How long what was done stays on the stage, at most. */
 const GONE_MS = 6000;
 
-for (const { width, height } of alike([{ width: 1280, height: 720 }, { width: 390, height: 844 }, { width: 844, height: 390 }])) {
-  journey(`at ${width}×${height} a download is seen on the stage for a moment, said once, and covers no tool`, async (open) => {
+for (const [{ width, height }, tag] of alike([{ width: 1280, height: 720 }, { width: 390, height: 844 }, { width: 844, height: 390 }])) {
+  test(`at ${width}×${height} a download is seen on the stage for a moment, said once, and covers no tool`, { tag }, async ({ open }) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;
-    await visitor.dropSample();
+    await visitor.openFace();
     assert.ok(await page.isHidden("#toast"));
     await page.evaluate(hearAll);
     await visitor.download("save-project");

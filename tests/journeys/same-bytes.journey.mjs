@@ -2,7 +2,7 @@
 // every digit of double precision, differs in the last ones, as the machines' arithmetic does.
 import assert from "node:assert/strict";
 import { filesByCommandLine } from "./command-line.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { AS_THE_PAGE, openAsCommandLine, storedFiles } from "./same-face.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -35,8 +35,7 @@ const PRINTED = [
 ];
 
 for (const [kind, rows] of Object.entries({ painted: PAINTED, printed: PRINTED })) {
-  journey(`page and command line write the same bytes of the same face and edits: ${kind}`, async (open) => {
-    const visitor = await open();
+  test(`page and command line write the same bytes of the same face and edits: ${kind}`, async ({ visitor }) => {
     await openAsCommandLine(visitor);
     await visitor.slide("nose-width", 4);
     for (const { format, choose, options } of rows) {

@@ -9,27 +9,20 @@ const LOCAL_FILE = 0x04034b50;
 export const AS_THE_PAGE = ["--topology", "canonical", "--units", "mm"];
 
 /**
- * Opens the sample on the page with the landmarks that the command line finds in it, bit for bit. The two compilations of
- * the networks round differently; from there on, the same pixels and the same edits are to give the same bytes.
+ * Opens the sample with the landmarks that the command line finds in it, bit for bit. The two compilations of the networks
+ * round differently; from there on, the same pixels and the same edits give the same bytes.
  *
  * @param {import("./visitor.mjs").Visitor} visitor
  */
 export async function openAsCommandLine(visitor) {
-  const project = await projectAsCommandLine(visitor);
-  await visitor.page.reload();
-  await visitor.drop(project, "portrait.rosto");
+  await visitor.drop(await projectAsCommandLine(visitor.project), "portrait.rosto");
   await visitor.untilFace();
 }
 
-/**
- * The same as a project.
- *
- * @param {import("./visitor.mjs").Visitor} visitor
- */
-export async function projectAsCommandLine(visitor) {
+/** The same as a project. @param {Buffer} project of the page's */
+export async function projectAsCommandLine(project) {
   const { json } = partsOfGlb(await glbByCommandLine(SAMPLE, AS_THE_PAGE));
-  await visitor.dropSample();
-  return withFace(await visitor.download("save-project"), json.scenes[0].extras);
+  return withFace(project, json.scenes[0].extras);
 }
 
 /**
@@ -48,12 +41,7 @@ function withFace(project, { landmarks, colours, lens }) {
   return Buffer.concat([changed.subarray(0, start), face, changed.subarray(start + face.length)]);
 }
 
-/**
- * The files in an archive that is not compressed, by their names.
- *
- * @param {Buffer} zip
- * @returns {Map<string, Buffer>}
- */
+/** The files in an archive that is not compressed, by their names. @param {Buffer} zip @returns {Map<string, Buffer>} */
 export function storedFiles(zip) {
   const files = new Map();
   for (let at = 0; zip.readUInt32LE(at) === LOCAL_FILE; ) {

@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 
 /** What is typed, and what of the face is meant by it. */
 const FOUND = {
@@ -26,11 +26,11 @@ const FOUND = {
   ],
 };
 
-for (const [language, wishes] of alike(Object.entries(FOUND))) {
-  journey(`a search takes the best match, whatever the case and the accents: ${language}`, async (open) => {
+for (const [[language, wishes], tag] of alike(Object.entries(FOUND))) {
+  test(`a search takes the best match, whatever the case and the accents: ${language}`, { tag }, async ({ open }) => {
     const visitor = await open({ locale: language === "pt" ? "pt-BR" : "en-GB" });
     const { page } = visitor;
-    await visitor.dropSample();
+    await visitor.openFace();
     for (const [typed, meant] of wishes) {
       await visitor.findLandmark(typed);
       assert.match(await page.inputValue("#landmark-search"), meant, typed);
@@ -40,8 +40,7 @@ for (const [language, wishes] of alike(Object.entries(FOUND))) {
   });
 }
 
-journey("the best match is the whole name, then its beginning, then words, then a part, and the shortest of equals", async (open) => {
-  const visitor = await open();
+test("the best match is the whole name, then its beginning, then words, then a part, and the shortest of equals", async ({ visitor }) => {
   const found = await visitor.page.evaluate(async () => {
     const { bestMatch } = await import(new URL("js/words/search.js", document.baseURI).href);
     const names = ["left outer chin · 9", "chin crease · 18", "chinless · 3", "deep chin · 4", "chin · 199", "right chin line · 2", "Ação · 5"];
@@ -51,10 +50,8 @@ journey("the best match is the whole name, then its beginning, then words, then 
   assert.deepEqual(found, expected);
 });
 
-journey("only what nothing is called is an error, which looks like one until something else is typed", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("only what nothing is called is an error, which looks like one until something else is typed", async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.findLandmark("nose");
   const look = () => page.locator("#landmark-search").evaluate((field) => {
     const help = document.getElementById("landmark-help");

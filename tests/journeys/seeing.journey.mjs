@@ -1,14 +1,13 @@
 import assert from "node:assert/strict";
+import { expect } from "@playwright/test";
 import { PNG } from "pngjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
 
 const PAINTS = ["picture", "colours", "clay", "normals", "response", "distortion"];
 
-journey("every paint shows the face another way, with a legend where colours are numbers", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("every paint shows the face another way, with a legend where colours are numbers", { tag: "@eyes" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   // So that what would follow the nose is most of the face.
   await visitor.reach("#nearby");
   await page.uncheck("#nearby");
@@ -28,12 +27,10 @@ journey("every paint shows the face another way, with a legend where colours are
       if (one < other) assert.ok(differenceNear(view, another, nose, 150) > 0.05, `${PAINTS[one]} looks like ${PAINTS[other]}`);
     }
   }
-}, { needs: "eyes" });
+});
 
-journey("lines, dots, density and open eyes and mouth each change what is drawn, and back", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("lines, dots, density and open eyes and mouth each change what is drawn, and back", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.unfold("section-view");
   const first = await visitor.view();
   for (const box of ["wireframe", "dots"]) {
@@ -47,12 +44,10 @@ journey("lines, dots, density and open eyes and mouth each change what is drawn,
     await page.selectOption(`#${select}`, usual);
   }
   assert.equal(difference(first, await visitor.view()), 0, "the view did not come back");
-}, { needs: "eyes", isRare: true });
+});
 
-journey("the light follows the small sphere, and its colour what is chosen", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("the light follows the small sphere, and its colour what is chosen", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.unfold("section-view");
   await page.check("input[name='shading'][value='clay']", { force: true });
   const first = await visitor.view();
@@ -70,12 +65,10 @@ journey("the light follows the small sphere, and its colour what is chosen", asy
   assert.ok(difference(first, fromTheRight) > 0.05);
   await page.fill("#light-colour", "#ff4000");
   assert.ok(difference(fromTheRight, await visitor.view()) > 0.05);
-}, { needs: "eyes", isRare: true });
+});
 
-journey("a photo keeps the light that it was taken in; the lamp is for the others, or for who asks", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("a photo keeps the light that it was taken in; the lamp is for the others, or for who asks", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.unfold("section-view");
   assert.ok(await page.locator("#lamp").evaluate((lamp) => lamp.disabled), "the lamp can be moved, and lights nothing");
   const own = await visitor.view();
@@ -86,12 +79,10 @@ journey("a photo keeps the light that it was taken in; the lamp is for the other
   await page.check("input[name='shading'][value='clay']", { force: true });
   assert.ok(await page.locator("#lamp").evaluate((lamp) => !lamp.disabled));
   assert.ok(await page.isHidden("#light-photo"));
-}, { needs: "eyes", isRare: true });
+});
 
-journey("before and after: all of it while the button or B is held, beside each other by an edge that moves", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("before and after: all of it while the button or B is held, beside each other by an edge that moves", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
+  await visitor.openFace();
   const before = await visitor.view();
   await visitor.findLandmark("nose tip");
   const nose = await visitor.onView(await visitor.tagged());
@@ -102,7 +93,7 @@ journey("before and after: all of it while the button or B is held, beside each 
   const button = await page.locator("#compare").boundingBox();
   await page.mouse.move(button.x + 10, button.y + 10);
   await page.mouse.down();
-  await page.waitForTimeout(500);
+  await page.waitForSelector("[data-comparing]");
   // The button would be let go of if it were hidden for the picture.
   await visitor.frames(3);
   const held = PNG.sync.read(await page.locator("#viewport").screenshot());
@@ -138,14 +129,12 @@ journey("before and after: all of it while the button or B is held, beside each 
   await page.keyboard.press("Escape");
   assert.ok(await page.isHidden("#wipe"));
   await page.click("#compare");
-  await visitor.dropSample();
+  await visitor.openFace();
   assert.ok(await page.isHidden("#wipe"), "another face is compared with nothing yet");
-}, { needs: "eyes", isRare: true });
+});
 
-journey("a picture that is saved shows the face alone", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("a picture that is saved shows the face alone", { tag: "@eyes" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   const plain = PNG.sync.read(await visitor.download("download-picture"));
   await visitor.findLandmark("nose tip");
   await visitor.reach("#pinned");
@@ -155,27 +144,23 @@ journey("a picture that is saved shows the face alone", async (open) => {
   await page.check("#anchors-shown");
   assert.ok(difference(unmarked, await visitor.view()) > 0, "what stays is not marked");
   assert.deepEqual(PNG.sync.read(await visitor.download("download-picture")), plain);
-}, { needs: "eyes" });
+});
 
-journey("the turntable turns until it is switched off", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("the turntable turns until it is switched off", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.unfold("section-view");
   const first = await visitor.view();
   await page.check("#turntable");
-  await page.waitForTimeout(500);
+  const shot = async () => PNG.sync.read(await page.locator("#viewport").screenshot());
+  await expect.poll(async () => difference(first, await shot()), { message: "nothing turned" }).toBeGreaterThan(0.02);
   await page.uncheck("#turntable");
   const turned = await visitor.view();
-  assert.ok(difference(first, turned) > 0.02, "nothing turned");
-  await page.waitForTimeout(300);
+  await visitor.frames(20);
   assert.equal(difference(turned, await visitor.view()), 0, "it went on turning");
-}, { needs: "eyes", isRare: true });
+});
 
-journey("the background is a colour of one's own, in the picture too, which can leave it out", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("the background is a colour of one's own, in the picture too, which can leave it out", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.unfold("section-view");
   await page.fill("#background-colour", "#0cb4fa");
   assert.ok(await page.isChecked("#background-plain"));
@@ -191,7 +176,7 @@ journey("the background is a colour of one's own, in the picture too, which can 
   await visitor.reach("#background-plain");
   await page.uncheck("#background-plain");
   assert.notDeepEqual(corner(await visitor.view()), [0x0c, 0xb4, 0xfa, 255]);
-}, { needs: "eyes", isRare: true });
+});
 
 /** @param {import("./pixels.mjs").Pixels} pixels */
 function corner({ data }) {

@@ -1,10 +1,8 @@
 import assert from "node:assert/strict";
-import { mkdtemp, rm, writeFile } from "node:fs/promises";
-import { tmpdir } from "node:os";
-import path from "node:path";
+import { writeFile } from "node:fs/promises";
 import { partsOfGlb } from "./changed-files.mjs";
 import { glbByCommandLine, meshByCommandLine } from "./command-line.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { assertSameShape, furthest } from "./meshes.mjs";
 import { faceless } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
@@ -17,14 +15,13 @@ const PRESSES = 5;
  *
  * @param {import("./visitor.mjs").Visitor} visitor
  * @param {"ArrowLeft" | "ArrowRight"} key
- * @param {string} folder
  */
-async function turnedPhoto(visitor, key, folder) {
+async function turnedPhoto(visitor, key) {
   const { page } = visitor;
   await page.focus("#viewport");
   for (let press = 0; press < PRESSES; press++) await page.keyboard.press(key);
   await visitor.frames(5);
-  const file = path.join(folder, `${key}.png`);
+  const file = test.info().outputPath(`${key}.png`);
   await writeFile(file, await visitor.download("download-picture"));
   await page.click("#toolbar [data-action='reset-view']");
   return file;
@@ -44,73 +41,61 @@ async function addPhotos(visitor, files, count) {
   await visitor.untilFace();
 }
 
-/** @param {import("playwright-core").Page} page */
+/** @param {import("@playwright/test").Page} page */
 function rows(page) {
   return page.locator("#photo-list li span").allInnerTexts();
 }
 
-/** The side that each photo shows, whatever its angle. @param {import("playwright-core").Page} page */
+/** The side that each photo shows, whatever its angle. @param {import("@playwright/test").Page} page */
 async function sidesIn(page) {
   return (await rows(page)).map((row) => /to its (left|right)/.exec(row)?.[1]);
 }
 
-journey("photos from other sides make another mesh, the command line's, and are kept and taken away again", async (open) => {
-  const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
-  try {
-    const visitor = await open();
-    const { page } = visitor;
-    await visitor.dropSample();
-    const alone = await visitor.meshJson("mm");
-    const [one, other] = [await turnedPhoto(visitor, "ArrowLeft", folder), await turnedPhoto(visitor, "ArrowRight", folder)];
-    await visitor.findLandmark("nose tip");
-    await visitor.offset("z", 9);
+test("photos from other sides make another mesh, the command line's, and are kept and taken away again", async ({ visitor, page }) => {
+  await visitor.dropSample();
+  const alone = await visitor.meshJson("mm");
+  const [one, other] = [await turnedPhoto(visitor, "ArrowLeft"), await turnedPhoto(visitor, "ArrowRight")];
+  await visitor.move("nose tip", "z", 9);
 
-    await addPhotos(visitor, [one], 2);
-    assert.equal((await rows(page)).filter((row) => row.startsWith("From the front")).length, 1);
-    assert.match(await page.innerText("#photos-missing"), /turned to its (left|right), by 20 to 60°/);
-    await addPhotos(visitor, [other], 3);
-    assert.ok(await page.isHidden("#photos-missing"), await page.innerText("#photos-missing"));
-    assert.equal((await visitor.history()).length, 1, "the edit stays");
-    await page.click("#toolbar [data-action='undo']");
-    const together = await visitor.meshJson("mm");
-    assert.ok(furthest(alone, together) > 0.05, "the mesh is another one");
-    assertSameShape(together, await meshByCommandLine(SAMPLE, [one, other, "--units", "mm", "--density", "2"]));
-    const glb = await visitor.download("download-glb");
-    const [made, wanted] = [partsOfGlb(glb), partsOfGlb(await glbByCommandLine(SAMPLE, [one, other, "--units", "mm", "--density", "2"]))];
-    assert.equal(made.json.meshes[0].primitives.length, wanted.json.meshes[0].primitives.length);
-    assert.equal(made.json.scenes[0].extras.further.photos.length, 2);
-    await page.click("#toolbar [data-action='redo']");
-    const edited = await visitor.meshJson("mm");
+  await addPhotos(visitor, [one], 2);
+  assert.equal((await rows(page)).filter((row) => row.startsWith("From the front")).length, 1);
+  assert.match(await page.innerText("#photos-missing"), /turned to its (left|right), by 20 to 60°/);
+  await addPhotos(visitor, [other], 3);
+  assert.ok(await page.isHidden("#photos-missing"), await page.innerText("#photos-missing"));
+  assert.equal((await visitor.history()).length, 1, "the edit stays");
+  await page.click("#toolbar [data-action='undo']");
+  const together = await visitor.meshJson("mm");
+  assert.ok(furthest(alone, together) > 0.05, "the mesh is another one");
+  assertSameShape(together, await meshByCommandLine(SAMPLE, [one, other, "--units", "mm", "--density", "2"]));
+  const glb = await visitor.download("download-glb");
+  const [made, wanted] = [partsOfGlb(glb), partsOfGlb(await glbByCommandLine(SAMPLE, [one, other, "--units", "mm", "--density", "2"]))];
+  assert.equal(made.json.meshes[0].primitives.length, wanted.json.meshes[0].primitives.length);
+  assert.equal(made.json.scenes[0].extras.further.photos.length, 2);
+  await page.click("#toolbar [data-action='redo']");
+  const edited = await visitor.meshJson("mm");
 
-    await page.reload();
-    await page.click("#continue");
-    await visitor.untilFace();
-    assert.equal((await rows(page)).length, 3);
-    assert.deepEqual(await visitor.meshJson("mm"), edited, "to the last bit");
-    await visitor.drop(glb, "portrait.glb");
-    await visitor.untilFace();
-    await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
-    assert.equal((await rows(page)).length, 3);
-    assert.deepEqual((await visitor.meshJson("mm")).positions, together.positions, "to the last bit");
+  await page.reload();
+  await visitor.resume();
+  assert.equal((await rows(page)).length, 3);
+  assert.deepEqual(await visitor.meshJson("mm"), edited, "to the last bit");
+  await visitor.drop(glb, "portrait.glb");
+  await visitor.untilFace();
+  await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
+  assert.equal((await rows(page)).length, 3);
+  assert.deepEqual((await visitor.meshJson("mm")).positions, together.positions, "to the last bit");
 
-    await page.click('[data-tab-name="shape"]');
-    await page.locator("#photo-list li button").nth(2).click();
-    await page.waitForFunction(() => document.querySelectorAll("#photo-list li").length === 2);
-    await page.locator("#photo-list li button").nth(1).click();
-    await page.waitForSelector("#photo-list", { state: "hidden" });
-    await visitor.untilFace();
-    assert.deepEqual((await visitor.meshJson("mm")).positions, alone.positions, "the face by its first photo alone");
-  } finally {
-    await rm(folder, { recursive: true });
-  }
+  await page.click('[data-tab-name="shape"]');
+  await page.locator("#photo-list li button").nth(2).click();
+  await page.waitForFunction(() => document.querySelectorAll("#photo-list li").length === 2);
+  await page.locator("#photo-list li button").nth(1).click();
+  await page.waitForSelector("#photo-list", { state: "hidden" });
+  await visitor.untilFace();
+  assert.deepEqual((await visitor.meshJson("mm")).positions, alone.positions, "the face by its first photo alone");
 });
 
-journey("a photo without a face is named and not added, and one from where there is one says that it adds little", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("a photo without a face is named and not added, and one from where there is one says that it adds little", async ({ visitor, page }) => {
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 9);
+  await visitor.move("nose tip", "z", 9);
   const before = await visitor.meshJson("mm");
   await page.setInputFiles("#further-files", { name: "wall.png", mimeType: "image/png", buffer: Buffer.from(faceless()) });
   const { code, text } = await visitor.notice();
@@ -131,54 +116,47 @@ function pressRemove(page, row, presses) {
   }, { row, presses });
 }
 
-journey("a photo is removed once however often its button is pressed, and comes back by mouse or key with all that it gave", async (open) => {
-  const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
-  try {
-    const visitor = await open();
-    const { page } = visitor;
-    const untilRows = (count) => page.waitForFunction((count) => document.querySelectorAll("#photo-list li").length === count, count);
-    await visitor.dropSample();
-    const sides = [await turnedPhoto(visitor, "ArrowLeft", folder), await turnedPhoto(visitor, "ArrowRight", folder)];
-    await addPhotos(visitor, sides, 3);
-    const together = await visitor.meshJson("mm");
-    await page.click('[data-tab-name="shape"]');
-    const [front, second, third] = await sidesIn(page);
+test("a photo is removed once however often its button is pressed, and comes back by mouse or key with all that it gave", async ({ visitor, page }) => {
+  const untilRows = (count) => page.waitForFunction((count) => document.querySelectorAll("#photo-list li").length === count, count);
+  await visitor.dropSample();
+  const sides = [await turnedPhoto(visitor, "ArrowLeft"), await turnedPhoto(visitor, "ArrowRight")];
+  await addPhotos(visitor, sides, 3);
+  const together = await visitor.meshJson("mm");
+  await page.click('[data-tab-name="shape"]');
+  const [front, second, third] = await sidesIn(page);
 
-    await page.locator("#photo-list li button").nth(1).dblclick();
-    await untilRows(2);
-    await visitor.untilFace();
-    assert.equal((await sidesIn(page)).at(1), third, "another photo was removed");
-    assert.ok(await page.isVisible("#photo-removed"));
-    await page.click("#restore-photo");
-    await untilRows(3);
-    await visitor.untilFace();
-    assert.ok(await page.isHidden("#photo-removed"));
-    assert.equal((await sidesIn(page)).at(2), second);
+  await page.locator("#photo-list li button").nth(1).dblclick();
+  await untilRows(2);
+  await visitor.untilFace();
+  assert.equal((await sidesIn(page)).at(1), third, "another photo was removed");
+  assert.ok(await page.isVisible("#photo-removed"));
+  await page.click("#restore-photo");
+  await untilRows(3);
+  await visitor.untilFace();
+  assert.ok(await page.isHidden("#photo-removed"));
+  assert.equal((await sidesIn(page)).at(2), second);
 
-    await pressRemove(page, 2, 3);
-    await untilRows(2);
-    await visitor.untilFace();
-    assert.equal((await sidesIn(page)).at(1), third);
-    await page.focus("#restore-photo");
-    await page.keyboard.press("Enter");
-    await untilRows(3);
-    await visitor.untilFace();
-    assert.ok(furthest(together, await visitor.meshJson("mm")) < 1e-6, "the mesh is not that of the same photos");
+  await pressRemove(page, 2, 3);
+  await untilRows(2);
+  await visitor.untilFace();
+  assert.equal((await sidesIn(page)).at(1), third);
+  await page.focus("#restore-photo");
+  await page.keyboard.press("Enter");
+  await untilRows(3);
+  await visitor.untilFace();
+  assert.ok(furthest(together, await visitor.meshJson("mm")) < 1e-6, "the mesh is not that of the same photos");
 
-    // Two at once are those two, wherever the first one leaves the second.
-    await page.click('[data-tab-name="shape"]');
-    await page.evaluate(() => {
-      const [, second, third] = document.querySelectorAll("#photo-list li button");
-      second.click();
-      third.click();
-    });
-    await page.waitForSelector("#photo-list", { state: "hidden" });
-    await visitor.untilFace();
-    await page.click("#restore-photo");
-    await untilRows(2);
-    assert.equal((await sidesIn(page)).at(0), front);
-    visitor.checkNothingBroke();
-  } finally {
-    await rm(folder, { recursive: true });
-  }
+  // Two at once are those two, wherever the first one leaves the second.
+  await page.click('[data-tab-name="shape"]');
+  await page.evaluate(() => {
+    const [, second, third] = document.querySelectorAll("#photo-list li button");
+    second.click();
+    third.click();
+  });
+  await page.waitForSelector("#photo-list", { state: "hidden" });
+  await visitor.untilFace();
+  await page.click("#restore-photo");
+  await untilRows(2);
+  assert.equal((await sidesIn(page)).at(0), front);
+  visitor.checkNothingBroke();
 });

@@ -1,9 +1,9 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
-import { SAMPLE } from "./visitor.mjs";
+import { crashGpu, watchGpus } from "./watches.mjs";
 
 /** A clip is there by then, however slowly the machine draws. */
 const CLIP_MS = 30_000;
@@ -14,21 +14,16 @@ const GAP = 0.008;
 /** What is looked at of a clip's frames. */
 const FRAME_PX = 180;
 
-journey("before and after are the halves of one picture, and the view stays as it was", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.drop(await readFile(SAMPLE), "ana.png");
-  await visitor.untilFace();
+test("before and after are the halves of one picture, and the view stays as it was", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
+  await visitor.openFace("ana");
   const found = PNG.sync.read(await visitor.download("download-picture"));
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("x", 12);
+  await visitor.move("nose tip", "x", 12);
   const place = await visitor.onView(await visitor.selectedPlace());
   const edited = PNG.sync.read(await visitor.download("download-picture"));
   const before = await standing(visitor);
-  const coming = page.waitForEvent("download");
-  const pair = PNG.sync.read(await visitor.download("download-pair"));
-  assert.equal((await coming).suggestedFilename(), "ana-before-after.png");
-  const [left, right] = halves(pair);
+  const { name, bytes } = await visitor.save("download-pair");
+  assert.equal(name, "ana-before-after.png");
+  const [left, right] = halves(PNG.sync.read(bytes));
   for (const [half, alone] of [[left, found], [right, edited]]) {
     assert.equal(difference(above(half), above(middleOf(alone, half.width))), 0, "a half is not the picture that is saved alone");
   }
@@ -37,26 +32,23 @@ journey("before and after are the halves of one picture, and the view stays as i
   assert.equal(differenceNear(left, right, { x: 40, y: 40 }, 30), 0, "they differ where nothing was edited");
   assert.ok(difference(below(left), below(middleOf(found, left.width))) > 0.005, "there is no caption");
   assertSame(await standing(visitor), before);
-}, { needs: "eyes", isRare: true });
+});
 
-journey("a picture of before and after that cannot be made says so and leaves the view as it was", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("x", 12);
+test("a picture of before and after that cannot be made says so and leaves the view as it was", { tag: "@eyes" }, async ({ visitor, page }) => {
+  await visitor.openFace();
+  await visitor.move("nose tip", "x", 12);
   const before = await standing(visitor);
   await page.evaluate(refusePictures);
   await visitor.unfold("section-export");
   await page.click("[data-action='download-pair']");
   assert.equal((await visitor.notice()).code, "not-drawn");
   assertSame(await standing(visitor), before);
-}, { needs: "eyes" });
+});
 
-journey("before and after are handed on where the browser can, and downloaded where it then will not", async (open) => {
-  const visitor = await open({ before: (context) => context.addInitScript(sendFiles) });
+test("before and after are handed on where the browser can, and downloaded where it then will not", { tag: "@rare" }, async ({ open }) => {
+  const visitor = await open({ scripts: [sendFiles] });
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-export");
   await page.click("[data-action='share-pair']");
   await page.waitForFunction(() => window["sent"].length === 1);
@@ -69,22 +61,11 @@ journey("before and after are handed on where the browser can, and downloaded wh
   await page.click("[data-action='share-pair']");
   await page.waitForFunction(() => window["sent"].length === 3);
   assert.ok(await page.isHidden("#notice"));
-}, { isRare: true });
+});
 
-journey("a browser that hands nothing on has no button for it", async (open) => {
-  const visitor = await open({ before: (context) => context.addInitScript("delete Navigator.prototype.canShare") });
-  await visitor.dropSample();
-  await visitor.unfold("section-export");
-  assert.ok(await visitor.page.isHidden("[data-action='share-pair']"));
-}, { isRare: true });
-
-journey("the face swings once in a clip of four seconds without any tool, and is then as it was", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.drop(await readFile(SAMPLE), "ana.png");
-  await visitor.untilFace();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 8);
+test("the face swings once in a clip of four seconds without any tool, and is then as it was", { tag: "@eyes" }, async ({ visitor, page }) => {
+  await visitor.openFace("ana");
+  await visitor.move("nose tip", "z", 8);
   const before = await standing(visitor);
   await visitor.unfold("section-export");
   const coming = page.waitForEvent("download", { timeout: CLIP_MS });
@@ -110,16 +91,14 @@ journey("the face swings once in a clip of four seconds without any tool, and is
   assert.ok(Math.max(...turned) > 0.2, `it stands still: ${turned}`);
   assert.ok(difference(first, last) < 0.05, `it does not come back: ${difference(first, last)}`);
   assert.equal(accents(first), 0, "a tool is in the clip");
-}, { needs: "eyes" });
+});
 
-for (const { by, stop } of alike([
+for (const [{ by, stop }, tag] of alike([
   { by: "Escape", stop: (/** @type {import("./visitor.mjs").Visitor} */ { page }) => page.keyboard.press("Escape") },
   { by: "the button", stop: (/** @type {import("./visitor.mjs").Visitor} */ { page }) => page.click("#clip") },
 ])) {
-  journey(`a clip that is cancelled by ${by} leaves no file and no trace`, async (open) => {
-    const visitor = await open();
-    const { page } = visitor;
-    await visitor.dropSample();
+  test(`a clip that is cancelled by ${by} leaves no file and no trace`, { tag: [...tag, "@eyes"] }, async ({ visitor, page }) => {
+    await visitor.openFace();
     await visitor.findLandmark("nose tip");
     await page.focus("#viewport");
     await page.keyboard.press("ArrowRight");
@@ -132,16 +111,14 @@ for (const { by, stop } of alike([
     await stop(visitor);
     await page.waitForSelector("#clip-progress", { state: "hidden" });
     assert.equal(await page.innerText("#toast"), "The clip is not kept");
-    await page.waitForTimeout(1500);
+    await visitor.frames(30);
     assert.equal(downloads, 0);
     assertSame(await standing(visitor), before);
-  }, { needs: "eyes" });
+  });
 }
 
-journey("a clip ends when the page goes out of sight, and says why", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("a clip ends when the page goes out of sight, and says why", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
+  await visitor.openFace();
   const before = await visitor.view();
   await visitor.unfold("section-export");
   await page.click("#clip");
@@ -149,13 +126,11 @@ journey("a clip ends when the page goes out of sight, and says why", async (open
   await page.evaluate(() => document.dispatchEvent(new Event("visibilitychange")));
   await untilInterrupted(page);
   assert.equal(difference(await visitor.view(), before), 0);
-}, { needs: "eyes", isRare: true });
+});
 
-journey("a clip ends when another face comes, which is seen as at first", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
-  await visitor.drop(await readFile(SAMPLE), "another.png");
+test("a clip ends when another face comes, which is seen as at first", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
+  await visitor.openFace();
+  await visitor.openFace("another");
   await page.waitForSelector("#previous-face");
   await visitor.unfold("section-export");
   await page.click("#clip");
@@ -166,28 +141,28 @@ journey("a clip ends when another face comes, which is seen as at first", async 
   const opened = await visitor.view();
   await page.click("#toolbar [data-action='reset-view']");
   assert.equal(difference(await visitor.view(), opened), 0, "the face is turned by what the clip turned the other");
-}, { needs: "eyes", isRare: true });
+});
 
-journey("a clip ends when the graphics process crashes, and another can be recorded", async (open) => {
-  const visitor = await open();
+test("a clip ends when the graphics process crashes, and another can be recorded", { tag: "@eyes" }, async ({ open }) => {
+  const visitor = await open({ scripts: [watchGpus] });
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-export");
   await page.click("#clip");
   await halfWay(page);
-  const browser = await page.context().browser().newBrowserCDPSession();
-  await browser.send("Browser.crashGpuProcess");
+  const gpus = await page.evaluate("gpus.length");
+  await crashGpu(page);
   await page.waitForSelector("#clip-progress", { state: "hidden", timeout: CLIP_MS });
+  await page.waitForFunction((gpus) => window.gpus.length > gpus, gpus);
   const coming = page.waitForEvent("download", { timeout: CLIP_MS });
-  await page.waitForTimeout(1000);
   await page.click("#clip");
   assert.equal((await coming).suggestedFilename(), "portrait-turning.webm");
-}, { needs: "eyes" });
+});
 
-journey("a browser that records nothing says so in place of the button", async (open) => {
-  const visitor = await open({ before: (context) => context.addInitScript("delete window.MediaRecorder") });
+test("a browser that records nothing says so in place of the button", async ({ open }) => {
+  const visitor = await open({ scripts: ["delete window.MediaRecorder"] });
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   await visitor.unfold("section-export");
   assert.ok(await page.isHidden("#clip"));
   assert.equal(await page.innerText("#clip-line"), "This browser cannot record a turning clip.");
@@ -201,21 +176,18 @@ async function standing(visitor) {
   return { mesh, history: await visitor.history(), view: await visitor.view() };
 }
 
-/**
- * @param {Awaited<ReturnType<typeof standing>>} now
- * @param {Awaited<ReturnType<typeof standing>>} before
- */
+/** @param {Awaited<ReturnType<typeof standing>>} now @param {Awaited<ReturnType<typeof standing>>} before */
 function assertSame(now, before) {
   assert.deepEqual([now.mesh, now.history], [before.mesh, before.history]);
   assert.equal(difference(now.view, before.view), 0, "the view is not what it was");
 }
 
-/** @param {import("playwright-core").Page} page */
+/** @param {import("@playwright/test").Page} page */
 function halfWay(page) {
   return page.waitForFunction(() => document.getElementById("clip-progress").value > 0.2);
 }
 
-/** @param {import("playwright-core").Page} page */
+/** @param {import("@playwright/test").Page} page */
 async function untilInterrupted(page) {
   await page.waitForSelector("#clip-line");
   assert.match(await page.innerText("#clip-line"), /interrupted/);
@@ -265,7 +237,7 @@ function accents({ data }) {
 /**
  * Looks at some frames of a clip, in a page of its own: the page's policy plays no films.
  *
- * @param {import("playwright-core").Browser} browser
+ * @param {import("@playwright/test").Browser} browser
  * @param {Buffer} bytes
  */
 async function played(browser, bytes) {

@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
 
 /** The measures on the panel: name to length in mm. Read at once: the panel may replace the list between two looks. */
@@ -10,10 +10,8 @@ async function measures(page) {
   });
 }
 
-journey("a face tells from how far it was photographed, and follows when that is changed", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("a face tells from how far it was photographed, and follows when that is changed", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.unfold("section-size");
   assert.match(await page.innerText("#size-camera"), /about \d+ cm ± \d+, read off the face/);
   assert.match(await page.innerText("#size-pose"), /Head turned -?\d+° sideways/);
@@ -30,12 +28,10 @@ journey("a face tells from how far it was photographed, and follows when that is
   await page.click("[data-action=distance-known]");
   assert.equal(await number.inputValue(), usual);
   assert.deepEqual(await measures(page), found);
-}, { needs: "eyes", isRare: true });
+});
 
-journey("the tape measures from one point to another, with its error", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("the tape measures from one point to another, with its error", async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.findLandmark("right mouth corner");
   await visitor.unfold("section-size");
   await page.click("[data-action=tape-start]");
@@ -49,10 +45,8 @@ journey("the tape measures from one point to another, with its error", async (op
   assert.ok(along > straight, said);
 });
 
-journey("the distance that was chosen comes back with the work", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("the distance that was chosen comes back with the work", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.unfold("section-size");
   const number = page.locator("#size-distance input[type=number]");
   await number.fill("31");
@@ -65,12 +59,10 @@ journey("the distance that was chosen comes back with the work", async (open) =>
   await visitor.unfold("section-size");
   assert.equal(await number.inputValue(), "31");
   assert.equal((await measures(page))["Face, width"], found["Face, width"]);
-}, { isRare: true });
+});
 
-journey("a tape from a point that a coarser mesh has not is taken away, and the page goes on", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("a tape from a point that a coarser mesh has not is taken away, and the page goes on", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.unfold("section-view");
   await page.selectOption("#density", "1");
   await visitor.unfold("section-landmark");
@@ -84,4 +76,4 @@ journey("a tape from a point that a coarser mesh has not is taken away, and the 
   await visitor.findLandmark("nose tip");
   await visitor.unfold("section-size");
   assert.match(await page.innerText("#tape-result"), /Select a point/);
-}, { isRare: true });
+});

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { asJpeg } from "./pictures.mjs";
 import { mainThreadTasks, traced } from "./trace.mjs";
 import { SAMPLE } from "./visitor.mjs";
@@ -13,9 +13,7 @@ const FRAME_MS = 16;
 const DRAG_STEPS = 40;
 /** How many tasks are told. */
 const SHOWN = 5;
-journey("no task on the main thread is long from a drop of 12 megapixels to the mesh", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("no task on the main thread is long from a drop of 12 megapixels to the mesh", async ({ visitor, page }) => {
   await visitor.untilLoaded();
   const photo = await asJpeg(page, await readFile(SAMPLE), LARGE);
   // The photo is on the page before the clock starts: in life it comes from a disk, not through a test's wire.
@@ -40,9 +38,7 @@ journey("no task on the main thread is long from a drop of 12 megapixels to the 
   assert.ok(longest && longest.took_ms <= LONG_TASK_MS, `a task took ${longest?.took_ms.toFixed(0)} ms`);
 });
 
-journey("each step of a drag takes the main thread less than a frame, on the densest mesh, too", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
+test("each step of a drag takes the main thread less than a frame, on the densest mesh, too", async ({ visitor, page }) => {
   await visitor.dropSample();
   for (const density of ["0", "3"]) {
     await page.selectOption("#density", density, { force: true });

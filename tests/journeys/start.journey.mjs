@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
+import { withHeld } from "./held.mjs";
 
 /** Answers to the request for a module that leave the page without it. */
 const TROUBLES = [
@@ -10,7 +11,7 @@ const TROUBLES = [
 ];
 
 for (const { file, what, answer, errors } of TROUBLES) {
-  journey(`a page whose ${file} ${what} says so in both languages, and can be loaded again`, async (open) => {
+  test(`a page whose ${file} ${what} says so in both languages, and can be loaded again`, async ({ open }) => {
     const visitor = await open({ before: (context) => context.route(`**/${file}`, (route) => route.fulfill(answer)) });
     const { page } = visitor;
     await page.waitForSelector("#not-started");
@@ -27,19 +28,15 @@ for (const { file, what, answer, errors } of TROUBLES) {
   });
 }
 
-journey("a page whose modules do not come says so, and takes it back when they do", async (open) => {
-  let deliver = () => {};
-  const held = new Promise((resolve) => (deliver = () => resolve(undefined)));
-  /** @type {(page: import("playwright-core").Page) => void} */
+test("a page whose modules do not come says so, and takes it back when they do", async ({ open }) => {
+  /** @type {(page: import("@playwright/test").Page) => void} */
   let show = () => {};
-  const shown = new Promise((/** @type {(page: import("playwright-core").Page) => void} */ resolve) => (show = resolve));
+  const shown = new Promise((/** @type {(page: import("@playwright/test").Page) => void} */ resolve) => (show = resolve));
+  const { before, deliver } = withHeld("**/words/en.json");
   const arrived = open({
+    hasClock: true,
     before: async (context) => {
-      await context.clock.install();
-      await context.route("**/words/en.json", async (route) => {
-        await held;
-        await route.continue();
-      });
+      await before(context);
       context.once("page", show);
     },
   });
@@ -55,9 +52,9 @@ journey("a page whose modules do not come says so, and takes it back when they d
   await page.waitForSelector("#not-started", { state: "hidden" });
 });
 
-for (const [what, block] of alike(/** @type {const} */ ([["cannot be read", blockStorage], ["takes nothing", fillStorage]]))) {
-  journey(`with a storage that ${what} the page works, and only forgets`, async (open) => {
-    const visitor = await open({ colorScheme: "light", before: (context) => context.addInitScript(block) });
+for (const [[what, block], tag] of alike(/** @type {const} */ ([["cannot be read", blockStorage], ["takes nothing", fillStorage]]))) {
+  test(`with a storage that ${what} the page works, and only forgets`, { tag }, async ({ open }) => {
+    const visitor = await open({ colorScheme: "light", scripts: [block] });
     const { page } = visitor;
     await page.waitForSelector("body[data-bench='open']");
     await page.selectOption("#language", "pt");
@@ -74,8 +71,8 @@ for (const [what, block] of alike(/** @type {const} */ ([["cannot be read", bloc
   });
 }
 
-for (const status of alike([404, "lost"])) {
-  journey(`a sample that is ${status} gets a notice, and can be tried again`, async (open) => {
+for (const [status, tag] of alike([404, "lost"])) {
+  test(`a sample that is ${status} gets a notice, and can be tried again`, { tag }, async ({ open }) => {
     const visitor = await open({
       before: (context) => context.route("**/assets/sample.png", (route) => (status === "lost" ? route.abort() : route.fulfill({ status }))),
     });

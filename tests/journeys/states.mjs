@@ -1,7 +1,9 @@
 import { readFile } from "node:fs/promises";
 import { findings } from "./boxes.mjs";
+import { openGroup } from "./groups.mjs";
 import { Hand } from "./hand.mjs";
-import { faceless, twice } from "./pictures.mjs";
+import { untilKept } from "./kept.mjs";
+import { faceless } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 /** @typedef {import("./visitor.mjs").Visitor} Visitor */
@@ -30,11 +32,11 @@ export const STATES = [
   { id: "downloaded", enter: download, leave: (visitor) => openTab(visitor, "shape") },
   { id: "notice", enter: fail, leave: closeNotice },
   { id: "keys", enter: openKeys, leave: closeKeys },
-  { id: "group", enter: openGroup, face: "front" },
+  { id: "group", enter: (visitor) => openGroup(visitor, "the two of us.png"), face: "front" },
   { id: "returning", enter: comeBack },
 ];
 
-/** Lets the worker's answer be held back; for `before` of a visitor. @param {import("playwright-core").BrowserContext} context */
+/** Lets the worker's answer be held back; for `before` of a visitor. @param {import("@playwright/test").BrowserContext} context */
 export function withHeldWork(context) {
   return context.addInitScript(holdAnswers);
 }
@@ -191,17 +193,9 @@ async function closeKeys({ page }) {
 }
 
 /** @param {Visitor} visitor */
-async function openGroup(visitor) {
-  await visitor.drop(await twice(visitor.page, await readFile(SAMPLE)), "the two of us.png");
-  await visitor.untilFace();
-  await visitor.page.waitForSelector("#face-options label:nth-child(2)", { state: "attached" });
-}
-
-/** @param {Visitor} visitor */
 async function comeBack(visitor) {
   await haveFace(visitor);
-  // Work is kept a moment after it is done.
-  await visitor.page.waitForTimeout(600);
+  await untilKept(visitor.page);
   await visitor.page.reload();
   await visitor.page.waitForSelector("#continue:not([hidden])");
   await visitor.untilLoaded();

@@ -1,58 +1,55 @@
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
-import { alike, journey } from "./journey.mjs";
-import { keptWorks } from "./kept.mjs";
-import { asJpeg } from "./pictures.mjs";
-import { anotherTab, continueIn, standing, untilKept } from "./tabs.mjs";
-import { SAMPLE } from "./visitor.mjs";
+import { alike, test } from "./fixtures.mjs";
+import { openOther } from "./groups.mjs";
+import { keptWorks, untilKept } from "./kept.mjs";
 
-journey("where the space runs out as the work is committed, the page says once that it is not kept, and goes on", async (open) => {
-  const visitor = await open();
+/** Longer than the page waits for a database or a lock. */
+const PATIENCE_S = 8;
+
+test("where the space runs out as the work is committed, the page says once that it is not kept, and goes on", async ({ open }) => {
+  const visitor = await open({ scripts: [countAborts] });
   const { page } = visitor;
   const browser = await page.context().newCDPSession(page);
   const { origin } = new URL(page.url());
   await browser.send("Storage.overrideQuotaForOrigin", { origin, quotaSize: 20_000 });
-  await visitor.dropSample();
+  await visitor.openFace();
   await expectNotKept(visitor);
   assert.deepEqual(await keptWorks(page), []);
-  await edit(visitor, 9);
-  const work = await standing(visitor);
-  await page.waitForTimeout(1000);
+  const aborts = await page.evaluate("aborts");
+  await visitor.move("nose tip", "z", 9);
+  const work = await visitor.work();
+  await page.waitForFunction((before) => globalThis.aborts > before, aborts);
+  await visitor.frames(2);
   assert.ok(await page.isHidden("#notice"), "it is said again");
 
   // Once there is space, the next change brings everything to the database.
   await browser.send("Storage.overrideQuotaForOrigin", { origin });
   await visitor.offset("y", 4);
-  const next = await standing(visitor);
+  const next = await visitor.work();
   assert.notDeepEqual(next, work);
-  await untilKept(visitor, 1);
-  await page.reload();
-  await continueIn(visitor);
-  assert.deepEqual(await standing(visitor), next);
+  await untilKept(visitor.page);
+  await visitor.comeBack();
+  assert.deepEqual(await visitor.work(), next);
 });
 
-for (const [what, remove] of alike(/** @type {const} */ ([
+for (const [[what, remove], tag] of alike(/** @type {const} */ ([
   ["is deleted", deleteDatabase],
   ["loses the face", (page) => clearStore(page, "faces")],
   ["loses what was done", (page) => clearStore(page, "done")],
 ]))) {
-  journey(`the next change brings back everything to a database that ${what} while the page is open`, async (open) => {
-    const visitor = await open();
-    const { page } = visitor;
-    await visitor.dropSample();
-    await edit(visitor, 9);
-    await untilKept(visitor, 1);
-    const other = await anotherTab(visitor, page.url());
+  test(`the next change brings back everything to a database that ${what} while the page is open`, { tag }, async ({ visitor, page }) => {
+    await visitor.openFace();
+    await visitor.move("nose tip", "z", 9);
+    await untilKept(visitor.page);
+    const other = await visitor.anotherTab();
     await remove(other.page);
     await page.bringToFront();
     await visitor.offset("y", 4);
-    const work = await standing(visitor);
-    await untilKept(visitor, 1);
+    const work = await visitor.work();
+    await untilKept(visitor.page);
     assert.ok(await page.isHidden("#notice"));
-    await page.reload();
-    await continueIn(visitor);
-    assert.deepEqual(await standing(visitor), work);
-    other.checkNothingBroke();
+    await visitor.comeBack();
+    assert.deepEqual(await visitor.work(), work);
   });
 }
 
@@ -68,113 +65,107 @@ const DAMAGES = [
   (face, { order: _, ...done }) => [face, { ...done, edits: 7 }],
 ];
 
-journey("works that are damaged in whatever way hide no older one", async (open) => {
-  const visitor = await open();
-  await visitor.dropSample();
-  await edit(visitor, 9);
-  const work = await standing(visitor);
-  await untilKept(visitor, 1);
-  const next = await anotherTab(visitor, visitor.page.url());
+test("works that are damaged in whatever way hide no older one", async ({ visitor }) => {
+  await visitor.openFace();
+  await visitor.move("nose tip", "z", 9);
+  const work = await visitor.work();
+  await untilKept(visitor.page);
+  const next = await visitor.anotherTab();
   await next.page.evaluate(`(${addDamaged})([${DAMAGES}])`);
   await visitor.page.goto("about:blank");
-  await next.page.reload();
-  await continueIn(next);
-  assert.deepEqual(await standing(next), work);
+  await next.comeBack();
+  assert.deepEqual(await next.work(), work);
   assert.equal((await next.notice()).code, "earlier-work");
-  next.checkNothingBroke();
 });
 
 for (const [what, isLost, found] of /** @type {const} */ ([
   ["picture", "(size) => size > 1e6", "older"],
   ["photo's own file", "(size) => size === 1", "latest"],
 ])) {
-  journey(`where the ${what} of the latest work cannot be read, the ${found} work is opened`, async (open) => {
+  test(`where the ${what} of the latest work cannot be read, the ${found} work is opened`, async ({ open }) => {
     const { visitor, ...works } = await twoWorks(open);
     await visitor.page.evaluate(`(${loseBlob})(${isLost})`);
-    await continueIn(visitor);
-    assert.deepEqual(await standing(visitor), works[found]);
+    await visitor.resume();
+    assert.deepEqual(await visitor.work(), works[found]);
   });
 }
 
-for (const [what, seize] of alike(/** @type {const} */ ([
+for (const [[what, seize], tag] of alike(/** @type {const} */ ([
   ["keeps the database from opening", seizeDatabase],
   ["has a transaction that does not end", seizeStores],
 ]))) {
-  journey(`while another tab ${what}, the page says once that nothing is kept, and later keeps all of it`, async (open) => {
-    const visitor = await open();
+  test(`while another tab ${what}, the page says once that nothing is kept, and later keeps all of it`, { tag }, async ({ open }) => {
+    const visitor = await open({ hasClock: true });
     const { page } = visitor;
-    await visitor.dropSample();
-    await edit(visitor, 9);
-    await untilKept(visitor, 1);
-    const other = await anotherTab(visitor, page.url());
+    await visitor.openFace();
+    await visitor.move("nose tip", "z", 9);
+    await untilKept(visitor.page);
+    const other = await visitor.anotherTab();
     await other.page.evaluate(seize);
 
     await page.bringToFront();
     await visitor.offset("y", 4);
+    await pass(visitor, PATIENCE_S);
     await expectNotKept(visitor);
     await visitor.offset("y", 6);
-    const work = await standing(visitor);
-    await page.waitForTimeout(8000);
+    const work = await visitor.work();
+    await pass(visitor, PATIENCE_S);
     assert.ok(await page.isHidden("#notice"), "it is said again");
 
     await other.page.evaluate(() => globalThis.release());
     await visitor.offset("x", 2);
-    const next = await standing(visitor);
+    const next = await visitor.work();
     assert.notDeepEqual(next, work);
-    await untilKept(visitor, 1);
-    await page.waitForTimeout(1000);
+    await untilKept(visitor.page);
     assert.equal((await keptWorks(page)).length, 1);
-    await page.reload();
-    await continueIn(visitor);
-    assert.deepEqual(await standing(visitor), next);
-    other.checkNothingBroke();
+    await visitor.comeBack();
+    assert.deepEqual(await visitor.work(), next);
   });
 }
 
-journey("work that cannot be read for another tab's sake is not said to be damaged", async (open) => {
+test("work that cannot be read for another tab's sake is not said to be damaged", async ({ open }) => {
   const { visitor, latest } = await twoWorks(open);
   const { page } = visitor;
-  const other = await anotherTab(visitor, page.url());
+  const other = await visitor.anotherTab();
   await other.page.evaluate(seizeStores);
   await page.bringToFront();
   await page.click("#continue");
+  await pass(visitor, PATIENCE_S);
   assert.equal((await visitor.notice()).code, "kept-work-busy");
   await other.page.evaluate(() => globalThis.release());
-  await continueIn(visitor);
-  assert.deepEqual(await standing(visitor), latest);
+  await visitor.resume();
+  assert.deepEqual(await visitor.work(), latest);
 });
 
-journey("locks that are not answered keep no work from being kept and opened again", async (open) => {
-  const visitor = await open({ before: (context) => context.addInitScript(muteLocks) });
+test("locks that are not answered keep no work from being kept and opened again", async ({ open }) => {
+  const visitor = await open({ hasClock: true, scripts: [muteLocks] });
   const { page } = visitor;
-  await visitor.dropSample();
-  await edit(visitor, 9);
-  const work = await standing(visitor);
-  await page.waitForTimeout(6000);
+  await visitor.openFace();
+  await visitor.move("nose tip", "z", 9);
+  const work = await visitor.work();
+  await pass(visitor, PATIENCE_S);
   assert.ok(await page.isHidden("#notice"));
   await page.reload();
-  await continueIn(visitor);
-  assert.deepEqual(await standing(visitor), work);
+  await visitor.resume();
+  assert.deepEqual(await visitor.work(), work);
 });
 
-journey("the latest work is the one that was kept last, however the clock was set in between", async (open) => {
+test("the latest work is the one that was kept last, however the clock was set in between", { tag: "@rare" }, async ({ open }) => {
   const first = await open();
-  const address = first.page.url();
-  await first.dropSample();
-  await edit(first, 9);
-  await untilKept(first, 1);
+  await first.openFace();
+  await first.move("nose tip", "z", 9);
+  await untilKept(first.page);
 
-  const second = await anotherTab(first, address, setClockBack);
-  await second.drop(await asJpeg(second.page, await readFile(SAMPLE), { width: 640, height: 480 }), "other.jpg");
-  await second.untilFace();
-  await edit(second, -6);
-  const latest = await standing(second);
-  await untilKept(second, 2);
+  const second = await first.anotherTab(setClockBack);
+  await openOther(second);
+  await second.move("nose tip", "z", -6);
+  const latest = await second.work();
+  await untilKept(second.page, 2);
   for (const { page } of [first, second]) await page.goto("about:blank");
 
-  const third = await anotherTab(first, address);
-  await continueIn(third);
-  assert.deepEqual(await standing(third), latest);
+  const third = await first.anotherTab();
+  await third.resume();
+  assert.deepEqual(await third.work(), latest);
   // So too with what only the last moment has said.
   await third.findLandmark("nose tip");
   await third.page.evaluate(setClockBack);
@@ -185,35 +176,36 @@ journey("the latest work is the one that was kept last, however the clock was se
     field.dispatchEvent(new Event("change"));
   });
   await third.page.goto("about:blank");
-  const fourth = await anotherTab(first, address);
-  await continueIn(fourth);
+  const fourth = await first.anotherTab();
+  await fourth.resume();
   await fourth.findLandmark("nose tip");
   assert.equal(Number(await fourth.page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]")), 3);
-  for (const visitor of [third, fourth]) visitor.checkNothingBroke();
-}, { isRare: true });
+});
 
 /** Two works of one visitor, who is back on the page; the latest is the one of the sample itself. */
 async function twoWorks(open) {
-  const visitor = await open();
+  const visitor = await open({ hasClock: true });
   const { page } = visitor;
-  await visitor.drop(await asJpeg(page, await readFile(SAMPLE), { width: 640, height: 480 }), "older.jpg");
-  await visitor.untilFace();
-  await edit(visitor, -6);
-  const older = await standing(visitor);
-  await untilKept(visitor, 1);
+  await openOther(visitor, "older.jpg");
+  await visitor.move("nose tip", "z", -6);
+  const older = await visitor.work();
+  await untilKept(visitor.page);
   await visitor.dropSample();
   await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
-  await edit(visitor, 9);
-  const latest = await standing(visitor);
-  await untilKept(visitor, 2);
+  await visitor.move("nose tip", "z", 9);
+  const latest = await visitor.work();
+  await untilKept(visitor.page, 2);
   await page.reload();
   await page.waitForSelector("#continue:not([hidden])");
   return { visitor, older, latest };
 }
 
-async function edit(visitor, offset_mm) {
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", offset_mm);
+/** Moves the page's clock on by `seconds`, and lets the database answer after each. */
+async function pass(visitor, seconds) {
+  for (let second = 0; second < seconds; second++) {
+    await visitor.page.clock.runFor(1000);
+    await visitor.frames(3);
+  }
 }
 
 async function expectNotKept(visitor) {
@@ -237,12 +229,12 @@ async function addDamaged(damages) {
   database.close();
 }
 
-/** @param {import("playwright-core").Page} page */
+/** @param {import("@playwright/test").Page} page */
 function deleteDatabase(page) {
   return page.evaluate(() => new Promise((resolve) => (indexedDB.deleteDatabase("rosto").onsuccess = () => resolve())));
 }
 
-/** @param {import("playwright-core").Page} page @param {string} name */
+/** @param {import("@playwright/test").Page} page @param {string} name */
 function clearStore(page, name) {
   return page.evaluate(async (name) => {
     const database = await new Promise((resolve) => (indexedDB.open("rosto").onsuccess = ({ target }) => resolve(target.result)));
@@ -282,6 +274,15 @@ function loseBlob(isLost) {
     if (isDone || !isLost(this.size)) return arrayBuffer.call(this);
     isDone = true;
     return Promise.reject(new DOMException("The file could not be read.", "NotReadableError"));
+  };
+}
+
+function countAborts() {
+  globalThis.aborts = 0;
+  const { abort } = IDBTransaction.prototype;
+  IDBTransaction.prototype.abort = function () {
+    globalThis.aborts += 1;
+    abort.call(this);
   };
 }
 

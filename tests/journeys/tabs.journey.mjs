@@ -1,137 +1,115 @@
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
-import { journey } from "./journey.mjs";
-import { keptWorks } from "./kept.mjs";
-import { asJpeg, twice } from "./pictures.mjs";
-import { anotherTab, continueIn, standing, untilKept } from "./tabs.mjs";
-import { SAMPLE } from "./visitor.mjs";
+import { test } from "./fixtures.mjs";
+import { chooseFace, openGroup, openOther } from "./groups.mjs";
+import { keptWorks, untilKept } from "./kept.mjs";
 
-journey("two tabs keep two works: each comes back with its own face and edits", async (open) => {
+test("two tabs keep two works: each comes back with its own face and edits", async ({ open }) => {
   const first = await open();
   const { page } = first;
-  const address = page.url();
-  await first.dropSample();
-  await first.findLandmark("nose tip");
-  await first.offset("z", 9);
+  await first.openFace();
+  await first.move("nose tip", "z", 9);
 
-  const second = await anotherTab(first, address);
+  const second = await first.anotherTab();
   // The first tab's work is not offered while it is open there.
   assert.ok(await second.page.isHidden("#continue"));
-  await second.drop(await asJpeg(page, await readFile(SAMPLE), { width: 640, height: 480 }), "other.jpg");
-  await second.untilFace();
-  await second.findLandmark("bottom of the chin");
-  await second.offset("y", -6);
-  const others = await standing(second);
+  await openOther(second);
+  await second.move("bottom of the chin", "y", -6);
+  const others = await second.work();
 
   await page.bringToFront();
   await first.offset("y", 4);
-  const work = await standing(first);
+  const work = await first.work();
   assert.notDeepEqual(work.mesh, others.mesh);
-  await untilKept(first, 2);
+  await untilKept(first.page, 2);
 
   await page.reload();
-  await continueIn(first);
-  assert.deepEqual(await standing(first), work);
-  await second.page.reload();
-  await continueIn(second);
-  assert.deepEqual(await standing(second), others);
+  await first.resume();
+  assert.deepEqual(await first.work(), work);
+  await second.comeBack();
+  assert.deepEqual(await second.work(), others);
 
   // Both are closed; the next two tabs find both, the latest first.
   await page.close();
-  const third = await anotherTab(second, address);
+  const third = await second.anotherTab();
   await second.page.close();
-  await continueIn(third);
-  assert.deepEqual(await standing(third), work);
-  const fourth = await anotherTab(third, address);
-  await continueIn(fourth);
-  assert.deepEqual(await standing(fourth), others);
+  await third.resume();
+  assert.deepEqual(await third.work(), work);
+  const fourth = await third.anotherTab();
+  await fourth.resume();
+  assert.deepEqual(await fourth.work(), others);
   // Opening them again has made no copies, which would drive other works out.
-  await fourth.page.waitForTimeout(1000);
+  await untilKept(fourth.page);
   assert.equal((await keptWorks(fourth.page)).length, 2);
-  for (const visitor of [second, third, fourth]) visitor.checkNothingBroke();
 });
 
-journey("a tab writes its own slot alone, and a new face does not write over the one before", async (open) => {
+test("a tab writes its own slot alone, and a new face does not write over the one before", { tag: "@rare" }, async ({ open }) => {
   const first = await open();
-  const { page } = first;
-  await first.dropSample();
-  await first.findLandmark("nose tip");
-  await first.offset("z", 9);
-  await untilKept(first, 1);
+  await first.openFace();
+  await first.move("nose tip", "z", 9);
+  await untilKept(first.page);
   const [kept] = await keptWorks(first.page);
 
-  const second = await anotherTab(first, page.url());
-  await second.dropSample();
-  await second.findLandmark("bottom of the chin");
-  await second.offset("y", -6);
-  await untilKept(second, 2);
+  const second = await first.anotherTab();
+  await second.openFace();
+  await second.move("bottom of the chin", "y", -6);
+  await untilKept(second.page, 2);
   assert.deepEqual((await keptWorks(first.page)).find(({ slot }) => slot === kept.slot), kept);
 
   // Another photo in the first tab: what was done to the one before stays as it was.
-  await first.drop(await asJpeg(page, await readFile(SAMPLE), { width: 640, height: 480 }), "other.jpg");
-  await first.untilFace();
-  await untilKept(first, 3);
+  await openOther(first);
+  await untilKept(first.page, 3);
   const now = await keptWorks(first.page);
   assert.equal(now.length, 3);
   assert.deepEqual(now.find(({ slot }) => slot === kept.slot)?.edits, kept.edits);
-  second.checkNothingBroke();
-}, { isRare: true });
+});
 
-journey("a face that was left in one tab and goes on in another comes back in the first as it was left there", async (open) => {
+test("a face that was left in one tab and goes on in another comes back in the first as it was left there", async ({ open }) => {
   const first = await open();
   const { page } = first;
-  await first.drop(await twice(page, await readFile(SAMPLE)), "group.png");
-  await first.untilFace();
-  await first.findLandmark("nose tip");
-  await first.offset("z", 9);
-  await untilKept(first, 1);
-  const left = await standing(first);
+  await openGroup(first);
+  await first.move("nose tip", "z", 9);
+  await untilKept(first.page);
+  const left = await first.work();
   const choose = async (index) => {
-    await page.locator("#face-options input").nth(index).click({ force: true });
+    await chooseFace(first, index);
     await page.waitForFunction((count) => document.querySelectorAll("#history li").length === count, index === 0 ? 1 : 0);
   };
   await choose(1);
-  await untilKept(first, 2);
+  await untilKept(first.page, 2);
 
-  const second = await anotherTab(first, page.url());
-  await continueIn(second);
-  assert.deepEqual(await standing(second), left);
-  await second.findLandmark("bottom of the chin");
-  await second.offset("y", -6);
-  const others = await standing(second);
-  await second.page.waitForTimeout(600);
+  const second = await first.anotherTab();
+  await second.resume();
+  assert.deepEqual(await second.work(), left);
+  await second.move("bottom of the chin", "y", -6);
+  const others = await second.work();
+  await untilKept(second.page);
 
   await page.bringToFront();
   await choose(0);
-  assert.deepEqual(await standing(first), left);
-  await first.findLandmark("nose tip");
-  await first.offset("y", 2);
-  const work = await standing(first);
-  await untilKept(first, 3);
-  assert.deepEqual(await standing(second), others);
+  assert.deepEqual(await first.work(), left);
+  await first.move("nose tip", "y", 2);
+  const work = await first.work();
+  await untilKept(first.page, 3);
+  assert.deepEqual(await second.work(), others);
   for (const [visitor, stands] of [[first, work], [second, others]]) {
     await visitor.page.bringToFront();
-    await visitor.page.reload();
-    await continueIn(visitor);
-    assert.deepEqual(await standing(visitor), stands);
+    await visitor.comeBack();
+    assert.deepEqual(await visitor.work(), stands);
   }
-  second.checkNothingBroke();
 });
 
-journey("work that is open in another tab by now is said to be there, or the next one is opened", async (open) => {
+test("work that is open in another tab by now is said to be there, or the next one is opened", async ({ open }) => {
   const first = await open();
   const { page } = first;
-  await first.dropSample();
-  await first.findLandmark("nose tip");
-  await first.offset("z", 9);
-  await untilKept(first, 1);
-  const address = page.url();
+  await first.openFace();
+  await first.move("nose tip", "z", 9);
+  await untilKept(first.page);
   await page.reload();
-  const second = await anotherTab(first, address);
-  const third = await anotherTab(first, address);
+  const second = await first.anotherTab();
+  const third = await first.anotherTab();
   for (const { page } of [first, second, third]) await page.waitForSelector("#continue:not([hidden])");
-  await continueIn(first);
-  const work = await standing(first);
+  await first.resume();
+  const work = await first.work();
 
   await second.page.bringToFront();
   await second.page.click("#continue");
@@ -143,19 +121,15 @@ journey("work that is open in another tab by now is said to be there, or the nex
   await second.speak("en");
 
   // Of two works, the other tab gets the one that nobody has.
-  await second.drop(await asJpeg(page, await readFile(SAMPLE), { width: 640, height: 480 }), "other.jpg");
-  await second.untilFace();
-  await second.findLandmark("bottom of the chin");
-  await second.offset("y", -6);
-  await untilKept(second, 2);
-  const others = await standing(second);
+  await openOther(second);
+  await second.move("bottom of the chin", "y", -6);
+  await untilKept(second.page, 2);
+  const others = await second.work();
   await second.page.close();
   await third.page.bringToFront();
-  await third.page.click("#continue");
-  await third.untilFace();
+  await third.resume();
   assert.equal((await third.notice()).code, "earlier-work");
-  assert.deepEqual(await standing(third), others);
-  assert.deepEqual(await standing(first), work);
+  assert.deepEqual(await third.work(), others);
+  assert.deepEqual(await first.work(), work);
   assert.equal((await keptWorks(page)).length, 2);
-  third.checkNothingBroke();
 });

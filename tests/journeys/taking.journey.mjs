@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { way } from "./meshes.mjs";
 import { accentPixels } from "./pixels.mjs";
 
@@ -10,10 +10,8 @@ const NOSE_SIDES = [45, 275];
 const EYELIDS = [159, 386, 145, 374];
 const INNER_LIPS = [13, 14, 82, 87, 312, 317];
 
-journey("the nose goes sideways, too, without the mirror, and says so", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("the nose goes sideways, too, without the mirror, and says so", async ({ visitor, page }) => {
+  await visitor.openFace();
   assert.ok(await page.isChecked("#mirror"));
   const tip = await visitor.landmarkPlace(NOSE_TIP);
   const start = await visitor.meshJson("mm");
@@ -41,10 +39,8 @@ journey("the nose goes sideways, too, without the mirror, and says so", async (o
   assert.ok(lifted[1] > 3 && Math.hypot(lifted[0], lifted[2]) < 1e-9, `what a slider rounds is no move: ${lifted}`);
 });
 
-journey("a drag past a slider's end stops there and says so", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("a drag past a slider's end stops there and says so", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   const tip = await visitor.landmarkPlace(NOSE_TIP);
   const start = await visitor.meshJson("mm");
   await page.mouse.move(tip.x, tip.y);
@@ -56,12 +52,10 @@ journey("a drag past a slider's end stops there and says so", async (open) => {
   const slider = page.locator("#landmark-sliders [data-axis='y'] input[type=number]");
   assert.equal(await slider.inputValue(), await slider.getAttribute("max"));
   assert.ok(Math.abs(way(start, await visitor.meshJson("mm"), NOSE_TIP)[1] - Number(await slider.inputValue())) < 1e-9);
-}, { isRare: true });
+});
 
-journey("an edit is near and shows how far it reaches: pulling the nose leaves teeth and eyelids alone", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("an edit is near and shows how far it reaches: pulling the nose leaves teeth and eyelids alone", { tag: "@eyes" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   assert.ok(await page.isChecked("#nearby") && (await page.isChecked("input[name='preset'][value='sculpt']")));
   const start = await visitor.meshJson("mm");
@@ -89,12 +83,11 @@ journey("an edit is near and shows how far it reaches: pulling the nose leaves t
   }
   const [near, whole] = shots;
   assert.ok(accentPixels(near) > accentPixels(whole) + 60, `${accentPixels(near)} and ${accentPixels(whole)} pixels of the accent`);
-}, { needs: "eyes" });
+});
 
-for (const [mode, least] of alike(/** @type {const} */ ([["landmark", 12], ["region", 12], ["point", 12]]))) {
-  journey(`what lights up under the pointer is what a press takes: ${mode}`, async (open) => {
-    const visitor = await open();
-    await visitor.dropSample();
+for (const [[mode, least], tag] of alike(/** @type {const} */ ([["landmark", 12], ["region", 12], ["point", 12]]))) {
+  test(`what lights up under the pointer is what a press takes: ${mode}`, { tag }, async ({ visitor }) => {
+    await visitor.openFace();
     await visitor.reach("#selection");
     await visitor.page.check(`input[name='selection'][value='${mode}']`, { force: true });
     const { lit, turned } = await visitor.takeAtEach(9);
@@ -103,10 +96,8 @@ for (const [mode, least] of alike(/** @type {const} */ ([["landmark", 12], ["reg
   });
 }
 
-journey("what lights up below a pointer that rests is what a press takes, however the face has moved there", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("what lights up below a pointer that rests is what a press takes, however the face has moved there", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   const tip = await visitor.landmarkPlace(NOSE_TIP);
   const { x, y } = { x: tip.x + 45, y: tip.y - 30 };
   const named = () => page.evaluate(() => document.getElementById("landmark-tag").value);
@@ -129,12 +120,10 @@ journey("what lights up below a pointer that rests is what a press takes, howeve
     await page.mouse.move(x, y);
   }
   assert.ok(names.size > 3, `the same everywhere: ${[...names]}`);
-}, { isRare: true });
+});
 
-journey("beside the face, or with another button, the face turns; with Shift it moves", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("beside the face, or with another button, the face turns; with Shift it moves", { tag: "@rare" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   const tip = await visitor.landmarkPlace(NOSE_TIP);
   const brow = await visitor.landmarkPlace(FOREHEAD);
   const beside = await visitor.besideTheFace();
@@ -159,4 +148,4 @@ journey("beside the face, or with another button, the face turns; with Shift it 
     }
   }
   assert.deepEqual(await visitor.history(), []);
-}, { isRare: true });
+});

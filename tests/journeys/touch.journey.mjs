@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { alike, journey } from "./journey.mjs";
+import { alike, test } from "./fixtures.mjs";
 import { way } from "./meshes.mjs";
 import { difference } from "./pixels.mjs";
 
@@ -7,10 +7,10 @@ const NOSE_TIP = 1;
 const LOWER_LIP = 17;
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
 
-journey("on a phone two fingers turn the face and pinch it larger, three move it, and one drags what it is on", async (open) => {
+test("on a phone two fingers turn the face and pinch it larger, three move it, and one drags what it is on", async ({ open }) => {
   const visitor = await open(PHONE);
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   const touch = await page.context().newCDPSession(page);
   const at = await page.locator("#viewport").boundingBox();
   const [x, y] = [at.x + at.width / 2, at.y + at.height / 2];
@@ -54,10 +54,10 @@ journey("on a phone two fingers turn the face and pinch it larger, three move it
   assert.ok(along[1] > 2 && Math.hypot(along[0], along[2]) < 1e-9, `it went by ${along}`);
 });
 
-journey("on a phone a tap selects and a drag moves it, while a second finger changes how far that reaches", async (open) => {
+test("on a phone a tap selects and a drag moves it, while a second finger changes how far that reaches", async ({ open }) => {
   const visitor = await open(PHONE);
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   const touch = await page.context().newCDPSession(page);
   const send = (type, touchPoints) => touch.send("Input.dispatchTouchEvent", { type, touchPoints });
   const lip = await visitor.landmarkPlace(LOWER_LIP);
@@ -86,22 +86,22 @@ journey("on a phone a tap selects and a drag moves it, while a second finger cha
   assert.equal(await visitor.landmark(), LOWER_LIP);
 });
 
-journey("on a phone one finger beside the face turns it", async (open) => {
+test("on a phone one finger beside the face turns it", { tag: "@eyes" }, async ({ open }) => {
   const visitor = await open(PHONE);
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   const touch = await page.context().newCDPSession(page);
   const at = await page.locator("#viewport").boundingBox();
   const start = await visitor.view();
   await stroke(touch, [[{ x: 12, y: at.y + at.height - 90 }], [{ x: 112, y: at.y + at.height - 90 }]]);
   assert.ok(difference(start, await visitor.view()) > 0.02, "one finger did not turn the face");
   assert.deepEqual(await visitor.history(), []);
-}, { needs: "eyes" });
+});
 
-journey("on a phone the sheet leaves most of the face free, and nothing scrolls sideways at 360 px", async (open) => {
+test("on a phone the sheet leaves most of the face free, and nothing scrolls sideways at 360 px", async ({ open }) => {
   const visitor = await open({ ...PHONE, viewport: { width: 360, height: 740 } });
   const { page } = visitor;
-  await visitor.dropSample();
+  await visitor.openFace();
   const sheet = await page.locator("#panel").boundingBox();
   assert.ok(sheet.height <= 0.45 * 740 + 1, `the sheet is ${sheet.height} px high`);
   const size = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight]);
@@ -114,11 +114,11 @@ journey("on a phone the sheet leaves most of the face free, and nothing scrolls 
   }
 });
 
-for (const width of alike([360, 390, 820, 1024, 1280])) {
-  journey(`nothing floats over anything else at ${width} px`, async (open) => {
+for (const [width, tag] of alike([360, 390, 820, 1024, 1280])) {
+  test(`nothing floats over anything else at ${width} px`, { tag }, async ({ open }) => {
     const visitor = await open({ ...PHONE, viewport: { width, height: 800 } });
     const { page } = visitor;
-    await visitor.dropSample();
+    await visitor.openFace();
     for (const language of ["en", "pt"]) {
       await visitor.speak(language);
       const [toolbar, privacy, hint, panel] = await Promise.all(
@@ -137,12 +137,7 @@ function areApart(one, other) {
   return beside || one.y + one.height <= other.y || other.y + other.height <= one.y;
 }
 
-/**
- * Moves fingers from place to place.
- *
- * @param {import("playwright-core").CDPSession} touch
- * @param {{ x: number, y: number }[][]} places
- */
+/** Moves fingers from place to place. @param {import("@playwright/test").CDPSession} touch @param {{ x: number, y: number }[][]} places */
 async function stroke(touch, [from, to]) {
   const STEPS = 5;
   await touch.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: from });

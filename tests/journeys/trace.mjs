@@ -9,7 +9,7 @@ const CATEGORIES = ["toplevel", "devtools.timeline", "disabled-by-default-devtoo
 /**
  * The events of a trace while something is done.
  *
- * @param {import("playwright-core").Page} page
+ * @param {import("@playwright/test").Page} page
  * @param {() => Promise<void>} act
  * @returns {Promise<Event[]>}
  */
@@ -58,12 +58,7 @@ function onMainThread(events) {
   return events.filter(({ ph, pid, tid, tdur }) => ph === "X" && tdur && main.has(`${pid}:${tid}`));
 }
 
-/**
- * What a task held, as the browser's own trace names it.
- *
- * @param {Event} task
- * @param {Event[]} events
- */
+/** What a task held, as the browser's own trace names it. @param {Event} task @param {Event[]} events */
 function partsOf(task, events) {
   const within = events.filter(({ ts, dur, tid, name }) =>
     tid === task.tid && ts >= task.ts && ts + dur <= task.ts + task.dur && !WRAPPERS.has(name));

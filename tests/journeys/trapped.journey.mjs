@@ -1,21 +1,21 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
+import { untilKept } from "./kept.mjs";
+import { panicIn } from "./watches.mjs";
 
-journey("nothing is asked of a module that has trapped, whatever is pressed before and after another one is there", async (open) => {
-  const visitor = await open({ before: (context) => context.addInitScript(countCalls) });
+test("nothing is asked of a module that has trapped, whatever is pressed before and after another one is there", async ({ open }) => {
+  const visitor = await open({ scripts: [countCalls] });
   const { page } = visitor;
   await visitor.untilLoaded();
-  await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 9);
+  await visitor.openFace();
+  await visitor.move("nose tip", "z", 9);
   await page.click("[data-tab-name='export']").catch(() => {});
   await visitor.meshJson("mm");
   const project = await visitor.download("save-project");
-  // What was done is kept a moment later.
-  await page.waitForTimeout(600);
+  await untilKept(page);
 
   await page.evaluate("modules.hold()");
-  await page.evaluate(trapNext);
+  await page.evaluate(panicIn, { method: "orbit" });
   await page.focus("#viewport");
   await page.keyboard.press("ArrowLeft");
   await page.waitForFunction("modules.isWaiting");
@@ -87,18 +87,5 @@ function countCalls() {
       }];
     };
     return { module, instance: { exports: Object.fromEntries(Object.entries(instance.exports).map(counted)) } };
-  };
-}
-
-/** Runs in the page: the next turn of the camera traps within the module, as a panic does. */
-async function trapNext() {
-  const { Studio } = await import(new URL("wasm/rosto-studio-web.js", document.baseURI).href);
-  const { orbit } = Studio.prototype;
-  // (module (func (export "panic") unreachable))
-  const code = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 7, 9, 1, 5, 112, 97, 110, 105, 99, 0, 0, 10, 5, 1, 3, 0, 0, 11];
-  const panic = new WebAssembly.Instance(new WebAssembly.Module(new Uint8Array(code))).exports.panic;
-  Studio.prototype.orbit = () => {
-    Studio.prototype.orbit = orbit;
-    panic();
   };
 }

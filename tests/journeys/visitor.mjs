@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { PNG } from "pngjs";
+import { untilKept } from "./kept.mjs";
 
 export const SAMPLE = path.resolve(import.meta.dirname, "../../web/assets/sample.png");
 
@@ -21,13 +22,24 @@ export class Visitor {
   browserSaid = [];
   /** Whether screenshots show the 3D view. */
   sees = true;
+  /** Addresses of all requests so far. @type {string[]} */
+  requests = [];
+  /** Other tabs of the same browser. @type {Visitor[]} */
+  tabs = [];
+  /** A project of the sample portrait, for {@link openFace}. @type {Uint8Array | undefined} */
+  project;
 
   /**
-   * @param {import("playwright-core").Browser} browser
+   * @typedef {object} Visit
+   * @property {(context: import("@playwright/test").BrowserContext) => unknown} [before] what is done before the page opens
+   * @property {((...values: any[]) => unknown | string)[]} [scripts] run in the page before its own
+   * @property {boolean} [hasClock] whether the page's time can be moved on
+   *
+   * @param {import("@playwright/test").Browser} browser
    * @param {string} url
-   * @param {{ before?: (context: import("playwright-core").BrowserContext) => Promise<void> } & import("playwright-core").BrowserContextOptions} [options]
+   * @param {Visit & import("@playwright/test").BrowserContextOptions} [options]
    */
-  static async arrive(browser, url, { before, ...options } = {}) {
+  static async arrive(browser, url, { before, scripts = [], hasClock = false, ...options } = {}) {
     const context = await browser.newContext({
       viewport: { width: 1024, height: 640 },
       locale: "en-GB",
@@ -36,17 +48,23 @@ export class Visitor {
       acceptDownloads: true,
       ...options,
     });
+    if (hasClock) await context.clock.install();
+    for (const script of scripts) await context.addInitScript(script);
     await before?.(context);
+    /** @type {string[]} */
+    const requests = [];
+    context.on("request", (request) => requests.push(request.url()));
     await context.addInitScript(reportViolations, VIOLATION);
     const page = await context.newPage();
     const visitor = new Visitor(page);
+    Object.assign(visitor, { address: url, requests });
     // Every file dialog is answered with the sample. One that opens before Playwright listens for it would be lost.
     page.on("filechooser", (chooser) => chooser.setFiles(SAMPLE));
     await page.goto(url);
     return visitor;
   }
 
-  /** @param {import("playwright-core").Page} page */
+  /** @param {import("@playwright/test").Page} page */
   constructor(page) {
     this.page = page;
     page.setDefaultTimeout(60_000);
@@ -60,11 +78,22 @@ export class Visitor {
   }
 
   checkNothingBroke() {
-    assert.deepEqual(this.broken, []);
+    assert.deepEqual([this, ...this.tabs].flatMap(({ broken }) => broken), []);
   }
 
   async leave() {
     await this.page.context().close();
+  }
+
+  /** Opens the page in another tab. @param {() => void} [script] runs in the page before its own */
+  async anotherTab(script) {
+    const other = new Visitor(await this.page.context().newPage());
+    Object.assign(other, { sees: this.sees, project: this.project, address: this.address, tabs: this.tabs });
+    this.tabs.push(other);
+    if (script) await other.page.addInitScript(script);
+    await other.page.goto(this.address);
+    await other.untilLoaded();
+    return other;
   }
 
   /** Waits until the page has all its parts, after which it makes no request. */
@@ -77,12 +106,7 @@ export class Visitor {
     await this.page.waitForSelector("#language option", { state: "attached" });
   }
 
-  /**
-   * Drops a file anywhere on the page.
-   *
-   * @param {Uint8Array} bytes
-   * @param {string} name
-   */
+  /** Drops a file anywhere on the page. @param {Uint8Array} bytes @param {string} name */
   async drop(bytes, name) {
     await this.untilItAnswers();
     const transfer = await this.page.evaluateHandle(
@@ -103,11 +127,33 @@ export class Visitor {
     await this.untilFace();
   }
 
-  /**
-   * Has the page in another language, as by its list of them, which may be out of sight.
-   *
-   * @param {string} language
-   */
+  /** Opens the sample portrait without a search for its face. @param {string} [name] of its file */
+  async openFace(name = "portrait") {
+    await this.drop(this.project, `${name}.rosto`);
+    await this.untilFace();
+  }
+
+  /** Reloads the page once its work is kept, and resumes it. */
+  async comeBack() {
+    await untilKept(this.page);
+    await this.page.reload();
+    await this.resume();
+  }
+
+  /** Resumes the work that the empty page offers. */
+  async resume() {
+    await this.page.bringToFront();
+    await this.page.click("#continue");
+    await this.untilFace();
+  }
+
+  /** The mesh, and what was done to it. */
+  async work() {
+    await this.page.bringToFront();
+    return { mesh: await this.meshJson("mm"), history: await this.history() };
+  }
+
+  /** Has the page in another language, as by its list of them, which may be out of sight. @param {string} language */
   async speak(language) {
     await this.page.evaluate((language) => {
       const choice = document.getElementById("language");
@@ -126,11 +172,7 @@ export class Visitor {
     await this.frames(3);
   }
 
-  /**
-   * Waits for so many frames to be drawn.
-   *
-   * @param {number} count
-   */
+  /** Waits for so many frames to be drawn. @param {number} count */
   async frames(count) {
     await this.page.evaluate(async (count) => {
       for (let i = 0; i < count; i++) await new Promise(requestAnimationFrame);
@@ -142,11 +184,7 @@ export class Visitor {
     return this.reach(`#${id}`);
   }
 
-  /**
-   * Shows something of the panel, whichever tab or folds hide it.
-   *
-   * @param {string} selector
-   */
+  /** Shows something of the panel, whichever tab or folds hide it. @param {string} selector */
   async reach(selector) {
     const tab = await this.page.locator(`#sections > [data-tab]:is(${selector}, :has(${selector}))`).getAttribute("data-tab");
     const button = this.page.locator(`[data-tab-name="${tab}"]:not([aria-selected="true"])`);
@@ -155,22 +193,14 @@ export class Visitor {
     while ((await folded.count()) > 0) await folded.first().click();
   }
 
-  /**
-   * Finds a landmark by name or number.
-   *
-   * @param {string} text
-   */
+  /** Finds a landmark by name or number. @param {string} text */
   async findLandmark(text) {
     await this.unfold("section-landmark");
     await this.page.fill("#landmark-search", text);
     await this.page.press("#landmark-search", "Enter");
   }
 
-  /**
-   * Takes a whole part of the face in hand.
-   *
-   * @param {string} region its id, such as "left-brow"
-   */
+  /** Takes a whole part of the face in hand. @param {string} region its id, such as "left-brow" */
   async chooseRegion(region) {
     await this.unfold("section-landmark");
     await this.page.check("input[name='selection'][value='region']", { force: true });
@@ -189,20 +219,13 @@ export class Visitor {
     });
   }
 
-  /**
-   * Where in the window what is selected is. The pointer goes off the view for that: what it rests on would be named in its
-   * stead.
-   */
+  /** Where in the window what is selected is. The pointer goes off the view for that: what it rests on would be named in its stead. */
   async selectedPlace() {
     await this.page.mouse.move(1, 1);
     return this.tagged();
   }
 
-  /**
-   * Where in the window a landmark is; it is selected for that, and let go of again.
-   *
-   * @param {number} landmark
-   */
+  /** Where in the window a landmark is; it is selected for that, and let go of again. @param {number} landmark */
   async landmarkPlace(landmark) {
     await this.findLandmark(String(landmark));
     const place = await this.selectedPlace();
@@ -211,11 +234,7 @@ export class Visitor {
     return place;
   }
 
-  /**
-   * A place of the window in the pixels of {@link view}.
-   *
-   * @param {{ x: number, y: number }} place
-   */
+  /** A place of the window in the pixels of {@link view}. @param {{ x: number, y: number }} place */
   async onView({ x, y }) {
     const box = await this.page.locator("#viewport").boundingBox();
     const ratio = await this.page.evaluate(() => devicePixelRatio);
@@ -278,28 +297,25 @@ export class Visitor {
     await this.frames(3);
   }
 
-  /**
-   * Chooses how the face follows an edit.
-   *
-   * @param {"sculpt" | "paper"} preset
-   */
+  /** Chooses how the face follows an edit. @param {"sculpt" | "paper"} preset */
   async prefer(preset) {
     await this.unfold("section-landmark");
     await this.page.check(`input[name="preset"][value="${preset}"]`, { force: true });
   }
 
-  /**
-   * Types an offset into the number field of an axis.
-   *
-   * @param {"x" | "y" | "z"} axis
-   * @param {number} offset_mm
-   */
+  /** Types an offset into the number field of an axis. @param {"x" | "y" | "z"} axis @param {number} offset_mm */
   async offset(axis, offset_mm) {
     await this.unfold("section-landmark");
     const field = this.page.locator(`#landmark-sliders [data-axis="${axis}"] input[type=number]`);
     await field.fill(String(offset_mm));
     await field.press("Tab");
     await this.frames(3);
+  }
+
+  /** Moves a landmark along an axis. @param {string} landmark @param {"x" | "y" | "z"} axis @param {number} offset_mm */
+  async move(landmark, axis, offset_mm) {
+    await this.findLandmark(landmark);
+    await this.offset(axis, offset_mm);
   }
 
   /**
@@ -349,15 +365,20 @@ export class Visitor {
     return JSON.parse((await this.download("download-json")).toString());
   }
 
-  /** @param {string} action */
+  /** The file that a button saves. @param {string} action */
   async download(action) {
+    return (await this.save(action)).bytes;
+  }
+
+  /** The same with its name. @param {string} action */
+  async save(action) {
     await this.unfold("section-export");
     if (await this.page.locator(`#sections [data-action="${action}"]`).count()) await this.reach(`[data-action="${action}"]`);
     const [download] = await Promise.all([
       this.page.waitForEvent("download"),
       this.page.click(`#panel [data-action="${action}"]`),
     ]);
-    return readFile(await download.path());
+    return { bytes: await readFile(await download.path()), name: download.suggestedFilename() };
   }
 
   /** The pixels of the 3D view once it has come to rest, with what floats over it left out. */
@@ -395,11 +416,7 @@ export class Visitor {
   }
 }
 
-/**
- * Runs in the page.
- *
- * @param {string} violation
- */
+/** Runs in the page. @param {string} violation */
 function reportViolations(violation) {
   addEventListener("securitypolicyviolation", ({ violatedDirective, blockedURI, sample }) => {
     console.error(`${violation} ${violatedDirective} ${blockedURI} ${sample}`);

@@ -1,131 +1,82 @@
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
 import { meshByCommandLine } from "./command-line.mjs";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { assertSameMesh } from "./meshes.mjs";
-import { chromaticity, colourCount, difference, meanColour } from "./pixels.mjs";
+import { colourCount, difference } from "./pixels.mjs";
+import { assertPortraitColours } from "./portrait-colours.mjs";
 import { validateGlb } from "./validate-glb.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 const FOR_WEBGPU = "rosto-studio-web_bg.wasm";
 const FOR_WEBGL2 = "rosto-studio-webgl_bg.wasm";
-/** The middle of the face, in the portrait and on the canvas as the face arrives. */
-const FACE_IN_PORTRAIT = { left: 0.4, top: 0.17, right: 0.47, bottom: 0.3 };
-const FACE_ON_CANVAS = { left: 0.46, top: 0.42, right: 0.54, bottom: 0.58 };
 
-journey(
-  "without a WebGPU adapter the portrait becomes a mesh in WebGL2, is edited by number and by hand, and downloads",
-  async (open) => {
-    const visitor = await open();
-    const { page } = visitor;
-    assert.equal(await page.evaluate(async () => (await navigator.gpu?.requestAdapter()) ?? null), null);
-    await visitor.untilLoaded();
-    await page.click("#welcome [data-action='sample']");
-    await visitor.untilFace();
-    assert.equal(await contextKind(page), "webgl2");
-    const found = await visitor.view();
-    assert.ok(colourCount(found) > 40, `only ${colourCount(found)} colours on the canvas`);
-    const wanted = chromaticity(meanColour(PNG.sync.read(await readFile(SAMPLE)), FACE_IN_PORTRAIT));
-    const seen = chromaticity(meanColour(found, FACE_ON_CANVAS));
-    for (const [channel, share] of seen.entries()) assert.ok(Math.abs(share - wanted[channel]) < 0.04, `${seen} for ${wanted}`);
+test("without a WebGPU adapter the portrait becomes a mesh in WebGL2, is edited by number and by hand, and downloads", { tag: "@webgl" }, async ({ visitor, page }) => {
+  assert.equal(await page.evaluate(async () => (await navigator.gpu?.requestAdapter()) ?? null), null);
+  await visitor.untilLoaded();
+  await page.click("#welcome [data-action='sample']");
+  await visitor.untilFace();
+  assert.equal(await contextKind(page), "webgl2");
+  const found = await visitor.view();
+  await assertPortraitColours(found);
 
-    await visitor.findLandmark("nose tip");
-    const held = await visitor.view();
-    await visitor.offset("y", 9);
-    const moved = await visitor.view();
-    assert.ok(difference(held, moved) > 0.002, "the number did not change the picture");
-    await dragFromTheMiddle(visitor, 0, -30);
-    assert.equal((await visitor.history()).length, 2, "the drag moved no landmark");
-    assert.ok(difference(moved, await visitor.view()) > 0.002, "the drag did not change the picture");
+  await visitor.findLandmark("nose tip");
+  const held = await visitor.view();
+  await visitor.offset("y", 9);
+  const moved = await visitor.view();
+  assert.ok(difference(held, moved) > 0.002, "the number did not change the picture");
+  const box = await page.locator("#viewport").boundingBox();
+  await visitor.drag({ x: box.x + box.width / 2, y: box.y + box.height / 2 }, { x: 0, y: -30 });
+  assert.equal((await visitor.history()).length, 2, "the drag moved no landmark");
+  assert.ok(difference(moved, await visitor.view()) > 0.002, "the drag did not change the picture");
 
-    const glb = await visitor.download("download-glb");
-    assert.deepEqual(await validateGlb(glb), { clean: true, counts: "0/0/0/0", messages: [] });
-    const picture = PNG.sync.read(await visitor.download("download-picture"));
-    assert.ok(colourCount(picture) > 40, "the picture that was downloaded is blank");
-    assert.equal(picture.data[3], 0, "the picture is not transparent around the face");
-  },
-  { needs: "webgl" },
-);
+  const glb = await visitor.download("download-glb");
+  assert.deepEqual(await validateGlb(glb), { clean: true, counts: "0/0/0/0", messages: [] });
+  const picture = PNG.sync.read(await visitor.download("download-picture"));
+  assert.ok(colourCount(picture) > 40, "the picture that was downloaded is blank");
+  assert.equal(picture.data[3], 0, "the picture is not transparent around the face");
+});
 
-journey(
-  "without navigator.gpu only the module for WebGL2 is downloaded, and it makes the command line's mesh",
-  async (open) => {
-    /** @type {string[]} */
-    const asked = [];
-    const visitor = await open({
-      before: async (context) => {
-        context.on("request", (request) => asked.push(new URL(request.url()).pathname.split("/").at(-1)));
-        await context.addInitScript(() => delete Navigator.prototype["gpu"]);
-      },
-    });
-    await visitor.dropSample();
-    assert.ok(asked.includes(FOR_WEBGL2) && !asked.includes(FOR_WEBGPU), asked.join(" "));
-    await visitor.prefer("paper");
-    await visitor.findLandmark("nose tip");
-    await visitor.offset("z", 12);
-    const edit = `${await visitor.landmark()}:0,0,12:${(await visitor.anchors()).join(",")}`;
-    const options = ["--units", "mm", "--density", "0", "--edit", edit];
-    assertSameMesh(await visitor.meshJson("mm"), await meshByCommandLine(SAMPLE, options));
-  },
-  { needs: "webgl" },
-);
+test("without navigator.gpu only the module for WebGL2 is downloaded, and it makes the command line's mesh", { tag: "@webgl" }, async ({ open }) => {
+  const visitor = await open({ scripts: ["delete Navigator.prototype.gpu"] });
+  await visitor.dropSample();
+  const asked = visitor.requests.map((url) => new URL(url).pathname.split("/").at(-1));
+  assert.ok(asked.includes(FOR_WEBGL2) && !asked.includes(FOR_WEBGPU), asked.join(" "));
+  await visitor.prefer("paper");
+  await visitor.move("nose tip", "z", 12);
+  const edit = `${await visitor.landmark()}:0,0,12:${(await visitor.anchors()).join(",")}`;
+  const options = ["--units", "mm", "--density", "0", "--edit", edit];
+  assertSameMesh(await visitor.meshJson("mm"), await meshByCommandLine(SAMPLE, options));
+});
 
-journey("with WebGPU nothing of the module for WebGL2 is downloaded", async (open) => {
-  /** @type {string[]} */
-  const asked = [];
-  const visitor = await open({
-    serviceWorkers: "allow",
-    before: async (context) => {
-      context.on("request", (request) => asked.push(request.url()));
-    },
-  });
+test("with WebGPU nothing of the module for WebGL2 is downloaded", async ({ open }) => {
+  const visitor = await open({ serviceWorkers: "allow" });
   await visitor.untilLoaded();
   assert.equal(await contextKind(visitor.page), "webgpu");
-  assert.ok(asked.some((url) => url.endsWith(FOR_WEBGPU)));
-  assert.deepEqual(asked.filter((url) => /\/wasm\/.*webgl/.test(url)), []);
+  assert.ok(visitor.requests.some((url) => url.endsWith(FOR_WEBGPU)));
+  assert.deepEqual(visitor.requests.filter((url) => /\/wasm\/.*webgl/.test(url)), []);
   for (const [file, stored] of [[FOR_WEBGPU, true], [FOR_WEBGL2, false]]) {
     assert.equal(await visitor.page.evaluate((file) => caches.match(`wasm/${file}`).then(Boolean), file), stored, file);
   }
 });
 
-journey(
-  "after the first visit the page works in WebGL2 without a network",
-  async (open) => {
-    const visitor = await open({ serviceWorkers: "allow" });
-    const { page } = visitor;
-    await visitor.untilLoaded();
-    await page.waitForFunction((file) => caches.match(`wasm/${file}`).then(Boolean), FOR_WEBGL2);
-    await page.context().setOffline(true);
-    await page.reload();
-    await page.click("#welcome [data-action='sample']");
-    await visitor.untilFace();
-    assert.equal(await contextKind(page), "webgl2");
-    assert.ok(colourCount(await visitor.view()) > 40);
-  },
-  { needs: "webgl" },
-);
+test("after the first visit the page works in WebGL2 without a network", { tag: "@webgl" }, async ({ open }) => {
+  const visitor = await open({ serviceWorkers: "allow" });
+  const { page } = visitor;
+  await visitor.untilLoaded();
+  await page.waitForFunction((file) => caches.match(`wasm/${file}`).then(Boolean), FOR_WEBGL2);
+  await page.context().setOffline(true);
+  await page.reload();
+  await page.click("#welcome [data-action='sample']");
+  await visitor.untilFace();
+  assert.equal(await contextKind(page), "webgl2");
+  assert.ok(colourCount(await visitor.view()) > 40);
+});
 
-/** @param {import("playwright-core").Page} page */
+/** @param {import("@playwright/test").Page} page */
 function contextKind(page) {
   return page.evaluate(() => {
     const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("viewport"));
     return ["webgpu", "webgl2"].find((kind) => canvas.getContext(kind));
   });
-}
-
-/**
- * Drags what lies in the middle of the 3D view.
- *
- * @param {import("./visitor.mjs").Visitor} visitor
- * @param {number} dx_px
- * @param {number} dy_px
- */
-async function dragFromTheMiddle({ page }, dx_px, dy_px) {
-  const box = await page.locator("#viewport").boundingBox();
-  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x + dx_px, y + dy_px, { steps: 6 });
-  await page.mouse.up();
 }

@@ -1,7 +1,8 @@
 import assert from "node:assert/strict";
 import { readFile, readdir } from "node:fs/promises";
 import path from "node:path";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
+import { withHeld } from "./held.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
 const [en, pt] = await Promise.all(["en", "pt"].map(wordsOf));
@@ -17,7 +18,7 @@ const SOURCES = [
 /** The properties of an error, named where its codes are. */
 const PROPERTIES = ["code", "hint"];
 
-journey("whatever can go wrong has words of the page's own, in every language", async () => {
+test("whatever can go wrong has words of the page's own, in every language", async () => {
   const codes = await allCodes();
   for (const code of ["no-selection", "bad-vertex", "too-many-pixels", "camera-lost", "not-loaded"]) assert.ok(codes.has(code), code);
   const wordless = [...codes].filter((code) => !(`error.${code}` in en && `error.${code}.hint` in en));
@@ -27,7 +28,7 @@ journey("whatever can go wrong has words of the page's own, in every language", 
   assert.deepEqual(alike, [], "not translated");
 });
 
-journey("a notice never shows what the modules say in English", async (open) => {
+test("a notice never shows what the modules say in English", async ({ open }) => {
   const visitor = await open({ locale: "pt-BR" });
   const { page } = visitor;
   await visitor.untilLoaded();
@@ -45,7 +46,7 @@ journey("a notice never shows what the modules say in English", async (open) => 
   ]);
 });
 
-journey("until the words come nothing can be pressed that would not answer", async (open) => {
+test("until the words come nothing can be pressed that would not answer", async ({ open }) => {
   const { before, deliver } = withHeld("**/words/en.json");
   const visitor = await open({ before });
   const seen = visitor.page.locator("#welcome button:visible");
@@ -55,7 +56,7 @@ journey("until the words come nothing can be pressed that would not answer", asy
   assert.equal(await seen.count(), 4);
 });
 
-journey("of two languages chosen while the words of one are on their way, the last is spoken", async (open) => {
+test("of two languages chosen while the words of one are on their way, the last is spoken", async ({ open }) => {
   const { before, deliver } = withHeld("**/words/pt.json");
   const visitor = await open({ before });
   const { page } = visitor;
@@ -71,8 +72,7 @@ journey("of two languages chosen while the words of one are on their way, the la
   await page.waitForSelector("html[lang='pt-BR']", { state: "attached" });
 });
 
-journey("a browser that keeps nothing is promised nothing", async (open) => {
-  const visitor = await open();
+test("a browser that keeps nothing is promised nothing", async ({ visitor }) => {
   await visitor.untilLoaded();
   const hints = await visitor.page.evaluate(async () => {
     const { setKeeping, showError } = await import(new URL("js/page/notice.js", document.baseURI).href);
@@ -110,16 +110,4 @@ async function allCodes() {
 /** @param {string} language */
 async function wordsOf(language) {
   return JSON.parse(await readFile(path.join(ROOT, `web/words/${language}.json`), "utf8"));
-}
-
-/** For a page to which a file does not come until it is delivered. @param {string} file */
-function withHeld(file) {
-  let deliver = () => {};
-  const held = new Promise((resolve) => (deliver = () => resolve(undefined)));
-  const before = (/** @type {import("playwright-core").BrowserContext} */ context) =>
-    context.route(file, async (route) => {
-      await held;
-      await route.continue();
-    });
-  return { before, deliver: () => deliver() };
 }

@@ -1,27 +1,21 @@
 import assert from "node:assert/strict";
-import { journey } from "./journey.mjs";
+import { test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
 
-journey("the work survives a reload and is offered again", async (open) => {
-  const visitor = await open();
+test("the work survives a reload and is offered again", async ({ visitor }) => {
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 9);
+  await visitor.move("nose tip", "z", 9);
   const work = await visitor.meshJson("mm");
-  await visitor.page.waitForTimeout(600);
-  await visitor.page.reload();
-  await visitor.page.click("#continue");
-  await visitor.untilFace();
+  await visitor.comeBack();
   assert.deepEqual(await visitor.meshJson("mm"), work);
   await visitor.page.click("#toolbar [data-action='undo']");
   assert.notDeepEqual(await visitor.meshJson("mm"), work);
 });
 
-journey("a project file brings the face and its edits to another browser", async (open) => {
+test("a project file brings the face and its edits to another browser", async ({ open }) => {
   const first = await open();
-  await first.dropSample();
-  await first.findLandmark("nose tip");
-  await first.offset("y", -5);
+  await first.openFace();
+  await first.move("nose tip", "y", -5);
   const work = await first.meshJson("mm");
   const file = await first.download("save-project");
 
@@ -36,16 +30,12 @@ journey("a project file brings the face and its edits to another browser", async
   assert.deepEqual(await second.meshJson("mm"), work);
 });
 
-journey("history lists the edits, and each can be switched off and on", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("history lists the edits, and each can be switched off and on", async ({ visitor, page }) => {
+  await visitor.openFace();
   const start = await visitor.meshJson("mm");
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 9);
+  await visitor.move("nose tip", "z", 9);
   const nose = await visitor.meshJson("mm");
-  await visitor.findLandmark("bottom of the chin");
-  await visitor.offset("y", -6);
+  await visitor.move("bottom of the chin", "y", -6);
   const both = await visitor.meshJson("mm");
   assert.equal(await page.locator("#history li").count(), 2);
 
@@ -65,10 +55,8 @@ journey("history lists the edits, and each can be switched off and on", async (o
   assert.equal(await page.locator("#history li").count(), 2);
 });
 
-journey("a key held down shows the face as it was found", async (open) => {
-  const visitor = await open();
-  const { page } = visitor;
-  await visitor.dropSample();
+test("a key held down shows the face as it was found", { tag: "@eyes" }, async ({ visitor, page }) => {
+  await visitor.openFace();
   await visitor.findLandmark("nose tip");
   await page.focus("#viewport");
   await page.keyboard.press("l");
@@ -83,4 +71,4 @@ journey("a key held down shows the face as it was found", async (open) => {
   assert.ok(difference(before, after) > 0.002);
   assert.ok(difference(after, released) === 0, "letting go did not bring the edit back");
   assert.ok(difference(before, held) < difference(after, held), "the held key did not show the face as it was found");
-}, { needs: "eyes" });
+});

@@ -1,24 +1,20 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
-import { journey } from "./journey.mjs";
+import { expect } from "@playwright/test";
+import { test } from "./fixtures.mjs";
+import { withHeld } from "./held.mjs";
 import { colourCount } from "./pixels.mjs";
 import { faceless } from "./pictures.mjs";
-import { DIST, serve } from "./server.mjs";
+import { DIST } from "./server.mjs";
 import { SAMPLE } from "./visitor.mjs";
+import { dieBefore, watchWorkers } from "./watches.mjs";
 
 const WORKER_MODULE = "**/rosto-vision-web_bg.wasm";
 
-journey("the page draws and answers before the worker's module has arrived", async (open) => {
-  let deliver = () => {};
-  const held = new Promise((resolve) => (deliver = resolve));
-  const visitor = await open({
-    before: (context) =>
-      context.route(WORKER_MODULE, async (route) => {
-        await held;
-        await route.continue();
-      }),
-  });
+test("the page draws and answers before the worker's module has arrived", { tag: "@eyes" }, async ({ open }) => {
+  const { before, deliver } = withHeld(WORKER_MODULE);
+  const visitor = await open({ before });
   await visitor.page.waitForSelector("body[data-bench='open']");
   assert.ok(colourCount(await visitor.view()) > 4, "the canonical face is not drawn");
   await visitor.page.selectOption("#language", "pt");
@@ -28,13 +24,11 @@ journey("the page draws and answers before the worker's module has arrived", asy
   await visitor.page.waitForSelector("#progress-title:has-text('Loading the face networks')");
   deliver();
   await visitor.untilFace();
-}, { needs: "eyes" });
+});
 
-journey("a worker that dies is started again, and the work on screen stays", async (open) => {
-  const visitor = await open();
+test("a worker that dies is started again, and the work on screen stays", async ({ visitor }) => {
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 7);
+  await visitor.move("nose tip", "z", 7);
   const work = await visitor.meshJson("mm");
 
   const [dying] = visitor.page.workers();
@@ -46,40 +40,36 @@ journey("a worker that dies is started again, and the work on screen stays", asy
   await visitor.page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
 });
 
-journey("a photo that takes the worker down leaves the work and a message", async (open) => {
-  const visitor = await open();
+test("a photo that takes the worker down leaves the work and a message", async ({ visitor }) => {
   await visitor.dropSample();
-  await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 7);
+  await visitor.move("nose tip", "z", 7);
   const work = await visitor.meshJson("mm");
 
   const [dying] = visitor.page.workers();
-  await dying.evaluate(() => {
-    const tell = self.postMessage.bind(self);
-    self.postMessage = (message, transfer) => {
-      if (message.type === "found") throw new WebAssembly.RuntimeError("unreachable");
-      tell(message, transfer);
-    };
-  });
+  await dying.evaluate(dieBefore, "found");
   await visitor.drop(faceless(), "trap.png");
   assert.equal((await visitor.notice()).code, "worker-died");
   assert.deepEqual(await visitor.meshJson("mm"), work);
   await visitor.dropSample();
 });
 
-journey("a worker that never comes is given up after a minute, and the next photo starts another", async (open) => {
+test("a worker that never comes is given up after a minute, and the next photo starts another", { tag: "@rare" }, async ({ open }) => {
   let silences = true;
+  let asked = 0;
   const visitor = await open({
-    before: async (context) => {
-      await context.clock.install();
-      await context.route(WORKER_MODULE, (route) => (silences ? undefined : route.continue()));
-    },
+    hasClock: true,
+    before: (context) =>
+      context.route(WORKER_MODULE, (route) => {
+        asked += 1;
+        return silences ? undefined : route.continue();
+      }),
   });
   const { page } = visitor;
   await page.waitForSelector("body[data-bench='open']");
   await visitor.drop(await readFile(SAMPLE), "portrait.png");
   await page.waitForSelector("#progress-title:has-text('Loading the face networks')");
-  await page.waitForTimeout(2000);
+  await expect.poll(() => asked).toBeGreaterThan(0);
+  await visitor.frames(5);
   await page.clock.fastForward(50_000);
   assert.ok(await page.isVisible("#progress"), "it was given up too soon");
   await page.clock.fastForward(15_000);
@@ -91,13 +81,12 @@ journey("a worker that never comes is given up after a minute, and the next phot
   silences = false;
   await visitor.dropSample();
   assert.ok(await page.isHidden("#notice"));
-}, { isRare: true });
+});
 
-journey("a worker on a slow connection is waited for", async (open) => {
+test("a worker on a slow connection is waited for", async ({ open, server }) => {
   const module = "wasm/rosto-vision-web_bg.wasm";
   const bytes = await readFile(path.join(DIST, module));
   const piece_bytes = Math.ceil(bytes.length / 6);
-  const server = await serve(DIST, "/slow/");
   /** @type {import("node:http").ServerResponse | undefined} */
   let response;
   server.disturb((name, answer) => {
@@ -105,42 +94,25 @@ journey("a worker on a slow connection is waited for", async (open) => {
     response = answer.writeHead(200, { "content-type": "application/wasm", "content-length": bytes.length });
     return true;
   });
-  try {
-    const visitor = await open({ url: server.url, before: (context) => context.clock.install() });
-    const { page } = visitor;
-    await page.waitForSelector("body[data-bench='open']");
-    await visitor.drop(await readFile(SAMPLE), "portrait.png");
-    await page.waitForSelector("#progress-title:has-text('Loading the face networks')");
-    for (let at = 0; at < bytes.length; at += piece_bytes) {
-      response?.write(bytes.subarray(at, at + piece_bytes));
-      // The worker tells of what arrives once in a second.
-      await page.waitForTimeout(1500);
-      if (at + piece_bytes < bytes.length) await page.clock.fastForward(40_000);
-    }
-    response?.end();
-    await visitor.untilFace();
-    assert.ok(await page.isHidden("#notice"));
-  } finally {
-    server.close();
+  const visitor = await open({ hasClock: true, scripts: [watchWorkers] });
+  const { page } = visitor;
+  await page.waitForSelector("body[data-bench='open']");
+  await visitor.drop(await readFile(SAMPLE), "portrait.png");
+  await page.waitForSelector("#progress-title:has-text('Loading the face networks')");
+  for (let at = 0; at < bytes.length; at += piece_bytes) {
+    const said = await page.evaluate(() => window.workersSaid.filter((type) => type === "loading").length);
+    response?.write(bytes.subarray(at, at + piece_bytes));
+    // The worker reports what arrives once in a second.
+    await page.waitForFunction((count) => window.workersSaid.filter((type) => type === "loading").length > count, said);
+    if (at + piece_bytes < bytes.length) await page.clock.fastForward(40_000);
   }
+  response?.end();
+  await visitor.untilFace();
+  assert.ok(await page.isHidden("#notice"));
 });
 
-journey("the bar shows how much of the whole is done, and never goes back", async (open) => {
-  const visitor = await open({
-    before: (context) =>
-      context.addInitScript(() => {
-        window.told = [];
-        const listen = Worker.prototype.addEventListener;
-        Worker.prototype.addEventListener = function (type, listener, ...rest) {
-          const heard = (event) => {
-            listener(event);
-            if (event.data?.type !== "progress") return;
-            window.told.push({ fraction: event.data.fraction, bar: document.getElementById("progress-bar").value });
-          };
-          listen.call(this, type, type === "message" ? heard : listener, ...rest);
-        };
-      }),
-  });
+test("the bar shows how much of the whole is done, and never goes back", async ({ open }) => {
+  const visitor = await open({ scripts: [watchProgress] });
   for (let photo = 0; photo < 2; photo += 1) {
     await visitor.page.evaluate(() => window.told.splice(0));
     await visitor.dropSample();
@@ -151,3 +123,16 @@ journey("the bar shows how much of the whole is done, and never goes back", asyn
     assert.deepEqual(bars, bars.toSorted((a, b) => a - b));
   }
 });
+
+/** Runs in the page before its own scripts. */
+function watchProgress() {
+  window.told = [];
+  const listen = Worker.prototype.addEventListener;
+  Worker.prototype.addEventListener = function (type, listener, ...rest) {
+    listen.call(this, type, listener, ...rest);
+    if (type !== "message") return;
+    listen.call(this, type, ({ data: { type, fraction } }) => {
+      if (type === "progress") window.told.push({ fraction, bar: document.getElementById("progress-bar").value });
+    });
+  };
+}

@@ -105,7 +105,7 @@ async function use({ page }, { value, keys, last, ...which }) {
   return `${kind} “${label}”`;
 }
 
-/** @param {import("playwright-core").Page} page @param {string | undefined} text @param {string[]} keys */
+/** @param {import("@playwright/test").Page} page @param {string | undefined} text @param {string[]} keys */
 async function enter(page, text, ...keys) {
   await page.evaluate(() => window["monkey"].enter());
   if (text === "") await page.keyboard.press("Delete");
@@ -113,7 +113,7 @@ async function enter(page, text, ...keys) {
   for (const key of keys.filter(Boolean)) await page.keyboard.press(key);
 }
 
-/** @param {import("playwright-core").Page} page @param {{ x: number, y: number }} from @param {number} x */
+/** @param {import("@playwright/test").Page} page @param {{ x: number, y: number }} from @param {number} x */
 async function dragTo({ mouse }, from, x) {
   await mouse.move(from.x, from.y);
   await mouse.down();

@@ -27,14 +27,14 @@ export class Visit {
   /** @param {string} url @param {string} film the file that the camera plays */
   static async start(url, film) {
     const browser = await launch({ film });
-    const before = (/** @type {import("playwright-core").BrowserContext} */ context) => context.addInitScript(letMonkeyIn);
+    const before = (/** @type {import("@playwright/test").BrowserContext} */ context) => context.addInitScript(letMonkeyIn);
     const { page } = await Visitor.arrive(browser, url, { viewport: { width: 760, height: 480 }, hasTouch: true, before });
     const visit = new Visit(page, await page.context().newCDPSession(page));
     await visit.look();
     return visit;
   }
 
-  /** @param {import("playwright-core").Page} page @param {import("playwright-core").CDPSession} input */
+  /** @param {import("@playwright/test").Page} page @param {import("@playwright/test").CDPSession} input */
   constructor(page, input) {
     this.page = page;
     this.input = input;
@@ -110,7 +110,7 @@ export class Visit {
     }
   }
 
-  /** @param {import("playwright-core").Download} download */
+  /** @param {import("@playwright/test").Download} download */
   async #keep(download) {
     // One that a reload breaks off never comes.
     const bytes = await download.path().then(readFile).catch(() => undefined);

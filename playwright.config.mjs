@@ -1,0 +1,24 @@
+import { availableParallelism } from "node:os";
+import { defineConfig } from "@playwright/test";
+
+const JOURNEYS = "*.journey.mjs";
+
+export default defineConfig({
+  testDir: "tests/journeys",
+  outputDir: "target/journeys",
+  preserveOutput: "failures-only",
+  timeout: 180_000,
+  fullyParallel: true,
+  workers: Math.min(2, availableParallelism()),
+  // Tests that pass only then are listed as flaky.
+  retries: 1,
+  reporter: "list",
+  expect: { timeout: 30_000 },
+  use: { trace: "on-first-retry" },
+  projects: [
+    { name: "usual", testMatch: JOURNEYS, grepInvert: /@rare/ },
+    { name: "rare", testMatch: JOURNEYS, grep: /@rare/ },
+    // Results depend on the machine's other load.
+    { name: "timed", testMatch: "*.timed.mjs", workers: 1, retries: 0 },
+  ],
+});

@@ -1,0 +1,84 @@
+import { test as base } from "@playwright/test";
+import { Browsers, kindFor } from "./browsers.mjs";
+import { DIST, serve } from "./server.mjs";
+import { storedProject } from "./stored-project.mjs";
+import { Visitor } from "./visitor.mjs";
+
+/** Hosts may serve the page below a path of their own. */
+const BELOW = "/some/where/";
+
+/**
+ * Tests of the page. Tags choose the browser: `@eyes` (screenshots show the 3D view), `@webgl`, `@no-gpu`, `@camera`,
+ * `@moving-camera` (plays the film of film-frames.mjs), `@seen-camera` (both of the former), `@way-back` (keeps the pages that are left).
+ * `@rare` tests are left out of the usual run.
+ */
+export const test = base.extend({
+  /** Browsers of this worker, each launched when a test first needs it. */
+  browsers: [
+    // biome-ignore lint/correctness/noEmptyPattern: Playwright reads the dependencies here
+    async ({}, use) => {
+      const browsers = new Browsers();
+      await use(browsers);
+      await browsers.close();
+    },
+    { scope: "worker" },
+  ],
+
+  /** The sample portrait as a project. */
+  project: [
+    async ({ browsers }, use) => use(await storedProject(() => browsers.get("gpu"))),
+    { scope: "worker", timeout: 60_000 },
+  ],
+
+  /** Server of the built page. */
+  // biome-ignore lint/correctness/noEmptyPattern: Playwright reads the dependencies here
+  server: async ({}, use) => {
+    const server = await serve(DIST, BELOW);
+    await use(server);
+    server.close();
+  },
+
+  /** How a visitor arrives: the options of {@link Visitor.arrive}, and an `url`. */
+  visit: [{}, { option: true }],
+
+  /** Opens the page in a new browser context. */
+  open: async ({ browsers, project, server, visit }, use, testInfo) => {
+    const kind = kindFor(testInfo.tags);
+    /** @type {Visitor[]} */
+    const visitors = [];
+    await use(async (options) => {
+      const { url = server.url, ...visiting } = { ...visit, ...options };
+      const visitor = await Visitor.arrive(await browsers.get(kind), url, visiting);
+      Object.assign(visitor, { project, sees: browsers.sees(kind) });
+      visitors.push(visitor);
+      return visitor;
+    });
+    const hasFailed = testInfo.status !== testInfo.expectedStatus || visitors.some(({ broken }) => broken.length > 0);
+    if (hasFailed) await attachConsoles(visitors, testInfo);
+    for (const visitor of visitors) await browsers.release(visitor);
+    for (const visitor of visitors) visitor.checkNothingBroke();
+  },
+
+  visitor: async ({ open }, use) => use(await open()),
+
+  page: async ({ visitor }, use) => use(visitor.page),
+});
+
+/**
+ * Similar cases: the usual run takes the first, each other is rare.
+ *
+ * @template T
+ * @param {readonly T[]} cases
+ * @returns {[T, string[]][]} each with its tags
+ */
+export function alike(cases) {
+  return cases.map((one, place) => [one, place === 0 ? [] : ["@rare"]]);
+}
+
+/** @param {Visitor[]} visitors @param {import("@playwright/test").TestInfo} testInfo */
+async function attachConsoles(visitors, testInfo) {
+  for (const { said, browserSaid } of visitors) {
+    const lines = [...said.map((line) => `page: ${line}`), ...browserSaid.map((line) => `browser: ${line}`)];
+    await testInfo.attach("console", { body: lines.join("\n"), contentType: "text/plain" });
+  }
+}

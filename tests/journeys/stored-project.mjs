@@ -1,0 +1,32 @@
+import { existsSync } from "node:fs";
+import { mkdir, readFile, rename, writeFile } from "node:fs/promises";
+import path from "node:path";
+import { DIST, serve } from "./server.mjs";
+import { Visitor } from "./visitor.mjs";
+
+const TARGET = process.env.CARGO_TARGET_DIR ?? path.join(import.meta.dirname, "../../target");
+
+/**
+ * The sample portrait as a project, which the page itself saves once for each of its versions.
+ *
+ * @param {() => Promise<import("@playwright/test").Browser>} launch
+ */
+export async function storedProject(launch) {
+  const [, version] = /name="version" content="(\w+)"/.exec(await readFile(path.join(DIST, "index.html"), "utf8"));
+  const file = path.join(TARGET, "projects", `${version}.rosto`);
+  if (!existsSync(file)) await save(await launch(), file);
+  return readFile(file);
+}
+
+/** Another worker may write the same file: it gets its name when it is whole. @param {import("@playwright/test").Browser} browser @param {string} file */
+async function save(browser, file) {
+  const server = await serve(DIST, "/");
+  const visitor = await Visitor.arrive(browser, server.url);
+  await visitor.dropSample();
+  const unfinished = `${file}.${process.pid}`;
+  await mkdir(path.dirname(file), { recursive: true });
+  await writeFile(unfinished, await visitor.download("save-project"));
+  await rename(unfinished, file);
+  await visitor.leave();
+  server.close();
+}

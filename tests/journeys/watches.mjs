@@ -1,0 +1,64 @@
+// Scripts that run in the page or its worker and record what it cannot show, or break something.
+
+/** Records the type of each message from a worker in `workersSaid`. */
+export function watchWorkers() {
+  window.workersSaid = [];
+  const listen = Worker.prototype.addEventListener;
+  Worker.prototype.addEventListener = function (type, listener, ...rest) {
+    listen.call(this, type, listener, ...rest);
+    if (type === "message") listen.call(this, type, ({ data }) => window.workersSaid.push(data.type));
+  };
+}
+
+/** Records the devices that the page draws with in `gpus`, also those of WebGL2, and whether each is gone. */
+export function watchGpus() {
+  window.gpus = [];
+  addEventListener("webglcontextrestored", () => window.gpus.push({ isGone: false }), { capture: true });
+  const ask = globalThis.GPUAdapter?.prototype.requestDevice;
+  if (!ask) return;
+  globalThis.GPUAdapter.prototype.requestDevice = async function (...wishes) {
+    const device = await ask.apply(this, wishes);
+    const gpu = { device, isGone: false };
+    window.gpus.push(gpu);
+    device.lost.then(() => (gpu.isGone = true));
+    return device;
+  };
+}
+
+/** Ends the browser's graphics process. @param {import("@playwright/test").Page} page */
+export async function crashGpu(page) {
+  const browser = await page.context().browser().newBrowserCDPSession();
+  await browser.send("Browser.crashGpuProcess");
+}
+
+/** Has the next call of a method of the page's module trap, as a panic does. @param {{ module?: string, type?: string, method: string }} call */
+export async function panicIn({ module = "rosto-studio-web.js", type = "Studio", method }) {
+  const address = new URL(`wasm/${module}`, document.baseURI).href;
+  const prototype = (await import(address))[type].prototype;
+  const call = prototype[method];
+  // (module (func (export "panic") unreachable))
+  const code = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 7, 9, 1, 5, 112, 97, 110, 105, 99, 0, 0, 10, 5, 1, 3, 0, 0, 11];
+  const { instance } = await WebAssembly.instantiate(new Uint8Array(code));
+  prototype[method] = (...values) => {
+    prototype[method] = call;
+    return instance.exports.panic(...values);
+  };
+}
+
+/** Has the worker die in place of a reply. @param {string} reply */
+export function dieBefore(reply) {
+  const tell = self.postMessage.bind(self);
+  self.postMessage = (message, transfer) => {
+    if (message.type === reply) throw new WebAssembly.RuntimeError("unreachable");
+    tell(message, transfer);
+  };
+}
+
+/** Refuses the database, as some browsers do in private windows, and counts that in `refusals`. */
+export function refuseDatabase() {
+  globalThis.refusals = 0;
+  IDBFactory.prototype.open = () => {
+    globalThis.refusals += 1;
+    throw new DOMException("The operation is insecure.", "SecurityError");
+  };
+}
