@@ -14,25 +14,24 @@ pub struct Invariant {
 }
 
 /// Which crates of the workspace each crate may know; the table of ARCHITECTURE.md in the order of the way of the data.
-const MAY_KNOW: [(&str, &[&str]); 21] = [
-    ("rosto-named", &[]),
+const MAY_KNOW: [(&str, &[&str]); 20] = [
     ("rosto-mesh", &[]),
-    ("rosto-laplacian", &["mesh", "named"]),
+    ("rosto-laplacian", &["mesh"]),
     ("rosto-photo", &[]),
     ("rosto-landmarks", &["photo"]),
-    ("rosto-face", &["laplacian", "mesh", "photo", "named"]),
+    ("rosto-face", &["laplacian", "mesh", "photo"]),
     ("rosto-solid", &["mesh"]),
     ("rosto-warp", &["laplacian", "mesh", "photo"]),
     ("rosto-texture", &["mesh", "photo"]),
-    ("rosto-studio", &["face", "laplacian", "mesh", "named", "texture", "warp"]),
-    ("rosto-export", &["face", "mesh", "named", "solid"]),
-    ("rosto-stage", &["mesh", "named"]),
-    ("rosto-session", &["export", "face", "laplacian", "mesh", "named", "stage", "studio", "warp"]),
+    ("rosto-studio", &["face", "laplacian", "mesh", "texture", "warp"]),
+    ("rosto-export", &["face", "mesh", "solid"]),
+    ("rosto-stage", &["mesh"]),
+    ("rosto-session", &["export", "face", "laplacian", "mesh", "stage", "studio", "warp"]),
     ("rosto-viewport", &["mesh", "stage"]),
     ("rosto-studio-web", &PAGE_MAY_KNOW),
     ("rosto-studio-webgl", &PAGE_MAY_KNOW),
     ("rosto-vision-web", &["landmarks", "photo", "texture", "warp"]),
-    ("rosto-cli", &["export", "face", "landmarks", "laplacian", "mesh", "named", "photo", "studio", "warp"]),
+    ("rosto-cli", &["export", "face", "landmarks", "laplacian", "mesh", "photo", "studio", "warp"]),
     ("rosto-python", &["cli", "landmarks", "laplacian", "mesh", "photo"]),
     ("rosto-model-import", &[]),
     ("xtask", &["model-import"]),
@@ -42,8 +41,7 @@ const PAGE_MAY_KNOW: [&str; 9] =
     ["warp", "session", "studio", "stage", "viewport", "export", "face", "laplacian", "mesh"];
 
 /// The crates that know neither browser, clock, file, network, environment nor random source.
-const CORE: [&str; 14] = [
-    "rosto-named",
+const CORE: [&str; 13] = [
     "rosto-mesh",
     "rosto-laplacian",
     "rosto-photo",

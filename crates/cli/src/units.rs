@@ -1,7 +1,7 @@
 /// Millimetres in a metre.
 pub const MM_PER_M: f64 = 1000.0;
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// The coordinates that edits are made in.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Units {

@@ -15,7 +15,7 @@ pub(crate) use further::{Pictures, further};
 pub use source::Source;
 pub(crate) use source::{VERSION, fingerprint, history_object};
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// How the face is painted. Never both ways at once, which would multiply the photo by itself.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum BaseColour {
@@ -29,7 +29,7 @@ rosto_named::named! {
     }
 }
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// How long the longest side of a texture is at most.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum TextureSize {
@@ -54,7 +54,7 @@ impl TextureSize {
     }
 }
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// Whether light falls on the face.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Material {

@@ -7,7 +7,7 @@ use crate::{Opening, mirror_of};
 /// How many landmarks MediaPipe's face mesh has; a landmark's index is its vertex.
 pub const LANDMARK_COUNT: usize = 468;
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// The two published ways to join the landmarks by triangles. Both wind counter-clockwise for the viewer.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub enum Triangulation {

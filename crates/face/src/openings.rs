@@ -7,7 +7,7 @@ use rosto_mesh::{LoopSubdivision, Topology};
 
 use crate::irises::LIDS;
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// An opening of the face, which [`Triangulation::Canonical`](crate::Triangulation::Canonical) fills and
     /// [`Triangulation::Tessellation`](crate::Triangulation::Tessellation) leaves open.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

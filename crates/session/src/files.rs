@@ -9,7 +9,7 @@ use rosto_studio::{EditsInRig, Rig};
 use crate::error::SessionError;
 use crate::{OpenFace, Session};
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// Which coordinates a mesh is written in.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Units {
@@ -20,7 +20,7 @@ rosto_named::named! {
     }
 }
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// How edits are in a GLB.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum EditsAs {
@@ -31,7 +31,7 @@ rosto_named::named! {
     }
 }
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// How expressions are in a GLB.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum ExpressionsAs {

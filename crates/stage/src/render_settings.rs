@@ -1,6 +1,6 @@
 use crate::{Light, Srgb};
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// How the surface is coloured.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum ShadingMode {
@@ -40,7 +40,7 @@ pub enum Wireframe {
     Shown,
 }
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// What is on the stage.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Scene {
@@ -52,7 +52,7 @@ rosto_named::named! {
     }
 }
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// Which of the dotted vertices show as dots.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Dots {
@@ -66,7 +66,7 @@ rosto_named::named! {
     }
 }
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// Light or dark surroundings.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Theme {
@@ -110,7 +110,7 @@ pub enum Rim {
     Shown,
 }
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// What lights a surface that is painted with the picture.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum PictureLight {

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// In an order in which each comes after those it needs.
-pub const PUBLISHED: [&str; 5] = ["rosto-named", "rosto-mesh", "rosto-laplacian", "rosto-photo", "rosto-landmarks"];
+pub const PUBLISHED: [&str; 4] = ["rosto-mesh", "rosto-laplacian", "rosto-photo", "rosto-landmarks"];
 
 const LIMIT: Duration = Duration::from_secs(600);
 const LICENCES: [&str; 2] = ["LICENSE-MIT", "LICENSE-APACHE"];
