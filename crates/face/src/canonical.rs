@@ -1,11 +1,11 @@
 use glam::{DVec2, DVec3};
 use rosto_mesh::Topology;
 
-use crate::tables::{CANONICAL, POSITIONS, TESSELLATION, UVS};
-use crate::{Opening, mirror_of};
+use crate::mirror_of;
+use crate::tables::{CANONICAL, LANDMARK_COUNT, POSITIONS, TESSELLATION, UVS};
 
-/// How many landmarks MediaPipe's face mesh has; a landmark's index is its vertex.
-pub const LANDMARK_COUNT: usize = 468;
+/// Subdivision level of the finest mesh.
+pub const MAX_DENSITY: u32 = 4;
 
 rosto_mesh::named! {
     /// The two published ways to join the landmarks by triangles. Both wind counter-clockwise for the viewer.
@@ -33,15 +33,6 @@ impl Triangulation {
     pub fn topology(self) -> Topology {
         Topology::new(LANDMARK_COUNT, self.triangles()).expect("invariant: the published tables are meshes")
     }
-}
-
-/// The triangles of a face's mesh without those that fill its eyes and mouth, which [`Triangulation::Tessellation`] leaves open.
-///
-/// `mesh` is a subdivision of `face`, its triangles in the order of those that they are parts of.
-pub fn without_fillings(face: &[[u32; 3]], mesh: &[[u32; 3]]) -> Vec<[u32; 3]> {
-    let parts = mesh.len() / face.len().max(1);
-    let kept = mesh.chunks(parts.max(1)).zip(face).filter(|(_, corners)| Opening::filled_by(corners).is_none());
-    kept.flat_map(|(parts, _)| parts).copied().collect()
 }
 
 /// The edges around the eyes and the mouth, where lids and lips end: the boundary of [`Triangulation::Tessellation`] but for
