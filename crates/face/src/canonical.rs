@@ -55,7 +55,12 @@ pub fn crowded_landmarks() -> Vec<u32> {
 /// It is an average head, and sets the size of every model whose own cannot be measured.
 pub fn canonical_positions_m() -> Vec<DVec3> {
     const M_PER_UNIT: f64 = 1e-8;
-    POSITIONS.iter().map(|p| DVec3::from(p.map(f64::from)) * M_PER_UNIT).collect()
+    let place = |landmark: u32| {
+        let partner = mirror_of(landmark);
+        let [x, y, z] = POSITIONS[landmark.min(partner) as usize];
+        DVec3::from([if partner < landmark { -x } else { x }, y, z].map(f64::from)) * M_PER_UNIT
+    };
+    (0..LANDMARK_COUNT as u32).map(place).collect()
 }
 
 /// The canonical face's texture coordinates: 468 pairs in 0..=1, origin at the top left, without seams.
