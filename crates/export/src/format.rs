@@ -21,7 +21,7 @@ use crate::texture;
 use crate::zip::{NamedFile, stored};
 use crate::{BaseColour, ExportError, GlbOptions, Model, Solid, SolidFacts, about, glb, gltf};
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// A format that a mesh is written in; its id is how the names of its files end.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub enum Format {
@@ -63,7 +63,7 @@ pub enum Choosable {
     Eyes,
 }
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// What fills the openings of the eyes and the mouth, where the mesh fills them.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Eyes {

@@ -1,6 +1,6 @@
 use crate::mirror_of;
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// The parts that the face is divided into: every landmark lies in exactly one.
     ///
     /// A part is given by its landmarks on the midline and on the subject's right; the left half is their mirror image.

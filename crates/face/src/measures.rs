@@ -2,7 +2,7 @@ use glam::DVec3;
 
 use crate::irises::eye_centres;
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// A length that people take of a face, straight from point to point.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Measure {

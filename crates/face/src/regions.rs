@@ -1,7 +1,7 @@
 use crate::areas::Area;
 use crate::mirror_of;
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// A named part of the face, for moving, pinning or finding its landmarks together.
     ///
     /// Left and right are the subject's. Regions may overlap: the nose holds its tip, the lips hold both lips.

@@ -14,7 +14,7 @@ pub struct Scale {
     pub error: f64,
 }
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// What a face's size was taken from.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum ScaleSource {

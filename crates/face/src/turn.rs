@@ -1,6 +1,6 @@
 use crate::Pose;
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// The ways to turn the head that photos of a face are to show, one each.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub enum Turn {

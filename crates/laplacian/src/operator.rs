@@ -4,7 +4,7 @@ use rosto_mesh::Topology;
 
 use crate::{LaplacianError, check_positions, weights};
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// A discrete Laplacian `K`, which turns positions into δ-coordinates: `δ = K x`.
     ///
     /// Every operator is `n × n`, dimensionless (no matter the unit of the positions), positive on the diagonal, has rows that

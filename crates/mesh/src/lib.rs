@@ -5,6 +5,7 @@
 
 mod boundary;
 mod error;
+mod named;
 mod normals;
 mod pick;
 #[cfg(test)]

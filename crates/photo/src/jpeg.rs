@@ -20,8 +20,9 @@ mod upsample;
 
 use image::ColorType;
 
-use crate::decode::Stored;
-use crate::{Limits, Photo, PhotoError, icc};
+use crate::colour::ColourEncoding;
+use crate::stored::Stored;
+use crate::{Limits, Photo, PhotoError};
 use colours::Colours;
 use header::{Frame, Scan, Tables, broken, unread};
 use metadata::Metadata;
@@ -145,7 +146,8 @@ impl<'a> Picture<'a> {
         let layout = if colours == Colours::Grey { ColorType::L8 } else { ColorType::Rgb8 };
         let exif = metadata.exif.unwrap_or_default().to_vec();
         let (width, height, rgb) = (width as u32, height as u32, self.rgb(colours));
-        Ok(Stored { width, height, rgb, alpha: None, colours: icc::told(&metadata.profile(), layout), exif })
+        let colours = ColourEncoding::of_profile(&metadata.profile(), layout);
+        Ok(Stored { width, height, rgb, alpha: None, colours, exif })
     }
 
     fn is_damaged(&self) -> bool {

@@ -9,7 +9,7 @@ use rosto_studio::{ConstraintKind, Details, Operator};
 use crate::incoming::DENSEST_SHOWN;
 use crate::{AnchorChoice, Intent, Preset, SelectionMode, Session, Skin};
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// Something that is chosen among named things.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub enum Choice {

@@ -45,7 +45,7 @@ pub struct Choices {
     pub details: Details,
 }
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// What stays in place beside the pins.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum AnchorChoice {
@@ -58,7 +58,7 @@ rosto_named::named! {
     }
 }
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// Choices that go together.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Preset {

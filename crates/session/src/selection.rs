@@ -2,7 +2,7 @@ use glam::DVec3;
 use rosto_face::{Region, canonical_positions_m, mirror_of};
 use rosto_studio::{EditTarget, Expression, FaceSlider};
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// What a click or a drag selects.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum SelectionMode {

@@ -3,7 +3,7 @@ use rosto_face::{Photo, canonical_uvs};
 
 use crate::OpenFace;
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// Which picture is laid on the face in the round.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Skin {

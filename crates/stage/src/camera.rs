@@ -21,7 +21,7 @@ use pose::Pose;
 const GLIDE_S: f64 = 0.07;
 const ZOOM_LIMITS: [f64; 2] = [0.35, 12.0];
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// A direction to look from that has a name.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum NamedView {

@@ -2,7 +2,7 @@ use glam::{DAffine3, DVec3};
 
 use crate::camera::{Eye, Facing};
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// From how far away something is seen, and so how strong the perspective is. How large it appears is the zoom's.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Lens {

@@ -8,7 +8,7 @@ const GIZMO_START_PX: f64 = 11.0;
 /// Arms at a smaller sine to the line of sight have faded, as that file says too, and are not there.
 const LEAST_SINE: f64 = 0.2;
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// An axis of the model.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Axis {

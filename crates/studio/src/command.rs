@@ -111,7 +111,7 @@ pub enum RegionOfInfluence {
     },
 }
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// Whether details turn with the surface around them.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Details {
@@ -123,7 +123,7 @@ rosto_named::named! {
     }
 }
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// Whether the other side of the face takes part in an edit.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Mirror {

@@ -12,7 +12,7 @@ use rosto_mesh::Topology;
 use crate::StudioError;
 use handles::Authored;
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// A blend shape by Apple's name ([ARKit](https://developer.apple.com/documentation/arkit/arfaceanchor/blendshapelocation)).
     /// Left and right are the subject's.
     ///

@@ -13,7 +13,7 @@ pub struct Entry {
     pub switch: Switch,
 }
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// Whether an entry of the history counts.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Switch {

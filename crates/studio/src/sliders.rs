@@ -4,7 +4,7 @@ use rosto_laplacian::ConstraintKind;
 
 use crate::{AnchorKind, Anchors, Command, EditSpec, Mirror, Settings};
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// A ready-made change of a feature: a documented set of mirrored, exactly held handles, with pins around them.
     ///
     /// All are symmetric, linear in their amount, and meant for a face in metres.

@@ -10,7 +10,7 @@ use crate::{ExportError, Model};
 
 const MM_PER_M: f64 = 1000.0;
 
-rosto_named::named! {
+rosto_mesh::named! {
     /// How many colours a printed face has.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Colours {

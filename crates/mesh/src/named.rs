@@ -1,16 +1,12 @@
 //! An enum as one table: its variants with the ids by which files, command lines and panels know them.
-//!
-//! Whoever adds a variant adds one line. The list of all, the ids and the way back follow from it, and so does
-//! everything that is made from the list: choices of a panel, values of the command line, names in JSON.
 
 /// Declares an enum whose variants have ids: `Variant = "id"`.
 ///
-/// Beside the enum there are `ALL`, every variant in the order of the table; `id`, the variant's stable name for files,
-/// command lines and panels; and `from_id`, its inverse. What people call a variant is not told here: words are looked up
-/// by the id, in whatever language.
+/// The enum gets `ALL`, its variants in the order of the table; `id`, a variant's stable name for files, command lines and
+/// panels; and `from_id`, the inverse of `id`. Words for people are looked up by the id, in any language.
 ///
 /// ```
-/// rosto_named::named! {
+/// rosto_mesh::named! {
 ///     /// A primary colour.
 ///     #[derive(Debug, Clone, Copy, PartialEq)]
 ///     pub enum Primary {
@@ -55,8 +51,3 @@ macro_rules! named {
         }
     };
 }
-
-/// The examples of the README are tested with those of the code.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-pub struct Readme;
