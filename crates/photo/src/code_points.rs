@@ -1,6 +1,6 @@
 //! Colours told by code points (ITU-T H.273), as PNG's `cICP` chunk has them, or by a plain gamma, as `gAMA` does.
 
-use crate::colour::{Conversion, Light};
+use crate::colour::Conversion;
 use crate::primaries::{D65, Primaries, SRGB};
 
 /// Primaries, transfer characteristics and range, in the numbers of ITU-T H.273.
@@ -11,7 +11,7 @@ pub(crate) struct CodePoints {
     pub(crate) full_range: bool,
 }
 
-/// From a signal to linear light, both 0..1 but for highlights.
+/// From a signal to linear light, both 0..1.
 type Curve = fn(f64) -> f64;
 
 /// What a picture says of its colours.
@@ -25,14 +25,12 @@ pub(crate) enum Told {
 }
 
 impl CodePoints {
-    /// What they mean. Highlights of PQ and HLG are compressed into what sRGB can show.
+    /// What they mean.
     pub(crate) fn told(self) -> Told {
-        let (Some(primaries), Some((curve, light))) = (self.known_primaries(), self.curve()) else {
-            return Told::Nothing;
-        };
+        let (Some(primaries), Some(curve)) = (self.known_primaries(), self.curve()) else { return Told::Nothing };
         let Some(colorants) = primaries.colorants_d50() else { return Told::Nothing };
         let table: Vec<f32> = (0..=u8::MAX).map(|value| curve(self.signal(value)) as f32).collect();
-        let conversion = Conversion::new([table.clone(), table.clone(), table], colorants, light);
+        let conversion = Conversion::new([table.clone(), table.clone(), table], colorants);
         conversion.map_or(Told::Srgb, Told::Otherwise)
     }
 
@@ -60,20 +58,21 @@ impl CodePoints {
         }
     }
 
-    /// Table 3 of H.273: from a signal to linear light, and what that light means.
-    fn curve(self) -> Option<(Curve, Light)> {
-        Some(match self.transfer {
-            1 | 6 | 11 | 12 | 14 | 15 => (bt709, Light::OfTheScreen),
-            4 => (|signal| signal.powf(2.2), Light::OfTheScreen),
-            5 => (|signal| signal.powf(2.8), Light::OfTheScreen),
-            7 => (smpte240, Light::OfTheScreen),
-            8 => (|signal| signal, Light::OfTheScreen),
-            13 => (srgb, Light::OfTheScreen),
-            16 => (pq, Light::WithHighlights),
-            17 => (|signal| signal.powf(2.6) * 52.37 / 48.0, Light::OfTheScreen),
-            18 => (hlg, Light::OfTheScene),
-            _ => return None,
-        })
+    /// Table 3 of H.273, without the curves that no photo has: from a signal to linear light.
+    fn curve(self) -> Option<Curve> {
+        match self.transfer {
+            1 | 6 | 11 | 12 | 14 | 15 => Some(bt709),
+            4 => Some(|signal| signal.powf(2.2)),
+            5 => Some(|signal| signal.powf(2.8)),
+            8 => Some(|signal| signal),
+            13 => Some(srgb),
+            _ => None,
+        }
+    }
+
+    /// Whether they name a curve that is not read, such as PQ (16) or HLG (18). 2 names none.
+    pub(crate) fn has_another_curve(self) -> bool {
+        self.transfer != 2 && self.curve().is_none()
     }
 }
 
@@ -94,8 +93,7 @@ pub(crate) fn told_by_gamma(gamma: Option<f64>, primaries: Option<Primaries>) ->
         exponent.map_or_else(|| srgb(signal), |exponent| signal.powf(exponent)) as f32
     };
     let table: Vec<f32> = (0..=u8::MAX).map(light).collect();
-    Conversion::new([table.clone(), table.clone(), table], colorants, Light::OfTheScreen)
-        .map_or(Told::Srgb, Told::Otherwise)
+    Conversion::new([table.clone(), table.clone(), table], colorants).map_or(Told::Srgb, Told::Otherwise)
 }
 
 /// IEC 61966-2-1.
@@ -106,28 +104,4 @@ fn srgb(signal: f64) -> f64 {
 /// ITU-R BT.709, the camera's curve turned round.
 fn bt709(signal: f64) -> f64 {
     if signal < 0.081 { signal / 4.5 } else { ((signal + 0.099) / 1.099).powf(1.0 / 0.45) }
-}
-
-/// SMPTE 240M.
-fn smpte240(signal: f64) -> f64 {
-    if signal < 0.091_3 { signal / 4.0 } else { ((signal + 0.111_5) / 1.111_5).powf(1.0 / 0.45) }
-}
-
-/// ITU-R BT.2100, perceptual quantisation, in units of a white page of 203 cd/m².
-fn pq(signal: f64) -> f64 {
-    const M1: f64 = 2610.0 / 16384.0;
-    const M2: f64 = 2523.0 / 4096.0 * 128.0;
-    const C1: f64 = 3424.0 / 4096.0;
-    const C2: f64 = 2413.0 / 4096.0 * 32.0;
-    const C3: f64 = 2392.0 / 4096.0 * 32.0;
-    let root = signal.powf(1.0 / M2);
-    10_000.0 / 203.0 * ((root - C1).max(0.0) / (C2 - C3 * root)).powf(1.0 / M1)
-}
-
-/// ITU-R BT.2100, hybrid log-gamma: the scene's light, 0..1.
-fn hlg(signal: f64) -> f64 {
-    const A: f64 = 0.178_832_77;
-    const B: f64 = 1.0 - 4.0 * A;
-    const C: f64 = 0.559_910_73;
-    if signal <= 0.5 { signal * signal / 3.0 } else { (((signal - C) / A).exp() + B) / 12.0 }
 }

@@ -6,7 +6,7 @@
 use image::ColorType;
 
 use crate::code_points::Told;
-use crate::colour::{Conversion, Light};
+use crate::colour::Conversion;
 use crate::primaries::SRGB;
 
 /// What a profile asks for in a picture that was stored so.
@@ -25,13 +25,13 @@ fn of_colours(profile: &[u8]) -> Option<Conversion> {
     let columns = [xyz(tag(profile, b"rXYZ")?)?, xyz(tag(profile, b"gXYZ")?)?, xyz(tag(profile, b"bXYZ")?)?];
     let curves = [tag(profile, b"rTRC")?, tag(profile, b"gTRC")?, tag(profile, b"bTRC")?];
     let [red, green, blue] = curves.map(|curve| Some(table(&Curve::read(curve)?)));
-    Conversion::new([red?, green?, blue?], columns, Light::OfTheScreen)
+    Conversion::new([red?, green?, blue?], columns)
 }
 
 /// The same of a profile whose curve leads to luminance, or to what that can be told from; both 0..1.
 fn of_grey(profile: &[u8], luminance: fn(f32) -> f32) -> Option<Conversion> {
     let curve = table(&Curve::read(tag(profile, b"kTRC")?)?).into_iter().map(luminance).collect::<Vec<_>>();
-    Conversion::new([curve.clone(), curve.clone(), curve], SRGB.colorants_d50()?, Light::OfTheScreen)
+    Conversion::new([curve.clone(), curve.clone(), curve], SRGB.colorants_d50()?)
 }
 
 /// CIE 1976, L*/100 to Y.

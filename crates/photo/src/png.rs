@@ -35,7 +35,7 @@ pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError>
     }
     let (rgb, alpha) = pixels::to_rgb(decoded, layout).ok_or_else(|| unread(layout))?;
     let exif = reader.info().exif_metadata.as_deref().unwrap_or_default().to_vec();
-    Stored { width, height, rgb, alpha, colours: told(reader.info(), layout), exif }.upright()
+    Stored { width, height, rgb, alpha, colours: told(reader.info(), layout)?, exif }.upright()
 }
 
 /// Width and height out of the header chunk, which the format wants first.
@@ -160,19 +160,28 @@ fn interlaced_rows(width: u32, height: u32) -> u32 {
     PASSES.into_iter().map(rows).sum()
 }
 
-/// What the file says of its colours: the first that is there of code points, profile, sRGB, gamma and primaries.
-fn told(info: &Info<'_>, layout: ColorType) -> Told {
-    if let Some(points) = &info.coding_independent_code_points {
-        let points = CodePoints {
-            primaries: points.color_primaries,
-            transfer: points.transfer_function,
-            full_range: points.is_video_full_range_image,
-        };
-        match points.told() {
-            Told::Nothing => {}
-            told => return told,
+/// What the file says of its colours: the first that is there and understood of code points, profile, sRGB, gamma and
+/// primaries. Refuses a file that says nothing but a curve that is not read: its colours would be wrong.
+fn told(info: &Info<'_>, layout: ColorType) -> Result<Told, PhotoError> {
+    let points = info.coding_independent_code_points.as_ref().map(|points| CodePoints {
+        primaries: points.color_primaries,
+        transfer: points.transfer_function,
+        full_range: points.is_video_full_range_image,
+    });
+    let told = match points.map_or(Told::Nothing, CodePoints::told) {
+        Told::Nothing => told_otherwise(info, layout),
+        told => told,
+    };
+    match (told, points) {
+        (Told::Nothing, Some(points)) if points.has_another_curve() => {
+            Err(unsupported(Format::Png, format!("its transfer curve, {} in H.273, is not read", points.transfer)))
         }
+        (told, _) => Ok(told),
     }
+}
+
+/// The same without code points.
+fn told_otherwise(info: &Info<'_>, layout: ColorType) -> Told {
     if let Some(profile) = &info.icc_profile {
         return icc::told(profile, layout);
     }

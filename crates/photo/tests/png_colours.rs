@@ -5,15 +5,13 @@
 mod support;
 
 use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
-use rosto_photo::{Limits, decode};
+use rosto_photo::{Limits, PhotoError, decode};
 use support::with_chunk;
 
 /// Full range, RGB: primaries and transfer characteristics in the numbers of H.273.
 const DISPLAY_P3: [u8; 4] = [12, 13, 0, 1];
 const SRGB: [u8; 4] = [1, 13, 0, 1];
 const UNSPECIFIED: [u8; 4] = [2, 2, 0, 1];
-const PQ: [u8; 4] = [9, 16, 0, 1];
-const HLG: [u8; 4] = [9, 18, 0, 1];
 /// CSS Color 4, color(display-p3 …) as sRGB.
 const P3_TO_SRGB: [([u8; 3], [u8; 3]); 3] =
     [([204, 153, 128], [213, 150, 124]), ([90, 120, 60], [81, 121, 51]), ([255, 0, 0], [255, 0, 0])];
@@ -48,18 +46,6 @@ fn chrm() -> Chunk<'static> {
 fn assert_close(found: [u8; 3], expected: [u8; 3], levels: u8) {
     let worst = found.iter().zip(expected).map(|(a, b)| a.abs_diff(b)).max().unwrap();
     assert!(worst <= levels, "{found:?}, expected {expected:?}");
-}
-
-/// 8-bit sRGB of linear light.
-fn srgb(light: f64) -> u8 {
-    let encoded = if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 };
-    (255.0 * encoded).round() as u8
-}
-
-/// The 8-bit PQ signal of a luminance in cd/m²: the formula of SMPTE ST 2084.
-fn pq(luminance: f64) -> u8 {
-    let y = (luminance / 10_000.0).powf(0.159_301_757_812_5);
-    (255.0 * ((0.835_937_5 + 18.851_562_5 * y) / (1.0 + 18.687_5 * y)).powf(78.843_75)).round() as u8
 }
 
 #[test]
@@ -111,22 +97,16 @@ fn absurd_numbers_are_ignored() {
 }
 
 #[test]
-fn pq_shows_paper_white_as_nearly_white_and_everything_darker_as_it_is() {
-    for luminance in [1.0, 5.0, 20.0, 36.5, 80.0, 140.0] {
-        let found = converted([pq(luminance); 3], &[cicp(PQ)]);
-        assert_close(found, [srgb(luminance / 203.0); 3], 4);
-    }
-    let levels: Vec<u8> = (0..=255).map(|signal| converted([signal; 3], &[cicp(PQ)])[0]).collect();
-    assert!(levels.is_sorted() && levels[0] == 0 && levels[255] == 255, "{levels:?}");
-    assert!((235..=250).contains(&levels[usize::from(pq(203.0))]));
-    assert!(levels[usize::from(pq(400.0))] > levels[usize::from(pq(203.0))], "highlights keep their differences");
-}
-
-#[test]
-fn hybrid_log_gamma_and_pq_agree_where_the_standard_puts_paper_white() {
-    // ITU-R BT.2408: 75 % of the signal is 203 cd/m² on a screen of 1000, and 38 % a grey card's 26.
-    for (signal, luminance) in [(191, 203.0), (97, 26.0)] {
-        assert_close(converted([signal; 3], &[cicp(HLG)]), converted([pq(luminance); 3], &[cicp(PQ)]), 5);
+fn a_curve_that_is_not_read_is_refused_where_the_file_says_nothing_else_of_its_colours() {
+    let p3 = P3_TO_SRGB[0];
+    for transfer in [7, 16, 17, 18] {
+        let code_points = cicp([9, transfer, 0, 1]);
+        let alone = with_chunk(&png(p3.0), code_points.0, &code_points.1);
+        match decode(&alone, &Limits::default()) {
+            Err(PhotoError::UnsupportedFeature { reason, .. }) => assert!(reason.contains(&transfer.to_string())),
+            other => panic!("{transfer}: {other:?}"),
+        }
+        assert_close(converted(p3.0, &[code_points, gama(45_455), chrm()]), p3.1, 1);
     }
 }
 
