@@ -54,7 +54,7 @@ pub fn sniff_file(start: &[u8]) -> FileKindName {
 /// Reads a GLB that was downloaded here or written by the command line. No picture is decoded.
 ///
 /// # Errors
-/// `damaged-glb`, `foreign-glb` or `newer-glb`.
+/// `damaged-glb`, `foreign-glb` or `other-version`.
 #[wasm_bindgen(js_name = reopenGlb)]
 pub fn reopen_glb(bytes: &[u8]) -> Result<ReopenedFace, JsValue> {
     Ok(reopen(bytes).map_err(FacadeError::of_glb)?.into())
@@ -63,7 +63,7 @@ pub fn reopen_glb(bytes: &[u8]) -> Result<ReopenedFace, JsValue> {
 /// Reads a project that was saved here. Its picture is not decoded.
 ///
 /// # Errors
-/// `bad-project` or `too-new`.
+/// `bad-project` or `other-version`.
 #[wasm_bindgen(js_name = reopenProject)]
 pub fn reopen_project(bytes: &[u8]) -> Result<ReopenedFace, JsValue> {
     Ok(project::read(bytes).map_err(FacadeError::of_project)?.into())

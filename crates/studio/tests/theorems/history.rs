@@ -246,11 +246,11 @@ fn a_history_goes_on_over_other_triangles() {
 
 #[test]
 fn text_that_is_no_history_is_refused() {
-    let newer = format!(r#"{{"rosto":"history","version":{},"entries":[]}}"#, project::VERSION + 1);
+    let other = format!(r#"{{"rosto":"history","version":{},"entries":[]}}"#, project::VERSION + 1);
     let cases = [
         ("", project::ProjectError::NotAHistory),
         ("{\"version\":1}", project::ProjectError::NotAHistory),
-        (&newer, project::ProjectError::Newer { found: project::VERSION + 1, known: project::VERSION }),
+        (&other, project::ProjectError::Version { found: project::VERSION + 1, known: project::VERSION }),
         (
             r#"{"rosto":"history","version":1,"entries":[{"label":"a","switch":"on","symmetrise":{"share":"x"}}]}"#,
             project::ProjectError::Field { entry: 0, field: "share" },
