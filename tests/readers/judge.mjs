@@ -36,7 +36,7 @@ import { METRES, MOVED } from "./table.mjs";
  * How far colours may be off, as a mean over all vertices: of 255. The vertices' own are bytes in every format. A texture is a
  * JPEG of the same photo, read at the nearest pixel and not between four.
  */
-const MOST_OFF = { colours: 0.6, photo: 5, whole: 14, few: 20 };
+const MOST_OFF = { colours: 0.6, photo: 5, whole: 14 };
 /** A share: what eight digits and sums in 32 bits leave. */
 const SAME_VOLUME = 1e-4;
 const SAME_SIZE_M = 1e-6;

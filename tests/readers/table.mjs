@@ -9,8 +9,8 @@ import { BLEND_SHAPES } from "./arkit.mjs";
  * @property {string} ending the format
  * @property {string[]} options of `rosto mesh`, besides those that make the shape
  * @property {Shape} shape
- * @property {"photo" | "whole" | "colours" | "few" | "none"} skin what it shows at its vertices: a texture of the photo or of the whole
- *   face, their colours, a few of them for printers, or nothing
+ * @property {"photo" | "whole" | "colours" | "none"} skin what it shows at its vertices: a texture of the photo or of the whole face,
+ *   their colours, or nothing
  * @property {"solid"} [body] a closed one, with the face at its front
  * @property {Record<string, number>} [morphs] its morph targets' weights by their names
  * @property {"pieces"} [eyesAndMouth] pieces of their own, which lie elsewhere: the rest is the face's
@@ -95,7 +95,6 @@ export const ROWS = [
   ...[FACE, SHEET].map((shape) => ({ ending: "stl", shape, options: ["--solid", "surface"], skin: "none" })),
   ...BODIES.map((body) => ({ ending: "stl", ...body, skin: "none" })),
   ...BODIES.map((body) => ({ ending: "3mf", ...body, skin: "colours" })),
-  { ending: "3mf", shape: FACE, options: ["--solid", "flat:3", "--colours", "few"], body: "solid", skin: "few" },
 ];
 
 /** The face found by one look, and a picture no larger than need be: none of the choices below depends on them. */

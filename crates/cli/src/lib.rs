@@ -12,7 +12,6 @@ mod found;
 mod landmarks;
 mod many;
 mod mesh;
-mod model_history;
 mod networks;
 mod output;
 mod paper;
@@ -22,7 +21,6 @@ mod request;
 mod settings;
 mod several;
 mod terminal;
-mod units;
 
 use std::ffi::OsString;
 use std::io::{self, Write};

@@ -2,14 +2,13 @@
 
 use clap::ArgMatches;
 use clap::parser::ValueSource;
-use rosto_export::{BaseColour, Choosable, Format, Solid};
+use rosto_export::{BaseColour, Choosable, Format, Solid, Units};
 use rosto_face::Triangulation;
 
 use crate::args::{EditArguments, MeshTask, PhotoTask, SettingsArguments};
 use crate::error::CliError;
 use crate::output;
 use crate::settings::Rule;
-use crate::units::Units;
 
 /// The options that shape edits, by their names in [`crate::args::SettingsArguments`].
 const SETTINGS: [(&str, &str); 8] = [
@@ -51,6 +50,9 @@ pub fn check_photo(task: &PhotoTask, given: &Given<'_>) -> Result<(), CliError> 
 }
 
 fn check_format(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), CliError> {
+    if task.units == Units::Image && !format.lets_choose(Choosable::Units) {
+        return Err(CliError::ImageUnits { path: task.output.clone() });
+    }
     check_paint(task, format, given)?;
     check_print(task, format, given)?;
     let is_gltf = format.lets_choose(Choosable::Material);
@@ -58,18 +60,15 @@ fn check_format(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<()
         return useless("--material", "light falls only on .glb and .gltf");
     }
     check_eyes(task, format, given)?;
-    match task.expression_targets {
-        true if !is_gltf => return useless("--expressions", "only .glb and .gltf hold them"),
-        true if task.edits.units != Units::Mm => return useless("--expressions", "they need --units mm"),
-        _ => {}
+    if task.expression_targets && !is_gltf {
+        return useless("--expressions", "only .glb and .gltf hold them");
     }
     let of_several = task.photos.len() > 1 && !output::is_pattern(&task.output);
-    if of_several && format.lets_choose(Choosable::Unit) && task.edits.units == Units::Image {
+    if of_several && task.units == Units::Image {
         return useless("a further photo", "image coordinates are those of one; give --units mm");
     }
     match task.morph_targets {
         true if !is_gltf => useless("--morph-targets", "only .glb and .gltf hold them"),
-        true if task.edits.units != Units::Mm => useless("--morph-targets", "they need --units mm"),
         true if !is_edited(&task.edits) => useless("--morph-targets", "there is no edit to make one of"),
         _ => Ok(()),
     }
@@ -106,9 +105,6 @@ fn check_paint(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(),
 fn check_print(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), CliError> {
     if given.has("solid") && !format.lets_choose(Choosable::Solid) {
         return useless("--solid", "it is for .stl and .3mf");
-    }
-    if given.has("colours") && !format.lets_choose(Choosable::Colours) {
-        return useless("--colours", "it is for .3mf");
     }
     match task.solid == Solid::Surface && format == Format::ThreeMf {
         true => useless("--solid", "a .3mf is printed, and a surface alone cannot be"),

@@ -40,7 +40,7 @@ pub use choice::Choice;
 pub use choices::{AnchorChoice, Choices, Preset, RADIUS_MM, Range, SLIDER_MM};
 pub use drag::Pace;
 pub use error::SessionError;
-pub use files::{EditsAs, ExpressionsAs, FileOptions, Units, plain_formats, printed_formats};
+pub use files::{EditsAs, ExpressionsAs, FileOptions, plain_formats, printed_formats};
 pub use gesture::Under;
 pub use incoming::{DENSEST_SHOWN, FurtherPhoto, Incoming, MOST_ENTRIES, Work};
 pub use intent::Intent;

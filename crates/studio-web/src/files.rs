@@ -1,5 +1,5 @@
-use rosto_export::{BaseColour, Choosable, Colours, Eyes, Format, Material, PLA_G_PER_CM3, SOLID_MM, SolidFacts};
-use rosto_session::{EditsAs, ExpressionsAs, FileOptions, Units};
+use rosto_export::{BaseColour, Choosable, Eyes, Format, Material, PLA_G_PER_CM3, SOLID_MM, SolidFacts, Units};
+use rosto_session::{EditsAs, ExpressionsAs, FileOptions};
 use rosto_stage::Background;
 use rosto_studio::SMOOTH_DENSITY;
 use wasm_bindgen::prelude::*;
@@ -24,7 +24,7 @@ impl FileChoices {
 
     /// Chooses one thing by ids: "base-colour" ("whole", "photo", "colours"),
     /// "material" ("lit", "unlit"), "edits" and "expressions" ("shape", "morph-targets"), "eyes" ("skin", "pieces"),
-    /// "units" ("mm", "image"), "solid" ("thickness:MM", "flat:MM", "surface"), "colours" ("all", "few").
+    /// "units" ("mm", "image"), "solid" ("thickness:MM", "flat:MM", "surface").
     ///
     /// # Errors
     /// `bad-choice`.
@@ -38,7 +38,6 @@ impl FileChoices {
             "eyes" => options.eyes = FacadeError::unless(Eyes::from_id(id))?,
             "units" => options.units = FacadeError::unless(Units::from_id(id))?,
             "solid" => options.solid = FacadeError::unless(id.parse().ok())?,
-            "colours" => options.colours = FacadeError::unless(Colours::from_id(id))?,
             _ => FacadeError::unless(None)?,
         }
         Ok(())

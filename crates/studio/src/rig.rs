@@ -43,10 +43,10 @@ impl Rig {
 
     /// The mesh that is shown at positions in metres, in its pieces: they lie behind lids and lips as these are without expressions.
     /// No expression can be moved in it. With layers it is the unedited face.
-    pub fn still(document: &mut Document, shown_m: &[DVec3], edits: EditsInRig) -> Self {
+    pub fn still(document: &mut Document, edits: EditsInRig) -> Self {
         let parted = document.parted();
         let (skin_m, relaxed_m, layers) = match edits {
-            EditsInRig::AtRest => (shown_m.to_vec(), document.relaxed(shown_m), Vec::new()),
+            EditsInRig::AtRest => (document.positions().to_vec(), document.relaxed(document.positions()), Vec::new()),
             EditsInRig::Layers => (document.rest().to_vec(), document.rest().to_vec(), document.displacements()),
         };
         let mut base_m = parted.positions_m(&relaxed_m);

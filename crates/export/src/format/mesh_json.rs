@@ -3,11 +3,23 @@ use std::fmt::Write;
 use glam::DVec3;
 use serde_json::Value;
 
+rosto_named::named! {
+    /// The coordinates that positions are in.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum Units {
+        /// MediaPipe's normalised coordinates.
+        Image = "image",
+        /// Millimetres of the model.
+        #[default]
+        Mm = "mm",
+    }
+}
+
 /// What [`mesh_json`] writes.
 #[derive(Debug, Clone)]
 pub struct JsonMesh<'a> {
-    /// The unit of the positions: `image` for MediaPipe's normalised coordinates, `mm` for the model's millimetres.
-    pub units: &'a str,
+    /// The unit of the positions.
+    pub units: Units,
     /// Positions in that unit.
     pub positions: &'a [DVec3],
     /// An sRGB colour for each vertex.
@@ -23,7 +35,7 @@ pub struct JsonMesh<'a> {
 pub fn mesh_json(mesh: &JsonMesh<'_>) -> String {
     let mut text = String::with_capacity(64 * mesh.positions.len() + 16 * mesh.triangles.len() + 64);
     text.push_str("{\"units\":\"");
-    text.push_str(mesh.units);
+    text.push_str(mesh.units.id());
     text.push_str("\",\"positions\":");
     push_rows(&mut text, mesh.positions.iter().map(|p| p.to_array()), push_number);
     text.push_str(",\"colors\":");
