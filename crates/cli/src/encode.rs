@@ -6,7 +6,7 @@ use rosto_export::{
     about, mesh_json,
 };
 use rosto_face::{FaceModel, Photo, canonical_uvs};
-use rosto_studio::{Document, EditsInRig, Rig, Shot, StudioError, project, texture_side_px, whole_texture_of};
+use rosto_studio::{Document, EditsInRig, Layer, Rig, Shot, StudioError, project, texture_side_px, whole_texture_of};
 
 use crate::args::MeshTask;
 use crate::error::CliError;
@@ -111,11 +111,10 @@ fn rigged(
         whole: skin.texture.as_ref().map(|pixels| Picture { pixels, uvs: &texture_uvs }),
     };
     let history = history_json(document);
-    let layers = rig.layers_m().iter().map(|(name, ways)| Morph { name, displacements_m: ways, weight: 1.0 });
-    let expressions = rig.expressions().iter();
-    let expressions =
-        expressions.map(|(name, ways, weight)| Morph { name: name.id(), displacements_m: ways, weight: *weight });
-    let morphs: Vec<Morph<'_>> = layers.chain(expressions).collect();
+    let layers = rig.layers().iter();
+    let morphs: Vec<Morph<'_>> = layers
+        .map(|Layer { name, displacements_m, weight }| Morph { name, displacements_m, weight: *weight })
+        .collect();
     let gltf = GlbOptions { morphs: &morphs, ..gltf(face, task, history.as_deref()) };
     let solid = task.solid;
     Ok(format.write(&Content { model, rest_m: base_m, gltf, solid, name, positions_image: None })?)

@@ -34,7 +34,7 @@ fn image_coordinates_where_they_are_not_written() {
 #[test]
 fn paint_for_formats_that_have_no_choice() {
     for extension in ["ply", "stl", "3mf", "json"] {
-        refused(&format!("paint.{extension}"), &["--paint", "photo"], &["--base-colour", ".glb, .gltf, .obj"]);
+        refused(&format!("paint.{extension}"), &["--base-colour", "photo"], &["--base-colour", ".glb, .gltf, .obj"]);
         refused(&format!("paint.{extension}"), &["--texture-size", "1024"], &["--texture-size", ".glb, .gltf, .obj"]);
         refused(&format!("paint.{extension}"), &["--material", "unlit"], &["--material", ".glb and .gltf"]);
     }

@@ -14,6 +14,8 @@ pub use stl::stl;
 pub use three_mf::three_mf;
 pub use usdz::usdz;
 
+use std::fmt::{self, Write};
+
 use glam::DVec3;
 
 use crate::model::MM_PER_M;
@@ -221,4 +223,8 @@ impl<'a> Content<'a> {
         let texture = texture::of(&self.model, self.gltf.base_colour, self.gltf.max_texture_px)?;
         Ok(texture::png(&texture.ok_or(ExportError::NoPicture)?.pixels)?.into())
     }
+}
+
+fn push(text: &mut String, part: fmt::Arguments<'_>) {
+    text.write_fmt(part).expect("invariant: writing to a string does not fail");
 }

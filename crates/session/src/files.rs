@@ -3,7 +3,7 @@ use rosto_export::{
     Source, Units, Written, project,
 };
 use rosto_mesh::Topology;
-use rosto_studio::{EditsInRig, Rig};
+use rosto_studio::{EditsInRig, Layer, Rig};
 
 use crate::error::SessionError;
 use crate::{OpenFace, Session};
@@ -169,7 +169,10 @@ impl Session {
     fn rigged(&self, rig: &Rig, format: Format, options: &FileOptions) -> Result<Written, SessionError> {
         let face = self.open_face()?;
         let (json, in_photo) = (face.history_json(), face.in_photo_json());
-        let morphs = morphs(rig);
+        let layers = rig.layers().iter();
+        let morphs: Vec<Morph<'_>> = layers
+            .map(|Layer { name, displacements_m, weight }| Morph { name, displacements_m, weight: *weight })
+            .collect();
         let gltf = GlbOptions { morphs: &morphs, ..self.gltf(options, face.source(&json, in_photo.as_deref())) };
         let (parted, base_m) = (rig.parted(), rig.base_m());
         let (uvs, texture_uvs) = (parted.uvs(&face.uvs()), parted.uvs(&face.texture_uvs()));
@@ -211,15 +214,6 @@ impl Session {
         };
         Ok(project::write(&source, png)?)
     }
-}
-
-/// The edits that are layers, then all expressions.
-fn morphs(rig: &Rig) -> Vec<Morph<'_>> {
-    let layers = rig.layers_m().iter().map(|(name, ways)| Morph { name, displacements_m: ways, weight: 1.0 });
-    let expressions = rig.expressions().iter();
-    let expressions =
-        expressions.map(|(name, ways, weight)| Morph { name: name.id(), displacements_m: ways, weight: *weight });
-    layers.chain(expressions).collect()
 }
 
 impl OpenFace {

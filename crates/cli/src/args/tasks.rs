@@ -86,7 +86,7 @@ pub struct MeshTask {
         value_parser = one_of("export.units", Units::ALL, Units::id, Units::from_id))]
     pub units: Units,
     /// What paints a .glb, .gltf, .obj, .usdz or .png
-    #[arg(long, alias = "paint", default_value = BaseColour::default().id(),
+    #[arg(long, default_value = BaseColour::default().id(),
         value_parser = one_of("base-colour", BaseColour::ALL, BaseColour::id, BaseColour::from_id))]
     pub base_colour: BaseColour,
     /// How long the longest side of that picture is at most, in px

@@ -1,9 +1,8 @@
-use std::collections::HashMap;
-use std::fmt::Write;
-
 use glam::DVec3;
 use rosto_solid::Body;
+use std::collections::HashMap;
 
+use super::push;
 use crate::model::MM_PER_M;
 use crate::zip::{NamedFile, stored};
 use crate::{ExportError, Model};
@@ -90,8 +89,4 @@ impl Painted {
         let coloured = front.iter().map(|corners| corners.map(|corner| of_vertex[corner as usize]));
         Self { corners: coloured.chain(others.iter().map(|_| [0; 3])).collect(), colours }
     }
-}
-
-fn push(text: &mut String, part: std::fmt::Arguments<'_>) {
-    text.write_fmt(part).expect("invariant: writing to a string does not fail");
 }

@@ -1,5 +1,5 @@
 use base64::prelude::{BASE64_STANDARD, Engine};
-use rosto_face::{FaceModel, Triangulation};
+use rosto_face::{FaceModel, PhotoLens, Triangulation};
 use serde_json::{Value, json};
 
 use super::Painted;
@@ -46,17 +46,12 @@ pub struct Source<'a> {
 /// The extras but for the pictures.
 pub(super) fn extras(source: &Source<'_>) -> Result<Value, ExportError> {
     let face = source.face;
-    let mut extras = json!({
-        "rosto": "face",
-        "version": VERSION,
-        "photo_px": face.photo_size_px(),
-        "triangulation": source.triangulation.id(),
-        "density": source.density,
-        "lens": face.lens().to_string(),
-        "landmarks": encoded_landmarks(face.landmarks()),
-        "colours": BASE64_STANDARD.encode(face.colours_srgb().as_flattened()),
-        "about": about(face, face.positions_m()),
-    });
+    let mut extras = found(face.photo_size_px(), face.lens(), face.landmarks(), face.colours_srgb());
+    extras["rosto"] = "face".into();
+    extras["version"] = VERSION.into();
+    extras["triangulation"] = source.triangulation.id().into();
+    extras["density"] = source.density.into();
+    extras["about"] = about(face, face.positions_m());
     if let Some(history) = source.history {
         extras["history"] = history_object(history)?;
     }
@@ -66,10 +61,11 @@ pub(super) fn extras(source: &Source<'_>) -> Result<Value, ExportError> {
     Ok(extras)
 }
 
-/// Landmarks as little-endian numbers in base64.
-pub(super) fn encoded_landmarks(landmarks: Vec<[f32; 3]>) -> String {
-    let bytes = landmarks.into_iter().flatten().flat_map(f32::to_le_bytes);
-    BASE64_STANDARD.encode(bytes.collect::<Vec<u8>>())
+/// What was found in a photo: landmarks as little-endian numbers, and the colours under them, both in base64.
+pub(super) fn found(photo_px: [u32; 2], lens: PhotoLens, landmarks: Vec<[f32; 3]>, colours: &[[u8; 3]]) -> Value {
+    let landmarks: Vec<u8> = landmarks.into_iter().flatten().flat_map(f32::to_le_bytes).collect();
+    let [landmarks, colours] = [&landmarks, colours.as_flattened()].map(|bytes| BASE64_STANDARD.encode(bytes));
+    json!({"photo_px": photo_px, "lens": lens.to_string(), "landmarks": landmarks, "colours": colours})
 }
 
 /// The history as JSON.

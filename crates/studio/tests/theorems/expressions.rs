@@ -182,8 +182,8 @@ fn a_face_in_pieces_keeps_its_skin_and_its_eyes_whatever_lids_and_lips_do() {
         let pieces = edited.base_m()[skin..].iter().zip(&blinking.base_m()[skin..]);
         assert!(pieces.clone().count() > 0 && pieces.into_iter().all(|(a, b)| a.distance(*b) < 1e-12));
         let layered = Rig::still(&mut document, EditsInRig::Layers);
-        assert!(layered.expressions().is_empty() && layered.layers_m().len() == 2);
-        let sum = |vertex: usize| layered.layers_m().iter().map(|(_, ways)| ways[vertex]).sum::<DVec3>();
+        assert_eq!(layered.layers().len(), 2);
+        let sum = |vertex: usize| layered.layers().iter().map(|layer| layer.displacements_m[vertex]).sum::<DVec3>();
         let shown = (0..skin).map(|vertex| layered.base_m()[vertex] + sum(vertex));
         assert!(shown.zip(document.positions()).all(|(a, b)| a.distance(*b) < 1e-12));
     }
