@@ -12,8 +12,8 @@ const BAD_HISTORIES = {
 
 /** @type {{ name: string, codes: string[], change: (header: any) => void }[]} */
 const BAD_HEADERS = [
-  { name: "a newer history", codes: ["too-new"], change: ({ edits }) => (edits.version = 99) },
-  { name: "a newer project", codes: ["too-new"], change: (header) => (header.version = 99) },
+  { name: "a history of another version", codes: ["other-version"], change: ({ edits }) => (edits.version = 99) },
+  { name: "a project of another version", codes: ["other-version"], change: (header) => (header.version = 99) },
   { name: "no edits", codes: ["bad-project", "bad-history"], change: (header) => delete header.edits },
   { name: "a width of 0", codes: ["bad-project", "bad-face"], change: (header) => (header.width_px = 0) },
   ...Object.entries(BAD_HISTORIES).map(([name, change]) => ({
@@ -50,8 +50,8 @@ test("a GLB that cannot be opened leaves the face, its history and what is kept 
     file: changed(({ history }) => change(history)),
   }));
   bad.push(
-    { name: "a newer GLB", codes: ["newer-glb"], file: changed((extras) => (extras.version = 99)) },
-    { name: "a newer history", codes: ["newer-glb", "too-new"], file: changed(({ history }) => (history.version = 99)) },
+    { name: "a GLB of another version", codes: ["other-version"], file: changed((extras) => (extras.version = 99)) },
+    { name: "a history of another version", codes: ["other-version"], file: changed(({ history }) => (history.version = 99)) },
     { name: "a history that is none", codes: ["damaged-glb", "bad-history"], file: changed((extras) => (extras.history = {})) },
     { name: "a photo without width", codes: ["damaged-glb", "bad-face"], file: changed((extras) => (extras.photo_px = [0, 512])) },
   );

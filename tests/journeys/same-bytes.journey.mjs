@@ -9,8 +9,8 @@ import { SAMPLE } from "./visitor.mjs";
 const EDITED = ["--slider", "nose-width:4"];
 
 /**
- * What is chosen on the page, and with it on the command line. Each way of painting, each material, size, density, body and
- * number of colours is in one row at least.
+ * What is chosen on the page, and with it on the command line. Each way of painting, each material, size, density and body is in
+ * one row at least.
  *
  * @typedef {{ format: string, choose: Record<string, string | boolean>, options: string[] }} Row
  * @type {Row[]}
@@ -30,7 +30,7 @@ const PAINTED = [
 /** @type {Row[]} */
 const PRINTED = [
   { format: "3mf", choose: { solid: "thickness", length: "2" }, options: [] },
-  { format: "3mf", choose: { solid: "flat", length: "3", colours: "few" }, options: ["--solid", "flat:3", "--colours", "few"] },
+  { format: "3mf", choose: { solid: "flat", length: "3" }, options: ["--solid", "flat:3"] },
   { format: "stl", choose: { solid: "thickness", length: "1.2", density: "1" }, options: ["--solid", "thickness:1.2", "--density", "1"] },
 ];
 
@@ -57,7 +57,7 @@ for (const [kind, rows] of Object.entries({ painted: PAINTED, printed: PRINTED }
  * @param {string | boolean} value
  */
 async function choosing({ page }, what, value) {
-  const radios = { paint: "base-colour", solid: "solid", colours: "colours" };
+  const radios = { paint: "base-colour", solid: "solid" };
   const lists = { size: "#texture-size", density: "#export-density" };
   const checks = { unlit: "#export-unlit", morphs: "#export-morphs", expressions: "#export-expressions", eyes: "#export-eyes" };
   // What is in a fold that is closed is chosen all the same.

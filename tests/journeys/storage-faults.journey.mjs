@@ -53,10 +53,19 @@ for (const [[what, remove], tag] of alike(/** @type {const} */ ([
   });
 }
 
+journey("where the database is of another version, the page says that nothing is kept, and goes on", async (open) => {
+  const visitor = await open();
+  await visitor.page.evaluate(() => new Promise((resolve) => (indexedDB.open("rosto", 2).onsuccess = ({ target }) => resolve(target.result.close()))));
+  await visitor.dropSample();
+  await expectNotKept(visitor);
+  await edit(visitor, 9);
+});
+
 /** What may be left of a kept work. */
 const DAMAGES = [
   (face, done) => [{ ...face, picture: new Blob([new Uint8Array(7)]) }, done],
   ({ landmarks: _, ...face }, done) => [face, done],
+  ({ lens: _, ...face }, done) => [face, done],
   (face, done) => [{ ...face, landmarks: [...face.landmarks].map(String) }, done],
   (_, done) => ["a face", done],
   (_, done) => [undefined, done],

@@ -24,14 +24,14 @@ def test_files_are_the_command_lines_to_the_byte(portrait, command_line, tmp_pat
     for name in ["face.glb", "face.obj", "face.json"]:
         theirs = tmp_path / f"theirs-{name}"
         theirs.mkdir()
-        command_line.run("mesh", portrait, "-o", theirs / name, "--units", "mm", *flags)
+        command_line.run("mesh", portrait, "-o", theirs / name, *flags)
         ours = rosto.mesh(portrait, edits).save(tmp_path / name)
         assert {path.name for path in ours} == {path.name for path in theirs.iterdir()}
         assert all(path.read_bytes() == (theirs / path.name).read_bytes() for path in ours)
 
 
 def test_options_are_the_command_lines(portrait, command_line, tmp_path):
-    flags = ["--units", "mm", "--density", "0", "--topology", "tessellation", "--material", "unlit", "--base-colour", "photo"]
+    flags = ["--density", "0", "--topology", "tessellation", "--material", "unlit", "--base-colour", "photo"]
     command_line.run("mesh", portrait, "-o", tmp_path / "face.glb", *flags)
     made = rosto.mesh(portrait, density=0, topology="tessellation").to_bytes("glb", material="unlit", base_colour="photo")
     assert made == (tmp_path / "face.glb").read_bytes()
@@ -122,6 +122,8 @@ def test_an_array_of_images_is_several(portrait):
         (lambda photo: rosto.mesh(photo, colour="red"), ["--colour"]),
         (lambda photo: rosto.mesh(photo).to_bytes("doc"), [".doc", ".glb"]),
         (lambda photo: rosto.mesh(photo).to_bytes("ply", material="lit"), ["--material"]),
+        (lambda photo: rosto.mesh(photo, units="image"), ["image coordinates", "--units mm"]),
+        (lambda photo: rosto.mesh(photo).to_bytes("json", units="image"), ["image coordinates", "--units mm"]),
         (lambda photo: rosto.mesh(np.zeros((64, 64, 3), np.uint8)), ["no face", "tenth of the picture"]),
         (lambda photo: rosto.mesh(b"notes"), ["not a picture"]),
     ],

@@ -34,7 +34,7 @@ import { METRES, MOVED } from "./table.mjs";
  * Largest mean colour error over all vertices, of 255. Vertex colours are bytes in every format. A texture is a JPEG of the same
  * photo, read at the nearest pixel and not between four.
  */
-const MOST_OFF = { colours: 0.6, photo: 5, whole: 14, few: 20 };
+const MOST_OFF = { colours: 0.6, photo: 5, whole: 14 };
 /** Relative: the rest of eight digits and sums in 32 bits. */
 const SAME_VOLUME = 1e-4;
 const SAME_SIZE_M = 1e-6;

@@ -7,8 +7,8 @@
  * @property {string} ending the format
  * @property {string[]} options of `rosto mesh`, without those of the shape
  * @property {Shape} shape
- * @property {"photo" | "whole" | "colours" | "few" | "none"} skin a texture of the photo or of the whole face, vertex colours, a
- *   printer's palette, or nothing
+ * @property {"photo" | "whole" | "colours" | "none"} skin a texture of the photo or of the whole face, vertex colours,
+ *   or nothing
  * @property {"solid"} [body] closed, with the face at its front
  * @property {Record<string, number>} [morphs] weights of the morph targets by name
  * @property {"pieces"} [eyesAndMouth] separate pieces, which lie elsewhere than the face's own fillings
@@ -76,7 +76,6 @@ export const ROWS = [
   ...[FACE, SHEET].map((shape) => ({ ending: "stl", shape, options: ["--solid", "surface"], skin: "none" })),
   ...BODIES.map((body) => ({ ending: "stl", ...body, skin: "none" })),
   ...BODIES.map((body) => ({ ending: "3mf", ...body, skin: "colours" })),
-  { ending: "3mf", shape: FACE, options: ["--solid", "flat:3", "--colours", "few"], body: "solid", skin: "few" },
 ];
 
 /** The face found by one look, and a small texture: the choices below do not depend on them. */

@@ -11,7 +11,6 @@ import { photosOf } from "../js/work/photos.js";
 import { kindOf, readSavedFile } from "../js/work/saved-file.js";
 import { standing } from "../js/work/standing.js";
 import { learnWords } from "../js/words/words.js";
-import { BEFORE_LENSES } from "../js/work/work.js";
 import { writtenFile } from "../js/work/written-file.js";
 import { borrowVision, facesIn, returnVision } from "./shared-vision.js";
 
@@ -168,7 +167,7 @@ export class FaceSession {
    * @param {() => boolean} isWanted
    */
   async #bringIn(face, done, isWanted) {
-    const photos = photosOf({ ...face, lens: done?.lens ?? face.lens ?? BEFORE_LENSES });
+    const photos = photosOf({ ...face, lens: done?.lens ?? face.lens });
     if (!isWanted() || !(await openPictures(this.bench, photos, isWanted))) throw new Replaced();
     this.#isTaking = true;
     try {

@@ -13,7 +13,6 @@ import { fromVisit, fromWork, shownBefore, wayBack } from "./work/incoming.js";
 import { faceOf, factsOf, foundIn, photosOf, placeOf } from "./work/photos.js";
 import { bitmapOf } from "./work/pixels.js";
 import { kindOf, readSavedFile } from "./work/saved-file.js";
-import { BEFORE_LENSES } from "./work/work.js";
 
 /**
  * @typedef {import("./viewport/workbench.js").Workbench} Workbench
@@ -238,7 +237,7 @@ export class Opening {
    */
   async #seeIn(bench, photo, isWanted) {
     if (placeOf(this.#now?.face, photo) !== undefined || !(await openPicture(bench, photo, isWanted))) return false;
-    const found = foundIn(photo, photo.lens ?? BEFORE_LENSES);
+    const found = foundIn(photo);
     await this.#changePhotos(bench, (studio) => studio.addPhoto(...found), (photos) => [...photos, photo]);
     return true;
   }
@@ -309,8 +308,7 @@ export class Opening {
   async #bringIn({ face, faces, bitmap, done }, isWanted) {
     const { bench, overlay, keeper } = this.#room;
     const opened = await bench;
-    const lens = done?.lens ?? face.lens ?? BEFORE_LENSES;
-    const photos = photosOf({ ...face, lens });
+    const photos = photosOf({ ...face, lens: done?.lens ?? face.lens });
     if (opened && !(await openPictures(opened, photos, isWanted))) return false;
     const prepared = await overlay.prepare(face, bitmap);
     if (!isWanted()) {

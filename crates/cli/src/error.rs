@@ -68,6 +68,8 @@ pub enum CliError {
     Edit { number: usize, what: String, reason: StudioError },
     #[error("{}: its name does not end as a format is called: {}", named(path), endings())]
     UnknownFormat { path: PathBuf },
+    #[error("{}: image coordinates are written by `rosto mesh` as .json only", named(path))]
+    ImageUnits { path: PathBuf },
     #[error("{}: a photo is written as .jpg or .png", named(path))]
     NoPictureFormat { path: PathBuf },
     #[error("{}: {reason}", named(path))]
@@ -122,7 +124,7 @@ impl CliError {
         match self {
             Self::NotUnderstood { .. } => 2,
             Self::Useless { .. } | Self::StandardInputTwice | Self::OverInput { .. } | Self::UnknownFormat { .. } => 2,
-            Self::NoPictureFormat { .. } | Self::AnotherJournal { .. } => 2,
+            Self::ImageUnits { .. } | Self::NoPictureFormat { .. } | Self::AnotherJournal { .. } => 2,
             Self::SameOutput { .. } | Self::Foreign { .. } | Self::TooManyPhotos { .. } => 2,
             Self::EditsUnreadable { .. } | Self::EditsFile { .. } | Self::EditsUtf16 { .. } => 2,
             Self::Unreadable { .. } | Self::NoPicture { .. } | Self::NoPhotos { .. } => 3,

@@ -1,6 +1,6 @@
 use clap::{ArgMatches, CommandFactory, FromArgMatches};
 use glam::{DVec2, DVec3};
-use rosto_export::Written;
+use rosto_export::{Units, Written};
 use rosto_face::{FaceError, FaceModel, MOST_PHOTOS};
 use rosto_landmarks::FaceFinder;
 use rosto_photo::Photo;
@@ -49,8 +49,7 @@ impl FaceMesh {
         let (task, _) = task(options, "face.glb")?;
         let names: Vec<String> = (1..=photos.len()).map(|number| format!("image {number}")).collect();
         let photos = names.iter().map(AsRef::as_ref).zip(photos).collect();
-        let Edited { face, document, .. } =
-            mesh::edited_face(&task, photos, &mesh::steps(&task.edits, &task.settings)?, finder)?;
+        let Edited { face, document, .. } = mesh::edited_face(&task, photos, &mesh::steps_of(&task)?, finder)?;
         Ok(Self { options: options.to_vec(), face, document })
     }
 
@@ -93,6 +92,7 @@ fn task(options: &[String], output: &str) -> Result<(MeshTask, ArgMatches), CliE
     let refused = |error: clap::Error| CliError::NotUnderstood { reason: reason_of(&error) };
     let matches = Arguments::command().try_get_matches_from(words).map_err(refused)?;
     match Arguments::from_arg_matches(&matches).map_err(refused)?.task {
+        Task::Mesh(task) if task.units == Units::Image => Err(CliError::ImageUnits { path: output.into() }),
         Task::Mesh(task) => Ok((*task, matches)),
         _ => Err(CliError::NotUnderstood { reason: "this is no mesh".to_owned() }),
     }

@@ -13,7 +13,6 @@ mod input;
 mod landmarks;
 mod many;
 mod mesh;
-mod model_history;
 mod networks;
 mod output;
 mod paper;

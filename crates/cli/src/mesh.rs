@@ -4,20 +4,21 @@ mod ledger;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use rosto_export::{Format, MM_PER_M, PLA_G_PER_CM3, SolidFacts, Units, Written};
+use rosto_export::{Format, PLA_G_PER_CM3, SolidFacts, Units, Written};
 use rosto_face::{FaceModel, MOST_PHOTOS, Photo, PhotoLens};
 use rosto_landmarks::FaceFinder;
-use rosto_studio::{Anchors, Command, Document, EditSpec, Rest, StudioError};
+use rosto_studio::{Anchors, Command, CoordinateFrame, Document, EditSpec, Rest, StudioError};
 
 use crate::args::{EditArguments, MeshTask, SettingsArguments};
 use crate::edits::ExpressionEdit;
 use crate::encode;
 use crate::error::CliError;
-use crate::model_history::image_rest;
 use crate::networks::Networks;
 use crate::portrait::Portrait;
 use crate::request::{self, Given};
 use crate::{edits, files, networks, output, portrait, several, terminal};
+
+const MM_PER_M: f64 = 1000.0;
 
 /// A command with the words that a message names it by.
 #[derive(Debug, Clone)]
@@ -43,10 +44,10 @@ pub fn run(task: &MeshTask, given: &Given<'_>, networks: Networks<'_>) -> Result
     let format = encode::format_of(&task.output)?;
     request::check(task, format, given)?;
     if of_each {
-        return each::run(task, &steps(&task.edits, &task.settings)?, format, networks);
+        return each::run(task, &steps_of(task)?, format, networks);
     }
     check_beside(task, format)?;
-    let steps = steps(&task.edits, &task.settings)?;
+    let steps = steps_of(task)?;
     let photos: Vec<Photo> = task.photos.iter().map(|path| portrait::open(path)).collect::<Result<_, _>>()?;
     let finder = networks::load(networks, task.find.landmarks())?;
     let photos = task.photos.iter().map(PathBuf::as_path).zip(photos).collect();
@@ -101,7 +102,7 @@ pub fn edited_face(
     });
     let portraits = portraits.collect::<Result<Vec<_>, CliError>>()?;
     let face = portrait::model_of(&portraits, task.mesh.topology)?;
-    let document = edited(&face, steps.to_vec(), task.edits.units, task.mesh.density)?;
+    let document = edited(&face, steps.to_vec(), task.units, task.mesh.density)?;
     Ok(Edited { face, document, notes })
 }
 
@@ -158,9 +159,17 @@ fn taken_from(face: &FaceModel) -> String {
     format!("taken from {distance_cm:.0} cm ± {error_cm:.0}, {known}")
 }
 
+/// All that was asked of `rosto mesh`.
+pub fn steps_of(task: &MeshTask) -> Result<Vec<Step>, CliError> {
+    steps(&task.edits, &task.settings, task.units)
+}
+
 /// All that was asked for, in the order that `--help` promises.
-pub fn steps(asked: &EditArguments, settings: &SettingsArguments) -> Result<Vec<Step>, CliError> {
-    let unit = 1.0 / asked.units.per_document_unit();
+pub fn steps(asked: &EditArguments, settings: &SettingsArguments, units: Units) -> Result<Vec<Step>, CliError> {
+    let unit = match units {
+        Units::Image => 1.0,
+        Units::Mm => 1.0 / MM_PER_M,
+    };
     let mut steps = Vec::new();
     let mut edits = asked.file.as_deref().map(edits::read).transpose()?.unwrap_or_default();
     edits.extend(asked.vertices.iter().cloned());
@@ -199,7 +208,7 @@ pub fn steps(asked: &EditArguments, settings: &SettingsArguments) -> Result<Vec<
 /// The face with all of that done to it.
 pub fn edited(face: &FaceModel, steps: Vec<Step>, units: Units, density: u32) -> Result<Document, CliError> {
     let rest = match units {
-        Units::Image => image_rest(face),
+        Units::Image => Rest::new(face.topology().clone(), face.positions_image().to_vec(), CoordinateFrame::Other),
         Units::Mm => Rest::of_face(face),
     };
     let mut document = Document::new(rest)?;

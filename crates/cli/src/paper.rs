@@ -126,7 +126,7 @@ fn write_figures(face: &FaceModel, trial: &Trial, folder: &Path) -> Result<(), C
     let rounds = trial.after_rounds().iter().map(Vec::as_slice);
     let figures = FIGURES.into_iter().zip([face.positions_image()].into_iter().chain(rounds));
     for (file, positions) in figures {
-        let positions_m = carried(face, face.positions_image(), positions, face.positions_m());
+        let positions_m = carried(face, positions);
         let name = file.trim_end_matches(".glb");
         let options = GlbOptions { base_colour: BaseColour::VertexColours, name, ..GlbOptions::default() };
         output::write(&folder.join(file), &glb(&Model::of_face(face).at(&positions_m), &options)?)?;

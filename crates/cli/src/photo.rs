@@ -6,12 +6,12 @@ use std::path::Path;
 use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageError};
+use rosto_export::Units;
 use rosto_face::FaceModel;
 use rosto_photo::Photo;
-use rosto_studio::{Document, InPhoto, Rest};
+use rosto_studio::{Document, InPhoto};
 
 use crate::args::PhotoTask;
-use crate::encode::Shape;
 use crate::error::CliError;
 use crate::mesh::{check_files, edited, steps};
 use crate::networks::Networks;
@@ -26,13 +26,13 @@ pub fn run(task: &PhotoTask, given: &Given<'_>, networks: Networks<'_>) -> Resul
     check_files(std::slice::from_ref(&task.photo), &task.edits, &task.output)?;
     let format = PictureFormat::of(&task.output)?;
     request::check_photo(task, given)?;
-    let steps = steps(&task.edits, &task.settings)?;
+    let steps = steps(&task.edits, &task.settings, Units::Mm)?;
     let photo = portrait::open(&task.photo)?;
     let finder = networks::load(networks, task.find.landmarks())?;
     let (face, notes) = portrait::face(&photo, &task.photo, &finder, &task.find.options(None))?;
     notes.iter().for_each(|note| terminal::note(note));
     let face = portrait::model(&photo, &face, task.mesh.topology, task.camera.lens(&photo), &task.photo)?;
-    let document = edited(&face, steps, task.edits.units, task.mesh.density)?;
+    let document = edited(&face, steps, Units::Mm, task.mesh.density)?;
     if photo.alpha().is_some() && matches!(format, PictureFormat::Jpeg) {
         terminal::note("transparent parts are laid over white: a JPEG cannot hold them; a PNG can");
     }
@@ -40,17 +40,12 @@ pub fn run(task: &PhotoTask, given: &Given<'_>, networks: Networks<'_>) -> Resul
 }
 
 fn warped(photo: &Photo, face: &FaceModel, document: &Document, task: &PhotoTask) -> Result<Photo, CliError> {
-    let in_model = Document::new(Rest::of_face(face)).and_then(|mut unedited| {
-        unedited.set_density(task.mesh.density)?;
-        Ok(unedited)
-    })?;
-    let positions_m = Shape::of(face, document, task.edits.units)?.positions_m;
-    let mut in_photo = InPhoto::new(face, &in_model, task.ring, &task.kept)?;
+    let mut in_photo = InPhoto::new(face, document, task.ring, &task.kept)?;
     let seen_from = match task.seen_from_m {
         Some(distance_m) => face.seen_from(distance_m),
         None => *face.camera(),
     };
-    in_photo.follow(in_model.rest(), &positions_m, face.camera(), &seen_from);
+    in_photo.follow(document.rest(), document.positions(), face.camera(), &seen_from);
     if in_photo.limited_px() > 1.0 {
         terminal::note(&format!(
             "the photo stays up to {:.0} px behind the edits, so that nothing in it folds",

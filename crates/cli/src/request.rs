@@ -49,70 +49,46 @@ pub fn check_photo(task: &PhotoTask, given: &Given<'_>) -> Result<(), CliError> 
     check_settings(&task.edits, &task.settings, given)
 }
 
+/// Options of `rosto mesh` that only some formats have a place for, by their names in [`MeshTask`].
+const FOR_FORMATS: [(&str, &str, Choosable, &str); 7] = [
+    ("base_colour", "--base-colour", Choosable::BaseColour, "it is for .glb, .gltf, .obj, .usdz and .png"),
+    ("texture_size", "--texture-size", Choosable::BaseColour, "it is for .glb, .gltf, .obj, .usdz and .png"),
+    ("solid", "--solid", Choosable::Solid, "it is for .stl and .3mf"),
+    ("material", "--material", Choosable::Material, "light falls only on .glb and .gltf"),
+    ("eyes", "--eyes", Choosable::Eyes, "it is for .glb, .gltf, .obj, .ply and .usdz"),
+    ("expression_targets", "--expressions", Choosable::Material, "only .glb and .gltf hold them"),
+    ("morph_targets", "--morph-targets", Choosable::Material, "only .glb and .gltf hold them"),
+];
+
 fn check_format(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), CliError> {
-    check_paint(task, format, given)?;
-    check_print(task, format, given)?;
-    let is_gltf = format.lets_choose(Choosable::Material);
-    if given.has("material") && !is_gltf {
-        return useless("--material", "light falls only on .glb and .gltf");
+    if task.units == Units::Image && !format.lets_choose(Choosable::Units) {
+        return Err(CliError::ImageUnits { path: task.output.clone() });
     }
-    check_eyes(task, format, given)?;
-    match task.expression_targets {
-        true if !is_gltf => return useless("--expressions", "only .glb and .gltf hold them"),
-        true if task.edits.units != Units::Mm => return useless("--expressions", "they need --units mm"),
-        _ => {}
+    let is_for_others = |id: &str, what| given.has(id) && !format.lets_choose(what);
+    if let Some((_, flag, _, reason)) = FOR_FORMATS.into_iter().find(|(id, _, what, _)| is_for_others(id, *what)) {
+        return useless(flag, reason);
     }
-    let of_several = task.photos.len() > 1 && !output::is_pattern(&task.output);
-    if of_several && format.lets_choose(Choosable::Unit) && task.edits.units == Units::Image {
-        return useless("a further photo", "image coordinates are those of one; give --units mm");
-    }
-    match task.morph_targets {
-        true if !is_gltf => useless("--morph-targets", "only .glb and .gltf hold them"),
-        true if task.edits.units != Units::Mm => useless("--morph-targets", "they need --units mm"),
-        true if !is_edited(&task.edits) => useless("--morph-targets", "there is no edit to make one of"),
-        _ => Ok(()),
-    }
-}
-
-fn check_eyes(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), CliError> {
-    let asked = given.has("eyes");
-    match task.mesh.topology {
-        _ if asked && !format.lets_choose(Choosable::Eyes) => {
-            useless("--eyes", "it is for .glb, .gltf, .obj, .ply and .usdz")
-        }
-        _ if asked && task.expression_targets => useless("--eyes", "with --expressions they are pieces"),
-        Triangulation::Tessellation if asked => useless("--eyes", "--topology tessellation leaves eyes and mouth open"),
-        _ => Ok(()),
-    }
-}
-
-fn check_paint(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), CliError> {
-    let is_painted = format.lets_choose(Choosable::BaseColour);
     let by_colours = task.base_colour == BaseColour::VertexColours;
-    if given.has("base_colour") && !is_painted {
-        return useless("--base-colour", "it is for .glb, .gltf, .obj, .usdz and .png");
-    }
-    if by_colours && format == Format::Png {
-        return useless("--base-colour", "a .png is a picture");
-    }
-    match given.has("texture_size") {
-        true if !is_painted => useless("--texture-size", "it is for .glb, .gltf, .obj, .usdz and .png"),
-        true if by_colours => useless("--texture-size", "--base-colour colours leaves no picture"),
-        _ => Ok(()),
-    }
-}
-
-fn check_print(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), CliError> {
-    if given.has("solid") && !format.lets_choose(Choosable::Solid) {
-        return useless("--solid", "it is for .stl and .3mf");
-    }
-    if given.has("colours") && !format.lets_choose(Choosable::Colours) {
-        return useless("--colours", "it is for .3mf");
-    }
-    match task.solid == Solid::Surface && format == Format::ThreeMf {
-        true => useless("--solid", "a .3mf is printed, and a surface alone cannot be"),
-        false => Ok(()),
-    }
+    let is_open = task.mesh.topology == Triangulation::Tessellation;
+    let of_several = task.photos.len() > 1 && !output::is_pattern(&task.output);
+    let useless_here = [
+        (by_colours && format == Format::Png, "--base-colour", "a .png is a picture"),
+        (by_colours && given.has("texture_size"), "--texture-size", "--base-colour colours leaves no picture"),
+        (
+            task.solid == Solid::Surface && format == Format::ThreeMf,
+            "--solid",
+            "a .3mf is printed, and a surface alone cannot be",
+        ),
+        (given.has("eyes") && task.expression_targets, "--eyes", "with --expressions they are pieces"),
+        (given.has("eyes") && is_open, "--eyes", "--topology tessellation leaves eyes and mouth open"),
+        (
+            of_several && task.units == Units::Image,
+            "a further photo",
+            "image coordinates are those of one; give --units mm",
+        ),
+        (task.morph_targets && !is_edited(&task.edits), "--morph-targets", "there is no edit to make one of"),
+    ];
+    refuse_first(&useless_here)
 }
 
 /// Refuses settings of edits where there is none that they could shape.
@@ -123,14 +99,11 @@ fn check_settings(edits: &EditArguments, settings: &SettingsArguments, given: &G
         return useless(flag, "it shapes --edit, --edits and --region, and none is given");
     }
     let asks_rule = asks_rule(edits);
-    if given.has("anchors") && !asks_rule {
-        return useless("--anchors", "every edit names its own");
-    }
-    match given.has("seed") {
-        true if settings.anchors != Rule::Random => useless("--seed", "--anchors leaves nothing to chance"),
-        true if !asks_rule => useless("--seed", "every edit names its anchors"),
-        _ => Ok(()),
-    }
+    refuse_first(&[
+        (given.has("anchors") && !asks_rule, "--anchors", "every edit names its own"),
+        (given.has("seed") && settings.anchors != Rule::Random, "--seed", "--anchors leaves nothing to chance"),
+        (given.has("seed") && !asks_rule, "--seed", "every edit names its anchors"),
+    ])
 }
 
 /// Whether there is an edit at all.
@@ -147,6 +120,12 @@ fn moves(edits: &EditArguments) -> bool {
 /// Whether the rule for anchors is asked.
 fn asks_rule(edits: &EditArguments) -> bool {
     edits.file.is_some() || !edits.regions.is_empty() || edits.vertices.iter().any(|edit| edit.anchors.is_none())
+}
+
+/// Refuses the first option that is useless here.
+fn refuse_first(options: &[(bool, &'static str, &'static str)]) -> Result<(), CliError> {
+    let first = options.iter().find(|(is_useless, ..)| *is_useless);
+    first.map_or(Ok(()), |(_, flag, reason)| useless(flag, reason))
 }
 
 fn useless(flag: &'static str, reason: &'static str) -> Result<(), CliError> {

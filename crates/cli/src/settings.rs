@@ -24,10 +24,7 @@ pub fn hold(text: &str) -> Result<ConstraintKind, String> {
 
 /// A length, in the units of the edits.
 pub fn radius(text: &str) -> Result<f64, String> {
-    let radius: Option<f64> = text.parse().ok();
-    radius
-        .filter(|radius| *radius > 0.0 && radius.is_finite())
-        .ok_or_else(|| "a radius is a positive number".to_owned())
+    number(text, |radius| radius > 0.0 && radius.is_finite(), "a radius is a positive number")
 }
 
 /// How far away the camera stood, in cm.
@@ -48,9 +45,8 @@ pub fn seen_from(text: &str) -> Result<f64, String> {
 
 /// How far a photo gives way around a face, in shares of its longer side.
 pub fn ring(text: &str) -> Result<f64, String> {
-    let ring: Option<f64> = text.parse().ok();
     let [least, most] = [RING_SHARES.start(), RING_SHARES.end()];
-    ring.filter(|ring| RING_SHARES.contains(ring)).ok_or_else(|| format!("give a share from {least} to {most}"))
+    number(text, |ring| RING_SHARES.contains(&ring), &format!("give a share from {least} to {most}"))
 }
 
 /// A round part of a photo, in its px.
@@ -72,8 +68,11 @@ pub fn focal_length(text: &str) -> Result<PhotoLens, String> {
 
 /// How much of a whole.
 pub fn share(text: &str) -> Result<f64, String> {
-    let share: Option<f64> = text.parse().ok();
-    share.filter(|share| (0.0..=1.0).contains(share)).ok_or_else(|| "a share is a number from 0 to 1".to_owned())
+    number(text, |share| (0.0..=1.0).contains(&share), "a share is a number from 0 to 1")
+}
+
+fn number(text: &str, is_one: impl Fn(f64) -> bool, otherwise: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|number| is_one(*number)).ok_or_else(|| otherwise.to_owned())
 }
 
 /// `random`, `oval`, `outside:RADIUS` or `pins`.

@@ -10,7 +10,7 @@ use serde_json::Value;
 /// What `rosto mesh` writes of the portrait beside its mesh, and what it says.
 fn about(name: &str, more: &[&str]) -> (Value, String) {
     let path = scratch(&format!("{name}.json"));
-    let run = mesh(&portrait(), &path, &[&["--units", "mm"], more].concat());
+    let run = mesh(&portrait(), &path, more);
     assert_eq!(code(&run), 0, "{}", said(&run));
     let json: Value = serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap();
     (json["about"].clone(), said(&run))

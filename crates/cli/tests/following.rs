@@ -9,7 +9,7 @@ use glam::DVec3;
 use rosto_face::{Region, mirror_of};
 
 fn positions(name: &str, more: &[&str]) -> Vec<DVec3> {
-    let more = [&["--units", "mm", "--topology", "canonical"], more].concat();
+    let more = [&["--topology", "canonical"], more].concat();
     triples(&mesh_json(name, &more)["positions"]).into_iter().map(DVec3::from).collect()
 }
 
@@ -63,12 +63,12 @@ fn turning_details_is_another_answer_that_still_reaches_the_target() {
 
 #[test]
 fn a_denser_mesh_carries_the_edit_and_takes_its_colours_from_the_photo() {
-    let dense = mesh_json("dense.json", &["--topology", "canonical", "--density", "2", "--edit", "4:0,0,-0.02"]);
+    let dense = mesh_json("dense.json", &["--topology", "canonical", "--density", "2", "--edit", "4:0,0,8"]);
     for (field, count) in [("positions", 7_257), ("colors", 7_257), ("triangles", 14_368)] {
         assert_eq!(dense[field].as_array().unwrap().len(), count, "{field}");
     }
     let photo = image::open(portrait()).unwrap().to_rgb8();
-    let plain = mesh_json("dense-plain.json", &["--topology", "canonical", "--density", "2"]);
+    let plain = mesh_json("dense-plain.json", &["--units", "image", "--topology", "canonical", "--density", "2"]);
     let (positions, colours) = (triples(&plain["positions"]), triples(&plain["colors"]));
     // A few by the corners of the mouth give way, and keep their colours.
     let crowded = rosto_face::crowded_landmarks();
@@ -126,7 +126,7 @@ fn every_format_is_written_and_recognised_by_its_first_bytes() {
 fn morph_targets_hold_each_edit_under_its_name() {
     let path = scratch("layers.glb");
     let photo = portrait();
-    let arguments = ["mesh", photo.to_str().unwrap(), "-o", path.to_str().unwrap(), "--units", "mm", "--morph-targets"];
+    let arguments = ["mesh", photo.to_str().unwrap(), "-o", path.to_str().unwrap(), "--morph-targets"];
     let edits = ["--slider", "jaw-width:4", "--edit", "4:0,0,10:10,152"];
     let output = rosto(arguments.iter().chain(&edits));
     assert_eq!(code(&output), 0, "{}", said(&output));
@@ -147,9 +147,7 @@ fn morph_targets_hold_each_edit_under_its_name() {
 #[test]
 fn what_needs_the_models_frame_says_so() {
     for more in [&["--mirror", "--edit", "4:0,0,0.1"][..], &["--slider", "jaw-width:4"], &["--symmetrise", "0.5"]] {
-        let path = scratch("refused.json");
-        let output = rosto(["mesh", portrait().to_str().unwrap(), "-o", path.to_str().unwrap()].iter().chain(more));
-        assert_eq!(code(&output), 5);
-        assert!(said(&output).contains("mirror") && said(&output).contains("--units mm"), "{}", said(&output));
+        let more = [&["--units", "image"], more].concat();
+        assert_refused(&mesh(&portrait(), &scratch("refused.json"), &more), 5, &["mirror", "--units mm"]);
     }
 }

@@ -132,7 +132,7 @@ fn each_photo_has_the_mesh_that_it_has_alone_and_what_is_there_is_left() {
     fs::write(album.join("001-bad.png"), b"these are notes").unwrap();
     let meshes = scratch_folder("meshes").join("made");
     let pattern = meshes.join("{}.ply");
-    let options = ["--density", "0", "--units", "mm", "--slider", "nose-width:4"];
+    let options = ["--density", "0", "--slider", "nose-width:4"];
     let each = |more: &[&str]| mesh(&album, &pattern, &[&options, more].concat());
     assert_refused(&each(&["--jobs", "2"]), 3, &["001-bad.png", "3 photos with a face, 0 without, 1 that failed"]);
     assert_eq!(names_in(&meshes), [".rosto-{}.ply.jsonl", "000.ply", "002.ply", "more"]);

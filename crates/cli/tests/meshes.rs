@@ -10,7 +10,7 @@ use std::process::{Command, Stdio};
 
 use common::*;
 
-const QUICK: [&str; 5] = ["--mediapipe", "--density", "0", "--units", "mm"];
+const QUICK: [&str; 3] = ["--mediapipe", "--density", "0"];
 
 /// A folder with copies of the portrait by these names, and one for meshes.
 fn photos(names: &[&str]) -> (PathBuf, PathBuf) {

@@ -12,7 +12,7 @@ use image::codecs::jpeg::JpegEncoder;
 use rosto_photo::{Limits, Photo, decode};
 use serde_json::Value;
 
-const NOSE: [&str; 4] = ["--units", "mm", "--slider", "nose-width:5"];
+const NOSE: [&str; 2] = ["--slider", "nose-width:5"];
 
 fn read(path: &Path) -> Photo {
     decode(&fs::read(path).unwrap(), &Limits::default()).unwrap()
@@ -66,7 +66,7 @@ fn without_an_edit_the_photo_keeps_its_pixels() {
     let upright = read(&lying());
     assert_eq!(edited(&portrait(), "unedited", &[]), read(&portrait()));
     assert_eq!(edited(&lying(), "unedited-lying", &["--topology", "canonical", "--density", "1"]), upright);
-    assert_eq!(edited(&lying(), "unedited-mm", &["--units", "mm", "--slider", "nose-width:0"]), upright);
+    assert_eq!(edited(&lying(), "unedited-slider", &["--slider", "nose-width:0"]), upright);
     // By its landmarks the face is where the portrait has it.
     assert!(upright.pixel(224, 120).iter().zip(read(&portrait()).pixel(224, 120)).all(|(a, b)| a.abs_diff(b) < 30));
 }
@@ -123,7 +123,7 @@ fn an_edit_moves_what_it_is_of_and_nothing_beyond_the_ring() {
 #[test]
 fn what_is_kept_stays() {
     let before = read(&portrait());
-    let jaw = ["--units", "mm", "--slider", "jaw-width:-6"];
+    let jaw = ["--slider", "jaw-width:-6"];
     let free = changed(&before, &edited(&portrait(), "free", &jaw));
     let keep = ["--keep", "190,170,20", "--keep", "262,168,9"];
     let kept = changed(&before, &edited(&portrait(), "kept", &[&jaw[..], &keep].concat()));
@@ -136,17 +136,15 @@ fn what_is_kept_stays() {
 }
 
 #[test]
-fn both_units_and_every_density_move_the_photo() {
+fn every_density_moves_the_photo() {
     let before = read(&portrait());
     let tip = landmarks()[1];
-    let in_mm = ["--units", "mm", "--hold", "exact", "--anchors", "oval", "--edit", "1:6,0,0"];
-    let in_image = ["--hold", "exact", "--anchors", "oval", "--edit", "1:0.02,0,0"];
+    let edit = ["--hold", "exact", "--anchors", "oval", "--edit", "1:6,0,0"];
     for (name, more) in [
-        ("in-mm", &in_mm[..]),
-        ("in-image", &in_image),
-        ("denser", &[&in_mm[..], &["--density", "2", "--topology", "canonical"]].concat()),
+        ("coarse", [&edit[..], &["--density", "0"]].concat()),
+        ("denser", [&edit[..], &["--density", "3", "--topology", "canonical"]].concat()),
     ] {
-        let places = changed(&before, &edited(&portrait(), name, more));
+        let places = changed(&before, &edited(&portrait(), name, &more));
         let middle = |axis: usize| places.iter().map(|place| place[axis]).sum::<f64>() / places.len() as f64;
         assert!(places.iter().any(|place| apart(*place, tip) < 3.0), "{name}: the tip of the nose");
         assert!(apart([middle(0), middle(1)], tip) < 40.0, "{name}: around ({}, {})", middle(0), middle(1));
@@ -167,8 +165,7 @@ fn a_face_is_shown_as_from_elsewhere() {
 
 #[test]
 fn what_folds_is_said() {
-    let run =
-        photo(&portrait(), &scratch("crossed.png"), &["--units", "mm", "--hold", "exact", "--edit", "13:0,-40,0"]);
+    let run = photo(&portrait(), &scratch("crossed.png"), &["--hold", "exact", "--edit", "13:0,-40,0"]);
     assert_eq!(code(&run), 0);
     assert!(said(&run).contains("px behind the edits"), "{}", said(&run));
 }

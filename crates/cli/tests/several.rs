@@ -30,7 +30,7 @@ fn json(path: &Path) -> Value {
 #[test]
 fn one_photo_leads_and_each_is_told_of() {
     let (photo, other, output) = (portrait(), mirrored(), scratch("several.json"));
-    let run = several(&[&photo, &other, &photo], &output, &["--units", "mm", "--distance", "90"]);
+    let run = several(&[&photo, &other, &photo], &output, &["--distance", "90"]);
     let said = said(&run);
     assert_eq!(code(&run), 0, "{said}");
     assert_eq!(said.matches(" leads").count(), 1, "{said}");
@@ -48,8 +48,8 @@ fn one_photo_leads_and_each_is_told_of() {
 #[test]
 fn the_same_photo_twice_is_that_photo() {
     let (photo, output) = (portrait(), scratch("twice.json"));
-    assert_eq!(code(&several(&[&photo, &photo], &output, &["--units", "mm"])), 0);
-    let once = triples(&mesh_json("once.json", &["--units", "mm"])["positions"]);
+    assert_eq!(code(&several(&[&photo, &photo], &output, &[])), 0);
+    let once = triples(&mesh_json("once.json", &[])["positions"]);
     let twice = triples(&json(&output)["positions"]);
     let apart_mm = once.iter().flatten().zip(twice.iter().flatten()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     assert!(apart_mm < 1e-6, "{apart_mm} mm");
@@ -58,10 +58,10 @@ fn the_same_photo_twice_is_that_photo() {
 #[test]
 fn another_view_makes_another_depth_and_edits_go_on_it() {
     let (photo, other, output) = (portrait(), mirrored(), scratch("two.json"));
-    let edit = ["--units", "mm", "--hold", "exact", "--edit", "1:0,0,5"];
-    assert_eq!(code(&several(&[&photo, &other], &output, &["--units", "mm"])), 0);
+    let edit = ["--hold", "exact", "--edit", "1:0,0,5"];
+    assert_eq!(code(&several(&[&photo, &other], &output, &[])), 0);
     let unedited = triples(&json(&output)["positions"]);
-    let alone = triples(&mesh_json("alone.json", &["--units", "mm"])["positions"]);
+    let alone = triples(&mesh_json("alone.json", &[])["positions"]);
     let deeper = unedited.iter().zip(&alone).map(|(a, b)| (a[2] - b[2]).abs()).fold(0.0, f64::max);
     assert!(deeper > 0.05, "{deeper} mm");
     assert_eq!(code(&several(&[&photo, &other], &output, &edit)), 0);
@@ -76,8 +76,8 @@ fn what_shows_no_face_is_named_and_what_would_change_nothing_refused() {
         assert_refused(&several(photos, &output, more), expected, words);
         assert!(!output.exists(), "nothing is written");
     };
-    refused(&[&photo, &faceless()], &["--units", "mm"], 4, &["faceless.png: no face found"]);
-    refused(&[&photo, &other], &[], 2, &["a further photo", "--units mm"]);
-    refused(&[photo.as_path(); 6], &["--units", "mm"], 2, &["at most five photos of one face", "6 are given"]);
-    refused(&["-".as_ref(), "-".as_ref()], &["--units", "mm"], 2, &["standard input is asked for twice"]);
+    refused(&[&photo, &faceless()], &[], 4, &["faceless.png: no face found"]);
+    refused(&[&photo, &other], &["--units", "image"], 2, &["a further photo", "--units mm"]);
+    refused(&[photo.as_path(); 6], &[], 2, &["at most five photos of one face", "6 are given"]);
+    refused(&["-".as_ref(), "-".as_ref()], &[], 2, &["standard input is asked for twice"]);
 }

@@ -15,18 +15,26 @@ fn refused(output: &str, more: &[&str], words: &[&str]) {
 #[test]
 fn morph_targets_where_there_can_be_none() {
     let edit = ["--morph-targets", "--edit", "4:0,0,1"];
-    let in_mm = [&edit[..], &["--units", "mm"]].concat();
     for extension in ["obj", "ply", "stl", "3mf", "usdz", "png", "json"] {
-        refused(&format!("morphs.{extension}"), &in_mm, &["--morph-targets", ".glb and .gltf"]);
+        refused(&format!("morphs.{extension}"), &edit, &["--morph-targets", ".glb and .gltf"]);
     }
-    refused("morphs.glb", &edit, &["--morph-targets", "--units mm"]);
-    refused("morphs.glb", &["--morph-targets", "--units", "mm"], &["--morph-targets", "no edit"]);
+    refused("morphs.glb", &["--morph-targets"], &["--morph-targets", "no edit"]);
+}
+
+#[test]
+fn image_coordinates_where_they_are_not_written() {
+    for extension in ["glb", "gltf", "obj", "ply", "stl", "3mf", "usdz", "png"] {
+        let edit = ["--units", "image", "--edit", "4:0,0,-0.05"];
+        refused(&format!("image.{extension}"), &edit, &["image coordinates", ".json only", "--units mm"]);
+    }
+    let output = scratch("image-photo.png");
+    assert_refused(&photo(&portrait(), &output, &["--units", "image"]), 2, &["--units"]);
 }
 
 #[test]
 fn paint_for_formats_that_have_no_choice() {
     for extension in ["ply", "stl", "3mf", "json"] {
-        refused(&format!("paint.{extension}"), &["--paint", "photo"], &["--base-colour", ".glb, .gltf, .obj"]);
+        refused(&format!("paint.{extension}"), &["--base-colour", "photo"], &["--base-colour", ".glb, .gltf, .obj"]);
         refused(&format!("paint.{extension}"), &["--texture-size", "1024"], &["--texture-size", ".glb, .gltf, .obj"]);
         refused(&format!("paint.{extension}"), &["--material", "unlit"], &["--material", ".glb and .gltf"]);
     }
@@ -42,16 +50,14 @@ fn eyes_in_pieces_where_there_are_none() {
     }
     let open = ["--eyes", "pieces", "--topology", "tessellation"];
     refused("eyes.glb", &open, &["--eyes", "leaves eyes and mouth open"]);
-    refused("eyes.glb", &["--eyes", "pieces", "--expressions", "--units", "mm"], &["--eyes", "they are pieces"]);
+    refused("eyes.glb", &["--eyes", "pieces", "--expressions"], &["--eyes", "they are pieces"]);
 }
 
 #[test]
-fn bodies_and_their_colours_where_nothing_is_printed() {
+fn bodies_where_nothing_is_printed() {
     for extension in ["glb", "gltf", "obj", "ply", "usdz", "png", "json"] {
         refused(&format!("solid.{extension}"), &["--solid", "flat:3"], &["--solid", ".stl and .3mf"]);
-        refused(&format!("solid.{extension}"), &["--colours", "few"], &["--colours", ".3mf"]);
     }
-    refused("solid.stl", &["--colours", "few"], &["--colours", ".3mf"]);
     refused("solid.3mf", &["--solid", "surface"], &["--solid", "cannot be"]);
     for solid in ["thickness", "thickness:0", "flat:-3", "flat:nan", "cube:3"] {
         refused("solid.stl", &["--solid", solid], &[solid, "thickness:MM, flat:MM and surface"]);
@@ -71,7 +77,7 @@ fn settings_of_edits_that_nobody_asked_for() {
         &["--turn-details"],
     ] {
         refused("settings.json", flag, &[flag[0], "none is given"]);
-        refused("settings.json", &[flag, &["--units", "mm", "--slider", "jaw-width:4"]].concat(), &[flag[0]]);
+        refused("settings.json", &[flag, &["--slider", "jaw-width:4"]].concat(), &[flag[0]]);
     }
     refused("settings.json", &["--seed", "1", "--anchors", "oval", "--edit", "4:0,0,1"], &["--seed", "chance"]);
     refused("settings.json", &["--seed", "1", "--edit", "4:0,0,1:10,152"], &["--seed", "names its anchors"]);
@@ -106,7 +112,7 @@ fn numbers_that_mean_nothing() {
 
 #[test]
 fn a_pin_stays_beside_the_anchors_that_an_edit_names() {
-    let edit = ["--hold", "exact", "--edit", "4:0,0,-0.05:10,152"];
+    let edit = ["--hold", "exact", "--edit", "4:0,0,20:10,152"];
     let rest = triples(&mesh_json("pin-rest.json", &[])["positions"]);
     let free = triples(&mesh_json("pin-free.json", &edit)["positions"]);
     let pinned =

@@ -4,6 +4,8 @@ use glam::DVec3;
 use rosto_face::{FaceModel, Measure, iris_id};
 use serde_json::{Map, Value, json};
 
+use crate::model::MM_PER_M;
+
 /// How a face was photographed and how large it is:
 /// ```json
 /// {"lens": "exif:26", "distance_m": 0.42, "distance_error": 0.05, "focal_px": 903.2,
@@ -41,5 +43,3 @@ pub fn about(face: &FaceModel, positions_m: &[DVec3]) -> Value {
     }
     about
 }
-
-const MM_PER_M: f64 = 1000.0;

@@ -2,21 +2,23 @@
 
 mod mesh_json;
 mod obj;
-mod palette;
 mod ply;
 mod stl;
 mod three_mf;
 mod usdz;
 
-pub use mesh_json::{JsonMesh, mesh_json};
+pub use mesh_json::{JsonMesh, Units, mesh_json};
 pub use obj::obj;
 pub use ply::ply;
 pub use stl::stl;
-pub use three_mf::{Colours, three_mf};
+pub use three_mf::three_mf;
 pub use usdz::usdz;
+
+use std::fmt::{self, Write};
 
 use glam::DVec3;
 
+use crate::model::MM_PER_M;
 use crate::texture;
 use crate::zip::{NamedFile, stored};
 use crate::{BaseColour, ExportError, GlbOptions, Model, Solid, SolidFacts, about, glb, gltf};
@@ -54,11 +56,9 @@ pub enum Choosable {
     /// The material, morph targets, and what opens the file again: [`GlbOptions`].
     Material,
     /// The unit of the positions.
-    Unit,
+    Units,
     /// What body is made of the face.
     Solid,
-    /// How many colours are printed.
-    Colours,
     /// Whether eyes and mouth are pieces of their own.
     Eyes,
 }
@@ -86,12 +86,10 @@ pub struct Content<'a> {
     pub gltf: GlbOptions<'a>,
     /// The body that is made of it for printing.
     pub solid: Solid,
-    /// How many colours are printed.
-    pub colours: Colours,
     /// What the file is called, without its ending: files that lie beside it are called so, too.
     pub name: &'a str,
-    /// The positions, and the id of their unit, for formats that let it be chosen.
-    pub positions: (&'a str, &'a [DVec3]),
+    /// The positions in MediaPipe's normalised coordinates, if those are chosen; otherwise JSON is in millimetres.
+    pub positions_image: Option<&'a [DVec3]>,
 }
 
 /// What a format makes of a face: a file, and what lies beside it.
@@ -173,17 +171,17 @@ impl Format {
 
     #[rustfmt::skip]
     fn definition(self) -> Definition {
-        use Choosable::{BaseColour, Colours, Eyes, Material, Solid, Unit};
+        use Choosable::{BaseColour, Eyes, Material, Solid, Units};
         match self {
             Self::Glb => Definition { media_type: "model/gltf-binary", choosable: &[BaseColour, Material, Eyes], write: |c| Ok(glb(&c.moved_by_morphs(), &c.gltf)?.into()) },
             Self::Gltf => Definition { media_type: "model/gltf+json", choosable: &[BaseColour, Material, Eyes], write: |c| Ok(gltf(&c.moved_by_morphs(), &c.gltf)?.into()) },
             Self::Obj => Definition { media_type: "model/obj", choosable: &[BaseColour, Eyes], write: |c| obj::painted(&c.model, c.gltf.base_colour, c.gltf.max_texture_px, c.name) },
             Self::Ply => Definition { media_type: "application/octet-stream", choosable: &[Eyes], write: |c| Ok(ply(&c.model)?.into()) },
             Self::Stl => Definition { media_type: "model/stl", choosable: &[Solid], write: |c| c.stl() },
-            Self::ThreeMf => Definition { media_type: "model/3mf", choosable: &[Solid, Colours], write: |c| c.three_mf() },
+            Self::ThreeMf => Definition { media_type: "model/3mf", choosable: &[Solid], write: |c| c.three_mf() },
             Self::Usdz => Definition { media_type: "model/vnd.usdz+zip", choosable: &[BaseColour, Eyes], write: |c| Ok(usdz(&c.model, c.gltf.base_colour, c.gltf.max_texture_px)?.into()) },
             Self::Png => Definition { media_type: "image/png", choosable: &[BaseColour], write: |c| c.png() },
-            Self::Json => Definition { media_type: "application/json", choosable: &[Unit], write: |c| Ok(mesh_json(&c.listed()).into()) },
+            Self::Json => Definition { media_type: "application/json", choosable: &[Units], write: |c| Ok(c.json().into()) },
         }
     }
 }
@@ -194,11 +192,15 @@ impl<'a> Content<'a> {
         if self.gltf.morphs.is_empty() { self.model } else { self.model.at(self.rest_m) }
     }
 
-    fn listed(&self) -> JsonMesh<'a> {
-        let (units, positions) = self.positions;
+    fn json(&self) -> String {
+        let positions_mm: Vec<DVec3> = self.model.positions_m.iter().map(|&position| position * MM_PER_M).collect();
+        let (units, positions) = match self.positions_image {
+            Some(positions) => (Units::Image, positions),
+            None => (Units::Mm, positions_mm.as_slice()),
+        };
         let about = self.gltf.source.map(|source| about(source.face, self.model.positions_m));
         let triangles = self.model.topology.triangles();
-        JsonMesh { units, positions, colours_srgb: self.model.colours_srgb, triangles, about }
+        mesh_json(&JsonMesh { units, positions, colours_srgb: self.model.colours_srgb, triangles, about })
     }
 
     fn stl(&self) -> Result<Written, ExportError> {
@@ -213,7 +215,7 @@ impl<'a> Content<'a> {
 
     fn three_mf(&self) -> Result<Written, ExportError> {
         let body = self.solid.body(&self.model)?.ok_or(ExportError::NoBody)?;
-        Ok(Written { solid: Some(SolidFacts::of(&body)), ..three_mf(&self.model, &body, self.colours)?.into() })
+        Ok(Written { solid: Some(SolidFacts::of(&body)), ..three_mf(&self.model, &body)?.into() })
     }
 
     fn png(&self) -> Result<Written, ExportError> {
@@ -221,4 +223,8 @@ impl<'a> Content<'a> {
         let texture = texture::of(&self.model, self.gltf.base_colour, self.gltf.max_texture_px)?;
         Ok(texture::png(&texture.ok_or(ExportError::NoPicture)?.pixels)?.into())
     }
+}
+
+fn push(text: &mut String, part: fmt::Arguments<'_>) {
+    text.write_fmt(part).expect("invariant: writing to a string does not fail");
 }

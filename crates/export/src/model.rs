@@ -4,6 +4,8 @@ use rosto_mesh::Topology;
 
 use crate::ExportError;
 
+pub(crate) const MM_PER_M: f64 = 1000.0;
+
 /// What every exporter writes: a coloured, textured mesh, borrowed from whoever holds it.
 #[derive(Debug, Clone, Copy)]
 pub struct Model<'a> {

@@ -7,9 +7,8 @@ use glam::DVec3;
 use rosto_mesh::Surface;
 use rosto_solid::{Body, Closing};
 
+use crate::model::MM_PER_M;
 use crate::{ExportError, Model};
-
-const MM_PER_M: f64 = 1000.0;
 
 /// What a printer is given. Written as `thickness:2`, `flat:3`, `surface`, as on the command line.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,11 +3,11 @@
 //! One line of JSON, then `points` × 3 little-endian `f32` landmarks, 468 × 3 bytes of colours, and the upright picture as a
 //! PNG file to the end:
 //! ```json
-//! {"format": "rosto-project", "version": 2, "width_px": 512, "height_px": 512, "points": 478, "lens": "exif:26",
+//! {"format": "rosto-project", "version": 1, "width_px": 512, "height_px": 512, "points": 478, "lens": "exif:26",
 //!  "triangulation": "canonical", "density": 0, "edits": {}}
 //! ```
 //! What was done to the photo alone follows as `"in_photo"`, if there is any, and the further photos of a face in several as
-//! `"further"` (version 3), as a GLB has them ([`Source`]): the face's part of each as JPEG. There are 468 points, or 478 with the irises. Version 1 had neither `points`, which were 468, nor a `lens`.
+//! `"further"`, as a GLB has them ([`Source`]): the face's part of each as JPEG. There are 468 points, or 478 with the irises.
 //! The sides are those of the photo that the landmarks were found in; the picture may be a smaller copy. Of the edits
 //! only their owner knows more than that they are an object.
 
@@ -17,7 +17,7 @@ use rosto_face::{LANDMARK_COUNT, POINT_COUNT};
 use serde_json::Value;
 
 use crate::glb::{Pictures, further, history_object};
-use crate::reopen::fields::{bounded, colours, density, field, integer, landmarks, object, version};
+use crate::reopen::fields::{bounded, check_version, colours, density, field, integer, landmarks, object};
 use crate::reopen::texture::{MAX_PICTURE_SIDE_PX, PNG_SIGNATURE, png_size};
 use crate::reopen::{further_photos, in_photo, lens, triangulation};
 use crate::sniff::without_bom;
@@ -25,11 +25,8 @@ use crate::{ExportError, PlacedTexture, ReopenError, Reopened, Source};
 
 const FORMAT: &str = "rosto-project";
 
-/// The version that is written of a face in several photos: the latest that is read.
-const VERSION: u64 = 3;
-
-/// The version of a face in one photo, which earlier readers open, too.
-const VERSION_OF_ONE_PHOTO: u64 = 2;
+/// The version that is written and read.
+const VERSION: u64 = 1;
 
 /// The longest side of what is kept of a further photo, in px.
 const MAX_FURTHER_PX: u32 = 2048;
@@ -50,15 +47,13 @@ pub fn write(source: &Source<'_>, png: &[u8]) -> Result<Vec<u8>, ExportError> {
     }
     let [width, height] = source.face.photo_size_px();
     let triangulation = source.triangulation.id();
-    // The name of the format comes first, where earlier readers look for it.
     let (landmarks, lens) = (source.face.landmarks(), source.face.lens());
     let in_photo = source.in_photo.map(history_object).transpose()?.map(|edits| format!(r#","in_photo":{edits}"#));
     let in_photo = in_photo.unwrap_or_default();
     let further = further(source.face, Pictures::UpTo(MAX_FURTHER_PX))?;
-    let version = if further.is_some() { VERSION } else { VERSION_OF_ONE_PHOTO };
     let further = further.map(|photos| format!(r#","further":{photos}"#)).unwrap_or_default();
     let header = format!(
-        r#"{{"format":"{FORMAT}","version":{version},"width_px":{width},"height_px":{height},"points":{},"lens":"{lens}","triangulation":"{triangulation}","density":{},"edits":{edits}{in_photo}{further}}}"#,
+        r#"{{"format":"{FORMAT}","version":{VERSION},"width_px":{width},"height_px":{height},"points":{},"lens":"{lens}","triangulation":"{triangulation}","density":{},"edits":{edits}{in_photo}{further}}}"#,
         landmarks.len(),
         source.density
     );
@@ -74,7 +69,7 @@ pub fn write(source: &Source<'_>, png: &[u8]) -> Result<Vec<u8>, ExportError> {
 /// Reads a project. Its picture is checked for its size and its end, and not decoded.
 ///
 /// # Errors
-/// [`ReopenError`] for what is no project, is damaged, is of a later version, or could not be opened.
+/// [`ReopenError`] for what is no project, is damaged, has another version, or could not be opened.
 pub fn read(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
     let text = without_bom(bytes).trim_ascii_start();
     if !text.starts_with(b"{") {
@@ -85,10 +80,10 @@ pub fn read(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
     if header["format"] != FORMAT {
         return Err(ReopenError::Foreign);
     }
-    version(&header["version"], VERSION)?;
+    check_version(&header["version"], VERSION)?;
     let (body, found) = (&text[line + 1..], bytes.len());
     let truncated = |missing: usize| ReopenError::Truncated { expected: found.saturating_add(missing), found };
-    let points = header.get("points").map_or(Some(LANDMARK_COUNT as u32), integer);
+    let points = integer(&header["points"]);
     let is_count = |&count: &usize| count == LANDMARK_COUNT || count == POINT_COUNT;
     let point_count = points.map(|count| count as usize).filter(is_count).ok_or_else(field("points"))?;
     let landmarks_bytes = point_count * POINT_BYTES;
@@ -105,7 +100,7 @@ pub fn read(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
         colours_srgb: colours(under_them).ok_or_else(field("colours"))?,
         triangulation: triangulation(&header["triangulation"])?,
         density: density(&header["density"]).ok_or_else(field("density"))?,
-        lens: lens(header.get("lens"))?,
+        lens: lens(&header["lens"])?,
         history: Some(object(&header["edits"]).ok_or_else(field("edits"))?),
         in_photo: in_photo(&header)?,
         further: further_photos(header.get("further"))?,

@@ -12,7 +12,7 @@ mod painted;
 pub(crate) mod texture;
 
 use chunks::Chunks;
-use fields::{base64, colours, density, field, landmarks, object, size, version};
+use fields::{base64, check_version, colours, density, field, landmarks, object, size};
 pub(crate) use further::further_photos;
 pub use further::{Further, FurtherPhoto};
 pub use painted::Painted;
@@ -44,7 +44,6 @@ pub struct Reopened<'a> {
     /// Of a face in several photos, what there is of the others: all above is of the one that leads.
     pub further: Option<Further>,
     /// Whether the mesh in the file is another one than was written, so that it looks otherwise than what is opened.
-    /// A file that does not tell what was written counts as unchanged.
     pub changed_elsewhere: bool,
 }
 
@@ -69,12 +68,14 @@ pub enum ReopenError {
     /// Another program wrote it, or wrote it anew without what Rosto had put in.
     #[error("the file holds no Rosto face")]
     Foreign,
-    /// A later Rosto wrote it.
-    #[error("the file has version {found}, and this Rosto reads up to version {known}")]
-    Newer {
+    /// A Rosto of another version wrote it.
+    #[error(
+        "the file has version {found}, and this Rosto reads version {known} only: open it with the one that wrote it"
+    )]
+    Version {
         /// The version in the file.
         found: u64,
-        /// The latest version that is known.
+        /// The version that is read.
         known: u64,
     },
     /// Something is missing or not as expected.
@@ -99,17 +100,17 @@ pub fn reopen(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
     if extras["rosto"] != "face" {
         return Err(ReopenError::Foreign);
     }
-    version(&extras["version"], VERSION)?;
+    check_version(&extras["version"], VERSION)?;
     let numbers = base64(&extras["landmarks"]).ok_or_else(field("landmarks"))?;
     let photo_size_px = size(&extras["photo_px"], u32::MAX).ok_or_else(field("photo_px"))?;
     let landmarks = landmarks(&numbers, photo_size_px).ok_or_else(field("landmarks"))?;
-    let texture = |picture| texture::texture(picture, &root, chunks.binary, &landmarks).ok_or_else(field("picture"));
+    let texture = |picture| texture::texture(picture, &root, chunks.binary).ok_or_else(field("picture"));
     Ok(Reopened {
         photo_size_px,
         colours_srgb: base64(&extras["colours"]).and_then(|bytes| colours(&bytes)).ok_or_else(field("colours"))?,
         triangulation: triangulation(&extras["triangulation"])?,
         density: density(&extras["density"]).ok_or_else(field("density"))?,
-        lens: lens(extras.get("lens"))?,
+        lens: lens(&extras["lens"])?,
         history: extras.get("history").map(|history| object(history).ok_or_else(field("history"))).transpose()?,
         in_photo: in_photo(extras)?,
         texture: extras.get("picture").map(texture).transpose()?,
@@ -119,9 +120,8 @@ pub fn reopen(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
     })
 }
 
-/// What is known of the lens; files of the first version tell nothing, and their faces are seen from infinitely far away.
-pub(crate) fn lens(text: Option<&Value>) -> Result<PhotoLens, ReopenError> {
-    let Some(text) = text else { return Ok(PhotoLens::Parallel) };
+/// What is known of the lens.
+pub(crate) fn lens(text: &Value) -> Result<PhotoLens, ReopenError> {
     text.as_str().and_then(|text| text.parse().ok()).ok_or_else(field("lens"))
 }
 
@@ -136,6 +136,6 @@ pub(crate) fn triangulation(name: &Value) -> Result<Triangulation, ReopenError> 
 
 /// Whether the positions are others than those that the extras tell of.
 fn changed_elsewhere(extras: &Value, root: &Value, binary: &[u8]) -> bool {
-    let Some(written) = extras.get("positions_fnv1a") else { return false };
-    geometry::attribute::<3>(root, binary, "POSITION").map(fingerprint).as_deref() != written.as_str()
+    let found = geometry::positions(root, binary).map(fingerprint);
+    found.as_deref() != extras["positions_fnv1a"].as_str()
 }

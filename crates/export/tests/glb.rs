@@ -168,10 +168,3 @@ fn what_cannot_be_written_is_refused_with_numbers() {
     let list = GlbOptions { source: Some(source(&face, Some("[1]"))), ..by_photo() };
     assert_eq!(glb(&model, &list), Err(ExportError::HistoryNotAnObject));
 }
-
-#[test]
-fn the_same_model_gives_the_same_bytes() {
-    let face = face(Triangulation::Tessellation);
-    let write = || glb(&Model::of_face(&face), &by_photo()).unwrap();
-    assert_eq!(write(), write());
-}

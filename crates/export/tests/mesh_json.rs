@@ -13,7 +13,7 @@ fn every_number_reads_back_as_the_same_f64() {
         DVec3::new(123456789.12345679, 5e-324, f64::MAX),
     ];
     let mesh = JsonMesh {
-        units: "image",
+        units: Units::Image,
         positions: &positions,
         colours_srgb: &[[0, 128, 255], [1, 2, 3], [4, 5, 6]],
         triangles: &[[0, 1, 2]],

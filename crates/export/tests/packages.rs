@@ -13,20 +13,14 @@ use glam::{DVec2, DVec3};
 use rosto_export::*;
 use rosto_face::{FaceModel, Triangulation};
 
-fn written(
-    face: &FaceModel,
-    format: Format,
-    base_colour: BaseColour,
-    solid: Solid,
-    colours: Colours,
-) -> Result<Written, ExportError> {
+fn written(face: &FaceModel, format: Format, base_colour: BaseColour, solid: Solid) -> Result<Written, ExportError> {
     let (model, rest_m) = (model(face), face.positions_m());
     let gltf = GlbOptions { base_colour, ..GlbOptions::default() };
-    format.write(&Content { model, rest_m, gltf, solid, colours, name: "my face", positions: ("mm", rest_m) })
+    format.write(&Content { model, rest_m, gltf, solid, name: "my face", positions_image: None })
 }
 
-fn printed(solid: Solid, colours: Colours) -> Written {
-    written(&face(Triangulation::Canonical), Format::ThreeMf, BaseColour::Photo, solid, colours).unwrap()
+fn printed(solid: Solid) -> Written {
+    written(&face(Triangulation::Canonical), Format::ThreeMf, BaseColour::Photo, solid).unwrap()
 }
 
 const SOLIDS: [Solid; 2] = [Solid::Thickness { mm: 2.0 }, Solid::FlatBack { mm: 3.0 }];
@@ -46,7 +40,7 @@ fn numbers<T: std::str::FromStr>(texts: Vec<&str>) -> Vec<T> {
 #[test]
 fn a_3mf_holds_a_closed_body_in_millimetres_above_its_plate() {
     for solid in SOLIDS {
-        let file = printed(solid, Colours::All);
+        let file = printed(solid);
         let parts = entries(&file.bytes);
         let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
         assert_eq!(names, ["[Content_Types].xml", "_rels/.rels", "3D/3dmodel.model"]);
@@ -74,7 +68,7 @@ fn a_3mf_holds_a_closed_body_in_millimetres_above_its_plate() {
 #[test]
 fn a_3mf_gives_each_corner_its_vertex_colour_and_the_back_a_neutral_one() {
     let face = face(Triangulation::Canonical);
-    let file = printed(SOLIDS[0], Colours::All);
+    let file = printed(SOLIDS[0]);
     let xml = entries(&file.bytes).remove(2);
     let palette = attributes(xml.text(), "m:color", "color");
     for (at, corners) in face.topology().triangles().iter().enumerate() {
@@ -95,22 +89,10 @@ fn a_3mf_gives_each_corner_its_vertex_colour_and_the_back_a_neutral_one() {
 }
 
 #[test]
-fn a_3mf_of_a_few_colours_has_four_beside_the_neutral_one_and_each_triangle_in_one() {
-    let xml = entries(&printed(SOLIDS[1], Colours::Few).bytes).remove(2);
-    assert_eq!(attributes(xml.text(), "m:color", "color").len(), 5);
-    let places = attributes(xml.text(), "triangle", "p1");
-    for colour in ["1", "2", "3", "4"] {
-        assert!(places[..898].iter().filter(|place| **place == colour).count() > 50, "{colour} is hardly used");
-    }
-    assert!(places[898..].iter().all(|place| *place == "0"));
-    assert!(attributes(xml.text(), "triangle", "p2").iter().all(|place| place.is_empty()));
-}
-
-#[test]
 fn an_stl_is_a_body_unless_the_surface_alone_is_asked_for() {
     let face = face(Triangulation::Tessellation);
     let count = |file: &Written| u32::from_le_bytes(file.bytes[80..84].try_into().unwrap()) as usize;
-    let write = |solid| written(&face, Format::Stl, BaseColour::Photo, solid, Colours::All).unwrap();
+    let write = |solid| written(&face, Format::Stl, BaseColour::Photo, solid).unwrap();
     let sheet = write(Solid::Surface);
     assert_eq!((count(&sheet), &sheet.solid), (852, &None));
     assert_eq!(sheet.bytes, stl(&Model::of_face(&face)).unwrap());
@@ -124,10 +106,10 @@ fn an_stl_is_a_body_unless_the_surface_alone_is_asked_for() {
 #[test]
 fn what_cannot_be_printed_is_refused() {
     let face = face(Triangulation::Canonical);
-    let print = |solid| written(&face, Format::ThreeMf, BaseColour::Photo, solid, Colours::All).unwrap_err();
+    let print = |solid| written(&face, Format::ThreeMf, BaseColour::Photo, solid).unwrap_err();
     assert_eq!(print(Solid::Surface), ExportError::NoBody);
     assert_eq!(print(Solid::Thickness { mm: -1.0 }), SolidError::Thickness { thickness_m: -0.001 }.into());
-    let none = written(&face, Format::Png, BaseColour::VertexColours, SOLIDS[0], Colours::All);
+    let none = written(&face, Format::Png, BaseColour::VertexColours, SOLIDS[0]);
     assert_eq!(none.unwrap_err(), ExportError::NoPicture);
 }
 
@@ -151,7 +133,7 @@ fn a_usdz_is_aligned_and_names_what_it_holds() {
         (BaseColour::Photo, &["face.usda", "face.jpg"]),
         (BaseColour::VertexColours, &["face.usda"]),
     ] {
-        let file = written(&face, Format::Usdz, base_colour, SOLIDS[0], Colours::All).unwrap();
+        let file = written(&face, Format::Usdz, base_colour, SOLIDS[0]).unwrap();
         let parts = entries(&file.bytes);
         assert_eq!(parts.iter().map(|part| part.name.as_str()).collect::<Vec<_>>(), names);
         assert!(parts.iter().all(|part| part.start.is_multiple_of(64)));
@@ -183,7 +165,7 @@ fn a_usdz_is_aligned_and_names_what_it_holds() {
 fn a_painted_obj_names_its_material_which_names_its_picture() {
     let face = face(Triangulation::Canonical);
     let whole = model(&face).whole.unwrap();
-    let file = written(&face, Format::Obj, BaseColour::Whole, SOLIDS[0], Colours::All).unwrap();
+    let file = written(&face, Format::Obj, BaseColour::Whole, SOLIDS[0]).unwrap();
     let text = String::from_utf8(file.bytes.clone()).unwrap();
     let [material, picture] = &file.beside[..] else { panic!("two files lie beside an OBJ") };
     assert_eq!([&material.name, &picture.name], ["my_face.mtl", "my_face.png"]);
@@ -204,7 +186,7 @@ fn a_painted_obj_names_its_material_which_names_its_picture() {
     let faces = face.topology().triangles().iter().map(|corners| corners.map(corner).join(" "));
     assert!(faces.eq(rows("f ")));
 
-    let plain = written(&face, Format::Obj, BaseColour::VertexColours, SOLIDS[0], Colours::All).unwrap();
+    let plain = written(&face, Format::Obj, BaseColour::VertexColours, SOLIDS[0]).unwrap();
     assert_eq!(plain, obj(&Model::of_face(&face)).unwrap().into());
     assert_eq!(Format::Obj.bundle_ending(BaseColour::VertexColours), "obj");
 }
@@ -212,14 +194,14 @@ fn a_painted_obj_names_its_material_which_names_its_picture() {
 #[test]
 fn a_bundle_holds_the_very_same_files() {
     let face = face(Triangulation::Canonical);
-    let file = written(&face, Format::Obj, BaseColour::Photo, SOLIDS[0], Colours::All).unwrap();
+    let file = written(&face, Format::Obj, BaseColour::Photo, SOLIDS[0]).unwrap();
     let parts = entries(&file.clone().bundled("face", Format::Obj));
     assert_eq!(Format::Obj.bundle_ending(BaseColour::Photo), "zip");
     let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
     assert_eq!(names, ["face.obj", "my_face.mtl", "my_face.png"]);
     let beside = file.beside.iter().map(|file| &file.bytes);
     assert!([&file.bytes].into_iter().chain(beside).eq(parts.iter().map(|part| &part.bytes)));
-    let alone = written(&face, Format::Glb, BaseColour::Photo, SOLIDS[0], Colours::All).unwrap();
+    let alone = written(&face, Format::Glb, BaseColour::Photo, SOLIDS[0]).unwrap();
     assert_eq!(alone.clone().bundled("face", Format::Glb), alone.bytes);
 }
 
@@ -227,8 +209,8 @@ fn a_bundle_holds_the_very_same_files() {
 fn the_picture_alone_is_the_one_that_paints() {
     let face = face(Triangulation::Canonical);
     for base_colour in [BaseColour::Whole, BaseColour::Photo] {
-        let png = written(&face, Format::Png, base_colour, SOLIDS[0], Colours::All).unwrap().bytes;
-        let beside = written(&face, Format::Obj, base_colour, SOLIDS[0], Colours::All).unwrap().beside;
+        let png = written(&face, Format::Png, base_colour, SOLIDS[0]).unwrap().bytes;
+        let beside = written(&face, Format::Obj, base_colour, SOLIDS[0]).unwrap().beside;
         assert_eq!(png, beside[1].bytes);
     }
 }
@@ -237,7 +219,7 @@ fn the_picture_alone_is_the_one_that_paints() {
 fn every_format_writes_the_same_bytes_again() {
     let face = face(Triangulation::Canonical);
     for format in Format::ALL {
-        let write = || written(&face, format, BaseColour::Whole, SOLIDS[0], Colours::All).unwrap();
+        let write = || written(&face, format, BaseColour::Whole, SOLIDS[0]).unwrap();
         assert_eq!(write(), write(), "{format:?}");
     }
 }

@@ -4,11 +4,10 @@
 
 mod common;
 
-use common::{Glb, SIDE, face, gradient, model, png, source};
+use common::{SIDE, gradient, model, png, source};
 use glam::{DQuat, DVec3};
 use rosto_export::*;
 use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, PhotoLens, Triangulation, canonical_positions_m};
-use serde_json::Value;
 
 const EDITS: &str = r#"{"entries":[],"version":1}"#;
 
@@ -108,19 +107,6 @@ fn assert_lies_in_place(texture: PlacedTexture<'_>) {
     let (x, y) = (crop.width() / 2, crop.height() / 3);
     let [found, cut]: [[u8; 3]; 2] = [crop.pixel(x, y), Photo::pixel(&gradient(), left + x, top + y)];
     assert!(found.iter().zip(cut).all(|(a, b)| a.abs_diff(b) <= 6), "{found:?} for {cut:?}");
-}
-
-#[test]
-fn files_of_one_photo_are_as_they_were_and_earlier_readers_refuse_those_of_several() {
-    let version = |bytes: &[u8]| Glb::read(bytes).json["scenes"][0]["extras"]["version"].clone();
-    let one = face(Triangulation::Canonical);
-    assert_eq!(version(&glb_of(&one, BaseColour::Whole)), 3);
-    assert_eq!(version(&glb_of(&several(&[0.0, 30.0]), BaseColour::Whole)), 4);
-    let header =
-        |bytes: &[u8]| serde_json::from_slice::<Value>(bytes.split(|byte| *byte == b'\n').next().unwrap()).unwrap();
-    assert_eq!(header(&project_of(&one))["version"], 2);
-    assert_eq!(header(&project_of(&several(&[0.0, 30.0])))["version"], 3);
-    assert_eq!(reopen(&glb_of(&one, BaseColour::Whole)).unwrap().further, None);
 }
 
 #[test]

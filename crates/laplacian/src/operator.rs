@@ -56,11 +56,6 @@ impl Operator {
         })
     }
 
-    /// Whether `K` is the same wherever the vertices are, so that edits commute with every affine map.
-    pub fn knows_only_topology(self) -> bool {
-        matches!(self, Self::UniformSymmetric | Self::Uniform | Self::Degree)
-    }
-
     /// The operator with the same edge weights whose rows are not scaled, and which is symmetric.
     pub(crate) fn symmetric(self) -> Self {
         match self {

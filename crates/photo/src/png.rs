@@ -35,7 +35,7 @@ pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError>
     }
     let (rgb, alpha) = pixels::to_rgb(decoded, layout).ok_or_else(|| unread(layout))?;
     let exif = reader.info().exif_metadata.as_deref().unwrap_or_default().to_vec();
-    Stored { width, height, rgb, alpha, colours: colours(reader.info(), layout), exif }.upright()
+    Stored { width, height, rgb, alpha, colours: colours(reader.info(), layout)?, exif }.upright()
 }
 
 /// Width and height out of the header chunk, which the format wants first.
@@ -142,15 +142,28 @@ fn read_rows(reader: &mut Reader<Source<'_>>, layout: ColorType, decoded: &mut [
     }
 }
 
-/// The first of code points, profile, sRGB, gamma and primaries that the file has.
-fn colours(info: &Info<'_>, layout: ColorType) -> ColourEncoding {
-    if let Some(points) = &info.coding_independent_code_points {
+/// The first of code points, profile, sRGB, gamma and primaries that the file has and that is understood. Refuses a file with
+/// nothing but code points of another transfer curve: its colours would be wrong.
+fn colours(info: &Info<'_>, layout: ColorType) -> Result<ColourEncoding, PhotoError> {
+    const UNSPECIFIED: u8 = 2;
+    let points = info.coding_independent_code_points.as_ref();
+    let by_points = points.map_or(ColourEncoding::Unknown, |points| {
         let (primaries, transfer) = (points.color_primaries, points.transfer_function);
-        match ColourEncoding::of_code_points(primaries, transfer, points.is_video_full_range_image) {
-            ColourEncoding::Unknown => {}
-            known => return known,
+        ColourEncoding::of_code_points(primaries, transfer, points.is_video_full_range_image)
+    });
+    let encoding = match by_points {
+        ColourEncoding::Unknown => without_code_points(info, layout),
+        known => known,
+    };
+    match (&encoding, points.map(|points| points.transfer_function)) {
+        (ColourEncoding::Unknown, Some(transfer)) if transfer != UNSPECIFIED => {
+            Err(Format::Png.unsupported(format!("transfer curve {transfer} of ITU-T H.273")))
         }
+        _ => Ok(encoding),
     }
+}
+
+fn without_code_points(info: &Info<'_>, layout: ColorType) -> ColourEncoding {
     if let Some(profile) = &info.icc_profile {
         return ColourEncoding::of_profile(profile, layout);
     }

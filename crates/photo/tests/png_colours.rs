@@ -6,7 +6,7 @@ mod support;
 
 use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 use proptest::prelude::*;
-use rosto_photo::{Limits, decode};
+use rosto_photo::{Limits, PhotoError, decode};
 use support::with_chunk;
 
 /// Full range, RGB: primaries and transfer characteristics in the numbers of H.273.
@@ -90,14 +90,28 @@ fn a_gamma_is_applied_and_primaries_too() {
 }
 
 #[test]
-fn absurd_numbers_and_encodings_with_highlights_are_ignored() {
+fn absurd_numbers_are_ignored() {
     let pixel = [204, 153, 128];
     let zeros = (b"cHRM", vec![0; 32]);
     let one_point = (b"cHRM", [30_000_u32; 8].into_iter().flat_map(u32::to_be_bytes).collect());
     let gammas = [vec![gama(1)], vec![gama(u32::MAX)]];
-    let others = [vec![zeros], vec![one_point], vec![cicp(UNSPECIFIED)], vec![cicp(PQ)], vec![cicp(HLG)]];
+    let others = [vec![zeros], vec![one_point], vec![cicp(UNSPECIFIED)]];
     for chunks in gammas.into_iter().chain(others) {
         assert_eq!(converted(pixel, &chunks), pixel, "{chunks:?}");
+    }
+}
+
+#[test]
+fn unread_transfer_curves_are_refused_unless_the_file_describes_its_colours_otherwise() {
+    let p3 = P3_TO_SRGB[0];
+    for points in [PQ, HLG] {
+        let code_points = cicp(points);
+        let alone = with_chunk(&png(p3.0), code_points.0, &code_points.1);
+        match decode(&alone, &Limits::default()) {
+            Err(PhotoError::UnsupportedFeature { reason, .. }) => assert!(reason.contains(&points[1].to_string())),
+            other => panic!("{points:?}: {other:?}"),
+        }
+        assert_close(converted(p3.0, &[code_points, gama(45_455), chrm()]), p3.1, 1);
     }
 }
 

@@ -101,7 +101,7 @@ def mesh(
         raise RostoError("image: there is none")
     words = [word for edit in _edits(edits) for word in edit.words()]
     finding = [flag for flag in ("mediapipe", "refine") if getattr(search, flag)]
-    made = Mesh(images, ("--units", "mm", *(f"--{flag}" for flag in finding), *words, *_words(options)), search)
+    made = Mesh(images, (*(f"--{flag}" for flag in finding), *words, *_words(options)), search)
     # Errors are raised now, and not when it is used first.
     made._native
     return made

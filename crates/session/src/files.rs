@@ -1,10 +1,9 @@
-use glam::DVec3;
 use rosto_export::{
-    BaseColour, Choosable, Colours, Content, Eyes, Format, GlbOptions, Material, Model, Morph, Picture, Solid,
-    SolidFacts, Source, Units, Written, project,
+    BaseColour, Choosable, Content, Eyes, Format, GlbOptions, Material, Model, Morph, Picture, Solid, SolidFacts,
+    Source, Units, Written, project,
 };
 use rosto_mesh::Topology;
-use rosto_studio::{EditsInRig, Rig};
+use rosto_studio::{EditsInRig, Layer, Rig};
 
 use crate::error::SessionError;
 use crate::{OpenFace, Session};
@@ -38,7 +37,7 @@ pub fn printed_formats() -> impl Iterator<Item = Format> {
 
 /// The formats that a panel offers by a button each: those with choices that are no other's have a place of their own.
 pub fn plain_formats() -> impl Iterator<Item = Format> {
-    let own = [Choosable::Material, Choosable::Unit, Choosable::Solid];
+    let own = [Choosable::Material, Choosable::Units, Choosable::Solid];
     Format::ALL.into_iter().filter(move |format| !own.iter().any(|&choice| format.lets_choose(choice)))
 }
 
@@ -59,8 +58,6 @@ pub struct FileOptions {
     pub units: Units,
     /// The body that is printed.
     pub solid: Solid,
-    /// How many colours are printed.
-    pub colours: Colours,
 }
 
 impl Default for FileOptions {
@@ -71,9 +68,8 @@ impl Default for FileOptions {
             edits: EditsAs::Shape,
             expressions: ExpressionsAs::Shape,
             eyes: Eyes::default(),
-            units: Units::Mm,
+            units: Units::default(),
             solid: Solid::default(),
-            colours: Colours::default(),
         }
     }
 }
@@ -115,11 +111,10 @@ impl Session {
         let morphs: Vec<Morph<'_>> =
             named.map(|(entry, layer)| Morph { name: &entry.label, displacements_m: layer, weight: 1.0 }).collect();
         let gltf = GlbOptions { morphs: &morphs, ..self.gltf(options, face.source(&json, in_photo.as_deref())) };
-        let positions = face.positions_in(options.units);
-        let positions = (options.units.id(), positions.as_slice());
-        let (solid, colours) = (options.solid, options.colours);
+        let positions_image = (options.units == Units::Image).then(|| face.positions_image());
+        let (solid, positions_image) = (options.solid, positions_image.as_deref());
         Ok(face.as_model(|model| {
-            format.write(&Content { model, rest_m: document.rest(), gltf, solid, colours, name: NAME, positions })
+            format.write(&Content { model, rest_m: document.rest(), gltf, solid, name: NAME, positions_image })
         })?)
     }
 
@@ -174,7 +169,10 @@ impl Session {
     fn rigged(&self, rig: &Rig, format: Format, options: &FileOptions) -> Result<Written, SessionError> {
         let face = self.open_face()?;
         let (json, in_photo) = (face.history_json(), face.in_photo_json());
-        let morphs = morphs(rig);
+        let layers = rig.layers().iter();
+        let morphs: Vec<Morph<'_>> = layers
+            .map(|Layer { name, displacements_m, weight }| Morph { name, displacements_m, weight: *weight })
+            .collect();
         let gltf = GlbOptions { morphs: &morphs, ..self.gltf(options, face.source(&json, in_photo.as_deref())) };
         let (parted, base_m) = (rig.parted(), rig.base_m());
         let (uvs, texture_uvs) = (parted.uvs(&face.uvs()), parted.uvs(&face.texture_uvs()));
@@ -186,8 +184,8 @@ impl Session {
             photo: Picture { pixels: face.model().picture(), uvs: &uvs },
             whole: face.texture().map(|pixels| Picture { pixels, uvs: &texture_uvs }),
         };
-        let (solid, colours, positions) = (options.solid, options.colours, (options.units.id(), base_m));
-        Ok(format.write(&Content { model, rest_m: base_m, gltf, solid, colours, name: NAME, positions })?)
+        let solid = options.solid;
+        Ok(format.write(&Content { model, rest_m: base_m, gltf, solid, name: NAME, positions_image: None })?)
     }
 
     fn gltf<'a>(&self, options: &FileOptions, source: Source<'a>) -> GlbOptions<'a> {
@@ -218,15 +216,6 @@ impl Session {
     }
 }
 
-/// The edits that are layers, then all expressions.
-fn morphs(rig: &Rig) -> Vec<Morph<'_>> {
-    let layers = rig.layers_m().iter().map(|(name, ways)| Morph { name, displacements_m: ways, weight: 1.0 });
-    let expressions = rig.expressions().iter();
-    let expressions =
-        expressions.map(|(name, ways, weight)| Morph { name: name.id(), displacements_m: ways, weight: *weight });
-    layers.chain(expressions).collect()
-}
-
 impl OpenFace {
     /// What the file opens again with: the history as JSON, and what was done to the photo alone.
     fn source<'a>(&'a self, history: &'a str, in_photo: Option<&'a str>) -> Source<'a> {
@@ -252,12 +241,5 @@ impl OpenFace {
             photo: Picture { pixels: self.model().picture(), uvs: &uvs },
             whole: self.texture().map(|pixels| Picture { pixels, uvs: &texture_uvs }),
         })
-    }
-
-    fn positions_in(&self, units: Units) -> Vec<DVec3> {
-        match units {
-            Units::Image => self.positions_image(),
-            Units::Mm => self.positions_mm(),
-        }
     }
 }

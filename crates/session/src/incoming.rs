@@ -40,7 +40,7 @@ pub struct Work {
     pub density: u32,
     /// The edits as versioned JSON.
     pub history: String,
-    /// What the photo alone holds ([`OpenFace::photo_json`]); earlier works have none.
+    /// What the photo alone holds ([`OpenFace::photo_json`]); none where nothing was done to it.
     pub photo: Option<String>,
 }
 

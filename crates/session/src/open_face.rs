@@ -19,7 +19,6 @@ use crate::slider_influence::{self, SliderInfluence};
 use crate::strokes::Strokes;
 pub use photo::PhotoEdit;
 pub use photos::PhotoFacts;
-pub(crate) use state::FaceBefore;
 
 pub(crate) const M_PER_MM: f64 = 1.0 / 1000.0;
 pub(crate) const MM_PER_M: f64 = 1000.0;

@@ -1,13 +1,11 @@
 //! Choices and view as JSON text, so that a session that ends can be gone on with in another.
 //!
-//! Fields that are missing or not understood are refused as a whole: nobody's half of a preference is guessed. Those that
-//! the first version did not have (`photo_light`, `anchors_marked`, `lens`, `scene`, `ring`, `skin`, `texture`) stand as usual where they are
-//! missing.
+//! A text with a field that is missing or not understood is refused as a whole: nobody's half of a preference is guessed.
 
 use rosto_export::TextureSize;
 use rosto_face::Triangulation;
 use rosto_stage::{Background, Dots, Lens, Light, PictureLight, Scene, ShadingMode, Srgb, Wireframe};
-use rosto_studio::{ConstraintKind, DEFAULT_RING, Details, Mirror, Operator, RING_SHARES, Switch};
+use rosto_studio::{ConstraintKind, Details, Mirror, Operator, RING_SHARES, Switch};
 use serde_json::{Value, json};
 
 use crate::error::SessionError;
@@ -70,7 +68,6 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
     let missing = |field| SessionError::Preferences { field };
     let value: Value = serde_json::from_str(text).map_err(|_| missing("JSON"))?;
     let flag = |field: &'static str| value[field].as_bool().ok_or(missing(field));
-    let word = |field: &'static str| value[field].as_str();
     let number = |field: &'static str| value[field].as_f64().ok_or(missing(field));
     let constraint = match &value["hold"] {
         Value::String(word) if word == "exact" => ConstraintKind::Hard,
@@ -79,9 +76,9 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
         },
     };
     let choices = Choices {
-        operator: word("operator").and_then(Operator::from_id).ok_or(missing("operator"))?,
+        operator: named(&value, "operator", Operator::from_id)?,
         constraint,
-        anchors: word("anchors").and_then(AnchorChoice::from_id).ok_or(missing("anchors"))?,
+        anchors: named(&value, "anchors", AnchorChoice::from_id)?,
         is_nearby: false,
         radius_mm: number("radius_mm")?,
         mirror: if flag("mirror")? { Mirror::On } else { Mirror::Off },
@@ -90,41 +87,32 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
     let choices = Choices { is_nearby: flag("nearby")?, ..choices.reaching(choices.radius_mm)? };
     let density = value["density"].as_u64().filter(|density| *density <= crate::DENSEST_SHOWN.into());
     let view = View {
-        scene: named_or_usual(&value["scene"], Scene::from_id).ok_or(missing("scene"))?,
-        ring: ring(&value["ring"]).ok_or(missing("ring"))?,
-        shading: word("paint").and_then(shading).ok_or(missing("paint"))?,
-        skin: named_or_usual(&value["skin"], Skin::from_id).ok_or(missing("skin"))?,
-        texture_size: named_or_usual(&value["texture"], TextureSize::from_id).ok_or(missing("texture"))?,
-        lens: named_or_usual(&value["lens"], Lens::from_id).ok_or(missing("lens"))?,
+        scene: named(&value, "scene", Scene::from_id)?,
+        ring: Some(number("ring")?).filter(|ring| RING_SHARES.contains(ring)).ok_or(missing("ring"))?,
+        shading: named(&value, "paint", ShadingMode::from_id)?,
+        skin: named(&value, "skin", Skin::from_id)?,
+        texture_size: named(&value, "texture", TextureSize::from_id)?,
+        lens: named(&value, "lens", Lens::from_id)?,
         wireframe: if flag("wireframe")? { Wireframe::Shown } else { Wireframe::Hidden },
         background: background(&value["background"]).ok_or(missing("background"))?,
         turntable: if flag("turntable")? { Turntable::Turns } else { Turntable::Still },
-        triangulation: word("triangulation").and_then(Triangulation::from_id).ok_or(missing("triangulation"))?,
+        triangulation: named(&value, "triangulation", Triangulation::from_id)?,
         density: density.ok_or(missing("density"))? as u32,
-        picture_light: named_or_usual(&value["photo_light"], PictureLight::from_id).ok_or(missing("photo_light"))?,
-        anchors: anchors(&value["anchors_marked"]).ok_or(missing("anchors_marked"))?,
+        picture_light: named(&value, "photo_light", PictureLight::from_id)?,
+        anchors: if flag("anchors_marked")? { Switch::On } else { Switch::Off },
         motion: now.motion,
     };
     Ok(Preferences {
-        mode: word("mode").and_then(SelectionMode::from_id).ok_or(missing("mode"))?,
+        mode: named(&value, "mode", SelectionMode::from_id)?,
         choices,
         view,
         light: light(&value).ok_or(missing("light"))?,
-        dots: word("dots").and_then(Dots::from_id).ok_or(missing("dots"))?,
+        dots: named(&value, "dots", Dots::from_id)?,
     })
 }
 
-/// What a name stands for; the usual where the text has none.
-fn named_or_usual<T: Default>(value: &Value, from_id: fn(&str) -> Option<T>) -> Option<T> {
-    if value.is_null() { Some(T::default()) } else { from_id(value.as_str()?) }
-}
-
-fn ring(value: &Value) -> Option<f64> {
-    if value.is_null() { Some(DEFAULT_RING) } else { value.as_f64().filter(|ring| RING_SHARES.contains(ring)) }
-}
-
-fn anchors(value: &Value) -> Option<Switch> {
-    if value.is_null() || !value.as_bool()? { Some(Switch::Off) } else { Some(Switch::On) }
+fn named<T>(value: &Value, field: &'static str, from_id: fn(&str) -> Option<T>) -> Result<T, SessionError> {
+    value[field].as_str().and_then(from_id).ok_or(SessionError::Preferences { field })
 }
 
 fn background(value: &Value) -> Option<Background> {
@@ -144,9 +132,4 @@ fn light(value: &Value) -> Option<Light> {
 fn colour(value: &Value) -> Option<Srgb> {
     let channels: Option<Vec<u8>> = value.as_array()?.iter().map(|channel| channel.as_u64()?.try_into().ok()).collect();
     Some(Srgb(channels?.try_into().ok()?))
-}
-
-fn shading(id: &str) -> Option<ShadingMode> {
-    // Earlier texts call the picture by what it is of.
-    ShadingMode::from_id(if id == "photo" { "picture" } else { id })
 }

@@ -36,18 +36,12 @@ impl Studio {
     }
 
     /// Whether the other side of the face follows.
-    ///
-    /// # Errors
-    /// None of its own.
     #[wasm_bindgen(js_name = setMirror)]
     pub fn set_mirror(&mut self, mirrored: bool) -> Result<ChangeName, JsValue> {
         self.act(Intent::Mirror(if mirrored { Mirror::On } else { Mirror::Off }))
     }
 
     /// Whether an edit reaches no further than the radius.
-    ///
-    /// # Errors
-    /// None of its own.
     #[wasm_bindgen(js_name = setNearby)]
     pub fn set_nearby(&mut self, nearby: bool) -> Result<ChangeName, JsValue> {
         self.act(Intent::Nearby(switch(nearby)))
@@ -115,17 +109,11 @@ impl Studio {
     }
 
     /// Keeps the edit in progress as one entry of the history; nothing moved is no entry.
-    ///
-    /// # Errors
-    /// None of its own.
     pub fn commit(&mut self) -> Result<ChangeName, JsValue> {
         self.act(Intent::Commit)
     }
 
     /// Drops the edit in progress. A drag is over, even if the pointer stays pressed.
-    ///
-    /// # Errors
-    /// None of its own.
     pub fn cancel(&mut self) -> Result<ChangeName, JsValue> {
         self.act(Intent::Cancel)
     }
@@ -139,9 +127,6 @@ impl Studio {
     }
 
     /// The pointer is pressed. True if it has grabbed something, which `drag` moves; if not, it turns the face.
-    ///
-    /// # Errors
-    /// None of its own.
     pub fn press(
         &mut self,
         #[wasm_bindgen(js_name = xPx)] x_px: f64,
@@ -154,9 +139,6 @@ impl Studio {
 
     /// The pressed pointer goes on, and what it has grabbed follows: in the view plane or along an axis; fine is ten
     /// times slower.
-    ///
-    /// # Errors
-    /// None of its own.
     pub fn drag(
         &mut self,
         #[wasm_bindgen(js_name = xPx)] x_px: f64,
@@ -176,9 +158,6 @@ impl Studio {
     }
 
     /// The pointer is let go: what was dragged is kept.
-    ///
-    /// # Errors
-    /// None of its own.
     pub fn release(&mut self) -> Result<ChangeName, JsValue> {
         self.act(Intent::Release)
     }
@@ -195,25 +174,16 @@ impl Studio {
 impl Studio {
     /// Takes the last change of the history back: an edit, an entry switched off or on, or a reset. An edit in progress is
     /// kept first, and is what is taken back.
-    ///
-    /// # Errors
-    /// None of its own.
     pub fn undo(&mut self) -> Result<ChangeName, JsValue> {
         self.act(Intent::Undo)
     }
 
     /// Brings the last undone change back.
-    ///
-    /// # Errors
-    /// None of its own.
     pub fn redo(&mut self) -> Result<ChangeName, JsValue> {
         self.act(Intent::Redo)
     }
 
     /// Takes all entries away, as one change.
-    ///
-    /// # Errors
-    /// None of its own.
     pub fn reset(&mut self) -> Result<ChangeName, JsValue> {
         self.act(Intent::Reset)
     }

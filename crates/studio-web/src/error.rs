@@ -14,11 +14,15 @@ export type StudioErrorCode =
     | "no-webgpu" | "no-webgl" | "no-adapter" | "no-device" | "canvas-in-use" | "device-lost"
     | "no-face" | "no-selection" | "bad-vertex" | "bad-face" | "bad-number" | "bad-choice"
     | "another-face" | "too-many-photos"
-    | "cannot-solve" | "cannot-export" | "too-thick" | "no-body" | "surface-alone" | "bad-project" | "bad-history" | "too-new" | "damaged-glb" | "foreign-glb" | "newer-glb"
+    | "cannot-solve" | "cannot-export" | "too-thick" | "no-body" | "surface-alone" | "bad-project" | "bad-history" | "other-version" | "damaged-glb" | "foreign-glb"
     | "not-drawn" | "no-memory" | "internal";
 /** What is thrown: `message` says what happened, `hint` what to do next; `mostMm` how thick a wall may be that is too thick. */
 export interface StudioError extends Error { code: StudioErrorCode; hint: string; mostMm?: number }
 "#;
+
+/// Code and hint of a file or history of another version.
+const OTHER_VERSION: (&str, &str) =
+    ("other-version", "Reload the page to get its newest version, or open the photo instead.");
 
 /// What goes wrong on the way between the page and the core; reaches the page as an `Error` with `code` and `hint`.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,7 +59,7 @@ impl FacadeError {
     pub fn of_glb(error: ReopenError) -> Self {
         let (code, hint) = match error {
             ReopenError::Foreign => ("foreign-glb", "Open a GLB that was made here, or a photo."),
-            ReopenError::Newer { .. } => ("newer-glb", "Reload the page to get its newest version."),
+            ReopenError::Version { .. } => OTHER_VERSION,
             _ => ("damaged-glb", "Copy or download it again, or open the photo."),
         };
         Self::new(code, error.to_string(), hint)
@@ -64,7 +68,7 @@ impl FacadeError {
     /// Of a project file that cannot be opened.
     pub fn of_project(error: ReopenError) -> Self {
         let (code, hint) = match error {
-            ReopenError::Newer { .. } => ("too-new", "Reload the page to get its newest version."),
+            ReopenError::Version { .. } => OTHER_VERSION,
             _ => ("bad-project", "It may be incomplete. Open the photo instead."),
         };
         Self::new(code, error.to_string(), hint)
@@ -176,7 +180,7 @@ impl From<ExportError> for FacadeError {
 impl From<ProjectError> for FacadeError {
     fn from(error: ProjectError) -> Self {
         let (code, hint) = match error {
-            ProjectError::Newer { .. } => ("too-new", "Reload the page to get its newest version."),
+            ProjectError::Version { .. } => OTHER_VERSION,
             _ => ("bad-history", "Open an earlier copy of it, or the photo instead."),
         };
         Self::new(code, error.to_string(), hint)

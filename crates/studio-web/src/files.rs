@@ -1,6 +1,4 @@
-use rosto_export::{
-    BaseColour, Choosable, Colours, Eyes, Format, Material, PLA_G_PER_CM3, SOLID_MM, SolidFacts, Units,
-};
+use rosto_export::{BaseColour, Choosable, Eyes, Format, Material, PLA_G_PER_CM3, SOLID_MM, SolidFacts, Units};
 use rosto_session::{EditsAs, ExpressionsAs, FileOptions};
 use rosto_stage::Background;
 use rosto_studio::SMOOTH_DENSITY;
@@ -9,6 +7,7 @@ use wasm_bindgen_futures::future_to_promise;
 
 use crate::Studio;
 use crate::error::FacadeError;
+use crate::readable::readable;
 use crate::state::Snapshot;
 
 /// What is chosen about files, as it is until somebody chooses otherwise. `free()` it after use.
@@ -26,7 +25,7 @@ impl FileChoices {
 
     /// Chooses one thing by ids: "base-colour" ("whole", "photo", "colours"),
     /// "material" ("lit", "unlit"), "edits" and "expressions" ("shape", "morph-targets"), "eyes" ("skin", "pieces"),
-    /// "units" ("mm", "image"), "solid" ("thickness:MM", "flat:MM", "surface"), "colours" ("all", "few").
+    /// "units" ("mm", "image"), "solid" ("thickness:MM", "flat:MM", "surface").
     ///
     /// # Errors
     /// `bad-choice`.
@@ -40,48 +39,33 @@ impl FileChoices {
             "eyes" => options.eyes = FacadeError::unless(Eyes::from_id(id))?,
             "units" => options.units = FacadeError::unless(Units::from_id(id))?,
             "solid" => options.solid = FacadeError::unless(id.parse().ok())?,
-            "colours" => options.colours = FacadeError::unless(Colours::from_id(id))?,
             _ => FacadeError::unless(None)?,
         }
         Ok(())
     }
 }
 
-/// What a printed body measures.
-#[wasm_bindgen]
-#[derive(Debug)]
-pub struct PrintedBody(SolidFacts);
-
-#[wasm_bindgen]
-impl PrintedBody {
-    /// What it encloses, in cm³.
-    #[wasm_bindgen(getter, js_name = volumeCm3)]
-    pub fn volume_cm3(&self) -> f64 {
-        self.0.volume_cm3
+readable! {
+    /// What a printed body measures.
+    pub struct PrintedBody {
+        /// What it encloses, in cm³.
+        volume_cm3 as volumeCm3: f64,
+        /// The sides of the box around it, in mm: x, y, z.
+        size_mm as sizeMm: Vec<f64>,
+        /// How thick its wall is where it is thinnest, in mm.
+        thinnest_mm as thinnestMm: f64,
+        /// How far sharp folds that left no room for the wall were rounded off, in mm; 0 where none did.
+        moved_mm as movedMm: f64,
+        /// What it weighs in g if it is filled with PLA.
+        pla_grams as plaGrams: f64,
     }
+}
 
-    /// The sides of the box around it, in mm: x, y, z.
-    #[wasm_bindgen(getter, js_name = sizeMm)]
-    pub fn size_mm(&self) -> Vec<f64> {
-        self.0.size_mm.to_array().to_vec()
-    }
-
-    /// How thick its wall is where it is thinnest, in mm.
-    #[wasm_bindgen(getter, js_name = thinnestMm)]
-    pub fn thinnest_mm(&self) -> f64 {
-        self.0.thinnest_mm
-    }
-
-    /// How far sharp folds that left no room for the wall were rounded off, in mm; 0 where none did.
-    #[wasm_bindgen(getter, js_name = movedMm)]
-    pub fn moved_mm(&self) -> f64 {
-        self.0.moved_mm
-    }
-
-    /// What it weighs in g if it is filled with PLA.
-    #[wasm_bindgen(getter, js_name = plaGrams)]
-    pub fn pla_grams(&self) -> f64 {
-        self.0.mass_g(PLA_G_PER_CM3)
+impl From<SolidFacts> for PrintedBody {
+    fn from(facts: SolidFacts) -> Self {
+        let SolidFacts { volume_cm3, size_mm, thinnest_mm, moved_mm } = facts;
+        let pla_grams = facts.mass_g(PLA_G_PER_CM3);
+        Self { volume_cm3, size_mm: size_mm.to_array().to_vec(), thinnest_mm, moved_mm, pla_grams }
     }
 }
 
@@ -168,7 +152,7 @@ impl Studio {
     /// `no-face`, `too-thick` or `no-body`.
     #[wasm_bindgen(js_name = solidFacts)]
     pub fn solid_facts(&self, choices: &FileChoices) -> Result<Option<PrintedBody>, JsValue> {
-        Ok(self.session.solid_facts(choices.0.solid).map_err(FacadeError::from)?.map(PrintedBody))
+        Ok(self.session.solid_facts(choices.0.solid).map_err(FacadeError::from)?.map(PrintedBody::from))
     }
 
     /// A picture of the face in any size, as it is seen but for marks and tools; transparent where there is no face, if asked so.

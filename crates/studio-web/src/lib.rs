@@ -17,6 +17,7 @@ mod photo_panel;
 mod photos;
 mod picture;
 mod pieces;
+mod readable;
 mod renderer;
 mod reopened;
 mod seeing;

@@ -30,12 +30,6 @@ impl Studio {
         Ok(())
     }
 
-    /// Whether the last frame had a face in it; undefined while there is no mirror.
-    #[wasm_bindgen(getter, js_name = mirrorSees)]
-    pub fn mirror_sees(&self) -> Option<bool> {
-        self.session.mirror().map(Mirror::is_seen)
-    }
-
     /// Ends the mirror: the photo is there again.
     #[wasm_bindgen(js_name = endMirror)]
     pub fn end_mirror(&mut self) {

@@ -11,6 +11,7 @@ use wasm_bindgen::prelude::*;
 use crate::Studio;
 use crate::error::{FacadeError, Result};
 use crate::modes::TaskName;
+use crate::readable::readable;
 
 /// The paper's experiment on the open face, apart from the work on it.
 ///
@@ -194,71 +195,54 @@ impl Landmarks {
     }
 }
 
-/// A row of the paper's Table 1, with the time here.
-#[wasm_bindgen(inspectable)]
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PaperRow {
-    /// What was timed.
-    #[wasm_bindgen(readonly)]
-    pub task: TaskName,
-    /// Number of neighbours of the vertex that was moved; 0 where none was.
-    #[wasm_bindgen(readonly)]
-    pub degree: u32,
-    /// The paper's first test, ms.
-    #[wasm_bindgen(readonly, js_name = firstMs)]
-    pub first_ms: f64,
-    /// The paper's second test, ms.
-    #[wasm_bindgen(readonly, js_name = secondMs)]
-    pub second_ms: f64,
-    /// Here, ms; undefined where it was not timed.
-    #[wasm_bindgen(readonly, js_name = hereMs)]
-    pub here_ms: Option<f64>,
+readable! {
+    /// A row of the paper's Table 1, with the time here.
+    pub struct PaperRow {
+        /// What was timed.
+        task: TaskName,
+        /// Number of neighbours of the vertex that was moved; 0 where none was.
+        degree: u32,
+        /// The paper's first test, ms.
+        first_ms as firstMs: f64,
+        /// The paper's second test, ms.
+        second_ms as secondMs: f64,
+        /// Here, ms; undefined where it was not timed.
+        here_ms as hereMs: Option<f64>,
+    }
 }
 
-/// What one way of editing took and did: medians over the runs, after all six edits.
-#[wasm_bindgen(getter_with_clone, inspectable)]
-#[derive(Debug, Clone, PartialEq)]
-pub struct PaperMethod {
-    /// What δ-coordinates were taken with.
-    #[wasm_bindgen(readonly)]
-    pub operator: String,
-    /// How firmly handle and anchors were held.
-    #[wasm_bindgen(readonly)]
-    pub constraint: String,
-    /// Time for an edit, ms.
-    #[wasm_bindgen(readonly, js_name = timeMs)]
-    pub time_ms: f64,
-    /// `‖δ' − δ‖` over the mesh, in image units.
-    #[wasm_bindgen(readonly)]
-    pub bent: f64,
-    /// By how many times the edge that grew most is longer.
-    #[wasm_bindgen(readonly)]
-    pub stretch: f64,
-    /// Triangles turned over.
-    #[wasm_bindgen(readonly)]
-    pub flipped: f64,
-    /// Edits that raised no peak without a gradual rise.
-    #[wasm_bindgen(readonly)]
-    pub smooth: u32,
-    /// All edits.
-    #[wasm_bindgen(readonly)]
-    pub edits: u32,
+readable! {
+    /// What one way of editing took and did: medians over the runs, after all six edits.
+    pub struct PaperMethod {
+        /// What δ-coordinates were taken with.
+        operator: String,
+        /// How firmly handle and anchors were held.
+        constraint: String,
+        /// Time for an edit, ms.
+        time_ms as timeMs: f64,
+        /// `‖δ' − δ‖` over the mesh, in image units.
+        bent: f64,
+        /// By how many times the edge that grew most is longer.
+        stretch: f64,
+        /// Triangles turned over.
+        flipped: f64,
+        /// Edits that raised no peak without a gradual rise.
+        smooth: u32,
+        /// All edits.
+        edits: u32,
+    }
 }
 
-/// The paper's claims as figures.
-#[wasm_bindgen(inspectable)]
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PaperClaims {
-    /// The slowest degree's median time over the fastest's.
-    #[wasm_bindgen(readonly, js_name = degreeRatio)]
-    pub degree_ratio: f64,
-    /// The slower offset's median time over the faster's.
-    #[wasm_bindgen(readonly, js_name = offsetRatio)]
-    pub offset_ratio: f64,
-    /// Edits that raised no peak without a gradual rise.
-    #[wasm_bindgen(readonly)]
-    pub smooth: u32,
-    /// All edits.
-    #[wasm_bindgen(readonly)]
-    pub edits: u32,
+readable! {
+    /// The paper's claims as figures.
+    pub struct PaperClaims {
+        /// The slowest degree's median time over the fastest's.
+        degree_ratio as degreeRatio: f64,
+        /// The slower offset's median time over the faster's.
+        offset_ratio as offsetRatio: f64,
+        /// Edits that raised no peak without a gradual rise.
+        smooth: u32,
+        /// All edits.
+        edits: u32,
+    }
 }

@@ -6,23 +6,20 @@ use crate::Studio;
 use crate::error::{FacadeError, Result};
 use crate::modes::ChangeName;
 use crate::picture::OpenPicture;
+use crate::readable::readable;
 
-/// One of the photos of the open face.
-#[wasm_bindgen(getter_with_clone, inspectable)]
-#[derive(Debug, Clone, PartialEq)]
-pub struct StudioPhoto {
-    /// Whether it leads: its colours, size and lens are the face's, and it is the one that is shown.
-    #[wasm_bindgen(readonly)]
-    pub leads: bool,
-    /// How far the head is turned in it, in degrees: above 0 to the subject's own left.
-    #[wasm_bindgen(readonly, js_name = yawDeg)]
-    pub yaw_deg: f64,
-    /// "front", "left" or "right"; undefined in between and beyond.
-    #[wasm_bindgen(readonly)]
-    pub turn: Option<String>,
-    /// Whether no other photo shows the face from there.
-    #[wasm_bindgen(readonly)]
-    pub adds: bool,
+readable! {
+    /// One of the photos of the open face.
+    pub struct StudioPhoto {
+        /// Whether it leads: its colours, size and lens are the face's, and it is the one that is shown.
+        leads: bool,
+        /// How far the head is turned in it, in degrees: above 0 to the subject's own left.
+        yaw_deg as yawDeg: f64,
+        /// "front", "left" or "right"; undefined in between and beyond.
+        turn: Option<String>,
+        /// Whether no other photo shows the face from there.
+        adds: bool,
+    }
 }
 
 impl From<PhotoFacts> for StudioPhoto {

@@ -1,44 +1,55 @@
 use rosto_export::{FileKind, FurtherPhoto, Painted, PlacedTexture, Reopened, project, reopen, sniff};
-use rosto_face::{PhotoLens, Triangulation};
+use rosto_face::PhotoLens;
 use wasm_bindgen::prelude::*;
 
 use crate::error::FacadeError;
 use crate::modes::FileKindName;
+use crate::readable::readable;
 
-/// What a file of ours holds, for `openWork`. `free()` it when everything has been taken out.
-#[wasm_bindgen]
-#[derive(Debug)]
-pub struct ReopenedFace {
-    triangulation: Triangulation,
-    density: u32,
-    edits: String,
-    in_photo: Option<String>,
-    changed_elsewhere: bool,
-    leads: usize,
-    photos: Vec<ReopenedPhoto>,
+readable! {
+    /// What a file of ours holds, for `openWork`. `free()` it when everything has been taken out.
+    pub struct ReopenedFace {
+        /// How the landmarks are joined.
+        triangulation: String,
+        /// How often the mesh was subdivided.
+        density: u32,
+        /// The edits as versioned JSON.
+        edits: String,
+        /// What was done to the photo alone, as `openWork` takes it; undefined where nothing was.
+        in_photo as inPhoto: Option<String>,
+        /// Whether another program has changed the mesh, which opens as it was saved here.
+        changed_elsewhere as changedElsewhere: bool,
+        /// Which of its photos leads, from 0.
+        leads: u32,
+    } hidden {
+        photos: Vec<ReopenedPhoto>,
+    }
 }
 
-/// One of its photos. `free()` it when everything has been taken out.
-#[wasm_bindgen]
-#[derive(Debug)]
-pub struct ReopenedPhoto {
-    photo_size_px: [u32; 2],
-    landmarks: Vec<f32>,
-    lens: String,
-    colours: Vec<u8>,
-    picture_size_px: [u32; 2],
-    place_px: [i32; 2],
-    placed_size_px: [u32; 2],
-    pixels: Pixels,
-}
-
-/// The picture, in the form in which the file leaves it.
-#[derive(Debug)]
-enum Pixels {
-    /// A JPEG or PNG that belongs at its place in the picture.
-    Encoded { bytes: Vec<u8>, media_type: &'static str },
-    /// The whole picture, RGBA.
-    Painted(Vec<u8>),
+readable! {
+    /// One of its photos. `free()` it when everything has been taken out.
+    pub struct ReopenedPhoto {
+        /// Width in px of the upright photo that the landmarks were found in.
+        width: u32,
+        /// Height of that photo in px.
+        height: u32,
+        /// What was known of the photo's lens.
+        lens: String,
+        /// 468 or 478 × (x/W, y/H, z/W).
+        landmarks: Vec<f32>,
+        /// 468 × (red, green, blue), sRGB.
+        colours: Vec<u8>,
+        /// Width of the upright picture in px; the file may hold a part of it.
+        picture_width as pictureWidth: u32,
+        /// Height of the upright picture in px.
+        picture_height as pictureHeight: u32,
+        /// Where in the picture the file's part of it lies, in px: left, top, width, height.
+        place: Vec<i32>,
+        /// The media type of that part; undefined where the file holds no photo.
+        media_type as mediaType: Option<String>,
+    } hidden {
+        picture: Vec<u8>,
+    }
 }
 
 /// Tells what a file is by its first 4 096 bytes.
@@ -54,7 +65,7 @@ pub fn sniff_file(start: &[u8]) -> FileKindName {
 /// Reads a GLB that was downloaded here or written by the command line. No picture is decoded.
 ///
 /// # Errors
-/// `damaged-glb`, `foreign-glb` or `newer-glb`.
+/// `damaged-glb`, `foreign-glb` or `other-version`.
 #[wasm_bindgen(js_name = reopenGlb)]
 pub fn reopen_glb(bytes: &[u8]) -> Result<ReopenedFace, JsValue> {
     Ok(reopen(bytes).map_err(FacadeError::of_glb)?.into())
@@ -63,7 +74,7 @@ pub fn reopen_glb(bytes: &[u8]) -> Result<ReopenedFace, JsValue> {
 /// Reads a project that was saved here. Its picture is not decoded.
 ///
 /// # Errors
-/// `bad-project` or `too-new`.
+/// `bad-project` or `other-version`.
 #[wasm_bindgen(js_name = reopenProject)]
 pub fn reopen_project(bytes: &[u8]) -> Result<ReopenedFace, JsValue> {
     Ok(project::read(bytes).map_err(FacadeError::of_project)?.into())
@@ -80,12 +91,12 @@ impl From<Reopened<'_>> for ReopenedFace {
         let mut photos: Vec<ReopenedPhoto> = further.into_iter().map(ReopenedPhoto::from).collect();
         photos.insert(leads, lead);
         Self {
-            triangulation: face.triangulation,
+            triangulation: face.triangulation.id().to_owned(),
             density: face.density,
             edits: face.history.unwrap_or_else(|| rosto_studio::project::to_json(&[])),
             in_photo: face.in_photo,
             changed_elsewhere: face.changed_elsewhere,
-            leads,
+            leads: leads as u32,
             photos,
         }
     }
@@ -102,34 +113,38 @@ impl From<FurtherPhoto> for ReopenedPhoto {
 }
 
 impl ReopenedPhoto {
-    fn new(photo_size_px: [u32; 2], landmarks: &[[f32; 3]], lens: PhotoLens, colours_srgb: &[[u8; 3]]) -> Self {
+    fn new([width, height]: [u32; 2], landmarks: &[[f32; 3]], lens: PhotoLens, colours_srgb: &[[u8; 3]]) -> Self {
         Self {
-            photo_size_px,
-            landmarks: landmarks.concat(),
+            width,
+            height,
             lens: lens.to_string(),
+            landmarks: landmarks.concat(),
             colours: colours_srgb.concat(),
-            picture_size_px: [0; 2],
-            place_px: [0; 2],
-            placed_size_px: [0; 2],
-            pixels: Pixels::Painted(Vec::new()),
+            picture_width: 0,
+            picture_height: 0,
+            place: Vec::new(),
+            media_type: None,
+            picture: Vec::new(),
         }
     }
 
     fn placed(self, texture: PlacedTexture<'_>) -> Self {
-        let media_type = texture.media_type();
+        let ([picture_width, picture_height], [left, top]) = (texture.picture_size_px, texture.at_px);
+        let [width, height] = texture.size_px.map(|side| side as i32);
         Self {
-            picture_size_px: texture.picture_size_px,
-            place_px: texture.at_px,
-            placed_size_px: texture.size_px,
-            pixels: Pixels::Encoded { bytes: texture.encoded.into_owned(), media_type },
+            picture_width,
+            picture_height,
+            place: vec![left, top, width, height],
+            media_type: Some(texture.media_type().to_owned()),
+            picture: texture.encoded.into_owned(),
             ..self
         }
     }
 
     fn painted(self, painted: Painted) -> Self {
-        let size_px = [painted.width, painted.height];
-        let pixels = Pixels::Painted(painted.rgba);
-        Self { picture_size_px: size_px, placed_size_px: size_px, pixels, ..self }
+        let Painted { width: picture_width, height: picture_height, rgba: picture } = painted;
+        let place = vec![0, 0, picture_width as i32, picture_height as i32];
+        Self { picture_width, picture_height, place, picture, ..self }
     }
 }
 
@@ -140,108 +155,14 @@ impl ReopenedFace {
     pub fn take_photos(&mut self) -> Vec<ReopenedPhoto> {
         std::mem::take(&mut self.photos)
     }
-
-    /// Which of them leads, from 0.
-    #[wasm_bindgen(getter)]
-    pub fn leads(&self) -> u32 {
-        self.leads as u32
-    }
-
-    /// How the landmarks are joined.
-    #[wasm_bindgen(getter)]
-    pub fn triangulation(&self) -> String {
-        self.triangulation.id().to_owned()
-    }
-
-    /// How often the mesh was subdivided.
-    #[wasm_bindgen(getter)]
-    pub fn density(&self) -> u32 {
-        self.density
-    }
-
-    /// What was done to the photo alone, as `openWork` takes it; undefined where nothing was.
-    #[wasm_bindgen(getter, js_name = inPhoto)]
-    pub fn in_photo(&self) -> Option<String> {
-        self.in_photo.clone()
-    }
-
-    /// The edits as versioned JSON.
-    #[wasm_bindgen(getter)]
-    pub fn edits(&self) -> String {
-        self.edits.clone()
-    }
-
-    /// Whether another program has changed the mesh, which opens as it was saved here.
-    #[wasm_bindgen(getter, js_name = changedElsewhere)]
-    pub fn changed_elsewhere(&self) -> bool {
-        self.changed_elsewhere
-    }
 }
 
 #[wasm_bindgen]
 impl ReopenedPhoto {
-    /// Width in px of the upright photo that the landmarks were found in.
-    #[wasm_bindgen(getter)]
-    pub fn width(&self) -> u32 {
-        self.photo_size_px[0]
-    }
-
-    /// Height of that photo in px.
-    #[wasm_bindgen(getter)]
-    pub fn height(&self) -> u32 {
-        self.photo_size_px[1]
-    }
-
-    /// What was known of the photo's lens.
-    #[wasm_bindgen(getter)]
-    pub fn lens(&self) -> String {
-        self.lens.clone()
-    }
-
-    /// 468 or 478 × (x/W, y/H, z/W).
-    pub fn landmarks(&self) -> Vec<f32> {
-        self.landmarks.clone()
-    }
-
-    /// 468 × (red, green, blue), sRGB.
-    pub fn colours(&self) -> Vec<u8> {
-        self.colours.clone()
-    }
-
-    /// Width of the upright picture in px; the file may hold a part of it.
-    #[wasm_bindgen(getter, js_name = pictureWidth)]
-    pub fn picture_width(&self) -> u32 {
-        self.picture_size_px[0]
-    }
-
-    /// Height of the upright picture in px.
-    #[wasm_bindgen(getter, js_name = pictureHeight)]
-    pub fn picture_height(&self) -> u32 {
-        self.picture_size_px[1]
-    }
-
-    /// Where in the picture the file's part of it lies, in px: left, top, width, height.
-    pub fn place(&self) -> Vec<i32> {
-        let [left, top] = self.place_px;
-        let [width, height] = self.placed_size_px.map(|side| side as i32);
-        vec![left, top, width, height]
-    }
-
-    /// The media type of that part; undefined where the file holds no photo.
-    #[wasm_bindgen(getter, js_name = mediaType)]
-    pub fn media_type(&self) -> Option<String> {
-        match &self.pixels {
-            Pixels::Encoded { media_type, .. } => Some((*media_type).to_owned()),
-            Pixels::Painted(_) => None,
-        }
-    }
-
-    /// That part as an encoded picture or, where the file holds none, what stands in for the photo: the landmarks' colours
-    /// blended over the face, RGBA.
+    /// The file's part of the picture as it is encoded or, where it holds none, what stands in for the photo: the landmarks'
+    /// colours blended over the face, RGBA.
     #[wasm_bindgen(js_name = takePicture)]
     pub fn take_picture(&mut self) -> Vec<u8> {
-        match &mut self.pixels {
-            Pixels::Encoded { bytes, .. } | Pixels::Painted(bytes) => std::mem::take(bytes),
-        }
+        std::mem::take(&mut self.picture)
     }
 }

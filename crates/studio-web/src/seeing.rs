@@ -15,9 +15,6 @@ use crate::state::ScreenPoint;
 #[wasm_bindgen]
 impl Studio {
     /// Turns the face as if the pointer held it.
-    ///
-    /// # Errors
-    /// None of its own.
     pub fn orbit(
         &mut self,
         #[wasm_bindgen(js_name = dxPx)] dx_px: f64,
@@ -27,9 +24,6 @@ impl Studio {
     }
 
     /// Moves the face with the pointer.
-    ///
-    /// # Errors
-    /// None of its own.
     pub fn pan(
         &mut self,
         #[wasm_bindgen(js_name = dxPx)] dx_px: f64,
@@ -55,36 +49,24 @@ impl Studio {
     }
 
     /// Lets the face turn by itself, or stand still.
-    ///
-    /// # Errors
-    /// None of its own.
     #[wasm_bindgen(js_name = setTurntable)]
     pub fn set_turntable(&mut self, turns: bool) -> Result<ChangeName, JsValue> {
         self.act(Intent::Turntable(if turns { Turntable::Turns } else { Turntable::Still }))
     }
 
     /// Whether the page was asked to move less: no glide, no arrival, no turning empty state.
-    ///
-    /// # Errors
-    /// None of its own.
     #[wasm_bindgen(js_name = setReducedMotion)]
     pub fn set_reduced_motion(&mut self, reduced: bool) -> Result<ChangeName, JsValue> {
         self.act(Intent::Motion(if reduced { Motion::Reduced } else { Motion::Usual }))
     }
 
     /// Draws the edges over the surface.
-    ///
-    /// # Errors
-    /// None of its own.
     #[wasm_bindgen(js_name = setWireframe)]
     pub fn set_wireframe(&mut self, shown: bool) -> Result<ChangeName, JsValue> {
         self.act(Intent::Wireframe(if shown { Wireframe::Shown } else { Wireframe::Hidden }))
     }
 
     /// Shows a dot on every landmark, not only near the pointer.
-    ///
-    /// # Errors
-    /// None of its own.
     #[wasm_bindgen(js_name = setDots)]
     pub fn set_dots(&mut self, shown: bool) -> Result<ChangeName, JsValue> {
         self.act(Intent::Dots(if shown { Dots::All } else { Dots::NearPointer }))
@@ -109,9 +91,6 @@ impl Studio {
     }
 
     /// Colour of the directional light, sRGB.
-    ///
-    /// # Errors
-    /// None of its own.
     #[wasm_bindgen(js_name = setLightColour)]
     pub fn set_light_colour(&mut self, red: u8, green: u8, blue: u8) -> Result<ChangeName, JsValue> {
         let light = self.session.stage().render_settings().light;
@@ -128,18 +107,12 @@ impl Studio {
     }
 
     /// Puts the theme's soft ground behind the face, with a shadow under it: the usual one.
-    ///
-    /// # Errors
-    /// None of its own.
     #[wasm_bindgen(js_name = setGround)]
     pub fn set_ground(&mut self) -> Result<ChangeName, JsValue> {
         self.act(Intent::Background(Background::Ground))
     }
 
     /// Puts one colour behind the face, sRGB.
-    ///
-    /// # Errors
-    /// None of its own.
     #[wasm_bindgen(js_name = setBackdrop)]
     pub fn set_backdrop(&mut self, red: u8, green: u8, blue: u8) -> Result<ChangeName, JsValue> {
         self.act(Intent::Background(Background::Plain(Srgb([red, green, blue]))))
@@ -165,9 +138,6 @@ impl Studio {
     }
 
     /// So many px at the canvas' top, right, bottom and left lie under something else: the face is framed in the rest.
-    ///
-    /// # Errors
-    /// None of its own.
     pub fn cover(
         &mut self,
         #[wasm_bindgen(js_name = topPx)] top_px: f64,
@@ -179,18 +149,12 @@ impl Studio {
     }
 
     /// Marks what stays in place while what is selected moves, or not.
-    ///
-    /// # Errors
-    /// None of its own.
     #[wasm_bindgen(js_name = setAnchorsMarked)]
     pub fn set_anchors_marked(&mut self, marked: bool) -> Result<ChangeName, JsValue> {
         self.act(Intent::MarkAnchors(if marked { Switch::On } else { Switch::Off }))
     }
 
     /// Lets the light fall on the photo, too, or leaves it in the light that it was taken in.
-    ///
-    /// # Errors
-    /// None of its own.
     #[wasm_bindgen(js_name = setPhotoLit)]
     pub fn set_photo_lit(&mut self, lit: bool) -> Result<ChangeName, JsValue> {
         self.act(Intent::PictureLight(if lit { PictureLight::Lamp } else { PictureLight::Own }))
@@ -198,9 +162,6 @@ impl Studio {
 
     /// Tells where the pointer is: landmarks near it show as dots where they are what it selects, and what is under it is
     /// marked and returned.
-    ///
-    /// # Errors
-    /// None of its own.
     pub fn hover(
         &mut self,
         #[wasm_bindgen(js_name = xPx)] x_px: f64,

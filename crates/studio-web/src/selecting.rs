@@ -39,9 +39,6 @@ impl Studio {
     }
 
     /// The same at a place on the canvas; nothing is selected where there is no face.
-    ///
-    /// # Errors
-    /// None of its own.
     #[wasm_bindgen(js_name = selectUnder)]
     pub fn select_under(
         &mut self,
@@ -61,9 +58,6 @@ impl Studio {
     }
 
     /// Pins the vertex at a place on the canvas, or frees it.
-    ///
-    /// # Errors
-    /// None of its own.
     #[wasm_bindgen(js_name = pinUnder)]
     pub fn pin_under(
         &mut self,

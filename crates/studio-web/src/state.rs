@@ -8,124 +8,89 @@ use wasm_bindgen::prelude::*;
 
 use crate::error::FacadeError;
 use crate::modes::RefusalName;
+use crate::readable::readable;
 
-/// Everything the panels show about the session, apart from the edit in progress.
-#[wasm_bindgen(getter_with_clone, inspectable)]
-#[derive(Debug, Clone, PartialEq)]
-pub struct StudioState {
-    /// What is chosen of each choice, in their order.
-    chosen: Vec<Option<String>>,
-    /// Number of vertices shown.
-    #[wasm_bindgen(readonly, js_name = vertexCount)]
-    pub vertex_count: u32,
-    /// How many vertices it can select, from 0.
-    #[wasm_bindgen(readonly)]
-    pub selectable: u32,
-    /// The selected vertex, if any; of a selected region, the landmark in its middle.
-    #[wasm_bindgen(readonly)]
-    pub selected: Option<u32>,
-    /// The selected region, if any.
-    #[wasm_bindgen(readonly, js_name = selectedRegion)]
-    pub selected_region: Option<String>,
-    /// Whether what is selected is its own mirror image and the mirror is on: sideways it moves alone.
-    #[wasm_bindgen(readonly, js_name = selectedInPlane)]
-    pub selected_in_plane: bool,
-    /// Whether it does so now.
-    #[wasm_bindgen(readonly, js_name = leavesPlane)]
-    pub leaves_plane: bool,
-    /// Whether a ready-made slider is in hand, and not what is selected.
-    #[wasm_bindgen(readonly, js_name = isSliding)]
-    pub is_sliding: bool,
-    /// Whether all that is selected is pinned.
-    #[wasm_bindgen(readonly)]
-    pub pinned: bool,
-    /// Whether the other side of the face can follow what is selected.
-    #[wasm_bindgen(readonly, js_name = canMirror)]
-    pub can_mirror: bool,
-    /// Why what is selected cannot be moved, if it cannot.
-    #[wasm_bindgen(readonly)]
-    pub refusal: Option<RefusalName>,
-    /// The vertices that stay while what is selected moves.
-    #[wasm_bindgen(readonly)]
-    pub anchors: Vec<u32>,
-    /// Whether the other side of the face follows.
-    #[wasm_bindgen(readonly)]
-    pub mirror: bool,
-    /// Whether an edit reaches no further than the radius.
-    #[wasm_bindgen(readonly)]
-    pub nearby: bool,
-    /// That radius, in mm.
-    #[wasm_bindgen(readonly, js_name = radiusMm)]
-    pub radius_mm: f64,
-    /// Whether edges are drawn over it.
-    #[wasm_bindgen(readonly)]
-    pub wireframe: bool,
-    /// Whether what stays in place is marked.
-    #[wasm_bindgen(readonly, js_name = anchorsMarked)]
-    pub anchors_marked: bool,
-    /// Whether the face as it was found is seen beside the face as edited.
-    #[wasm_bindgen(readonly, js_name = isWiping)]
-    pub is_wiping: bool,
-    /// Whether the light falls on the photo, too.
-    #[wasm_bindgen(readonly, js_name = photoLit)]
-    pub photo_lit: bool,
-    /// Whether every landmark shows as a dot.
-    #[wasm_bindgen(readonly)]
-    pub dots: bool,
-    /// Whether the face turns by itself.
-    #[wasm_bindgen(readonly)]
-    pub turntable: bool,
-    /// Azimuth and elevation of the directional light in degrees, its strength, and that of the light from everywhere.
-    #[wasm_bindgen(readonly)]
-    pub light: Vec<f64>,
-    /// Its colour, sRGB.
-    #[wasm_bindgen(readonly, js_name = lightColour)]
-    pub light_colour: Vec<u8>,
-    /// The one colour behind the face, sRGB; empty for the usual ground.
-    #[wasm_bindgen(readonly)]
-    pub backdrop: Vec<u8>,
-    /// Sum of the offsets along x that the history holds for what is selected, as far as they are in force, in mm.
-    #[wasm_bindgen(readonly, js_name = keptXMm)]
-    pub kept_x_mm: f64,
-    /// The same along y.
-    #[wasm_bindgen(readonly, js_name = keptYMm)]
-    pub kept_y_mm: f64,
-    /// The same along z.
-    #[wasm_bindgen(readonly, js_name = keptZMm)]
-    pub kept_z_mm: f64,
-    /// Whether the history holds edits in force of what is selected.
-    #[wasm_bindgen(readonly, js_name = canResetSelection)]
-    pub can_reset_selection: bool,
-    /// Whether there is something to undo.
-    #[wasm_bindgen(readonly, js_name = canUndo)]
-    pub can_undo: bool,
-    /// Whether there is something to redo.
-    #[wasm_bindgen(readonly, js_name = canRedo)]
-    pub can_redo: bool,
-    /// How many entries the history has, without what was undone.
-    #[wasm_bindgen(readonly, js_name = entryCount)]
-    pub entry_count: u32,
-    /// Whether the offsets kept go so nearly along the view that they hardly show from here.
-    #[wasm_bindgen(readonly, js_name = isAlongView)]
-    pub is_along_view: bool,
-    /// How far around the face its photo gives way, as a share of the face's longer side.
-    #[wasm_bindgen(readonly)]
-    pub ring: f64,
-    /// From how far away the face is shown in its photo, in metres; infinite where its camera is taken to be very far.
-    #[wasm_bindgen(readonly, js_name = seenFromM)]
-    pub seen_from_m: f64,
-    /// Whether that is as it was taken.
-    #[wasm_bindgen(readonly, js_name = isAsTaken)]
-    pub is_as_taken: bool,
-    /// The brush in hand: its radius in CSS px.
-    #[wasm_bindgen(readonly, js_name = brushPx)]
-    pub brush_px: Option<f64>,
-    /// How many strokes keep something of the photo.
-    #[wasm_bindgen(readonly, js_name = strokeCount)]
-    pub stroke_count: u32,
-    /// Whether one can be brought back.
-    #[wasm_bindgen(readonly, js_name = canRedoStroke)]
-    pub can_redo_stroke: bool,
+readable! {
+    /// Everything the panels show about the session, apart from the edit in progress.
+    pub struct StudioState {
+        /// Number of vertices shown.
+        vertex_count as vertexCount: u32,
+        /// How many vertices it can select, from 0.
+        selectable: u32,
+        /// The selected vertex, if any; of a selected region, the landmark in its middle.
+        selected: Option<u32>,
+        /// The selected region, if any.
+        selected_region as selectedRegion: Option<String>,
+        /// Whether what is selected is its own mirror image and the mirror is on: sideways it moves alone.
+        selected_in_plane as selectedInPlane: bool,
+        /// Whether it does so now.
+        leaves_plane as leavesPlane: bool,
+        /// Whether a ready-made slider is in hand, and not what is selected.
+        is_sliding as isSliding: bool,
+        /// Whether all that is selected is pinned.
+        pinned: bool,
+        /// Whether the other side of the face can follow what is selected.
+        can_mirror as canMirror: bool,
+        /// Why what is selected cannot be moved, if it cannot.
+        refusal: Option<RefusalName>,
+        /// The vertices that stay while what is selected moves.
+        anchors: Vec<u32>,
+        /// Whether the other side of the face follows.
+        mirror: bool,
+        /// Whether an edit reaches no further than the radius.
+        nearby: bool,
+        /// That radius, in mm.
+        radius_mm as radiusMm: f64,
+        /// Whether edges are drawn over it.
+        wireframe: bool,
+        /// Whether what stays in place is marked.
+        anchors_marked as anchorsMarked: bool,
+        /// Whether the face as it was found is seen beside the face as edited.
+        is_wiping as isWiping: bool,
+        /// Whether the light falls on the photo, too.
+        photo_lit as photoLit: bool,
+        /// Whether every landmark shows as a dot.
+        dots: bool,
+        /// Whether the face turns by itself.
+        turntable: bool,
+        /// Azimuth and elevation of the directional light in degrees, its strength, and that of the light from everywhere.
+        light: Vec<f64>,
+        /// Its colour, sRGB.
+        light_colour as lightColour: Vec<u8>,
+        /// The one colour behind the face, sRGB; empty for the usual ground.
+        backdrop: Vec<u8>,
+        /// Sum of the offsets along x that the history holds for what is selected, as far as they are in force, in mm.
+        kept_x_mm as keptXMm: f64,
+        /// The same along y.
+        kept_y_mm as keptYMm: f64,
+        /// The same along z.
+        kept_z_mm as keptZMm: f64,
+        /// Whether the history holds edits in force of what is selected.
+        can_reset_selection as canResetSelection: bool,
+        /// Whether there is something to undo.
+        can_undo as canUndo: bool,
+        /// Whether there is something to redo.
+        can_redo as canRedo: bool,
+        /// How many entries the history has, without what was undone.
+        entry_count as entryCount: u32,
+        /// Whether the offsets kept go so nearly along the view that they hardly show from here.
+        is_along_view as isAlongView: bool,
+        /// How far around the face its photo gives way, as a share of the face's longer side.
+        ring: f64,
+        /// From how far away the face is shown in its photo, in metres; infinite where its camera is taken to be very far.
+        seen_from_m as seenFromM: f64,
+        /// Whether that is as it was taken.
+        is_as_taken as isAsTaken: bool,
+        /// The brush in hand: its radius in CSS px.
+        brush_px as brushPx: Option<f64>,
+        /// How many strokes keep something of the photo.
+        stroke_count as strokeCount: u32,
+        /// Whether one can be brought back.
+        can_redo_stroke as canRedoStroke: bool,
+    } hidden {
+        /// What is chosen of each choice, in their order.
+        chosen: Vec<Option<String>>,
+    }
 }
 
 #[wasm_bindgen]
@@ -206,37 +171,28 @@ impl From<&StudioError> for RefusalName {
     }
 }
 
-/// How far the edit in progress has gone.
-#[wasm_bindgen(getter_with_clone, inspectable)]
-#[derive(Debug, Clone, PartialEq)]
-pub struct StudioTick {
-    /// Whether an edit is in progress that `commit` would keep.
-    #[wasm_bindgen(readonly)]
-    pub editing: bool,
-    /// Its offset along x, in mm.
-    #[wasm_bindgen(readonly, js_name = offsetXMm)]
-    pub offset_x_mm: f64,
-    /// Its offset along y, in mm.
-    #[wasm_bindgen(readonly, js_name = offsetYMm)]
-    pub offset_y_mm: f64,
-    /// Its offset along z, in mm.
-    #[wasm_bindgen(readonly, js_name = offsetZMm)]
-    pub offset_z_mm: f64,
-    /// Where each ready-made slider stands, in mm: the sum of its entries that are in force, and the edit in progress.
-    #[wasm_bindgen(readonly, js_name = slidersMm)]
-    pub sliders_mm: Vec<f64>,
-    /// How much of each expression the face shows, 0..1, in the order of `expressionIds`.
-    #[wasm_bindgen(readonly)]
-    pub weights: Vec<f64>,
-    /// Share of its offset that what is selected reaches: 1 is all of it.
-    #[wasm_bindgen(readonly, js_name = shareReached)]
-    pub share_reached: f64,
-    /// Whether the pointer drags it further than its sliders go.
-    #[wasm_bindgen(readonly, js_name = isAtEnd)]
-    pub is_at_end: bool,
-    /// Whether it goes so nearly along the view that it hardly shows from here.
-    #[wasm_bindgen(readonly, js_name = isAlongView)]
-    pub is_along_view: bool,
+readable! {
+    /// How far the edit in progress has gone.
+    pub struct StudioTick {
+        /// Whether an edit is in progress that `commit` would keep.
+        editing: bool,
+        /// Its offset along x, in mm.
+        offset_x_mm as offsetXMm: f64,
+        /// Its offset along y, in mm.
+        offset_y_mm as offsetYMm: f64,
+        /// Its offset along z, in mm.
+        offset_z_mm as offsetZMm: f64,
+        /// Where each ready-made slider stands, in mm: the sum of its entries that are in force, and the edit in progress.
+        sliders_mm as slidersMm: Vec<f64>,
+        /// How much of each expression the face shows, 0..1, in the order of `expressionIds`.
+        weights: Vec<f64>,
+        /// Share of its offset that what is selected reaches: 1 is all of it.
+        share_reached as shareReached: f64,
+        /// Whether the pointer drags it further than its sliders go.
+        is_at_end as isAtEnd: bool,
+        /// Whether it goes so nearly along the view that it hardly shows from here.
+        is_along_view as isAlongView: bool,
+    }
 }
 
 impl StudioTick {
@@ -255,31 +211,24 @@ impl StudioTick {
     }
 }
 
-/// One entry of the history.
-#[wasm_bindgen(getter_with_clone, inspectable)]
-#[derive(Debug, Clone, PartialEq)]
-pub struct StudioEntry {
-    /// Place in the history, from 0.
-    #[wasm_bindgen(readonly)]
-    pub index: u32,
-    /// What it works on.
-    #[wasm_bindgen(readonly)]
-    pub target: StudioTarget,
-    /// How far it moves what it moves, or how much it does.
-    #[wasm_bindgen(readonly)]
-    pub amount: f64,
-    /// What `amount` counts: "mm" or "%".
-    #[wasm_bindgen(readonly)]
-    pub unit: String,
-    /// Whether it is switched on.
-    #[wasm_bindgen(readonly)]
-    pub enabled: bool,
-    /// How often the mesh must be subdivided before it takes part, if that is more often than the one that is shown.
-    #[wasm_bindgen(readonly, js_name = waitsForDensity)]
-    pub waits_for_density: Option<u32>,
-    /// Whether it has no answer on the mesh that is shown, and is passed over.
-    #[wasm_bindgen(readonly)]
-    pub impossible: bool,
+readable! {
+    /// One entry of the history.
+    pub struct StudioEntry {
+        /// Place in the history, from 0.
+        index: u32,
+        /// What it works on.
+        target: StudioTarget,
+        /// How far it moves what it moves, or how much it does.
+        amount: f64,
+        /// What `amount` counts: "mm" or "%".
+        unit: String,
+        /// Whether it is switched on.
+        enabled: bool,
+        /// How often the mesh must be subdivided before it takes part, if that is more often than the one that is shown.
+        waits_for_density as waitsForDensity: Option<u32>,
+        /// Whether it has no answer on the mesh that is shown, and is passed over.
+        impossible: bool,
+    }
 }
 
 impl StudioEntry {
@@ -299,22 +248,18 @@ impl StudioEntry {
     }
 }
 
-/// What the numbers of the panels go through; the page's sliders are made after it.
-#[wasm_bindgen(inspectable)]
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StudioRange {
-    /// Lower end.
-    #[wasm_bindgen(readonly)]
-    pub min: f64,
-    /// Upper end.
-    #[wasm_bindgen(readonly)]
-    pub max: f64,
-    /// What one key press changes.
-    #[wasm_bindgen(readonly)]
-    pub step: f64,
-    /// Where it stands at first.
-    #[wasm_bindgen(readonly)]
-    pub neutral: f64,
+readable! {
+    /// What the numbers of the panels go through; the page's sliders are made after it.
+    pub struct StudioRange {
+        /// Lower end.
+        min: f64,
+        /// Upper end.
+        max: f64,
+        /// What one key press changes.
+        step: f64,
+        /// Where it stands at first.
+        neutral: f64,
+    }
 }
 
 impl From<Range> for StudioRange {
@@ -323,22 +268,18 @@ impl From<Range> for StudioRange {
     }
 }
 
-/// What an edit works on.
-#[wasm_bindgen(getter_with_clone, inspectable)]
-#[derive(Debug, Clone, PartialEq)]
-pub struct StudioTarget {
-    /// "landmark", "point", "region", "slider", "vertices", "symmetry" or "expression".
-    #[wasm_bindgen(readonly)]
-    pub kind: String,
-    /// Its id, such as "nose-tip", "left-brow" or "nose-width".
-    #[wasm_bindgen(readonly)]
-    pub id: String,
-    /// The number of a landmark or point, or how many vertices; undefined for others.
-    #[wasm_bindgen(readonly)]
-    pub number: Option<u32>,
-    /// The part of the face that a point lies in, such as "left-cheek", once its mesh was shown.
-    #[wasm_bindgen(readonly)]
-    pub part: Option<String>,
+readable! {
+    /// What an edit works on.
+    pub struct StudioTarget {
+        /// "landmark", "point", "region", "slider", "vertices", "symmetry" or "expression".
+        kind: String,
+        /// Its id, such as "nose-tip", "left-brow" or "nose-width".
+        id: String,
+        /// The number of a landmark or point, or how many vertices; undefined for others.
+        number: Option<u32>,
+        /// The part of the face that a point lies in, such as "left-cheek", once its mesh was shown.
+        part: Option<String>,
+    }
 }
 
 impl StudioTarget {
@@ -352,41 +293,36 @@ impl StudioTarget {
     }
 }
 
-/// A ready-made slider.
-#[wasm_bindgen(getter_with_clone, inspectable)]
-#[derive(Debug, Clone, PartialEq)]
-pub struct StudioSlider {
-    /// Its id, for [`Studio::slide`](crate::Studio::slide), such as "nose-width".
-    #[wasm_bindgen(readonly)]
-    pub id: String,
-    /// How far it goes to either side, in mm.
-    #[wasm_bindgen(readonly, js_name = rangeMm)]
-    pub range_mm: f64,
+readable! {
+    /// A ready-made slider.
+    pub struct StudioSlider {
+        /// Its id, for [`Studio::slide`](crate::Studio::slide), such as "nose-width".
+        id: String,
+        /// How far it goes to either side, in mm.
+        range_mm as rangeMm: f64,
+    }
 }
 
-/// A place on the canvas, in device pixels from its top left.
-#[wasm_bindgen(inspectable)]
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ScreenPoint {
-    /// To the right.
-    #[wasm_bindgen(readonly)]
-    pub x: f64,
-    /// Down.
-    #[wasm_bindgen(readonly)]
-    pub y: f64,
+readable! {
+    /// A place on the canvas, in device pixels from its top left.
+    pub struct ScreenPoint {
+        /// To the right.
+        x: f64,
+        /// Down.
+        y: f64,
+    }
 }
 
-/// A picture of the canvas: straight (not premultiplied) sRGB RGBA.
-#[wasm_bindgen(inspectable)]
-#[derive(Debug, Clone, PartialEq)]
-pub struct Snapshot {
-    /// Width in pixels.
-    #[wasm_bindgen(readonly)]
-    pub width: u32,
-    /// Height in pixels.
-    #[wasm_bindgen(readonly)]
-    pub height: u32,
-    pixels: Vec<u8>,
+readable! {
+    /// A picture of the canvas: straight (not premultiplied) sRGB RGBA.
+    pub struct Snapshot {
+        /// Width in pixels.
+        width: u32,
+        /// Height in pixels.
+        height: u32,
+    } hidden {
+        pixels: Vec<u8>,
+    }
 }
 
 impl From<rosto_viewport::Snapshot> for Snapshot {

@@ -127,7 +127,7 @@ impl Studio {
     /// subdivided, the edits as versioned JSON, and what the photo alone holds. Everything is checked before anything is replaced.
     ///
     /// # Errors
-    /// `bad-face`, `bad-history` or `too-new`.
+    /// `bad-face`, `bad-history` or `other-version`.
     #[wasm_bindgen(js_name = openWork)]
     #[expect(clippy::too_many_arguments, reason = "JavaScript names them in the object that it takes them from")]
     pub fn open_work(

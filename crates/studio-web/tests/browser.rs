@@ -247,7 +247,7 @@ async fn refusals_say_why_and_keep_the_face() {
     studio.preview(0.0, 1.0, 0.0).unwrap();
     assert_ne!(mesh_json(&mut studio, "mm"), mesh);
     studio.cancel().unwrap();
-    for (edits, why) in [("{}", "bad-history"), (r#"{"rosto":"history","version":99,"entries":[]}"#, "too-new")] {
+    for (edits, why) in [("{}", "bad-history"), (r#"{"rosto":"history","version":99,"entries":[]}"#, "other-version")] {
         assert_eq!(code(&open_work(&mut studio, 0, edits).unwrap_err()), why);
     }
     assert_eq!(code(&studio.choose("density", "4").unwrap_err()), "bad-choice");

@@ -37,7 +37,7 @@ pub use in_film::InFilm;
 pub use in_photo::{DEFAULT_RING, InPhoto, RING_SHARES};
 pub use influence::InfluenceWeights;
 pub use level::{CoordinateFrame, Rest};
-pub use rig::{EditsInRig, Rig};
+pub use rig::{EditsInRig, Layer, Rig};
 pub use rosto_laplacian::{ConstraintKind, Operator};
 pub use rosto_texture::{Shares, Texture};
 pub use sliders::FaceSlider;

@@ -1,14 +1,13 @@
 //! The history as JSON text: the project file, the crash recovery and the `extras` of a GLB.
 //!
 //! ```json
-//! {"rosto": "history", "version": 2, "entries": [
+//! {"rosto": "history", "version": 1, "entries": [
 //!   {"label": "nose tip", "switch": "on", "move": {
 //!     "level": 0, "handles": [4], "offsets": [[0, 0, 0.01]], "operator": "L_s", "hold": {"soft": 1},
 //!     "anchors": {"kind": "oval", "pins": []}, "reach": "whole", "mirror": "on", "details": "kept"}},
 //!   {"label": "symmetrise", "switch": "off", "symmetrise": {"share": 0.5}},
 //!   {"label": "jawOpen", "switch": "on", "express": {"expression": "jawOpen", "weight": 0.6}}]}
 //! ```
-//! Only a history with an `express` has version 2; earlier Rostos open all others.
 //! `hold` is `{"soft": weight}` or `"exact"`; `kind` is `"oval"`, `"pins"`, `{"random": seed}` or `{"outside": radius}`;
 //! `reach` is `"whole"` or `{"within": radius}`; `details` are `"kept"` or `"turned"`. Offsets and radii are in the
 //! document's unit. Every number reads back as the same `f64`, so that a replay gives the same bytes.
@@ -19,7 +18,5 @@ mod write;
 pub use read::{ProjectError, from_json};
 pub use write::to_json;
 
-/// The latest version that [`to_json`] writes; [`from_json`] reads it and all before.
-pub const VERSION: u64 = 2;
-/// The version that knew no expressions.
-pub(crate) const WITHOUT_EXPRESSIONS: u64 = 1;
+/// The version that [`to_json`] writes and [`from_json`] reads.
+pub const VERSION: u64 = 1;

@@ -1,15 +1,24 @@
 use glam::DVec3;
 use rosto_face::Parted;
 
-use crate::{Command, Document, Expression, Standing, StudioError};
+use crate::{Command, Document, Entry, Expression, Standing, StudioError};
 
 /// A face in pieces: the mesh that is shown, parted at eyes and mouth. So that others can move it, where it is without
 /// expressions, and what each of them displaces it by.
 pub struct Rig {
     parted: Parted,
     base_m: Vec<DVec3>,
-    layers_m: Vec<(String, Vec<DVec3>)>,
-    expressions: Vec<(Expression, Vec<DVec3>, f64)>,
+    layers: Vec<Layer>,
+}
+
+/// What moves the vertices of a [`Rig`]: an edit or an expression.
+pub struct Layer {
+    /// The label of the edit, or the expression's id.
+    pub name: String,
+    /// Displacement of each vertex at weight 1, in metres.
+    pub displacements_m: Vec<DVec3>,
+    /// How much of it the face shows.
+    pub weight: f64,
 }
 
 /// What the edits that are no expressions are in a [`Rig`].
@@ -31,29 +40,31 @@ impl Rig {
         let expressions = document.expressions()?.into_iter().zip(Expression::ALL).zip(weights);
         let parted = document.parted();
         let mut base_m = document.without_expressions();
-        let expressions: Vec<_> =
-            expressions.map(|((ways, expression), weight)| (expression, parted.ways(&ways), weight)).collect();
-        let layers = if edits == EditsInRig::Layers { layers(document) } else { Vec::new() };
+        let mut layers = Vec::new();
         if edits == EditsInRig::Layers {
             base_m.copy_from_slice(document.rest());
+            layers = edit_layers(document, &parted, |command| !matches!(command, Command::Express { .. }));
         }
-        let layers_m = layers.into_iter().map(|(label, ways)| (label, parted.ways(&ways))).collect();
-        Ok(Self { base_m: parted.positions_m(&base_m), parted, layers_m, expressions })
+        layers.extend(expressions.map(|((ways, expression), weight)| Layer {
+            name: expression.id().to_owned(),
+            displacements_m: parted.ways(&ways),
+            weight,
+        }));
+        Ok(Self { base_m: parted.positions_m(&base_m), parted, layers })
     }
 
     /// The mesh that is shown at positions in metres, in its pieces: they lie behind lids and lips as these are without expressions.
     /// No expression can be moved in it. With layers it is the unedited face.
-    pub fn still(document: &mut Document, shown_m: &[DVec3], edits: EditsInRig) -> Self {
+    pub fn still(document: &mut Document, edits: EditsInRig) -> Self {
         let parted = document.parted();
-        let (skin_m, relaxed_m, layers) = match edits {
-            EditsInRig::AtRest => (shown_m.to_vec(), document.relaxed(shown_m), Vec::new()),
-            EditsInRig::Layers => (document.rest().to_vec(), document.rest().to_vec(), document.displacements()),
-        };
-        let mut base_m = parted.positions_m(&relaxed_m);
-        base_m[..skin_m.len()].copy_from_slice(&skin_m);
-        let labels = document.history().entries().iter().map(|entry| entry.label.clone());
-        let layers_m = labels.zip(layers).map(|(label, ways)| (label, parted.ways(&ways))).collect();
-        Self { base_m, parted, layers_m, expressions: Vec::new() }
+        if edits == EditsInRig::Layers {
+            let layers = edit_layers(document, &parted, |_| true);
+            return Self { base_m: parted.positions_m(document.rest()), parted, layers };
+        }
+        let skin_m = document.positions();
+        let mut base_m = parted.positions_m(&document.relaxed(skin_m));
+        base_m[..skin_m.len()].copy_from_slice(skin_m);
+        Self { base_m, parted, layers: Vec::new() }
     }
 
     /// The same with a dark mouth ([`Parted::darkened`]).
@@ -72,26 +83,24 @@ impl Rig {
         &self.base_m
     }
 
-    /// The edits that are layers: what each is called, and what it displaces the vertices by, in metres. All count fully.
-    pub fn layers_m(&self) -> &[(String, Vec<DVec3>)] {
-        &self.layers_m
-    }
-
-    /// Each expression with what it displaces the vertices by at 1, in metres, and how much of it the face shows.
-    pub fn expressions(&self) -> &[(Expression, Vec<DVec3>, f64)] {
-        &self.expressions
+    /// The edits that are layers, and then the expressions.
+    pub fn layers(&self) -> &[Layer] {
+        &self.layers
     }
 }
 
-/// What each entry that is no expression displaced the mesh by.
-fn layers(document: &mut Document) -> Vec<(String, Vec<DVec3>)> {
+/// What each entry that counts displaced the mesh by.
+fn edit_layers(document: &mut Document, parted: &Parted, counts: impl Fn(&Command) -> bool) -> Vec<Layer> {
     let displacements = document.displacements();
-    let edits = document.history().entries().iter().zip(displacements);
-    let edits = edits.filter(|(entry, _)| !matches!(entry.command, Command::Express { .. }));
-    edits.map(|(entry, ways)| (entry.label.clone(), ways)).collect()
+    let edits = document.history().entries().iter().zip(displacements).filter(|(entry, _)| counts(&entry.command));
+    let layer = |(entry, ways): (&Entry, Vec<DVec3>)| Layer {
+        name: entry.label.clone(),
+        displacements_m: parted.ways(&ways),
+        weight: 1.0,
+    };
+    edits.map(layer).collect()
 }
 
-/// What expressions are to a document.
 impl Document {
     /// How much of each expression the face shows: the sum of its entries in force, in the order of [`Expression::ALL`].
     pub fn weights(&self) -> [f64; Expression::ALL.len()] {

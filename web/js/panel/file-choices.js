@@ -20,7 +20,7 @@ export function fileChoices() {
 export function printChoices() {
   const solid = chosen("solid");
   const length = hasLength(solid) ? `${solid}:${byId("solid-mm", HTMLInputElement).value}` : solid;
-  return { ...fileChoices(), solid: length, colours: chosen("colours") };
+  return { ...fileChoices(), solid: length };
 }
 
 /** @param {string} solid */

@@ -100,7 +100,7 @@ export class PrintPanel {
     const solid = chosen("solid");
     byId("solid-length", HTMLDivElement).hidden = !hasLength(solid);
     if (hasLength(solid)) byId("solid-mm-label", HTMLLabelElement).textContent = sayId("solid", `${solid}.mm`);
-    for (const choice of ["solid", "colours"]) byId(`${choice}-help`, HTMLParagraphElement).textContent = sayId(choice, `${chosen(choice)}.help`);
+    byId("solid-help", HTMLParagraphElement).textContent = sayId("solid", `${solid}.help`);
     this.#facts.replaceChildren(...(this.#body ? listed(this.#body) : []));
     this.#refusal.hidden = this.#refused === undefined;
     this.#refusal.textContent = this.#refused === undefined ? "" : this.#explained();

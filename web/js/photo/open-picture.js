@@ -1,6 +1,5 @@
 import { nextTask } from "../page/tasks.js";
 import { foundIn } from "../work/photos.js";
-import { BEFORE_LENSES } from "../work/work.js";
 
 /**
  * @typedef {import("../viewport/workbench.js").Workbench} Workbench
@@ -55,7 +54,7 @@ export async function openPictures(bench, photos, isWanted) {
   for (const [place, photo] of photos.entries()) {
     if (!(await openPicture(bench, photo, isWanted, place))) return false;
     if (place === photos.length - 1) return true;
-    bench.attempt((studio) => studio.keepPhoto(...foundIn(photo, photo.lens ?? BEFORE_LENSES)));
+    bench.attempt((studio) => studio.keepPhoto(...foundIn(photo)));
   }
   return true;
 }
@@ -71,7 +70,7 @@ export function takeFace(bench, photos, done) {
   const last = photos.at(-1);
   if (!last) throw new Error("a face without a photo");
   bench.attempt((studio) => {
-    const found = foundIn(last, last.lens ?? BEFORE_LENSES);
+    const found = foundIn(last);
     if (!done) return studio.openFace(...found);
     const { triangulation, density, edits, photo } = done;
     return studio.openWork(...found, triangulation, density, edits, photo);

@@ -8,7 +8,7 @@
 import { within } from "./within.js";
 
 const DATABASE = "rosto";
-const VERSION = 3;
+const VERSION = 1;
 const STORES = ["faces", "done"];
 
 const OPENING_MS = 5000;
@@ -97,9 +97,8 @@ async function open() {
   }
 }
 
-/** Starts without what versions that were never released have kept. @param {IDBDatabase} database */
+/** @param {IDBDatabase} database that is new */
 function create(database) {
-  for (const name of database.objectStoreNames) database.deleteObjectStore(name);
   const [, done] = STORES.map((name) => database.createObjectStore(name));
   done?.createIndex(ORDER, ORDER);
 }

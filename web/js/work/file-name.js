@@ -1,4 +1,4 @@
-/** What a picture is called that came without a name: pasted, or kept by an earlier version of the page. */
+/** Name of a picture that came without one, such as a pasted one. */
 const NAMELESS = "face";
 
 /** Longer names are cut: file systems allow some 255 bytes, and an ending comes after it. */

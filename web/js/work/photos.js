@@ -46,10 +46,9 @@ export function faceOf(photos, place, name) {
  * What is found in a photo, in the order in which the studio takes it.
  *
  * @param {OpenedFace} photo
- * @param {string} lens
  * @returns {[Float32Array, number, number, Uint8Array, string]}
  */
-export function foundIn({ landmarks, width_px, height_px, colours }, lens) {
+export function foundIn({ landmarks, width_px, height_px, colours, lens }) {
   return [landmarks, width_px, height_px, colours, lens];
 }
 

@@ -54,7 +54,7 @@ export async function readSavedFile(file, kind) {
 async function photoOf(reopened, kind) {
   try {
     const { width: width_px, height: height_px, lens, pictureWidth: pictureWidth_px, pictureHeight: pictureHeight_px } = reopened;
-    const found = { width_px, height_px, landmarks: reopened.landmarks(), lens, colours: reopened.colours() };
+    const found = { width_px, height_px, landmarks: reopened.landmarks, lens, colours: reopened.colours };
     return { ...found, pictureWidth_px, pictureHeight_px, picture: await pictureOf(reopened, kind) };
   } finally {
     reopened.free();
@@ -71,7 +71,7 @@ async function pictureOf(reopened, kind) {
   if (type === undefined) return bytes;
   try {
     const bitmap = await createImageBitmap(new Blob([/** @type {BlobPart} */ (bytes)], { type }));
-    return pixelsOf(bitmap, pictureWidth, pictureHeight, reopened.place());
+    return pixelsOf(bitmap, pictureWidth, pictureHeight, reopened.place);
   } catch (error) {
     throw { code: kind === "glb" ? "damaged-glb" : "bad-project", message: String(error), hint: "" };
   }

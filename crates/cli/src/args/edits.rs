@@ -1,7 +1,6 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use rosto_export::Units;
 use rosto_face::Region;
 use rosto_studio::{
     AnchorKind, Anchors, ConstraintKind, Details, Expression, FaceSlider, Mirror, Operator, RegionOfInfluence, Settings,
@@ -9,20 +8,12 @@ use rosto_studio::{
 
 use crate::choices::{listed, one_of};
 use crate::edits::{Edit, ExpressionEdit, RegionEdit, SliderEdit};
-use crate::settings::{self, Rule};
+use crate::settings::Rule;
 
 /// What is moved.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Edits, made in this order, each on the mesh that the last one left")]
 pub struct EditArguments {
-    /// The coordinates that edits are made in, and that JSON is written in.
-    ///
-    /// "image": MediaPipe's normalised ones, x/W, y/H, z/W, as in the paper. "mm": the model's millimetres, +Y up, +Z out
-    /// of the face, the subject's left towards +X. The other formats always hold the model: edits made in image
-    /// coordinates are carried over by the map between the two.
-    #[arg(long, default_value = Units::Image.id(),
-        value_parser = one_of("export.units", Units::ALL, Units::id, Units::from_id))]
-    pub units: Units,
     /// A JSON file of edits: [{"vertex": 4, "offset": [0, 0, 1], "anchors": [10, 152]}], with "level" for a denser mesh's
     #[arg(long = "edits", value_name = "FILE")]
     pub file: Option<PathBuf>,
@@ -69,7 +60,7 @@ pub struct SettingsArguments {
     /// Lets nothing move further than this from what is moved, along the surface, in the units of the edits
     #[arg(long, value_name = "RADIUS", allow_negative_numbers = true, value_parser = settings::radius)]
     pub radius: Option<f64>,
-    /// Moves the other side of the face by the mirrored offset; needs --units mm
+    /// Moves the other side of the face by the mirrored offset; in millimetres only
     #[arg(long)]
     pub mirror: bool,
     /// Lets details turn with the surface (as rigid as possible)
@@ -107,13 +98,13 @@ fn region_help() -> String {
 fn expression_help() -> String {
     let names = listed(Expression::ALL, Expression::id);
     format!(
-        "An expression and how much of it the face shows, from 0 to 1, such as jawOpen:0.6; repeatable. Needs --units mm. Left and right are the subject's.\n\nExpressions: {names}"
+        "An expression and how much of it the face shows, from 0 to 1, such as jawOpen:0.6; repeatable. In millimetres only. Left and right are the subject's.\n\nExpressions: {names}"
     )
 }
 
 fn slider_help() -> String {
     let names = listed(FaceSlider::ALL, FaceSlider::id);
     format!(
-        "A ready-made slider and its amount in mm, such as jaw-width:-4; repeatable. Needs --units mm.\n\nSliders: {names}"
+        "A ready-made slider and its amount in mm, such as jaw-width:-4; repeatable. In millimetres only.\n\nSliders: {names}"
     )
 }

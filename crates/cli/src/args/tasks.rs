@@ -2,7 +2,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
-use rosto_export::{BaseColour, Colours, Eyes, Material, Solid, TextureSize};
+use rosto_export::{BaseColour, Eyes, Material, Solid, TextureSize, Units};
 use rosto_face::Triangulation;
 use rosto_studio::{DEFAULT_RING, SMOOTH_DENSITY};
 use rosto_warp::Dab;
@@ -78,8 +78,15 @@ pub struct MeshTask {
     pub many: ManyArguments,
     #[command(flatten)]
     pub mesh: MeshArguments,
+    /// The coordinates that edits are made in, and that JSON is written in
+    ///
+    /// "mm": the model's millimetres, +Y up, +Z out of the face, the subject's left towards +X. "image": MediaPipe's normalised
+    /// ones, x/W, y/H, z/W, as in the paper; for .json alone, since other formats hold the model.
+    #[arg(long, default_value = Units::default().id(),
+        value_parser = one_of("export.units", Units::ALL, Units::id, Units::from_id))]
+    pub units: Units,
     /// What paints a .glb, .gltf, .obj, .usdz or .png
-    #[arg(long, alias = "paint", default_value = BaseColour::default().id(),
+    #[arg(long, default_value = BaseColour::default().id(),
         value_parser = one_of("base-colour", BaseColour::ALL, BaseColour::id, BaseColour::from_id))]
     pub base_colour: BaseColour,
     /// How long the longest side of that picture is at most, in px
@@ -90,10 +97,6 @@ pub struct MeshTask {
     /// far behind its deepest point, surface the surface alone (.stl)
     #[arg(long, value_name = "SOLID", default_value_t = Solid::default())]
     pub solid: Solid,
-    /// How many colours a .3mf has
-    #[arg(long, default_value = Colours::default().id(),
-        value_parser = one_of("colours", Colours::ALL, Colours::id, Colours::from_id))]
-    pub colours: Colours,
     /// How light falls on a GLB or glTF
     #[arg(long, default_value = Material::default().id(),
         value_parser = one_of("material", Material::ALL, Material::id, Material::from_id))]
@@ -102,11 +105,11 @@ pub struct MeshTask {
     /// behind lids and lips, the eyes round as balls are
     #[arg(long, default_value = Eyes::default().id(), value_parser = one_of("eyes", Eyes::ALL, Eyes::id, Eyes::from_id))]
     pub eyes: Eyes,
-    /// Writes the face unedited, with each edit as a named morph target at weight 1; for .glb and .gltf with --units mm
+    /// Writes the face unedited, with each edit as a named morph target at weight 1; for .glb and .gltf
     #[arg(long)]
     pub morph_targets: bool,
     /// Writes every expression as a morph target by ARKit's name, at the weights of --expression, with eyes and mouth in pieces of
-    /// their own; for .glb and .gltf with --units mm
+    /// their own; for .glb and .gltf
     #[arg(long = "expressions")]
     pub expression_targets: bool,
     #[command(flatten)]

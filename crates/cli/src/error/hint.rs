@@ -42,13 +42,14 @@ impl CliError {
             }
             Self::EditsUtf16 { .. } => Some("Save it as UTF-8."),
             Self::Edit { reason: StudioError::NoMirror | StudioError::NoExpressions { .. }, .. } => {
-                Some("Add --units mm; a vertex of a denser mesh also needs --topology canonical.")
+                Some("Use --units mm; a vertex of a denser mesh also needs --topology canonical.")
             }
             Self::Edit { reason: StudioError::TooCoarse { .. }, .. } => Some("Give --density as many or more."),
             Self::Export(ExportError::Solid(SolidError::TooThick { .. })) => {
                 Some("Give --solid a smaller thickness, or flat:MM.")
             }
             Self::Export(ExportError::Solid(_)) => Some("Edit the face less, or print it at a lower --density."),
+            Self::ImageUnits { .. } => Some("Use --units mm, and give offsets in millimetres."),
             Self::UnknownFormat { .. } | Self::NoPictureFormat { .. } => Some("End its name so."),
             Self::Unwritable { reason, .. } => Some(write_hint(reason)),
             Self::Output(reason) if is_full(reason) => Some("The disk is full: make room, or write elsewhere."),

@@ -86,18 +86,18 @@ fn request(task: &MeshTask, steps: &[Step]) -> String {
         base_colour,
         texture_size,
         solid,
-        colours,
         material,
         eyes,
         morph_targets,
         expression_targets,
         find,
         camera,
-        edits,
+        edits: _,
+        units,
     } = task;
-    let paint = (base_colour, texture_size, solid, colours, material, eyes, morph_targets, expression_targets);
+    let paint = (base_colour, texture_size, solid, material, eyes, morph_targets, expression_targets);
     // Edits and their settings are in the steps, as the file of edits has them now.
-    format!("{:?}", (mesh, paint, find, camera, edits.units, steps))
+    format!("{:?}", (mesh, paint, find, camera, units, steps))
 }
 
 /// Each photo with the files that it becomes, by its name below the folder that was given.

@@ -1,9 +1,7 @@
-use std::fmt::Write;
-
 use glam::{DVec2, DVec3};
 use rosto_mesh::vertex_normals;
 
-use super::Written;
+use super::{Written, push};
 use crate::texture::{self, Texture};
 use crate::zip::NamedFile;
 use crate::{BaseColour, ExportError, Model};
@@ -17,18 +15,7 @@ use crate::{BaseColour, ExportError, Model};
 /// [`ExportError`] if a length does not fit, a position is not finite, or there is no triangle.
 pub fn obj(model: &Model<'_>) -> Result<String, ExportError> {
     model.check()?;
-    let mut text = String::from(TITLE);
-    text.push_str("o face\n");
-    for (p, colour) in model.positions_m.iter().map(|p| p.as_vec3()).zip(model.colours_srgb) {
-        let [r, g, b] = colour.map(|channel| f64::from(channel) / 255.0);
-        push(&mut text, format_args!("v {} {} {} {r:.4} {g:.4} {b:.4}\n", p.x, p.y, p.z));
-    }
-    push_normals(&mut text, model);
-    for corners in model.topology.triangles() {
-        let [a, b, c] = corners.map(|corner| corner + 1);
-        push(&mut text, format_args!("f {a}//{a} {b}//{b} {c}//{c}\n"));
-    }
-    Ok(text)
+    Ok(text(model, None))
 }
 
 /// The same mesh painted with a picture: an OBJ file that names its material, `NAME.mtl`, which names its picture, `NAME.png`.
@@ -43,9 +30,9 @@ pub(super) fn painted(
     name: &str,
 ) -> Result<Written, ExportError> {
     model.check()?;
-    let Some(texture) = texture::of(model, base_colour, max_px)? else { return Ok(obj(model)?.into()) };
+    let Some(texture) = texture::of(model, base_colour, max_px)? else { return Ok(text(model, None).into()) };
     let [material_name, picture_name] = names_beside(name);
-    let text = textured(model, &texture, &material_name);
+    let text = text(model, Some((&texture, &material_name)));
     let picture = texture::png(&texture.pixels)?;
     let material = material(name, &picture_name, &picture);
     let beside = vec![NamedFile::new(material_name, material), NamedFile::new(picture_name, picture)];
@@ -70,19 +57,34 @@ pub(super) fn wrote_beside(name: &str, contents: &[Option<Vec<u8>>]) -> bool {
 
 const TITLE: &str = "# Rosto; metres, +Y up, +Z out of the face\n";
 
-fn textured(model: &Model<'_>, texture: &Texture<'_>, material_name: &str) -> String {
-    let mut text = format!("{TITLE}mtllib {material_name}\no face\n");
-    for p in model.positions_m.iter().map(|p| p.as_vec3()) {
-        push(&mut text, format_args!("v {} {} {}\n", p.x, p.y, p.z));
+/// With colours or, painted, with the picture's places and the name of its material.
+fn text(model: &Model<'_>, painted: Option<(&Texture<'_>, &str)>) -> String {
+    let mut text = String::from(TITLE);
+    if let Some((_, material_name)) = painted {
+        push(&mut text, format_args!("mtllib {material_name}\n"));
     }
-    for &DVec2 { x, y } in texture.uvs.iter() {
+    text.push_str("o face\n");
+    for (p, colour) in model.positions_m.iter().map(|p| p.as_vec3()).zip(model.colours_srgb) {
+        push(&mut text, format_args!("v {} {} {}", p.x, p.y, p.z));
+        if painted.is_none() {
+            let [r, g, b] = colour.map(|channel| f64::from(channel) / 255.0);
+            push(&mut text, format_args!(" {r:.4} {g:.4} {b:.4}"));
+        }
+        text.push('\n');
+    }
+    for &DVec2 { x, y } in painted.iter().flat_map(|(texture, _)| texture.uvs.iter()) {
         push(&mut text, format_args!("vt {x:.7} {:.7}\n", 1.0 - y));
     }
-    push_normals(&mut text, model);
-    text.push_str("usemtl skin\n");
+    for DVec3 { x, y, z } in vertex_normals(model.topology, model.positions_m) {
+        push(&mut text, format_args!("vn {x:.6} {y:.6} {z:.6}\n"));
+    }
+    text.push_str(if painted.is_some() { "usemtl skin\n" } else { "" });
     for corners in model.topology.triangles() {
         let [a, b, c] = corners.map(|corner| corner + 1);
-        push(&mut text, format_args!("f {a}/{a}/{a} {b}/{b}/{b} {c}/{c}/{c}\n"));
+        match painted {
+            Some(_) => push(&mut text, format_args!("f {a}/{a}/{a} {b}/{b}/{b} {c}/{c}/{c}\n")),
+            None => push(&mut text, format_args!("f {a}//{a} {b}//{b} {c}//{c}\n")),
+        }
     }
     text
 }
@@ -94,14 +96,4 @@ fn material(name: &str, picture_name: &str, picture: &[u8]) -> String {
     [name.as_bytes(), &[0], picture].into_iter().for_each(|bytes| checksum.update(bytes));
     let checksum = checksum.finalize();
     format!("# Rosto {checksum:08x}\nnewmtl skin\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nd 1\nillum 1\nmap_Kd {picture_name}\n")
-}
-
-fn push_normals(text: &mut String, model: &Model<'_>) {
-    for DVec3 { x, y, z } in vertex_normals(model.topology, model.positions_m) {
-        push(text, format_args!("vn {x:.6} {y:.6} {z:.6}\n"));
-    }
-}
-
-fn push(text: &mut String, line: std::fmt::Arguments<'_>) {
-    text.write_fmt(line).expect("invariant: writing to a string does not fail");
 }

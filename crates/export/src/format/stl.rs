@@ -1,8 +1,7 @@
 use glam::DVec3;
 
+use crate::model::MM_PER_M;
 use crate::{ExportError, Model};
-
-const MM_PER_M: f64 = 1000.0;
 
 /// A binary STL file, for printing: millimetres, as is the custom, and no colours. STL has no up; +Y is up here too.
 ///

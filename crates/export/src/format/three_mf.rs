@@ -1,29 +1,11 @@
-use std::collections::HashMap;
-use std::fmt::Write;
-
 use glam::DVec3;
 use rosto_solid::Body;
+use std::collections::HashMap;
 
-use super::palette::palette;
+use super::push;
+use crate::model::MM_PER_M;
 use crate::zip::{NamedFile, stored};
 use crate::{ExportError, Model};
-
-const MM_PER_M: f64 = 1000.0;
-
-rosto_mesh::named! {
-    /// How many colours a printed face has.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub enum Colours {
-        /// One for each vertex, blended between them.
-        #[default]
-        All = "all",
-        /// Four and a neutral one, each triangle in one of them: for printers with a filament for each.
-        Few = "few",
-    }
-}
-
-/// How many colours a few are, beside the neutral one.
-const FEW: usize = 4;
 
 /// Of the back and the sides.
 const NEUTRAL: [u8; 3] = [200, 200, 200];
@@ -41,21 +23,18 @@ const RELATIONSHIPS: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 ///
 /// # Errors
 /// [`ExportError`] if a length does not fit, a position is not finite, or there is no triangle.
-pub fn three_mf(model: &Model<'_>, body: &Body, colours: Colours) -> Result<Vec<u8>, ExportError> {
+pub fn three_mf(model: &Model<'_>, body: &Body) -> Result<Vec<u8>, ExportError> {
     model.check()?;
     let files = [
         NamedFile::new("[Content_Types].xml", CONTENT_TYPES),
         NamedFile::new("_rels/.rels", RELATIONSHIPS),
-        NamedFile::new("3D/3dmodel.model", described(model, body, colours)),
+        NamedFile::new("3D/3dmodel.model", described(model, body)),
     ];
     Ok(stored(&files, 1))
 }
 
-fn described(model: &Model<'_>, body: &Body, colours: Colours) -> String {
-    let painted = match colours {
-        Colours::All => by_vertex(model, body),
-        Colours::Few => by_triangle(model, body),
-    };
+fn described(model: &Model<'_>, body: &Body) -> String {
+    let painted = Painted::of(model, body);
     let low = body.positions_m().iter().copied().reduce(DVec3::min).unwrap_or_default() * MM_PER_M;
     let mut text = String::with_capacity(120 * body.topology().triangles().len());
     text.push_str(concat!(
@@ -94,38 +73,20 @@ struct Painted {
     corners: Vec<[usize; 3]>,
 }
 
-/// Each vertex of the front in its own colour; the group holds each colour once.
-fn by_vertex(model: &Model<'_>, body: &Body) -> Painted {
-    let mut colours = vec![NEUTRAL];
-    let mut places = HashMap::from([(NEUTRAL, 0)]);
-    let place = |colour: &[u8; 3]| {
-        *places.entry(*colour).or_insert_with(|| {
-            colours.push(*colour);
-            colours.len() - 1
-        })
-    };
-    let of_vertex: Vec<usize> = model.colours_srgb.iter().map(place).collect();
-    let front = &body.topology().triangles()[..body.front_triangles()];
-    let corners = front.iter().map(|corners| corners.map(|corner| of_vertex[corner as usize]));
-    Painted { corners: with_neutral(corners, body), colours }
-}
-
-/// Each triangle of the front in one of a few colours.
-fn by_triangle(model: &Model<'_>, body: &Body) -> Painted {
-    let front = &body.topology().triangles()[..body.front_triangles()];
-    let mean = |corners: &[u32; 3]| {
-        let colours = corners.map(|corner| model.colours_srgb[corner as usize]);
-        [0, 1, 2].map(|channel| (colours.iter().map(|colour| u32::from(colour[channel])).sum::<u32>() / 3) as u8)
-    };
-    let (few, of_triangle) = palette(&front.iter().map(mean).collect::<Vec<_>>(), FEW);
-    let corners = of_triangle.into_iter().map(|place| [place + 1; 3]);
-    Painted { corners: with_neutral(corners, body), colours: [&[NEUTRAL], few.as_slice()].concat() }
-}
-
-fn with_neutral(front: impl Iterator<Item = [usize; 3]>, body: &Body) -> Vec<[usize; 3]> {
-    front.chain(std::iter::repeat([0; 3])).take(body.topology().triangles().len()).collect()
-}
-
-fn push(text: &mut String, part: std::fmt::Arguments<'_>) {
-    text.write_fmt(part).expect("invariant: writing to a string does not fail");
+impl Painted {
+    /// Each vertex of the front in its own colour; the group holds each colour once.
+    fn of(model: &Model<'_>, body: &Body) -> Self {
+        let mut colours = vec![NEUTRAL];
+        let mut places = HashMap::from([(NEUTRAL, 0)]);
+        let place = |colour: &[u8; 3]| {
+            *places.entry(*colour).or_insert_with(|| {
+                colours.push(*colour);
+                colours.len() - 1
+            })
+        };
+        let of_vertex: Vec<usize> = model.colours_srgb.iter().map(place).collect();
+        let (front, others) = body.topology().triangles().split_at(body.front_triangles());
+        let coloured = front.iter().map(|corners| corners.map(|corner| of_vertex[corner as usize]));
+        Self { corners: coloured.chain(others.iter().map(|_| [0; 3])).collect(), colours }
+    }
 }

@@ -1,8 +1,7 @@
-use std::fmt::Write;
-
 use glam::{DVec2, DVec3, Vec3};
 use rosto_mesh::vertex_normals;
 
+use super::push;
 use crate::texture::{self, Texture};
 use crate::zip::{NamedFile, stored};
 use crate::{BaseColour, ExportError, Model, linear_from_srgb};
@@ -153,8 +152,4 @@ fn push_list<T: std::fmt::Display>(text: &mut String, name: &str, values: impl I
         push(text, format_args!("{}{value}", if at == 0 { "" } else { ", " }));
     }
     text.push_str("]\n");
-}
-
-fn push(text: &mut String, part: std::fmt::Arguments<'_>) {
-    text.write_fmt(part).expect("invariant: writing to a string does not fail");
 }

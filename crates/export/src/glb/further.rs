@@ -1,10 +1,9 @@
 //! The further photos of a face that was seen in several, as files hold them.
 
-use base64::prelude::{BASE64_STANDARD, Engine};
 use rosto_face::{FaceModel, View};
 use serde_json::{Value, json};
 
-use super::source::{encoded_landmarks, part_of};
+use super::source::{found, part_of};
 use crate::{ExportError, Picture};
 
 /// Whether the pictures of further photos go into a file.
@@ -28,12 +27,8 @@ pub(crate) fn further(face: &FaceModel, pictures: Pictures) -> Result<Option<Val
 }
 
 fn photo(face: &FaceModel, view: &View<'_>, place: usize, pictures: Pictures) -> Result<Value, ExportError> {
-    let mut photo = json!({
-        "photo_px": view.photo_size_px,
-        "lens": view.lens.to_string(),
-        "landmarks": encoded_landmarks(face.landmarks_of(place).unwrap_or_default()),
-        "colours": BASE64_STANDARD.encode(view.colours_srgb.as_flattened()),
-    });
+    let landmarks = face.landmarks_of(place).unwrap_or_default();
+    let mut photo = found(view.photo_size_px, view.lens, landmarks, view.colours_srgb);
     if let Pictures::UpTo(max_px) = pictures {
         photo["picture"] = part_of(&Picture { pixels: view.picture, uvs: view.uvs }, max_px)?;
     }

@@ -1,31 +1,28 @@
 use base64::prelude::{BASE64_STANDARD, Engine};
-use rosto_face::{FaceModel, Triangulation};
+use rosto_face::{FaceModel, PhotoLens, Triangulation};
 use serde_json::{Value, json};
 
 use super::Painted;
 use crate::{ExportError, Picture, about, texture};
 
-/// The version of the extras that is written of a face in several photos: the latest that is read.
-pub(crate) const VERSION: u64 = 4;
-
-/// The version of a face in one photo, which has nothing that version 4 brought: earlier readers open it, too.
-const VERSION_OF_ONE_PHOTO: u64 = 3;
+/// Version of the extras: the one that is written and read.
+pub(crate) const VERSION: u64 = 1;
 
 /// What a face was made from. A file that carries it can be opened again, with its edits: see [`reopen`](crate::reopen).
 ///
 /// It goes into the scene's `extras`, where other programs leave it alone or drop it:
 /// ```json
-/// {"rosto": "face", "version": 3, "photo_px": [512, 512], "triangulation": "canonical", "density": 0, "lens": "exif:26",
+/// {"rosto": "face", "version": 1, "photo_px": [512, 512], "triangulation": "canonical", "density": 0, "lens": "exif:26",
 ///  "landmarks": "468 or 478 × 3 little-endian f32 in base64", "colours": "468 × 3 bytes in base64",
 ///  "picture": {"size_px": [512, 512], "crop_at_px": [96, 0], "crop_size_px": [256, 256]}, "history": {}, "in_photo": {},
 ///  "positions_fnv1a": "cbf29ce484222325", "about": {}}
 /// ```
-/// `lens` is what was known of the lens ([`rosto_face::PhotoLens`]); a file of version 1 has none, and its face was seen from
-/// infinitely far away. `about` is [`about`](crate::about), for whoever reads the file without Rosto.
+/// `lens` is what was known of the lens ([`rosto_face::PhotoLens`]). `about` is [`about`](crate::about), for whoever reads the
+/// file without Rosto.
 /// `picture` says where in the upright picture the texture was cut out. Where a picture of the whole face is the texture,
-/// that part of the photo is in it as `jpeg`, a file in base64 (since version 3): as an image that no texture uses, glTF
-/// would have it dropped. A file without texture has no `picture`.
-/// All that is of the photo that leads. Of a face in several photos there are the others in `further` (since version 4), each
+/// that part of the photo is in it as `jpeg`, a file in base64: as an image that no texture uses, glTF would have it dropped. A
+/// file without texture has no `picture`.
+/// All that is of the photo that leads. Of a face in several photos there are the others in `further`, each
 /// with `photo_px`, `lens`, `landmarks`, `colours` and a `picture` with its `jpeg`; `leads` says the place of the one that leads
 /// among them all, in the order that they were given in:
 /// ```json
@@ -49,18 +46,12 @@ pub struct Source<'a> {
 /// The extras but for the pictures.
 pub(super) fn extras(source: &Source<'_>) -> Result<Value, ExportError> {
     let face = source.face;
-    let version = if face.views().len() > 1 { VERSION } else { VERSION_OF_ONE_PHOTO };
-    let mut extras = json!({
-        "rosto": "face",
-        "version": version,
-        "photo_px": face.photo_size_px(),
-        "triangulation": source.triangulation.id(),
-        "density": source.density,
-        "lens": face.lens().to_string(),
-        "landmarks": encoded_landmarks(face.landmarks()),
-        "colours": BASE64_STANDARD.encode(face.colours_srgb().as_flattened()),
-        "about": about(face, face.positions_m()),
-    });
+    let mut extras = found(face.photo_size_px(), face.lens(), face.landmarks(), face.colours_srgb());
+    extras["rosto"] = "face".into();
+    extras["version"] = VERSION.into();
+    extras["triangulation"] = source.triangulation.id().into();
+    extras["density"] = source.density.into();
+    extras["about"] = about(face, face.positions_m());
     if let Some(history) = source.history {
         extras["history"] = history_object(history)?;
     }
@@ -70,10 +61,11 @@ pub(super) fn extras(source: &Source<'_>) -> Result<Value, ExportError> {
     Ok(extras)
 }
 
-/// Landmarks as little-endian numbers in base64.
-pub(super) fn encoded_landmarks(landmarks: Vec<[f32; 3]>) -> String {
-    let bytes = landmarks.into_iter().flatten().flat_map(f32::to_le_bytes);
-    BASE64_STANDARD.encode(bytes.collect::<Vec<u8>>())
+/// What was found in a photo: landmarks as little-endian numbers, and the colours under them, both in base64.
+pub(super) fn found(photo_px: [u32; 2], lens: PhotoLens, landmarks: Vec<[f32; 3]>, colours: &[[u8; 3]]) -> Value {
+    let landmarks: Vec<u8> = landmarks.into_iter().flatten().flat_map(f32::to_le_bytes).collect();
+    let [landmarks, colours] = [&landmarks, colours.as_flattened()].map(|bytes| BASE64_STANDARD.encode(bytes));
+    json!({"photo_px": photo_px, "lens": lens.to_string(), "landmarks": landmarks, "colours": colours})
 }
 
 /// The history as JSON.

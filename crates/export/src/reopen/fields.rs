@@ -15,12 +15,11 @@ pub(crate) fn field(field: &'static str) -> impl FnOnce() -> ReopenError {
     move || ReopenError::Field { field }
 }
 
-/// The version, unless it is one that is not known yet.
-pub(crate) fn version(value: &Value, known: u64) -> Result<u64, ReopenError> {
-    match value.as_u64() {
-        Some(found) if found > known => Err(ReopenError::Newer { found, known }),
-        Some(found) if found > 0 => Ok(found),
-        _ => Err(ReopenError::Field { field: "version" }),
+/// Refuses every version but the one that is read.
+pub(crate) fn check_version(value: &Value, known: u64) -> Result<(), ReopenError> {
+    match value.as_u64().ok_or_else(field("version"))? {
+        found if found == known => Ok(()),
+        found => Err(ReopenError::Version { found, known }),
     }
 }
 

@@ -50,10 +50,10 @@ fn photo(fields: &Value) -> Result<FurtherPhoto, ReopenError> {
     let photo_size_px = size(&fields["photo_px"], u32::MAX).ok_or_else(field("photo_px"))?;
     let numbers = base64(&fields["landmarks"]).ok_or_else(field("landmarks"))?;
     let landmarks = landmarks(&numbers, photo_size_px).ok_or_else(field("landmarks"))?;
-    let own = |picture: &Value| picture.get("jpeg").and_then(|_| texture(picture, &Value::Null, &[], &landmarks));
+    let own = |picture: &Value| picture.get("jpeg").and_then(|_| texture(picture, &Value::Null, &[]));
     Ok(FurtherPhoto {
         photo_size_px,
-        lens: lens(fields.get("lens"))?,
+        lens: lens(&fields["lens"])?,
         colours_srgb: base64(&fields["colours"]).and_then(|bytes| colours(&bytes)).ok_or_else(field("colours"))?,
         texture: fields.get("picture").map(|picture| own(picture).ok_or_else(field("picture"))).transpose()?,
         landmarks,

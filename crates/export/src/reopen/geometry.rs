@@ -1,4 +1,4 @@
-//! The numbers of the first mesh's vertices, wherever another program has put them.
+//! What lies in the binary chunk, wherever another program has put it.
 
 use serde_json::Value;
 
@@ -6,24 +6,25 @@ use super::fields::index;
 
 const FLOAT: u64 = 5126;
 
-/// An attribute of `N` floats for each vertex as little-endian bytes, without what lies between them.
-pub(super) fn attribute<const N: usize>(root: &Value, binary: &[u8], name: &str) -> Option<Vec<u8>> {
-    let accessor = &root["accessors"][index(&root["meshes"][0]["primitives"][0]["attributes"][name])?];
-    let shape = ["SCALAR", "VEC2", "VEC3"].get(N - 1)?;
-    if accessor["componentType"] != FLOAT || accessor["type"] != *shape || !accessor["sparse"].is_null() {
+/// Three little-endian floats.
+const POSITION_BYTES: usize = 3 * 4;
+
+/// The first mesh's positions as little-endian bytes, without what lies between them.
+pub(super) fn positions(root: &Value, binary: &[u8]) -> Option<Vec<u8>> {
+    let accessor = &root["accessors"][index(&root["meshes"][0]["primitives"][0]["attributes"]["POSITION"])?];
+    if accessor["componentType"] != FLOAT || accessor["type"] != "VEC3" || !accessor["sparse"].is_null() {
         return None;
     }
-    let bytes = 4 * N;
     let view = &root["bufferViews"][index(&accessor["bufferView"])?];
-    let stride = index(view.get("byteStride").unwrap_or(&Value::from(bytes)))?.max(bytes);
+    let stride = index(view.get("byteStride").unwrap_or(&Value::from(POSITION_BYTES)))?.max(POSITION_BYTES);
     let start = offset(view)?.checked_add(offset(accessor)?)?;
     let count = index(&accessor["count"])?;
     let values = binary.get(start..)?;
     // What the file holds bounds how much is taken, whatever it says.
-    if count == 0 || (count - 1).checked_mul(stride)?.checked_add(bytes)? > values.len() {
+    if count == 0 || (count - 1).checked_mul(stride)?.checked_add(POSITION_BYTES)? > values.len() {
         return None;
     }
-    Some(values.chunks(stride).take(count).flat_map(|value| &value[..bytes]).copied().collect())
+    Some(values.chunks(stride).take(count).flat_map(|value| &value[..POSITION_BYTES]).copied().collect())
 }
 
 /// The content of a buffer view.

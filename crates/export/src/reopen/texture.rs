@@ -3,7 +3,7 @@ use std::borrow::Cow;
 use serde_json::Value;
 
 use super::fields::{base64, bounded, index, size};
-use super::geometry::{attribute, view};
+use super::geometry::view;
 
 /// A picture with a longer side, in px, is not one that this crate has written.
 pub(crate) const MAX_PICTURE_SIDE_PX: u32 = 8192;
@@ -33,12 +33,7 @@ pub(crate) const PNG_SIGNATURE: [u8; 8] = *b"\x89PNG\r\n\x1a\n";
 
 /// The photo's part in a GLB, by what its extras say of it: the texture or, where that is a picture of the whole face, what
 /// they hold themselves.
-pub(super) fn texture<'a>(
-    picture: &Value,
-    root: &Value,
-    binary: &'a [u8],
-    landmarks: &[[f32; 3]],
-) -> Option<PlacedTexture<'a>> {
+pub(super) fn texture<'a>(picture: &Value, root: &Value, binary: &'a [u8]) -> Option<PlacedTexture<'a>> {
     let [left, top] = picture["crop_at_px"].as_array()?.as_slice() else { return None };
     let beyond = |at: &i32| at.unsigned_abs() <= MAX_PICTURE_SIDE_PX;
     let place = |value: &Value| i32::try_from(value.as_i64()?).ok().filter(beyond);
@@ -47,34 +42,11 @@ pub(super) fn texture<'a>(
         None => Cow::Borrowed(view(root, binary, index(&root["images"][0]["bufferView"])?)?),
     };
     let picture_size_px = size(&picture["size_px"], MAX_PICTURE_SIDE_PX)?;
-    let own_size_px = encoded_size(&encoded);
-    if encoded.is_empty() || own_size_px.is_some_and(|size| bounded(size, MAX_PICTURE_SIDE_PX).is_none()) {
+    let size_px = size(&picture["crop_size_px"], MAX_PICTURE_SIDE_PX)?;
+    if encoded.is_empty() || encoded_size(&encoded).is_some_and(|size| bounded(size, MAX_PICTURE_SIDE_PX).is_none()) {
         return None;
     }
-    let size_px = match picture.get("crop_size_px") {
-        Some(told) => size(told, MAX_PICTURE_SIDE_PX)?,
-        None => size_by_uvs(root, binary, landmarks, picture_size_px).or(own_size_px)?,
-    };
     Some(PlacedTexture { encoded, picture_size_px, at_px: [place(left)?, place(top)?], size_px })
-}
-
-/// The size of the cut-out part where the file does not tell it: what the landmarks span in the picture, beside what
-/// they span in the texture. Such parts have sides that are powers of two.
-fn size_by_uvs(root: &Value, binary: &[u8], landmarks: &[[f32; 3]], picture_px: [u32; 2]) -> Option<[u32; 2]> {
-    let uvs = attribute::<2>(root, binary, "TEXCOORD_0")?;
-    let numbers: Vec<f32> = uvs.as_chunks::<4>().0.iter().map(|&bytes| f32::from_le_bytes(bytes)).collect();
-    let uvs = numbers.as_chunks::<2>().0.get(..landmarks.len())?;
-    let side = |axis: usize| {
-        let by_place = |a: &usize, b: &usize| landmarks[*a][axis].total_cmp(&landmarks[*b][axis]);
-        let low = (0..landmarks.len()).min_by(by_place)?;
-        let high = (0..landmarks.len()).max_by(by_place)?;
-        let in_picture_px = (landmarks[high][axis] - landmarks[low][axis]) * picture_px[axis] as f32;
-        let side_px = in_picture_px / (uvs[high][axis] - uvs[low][axis]);
-        let exponent = side_px.log2();
-        let whole = (exponent - exponent.round()).abs() < 0.02 && (0.0..=13.0).contains(&exponent);
-        whole.then(|| 1 << exponent.round() as u32)
-    };
-    Some([side(0)?, side(1)?])
 }
 
 /// Width and height that a JPEG or PNG file says it has.

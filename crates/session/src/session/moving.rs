@@ -157,9 +157,7 @@ impl Session {
 
     /// The face in its pieces as it is shown.
     pub(crate) fn still_rig(&mut self, edits: EditsInRig) -> Result<Rig, SessionError> {
-        let document = self.face.as_mut().ok_or(SessionError::NoFace)?.document_mut();
-        let shown_m = document.positions().to_vec();
-        Ok(Rig::still(document, &shown_m, edits))
+        Ok(Rig::still(self.face.as_mut().ok_or(SessionError::NoFace)?.document_mut(), edits))
     }
 
     /// What each entry displaced the mesh by.

@@ -1,23 +1,6 @@
-use rosto_stage::Stage;
-
 use super::{Result, Session};
-use crate::gesture::{Gesture, Under};
-use crate::open_face::FaceBefore;
-use crate::seeds::Seeds;
-use crate::{Choices, Intent, SelectionMode, View};
-
-/// What a session holds that an intent may change before a later step of it fails.
-struct SessionBefore {
-    face: Option<FaceBefore>,
-    choices: Choices,
-    mode: SelectionMode,
-    view: View,
-    gesture: Gesture,
-    under: Under,
-    stage: Stage,
-    seeds: Seeds,
-    brush_px: Option<f64>,
-}
+use crate::gesture::Gesture;
+use crate::{Intent, OpenFace};
 
 /// An intent is carried out whole, or not at all.
 impl Session {
@@ -45,34 +28,17 @@ impl Session {
         if !self.takes_steps(&intent) {
             return self.carry_out(intent);
         }
-        let before = self.state_before();
+        let face = self.face.as_ref().map(OpenFace::before);
+        let chosen = (self.choices, self.mode, self.view, self.seeds, self.brush_px);
+        let shown = (self.gesture.clone(), self.under, self.stage.clone());
         let done = self.carry_out(intent);
         if done.is_err() {
-            self.restore(before);
+            (self.choices, self.mode, self.view, self.seeds, self.brush_px) = chosen;
+            (self.gesture, self.under, self.stage) = shown;
+            if let (Some(face), Some(before)) = (&mut self.face, face) {
+                face.restore(before);
+            }
         }
         done
-    }
-
-    fn state_before(&self) -> SessionBefore {
-        SessionBefore {
-            face: self.face.as_ref().map(|face| face.before()),
-            choices: self.choices,
-            mode: self.mode,
-            view: self.view,
-            gesture: self.gesture.clone(),
-            under: self.under,
-            stage: self.stage.clone(),
-            seeds: self.seeds,
-            brush_px: self.brush_px,
-        }
-    }
-
-    fn restore(&mut self, before: SessionBefore) {
-        if let (Some(face), Some(state)) = (&mut self.face, before.face) {
-            face.restore(state);
-        }
-        (self.choices, self.mode, self.view) = (before.choices, before.mode, before.view);
-        (self.gesture, self.under, self.stage) = (before.gesture, before.under, before.stage);
-        (self.seeds, self.brush_px) = (before.seeds, before.brush_px);
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use rosto_export::{BaseColour, Colours, TextureSize};
+use rosto_export::{BaseColour, TextureSize};
 use rosto_face::{LANDMARK_COUNT, Region, has_anatomical_name, landmark_id, part_id};
 use rosto_session::{Choice, Intent, Session, plain_formats, printed_formats};
 use rosto_studio::{Expression, FaceSlider};
@@ -78,7 +78,6 @@ fn named() -> Vec<String> {
     let of_files = [
         BaseColour::ALL.map(|one| format!("base-colour.{}", one.id())).to_vec(),
         TextureSize::ALL.map(|one| format!("texture-size.{}", one.id())).to_vec(),
-        Colours::ALL.map(|one| format!("colours.{}", one.id())).to_vec(),
         ["thickness", "flat", "surface"].map(|id| format!("solid.{id}")).to_vec(),
     ]
     .concat();

@@ -76,9 +76,9 @@ fn the_history_that_the_refused_ones_differ_from_is_opened() {
 }
 
 #[test]
-fn a_newer_history_is_refused() {
-    let newer = ProjectError::Newer { found: 3, known: 2 };
-    assert_eq!(refusal_of(&history(&[]).replace(r#""version": 1"#, r#""version": 3"#)), newer.into());
+fn a_history_of_another_version_is_refused() {
+    let other = ProjectError::Version { found: 2, known: 1 };
+    assert_eq!(refusal_of(&history(&[]).replace(r#""version": 1"#, r#""version": 2"#)), other.into());
 }
 
 #[test]

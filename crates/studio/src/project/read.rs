@@ -15,12 +15,14 @@ pub enum ProjectError {
     /// It is not JSON, or JSON of something else.
     #[error("this is not a Rosto history")]
     NotAHistory,
-    /// A later Rosto wrote it.
-    #[error("the history has version {found}, and this Rosto reads up to version {known}")]
-    Newer {
+    /// A Rosto of another version wrote it.
+    #[error(
+        "the history has version {found}, and this Rosto reads version {known} only: open it with the one that wrote it"
+    )]
+    Version {
         /// The version in the file.
         found: u64,
-        /// The latest version that is known.
+        /// The version that is read.
         known: u64,
     },
     /// An entry lacks a field, or the field holds something unexpected.
@@ -39,15 +41,15 @@ type FieldResult<T> = Result<T, &'static str>;
 /// Reads what [`to_json`](super::to_json) wrote. Whether the vertices exist is for the document to say.
 ///
 /// # Errors
-/// [`ProjectError`] for text that is no history, is of a later version, or has an entry that is not understood.
+/// [`ProjectError`] for text that is no history, has another version, or has an entry that is not understood.
 pub fn from_json(text: &str) -> Result<Vec<Entry>, ProjectError> {
     let file: Value = serde_json::from_str(text).map_err(|_| ProjectError::NotAHistory)?;
     if file["rosto"] != "history" {
         return Err(ProjectError::NotAHistory);
     }
     let found = file["version"].as_u64().ok_or(ProjectError::NotAHistory)?;
-    if found > VERSION {
-        return Err(ProjectError::Newer { found, known: VERSION });
+    if found != VERSION {
+        return Err(ProjectError::Version { found, known: VERSION });
     }
     let entries = file["entries"].as_array().ok_or(ProjectError::NotAHistory)?.iter().enumerate();
     entries.map(|(index, value)| entry(value).map_err(|field| ProjectError::Field { entry: index, field })).collect()

@@ -1,16 +1,13 @@
 use rosto_laplacian::ConstraintKind;
 use serde_json::{Value, json};
 
-use super::{VERSION, WITHOUT_EXPRESSIONS};
+use super::VERSION;
 use crate::{AnchorKind, Command, EditSpec, Entry, RegionOfInfluence};
 
 /// The entries as JSON text.
 pub fn to_json(entries: &[Entry]) -> String {
-    // The first version that has all of it, so that what needs no later one opens in earlier Rostos, too.
-    let has_expressions = entries.iter().any(|entry| matches!(entry.command, Command::Express { .. }));
-    let version = if has_expressions { VERSION } else { WITHOUT_EXPRESSIONS };
     let entries: Vec<Value> = entries.iter().map(entry).collect();
-    json!({"rosto": "history", "version": version, "entries": entries}).to_string()
+    json!({"rosto": "history", "version": VERSION, "entries": entries}).to_string()
 }
 
 fn entry(entry: &Entry) -> Value {

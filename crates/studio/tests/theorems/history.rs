@@ -236,7 +236,7 @@ fn a_history_goes_on_over_other_triangles() {
     document.reset();
     document.undo().unwrap();
     let history = document.history().clone();
-    let mut resumed = Document::resume(portrait(Triangulation::Tessellation), history.clone()).unwrap();
+    let mut resumed = document.over(portrait(Triangulation::Tessellation)).unwrap();
     assert_eq!(resumed.history(), &history);
     let replayed = Document::replay(portrait(Triangulation::Tessellation), history.entries().to_vec()).unwrap();
     assert_eq!(bits(resumed.positions()), bits(replayed.positions()));
@@ -246,11 +246,11 @@ fn a_history_goes_on_over_other_triangles() {
 
 #[test]
 fn text_that_is_no_history_is_refused() {
-    let newer = format!(r#"{{"rosto":"history","version":{},"entries":[]}}"#, project::VERSION + 1);
+    let other = format!(r#"{{"rosto":"history","version":{},"entries":[]}}"#, project::VERSION + 1);
     let cases = [
         ("", project::ProjectError::NotAHistory),
         ("{\"version\":1}", project::ProjectError::NotAHistory),
-        (&newer, project::ProjectError::Newer { found: project::VERSION + 1, known: project::VERSION }),
+        (&other, project::ProjectError::Version { found: project::VERSION + 1, known: project::VERSION }),
         (
             r#"{"rosto":"history","version":1,"entries":[{"label":"a","switch":"on","symmetrise":{"share":"x"}}]}"#,
             project::ProjectError::Field { entry: 0, field: "share" },

@@ -101,35 +101,12 @@ fn damaged_preferences_are_refused_and_change_nothing() {
     for field in whole.keys() {
         let mut without = whole.clone();
         without.remove(field);
-        let nothing = if is_newer(field) { None } else { Some(Value::Null) };
-        if nothing.is_some() {
-            refused(Value::Object(without.clone()).to_string());
-        }
-        for damaged in nothing.into_iter().chain([Value::from("mud"), Value::from(-1e300), Value::from(vec![1e300; 4])])
-        {
+        refused(Value::Object(without.clone()).to_string());
+        for damaged in [Value::Null, Value::from("mud"), Value::from(-1e300), Value::from(vec![1e300; 4])] {
             without.insert(field.clone(), damaged);
             refused(Value::Object(without.clone()).to_string());
         }
     }
-}
-
-/// Whether earlier preferences do not have a field, and are understood all the same.
-fn is_newer(field: &str) -> bool {
-    ["photo_light", "anchors_marked", "lens", "scene", "ring", "skin", "texture"].contains(&field)
-}
-
-#[test]
-fn preferences_of_an_earlier_version_leave_what_they_do_not_know_as_usual() {
-    let mut otherwise = Session::new(1);
-    choose_otherwise(&mut otherwise);
-    let Ok(Value::Object(mut earlier)) = serde_json::from_str(&otherwise.preferences()) else { panic!("an object") };
-    earlier.retain(|field, _| !is_newer(field));
-    let mut session = session();
-    act(&mut session, Intent::Prefer(Value::Object(earlier).to_string()));
-    let usual = View::default();
-    let view = session.view();
-    assert_eq!((view.picture_light, view.anchors, view.lens), (usual.picture_light, usual.anchors, usual.lens));
-    assert_eq!((view.shading, session.choices()), (otherwise.view().shading, otherwise.choices()));
 }
 
 /// An edit of a mesh that is denser than any on the screen, as the command line makes it.
