@@ -89,6 +89,18 @@ impl Document {
         }
     }
 
+    /// A document that goes on with the history of another, with all that was undone there. Entries that have no answer on
+    /// this mesh are passed over.
+    ///
+    /// # Errors
+    /// [`StudioError::Laplacian`] for positions that do not fit the mesh or are not finite.
+    pub fn resume(rest: Rest, history: History) -> Result<Self, StudioError> {
+        let mut document = Self::new(rest)?;
+        document.history = history;
+        document.follow_history(0);
+        Ok(document)
+    }
+
     /// The mesh that is shown.
     pub fn topology(&self) -> &Topology {
         self.level().topology()

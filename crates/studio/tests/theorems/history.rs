@@ -236,7 +236,7 @@ fn a_history_goes_on_over_other_triangles() {
     document.reset();
     document.undo().unwrap();
     let history = document.history().clone();
-    let mut resumed = document.over(portrait(Triangulation::Tessellation)).unwrap();
+    let mut resumed = Document::resume(portrait(Triangulation::Tessellation), history.clone()).unwrap();
     assert_eq!(resumed.history(), &history);
     let replayed = Document::replay(portrait(Triangulation::Tessellation), history.entries().to_vec()).unwrap();
     assert_eq!(bits(resumed.positions()), bits(replayed.positions()));

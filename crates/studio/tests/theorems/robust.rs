@@ -59,13 +59,14 @@ fn an_entry_without_an_answer_on_other_triangles_is_passed_over_and_comes_back()
     let settings = Settings { mirror: Mirror::On, anchors: Anchors::random(3), ..Settings::default() };
     filled.apply("symmetric", point(1, vec![1_500], settings)).unwrap();
     let edited = bits(filled.positions());
+    let history = filled.history().clone();
     // Dense meshes with open eyes and mouth have no mirror image.
-    let mut open = filled.over(canonical(Triangulation::Tessellation)).unwrap();
+    let mut open = Document::resume(canonical(Triangulation::Tessellation), history.clone()).unwrap();
     open.set_density(1).unwrap();
     assert_eq!(open.standing(0), Some(&Standing::Impossible(StudioError::NoMirror)));
     assert_eq!(bits(open.positions()), bits(open.rest()));
     assert!(open.switch(0, Switch::Off).is_ok() && open.undo().is_some());
-    let mut back = open.over(canonical(Triangulation::Canonical)).unwrap();
+    let mut back = Document::resume(canonical(Triangulation::Canonical), open.history().clone()).unwrap();
     back.set_density(1).unwrap();
     assert_eq!(bits(back.positions()), edited);
 }

@@ -2,7 +2,7 @@ use glam::DVec3;
 use rosto_export::{BaseColour, Format, Solid};
 use rosto_face::Triangulation;
 use rosto_session::{
-    EditsAs, FileOptions, Intent, Motion, Preset, Selection, SelectionMode, Session, SessionError, Turntable, View,
+    EditsAs, FileOptions, Intent, Motion, Preset, Selection, SelectionMode, Session, SessionError, Turntable,
 };
 use rosto_stage::{Background, Dots, Lens, Light, PictureLight, ShadingMode, Srgb, Wireframe};
 use rosto_studio::{
