@@ -3,10 +3,9 @@ use std::io::Cursor;
 use image::codecs::webp::WebPDecoder;
 use image::{ImageDecoder, ImageError};
 
-use crate::colour::ColourEncoding;
 use crate::format::Format;
 use crate::stored::Stored;
-use crate::{Limits, Photo, PhotoError, jpeg, pixels, png, webp};
+use crate::{Limits, Photo, PhotoError, icc, jpeg, pixels, png, webp};
 
 /// Decodes a JPEG, PNG or WebP file to an upright picture. Of an animation, the first frame.
 ///
@@ -34,7 +33,7 @@ fn decode_webp(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError> {
     decoder.read_image(&mut decoded).map_err(refused)?;
     let unread = || Format::WebP.unsupported(format!("{layout:?} pixels"));
     let (rgb, alpha) = pixels::to_rgb(decoded, layout).ok_or_else(unread)?;
-    let colours = ColourEncoding::of_profile(&profile, layout);
+    let colours = icc::told(&profile, layout);
     Stored { width, height, rgb, alpha, colours, exif }.upright()
 }
 

@@ -20,9 +20,8 @@ mod upsample;
 
 use image::ColorType;
 
-use crate::colour::ColourEncoding;
 use crate::stored::Stored;
-use crate::{Limits, Photo, PhotoError};
+use crate::{Limits, Photo, PhotoError, icc};
 use colours::Colours;
 use header::{Frame, Scan, Tables, broken, unread};
 use metadata::Metadata;
@@ -146,7 +145,7 @@ impl<'a> Picture<'a> {
         let layout = if colours == Colours::Grey { ColorType::L8 } else { ColorType::Rgb8 };
         let exif = metadata.exif.unwrap_or_default().to_vec();
         let (width, height, rgb) = (width as u32, height as u32, self.rgb(colours));
-        let colours = ColourEncoding::of_profile(&metadata.profile(), layout);
+        let colours = icc::told(&metadata.profile(), layout);
         Ok(Stored { width, height, rgb, alpha: None, colours, exif })
     }
 

@@ -3,19 +3,22 @@
 //! [`decode`] tells JPEG, PNG and WebP apart by their first bytes, refuses what is too large before it allocates the
 //! pixels, applies the EXIF orientation exactly once, converts colours to sRGB that the file describes otherwise (a
 //! profile such as Display P3; in PNG code points or a gamma), and lays transparent pixels over white. Of a JPEG, up to a
-//! twentieth of the rows may be lost, or the last refinements of a progressive one. The result is a [`Photo`]: 8-bit RGB,
-//! row-major, upright, not mirrored; with the focal length that EXIF gives.
+//! twentieth of the rows may be lost, or the last refinements of a progressive one. What comes out is a [`Photo`]: 8-bit
+//! RGB, row-major, upright, not mirrored; with the focal length that EXIF tells.
 
+mod code_points;
 mod colour;
 mod decode;
 mod error;
 mod exif;
 mod format;
+mod icc;
 mod jpeg;
 mod limits;
 mod photo;
 mod pixels;
 mod png;
+mod primaries;
 mod resize;
 mod sampler;
 mod stored;

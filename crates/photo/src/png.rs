@@ -3,13 +3,13 @@
 use std::io::{Cursor, ErrorKind};
 
 use image::ColorType;
-use moxcms::Chromaticity;
 use png::{BitDepth, DecodingError, Info, InterlaceInfo, Reader, Transformations};
 
-use crate::colour::{ColourEncoding, Primaries};
+use crate::code_points::{CodePoints, Told, told_by_gamma};
 use crate::format::Format;
+use crate::primaries::Primaries;
 use crate::stored::Stored;
-use crate::{Limits, Photo, PhotoError, pixels};
+use crate::{Limits, Photo, PhotoError, icc, pixels};
 
 type Source<'a> = Cursor<&'a [u8]>;
 
@@ -35,7 +35,7 @@ pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError>
     }
     let (rgb, alpha) = pixels::to_rgb(decoded, layout).ok_or_else(|| unread(layout))?;
     let exif = reader.info().exif_metadata.as_deref().unwrap_or_default().to_vec();
-    Stored { width, height, rgb, alpha, colours: colours(reader.info(), layout)?, exif }.upright()
+    Stored { width, height, rgb, alpha, colours: told(reader.info(), layout)?, exif }.upright()
 }
 
 /// Width and height out of the header chunk, which the format wants first.
@@ -142,42 +142,43 @@ fn read_rows(reader: &mut Reader<Source<'_>>, layout: ColorType, decoded: &mut [
     }
 }
 
-/// The first of code points, profile, sRGB, gamma and primaries that the file has and that is understood. Refuses a file with
-/// nothing but code points of another transfer curve: its colours would be wrong.
-fn colours(info: &Info<'_>, layout: ColorType) -> Result<ColourEncoding, PhotoError> {
-    const UNSPECIFIED: u8 = 2;
-    let points = info.coding_independent_code_points.as_ref();
-    let by_points = points.map_or(ColourEncoding::Unknown, |points| {
-        let (primaries, transfer) = (points.color_primaries, points.transfer_function);
-        ColourEncoding::of_code_points(primaries, transfer, points.is_video_full_range_image)
+/// What the file says of its colours: the first that is there and understood of code points, profile, sRGB, gamma and
+/// primaries. Refuses a file that says nothing but a curve that is not read: its colours would be wrong.
+fn told(info: &Info<'_>, layout: ColorType) -> Result<Told, PhotoError> {
+    let points = info.coding_independent_code_points.as_ref().map(|points| CodePoints {
+        primaries: points.color_primaries,
+        transfer: points.transfer_function,
+        full_range: points.is_video_full_range_image,
     });
-    let encoding = match by_points {
-        ColourEncoding::Unknown => without_code_points(info, layout),
-        known => known,
+    let told = match points.map_or(Told::Nothing, CodePoints::told) {
+        Told::Nothing => told_otherwise(info, layout),
+        told => told,
     };
-    match (&encoding, points.map(|points| points.transfer_function)) {
-        (ColourEncoding::Unknown, Some(transfer)) if transfer != UNSPECIFIED => {
-            Err(Format::Png.unsupported(format!("transfer curve {transfer} of ITU-T H.273")))
+    match (told, points) {
+        (Told::Nothing, Some(points)) if points.has_another_curve() => {
+            Err(Format::Png.unsupported(format!("its transfer curve, {} in H.273, is not read", points.transfer)))
         }
-        _ => Ok(encoding),
+        (told, _) => Ok(told),
     }
 }
 
-fn without_code_points(info: &Info<'_>, layout: ColorType) -> ColourEncoding {
+/// The same without code points.
+fn told_otherwise(info: &Info<'_>, layout: ColorType) -> Told {
     if let Some(profile) = &info.icc_profile {
-        return ColourEncoding::of_profile(profile, layout);
+        return icc::told(profile, layout);
     }
     if info.srgb.is_some() {
-        return ColourEncoding::Srgb;
+        return Told::Srgb;
     }
-    let place = |(x, y): (png::ScaledFloat, png::ScaledFloat)| Chromaticity::new(x.into_value(), y.into_value());
+    let value = |number: png::ScaledFloat| f64::from(number.into_scaled()) / 100_000.0;
+    let place = |(x, y): (png::ScaledFloat, png::ScaledFloat)| [value(x), value(y)];
     let primaries = info.chrm_chunk.map(|chrm| Primaries {
         red: place(chrm.red),
         green: place(chrm.green),
         blue: place(chrm.blue),
         white: place(chrm.white),
     });
-    ColourEncoding::of_gamma(info.gama_chunk.map(png::ScaledFloat::into_value), primaries)
+    told_by_gamma(info.gama_chunk.map(value), primaries)
 }
 
 fn is_end(error: &DecodingError) -> bool {

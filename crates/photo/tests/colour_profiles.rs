@@ -43,10 +43,7 @@ fn grey_profile(connection: &[u8; 4], curve: Vec<u8>) -> Vec<u8> {
 /// A profile from one space to another, of tags that share contents.
 fn profile_of(spaces: &[u8], tags: &[(&[u8; 4], usize)], contents: &[Vec<u8>]) -> Vec<u8> {
     let mut bytes = vec![0; 128];
-    bytes[8] = 4;
-    bytes[12..16].copy_from_slice(b"mntr");
     bytes[16..24].copy_from_slice(spaces);
-    bytes[36..40].copy_from_slice(b"acsp");
     bytes.extend((tags.len() as u32).to_be_bytes());
     for &(signature, content) in tags {
         let start = 132 + 12 * tags.len() + contents[..content].iter().map(Vec::len).sum::<usize>();

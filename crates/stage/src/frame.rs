@@ -2,7 +2,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
 
 use crate::markers::Axis;
-use crate::{Camera, Dots, Light, MirrorPlane, PicturePlane, RenderSettings, Rim, Sides};
+use crate::{Camera, Dots, MirrorPlane, PicturePlane, RenderSettings, Rim, Sides};
 
 /// What every shader reads once a frame, in the layout of a uniform buffer.
 ///
