@@ -17,9 +17,7 @@ pub(crate) fn shape(tensor: &TensorProto) -> TractResult<TVec<usize>> {
 /// If there are more or fewer than the constant's shape says, or one is infinite or none.
 pub(crate) fn floats(tensor: &TensorProto) -> TractResult<Vec<f32>> {
     let numbers: Vec<f32> = match DataType::try_from(tensor.data_type) {
-        Ok(DataType::Float16) => {
-            elements(tensor)?.iter().map(|&bytes| single_from_half(u16::from_le_bytes(bytes))).collect()
-        }
+        Ok(DataType::Float16) => elements(tensor)?.iter().map(|&bytes| f16::from_le_bytes(bytes).to_f32()).collect(),
         Ok(DataType::Float) => elements(tensor)?.iter().map(|&bytes| f32::from_le_bytes(bytes)).collect(),
         _ => bail!("{} holds numbers of type {}", tensor.name, tensor.data_type),
     };
@@ -43,30 +41,4 @@ fn elements<const SIZE: usize>(tensor: &TensorProto) -> TractResult<&[[u8; SIZE]
     let bytes = tensor.raw_data.len();
     ensure!(expected == Some(bytes), "{} has {bytes} bytes for a shape of {:?}", tensor.name, tensor.dims);
     Ok(tensor.raw_data.as_chunks().0)
-}
-
-const TWO_TO_112: f32 = f32::from_bits((127 + 112) << 23);
-
-/// IEEE 754's binary16 to binary32: the exponent and mantissa moved to their places, and the exponent's bias made up for
-/// by a power of two, which is exact for subnormal numbers too.
-fn single_from_half(bits: u16) -> f32 {
-    let bits = u32::from(bits);
-    let magnitude = match bits & 0x7C00 {
-        0x7C00 => f32::from_bits(0x7F80_0000 | (bits & 0x3FF) << 13),
-        _ => f32::from_bits((bits & 0x7FFF) << 13) * TWO_TO_112,
-    };
-    f32::from_bits(magnitude.to_bits() | (bits & 0x8000) << 16)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_half_becomes_the_single_of_the_same_value() {
-        for bits in 0..=u16::MAX {
-            let (single, expected) = (single_from_half(bits), f16::from_bits(bits).to_f32());
-            assert!(single.to_bits() == expected.to_bits() || (single.is_nan() && expected.is_nan()), "{bits:#06x}");
-        }
-    }
 }
