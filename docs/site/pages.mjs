@@ -69,6 +69,7 @@ export const GROUPS = [
       doc("decisions/0003-a-module-for-webgl", "Decision 3: WebGL2"),
       doc("decisions/0004-own-icc-reader", "Decision 4: colour profiles"),
       doc("decisions/0005-layers-of-our-own", "Decision 5: the networks’ layers"),
+      doc("decisions/0006-own-exif-reader", "Decision 6: EXIF"),
       doc("citing", "How to cite"),
       { name: "changelog", title: "Changes", source: "CHANGELOG.md" },
       { name: "security", title: "Security", source: "SECURITY.md" },
