@@ -27,6 +27,14 @@ impl Format {
             Self::WebP => "WebP",
         }
     }
+
+    pub(crate) fn damaged(self, reason: impl ToString) -> PhotoError {
+        PhotoError::Damaged { format: self.name(), reason: reason.to_string() }
+    }
+
+    pub(crate) fn unsupported(self, reason: impl ToString) -> PhotoError {
+        PhotoError::UnsupportedFeature { format: self.name(), reason: reason.to_string() }
+    }
 }
 
 /// Names a picture format that is recognised but not read.

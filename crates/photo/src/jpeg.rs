@@ -20,7 +20,7 @@ mod upsample;
 
 use image::ColorType;
 
-use crate::decode::Stored;
+use crate::stored::Stored;
 use crate::{Limits, Photo, PhotoError, icc};
 use colours::Colours;
 use header::{Frame, Scan, Tables, broken, unread};
@@ -145,7 +145,8 @@ impl<'a> Picture<'a> {
         let layout = if colours == Colours::Grey { ColorType::L8 } else { ColorType::Rgb8 };
         let exif = metadata.exif.unwrap_or_default().to_vec();
         let (width, height, rgb) = (width as u32, height as u32, self.rgb(colours));
-        Ok(Stored { width, height, rgb, alpha: None, colours: icc::told(&metadata.profile(), layout), exif })
+        let colours = icc::told(&metadata.profile(), layout);
+        Ok(Stored { width, height, rgb, alpha: None, colours, exif })
     }
 
     fn is_damaged(&self) -> bool {

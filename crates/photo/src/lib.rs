@@ -15,13 +15,13 @@ mod format;
 mod icc;
 mod jpeg;
 mod limits;
-mod orientation;
 mod photo;
 mod pixels;
 mod png;
 mod primaries;
 mod resize;
 mod sampler;
+mod stored;
 mod webp;
 
 pub use decode::decode;

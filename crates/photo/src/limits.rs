@@ -31,7 +31,11 @@ impl Limits {
         Err(PhotoError::TooManyBytes { found_bytes: bytes, max_bytes })
     }
 
-    pub(crate) fn check_size(&self, width: u32, height: u32) -> Result<(), PhotoError> {
+    /// Refuses a picture by its size in px, before its pixels are decoded.
+    ///
+    /// # Errors
+    /// [`PhotoError::TooManyPixels`].
+    pub fn check_size(&self, width: u32, height: u32) -> Result<(), PhotoError> {
         if u64::from(width) * u64::from(height) <= self.max_pixels {
             return Ok(());
         }

@@ -22,10 +22,7 @@ impl Photo {
     /// # Errors
     /// [`PhotoError::WrongLength`] if the number of bytes is not `width · height · 3`, or 0.
     pub fn from_rgb(width: u32, height: u32, pixels: Vec<u8>) -> Result<Self, PhotoError> {
-        let expected = u128::from(width) * u128::from(height) * 3;
-        if expected == 0 || expected != pixels.len() as u128 {
-            return Err(PhotoError::WrongLength { width, height, found_bytes: pixels.len() });
-        }
+        check_count(width, height, 3, &pixels)?;
         Ok(Self::from_valid(width, height, pixels))
     }
 
@@ -35,11 +32,17 @@ impl Photo {
     /// # Errors
     /// [`PhotoError::WrongLength`] if the number of bytes is not `width · height · 4`, or 0.
     pub fn from_rgbx(width: u32, height: u32, pixels: &[u8]) -> Result<Self, PhotoError> {
-        let expected = u128::from(width) * u128::from(height) * 4;
-        if expected == 0 || expected != pixels.len() as u128 {
-            return Err(PhotoError::WrongLength { width, height, found_bytes: pixels.len() });
-        }
+        check_count(width, height, 4, pixels)?;
         Ok(Self::from_valid(width, height, pixels::without_the_fourth(pixels)))
+    }
+
+    /// A picture from its bytes, four (red, green, blue and opacity) for each pixel, laid over white.
+    ///
+    /// # Errors
+    /// [`PhotoError::WrongLength`] if the number of bytes is not `width · height · 4`, or 0.
+    pub fn from_rgba(width: u32, height: u32, pixels: &[u8]) -> Result<Self, PhotoError> {
+        check_count(width, height, 4, pixels)?;
+        Ok(Self::from_valid(width, height, pixels::over_white(pixels)))
     }
 
     /// A picture whose size was checked already.
@@ -110,6 +113,11 @@ impl Photo {
         pixels::to_rgba(&self.pixels, self.alpha())
     }
 
+    /// Red, green, blue and 255 of each pixel, row by row, over white.
+    pub fn rgbx(&self) -> Vec<u8> {
+        pixels::to_rgba(&self.pixels, None)
+    }
+
     /// Red, green and blue of one pixel.
     ///
     /// # Panics
@@ -138,8 +146,10 @@ impl Photo {
         }
         let scale = f64::from(limit) / f64::from(long);
         let shrunk = |side: u32| ((f64::from(side) * scale).round() as u32).max(1);
-        let small = resize::area_mean(self, shrunk(self.width), shrunk(self.height));
-        small.with_focal_length_35mm(self.focal_length_35mm)
+        let (width, height) = (shrunk(self.width), shrunk(self.height));
+        let source = self.pixels.as_chunks().0;
+        let small = resize::area_mean(source, [self.width, self.height], [width, height]);
+        Self::from_valid(width, height, small).with_focal_length_35mm(self.focal_length_35mm)
     }
 }
 
@@ -147,5 +157,12 @@ impl Photo {
 impl fmt::Debug for Photo {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "Photo({}×{} px)", self.width, self.height)
+    }
+}
+
+fn check_count(width: u32, height: u32, channels: u128, pixels: &[u8]) -> Result<(), PhotoError> {
+    match u128::from(width) * u128::from(height) * channels {
+        expected if expected > 0 && expected == pixels.len() as u128 => Ok(()),
+        _ => Err(PhotoError::WrongLength { width, height, found_bytes: pixels.len() }),
     }
 }

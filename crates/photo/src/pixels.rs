@@ -11,12 +11,8 @@ pub(crate) fn to_rgb(decoded: Vec<u8>, layout: ColorType) -> Option<(Vec<u8>, Op
     Some(match layout {
         ColorType::Rgb8 => (decoded, None),
         ColorType::L8 => (rgb_from::<1>(&decoded, |[grey]| [grey; 3]), None),
-        ColorType::La8 => {
-            (rgb_from::<2>(&decoded, |[grey, alpha]| [over_white(grey, alpha); 3]), alpha_of::<2>(&decoded))
-        }
-        ColorType::Rgba8 => {
-            (rgb_from::<4>(&decoded, |[r, g, b, a]| [r, g, b].map(|c| over_white(c, a))), alpha_of::<4>(&decoded))
-        }
+        ColorType::La8 => (rgb_from::<2>(&decoded, |[grey, alpha]| [blended(grey, alpha); 3]), alpha_of::<2>(&decoded)),
+        ColorType::Rgba8 => (over_white(&decoded), alpha_of::<4>(&decoded)),
         ColorType::L16 => to_rgb(eight_bit(&decoded), ColorType::L8)?,
         ColorType::La16 => to_rgb(eight_bit(&decoded), ColorType::La8)?,
         ColorType::Rgb16 => (eight_bit(&decoded), None),
@@ -59,12 +55,18 @@ fn rgb_from<const N: usize>(decoded: &[u8], rgb: impl Fn([u8; N]) -> [u8; 3]) ->
     decoded.as_chunks::<N>().0.iter().flat_map(|&pixel| rgb(pixel)).collect()
 }
 
-fn over_white(channel: u8, alpha: u8) -> u8 {
+/// RGB of RGBA laid over white.
+pub(crate) fn over_white(rgba: &[u8]) -> Vec<u8> {
+    rgb_from::<4>(rgba, |[r, g, b, a]| [r, g, b].map(|channel| blended(channel, a)))
+}
+
+/// A channel laid over white.
+fn blended(channel: u8, alpha: u8) -> u8 {
     let (channel, alpha) = (u16::from(channel), u16::from(alpha));
     ((channel * alpha + 255 * (255 - alpha) + 127) / 255) as u8
 }
 
-/// The colour that [`over_white`] makes this one of.
+/// The colour that [`blended`] makes this one of.
 fn without_white(channel: u8, alpha: u8) -> u8 {
     let (channel, alpha) = (i32::from(channel), i32::from(alpha.max(1)));
     ((channel * 255 - 255 * (255 - alpha) + alpha / 2) / alpha).clamp(0, 255) as u8

@@ -3,12 +3,12 @@
 use std::io::{Cursor, ErrorKind};
 
 use image::ColorType;
-use png::{BitDepth, DecodingError, Info, Reader, Transformations};
+use png::{BitDepth, DecodingError, Info, InterlaceInfo, Reader, Transformations};
 
 use crate::code_points::{CodePoints, Told, told_by_gamma};
-use crate::decode::{Stored, damaged, unsupported};
 use crate::format::Format;
 use crate::primaries::Primaries;
+use crate::stored::Stored;
 use crate::{Limits, Photo, PhotoError, icc, pixels};
 
 type Source<'a> = Cursor<&'a [u8]>;
@@ -25,7 +25,7 @@ pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError>
     check_palette(reader.info())?;
     let layout = layout(&reader)?;
     let mut decoded = vec![0; width as usize * height as usize * usize::from(layout.bytes_per_pixel())];
-    read_rows(&mut reader, &mut decoded)?;
+    read_rows(&mut reader, layout, &mut decoded)?;
     if reader.output_color_type().1 == BitDepth::Sixteen {
         decoded
             .as_chunks_mut::<2>()
@@ -52,10 +52,10 @@ fn check_kind(bytes: &[u8]) -> Result<(), PhotoError> {
     for (name, content) in chunks(bytes).take_while(|(name, _)| name != b"IDAT") {
         let method = |at: usize, most: u8| content.get(at).is_some_and(|&method| method > most);
         if name[0].is_ascii_uppercase() && !KNOWN.contains(&&name) {
-            return Err(unsupported(Format::Png, format!("the chunk {}", name.escape_ascii())));
+            return Err(Format::Png.unsupported(format!("the chunk {}", name.escape_ascii())));
         }
         if &name == b"IHDR" && (method(10, 0) || method(11, 0) || method(12, 1)) {
-            return Err(unsupported(Format::Png, "a compression, filter or interlace method of its own".to_owned()));
+            return Err(Format::Png.unsupported("a compression, filter or interlace method of its own"));
         }
     }
     Ok(())
@@ -71,14 +71,7 @@ fn chunks(bytes: &[u8]) -> impl Iterator<Item = ([u8; 4], &[u8])> {
         let (&name, content) = named.split_first_chunk()?;
         rest = after;
         // A whole picture is not read twice for its checksum.
-        (&name == b"IDAT" || crc32(named) == u32::from_be_bytes(*checksum)).then_some((name, content))
-    })
-}
-
-/// ISO/IEC 15948, annex D.
-fn crc32(bytes: &[u8]) -> u32 {
-    !bytes.iter().fold(u32::MAX, |crc, &byte| {
-        (0..8).fold(crc ^ u32::from(byte), |crc, _| (crc >> 1) ^ (0xEDB8_8320 & (crc & 1).wrapping_neg()))
+        (&name == b"IDAT" || crc32fast::hash(named) == u32::from_be_bytes(*checksum)).then_some((name, content))
     })
 }
 
@@ -97,7 +90,7 @@ fn reader<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Reader<Source<'a>>, Ph
 fn check_palette(info: &Info<'_>) -> Result<(), PhotoError> {
     match info.palette.as_deref().map_or(0, <[u8]>::len) {
         bytes if info.color_type == png::ColorType::Indexed && !bytes.is_multiple_of(3) => {
-            Err(damaged(Format::Png, format!("{bytes} bytes are no palette of whole colours, three bytes each")))
+            Err(Format::Png.damaged(format!("{bytes} bytes are no palette of whole colours, three bytes each")))
         }
         _ => Ok(()),
     }
@@ -119,45 +112,34 @@ fn layout(reader: &Reader<Source<'_>>) -> Result<ColorType, PhotoError> {
     }
 }
 
-/// All rows, big-endian. What comes behind the last of them may be missing, but not wrong.
-fn read_rows(reader: &mut Reader<Source<'_>>, decoded: &mut [u8]) -> Result<(), PhotoError> {
+/// Reads all rows, big-endian. The end of the file after the last row may be missing, but not wrong.
+fn read_rows(reader: &mut Reader<Source<'_>>, layout: ColorType, decoded: &mut [u8]) -> Result<(), PhotoError> {
     let (width, height) = reader.info().size();
     if let Some(frame) = reader.info().frame_control.filter(|frame| (frame.width, frame.height) != (width, height)) {
         let sizes = format!("its first frame is {}×{} px, and the picture {width}×{height}", frame.width, frame.height);
-        return Err(damaged(Format::Png, sizes));
+        return Err(Format::Png.damaged(sizes));
     }
-    let row_bytes = decoded.len() / height.max(1) as usize;
-    let mut rows = 0;
-    if reader.info().interlaced {
-        let expected = interlaced_rows(width, height);
-        let bits = (row_bytes * 8 / width.max(1) as usize) as u8;
-        while rows < expected {
-            let row = reader.next_interlaced_row().map_err(|error| broken_off(&error, rows, expected))?;
-            let Some(row) = row else { break };
-            if let png::InterlaceInfo::Adam7(place) = row.interlace() {
-                png::expand_interlaced_row(decoded, row_bytes, row.data(), place, bits);
+    let row_bytes = width as usize * usize::from(layout.bytes_per_pixel());
+    let mut filled = 0;
+    loop {
+        match reader.next_interlaced_row() {
+            Ok(Some(row)) => {
+                let data = row.data();
+                match row.interlace() {
+                    InterlaceInfo::Null(_) => decoded[filled..filled + data.len()].copy_from_slice(data),
+                    InterlaceInfo::Adam7(place) => {
+                        png::expand_interlaced_row(decoded, row_bytes, data, place, layout.bits_per_pixel() as u8);
+                    }
+                }
+                filled += data.len();
             }
-            rows += 1;
-        }
-    } else {
-        for row in decoded.chunks_exact_mut(row_bytes.max(1)) {
-            reader.read_row(row).map_err(|error| broken_off(&error, rows, height))?;
-            rows += 1;
+            Ok(None) => return Ok(()),
+            Err(error) if is_end(&error) && filled == decoded.len() => return Ok(()),
+            Err(error) => {
+                return Err(refused(&error, &format!("it ends after {} of its {height} rows", filled / row_bytes)));
+            }
         }
     }
-    match reader.next_row() {
-        Err(error) if !is_end(&error) => Err(refused(&error, "")),
-        _ => Ok(()),
-    }
-}
-
-/// Rows of the seven passes of an interlaced picture: start and step across, start and step down.
-fn interlaced_rows(width: u32, height: u32) -> u32 {
-    const PASSES: [[u32; 4]; 7] =
-        [[0, 8, 0, 8], [4, 8, 0, 8], [0, 4, 4, 8], [2, 4, 0, 4], [0, 2, 2, 4], [1, 2, 0, 2], [0, 1, 1, 2]];
-    let rows =
-        |[left, _, top, step]: [u32; 4]| if left < width { height.saturating_sub(top).div_ceil(step) } else { 0 };
-    PASSES.into_iter().map(rows).sum()
 }
 
 /// What the file says of its colours: the first that is there of code points, profile, sRGB, gamma and primaries.
@@ -194,14 +176,10 @@ fn is_end(error: &DecodingError) -> bool {
     matches!(error, DecodingError::IoError(error) if error.kind() == ErrorKind::UnexpectedEof)
 }
 
-fn broken_off(error: &DecodingError, rows: u32, of: u32) -> PhotoError {
-    refused(error, &format!("it ends after {rows} of its {of} rows"))
-}
-
 fn refused(error: &DecodingError, at_the_end: &str) -> PhotoError {
-    damaged(Format::Png, if is_end(error) { at_the_end.to_owned() } else { error.to_string() })
+    if is_end(error) { Format::Png.damaged(at_the_end) } else { Format::Png.damaged(error) }
 }
 
 fn unread(layout: impl std::fmt::Debug) -> PhotoError {
-    unsupported(Format::Png, format!("{layout:?} pixels"))
+    Format::Png.unsupported(format!("{layout:?} pixels"))
 }

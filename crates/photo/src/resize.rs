@@ -1,20 +1,17 @@
-use crate::photo::Photo;
-
 /// Resamples to a smaller size, each new pixel the mean of the old ones it covers, weighted by how much of them it
 /// covers. One pass over the source rows; means are taken of the sRGB values.
-pub(crate) fn area_mean(photo: &Photo, width: u32, height: u32) -> Photo {
-    let (columns, rows) = (Cover::all(photo.width(), width), Cover::all(photo.height(), height));
-    let source = photo.pixels().as_chunks::<3>().0;
+pub(crate) fn area_mean(source: &[[u8; 3]], [old_width, old_height]: [u32; 2], [width, height]: [u32; 2]) -> Vec<u8> {
+    let (columns, rows) = (Cover::all(old_width, width), Cover::all(old_height, height));
     let mut pixels = Vec::with_capacity(width as usize * height as usize * 3);
     let mut sums = vec![[0.0_f32; 3]; width as usize];
     for row in &rows {
         sums.fill([0.0; 3]);
         for y in row.first..=row.last {
-            add_row(&mut sums, &source[y * photo.width() as usize..], &columns, row.weight(y));
+            add_row(&mut sums, &source[y * old_width as usize..], &columns, row.weight(y));
         }
         pixels.extend(sums.iter().flatten().map(|&sum| sum.round() as u8));
     }
-    Photo::from_valid(width, height, pixels)
+    pixels
 }
 
 fn add_row(sums: &mut [[f32; 3]], row: &[[u8; 3]], columns: &[Cover], row_weight: f32) {

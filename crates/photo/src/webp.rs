@@ -3,7 +3,6 @@
 use std::iter::successors;
 
 use crate::PhotoError;
-use crate::decode::damaged;
 use crate::format::Format;
 
 /// Where the first chunk begins, behind `RIFF`, a length and `WEBP`.
@@ -30,7 +29,7 @@ fn check_lengths(bytes: &[u8]) -> Result<(), PhotoError> {
         Some(chunk) => {
             let there = whole_file - chunk.start - HEADER_BYTES;
             let name = chunk.name.escape_ascii();
-            Err(damaged(Format::WebP, format!("{there} of the {} bytes of its chunk {name} are there", chunk.length)))
+            Err(Format::WebP.damaged(format!("{there} of the {} bytes of its chunk {name} are there", chunk.length)))
         }
     }
 }
@@ -43,7 +42,7 @@ fn check_sizes(bytes: &[u8]) -> Result<(), PhotoError> {
     match read(bytes).filter_map(|chunk| chunk.lossy_size(bytes)).find(|&(w, h)| w > width || h > height) {
         None => Ok(()),
         Some((w, h)) => {
-            Err(damaged(Format::WebP, format!("its picture is {w} × {h} px in a file of {width} × {height} px")))
+            Err(Format::WebP.damaged(format!("its picture is {w} × {h} px in a file of {width} × {height} px")))
         }
     }
 }

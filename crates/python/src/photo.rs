@@ -32,8 +32,14 @@ impl Photo {
                 _ => return Err(refused(format!("pixels: {} axes, not 2 or 3", pixels.ndim()))),
             };
             let (width, height) = checked_size(width, height)?;
-            let rgb = to_rgb(c_ordered(&pixels, "pixels")?, channels)?;
-            rosto_photo::Photo::from_rgb(width, height, rgb).map(Self).map_err(not_a_photo)
+            let pixels = c_ordered(&pixels, "pixels")?;
+            let photo = match channels {
+                1 => rosto_photo::Photo::from_rgb(width, height, pixels.iter().flat_map(|&grey| [grey; 3]).collect()),
+                3 => rosto_photo::Photo::from_rgb(width, height, pixels.to_vec()),
+                4 => rosto_photo::Photo::from_rgba(width, height, pixels),
+                _ => return Err(refused(format!("pixels: {channels} channels, not 1, 3 or 4"))),
+            };
+            photo.map(Self).map_err(not_a_photo)
         })
     }
 
@@ -66,32 +72,12 @@ pub fn check_size(height: usize, width: usize) -> PyResult<()> {
 }
 
 fn checked_size(width: usize, height: usize) -> PyResult<(u32, u32)> {
-    let max_pixels = Limits::default().max_pixels;
     let [short_width, short_height] = [width, height].map(|side| u32::try_from(side).unwrap_or(u32::MAX));
-    match u64::from(short_width) * u64::from(short_height) {
-        0 => Err(refused(format!("the picture is {width}×{height} px: it has no pixels"))),
-        pixels if pixels > max_pixels => {
-            let reason = PhotoError::TooManyPixels { width: short_width, height: short_height, max_pixels };
-            Err(not_a_photo(reason))
-        }
-        _ => Ok((short_width, short_height)),
+    if width == 0 || height == 0 {
+        return Err(refused(format!("the picture is {width}×{height} px: it has no pixels")));
     }
-}
-
-fn to_rgb(pixels: &[u8], channels: usize) -> PyResult<Vec<u8>> {
-    match channels {
-        1 => Ok(pixels.iter().flat_map(|&grey| [grey; 3]).collect()),
-        3 => Ok(pixels.to_vec()),
-        4 => {
-            Ok(pixels.as_chunks::<4>().0.iter().flat_map(|&[r, g, b, a]| [r, g, b].map(|c| over_white(c, a))).collect())
-        }
-        _ => Err(refused(format!("pixels: {channels} channels, not 1, 3 or 4"))),
-    }
-}
-
-fn over_white(channel: u8, alpha: u8) -> u8 {
-    let (channel, alpha) = (u16::from(channel), u16::from(alpha));
-    ((channel * alpha + 255 * (255 - alpha) + 127) / 255) as u8
+    Limits::default().check_size(short_width, short_height).map_err(not_a_photo)?;
+    Ok((short_width, short_height))
 }
 
 fn not_a_photo(reason: PhotoError) -> PyErr {

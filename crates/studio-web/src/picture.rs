@@ -19,7 +19,7 @@ impl OpenPicture {
     /// A picture brought to a GPU.
     pub fn of(photo: Photo, viewport: &Viewport) -> Result<Self> {
         let on_gpu = viewport.reserve_picture(photo.width(), photo.height())?;
-        viewport.write_picture_rows(&on_gpu, 0, &rgba_of(&photo))?;
+        viewport.write_picture_rows(&on_gpu, 0, &photo.rgbx())?;
         viewport.finish_picture(&on_gpu);
         Ok(Self { photo, on_gpu })
     }
@@ -44,43 +44,17 @@ impl IncomingPicture {
 
     /// Takes the next rows, RGBA; alpha is left out. Gives the picture back, once it is whole.
     pub fn add(mut self, viewport: &Viewport, rgba: &[u8]) -> Result<Result<OpenPicture, Self>> {
-        let row_bytes = self.width as usize * 3;
-        let first_row = (self.rgb.len() / row_bytes) as u32;
-        viewport.write_picture_rows(&self.on_gpu, first_row, rgba)?;
-        push_rgb(&mut self.rgb, rgba);
-        if self.rgb.len() < row_bytes * self.height as usize {
+        let (width, height) = (self.width, self.height);
+        let (row_bytes, found) = (width as usize * 3, rgba.len());
+        let bad = |_| FacadeError::from(ViewportError::BadPicture { width, height, found });
+        viewport.write_picture_rows(&self.on_gpu, (self.rgb.len() / row_bytes) as u32, rgba)?;
+        let rows = Photo::from_rgbx(width, (rgba.len() / 4 / width as usize) as u32, rgba).map_err(bad)?;
+        self.rgb.extend_from_slice(rows.pixels());
+        if self.rgb.len() < row_bytes * height as usize {
             return Ok(Err(self));
         }
         viewport.finish_picture(&self.on_gpu);
-        let (width, height, found) = (self.width, self.height, self.rgb.len());
-        let bad = |_| FacadeError::from(ViewportError::BadPicture { width, height, found });
         let photo = Photo::from_rgb(width, height, self.rgb).map_err(bad)?;
         Ok(Ok(OpenPicture { photo, on_gpu: self.on_gpu }))
     }
-}
-
-/// RGB of RGBA, its alpha left out.
-pub(crate) fn rgb_of(rgba: &[u8]) -> Vec<u8> {
-    let mut rgb = Vec::new();
-    push_rgb(&mut rgb, rgba);
-    rgb
-}
-
-/// Written in place: collected one by one, millions of bytes take three times as long.
-fn push_rgb(rgb: &mut Vec<u8>, rgba: &[u8]) {
-    let (start, pixels) = (rgb.len(), rgba.as_chunks::<4>().0);
-    rgb.resize(start + pixels.len() * 3, 0);
-    for (to, [red, green, blue, _]) in rgb[start..].as_chunks_mut::<3>().0.iter_mut().zip(pixels) {
-        *to = [*red, *green, *blue];
-    }
-}
-
-/// RGBA of opaque RGB.
-pub(crate) fn rgba_of(photo: &Photo) -> Vec<u8> {
-    let pixels = photo.pixels().as_chunks::<3>().0;
-    let mut rgba = vec![u8::MAX; pixels.len() * 4];
-    for (to, [red, green, blue]) in rgba.as_chunks_mut::<4>().0.iter_mut().zip(pixels) {
-        *to = [*red, *green, *blue, u8::MAX];
-    }
-    rgba
 }

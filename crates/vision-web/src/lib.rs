@@ -5,12 +5,14 @@
 
 mod error;
 mod found;
+mod limits;
 mod progress;
 mod texture_maker;
 mod vision;
 mod warped;
 
 pub use found::Found;
+pub use limits::{check_length, check_size};
 pub use texture_maker::TextureMaker;
 pub use vision::Vision;
 pub use warped::Warped;

@@ -31,8 +31,7 @@ impl TextureMaker {
     /// Throws `damaged-picture` for another number of pixels.
     #[wasm_bindgen(js_name = addPicture)]
     pub fn add_picture(&mut self, width: u32, height: u32, rgba: &[u8]) -> Result<(), Error> {
-        let rgb = rgba.as_chunks::<4>().0.iter().flat_map(|&[red, green, blue, _]| [red, green, blue]).collect();
-        self.pictures.push(Photo::from_rgb(width, height, rgb).map_err(error::of_photo)?);
+        self.pictures.push(Photo::from_rgbx(width, height, rgba).map_err(error::of_photo)?);
         Ok(())
     }
 

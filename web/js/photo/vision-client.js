@@ -18,9 +18,6 @@ import { Following } from "./following.js";
 /** A worker silent for this long while somebody waits is taken for dead; one that loads tells of every part that arrives. */
 const SILENCE_MS = 60_000;
 
-/** Larger photos are refused unread; the worker's own limit is the same. */
-const MAX_PHOTO_BYTES = 40_000_000;
-
 /** A group photo offers this many faces at most. */
 const MAX_FACES = 20;
 
@@ -85,9 +82,6 @@ export class VisionClient {
    */
   async find(photo, maxFaces = MAX_FACES, report = () => {}) {
     this.#rejectAll(new Replaced());
-    if (photo.size > MAX_PHOTO_BYTES) {
-      throw { code: "too-many-bytes", message: `${photo.size} bytes; the limit is ${MAX_PHOTO_BYTES}`, hint: "" };
-    }
     this.start();
     const id = ++this.#lastId;
     return new Promise((resolve, reject) => {

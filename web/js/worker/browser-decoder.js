@@ -1,5 +1,4 @@
-/** Larger pictures are refused; the module's own limit is the same. */
-const MAX_PIXELS = 50_000_000;
+import { checkSize } from "../../wasm/rosto-vision-web.js";
 
 /**
  * A photo as the browser decodes it, which may know more formats than the module does: an upright PNG in sRGB. Nothing if
@@ -12,9 +11,7 @@ export async function decodedByBrowser(photo) {
   if (!bitmap) return undefined;
   const { width, height } = bitmap;
   try {
-    if (width * height > MAX_PIXELS) {
-      throw { code: "too-many-pixels", message: `${width} × ${height} px; the limit is ${MAX_PIXELS} pixels`, hint: "" };
-    }
+    checkSize(width, height);
     const canvas = new OffscreenCanvas(width, height);
     canvas.getContext("2d", { colorSpace: "srgb" })?.drawImage(bitmap, 0, 0);
     return await canvas.convertToBlob({ type: "image/png" }).catch(() => undefined);

@@ -6,7 +6,7 @@
  * @typedef {import("./protocol.js").FoundFaces} FoundFaces
  * @typedef {Extract<Request, { type: "load" }>} Place
  */
-import init, { Vision } from "../../wasm/rosto-vision-web.js";
+import init, { checkLength, Vision } from "../../wasm/rosto-vision-web.js";
 import { init as setBase } from "../files.js";
 import { builtFile, builtModule, vouchFor } from "../page/built.js";
 import { asPageError } from "../page/page-error.js";
@@ -161,6 +161,7 @@ function tellOfFailure(type, id, error) {
  * @param {number} id
  */
 async function findDecoded(vision, photo, maxFaces, id) {
+  checkLength(photo.size);
   const bytes = await bytesOf(photo);
   try {
     return find(vision, bytes, maxFaces, id);

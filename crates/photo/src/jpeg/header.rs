@@ -2,7 +2,6 @@
 
 use super::huffman::Huffman;
 use crate::PhotoError;
-use crate::decode::{damaged, unsupported};
 use crate::format::Format;
 
 /// Where the coefficients of a block lie, in the order in which they are stored.
@@ -165,9 +164,9 @@ impl Tables {
 }
 
 pub(crate) fn broken(reason: &str) -> PhotoError {
-    damaged(Format::Jpeg, reason.to_owned())
+    Format::Jpeg.damaged(reason)
 }
 
 pub(crate) fn unread(reason: String) -> PhotoError {
-    unsupported(Format::Jpeg, reason)
+    Format::Jpeg.unsupported(reason)
 }

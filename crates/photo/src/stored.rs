@@ -1,0 +1,56 @@
+use image::imageops::{flip_horizontal_in_place, flip_vertical_in_place, rotate90, rotate180_in_place, rotate270};
+use image::metadata::Orientation;
+use image::{ImageBuffer, Luma, Pixel, Rgb};
+
+use crate::code_points::Told;
+use crate::exif::Exif;
+use crate::{Photo, PhotoError};
+
+/// A picture as its file stores it: in its own colours, and not yet turned.
+pub(crate) struct Stored {
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+    /// Three bytes for each pixel, row by row.
+    pub(crate) rgb: Vec<u8>,
+    /// How opaque each pixel is, if any of them is not.
+    pub(crate) alpha: Option<Vec<u8>>,
+    pub(crate) colours: Told,
+    pub(crate) exif: Vec<u8>,
+}
+
+impl Stored {
+    /// The picture in sRGB, turned upright by its EXIF block.
+    pub(crate) fn upright(mut self) -> Result<Photo, PhotoError> {
+        if let Told::Otherwise(conversion) = self.colours {
+            conversion.apply(&mut self.rgb);
+        }
+        let (width, height) = (self.width, self.height);
+        let exif = Exif::read(&self.exif, width, height);
+        let wrong_length = PhotoError::WrongLength { width, height, found_bytes: self.rgb.len() };
+        let picture = turned::<Rgb<u8>>([width, height], self.rgb, exif.orientation).ok_or(wrong_length)?;
+        let alpha = self.alpha.and_then(|alpha| turned::<Luma<u8>>([width, height], alpha, exif.orientation));
+        let photo = Photo::from_rgb(picture.width(), picture.height(), picture.into_raw())?;
+        Ok(photo.with_valid_alpha(alpha.map(ImageBuffer::into_raw)).with_focal_length_35mm(exif.focal_length_35mm))
+    }
+}
+
+/// A stored picture turned upright.
+fn turned<P: Pixel<Subpixel = u8> + 'static>(
+    [width, height]: [u32; 2],
+    stored: Vec<u8>,
+    orientation: Orientation,
+) -> Option<ImageBuffer<P, Vec<u8>>> {
+    use Orientation::{FlipHorizontal, FlipVertical, Rotate90, Rotate90FlipH, Rotate180, Rotate270, Rotate270FlipH};
+    let mut picture: ImageBuffer<P, Vec<u8>> = ImageBuffer::from_raw(width, height, stored)?;
+    match orientation {
+        Rotate90 | Rotate90FlipH => picture = rotate90(&picture),
+        Rotate270 | Rotate270FlipH => picture = rotate270(&picture),
+        Rotate180 => rotate180_in_place(&mut picture),
+        FlipVertical => flip_vertical_in_place(&mut picture),
+        Orientation::NoTransforms | FlipHorizontal => {}
+    }
+    if matches!(orientation, FlipHorizontal | Rotate90FlipH | Rotate270FlipH) {
+        flip_horizontal_in_place(&mut picture);
+    }
+    Some(picture)
+}

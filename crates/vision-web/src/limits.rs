@@ -1,0 +1,23 @@
+use js_sys::Error;
+use rosto_photo::Limits;
+use wasm_bindgen::prelude::*;
+
+use crate::error;
+
+/// Refuses a photo's file by its length in bytes, before it is read.
+///
+/// # Errors
+/// Throws `too-many-bytes`.
+#[wasm_bindgen(js_name = checkLength)]
+pub fn check_length(bytes: f64) -> Result<(), Error> {
+    Limits::default().check_length(bytes as u64).map_err(error::of_photo)
+}
+
+/// Refuses a photo by its size in px.
+///
+/// # Errors
+/// Throws `too-many-pixels`.
+#[wasm_bindgen(js_name = checkSize)]
+pub fn check_size(width: u32, height: u32) -> Result<(), Error> {
+    Limits::default().check_size(width, height).map_err(error::of_photo)
+}
