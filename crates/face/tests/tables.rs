@@ -55,6 +55,10 @@ fn the_mirror_is_exact_in_the_canonical_positions() {
         let (here, there) = (positions[vertex as usize], positions[partner as usize]);
         assert_eq!([here.x, here.y, here.z], [-there.x, there.y, there.z], "landmark {vertex}");
     }
+    // As published: the left eye's outer corner and the left corner of the mouth, in units of 1e-6 cm.
+    for (landmark, published) in [(263, [4_445_859, 2_663_991, 3_173_422]), (291, [2_456_206, -4_342_621, 4_283_884])] {
+        assert_eq!(positions[landmark].to_array(), published.map(|number| f64::from(number) * 1e-8));
+    }
     assert_eq!((midline().len(), mirror_pairs().len()), (28, 220));
     assert!(
         mirror_pairs()

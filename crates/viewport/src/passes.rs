@@ -1,12 +1,27 @@
 use rosto_stage::{Background, Dots, RenderSettings, Stage, Surface, Wireframe};
 
-use crate::Viewport;
-use crate::pipelines::Twin;
+use crate::frame::FrameOnGpu;
+use crate::mesh::MeshOnGpu;
+use crate::pipelines::{Pipelines, Twin};
+use crate::sheet::SheetOnGpu;
 use crate::target::Attachments;
+
+/// What a frame is drawn from.
+#[derive(Debug)]
+pub(crate) struct Drawn {
+    pub(crate) pipelines: Pipelines,
+    pub(crate) frame: FrameOnGpu,
+    /// The same with the shape before, for the other part of a picture that shows both.
+    pub(crate) frame_before: FrameOnGpu,
+    pub(crate) mesh: Option<MeshOnGpu>,
+    pub(crate) sheet: Option<SheetOnGpu>,
+    pub(crate) marks: wgpu::Buffer,
+    pub(crate) mark_count: u32,
+}
 
 /// Records one frame: backdrop, mesh, lines, marks.
 pub(crate) fn record(
-    viewport: &Viewport,
+    drawn: &Drawn,
     stage: &Stage,
     encoder: &mut wgpu::CommandEncoder,
     attachments: &Attachments,
@@ -30,29 +45,23 @@ pub(crate) fn record(
         }),
         ..Default::default()
     });
-    pass.set_bind_group(0, &viewport.frame.bindings, &[]);
-    record_backdrop(viewport, stage.render_settings(), &mut pass);
+    pass.set_bind_group(0, &drawn.frame.bindings, &[]);
+    record_backdrop(drawn, stage.render_settings(), &mut pass);
     match stage.render_settings().wipe {
-        Some(share) => record_both(viewport, stage, share, attachments.size, &mut pass),
-        None => record_shape(viewport, stage, &mut pass),
+        Some(share) => record_both(drawn, stage, share, attachments.size, &mut pass),
+        None => record_shape(drawn, stage, &mut pass),
     }
 }
 
 /// The shape before up to a share of the picture's width, and the shape now beyond.
-fn record_both(
-    viewport: &Viewport,
-    stage: &Stage,
-    share: f64,
-    [width, height]: [u32; 2],
-    pass: &mut wgpu::RenderPass<'_>,
-) {
+fn record_both(drawn: &Drawn, stage: &Stage, share: f64, [width, height]: [u32; 2], pass: &mut wgpu::RenderPass<'_>) {
     let edge = ((share * f64::from(width)).round() as u32).min(width);
-    pass.set_bind_group(0, &viewport.frame_before.bindings, &[]);
+    pass.set_bind_group(0, &drawn.frame_before.bindings, &[]);
     pass.set_scissor_rect(0, 0, edge, height);
-    record_shape(viewport, stage, pass);
-    pass.set_bind_group(0, &viewport.frame.bindings, &[]);
+    record_shape(drawn, stage, pass);
+    pass.set_bind_group(0, &drawn.frame.bindings, &[]);
     pass.set_scissor_rect(edge, 0, width - edge, height);
-    record_shape(viewport, stage, pass);
+    record_shape(drawn, stage, pass);
     // WebGL2 cuts what it brings to the canvas, too.
     pass.set_scissor_rect(0, 0, width, height);
 }
@@ -67,35 +76,35 @@ fn empty_colour(background: Background) -> wgpu::Color {
     }
 }
 
-fn record_backdrop(viewport: &Viewport, settings: &RenderSettings, pass: &mut wgpu::RenderPass<'_>) {
+fn record_backdrop(drawn: &Drawn, settings: &RenderSettings, pass: &mut wgpu::RenderPass<'_>) {
     if settings.background == Background::Ground {
-        pass.set_pipeline(&viewport.pipelines.background);
+        pass.set_pipeline(&drawn.pipelines.background);
         pass.draw(0..3, 0..1);
     }
 }
 
-fn record_shape(viewport: &Viewport, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
-    record_sheet(viewport, stage, pass);
-    record_mesh(viewport, stage, pass);
+fn record_shape(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
+    record_sheet(drawn, stage, pass);
+    record_mesh(drawn, stage, pass);
 }
 
-fn record_sheet(viewport: &Viewport, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
-    let Some(sheet) = viewport.sheet.as_ref().filter(|_| stage.picture_share() > 0.0) else { return };
-    pass.set_pipeline(&viewport.pipelines.sheet);
+fn record_sheet(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
+    let Some(sheet) = drawn.sheet.as_ref().filter(|_| stage.picture_share() > 0.0) else { return };
+    pass.set_pipeline(&drawn.pipelines.sheet);
     pass.set_bind_group(1, &sheet.bindings, &[]);
     pass.set_vertex_buffer(0, sheet.ways_on_gpu.slice(..));
     pass.set_index_buffer(sheet.indices.slice(..), wgpu::IndexFormat::Uint32);
     pass.draw_indexed(0..sheet.index_count, 0, 0..1);
 }
 
-fn record_mesh(viewport: &Viewport, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
-    let Some(mesh) = &viewport.mesh else { return };
-    let pipelines = &viewport.pipelines;
+fn record_mesh(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
+    let Some(mesh) = &drawn.mesh else { return };
+    let pipelines = &drawn.pipelines;
     let settings = stage.render_settings();
     pass.set_bind_group(1, &mesh.bindings, &[]);
     pass.set_index_buffer(mesh.indices.slice(..), wgpu::IndexFormat::Uint32);
     // All of the picture hides the mesh, which lies on it.
-    let is_felt = viewport.sheet.is_some() && stage.picture_share() == 1.0;
+    let is_felt = drawn.sheet.is_some() && stage.picture_share() == 1.0;
     let is_bare = is_felt || settings.surface == Surface::HiddenLine;
     pass.set_pipeline(if is_bare { &pipelines.bare } else { &pipelines.surface });
     pass.draw_indexed(0..mesh.index_count(), 0, 0..1);
@@ -112,23 +121,23 @@ fn record_mesh(viewport: &Viewport, stage: &Stage, pass: &mut wgpu::RenderPass<'
         pass.set_pipeline(&pipelines.dots);
         pass.draw(0..6, 0..settings.dotted.min(mesh.vertex_count()));
     }
-    record_marks(viewport, stage, pass);
+    record_marks(drawn, stage, pass);
 }
 
-fn record_marks(viewport: &Viewport, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
-    let Twin { seen, hidden } = &viewport.pipelines.gizmo;
+fn record_marks(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
+    let Twin { seen, hidden } = &drawn.pipelines.gizmo;
     if stage.gizmo().is_some() {
         for pipeline in [hidden, seen] {
             pass.set_pipeline(pipeline);
             pass.draw(0..6, 0..3);
         }
     }
-    let Twin { seen, hidden } = &viewport.pipelines.marks;
-    if viewport.mark_count > 0 {
-        pass.set_vertex_buffer(0, viewport.marks.slice(..));
+    let Twin { seen, hidden } = &drawn.pipelines.marks;
+    if drawn.mark_count > 0 {
+        pass.set_vertex_buffer(0, drawn.marks.slice(..));
         for pipeline in [hidden, seen] {
             pass.set_pipeline(pipeline);
-            pass.draw(0..6, 0..viewport.mark_count);
+            pass.draw(0..6, 0..drawn.mark_count);
         }
     }
 }

@@ -1,7 +1,4 @@
-use std::future::Future;
-use std::pin::Pin;
-use std::sync::{Arc, Mutex};
-use std::task::{Context, Poll, Waker};
+use futures_channel::oneshot;
 
 use crate::{Gpu, ViewportError};
 
@@ -60,10 +57,11 @@ pub(crate) fn copy(gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, texture: &wgpu
 impl Pending {
     /// Waits for the picture. Natively, somebody must go on polling the device.
     pub async fn read(self, device: &wgpu::Device) -> Result<Snapshot, ViewportError> {
-        let mapping = Mapping::new(&self.buffer);
+        let (answer, mapping) = oneshot::channel();
+        self.buffer.map_async(wgpu::MapMode::Read, .., |result| drop(answer.send(result)));
         // WebGPU answers by itself, WebGL2 only when asked. A device that is gone answers the mapping.
         let _ = device.poll(wgpu::PollType::Poll);
-        mapping.await?;
+        mapping.await.map(Result::ok).ok().flatten().ok_or(ViewportError::NotRead)?;
         let view = self.buffer.get_mapped_range(..).map_err(|_| ViewportError::NotRead)?;
         let [width, height] = self.size;
         let swapped = self.format == wgpu::TextureFormat::Bgra8Unorm;
@@ -86,43 +84,6 @@ fn straight(colour: [u8; 3], alpha: u8) -> [u8; 4] {
     let divide = |channel: u8| ((u32::from(channel) * 255 + u32::from(alpha) / 2) / u32::from(alpha)).min(255) as u8;
     let [red, green, blue] = if alpha == 0 { [0; 3] } else { colour.map(divide) };
     [red, green, blue, alpha]
-}
-
-/// Resolves once the buffer can be read.
-struct Mapping(Arc<Mutex<Answer>>);
-
-#[derive(Default)]
-struct Answer {
-    result: Option<Result<(), wgpu::BufferAsyncError>>,
-    waker: Option<Waker>,
-}
-
-impl Mapping {
-    fn new(buffer: &wgpu::Buffer) -> Self {
-        let answer = Arc::new(Mutex::new(Answer::default()));
-        let report = Arc::clone(&answer);
-        buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-            if let Ok(mut answer) = report.lock() {
-                answer.result = Some(result);
-                if let Some(waker) = answer.waker.take() {
-                    waker.wake();
-                }
-            }
-        });
-        Self(answer)
-    }
-}
-
-impl Future for Mapping {
-    type Output = Result<(), ViewportError>;
-
-    fn poll(self: Pin<&mut Self>, context: &mut Context<'_>) -> Poll<Self::Output> {
-        let Ok(mut answer) = self.0.lock() else {
-            return Poll::Ready(Err(ViewportError::NotRead));
-        };
-        answer.waker = Some(context.waker().clone());
-        answer.result.take().map_or(Poll::Pending, |result| Poll::Ready(result.map_err(|_| ViewportError::NotRead)))
-    }
 }
 
 #[cfg(test)]

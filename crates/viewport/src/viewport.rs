@@ -6,6 +6,7 @@ use rosto_stage::{Background, Stage};
 use crate::error_scopes::ErrorScopes;
 use crate::frame::FrameOnGpu;
 use crate::mesh::{MeshOnGpu, filled};
+use crate::passes::Drawn;
 use crate::pipelines::Pipelines;
 use crate::sheet::{SheetInput, SheetOnGpu};
 use crate::snapshot::{Snapshot, copy};
@@ -15,18 +16,11 @@ use crate::{Gpu, MeshInput, PictureOnGpu, ViewportError, passes, picture};
 /// Draws a mesh on a target, as a stage shows it. What is on the GPU is all that it holds: the stage is the caller's.
 #[derive(Debug)]
 pub struct Viewport {
-    pub(crate) gpu: Gpu,
+    gpu: Gpu,
     target: Target,
-    pub(crate) pipelines: Pipelines,
     shrink: wgpu::RenderPipeline,
-    pub(crate) frame: FrameOnGpu,
-    /// The same with the shape before, for the other part of a picture that shows both.
-    pub(crate) frame_before: FrameOnGpu,
     attachments: Attachments,
-    pub(crate) mesh: Option<MeshOnGpu>,
-    pub(crate) sheet: Option<SheetOnGpu>,
-    pub(crate) marks: wgpu::Buffer,
-    pub(crate) mark_count: u32,
+    drawn: Drawn,
 }
 
 impl Viewport {
@@ -37,15 +31,17 @@ impl Viewport {
         Self {
             shrink: picture::shrink_pipeline(&gpu),
             attachments: Attachments::new(&gpu, target.format, [1, 1]),
-            marks: filled(&gpu, &[], wgpu::BufferUsages::VERTEX),
-            mark_count: 0,
-            mesh: None,
-            sheet: None,
-            frame: FrameOnGpu::new(&gpu, &pipelines),
-            frame_before: FrameOnGpu::new(&gpu, &pipelines),
+            drawn: Drawn {
+                frame: FrameOnGpu::new(&gpu, &pipelines),
+                frame_before: FrameOnGpu::new(&gpu, &pipelines),
+                mesh: None,
+                sheet: None,
+                marks: filled(&gpu, &[], wgpu::BufferUsages::VERTEX),
+                mark_count: 0,
+                pipelines,
+            },
             gpu,
             target,
-            pipelines,
         }
     }
 
@@ -119,7 +115,7 @@ impl Viewport {
     /// [`ViewportError::LengthMismatch`] or [`ViewportError::TooManyVertices`].
     pub fn show(&mut self, input: &MeshInput<'_>) -> Result<(), ViewportError> {
         let blank = picture::blank(&self.gpu)?;
-        self.mesh = Some(MeshOnGpu::new(&self.gpu, &self.pipelines, &blank, input)?);
+        self.drawn.mesh = Some(MeshOnGpu::new(&self.gpu, &self.drawn.pipelines, &blank, input)?);
         Ok(())
     }
 
@@ -128,7 +124,7 @@ impl Viewport {
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
     pub fn set_positions(&mut self, positions_m: &[DVec3]) -> Result<(), ViewportError> {
-        self.mesh.as_mut().map_or(Ok(()), |mesh| mesh.write_positions(&self.gpu, positions_m))
+        self.drawn.mesh.as_mut().map_or(Ok(()), |mesh| mesh.write_positions(&self.gpu, positions_m))
     }
 
     /// Moves each vertex' place in the picture, 0..1 from its top left. Nothing without a mesh.
@@ -136,7 +132,7 @@ impl Viewport {
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
     pub fn set_uvs(&mut self, uvs: &[DVec2]) -> Result<(), ViewportError> {
-        self.mesh.as_mut().map_or(Ok(()), |mesh| mesh.write_uvs(&self.gpu, uvs))
+        self.drawn.mesh.as_mut().map_or(Ok(()), |mesh| mesh.write_uvs(&self.gpu, uvs))
     }
 
     /// Sets the shape that `rosto_stage::RenderSettings::before` blends to. Nothing without a mesh.
@@ -144,7 +140,7 @@ impl Viewport {
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
     pub fn set_before(&mut self, positions_m: &[DVec3]) -> Result<(), ViewportError> {
-        self.mesh.as_ref().map_or(Ok(()), |mesh| mesh.write_before(&self.gpu, positions_m))
+        self.drawn.mesh.as_ref().map_or(Ok(()), |mesh| mesh.write_before(&self.gpu, positions_m))
     }
 
     /// Sets how each vertex follows up to two handles, for [`Stage::set_offsets_m`], and how far it is from them: 1 where
@@ -153,7 +149,7 @@ impl Viewport {
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
     pub fn set_fields(&mut self, fields: [Option<&[f64]>; 2], reach: Option<&[f64]>) -> Result<(), ViewportError> {
-        self.mesh.as_ref().map_or(Ok(()), |mesh| mesh.write_fields(&self.gpu, fields, reach))
+        self.drawn.mesh.as_ref().map_or(Ok(()), |mesh| mesh.write_fields(&self.gpu, fields, reach))
     }
 
     /// Sets the values, −1 to 1, that `rosto_stage::ShadingMode::Distortion` shows. Nothing without a mesh.
@@ -161,12 +157,12 @@ impl Viewport {
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
     pub fn set_scalars(&mut self, scalars: &[f64]) -> Result<(), ViewportError> {
-        self.mesh.as_mut().map_or(Ok(()), |mesh| mesh.write_scalars(&self.gpu, scalars))
+        self.drawn.mesh.as_mut().map_or(Ok(()), |mesh| mesh.write_scalars(&self.gpu, scalars))
     }
 
     /// Has a picture that was taken of the mesh lie on its plane ([`Stage::set_picture`]), or none.
     pub fn show_sheet(&mut self, input: Option<&SheetInput<'_>>) {
-        self.sheet = input.map(|input| SheetOnGpu::new(&self.gpu, &self.pipelines, input));
+        self.drawn.sheet = input.map(|input| SheetOnGpu::new(&self.gpu, &self.drawn.pipelines, input));
     }
 
     /// Moves the places of the picture that move. Nothing without a picture.
@@ -174,7 +170,7 @@ impl Viewport {
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
     pub fn move_sheet(&mut self, to_px: &[DVec2]) -> Result<(), ViewportError> {
-        self.sheet.as_mut().map_or(Ok(()), |sheet| sheet.follow(&self.gpu, to_px))
+        self.drawn.sheet.as_mut().map_or(Ok(()), |sheet| sheet.follow(&self.gpu, to_px))
     }
 
     /// The same where what moves is elsewhere in each picture, as in those of a film. Nothing without a picture.
@@ -182,7 +178,7 @@ impl Viewport {
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
     pub fn carry_sheet(&mut self, from_px: &[DVec2], to_px: &[DVec2]) -> Result<(), ViewportError> {
-        self.sheet.as_mut().map_or(Ok(()), |sheet| sheet.carry(&self.gpu, from_px, to_px))
+        self.drawn.sheet.as_mut().map_or(Ok(()), |sheet| sheet.carry(&self.gpu, from_px, to_px))
     }
 
     /// Draws if anything changed; true asks to be called again in the next frame. `time_ms` is any steady clock's.
@@ -236,7 +232,7 @@ impl Viewport {
         let attachments = Attachments::new(&self.gpu, self.target.format, size);
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         self.upload(&resized);
-        passes::record(self, &resized, &mut encoder, &attachments, &texture.create_view(&Default::default()));
+        passes::record(&self.drawn, &resized, &mut encoder, &attachments, &texture.create_view(&Default::default()));
         let pending = copy(&self.gpu, &mut encoder, &texture);
         self.gpu.queue.submit([encoder.finish()]);
         let (drawn, device) = (scopes.close(size), self.gpu.device.clone());
@@ -250,7 +246,7 @@ impl Viewport {
     fn record_onto(&mut self, stage: &Stage, texture: &wgpu::Texture) {
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         self.upload(stage);
-        passes::record(self, stage, &mut encoder, &self.attachments, &texture.create_view(&Default::default()));
+        passes::record(&self.drawn, stage, &mut encoder, &self.attachments, &texture.create_view(&Default::default()));
         self.gpu.queue.submit([encoder.finish()]);
     }
 
@@ -268,17 +264,17 @@ impl Viewport {
     }
 
     fn upload(&mut self, stage: &Stage) {
-        self.frame.write(&self.gpu, &stage.uniforms());
+        self.drawn.frame.write(&self.gpu, &stage.uniforms());
         if stage.render_settings().wipe.is_some() {
-            self.frame_before.write(&self.gpu, &stage.uniforms_before());
+            self.drawn.frame_before.write(&self.gpu, &stage.uniforms_before());
         }
         let words = stage.mark_words();
-        self.mark_count = words.len() as u32;
+        self.drawn.mark_count = words.len() as u32;
         let bytes: &[u8] = bytemuck::cast_slice(&words);
-        if bytes.len() as u64 > self.marks.size() {
-            self.marks = filled(&self.gpu, bytes, wgpu::BufferUsages::VERTEX);
+        if bytes.len() as u64 > self.drawn.marks.size() {
+            self.drawn.marks = filled(&self.gpu, bytes, wgpu::BufferUsages::VERTEX);
         } else if !bytes.is_empty() {
-            self.gpu.queue.write_buffer(&self.marks, 0, bytes);
+            self.gpu.queue.write_buffer(&self.drawn.marks, 0, bytes);
         }
     }
 }
