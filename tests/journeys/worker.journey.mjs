@@ -105,7 +105,8 @@ test("a worker on a slow connection is waited for", async ({ open, server }) => 
     const before = await reports();
     // The worker reports at most once in a second that something arrives.
     await expect.poll(() => {
-      response?.write(bytes.subarray(at, (at += piece_bytes)));
+      at += piece_bytes;
+      response?.write(bytes.subarray(at - piece_bytes, at));
       return reports();
     }, { intervals: [200] }).toBeGreaterThan(before);
     await page.clock.fastForward(40_000);
