@@ -48,5 +48,5 @@ test("what each operator and constraint does is what the command line finds", { 
 /** The numbers in a table's rows. */
 async function cells(page, table) {
   const rows = await page.locator(`${table} tr`).all();
-  return Promise.all(rows.map(async (row) => (await row.locator("td").allInnerTexts()).map(Number)));
+  return Promise.all(rows.map(async (row) => (await row.locator("td").allInnerTexts()).map((text) => Number(text.replaceAll(",", "")))));
 }
