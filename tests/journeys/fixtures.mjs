@@ -54,9 +54,12 @@ export const test = base.extend({
       return visitor;
     });
     const hasFailed = testInfo.status !== testInfo.expectedStatus || visitors.some(({ broken }) => broken.length > 0);
-    if (hasFailed) await attachConsoles(visitors, testInfo);
-    for (const visitor of visitors) await browsers.release(visitor);
-    for (const visitor of visitors) visitor.checkNothingBroke();
+    try {
+      for (const visitor of visitors) visitor.checkNothingBroke();
+    } finally {
+      if (hasFailed) await attachConsoles(visitors, testInfo);
+      for (const visitor of visitors) await browsers.release(visitor);
+    }
   },
 
   visitor: async ({ open }, use) => use(await open()),

@@ -13,7 +13,7 @@ const FRAME_MS = 16;
 const DRAG_STEPS = 40;
 /** How many tasks are told. */
 const SHOWN = 5;
-test("no task on the main thread is long from a drop of 12 megapixels to the mesh", async ({ visitor, page }) => {
+test("no task on the main thread is long from a drop of 12 megapixels to the mesh", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
   const photo = await asJpeg(page, await readFile(SAMPLE), LARGE);
   // The photo is on the page before the clock starts: in life it comes from a disk, not through a test's wire.
@@ -38,7 +38,7 @@ test("no task on the main thread is long from a drop of 12 megapixels to the mes
   assert.ok(longest && longest.took_ms <= LONG_TASK_MS, `a task took ${longest?.took_ms.toFixed(0)} ms`);
 });
 
-test("each step of a drag takes the main thread less than a frame, on the densest mesh, too", async ({ visitor, page }) => {
+test("each step of a drag takes the main thread less than a frame, on the densest mesh, too", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   for (const density of ["0", "3"]) {
     await page.selectOption("#density", density, { force: true });
