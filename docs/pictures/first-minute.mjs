@@ -6,8 +6,9 @@ import { writeSheet } from "./sheet.mjs";
 /** @typedef {{ x: number, y: number }} Place in CSS px of the window */
 
 const WINDOW = { width: 1280, height: 800 };
-/** A face that has arrived is turned furthest after this time. */
+/** A face that has arrived is turned furthest after this time, by the clock of the frames. */
 const TURNED_MS = 1600;
+const STEP_MS = 100;
 
 /** Each caption, and what is done before its picture; returns the place of the pointer. @type {[string, (visitor: Visitor) => Promise<Place | void>][]} */
 const STEPS = [
@@ -28,7 +29,7 @@ export async function drawFirstMinute(browser, file, url) {
     viewport: WINDOW, reducedMotion: "no-preference", colorScheme: "light",
     before: async (context) => {
       await withHeldWork(context);
-      await context.clock.install();
+      await context.addInitScript(holdFrames);
     },
   });
   const cells = [];
@@ -47,18 +48,38 @@ function state(id) {
   return STATES.find((state) => state.id === id);
 }
 
-/** Stops the page's clock while the face arrives: a screenshot takes longer than that. @param {Visitor} visitor */
-async function seeItArrive({ page }) {
-  await page.clock.pauseAt(Date.now() + 1000);
-  await page.evaluate(() => window["letAnswersCome"]());
-  await page.waitForSelector("body[data-state='face']");
-  await page.clock.runFor(TURNED_MS);
+/** A screenshot takes longer than the arrival: its frames come one by one. @param {Visitor} visitor */
+async function seeItArrive(visitor) {
+  const hold = (/** @type {number} */ ms) => visitor.page.evaluate((ms) => window["holdFramesAfter"](ms), ms);
+  await hold(0);
+  await state("working").leave(visitor);
+  for (let ms = 0; ms <= TURNED_MS; ms += STEP_MS) {
+    await hold(ms);
+    await visitor.frames(3);
+  }
+}
+
+/** Runs in the page before its own scripts: `holdFramesAfter` stops the frames' time so long after a face has come. */
+function holdFrames() {
+  const ask = window.requestAnimationFrame.bind(window);
+  let most_ms = Number.POSITIVE_INFINITY;
+  let since_ms = Number.NaN;
+  let late_ms = 0;
+  window.requestAnimationFrame = (draw) => ask((time_ms) => draw(timeFor(time_ms)));
+  const timeFor = (/** @type {number} */ time_ms) => {
+    if (document.body.dataset["state"] === "face" && Number.isNaN(since_ms)) since_ms = time_ms;
+    const last_ms = Number.isNaN(since_ms) ? time_ms : since_ms + most_ms;
+    late_ms = Math.max(late_ms, time_ms - last_ms);
+    return time_ms - late_ms;
+  };
+  window["holdFramesAfter"] = (ms) => {
+    most_ms = ms;
+  };
 }
 
 /** @param {Visitor} visitor */
 async function seeItThere(visitor) {
-  await visitor.page.clock.resume();
-  await visitor.untilFace();
+  await visitor.page.evaluate(() => window["holdFramesAfter"](Number.POSITIVE_INFINITY));
   await visitor.page.waitForSelector("#hint");
   await visitor.page.waitForTimeout(1500);
 }

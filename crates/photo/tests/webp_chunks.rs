@@ -66,7 +66,7 @@ fn chunks_that_nobody_reads_and_what_comes_behind_the_file_may_claim_anything() 
 
 #[test]
 fn a_lossy_picture_that_claims_to_be_larger_than_its_file_is_damaged() {
-    let whole = include_bytes!("../../../tests/torture/seeds/lossy-alpha.webp");
+    let whole = include_bytes!("fixtures/lossy-alpha.webp");
     let photo = read(whole).unwrap();
     let size_at = place_of(whole, b"VP8 ") + 8 + 6;
     for (place, said) in [(size_at, "its picture is 16383 × "), (size_at + 2, " × 16383 px in a file of ")] {

@@ -26,7 +26,7 @@ export class Visit {
 
   /** @param {string} url @param {string} film the file that the camera plays */
   static async start(url, film) {
-    const browser = await launch({ film });
+    const browser = await launch({ film, seen: false });
     const before = (/** @type {import("@playwright/test").BrowserContext} */ context) => context.addInitScript(letMonkeyIn);
     const { page } = await Visitor.arrive(browser, url, { viewport: { width: 760, height: 480 }, hasTouch: true, before });
     const visit = new Visit(page, await page.context().newCDPSession(page));
