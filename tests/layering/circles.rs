@@ -69,7 +69,7 @@ impl Modules {
     fn resolved(&self, from: &Module, path: &[String]) -> Module {
         let mut at = from.clone();
         for (index, name) in path.iter().enumerate() {
-            let child = [at.as_slice(), &[name.clone()]].concat();
+            let child = [at.as_slice(), std::slice::from_ref(name)].concat();
             match name.as_str() {
                 "crate" => at.clear(),
                 "super" => drop(at.pop()),

@@ -31,13 +31,22 @@ pub const TRUNK: Tool = Tool {
     why: "it builds and serves the page",
 };
 
-/// Joins the modules to JavaScript and runs the WebAssembly tests; must be the version of the crate in `Cargo.lock`.
+/// Joins the modules to JavaScript; must be the version of the crate in `Cargo.lock`.
 pub const WASM_BINDGEN: Tool = Tool {
     package: "wasm-bindgen-cli",
     version: "0.2.130",
     options: "",
     opt_level: "1",
     why: "it joins WebAssembly to JavaScript",
+};
+
+/// Runs the WebAssembly tests in a browser.
+pub const WASM_PACK: Tool = Tool {
+    package: "wasm-pack",
+    version: "0.15.1",
+    options: "",
+    opt_level: "0",
+    why: "it runs the WebAssembly tests in Chromium",
 };
 
 /// Checks licences, bans and sources of all that is compiled.

@@ -2,7 +2,7 @@
 
 use crate::places::{WASM, remapped, root};
 use crate::run::{Run, causes, elapsed};
-use crate::rust::{self, TRUNK, WASM_BINDGEN};
+use crate::rust::{self, TRUNK, Tool, WASM_BINDGEN, WASM_PACK};
 use crate::{assets, python, system};
 use anyhow::{Result, ensure};
 use std::ffi::{OsStr, OsString};
@@ -30,11 +30,16 @@ pub fn run(_: &[&str]) -> Result<()> {
 
 /// What is needed to build and serve the page.
 pub fn for_page() -> Result<Kit> {
+    with_tools(&[&WASM_BINDGEN, &TRUNK])
+}
+
+fn with_tools(tools: &[&Tool]) -> Result<Kit> {
     assets::obtain()?;
     let debian = rust::for_wasm()?;
-    let programs = [WASM_BINDGEN.obtain()?, TRUNK.obtain()?, root().join("node_modules/.bin")];
+    let programs = tools.iter().map(|tool| tool.obtain()).collect::<Result<Vec<_>>>()?;
     rust::tidy_up()?;
     let folders = debian.iter().map(|sysroot| sysroot.join("bin")).chain(programs);
+    let folders = folders.chain([root().join("node_modules/.bin")]);
     let present = std::env::var_os("PATH").unwrap_or_default();
     let path = std::env::join_paths(folders.chain(std::env::split_paths(&present)))?;
     // The same flags for everything that is built for wasm32, or the tests would build the page's modules again.
@@ -51,7 +56,7 @@ pub fn for_tests() -> Result<Kit> {
         let system = scope.spawn(system::obtain);
         let readers = scope.spawn(|| python::environment(&[READERS], "62 MB: a test opens every file with them"));
         rust::components()?;
-        let mut kit = for_page()?;
+        let mut kit = with_tools(&[&WASM_BINDGEN, &TRUNK, &WASM_PACK])?;
         kit.missing = system.join().expect("invariant: setting up does not panic");
         kit.environment.extend(system::chromium().map(|program| ("ROSTO_BROWSER".to_owned(), program.into())));
         match readers.join().expect("invariant: setting up does not panic") {

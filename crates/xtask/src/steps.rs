@@ -98,12 +98,13 @@ fn over_the_workspace(command: &str) -> Run {
     cargo(command).words("--workspace --exclude rosto-*-web* --locked")
 }
 
-/// Tests of one of the page's modules with the features and in the profile of that module, so that both are built of the
-/// same.
+/// Tests of one of the page's modules with the features and in the profile of that module, so that both are built of the same.
 fn in_chromium(kit: &Kit) -> Run {
-    let test = kit.run("cargo").words("test --tests --locked --no-fail-fast --profile web --target").arg(WASM);
-    let test = test.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", "wasm-bindgen-test-runner");
-    test.env("WASM_BINDGEN_TEST_ONLY_WEB", "1").env("WASM_BINDGEN_TEST_TIMEOUT", "600")
+    let test = kit.run("wasm-pack").words("test --headless --chrome");
+    let driver = std::env::var_os("CHROMEDRIVER");
+    let test = driver.iter().fold(test, |test, driver| test.arg("--chromedriver").arg(driver));
+    let test = test.arg(root().join("crates/viewport")).words("--locked --no-fail-fast --profile web");
+    test.env("WASM_BINDGEN_TEST_TIMEOUT", "600")
 }
 
 fn packages(run: Run, names: impl IntoIterator<Item = impl AsRef<str>>) -> Run {

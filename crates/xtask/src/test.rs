@@ -25,8 +25,8 @@ pub fn run(wanted: &[&str]) -> Result<()> {
         }
     }
     kit.report_missing();
-    ensure!(failed.is_empty(), "{} of {} steps failed: {}", failed.len(), results.len(), failed.join(", "));
-    println!("\n{} steps passed", results.len());
+    println!("\nsteps: {} passed, {} failed", results.len() - failed.len(), failed.len());
+    ensure!(failed.is_empty(), "failed: {}", failed.join(", "));
     Ok(())
 }
 
@@ -36,8 +36,8 @@ impl Step {
         self.name == name || self.name.split(':').next() == Some(name)
     }
 
-    /// Runs it; fails with its output.
-    fn run(&self, kit: &Kit) -> Result<(), String> {
+    /// Runs it; returns its output, or fails with it.
+    fn run(&self, kit: &Kit) -> Result<String, String> {
         println!("▸ {} ({})", self.name, self.what);
         let started = Instant::now();
         let ended = (self.program)(kit).and_then(|program| {
@@ -45,14 +45,19 @@ impl Step {
             program.log(&self.name.replace(':', "-")).run()
         });
         let result = match ended {
-            Ok(ended) if ended.success => Ok(()),
+            Ok(ended) if ended.success => Ok(ended.output),
             Ok(ended) => Err(ended.output),
             Err(error) => Err(causes(&error)),
         };
-        if let Err(output) = &result {
-            println!("{}", last_lines(output, SHOWN_LINES[0]));
+        let took = elapsed(started.elapsed());
+        match &result {
+            // Several runners close with such a line.
+            Ok(output) => match output.lines().rfind(|line| line.contains("passed")) {
+                Some(counts) => println!("  ✓ {}, {took}: {}", self.name, counts.trim()),
+                None => println!("  ✓ {}, {took}", self.name),
+            },
+            Err(output) => println!("{}\n  ✗ {}, {took}", last_lines(output, SHOWN_LINES[0]), self.name),
         }
-        println!("  {} {}, {}", if result.is_ok() { "✓" } else { "✗" }, self.name, elapsed(started.elapsed()));
         result
     }
 }

@@ -37,7 +37,8 @@ fn fuzz(minutes: u32) -> Result<Vec<Run>> {
 
 /// Other cases in each run.
 fn properties(minutes: u32) -> Run {
-    let tests = Run::new("cargo").words("test --release --package rosto-fuzz --package rosto-session -- visitor damaged");
+    let tests =
+        Run::new("cargo").words("test --release --package rosto-fuzz --package rosto-session -- visitor damaged");
     let seed = UNIX_EPOCH.elapsed().map_or(0, |since| since.as_secs());
     let tests = tests.env("PROPTEST_CASES", (CASES_PER_MINUTE * minutes).to_string()).log("properties");
     tests.env("PROPTEST_RNG_SEED", seed.to_string())

@@ -8,7 +8,7 @@ use rosto_studio::{
 
 use crate::choices::{listed, one_of};
 use crate::edits::{Edit, ExpressionEdit, RegionEdit, SliderEdit};
-use crate::settings::Rule;
+use crate::settings::{self, Rule};
 
 /// What is moved.
 #[derive(Debug, Args)]
