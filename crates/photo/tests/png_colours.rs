@@ -5,6 +5,7 @@
 mod support;
 
 use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
+use proptest::prelude::*;
 use rosto_photo::{Limits, PhotoError, decode};
 use support::with_chunk;
 
@@ -115,4 +116,20 @@ fn narrow_range_is_spread() {
     let narrow = |value| converted([value; 3], &[cicp([1, 13, 0, 0])]);
     assert_eq!([narrow(0), narrow(16), narrow(235), narrow(255)], [[0; 3], [0; 3], [255; 3], [255; 3]]);
     assert_close(narrow(126), [128; 3], 1);
+}
+
+proptest! {
+    #[test]
+    fn every_gamma_and_every_place_of_the_primaries_gives_a_picture_and_code_points_too_unless_refused(
+        points in [0..24_u8, 0..24, Just(0), 0..2], gamma: u32, corners: [u32; 8], is_small: bool,
+    ) {
+        let corners = corners.map(|corner| if is_small { corner & 0x1_FFFF } else { corner }.to_be_bytes());
+        let corners: Chunk<'_> = (b"cHRM", corners.as_flattened().to_vec());
+        for chunks in [[gama(gamma), corners.clone()], [cicp(points), corners]] {
+            converted([128; 3], &chunks);
+        }
+        let (name, content) = cicp(points);
+        let decoded = decode(&with_chunk(&png([128; 3]), name, &content), &Limits::default());
+        prop_assert!(matches!(decoded, Ok(_) | Err(PhotoError::UnsupportedFeature { .. })), "{decoded:?}");
+    }
 }

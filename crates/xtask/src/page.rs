@@ -29,7 +29,7 @@ pub fn build(kit: &Kit) -> Result<()> {
 
 /// Trunk, in the profile in which the tests are built, too.
 pub fn trunk(kit: &Kit) -> Run {
-    kit.run("trunk").words("--skip-version-check --color never")
+    kit.run("trunk").arg("--skip-version-check")
 }
 
 /// `cargo xtask serve`: serves the page until it is interrupted, and builds it again when a file changes.
