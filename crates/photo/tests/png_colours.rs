@@ -121,7 +121,7 @@ fn narrow_range_is_spread() {
 proptest! {
     #[test]
     fn every_gamma_and_every_place_of_the_primaries_gives_a_picture_and_code_points_too_unless_refused(
-        points in [0..24_u8, 0..24, Just(0), 0..2], gamma: u32, corners: [u32; 8], is_small: bool,
+        points in [0..24_u8, 0..24, 0..1, 0..2], gamma: u32, corners: [u32; 8], is_small: bool,
     ) {
         let corners = corners.map(|corner| if is_small { corner & 0x1_FFFF } else { corner }.to_be_bytes());
         let corners: Chunk<'_> = (b"cHRM", corners.as_flattened().to_vec());
