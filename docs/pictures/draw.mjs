@@ -1,5 +1,4 @@
 // Draws the pictures of the documentation, docs/images/*, from the built page and the models: node docs/pictures/draw.mjs [NAME…].
-// docs/images/growth.svg alone comes from the benchmarks.
 import path from "node:path";
 import { launch } from "../../tests/journeys/browser.mjs";
 import { DIST, serve } from "../../tests/journeys/server.mjs";

@@ -31,7 +31,7 @@ export async function drawExpressions(browser, file) {
 
 /** A photo of each turn, and the side that it hides: as it is, by the photo alone, and by the whole texture. @param {import("@playwright/test").Browser} browser @param {string} file */
 export async function drawTextures(browser, file) {
-  const folder = await drawnBy("texture");
+  const folder = await drawnBy("texture_sheet");
   const cell = async (/** @type {string} */ name, /** @type {string} */ caption) => ({ picture: cut(await readFile(path.join(folder, `${name}.png`)), HEAD), caption });
   const cells = TURNS.flatMap((turn) => {
     const hidden = turn > 0 ? "-45" : "45";

@@ -53,12 +53,12 @@ for (const [[what, remove], tag] of alike(/** @type {const} */ ([
   });
 }
 
-journey("where the database is of another version, the page says that nothing is kept, and goes on", async (open) => {
+test("where the database is of another version, the page says that nothing is kept, and goes on", async ({ open }) => {
   const visitor = await open();
   await visitor.page.evaluate(() => new Promise((resolve) => (indexedDB.open("rosto", 2).onsuccess = ({ target }) => resolve(target.result.close()))));
   await visitor.dropSample();
   await expectNotKept(visitor);
-  await edit(visitor, 9);
+  await visitor.move("nose tip", "z", 9);
 });
 
 /** What may be left of a kept work. */

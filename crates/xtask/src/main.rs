@@ -43,7 +43,7 @@ const TASKS: [Task; 14] = [
         "[MINUTES] fuzz, then run property, browser and monkey tests at length; 10 minutes a part by default",
         torture::run,
     ),
-    ("screenshots", "take the documentation's pictures, the contact sheets, and axe-core's report", page::screenshots),
+    ("screenshots", "draw the documentation's pictures", page::screenshots),
     ("wheel", "build the Python package into target/wheels, and try it in an empty environment", python::wheel),
     ("site", "build the documentation as a static site into target/site", page::site),
     ("help", "this text", help),

@@ -7,12 +7,6 @@ use crate::steps;
 use anyhow::{Context, Result, ensure};
 use std::net::{Ipv4Addr, TcpListener};
 
-/// Examples that draw models, and the folders in `target` that they draw into.
-const MODELS: [(&str, &str); 2] = [("expression_sheet", "pictures/expressions"), ("texture", "pictures/texture")];
-/// The last one fails where something overlaps, is cut or covered, after all pictures are taken.
-const PICTURES: [&str; 6] =
-    ["model-pictures", "screenshots", "photo-pictures", "film-strip", "accessibility", "contact-sheet"];
-
 /// `cargo xtask dist`.
 pub fn dist(_: &[&str]) -> Result<()> {
     let kit = setup::for_page()?;
@@ -74,18 +68,12 @@ pub fn build_site(kit: &Kit) -> Result<Run> {
     Ok(node.env("ROSTO_CLI", steps::command_line()?))
 }
 
-/// `cargo xtask screenshots`: takes the documentation's pictures of the page and of models, the contact sheets, and axe-core's
-/// report.
+/// `cargo xtask screenshots`: draws the documentation's pictures of the page and of models.
 pub fn screenshots(_: &[&str]) -> Result<()> {
     let kit = setup::for_tests()?;
     build(&kit)?;
-    for (example, folder) in MODELS {
-        let draw = Run::new("cargo").words("run --quiet --release --locked --package rosto-studio --example");
-        announced(example, "a picture of models", || draw.arg(example).arg("--").arg(target().join(folder)).checked())?;
-    }
-    for script in PICTURES {
-        announced(script, "pictures of the page", || kit.npm(script).checked())?;
-    }
+    let draw = kit.npm("pictures").env("ROSTO_CLI", steps::command_line()?);
+    print!("{}", announced("pictures", "of the page and of models", || draw.checked())?);
     Ok(())
 }
 
