@@ -42,6 +42,13 @@ impl Facts {
         self.sources.get_mut(package).unwrap().push(line);
     }
 
+    /// Plants a line in a file of a package.
+    pub fn write_beside(&mut self, package: &str, file: &str, code: &str) {
+        let lines = self.sources.get_mut(package).unwrap();
+        let place = lines.iter().find(|line| line.place.contains(file)).unwrap().place.clone();
+        lines.push(Source { place, code: code.to_owned() });
+    }
+
     /// Plants a dependency, in every graph.
     pub fn depend(&mut self, package: &str, on: &str) {
         for graph in [&mut self.declared, &mut self.host, &mut self.wasm] {

@@ -1,5 +1,6 @@
 //! What must not be, as ARCHITECTURE.md says it.
 
+use crate::circles;
 use crate::facts::Facts;
 use crate::graph::Graph;
 
@@ -71,13 +72,26 @@ const RANDOM: [&str; 3] = ["rand", "fastrand", "getrandom"];
 const GLOBAL: [&str; 6] = ["static mut", "thread_local!", "OnceLock", "LazyLock", "OnceCell", "Atomic"];
 
 /// All of them, in the order of ARCHITECTURE.md.
-pub const INVARIANTS: [Invariant; 12] = [
+pub const INVARIANTS: [Invariant; 13] = [
     Invariant {
         says: "No crate knows another one of ours than those its row in the table above names.",
         breaches: |facts| {
             facts.declared.members().iter().flat_map(|package| strangers(&facts.declared, package)).collect()
         },
         plant: |facts| facts.depend("rosto-mesh", "rosto-face"),
+    },
+    Invariant {
+        says: "No modules of a crate use each other in a circle, `xtask`'s apart: what a module uses of its ancestors does not \
+               count.",
+        breaches: |facts| {
+            let crates = facts.sources.iter().filter(|(package, _)| *package != "xtask");
+            crates
+                .flat_map(|(package, sources)| {
+                    circles::of(sources).into_iter().map(move |one| format!("{package}: {one}"))
+                })
+                .collect()
+        },
+        plant: |facts| facts.write_beside("rosto-photo", "stored.rs", "use crate::decode::decode;"),
     },
     Invariant {
         says: "No core crate but `viewport` reaches a browser, by however many steps, but for what tract takes along; and \

@@ -5,6 +5,7 @@
 
 #![cfg(test)]
 
+mod circles;
 mod facts;
 mod graph;
 mod invariants;

@@ -7,7 +7,7 @@ use rosto_studio::{Expression, FaceSlider};
 use serde::Deserialize;
 
 use crate::error::CliError;
-use crate::files;
+use crate::input;
 
 /// One edit as asked for: in the units of the command line.
 #[derive(Debug, Clone, PartialEq)]
@@ -131,7 +131,7 @@ const MAX_BYTES: usize = 16_000_000;
 /// Reads a JSON file of edits, with or without a byte-order mark.
 pub fn read(path: &Path) -> Result<Vec<Edit>, CliError> {
     let unreadable = |reason| CliError::EditsUnreadable { path: path.to_owned(), reason };
-    let bytes = files::read(path, MAX_BYTES).map_err(unreadable)?;
+    let bytes = input::read(path, MAX_BYTES).map_err(unreadable)?;
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
         return Err(CliError::EditsUtf16 { path: path.to_owned() });
     }

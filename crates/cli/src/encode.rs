@@ -1,7 +1,9 @@
 use std::path::Path;
 
 use glam::{DVec2, DVec3};
-use rosto_export::{BaseColour, Choosable, Content, Eyes, Format, GlbOptions, Model, Morph, Picture, Source, Written};
+use rosto_export::{
+    BaseColour, Choosable, Content, Eyes, Format, GlbOptions, Model, Morph, Picture, Source, Units, Written,
+};
 use rosto_face::{FaceModel, Photo, canonical_uvs};
 use rosto_studio::{
     Document, EditsInRig, Entry, Rest, Rig, Shot, StudioError, project, texture_side_px, whole_texture_of,
@@ -11,7 +13,6 @@ use crate::args::MeshTask;
 use crate::error::CliError;
 use crate::model_history::model_history;
 use crate::terminal;
-use crate::units::Units;
 
 /// The format that a file's name asks for by its ending, in capitals or not.
 pub fn format_of(path: &Path) -> Result<Format, CliError> {

@@ -8,7 +8,7 @@ use rosto_photo::PhotoError;
 use rosto_studio::StudioError;
 use thiserror::Error;
 
-use crate::files::{self, ReadError};
+use crate::input::{self, ReadError};
 use crate::terminal;
 
 mod hint;
@@ -152,7 +152,7 @@ fn others(skipped: usize) -> String {
 }
 
 fn named(path: &Path) -> String {
-    match files::is_standard_input(path) {
+    match input::is_standard_input(path) {
         true => "standard input".to_owned(),
         false => path.display().to_string(),
     }

@@ -1,73 +1,16 @@
-//! What is read: files and standard input, never more than a limit. And lines for standard output.
+//! Standard input and output, as the commands use them.
 
-use std::fs::File;
-use std::io::{self, Read, Write};
-use std::path::{Path, PathBuf};
-
-use thiserror::Error;
+use std::io::{self, Write};
+use std::path::Path;
 
 use crate::error::CliError;
-
-/// Why bytes cannot be had.
-#[derive(Debug, Error)]
-pub enum ReadError {
-    #[error(transparent)]
-    Io(#[from] io::Error),
-    #[error("there is nothing in it")]
-    Empty,
-    /// `found_bytes` is one more than the limit where nothing says how much would follow.
-    #[error("it has {found_bytes} bytes or more; the limit is {max_bytes}")]
-    TooManyBytes { found_bytes: usize, max_bytes: usize },
-}
-
-/// `-` stands for standard input.
-pub fn is_standard_input(path: &Path) -> bool {
-    path.as_os_str() == "-"
-}
+use crate::input::is_standard_input;
 
 /// Refuses to read standard input twice.
 pub fn check_standard_input<'a>(inputs: impl IntoIterator<Item = &'a Path>) -> Result<(), CliError> {
     match inputs.into_iter().filter(|input| is_standard_input(input)).count() {
         0 | 1 => Ok(()),
         _ => Err(CliError::StandardInputTwice),
-    }
-}
-
-/// A name that is the same however a file is reached: `a.jpg`, `./a.jpg` and `folder/../a.jpg` have one. Links to folders are
-/// followed; a link to a file is a file of its own. Standard input keeps its name, which no file has.
-pub fn identity(path: &Path) -> PathBuf {
-    if is_standard_input(path) {
-        return path.to_owned();
-    }
-    let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-    let folder = absolute.parent().and_then(|folder| folder.canonicalize().ok());
-    match (folder, absolute.file_name()) {
-        (Some(folder), Some(name)) => folder.join(name),
-        _ => absolute,
-    }
-}
-
-/// The whole file; `-` is standard input. Stops at the first byte beyond the limit.
-pub fn read(path: &Path, max_bytes: usize) -> Result<Vec<u8>, ReadError> {
-    if is_standard_input(path) {
-        return read_at_most(io::stdin().lock(), max_bytes);
-    }
-    let file = File::open(path)?;
-    // A device or a pipe says 0.
-    let found_bytes = usize::try_from(file.metadata()?.len()).unwrap_or(usize::MAX);
-    if found_bytes > max_bytes {
-        return Err(ReadError::TooManyBytes { found_bytes, max_bytes });
-    }
-    read_at_most(file, max_bytes)
-}
-
-fn read_at_most(input: impl Read, max_bytes: usize) -> Result<Vec<u8>, ReadError> {
-    let mut bytes = Vec::new();
-    input.take(max_bytes as u64 + 1).read_to_end(&mut bytes)?;
-    match bytes.len() {
-        0 => Err(ReadError::Empty),
-        found_bytes if found_bytes > max_bytes => Err(ReadError::TooManyBytes { found_bytes, max_bytes }),
-        _ => Ok(bytes),
     }
 }
 

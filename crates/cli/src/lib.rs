@@ -9,6 +9,7 @@ mod error;
 mod face_mesh;
 mod files;
 mod found;
+mod input;
 mod landmarks;
 mod many;
 mod mesh;
@@ -22,7 +23,6 @@ mod request;
 mod settings;
 mod several;
 mod terminal;
-mod units;
 
 use std::ffi::OsString;
 use std::io::{self, Write};

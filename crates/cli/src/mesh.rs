@@ -4,7 +4,7 @@ mod ledger;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use rosto_export::{Format, PLA_G_PER_CM3, SolidFacts, Written};
+use rosto_export::{Format, MM_PER_M, PLA_G_PER_CM3, SolidFacts, Units, Written};
 use rosto_face::{FaceModel, MOST_PHOTOS, Photo, PhotoLens};
 use rosto_landmarks::FaceFinder;
 use rosto_studio::{Anchors, Command, Document, EditSpec, Rest, StudioError};
@@ -17,8 +17,7 @@ use crate::model_history::image_rest;
 use crate::networks::Networks;
 use crate::portrait::Portrait;
 use crate::request::{self, Given};
-use crate::units::{MM_PER_M, Units};
-use crate::{edits, files, networks, output, portrait, settings, several, terminal};
+use crate::{edits, files, networks, output, portrait, several, terminal};
 
 /// A command with the words that a message names it by.
 #[derive(Debug, Clone)]
@@ -166,7 +165,7 @@ pub fn steps(asked: &EditArguments, settings: &SettingsArguments) -> Result<Vec<
     let mut edits = asked.file.as_deref().map(edits::read).transpose()?.unwrap_or_default();
     edits.extend(asked.vertices.iter().cloned());
     for edit in edits {
-        let mut own = settings::of_edit(settings, steps.len(), unit);
+        let mut own = settings.of_edit(steps.len(), unit);
         if let Some(mut anchors) = edit.anchors {
             // Pins stay beside whatever else does.
             anchors.extend(settings.pins.iter().filter(|pin| !anchors.contains(pin)).copied().collect::<Vec<_>>());
@@ -182,7 +181,7 @@ pub fn steps(asked: &EditArguments, settings: &SettingsArguments) -> Result<Vec<
     for edit in &asked.regions {
         let handles = edit.region.vertices();
         let offsets = vec![edit.offset * unit; handles.len()];
-        let spec = EditSpec { level: 0, handles, settings: settings::of_edit(settings, steps.len(), unit) };
+        let spec = EditSpec { level: 0, handles, settings: settings.of_edit(steps.len(), unit) };
         steps.push(Step::new(edit.region.id(), Command::Move { spec, offsets }));
     }
     for edit in &asked.sliders {

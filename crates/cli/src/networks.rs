@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use rosto_landmarks::{FaceFinder, LandmarkNetwork};
 
 use crate::error::CliError;
-use crate::files;
+use crate::input;
 
 const DETECTOR: &str = "face_detector.onnx";
 
@@ -95,7 +95,7 @@ fn source_tree() -> Option<PathBuf> {
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, CliError> {
-    files::read(path, MAX_BYTES).map_err(|reason| CliError::NetworkUnreadable { path: path.to_owned(), reason })
+    input::read(path, MAX_BYTES).map_err(|reason| CliError::NetworkUnreadable { path: path.to_owned(), reason })
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ use same_file::Handle;
 use tempfile::{Builder, NamedTempFile};
 
 use crate::error::CliError;
-use crate::files;
+use crate::input;
 
 /// What stays behind beside the output, and may be deleted, if the program is killed in the middle of writing.
 const UNFINISHED: &str = ".rosto-unfinished-";
@@ -39,7 +39,7 @@ pub fn check(path: &Path, inputs: &[&Path]) -> Result<(), CliError> {
 fn is_same_file(input: &Path, output: &Path) -> bool {
     // To open a pipe would wait for its other end, and a device may be both.
     let is_regular = |path: &Path| fs::metadata(path).is_ok_and(|there| there.is_file());
-    let input = match files::is_standard_input(input) {
+    let input = match input::is_standard_input(input) {
         true => Handle::stdin(),
         false if is_regular(input) => Handle::from_path(input),
         false => return false,

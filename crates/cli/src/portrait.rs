@@ -5,8 +5,8 @@ use rosto_landmarks::{Face, FaceFinder, FindOptions, FoundFaces};
 use rosto_photo::{Limits, Photo, PhotoError};
 
 use crate::error::CliError;
-use crate::files::{self, ReadError};
 use crate::found::notes_on_first;
+use crate::input::{self, ReadError};
 
 /// The texture needs no more than this, and the page hands over no more, so that both write the same file.
 const MAX_PICTURE_SIDE_PX: u32 = 2048;
@@ -15,7 +15,7 @@ const MAX_PICTURE_SIDE_PX: u32 = 2048;
 pub fn open(path: &Path) -> Result<Photo, CliError> {
     let limits = Limits::default();
     let no_picture = |reason| CliError::NoPicture { path: path.to_owned(), reason };
-    let bytes = files::read(path, limits.max_bytes).map_err(|reason| match reason {
+    let bytes = input::read(path, limits.max_bytes).map_err(|reason| match reason {
         ReadError::TooManyBytes { found_bytes, max_bytes } => {
             no_picture(PhotoError::TooManyBytes { found_bytes: found_bytes as u64, max_bytes: max_bytes as u64 })
         }

@@ -2,14 +2,13 @@
 
 use clap::ArgMatches;
 use clap::parser::ValueSource;
-use rosto_export::{BaseColour, Choosable, Format, Solid};
+use rosto_export::{BaseColour, Choosable, Format, Solid, Units};
 use rosto_face::Triangulation;
 
 use crate::args::{EditArguments, MeshTask, PhotoTask, SettingsArguments};
 use crate::error::CliError;
 use crate::output;
 use crate::settings::Rule;
-use crate::units::Units;
 
 /// The options that shape edits, by their names in [`crate::args::SettingsArguments`].
 const SETTINGS: [(&str, &str); 8] = [

@@ -1,9 +1,7 @@
 use glam::DVec2;
 use rosto_face::PhotoLens;
-use rosto_studio::{AnchorKind, Anchors, ConstraintKind, Details, Mirror, RING_SHARES, RegionOfInfluence, Settings};
+use rosto_studio::{ConstraintKind, RING_SHARES};
 use rosto_warp::Dab;
-
-use crate::args::SettingsArguments;
 
 /// A rule for anchors as the command line names it; random ones get their seed later.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -89,26 +87,6 @@ pub fn anchors(text: &str) -> Result<Rule, String> {
             _ => Err(format!("{radius:?} is no radius")),
         },
         _ => Err("give random, oval, outside:RADIUS or pins".to_owned()),
-    }
-}
-
-/// The settings for the edit with this number, counted from 0. `unit` is the document's for one of the command line's.
-pub fn of_edit(arguments: &SettingsArguments, number: usize, unit: f64) -> Settings {
-    let kind = match arguments.anchors {
-        Rule::Random => AnchorKind::Random { seed: arguments.seed.wrapping_add(number as u64) },
-        Rule::Oval => AnchorKind::Oval,
-        Rule::Outside { radius } => AnchorKind::Outside { radius: radius * unit },
-        Rule::PinsOnly => AnchorKind::PinsOnly,
-    };
-    Settings {
-        operator: arguments.operator,
-        constraint: arguments.constraint,
-        anchors: Anchors { kind, pins: arguments.pins.clone() },
-        reach: arguments
-            .radius
-            .map_or(RegionOfInfluence::Whole, |radius| RegionOfInfluence::Within { radius: radius * unit }),
-        mirror: if arguments.mirror { Mirror::On } else { Mirror::Off },
-        details: if arguments.turn_details { Details::AsRigidAsPossible } else { Details::Kept },
     }
 }
 

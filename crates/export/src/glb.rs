@@ -2,7 +2,7 @@ use glam::Vec2;
 use rosto_face::LANDMARK_COUNT;
 use serde_json::{Map, Value, json};
 
-use crate::texture::{self, Crop, Texture};
+use crate::texture::{self, BaseColour, Crop, Texture};
 use crate::{ExportError, Model};
 
 mod attributes;
@@ -14,20 +14,6 @@ use container::Builder;
 pub(crate) use further::{Pictures, further};
 pub use source::Source;
 pub(crate) use source::{VERSION, fingerprint, history_object};
-
-rosto_mesh::named! {
-    /// How the face is painted. Never both ways at once, which would multiply the photo by itself.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub enum BaseColour {
-        /// The picture of the whole face as the base-colour texture, encoded as JPEG.
-        #[default]
-        Whole = "whole",
-        /// The photo as the base-colour texture: a power-of-two crop around the face, encoded as JPEG.
-        Photo = "photo",
-        /// One linear colour for each vertex, 16 bits a channel.
-        VertexColours = "colours",
-    }
-}
 
 rosto_mesh::named! {
     /// How long the longest side of a texture is at most.

@@ -14,6 +14,7 @@ pub mod project;
 mod reopen;
 mod sniff;
 mod texture;
+mod units;
 mod zip;
 
 pub use about::about;
@@ -22,12 +23,14 @@ pub use error::ExportError;
 pub use format::{
     Choosable, Colours, Content, Eyes, Format, JsonMesh, Written, mesh_json, obj, ply, stl, three_mf, usdz,
 };
-pub use glb::{BaseColour, GlbOptions, Material, Morph, Source, TextureSize, glb, gltf};
+pub use glb::{GlbOptions, Material, Morph, Source, TextureSize, glb, gltf};
 pub use model::{Model, Picture};
 pub use printable::{NoSolid, SOLID_MM, Solid, SolidFacts};
 pub use reopen::{Further, FurtherPhoto, Painted, PlacedTexture, ReopenError, Reopened, reopen};
 pub use rosto_solid::{PLA_G_PER_CM3, SolidError};
 pub use sniff::{FileKind, SNIFFED_BYTES, sniff};
+pub use texture::BaseColour;
+pub use units::{MM_PER_M, Units};
 pub use zip::NamedFile;
 
 /// The examples of the README are tested with those of the code.

@@ -8,7 +8,21 @@ use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
 use rosto_face::Photo;
 
-use crate::{BaseColour, ExportError, Model, Picture};
+use crate::{ExportError, Model, Picture};
+
+rosto_mesh::named! {
+    /// How the face is painted. Never both ways at once, which would multiply the photo by itself.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum BaseColour {
+        /// The picture of the whole face as the base-colour texture, encoded as JPEG.
+        #[default]
+        Whole = "whole",
+        /// The photo as the base-colour texture: a power-of-two crop around the face, encoded as JPEG.
+        Photo = "photo",
+        /// One linear colour for each vertex, 16 bits a channel.
+        VertexColours = "colours",
+    }
+}
 
 /// High enough that skin shows no blocks.
 const JPEG_QUALITY: u8 = 92;

@@ -1,11 +1,11 @@
 use glam::{DVec2, DVec3};
 use rosto_mesh::Topology;
 
-use crate::tables::{CANONICAL, POSITIONS, TESSELLATION, UVS};
-use crate::{Opening, mirror_of};
+use crate::mirror_of;
+use crate::tables::{CANONICAL, LANDMARK_COUNT, POSITIONS, TESSELLATION, UVS};
 
-/// How many landmarks MediaPipe's face mesh has; a landmark's index is its vertex.
-pub const LANDMARK_COUNT: usize = 468;
+/// Subdivision level of the finest mesh.
+pub const MAX_DENSITY: u32 = 4;
 
 rosto_mesh::named! {
     /// The two published ways to join the landmarks by triangles. Both wind counter-clockwise for the viewer.
@@ -35,15 +35,6 @@ impl Triangulation {
     }
 }
 
-/// The triangles of a face's mesh without those that fill its eyes and mouth, which [`Triangulation::Tessellation`] leaves open.
-///
-/// `mesh` is a subdivision of `face`, its triangles in the order of those that they are parts of.
-pub fn without_fillings(face: &[[u32; 3]], mesh: &[[u32; 3]]) -> Vec<[u32; 3]> {
-    let parts = mesh.len() / face.len().max(1);
-    let kept = mesh.chunks(parts.max(1)).zip(face).filter(|(_, corners)| Opening::filled_by(corners).is_none());
-    kept.flat_map(|(parts, _)| parts).copied().collect()
-}
-
 /// The edges around the eyes and the mouth, where lids and lips end: the boundary of [`Triangulation::Tessellation`] but for
 /// its rim.
 pub fn opening_edges() -> Vec<[u32; 2]> {
@@ -64,7 +55,12 @@ pub fn crowded_landmarks() -> Vec<u32> {
 /// It is an average head, and sets the size of every model whose own cannot be measured.
 pub fn canonical_positions_m() -> Vec<DVec3> {
     const M_PER_UNIT: f64 = 1e-8;
-    POSITIONS.iter().map(|p| DVec3::from(p.map(f64::from)) * M_PER_UNIT).collect()
+    let place = |landmark: u32| {
+        let partner = mirror_of(landmark);
+        let [x, y, z] = POSITIONS[landmark.min(partner) as usize];
+        DVec3::from([if partner < landmark { -x } else { x }, y, z].map(f64::from)) * M_PER_UNIT
+    };
+    (0..LANDMARK_COUNT as u32).map(place).collect()
 }
 
 /// The canonical face's texture coordinates: 468 pairs in 0..=1, origin at the top left, without seams.

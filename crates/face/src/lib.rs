@@ -24,8 +24,7 @@ mod turn;
 pub use areas::Area;
 pub use camera::{Camera, Pose};
 pub use canonical::{
-    LANDMARK_COUNT, Triangulation, canonical_positions_m, canonical_uvs, crowded_landmarks, opening_edges,
-    without_fillings,
+    MAX_DENSITY, Triangulation, canonical_positions_m, canonical_uvs, crowded_landmarks, opening_edges,
 };
 pub use contours::oval;
 pub use error::FaceError;
@@ -35,12 +34,13 @@ pub use model::{
     FaceInput, FaceModel, LeftOut, MOST_PHOTOS, Reprojection, Sighting, View, check_landmarks, drawn_out_m,
 };
 pub use names::{has_anatomical_name, landmark_id, part_id};
-pub use openings::{Opening, Parted, Piece};
+pub use openings::{Opening, Parted, Piece, without_fillings};
 pub use photo_lens::{DISTANCES_M, PhotoLens};
 pub use regions::Region;
 pub use rosto_photo::Photo;
 pub use size::{Scale, ScaleSource};
 pub use symmetry::{midline, mirror_of, mirror_pairs};
+pub use tables::LANDMARK_COUNT;
 pub use turn::Turn;
 
 /// The examples of the README are tested with those of the code.

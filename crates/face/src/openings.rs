@@ -68,6 +68,16 @@ impl Opening {
     }
 }
 
+/// The triangles of a face's mesh without those that fill its eyes and mouth, which
+/// [`Triangulation::Tessellation`](crate::Triangulation::Tessellation) leaves open.
+///
+/// `mesh` is a subdivision of `face`, its triangles in the order of those that they are parts of.
+pub fn without_fillings(face: &[[u32; 3]], mesh: &[[u32; 3]]) -> Vec<[u32; 3]> {
+    let parts = mesh.len() / face.len().max(1);
+    let kept = mesh.chunks(parts.max(1)).zip(face).filter(|(_, corners)| Opening::filled_by(corners).is_none());
+    kept.flat_map(|(parts, _)| parts).copied().collect()
+}
+
 /// A face's mesh with the skin cut open at eyes and mouth, and what fills them in pieces of their own that stay where they are
 /// when lids and lips move: eyes round as balls behind the lids, what is seen of the mouth behind the lips.
 ///

@@ -9,8 +9,8 @@ mod parts;
 mod region;
 
 use crate::LandmarksError;
-use crate::mesh::{LANDMARK_COUNT, NAME, RawMesh, SIDE};
 use crate::network::{Input, Network};
+use crate::raw_mesh::{LANDMARK_COUNT, NAME, RawMesh, SIDE};
 use parts::{IRIS_POINTS, LEFT_EYE, LIPS, Part, RIGHT_EYE};
 use region::{CROP_SIDE, FEATURE_CHANNELS, FEATURE_SIDE, FeatureRegion};
 

@@ -6,7 +6,7 @@ mod smoothing;
 
 use rosto_photo::Photo;
 
-use crate::detector::Detection;
+use crate::detection::Detection;
 use crate::finder::{FaceFinder, MIN_PRESENCE};
 use crate::mesh::{Mesh, region_of};
 use crate::region_of_interest::{PictureSize, RegionPx};

@@ -5,7 +5,8 @@ use sha2::{Digest, Sha256};
 
 use crate::assets;
 use crate::detector::Detector;
-use crate::mesh::{LandmarkNetwork, MeshNetwork, RawMesh, region_of};
+use crate::mesh::{LandmarkNetwork, MeshNetwork, region_of};
+use crate::raw_mesh::RawMesh;
 use crate::region_of_interest::{PictureSize, RegionOfInterest, RegionPx};
 use crate::warp::{self, Outside};
 

@@ -11,10 +11,12 @@
 use std::f32::consts::PI;
 
 use crate::LandmarksError;
-use crate::detector::{self, Detection, Detector};
-use crate::finder::Face;
-use crate::mesh::{self, EYE_CORNERS, Mesh, MeshNetwork, region_of};
+use crate::detection::Detection;
+use crate::detector::{self, Detector};
+use crate::face::Face;
+use crate::mesh::{EYE_CORNERS, Mesh, MeshNetwork, region_of};
 use crate::pyramid::Pyramid;
+use crate::raw_mesh::SIDE;
 use crate::region_of_interest::{PictureSize, RegionOfInterest, RegionPx};
 
 /// The two networks, and the picture that they look at.
@@ -122,7 +124,7 @@ impl Judge<'_> {
     fn look(&self, region: &RegionOfInterest) -> Result<Mesh, LandmarksError> {
         let picture = PictureSize::of(self.pyramid.photo());
         let share = region.px(picture).size[0] / picture.width.max(picture.height);
-        let copy = self.pyramid.fitting(share, mesh::SIDE);
+        let copy = self.pyramid.fitting(share, SIDE);
         let shift = shift(picture, PictureSize::of(copy));
         let [x, y] = region.centre;
         let mut mesh = self.mesh.look(copy, &RegionOfInterest { centre: [x - shift[0], y - shift[1]], ..*region })?;

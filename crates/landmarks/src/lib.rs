@@ -15,8 +15,10 @@ mod anchors;
 mod assets;
 mod attention;
 mod constants;
+mod detection;
 mod detector;
 mod error;
+mod face;
 mod finder;
 mod follow;
 #[cfg(test)]
@@ -30,6 +32,7 @@ mod network;
 mod part;
 mod prominence;
 mod pyramid;
+mod raw_mesh;
 mod region_of_interest;
 mod search;
 #[cfg(test)]
@@ -39,11 +42,13 @@ mod suppression;
 mod warp;
 
 pub use error::LandmarksError;
-pub use finder::{Face, FaceFinder, FindOptions, FoundFaces, Search, Stage};
+pub use face::Face;
+pub use finder::{FaceFinder, FindOptions, FoundFaces, Search, Stage};
 pub use follow::{FollowedFace, Follower, Origin};
-pub use mesh::{LANDMARK_COUNT, LandmarkNetwork};
+pub use mesh::LandmarkNetwork;
 #[cfg(feature = "bench")]
 pub use network::Network;
+pub use raw_mesh::LANDMARK_COUNT;
 pub use region_of_interest::RegionOfInterest;
 
 /// The examples of the README are tested with those of the code.

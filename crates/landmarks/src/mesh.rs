@@ -6,11 +6,9 @@ use crate::LandmarksError;
 use crate::attention::Attention;
 use crate::detector::sigmoid;
 use crate::network::Network;
+use crate::raw_mesh::{LANDMARK_COUNT, NAME, RawMesh, SIDE};
 use crate::region_of_interest::{PictureSize, RegionOfInterest, RegionPx};
 use crate::warp::{self, Outside};
-
-/// Number of landmarks of a face; a finer network adds the irises to them.
-pub const LANDMARK_COUNT: usize = 468;
 
 /// What the network says of one region.
 pub(crate) struct Mesh {
@@ -18,12 +16,6 @@ pub(crate) struct Mesh {
     pub(crate) presence: f32,
     /// x/W, y/H, z/W.
     pub(crate) landmarks: Vec<[f32; 3]>,
-}
-
-/// A network's answer in px of its input, and the logit of the face flag.
-pub(crate) struct RawMesh {
-    pub(crate) points: Vec<[f32; 3]>,
-    pub(crate) flag: f32,
 }
 
 /// Which landmark network there is: the ONNX file.
@@ -45,10 +37,6 @@ enum Kind {
     Attention(Attention),
 }
 
-/// Side of the networks' picture in px.
-pub(crate) const SIDE: usize = 192;
-/// Name of the networks in errors.
-pub(crate) const NAME: &str = "landmark";
 /// u8 to 0..1.
 const SCALE_AND_OFFSET: [f32; 2] = [1.0 / 255.0, 0.0];
 /// Outer corners of the eyes, on the picture's left and right: the horizontal of a face.

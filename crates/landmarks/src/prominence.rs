@@ -1,7 +1,7 @@
 //! Which faces come first, and which are one and the same.
 
-use crate::detector::Detection;
-use crate::finder::Face;
+use crate::detection::Detection;
+use crate::face::Face;
 use crate::region_of_interest::PictureSize;
 
 /// An upright box, normalised to the picture.

@@ -4,7 +4,8 @@ use std::f32::consts::{FRAC_PI_2, PI};
 
 use rosto_photo::Photo;
 
-use crate::detector::{Detection, Detector};
+use crate::detection::Detection;
+use crate::detector::Detector;
 use crate::pyramid::Pyramid;
 use crate::region_of_interest::{PictureSize, RegionPx};
 use crate::{LandmarksError, suppression};

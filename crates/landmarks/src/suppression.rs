@@ -1,6 +1,6 @@
 //! One face, one detection: non-maximum suppression in which the suppressed boxes still have a say.
 
-use crate::detector::Detection;
+use crate::detection::Detection;
 
 /// Boxes that overlap the best one by more than this (intersection over union) show the same face.
 const MAX_OVERLAP: f32 = 0.3;

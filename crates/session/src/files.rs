@@ -1,24 +1,13 @@
 use glam::DVec3;
 use rosto_export::{
     BaseColour, Choosable, Colours, Content, Eyes, Format, GlbOptions, Material, Model, Morph, Picture, Solid,
-    SolidFacts, Source, Written, project,
+    SolidFacts, Source, Units, Written, project,
 };
 use rosto_mesh::Topology;
 use rosto_studio::{EditsInRig, Rig};
 
 use crate::error::SessionError;
 use crate::{OpenFace, Session};
-
-rosto_mesh::named! {
-    /// Which coordinates a mesh is written in.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-    pub enum Units {
-        /// MediaPipe's normalised ones.
-        Image = "image",
-        /// Millimetres of the model.
-        Millimetres = "mm",
-    }
-}
 
 rosto_mesh::named! {
     /// How edits are in a GLB.
@@ -82,7 +71,7 @@ impl Default for FileOptions {
             edits: EditsAs::Shape,
             expressions: ExpressionsAs::Shape,
             eyes: Eyes::default(),
-            units: Units::Millimetres,
+            units: Units::Mm,
             solid: Solid::default(),
             colours: Colours::default(),
         }
@@ -268,7 +257,7 @@ impl OpenFace {
     fn positions_in(&self, units: Units) -> Vec<DVec3> {
         match units {
             Units::Image => self.positions_image(),
-            Units::Millimetres => self.positions_mm(),
+            Units::Mm => self.positions_mm(),
         }
     }
 }

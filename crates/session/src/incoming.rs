@@ -1,7 +1,8 @@
-use rosto_face::{FaceInput, FaceModel, Photo, PhotoLens, Triangulation};
-use rosto_studio::{Amount, Document, Entry, MAX_DENSITY, Rest, project};
+use rosto_face::{FaceInput, FaceModel, MAX_DENSITY, Photo, PhotoLens, Triangulation};
+use rosto_studio::{Amount, Document, Entry, Rest, project};
 
 use crate::error::{SessionError, within};
+use crate::further_photo::FurtherPhoto;
 use crate::open_face::{MAX_OFFSET_M, OpenFace};
 use crate::strokes;
 
@@ -28,30 +29,6 @@ pub struct Incoming {
     pub further: Vec<FurtherPhoto>,
     /// What was done to the face before; nothing for one that was just found.
     pub work: Option<Work>,
-}
-
-/// A further photo of a face, and what was found in it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FurtherPhoto {
-    /// MediaPipe's normalised landmarks: 468, or 478 with the irises.
-    pub landmarks: Vec<[f32; 3]>,
-    /// Width and height in px of the upright photo that they were found in.
-    pub photo_size_px: [u32; 2],
-    /// The colour under each landmark, sRGB: 468.
-    pub colours_srgb: Vec<[u8; 3]>,
-    /// The upright picture, perhaps scaled down.
-    pub picture: Photo,
-    /// What is known of the lens that the photo was taken through.
-    pub lens: PhotoLens,
-}
-
-impl FurtherPhoto {
-    /// As a model takes it.
-    pub(crate) fn input(&self) -> FaceInput<'_> {
-        let [width, height] = self.photo_size_px;
-        let Self { landmarks, colours_srgb: colours, lens, .. } = self;
-        FaceInput { landmarks, width, height, colours, picture: self.picture.clone(), lens: *lens }
-    }
 }
 
 /// What was done to a face.

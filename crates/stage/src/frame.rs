@@ -2,7 +2,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
 
 use crate::markers::Axis;
-use crate::{Camera, Dots, Light, MirrorPlane, PicturePlane, RenderSettings, Rim, Sides};
+use crate::{Camera, Dots, MirrorPlane, PicturePlane, RenderSettings, Rim, Sides};
 
 /// What every shader reads once a frame, in the layout of a uniform buffer.
 ///
@@ -70,7 +70,7 @@ pub(crate) struct FrameInputs {
 impl FrameUniforms {
     pub(crate) fn new(camera: &Camera, settings: &RenderSettings, inputs: &FrameInputs) -> Self {
         let palette = settings.theme.palette();
-        let light = &Light::on_surface(settings);
+        let light = &settings.surface_light();
         // What rises out of the picture has its light, which becomes the lamp's on the way.
         let lamp = (1.0 - inputs.picture_share) as f32;
         let picture = inputs.picture.unwrap_or_default();

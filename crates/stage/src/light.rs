@@ -1,12 +1,9 @@
 use glam::DVec3;
 
-use crate::{Camera, PictureLight, RenderSettings, ShadingMode, Srgb};
+use crate::{Camera, Srgb};
 
 /// With the usual ambient light, this shows a surface that faces the viewer about in its own colour.
 const USUAL_BRIGHTNESS: f64 = 0.92;
-
-/// How much of the lamp a picture gets that has its own light.
-const LAMP_ON_PICTURE: f64 = 0.15;
 
 /// One directional light, fixed to the viewer, and an even light from everywhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,17 +32,8 @@ impl Light {
     pub const FLAT: Self =
         Self { azimuth_deg: 0.0, elevation_deg: 0.0, strength: 0.0, colour: Srgb::WHITE, ambient: 1.0 };
 
-    /// The light that falls on the surface with these settings: a picture has the light in it that it was taken in, and of
-    /// the lamp just a trace, so that its form is seen when it turns.
-    pub(crate) fn on_surface(settings: &RenderSettings) -> Self {
-        match (settings.shading, settings.picture_light) {
-            (ShadingMode::Picture, PictureLight::Own) => settings.light.faded_to_flat(1.0 - LAMP_ON_PICTURE),
-            _ => settings.light,
-        }
-    }
-
     /// The way from this light to none that shades, 0..1.
-    fn faded_to_flat(self, share: f64) -> Self {
+    pub(crate) fn faded_to_flat(self, share: f64) -> Self {
         let mix = |from: f64, to: f64| from + (to - from) * share;
         Self {
             strength: mix(self.strength, Self::FLAT.strength),
@@ -85,22 +73,6 @@ mod tests {
             assert!((direction.length() - 1.0).abs() < 1e-12);
             assert!(direction.dot(camera.right()) < -0.2 && direction.dot(camera.up()) > 0.2, "{view:?}");
             assert!(direction.dot(camera.back()) > 0.2);
-        }
-    }
-
-    #[test]
-    fn a_picture_keeps_its_colours_whatever_the_lamp_does() {
-        let dark = Light { strength: 0.0, ambient: 0.0, ..Light::default() };
-        for light in [Light::default(), dark, Light { azimuth_deg: 120.0, strength: 2.0, ..Light::default() }] {
-            let own = RenderSettings { light, ..RenderSettings::default() };
-            let darkest = Light::on_surface(&own).ambient;
-            assert!(darkest >= 1.0 - LAMP_ON_PICTURE, "{darkest}");
-            for settings in [
-                RenderSettings { picture_light: PictureLight::Lamp, ..own },
-                RenderSettings { shading: ShadingMode::Clay, ..own },
-            ] {
-                assert_eq!(Light::on_surface(&settings), light);
-            }
         }
     }
 

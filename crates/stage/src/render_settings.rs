@@ -1,5 +1,8 @@
 use crate::{Light, Srgb};
 
+/// How much of the lamp a picture gets that has its own light.
+const LAMP_ON_PICTURE: f64 = 0.15;
+
 rosto_mesh::named! {
     /// How the surface is coloured.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -176,6 +179,17 @@ impl Default for RenderSettings {
     }
 }
 
+impl RenderSettings {
+    /// The light that falls on the surface: a picture has the light in it that it was taken in, and of the lamp just a trace,
+    /// so that its form is seen when it turns.
+    pub(crate) fn surface_light(&self) -> Light {
+        match (self.shading, self.picture_light) {
+            (ShadingMode::Picture, PictureLight::Own) => self.light.faded_to_flat(1.0 - LAMP_ON_PICTURE),
+            _ => self.light,
+        }
+    }
+}
+
 /// The colours of a theme; `web/css/base.css` says the same.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Palette {
@@ -217,6 +231,27 @@ impl Theme {
                 accent: Srgb([0xe0, 0x7a, 0x5f]),
                 shadow_alpha: 0.55,
             },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_keeps_its_colours_whatever_the_lamp_does() {
+        let dark = Light { strength: 0.0, ambient: 0.0, ..Light::default() };
+        for light in [Light::default(), dark, Light { azimuth_deg: 120.0, strength: 2.0, ..Light::default() }] {
+            let own = RenderSettings { light, ..RenderSettings::default() };
+            let darkest = own.surface_light().ambient;
+            assert!(darkest >= 1.0 - LAMP_ON_PICTURE, "{darkest}");
+            for settings in [
+                RenderSettings { picture_light: PictureLight::Lamp, ..own },
+                RenderSettings { shading: ShadingMode::Clay, ..own },
+            ] {
+                assert_eq!(settings.surface_light(), light);
+            }
         }
     }
 }

@@ -1,5 +1,7 @@
-use rosto_export::{BaseColour, Choosable, Colours, Eyes, Format, Material, PLA_G_PER_CM3, SOLID_MM, SolidFacts};
-use rosto_session::{EditsAs, ExpressionsAs, FileOptions, Units};
+use rosto_export::{
+    BaseColour, Choosable, Colours, Eyes, Format, Material, PLA_G_PER_CM3, SOLID_MM, SolidFacts, Units,
+};
+use rosto_session::{EditsAs, ExpressionsAs, FileOptions};
 use rosto_stage::Background;
 use rosto_studio::SMOOTH_DENSITY;
 use wasm_bindgen::prelude::*;

@@ -8,19 +8,8 @@ use wasm_bindgen::prelude::*;
 use crate::Studio;
 use crate::error::Result;
 use crate::modes::ChangeName;
-use crate::photo_panel::PanelPhoto;
 use crate::picture::OpenPicture;
 use crate::state::StudioRange;
-
-/// The photo as it follows the edits, on the stage and on the panel.
-#[derive(Default)]
-pub(crate) struct PhotoShown {
-    /// Of the warp on the GPU; none while the photo is there as it was taken.
-    version: Option<u32>,
-    /// Whether the edits have gone on since the photo followed them.
-    is_due: bool,
-    pub(crate) panel: Option<PanelPhoto>,
-}
 
 /// What moves in the photo, for whoever draws all of it.
 #[wasm_bindgen(getter_with_clone)]

@@ -21,6 +21,7 @@ mod renderer;
 mod reopened;
 mod seeing;
 mod selecting;
+mod shown;
 mod state;
 mod studio;
 mod texture;

@@ -1,22 +1,13 @@
 use glam::DVec2;
 use rosto_session::{Changed, Mirror};
 use rosto_stage::Scene;
-use rosto_viewport::{MeshInput, PictureOnGpu, SheetInput};
+use rosto_viewport::{MeshInput, SheetInput};
 use wasm_bindgen::prelude::*;
 use web_sys::ImageBitmap;
 
 use crate::Studio;
 use crate::error::{FacadeError, Result};
-
-/// The film on the GPU, and what of it is shown.
-pub(crate) struct Film {
-    on_gpu: PictureOnGpu,
-    size_px: [u32; 2],
-    /// Of the layout that is shown; none before there is one.
-    version: Option<u32>,
-    /// Whether the mesh that is shown has the film on it.
-    is_on_mesh: bool,
-}
+use crate::shown::Film;
 
 /// The mirror.
 #[wasm_bindgen]

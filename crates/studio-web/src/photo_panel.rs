@@ -5,14 +5,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::Studio;
 use crate::error::FacadeError;
-use crate::picture::{rgb_of, rgba_of};
-
-/// The part of the photo that the panel shows, as it was taken.
-pub(crate) struct PanelPhoto {
-    photo: Photo,
-    corner_px: DVec2,
-    scale: f64,
-}
+use crate::shown::PanelPhoto;
 
 /// The photo on the panel, with the edits.
 #[wasm_bindgen]
@@ -33,7 +26,7 @@ impl Studio {
     ) -> Result<(), JsValue> {
         let height = (rgba.len() / 4).checked_div(width as usize).unwrap_or_default() as u32;
         let bad = |_| FacadeError::from(ViewportError::BadPicture { width, height, found: rgba.len() });
-        let photo = Photo::from_rgb(width, height, rgb_of(rgba)).map_err(bad)?;
+        let photo = Photo::from_rgbx(width, height, rgba).map_err(bad)?;
         self.photo_shown.panel = Some(PanelPhoto { photo, corner_px: DVec2::new(left_px, top_px), scale });
         Ok(())
     }
@@ -43,6 +36,6 @@ impl Studio {
     pub fn panel_photo(&self) -> Option<Vec<u8>> {
         let PanelPhoto { photo, corner_px, scale } = self.photo_shown.panel.as_ref()?;
         let (patch, _) = self.session.face()?.photo().patch()?;
-        Some(rgba_of(&rosto_warp::drawn(photo, &patch.cut(*corner_px, *scale))))
+        Some(rosto_warp::drawn(photo, &patch.cut(*corner_px, *scale)).rgbx())
     }
 }

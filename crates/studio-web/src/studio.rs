@@ -7,12 +7,11 @@ use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::future_to_promise;
 
 use crate::error::{FacadeError, Result};
-use crate::in_photo::PhotoShown;
-use crate::mirror::Film;
 use crate::modes::ChangeName;
 use crate::picture::{IncomingPicture, OpenPicture};
 use crate::pieces::Pieces;
 use crate::renderer::Renderer;
+use crate::shown::{Film, PhotoShown};
 
 /// Seeds stay exact as JavaScript's numbers.
 const SEEDS: f64 = 9_007_199_254_740_992.0;

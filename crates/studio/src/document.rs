@@ -17,7 +17,7 @@ use crate::level::{Level, Rest};
 use crate::level_positions::LevelPositions;
 use crate::prepared_edit::PreparedEdit;
 use crate::{Entry, Expression, History, InfluenceWeights, Standing, StudioError};
-pub use checks::{MAX_DENSITY, SMOOTH_DENSITY};
+pub use checks::SMOOTH_DENSITY;
 use editing::Preview;
 use replay_cache::ReplayCache;
 pub use state::DocumentState;
@@ -151,7 +151,7 @@ impl Document {
     /// mesh than this one wait until it is shown again. An edit in progress is cancelled, and the spec let go.
     ///
     /// # Errors
-    /// [`StudioError::TooDense`] beyond [`MAX_DENSITY`]; the document is as before.
+    /// [`StudioError::TooDense`] beyond [`MAX_DENSITY`](rosto_face::MAX_DENSITY); the document is as before.
     pub fn set_density(&mut self, density: u32) -> Result<(), StudioError> {
         self.fault.check()?;
         self.vertices_at(density)?;

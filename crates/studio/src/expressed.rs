@@ -5,21 +5,6 @@ use glam::DVec3;
 use crate::level::Level;
 use crate::{Expression, Expressions, StudioError};
 
-/// What expressions displace one level by, as far as they were asked for: it depends on the rest alone.
-#[derive(Default)]
-pub(crate) struct Expressed {
-    /// Of the cage alone.
-    solver: Option<Expressions>,
-    expressions: Vec<(Expression, Vec<DVec3>)>,
-}
-
-impl Expressed {
-    /// By how much an expression of weight 1 displaces each vertex, once it was made ready.
-    pub(crate) fn ways(&self, expression: Expression) -> Option<&[DVec3]> {
-        self.expressions.iter().find(|(known, _)| *known == expression).map(|(_, ways)| ways.as_slice())
-    }
-}
-
 /// Works out what an expression displaces every level up to a density by, unless it is known. Denser levels part at lids and
 /// lips, so that what moves one of them leaves the other.
 pub(crate) fn prepare(levels: &mut [Level], density: u32, expression: Expression) -> Result<(), StudioError> {

@@ -5,9 +5,8 @@ use rosto_laplacian::{
 };
 use rosto_mesh::{LoopSubdivision, Topology};
 
-use crate::StudioError;
-use crate::expressed::Expressed;
 use crate::mirror::MirrorTable;
+use crate::{Expression, Expressions, StudioError};
 
 /// Which coordinates a document's positions are in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,6 +63,21 @@ pub(crate) struct Level {
     finer: Option<LoopSubdivision>,
     /// What expressions displace it by.
     expressed: Expressed,
+}
+
+/// What expressions displace one level by, as far as they were asked for: it depends on the rest alone.
+#[derive(Default)]
+pub(crate) struct Expressed {
+    /// Of the cage alone.
+    pub(crate) solver: Option<Expressions>,
+    pub(crate) expressions: Vec<(Expression, Vec<DVec3>)>,
+}
+
+impl Expressed {
+    /// By how much an expression of weight 1 displaces each vertex, once it was made ready.
+    pub(crate) fn ways(&self, expression: Expression) -> Option<&[DVec3]> {
+        self.expressions.iter().find(|(known, _)| *known == expression).map(|(_, ways)| ways.as_slice())
+    }
 }
 
 struct Anchored {

@@ -28,7 +28,7 @@ mod target;
 mod whole_texture;
 
 pub use command::{AnchorKind, Anchors, Command, Details, EditSpec, Mirror, RegionOfInfluence, Settings};
-pub use document::{Document, DocumentState, MAX_DENSITY, SMOOTH_DENSITY};
+pub use document::{Document, DocumentState, SMOOTH_DENSITY};
 pub use error::StudioError;
 pub use expressions::{Expression, Expressions};
 pub use fading::fading;

@@ -1,7 +1,7 @@
 use rosto_photo::Photo;
 
 use crate::atlas::Atlas;
-use crate::blend::Blend;
+use crate::blend::{Blend, Shares};
 use crate::draw::drawn;
 use crate::layer::{Layer, Seen, Side};
 use crate::map::{CELLS, blurred};
@@ -16,17 +16,6 @@ pub struct Texture {
     pub picture: Photo,
     /// Where its texels come from.
     pub shares: Shares,
-}
-
-/// Shares of the mesh's area in its texture, which sum to 1.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Shares {
-    /// What a photo shows.
-    pub seen: f64,
-    /// What no photo shows, and is the mirror image of what one does.
-    pub mirrored: f64,
-    /// What was filled from around it.
-    pub filled: f64,
 }
 
 /// Makes a texture of `side_px` by `side_px` from photos of a mesh.

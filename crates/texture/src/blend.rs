@@ -2,7 +2,6 @@ use std::ops::Range;
 
 use glam::Vec3;
 
-use crate::Shares;
 use crate::atlas::Atlas;
 use crate::filling::filled;
 use crate::layer::{Layer, Side};
@@ -32,6 +31,17 @@ pub(crate) struct Blend {
     /// How far each cell of the mesh, and each beside it, has to be filled: 0 to 1.
     pub(crate) missing: Vec<f32>,
     pub(crate) shares: Shares,
+}
+
+/// Shares of the mesh's area in its texture, which sum to 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shares {
+    /// What a photo shows.
+    pub seen: f64,
+    /// What no photo shows, and is the mirror image of what one does.
+    pub mirrored: f64,
+    /// What was filled from around it.
+    pub filled: f64,
 }
 
 impl Blend {

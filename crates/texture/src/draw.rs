@@ -6,7 +6,7 @@ use crate::between::{Place, in_row, row_of};
 use crate::blend::Blend;
 use crate::grain::add_grain;
 use crate::layer::{Layer, Seen};
-use crate::map::{AREA, CELLS};
+use crate::map::{AREA, CELLS, bytes};
 use crate::raster::{Span, spans};
 
 /// The texture's bytes: three for each texel, row by row from the top.
@@ -109,9 +109,4 @@ fn counting(blend: &Blend) -> Vec<u16> {
         }
     }
     counting
-}
-
-/// Half up, and what is beyond 0 and 255 ends there.
-pub(crate) fn bytes(levels: Vec3) -> [u8; 3] {
-    levels.to_array().map(|level| (level + 0.5) as u8)
 }

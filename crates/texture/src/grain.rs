@@ -4,8 +4,7 @@ use glam::{Vec2, Vec3};
 
 use crate::between::{Place, between, in_row, row_of};
 use crate::blend::Blend;
-use crate::draw::bytes;
-use crate::map::{AREA, CELLS, blurred, divided, ramp};
+use crate::map::{AREA, CELLS, blurred, bytes, divided, ramp};
 
 /// Detail is taken from where at least so much is seen.
 const SEEN: f32 = 0.98;

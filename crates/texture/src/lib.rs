@@ -16,6 +16,7 @@ mod error;
 mod filling;
 mod grain;
 mod layer;
+mod limits;
 mod map;
 mod matching;
 mod plan;
@@ -23,11 +24,13 @@ mod raster;
 mod subject;
 mod trust;
 
-pub use bake::{Shares, Texture, texture};
+pub use bake::{Texture, texture};
+pub use blend::Shares;
 pub use error::TextureError;
+pub use limits::{MOST_SHOTS, SIDES_PX};
 pub use plan::Plan;
 pub use raster::{Span, spans};
-pub use subject::{Eye, MOST_SHOTS, SIDES_PX, Shot, Subject};
+pub use subject::{Eye, Shot, Subject};
 
 /// The examples of the README are tested with those of the code.
 #[cfg(doctest)]

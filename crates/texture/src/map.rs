@@ -2,6 +2,8 @@
 
 use std::ops::{Add, Mul};
 
+use glam::Vec3;
+
 /// Cells along each side; lengths below are in cells.
 pub(crate) const CELLS: usize = 256;
 
@@ -96,4 +98,9 @@ pub(crate) fn distances(sources: &[bool]) -> Vec<f32> {
         reach(cell, cell / CELLS, [(0, 1, 3), (1, 1, 4), (1, 0, 3), (1, -1, 4)]);
     }
     steps.into_iter().map(|steps| steps as f32 / 3.0).collect()
+}
+
+/// Half up, and what is beyond 0 and 255 ends there.
+pub(crate) fn bytes(levels: Vec3) -> [u8; 3] {
+    levels.to_array().map(|level| (level + 0.5) as u8)
 }

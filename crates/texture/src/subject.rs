@@ -1,16 +1,8 @@
-use std::ops::RangeInclusive;
-
 use glam::{DVec2, DVec3};
 use rosto_mesh::Topology;
 use rosto_photo::Photo;
 
-use crate::TextureError;
-
-/// How long a texture's side can be, in px: its powers of two.
-pub const SIDES_PX: RangeInclusive<u32> = 256..=4096;
-
-/// How many photos a texture can be made of.
-pub const MOST_SHOTS: usize = 5;
+use crate::{MOST_SHOTS, SIDES_PX, TextureError};
 
 /// The mesh that a texture is made for.
 #[derive(Debug, Clone, Copy)]

@@ -1,13 +1,15 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use rosto_export::Units;
 use rosto_face::Region;
-use rosto_studio::{ConstraintKind, Expression, FaceSlider, Operator};
+use rosto_studio::{
+    AnchorKind, Anchors, ConstraintKind, Details, Expression, FaceSlider, Mirror, Operator, RegionOfInfluence, Settings,
+};
 
 use crate::choices::{listed, one_of};
 use crate::edits::{Edit, ExpressionEdit, RegionEdit, SliderEdit};
-use crate::settings;
-use crate::units::Units;
+use crate::settings::{self, Rule};
 
 /// What is moved.
 #[derive(Debug, Args)]
@@ -18,7 +20,7 @@ pub struct EditArguments {
     /// "image": MediaPipe's normalised ones, x/W, y/H, z/W, as in the paper. "mm": the model's millimetres, +Y up, +Z out
     /// of the face, the subject's left towards +X. The other formats always hold the model: edits made in image
     /// coordinates are carried over by the map between the two.
-    #[arg(long, default_value = Units::default().id(),
+    #[arg(long, default_value = Units::Image.id(),
         value_parser = one_of("export.units", Units::ALL, Units::id, Units::from_id))]
     pub units: Units,
     /// A JSON file of edits: [{"vertex": 4, "offset": [0, 0, 1], "anchors": [10, 152]}], with "level" for a denser mesh's
@@ -57,7 +59,7 @@ pub struct SettingsArguments {
     pub constraint: ConstraintKind,
     /// What stays in place: two random vertices, the face's oval, everything further away than a radius, or only --pin
     #[arg(long, value_name = "random|oval|outside:RADIUS|pins", default_value = "random", value_parser = settings::anchors)]
-    pub anchors: settings::Rule,
+    pub anchors: Rule,
     /// Chooses the random anchors
     #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
     pub seed: u64,
@@ -73,6 +75,28 @@ pub struct SettingsArguments {
     /// Lets details turn with the surface (as rigid as possible)
     #[arg(long)]
     pub turn_details: bool,
+}
+
+impl SettingsArguments {
+    /// The settings for the edit with this number, counted from 0. `unit` is the document's for one of the command line's.
+    pub fn of_edit(&self, number: usize, unit: f64) -> Settings {
+        let kind = match self.anchors {
+            Rule::Random => AnchorKind::Random { seed: self.seed.wrapping_add(number as u64) },
+            Rule::Oval => AnchorKind::Oval,
+            Rule::Outside { radius } => AnchorKind::Outside { radius: radius * unit },
+            Rule::PinsOnly => AnchorKind::PinsOnly,
+        };
+        Settings {
+            operator: self.operator,
+            constraint: self.constraint,
+            anchors: Anchors { kind, pins: self.pins.clone() },
+            reach: self
+                .radius
+                .map_or(RegionOfInfluence::Whole, |radius| RegionOfInfluence::Within { radius: radius * unit }),
+            mirror: if self.mirror { Mirror::On } else { Mirror::Off },
+            details: if self.turn_details { Details::AsRigidAsPossible } else { Details::Kept },
+        }
+    }
 }
 
 fn region_help() -> String {

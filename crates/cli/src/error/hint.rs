@@ -7,7 +7,7 @@ use rosto_photo::PhotoError;
 use rosto_studio::StudioError;
 
 use super::CliError;
-use crate::files::ReadError;
+use crate::input::ReadError;
 
 impl CliError {
     /// What to do, where something can be done.

@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::lines::{FoundLine, Lines, Verdict};
 use super::{Listing, PhotoName};
 use crate::error::CliError;
-use crate::files;
+use crate::input;
 
 /// How a line begins, up to the name of its photo, and what follows a name that is not valid UTF-8.
 const BEGINNING: &str = "{\"photo\":\"";
@@ -47,7 +47,7 @@ impl Journal {
                 return Ok(Verdict::Drop);
             }
             // What comes through standard input has no name to know it by.
-            if !failed && !files::is_standard_input(&photo) {
+            if !failed && !input::is_standard_input(&photo) {
                 journal.done.insert(photo);
             }
             Ok(Verdict::Keep)
@@ -64,7 +64,7 @@ impl Journal {
 
     /// Whether it has the landmarks of the photo.
     pub fn has(&self, photo: &Path) -> bool {
-        self.done.contains(&files::identity(photo))
+        self.done.contains(&input::identity(photo))
     }
 
     pub fn add(&mut self, line: &str) -> Result<(), CliError> {
@@ -77,7 +77,7 @@ fn entry(line: &FoundLine<'_>, how: &Value) -> Option<(PathBuf, bool)> {
     let entry: Entry = serde_json::from_slice(line.bytes).ok()?;
     let is_ours = entry.how == *how && entry.error.is_some() != entry.faces.is_some();
     let photo = is_ours.then(|| entry.name.path())??;
-    Some((files::identity(&photo), entry.error.is_some()))
+    Some((input::identity(&photo), entry.error.is_some()))
 }
 
 /// Whether this is how a line of this request begins, as far as it goes.

@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::error::CliError;
-use crate::files;
+use crate::input;
 
 /// Extensions of the files that a folder stands for.
 const EXTENSIONS: [&str; 7] = ["jpg", "jpeg", "jpe", "jfif", "pjpeg", "png", "webp"];
@@ -52,14 +52,14 @@ pub fn photos(given: &[PathBuf]) -> Result<Listing, CliError> {
 }
 
 impl Listing {
-    /// Whether a photo with this identity ([`files::identity`]) is listed.
+    /// Whether a photo with this identity ([`input::identity`]) is listed.
     pub fn has(&self, identity: &Path) -> bool {
         self.identities.contains(identity)
     }
 
     fn add(&mut self, path: PathBuf, folder: &Path) {
         self.met += 1;
-        if self.identities.insert(files::identity(&path)) {
+        if self.identities.insert(input::identity(&path)) {
             let name = path.strip_prefix(folder).unwrap_or(&path).to_owned();
             self.photos.push(Listed { path, name });
         }

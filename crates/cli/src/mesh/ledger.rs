@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use crate::error::CliError;
-use crate::files;
+use crate::input;
 use crate::many::{Lines, PhotoName, Verdict, hex};
 use crate::output;
 
@@ -63,7 +63,7 @@ impl Ledger {
         lines.read(|line| match serde_json::from_slice::<Line<'static>>(line.bytes) {
             Ok(Line { name, record }) => {
                 if let Some(photo) = name.path() {
-                    by_photo.entry(files::identity(&photo)).or_default().push(record);
+                    by_photo.entry(input::identity(&photo)).or_default().push(record);
                 }
                 Ok(Verdict::Keep)
             }
@@ -80,12 +80,12 @@ impl Ledger {
     /// [`CliError::Foreign`] if one of them is there and was not written for this photo.
     pub fn status(&self, photo: &Path, outputs: &[PathBuf]) -> Result<Status, CliError> {
         let there = outputs.iter().map(|output| is_there(output)).collect::<Result<Vec<bool>, _>>()?;
-        let records = self.by_photo.get(&files::identity(photo)).map_or(&[][..], Vec::as_slice);
+        let records = self.by_photo.get(&input::identity(photo)).map_or(&[][..], Vec::as_slice);
         let is_current = |record: &Record| record.request == self.request && record.sha256.len() == outputs.len();
         // What was done after that is the user's, and stays. Only an older mesh may still be in the place of the newer.
         if records.last().is_some_and(is_current)
             && there.iter().all(|&there| there)
-            && !files::is_standard_input(photo)
+            && !input::is_standard_input(photo)
         {
             let is_old = records.len() > 1
                 && self.is_of(&records[..records.len() - 1], 0, &outputs[0])?

@@ -1,11 +1,8 @@
 use base64::prelude::{BASE64_STANDARD, Engine};
-use rosto_face::{LANDMARK_COUNT, check_landmarks};
+use rosto_face::{LANDMARK_COUNT, MAX_DENSITY, check_landmarks};
 use serde_json::Value;
 
 use super::ReopenError;
-
-/// The density that the finest mesh is written with.
-const MAX_DENSITY: u32 = 4;
 
 /// No landmark lies farther from the picture than this, in pictures.
 const MAX_COORDINATE: f32 = 300.0;

@@ -1,5 +1,5 @@
 use super::parts::Part;
-use crate::mesh::SIDE;
+use crate::raw_mesh::SIDE;
 
 /// Channels of the trunk's features.
 pub(crate) const FEATURE_CHANNELS: usize = 32;

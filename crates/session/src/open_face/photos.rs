@@ -3,7 +3,7 @@ use rosto_face::{FaceModel, Turn};
 use super::{OpenFace, PhotoEdit};
 use crate::choices::Choices;
 use crate::error::SessionError;
-use crate::incoming::FurtherPhoto;
+use crate::further_photo::FurtherPhoto;
 
 /// One of the photos of a face, as panels show it.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,14 +1,14 @@
 //! What cannot be opened or done is refused with its reason, and leaves everything as it was.
 
 use glam::{DVec2, DVec3};
-use rosto_face::{FaceError, Triangulation};
+use rosto_face::{FaceError, MAX_DENSITY, Triangulation};
 use rosto_laplacian::LaplacianError;
 use rosto_session::{
     DENSEST_SHOWN, Incoming, Intent, MAX_OFFSET_M, MOST_ENTRIES, RADIUS_MM, Selection, Session, SessionError, Work,
 };
 use rosto_stage::Light;
 use rosto_studio::project::ProjectError;
-use rosto_studio::{FaceSlider, MAX_DENSITY, StudioError, Switch};
+use rosto_studio::{FaceSlider, StudioError, Switch};
 
 use crate::faces::{found, session, worked_on};
 use crate::invariants::{hold, hold_deeply, seen};

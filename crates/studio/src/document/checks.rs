@@ -1,12 +1,10 @@
 use std::collections::HashSet;
 
+use rosto_face::MAX_DENSITY;
 use rosto_laplacian::LaplacianError;
 
 use super::Document;
 use crate::{Command, EditSpec, Entry, StudioError};
-
-/// No mesh is subdivided more often.
-pub const MAX_DENSITY: u32 = 4;
 
 /// So often a face is subdivided unless somebody chooses otherwise: 7 257 points with the landmarks as their cage. Its rim and
 /// its outline against the light are smooth then, and nothing takes noticeably longer.

@@ -1,7 +1,8 @@
 use glam::DVec3;
+use rosto_face::MAX_DENSITY;
 
 use super::Document;
-use super::{MAX_DENSITY, points::nearest};
+use super::points::nearest;
 use crate::level::{Level, Rest};
 use crate::mirror::{MirrorTable, reflected};
 use crate::{Command, EditSpec, Mirror, StudioError};

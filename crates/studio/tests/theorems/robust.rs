@@ -1,7 +1,7 @@
 //! Histories from elsewhere, long ones, and ones that other triangles have no answer to.
 
 use glam::DVec3;
-use rosto_face::Triangulation;
+use rosto_face::{MAX_DENSITY, Triangulation};
 use rosto_studio::*;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;

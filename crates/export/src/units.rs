@@ -2,11 +2,10 @@
 pub const MM_PER_M: f64 = 1000.0;
 
 rosto_mesh::named! {
-    /// The coordinates that edits are made in.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    /// The coordinates that edits are made in, and that JSON is written in.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Units {
         /// MediaPipe's normalised coordinates.
-        #[default]
         Image = "image",
         /// Millimetres of the model.
         Mm = "mm",
