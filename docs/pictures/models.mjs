@@ -1,6 +1,6 @@
 // Pictures of models: all expressions, textures next to the truth, a printed body in layers.
 import { execFile } from "node:child_process";
-import { readdir, readFile } from "node:fs/promises";
+import { mkdir, readdir, readFile } from "node:fs/promises";
 import path from "node:path";
 import { promisify } from "node:util";
 import { program } from "../../tests/journeys/command-line.mjs";
@@ -48,13 +48,14 @@ export async function drawTextures(browser, file) {
 /** The sample portrait as a mask of 2 mm, as PrusaSlicer plans its layers. @param {import("@playwright/test").Browser} browser @param {string} file */
 export async function drawSlices(browser, file) {
   const [body, plan] = ["mask.stl", "mask.gcode"].map((name) => path.join(DRAWN, name));
+  await mkdir(DRAWN, { recursive: true });
   await run(program(), ["mesh", SAMPLE, "-o", body, "--solid", "thickness:2"]);
   const print = ["--layer-height", "0.2", "--nozzle-diameter", "0.4", "--filament-diameter", "1.75", "--skirts", "0"];
   await run("prusa-slicer", ["--export-gcode", ...print, "--output", plan, body]);
   const layers = layersOf(await readFile(plan, "utf8"));
   const top_mm = layers.at(-1).z_mm;
   const shown = HEIGHTS.map((height) => layers.find(({ z_mm }) => z_mm >= height * top_mm));
-  const cells = shown.map((layer) => ({ picture: svg([layer], ([x, y]) => [x, -y]), caption: `The layer at ${layer.z_mm.toFixed(1)} mm` }));
+  const cells = shown.map((layer) => ({ picture: svg([layer], ([x, y]) => [x, -y], layers), caption: `The layer at ${layer.z_mm.toFixed(1)} mm` }));
   const side = svg(layers.filter((_, at) => at % 4 === 0), ([x, , z]) => [x, -z]);
   await writeSheet(browser, file, [...cells, { picture: side, caption: `${layers.length} layers from the side, every fourth` }], { columns: 3, width: 300 });
 }
@@ -85,10 +86,11 @@ function layersOf(plan) {
   return layers.filter(({ lines }) => lines.length > 0);
 }
 
-/** @param {Layer[]} layers @param {(place_mm: number[]) => number[]} seen projects a place into the picture, mm */
-function svg(layers, seen) {
-  const drawn = layers.flatMap(({ z_mm, lines }) => lines.map(({ type, from, to }) => ({ type, from: seen([...from, z_mm]), to: seen([...to, z_mm]) })));
-  const [xs, ys] = [0, 1].map((axis) => drawn.map(({ to }) => to[axis]).sort((a, b) => a - b));
+/** Layers in a picture with room for all. @param {Layer[]} layers @param {(place_mm: number[]) => number[]} seen projects a place into the picture, mm @param {Layer[]} all */
+function svg(layers, seen, all = layers) {
+  const projected = (/** @type {Layer[]} */ of) => of.flatMap(({ z_mm, lines }) => lines.map(({ type, from, to }) => ({ type, from: seen([...from, z_mm]), to: seen([...to, z_mm]) })));
+  const drawn = projected(layers);
+  const [xs, ys] = [0, 1].map((axis) => projected(all).map(({ to }) => to[axis]).sort((a, b) => a - b));
   const box = [xs[0] - 2, ys[0] - 2, xs.at(-1) - xs[0] + 4, ys.at(-1) - ys[0] + 4];
   const paths = drawn.map(({ type, from, to }) => `<path d="M${from} L${to}" stroke="${COLOURS[type] ?? OTHERS}" />`);
   return `<svg viewBox="${box.join(" ")}" width="${4 * box[2]}" stroke-width="0.45">${paths.join("")}</svg>`;
