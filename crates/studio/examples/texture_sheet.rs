@@ -47,9 +47,9 @@ fn main() -> Result {
 }
 
 fn write_sides(folder: &Path, name: &str, head: &Head) -> Result {
-    SIDES_DEG.into_iter().try_for_each(|side_deg| {
-        write(folder, &format!("{name}at{side_deg}"), &head.photo(&head.camera(side_deg)))
-    })
+    SIDES_DEG
+        .into_iter()
+        .try_for_each(|side_deg| write(folder, &format!("{name}at{side_deg}"), &head.photo(&head.camera(side_deg))))
 }
 
 fn write(folder: &Path, name: &str, photo: &Photo) -> Result {

@@ -49,6 +49,15 @@ pub const WASM_PACK: Tool = Tool {
     why: "it runs the WebAssembly tests in Chromium",
 };
 
+/// Drives Firefox; Debian has it in none of its packages.
+pub const GECKODRIVER: Tool = Tool {
+    package: "geckodriver",
+    version: "0.37.1",
+    options: "",
+    opt_level: "0",
+    why: "a test visits the page in Firefox with it",
+};
+
 /// Checks licences, bans and sources of all that is compiled.
 pub const CARGO_DENY: Tool = Tool {
     package: "cargo-deny",

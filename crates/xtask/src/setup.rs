@@ -2,7 +2,7 @@
 
 use crate::places::{WASM, remapped, root};
 use crate::run::{Run, causes, elapsed};
-use crate::rust::{self, TRUNK, Tool, WASM_BINDGEN, WASM_PACK};
+use crate::rust::{self, GECKODRIVER, TRUNK, Tool, WASM_BINDGEN, WASM_PACK};
 use crate::{assets, python, system};
 use anyhow::{Result, ensure};
 use std::ffi::{OsStr, OsString};
@@ -56,7 +56,7 @@ pub fn for_tests() -> Result<Kit> {
         let system = scope.spawn(system::obtain);
         let readers = scope.spawn(|| python::environment(&[READERS], "62 MB: a test opens every file with them"));
         rust::components()?;
-        let mut kit = with_tools(&[&WASM_BINDGEN, &TRUNK, &WASM_PACK])?;
+        let mut kit = with_tools(&[&WASM_BINDGEN, &TRUNK, &WASM_PACK, &GECKODRIVER])?;
         kit.missing = system.join().expect("invariant: setting up does not panic");
         kit.environment.extend(system::chromium().map(|program| ("ROSTO_BROWSER".to_owned(), program.into())));
         match readers.join().expect("invariant: setting up does not panic") {

@@ -10,6 +10,7 @@ use std::time::{Duration, Instant, UNIX_EPOCH};
 const TARGETS: [&str; 5] = ["picture", "profile", "glb", "project", "edits"];
 /// About a minute's worth on two cores.
 const CASES_PER_MINUTE: u32 = 4000;
+const RUNS_PER_MINUTE: u32 = 3;
 const LIMIT: Duration = Duration::from_secs(24 * 3600);
 const SHOWN_LINES: usize = 100;
 
@@ -47,7 +48,8 @@ fn properties(minutes: u32) -> Run {
 fn browser(kit: &Kit, minutes: u32) -> Result<[Run; 2]> {
     page::build(kit)?;
     let every = kit.npm("journeys:all").env("ROSTO_CLI", steps::command_line()?).log("journeys-all");
-    Ok([every, kit.npm("monkey").args(["--", "--minutes", &minutes.to_string()]).log("monkey")])
+    let runs = (RUNS_PER_MINUTE * minutes).to_string();
+    Ok([every, kit.npm("monkey").args(["--", "--runs", &runs]).log("monkey")])
 }
 
 fn is_failure(part: Run) -> Result<bool> {
