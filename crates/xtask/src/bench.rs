@@ -19,7 +19,7 @@ const CHOLMOD: &str = "tests/bench/requirements-cholmod.txt";
 type Part = (&'static str, fn(&Kit) -> Result<Run>);
 const PARTS: [Part; 4] = [("native", native), ("solvers", solvers), ("batches", batches), ("browser", browser)];
 
-/// Runs all parts, or those named; replaces the results of the tasks that they measure.
+/// Runs all parts, or those named; replaces the results of the tasks and peers that they measure.
 pub fn run(wanted: &[&str]) -> Result<ExitCode> {
     if let Some(unknown) = wanted.iter().find(|name| !PARTS.iter().any(|(part, _)| part == *name)) {
         return Err(Failure::new(format!("unknown part `{unknown}`")).advice("use native, solvers, batches or browser"));
