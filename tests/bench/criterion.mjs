@@ -4,11 +4,9 @@ import path from "node:path";
 
 const [root] = process.argv.slice(2);
 const folders = readdirSync(root, { recursive: true }).map(String).filter((name) => path.basename(name) === "new");
-const records = folders.map((folder) => {
+for (const folder of folders) {
   const read = (/** @type {string} */ name) => JSON.parse(readFileSync(path.join(root, folder, name), "utf8"));
   const { group_id: task, function_id: what, value_str: size } = read("benchmark.json");
   const value = read("estimates.json").median.point_estimate / 1e6;
-  return { task, what, size, peer: "rosto", value, unit: "ms", samples: read("sample.json").times.length };
-});
-const key = ({ task, what, size }) => `${task} ${what} ${Number.parseInt(size, 10).toString().padStart(9)}`;
-for (const record of records.sort((a, b) => key(a).localeCompare(key(b)))) console.log(JSON.stringify(record));
+  console.log(JSON.stringify({ task, what, size, peer: "rosto", value, unit: "ms", samples: read("sample.json").times.length }));
+}

@@ -1,4 +1,5 @@
-// Stores measurements in docs/benchmarks.json, in place of the earlier ones of the same tasks: node tests/bench/store.mjs LINES
+// Stores measurements in docs/benchmarks.json, in place of the same peers' earlier ones of the same tasks:
+// node tests/bench/store.mjs LINES
 import { readFileSync, writeFileSync } from "node:fs";
 import { cpus } from "node:os";
 
@@ -8,7 +9,10 @@ const machine = `${cpus()[0].model}, ${cpus().length} cores`;
 
 const measured = readFileSync(lines, "utf8").split("\n").filter((line) => line.startsWith("{")).map((line) => JSON.parse(line));
 if (measured.length === 0) throw new Error(`${lines} has no measurements`);
-const tasks = new Set(measured.map(({ task }) => task));
-const kept = JSON.parse(readFileSync(RESULTS, "utf8")).filter(({ task }) => !tasks.has(task));
+const subject = ({ task, what, size }) => [task, what, size].join("|");
+const source = ({ task, peer }) => [task, peer].join("|");
+const replaced = new Set(measured.map(source));
+const kept = JSON.parse(readFileSync(RESULTS, "utf8")).filter((record) => !replaced.has(source(record)));
 const records = [...kept, ...measured.map((record) => ({ ...record, value: Number(record.value.toPrecision(4)), machine }))];
+records.sort((a, b) => subject(a).localeCompare(subject(b), "en", { numeric: true }));
 writeFileSync(RESULTS, `[\n${records.map((record) => JSON.stringify(record)).join(",\n")}\n]\n`);

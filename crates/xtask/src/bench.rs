@@ -23,7 +23,7 @@ const PARTS: [Part; 4] = [
     ("browser", "the page and its peers in fresh browsers", browser),
 ];
 
-/// Runs all parts, or those named; replaces the results of the tasks that they measure.
+/// Runs all parts, or those named; replaces the results of the tasks and peers that they measure.
 pub fn run(wanted: &[&str]) -> Result<()> {
     if let Some(unknown) = wanted.iter().find(|name| !PARTS.iter().any(|(part, ..)| part == *name)) {
         bail!("unknown part `{unknown}`: use native, solvers, batches or browser");
