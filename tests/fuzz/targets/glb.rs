@@ -1,3 +1,5 @@
+//! Fuzzes the reader of GLBs.
+
 #![no_main]
 
 use rosto_fuzz::Kind::Glb;
