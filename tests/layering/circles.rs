@@ -48,7 +48,8 @@ impl Modules {
                 .match_indices("use ")
                 .filter(|(at, _)| code[..*at].ends_with("pub ") || code[..*at].ends_with(") "))
             {
-                for path in paths(&code[path.0 + "use ".len()..]) {
+                // A single name is a macro of the module's own.
+                for path in paths(&code[path.0 + "use ".len()..]).into_iter().filter(|path| path.len() > 1) {
                     handed_on.insert((module.clone(), path[path.len() - 1].clone()), path);
                 }
             }

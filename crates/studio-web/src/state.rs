@@ -305,6 +305,7 @@ readable! {
 
 readable! {
     /// A place on the canvas, in device pixels from its top left.
+    #[derive(Copy)]
     pub struct ScreenPoint {
         /// To the right.
         x: f64,

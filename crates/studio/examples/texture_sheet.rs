@@ -3,6 +3,7 @@
 //! ```sh
 //! cargo run --release -p rosto-studio --example texture_sheet -- textures
 //! ```
+#![allow(clippy::unwrap_used, reason = "what is shared with the tests unwraps")]
 
 #[allow(dead_code, reason = "shared with the tests")]
 #[path = "../tests/theorems/faces.rs"]

@@ -28,8 +28,9 @@ pub const ALL: [Step; 19] = [
         Ok(over_the_workspace("clippy").words("--all-targets --keep-going -- -D warnings"))
     }),
     step("lint-js", "Biome over the page's JavaScript and the tests'", |kit| Ok(kit.npm("lint"))),
+    // Benchmarks run on this machine alone.
     step("lint-wasm", "clippy on wasm32, for what runs in the browser", |kit| {
-        let clippy = kit.run("cargo").words("clippy --all-targets --locked --keep-going --target").arg(WASM);
+        let clippy = kit.run("cargo").words("clippy --lib --tests --examples --locked --keep-going --target").arg(WASM);
         Ok(packages(clippy, tested_on_wasm()?).words("-- -D warnings"))
     }),
     step("docs", "rustdoc without warnings", |_| {
