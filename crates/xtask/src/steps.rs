@@ -104,7 +104,7 @@ fn in_chromium(kit: &Kit) -> Run {
     let test = kit.run("wasm-pack").words("test --headless --chrome");
     let driver = std::env::var_os("CHROMEDRIVER");
     let test = driver.iter().fold(test, |test, driver| test.arg("--chromedriver").arg(driver));
-    let test = test.arg(root().join("crates/viewport")).words("--locked --no-fail-fast --profile web");
+    let test = test.arg(root().join("crates/viewport")).words("--locked --profile web");
     test.env("WASM_BINDGEN_TEST_TIMEOUT", "600")
 }
 
