@@ -51,8 +51,8 @@ impl Step {
         };
         let took = elapsed(started.elapsed());
         match &result {
-            // Several runners close with such a line.
-            Ok(output) => match output.lines().rfind(|line| line.contains("passed")) {
+            // Several runners close with such a line; one of cargo's follows for each crate without tests.
+            Ok(output) => match output.lines().rfind(|line| line.contains("passed") && !line.contains(" 0 passed")) {
                 Some(counts) => println!("  ✓ {}, {took}: {}", self.name, counts.trim()),
                 None => println!("  ✓ {}, {took}", self.name),
             },
