@@ -45,7 +45,7 @@ export const GROUPS = [
       doc("formats", "File formats"),
       doc("embedding", "In a page of one’s own"),
       doc("publishing", "Publishing the page"),
-      ...["laplacian", "mesh", "landmarks", "photo", "named"].map(crate),
+      ...["laplacian", "mesh", "landmarks", "photo"].map(crate),
       { name: "architecture", title: "Architecture", source: "ARCHITECTURE.md" },
       { name: "contributing", title: "Contributing", source: "CONTRIBUTING.md" },
     ],
