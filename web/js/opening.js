@@ -50,7 +50,7 @@ export class Opening {
     this.#room = room;
   }
 
-  /** What is known of the lens that the photo on the screen was taken through. */
+  /** Lens data of the photo on the screen. */
   get lens() {
     return this.#now?.face.lens;
   }

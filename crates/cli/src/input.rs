@@ -1,4 +1,4 @@
-//! What is read: files and standard input, never more than a limit.
+//! Input from files and standard input, up to a limit.
 
 use std::fs::File;
 use std::io::{self, Read};

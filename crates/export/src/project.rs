@@ -69,7 +69,7 @@ pub fn write(source: &Source<'_>, png: &[u8]) -> Result<Vec<u8>, ExportError> {
 /// Reads a project. Its picture is checked for its size and its end, and not decoded.
 ///
 /// # Errors
-/// [`ReopenError`] for what is no project, is damaged, has another version, or could not be opened.
+/// [`ReopenError`] if the file is not a project, is damaged, has another version, or could not be opened.
 pub fn read(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
     let text = without_bom(bytes).trim_ascii_start();
     if !text.starts_with(b"{") {

@@ -120,7 +120,7 @@ pub fn reopen(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
     })
 }
 
-/// What is known of the lens.
+/// Lens data.
 pub(crate) fn lens(text: &Value) -> Result<PhotoLens, ReopenError> {
     text.as_str().and_then(|text| text.parse().ok()).ok_or_else(field("lens"))
 }

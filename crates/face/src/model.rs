@@ -34,7 +34,7 @@ pub struct FaceInput<'a> {
     pub colours: &'a [[u8; 3]],
     /// The upright picture for the texture; it may be a scaled-down copy.
     pub picture: Photo,
-    /// What is known of the lens that it was taken through.
+    /// Lens data.
     pub lens: PhotoLens,
 }
 

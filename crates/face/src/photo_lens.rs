@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use crate::FaceError;
 
-/// What is known of the lens that a photo was taken through. As text: `estimated`, `parallel`, `exif:26`, `given:26` (mm) or
+/// Lens data of a photo. As text: `estimated`, `parallel`, `exif:26`, `given:26` (mm) or
 /// `distance:0.35` (m).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum PhotoLens {

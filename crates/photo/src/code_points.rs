@@ -25,7 +25,7 @@ pub(crate) enum Told {
 }
 
 impl CodePoints {
-    /// What they mean.
+    /// Colour encoding that the code points describe.
     pub(crate) fn told(self) -> Told {
         let (Some(primaries), Some(curve)) = (self.known_primaries(), self.curve()) else { return Told::Nothing };
         let Some(colorants) = primaries.colorants_d50() else { return Told::Nothing };

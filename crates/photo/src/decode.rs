@@ -25,7 +25,7 @@ fn decode_webp(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError> {
     let mut decoder = WebPDecoder::new(Cursor::new(bytes)).map_err(refused)?;
     let (width, height) = decoder.dimensions();
     limits.check_size(width, height)?;
-    // Broken metadata is no reason to refuse the picture.
+    // Broken metadata does not spoil the picture.
     let exif = decoder.exif_metadata().ok().flatten().unwrap_or_default();
     let profile = decoder.icc_profile().ok().flatten().unwrap_or_default();
     let layout = decoder.color_type();

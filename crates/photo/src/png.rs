@@ -90,7 +90,7 @@ fn reader<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Reader<Source<'a>>, Ph
 fn check_palette(info: &Info<'_>) -> Result<(), PhotoError> {
     match info.palette.as_deref().map_or(0, <[u8]>::len) {
         bytes if info.color_type == png::ColorType::Indexed && !bytes.is_multiple_of(3) => {
-            Err(Format::Png.damaged(format!("{bytes} bytes are no palette of whole colours, three bytes each")))
+            Err(Format::Png.damaged(format!("a palette of {bytes} bytes does not hold whole colours of three bytes")))
         }
         _ => Ok(()),
     }
@@ -142,7 +142,7 @@ fn read_rows(reader: &mut Reader<Source<'_>>, layout: ColorType, decoded: &mut [
     }
 }
 
-/// What the file says of its colours: the first that is there and understood of code points, profile, sRGB, gamma and
+/// Colour encoding of the file: the first that is present and understood of code points, profile, sRGB, gamma and
 /// primaries. Refuses a file that says nothing but a curve that is not read: its colours would be wrong.
 fn told(info: &Info<'_>, layout: ColorType) -> Result<Told, PhotoError> {
     let points = info.coding_independent_code_points.as_ref().map(|points| CodePoints {

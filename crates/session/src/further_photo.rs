@@ -11,7 +11,7 @@ pub struct FurtherPhoto {
     pub colours_srgb: Vec<[u8; 3]>,
     /// The upright picture, perhaps scaled down.
     pub picture: Photo,
-    /// What is known of the lens that the photo was taken through.
+    /// Lens data of the photo.
     pub lens: PhotoLens,
 }
 

@@ -23,7 +23,7 @@ pub struct Incoming {
     pub colours_srgb: Vec<[u8; 3]>,
     /// The upright picture, perhaps scaled down.
     pub picture: Photo,
-    /// What is known of the lens that the photo was taken through.
+    /// Lens data of the photo.
     pub lens: PhotoLens,
     /// Further photos of the same face, in the order that they were given in after this one; none of most faces.
     pub further: Vec<FurtherPhoto>,
@@ -40,7 +40,7 @@ pub struct Work {
     pub density: u32,
     /// The edits as versioned JSON.
     pub history: String,
-    /// What the photo alone holds ([`OpenFace::photo_json`]); none where nothing was done to it.
+    /// Data of the photo alone ([`OpenFace::photo_json`]); none where nothing was done to it.
     pub photo: Option<String>,
 }
 

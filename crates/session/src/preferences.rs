@@ -1,6 +1,6 @@
 //! Choices and view as JSON text, so that a session that ends can be gone on with in another.
 //!
-//! A text with a field that is missing or not understood is refused as a whole: nobody's half of a preference is guessed.
+//! A text with a field that is missing or not understood is refused as a whole: missing preferences are not guessed.
 
 use rosto_export::TextureSize;
 use rosto_face::Triangulation;

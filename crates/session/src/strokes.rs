@@ -75,7 +75,7 @@ impl OpenFace {
         (photo.seen_from_m().is_some() || photo.strokes().count() > 0).then(|| self.photo_json())
     }
 
-    /// What the photo alone holds, as JSON text for [`Work::photo`](crate::Work::photo): from where it is seen, and what of it
+    /// Data of the photo alone, as JSON text for [`Work::photo`](crate::Work::photo): from where it is seen, and what of it
     /// is kept.
     pub fn photo_json(&self) -> String {
         let dab = |dab: &Dab| json!([dab.centre_px.x, dab.centre_px.y, dab.radius_px]);

@@ -181,7 +181,7 @@ impl Default for RenderSettings {
 
 impl RenderSettings {
     /// The light that falls on the surface: a picture has the light in it that it was taken in, and of the lamp just a trace,
-    /// so that its form is seen when it turns.
+    /// so that its shape shows when it turns.
     pub(crate) fn surface_light(&self) -> Light {
         match (self.shading, self.picture_light) {
             (ShadingMode::Picture, PictureLight::Own) => self.light.faded_to_flat(1.0 - LAMP_ON_PICTURE),

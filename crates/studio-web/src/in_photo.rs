@@ -85,7 +85,7 @@ impl Studio {
         self.act(Intent::ShowDepth)
     }
 
-    /// What the photo alone holds, as text for `openWork`; undefined while no face is open.
+    /// Data of the photo alone, as text for `openWork`; undefined while no face is open.
     #[wasm_bindgen(getter, js_name = photoEdit)]
     pub fn photo_edit(&self) -> Option<String> {
         self.session.face().map(|face| face.photo_json())

@@ -19,7 +19,7 @@ pub struct CameraArguments {
 }
 
 impl CameraArguments {
-    /// What is known of the lens that a photo was taken through.
+    /// Lens data of a photo.
     pub fn lens(&self, photo: &Photo) -> PhotoLens {
         self.distance.or(self.focal_length).unwrap_or_else(|| portrait::lens_of(photo))
     }

@@ -17,7 +17,7 @@ pub(crate) const VERSION: u64 = 1;
 ///  "picture": {"size_px": [512, 512], "crop_at_px": [96, 0], "crop_size_px": [256, 256]}, "history": {}, "in_photo": {},
 ///  "positions_fnv1a": "cbf29ce484222325", "about": {}}
 /// ```
-/// `lens` is what was known of the lens ([`rosto_face::PhotoLens`]). `about` is [`about`](crate::about), for whoever reads the
+/// `lens` holds the lens data ([`rosto_face::PhotoLens`]). `about` is [`about`](crate::about), for readers of the
 /// file without Rosto.
 /// `picture` says where in the upright picture the texture was cut out. Where a picture of the whole face is the texture,
 /// that part of the photo is in it as `jpeg`, a file in base64: as an image that no texture uses, glTF would have it dropped. A
@@ -61,7 +61,7 @@ pub(super) fn extras(source: &Source<'_>) -> Result<Value, ExportError> {
     Ok(extras)
 }
 
-/// What was found in a photo: landmarks as little-endian numbers, and the colours under them, both in base64.
+/// A face found in a photo: landmarks as little-endian numbers, and the colours under them, both in base64.
 pub(super) fn found(photo_px: [u32; 2], lens: PhotoLens, landmarks: Vec<[f32; 3]>, colours: &[[u8; 3]]) -> Value {
     let landmarks: Vec<u8> = landmarks.into_iter().flatten().flat_map(f32::to_le_bytes).collect();
     let [landmarks, colours] = [&landmarks, colours.as_flattened()].map(|bytes| BASE64_STANDARD.encode(bytes));

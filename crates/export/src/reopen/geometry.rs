@@ -1,4 +1,4 @@
-//! What lies in the binary chunk, wherever another program has put it.
+//! Geometry from the binary chunk, at whatever offset another program wrote it.
 
 use serde_json::Value;
 

@@ -137,7 +137,7 @@ impl OpenFace {
         self.photo.forget();
     }
 
-    /// What the photo alone holds, as it was written by [`Self::photo_json`].
+    /// Data of the photo alone, as written by [`Self::photo_json`].
     pub(crate) fn restore_photo(&mut self, seen_from_m: Option<f64>, strokes: Strokes) {
         (self.photo.seen_from_m, self.photo.strokes) = (seen_from_m, strokes);
         self.photo.forget();
