@@ -38,8 +38,8 @@ function isPhoto(photo) {
   const isColoured = colours instanceof Uint8Array && colours.length >= COLOURS_BYTES;
   const isFile = file === undefined || file instanceof Blob;
   const bytes = picture instanceof Blob ? picture.size : picture instanceof Uint8Array ? picture.length : undefined;
-  const isTold = typeof lens === "string" && isOptionalText(name);
-  return isSized && isFound && isColoured && isFile && isTold && bytes === pictureWidth_px * pictureHeight_px * 4;
+  const hasTexts = typeof lens === "string" && isOptionalText(name);
+  return isSized && isFound && isColoured && isFile && hasTexts && bytes === pictureWidth_px * pictureHeight_px * 4;
 }
 
 /** @param {any} value */
