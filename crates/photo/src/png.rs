@@ -90,7 +90,7 @@ fn reader<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Reader<Source<'a>>, Ph
 fn check_palette(info: &Info<'_>) -> Result<(), PhotoError> {
     match info.palette.as_deref().map_or(0, <[u8]>::len) {
         bytes if info.color_type == png::ColorType::Indexed && !bytes.is_multiple_of(3) => {
-            Err(Format::Png.damaged(format!("a palette of {bytes} bytes does not hold whole colours of three bytes")))
+            Err(Format::Png.damaged(format!("{bytes} bytes of palette do not hold whole colours of three bytes")))
         }
         _ => Ok(()),
     }
