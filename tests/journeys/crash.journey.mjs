@@ -1,32 +1,31 @@
 import assert from "node:assert/strict";
 import { test } from "./fixtures.mjs";
 
-test("a landmark without anything to hold the face, another density, and the page goes on", async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.findLandmark("nose tip");
-  await visitor.unfold("section-advanced");
+test("a landmark without anything to hold the face, another density, and the page goes on", async ({ editor, page }) => {
+  await editor.findLandmark("nose tip");
+  await editor.unfold("section-advanced");
   await page.selectOption("#anchors", "pins");
   for (const density of ["1", "2", "0"]) {
-    await visitor.unfold("section-view");
+    await editor.unfold("section-view");
     await page.selectOption("#density", density);
-    await visitor.frames(3);
+    await editor.frames(3);
     assert.equal(await page.inputValue("#density"), density);
-    await wander(visitor);
+    await wander(editor);
   }
-  visitor.checkNothingBroke();
+  editor.checkNothingBroke();
 
   // It still does what it is for.
-  await visitor.findLandmark("bottom of the chin");
-  await visitor.reach("#anchors");
+  await editor.findLandmark("bottom of the chin");
+  await editor.reach("#anchors");
   await page.selectOption("#anchors", "oval");
-  const before = await visitor.meshJson("mm");
-  await visitor.offset("y", -6);
-  const edited = await visitor.meshJson("mm");
+  const before = await editor.meshJson("mm");
+  await editor.offset("y", -6);
+  const edited = await editor.meshJson("mm");
   assert.notDeepEqual(edited.positions, before.positions);
   await page.click("#toolbar [data-action='undo']");
-  assert.deepEqual(await visitor.meshJson("mm"), before);
+  assert.deepEqual(await editor.meshJson("mm"), before);
   await page.click("#toolbar [data-action='redo']");
-  assert.deepEqual(await visitor.meshJson("mm"), edited);
+  assert.deepEqual(await editor.meshJson("mm"), edited);
 });
 
 /** Moves the pointer over the face, clicks on it, drags, and takes back what that did. */

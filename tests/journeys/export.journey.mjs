@@ -15,18 +15,17 @@ const DENSITIES = [
   { vertices: 28881, triangles: 57472 },
 ];
 
-test("a GLB of every density passes the validator, which says so on the page before the download", async ({ visitor, page }) => {
-  await visitor.untilLoaded();
-  await visitor.openFace();
-  await visitor.move("nose tip", "z", 5);
-  await visitor.unfold("section-export");
+test("a GLB of every density passes the validator, which says so on the page before the download", async ({ editor, page }) => {
+  await editor.untilLoaded();
+  await editor.move("nose tip", "z", 5);
+  await editor.unfold("section-export");
   for (const [density, { vertices, triangles }] of DENSITIES.entries()) {
     await page.selectOption("#export-density", String(density));
     assert.equal(await page.inputValue("#density"), String(density));
     await page.click("[data-action='check-glb']");
     await page.waitForSelector("#verdict[data-verdict='valid']");
     const verdict = await page.innerText("#verdict");
-    const { name, json, bytes } = await downloadedGlb(visitor);
+    const { name, json, bytes } = await downloadedGlb(editor);
     assert.equal(name, density === 2 ? "portrait.glb" : `portrait-${vertices}.glb`);
     const size = bytes < 1e6 ? `${Math.round(bytes / 1000).toLocaleString("en-GB")} KB` : `${(bytes / 1e6).toFixed(1)} MB`;
     assert.equal(verdict, `${name}, ${size}: valid glTF 2.0, 0 errors, 0 warnings, 0 remarks`);
@@ -36,15 +35,14 @@ test("a GLB of every density passes the validator, which says so on the page bef
   }
 });
 
-test("the verdict goes when the face changes, and a GLB holds what is asked for", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.untilLoaded();
-  await visitor.openFace();
-  await visitor.move("nose tip", "z", 5);
-  await visitor.unfold("section-export");
+test("the verdict goes when the face changes, and a GLB holds what is asked for", { tag: "@rare" }, async ({ editor, page }) => {
+  await editor.untilLoaded();
+  await editor.move("nose tip", "z", 5);
+  await editor.unfold("section-export");
   await page.check("input[name='base-colour'][value='colours']", { force: true });
   await page.check("#export-unlit");
   await page.check("#export-morphs");
-  const { json } = await downloadedGlb(visitor);
+  const { json } = await downloadedGlb(editor);
   assert.ok(await page.isVisible("#verdict[data-verdict='valid']"), "no verdict beside the download");
   assert.deepEqual(json.extensionsUsed, ["KHR_materials_unlit"]);
   assert.ok("COLOR_0" in json.meshes[0].primitives[0].attributes && !json.images);
@@ -54,44 +52,41 @@ test("the verdict goes when the face changes, and a GLB holds what is asked for"
   assert.ok(await page.isHidden("#verdict"), "the verdict is of another file");
 });
 
-test("OBJ, PLY and STL hold the mesh that is on the screen", async ({ visitor }) => {
-  await visitor.openFace();
-  await visitor.unfold("section-export");
-  await visitor.page.selectOption("#export-density", "1");
+test("OBJ, PLY and STL hold the mesh that is on the screen", async ({ editor }) => {
+  await editor.unfold("section-export");
+  await editor.page.selectOption("#export-density", "1");
   const { vertices, triangles } = DENSITIES[1];
-  await visitor.page.check("input[name='base-colour'][value='colours']", { force: true });
-  const obj = (await visitor.download("download-obj")).toString().split("\n");
+  await editor.page.check("input[name='base-colour'][value='colours']", { force: true });
+  const obj = (await editor.download("download-obj")).toString().split("\n");
   assert.equal(obj.filter((line) => line.startsWith("v ")).length, vertices);
   assert.equal(obj.filter((line) => line.startsWith("f ")).length, triangles);
-  const ply = (await visitor.download("download-ply")).toString("latin1");
+  const ply = (await editor.download("download-ply")).toString("latin1");
   assert.match(ply, new RegExp(`element vertex ${vertices}\\n[^]*element face ${triangles}\\n`));
-  const stl = await visitor.download("download-stl");
+  const stl = await editor.download("download-stl");
   // Front and back, and a strip of two triangles for each of the 72 sides of the rim.
   const body = 2 * triangles + 2 * 72;
   assert.deepEqual([stl.readUInt32LE(80), stl.length], [body, 84 + 50 * body]);
 });
 
-test("a painted OBJ comes with its material and its picture, and a face for printing or for a phone as one package", async ({ visitor }) => {
-  await visitor.openFace();
-  await visitor.unfold("section-export");
+test("a painted OBJ comes with its material and its picture, and a face for printing or for a phone as one package", async ({ editor }) => {
+  await editor.unfold("section-export");
   for (const { format, ending, names } of [
     { format: "obj", ending: "zip", names: ["face.obj", "face.mtl", "face.png"] },
     { format: "3mf", ending: "3mf", names: ["[Content_Types].xml", "_rels/.rels", "3D/3dmodel.model"] },
     { format: "usdz", ending: "usdz", names: ["face.usda", "face.jpg"] },
   ]) {
-    const { name, bytes: archive } = await visitor.save(`download-${format}`);
+    const { name, bytes: archive } = await editor.save(`download-${format}`);
     assert.equal(name, `portrait.${ending}`);
     assert.equal(archive.toString("latin1", 0, 4), "PK\x03\x04");
     for (const part of names) assert.ok(archive.includes(part), `no ${part} in the ${format}`);
   }
-  const png = await visitor.download("download-png");
+  const png = await editor.download("download-png");
   assert.equal(png.toString("latin1", 1, 4), "PNG");
 });
 
-test("the panel says what the GLB holds, is called and weighs, and follows every choice", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.untilLoaded();
-  await visitor.openFace();
-  await visitor.unfold("section-export");
+test("the panel says what the GLB holds, is called and weighs, and follows every choice", { tag: "@rare" }, async ({ editor, page }) => {
+  await editor.untilLoaded();
+  await editor.unfold("section-export");
   const facts = async () => (await page.innerText("#export-facts")).split(/\s*\n\s*/).filter(Boolean);
   assert.deepEqual(await facts(), ["portrait.glb", "GLB: 7,257 points, 14,368 triangles, a picture of 1024 × 1024 px."]);
   await page.selectOption("#texture-size", "1024");
@@ -101,14 +96,14 @@ test("the panel says what the GLB holds, is called and weighs, and follows every
   assert.match((await facts())[1], /a picture of 1024 px at most\.$/);
   await page.check("input[name='base-colour'][value='colours']", { force: true });
   await page.check("#export-expressions");
-  const { json, bytes } = await downloadedGlb(visitor);
+  const { json, bytes } = await downloadedGlb(editor);
   const [{ attributes, indices }] = json.meshes[0].primitives;
   const [points, triangles] = [json.accessors[attributes.POSITION].count, json.accessors[indices].count / 3].map((count) => count.toLocaleString("en-GB"));
   assert.deepEqual(await facts(), ["portrait-1833.glb", `${Math.round(bytes / 1000)} KB`, `GLB: ${points} points, ${triangles} triangles, colours and no picture.`]);
-  await visitor.speak("pt");
+  await editor.speak("pt");
   assert.match((await facts()).at(-1), /^GLB: [\d.]+ pontos, [\d.]+ triângulos, cores e nenhuma imagem\.$/);
-  await visitor.slide("nose-width", 2);
-  await visitor.unfold("section-export");
+  await editor.slide("nose-width", 2);
+  await editor.unfold("section-export");
   assert.equal((await facts()).length, 2, "the size is that of another file");
 });
 
@@ -131,9 +126,8 @@ test("what is printed is measured before the download as by the command line, an
   }
 });
 
-test("a body that cannot be printed is refused with what would do", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.reach("#print-facts");
+test("a body that cannot be printed is refused with what would do", { tag: "@rare" }, async ({ editor, page }) => {
+  await editor.reach("#print-facts");
   let downloads = 0;
   page.on("download", () => (downloads += 1));
   const refused = async () => {
@@ -152,7 +146,7 @@ test("a body that cannot be printed is refused with what would do", { tag: "@rar
   await page.fill("#solid-mm", "11.3");
   await page.waitForSelector("#print-refused", { state: "hidden" });
   assert.ok((await measured(page)).length > 0);
-  assert.ok((await visitor.download("download-stl")).length > 84);
+  assert.ok((await editor.download("download-stl")).length > 84);
 
   await page.check("input[name='solid'][value='surface']", { force: true });
   await page.click("[data-action='download-3mf']");

@@ -20,28 +20,27 @@ async function stands(visitor, expression) {
 /** The description in a GLB. @param {Buffer} file */
 const described = (file) => JSON.parse(file.subarray(20, 20 + file.readUInt32LE(12)).toString());
 
-test("an expression is seen, undone, outlives a reload, and is a morph target by its name", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  const [rest, shape] = [await visitor.view(), await visitor.meshJson("mm")];
-  await express(visitor, "jawOpen", 60);
-  assert.deepEqual(await visitor.history(), ["Mouth open"]);
-  const opened = await visitor.view();
+test("an expression is seen, undone, outlives a reload, and is a morph target by its name", { tag: "@eyes" }, async ({ editor, page }) => {
+  const [rest, shape] = [await editor.view(), await editor.meshJson("mm")];
+  await express(editor, "jawOpen", 60);
+  assert.deepEqual(await editor.history(), ["Mouth open"]);
+  const opened = await editor.view();
   assert.ok(difference(rest, opened) > 0.01, "the mouth does not open");
-  const work = await visitor.meshJson("mm");
+  const work = await editor.meshJson("mm");
   assert.ok(furthest(shape, work) > 5);
 
   await page.click("#toolbar [data-action='undo']");
-  assert.deepEqual(await visitor.meshJson("mm"), shape);
-  assert.equal(await stands(visitor, "jawOpen"), 0);
+  assert.deepEqual(await editor.meshJson("mm"), shape);
+  assert.equal(await stands(editor, "jawOpen"), 0);
   await page.click("#toolbar [data-action='redo']");
-  await visitor.comeBack();
-  assert.deepEqual(await visitor.meshJson("mm"), work);
-  assert.equal(await stands(visitor, "jawOpen"), 60);
+  await editor.comeBack();
+  assert.deepEqual(await editor.meshJson("mm"), work);
+  assert.equal(await stands(editor, "jawOpen"), 60);
 
-  await visitor.untilLoaded();
-  await visitor.unfold("section-export");
+  await editor.untilLoaded();
+  await editor.unfold("section-export");
   await page.check("#export-expressions");
-  const { meshes } = described(await visitor.download("download-glb"));
+  const { meshes } = described(await editor.download("download-glb"));
   await page.waitForSelector("#verdict[data-verdict='valid']");
   const { targetNames } = meshes[0].extras;
   assert.equal(targetNames.length, meshes[0].primitives[0].targets.length);
@@ -50,21 +49,20 @@ test("an expression is seen, undone, outlives a reload, and is a morph target by
   assert.equal(meshes[0].weights.filter((weight) => weight !== 0).length, 1);
 });
 
-test("both sides go together or apart, and rest takes all back as one change", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  const shape = await visitor.meshJson("mm");
-  await visitor.unfold("section-expressions");
+test("both sides go together or apart, and rest takes all back as one change", { tag: "@rare" }, async ({ editor, page }) => {
+  const shape = await editor.meshJson("mm");
+  await editor.unfold("section-expressions");
   await page.check("#expressions-both");
-  await express(visitor, "mouthSmileLeft", 50);
-  assert.deepEqual(await visitor.history(), ["Smile, right", "Smile, left"]);
+  await express(editor, "mouthSmileLeft", 50);
+  assert.deepEqual(await editor.history(), ["Smile, right", "Smile, left"]);
   assert.ok(await page.isHidden("[data-expression='mouthSmileRight']"));
   await page.uncheck("#expressions-both");
-  await express(visitor, "mouthSmileRight", 20);
-  assert.deepEqual([await stands(visitor, "mouthSmileLeft"), await stands(visitor, "mouthSmileRight")], [50, 20]);
-  const smiling = await visitor.meshJson("mm");
-  await visitor.unfold("section-expressions");
+  await express(editor, "mouthSmileRight", 20);
+  assert.deepEqual([await stands(editor, "mouthSmileLeft"), await stands(editor, "mouthSmileRight")], [50, 20]);
+  const smiling = await editor.meshJson("mm");
+  await editor.unfold("section-expressions");
   await page.click("[data-action='come-to-rest']");
-  assert.ok(furthest(shape, await visitor.meshJson("mm")) < 1e-9);
+  assert.ok(furthest(shape, await editor.meshJson("mm")) < 1e-9);
   await page.click("#toolbar [data-action='undo']");
-  assert.deepEqual(await visitor.meshJson("mm"), smiling);
+  assert.deepEqual(await editor.meshJson("mm"), smiling);
 });

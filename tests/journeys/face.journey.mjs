@@ -7,12 +7,11 @@ import { SAMPLE } from "./visitor.mjs";
 /** The wings of the nose, right and left. */
 const WINGS = [64, 294];
 
-test("nose width moves both sides alike, is one entry, and is what the command line does", async ({ visitor, page }) => {
-  await visitor.openFace();
+test("nose width moves both sides alike, is one entry, and is what the command line does", async ({ editor, page }) => {
   assert.equal(await page.locator("#face-sliders .slider").count(), 10);
-  const before = await visitor.meshJson("mm");
+  const before = await editor.meshJson("mm");
 
-  await visitor.unfold("section-face");
+  await editor.unfold("section-face");
   const track = page.locator("[data-slider='nose-width'] input[type=range]");
   await track.scrollIntoViewIfNeeded();
   const box = await track.boundingBox();
@@ -20,74 +19,71 @@ test("nose width moves both sides alike, is one entry, and is what the command l
   await page.mouse.down();
   await page.mouse.move(box.x + box.width * 0.8, box.y + box.height / 2, { steps: 12 });
   await page.mouse.up();
-  await visitor.frames(3);
-  const amount_mm = await visitor.sliderValue("nose-width");
+  await editor.frames(3);
+  const amount_mm = await editor.sliderValue("nose-width");
   assert.ok(amount_mm > 2, `the slider stands at ${amount_mm}`);
-  assert.deepEqual(await visitor.history(), ["Nose width"]);
+  assert.deepEqual(await editor.history(), ["Nose width"]);
 
-  const after = await visitor.meshJson("mm");
+  const after = await editor.meshJson("mm");
   const [right, left] = WINGS.map((wing) => way(before, after, wing));
   assert.ok(Math.abs(left[0] - amount_mm) < 1e-6 && Math.abs(left[0] + right[0]) < 1e-6, `${right}, ${left}`);
   const canonical = ["--units", "mm", "--topology", "canonical"];
   assertSameMesh(after, await meshByCommandLine(SAMPLE, [...canonical, "--slider", `nose-width:${amount_mm}`]));
 
   await page.click("#toolbar [data-action='undo']");
-  assert.deepEqual(await visitor.meshJson("mm"), before);
-  assert.equal(await visitor.sliderValue("nose-width"), 0);
+  assert.deepEqual(await editor.meshJson("mm"), before);
+  assert.equal(await editor.sliderValue("nose-width"), 0);
   await page.click("#toolbar [data-action='redo']");
-  assert.deepEqual(await visitor.meshJson("mm"), after);
-  assert.equal(await visitor.sliderValue("nose-width"), amount_mm);
+  assert.deepEqual(await editor.meshJson("mm"), after);
+  assert.equal(await editor.sliderValue("nose-width"), amount_mm);
 });
 
-test("a slider stands at the sum of its entries, and a double click on its name puts it back", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  const start = await visitor.meshJson("mm");
-  await visitor.slide("lip-fullness", 2);
-  await visitor.slide("chin-length", -3);
-  await visitor.slide("lip-fullness", 1.5);
-  assert.deepEqual(await visitor.history(), ["Lip fullness", "Chin length", "Lip fullness"]);
-  await visitor.reach("#history");
+test("a slider stands at the sum of its entries, and a double click on its name puts it back", { tag: "@rare" }, async ({ editor, page }) => {
+  const start = await editor.meshJson("mm");
+  await editor.slide("lip-fullness", 2);
+  await editor.slide("chin-length", -3);
+  await editor.slide("lip-fullness", 1.5);
+  assert.deepEqual(await editor.history(), ["Lip fullness", "Chin length", "Lip fullness"]);
+  await editor.reach("#history");
   await page.locator("#history li input").last().uncheck();
-  assert.equal(await visitor.sliderValue("lip-fullness"), -0.5);
+  assert.equal(await editor.sliderValue("lip-fullness"), -0.5);
   await page.locator("#history li input").last().check();
-  assert.equal(await visitor.sliderValue("lip-fullness"), 1.5);
+  assert.equal(await editor.sliderValue("lip-fullness"), 1.5);
   for (const slider of ["lip-fullness", "chin-length"]) {
-    await visitor.unfold("section-face");
+    await editor.unfold("section-face");
     await page.dblclick(`[data-slider="${slider}"] .slider-label`);
-    assert.equal(await visitor.sliderValue(slider), 0);
+    assert.equal(await editor.sliderValue(slider), 0);
   }
-  assert.ok(furthest(start, await visitor.meshJson("mm")) < 1e-9);
+  assert.ok(furthest(start, await editor.meshJson("mm")) < 1e-9);
 });
 
-test("the sliders work by keyboard, speak Portuguese, and leave the selected landmark in hand", async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.findLandmark("nose tip");
+test("the sliders work by keyboard, speak Portuguese, and leave the selected landmark in hand", async ({ editor, page }) => {
+  await editor.findLandmark("nose tip");
   await page.selectOption("#language", "pt");
   assert.equal(await page.innerText("[data-slider='jaw-width'] .slider-label"), "Largura da mandíbula");
-  await visitor.unfold("section-face");
+  await editor.unfold("section-face");
   await page.focus("[data-slider='jaw-width'] input[type=range]");
   for (let press = 0; press < 5; press++) await page.keyboard.press("ArrowRight");
   await page.waitForSelector("#history li");
-  assert.deepEqual(await visitor.history(), ["Largura da mandíbula"]);
+  assert.deepEqual(await editor.history(), ["Largura da mandíbula"]);
   assert.match(await page.innerText("#said"), /Largura da mandíbula: 0,5 milímetros/);
-  assert.equal(await visitor.sliderValue("jaw-width"), 0.5);
-  await visitor.offset("z", 4);
-  assert.equal((await visitor.history()).length, 2);
-  assert.equal(await visitor.landmark(), 1);
+  assert.equal(await editor.sliderValue("jaw-width"), 0.5);
+  await editor.offset("z", 4);
+  assert.equal((await editor.history()).length, 2);
+  assert.equal(await editor.landmark(), 1);
 });
 
-test("symmetry is an action with a share, listed and undone like any edit", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  const before = await visitor.meshJson("mm");
-  await visitor.unfold("section-face");
+test("symmetry is an action with a share, listed and undone like any edit", { tag: "@rare" }, async ({ editor, page }) => {
+  const before = await editor.meshJson("mm");
+  await editor.unfold("section-face");
   await page.fill("#symmetrise-share", "100");
   await page.click("[data-action='symmetrise']");
-  const after = await visitor.meshJson("mm");
+  const after = await editor.meshJson("mm");
   const [right, left] = WINGS.map((wing) => after.positions[wing]);
   assert.ok(Math.abs(right[0] + left[0]) < 1e-9 && Math.abs(right[1] - left[1]) < 1e-9);
   assert.match(await page.innerText("#history li"), /Make symmetric\s*100 %/);
   const canonical = ["--units", "mm", "--topology", "canonical"];
   assertSameMesh(after, await meshByCommandLine(SAMPLE, [...canonical, "--symmetrise", "1"]));
   await page.click("#toolbar [data-action='undo']");
-  assert.deepEqual(await visitor.meshJson("mm"), before);
+  assert.deepEqual(await editor.meshJson("mm"), before);
 });

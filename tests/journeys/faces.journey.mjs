@@ -40,13 +40,12 @@ test("each face of a group keeps its own edits: going to the other one and back 
   assert.match(kept.find(({ name }) => name === "group").edits, /nose-tip/);
 });
 
-test("the face before is one press away, with its edits, and so is the one that was left for it", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.openFace();
+test("the face before is one press away, with its edits, and so is the one that was left for it", { tag: "@rare" }, async ({ editor, page }) => {
   assert.ok(await page.isHidden("#faces"), "there is nothing to go back to yet");
-  await visitor.move("nose tip", "z", 9);
-  const photo = await visitor.work();
-  const project = await visitor.download("save-project");
-  const glb = await visitor.download("download-glb");
+  await editor.move("nose tip", "z", 9);
+  const photo = await editor.work();
+  const project = await editor.download("save-project");
+  const glb = await editor.download("download-glb");
 
   // Whatever takes the place of a face can be taken back: a project, a GLB, another photo.
   const others = [
@@ -55,15 +54,15 @@ test("the face before is one press away, with its edits, and so is the one that 
     { bytes: await asJpeg(page, await readFile(SAMPLE), { width: 640, height: 480 }), name: "other.jpg" },
   ];
   for (const { bytes, name } of others) {
-    await visitor.drop(bytes, name);
-    await untilNamed(visitor, "other");
-    await visitor.slide("jaw-width", 4);
-    const other = await visitor.work();
-    await goBack(visitor, "portrait");
-    assert.deepEqual(await visitor.work(), photo, name);
-    await goBack(visitor, "other");
-    assert.deepEqual(await visitor.work(), other, name);
-    await goBack(visitor, "portrait");
+    await editor.drop(bytes, name);
+    await untilNamed(editor, "other");
+    await editor.slide("jaw-width", 4);
+    const other = await editor.work();
+    await goBack(editor, "portrait");
+    assert.deepEqual(await editor.work(), photo, name);
+    await goBack(editor, "other");
+    assert.deepEqual(await editor.work(), other, name);
+    await goBack(editor, "portrait");
   }
   assert.ok(await page.isHidden("#face-choice"));
 });

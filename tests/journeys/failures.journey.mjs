@@ -107,8 +107,7 @@ for (const [{ reply, action, code }, tag] of alike([
   });
 }
 
-test("a notice shows above a dialog that is open, can be closed there, and is on the stage again after the dialog", async ({ visitor, page }) => {
-  await visitor.openFace();
+test("a notice shows above a dialog that is open, can be closed there, and is on the stage again after the dialog", async ({ editor: { page } }) => {
   const dropWords = () => page.evaluate(() => {
     const dataTransfer = new DataTransfer();
     dataTransfer.setData("text/plain", "words");

@@ -65,6 +65,12 @@ export const test = base.extend({
   visitor: async ({ open }, use) => use(await open()),
 
   page: async ({ visitor }, use) => use(visitor.page),
+
+  /** The visitor, with the sample portrait open. */
+  editor: async ({ visitor }, use) => {
+    await visitor.openFace();
+    await use(visitor);
+  },
 });
 
 /**

@@ -46,17 +46,16 @@ for (const [[what, fileOf], tag] of alike(/** @type {const} */ ([
   });
 }
 
-test("a search that was not entered is gone with its face", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.unfold("section-landmark");
+test("a search that was not entered is gone with its face", { tag: "@rare" }, async ({ editor, page }) => {
+  await editor.unfold("section-landmark");
   const help = await page.innerText("#landmark-help");
   await page.fill("#landmark-search", "no such place");
   await page.press("#landmark-search", "Enter");
   await page.waitForFunction((help) => document.getElementById("landmark-help").innerText !== help, help);
   await page.fill("#landmark-search", "the ear");
-  await visitor.drop(await asJpeg(page, await readFile(SAMPLE)), "new.jpg");
+  await editor.drop(await asJpeg(page, await readFile(SAMPLE)), "new.jpg");
   await page.waitForFunction(() => document.getElementById("landmark-search").value === "");
-  await visitor.untilFace();
+  await editor.untilFace();
   assert.equal(await page.innerText("#landmark-help"), help);
   assert.ok(!(await page.locator("#landmark-search").evaluate((field) => field.hasAttribute("aria-invalid"))));
   assert.ok(await page.isHidden("#notice"));

@@ -26,24 +26,23 @@ for (const [{ drawn, needs }, tag] of alike([
   });
 }
 
-test("while WebGL2 stays away the page says so and edits go on, and they show when it is back", { tag: "@webgl" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.findLandmark("nose tip");
-  const found = await visitor.view();
+test("while WebGL2 stays away the page says so and edits go on, and they show when it is back", { tag: "@webgl" }, async ({ editor, page }) => {
+  await editor.findLandmark("nose tip");
+  const found = await editor.view();
   const extension = await page.evaluateHandle(() => {
     const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("viewport"));
     return canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
   });
   await extension.evaluate((extension) => extension.loseContext());
-  await visitor.offset("y", 9);
-  const { code, text } = await visitor.notice();
+  await editor.offset("y", 9);
+  const { code, text } = await editor.notice();
   assert.equal(code, "device-lost");
   assert.match(text, /work is kept/);
-  assert.deepEqual(await visitor.history(), ["nose tip · 1"]);
+  assert.deepEqual(await editor.history(), ["nose tip · 1"]);
   await extension.evaluate((extension) => extension.restoreContext());
   await page.waitForSelector("#notice", { state: "hidden" });
-  const moved = await visitor.view();
+  const moved = await editor.view();
   assert.ok(difference(found, moved) > 0.002, "the edit does not show");
   await page.click("#toolbar [data-action='undo']");
-  assert.ok(difference(found, await visitor.view()) < 0.001, "the face is not what it was");
+  assert.ok(difference(found, await editor.view()) < 0.001, "the face is not what it was");
 });

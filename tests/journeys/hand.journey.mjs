@@ -12,59 +12,56 @@ const DENSEST = 28_881;
 /** The corners of the mouth, right and left. */
 const MOUTH_CORNERS = [61, 291];
 
-test("the pointer over a landmark marks it and names it, and lets go of it beside the face", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.findLandmark("nose tip");
-  const tip = await visitor.tagged();
-  const beside = await visitor.besideTheFace();
+test("the pointer over a landmark marks it and names it, and lets go of it beside the face", { tag: "@eyes" }, async ({ editor, page }) => {
+  await editor.findLandmark("nose tip");
+  const tip = await editor.tagged();
+  const beside = await editor.besideTheFace();
   await page.mouse.click(beside.x, beside.y);
   assert.ok(await page.isHidden("#landmark-tag"));
   assert.ok(await page.evaluate(() => document.activeElement?.matches("#viewport:not(:focus-visible)")));
-  const plain = await visitor.view();
+  const plain = await editor.view();
   await page.mouse.move(tip.x, tip.y);
-  await visitor.frames(2);
+  await editor.frames(2);
   assert.equal(await page.innerText("#landmark-tag"), "nose tip · 1");
-  assert.equal(await visitor.cursor(), "move");
-  assert.ok(difference(plain, await visitor.view()) > 0, "nothing marks the landmark");
+  assert.equal(await editor.cursor(), "move");
+  assert.ok(difference(plain, await editor.view()) > 0, "nothing marks the landmark");
   await page.mouse.move(beside.x, beside.y);
-  await visitor.frames(2);
+  await editor.frames(2);
   assert.ok(await page.isHidden("#landmark-tag"));
-  assert.equal(await visitor.cursor(), "grab");
+  assert.equal(await editor.cursor(), "grab");
 });
 
-test("a landmark follows the pointer in the view plane, slowly with Shift, and glows as it goes", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.findLandmark("nose tip");
-  const tip = await visitor.tagged();
-  const start = await visitor.meshJson("mm");
+test("a landmark follows the pointer in the view plane, slowly with Shift, and glows as it goes", { tag: "@eyes" }, async ({ editor, page }) => {
+  await editor.findLandmark("nose tip");
+  const tip = await editor.tagged();
+  const start = await editor.meshJson("mm");
   await page.mouse.move(tip.x, tip.y);
   await page.mouse.down();
   await page.mouse.move(tip.x, tip.y - 40, { steps: 5 });
-  const moving = await visitor.view();
-  const seen = await visitor.tagged();
+  const moving = await editor.view();
+  const seen = await editor.tagged();
   assert.ok(Math.hypot(seen.x - tip.x, seen.y - tip.y + 40) <= 1.5, `it is at ${seen.x}, ${seen.y}`);
   await page.mouse.up();
-  const around = await visitor.onView({ x: tip.x, y: tip.y - 40 });
-  assert.ok(differenceNear(moving, await visitor.view(), around, 30) > 0.3, "the response does not glow");
-  const moved = await visitor.meshJson("mm");
+  const around = await editor.onView({ x: tip.x, y: tip.y - 40 });
+  assert.ok(differenceNear(moving, await editor.view(), around, 30) > 0.3, "the response does not glow");
+  const moved = await editor.meshJson("mm");
   const usual = way(start, moved, NOSE_TIP);
   assert.ok(usual[1] > 2 && Math.abs(usual[2]) < usual[1] / 2, `${usual}`);
-  assert.deepEqual(await visitor.history(), ["nose tip · 1"]);
+  assert.deepEqual(await editor.history(), ["nose tip · 1"]);
 
   await page.keyboard.down("Shift");
-  await visitor.drag({ x: tip.x, y: tip.y - 40 }, { x: 0, y: -40 });
+  await editor.drag({ x: tip.x, y: tip.y - 40 }, { x: 0, y: -40 });
   await page.keyboard.up("Shift");
-  const fine = way(moved, await visitor.meshJson("mm"), NOSE_TIP);
+  const fine = way(moved, await editor.meshJson("mm"), NOSE_TIP);
   assert.ok(Math.abs(fine[1] / usual[1] - 0.1) < 0.02, `${fine[1]} mm beside ${usual[1]}`);
 });
 
-test("X, Y and Z keep a drag to an axis, and Escape puts everything back", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.reach("#mirror");
+test("X, Y and Z keep a drag to an axis, and Escape puts everything back", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+  await editor.reach("#mirror");
   await page.uncheck("#mirror");
-  await visitor.findLandmark("nose tip");
-  const tip = await visitor.tagged();
-  const start = await visitor.meshJson("mm");
+  await editor.findLandmark("nose tip");
+  const tip = await editor.tagged();
+  const start = await editor.meshJson("mm");
   for (const [axis, key] of ["x", "y", "z"].entries()) {
     await page.mouse.move(tip.x, tip.y);
     await page.mouse.down();
@@ -72,7 +69,7 @@ test("X, Y and Z keep a drag to an axis, and Escape puts everything back", { tag
     await page.keyboard.press(key);
     await page.mouse.move(tip.x + 20, tip.y - 30, { steps: 3 });
     await page.mouse.up();
-    const along = way(start, await visitor.meshJson("mm"), NOSE_TIP);
+    const along = way(start, await editor.meshJson("mm"), NOSE_TIP);
     const others = along.filter((_, other) => other !== axis);
     // From the front, the axis out of the face is seen end-on: up comes nearer.
     assert.ok(along[axis] > 0.5 && Math.hypot(...others) < 1e-9, `${key}: ${along}`);
@@ -83,12 +80,12 @@ test("X, Y and Z keep a drag to an axis, and Escape puts everything back", { tag
   await page.mouse.down();
   await page.mouse.move(tip.x + 30, tip.y, { steps: 3 });
   await page.keyboard.press("Escape");
-  const rest = await visitor.view();
+  const rest = await editor.view();
   await page.mouse.move(tip.x + 80, tip.y + 40, { steps: 3 });
-  assert.equal(difference(rest, await visitor.view()), 0, "the rest of the drag did something");
+  assert.equal(difference(rest, await editor.view()), 0, "the rest of the drag did something");
   await page.mouse.up();
-  assert.deepEqual(await visitor.meshJson("mm"), start);
-  assert.deepEqual(await visitor.history(), []);
+  assert.deepEqual(await editor.meshJson("mm"), start);
+  assert.deepEqual(await editor.history(), []);
   assert.match(await page.inputValue("#landmark-search"), /nose tip/);
 
   await page.focus("#viewport");
@@ -96,31 +93,30 @@ test("X, Y and Z keep a drag to an axis, and Escape puts everything back", { tag
   assert.ok(await page.isHidden("#landmark-tag"), "Escape did not let go");
 });
 
-test("the wheel widens and narrows the reach of a drag, which stays one edit", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.findLandmark("nose tip");
-  const tip = await visitor.tagged();
-  const start = await visitor.meshJson("mm");
+test("the wheel widens and narrows the reach of a drag, which stays one edit", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+  await editor.findLandmark("nose tip");
+  const tip = await editor.tagged();
+  const start = await editor.meshJson("mm");
   await page.mouse.move(tip.x, tip.y);
   await page.mouse.down();
   await page.mouse.move(tip.x, tip.y - 30, { steps: 3 });
   const radius = page.locator("#radius input[type=number]");
-  const pictures = [await visitor.view()];
+  const pictures = [await editor.view()];
   const radii_mm = [];
   for (const wheel of [-400, -400, 300]) {
     await page.mouse.wheel(0, wheel);
-    await visitor.frames(3);
+    await editor.frames(3);
     assert.ok(await page.isChecked("#nearby"));
     radii_mm.push(Number(await radius.inputValue()));
     assert.equal(await page.innerText("#landmark-tag"), `nose tip · 1, within ${radii_mm.at(-1)} mm`);
-    pictures.push(await visitor.view());
+    pictures.push(await editor.view());
   }
   await page.mouse.up();
   assert.equal(await page.innerText("#landmark-tag"), "nose tip · 1");
   assert.ok(radii_mm[1] < radii_mm[0] && radii_mm[0] < 25 && radii_mm[2] > radii_mm[1], `${radii_mm}`);
   for (const [shot, picture] of pictures.slice(1).entries()) assert.ok(difference(pictures[shot], picture) > 0);
-  assert.equal((await visitor.history()).length, 1);
-  const after = await visitor.meshJson("mm");
+  assert.equal((await editor.history()).length, 1);
+  const after = await editor.meshJson("mm");
   assert.ok(way(start, after, NOSE_TIP)[1] > 1);
   // What lies between a landmark that moves and one that stays goes a part of the way.
   for (const [vertex, place] of start.positions.slice(0, LANDMARKS).entries()) {
@@ -131,100 +127,96 @@ test("the wheel widens and narrows the reach of a drag, which stays one edit", {
   }
 });
 
-test("the other side follows where the mirror is on, and its plane is a hairline while a drag runs", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.findLandmark(String(MOUTH_CORNERS[0]));
-  const start = await visitor.meshJson("mm");
-  await visitor.offset("x", -4);
-  const [right, left] = MOUTH_CORNERS.map(async (corner) => way(start, await visitor.meshJson("mm"), corner));
+test("the other side follows where the mirror is on, and its plane is a hairline while a drag runs", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+  await editor.findLandmark(String(MOUTH_CORNERS[0]));
+  const start = await editor.meshJson("mm");
+  await editor.offset("x", -4);
+  const [right, left] = MOUTH_CORNERS.map(async (corner) => way(start, await editor.meshJson("mm"), corner));
   assert.ok(Math.abs((await right)[0] + 4) < 1e-9 && Math.abs((await left)[0] - 4) < 1e-9);
   await page.click("#toolbar [data-action='undo']");
 
   // The forehead, which an edit of the mouth leaves alone.
-  const forehead = await visitor.landmarkPlace(FOREHEAD);
-  const corner = await visitor.landmarkPlace(MOUTH_CORNERS[0]);
-  const plain = await visitor.view();
+  const forehead = await editor.landmarkPlace(FOREHEAD);
+  const corner = await editor.landmarkPlace(MOUTH_CORNERS[0]);
+  const plain = await editor.view();
   const whileDragging = async () => {
     await page.mouse.move(corner.x, corner.y);
     await page.mouse.down();
     await page.mouse.move(corner.x, corner.y + 20, { steps: 4 });
-    const seen = await visitor.view();
+    const seen = await editor.view();
     await page.keyboard.press("Escape");
     await page.mouse.up();
-    return differenceNear(plain, seen, await visitor.onView(forehead), 6);
+    return differenceNear(plain, seen, await editor.onView(forehead), 6);
   };
   assert.ok((await whileDragging()) > 0, "the plane is not drawn");
-  await visitor.reach("#mirror");
+  await editor.reach("#mirror");
   await page.uncheck("#mirror");
   assert.equal(await whileDragging(), 0, "a plane is drawn without the mirror");
-  await visitor.offset("x", -4);
-  assert.ok(Math.abs(way(start, await visitor.meshJson("mm"), MOUTH_CORNERS[1])[0]) < 2);
+  await editor.offset("x", -4);
+  assert.ok(Math.abs(way(start, await editor.meshJson("mm"), MOUTH_CORNERS[1])[0]) < 2);
 });
 
-test("a click with Alt pins a landmark, which then stays, and unpins it", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.findLandmark(String(MOUTH_CORNERS[0]));
-  const corner = await visitor.tagged();
-  await visitor.findLandmark("nose tip");
-  const unpinned = await visitor.view();
+test("a click with Alt pins a landmark, which then stays, and unpins it", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+  await editor.findLandmark(String(MOUTH_CORNERS[0]));
+  const corner = await editor.tagged();
+  await editor.findLandmark("nose tip");
+  const unpinned = await editor.view();
   await page.keyboard.down("Alt");
   await page.mouse.click(corner.x, corner.y);
-  assert.equal(await visitor.landmark(), NOSE_TIP);
-  assert.ok((await visitor.anchors()).includes(MOUTH_CORNERS[0]));
-  assert.ok(difference(unpinned, await visitor.view()) > 0, "no pin is drawn");
-  const start = await visitor.meshJson("mm");
-  await visitor.offset("y", -5);
-  assert.ok(Math.hypot(...way(start, await visitor.meshJson("mm"), MOUTH_CORNERS[0])) < 1e-9);
+  assert.equal(await editor.landmark(), NOSE_TIP);
+  assert.ok((await editor.anchors()).includes(MOUTH_CORNERS[0]));
+  assert.ok(difference(unpinned, await editor.view()) > 0, "no pin is drawn");
+  const start = await editor.meshJson("mm");
+  await editor.offset("y", -5);
+  assert.ok(Math.hypot(...way(start, await editor.meshJson("mm"), MOUTH_CORNERS[0])) < 1e-9);
   await page.mouse.click(corner.x, corner.y);
   await page.keyboard.up("Alt");
-  assert.ok(!(await visitor.anchors()).includes(MOUTH_CORNERS[0]));
+  assert.ok(!(await editor.anchors()).includes(MOUTH_CORNERS[0]));
 });
 
-test("every operator and constraint says in a line what it does, and does what the command line does", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.findLandmark("nose tip");
+test("every operator and constraint says in a line what it does, and does what the command line does", { tag: "@rare" }, async ({ editor, page }) => {
+  await editor.findLandmark("nose tip");
   const said = new Set();
   const operators = await page.locator("#operator option").evaluateAll((options) => options.map((option) => option.value));
   assert.ok(operators.length >= 6 && operators.includes("cotangent-mass"), operators.join(" "));
   for (const operator of operators) {
-    await visitor.reach("#operator");
+    await editor.reach("#operator");
     await page.selectOption("#operator", operator);
     said.add(await page.innerText("#operator-help"));
     const [hold, weight] = operator === "degree" ? ["soft", "1"] : ["exact", "exact"];
     await page.selectOption("#constraint", hold);
     said.add(await page.innerText("#constraint-help"));
-    await visitor.offset("z", 6);
+    await editor.offset("z", 6);
     const options = `--units mm --topology canonical --operator ${operator} --hold ${weight} --anchors oval --radius 25 --mirror --edit 1:0,0,6`;
-    assertSameMesh(await visitor.meshJson("mm"), await meshByCommandLine(SAMPLE, options.split(" ")));
+    assertSameMesh(await editor.meshJson("mm"), await meshByCommandLine(SAMPLE, options.split(" ")));
     await page.click("#toolbar [data-action='undo']");
   }
   assert.equal(said.size, operators.length + 2);
   assert.ok(!said.has(""));
   assert.ok(!(await page.isChecked("input[name='preset'][value='paper']")));
-  await visitor.prefer("sculpt");
+  await editor.prefer("sculpt");
   assert.equal(await page.inputValue("#operator"), "cotangent");
 });
 
-test("a landmark is dragged on the densest mesh as on the coarse one", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.openFace();
+test("a landmark is dragged on the densest mesh as on the coarse one", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await page.selectOption("#density", "3", { force: true });
-  await visitor.findLandmark("nose tip");
-  const tip = await visitor.tagged();
-  const start = await visitor.meshJson("mm");
+  await editor.findLandmark("nose tip");
+  const tip = await editor.tagged();
+  const start = await editor.meshJson("mm");
   assert.equal(start.positions.length, DENSEST);
   await page.mouse.move(tip.x, tip.y);
   await page.mouse.down();
   await page.mouse.move(tip.x, tip.y - 30, { steps: 8 });
-  const moving = await visitor.view();
+  const moving = await editor.view();
   assert.ok(colourCount(moving) > 40);
-  const seen = await visitor.tagged();
+  const seen = await editor.tagged();
   assert.ok(Math.hypot(seen.x - tip.x, seen.y - tip.y + 30) <= 1.5, `it is at ${seen.x}, ${seen.y}`);
   await page.mouse.up();
-  assert.equal((await visitor.history()).length, 1);
-  const moved = await visitor.meshJson("mm");
+  assert.equal((await editor.history()).length, 1);
+  const moved = await editor.meshJson("mm");
   const furthest_mm = furthest(start, moved);
   assert.ok(Math.hypot(...way(start, moved, NOSE_TIP)) > 2);
   assert.ok(furthest_mm < 1.5 * Math.hypot(...way(start, moved, NOSE_TIP)), `a vertex went ${furthest_mm} mm`);
   await page.click("#toolbar [data-action='undo']");
-  assert.deepEqual(await visitor.meshJson("mm"), start);
+  assert.deepEqual(await editor.meshJson("mm"), start);
 });

@@ -20,26 +20,24 @@ test("without an edit the photo leaves the page as it came, byte for byte", asyn
   assert.deepEqual(Buffer.from(file.data), Buffer.from((await sample()).data));
 });
 
-test("an edit changes the photo where the face is, and nothing beyond the ring", async ({ visitor }) => {
-  await visitor.openFace();
-  await visitor.slide("nose-width", -4);
-  await visitor.slide("jaw-width", -6);
+test("an edit changes the photo where the face is, and nothing beyond the ring", async ({ editor }) => {
+  await editor.slide("nose-width", -4);
+  await editor.slide("jaw-width", -6);
   const before = await sample();
-  const after = PNG.sync.read(await visitor.download("download-photo-png"));
+  const after = PNG.sync.read(await editor.download("download-photo-png"));
   assert.ok(differenceNear(before, after, NOSE, 12) > 0.1, "the nose is as it was");
   const box = differingBox(before, after);
   assert.ok(box.left >= REACH.left && box.top >= REACH.top && box.right <= REACH.right && box.bottom <= REACH.bottom, JSON.stringify(box));
 });
 
-test("a wider ring gives way further, and a narrow one less", { tag: "@rare" }, async ({ visitor }) => {
-  await visitor.openFace();
-  await visitor.slide("face-length", 8);
+test("a wider ring gives way further, and a narrow one less", { tag: "@rare" }, async ({ editor }) => {
+  await editor.slide("face-length", 8);
   const widths = [];
   for (const share of [10, 35, 80]) {
-    await visitor.unfold("section-in-photo");
-    await visitor.page.locator("#in-photo-ring input[type=number]").fill(String(share));
-    await visitor.page.keyboard.press("Tab");
-    const { left, right } = differingBox(await sample(), PNG.sync.read(await visitor.download("download-photo-png")));
+    await editor.unfold("section-in-photo");
+    await editor.page.locator("#in-photo-ring input[type=number]").fill(String(share));
+    await editor.page.keyboard.press("Tab");
+    const { left, right } = differingBox(await sample(), PNG.sync.read(await editor.download("download-photo-png")));
     widths.push(right - left);
   }
   assert.ok(widths[0] + 20 < widths[1] && widths[1] + 20 < widths[2], JSON.stringify(widths));
@@ -55,21 +53,20 @@ test("the page and the command line write the same photo", async ({ visitor }) =
   assert.ok(step <= 1, String(step));
 });
 
-test("the face seen from further away, from nearer, and as it was taken", { tag: "@rare" }, async ({ visitor }) => {
-  await visitor.openFace();
+test("the face seen from further away, from nearer, and as it was taken", { tag: "@rare" }, async ({ editor }) => {
   const photos = [];
   for (const cm of [30, 300]) {
-    await visitor.unfold("section-in-photo");
-    await visitor.page.locator("#in-photo-distance input[type=number]").fill(String(cm));
-    await visitor.page.keyboard.press("Tab");
-    photos.push(PNG.sync.read(await visitor.download("download-photo-png")));
+    await editor.unfold("section-in-photo");
+    await editor.page.locator("#in-photo-distance input[type=number]").fill(String(cm));
+    await editor.page.keyboard.press("Tab");
+    photos.push(PNG.sync.read(await editor.download("download-photo-png")));
     const theirs = PNG.sync.read(await photoByCommandLine(SAMPLE, ["--topology", "canonical", "--seen-from", String(cm)]));
     assert.ok(largestStep(photos.at(-1), theirs) <= 1, `${cm} cm`);
   }
   assert.ok(differenceNear(photos[0], photos[1], NOSE, 40) > 0.2);
-  await visitor.unfold("section-in-photo");
-  await visitor.page.click("#seen-as-taken");
-  assert.equal(difference(PNG.sync.read(await visitor.download("download-photo-png")), await sample()), 0);
+  await editor.unfold("section-in-photo");
+  await editor.page.click("#seen-as-taken");
+  assert.equal(difference(PNG.sync.read(await editor.download("download-photo-png")), await sample()), 0);
 });
 
 test("a transparent photo leaves the page transparent as a PNG, and over white as a JPEG", async ({ visitor }) => {

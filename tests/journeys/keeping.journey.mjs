@@ -30,15 +30,14 @@ test("an edit a moment before a reload, or before the tab is closed, is kept", a
   next.checkNothingBroke();
 });
 
-test("an edit is kept however long before the reload it was made", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.findLandmark("nose tip");
+test("an edit is kept however long before the reload it was made", { tag: "@rare" }, async ({ editor, page }) => {
+  await editor.findLandmark("nose tip");
   // Around the pause after which the database is told, it has been asked and has not answered.
   for (const [place, wait_ms] of [185, 200, 205, 210, 220, 240].entries()) {
-    await visitor.findLandmark("nose tip");
+    await editor.findLandmark("nose tip");
     await typeAndGo(page, place + 2, "reload", wait_ms);
-    await visitor.resume();
-    assert.equal(await noseOut(visitor), place + 2, `${wait_ms} ms`);
+    await editor.resume();
+    assert.equal(await noseOut(editor), place + 2, `${wait_ms} ms`);
   }
 });
 

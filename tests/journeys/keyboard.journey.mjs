@@ -42,24 +42,22 @@ test("everything from photo to file by keyboard alone", async ({ visitor, page }
   assert.equal(await page.inputValue("#landmark-sliders [data-axis='y'] input[type=number]"), "0");
 });
 
-test("the first stop of the keyboard leads past everything to the search, whichever tab hides it", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.openFace();
+test("the first stop of the keyboard leads past everything to the search, whichever tab hides it", { tag: "@rare" }, async ({ editor, page }) => {
   await page.keyboard.press("Tab");
   assert.ok(await page.evaluate(() => document.activeElement?.matches(".skip-link")), "the first stop is another");
   await page.keyboard.press("Enter");
   await page.keyboard.type("nose tip");
   await page.keyboard.press("Enter");
-  assert.equal(await visitor.landmark(), 1);
+  assert.equal(await editor.landmark(), 1);
   await page.click("#tab-view");
   await page.focus(".skip-link");
   await page.keyboard.press("Enter");
   await page.keyboard.type("bottom of the chin");
   await page.keyboard.press("Enter");
-  assert.equal(await visitor.landmark(), 152);
+  assert.equal(await editor.landmark(), 152);
 });
 
-test("a question mark lists the keys, but not where text is typed", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.openFace();
+test("a question mark lists the keys, but not where text is typed", { tag: "@rare" }, async ({ editor: { page } }) => {
   await page.focus("#landmark-search");
   await page.keyboard.press("?");
   assert.equal(await page.inputValue("#landmark-search"), "?");
@@ -73,21 +71,20 @@ test("a question mark lists the keys, but not where text is typed", { tag: "@rar
   assert.ok(await page.isVisible("#keys"));
 });
 
-test("the camera follows the keys while the view has the focus", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.openFace();
+test("the camera follows the keys while the view has the focus", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await page.focus("#viewport");
-  const start = await visitor.view();
+  const start = await editor.view();
   for (const key of ["ArrowLeft", "Control+Shift+ArrowUp", "Alt+ArrowUp", "l", "t", "w"]) {
     await page.keyboard.press("Space");
     await page.keyboard.press(key);
-    assert.ok(difference(start, await visitor.view()) > 0.01, `${key} did nothing`);
+    assert.ok(difference(start, await editor.view()) > 0.01, `${key} did nothing`);
   }
   await page.keyboard.press("w");
   await page.keyboard.press("f");
-  assert.ok(difference(start, await visitor.view()) < 0.001, "F did not show the front");
+  assert.ok(difference(start, await editor.view()) < 0.001, "F did not show the front");
   await page.keyboard.press("Alt+ArrowDown");
   await page.keyboard.press("Space");
-  assert.ok(difference(start, await visitor.view()) < 0.001, "Space did not reset the view");
+  assert.ok(difference(start, await editor.view()) < 0.001, "Space did not reset the view");
 });
 
 /** What Tab reaches with each of the panel's tabs, beside what stands on each of them. */
@@ -99,10 +96,9 @@ const STOPS = {
 const EVERYWHERE = ["viewport", "undo", "language", "theme", "open-keys", "open-credits", "download-glb"];
 
 for (const [[tab, stops], tag] of alike(Object.entries(STOPS))) {
-  test(`Tab goes through everything on the tab ${tab}, and shows the whole of a ring around where it is`, { tag }, async ({ visitor, page }) => {
-    await visitor.openFace();
-    await visitor.move("nose tip", "z", 3);
-    await visitor.unfold("section-paper");
+  test(`Tab goes through everything on the tab ${tab}, and shows the whole of a ring around where it is`, { tag }, async ({ editor, page }) => {
+    await editor.move("nose tip", "z", 3);
+    await editor.unfold("section-paper");
     await page.click(`#tab-${tab}`);
     await page.focus(".skip-link");
     const seen = new Set();

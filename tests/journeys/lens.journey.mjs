@@ -16,16 +16,15 @@ async function chooseLens(visitor, lens) {
   await visitor.frames(3);
 }
 
-test("each lens shows the face another way, on the page and in a picture, and says how", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.unfold("section-view");
+test("each lens shows the face another way, on the page and in a picture, and says how", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+  await editor.unfold("section-view");
   assert.ok(await page.isChecked("input[name='lens'][value='portrait']"));
   const [views, pictures, helps] = [[], [], new Set()];
   for (const lens of LENSES) {
-    await chooseLens(visitor, lens);
+    await chooseLens(editor, lens);
     helps.add(await page.innerText("#lens-help"));
-    views.push(await visitor.view());
-    pictures.push(PNG.sync.read(await visitor.download("download-picture")));
+    views.push(await editor.view());
+    pictures.push(PNG.sync.read(await editor.download("download-picture")));
   }
   assert.ok(helps.size === LENSES.length && !helps.has(""));
   const middle = { x: Math.round(views[0].width / 2), y: Math.round(views[0].height / 2) };
@@ -36,35 +35,33 @@ test("each lens shows the face another way, on the page and in a picture, and sa
       assert.ok(difference(pictures[one], pictures[other]) > 0.01, `${lens} is kept like ${another}`);
     }
   }
-  await chooseLens(visitor, "portrait");
+  await chooseLens(editor, "portrait");
   await page.click("#toolbar [data-action='reset-view']");
-  assert.equal(difference(views[0], await visitor.view()), 0, "the portrait did not come back");
-  assert.deepEqual(await visitor.history(), []);
+  assert.equal(difference(views[0], await editor.view()), 0, "the portrait did not come back");
+  assert.deepEqual(await editor.history(), []);
 });
 
 for (const lens of ["parallel", "near"]) {
-  test(`with a lens, what lights up under the pointer is what a press takes: ${lens}`, { tag: "@rare" }, async ({ visitor, page }) => {
-    await visitor.openFace();
-    await chooseLens(visitor, lens);
+  test(`with a lens, what lights up under the pointer is what a press takes: ${lens}`, { tag: "@rare" }, async ({ editor, page }) => {
+    await chooseLens(editor, lens);
     // Turned, raised and nearer, so that no axis of the view is one of the face's.
     await page.focus("#viewport");
     for (const key of ["ArrowLeft", "ArrowUp", "Alt+ArrowUp"]) await page.keyboard.press(key);
-    await visitor.frames(3);
-    const { lit, turned } = await visitor.takeAtEach(7);
+    await editor.frames(3);
+    const { lit, turned } = await editor.takeAtEach(7);
     assert.ok(lit >= 7, `${lit} places light up`);
     assert.deepEqual(turned, [], "lit places that a press does not take");
   });
 }
 
-test("as photographed, the mesh lies where the face is in the photo, and the lens is kept", async ({ visitor, page }) => {
-  await visitor.openFace();
-  await chooseLens(visitor, "as-taken");
+test("as photographed, the mesh lies where the face is in the photo, and the lens is kept", async ({ editor, page }) => {
+  await chooseLens(editor, "as-taken");
   const { width, height } = PNG.sync.read(await readFile(SAMPLE));
-  const { positions } = await visitor.meshJson("image");
+  const { positions } = await editor.meshJson("image");
   const pairs = [];
   for (const landmark of ALL_OVER) {
     const [x, y] = positions[landmark];
-    pairs.push({ photo: { x: x * width, y: y * height }, seen: await visitor.landmarkPlace(landmark) });
+    pairs.push({ photo: { x: x * width, y: y * height }, seen: await editor.landmarkPlace(landmark) });
   }
   const [nose, chin] = pairs;
   const scale = (chin.seen.y - nose.seen.y) / (chin.photo.y - nose.photo.y);
@@ -74,9 +71,9 @@ test("as photographed, the mesh lies where the face is in the photo, and the len
     assert.ok(Math.hypot(...off) < 1.5, `${off} px off`);
   }
   await page.reload();
-  await visitor.resume();
-  await visitor.unfold("section-view");
+  await editor.resume();
+  await editor.unfold("section-view");
   assert.ok(await page.isChecked("input[name='lens'][value='as-taken']"));
-  const again = await visitor.landmarkPlace(ALL_OVER[0]);
+  const again = await editor.landmarkPlace(ALL_OVER[0]);
   assert.ok(Math.hypot(again.x - nose.seen.x, again.y - nose.seen.y) < 1.5, `the nose is at ${again.x}, ${again.y}`);
 });

@@ -29,9 +29,8 @@ test("the paper's experiment runs in the browser, beside its Table 1, and leaves
   assert.match(await page.innerText("#paper-table tr:nth-child(3) th"), /grau 3/);
 });
 
-test("what each operator and constraint does is what the command line finds", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.unfold("section-paper");
+test("what each operator and constraint does is what the command line finds", { tag: "@rare" }, async ({ editor, page }) => {
+  await editor.unfold("section-paper");
   await page.click("[data-action='run-paper']");
   await page.waitForSelector("#paper-results:not([hidden])", { timeout: 150_000 });
   const methods = await paperByCommandLine(SAMPLE, ["--runs", "5", "--seed", "0"]);

@@ -15,21 +15,20 @@ async function photoOnStage(visitor) {
   await visitor.frames(5);
 }
 
-test("a press on the small photo puts it on the stage; the switch and P go back, and it is remembered", { tag: "@eyes" }, async ({ visitor }) => {
-  await visitor.openFace();
-  assert.equal(await scene(visitor), "solid", "the face in the round is what a visitor arrives at");
-  const solid = await visitor.view();
-  await visitor.page.click("#photo-to-stage");
-  assert.equal(await scene(visitor), "picture");
-  const photo = await visitor.view();
+test("a press on the small photo puts it on the stage; the switch and P go back, and it is remembered", { tag: "@eyes" }, async ({ editor }) => {
+  assert.equal(await scene(editor), "solid", "the face in the round is what a editor arrives at");
+  const solid = await editor.view();
+  await editor.page.click("#photo-to-stage");
+  assert.equal(await scene(editor), "picture");
+  const photo = await editor.view();
   assert.ok(difference(solid, photo) > 0.5, "the stage is as it was");
-  await visitor.page.check("#scene input[value='solid']", { force: true });
-  assert.equal(difference(solid, await visitor.view()), 0);
-  await visitor.page.keyboard.press("p");
-  assert.equal(await scene(visitor), "picture");
-  assert.equal(difference(photo, await visitor.view()), 0);
-  await visitor.comeBack();
-  assert.equal(await scene(visitor), "picture");
+  await editor.page.check("#scene input[value='solid']", { force: true });
+  assert.equal(difference(solid, await editor.view()), 0);
+  await editor.page.keyboard.press("p");
+  assert.equal(await scene(editor), "picture");
+  assert.equal(difference(photo, await editor.view()), 0);
+  await editor.comeBack();
+  assert.equal(await scene(editor), "picture");
 });
 
 test("on the photo a point is dragged, and the photo follows where it is and nowhere else", { tag: "@eyes" }, async ({ visitor }) => {
@@ -78,19 +77,18 @@ test("who drags beside the face turns it out of the photo", { tag: ["@eyes", "@r
   assert.equal(await scene(visitor), "picture");
 });
 
-test("the small photo shows every edit as it is made", async ({ visitor }) => {
-  await visitor.openFace();
-  await visitor.frames(4);
-  const pixels = () => visitor.page.locator("#photo-thumbnail").evaluate((canvas) => [...canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data]);
+test("the small photo shows every edit as it is made", async ({ editor }) => {
+  await editor.frames(4);
+  const pixels = () => editor.page.locator("#photo-thumbnail").evaluate((canvas) => [...canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data]);
   const differing = (/** @type {number[]} */ a, /** @type {number[]} */ b) => a.filter((value, at) => Math.abs(value - (b[at] ?? 0)) > 4).length;
   const before = await pixels();
-  await visitor.page.locator("[data-slider='jaw-width'] input[type=range]").evaluate((slider) => {
+  await editor.page.locator("[data-slider='jaw-width'] input[type=range]").evaluate((slider) => {
     slider.value = slider.min;
     slider.dispatchEvent(new Event("input", { bubbles: true }));
   });
-  await visitor.frames(4);
+  await editor.frames(4);
   assert.ok(differing(before, await pixels()) > 100, "before the slider is let go");
-  await visitor.page.keyboard.press("Escape");
+  await editor.page.keyboard.press("Escape");
 });
 
 test("both stand side by side where the window is wide, and a press on the photo gives it the stage", { tag: "@rare" }, async ({ open }) => {

@@ -11,69 +11,66 @@ const AS_THE_PAGE = "--units mm --topology canonical --operator cotangent --hold
 const NOSE_TIP = 1;
 const CHIN = 152;
 
-test("a region moves as one by its sliders, under its name, as the command line moves it", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.chooseRegion("left-brow");
+test("a region moves as one by its sliders, under its name, as the command line moves it", { tag: "@eyes" }, async ({ editor, page }) => {
+  await editor.chooseRegion("left-brow");
   assert.match(await page.innerText("#said"), /left brow selected/);
   assert.equal(await page.innerText("#landmark-tag"), "left brow");
-  const before = { view: await visitor.view(), mesh: await visitor.meshJson("mm") };
-  await visitor.offset("y", 3);
-  await visitor.offset("z", -1);
-  assert.ok(difference(before.view, await visitor.view()) > 0.002, "the picture did not change");
-  assert.deepEqual(await visitor.history(), ["left brow", "left brow"]);
+  const before = { view: await editor.view(), mesh: await editor.meshJson("mm") };
+  await editor.offset("y", 3);
+  await editor.offset("z", -1);
+  assert.ok(difference(before.view, await editor.view()) > 0.002, "the picture did not change");
+  assert.deepEqual(await editor.history(), ["left brow", "left brow"]);
   const steps = ["--region", "left-brow:0,3,0", "--region", "left-brow:0,0,-1"];
-  assertSameMesh(await visitor.meshJson("mm"), await meshByCommandLine(SAMPLE, [...AS_THE_PAGE, ...steps]));
+  assertSameMesh(await editor.meshJson("mm"), await meshByCommandLine(SAMPLE, [...AS_THE_PAGE, ...steps]));
 
   await page.selectOption("#language", "pt");
-  assert.deepEqual(await visitor.history(), ["sobrancelha esquerda", "sobrancelha esquerda"]);
+  assert.deepEqual(await editor.history(), ["sobrancelha esquerda", "sobrancelha esquerda"]);
   assert.equal(await page.locator("#region option:checked").innerText(), "sobrancelha esquerda");
 
   // The choice of none is hidden, and yet there for whoever fills the page in by program.
-  await visitor.reach("#region");
+  await editor.reach("#region");
   await page.selectOption("#region", "");
   assert.ok(await page.isHidden("#landmark-tag"), "something is still selected");
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("a region's landmarks are marked, and it is dragged by any of them and by its gizmo", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
-  await visitor.openFace();
-  await visitor.findLandmark("nose tip");
-  const noseTip = await visitor.tagged();
-  const bare = await visitor.view();
-  await visitor.chooseRegion("nose");
-  assert.ok(difference(bare, await visitor.view()) > 0.002, "nothing marks the region");
-  const start = await visitor.meshJson("mm");
+test("a region's landmarks are marked, and it is dragged by any of them and by its gizmo", { tag: ["@eyes", "@rare"] }, async ({ editor }) => {
+  await editor.findLandmark("nose tip");
+  const noseTip = await editor.tagged();
+  const bare = await editor.view();
+  await editor.chooseRegion("nose");
+  assert.ok(difference(bare, await editor.view()) > 0.002, "nothing marks the region");
+  const start = await editor.meshJson("mm");
 
-  await visitor.drag(noseTip, { x: 0, y: -24 });
-  assert.deepEqual(await visitor.history(), ["nose"]);
-  const lifted = await visitor.meshJson("mm");
+  await editor.drag(noseTip, { x: 0, y: -24 });
+  assert.deepEqual(await editor.history(), ["nose"]);
+  const lifted = await editor.meshJson("mm");
   const [tip, wing, chin] = [NOSE_TIP, 64, CHIN].map((landmark) => way(start, lifted, landmark));
   assert.ok(tip[1] > 1 && Math.abs(tip[1] - wing[1]) < 1e-9, `${tip} and ${wing}`);
   assert.ok(Math.hypot(...chin) < tip[1] / 2, `the chin came along: ${chin}`);
 
-  const middle = await visitor.selectedPlace();
-  await visitor.drag({ x: middle.x, y: middle.y - 50 }, { x: 30, y: 20 });
-  assert.deepEqual(await visitor.history(), ["nose", "nose"]);
-  const along = way(lifted, await visitor.meshJson("mm"), NOSE_TIP);
+  const middle = await editor.selectedPlace();
+  await editor.drag({ x: middle.x, y: middle.y - 50 }, { x: 30, y: 20 });
+  assert.deepEqual(await editor.history(), ["nose", "nose"]);
+  const along = way(lifted, await editor.meshJson("mm"), NOSE_TIP);
   assert.ok(along[1] < -1 && Math.hypot(along[0], along[2]) < 1e-9, `not along y: ${along}`);
 });
 
-test("clicks take the region under the pointer, then the larger one, and the choice of a landmark comes back", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.findLandmark("nose tip");
-  const tip = await visitor.tagged();
-  const beside = await visitor.besideTheFace();
+test("clicks take the region under the pointer, then the larger one, and the choice of a landmark comes back", { tag: "@eyes" }, async ({ editor, page }) => {
+  await editor.findLandmark("nose tip");
+  const tip = await editor.tagged();
+  const beside = await editor.besideTheFace();
   await page.mouse.click(beside.x, beside.y);
-  await visitor.reach("#selection");
+  await editor.reach("#selection");
   await page.check("input[name='selection'][value='region']", { force: true });
   assert.ok(await page.isHidden("#landmark-search"));
-  const plain = await visitor.view();
+  const plain = await editor.view();
   await page.mouse.move(tip.x, tip.y);
-  const pointedAt = await visitor.view();
+  const pointedAt = await editor.view();
   assert.ok(difference(plain, pointedAt) > 0.001, "nothing shows what a click would take");
   assert.equal(await page.innerText("#landmark-tag"), "tip of the nose");
   await page.mouse.move(beside.x, beside.y);
-  assert.equal(difference(plain, await visitor.view()), 0, "the marks stay");
+  assert.equal(difference(plain, await editor.view()), 0, "the marks stay");
   const taken = [];
   for (let click = 0; click < 3; click++) {
     await page.mouse.click(tip.x, tip.y);
@@ -85,23 +82,22 @@ test("clicks take the region under the pointer, then the larger one, and the cho
   assert.match(await page.inputValue("#landmark-search"), /· \d+$/);
 });
 
-test("one thing is reset by itself, in one step that undo takes back", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.move("bottom of the chin", "y", -6);
-  const chin = await visitor.meshJson("mm");
-  await visitor.chooseRegion("nose");
+test("one thing is reset by itself, in one step that undo takes back", { tag: "@rare" }, async ({ editor, page }) => {
+  await editor.move("bottom of the chin", "y", -6);
+  const chin = await editor.meshJson("mm");
+  await editor.chooseRegion("nose");
   assert.ok(await page.isDisabled("[data-action='reset-selection']"));
-  await visitor.offset("z", 4);
-  await visitor.offset("y", 2);
-  const both = await visitor.meshJson("mm");
+  await editor.offset("z", 4);
+  await editor.offset("y", 2);
+  const both = await editor.meshJson("mm");
 
-  await visitor.unfold("section-history");
+  await editor.unfold("section-history");
   await page.click("[data-action='reset-selection']");
   assert.match(await page.innerText("#said"), /nose/);
-  assert.deepEqual(await visitor.meshJson("mm"), chin);
+  assert.deepEqual(await editor.meshJson("mm"), chin);
   assert.equal(await page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]"), "0");
   assert.ok(await page.isDisabled("[data-action='reset-selection']"));
   await page.click("#toolbar [data-action='undo']");
-  assert.deepEqual(await visitor.meshJson("mm"), both);
+  assert.deepEqual(await editor.meshJson("mm"), both);
   assert.equal(await page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]"), "4");
 });

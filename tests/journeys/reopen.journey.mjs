@@ -4,64 +4,61 @@ import { assertCameBack } from "./meshes.mjs";
 import { colourCount, meanColour } from "./pixels.mjs";
 
 for (const [paint, tag] of alike(["photo", "colours"])) {
-  test(`a downloaded GLB painted with ${paint} brings the face back after a reload, with its history`, { tag: [...tag, "@eyes"] }, async ({ visitor, page }) => {
-    await visitor.openFace();
-    const unedited = await visitor.meshJson("mm");
-    await visitor.move("nose tip", "z", 9);
-    await visitor.move("bottom of the chin", "y", -6);
-    const work = await visitor.meshJson("mm");
-    await visitor.reach("#export-units");
+  test(`a downloaded GLB painted with ${paint} brings the face back after a reload, with its history`, { tag: [...tag, "@eyes"] }, async ({ editor, page }) => {
+    const unedited = await editor.meshJson("mm");
+    await editor.move("nose tip", "z", 9);
+    await editor.move("bottom of the chin", "y", -6);
+    const work = await editor.meshJson("mm");
+    await editor.reach("#export-units");
     await page.check(`input[name="base-colour"][value="${paint}"]`, { force: true });
-    const file = await visitor.download("download-glb");
+    const file = await editor.download("download-glb");
     // Beside the face, a click lets go of the landmark and takes its marks away.
     await page.mouse.click(20, 20);
-    const view = await visitor.view();
+    const view = await editor.view();
 
     await page.reload();
-    await visitor.drop(file, "rosto.glb");
-    await visitor.untilFace();
-    assertCameBack(await visitor.meshJson("mm"), work);
+    await editor.drop(file, "rosto.glb");
+    await editor.untilFace();
+    assertCameBack(await editor.meshJson("mm"), work);
     assert.equal(await page.locator("#history li").count(), 2);
-    assert.ok(colourCount(await visitor.view()) > 40, "the face came back without its colours");
-    if (paint === "photo") expectSameColours(view, await visitor.view());
+    assert.ok(colourCount(await editor.view()) > 40, "the face came back without its colours");
+    if (paint === "photo") expectSameColours(view, await editor.view());
 
     for (let step = 0; step < 2; step++) await page.click("#toolbar [data-action='undo']");
-    assertCameBack(await visitor.meshJson("mm"), unedited);
+    assertCameBack(await editor.meshJson("mm"), unedited);
     await page.click("#toolbar [data-action='redo']");
     await page.click("#toolbar [data-action='redo']");
-    assertCameBack(await visitor.meshJson("mm"), work);
+    assertCameBack(await editor.meshJson("mm"), work);
   });
 }
 
-test("a GLB brings its density and its eyes and mouth along", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.unfold("section-view");
+test("a GLB brings its density and its eyes and mouth along", { tag: "@rare" }, async ({ editor, page }) => {
+  await editor.unfold("section-view");
   await page.selectOption("#triangulation", "tessellation");
   await page.selectOption("#density", "1");
-  await visitor.move("nose tip", "z", 4);
-  const work = await visitor.meshJson("mm");
-  const file = await visitor.download("download-glb");
+  await editor.move("nose tip", "z", 4);
+  const work = await editor.meshJson("mm");
+  const file = await editor.download("download-glb");
   await page.reload();
-  await visitor.drop(file, "rosto.glb");
-  await visitor.untilFace();
-  const opened = await visitor.meshJson("mm");
+  await editor.drop(file, "rosto.glb");
+  await editor.untilFace();
+  const opened = await editor.meshJson("mm");
   assert.deepEqual(opened.positions, work.positions);
   assert.deepEqual(opened.triangles, work.triangles);
 });
 
-test("a GLB of another program, or half of ours, leaves the work and a message", async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.move("nose tip", "z", 4);
-  const work = await visitor.meshJson("mm");
-  const file = await visitor.download("download-glb");
+test("a GLB of another program, or half of ours, leaves the work and a message", async ({ editor, page }) => {
+  await editor.move("nose tip", "z", 4);
+  const work = await editor.meshJson("mm");
+  const file = await editor.download("download-glb");
   for (const { bytes, code, says } of [
     { bytes: foreignGlb(), code: "foreign-glb", says: /no face that can be edited/ },
     { bytes: file.subarray(0, file.length / 2), code: "damaged-glb", says: /damaged or incomplete/ },
   ]) {
-    await visitor.drop(bytes, "other.glb");
+    await editor.drop(bytes, "other.glb");
     await page.waitForSelector(`#notice[data-code="${code}"]`);
-    assert.match((await visitor.notice()).text, says);
-    assert.deepEqual(await visitor.meshJson("mm"), work);
+    assert.match((await editor.notice()).text, says);
+    assert.deepEqual(await editor.meshJson("mm"), work);
   }
 });
 

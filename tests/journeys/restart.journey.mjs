@@ -73,11 +73,10 @@ test("a panic while a file is made or opened starts the module again, and the ne
   assert.notDeepEqual(await visitor.meshJson("mm"), work);
 });
 
-test("another face that is opened while the module starts again leaves the work where it is kept", async ({ visitor, page }) => {
-  await visitor.untilLoaded();
-  await visitor.openFace();
-  const other = await visitor.download("save-project");
-  await workOn(visitor);
+test("another face that is opened while the module starts again leaves the work where it is kept", async ({ editor, page }) => {
+  await editor.untilLoaded();
+  const other = await editor.download("save-project");
+  await workOn(editor);
   await untilKept(page);
   const kept = (await histories(page)).filter((edits) => edits.includes("nose-tip"));
   assert.equal(kept.length, 1);
@@ -94,8 +93,8 @@ test("another face that is opened while the module starts again leaves the work 
     document.getElementById("viewport").dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft", ...options }));
     document.getElementById("stage").dispatchEvent(new DragEvent("drop", { dataTransfer, ...options }));
   }, transfer);
-  await untilRestarted(visitor);
-  await visitor.drop(other, "other.rosto");
+  await untilRestarted(editor);
+  await editor.drop(other, "other.rosto");
   await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
   await untilKept(page);
   assert.deepEqual((await histories(page)).filter((edits) => edits.includes("nose-tip")), kept);

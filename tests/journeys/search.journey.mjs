@@ -50,15 +50,14 @@ test("the best match is the whole name, then its beginning, then words, then a p
   assert.deepEqual(found, expected);
 });
 
-test("only what nothing is called is an error, which looks like one until something else is typed", async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.findLandmark("nose");
+test("only what nothing is called is an error, which looks like one until something else is typed", async ({ editor, page }) => {
+  await editor.findLandmark("nose");
   const look = () => page.locator("#landmark-search").evaluate((field) => {
     const help = document.getElementById("landmark-help");
     return { border: getComputedStyle(field).borderTopColor, text: getComputedStyle(help).color, sign: getComputedStyle(help, "::before").content };
   });
   const fine = await look();
-  await visitor.findLandmark("moustache");
+  await editor.findLandmark("moustache");
   const wrong = await look();
   assert.equal(await page.getAttribute("#landmark-search", "aria-invalid"), "true");
   assert.match(await page.innerText("#landmark-help"), /moustache/);
@@ -72,13 +71,13 @@ test("only what nothing is called is an error, which looks like one until someth
 
   await page.locator("#landmark-search").press("Backspace");
   assert.deepEqual(await look(), fine);
-  await visitor.findLandmark("moustache");
+  await editor.findLandmark("moustache");
   assert.deepEqual(await look(), wrong, "what is typed once more is not sought");
-  await visitor.speak("pt");
+  await editor.speak("pt");
   assert.match(await page.innerText("#landmark-help"), /Nada aqui se chama “moustache”/);
-  await visitor.findLandmark("999");
+  await editor.findLandmark("999");
   assert.match(await page.innerText("#landmark-help"), /999/);
-  await visitor.findLandmark("");
-  assert.equal(await visitor.landmark(), 1, "of nothing something else was found");
+  await editor.findLandmark("");
+  assert.equal(await editor.landmark(), 1, "of nothing something else was found");
   assert.deepEqual(await look(), fine);
 });

@@ -6,19 +6,18 @@ import { difference, differenceNear } from "./pixels.mjs";
 
 const PAINTS = ["picture", "colours", "clay", "normals", "response", "distortion"];
 
-test("every paint shows the face another way, with a legend where colours are numbers", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.openFace();
+test("every paint shows the face another way, with a legend where colours are numbers", { tag: "@eyes" }, async ({ editor, page }) => {
   // So that what would follow the nose is most of the face.
-  await visitor.reach("#nearby");
+  await editor.reach("#nearby");
   await page.uncheck("#nearby");
-  await visitor.findLandmark("nose tip");
-  const nose = await visitor.onView(await visitor.tagged());
-  await visitor.offset("z", 8);
-  await visitor.unfold("section-view");
+  await editor.findLandmark("nose tip");
+  const nose = await editor.onView(await editor.tagged());
+  await editor.offset("z", 8);
+  await editor.unfold("section-view");
   const views = [];
   for (const paint of PAINTS) {
     await page.check(`input[name="shading"][value="${paint}"]`, { force: true });
-    views.push(await visitor.view());
+    views.push(await editor.view());
     assert.equal(await page.isVisible("#shading-legend"), paint === "response" || paint === "distortion", paint);
   }
   assert.match(await page.innerText("#shading-legend"), /%/);
@@ -29,28 +28,26 @@ test("every paint shows the face another way, with a legend where colours are nu
   }
 });
 
-test("lines, dots, density and open eyes and mouth each change what is drawn, and back", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.unfold("section-view");
-  const first = await visitor.view();
+test("lines, dots, density and open eyes and mouth each change what is drawn, and back", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+  await editor.unfold("section-view");
+  const first = await editor.view();
   for (const box of ["wireframe", "dots"]) {
     await page.check(`#${box}`);
-    assert.ok(difference(first, await visitor.view()) > 0.01, `${box} changed nothing`);
+    assert.ok(difference(first, await editor.view()) > 0.01, `${box} changed nothing`);
     await page.uncheck(`#${box}`);
   }
   for (const [select, usual, other] of [["density", "2", "0"], ["triangulation", "canonical", "tessellation"]]) {
     await page.selectOption(`#${select}`, other);
-    assert.ok(difference(first, await visitor.view()) > 0.003, `${select} changed nothing`);
+    assert.ok(difference(first, await editor.view()) > 0.003, `${select} changed nothing`);
     await page.selectOption(`#${select}`, usual);
   }
-  assert.equal(difference(first, await visitor.view()), 0, "the view did not come back");
+  assert.equal(difference(first, await editor.view()), 0, "the view did not come back");
 });
 
-test("the light follows the small sphere, and its colour what is chosen", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.unfold("section-view");
+test("the light follows the small sphere, and its colour what is chosen", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+  await editor.unfold("section-view");
   await page.check("input[name='shading'][value='clay']", { force: true });
-  const first = await visitor.view();
+  const first = await editor.view();
   await page.locator("#light-sphere").scrollIntoViewIfNeeded();
   const box = await page.locator("#light-sphere").boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
@@ -61,60 +58,58 @@ test("the light follows the small sphere, and its colour what is chosen", { tag:
     fields.map((field) => Number(field.value)),
   );
   assert.ok(azimuth > 60 && Math.abs(elevation) < 5, `the light stands at ${azimuth}°, ${elevation}°`);
-  const fromTheRight = await visitor.view();
+  const fromTheRight = await editor.view();
   assert.ok(difference(first, fromTheRight) > 0.05);
   await page.fill("#light-colour", "#ff4000");
-  assert.ok(difference(fromTheRight, await visitor.view()) > 0.05);
+  assert.ok(difference(fromTheRight, await editor.view()) > 0.05);
 });
 
-test("a photo keeps the light that it was taken in; the lamp is for the others, or for who asks", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.unfold("section-view");
+test("a photo keeps the light that it was taken in; the lamp is for the others, or for who asks", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+  await editor.unfold("section-view");
   assert.ok(await page.locator("#lamp").evaluate((lamp) => lamp.disabled), "the lamp can be moved, and lights nothing");
-  const own = await visitor.view();
+  const own = await editor.view();
   await page.check("#light-photo");
-  assert.ok(difference(own, await visitor.view()) > 0.05, "the lamp does not light the photo");
+  assert.ok(difference(own, await editor.view()) > 0.05, "the lamp does not light the photo");
   await page.uncheck("#light-photo");
-  assert.equal(difference(own, await visitor.view()), 0);
+  assert.equal(difference(own, await editor.view()), 0);
   await page.check("input[name='shading'][value='clay']", { force: true });
   assert.ok(await page.locator("#lamp").evaluate((lamp) => !lamp.disabled));
   assert.ok(await page.isHidden("#light-photo"));
 });
 
-test("before and after: all of it while the button or B is held, beside each other by an edge that moves", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  const before = await visitor.view();
-  await visitor.findLandmark("nose tip");
-  const nose = await visitor.onView(await visitor.tagged());
-  await visitor.offset("y", 12);
-  const beside = await visitor.besideTheFace();
+test("before and after: all of it while the button or B is held, beside each other by an edge that moves", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+  const before = await editor.view();
+  await editor.findLandmark("nose tip");
+  const nose = await editor.onView(await editor.tagged());
+  await editor.offset("y", 12);
+  const beside = await editor.besideTheFace();
   await page.mouse.click(beside.x, beside.y);
-  const after = await visitor.view();
+  const after = await editor.view();
   const button = await page.locator("#compare").boundingBox();
   await page.mouse.move(button.x + 10, button.y + 10);
   await page.mouse.down();
   await page.waitForSelector("[data-comparing]");
   // The button would be let go of if it were hidden for the picture.
-  await visitor.frames(3);
+  await editor.frames(3);
   const held = PNG.sync.read(await page.locator("#viewport").screenshot());
   assert.ok(differenceNear(after, held, nose, 60) > 0.05, "nothing is to be seen of the edit");
   assert.ok(differenceNear(before, held, nose, 60) < 0.001, "not the face as it was found");
   await page.mouse.up();
   assert.ok(await page.isHidden("#wipe"), "a button that was held is no switch");
-  assert.ok(difference(after, await visitor.view()) < 0.001);
+  assert.ok(difference(after, await editor.view()) < 0.001);
   await page.mouse.click(beside.x, beside.y);
   await page.keyboard.down("b");
   // Keys show where the focus is, around the whole view.
-  assert.ok(differenceNear(before, await visitor.view(), nose, 120) < 0.001);
+  assert.ok(differenceNear(before, await editor.view(), nose, 120) < 0.001);
   await page.keyboard.up("b");
 
-  await visitor.findLandmark("nose tip");
+  await editor.findLandmark("nose tip");
   await page.click("#compare");
   assert.ok(await page.isHidden("#landmark-tag"), "the face alone is compared");
   for (const [key, shows] of /** @type {const} */ ([["Home", after], ["End", before]])) {
     await page.focus("#wipe");
     await page.keyboard.press(key);
-    const seen = await visitor.view();
+    const seen = await editor.view();
     assert.ok(difference(shows, seen) < 0.004, `${key}: ${difference(shows, seen)}`);
   }
   const edge = await page.locator("#wipe").boundingBox();
@@ -123,59 +118,56 @@ test("before and after: all of it while the button or B is held, beside each oth
   await page.mouse.down();
   await page.mouse.move(middle.x, middle.y, { steps: 4 });
   await page.mouse.up();
-  const both = await visitor.view();
+  const both = await editor.view();
   const shares = [before, after].map((one) => differenceNear(one, both, nose, 60));
   assert.ok(Math.min(...shares) > 0.01, `${shares}`);
   await page.keyboard.press("Escape");
   assert.ok(await page.isHidden("#wipe"));
   await page.click("#compare");
-  await visitor.openFace();
+  await editor.openFace();
   assert.ok(await page.isHidden("#wipe"), "another face is compared with nothing yet");
 });
 
-test("a picture that is saved shows the face alone", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  const plain = PNG.sync.read(await visitor.download("download-picture"));
-  await visitor.findLandmark("nose tip");
-  await visitor.reach("#pinned");
+test("a picture that is saved shows the face alone", { tag: "@eyes" }, async ({ editor, page }) => {
+  const plain = PNG.sync.read(await editor.download("download-picture"));
+  await editor.findLandmark("nose tip");
+  await editor.reach("#pinned");
   await page.check("#pinned");
-  await visitor.reach("#anchors-shown");
-  const unmarked = await visitor.view();
+  await editor.reach("#anchors-shown");
+  const unmarked = await editor.view();
   await page.check("#anchors-shown");
-  assert.ok(difference(unmarked, await visitor.view()) > 0, "what stays is not marked");
-  assert.deepEqual(PNG.sync.read(await visitor.download("download-picture")), plain);
+  assert.ok(difference(unmarked, await editor.view()) > 0, "what stays is not marked");
+  assert.deepEqual(PNG.sync.read(await editor.download("download-picture")), plain);
 });
 
-test("the turntable turns until it is switched off", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.unfold("section-view");
-  const first = await visitor.view();
+test("the turntable turns until it is switched off", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+  await editor.unfold("section-view");
+  const first = await editor.view();
   await page.check("#turntable");
   const shot = async () => PNG.sync.read(await page.locator("#viewport").screenshot());
   await expect.poll(async () => difference(first, await shot()), { message: "nothing turned" }).toBeGreaterThan(0.02);
   await page.uncheck("#turntable");
-  const turned = await visitor.view();
-  await visitor.frames(20);
-  assert.equal(difference(turned, await visitor.view()), 0, "it went on turning");
+  const turned = await editor.view();
+  await editor.frames(20);
+  assert.equal(difference(turned, await editor.view()), 0, "it went on turning");
 });
 
-test("the background is a colour of one's own, in the picture too, which can leave it out", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.unfold("section-view");
+test("the background is a colour of one's own, in the picture too, which can leave it out", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+  await editor.unfold("section-view");
   await page.fill("#background-colour", "#0cb4fa");
   assert.ok(await page.isChecked("#background-plain"));
-  assert.deepEqual(corner(await visitor.view()), [0x0c, 0xb4, 0xfa, 255]);
-  await visitor.unfold("section-export");
-  const cutOut = PNG.sync.read(await visitor.download("download-picture"));
+  assert.deepEqual(corner(await editor.view()), [0x0c, 0xb4, 0xfa, 255]);
+  await editor.unfold("section-export");
+  const cutOut = PNG.sync.read(await editor.download("download-picture"));
   assert.deepEqual(corner(cutOut), [0, 0, 0, 0]);
   assert.equal(middle(cutOut)[3], 255, "the face itself is transparent");
   await page.uncheck("#picture-transparent");
-  const whole = PNG.sync.read(await visitor.download("download-picture"));
+  const whole = PNG.sync.read(await editor.download("download-picture"));
   assert.deepEqual(corner(whole), [0x0c, 0xb4, 0xfa, 255]);
   assert.deepEqual(middle(whole), middle(cutOut));
-  await visitor.reach("#background-plain");
+  await editor.reach("#background-plain");
   await page.uncheck("#background-plain");
-  assert.notDeepEqual(corner(await visitor.view()), [0x0c, 0xb4, 0xfa, 255]);
+  assert.notDeepEqual(corner(await editor.view()), [0x0c, 0xb4, 0xfa, 255]);
 });
 
 /** @param {import("./pixels.mjs").Pixels} pixels */

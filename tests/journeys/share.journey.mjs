@@ -34,15 +34,14 @@ test("before and after are the halves of one picture, and the view stays as it w
   assertSame(await standing(visitor), before);
 });
 
-test("a picture of before and after that cannot be made says so and leaves the view as it was", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.move("nose tip", "x", 12);
-  const before = await standing(visitor);
+test("a picture of before and after that cannot be made says so and leaves the view as it was", { tag: "@eyes" }, async ({ editor, page }) => {
+  await editor.move("nose tip", "x", 12);
+  const before = await standing(editor);
   await page.evaluate(refusePictures);
-  await visitor.unfold("section-export");
+  await editor.unfold("section-export");
   await page.click("[data-action='download-pair']");
-  assert.equal((await visitor.notice()).code, "not-drawn");
-  assertSame(await standing(visitor), before);
+  assert.equal((await editor.notice()).code, "not-drawn");
+  assertSame(await standing(editor), before);
 });
 
 test("before and after are handed on where the browser can, and downloaded where it then will not", { tag: "@rare" }, async ({ open }) => {
@@ -97,50 +96,47 @@ for (const [{ by, stop }, tag] of alike([
   { by: "Escape", stop: (/** @type {import("./visitor.mjs").Visitor} */ { page }) => page.keyboard.press("Escape") },
   { by: "the button", stop: (/** @type {import("./visitor.mjs").Visitor} */ { page }) => page.click("#clip") },
 ])) {
-  test(`a clip that is cancelled by ${by} leaves no file and no trace`, { tag: [...tag, "@eyes"] }, async ({ visitor, page }) => {
-    await visitor.openFace();
-    await visitor.findLandmark("nose tip");
+  test(`a clip that is cancelled by ${by} leaves no file and no trace`, { tag: [...tag, "@eyes"] }, async ({ editor, page }) => {
+    await editor.findLandmark("nose tip");
     await page.focus("#viewport");
     await page.keyboard.press("ArrowRight");
-    const before = await standing(visitor);
-    await visitor.unfold("section-export");
+    const before = await standing(editor);
+    await editor.unfold("section-export");
     let downloads = 0;
     page.on("download", () => (downloads += 1));
     await page.click("#clip");
     await halfWay(page);
-    await stop(visitor);
+    await stop(editor);
     await page.waitForSelector("#clip-progress", { state: "hidden" });
     assert.equal(await page.innerText("#toast"), "The clip is not kept");
-    await visitor.frames(30);
+    await editor.frames(30);
     assert.equal(downloads, 0);
-    assertSame(await standing(visitor), before);
+    assertSame(await standing(editor), before);
   });
 }
 
-test("a clip ends when the page goes out of sight, and says why", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  const before = await visitor.view();
-  await visitor.unfold("section-export");
+test("a clip ends when the page goes out of sight, and says why", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+  const before = await editor.view();
+  await editor.unfold("section-export");
   await page.click("#clip");
   await halfWay(page);
   await page.evaluate(() => document.dispatchEvent(new Event("visibilitychange")));
   await untilInterrupted(page);
-  assert.equal(difference(await visitor.view(), before), 0);
+  assert.equal(difference(await editor.view(), before), 0);
 });
 
-test("a clip ends when another face comes, which is seen as at first", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.openFace("another");
+test("a clip ends when another face comes, which is seen as at first", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+  await editor.openFace("another");
   await page.waitForSelector("#previous-face");
-  await visitor.unfold("section-export");
+  await editor.unfold("section-export");
   await page.click("#clip");
   await halfWay(page);
   await page.click("#previous-face");
   await untilInterrupted(page);
-  await visitor.untilFace();
-  const opened = await visitor.view();
+  await editor.untilFace();
+  const opened = await editor.view();
   await page.click("#toolbar [data-action='reset-view']");
-  assert.equal(difference(await visitor.view(), opened), 0, "the face is turned by what the clip turned the other");
+  assert.equal(difference(await editor.view(), opened), 0, "the face is turned by what the clip turned the other");
 });
 
 test("a clip ends when the graphics process crashes, and another can be recorded", { tag: "@eyes" }, async ({ open }) => {

@@ -10,12 +10,11 @@ async function measures(page) {
   });
 }
 
-test("a face tells from how far it was photographed, and follows when that is changed", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.unfold("section-size");
+test("a face tells from how far it was photographed, and follows when that is changed", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+  await editor.unfold("section-size");
   assert.match(await page.innerText("#size-camera"), /about \d+ cm ± \d+, read off the face/);
   assert.match(await page.innerText("#size-pose"), /Head turned -?\d+° sideways/);
-  const [found, before] = [await measures(page), await visitor.view()];
+  const [found, before] = [await measures(page), await editor.view()];
   assert.ok(found["Face, width"] > 100 && found["Face, width"] < 180, `${found["Face, width"]} mm wide`);
   const number = page.locator("#size-distance input[type=number]");
   const usual = await number.inputValue();
@@ -24,20 +23,19 @@ test("a face tells from how far it was photographed, and follows when that is ch
   assert.match(await page.innerText("#size-camera"), /25 cm, as you say/);
   const near = await measures(page);
   assert.ok(near["Face, width"] > found["Face, width"] * 1.02, "what is behind is larger than a near camera saw it");
-  assert.ok(difference(before, await visitor.view()) > 0.005, "the model did not follow");
+  assert.ok(difference(before, await editor.view()) > 0.005, "the model did not follow");
   await page.click("[data-action=distance-known]");
   assert.equal(await number.inputValue(), usual);
   assert.deepEqual(await measures(page), found);
 });
 
-test("the tape measures from one point to another, with its error", async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.findLandmark("right mouth corner");
-  await visitor.unfold("section-size");
+test("the tape measures from one point to another, with its error", async ({ editor, page }) => {
+  await editor.findLandmark("right mouth corner");
+  await editor.unfold("section-size");
   await page.click("[data-action=tape-start]");
   assert.match(await page.innerText("#tape-result"), /From right mouth corner: now select another point/);
-  await visitor.findLandmark("left mouth corner");
-  await visitor.unfold("section-size");
+  await editor.findLandmark("left mouth corner");
+  await editor.unfold("section-size");
   const said = await page.innerText("#tape-result");
   const [straight, along] = [...said.matchAll(/(\d+) mm ± \d+/g)].map(([, length]) => Number(length));
   const mouth = (await measures(page))["Mouth, width"];
@@ -45,35 +43,33 @@ test("the tape measures from one point to another, with its error", async ({ vis
   assert.ok(along > straight, said);
 });
 
-test("the distance that was chosen comes back with the work", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.unfold("section-size");
+test("the distance that was chosen comes back with the work", { tag: "@rare" }, async ({ editor, page }) => {
+  await editor.unfold("section-size");
   const number = page.locator("#size-distance input[type=number]");
   await number.fill("31");
   await number.press("Enter");
   const found = await measures(page);
-  const file = await visitor.download("download-glb");
+  const file = await editor.download("download-glb");
   await page.reload();
-  await visitor.drop(file, "rosto.glb");
-  await visitor.untilFace();
-  await visitor.unfold("section-size");
+  await editor.drop(file, "rosto.glb");
+  await editor.untilFace();
+  await editor.unfold("section-size");
   assert.equal(await number.inputValue(), "31");
   assert.equal((await measures(page))["Face, width"], found["Face, width"]);
 });
 
-test("a tape from a point that a coarser mesh has not is taken away, and the page goes on", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.unfold("section-view");
+test("a tape from a point that a coarser mesh has not is taken away, and the page goes on", { tag: "@rare" }, async ({ editor, page }) => {
+  await editor.unfold("section-view");
   await page.selectOption("#density", "1");
-  await visitor.unfold("section-landmark");
+  await editor.unfold("section-landmark");
   await page.check("input[name='selection'][value='point']", { force: true });
-  await visitor.findLandmark("1200");
-  await visitor.unfold("section-size");
+  await editor.findLandmark("1200");
+  await editor.unfold("section-size");
   await page.click("[data-action=tape-start]");
   assert.match(await page.innerText("#tape-result"), /From 1200/);
-  await visitor.unfold("section-view");
+  await editor.unfold("section-view");
   await page.selectOption("#density", "0");
-  await visitor.findLandmark("nose tip");
-  await visitor.unfold("section-size");
+  await editor.findLandmark("nose tip");
+  await editor.unfold("section-size");
   assert.match(await page.innerText("#tape-result"), /Select a point/);
 });

@@ -37,19 +37,18 @@ for (const [[what, remove], tag] of alike(/** @type {const} */ ([
   ["loses the face", (page) => clearStore(page, "faces")],
   ["loses what was done", (page) => clearStore(page, "done")],
 ]))) {
-  test(`the next change brings back everything to a database that ${what} while the page is open`, { tag }, async ({ visitor, page }) => {
-    await visitor.openFace();
-    await visitor.move("nose tip", "z", 9);
-    await untilKept(visitor.page);
-    const other = await visitor.anotherTab();
+  test(`the next change brings back everything to a database that ${what} while the page is open`, { tag }, async ({ editor, page }) => {
+    await editor.move("nose tip", "z", 9);
+    await untilKept(editor.page);
+    const other = await editor.anotherTab();
     await remove(other.page);
     await page.bringToFront();
-    await visitor.offset("y", 4);
-    const work = await visitor.work();
-    await untilKept(visitor.page);
+    await editor.offset("y", 4);
+    const work = await editor.work();
+    await untilKept(editor.page);
     assert.ok(await page.isHidden("#notice"));
-    await visitor.comeBack();
-    assert.deepEqual(await visitor.work(), work);
+    await editor.comeBack();
+    assert.deepEqual(await editor.work(), work);
   });
 }
 
@@ -74,14 +73,13 @@ const DAMAGES = [
   (face, { order: _, ...done }) => [face, { ...done, edits: 7 }],
 ];
 
-test("works that are damaged in whatever way hide no older one", async ({ visitor }) => {
-  await visitor.openFace();
-  await visitor.move("nose tip", "z", 9);
-  const work = await visitor.work();
-  await untilKept(visitor.page);
-  const next = await visitor.anotherTab();
+test("works that are damaged in whatever way hide no older one", async ({ editor }) => {
+  await editor.move("nose tip", "z", 9);
+  const work = await editor.work();
+  await untilKept(editor.page);
+  const next = await editor.anotherTab();
   await next.page.evaluate(`(${addDamaged})([${DAMAGES}])`);
-  await visitor.page.goto("about:blank");
+  await editor.page.goto("about:blank");
   await next.comeBack();
   assert.deepEqual(await next.work(), work);
   assert.equal((await next.notice()).code, "earlier-work");

@@ -10,39 +10,37 @@ const NOSE_SIDES = [45, 275];
 const EYELIDS = [159, 386, 145, 374];
 const INNER_LIPS = [13, 14, 82, 87, 312, 317];
 
-test("the nose goes sideways, too, without the mirror, and says so", async ({ visitor, page }) => {
-  await visitor.openFace();
+test("the nose goes sideways, too, without the mirror, and says so", async ({ editor, page }) => {
   assert.ok(await page.isChecked("#mirror"));
-  const tip = await visitor.landmarkPlace(NOSE_TIP);
-  const start = await visitor.meshJson("mm");
+  const tip = await editor.landmarkPlace(NOSE_TIP);
+  const start = await editor.meshJson("mm");
   await page.mouse.move(tip.x, tip.y);
   await page.mouse.down();
   await page.mouse.move(tip.x + 40, tip.y, { steps: 5 });
   assert.equal(await page.innerText("#landmark-tag"), "nose tip · 1, without the mirror");
   await page.mouse.up();
-  const [dx, dy, dz] = way(start, await visitor.meshJson("mm"), NOSE_TIP);
+  const [dx, dy, dz] = way(start, await editor.meshJson("mm"), NOSE_TIP);
   assert.ok(dx > 5 && Math.hypot(dy, dz) < 0.2 * dx, `it went by ${dx}, ${dy}, ${dz}`);
-  assert.deepEqual(await visitor.history(), ["nose tip · 1"]);
+  assert.deepEqual(await editor.history(), ["nose tip · 1"]);
   await page.click("#toolbar [data-action='undo']");
-  await visitor.drag(tip, { x: 3, y: -40 });
-  const moved = await visitor.meshJson("mm");
+  await editor.drag(tip, { x: 3, y: -40 });
+  const moved = await editor.meshJson("mm");
   assert.ok(Math.abs(way(start, moved, NOSE_TIP)[0]) < 1e-9, "a hand that goes up is not quite straight");
   const [right, left] = NOSE_SIDES.map((wing) => way(start, moved, wing));
   assert.ok(right[1] > 0.1 && Math.abs(right[0] + left[0]) < 1e-9 && Math.abs(right[1] - left[1]) < 1e-9);
   await page.click("#toolbar [data-action='undo']");
-  await visitor.drag(tip, { x: 0, y: 0 });
-  assert.deepEqual(await visitor.history(), [], "what moves nothing is no edit");
-  await visitor.drag(tip, { x: 37, y: 0 });
-  const aside = await visitor.meshJson("mm");
-  await visitor.offset("y", 5);
-  const lifted = way(aside, await visitor.meshJson("mm"), NOSE_TIP);
+  await editor.drag(tip, { x: 0, y: 0 });
+  assert.deepEqual(await editor.history(), [], "what moves nothing is no edit");
+  await editor.drag(tip, { x: 37, y: 0 });
+  const aside = await editor.meshJson("mm");
+  await editor.offset("y", 5);
+  const lifted = way(aside, await editor.meshJson("mm"), NOSE_TIP);
   assert.ok(lifted[1] > 3 && Math.hypot(lifted[0], lifted[2]) < 1e-9, `what a slider rounds is no move: ${lifted}`);
 });
 
-test("a drag past a slider's end stops there and says so", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  const tip = await visitor.landmarkPlace(NOSE_TIP);
-  const start = await visitor.meshJson("mm");
+test("a drag past a slider's end stops there and says so", { tag: "@rare" }, async ({ editor, page }) => {
+  const tip = await editor.landmarkPlace(NOSE_TIP);
+  const start = await editor.meshJson("mm");
   await page.mouse.move(tip.x, tip.y);
   await page.mouse.down();
   await page.mouse.move(tip.x, tip.y - 600, { steps: 12 });
@@ -51,16 +49,15 @@ test("a drag past a slider's end stops there and says so", { tag: "@rare" }, asy
   await page.mouse.up();
   const slider = page.locator("#landmark-sliders [data-axis='y'] input[type=number]");
   assert.equal(await slider.inputValue(), await slider.getAttribute("max"));
-  assert.ok(Math.abs(way(start, await visitor.meshJson("mm"), NOSE_TIP)[1] - Number(await slider.inputValue())) < 1e-9);
+  assert.ok(Math.abs(way(start, await editor.meshJson("mm"), NOSE_TIP)[1] - Number(await slider.inputValue())) < 1e-9);
 });
 
-test("an edit is near and shows how far it reaches: pulling the nose leaves teeth and eyelids alone", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.findLandmark("nose tip");
+test("an edit is near and shows how far it reaches: pulling the nose leaves teeth and eyelids alone", { tag: "@eyes" }, async ({ editor, page }) => {
+  await editor.findLandmark("nose tip");
   assert.ok(await page.isChecked("#nearby") && (await page.isChecked("input[name='preset'][value='sculpt']")));
-  const start = await visitor.meshJson("mm");
-  await visitor.offset("z", 12);
-  const moved = await visitor.meshJson("mm");
+  const start = await editor.meshJson("mm");
+  await editor.offset("z", 12);
+  const moved = await editor.meshJson("mm");
   assert.ok(Math.abs(way(start, moved, NOSE_TIP)[2] - 12) < 1e-9);
   for (const vertex of [...EYELIDS, ...INNER_LIPS]) {
     const way_mm = Math.hypot(...way(start, moved, vertex));
@@ -68,16 +65,16 @@ test("an edit is near and shows how far it reaches: pulling the nose leaves teet
   }
   await page.click("#toolbar [data-action='undo']");
 
-  const tip = await visitor.landmarkPlace(NOSE_TIP);
+  const tip = await editor.landmarkPlace(NOSE_TIP);
   const shots = [];
   for (const nearby of [true, false]) {
-    await visitor.reach("#nearby");
+    await editor.reach("#nearby");
     await page.setChecked("#nearby", nearby);
     await page.mouse.move(tip.x, tip.y);
     await page.mouse.down();
     // So far that the edit itself is not to be seen, but its reach is.
     await page.mouse.move(tip.x, tip.y - 8, { steps: 2 });
-    shots.push(await visitor.view());
+    shots.push(await editor.view());
     await page.keyboard.press("Escape");
     await page.mouse.up();
   }
@@ -86,19 +83,17 @@ test("an edit is near and shows how far it reaches: pulling the nose leaves teet
 });
 
 for (const [[mode, least], tag] of alike(/** @type {const} */ ([["landmark", 12], ["region", 12], ["point", 12]]))) {
-  test(`what lights up under the pointer is what a press takes: ${mode}`, { tag }, async ({ visitor }) => {
-    await visitor.openFace();
-    await visitor.reach("#selection");
-    await visitor.page.check(`input[name='selection'][value='${mode}']`, { force: true });
-    const { lit, turned } = await visitor.takeAtEach(9);
+  test(`what lights up under the pointer is what a press takes: ${mode}`, { tag }, async ({ editor }) => {
+    await editor.reach("#selection");
+    await editor.page.check(`input[name='selection'][value='${mode}']`, { force: true });
+    const { lit, turned } = await editor.takeAtEach(9);
     assert.ok(lit >= least, `${lit} places light up`);
     assert.deepEqual(turned, [], "lit places that a press does not take");
   });
 }
 
-test("what lights up below a pointer that rests is what a press takes, however the face has moved there", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  const tip = await visitor.landmarkPlace(NOSE_TIP);
+test("what lights up below a pointer that rests is what a press takes, however the face has moved there", { tag: "@rare" }, async ({ editor, page }) => {
+  const tip = await editor.landmarkPlace(NOSE_TIP);
   const { x, y } = { x: tip.x + 45, y: tip.y - 30 };
   const named = () => page.evaluate(() => document.getElementById("landmark-tag").value);
   await page.focus("#viewport");
@@ -106,14 +101,14 @@ test("what lights up below a pointer that rests is what a press takes, however t
   const names = new Set([await named()]);
   for (const key of ["ArrowLeft", "ArrowLeft", "ArrowUp", "l", "t"]) {
     await page.keyboard.press(key);
-    await visitor.frames(4);
+    await editor.frames(4);
     const name = await named();
-    const isLit = (await visitor.cursor()) === "move";
+    const isLit = (await editor.cursor()) === "move";
     names.add(isLit ? name : "nothing");
     await page.mouse.down();
     await page.mouse.move(x + 9, y + 9, { steps: 3 });
     await page.mouse.up();
-    const [entry] = await visitor.history();
+    const [entry] = await editor.history();
     assert.equal(entry, isLit ? name : undefined, key);
     await page.keyboard.press("Control+z");
     if (!isLit) await page.keyboard.press(" ");
@@ -122,11 +117,10 @@ test("what lights up below a pointer that rests is what a press takes, however t
   assert.ok(names.size > 3, `the same everywhere: ${[...names]}`);
 });
 
-test("beside the face, or with another button, the face turns; with Shift it moves", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  const tip = await visitor.landmarkPlace(NOSE_TIP);
-  const brow = await visitor.landmarkPlace(FOREHEAD);
-  const beside = await visitor.besideTheFace();
+test("beside the face, or with another button, the face turns; with Shift it moves", { tag: "@rare" }, async ({ editor, page }) => {
+  const tip = await editor.landmarkPlace(NOSE_TIP);
+  const brow = await editor.landmarkPlace(FOREHEAD);
+  const beside = await editor.besideTheFace();
   /** How the nose and the forehead go when a stroke is made. */
   const stroke = async (from, button, shift) => {
     if (shift) await page.keyboard.down("Shift");
@@ -135,9 +129,9 @@ test("beside the face, or with another button, the face turns; with Shift it mov
     await page.mouse.move(from.x + 60, from.y, { steps: 5 });
     await page.mouse.up({ button });
     if (shift) await page.keyboard.up("Shift");
-    const [nose, forehead] = [await visitor.landmarkPlace(NOSE_TIP), await visitor.landmarkPlace(FOREHEAD)];
+    const [nose, forehead] = [await editor.landmarkPlace(NOSE_TIP), await editor.landmarkPlace(FOREHEAD)];
     await page.click("#toolbar [data-action='reset-view']");
-    await visitor.frames(3);
+    await editor.frames(3);
     return [nose.x - tip.x, forehead.x - brow.x];
   };
   for (const [from, button] of [[beside, "left"], [tip, "right"], [tip, "middle"]]) {
@@ -147,5 +141,5 @@ test("beside the face, or with another button, the face turns; with Shift it mov
       assert.ok(Math.abs(went - 60) < 8, `${button} with Shift: ${went} px`);
     }
   }
-  assert.deepEqual(await visitor.history(), []);
+  assert.deepEqual(await editor.history(), []);
 });

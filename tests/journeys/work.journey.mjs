@@ -30,44 +30,42 @@ test("a project file brings the face and its edits to another browser", async ({
   assert.deepEqual(await second.meshJson("mm"), work);
 });
 
-test("history lists the edits, and each can be switched off and on", async ({ visitor, page }) => {
-  await visitor.openFace();
-  const start = await visitor.meshJson("mm");
-  await visitor.move("nose tip", "z", 9);
-  const nose = await visitor.meshJson("mm");
-  await visitor.move("bottom of the chin", "y", -6);
-  const both = await visitor.meshJson("mm");
+test("history lists the edits, and each can be switched off and on", async ({ editor, page }) => {
+  const start = await editor.meshJson("mm");
+  await editor.move("nose tip", "z", 9);
+  const nose = await editor.meshJson("mm");
+  await editor.move("bottom of the chin", "y", -6);
+  const both = await editor.meshJson("mm");
   assert.equal(await page.locator("#history li").count(), 2);
 
   const newest = page.locator("#history li input").first();
-  await visitor.reach("#history");
+  await editor.reach("#history");
   await newest.uncheck();
-  assert.deepEqual(await visitor.meshJson("mm"), nose);
-  await visitor.reach("#history");
+  assert.deepEqual(await editor.meshJson("mm"), nose);
+  await editor.reach("#history");
   await page.locator("#history li input").first().check();
-  assert.deepEqual(await visitor.meshJson("mm"), both);
-  await visitor.reach("#history");
+  assert.deepEqual(await editor.meshJson("mm"), both);
+  await editor.reach("#history");
   await page.click("#section-history [data-action='reset']");
-  assert.deepEqual(await visitor.meshJson("mm"), start);
-  assert.deepEqual(await visitor.history(), []);
+  assert.deepEqual(await editor.meshJson("mm"), start);
+  assert.deepEqual(await editor.history(), []);
   await page.click("#toolbar [data-action='undo']");
-  assert.deepEqual(await visitor.meshJson("mm"), both);
+  assert.deepEqual(await editor.meshJson("mm"), both);
   assert.equal(await page.locator("#history li").count(), 2);
 });
 
-test("a key held down shows the face as it was found", { tag: "@eyes" }, async ({ visitor, page }) => {
-  await visitor.openFace();
-  await visitor.findLandmark("nose tip");
+test("a key held down shows the face as it was found", { tag: "@eyes" }, async ({ editor, page }) => {
+  await editor.findLandmark("nose tip");
   await page.focus("#viewport");
   await page.keyboard.press("l");
-  const before = await visitor.view();
-  await visitor.offset("z", 12);
+  const before = await editor.view();
+  await editor.offset("z", 12);
   await page.focus("#viewport");
-  const after = await visitor.view();
+  const after = await editor.view();
   await page.keyboard.down("b");
-  const held = await visitor.view();
+  const held = await editor.view();
   await page.keyboard.up("b");
-  const released = await visitor.view();
+  const released = await editor.view();
   assert.ok(difference(before, after) > 0.002);
   assert.ok(difference(after, released) === 0, "letting go did not bring the edit back");
   assert.ok(difference(before, held) < difference(after, held), "the held key did not show the face as it was found");
