@@ -2,12 +2,7 @@ import { expect } from "@playwright/test";
 
 /** @typedef {{ slot: string, name: string | undefined, isHeld: boolean, edits: string, order: number }} Kept */
 
-/**
- * Works in the browser's database that have a face, what was done to it, and whether a tab has it open.
- *
- * @param {import("@playwright/test").Page} page
- * @returns {Promise<Kept[]>}
- */
+/** Works in the browser's database that have a face, and whether a tab has each open. @returns {Promise<Kept[]>} */
 export function keptWorks(page) {
   return page.evaluate(async () => {
     const answer = (request) => new Promise((resolve) => (request.onsuccess = () => resolve(request.result)));
@@ -25,11 +20,26 @@ export function keptWorks(page) {
 }
 
 /**
- * Waits until the database has everything that was done on a page. The page writes it as soon as it is hidden.
+ * Changes what the browser's database has.
  *
  * @param {import("@playwright/test").Page} page
- * @param {number} [count] least number of kept works
+ * @param {((stores: Record<"faces" | "done", IDBObjectStore>) => unknown) | string} change runs in the page, by its source
  */
+export function changeKept(page, change) {
+  return page.evaluate(`(${inDatabase})(${change})`);
+}
+
+/** Runs in the page. */
+async function inDatabase(change) {
+  const database = await new Promise((resolve) => (indexedDB.open("rosto").onsuccess = ({ target }) => resolve(target.result)));
+  const transaction = database.transaction(["faces", "done"], "readwrite");
+  const completed = new Promise((resolve) => (transaction.oncomplete = resolve));
+  change({ faces: transaction.objectStore("faces"), done: transaction.objectStore("done") });
+  await completed;
+  database.close();
+}
+
+/** Waits until the database has everything that was done on a page, and at least `count` works. The page writes it as soon as it is hidden. */
 export async function untilKept(page, count = 1) {
   const unkept = await page.evaluate(hide);
   await expect(async () => {

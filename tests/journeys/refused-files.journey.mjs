@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { changedProject, glbOf, partsOfGlb, projectWithoutShape } from "./changed-files.mjs";
 import { test } from "./fixtures.mjs";
+import { changeKept, untilKept } from "./kept.mjs";
 
 /** @type {Record<string, (history: any) => void>} */
 const BAD_HISTORIES = {
@@ -10,77 +11,65 @@ const BAD_HISTORIES = {
   "a point that is not there": (history) => (history.entries[0].move.handles = [9999]),
 };
 
-/** @type {{ name: string, codes: string[], change: (header: any) => void }[]} */
+/** @typedef {[name: string, codes: string[], change: (json: any) => unknown][]} Changes with the notices that they may get */
+
+/** @type {Changes} */
 const BAD_HEADERS = [
-  { name: "a history of another version", codes: ["other-version"], change: ({ edits }) => (edits.version = 99) },
-  { name: "a project of another version", codes: ["other-version"], change: (header) => (header.version = 99) },
-  { name: "no edits", codes: ["bad-project", "bad-history"], change: (header) => delete header.edits },
-  { name: "a width of 0", codes: ["bad-project", "bad-face"], change: (header) => (header.width_px = 0) },
-  ...Object.entries(BAD_HISTORIES).map(([name, change]) => ({
-    name,
-    codes: ["bad-project", "bad-history"],
-    change: ({ edits }) => change(edits),
-  })),
+  ["a history of another version", ["other-version"], ({ edits }) => (edits.version = 99)],
+  ["a project of another version", ["other-version"], (header) => (header.version = 99)],
+  ["no edits", ["bad-project", "bad-history"], (header) => delete header.edits],
+  ["a width of 0", ["bad-project", "bad-face"], (header) => (header.width_px = 0)],
+  ...Object.entries(BAD_HISTORIES).map(([name, change]) => [name, ["bad-project", "bad-history"], ({ edits }) => change(edits)]),
 ];
 
-test("a project that cannot be opened leaves the face, its history and what is kept of it", async ({ visitor }) => {
-  const project = await workOn(visitor, "save-project");
-  const bad = BAD_HEADERS.map(({ change, ...told }) => ({
-    ...told,
-    file: changedProject(project, (header) => {
-      change(header);
-      return header;
-    }),
-  }));
+/** @type {Changes} */
+const BAD_EXTRAS = [
+  ["a GLB of another version", ["other-version"], (extras) => (extras.version = 99)],
+  ["a history of another version", ["other-version"], ({ history }) => (history.version = 99)],
+  ["a history that is none", ["damaged-glb", "bad-history"], (extras) => (extras.history = {})],
+  ["a photo without width", ["damaged-glb", "bad-face"], (extras) => (extras.photo_px = [0, 512])],
+  ...Object.entries(BAD_HISTORIES).map(([name, change]) => [name, ["damaged-glb", "bad-history"], ({ history }) => change(history)]),
+];
+
+test("a project that cannot be opened leaves the face, its history and what is kept of it", async ({ editor }) => {
+  const project = await workOn(editor, "save-project");
+  const bad = BAD_HEADERS.map(([name, codes, change]) => ({ name, codes, file: changedProject(project, (header) => void change(header)) }));
   bad.push({ name: "a face without a shape", codes: ["bad-face", "bad-project"], file: projectWithoutShape(project) });
-  await expectRefused(visitor, bad, "face.rosto");
+  await expectRefused(editor, bad, "face.rosto");
 });
 
-test("a GLB that cannot be opened leaves the face, its history and what is kept of it", { tag: "@rare" }, async ({ visitor }) => {
-  const glb = await workOn(visitor, "download-glb");
-  /** @param {(extras: any) => void} change */
-  const changed = (change) => {
+test("a GLB that cannot be opened leaves the face, its history and what is kept of it", { tag: "@rare" }, async ({ editor }) => {
+  const glb = await workOn(editor, "download-glb");
+  const bad = BAD_EXTRAS.map(([name, codes, change]) => {
     const parts = partsOfGlb(glb);
     change(parts.json.scenes[0].extras);
-    return glbOf(parts);
-  };
-  const bad = Object.entries(BAD_HISTORIES).map(([name, change]) => ({
-    name,
-    codes: ["damaged-glb", "bad-history"],
-    file: changed(({ history }) => change(history)),
-  }));
-  bad.push(
-    { name: "a GLB of another version", codes: ["other-version"], file: changed((extras) => (extras.version = 99)) },
-    { name: "a history of another version", codes: ["other-version"], file: changed(({ history }) => (history.version = 99)) },
-    { name: "a history that is none", codes: ["damaged-glb", "bad-history"], file: changed((extras) => (extras.history = {})) },
-    { name: "a photo without width", codes: ["damaged-glb", "bad-face"], file: changed((extras) => (extras.photo_px = [0, 512])) },
-  );
-  await expectRefused(visitor, bad, "face.glb");
+    return { name, codes, file: glbOf(parts) };
+  });
+  await expectRefused(editor, bad, "face.glb");
 });
 
-test("kept work whose picture is damaged gets a notice, and the page goes on", async ({ visitor, page }) => {
-  await workOn(visitor, "save-project");
-  await page.waitForFunction(faceIsKept);
+test("kept work whose picture is damaged gets a notice, and the page goes on", async ({ editor, page }) => {
+  await workOn(editor, "save-project");
+  await untilKept(page);
   await page.reload();
   await page.waitForSelector("#continue:not([hidden])");
-  for (const spoilt of /** @type {const} */ (["too short", "gone", "of another kind"])) {
-    await page.evaluate(spoilPictures, spoilt);
+  for (const picture of ["new Blob([new Uint8Array(7)])", "undefined", '"a picture"']) {
+    await changeKept(page, `({ faces }) => (${spoilPicture})(faces, ${picture})`);
     await page.click("#continue");
-    const { code, text } = await visitor.notice();
-    assert.equal(code, "bad-kept-work", spoilt);
+    const { code, text } = await editor.notice();
+    assert.equal(code, "bad-kept-work", picture);
     assert.match(text, /cannot be opened/);
     await page.keyboard.press("Escape");
     await page.waitForSelector("#notice", { state: "hidden" });
   }
-  await visitor.openFace();
-  const found = await visitor.meshJson("mm");
-  await visitor.move("nose tip", "z", 5);
-  assert.notDeepEqual(await visitor.meshJson("mm"), found);
+  await editor.openFace();
+  const found = await editor.meshJson("mm");
+  await editor.move("nose tip", "z", 5);
+  assert.notDeepEqual(await editor.meshJson("mm"), found);
 });
 
-/** A face with two edits, and its file. */
+/** Two edits, and the face's file. */
 async function workOn(visitor, action) {
-  await visitor.openFace();
   await visitor.move("nose tip", "z", 9);
   await visitor.move("bottom of the chin", "y", -6);
   return visitor.download(action);
@@ -116,26 +105,7 @@ async function expectRefused(visitor, bad, fileName) {
   assert.deepEqual(await visitor.meshJson("mm"), work);
 }
 
-/** Runs in the page: whether the picture has reached the database. */
-async function faceIsKept() {
-  const database = await new Promise((resolve) => (indexedDB.open("rosto").onsuccess = ({ target }) => resolve(target.result)));
-  const count = database.transaction("faces").objectStore("faces").count();
-  const found = await new Promise((resolve) => (count.onsuccess = () => resolve(count.result)));
-  database.close();
-  return found > 0;
-}
-
-/** Runs in the page: puts something else in the place of every picture that is kept. */
-async function spoilPictures(spoilt) {
-  const picture = { "too short": new Blob([new Uint8Array(7)]), gone: undefined, "of another kind": "a picture" }[spoilt];
-  const database = await new Promise((resolve) => (indexedDB.open("rosto").onsuccess = ({ target }) => resolve(target.result)));
-  const transaction = database.transaction("faces", "readwrite");
-  const store = transaction.objectStore("faces");
-  store.openCursor().onsuccess = ({ target }) => {
-    if (!target.result) return;
-    target.result.update({ ...target.result.value, picture });
-    target.result.continue();
-  };
-  await new Promise((resolve) => (transaction.oncomplete = resolve));
-  database.close();
+/** Runs in the page: puts something else in the place of the picture that is kept. */
+function spoilPicture(faces, picture) {
+  faces.openCursor().onsuccess = ({ target }) => target.result.update({ ...target.result.value, picture });
 }

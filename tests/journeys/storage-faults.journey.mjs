@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
 import { openOther } from "./groups.mjs";
-import { keptWorks, untilKept } from "./kept.mjs";
+import { changeKept, keptWorks, untilKept } from "./kept.mjs";
 
 /** Longer than the page waits for a database or a lock. */
 const PATIENCE_S = 8;
@@ -34,8 +34,8 @@ test("where the space runs out as the work is committed, the page says once that
 
 for (const [[what, remove], tag] of alike(/** @type {const} */ ([
   ["is deleted", deleteDatabase],
-  ["loses the face", (page) => clearStore(page, "faces")],
-  ["loses what was done", (page) => clearStore(page, "done")],
+  ["loses the face", (page) => changeKept(page, ({ faces }) => faces.clear())],
+  ["loses what was done", (page) => changeKept(page, ({ done }) => done.clear())],
 ]))) {
   test(`the next change brings back everything to a database that ${what} while the page is open`, { tag }, async ({ editor, page }) => {
     await editor.move("nose tip", "z", 9);
@@ -52,9 +52,8 @@ for (const [[what, remove], tag] of alike(/** @type {const} */ ([
   });
 }
 
-test("where the database is of another version, the page says that nothing is kept, and goes on", async ({ open }) => {
-  const visitor = await open();
-  await visitor.page.evaluate(() => new Promise((resolve) => (indexedDB.open("rosto", 2).onsuccess = ({ target }) => resolve(target.result.close()))));
+test("where the database is of another version, the page says that nothing is kept, and goes on", async ({ visitor, page }) => {
+  await page.evaluate(() => new Promise((resolve) => (indexedDB.open("rosto", 2).onsuccess = ({ target }) => resolve(target.result.close()))));
   await visitor.dropSample();
   await expectNotKept(visitor);
   await visitor.move("nose tip", "z", 9);
@@ -78,7 +77,7 @@ test("works that are damaged in whatever way hide no older one", async ({ editor
   const work = await editor.work();
   await untilKept(editor.page);
   const next = await editor.anotherTab();
-  await next.page.evaluate(`(${addDamaged})([${DAMAGES}])`);
+  await changeKept(next.page, `(stores) => (${addDamaged})(stores, [${DAMAGES}])`);
   await editor.page.goto("about:blank");
   await next.comeBack();
   assert.deepEqual(await next.work(), work);
@@ -174,10 +173,10 @@ test("the latest work is the one that was kept last, however the clock was set i
   await third.resume();
   assert.deepEqual(await third.work(), latest);
   // So too with what only the last moment has said.
+  const offset_mm = ({ page }) => page.locator("#landmark-sliders [data-axis='z'] input[type=number]");
   await third.findLandmark("nose tip");
   await third.page.evaluate(setClockBack);
-  await third.page.evaluate(() => {
-    const field = document.querySelector("#landmark-sliders [data-axis='z'] input[type=number]");
+  await offset_mm(third).evaluate((field) => {
     field.value = "3";
     field.dispatchEvent(new Event("input"));
     field.dispatchEvent(new Event("change"));
@@ -186,7 +185,7 @@ test("the latest work is the one that was kept last, however the clock was set i
   const fourth = await first.anotherTab();
   await fourth.resume();
   await fourth.findLandmark("nose tip");
-  assert.equal(Number(await fourth.page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]")), 3);
+  assert.equal(Number(await offset_mm(fourth).inputValue()), 3);
 });
 
 /** Two works of one visitor, who is back on the page; the latest is the one of the sample itself. */
@@ -222,34 +221,18 @@ async function expectNotKept(visitor) {
 }
 
 /** Runs in the page: adds a later work for each kind of damage, made of the one that is kept. */
-async function addDamaged(damages) {
-  const answer = (request) => new Promise((resolve) => (request.onsuccess = () => resolve(request.result)));
-  const database = await answer(indexedDB.open("rosto"));
-  const transaction = database.transaction(["faces", "done"], "readwrite");
-  const stores = ["faces", "done"].map((name) => transaction.objectStore(name));
-  const [[face], [done]] = await Promise.all(stores.map((store) => answer(store.getAll())));
+async function addDamaged({ faces, done }, damages) {
+  const first = (store) => new Promise((resolve) => (store.getAll().onsuccess = ({ target }) => resolve(target.result[0])));
+  const [face, work] = await Promise.all([first(faces), first(done)]);
   for (const [place, damage] of damages.entries()) {
-    const rows = damage(face, { ...done, order: done.order + 1 + place });
-    for (const [index, store] of stores.entries()) if (rows[index] !== undefined) store.put(rows[index], `damaged-${place}`);
+    const rows = damage(face, { ...work, order: work.order + 1 + place });
+    for (const [index, store] of [faces, done].entries()) if (rows[index] !== undefined) store.put(rows[index], `damaged-${place}`);
   }
-  await new Promise((resolve) => (transaction.oncomplete = resolve));
-  database.close();
 }
 
 /** @param {import("@playwright/test").Page} page */
 function deleteDatabase(page) {
   return page.evaluate(() => new Promise((resolve) => (indexedDB.deleteDatabase("rosto").onsuccess = () => resolve())));
-}
-
-/** @param {import("@playwright/test").Page} page @param {string} name */
-function clearStore(page, name) {
-  return page.evaluate(async (name) => {
-    const database = await new Promise((resolve) => (indexedDB.open("rosto").onsuccess = ({ target }) => resolve(target.result)));
-    const transaction = database.transaction(name, "readwrite");
-    transaction.objectStore(name).clear();
-    await new Promise((resolve) => (transaction.oncomplete = resolve));
-    database.close();
-  }, name);
 }
 
 /** Runs in the page, as the next: another connection that does not close, and whoever waits for it to. */
