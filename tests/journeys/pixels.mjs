@@ -19,6 +19,12 @@ export function meanColour(pixels, box) {
   return sum.map((total) => total / count);
 }
 
+/** The largest step between the mean colours of a box in two pictures, 0 to 255. @param {Pixels} a @param {Pixels} b */
+export function meanStep(a, b, box) {
+  const other = meanColour(b, box);
+  return Math.max(...meanColour(a, box).map((level, channel) => Math.abs(level - other[channel])));
+}
+
 /** A colour without its brightness: shares of red, green and blue that sum to 1. @param {number[]} colour */
 export function chromaticity(colour) {
   const sum = colour.reduce((a, b) => a + b);

@@ -1,76 +1,74 @@
 import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
 import { keptWorks, untilKept } from "./kept.mjs";
-import { meanColour } from "./pixels.mjs";
+import { meanStep } from "./pixels.mjs";
 import { panicIn } from "./watches.mjs";
 
 for (const [{ drawn, needs, module }, tag] of alike([
   { drawn: "WebGPU", needs: "eyes", module: "rosto-studio-web" },
   { drawn: "WebGL2", needs: "webgl", module: "rosto-studio-webgl" },
 ])) {
-  test(`a module whose memory is spoilt under ${drawn} is started again, twice, with the work, the choices and the look`, { tag: [...tag, `@${needs}`] }, async ({ visitor, page }) => {
-    await visitor.untilLoaded();
-    const start = await workOn(visitor);
-    const work = await visitor.meshJson("mm");
-    const stands = await standing(visitor);
+  test(`a module whose memory is spoilt under ${drawn} is started again, twice, with the work, the choices and the look`, { tag: [...tag, `@${needs}`] }, async ({ editor, page }) => {
+    await editor.untilLoaded();
+    const start = await workOn(editor);
+    const work = await editor.meshJson("mm");
+    const stands = await standing(editor);
     await page.mouse.move(4, 4);
-    const view = await visitor.view();
+    const view = await editor.view();
 
-    await page.evaluate(spoil, { module: `${module}.js` });
-    await moveOverTheFace(visitor);
-    await untilRestarted(visitor);
-    assert.match((await visitor.notice()).text, /started again\s+Your work is back as it was/);
-    await expectTheSame(visitor, { work, stands, view });
+    await page.evaluate(spoil, `${module}.js`);
+    const box = await page.locator("#viewport").boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.move(box.x + box.width / 2 + 30, box.y + box.height / 2 + 8, { steps: 3 });
+    await untilRestarted(editor);
+    assert.match((await editor.notice()).text, /started again\s+Your work is back as it was/);
+    await expectTheSame(editor, { work, stands, view });
 
     for (const again of [1, 2]) {
       // Escape would cancel an edit, too, after which the work is kept: that would meet the spoilt memory before the key does.
       await page.click("#notice-close");
       await page.waitForSelector("#notice", { state: "hidden" });
-      await page.evaluate(spoil, { module: `${module}.js?again=${again}` });
+      await page.evaluate(spoil, `${module}.js?again=${again}`);
       await page.focus("#viewport");
       // A change of the camera by key.
       await page.keyboard.press("ArrowLeft");
-      await untilRestarted(visitor);
-      if (again === 2) break;
-      await expectTheSame(visitor, { work, stands, view });
+      await untilRestarted(editor);
+      await expectTheSame(editor, { work, stands, view });
     }
-    assert.deepEqual(await visitor.meshJson("mm"), work);
-    await page.click("#toolbar [data-action='undo']");
-    await page.click("#toolbar [data-action='undo']");
-    assert.deepEqual(await visitor.meshJson("mm"), start);
-    await page.click("#toolbar [data-action='redo']");
-    await page.click("#toolbar [data-action='redo']");
-    assert.deepEqual(await visitor.meshJson("mm"), work);
+    for (const [action, mesh] of /** @type {const} */ ([["undo", start], ["redo", work]])) {
+      for (let step = 0; step < 2; step++) await page.click(`#toolbar [data-action='${action}']`);
+      assert.deepEqual(await editor.meshJson("mm"), mesh);
+    }
     assert.equal(await page.getAttribute("#privacy-count", "data-requests"), "0");
   });
 }
 
-test("a panic while a file is made or opened starts the module again, and the next try has an answer", async ({ visitor, page }) => {
-  await visitor.untilLoaded();
-  await workOn(visitor);
-  const work = await visitor.meshJson("mm");
-  const project = await visitor.download("save-project");
+test("a panic while a file is made or opened starts the module again, and the next try has an answer", async ({ editor, page }) => {
+  await editor.untilLoaded();
+  await workOn(editor);
+  const work = await editor.meshJson("mm");
+  const project = await editor.download("save-project");
 
   await page.evaluate(panicIn, { method: "exportFile" });
-  await visitor.reach("#export-units");
+  await editor.reach("#export-units");
   await page.click("#section-export [data-action='download-json']");
-  await untilRestarted(visitor);
-  assert.deepEqual(await visitor.meshJson("mm"), work);
-  await visitor.untilFace();
-  const texture = await visitor.download("download-png");
+  await untilRestarted(editor);
+  assert.deepEqual(await editor.meshJson("mm"), work);
+  await editor.untilFace();
+  const texture = await editor.download("download-png");
   assert.equal(texture.readUInt32BE(16), 1024, "the texture of the whole face did not come back");
 
   await page.keyboard.press("Escape");
   await page.evaluate(panicIn, { module: "rosto-studio-web.js?again=1", method: "openWork" });
-  await visitor.drop(project, "face.rosto");
-  await untilRestarted(visitor);
-  assert.deepEqual(await visitor.meshJson("mm"), work);
-  await visitor.drop(project, "face.rosto");
+  await editor.drop(project, "face.rosto");
+  await untilRestarted(editor);
+  assert.deepEqual(await editor.meshJson("mm"), work);
+  await editor.drop(project, "face.rosto");
   await page.waitForSelector("#notice", { state: "hidden" });
-  await visitor.untilFace();
-  assert.deepEqual(await visitor.meshJson("mm"), work);
+  await editor.untilFace();
+  assert.deepEqual(await editor.meshJson("mm"), work);
   await page.click("#toolbar [data-action='undo']");
-  assert.notDeepEqual(await visitor.meshJson("mm"), work);
+  assert.notDeepEqual(await editor.meshJson("mm"), work);
 });
 
 test("another face that is opened while the module starts again leaves the work where it is kept", async ({ editor, page }) => {
@@ -78,37 +76,29 @@ test("another face that is opened while the module starts again leaves the work 
   const other = await editor.download("save-project");
   await workOn(editor);
   await untilKept(page);
-  const kept = (await histories(page)).filter((edits) => edits.includes("nose-tip"));
+  const histories = async () => (await keptWorks(page)).map(({ edits }) => edits).filter((edits) => edits.includes("nose-tip"));
+  const kept = await histories();
   assert.equal(kept.length, 1);
 
-  const transfer = await page.evaluateHandle((base64) => {
-    const transfer = new DataTransfer();
-    transfer.items.add(new File([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], "other.rosto"));
-    return transfer;
-  }, Buffer.from(other).toString("base64"));
-  await page.evaluate(spoil, { module: "rosto-studio-web.js" });
+  await page.evaluate(spoil, "rosto-studio-web.js");
   // In one task, so that the file comes before the module is there again.
-  await page.evaluate((dataTransfer) => {
+  await page.evaluate((bytes) => {
     const options = { bubbles: true, cancelable: true };
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([bytes], "other.rosto"));
     document.getElementById("viewport").dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft", ...options }));
     document.getElementById("stage").dispatchEvent(new DragEvent("drop", { dataTransfer, ...options }));
-  }, transfer);
+  }, other);
   await untilRestarted(editor);
   await editor.drop(other, "other.rosto");
   await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
   await untilKept(page);
-  assert.deepEqual((await histories(page)).filter((edits) => edits.includes("nose-tip")), kept);
+  assert.deepEqual(await histories(), kept);
 });
-
-/** The histories that are kept, as JSON. */
-async function histories(page) {
-  return (await keptWorks(page)).map(({ edits }) => edits);
-}
 
 /** Two edits on a finer mesh, with other choices and another view; resolves to the mesh before them. */
 async function workOn(visitor) {
   const { page } = visitor;
-  await visitor.openFace();
   await visitor.prefer("paper");
   await visitor.unfold("section-view");
   await page.selectOption("#density", "1");
@@ -142,17 +132,9 @@ async function expectTheSame(visitor, { work, stands, view }) {
   // The camera looks at the face as at one that was just opened, and so a little nearer or further.
   const look = await visitor.view();
   for (const left of [0.42, 0.48, 0.54]) {
-    const patch = { left, top: 0.4, right: left + 0.05, bottom: 0.5 };
-    const [wanted, seen] = [meanColour(view, patch), meanColour(look, patch)];
-    const furthest = Math.max(...wanted.map((level, channel) => Math.abs(level - seen[channel])));
-    assert.ok(furthest < 8, `colours are ${furthest} levels off at ${left} of the width`);
+    const step = meanStep(view, look, { left, top: 0.4, right: left + 0.05, bottom: 0.5 });
+    assert.ok(step < 8, `colours are ${step} levels off at ${left} of the width`);
   }
-}
-
-async function moveOverTheFace({ page }) {
-  const box = await page.locator("#viewport").boundingBox();
-  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-  await page.mouse.move(box.x + box.width / 2 + 30, box.y + box.height / 2 + 8, { steps: 3 });
 }
 
 async function untilRestarted(visitor) {
@@ -160,10 +142,9 @@ async function untilRestarted(visitor) {
   await visitor.frames(3);
 }
 
-/** Runs in the page: every byte of the module's memory is overwritten. */
-async function spoil({ module }) {
-  const address = new URL(`wasm/${module}`, document.baseURI).href;
-  const { default: instantiate } = await import(address);
+/** Runs in the page: every byte of the module's memory is overwritten. @param {string} module */
+async function spoil(module) {
+  const { default: instantiate } = await import(new URL(`wasm/${module}`, document.baseURI).href);
   const { memory } = await instantiate();
   new Uint8Array(memory.buffer).fill(0xff);
 }
