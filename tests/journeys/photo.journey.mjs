@@ -3,7 +3,8 @@ import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
 import { meshByCommandLine } from "./command-line.mjs";
 import { test } from "./fixtures.mjs";
-import { asJpeg, dotted, twice } from "./pictures.mjs";
+import { chooseFace, openGroup } from "./groups.mjs";
+import { asJpeg, dotted } from "./pictures.mjs";
 import { colourCount, difference, middleOf } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -32,54 +33,18 @@ test("a selfie from the camera becomes a face, not mirrored", { tag: "@camera" }
   assert.ok(Math.abs(nose[0] - NOSE_IN_PORTRAIT) < 0.03, `the nose is at ${nose[0]} of the width`);
 });
 
-test("a pasted photo is opened", async ({ visitor }) => {
-  await visitor.untilItAnswers();
-  const base64 = (await readFile(SAMPLE)).toString("base64");
-  await visitor.page.evaluate((base64) => {
-    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-    const clipboardData = new DataTransfer();
-    clipboardData.items.add(new File([bytes], "pasted.png"));
-    dispatchEvent(new ClipboardEvent("paste", { clipboardData }));
-  }, base64);
-  await visitor.untilFace();
-});
-
 test("of several faces in a photo, one is chosen", async ({ visitor }) => {
-  await visitor.drop(await twice(visitor.page, await readFile(SAMPLE)), "twins.png");
-  await visitor.untilFace();
-  await visitor.page.waitForSelector("#face-choice:not([hidden])");
+  await openGroup(visitor);
   assert.equal(await visitor.page.innerText("#face-choice-title"), "2 faces in this photo");
   const first = await visitor.meshJson("image");
-  await visitor.page.check("#face-options label:nth-child(2) input", { force: true });
+  await chooseFace(visitor, 1);
   await visitor.frames(3);
   const second = await visitor.meshJson("image");
   const apart = Math.abs(first.positions[1][0] - second.positions[1][0]);
   assert.ok(Math.abs(apart - 0.5) < 0.01, `the two noses are ${apart} of the width apart`);
 });
 
-test("the same landmark shows on photo and mesh, whichever side the pointer is on", { tag: "@rare" }, async ({ visitor, page }) => {
-  await visitor.dropSample();
-  await visitor.unfold("section-photo");
-  const photo = page.locator("#photo-picture");
-  await photo.scrollIntoViewIfNeeded();
-  const plain = PNG.sync.read(await photo.screenshot());
-  assert.ok(colourCount(plain) > 100);
-
-  // The face is in the middle of what is shown of the photo.
-  const box = await photo.boundingBox();
-  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-  await visitor.frames(2);
-  assert.match(await page.innerText("#landmark-tag"), / · \d+$/);
-  const onMesh = await page.locator("#landmark-tag").boundingBox();
-
-  const view = await page.locator("#viewport").boundingBox();
-  assert.ok(onMesh.x > view.x && onMesh.x < view.x + view.width);
-  await page.mouse.move(view.x + view.width / 2, view.y + view.height / 2);
-  await visitor.frames(2);
-  assert.ok(difference(plain, PNG.sync.read(await photo.screenshot())) > 0, "the photo does not mark the landmark");
-});
-
-test("landmarks lie on the panel's photo where they are in the photo", async ({ visitor, page }) => {
+test("the landmark under the pointer shows on the panel's photo, where it is in the photo, and on the mesh", async ({ visitor, page }) => {
   const { positions } = await meshByCommandLine(SAMPLE, ["--units", "image"]);
   const dots = APART.map(([landmark, colour]) => ({ x: positions[landmark][0] * SIDE_PX, y: positions[landmark][1] * SIDE_PX, colour }));
   await visitor.drop(dotted(await readFile(SAMPLE), dots, 4), "dotted.png");
@@ -88,14 +53,21 @@ test("landmarks lie on the panel's photo where they are in the photo", async ({ 
   const photo = page.locator("#photo-picture");
   await photo.scrollIntoViewIfNeeded();
   const box = await photo.boundingBox();
+  const view = await page.locator("#viewport").boundingBox();
   const picture = PNG.sync.read(await photo.screenshot());
+  assert.ok(colourCount(picture) > 100);
   for (const [landmark, colour] of APART) {
     const dot = middleOf(picture, colour, 60);
     assert.ok(dot.x > 0, `the dot on ${landmark} is not shown`);
     await page.mouse.move(box.x + dot.x, box.y + dot.y);
     await visitor.frames(2);
     assert.match(await page.innerText("#landmark-tag"), new RegExp(` · ${landmark}$`), `at ${dot.x}, ${dot.y}`);
+    const { x } = await page.locator("#landmark-tag").boundingBox();
+    assert.ok(x > view.x && x < view.x + view.width, "the tag is not on the mesh");
   }
+  await page.mouse.move(view.x + view.width / 2, view.y + view.height / 2);
+  await visitor.frames(2);
+  assert.ok(difference(picture, PNG.sync.read(await photo.screenshot())) > 0, "the photo does not mark the landmark");
 });
 
 test("of a large photo the page's own thread draws only what it shows", async ({ open }) => {

@@ -48,52 +48,41 @@ export function heic() {
   return Buffer.concat([Buffer.from("\0\0\0\x18ftypheic\0\0\0\0mif1heic", "latin1"), Buffer.alloc(200)]);
 }
 
-/** A PNG whose header promises 20 000 × 20 000 px, followed by almost nothing. */
+/** A PNG whose header promises 20 000 × 20 000 px, followed by the data of one. */
 export function enormousPng() {
-  const header = Buffer.alloc(13);
-  header.writeUInt32BE(20_000, 0);
-  header.writeUInt32BE(20_000, 4);
-  header.set([8, 2, 0, 0, 0], 8);
-  const signature = Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
-  return Buffer.concat([signature, chunk("IHDR", header), chunk("IDAT", Buffer.from([0x78, 0x9c])), chunk("IEND", Buffer.alloc(0))]);
+  const png = PNG.sync.write(new PNG({ width: 1, height: 1 }));
+  png.writeUInt32BE(20_000, 16);
+  png.writeUInt32BE(20_000, 20);
+  png.writeUInt32BE(crc32(png.subarray(12, 29)), 29);
+  return png;
 }
 
-/**
- * The same photo as a JPEG, written by the browser; of another size if asked so, and then of the portrait's upper part.
- *
- * @param {import("@playwright/test").Page} page
- * @param {Uint8Array} png
- * @param {{ width: number, height: number }} [size] px
- */
+/** @typedef {import("@playwright/test").Page} Page its browser draws */
+
+/** The photo as a JPEG; with a size in px, only the portrait's upper part. @param {Page} page @param {Uint8Array} png */
 export function asJpeg(page, png, size) {
   return redraw(page, png, { type: "image/jpeg", size, part: size && UPPER_PART });
 }
 
-/**
- * Twice the same face side by side, cut out of the portrait by the browser.
- *
- * @param {import("@playwright/test").Page} page
- * @param {Uint8Array} png
- */
+/** Twice the same face side by side, cut out of the portrait. @param {Page} page @param {Uint8Array} png */
 export function twice(page, png) {
-  return redraw(page, png, { type: "image/png", columns: 2, part: FACE_IN_PORTRAIT });
+  return redraw(page, png, { columns: 2, part: FACE_IN_PORTRAIT });
 }
 
-/** Six times the same face, in two rows. @param {import("@playwright/test").Page} page @param {Uint8Array} png */
+/** Six times the same face, in two rows. @param {Page} page @param {Uint8Array} png */
 export function sixTimes(page, png) {
-  return redraw(page, png, { type: "image/png", columns: 3, rows: 2, part: FACE_IN_PORTRAIT });
+  return redraw(page, png, { columns: 3, rows: 2, part: FACE_IN_PORTRAIT });
 }
 
-/** So out of focus that a face is hard to tell. @param {import("@playwright/test").Page} page @param {Uint8Array} png */
+/** So out of focus that a face is hard to tell. @param {Page} page @param {Uint8Array} png */
 export function outOfFocus(page, png) {
-  return redraw(page, png, { type: "image/png", filter: "blur(5px)" });
+  return redraw(page, png, { filter: "blur(5px)" });
 }
 
 async function redraw(page, png, how) {
-  const base64 = await page.evaluate(
-    async ({ base64, type, columns = 1, rows = 1, size, part, filter = "none" }) => {
-      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-      const picture = await createImageBitmap(new Blob([bytes]));
+  const bytes = await page.evaluate(
+    async ({ png, type = "image/png", columns = 1, rows = 1, size, part, filter = "none" }) => {
+      const picture = await createImageBitmap(new Blob([png]));
       const from = part ?? { x: 0, y: 0, width: picture.width, height: picture.height };
       const { width, height } = size ?? { width: columns * from.width, height: rows * from.height };
       const canvas = new OffscreenCanvas(width, height);
@@ -105,28 +94,20 @@ async function redraw(page, png, how) {
         context.drawImage(picture, from.x, from.y, from.width, from.height, place.left, place.top, copy.width, copy.height);
       }
       const blob = await canvas.convertToBlob({ type, quality: 0.9 });
-      let letters = "";
-      for (const byte of new Uint8Array(await blob.arrayBuffer())) letters += String.fromCharCode(byte);
-      return btoa(letters);
+      return new Uint8Array(await blob.arrayBuffer());
     },
-    { base64: Buffer.from(png).toString("base64"), ...how },
+    { png, ...how },
   );
-  return Buffer.from(base64, "base64");
+  return Buffer.from(bytes);
 }
 
 /** The file of a film of the sample portrait, for a fake camera to play. */
 export async function portraitFilm() {
-  const file = path.join(await mkdtemp(path.join(tmpdir(), "rosto-")), "portrait.y4m");
-  await writeFile(file, asFilm(await readFile(SAMPLE), 5));
-  return file;
-}
-
-/** A short film of one still. @param {Uint8Array} png @param {number} frames */
-function asFilm(png, frames) {
-  const picture = PNG.sync.read(Buffer.from(png));
-  const frame = yuvOf(picture);
+  const picture = PNG.sync.read(await readFile(SAMPLE));
   const header = Buffer.from(`YUV4MPEG2 W${picture.width} H${picture.height} F25:1 Ip A1:1 C420\n`);
-  return Buffer.concat([header, ...Array.from({ length: frames }, () => frame)]);
+  const file = path.join(await mkdtemp(path.join(tmpdir(), "rosto-")), "portrait.y4m");
+  await writeFile(file, Buffer.concat([header, ...new Array(5).fill(yuvOf(picture))]));
+  return file;
 }
 
 /** A frame of a .y4m, in YUV 4:2:0. @param {{ width: number, height: number, data: Uint8Array | Uint8ClampedArray }} picture RGBA */
@@ -145,13 +126,4 @@ export function yuvOf({ width, height, data }) {
     }
   }
   return Buffer.concat([Buffer.from("FRAME\n"), luma, blue, red]);
-}
-
-function chunk(type, data) {
-  const body = Buffer.concat([Buffer.from(type), data]);
-  const length = Buffer.alloc(4);
-  length.writeUInt32BE(data.length);
-  const sum = Buffer.alloc(4);
-  sum.writeUInt32BE(crc32(body));
-  return Buffer.concat([length, body, sum]);
 }
