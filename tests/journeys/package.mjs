@@ -14,19 +14,15 @@ export const SITE = path.join(ROOT, "target/npm/site");
 let installing;
 
 /** Builds the package, packs it, and installs it in {@link SITE} where nothing else is; once in a run. */
-export function installed() {
-  installing ??= install();
-  return installing;
-}
+export const installed = () => (installing ??= install());
 
 async function install() {
   await run("node", ["web/package/build.mjs"], ROOT);
   await rm(SITE, { recursive: true, force: true });
   await mkdir(SITE, { recursive: true });
-  await run("npm", ["pack", BUILT, "--silent"], SITE);
+  const { stdout: tarball } = await run("npm", ["pack", BUILT, "--silent"], SITE);
   await writeFile(path.join(SITE, "package.json"), JSON.stringify({ private: true, type: "module" }));
-  const { version } = await import(path.join(BUILT, "package.json"), { with: { type: "json" } }).then((manifest) => manifest.default);
-  await run("npm", ["install", "--offline", "--no-audit", "--no-fund", "--silent", `./rosto-${version}.tgz`], SITE);
+  await run("npm", ["install", "--offline", "--no-audit", "--no-fund", "--silent", `./${tarball.trim()}`], SITE);
   await cp(path.join(ROOT, "docs/examples/element.html"), path.join(SITE, "index.html"));
   await cp(SAMPLE, path.join(SITE, "portrait.png"));
 }

@@ -1,27 +1,27 @@
 import assert from "node:assert/strict";
+import { expect } from "@playwright/test";
 import { alike, test } from "./fixtures.mjs";
 
 const DESKTOP = { viewport: { width: 1280, height: 720 } };
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 const SHORT = { viewport: { width: 844, height: 390 }, hasTouch: true, isMobile: true };
 
-test("the panel goes from photo to sliders, to the hand, to what was done, and ends with the advanced", async ({ open }) => {
-  const visitor = await open(DESKTOP);
-  const { page } = visitor;
-  await visitor.openFace();
-  const seen = () => page.locator("#sections h2:not(.visually-hidden)").evaluateAll((all) => all.filter((h2) => h2.checkVisibility()).map((h2) => h2.innerText));
-  assert.deepEqual(await seen(), ["Photo", "Features", "Expressions", "Move by hand", "In the photo", "History", "Advanced"]);
+test.use({ visit: DESKTOP });
+
+test("the panel goes from photo to sliders, to the hand, to what was done, and ends with the advanced", async ({ editor, page }) => {
+  const headings = page.locator("#sections h2:not(.visually-hidden)").filter({ visible: true });
+  await expect(headings).toHaveText(["Photo", "Features", "Expressions", "Move by hand", "In the photo", "History", "Advanced"]);
   for (const id of ["operator", "constraint", "details", "anchors", "anchors-shown", "section-paper"]) {
     assert.ok(await page.isHidden(`#${id}`), id);
     assert.equal(await page.locator(`#section-advanced #${id}`).count(), 1, id);
   }
-  await page.selectOption("#language", "pt");
-  assert.deepEqual(await seen(), ["Foto", "Traços", "Expressões", "Mover à mão", "Na foto", "Histórico", "Avançado"]);
+  await editor.speak("pt");
+  await expect(headings).toHaveText(["Foto", "Traços", "Expressões", "Mover à mão", "Na foto", "Histórico", "Avançado"]);
 });
 
-for (const [[device, options], tag] of alike(Object.entries({ desktop: DESKTOP, phone: PHONE, "phone on its side": SHORT }))) {
+for (const [[device, visit], tag] of alike(Object.entries({ desktop: DESKTOP, phone: PHONE, "phone on its side": SHORT }))) {
   test(`shape, view and export are tabs, by keys too, and the download is in sight on each: ${device}`, { tag }, async ({ open }) => {
-    const visitor = await open(options);
+    const visitor = await open(visit);
     const { page } = visitor;
     await visitor.untilLoaded();
     assert.ok(await page.isHidden("[role=tablist]"));
@@ -32,19 +32,17 @@ for (const [[device, options], tag] of alike(Object.entries({ desktop: DESKTOP, 
     for (const [key, tab] of [["ArrowRight", "view"], ["ArrowRight", "export"], ["ArrowRight", "shape"], ["ArrowLeft", "export"], ["Home", "shape"], ["End", "export"]]) {
       await page.locator("#sections").evaluate((sections) => (sections.scrollTop = 200));
       await page.keyboard.press(key);
-      assert.equal(await page.getAttribute(`#tab-${tab}`, "aria-selected"), "true");
-      assert.equal(await page.locator("[role=tab][aria-selected=true]").count(), 1);
+      assert.deepEqual(await page.locator("[role=tab][aria-selected=true]").evaluateAll((tabs) => tabs.map(({ id }) => id)), [`tab-${tab}`]);
       assert.equal(await page.locator("#sections").evaluate((sections) => sections.scrollTop), 0, "a tab begins at its top");
       for (const [name, section] of Object.entries(sections)) assert.equal(await page.isVisible(`#${section}`), name === tab, `${section} on ${tab}`);
-      assert.ok(await isWholly(page, "[data-action='download-glb']"), tab);
+      await expectInReach(page.locator("[data-action='download-glb']"));
     }
-    assert.equal(await page.locator(".button.primary").evaluateAll((all) => all.filter((button) => button.checkVisibility()).length), 1);
-    const [download] = await Promise.all([page.waitForEvent("download"), page.click("[data-action='download-glb']")]);
-    assert.match(download.suggestedFilename(), /\.glb$/);
+    assert.equal(await page.locator(".button.primary").filter({ visible: true }).count(), 1);
+    assert.match((await visitor.save("download-glb")).name, /\.glb$/);
   });
 
   test(`the photo folds to a row with its face, which unfolds it and changes it: ${device}`, { tag }, async ({ open }) => {
-    const visitor = await open(options);
+    const visitor = await open(visit);
     const { page } = visitor;
     await visitor.openFace();
     assert.ok(await page.isHidden("#photo-picture"));
@@ -63,24 +61,21 @@ for (const [[device, options], tag] of alike(Object.entries({ desktop: DESKTOP, 
   });
 }
 
-test("the presets say which is on and what it means, and that none is", { tag: "@rare" }, async ({ open }) => {
-  const visitor = await open(DESKTOP);
-  const { page } = visitor;
-  await visitor.openFace();
-  const segments = () => page.locator("[data-choice='preset'] span").evaluateAll((all) => all.filter((span) => span.checkVisibility()).map((span) => span.innerText));
+test("the presets say which is on and what it means, and that none is", { tag: "@rare" }, async ({ editor, page }) => {
+  const segments = page.locator("[data-choice='preset'] span").filter({ visible: true });
   const custom = page.locator("input[name='preset'][value='custom']");
-  assert.deepEqual(await segments(), ["Sculpt", "Paper"]);
+  await expect(segments).toHaveText(["Sculpt", "Paper"]);
   assert.match(await page.innerText("#preset-help"), /goes where you put it/);
-  await visitor.prefer("paper");
+  await editor.prefer("paper");
   assert.match(await page.innerText("#preset-help"), /two random points/);
-  await visitor.reach("#mirror");
+  await editor.reach("#mirror");
   await page.locator("#mirror").click();
-  assert.deepEqual(await segments(), ["Sculpt", "Paper", "Custom"]);
+  await expect(segments).toHaveText(["Sculpt", "Paper", "Custom"]);
   assert.ok(await custom.isChecked());
   assert.ok(await custom.isDisabled(), "it cannot be chosen");
   assert.match(await page.innerText("#preset-help"), /own choices/);
-  await visitor.prefer("sculpt");
-  assert.deepEqual(await segments(), ["Sculpt", "Paper"]);
+  await editor.prefer("sculpt");
+  await expect(segments).toHaveText(["Sculpt", "Paper"]);
   assert.ok(!(await custom.isChecked()));
 });
 
@@ -96,8 +91,7 @@ for (const [size, panel_px] of [[[1280, 720], 320], [[720, 450], 280]]) {
       await visitor.speak(language);
       for (const tab of ["shape", "view", "export"]) {
         await page.click(`#tab-${tab}`);
-        const heights = await page.locator(".choice-options span").evaluateAll((all) => all.filter((span) => span.checkVisibility()).map((span) => span.offsetHeight));
-        assert.ok(heights.length > 0);
+        const heights = await page.locator(".choice-options span").filter({ visible: true }).evaluateAll((all) => all.map((span) => span.offsetHeight));
         assert.deepEqual([...new Set(heights)], [32], `${language}, ${tab}`);
         const wide = await page.locator(".choice-options").evaluateAll((all) => all.filter((row) => row.scrollWidth > row.clientWidth).map(({ id }) => id));
         assert.deepEqual(wide, [], `${language}, ${tab}`);
@@ -114,23 +108,31 @@ for (const [[width, height], tag] of alike([[1280, 720], [720, 450], [844, 390],
     for (const language of ["en", "pt"]) {
       await visitor.speak(language);
       for (const dialog of ["keys", "credits"]) {
-        await page.evaluate((dialog) => document.querySelector(`[data-action='open-${dialog}']`).click(), dialog);
-        const box = await page.locator(`#${dialog}`).boundingBox();
-        assert.ok(box.x >= 0 && box.y >= 0 && box.x + box.width <= width && box.y + box.height <= height, JSON.stringify(box));
-        assert.equal(await page.locator(`#${dialog}`).evaluate((dialog) => dialog.scrollTop), 0);
-        assert.equal(await page.locator(`#${dialog}`).evaluate((dialog) => dialog.scrollWidth - dialog.clientWidth), 0);
-        if (height === 720) assert.equal(await page.locator(`#${dialog}`).evaluate((dialog) => dialog.scrollHeight - dialog.clientHeight), 0, "it has to be scrolled");
-        assert.ok(await isWholly(page, `[data-action='close-${dialog}']`), `the way out of ${dialog} is out of sight`);
+        await page.dispatchEvent(`[data-action='open-${dialog}']`, "click");
+        await expect(page.locator(`#${dialog}`)).toBeInViewport({ ratio: 1 });
+        const { top, wider, higher } = await page.locator(`#${dialog}`).evaluate((dialog) => ({
+          top: dialog.scrollTop,
+          wider: dialog.scrollWidth - dialog.clientWidth,
+          higher: dialog.scrollHeight - dialog.clientHeight,
+        }));
+        assert.deepEqual([top, wider], [0, 0]);
+        if (height === 720) assert.equal(higher, 0, "it has to be scrolled");
+        await expectInReach(page.locator(`[data-action='close-${dialog}']`));
         await page.click(`[data-action='close-${dialog}']`);
       }
     }
   });
 }
 
-test("language and theme are in reach on a small screen while a face is open", { tag: "@rare" }, async ({ open }) => {
-  const visitor = await open(PHONE);
-  const { page } = visitor;
-  await visitor.openFace();
+test("fingers are told to tap and choose, a mouse to click and drop; language and theme are in reach of both", async ({ open, editor }) => {
+  const texts = async ({ page }) => `${await page.textContent("#welcome-title")} ${await page.textContent("#landmark-help")}`;
+  const phone = await open(PHONE);
+  const { page } = phone;
+  await phone.openFace();
+  const byFinger = await texts(phone);
+  assert.match(byFinger, /Choose or take a photo of a face.*Tap a point/);
+  assert.doesNotMatch(byFinger, /\b(drop|click)\b/i);
+  assert.match(await texts(editor), /Drop a photo of a face.*Click a point/);
   await page.locator("#language").scrollIntoViewIfNeeded();
   await page.selectOption("#language", "pt");
   assert.equal(await page.innerText("#tab-export"), "Exportar");
@@ -139,27 +141,14 @@ test("language and theme are in reach on a small screen while a face is open", {
   assert.notEqual(await page.getAttribute("html", "data-theme"), before);
 });
 
-test("fingers are told to tap and choose, a mouse to click and drop", async ({ open }) => {
-  const texts = (visitor) => visitor.page.evaluate(() => ["welcome-title", "landmark-help"].map((id) => document.getElementById(id).textContent).join(" "));
-  const phone = await open(PHONE);
-  await phone.openFace();
-  const byFinger = await texts(phone);
-  assert.match(byFinger, /Choose or take a photo of a face.*Tap a point/);
-  assert.doesNotMatch(byFinger, /\b(drop|click)\b/i);
-  const desk = await open(DESKTOP);
-  await desk.openFace();
-  assert.match(await texts(desk), /Drop a photo of a face.*Click a point/);
-});
-
 test("no visitor who begins reads of landmarks, their count, or requests", async ({ open }) => {
   const JARGON = /landmark|request|0–467|0 to 467|\b468\b|requisi/i;
   for (const locale of ["en-GB", "pt-BR"]) {
-    const visitor = await open({ ...DESKTOP, locale });
+    const visitor = await open({ locale });
     const { page } = visitor;
     await visitor.untilLoaded();
     assert.doesNotMatch(await page.innerText("body"), JARGON);
-    const steps = await page.locator("#progress").evaluate((progress) => progress.textContent);
-    assert.doesNotMatch(steps, JARGON);
+    assert.doesNotMatch(await page.textContent("#progress"), JARGON);
     await visitor.openFace();
     await visitor.slide("nose-width", 2);
     await visitor.unfold("section-photo");
@@ -167,13 +156,10 @@ test("no visitor who begins reads of landmarks, their count, or requests", async
   }
 });
 
-/** Whether all of an element is in the window and it is what a press in its middle meets. */
-async function isWholly(page, selector) {
-  return page.locator(selector).evaluate((element) => {
-    const { left, right, top, bottom } = element.getBoundingClientRect();
-    const hit = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
-    return left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight && element.contains(hit);
-  });
+/** All of an element is in the window and it is what a press in its middle meets. @param {import("@playwright/test").Locator} element */
+async function expectInReach(element) {
+  await expect(element).toBeInViewport({ ratio: 1 });
+  await element.click({ trial: true });
 }
 
 /** How many colours the small picture of the face has. */

@@ -15,8 +15,8 @@ async function photoOnStage(visitor) {
   await visitor.frames(5);
 }
 
-test("a press on the small photo puts it on the stage; the switch and P go back, and it is remembered", { tag: "@eyes" }, async ({ editor }) => {
-  assert.equal(await scene(editor), "solid", "the face in the round is what a editor arrives at");
+test("a press on the small photo puts it on the stage; the switch, P and a drag beside the face go back, and it is remembered", { tag: "@eyes" }, async ({ editor }) => {
+  assert.equal(await scene(editor), "solid", "the face in the round is what a visitor arrives at");
   const solid = await editor.view();
   await editor.page.click("#photo-to-stage");
   assert.equal(await scene(editor), "picture");
@@ -27,6 +27,11 @@ test("a press on the small photo puts it on the stage; the switch and P go back,
   await editor.page.keyboard.press("p");
   assert.equal(await scene(editor), "picture");
   assert.equal(difference(photo, await editor.view()), 0);
+  await editor.drag(await editor.besideTheFace(), { x: 80, y: 0 });
+  assert.equal(await scene(editor), "solid");
+  assert.deepEqual(await editor.history(), []);
+  await editor.page.keyboard.press("p");
+  assert.equal(await scene(editor), "picture");
   await editor.comeBack();
   assert.equal(await scene(editor), "picture");
 });
@@ -65,16 +70,6 @@ test("sliders, regions and the wipe work on the photo", { tag: ["@eyes", "@rare"
   await visitor.page.click("#compare");
   const wiped = await visitor.view();
   assert.ok(difference(wiped, before) > 0 && difference(wiped, after) > 0, "the wipe shows both");
-});
-
-test("who drags beside the face turns it out of the photo", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
-  await photoOnStage(visitor);
-  const view = await visitor.page.locator("#viewport").boundingBox();
-  await visitor.drag({ x: view.x + 30, y: view.y + 200 }, { x: 80, y: 0 });
-  assert.equal(await scene(visitor), "solid");
-  assert.deepEqual(await visitor.history(), []);
-  await visitor.page.keyboard.press("p");
-  assert.equal(await scene(visitor), "picture");
 });
 
 test("the small photo shows every edit as it is made", async ({ editor }) => {

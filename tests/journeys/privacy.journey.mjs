@@ -75,17 +75,3 @@ test("markup and scripts are taken from the page's own policy alone", async ({ v
   await visitor.frames(2);
   assert.ok(visitor.broken.splice(0).length > 0);
 });
-
-test("after the first visit the page works without a network", async ({ open }) => {
-  const visitor = await open({ serviceWorkers: "allow" });
-  await visitor.untilLoaded();
-  await visitor.page.context().setOffline(true);
-  await visitor.page.reload();
-  await visitor.page.click("#welcome [data-action='sample']");
-  await visitor.untilFace();
-  // The validator comes from the same store, some moments after the rest.
-  await visitor.untilLoaded();
-  await visitor.unfold("section-export");
-  await visitor.page.click("[data-action='check-glb']");
-  await visitor.page.waitForSelector("#verdict[data-verdict='valid']");
-});

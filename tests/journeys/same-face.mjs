@@ -21,21 +21,10 @@ export async function openAsCommandLine(visitor) {
 
 /** The same as a project. @param {Buffer} project of the page's */
 export async function projectAsCommandLine(project) {
-  const { json } = partsOfGlb(await glbByCommandLine(SAMPLE, AS_THE_PAGE));
-  return withFace(project, json.scenes[0].extras);
-}
-
-/**
- * A project with another face in its photo.
- *
- * @param {Buffer} project
- * @param {{ landmarks: string, colours: string, lens: string }} face as a GLB of ours tells of it
- */
-function withFace(project, { landmarks, colours, lens }) {
-  const told = [landmarks, colours].map((text) => Buffer.from(text, "base64"));
+  const { landmarks, colours, lens } = partsOfGlb(await glbByCommandLine(SAMPLE, AS_THE_PAGE)).json.scenes[0].extras;
+  const face = Buffer.concat([landmarks, colours].map((text) => Buffer.from(text, "base64")));
   const changed = changedProject(project, (header) => ({ ...header, lens }));
   const start = changed.indexOf("\n") + 1;
-  const face = Buffer.concat(told);
   const { points } = JSON.parse(changed.subarray(0, start).toString());
   assert.equal(face.length, 12 * points + 3 * 468);
   return Buffer.concat([changed.subarray(0, start), face, changed.subarray(start + face.length)]);

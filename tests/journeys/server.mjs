@@ -47,13 +47,9 @@ export async function serve(folder, below) {
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
   return {
     /** @param {Disturbance} [by] nothing ends it */
-    disturb: (by) => {
-      disturbance = by;
-    },
+    disturb: (by) => (disturbance = by),
     /** @param {string} next is served from now on */
-    deploy: (next) => {
-      served = next;
-    },
+    deploy: (next) => (served = next),
     url: `http://127.0.0.1:${server.address().port}${below}`,
     close: () => {
       server.closeAllConnections();

@@ -9,30 +9,33 @@ import { SAMPLE } from "./visitor.mjs";
 /** @typedef {import("./visitor.mjs").Visitor} Visitor */
 
 /**
- * A state of the page that its visitors know, and the way there from any one before it in the list.
+ * A state of the page that its visitors know, and the way there from any one before it in the list that has a face.
  *
  * @typedef {object} State
  * @property {string} id
  * @property {(visitor: Visitor) => Promise<void>} enter
  * @property {(visitor: Visitor) => Promise<void>} [leave]
- * @property {"front"} [face] where the whole face is seen from the front
  */
 
 /** @type {State[]} */
 export const STATES = [
   { id: "empty", enter: (visitor) => visitor.untilLoaded() },
   { id: "working", enter: startWork, leave: finishWork },
-  { id: "arrived", enter: haveFace, face: "front" },
-  { id: "selected", enter: selectNose, face: "front" },
+  { id: "arrived", enter: haveFace },
+  { id: "selected", enter: selectNose },
   { id: "dragging", enter: holdNose, leave: letNoseGo },
-  { id: "region", enter: selectRegion, leave: backToLandmarks },
+  { id: "region", enter: selectRegion, leave: ({ page }) => page.check("input[name='selection'][value='landmark']", { force: true }) },
   { id: "compare", enter: compare, leave: stopComparing },
-  { id: "view", enter: (visitor) => openTab(visitor, "view"), leave: (visitor) => openTab(visitor, "shape"), face: "front" },
+  { id: "view", enter: (visitor) => openTab(visitor, "view"), leave: (visitor) => openTab(visitor, "shape") },
   { id: "export", enter: (visitor) => openTab(visitor, "export"), leave: (visitor) => openTab(visitor, "shape") },
   { id: "downloaded", enter: download, leave: (visitor) => openTab(visitor, "shape") },
-  { id: "notice", enter: fail, leave: closeNotice },
-  { id: "keys", enter: openKeys, leave: closeKeys },
-  { id: "group", enter: (visitor) => openGroup(visitor, "the two of us.png"), face: "front" },
+  { id: "notice", enter: fail, leave: ({ page }) => close(page, "#notice-close", "#notice") },
+  {
+    id: "keys",
+    enter: ({ page }) => page.evaluate(() => document.getElementById("keys").showModal()),
+    leave: ({ page }) => close(page, "[data-action='close-keys']", "#keys"),
+  },
+  { id: "group", enter: (visitor) => openGroup(visitor, "the two of us.png") },
   { id: "returning", enter: comeBack },
 ];
 
@@ -57,9 +60,7 @@ export async function wrongWith({ page }, { id }) {
 /** @param {Visitor} visitor */
 async function startWork(visitor) {
   const { page } = visitor;
-  await page.evaluate(() => {
-    window["answersWait"] = true;
-  });
+  await page.evaluate("answersWait = true");
   await visitor.untilItAnswers();
   await page.setInputFiles("#photo-file", { name: "portrait.png", mimeType: "image/png", buffer: await readFile(SAMPLE) });
   await page.waitForSelector("#progress");
@@ -68,7 +69,7 @@ async function startWork(visitor) {
 
 /** @param {Visitor} visitor */
 async function finishWork(visitor) {
-  await visitor.page.evaluate(() => window["letAnswersCome"]());
+  await visitor.page.evaluate("letAnswersCome()");
   await visitor.untilFace();
 }
 
@@ -98,7 +99,6 @@ async function haveFace(visitor) {
 
 /** @param {Visitor} visitor */
 async function selectNose(visitor) {
-  await haveFace(visitor);
   await openTab(visitor, "shape");
   // Its number is its name in every language.
   await visitor.findLandmark("1");
@@ -125,20 +125,13 @@ async function letNoseGo(visitor) {
 
 /** @param {Visitor} visitor */
 async function selectRegion(visitor) {
-  await haveFace(visitor);
   await openTab(visitor, "shape");
   await visitor.chooseRegion("nose");
   await blur(visitor);
 }
 
 /** @param {Visitor} visitor */
-async function backToLandmarks({ page }) {
-  await page.check("input[name='selection'][value='landmark']", { force: true });
-}
-
-/** @param {Visitor} visitor */
 async function compare(visitor) {
-  await haveFace(visitor);
   await visitor.page.click("#compare");
   await visitor.frames(3);
 }
@@ -150,7 +143,6 @@ async function stopComparing({ page }) {
 
 /** @param {Visitor} visitor @param {"shape" | "view" | "export"} name */
 async function openTab(visitor, name) {
-  await haveFace(visitor);
   const tab = visitor.page.locator(`#tab-${name}`);
   if (await tab.isVisible()) await tab.click();
   else if (name !== "shape") await visitor.unfold(`section-${name}`);
@@ -159,42 +151,24 @@ async function openTab(visitor, name) {
 
 /** @param {Visitor} visitor */
 async function download(visitor) {
-  await haveFace(visitor);
   await visitor.download("download-glb");
-  // Only a page that shows what it says has a toast.
-  if ((await visitor.page.locator("#toast").count()) > 0) await visitor.page.waitForSelector("#toast");
+  await visitor.page.waitForSelector("#toast");
 }
 
 /** @param {Visitor} visitor */
 async function fail(visitor) {
-  await haveFace(visitor);
   await visitor.drop(faceless(), "meadow.png");
   await visitor.notice();
 }
 
-/** @param {Visitor} visitor */
-async function closeNotice({ page }) {
-  await page.click("#notice-close");
-  await page.waitForSelector("#notice", { state: "hidden" });
-}
-
-/** @param {Visitor} visitor */
-async function openKeys({ page }) {
-  await page.evaluate(() => {
-    const dialog = document.getElementById("keys");
-    if (!dialog.open) dialog.showModal();
-  });
-}
-
-/** @param {Visitor} visitor */
-async function closeKeys({ page }) {
-  await page.click("[data-action='close-keys']");
-  await page.waitForSelector("#keys", { state: "hidden" });
+/** @param {import("@playwright/test").Page} page @param {string} button @param {string} closed */
+async function close(page, button, closed) {
+  await page.click(button);
+  await page.waitForSelector(closed, { state: "hidden" });
 }
 
 /** @param {Visitor} visitor */
 async function comeBack(visitor) {
-  await haveFace(visitor);
   await untilKept(visitor.page);
   await visitor.page.reload();
   await visitor.page.waitForSelector("#continue:not([hidden])");
