@@ -54,7 +54,10 @@ test("a page of a newer version comes from the network with all its files, or sa
     assert.ok(asked.includes(file), `${file} came from the store of an older version`);
   }
   // The browser ends a service worker that has had nothing to do for a while.
-  await stopServiceWorkers(page);
+  const browser = await page.context().newCDPSession(page);
+  await browser.send("ServiceWorker.enable");
+  await browser.send("ServiceWorker.stopAllWorkers");
+  await browser.detach();
   asked.length = 0;
   await page.evaluate(() => fetch("js/main.js"));
   assert.deepEqual(asked, ["js/main.js"]);
@@ -88,14 +91,6 @@ test("what is not the file that was built is not stored", async ({ open, server 
   await page.reload();
   await page.waitForSelector("body[data-bench='open']");
 });
-
-/** @param {import("@playwright/test").Page} page */
-async function stopServiceWorkers(page) {
-  const browser = await page.context().newCDPSession(page);
-  await browser.send("ServiceWorker.enable");
-  await browser.send("ServiceWorker.stopAllWorkers");
-  await browser.detach();
-}
 
 /** @param {import("node:http").ServerResponse} response @param {number} status @param {string} text @param {string} [type] */
 function send(response, status, text, type = "text/html; charset=utf-8") {

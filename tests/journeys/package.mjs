@@ -4,6 +4,7 @@ import path from "node:path";
 import { promisify } from "node:util";
 import { SAMPLE } from "./visitor.mjs";
 
+const run = promisify(execFile);
 const ROOT = path.resolve(import.meta.dirname, "../..");
 const BUILT = path.join(ROOT, "target/npm/rosto");
 
@@ -17,31 +18,20 @@ let installing;
 export const installed = () => (installing ??= install());
 
 async function install() {
-  await run("node", ["web/package/build.mjs"], ROOT);
+  await run("node", ["web/package/build.mjs"], { cwd: ROOT });
   await rm(SITE, { recursive: true, force: true });
   await mkdir(SITE, { recursive: true });
-  const { stdout: tarball } = await run("npm", ["pack", BUILT, "--silent"], SITE);
+  const { stdout: tarball } = await run("npm", ["pack", BUILT, "--silent"], { cwd: SITE });
   await writeFile(path.join(SITE, "package.json"), JSON.stringify({ private: true, type: "module" }));
-  await run("npm", ["install", "--offline", "--no-audit", "--no-fund", "--silent", `./${tarball.trim()}`], SITE);
+  await run("npm", ["install", "--offline", "--no-audit", "--no-fund", "--silent", `./${tarball.trim()}`], { cwd: SITE });
   await cp(path.join(ROOT, "docs/examples/element.html"), path.join(SITE, "index.html"));
   await cp(SAMPLE, path.join(SITE, "portrait.png"));
 }
 
-/**
- * Has tsc check a module against the package as it is installed; resolves to what it complains about.
- *
- * @param {string} name of the module, which is written
- * @param {string} text
- * @param {string[]} options
- */
+/** Complaints of tsc about a module that uses the installed package. @param {string} name @param {string} text @param {string[]} options */
 export async function complaints(name, text, options) {
   await installed();
   await writeFile(path.join(SITE, name), text);
   const tsc = path.join(ROOT, "node_modules/.bin/tsc");
-  return run(tsc, [...options, name], SITE).then(() => "", ({ stdout }) => stdout);
-}
-
-/** @param {string} program @param {string[]} words @param {string} cwd */
-function run(program, words, cwd) {
-  return promisify(execFile)(program, words, { cwd });
+  return run(tsc, [...options, name], { cwd: SITE }).then(() => "", ({ stdout }) => stdout);
 }

@@ -20,7 +20,7 @@ test("the panel goes from photo to sliders, to the hand, to what was done, and e
 });
 
 for (const [[device, visit], tag] of alike(Object.entries({ desktop: DESKTOP, phone: PHONE, "phone on its side": SHORT }))) {
-  test(`shape, view and export are tabs, by keys too, and the download is in sight on each: ${device}`, { tag }, async ({ open }) => {
+  test(`shape, view and export are tabs, by keys too, with the download in sight; the photo folds to a row: ${device}`, { tag }, async ({ open }) => {
     const visitor = await open(visit);
     const { page } = visitor;
     await visitor.untilLoaded();
@@ -39,12 +39,8 @@ for (const [[device, visit], tag] of alike(Object.entries({ desktop: DESKTOP, ph
     }
     assert.equal(await page.locator(".button.primary").filter({ visible: true }).count(), 1);
     assert.match((await visitor.save("download-glb")).name, /\.glb$/);
-  });
 
-  test(`the photo folds to a row with its face, which unfolds it and changes it: ${device}`, { tag }, async ({ open }) => {
-    const visitor = await open(visit);
-    const { page } = visitor;
-    await visitor.openFace();
+    await page.click("#tab-shape");
     assert.ok(await page.isHidden("#photo-picture"));
     assert.ok(await page.isHidden("#drop-zone"));
     const row = await page.locator("#section-photo").boundingBox();

@@ -21,13 +21,7 @@ export function faceless() {
   return PNG.sync.write(png);
 }
 
-/**
- * The same picture with dots on it.
- *
- * @param {Uint8Array} png
- * @param {{ x: number, y: number, colour: number[] }[]} dots in px
- * @param {number} radius_px
- */
+/** The same picture with dots on it. @param {Uint8Array} png @param {{ x: number, y: number, colour: number[] }[]} dots in px */
 export function dotted(png, dots, radius_px) {
   const picture = PNG.sync.read(Buffer.from(png));
   for (let at = 0; at < picture.data.length; at += 4) {

@@ -1,11 +1,7 @@
 /** @typedef {{ width: number, height: number, data: Uint8Array }} Pixels RGBA */
+/** @typedef {{ left: number, top: number, right: number, bottom: number }} Box in shares of the picture's size */
 
-/**
- * Mean colour of a box given in shares of the picture's size, each channel 0 to 255.
- *
- * @param {Pixels} pixels
- * @param {{ left: number, top: number, right: number, bottom: number }} box
- */
+/** Mean colour of a box, each channel 0 to 255. @param {Pixels} pixels @param {Box} box */
 export function meanColour(pixels, box) {
   const sum = [0, 0, 0];
   let count = 0;
@@ -19,7 +15,7 @@ export function meanColour(pixels, box) {
   return sum.map((total) => total / count);
 }
 
-/** The largest step between the mean colours of a box in two pictures, 0 to 255. @param {Pixels} a @param {Pixels} b */
+/** The largest step between the mean colours of a box in two pictures, 0 to 255. @param {Pixels} a @param {Pixels} b @param {Box} box */
 export function meanStep(a, b, box) {
   const other = meanColour(b, box);
   return Math.max(...meanColour(a, box).map((level, channel) => Math.abs(level - other[channel])));
@@ -71,25 +67,12 @@ export function colourCount(pixels) {
   return seen.size;
 }
 
-/**
- * The same within so many px of a place, which is given in px of the pictures.
- *
- * @param {Pixels} a
- * @param {Pixels} b
- * @param {{ x: number, y: number }} place
- * @param {number} reach_px
- */
+/** The difference within `reach_px` of a place in px. @param {Pixels} a @param {Pixels} b @param {{ x: number, y: number }} place */
 export function differenceNear(a, b, place, reach_px) {
   return difference(around(a, place, reach_px), around(b, place, reach_px));
 }
 
-/**
- * The middle of all pixels of about a colour, px; not a number where there are none.
- *
- * @param {Pixels} pixels
- * @param {number[]} colour
- * @param {number} most by which a channel may differ
- */
+/** The middle, in px, of all pixels whose channels are within `most` of a colour; NaN if there are none. @param {Pixels} pixels */
 export function middleOf({ width, data }, colour, most) {
   const sum = { x: 0, y: 0, count: 0 };
   for (let at = 0; at < data.length; at += 4) {

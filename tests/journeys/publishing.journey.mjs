@@ -13,14 +13,10 @@ const HOOK = path.join(ROOT, "web/list-for-offline.mjs");
 const COMPARE = path.join(ROOT, "web/compare-published.mjs");
 const run = promisify(execFile);
 
-test("the page comes with its policy as a header, and with those that a page's text cannot say", async ({ visitor }) => {
-  const answers = await visitor.page.evaluate(async () => {
-    const names = ["./", "js/worker/vision-worker.js", "service-worker.js", "wasm/rosto-vision-web_bg.wasm"];
-    const all = await Promise.all(names.map((name) => fetch(name)));
-    return all.map(({ headers }) => Object.fromEntries(headers));
-  });
+test("the page comes with its policy as a header, and with those that a page's text cannot say; every kind of host is told the same", async ({ visitor }) => {
   const policy = await visitor.page.getAttribute("meta[http-equiv='Content-Security-Policy']", "content");
-  for (const headers of answers) {
+  for (const name of ["./", "js/worker/vision-worker.js", "service-worker.js", "wasm/rosto-vision-web_bg.wasm"]) {
+    const headers = await visitor.page.evaluate(async (name) => Object.fromEntries((await fetch(name)).headers), name);
     assert.equal(headers["content-security-policy"], `${policy}; frame-ancestors 'none'`);
     assert.equal(headers["cross-origin-opener-policy"], "same-origin");
     assert.equal(headers["x-content-type-options"], "nosniff");
@@ -28,6 +24,14 @@ test("the page comes with its policy as a header, and with those that a page's t
     assert.equal(headers["cache-control"], "no-cache");
     assert.equal(headers["permissions-policy"], "camera=(self), microphone=(), geolocation=(), display-capture=(), fullscreen=()");
   }
+
+  const said = async (name, pattern) => [...String(await readFile(path.join(DIST, name))).matchAll(pattern)].map(([, name, value]) => [name, value]);
+  const plain = await said("_headers", /^ {2}([\w-]+): (.*)$/gm);
+  assert.equal(plain.length, 6);
+  assert.deepEqual(await said(".htaccess", /^ {2}Header always set ([\w-]+) "(.*)"$/gm), plain);
+  assert.deepEqual(await said("nginx.conf", /^add_header ([\w-]+) "(.*)" always;$/gm), plain);
+  const { headers } = JSON.parse(String(await readFile(path.join(DIST, "vercel.json"))));
+  assert.deepEqual(headers[0].headers.map(({ key, value }) => [key, value]), plain);
 });
 
 test("no other page frames this one", async ({ page }) => {
@@ -36,16 +40,6 @@ test("no other page frames this one", async ({ page }) => {
   const frame = await (await another.waitForSelector("iframe")).contentFrame();
   await frame.waitForLoadState();
   assert.equal(await frame.locator("#stage").count(), 0);
-});
-
-test("every kind of host is told the same headers", async () => {
-  const said = async (name, pattern) => [...String(await readFile(path.join(DIST, name))).matchAll(pattern)].map(([, name, value]) => [name, value]);
-  const plain = await said("_headers", /^ {2}([\w-]+): (.*)$/gm);
-  assert.equal(plain.length, 6);
-  assert.deepEqual(await said(".htaccess", /^ {2}Header always set ([\w-]+) "(.*)"$/gm), plain);
-  assert.deepEqual(await said("nginx.conf", /^add_header ([\w-]+) "(.*)" always;$/gm), plain);
-  const { headers } = JSON.parse(String(await readFile(path.join(DIST, "vercel.json"))));
-  assert.deepEqual(headers[0].headers.map(({ key, value }) => [key, value]), plain);
 });
 
 test("the list has every file of the page with its SHA-256, and the page's text has the list's", async () => {

@@ -44,18 +44,16 @@ for (const [kind, rows] of Object.entries({ painted: PAINTED, printed: PRINTED }
       const { files, said } = await filesByCommandLine(SAMPLE, `face.${format}`, [...AS_THE_PAGE, ...EDITED, ...options]);
       const pages = files.size > 1 ? storedFiles(mine) : new Map([[`face.${format}`, mine]]);
       assert.deepEqual([...pages.keys()].sort(), [...files.keys()].sort(), `${options}: ${said}`);
-      for (const [name, bytes] of files) assert.equal(differsAt(pages.get(name), bytes), undefined, `${name} with ${options}`);
+      for (const [name, bytes] of files) {
+        const page = pages.get(name);
+        const at = bytes.findIndex((byte, place) => byte !== page[place]);
+        assert.deepEqual({ at, length: page.length }, { at: -1, length: bytes.length }, `${name} with ${options}`);
+      }
     }
   });
 }
 
-/**
- * Chooses something about files on the page.
- *
- * @param {import("./visitor.mjs").Visitor} visitor
- * @param {string} what
- * @param {string | boolean} value
- */
+/** Chooses something about files on the page. @param {import("./visitor.mjs").Visitor} visitor */
 async function choosing({ page }, what, value) {
   const radios = { paint: "base-colour", solid: "solid" };
   const lists = { size: "#texture-size", density: "#export-density" };
@@ -68,17 +66,4 @@ async function choosing({ page }, what, value) {
   else if (what in checks) await page.setChecked(checks[what], value === true);
   else await page.fill("#solid-mm", String(value));
   await page.waitForSelector("body:not([data-texture])");
-}
-
-/**
- * Where two files differ first, and how long they are; nothing of files that are the same.
- *
- * @param {Buffer | undefined} one
- * @param {Buffer} other
- */
-function differsAt(one, other) {
-  if (!one) return "is not there";
-  if (one.equals(other)) return undefined;
-  const at = one.findIndex((byte, place) => byte !== other[place]);
-  return `at ${at} of ${one.length} and ${other.length}: ${one.subarray(at, at + 40).toString("latin1")}`;
 }

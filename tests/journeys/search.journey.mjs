@@ -27,12 +27,10 @@ const FOUND = {
 };
 
 for (const [[language, wishes], tag] of alike(Object.entries(FOUND))) {
-  test(`a search takes the best match, whatever the case and the accents: ${language}`, { tag }, async ({ open }) => {
-    const visitor = await open({ locale: language === "pt" ? "pt-BR" : "en-GB" });
-    const { page } = visitor;
-    await visitor.openFace();
+  test(`a search takes the best match, whatever the case and the accents: ${language}`, { tag }, async ({ editor, page }) => {
+    await editor.speak(language);
     for (const [typed, meant] of wishes) {
-      await visitor.findLandmark(typed);
+      await editor.findLandmark(typed);
       assert.match(await page.inputValue("#landmark-search"), meant, typed);
       assert.equal(await page.getAttribute("#landmark-search", "aria-invalid"), null, typed);
       assert.ok(await page.isVisible("#landmark-tag"), `${typed} is not in hand`);

@@ -37,9 +37,9 @@ export async function serve(folder, below) {
     const { pathname } = new URL(request.url, "http://localhost");
     for (const [name, value] of headers) response.setHeader(name, value);
     if (disturbance?.(pathname.slice(below.length), response)) return;
-    const file = pathname.startsWith(below) && fileFor(served, decodeURIComponent(pathname.slice(below.length)));
-    const found = file ? await stat(file).catch(() => undefined) : undefined;
-    if (!found?.isFile()) return response.writeHead(404).end();
+    const file = path.join(served, decodeURIComponent(pathname.slice(below.length)) || "index.html");
+    const found = await stat(file).catch(() => undefined);
+    if (!pathname.startsWith(below) || !found?.isFile()) return response.writeHead(404).end();
     const type = TYPES[path.extname(file)] ?? "application/octet-stream";
     response.writeHead(200, { "content-type": type, "content-length": found.size });
     createReadStream(file).pipe(response);
@@ -67,9 +67,4 @@ export async function serve(folder, below) {
 async function headersIn(folder) {
   const text = await readFile(path.join(folder, "_headers"), "utf8").catch(() => "/*\n  Cache-Control: no-cache\n");
   return [...text.matchAll(/^ {2}([\w-]+): (.*)$/gm)].map(([, name, value]) => [name, value]);
-}
-
-function fileFor(folder, name) {
-  const file = path.join(folder, name === "" ? "index.html" : name);
-  return file.startsWith(folder + path.sep) ? file : undefined;
 }

@@ -11,9 +11,6 @@ const CLIP_MS = 30_000;
 /** As in side-by-side.js: a share of the picture's height. */
 const GAP = 0.008;
 
-/** What is looked at of a clip's frames. */
-const FRAME_PX = 180;
-
 test("before and after are the halves of one picture, and the view stays as it was", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
   await visitor.openFace("ana");
   const found = PNG.sync.read(await visitor.download("download-picture"));
@@ -86,7 +83,7 @@ test("the face swings once in a clip of four seconds without any tool, and is th
 
   // A page of its own: the policy of this one plays no films.
   const player = await page.context().browser().newPage();
-  const { duration_s, width, height, frames } = await player.evaluate(watch, { bytes, side: FRAME_PX });
+  const { duration_s, width, height, frames } = await player.evaluate(watch, bytes);
   await player.close();
   assert.ok(duration_s > 3.7 && duration_s < 5.5, `${duration_s} s`);
   assert.deepEqual([width, height], [720, 720]);
@@ -202,8 +199,9 @@ function accents({ data }) {
   return count;
 }
 
-/** Runs in a page: looks at some frames of a clip. @param {{ bytes: Uint8Array, side: number }} clip */
-async function watch({ bytes, side }) {
+/** Runs in a page: looks at some frames of a clip. @param {Uint8Array} bytes */
+async function watch(bytes) {
+  const side = 180;
   const video = document.createElement("video");
   const told = (/** @type {string} */ event) => new Promise((resolve) => video.addEventListener(event, resolve, { once: true }));
   const loaded = told("loadeddata");

@@ -29,20 +29,16 @@ for (const { file, what, answer, errors } of TROUBLES) {
 }
 
 test("a page whose modules do not come says so, and takes it back when they do", async ({ open }) => {
-  /** @type {(page: import("@playwright/test").Page) => void} */
-  let show = () => {};
-  const shown = new Promise((/** @type {(page: import("@playwright/test").Page) => void} */ resolve) => (show = resolve));
   const { before, deliver } = withHeld("**/words/en.json");
-  const arrived = open({
-    hasClock: true,
-    before: async (context) => {
+  /** @type {Promise<void>} */
+  let arrived;
+  const page = await new Promise((show) => {
+    const showing = async (context) => {
       await before(context);
       context.once("page", show);
-    },
+    };
+    arrived = open({ hasClock: true, before: showing });
   });
-  // Whoever waits for it below hears of a failure.
-  arrived.catch(() => {});
-  const page = await shown;
   await page.waitForSelector("#not-started", { state: "attached" });
   assert.ok(await page.isHidden("#not-started"));
   await page.clock.fastForward(20_000);
@@ -85,15 +81,15 @@ for (const [status, tag] of alike([404, "lost"])) {
   });
 }
 
-/** Runs in the page before its own scripts. */
+/** Runs in the page before its own scripts, as the next. */
 function blockStorage() {
-  const denied = () => {
-    throw new DOMException("denied", "SecurityError");
-  };
-  Object.defineProperty(window, "localStorage", { get: denied });
+  Object.defineProperty(window, "localStorage", {
+    get: () => {
+      throw new DOMException("denied", "SecurityError");
+    },
+  });
 }
 
-/** Runs in the page before its own scripts. */
 function fillStorage() {
   Storage.prototype.setItem = () => {
     throw new DOMException("full", "QuotaExceededError");

@@ -57,7 +57,8 @@ export async function wrongWith({ page }, { id }) {
   return [...(isStray ? [`a notice: ${await notice.getAttribute("data-code")}`] : []), ...(await findings(page))];
 }
 
-/** @param {Visitor} visitor */
+// Ways into and out of the states.
+
 async function startWork(visitor) {
   const { page } = visitor;
   await page.evaluate("answersWait = true");
@@ -67,7 +68,6 @@ async function startWork(visitor) {
   await page.waitForSelector("[data-step='landmarks'][aria-current]");
 }
 
-/** @param {Visitor} visitor */
 async function finishWork(visitor) {
   await visitor.page.evaluate("letAnswersCome()");
   await visitor.untilFace();
@@ -91,13 +91,11 @@ function holdAnswers() {
   };
 }
 
-/** @param {Visitor} visitor */
 async function haveFace(visitor) {
   const state = await visitor.page.getAttribute("body", "data-state");
   if (state !== "face") await visitor.dropSample();
 }
 
-/** @param {Visitor} visitor */
 async function selectNose(visitor) {
   await openTab(visitor, "shape");
   // Its number is its name in every language.
@@ -105,7 +103,6 @@ async function selectNose(visitor) {
   await blur(visitor);
 }
 
-/** @param {Visitor} visitor */
 async function holdNose(visitor) {
   await selectNose(visitor);
   const nose = await visitor.tagged();
@@ -116,32 +113,27 @@ async function holdNose(visitor) {
   await visitor.frames(3);
 }
 
-/** @param {Visitor} visitor */
 async function letNoseGo(visitor) {
   const hand = await Hand.of(visitor);
   await hand.release();
   await visitor.frames(3);
 }
 
-/** @param {Visitor} visitor */
 async function selectRegion(visitor) {
   await openTab(visitor, "shape");
   await visitor.chooseRegion("nose");
   await blur(visitor);
 }
 
-/** @param {Visitor} visitor */
 async function compare(visitor) {
   await visitor.page.click("#compare");
   await visitor.frames(3);
 }
 
-/** @param {Visitor} visitor */
 async function stopComparing({ page }) {
   if ((await page.getAttribute("#compare", "aria-pressed")) === "true") await page.click("#compare");
 }
 
-/** @param {Visitor} visitor @param {"shape" | "view" | "export"} name */
 async function openTab(visitor, name) {
   const tab = visitor.page.locator(`#tab-${name}`);
   if (await tab.isVisible()) await tab.click();
@@ -149,25 +141,21 @@ async function openTab(visitor, name) {
   await blur(visitor);
 }
 
-/** @param {Visitor} visitor */
 async function download(visitor) {
   await visitor.download("download-glb");
   await visitor.page.waitForSelector("#toast");
 }
 
-/** @param {Visitor} visitor */
 async function fail(visitor) {
   await visitor.drop(faceless(), "meadow.png");
   await visitor.notice();
 }
 
-/** @param {import("@playwright/test").Page} page @param {string} button @param {string} closed */
 async function close(page, button, closed) {
   await page.click(button);
   await page.waitForSelector(closed, { state: "hidden" });
 }
 
-/** @param {Visitor} visitor */
 async function comeBack(visitor) {
   await untilKept(visitor.page);
   await visitor.page.reload();
@@ -175,7 +163,6 @@ async function comeBack(visitor) {
   await visitor.untilLoaded();
 }
 
-/** @param {Visitor} visitor */
 async function blur({ page }) {
   await page.evaluate(() => document.activeElement?.blur());
 }

@@ -27,13 +27,12 @@ test("where the space runs out as the work is committed, the page says once that
   await visitor.offset("y", 4);
   const next = await visitor.work();
   assert.notDeepEqual(next, work);
-  await untilKept(visitor.page);
   await visitor.comeBack();
   assert.deepEqual(await visitor.work(), next);
 });
 
 for (const [[what, remove], tag] of alike(/** @type {const} */ ([
-  ["is deleted", deleteDatabase],
+  ["is deleted", (page) => page.evaluate(() => new Promise((resolve) => (indexedDB.deleteDatabase("rosto").onsuccess = () => resolve())))],
   ["loses the face", (page) => changeKept(page, ({ faces }) => faces.clear())],
   ["loses what was done", (page) => changeKept(page, ({ done }) => done.clear())],
 ]))) {
@@ -230,11 +229,6 @@ async function addDamaged({ faces, done }, damages) {
   }
 }
 
-/** @param {import("@playwright/test").Page} page */
-function deleteDatabase(page) {
-  return page.evaluate(() => new Promise((resolve) => (indexedDB.deleteDatabase("rosto").onsuccess = () => resolve())));
-}
-
 /** Runs in the page, as the next: another connection that does not close, and whoever waits for it to. */
 async function seizeDatabase() {
   const database = await new Promise((resolve) => (indexedDB.open("rosto").onsuccess = ({ target }) => resolve(target.result)));
@@ -256,7 +250,7 @@ async function seizeStores() {
   globalThis.release = () => (isReleased = true);
 }
 
-/** Refuses the first of the blobs that are so large. */
+/** Runs in the page, as the next: refuses the first of the blobs that are so large. */
 function loseBlob(isLost) {
   const { arrayBuffer } = Blob.prototype;
   let isDone = false;

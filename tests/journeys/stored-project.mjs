@@ -14,19 +14,17 @@ const TARGET = process.env.CARGO_TARGET_DIR ?? path.join(import.meta.dirname, ".
 export async function storedProject(launch) {
   const [, version] = /name="version" content="(\w+)"/.exec(await readFile(path.join(DIST, "index.html"), "utf8"));
   const file = path.join(TARGET, "projects", `${version}.rosto`);
-  if (!existsSync(file)) await save(await launch(), file);
-  return readFile(file);
-}
-
-/** Another worker may write the same file: it gets its name when it is whole. @param {import("@playwright/test").Browser} browser @param {string} file */
-async function save(browser, file) {
+  if (existsSync(file)) return readFile(file);
   const server = await serve(DIST, "/");
-  const visitor = await Visitor.arrive(browser, server.url);
+  const visitor = await Visitor.arrive(await launch(), server.url);
   await visitor.dropSample();
-  const unfinished = `${file}.${process.pid}`;
-  await mkdir(path.dirname(file), { recursive: true });
-  await writeFile(unfinished, await visitor.download("save-project"));
-  await rename(unfinished, file);
+  const project = await visitor.download("save-project");
   await visitor.leave();
   server.close();
+  // Another worker may write the same file: it gets its name when it is whole.
+  const unfinished = `${file}.${process.pid}`;
+  await mkdir(path.dirname(file), { recursive: true });
+  await writeFile(unfinished, project);
+  await rename(unfinished, file);
+  return project;
 }
