@@ -45,22 +45,15 @@ export class Visitor {
       locale: "en-GB",
       reducedMotion: "reduce",
       serviceWorkers: "block",
-      acceptDownloads: true,
       ...options,
     });
     if (hasClock) await context.clock.install();
     for (const script of scripts) await context.addInitScript(script);
     await before?.(context);
-    /** @type {string[]} */
-    const requests = [];
-    context.on("request", (request) => requests.push(request.url()));
     await context.addInitScript(reportViolations, VIOLATION);
-    const page = await context.newPage();
-    const visitor = new Visitor(page);
-    Object.assign(visitor, { address: url, requests });
-    // Every file dialog is answered with the sample. One that opens before Playwright listens for it would be lost.
-    page.on("filechooser", (chooser) => chooser.setFiles(SAMPLE));
-    await page.goto(url);
+    const visitor = new Visitor(await context.newPage());
+    visitor.address = url;
+    await visitor.page.goto(url);
     return visitor;
   }
 
@@ -68,6 +61,9 @@ export class Visitor {
   constructor(page) {
     this.page = page;
     page.setDefaultTimeout(60_000);
+    page.context().on("request", (request) => this.requests.push(request.url()));
+    // Every file dialog is answered with the sample. One that opens before Playwright listens for it would be lost.
+    page.on("filechooser", (chooser) => chooser.setFiles(SAMPLE));
     page.on("pageerror", (error) => this.broken.push(error));
     page.on("console", (message) => {
       // Only calls of the console have arguments.
@@ -122,8 +118,8 @@ export class Visitor {
     await this.page.dispatchEvent("#stage", "drop", { dataTransfer: transfer });
   }
 
-  async dropSample() {
-    await this.drop(await readFile(SAMPLE), "portrait.png");
+  async dropSample(name = "portrait.png") {
+    await this.drop(await readFile(SAMPLE), name);
     await this.untilFace();
   }
 
@@ -258,13 +254,10 @@ export class Visitor {
       const isStage = await page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.id === "viewport", [x, y]);
       if (!isStage) continue;
       await page.mouse.move(x, y);
-      const isLit = (await this.cursor()) === "move";
-      const name = await page.evaluate(() => document.getElementById("landmark-tag").textContent);
-      if (!isLit) continue;
+      if ((await this.cursor()) !== "move") continue;
+      const name = await page.textContent("#landmark-tag");
       lit += 1;
-      await page.mouse.down();
-      await page.mouse.move(x + 14, y + 14, { steps: 2 });
-      await page.mouse.up();
+      await this.drag({ x, y }, { x: 14, y: 14 });
       const [entry] = await this.history();
       if (entry !== name) turned.push({ x, y, name, entry });
       if (entry !== undefined) await page.keyboard.press("Control+z");
@@ -284,15 +277,20 @@ export class Visitor {
   }
 
   /**
-   * Presses the pointer at a place of the window, moves it by so much, and lets go.
+   * Presses the pointer at a place of the window and moves it by so much.
    *
    * @param {{ x: number, y: number }} from
    * @param {{ x: number, y: number }} by
    */
-  async drag(from, by) {
+  async grab(from, by) {
     await this.page.mouse.move(from.x, from.y);
     await this.page.mouse.down();
     await this.page.mouse.move(from.x + by.x, from.y + by.y, { steps: 6 });
+  }
+
+  /** The same, and lets go. @param {{ x: number, y: number }} from @param {{ x: number, y: number }} by */
+  async drag(from, by) {
+    await this.grab(from, by);
     await this.page.mouse.up();
     await this.frames(3);
   }
@@ -306,10 +304,7 @@ export class Visitor {
   /** Types an offset into the number field of an axis. @param {"x" | "y" | "z"} axis @param {number} offset_mm */
   async offset(axis, offset_mm) {
     await this.unfold("section-landmark");
-    const field = this.page.locator(`#landmark-sliders [data-axis="${axis}"] input[type=number]`);
-    await field.fill(String(offset_mm));
-    await field.press("Tab");
-    await this.frames(3);
+    await this.#enter(`#landmark-sliders [data-axis="${axis}"]`, offset_mm);
   }
 
   /** Moves a landmark along an axis. @param {string} landmark @param {"x" | "y" | "z"} axis @param {number} offset_mm */
@@ -318,15 +313,15 @@ export class Visitor {
     await this.offset(axis, offset_mm);
   }
 
-  /**
-   * Types a value into the number field of a ready-made slider.
-   *
-   * @param {string} slider its id, such as "nose-width"
-   * @param {number} amount_mm
-   */
+  /** Types into the number field of a ready-made slider. @param {string} slider its id, such as "nose-width" @param {number} amount_mm */
   async slide(slider, amount_mm) {
     await this.unfold("section-face");
-    const field = this.page.locator(`[data-slider="${slider}"] input[type=number]`);
+    await this.#enter(`[data-slider="${slider}"]`, amount_mm);
+  }
+
+  /** @param {string} slider @param {number} amount_mm */
+  async #enter(slider, amount_mm) {
+    const field = this.page.locator(`${slider} input[type=number]`);
     await field.fill(String(amount_mm));
     await field.press("Tab");
     await this.frames(3);
@@ -418,7 +413,6 @@ export class Visitor {
 
 /** Runs in the page. @param {string} violation */
 function reportViolations(violation) {
-  addEventListener("securitypolicyviolation", ({ violatedDirective, blockedURI, sample }) => {
-    console.error(`${violation} ${violatedDirective} ${blockedURI} ${sample}`);
-  });
+  addEventListener("securitypolicyviolation", ({ violatedDirective, blockedURI, sample }) =>
+    console.error(`${violation} ${violatedDirective} ${blockedURI} ${sample}`));
 }
