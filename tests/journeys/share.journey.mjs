@@ -24,6 +24,7 @@ test("before and after are the halves of one picture, and the view stays as it w
   const width = (pair.width - Math.round(GAP * pair.height)) / 2;
   const [left, right] = [cut(pair, 0, width), cut(pair, pair.width - width, width)];
   for (const [half, alone] of [[left, found], [right, edited]]) {
+    // Only the lowest part has a caption.
     const middle = cut(alone, (alone.width - width) / 2, width);
     assert.ok(differingBox(half, middle).top >= Math.floor(0.92 * pair.height), "a half is not the picture that is saved alone");
     assert.ok(difference(half, middle) > 0.0004, "there is no caption");
