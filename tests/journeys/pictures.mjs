@@ -90,7 +90,7 @@ async function redraw(page, png, how) {
       const blob = await canvas.convertToBlob({ type, quality: 0.9 });
       return new Uint8Array(await blob.arrayBuffer());
     },
-    { png, ...how },
+    { png: new Uint8Array(png), ...how },
   );
   return Buffer.from(bytes);
 }
