@@ -62,8 +62,8 @@ export class Visitor {
     this.page = page;
     page.setDefaultTimeout(60_000);
     page.context().on("request", (request) => this.requests.push(request.url()));
-    // Every file dialog is answered with the sample. One that opens before Playwright listens for it would be lost.
-    page.on("filechooser", (chooser) => chooser.setFiles(SAMPLE));
+    // Every file dialog is answered with the sample, unless its page is left. One that opens before Playwright listens would be lost.
+    page.on("filechooser", (chooser) => chooser.setFiles(SAMPLE).catch(() => {}));
     page.on("pageerror", (error) => this.broken.push(error));
     page.on("console", (message) => {
       // Only calls of the console have arguments.
@@ -105,17 +105,7 @@ export class Visitor {
   /** Drops a file anywhere on the page. @param {Uint8Array} bytes @param {string} name */
   async drop(bytes, name) {
     await this.untilItAnswers();
-    const transfer = await this.page.evaluateHandle(
-      ({ base64, name }) => {
-        const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-        const transfer = new DataTransfer();
-        transfer.items.add(new File([bytes], name));
-        return transfer;
-      },
-      { base64: Buffer.from(bytes).toString("base64"), name },
-    );
-    await this.page.dispatchEvent("#stage", "dragover", { dataTransfer: transfer });
-    await this.page.dispatchEvent("#stage", "drop", { dataTransfer: transfer });
+    await this.page.locator("body").drop({ files: { name, mimeType: "", buffer: Buffer.from(bytes) } });
   }
 
   async dropSample(name = "portrait.png") {
@@ -151,12 +141,8 @@ export class Visitor {
 
   /** Has the page in another language, as by its list of them, which may be out of sight. @param {string} language */
   async speak(language) {
-    await this.page.evaluate((language) => {
-      const choice = document.getElementById("language");
-      choice.value = language;
-      choice.dispatchEvent(new Event("change"));
-    }, language);
-    await this.page.waitForFunction((language) => document.documentElement.lang.startsWith(language), language);
+    await this.page.selectOption("#language", language, { force: true });
+    await this.page.waitForSelector(`html[lang^="${language}"]`, { state: "attached" });
     await this.frames(2);
   }
 
@@ -207,12 +193,9 @@ export class Visitor {
   /** Where in the window the landmark is whose name is shown beside it. */
   async tagged() {
     await this.frames(3);
-    return this.page.evaluate(() => {
-      const tag = document.getElementById("landmark-tag");
-      const stage = document.getElementById("stage").getBoundingClientRect();
-      const [x = 0, y = 0] = (tag.dataset.place ?? "").split(" ").map(Number.parseFloat);
-      return { x: stage.left + x, y: stage.top + y };
-    });
+    const stage = await this.page.locator("#stage").boundingBox();
+    const [x = 0, y = 0] = ((await this.page.getAttribute("#landmark-tag", "data-place")) ?? "").split(" ").map(Number.parseFloat);
+    return { x: stage.x + x, y: stage.y + y };
   }
 
   /** Where in the window what is selected is. The pointer goes off the view for that: what it rests on would be named in its stead. */

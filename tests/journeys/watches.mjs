@@ -1,12 +1,16 @@
 // Scripts that run in the page or its worker and record what it cannot show, or break something.
 
-/** Records the type of each message from a worker in `workersSaid`. */
+/** Records the type of each message from a worker in `workersSaid`; in `workersProgress`, how much is done and what the bar shows then. */
 export function watchWorkers() {
-  window.workersSaid = [];
+  Object.assign(window, { workersSaid: [], workersProgress: [] });
   const listen = Worker.prototype.addEventListener;
   Worker.prototype.addEventListener = function (type, listener, ...rest) {
     listen.call(this, type, listener, ...rest);
-    if (type === "message") listen.call(this, type, ({ data }) => window.workersSaid.push(data.type));
+    if (type !== "message") return;
+    listen.call(this, type, ({ data: { type, fraction } }) => {
+      window.workersSaid.push(type);
+      if (type === "progress") window.workersProgress.push({ fraction, bar: document.getElementById("progress-bar").value });
+    });
   };
 }
 
@@ -31,10 +35,9 @@ export async function crashGpu(page) {
   await browser.send("Browser.crashGpuProcess");
 }
 
-/** Has the next call of a method of the page's module trap, as a panic does. @param {{ module?: string, type?: string, method: string }} call */
-export async function panicIn({ module = "rosto-studio-web.js", type = "Studio", method }) {
-  const address = new URL(`wasm/${module}`, document.baseURI).href;
-  const prototype = (await import(address))[type].prototype;
+/** Has the next call of a method of the page's studio trap, as a panic does. @param {{ module?: string, method: string }} call */
+export async function panicIn({ module = "rosto-studio-web.js", method }) {
+  const { prototype } = (await import(new URL(`wasm/${module}`, document.baseURI).href)).Studio;
   const call = prototype[method];
   // (module (func (export "panic") unreachable))
   const code = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 7, 9, 1, 5, 112, 97, 110, 105, 99, 0, 0, 10, 5, 1, 3, 0, 0, 11];

@@ -5,18 +5,15 @@ import { test } from "./fixtures.mjs";
 import { withHeld } from "./held.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
-const [en, pt] = await Promise.all(["en", "pt"].map(wordsOf));
+const words = ["en", "pt"].map((language) => readFile(path.join(ROOT, `web/words/${language}.json`), "utf8"));
+const [en, pt] = (await Promise.all(words)).map((text) => JSON.parse(text));
 
-/** Where codes of errors are written, and what stands around them. */
+/** Where codes of errors are written, and what stands around them; not the properties of an error, which are named there, too. */
 const SOURCES = [
-  { folder: "crates/studio-web/src", files: /error\.rs$/, codes: /"([a-z]+(?:-[a-z]+)*)"/g },
-  { folder: "crates/vision-web/src", files: /error\.rs$/, codes: /"([a-z]+(?:-[a-z]+)*)"/g },
+  { folder: "crates", files: /^(studio|vision)-web\/src\/.*error\.rs$/, codes: /"(?!code"|hint")([a-z]+(?:-[a-z]+)*)"/g },
   { folder: "crates/studio-web/src", files: /\.rs$/, codes: /FacadeError::new\(\s*"([a-z-]+)"/g },
   { folder: "web/js", files: /\.js$/, codes: /(?:code: |giveUp\(|asPageError\(error, )"([a-z-]+)"/g },
 ];
-
-/** The properties of an error, named where its codes are. */
-const PROPERTIES = ["code", "hint"];
 
 test("whatever can go wrong has words of the page's own, in every language", async () => {
   const codes = await allCodes();
@@ -103,11 +100,5 @@ async function allCodes() {
       for (const [, code] of source.matchAll(codes)) found.add(code);
     }
   }
-  for (const property of PROPERTIES) found.delete(property);
   return found;
-}
-
-/** @param {string} language */
-async function wordsOf(language) {
-  return JSON.parse(await readFile(path.join(ROOT, `web/words/${language}.json`), "utf8"));
 }

@@ -1,23 +1,18 @@
 import assert from "node:assert/strict";
+import { expect } from "@playwright/test";
 import { test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
 
-test("the work survives a reload and is offered again", async ({ visitor }) => {
-  await visitor.dropSample();
-  await visitor.move("nose tip", "z", 9);
-  const work = await visitor.meshJson("mm");
-  await visitor.comeBack();
-  assert.deepEqual(await visitor.meshJson("mm"), work);
-  await visitor.page.click("#toolbar [data-action='undo']");
-  assert.notDeepEqual(await visitor.meshJson("mm"), work);
-});
-
-test("a project file brings the face and its edits to another browser", async ({ open }) => {
+test("the work survives a reload, is offered again, and goes to another browser in a project file", async ({ open }) => {
   const first = await open();
-  await first.openFace();
-  await first.move("nose tip", "y", -5);
+  await first.dropSample();
+  await first.move("nose tip", "z", 9);
   const work = await first.meshJson("mm");
   const file = await first.download("save-project");
+  await first.comeBack();
+  assert.deepEqual(await first.meshJson("mm"), work);
+  await first.page.click("#toolbar [data-action='undo']");
+  assert.notDeepEqual(await first.meshJson("mm"), work);
 
   const second = await open();
   await second.drop(file, "face.rosto");
@@ -36,22 +31,20 @@ test("history lists the edits, and each can be switched off and on", async ({ ed
   const nose = await editor.meshJson("mm");
   await editor.move("bottom of the chin", "y", -6);
   const both = await editor.meshJson("mm");
-  assert.equal(await page.locator("#history li").count(), 2);
+  const items = page.locator("#history li");
+  await expect(items).toHaveCount(2);
 
-  const newest = page.locator("#history li input").first();
-  await editor.reach("#history");
-  await newest.uncheck();
-  assert.deepEqual(await editor.meshJson("mm"), nose);
-  await editor.reach("#history");
-  await page.locator("#history li input").first().check();
-  assert.deepEqual(await editor.meshJson("mm"), both);
+  for (const [isOn, mesh] of [[false, nose], [true, both]]) {
+    await editor.reach("#history");
+    await items.first().locator("input").setChecked(isOn);
+    assert.deepEqual(await editor.meshJson("mm"), mesh);
+  }
   await editor.reach("#history");
   await page.click("#section-history [data-action='reset']");
-  assert.deepEqual(await editor.meshJson("mm"), start);
-  assert.deepEqual(await editor.history(), []);
+  assert.deepEqual(await editor.work(), { mesh: start, history: [] });
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await editor.meshJson("mm"), both);
-  assert.equal(await page.locator("#history li").count(), 2);
+  await expect(items).toHaveCount(2);
 });
 
 test("a key held down shows the face as it was found", { tag: "@eyes" }, async ({ editor, page }) => {

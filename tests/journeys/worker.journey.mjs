@@ -20,33 +20,25 @@ test("the page draws and answers before the worker's module has arrived", { tag:
   await visitor.page.selectOption("#language", "pt");
   assert.equal(await visitor.page.innerText("#welcome-title"), "Solte aqui a foto de um rosto");
   await visitor.page.selectOption("#language", "en");
-  await visitor.drop(await readFile(SAMPLE), "portrait.png");
-  await visitor.page.waitForSelector("#progress-title:has-text('Loading the face networks')");
+  await untilNetworksLoad(visitor);
   deliver();
   await visitor.untilFace();
 });
 
-test("a worker that dies is started again, and the work on screen stays", async ({ visitor }) => {
+test("a worker that dies, by itself or of a photo, is started again, and leaves the work on screen", async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.move("nose tip", "z", 7);
   const work = await visitor.meshJson("mm");
 
-  const [dying] = visitor.page.workers();
-  const next = visitor.page.waitForEvent("worker");
-  await dying.evaluate(() => self.close()).catch(() => {});
-  await next;
+  const next = page.waitForEvent("worker");
+  await page.workers()[0].evaluate(() => self.close()).catch(() => {});
+  const worker = await next;
   assert.deepEqual(await visitor.meshJson("mm"), work);
   await visitor.dropSample();
-  await visitor.page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
-});
+  await expect(page.locator("#history li")).toHaveCount(0);
 
-test("a photo that takes the worker down leaves the work and a message", async ({ visitor }) => {
-  await visitor.dropSample();
   await visitor.move("nose tip", "z", 7);
-  const work = await visitor.meshJson("mm");
-
-  const [dying] = visitor.page.workers();
-  await dying.evaluate(dieBefore, "found");
+  await worker.evaluate(dieBefore, "found");
   await visitor.drop(faceless(), "trap.png");
   assert.equal((await visitor.notice()).code, "worker-died");
   assert.deepEqual(await visitor.meshJson("mm"), work);
@@ -54,21 +46,11 @@ test("a photo that takes the worker down leaves the work and a message", async (
 });
 
 test("a worker that never comes is given up after a minute, and the next photo starts another", { tag: "@rare" }, async ({ open }) => {
-  let silences = true;
-  let asked = 0;
-  const visitor = await open({
-    hasClock: true,
-    before: (context) =>
-      context.route(WORKER_MODULE, (route) => {
-        asked += 1;
-        return silences ? undefined : route.continue();
-      }),
-  });
-  const { page } = visitor;
+  const visitor = await open({ hasClock: true, before: (context) => context.route(WORKER_MODULE, () => {}) });
+  const { page, requests } = visitor;
   await page.waitForSelector("body[data-bench='open']");
-  await visitor.drop(await readFile(SAMPLE), "portrait.png");
-  await page.waitForSelector("#progress-title:has-text('Loading the face networks')");
-  await expect.poll(() => asked).toBeGreaterThan(0);
+  await untilNetworksLoad(visitor);
+  await expect.poll(() => requests.join()).toContain(path.basename(WORKER_MODULE));
   await visitor.frames(5);
   await page.clock.fastForward(50_000);
   assert.ok(await page.isVisible("#progress"), "it was given up too soon");
@@ -78,13 +60,13 @@ test("a worker that never comes is given up after a minute, and the next photo s
   assert.match(text, /try again/);
   assert.ok(await page.isHidden("#progress"));
 
-  silences = false;
+  await page.context().unroute(WORKER_MODULE);
   await visitor.dropSample();
   assert.ok(await page.isHidden("#notice"));
 });
 
 test("a worker on a slow connection is waited for", async ({ open, server }) => {
-  const module = "wasm/rosto-vision-web_bg.wasm";
+  const module = `wasm/${path.basename(WORKER_MODULE)}`;
   const bytes = await readFile(path.join(DIST, module));
   const piece_bytes = Math.ceil(bytes.length / 100);
   /** @type {import("node:http").ServerResponse | undefined} */
@@ -97,8 +79,7 @@ test("a worker on a slow connection is waited for", async ({ open, server }) => 
   const visitor = await open({ hasClock: true, scripts: [watchWorkers] });
   const { page } = visitor;
   await page.waitForSelector("body[data-bench='open']");
-  await visitor.drop(await readFile(SAMPLE), "portrait.png");
-  await page.waitForSelector("#progress-title:has-text('Loading the face networks')");
+  await untilNetworksLoad(visitor);
   const reports = () => page.evaluate(() => window.workersSaid.filter((type) => type === "loading").length);
   let at = 0;
   for (let wait = 0; wait < 5; wait += 1) {
@@ -117,11 +98,11 @@ test("a worker on a slow connection is waited for", async ({ open, server }) => 
 });
 
 test("the bar shows how much of the whole is done, and never goes back", async ({ open }) => {
-  const visitor = await open({ scripts: [watchProgress] });
+  const visitor = await open({ scripts: [watchWorkers] });
   for (let photo = 0; photo < 2; photo += 1) {
-    await visitor.page.evaluate(() => window.told.splice(0));
+    await visitor.page.evaluate("workersProgress.length = 0");
     await visitor.dropSample();
-    const told = await visitor.page.evaluate(() => window.told);
+    const told = await visitor.page.evaluate("workersProgress");
     assert.ok(told.length >= 3);
     for (const { fraction, bar } of told) assert.equal(bar, fraction);
     const bars = told.map(({ bar }) => bar);
@@ -129,15 +110,8 @@ test("the bar shows how much of the whole is done, and never goes back", async (
   }
 });
 
-/** Runs in the page before its own scripts. */
-function watchProgress() {
-  window.told = [];
-  const listen = Worker.prototype.addEventListener;
-  Worker.prototype.addEventListener = function (type, listener, ...rest) {
-    listen.call(this, type, listener, ...rest);
-    if (type !== "message") return;
-    listen.call(this, type, ({ data: { type, fraction } }) => {
-      if (type === "progress") window.told.push({ fraction, bar: document.getElementById("progress-bar").value });
-    });
-  };
+/** Drops the sample and waits for what the worker still needs. @param {import("./visitor.mjs").Visitor} visitor */
+async function untilNetworksLoad(visitor) {
+  await visitor.drop(await readFile(SAMPLE), "portrait.png");
+  await visitor.page.waitForSelector("#progress-title:has-text('Loading the face networks')");
 }
