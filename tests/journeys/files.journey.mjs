@@ -89,23 +89,13 @@ test("a file of gigabytes is too large, not unreadable; the limit is where the w
   await visitor.dropSample();
 });
 
-/**
- * Drops or pastes files or data, as other programs bring them.
- *
- * @param {import("@playwright/test").Page} page
- * @param {"drop" | "paste"} way
- * @param {{ bytes: Uint8Array, name: string, type: string }[]} files
- * @param {Record<string, string>} [data] by MIME type
- */
+/** Drops or pastes files, or data by MIME type, as other programs bring them. */
 async function bring(page, way, files, data = {}) {
-  const parts = files.map(({ bytes, name, type }) => ({ base64: Buffer.from(bytes).toString("base64"), name, type }));
+  const parts = files.map(({ bytes, ...named }) => ({ bytes: new Uint8Array(bytes), ...named }));
   await page.evaluate(
     ({ way, parts, data }) => {
       const transfer = new DataTransfer();
-      for (const { base64, name, type } of parts) {
-        const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-        transfer.items.add(new File([bytes], name, { type }));
-      }
+      for (const { bytes, name, type } of parts) transfer.items.add(new File([bytes], name, { type }));
       for (const [type, text] of Object.entries(data)) transfer.setData(type, text);
       const options = { bubbles: true, cancelable: true };
       const stage = document.getElementById("stage");
@@ -117,7 +107,7 @@ async function bring(page, way, files, data = {}) {
   );
 }
 
-/** Drops what lies on the disk, as a file manager does. @param {import("@playwright/test").Page} page @param {string[]} files */
+/** Drops what lies on the disk, as a file manager does. */
 async function dropFromDesktop(page, files) {
   const browser = await page.context().newCDPSession(page);
   const data = { items: [], files, dragOperationsMask: 1 };

@@ -2,17 +2,13 @@ import assert from "node:assert/strict";
 import { partsOfGlb, viewOf, withView } from "./changed-files.mjs";
 import { glbByCommandLine } from "./command-line.mjs";
 import { test } from "./fixtures.mjs";
-import { furthest } from "./meshes.mjs";
-import { meanColour } from "./pixels.mjs";
+import { DENSEST, furthest } from "./meshes.mjs";
+import { meanStep } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-const DENSEST = 28_881;
-
-test("a GLB of the command line's finest mesh opens, with an edit that waits, and is gone on with", { tag: "@rare" }, async ({ open }) => {
+test("a GLB of the command line's finest mesh opens, with an edit that waits, and is gone on with", { tag: "@rare" }, async ({ visitor, page }) => {
   const options = "--units mm --topology canonical --density 4 --edit 20000@4:0,0,2 --edit 1:0,0,6".split(" ");
   const glb = await glbByCommandLine(SAMPLE, options);
-  const visitor = await open();
-  const { page } = visitor;
   await visitor.drop(glb, "dense.glb");
   await visitor.untilFace();
   await page.waitForSelector("#history .waits", { state: "attached" });
@@ -39,72 +35,57 @@ test("a GLB of the command line's finest mesh opens, with an edit that waits, an
   assert.equal(await page.locator("#history .waits").count(), 1);
 });
 
-test("a GLB whose texture another program has halved opens with the photo in its place", { tag: ["@eyes", "@rare"] }, async ({ open }) => {
-  const { visitor, page, work } = await withAnEdit(open);
-  const parts = partsOfGlb(await visitor.download("download-glb"));
-  const at = parts.json.images[0].bufferView;
-  const halved = withView(parts, at, await halfAsLarge(page, viewOf(parts, at)));
-  await letGo(visitor);
-  const view = await visitor.view();
+test("a GLB whose shape another program has changed opens as it was saved, with a notice; one with a halved texture, too", { tag: "@eyes" }, async ({ editor, page }) => {
+  await editor.move("nose tip", "z", 6);
+  const { positions } = await editor.meshJson("mm");
+  const glb = await editor.download("download-glb");
+  await letGo(editor);
+  const view = await editor.view();
+  const parts = partsOfGlb(glb);
+  const shape = parts.json.accessors[parts.json.meshes[0].primitives[0].attributes.POSITION].bufferView;
+  const wider = Buffer.from(viewOf(parts, shape));
+  for (let place = 0; place < wider.length; place += 12) wider.writeFloatLE(1.3 * wider.readFloatLE(place), place);
 
+  await editor.drop(withView(parts, shape, wider), "wider.glb");
+  await page.waitForSelector("#notice[data-code='changed-elsewhere']");
+  assert.match((await editor.notice()).text, /changed by another program\s+It opens as it was saved here/);
+  assert.deepEqual((await editor.meshJson("mm")).positions, positions);
+  await editor.drop(glb, "as-saved.glb");
+  await page.waitForSelector("#notice", { state: "hidden" });
+  await editor.untilFace();
+  assert.ok(await page.isHidden("#notice"));
+
+  const picture = parts.json.images[0].bufferView;
+  const halved = withView(parts, picture, await halfAsLarge(page, viewOf(parts, picture)));
   await page.reload();
-  await visitor.drop(halved, "halved.glb");
-  await visitor.untilFace();
-  assert.deepEqual((await visitor.meshJson("mm")).positions, work.positions);
-  await letGo(visitor);
-  const opened = await visitor.view();
+  await editor.drop(halved, "halved.glb");
+  await editor.untilFace();
+  assert.deepEqual((await editor.meshJson("mm")).positions, positions);
+  await letGo(editor);
+  const opened = await editor.view();
   for (const left of [0.38, 0.44, 0.5, 0.56]) {
     for (const top of [0.25, 0.45, 0.65]) {
-      const patch = { left, top, right: left + 0.06, bottom: top + 0.08 };
-      const [wanted, seen] = [meanColour(view, patch), meanColour(opened, patch)];
-      const off = Math.max(...wanted.map((level, channel) => Math.abs(level - seen[channel])));
+      const off = meanStep(view, opened, { left, top, right: left + 0.06, bottom: top + 0.08 });
       assert.ok(off < 8, `colours are ${off} levels off at ${left}, ${top}`);
     }
   }
 });
 
-test("a GLB whose shape another program has changed opens as it was saved, and the page says so", async ({ open }) => {
-  const { visitor, page, work } = await withAnEdit(open);
-  const glb = await visitor.download("download-glb");
-  const parts = partsOfGlb(glb);
-  const at = parts.json.accessors[parts.json.meshes[0].primitives[0].attributes.POSITION].bufferView;
-  const positions = Buffer.from(viewOf(parts, at));
-  for (let place = 0; place < positions.length; place += 12) positions.writeFloatLE(1.3 * positions.readFloatLE(place), place);
-
-  await visitor.drop(withView(parts, at, positions), "wider.glb");
-  await page.waitForSelector("#notice[data-code='changed-elsewhere']");
-  assert.match((await visitor.notice()).text, /changed by another program\s+It opens as it was saved here/);
-  assert.deepEqual((await visitor.meshJson("mm")).positions, work.positions);
-  await visitor.drop(glb, "as-saved.glb");
-  await page.waitForSelector("#notice", { state: "hidden" });
-  await visitor.untilFace();
-  assert.ok(await page.isHidden("#notice"));
-});
-
-/** A visitor with one edit of the sample, and the mesh that it has led to. */
-async function withAnEdit(open) {
-  const visitor = await open();
-  await visitor.openFace();
-  await visitor.move("nose tip", "z", 6);
-  return { visitor, page: visitor.page, work: await visitor.meshJson("mm") };
-}
-
 /** Nothing is selected any more, and the pointer is away: the view shows no marks. */
-async function letGo(visitor) {
-  const { x, y } = await visitor.besideTheFace();
-  await visitor.page.mouse.click(x, y);
-  await visitor.page.mouse.move(4, 4);
+async function letGo(editor) {
+  const { x, y } = await editor.besideTheFace();
+  await editor.page.mouse.click(x, y);
+  await editor.page.mouse.move(4, 4);
 }
 
 /** A picture at half its width and height, as a JPEG. */
 async function halfAsLarge(page, bytes) {
-  const base64 = await page.evaluate(async (base64) => {
-    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+  const jpeg = await page.evaluate(async (bytes) => {
     const picture = await createImageBitmap(new Blob([bytes]));
     const canvas = new OffscreenCanvas(picture.width / 2, picture.height / 2);
     canvas.getContext("2d").drawImage(picture, 0, 0, canvas.width, canvas.height);
     const blob = await canvas.convertToBlob({ type: "image/jpeg", quality: 0.9 });
-    return btoa(String.fromCharCode(...new Uint8Array(await blob.arrayBuffer())));
-  }, bytes.toString("base64"));
-  return Buffer.from(base64, "base64");
+    return new Uint8Array(await blob.arrayBuffer());
+  }, new Uint8Array(bytes));
+  return Buffer.from(jpeg);
 }

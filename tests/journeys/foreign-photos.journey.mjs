@@ -10,10 +10,11 @@ const CHIN = { landmark: 152, x: 0.5, y: 0.9 };
 /** A hundredth of the photo's height is 2 px. */
 const NEAR = 0.04;
 
-test("an AVIF, which the browser decodes, becomes a face, upright and in its colours", async ({ visitor }) => {
-  await visitor.drop(await picture("drawn-face.avif"), "me.avif");
+test("an AVIF, which the browser decodes, becomes a face, upright and in its colours, or gets a message", async ({ visitor, page }) => {
+  const whole = await picture("drawn-face.avif");
+  await visitor.drop(whole, "me.avif");
   await visitor.untilFace();
-  assert.ok(await visitor.page.isHidden("#notice"));
+  assert.ok(await page.isHidden("#notice"));
   const { positions, colors: colours } = await visitor.meshJson("image");
   for (const { landmark, x, y } of [NOSE_TIP, CHIN]) {
     const [found_x, found_y] = positions[landmark];
@@ -21,21 +22,16 @@ test("an AVIF, which the browser decodes, becomes a face, upright and in its col
   }
   const [red, green, blue] = colours[NOSE_TIP.landmark];
   assert.ok(red > green + 20 && green > blue + 10, `the nose has the colour ${red}, ${green}, ${blue}`);
-});
 
-test("an AVIF that is too large, or broken, gets its message, and the page works on", { tag: "@rare" }, async ({ visitor }) => {
-  const whole = await picture("drawn-face.avif");
-  await visitor.drop(whole, "me.avif");
-  await visitor.untilFace();
   const work = await visitor.meshJson("mm");
   for (const { bytes, code } of [
     { bytes: await picture("enormous.avif"), code: "too-many-pixels" },
     { bytes: whole.subarray(0, whole.length / 2), code: "unsupported-format" },
   ]) {
     await visitor.drop(bytes, "other.avif");
-    await visitor.page.waitForSelector(`#notice[data-code="${code}"]`);
-    await visitor.page.waitForSelector("#progress", { state: "hidden" });
-    await visitor.page.click("#notice-close");
+    await page.waitForSelector(`#notice[data-code="${code}"]`);
+    await page.waitForSelector("#progress", { state: "hidden" });
+    await page.click("#notice-close");
     assert.deepEqual(await visitor.meshJson("mm"), work);
   }
 });

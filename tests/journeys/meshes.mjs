@@ -3,29 +3,20 @@ import assert from "node:assert/strict";
 /** The two compilations of the network's arithmetic round differently, by far less than this. */
 const SAME_MM = 1e-3;
 
-/**
- * How far a vertex went from one mesh to another, in the meshes' unit.
- *
- * @param {{ positions: number[][] }} from
- * @param {{ positions: number[][] }} to
- * @param {number} vertex
- */
+/** The landmarks are the first vertices of every mesh. */
+export const LANDMARKS = 468;
+/** Vertices of the finest mesh that the page shows. */
+export const DENSEST = 28_881;
+
+/** How far a vertex went from one mesh to another along each axis, in the meshes' unit. */
 export function way(from, to, vertex) {
   return to.positions[vertex].map((place, axis) => place - from.positions[vertex][axis]);
 }
 
-/**
- * The distance of the vertex that is furthest from where it is in the other mesh.
- *
- * @param {{ positions: number[][] }} one
- * @param {{ positions: number[][] }} other
- */
+/** The distance of the vertex that is furthest from where it is in the other mesh. */
 export function furthest(one, other) {
   return Math.max(...one.positions.map((_, vertex) => Math.hypot(...way(one, other, vertex))));
 }
-
-/** The landmarks are the first vertices of every mesh. */
-const LANDMARKS = 468;
 
 /**
  * The page's mesh is the command line's. Between the landmarks, the same roundings give a few vertices, which lie on the border
