@@ -27,16 +27,10 @@ const SQUARE = { side_px: 24, apart_px: 32, left_px: 8, top_px: 448, count: 8 };
  * Where the face lies: `frame = at + scale · R(degrees) · (portrait − MIDDLE)`, the middles of pixels being whole numbers.
  *
  * @typedef {{ x: number, y: number, scale: number, degrees: number }} Place
- *
- * @typedef {{ width: number, height: number, data: ArrayLike<number> }} Picture RGBA
  */
+/** @typedef {{ width: number, height: number, data: ArrayLike<number> }} Picture RGBA */
 
-/**
- * In the film for the camera: at rest, then to the right, to the left and back to the middle at one speed. It has no seam.
- *
- * @param {number} number of the frame
- * @returns {Place}
- */
+/** In the film for the camera: at rest, then to the right, to the left and back at one speed, without a seam. @returns {Place} */
 export function placeIn(number) {
   const way = Math.max(0, (number % FRAMES) - STILL_FRAMES) * (SPEED_PX_S / FRAMES_PER_S);
   const aside = way < REACH_PX ? way : way < 3 * REACH_PX ? 2 * REACH_PX - way : way - 4 * REACH_PX;
@@ -56,13 +50,7 @@ export function carried({ x, y, scale, degrees }, [px, py]) {
   return [x + scale * (cos * dx - sin * dy), y + scale * (sin * dx + cos * dy)];
 }
 
-/**
- * One frame, RGBA.
- *
- * @param {Picture} portrait the sample, 512 × 512 px
- * @param {Place} place
- * @param {number} number of the frame, which is written into its corner; the noise follows from it
- */
+/** One frame, RGBA, with its number in its corner, which the noise follows from. @param {Picture} portrait @param {Place} place */
 export function frameOf(portrait, place, number) {
   const data = new Uint8ClampedArray(4 * WIDTH_PX * HEIGHT_PX);
   const [cos, sin] = turn(place.degrees);

@@ -1,7 +1,7 @@
 // The file of a film for a fake camera to play.
 import { createHash } from "node:crypto";
 import { existsSync } from "node:fs";
-import { mkdir, open, readFile, rename } from "node:fs/promises";
+import { mkdir, readFile, rename, writeFile } from "node:fs/promises";
 import path from "node:path";
 import { PNG } from "pngjs";
 import { FRAMES, FRAMES_PER_S, HEIGHT_PX, WIDTH_PX, frameOf, placeIn } from "./film-frames.mjs";
@@ -17,21 +17,25 @@ export async function movingFilm() {
   const hash = createHash("sha256");
   for (const source of sources) hash.update(await readFile(source));
   const file = path.join(FOLDER, `moving-${hash.digest("hex").slice(0, 16)}.y4m`);
-  if (!existsSync(file)) await write(file);
+  if (existsSync(file)) return file;
+  await mkdir(FOLDER, { recursive: true });
+  // Another test may write the same file: it gets its name when it is whole.
+  const unfinished = `${file}.${process.pid}`;
+  await writeFile(unfinished, frames(PNG.sync.read(await readFile(SAMPLE))));
+  await rename(unfinished, file);
   return file;
 }
 
-/** Another test may write the same file: it gets its name when it is whole. */
-async function write(file) {
-  await mkdir(FOLDER, { recursive: true });
-  const unfinished = `${file}.${process.pid}`;
-  const portrait = PNG.sync.read(await readFile(SAMPLE));
-  const output = await open(unfinished, "w");
-  await output.write(`YUV4MPEG2 W${WIDTH_PX} H${HEIGHT_PX} F${FRAMES_PER_S}:1 Ip A1:1 C420\n`);
+function* frames(portrait) {
+  yield `YUV4MPEG2 W${WIDTH_PX} H${HEIGHT_PX} F${FRAMES_PER_S}:1 Ip A1:1 C420\n`;
   for (let number = 0; number < FRAMES; number += 1) {
-    const data = frameOf(portrait, placeIn(number), number);
-    await output.write(yuvOf({ width: WIDTH_PX, height: HEIGHT_PX, data }));
+    yield yuvOf({ width: WIDTH_PX, height: HEIGHT_PX, data: frameOf(portrait, placeIn(number), number) });
   }
-  await output.close();
-  await rename(unfinished, file);
+}
+
+/** The portrait's landmarks as MediaPipe finds them: x and y, px. */
+export async function portraitLandmarks() {
+  const { portrait } = JSON.parse(await readFile(path.join(HERE, "../golden/refined_landmarks.json"), "utf8"));
+  const [face] = portrait.faces;
+  return Array.from({ length: face.length / 3 }, (_, point) => [face[3 * point] / 1000, face[3 * point + 1] / 1000]);
 }

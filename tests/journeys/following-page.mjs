@@ -2,12 +2,9 @@
 import { numberOf } from "./film-frames.mjs";
 
 /**
- * A frame that was answered.
+ * A frame of the film that was answered; `answersMeanwhile` to others, since it was handed over.
  *
- * @typedef {object} Seen
- * @property {number} number of the frame in the film
- * @property {number[][] | undefined} landmarks_px x, y
- * @property {number} answersMeanwhile to other frames, between its being handed over and its answer
+ * @typedef {{ number: number, landmarks_px: number[][] | undefined, answersMeanwhile: number }} Seen
  */
 
 /** The page's side of the worker, loaded; another one than the page's own. */
@@ -21,13 +18,16 @@ export async function client() {
 
 /** Follows the camera for a while, every frame of it handed over as soon as it is there. @param {number} duration_ms */
 export async function watch(duration_ms) {
-  const [vision, video] = await Promise.all([client(), camera()]);
+  const vision = await client();
+  const video = document.createElement("video");
+  video.srcObject = await navigator.mediaDevices.getUserMedia({ video: { width: 640, height: 480 } });
+  await video.play();
   /** @type {Seen[]} */
   const seen = [];
   const asked = [];
   const until = performance.now() + duration_ms;
   while (performance.now() < until) {
-    const time_ms = await nextFrame(video);
+    const time_ms = await new Promise((resolve) => video.requestVideoFrameCallback((_, { mediaTime }) => resolve(1000 * mediaTime)));
     const before = seen.length;
     asked.push(
       vision.follow(await createImageBitmap(video), time_ms).then((followed) => {
@@ -51,16 +51,4 @@ function whatIsOn({ frame, landmarks, width_px, height_px }) {
   const number = numberOf(context.getImageData(0, 0, width_px, height_px));
   const points = landmarks && Array.from({ length: landmarks.length / 3 }, (_, point) => point);
   return { number, landmarks_px: points?.map((at) => [landmarks[3 * at] * width_px, landmarks[3 * at + 1] * height_px]) };
-}
-
-async function camera() {
-  const video = document.createElement("video");
-  video.srcObject = await navigator.mediaDevices.getUserMedia({ video: { width: 640, height: 480 } });
-  await video.play();
-  return video;
-}
-
-/** When the next frame was taken, ms. */
-function nextFrame(video) {
-  return new Promise((resolve) => video.requestVideoFrameCallback((_, { mediaTime }) => resolve(1000 * mediaTime)));
 }

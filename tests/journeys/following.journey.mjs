@@ -1,28 +1,30 @@
 // The worker follows a face through the frames of a camera, as the page's side of it is asked to; the page's controls have
 // no part in it.
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
 import path from "node:path";
+import { portraitLandmarks } from "./film.mjs";
 import { FRAMES_PER_S, STILL_FRAMES, carried, placeIn, speedIn } from "./film-frames.mjs";
-import { test } from "./fixtures.mjs";
+import { test as base } from "./fixtures.mjs";
+import { dieBefore } from "./watches.mjs";
 
 /** @typedef {import("./following-page.mjs").Seen} Seen */
-
-const HERE = import.meta.dirname;
-const GOLDEN = path.join(HERE, "../golden/refined_landmarks.json");
 
 /** The film takes four seconds. */
 const WATCHED_MS = 9000;
 /** So long after the face has come to rest the smoothing has done so, too. */
 const SETTLED_FRAMES = 10;
 
-test.use({ visit: { before: bringFiles } });
+const test = base.extend({
+  /** The exports of following-page.mjs, in the page: these files are there beside its own. */
+  following: async ({ page }, use) => {
+    const fileOf = (url) => path.join(import.meta.dirname, path.basename(url));
+    await page.route("**/film/*", (route) => route.fulfill({ path: fileOf(route.request().url()) }));
+    await use(await page.evaluateHandle(() => import(new URL("film/following-page.mjs", document.baseURI).href)));
+  },
+});
 
-test("a camera's face is followed: it rests where the film has it, and does not lag when it moves", { tag: "@moving-camera" }, async ({ page }) => {
-  const seen = await page.evaluate(async (duration_ms) => {
-    const { watch } = await import(new URL("film/following-page.mjs", document.baseURI).href);
-    return watch(duration_ms);
-  }, WATCHED_MS);
+test("a camera's face is followed: it rests where the film has it, and does not lag when it moves", { tag: "@moving-camera" }, async ({ following }) => {
+  const seen = await following.evaluate(({ watch }, duration_ms) => watch(duration_ms), WATCHED_MS);
   assert.ok(seen.length > 30, `${seen.length} frames in ${WATCHED_MS} ms`);
   for (const { number, landmarks_px, answersMeanwhile } of seen) {
     assert.equal(landmarks_px?.length, 478, `no face in frame ${number}`);
@@ -32,7 +34,8 @@ test("a camera's face is followed: it rests where the film has it, and does not 
   const still = seen.filter(({ number }) => number >= SETTLED_FRAMES && number < STILL_FRAMES);
   const rest = meanOf(still);
   assert.ok(jitter_px(still, rest) < 0.3, `it trembles by ${jitter_px(still, rest)} px`);
-  const off_px = apart_px(rest, await truth());
+  const truth = (await portraitLandmarks()).map((point) => carried(placeIn(0), point));
+  const off_px = mean(rest.map(([x, y], point) => Math.hypot(x - truth[point][0], y - truth[point][1])));
   assert.ok(off_px < 2, `it is ${off_px} px from where the film has it`);
 
   const lags_ms = seen.filter(({ number }) => speedIn(number) !== 0).map((frame) => lag_ms(frame, rest));
@@ -41,10 +44,11 @@ test("a camera's face is followed: it rests where the film has it, and does not 
   assert.ok(Math.abs(lag) < 60, `it is ${lag} ms behind`);
 });
 
-test("of frames that come at once the first and the last are answered, and no bitmap is left over", { tag: "@rare" }, async ({ page }) => {
-  const { answered, left } = await page.evaluate(async () => {
-    const { client } = await import(new URL("film/following-page.mjs", document.baseURI).href);
-    const vision = await client();
+test("of frames that come at once the first and the last are answered, stopping answers all, and a worker that dies is replaced", async ({ visitor, page, following }) => {
+  // The page's own workers are started by then.
+  await visitor.untilLoaded();
+  const vision = await following.evaluateHandle(({ client }) => client());
+  const { answered, left } = await vision.evaluate(async (vision) => {
     const frames = await Promise.all(Array.from({ length: 6 }, () => createImageBitmap(new ImageData(64, 48))));
     const answers = await Promise.all(frames.map((frame, number) => vision.follow(frame, 33 * number)));
     for (const answer of answers) answer?.frame.close();
@@ -53,11 +57,28 @@ test("of frames that come at once the first and the last are answered, and no bi
   });
   assert.deepEqual(answered, [0, null, null, null, null, 165]);
   assert.equal(left, 0);
+
+  const { afterStop, next } = await vision.evaluate(async (vision) => {
+    const frame = () => createImageBitmap(new ImageData(64, 48));
+    const stopped = [vision.follow(await frame(), 198), vision.follow(await frame(), 231)];
+    vision.stopFollowing();
+    const answers = await Promise.all(stopped);
+    return { afterStop: answers.map((answer) => answer ?? null), next: (await vision.follow(await frame(), 264)).time_ms };
+  });
+  assert.deepEqual({ afterStop, next }, { afterStop: [null, null], next: 264 });
+
+  await page.workers().at(-1).evaluate(dieBefore, "followed");
+  const { reasons, again, starts } = await vision.evaluate(async (vision) => {
+    const frame = () => createImageBitmap(new ImageData(64, 48));
+    const lost = [vision.follow(await frame(), 297), vision.follow(await frame(), 330)];
+    const reasons = (await Promise.allSettled(lost)).map(({ reason }) => reason?.code);
+    return { reasons, again: (await vision.follow(await frame(), 363)).time_ms, starts: vision.starts };
+  });
+  assert.deepEqual({ reasons, again, starts }, { reasons: ["worker-died", "worker-died"], again: 363, starts: 2 });
 });
 
-test("a large frame is read smaller, and its landmarks are where they are in it", { tag: "@rare" }, async ({ page }) => {
-  const [small, large] = await page.evaluate(async () => {
-    const { client } = await import(new URL("film/following-page.mjs", document.baseURI).href);
+test("a large frame is read smaller, and its landmarks are where they are in it", { tag: "@rare" }, async ({ following }) => {
+  const [small, large] = await following.evaluate(async ({ client }) => {
     const vision = await client();
     const portrait = await createImageBitmap(await (await fetch(new URL("assets/sample.png", document.baseURI))).blob());
     const found = [];
@@ -76,51 +97,8 @@ test("a large frame is read smaller, and its landmarks are where they are in it"
   assert.ok(Math.abs(off(0)) < 0.5 && Math.abs(off(1)) < 0.5, `${off(0)}, ${off(1)} px of 1920 × 1440`);
 });
 
-test("whoever stops following is answered at once, and a worker that dies is said and replaced", async ({ visitor, page }) => {
-  // The page's own workers are started by then.
-  await visitor.untilLoaded();
-  const told = await page.evaluate(async () => {
-    const workers = [];
-    const Original = Worker;
-    window.Worker = class extends Original {
-      constructor(...what) {
-        super(...what);
-        workers.push(this);
-      }
-    };
-    const { client } = await import(new URL("film/following-page.mjs", document.baseURI).href);
-    const vision = await client();
-    const frame = () => createImageBitmap(new ImageData(64, 48));
-    const stopped = [vision.follow(await frame(), 0), vision.follow(await frame(), 33)];
-    vision.stopFollowing();
-    const afterStop = await Promise.all(stopped);
-    const next = await vision.follow(await frame(), 66);
-    const lost = [vision.follow(await frame(), 99), vision.follow(await frame(), 132)];
-    // As a trap does: the worker says so, and is of no more use.
-    workers.at(-1).dispatchEvent(new MessageEvent("message", { data: { type: "trapped", id: 1, message: "unreachable" } }));
-    const reasons = (await Promise.allSettled(lost)).map(({ reason }) => reason?.code);
-    const again = await vision.follow(await frame(), 165);
-    return { afterStop: afterStop.map((answer) => answer ?? null), next: next.time_ms, reasons, again: again.time_ms, starts: vision.starts };
-  });
-  assert.deepEqual(told, { afterStop: [null, null], next: 66, reasons: ["worker-died", "worker-died"], again: 165, starts: 2 });
-});
-
-/** These files are there for the page, beside its own. */
-async function bringFiles(/** @type {import("@playwright/test").BrowserContext} */ context) {
-  await context.route("**/film/**", (route) => {
-    const [, name] = new URL(route.request().url()).pathname.split("/film/");
-    return route.fulfill({ path: path.join(HERE, name) });
-  });
-}
-
-/** Where the film has the landmarks at rest: the portrait's, as MediaPipe finds them, px. */
-async function truth() {
-  const [face] = JSON.parse(await readFile(GOLDEN, "utf8")).portrait.faces;
-  const points = Array.from({ length: face.length / 3 }, (_, point) => [face[3 * point] / 1000, face[3 * point + 1] / 1000]);
-  return points.map((point) => carried(placeIn(0), point));
-}
-
-function mean(/** @type {number[]} */ numbers) {
+/** @param {number[]} numbers */
+function mean(numbers) {
   return numbers.reduce((sum, each) => sum + each, 0) / numbers.length;
 }
 
@@ -133,11 +111,6 @@ function meanOf(frames) {
 function jitter_px(frames, rest) {
   const squares = frames.map(({ landmarks_px }) => mean(landmarks_px.map(([x, y], point) => (x - rest[point][0]) ** 2 + (y - rest[point][1]) ** 2)));
   return Math.sqrt(mean(squares));
-}
-
-/** @param {number[][]} a @param {number[][]} b */
-function apart_px(a, b) {
-  return mean(a.map(([x, y], point) => Math.hypot(x - b[point][0], y - b[point][1])));
 }
 
 /** How long ago the face was where the landmarks are. @param {Seen} frame @param {number[][]} rest */
