@@ -46,47 +46,46 @@ def test_words_are_read_back_as_the_same_number(number):
     assert float(rosto.Symmetrise(number).words()[1]) == float(number)
 
 
+NUMBERS = {
+    "amount_mm": lambda number: rosto.Slider("nose-width", number),
+    "share": lambda number: rosto.Symmetrise(number),
+    r"offset_mm\[1\]": lambda number: rosto.Region("nose", [0, number, 0]),
+    r"offset_mm\[2\]": lambda number: rosto.Vertex(1, (0, 0, number)),
+}
+INDICES = {
+    "vertex": lambda index: rosto.Vertex(index, (0, 0, 1)),
+    "level": lambda index: rosto.Vertex(1, (0, 0, 1), level=index),
+    r"anchors\[1\]": lambda index: rosto.Vertex(1, (0, 0, 1), anchors=[10, index]),
+}
+COUNTS = {
+    "max_faces": lambda count: rosto.Search(max_faces=count),
+    "jobs": lambda count: rosto.landmarks([], jobs=count),
+}
+FLAGS = {
+    "mediapipe": lambda flag: rosto.Search(mediapipe=flag),
+    "refine": lambda flag: rosto.Search(refine=flag),
+}
 TYPES = ["4", b"4", None, 4j, np.complex128(4), np.str_("4"), np.array([4.0]), [4], object(), np.datetime64("2020-01-01")]
 VALUES = [math.nan, math.inf, -math.inf, np.float32("nan"), np.array(np.inf), 10**400, Decimal("nan")]
 
 
-@pytest.mark.parametrize("wrong", TYPES, ids=repr)
-def test_what_is_no_number_is_a_type_error_that_names_the_argument(wrong):
-    with pytest.raises(TypeError, match="amount_mm"):
-        rosto.Slider("nose-width", wrong)
-    with pytest.raises(TypeError, match="vertex"):
-        rosto.Vertex(wrong, (0, 0, 1))
-    with pytest.raises(TypeError, match=r"offset_mm\[1\]"):
-        rosto.Region("nose", [0, wrong, 0])
-
-
-@pytest.mark.parametrize("wrong", VALUES, ids=lambda value: str(value)[:9])
-def test_what_is_not_finite_is_an_error_that_names_the_argument(wrong):
-    with pytest.raises(rosto.RostoError, match="share"):
-        rosto.Symmetrise(wrong)
-    with pytest.raises(rosto.RostoError, match=r"offset_mm\[2\]"):
-        rosto.Vertex(1, (0, 0, wrong))
-    with pytest.raises(rosto.RostoError, match="vertex"):
-        rosto.Vertex(wrong, (0, 0, 1))
-
-
-@pytest.mark.parametrize("wrong", [1.9, np.float64(0.5), -1, np.int64(-1), 2**32, 2**64, 1e300])
-def test_an_index_is_a_whole_number_in_range(wrong):
-    for name, make in {
-        "vertex": lambda: rosto.Vertex(wrong, (0, 0, 1)),
-        "level": lambda: rosto.Vertex(1, (0, 0, 1), level=wrong),
-        r"anchors\[1\]": lambda: rosto.Vertex(1, (0, 0, 1), anchors=[10, wrong]),
-    }.items():
-        with pytest.raises(rosto.RostoError, match=name):
-            make()
-
-
-@pytest.mark.parametrize("mask", [True, np.bool_(False), np.array(True)], ids=repr)
-def test_a_mask_is_not_an_index(mask):
-    with pytest.raises(TypeError, match="vertex"):
-        rosto.Vertex(mask, (0, 0, 1))
-    with pytest.raises(TypeError, match=r"anchors\[0\]"):
-        rosto.Vertex(1, (0, 0, 1), anchors=np.array([mask, mask]))
+@pytest.mark.parametrize(
+    ("error", "wrong", "arguments"),
+    [
+        *((TypeError, wrong, NUMBERS | INDICES) for wrong in TYPES),
+        *((rosto.RostoError, wrong, NUMBERS | INDICES) for wrong in VALUES),
+        *((rosto.RostoError, wrong, INDICES) for wrong in [1.9, np.float64(0.5), -1, np.int64(-1), 2**32, 2**64, 1e300]),
+        # A mask is not a list of indices.
+        *((TypeError, wrong, INDICES) for wrong in [True, np.bool_(False), np.array(True)]),
+        *((rosto.RostoError, wrong, COUNTS) for wrong in [0, -1, 1.5, math.nan]),
+        *((TypeError, wrong, COUNTS) for wrong in [True, "2"]),
+        *((TypeError, wrong, FLAGS) for wrong in [1, "no", None]),
+    ],
+)
+def test_a_wrong_number_or_flag_is_an_error_that_names_the_argument(error, wrong, arguments):
+    for name, make in arguments.items():
+        with pytest.raises(error, match=name):
+            make(wrong)
 
 
 @pytest.mark.parametrize("wrong", [(0, 1), (0, 0, 1, 1), [], np.zeros((3, 0))[0], 5.0, np.float64(5), np.array(5.0)], ids=repr)
@@ -109,23 +108,6 @@ def test_searches_and_options_take_flags_and_numbers_of_numpys(portrait):
     made = rosto.mesh(portrait, density=np.int64(0), mirror=np.bool_(True), pin=np.array([10, 152]))
     assert made.words == plain.words and np.array_equal(made.positions_m, plain.positions_m)
     assert rosto.mesh(portrait, density=np.array(0.0), mirror=np.False_).words == rosto.mesh(portrait, density=0).words
-
-
-@pytest.mark.parametrize(
-    ("name", "value"),
-    [("mediapipe", 1), ("mediapipe", "no"), ("refine", None), ("max_faces", True), ("max_faces", "2")],
-)
-def test_a_search_of_other_types_is_refused(name, value):
-    with pytest.raises(TypeError, match=name):
-        rosto.Search(**{name: value})
-
-
-@pytest.mark.parametrize("number", [0, -1, 1.5, math.nan])
-def test_counts_are_one_or_greater(number):
-    with pytest.raises(rosto.RostoError, match="max_faces"):
-        rosto.Search(max_faces=number)
-    with pytest.raises(rosto.RostoError, match="jobs"):
-        rosto.landmarks([], jobs=number)
 
 
 @pytest.mark.parametrize("value", [None, b"0", math.nan, [math.inf], np.zeros((2, 2)), object()], ids=repr)
