@@ -14,20 +14,26 @@ const REACH = { left: 120, top: 20, right: 320, bottom: 250 };
 
 const sample = async () => PNG.sync.read(await readFile(SAMPLE));
 
-test("without an edit the photo leaves the page as it came, byte for byte", async ({ visitor }) => {
-  await visitor.dropSample();
-  const file = PNG.sync.read(await visitor.download("download-photo-png"));
-  assert.deepEqual(Buffer.from(file.data), Buffer.from((await sample()).data));
-});
+/** The photo that the page saves. @param {import("./visitor.mjs").Visitor} visitor */
+const photoOf = async (visitor) => PNG.sync.read(await visitor.download("download-photo-png"));
 
-test("an edit changes the photo where the face is, and nothing beyond the ring", async ({ editor }) => {
-  await editor.slide("nose-width", -4);
-  await editor.slide("jaw-width", -6);
+/** The photo that the command line makes. @param {string[]} options */
+const byCommandLine = async (options) => PNG.sync.read(await photoByCommandLine(SAMPLE, ["--topology", "canonical", ...options]));
+
+test("the photo leaves the page as it came; edits change nothing beyond the ring, and are the command line's", async ({ visitor }) => {
+  await visitor.dropSample();
   const before = await sample();
-  const after = PNG.sync.read(await editor.download("download-photo-png"));
+  assert.deepEqual((await photoOf(visitor)).data, before.data);
+  await visitor.slide("nose-width", -4);
+  await visitor.slide("jaw-width", -6);
+  const after = await photoOf(visitor);
   assert.ok(differenceNear(before, after, NOSE, 12) > 0.1, "the nose is as it was");
   const box = differingBox(before, after);
   assert.ok(box.left >= REACH.left && box.top >= REACH.top && box.right <= REACH.right && box.bottom <= REACH.bottom, JSON.stringify(box));
+  await visitor.slide("chin-length", 6);
+  const sliders = ["nose-width:-4", "jaw-width:-6", "chin-length:6"].flatMap((slider) => ["--slider", slider]);
+  const step = largestStep(await photoOf(visitor), await byCommandLine(sliders));
+  assert.ok(step <= 1, String(step));
 });
 
 test("a wider ring gives way further, and a narrow one less", { tag: "@rare" }, async ({ editor }) => {
@@ -37,20 +43,10 @@ test("a wider ring gives way further, and a narrow one less", { tag: "@rare" }, 
     await editor.unfold("section-in-photo");
     await editor.page.locator("#in-photo-ring input[type=number]").fill(String(share));
     await editor.page.keyboard.press("Tab");
-    const { left, right } = differingBox(await sample(), PNG.sync.read(await editor.download("download-photo-png")));
+    const { left, right } = differingBox(await sample(), await photoOf(editor));
     widths.push(right - left);
   }
   assert.ok(widths[0] + 20 < widths[1] && widths[1] + 20 < widths[2], JSON.stringify(widths));
-});
-
-test("the page and the command line write the same photo", async ({ visitor }) => {
-  await visitor.dropSample();
-  await visitor.slide("nose-width", -4);
-  await visitor.slide("chin-length", 6);
-  const ours = PNG.sync.read(await visitor.download("download-photo-png"));
-  const theirs = await photoByCommandLine(SAMPLE, ["--topology", "canonical", "--slider", "nose-width:-4", "--slider", "chin-length:6"]);
-  const step = largestStep(ours, PNG.sync.read(theirs));
-  assert.ok(step <= 1, String(step));
 });
 
 test("the face seen from further away, from nearer, and as it was taken", { tag: "@rare" }, async ({ editor }) => {
@@ -59,65 +55,55 @@ test("the face seen from further away, from nearer, and as it was taken", { tag:
     await editor.unfold("section-in-photo");
     await editor.page.locator("#in-photo-distance input[type=number]").fill(String(cm));
     await editor.page.keyboard.press("Tab");
-    photos.push(PNG.sync.read(await editor.download("download-photo-png")));
-    const theirs = PNG.sync.read(await photoByCommandLine(SAMPLE, ["--topology", "canonical", "--seen-from", String(cm)]));
-    assert.ok(largestStep(photos.at(-1), theirs) <= 1, `${cm} cm`);
+    photos.push(await photoOf(editor));
+    assert.ok(largestStep(photos.at(-1), await byCommandLine(["--seen-from", String(cm)])) <= 1, `${cm} cm`);
   }
   assert.ok(differenceNear(photos[0], photos[1], NOSE, 40) > 0.2);
   await editor.unfold("section-in-photo");
   await editor.page.click("#seen-as-taken");
-  assert.equal(difference(PNG.sync.read(await editor.download("download-photo-png")), await sample()), 0);
+  assert.equal(difference(await photoOf(editor), await sample()), 0);
 });
 
 test("a transparent photo leaves the page transparent as a PNG, and over white as a JPEG", async ({ visitor }) => {
   const before = await sample();
-  const transparent = (/** @type {number} */ x) => x >= before.width - 100;
   for (let pixel = 0; pixel < before.width * before.height; pixel++) {
-    if (transparent(pixel % before.width)) before.data[4 * pixel + 3] = 0;
+    if (pixel % before.width >= before.width - 100) before.data[4 * pixel + 3] = 0;
   }
   await visitor.drop(PNG.sync.write(before), "cut-out.png");
   await visitor.untilFace();
   await visitor.slide("nose-width", -4);
-  const after = PNG.sync.read(await visitor.download("download-photo-png"));
+  const after = await photoOf(visitor);
   for (const [x, alpha] of [[9, 255], [before.width - 9, 0]]) assert.equal(after.data[4 * (40 * before.width + x) + 3], alpha, `alpha at ${x}`);
-  const jpeg = await visitor.download("download-photo-jpeg");
-  const [red, green, blue] = await visitor.page.evaluate(async (base64) => {
-    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-    const bitmap = await createImageBitmap(new Blob([bytes]));
-    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
-    context?.drawImage(bitmap, 0, 0);
-    return [...(context?.getImageData(bitmap.width - 9, 40, 1, 1).data ?? [])];
-  }, jpeg.toString("base64"));
-  assert.ok(Math.min(red, green, blue) > 250, `${red}, ${green}, ${blue}`);
+  const { colour } = await decoded(visitor.page, await visitor.download("download-photo-jpeg"));
+  assert.ok(Math.min(...colour) > 250, `${colour}`);
 });
 
-test("a JPEG comes out upright and says nothing of where it was taken", async ({ visitor }) => {
-  const jpeg = withExif(await asJpeg(visitor.page, await readFile(SAMPLE)));
-  await visitor.drop(jpeg, "selfie.jpg");
+test("a photo of twelve megapixels comes out whole and upright, and says nothing of where it was taken", async ({ visitor, page }) => {
+  await visitor.drop(withExif(await asJpeg(page, await readFile(SAMPLE), { width: 4000, height: 3000 })), "selfie.jpg");
   await visitor.untilFace();
+  const before = await photoOf(visitor);
   await visitor.slide("nose-width", -4);
-  const file = await visitor.download("download-photo-jpeg");
-  assert.equal(file.subarray(0, 2).toString("hex"), "ffd8");
-  for (const secret of ["Exif", "GPS", "Somewhere"]) assert.ok(!file.includes(secret), secret);
-  const size = await visitor.page.evaluate(async (base64) => {
-    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-    const { width, height } = await createImageBitmap(new Blob([bytes]));
-    return { width, height };
-  }, file.toString("base64"));
-  assert.deepEqual(size, { width: 512, height: 512 });
-});
-
-test("a photo of twelve megapixels comes out whole", async ({ visitor }) => {
-  const jpeg = await asJpeg(visitor.page, await readFile(SAMPLE), { width: 4000, height: 3000 });
-  await visitor.drop(jpeg, "large.jpg");
-  await visitor.untilFace();
-  const before = PNG.sync.read(await visitor.download("download-photo-png"));
-  await visitor.slide("nose-width", -4);
-  const after = PNG.sync.read(await visitor.download("download-photo-png"));
+  const after = await photoOf(visitor);
   assert.deepEqual([after.width, after.height], [4000, 3000]);
   const box = differingBox(before, after);
   assert.ok(box.right - box.left > 150 && box.right - box.left < 1800, JSON.stringify(box));
+  const jpeg = await visitor.download("download-photo-jpeg");
+  assert.equal(jpeg.subarray(0, 2).toString("hex"), "ffd8");
+  for (const secret of ["Exif", "GPS", "Somewhere"]) assert.ok(!jpeg.includes(secret), secret);
+  const { width, height } = await decoded(page, jpeg);
+  assert.deepEqual([width, height], [4000, 3000]);
 });
+
+/** The size of a picture, which the browser reads, and the colour of a pixel near its upper right corner. */
+function decoded(page, bytes) {
+  return page.evaluate(async (bytes) => {
+    const bitmap = await createImageBitmap(new Blob([bytes]));
+    const { width, height } = bitmap;
+    const context = new OffscreenCanvas(width, height).getContext("2d");
+    context.drawImage(bitmap, 0, 0);
+    return { width, height, colour: [...context.getImageData(width - 9, 40, 1, 1).data] };
+  }, new Uint8Array(bytes));
+}
 
 /** A JPEG with an EXIF segment that says where it was taken, as text. @param {Buffer} jpeg */
 function withExif(jpeg) {

@@ -39,7 +39,7 @@ async function inDatabase(change) {
   database.close();
 }
 
-/** Waits until the database has everything that was done on a page, and at least `count` works. The page writes it as soon as it is hidden. */
+/** Waits until the database has all that was done on a page, and at least `count` works. The page writes as soon as it is hidden. */
 export async function untilKept(page, count = 1) {
   const unkept = await page.evaluate(hide);
   await expect(async () => {
