@@ -1,18 +1,12 @@
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
 import { expect } from "@playwright/test";
 import { alike, test } from "./fixtures.mjs";
-import { chooseFace, openGroup } from "./groups.mjs";
 import { untilKept } from "./kept.mjs";
-import { SAMPLE } from "./visitor.mjs";
 
 test("files are named after the photo, over a reload and out of a file of ours", async ({ visitor, page }) => {
-  await visitor.drop(await readFile(SAMPLE), 'ana: "Rio" 7.2.png');
-  await visitor.untilFace();
-  assert.equal(await nameOf(visitor, "download-glb"), "ana Rio 7.2.glb");
-  assert.equal(await nameOf(visitor, "download-json"), "ana Rio 7.2.json");
-  assert.equal(await nameOf(visitor, "download-picture"), "ana Rio 7.2.png");
-  assert.equal(await nameOf(visitor, "save-project"), "ana Rio 7.2.rosto");
+  await visitor.dropSample('ana: "Rio" 7.2.png');
+  const actions = { "download-glb": "glb", "download-json": "json", "download-picture": "png", "save-project": "rosto" };
+  for (const [action, ending] of Object.entries(actions)) assert.equal(await nameOf(visitor, action), `ana Rio 7.2.${ending}`);
   await page.selectOption("#export-density", "1");
   assert.equal(await nameOf(visitor, "download-glb"), "ana Rio 7.2-1833.glb");
   assert.equal(await nameOf(visitor, "download-obj"), "ana Rio 7.2-1833.zip");
@@ -41,18 +35,10 @@ for (const [{ name, says }, tag] of alike([
   { name: "María\u202egnp.exe.png", says: "Maríagnp.exe.rosto" },
 ])) {
   test(`a photo called ${JSON.stringify(name)} gives ${says}`, { tag }, async ({ visitor }) => {
-    await visitor.drop(await readFile(SAMPLE), name);
-    await visitor.untilFace();
+    await visitor.dropSample(name);
     assert.equal(await nameOf(visitor, "save-project"), says);
   });
 }
-
-test("each face of a group has a name of its own", { tag: "@rare" }, async ({ visitor }) => {
-  await openGroup(visitor);
-  assert.equal(await nameOf(visitor, "download-glb"), "group.glb");
-  await chooseFace(visitor, 1);
-  await expect.poll(() => nameOf(visitor, "download-glb")).toBe("group-2.glb");
-});
 
 test("a photo from the camera is a selfie", { tag: "@camera" }, async ({ visitor }) => {
   await visitor.page.click("#welcome [data-action='camera']");
@@ -61,25 +47,26 @@ test("a photo from the camera is a selfie", { tag: "@camera" }, async ({ visitor
   assert.equal(await nameOf(visitor, "save-project"), "selfie.rosto");
 });
 
-test("the sample is offered as a small picture, which moves nothing and asks for nothing", async ({ visitor, page }) => {
+test("the sample is offered as a small picture, which moves and asks for nothing; who returns, to go on first", async ({ visitor, page }) => {
   await visitor.untilLoaded();
   visitor.requests.length = 0;
   await page.reload();
   await visitor.untilItAnswers();
-  const before = await page.locator("#welcome [data-action='sample']").boundingBox();
+  const sample = page.locator("#welcome [data-action='sample']");
+  const before = await sample.boundingBox();
   await visitor.untilLoaded();
-  assert.ok((await coloursOf(page)) > 50, "the thumbnail is empty");
-  assert.deepEqual(await page.locator("#welcome [data-action='sample']").boundingBox(), before);
+  const colours = await page.locator("#sample-thumbnail").evaluate((canvas) => {
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    return new Set(new Uint32Array(data.buffer)).size;
+  });
+  assert.ok(colours > 50, "the thumbnail is empty");
+  assert.deepEqual(await sample.boundingBox(), before);
   assert.equal(visitor.requests.filter((url) => url.endsWith("sample.png")).length, 1);
-  await page.click("#welcome [data-action='sample']");
+  assert.deepEqual(await offered(page), [["choose", true], ["camera", false], ["mirror", false], ["sample", false]]);
+  await sample.click();
   await visitor.untilFace();
   assert.equal(await nameOf(visitor, "save-project"), "sample.rosto");
-});
 
-test("who returns is offered first to go on, and only that button stands out", async ({ visitor, page }) => {
-  await visitor.untilLoaded();
-  assert.deepEqual(await offered(page), [["choose", true], ["camera", false], ["mirror", false], ["sample", false]]);
-  await visitor.dropSample();
   await untilKept(page);
   await page.reload();
   await page.waitForSelector("#continue:not([hidden])");
@@ -92,13 +79,6 @@ function offered(page) {
   return page.locator("#welcome button:visible").evaluateAll((buttons) =>
     buttons.map((button) => [button.dataset.action ?? button.id, button.classList.contains("primary")]),
   );
-}
-
-function coloursOf(page) {
-  return page.locator("#sample-thumbnail").evaluate((canvas) => {
-    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
-    return new Set(new Uint32Array(data.buffer)).size;
-  });
 }
 
 /** The name under which a download comes. */
