@@ -19,7 +19,8 @@ export async function monkeyTest({ runs, actions, seed, path, replay }) {
   const film = await portraitFilm();
   let done = 0;
   let shrinkingEnds = Number.POSITIVE_INFINITY;
-  const visit = fc.asyncProperty(fc.commands([action], { maxCommands: actions, size: "max", replayPath: replay }), async (commands) => {
+  const commands = fc.commands([action], { maxCommands: actions, size: "max", replayPath: replay });
+  const property = fc.asyncProperty(commands, async (commands) => {
     if (performance.now() > shrinkingEnds) return;
     const visit = await Visit.start(server.url, film);
     try {
@@ -30,23 +31,20 @@ export async function monkeyTest({ runs, actions, seed, path, replay }) {
       throw error;
     } finally {
       done += visit.done;
-      await visit.end();
+      await visit.page.context().browser().close();
     }
   });
-  try {
-    await fc.assert(visit, { numRuns: runs, seed, path, unbiased: true });
-  } finally {
-    server.close();
-  }
+  await fc.assert(property, { numRuns: runs, seed, path, unbiased: true }).finally(() => server.close());
   return done;
 }
 
 if (process.argv[1] === import.meta.filename) {
-  const text = /** @type {const} */ ({ type: "string" });
-  const { values } = parseArgs({ options: { runs: { ...text, default: "100" }, actions: { ...text, default: "250" }, seed: { ...text, default: "1" }, path: text, replay: text } });
-  const lanes = values.path ? 1 : Math.min(2, availableParallelism());
-  const amount = { actions: Number(values.actions), path: values.path, replay: values.replay };
-  const ended = await Promise.allSettled(Array.from({ length: lanes }, (_, lane) => monkeyTest({ ...amount, runs: Math.ceil(Number(values.runs) / lanes), seed: Number(values.seed) + lane })));
-  for (const { status, value, reason } of ended) console.log(status === "fulfilled" ? `${value} actions, nothing found` : reason);
-  process.exitCode = ended.every(({ status }) => status === "fulfilled") ? 0 : 1;
+  const text = (standard) => ({ type: /** @type {const} */ ("string"), default: standard });
+  const options = { runs: text("100"), actions: text("250"), seed: text("1"), path: text(), replay: text() };
+  const { runs, actions, seed, ...again } = parseArgs({ options }).values;
+  const lanes = again.path ? 1 : Math.min(2, availableParallelism());
+  const amount = { runs: Math.ceil(Number(runs) / lanes), actions: Number(actions), ...again };
+  const ended = await Promise.allSettled(Array.from({ length: lanes }, (_, lane) => monkeyTest({ ...amount, seed: Number(seed) + lane })));
+  for (const { value, reason } of ended) console.log(reason ?? `${value} actions, nothing found`);
+  process.exitCode = ended.some(({ reason }) => reason) ? 1 : 0;
 }

@@ -1,62 +1,61 @@
 /**
- * @typedef {object} Seen
- * @property {string} state of the page: "empty", "photo" or "face"
- * @property {boolean} busy whether a file is being opened
- * @property {boolean} dialog whether a dialog covers the page
- * @property {string | null} error the code of the notice that is shown
- * @property {string} notice its text
+ * @typedef {{ state: "empty" | "photo" | "face", busy: boolean, dialog: boolean, error: string | null, notice: string }} Seen
+ *   the page's state, whether a file is being opened and whether a dialog covers the page, and the code and text of the notice
  */
 
 /** Gives the page `window.monkey`; runs in the page, before its own scripts. */
 export function letMonkeyIn() {
   const USABLE = "button, input:not([type=file]), select, summary, [role=button], .slider-label";
-  const SHUFFLED = ["section-landmark", "section-view", "section-history"];
+  const TICKS = "[type=radio], [type=checkbox]";
+  const SHUFFLED = ["section-landmark", "section-view", "section-history"].map((id) => `#${id} :is(select, ${TICKS})`).join();
   /** Most of the time goes into shaping. */
   const WEIGHT_OF_GROUP = { "section-landmark": 8, "section-view": 3, "section-history": 3 };
-  /** Selects decide how the face follows; folds stay open more often than not. */
-  const WEIGHT_OF_KIND = { select: 15, tick: 8, closed: 20, open: 1 };
-  /** Actions that take long. */
-  const SLOW = ["run-paper", "camera", "close-camera"];
+  /** Selects decide how the face follows; folds stay open more often than not; some actions take long. */
+  const WEIGHTS = [
+    ["[data-action=run-paper], [data-action=camera], [data-action=close-camera]", 1],
+    ["select", 15],
+    [TICKS, 8],
+    ["details:not([open]) > summary", 20],
+    ["summary", 1],
+    ["*", 5],
+  ];
 
-  const surface = (element) => (element.matches("[type=radio], [type=checkbox]") && element.closest("label")) || element;
-  const isVisible = (element) => surface(element).checkVisibility({ visibilityProperty: true }) && surface(element).getBoundingClientRect().width > 0;
-  const groupOf = (element) => element.closest("dialog, details.section, .toolbar, header, footer, section, main")?.id ?? "";
-  const kindOf = (element) => {
-    if (element.matches("summary")) return element.parentElement.open ? "open" : "closed";
-    if (element.matches("[type=radio], [type=checkbox]")) return "tick";
-    if (element.matches(".slider-label")) return "label";
-    return element.matches("input") ? element.type : element.localName;
+  const surface = (element) => (element.matches(TICKS) && element.closest("label")) || element;
+  const isUsable = (element) => {
+    const { width } = surface(element).getBoundingClientRect();
+    return width > 0 && !element.matches(":disabled") && surface(element).checkVisibility({ visibilityProperty: true });
   };
-  const usable = () => [...(document.querySelector("dialog:modal") ?? document).querySelectorAll(USABLE)].filter((element) => !element.matches(":disabled") && isVisible(element));
-  const weightOf = (element) => (SLOW.includes(element.dataset.action) ? 1 : (WEIGHT_OF_KIND[kindOf(element)] ?? 5));
-
+  const usable = () => [...(document.querySelector("dialog:modal") ?? document).querySelectorAll(USABLE)].filter(isUsable);
+  const groupOf = (element) => element.closest("dialog, details.section, .toolbar, header, footer, section, main")?.id ?? "";
+  const weightOf = (element) => WEIGHTS.find(([selector]) => element.matches(selector))[1];
   /** The one of a list that a share from 0 to 1 falls on, each as wide as its weight. */
   const pick = (list, weightOf, share) => {
     const tickets = list.flatMap((one) => Array.from({ length: weightOf(one) }, () => one));
     return tickets[Math.floor(share * tickets.length)];
   };
-  /** A software GPU draws the dense meshes slowly: they come up less often. */
-  const optionOf = (select, share) => Math.floor((select.id === "density" ? share ** 6 : share) * select.options.length);
+  const short = (text) => text.trim().replaceAll(/\s+/g, " ");
   const set = (element, key, value) => {
     element[key] = value;
     for (const type of ["input", "change"]) element.dispatchEvent(new Event(type, { bubbles: true }));
   };
+  const choose = (select, share) => {
+    // A software GPU draws the dense meshes slowly: they come up less often.
+    const place = select.id === "density" ? share ** 6 : share;
+    set(select, "selectedIndex", Math.floor(place * select.length));
+  };
 
   window["monkey"] = {
-    look: () => {
-      const notice = document.getElementById("notice");
-      const isTroubled = notice?.hidden === false;
-      return {
-        state: document.body.dataset["state"] ?? "",
-        busy: document.getElementById("progress")?.hidden === false,
-        dialog: document.querySelector("dialog:modal") !== null,
-        error: isTroubled ? (notice.dataset["code"] ?? "") : null,
-        notice: isTroubled ? notice.innerText.trim().replaceAll(/\s+/g, " ") : "",
-      };
-    },
-    settle: async (/** @type {number} */ frames) => {
+    /** What is to be seen after some frames. */
+    look: async (frames) => {
       for (let frame = 0; frame < frames; frame++) await new Promise(requestAnimationFrame);
-      return window["monkey"].look();
+      const [notice, progress] = ["notice", "progress"].map((id) => document.getElementById(id));
+      return {
+        state: document.body.dataset["state"],
+        busy: progress?.hidden === false,
+        dialog: document.querySelector("dialog:modal") !== null,
+        error: notice?.hidden === false ? notice.dataset["code"] : null,
+        notice: short(notice?.innerText ?? ""),
+      };
     },
     /** Any part of the page is as likely as the others, however many controls it has. */
     choose: ({ group, control }) => {
@@ -65,10 +64,10 @@ export function letMonkeyIn() {
       const element = pick(all.filter((one) => groupOf(one) === chosen), weightOf, control);
       if (!element) return null;
       surface(element).scrollIntoView({ block: "center" });
-      const { x, y, width, height } = surface(element).getBoundingClientRect();
-      const label = (element.getAttribute("aria-label") ?? surface(element).textContent ?? "").trim().replaceAll(/\s+/g, " ").slice(0, 40);
       window["monkey"].chosen = element;
-      return { kind: kindOf(element), label, x, y, width, height };
+      const kind = element.matches(".slider-label") ? "label" : element.matches("input") ? element.type : element.localName;
+      const label = short(element.getAttribute("aria-label") ?? surface(element).textContent).slice(0, 40);
+      return { kind, label, box: surface(element).getBoundingClientRect().toJSON() };
     },
     /** Focuses the chosen field, with its text selected. */
     enter: () => {
@@ -79,14 +78,14 @@ export function letMonkeyIn() {
     /** Sets what a browser's own window would set: an option, a colour. */
     set: (share) => {
       const { chosen } = window["monkey"];
-      if (chosen.matches("select")) set(chosen, "selectedIndex", optionOf(chosen, share));
+      if (chosen.matches("select")) choose(chosen, share);
       else set(chosen, "value", `#${Math.floor(share * 0x1000000).toString(16).padStart(6, "0")}`);
     },
     /** Several choices in one task: modes meet that rarely meet otherwise. */
     shuffle: (picks) => {
       for (const { control, value } of picks) {
-        const element = pick(usable().filter((one) => one.matches("select, [type=radio], [type=checkbox]") && SHUFFLED.includes(groupOf(one))), weightOf, control);
-        if (element?.matches("select")) set(element, "selectedIndex", optionOf(element, value));
+        const element = pick(usable().filter((one) => one.matches(SHUFFLED)), weightOf, control);
+        if (element?.matches("select")) choose(element, value);
         else element?.click();
       }
     },
@@ -98,11 +97,11 @@ export function letMonkeyIn() {
       return true;
     },
     bring: ({ base64, name, by }) => {
-      const carried = new DataTransfer();
-      carried.items.add(new File([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], name));
-      const stage = document.getElementById("stage");
-      if (by === "paste") stage.dispatchEvent(new ClipboardEvent("paste", { clipboardData: carried, bubbles: true, cancelable: true }));
-      else for (const type of ["dragover", "drop"]) stage.dispatchEvent(new DragEvent(type, { dataTransfer: carried, bubbles: true, cancelable: true }));
+      const files = new DataTransfer();
+      files.items.add(new File([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], name));
+      const how = { bubbles: true, cancelable: true, clipboardData: files, dataTransfer: files };
+      const events = by === "paste" ? [new ClipboardEvent("paste", how)] : ["dragover", "drop"].map((type) => new DragEvent(type, how));
+      for (const event of events) document.getElementById("stage").dispatchEvent(event);
     },
   };
 }
