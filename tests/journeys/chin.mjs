@@ -7,8 +7,6 @@ const LEAST_COLOUR = 28;
 /** The chin is at least this wide, in CSS px: lines, letters and dots are thinner. */
 const CHIN_PX = 16;
 
-/** @typedef {{ left: number, top: number, right: number, bottom: number }} Box */
-
 /**
  * What lies over the chin of a face that is seen from the front, and whether all of the face is on the stage. For browsers
  * whose screenshots show the 3D view, and a face painted with its photo.
@@ -17,30 +15,20 @@ const CHIN_PX = 16;
  * @returns {Promise<string[]>}
  */
 export async function chinFindings({ page }) {
-  const box = await faceBox(page);
-  if (!box) return ["no face is seen"];
-  const { chin, stage } = box;
-  const found = (await over(page, chin)).map((name) => `${name} lies over the chin`);
-  if (box.top <= stage.top + 1) found.push("the face leaves the stage above");
-  if (chin.bottom >= stage.bottom - 1) found.push("the face leaves the stage below");
-  if (box.left <= stage.left + 1 || box.right >= stage.right - 1) found.push("the face leaves the stage sideways");
-  return found;
-}
-
-/** @param {import("@playwright/test").Page} page */
-async function faceBox(page) {
-  await showOthers(page, "hidden");
-  const shot = PNG.sync.read(await page.locator("#viewport").screenshot({ scale: "css" }));
-  await showOthers(page, "");
-  const { x, y, width, height } = await page.locator("#viewport").boundingBox();
-  const stage = { left: x, top: y, right: x + width, bottom: y + height };
+  const stage = page.locator("#viewport");
+  await page.evaluate(showOthers, "hidden");
+  const shot = PNG.sync.read(await stage.screenshot({ scale: "css" }));
+  await page.evaluate(showOthers, "");
+  const { x, y, width, height } = await stage.boundingBox();
   const rows = rowsOfSkin(shot);
-  const [first, last] = [rows.at(0), rows.at(-1)];
-  if (!first || !last) return undefined;
-  const chin = { left: x + last.from, right: x + last.to, top: y + last.row - 4, bottom: y + last.row + 1 };
-  const left = x + Math.min(...rows.map(({ from }) => from));
-  const right = x + Math.max(...rows.map(({ to }) => to));
-  return { top: y + first.row, left, right, chin, stage };
+  if (rows.length === 0) return ["no face is seen"];
+  const { row, from, to } = rows.at(-1);
+  const chin = { left: x + from, right: x + to, top: y + row - 4, bottom: y + row + 1 };
+  const found = (await over(page, chin)).map((name) => `${name} lies over the chin`);
+  if (rows[0].row <= 1) found.push("the face leaves the stage above");
+  if (row + 1 >= height - 1) found.push("the face leaves the stage below");
+  if (rows.some(({ from, to }) => from <= 1 || to >= width - 1)) found.push("the face leaves the stage sideways");
+  return found;
 }
 
 /** The longest run of skin in each row of a picture that has one. @param {import("./pixels.mjs").Pixels} pixels */
@@ -50,7 +38,8 @@ function rowsOfSkin({ width, height, data }) {
     let longest = { row, from: 0, to: 0 };
     let from = 0;
     for (let x = 0; x <= width; x++) {
-      if (x < width && isSkin(data, 4 * (row * width + x))) continue;
+      const at = 4 * (row * width + x);
+      if (x < width && isSkin(data.subarray(at, at + 3))) continue;
       if (x - from > longest.to - longest.from) longest = { row, from, to: x };
       from = x + 1;
     }
@@ -59,15 +48,12 @@ function rowsOfSkin({ width, height, data }) {
   return rows;
 }
 
-/** @param {Uint8Array} data RGBA @param {number} at */
-function isSkin(data, at) {
-  const channels = [data[at], data[at + 1], data[at + 2]];
-  return Math.max(...channels) - Math.min(...channels) >= LEAST_COLOUR;
+/** @param {Uint8Array} colour */
+function isSkin(colour) {
+  return Math.max(...colour) - Math.min(...colour) >= LEAST_COLOUR;
 }
 
-/** @param {import("@playwright/test").Page} page @param {"" | "hidden"} visibility of all but the 3D view */
-function showOthers(page, visibility) {
-  return page.evaluate((visibility) => {
-    for (const element of document.querySelectorAll(".stage > :not(.viewport), .panel, #toast, #faces")) element.style.visibility = visibility;
-  }, visibility);
+/** Runs in the page. @param {"" | "hidden"} visibility of all but the 3D view */
+function showOthers(visibility) {
+  for (const element of document.querySelectorAll(".stage > :not(.viewport), .panel, #toast, #faces")) element.style.visibility = visibility;
 }

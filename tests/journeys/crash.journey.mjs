@@ -5,12 +5,19 @@ test("a landmark without anything to hold the face, another density, and the pag
   await editor.findLandmark("nose tip");
   await editor.unfold("section-advanced");
   await page.selectOption("#anchors", "pins");
+  const box = await page.locator("#viewport").boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   for (const density of ["1", "2", "0"]) {
     await editor.unfold("section-view");
     await page.selectOption("#density", density);
     await editor.frames(3);
     assert.equal(await page.inputValue("#density"), density);
-    await wander(editor);
+    for (const [right, down] of [[0, 0], [30, -20], [-40, 30], [5, 45]]) await page.mouse.move(x + right, y + down, { steps: 3 });
+    await page.mouse.click(x + 12, y + 20);
+    await editor.drag({ x: x + 12, y: y + 20 }, { x: 25, y: -10 });
+    await page.focus("#viewport");
+    await page.keyboard.press("Control+z");
+    await editor.frames(3);
   }
   editor.checkNothingBroke();
 
@@ -27,16 +34,3 @@ test("a landmark without anything to hold the face, another density, and the pag
   await page.click("#toolbar [data-action='redo']");
   assert.deepEqual(await editor.meshJson("mm"), edited);
 });
-
-/** Moves the pointer over the face, clicks on it, drags, and takes back what that did. */
-async function wander(visitor) {
-  const { page } = visitor;
-  const box = await page.locator("#viewport").boundingBox();
-  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-  for (const [right, down] of [[0, 0], [30, -20], [-40, 30], [5, 45]]) await page.mouse.move(x + right, y + down, { steps: 3 });
-  await page.mouse.click(x + 12, y + 20);
-  await visitor.drag({ x: x + 12, y: y + 20 }, { x: 25, y: -10 });
-  await page.focus("#viewport");
-  await page.keyboard.press("Control+z");
-  await visitor.frames(3);
-}
