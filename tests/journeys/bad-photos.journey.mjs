@@ -4,12 +4,12 @@ import { test } from "./fixtures.mjs";
 import { asJpeg, enormousPng, faceless, heic, outOfFocus, text } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-test("what is no photo of a face gets a message each, and the page works on", async ({ visitor }) => {
+test("what is no photo of a face gets a message each, a face that may be none a remark, and the page works on", async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.move("nose tip", "z", 4);
   const work = await visitor.meshJson("mm");
 
-  const jpeg = await asJpeg(visitor.page, await readFile(SAMPLE));
+  const jpeg = await asJpeg(page, await readFile(SAMPLE));
   const photos = [
     { bytes: faceless(), name: "sky.png", code: "no-face-found", says: /No face found/ },
     { bytes: text(), name: "diary.jpg", code: "not-a-picture", says: /not a picture/ },
@@ -19,26 +19,23 @@ test("what is no photo of a face gets a message each, and the page works on", as
   ];
   for (const { bytes, name, code, says } of photos) {
     await visitor.drop(bytes, name);
-    await visitor.page.waitForSelector(`#notice[data-code="${code}"]`);
-    await visitor.page.waitForSelector("#progress", { state: "hidden" });
+    await page.waitForSelector(`#notice[data-code="${code}"]`);
+    await page.waitForSelector("#progress", { state: "hidden" });
     assert.match((await visitor.notice()).text, says);
-    const told = await visitor.page.locator("body").innerText();
+    const told = await page.locator("body").innerText();
     assert.equal(told.match(new RegExp(says, "g"))?.length, 1, `${name} is told more than once`);
-    if (code === "no-face-found") await visitor.page.keyboard.press("Escape");
-    else await visitor.page.click("#notice-close");
-    assert.ok(await visitor.page.isHidden("#notice"));
+    if (code === "no-face-found") await page.keyboard.press("Escape");
+    else await page.click("#notice-close");
+    assert.ok(await page.isHidden("#notice"));
     assert.deepEqual(await visitor.meshJson("mm"), work, `${name} changed the work on screen`);
   }
 
   await visitor.drop(jpeg, "portrait.jpg");
-  await visitor.page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
-  assert.ok(await visitor.page.locator("#notice").isHidden());
-});
-
-test("a face that may be none is opened with a remark", async ({ visitor }) => {
-  await visitor.drop(await outOfFocus(visitor.page, await readFile(SAMPLE)), "blurred.png");
-  await visitor.untilFace();
+  await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
+  assert.ok(await page.isHidden("#notice"));
+  await visitor.drop(await outOfFocus(page, await readFile(SAMPLE)), "blurred.png");
   assert.equal((await visitor.notice()).code, "may-not-be-a-face");
+  await visitor.untilFace();
   await visitor.dropSample();
-  await visitor.page.waitForSelector("#notice", { state: "hidden" });
+  await page.waitForSelector("#notice", { state: "hidden" });
 });
