@@ -3,41 +3,17 @@ import * as basics from "./boxes/basics.mjs";
 import * as cuts from "./boxes/cuts.mjs";
 import * as overlaps from "./boxes/overlaps.mjs";
 
-const { isSeen } = basics;
-const { cutting, leaving, sideways, spilling } = cuts;
-const { covered, lyingOver, overlapping } = overlaps;
-
 /** All that runs in the page, as its source. */
-const SOURCE = [...Object.entries({ ...basics, ...cuts, ...overlaps }), ["lookOver", lookOver]]
+const SOURCE = Object.entries({ ...basics, ...cuts, ...overlaps })
   .map(([name, value]) => (typeof value === "function" ? String(value) : `const ${name} = ${JSON.stringify(value)};`))
   .join("\n");
 
-/**
- * What is wrong with the boxes of the page as it stands; nothing if nothing is.
- *
- * @param {import("@playwright/test").Page} page
- * @returns {Promise<string[]>}
- */
+/** What is wrong with the boxes of the page as it stands; nothing if nothing is. @returns {Promise<string[]>} */
 export function findings(page) {
-  return page.evaluate(`(() => { ${SOURCE}\nreturn ${lookOver.name}(); })()`);
+  return page.evaluate(`(() => { ${SOURCE}\nreturn ${overlaps.lookOver.name}(); })()`);
 }
 
-/**
- * What floats or stands over a box of the stage: over the chin, say.
- *
- * @param {import("@playwright/test").Page} page
- * @param {{ left: number, top: number, right: number, bottom: number }} box in CSS px of the window
- * @returns {Promise<string[]>}
- */
+/** What floats or stands over a box of the stage, in CSS px of the window: over the chin, say. @returns {Promise<string[]>} */
 export function over(page, box) {
-  return page.evaluate(`(() => { ${SOURCE}\nreturn ${lyingOver.name}(${JSON.stringify(box)}); })()`);
-}
-
-/** Runs in the page. @returns {string[]} */
-function lookOver() {
-  const modal = document.querySelector("dialog:modal");
-  const scope = modal ?? document.body;
-  const all = [...scope.querySelectorAll("*")].filter(isSeen);
-  const found = [...(modal ? [] : overlapping()), ...leaving(all), ...spilling(all), ...cutting(all), ...covered(scope), ...sideways()];
-  return [...new Set(found)];
+  return page.evaluate(`(() => { ${SOURCE}\nreturn ${overlaps.lyingOver.name}(${JSON.stringify(box)}); })()`);
 }

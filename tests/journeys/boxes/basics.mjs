@@ -21,24 +21,17 @@ export function nameOf(element) {
 
 /** Whatever floats over the 3D view, each for itself; what is as high as the stage and lets presses through is not meant. */
 export function floats() {
-  const outer = document.querySelectorAll(".stage > :not(.viewport, .visually-hidden, .welcome, .drop-veil, .pulse), #toast, #faces");
-  const all = new Set([...outer, ...document.querySelectorAll(".welcome > *")]);
-  const isWhole = (/** @type {Element} */ element) => element.matches(".wipe") && element.clientHeight === element.parentElement?.clientHeight;
-  return [...all].filter((element) => isSeen(element) && element.checkVisibility({ opacityProperty: true }) && !isWhole(element));
+  const outer = ".stage > :not(.viewport, .visually-hidden, .welcome, .drop-veil, .pulse), #toast, #faces, .welcome > *";
+  const isWhole = (element) => element.matches(".wipe") && element.clientHeight === element.parentElement?.clientHeight;
+  const all = [...document.querySelectorAll(outer)];
+  return all.filter((element) => isSeen(element) && element.checkVisibility({ opacityProperty: true }) && !isWhole(element));
 }
 
-/** @param {Element} one @param {Element} other */
-export function overlap(one, other) {
-  const [a, b] = [one.getBoundingClientRect(), other.getBoundingClientRect()];
+/** How much two boxes share; nothing if they are apart. @param {DOMRect} a @param {DOMRect} b */
+export function overlap(a, b) {
   const width = Math.min(a.right, b.right) - Math.max(a.left, b.left);
   const height = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
   return width > SLACK_PX && height > SLACK_PX ? `${Math.round(width)} × ${Math.round(height)} px` : undefined;
-}
-
-/** @param {Element} element */
-export function boxes(element) {
-  const { left, right, top, bottom } = element.getBoundingClientRect();
-  return { left, right, top, bottom };
 }
 
 /** How far a box reaches beyond another's edges, sideways and up or down. */

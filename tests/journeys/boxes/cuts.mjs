@@ -1,37 +1,34 @@
 // What leaves the window, and text that is cut. It runs in the page.
-import { boxes, edgeOf, hasOwnText, isSeen, nameOf, SLACK_PX, textOf } from "./basics.mjs";
+import { edgeOf, hasOwnText, isSeen, nameOf, SLACK_PX, textOf } from "./basics.mjs";
 
 /** A closed list shows its choice beside an arrow this wide, in CSS px. */
 export const SELECT_ARROW_PX = 20;
 
 /** What stands where nobody sees it, though nothing there scrolls. */
 export function leaving(all) {
-  const found = [];
-  for (const element of all) {
-    const isFloat = element.parentElement?.id === "stage" && element.id !== "viewport";
-    if (!isFloat && !hasOwnText(element) && !element.matches("button, input, select, canvas:not(#viewport), progress")) continue;
-    if (element.matches("#drop-veil, #drop-veil *")) continue;
-    const out = outside(element);
-    if (out) found.push(`${nameOf(element)} ${out}`);
-  }
-  return found;
+  const isFloat = (element) => element.parentElement?.id === "stage" && element.id !== "viewport";
+  const isControl = (element) => element.matches("button, input, select, canvas:not(#viewport), progress");
+  return all
+    .filter((element) => isFloat(element) || hasOwnText(element) || isControl(element))
+    .filter((element) => !element.matches("#drop-veil, #drop-veil *"))
+    .map(outside);
 }
 
 /** @param {Element} element */
 export function outside(element) {
-  const box = boxes(element);
+  const box = element.getBoundingClientRect();
   let scrolls = false;
   for (let up = element.parentElement; up && up !== document.documentElement; up = up.parentElement) {
     const { overflowX, overflowY } = getComputedStyle(up);
     if (overflowX === "visible" && overflowY === "visible") continue;
-    const { across, along } = edgeOf(box, boxes(up));
-    if (across > SLACK_PX && overflowX !== "visible") return `leaves ${nameOf(up)} sideways by ${across} px`;
+    const { across, along } = edgeOf(box, up.getBoundingClientRect());
+    if (across > SLACK_PX && overflowX !== "visible") return `${nameOf(element)} leaves ${nameOf(up)} sideways by ${across} px`;
     scrolls ||= /auto|scroll/.test(overflowY);
-    if (!scrolls && along > SLACK_PX && overflowY !== "visible") return `leaves ${nameOf(up)} by ${along} px`;
+    if (!scrolls && along > SLACK_PX && overflowY !== "visible") return `${nameOf(element)} leaves ${nameOf(up)} by ${along} px`;
   }
   const { across, along } = edgeOf(box, { left: 0, top: 0, right: innerWidth, bottom: innerHeight });
-  if (across > SLACK_PX) return `leaves the window sideways by ${across} px`;
-  return !scrolls && along > SLACK_PX ? `leaves the window by ${along} px` : undefined;
+  if (across > SLACK_PX) return `${nameOf(element)} leaves the window sideways by ${across} px`;
+  return !scrolls && along > SLACK_PX ? `${nameOf(element)} leaves the window by ${along} px` : undefined;
 }
 
 /** Text wider than its box: it is cut there, or runs over what stands beside it. */
@@ -46,12 +43,14 @@ export function spilling(all) {
 export function cutting(all) {
   const found = [];
   for (const element of all.filter((one) => one.matches("button, label, summary, [role=tab], .choice-options span"))) {
-    if (element.clientHeight > 0 && element.scrollHeight > element.clientHeight + SLACK_PX) found.push(`${nameOf(element)} is cut by ${element.scrollHeight - element.clientHeight} px`);
-    const out = textOf(element).map((line) => edgeOf(line, boxes(element))).find(({ across, along }) => across > SLACK_PX || along > 2);
+    const { clientHeight, scrollHeight } = element;
+    if (clientHeight > 0 && scrollHeight > clientHeight + SLACK_PX) found.push(`${nameOf(element)} is cut by ${scrollHeight - clientHeight} px`);
+    const box = element.getBoundingClientRect();
+    const out = textOf(element).map((line) => edgeOf(line, box)).find(({ across, along }) => across > SLACK_PX || along > 2);
     if (out && !element.matches("label:has(select, input)")) found.push(`the text of ${nameOf(element)} leaves it by ${Math.max(out.across, out.along)} px`);
     if (element.matches("[role=tab], .choice-options span") && isWrapped(element)) found.push(`the text of ${nameOf(element)} wraps`);
   }
-  return [...found, ...all.map(cutChoice), ...all.map(cutValue)].filter(Boolean);
+  return [...found, ...all.map(cutChoice), ...all.map(cutValue)];
 }
 
 /** Segments and tabs keep to one line, whatever the language. @param {Element} element */
@@ -74,10 +73,10 @@ export function cutChoice(select) {
 
 /** @param {Element} input */
 export function cutValue(input) {
-  if (!(input instanceof HTMLInputElement) || !input.matches("[type=text], [type=number], :not([type])")) return undefined;
-  if (getComputedStyle(input).textOverflow === "ellipsis") return undefined;
+  if (!input.matches("input:is([type=text], [type=number], :not([type]))")) return undefined;
   const lack_px = input.scrollWidth - input.clientWidth;
-  return lack_px > SLACK_PX ? `${nameOf(input)} cuts “${input.value}” by ${lack_px} px` : undefined;
+  const isCut = lack_px > SLACK_PX && getComputedStyle(input).textOverflow !== "ellipsis";
+  return isCut ? `${nameOf(input)} cuts “${input.value}” by ${lack_px} px` : undefined;
 }
 
 export function sideways() {

@@ -1,43 +1,47 @@
 // What overlaps and what is covered. It runs in the page.
 import { floats, isSeen, nameOf, overlap, SLACK_PX } from "./basics.mjs";
+import { cutting, leaving, sideways, spilling } from "./cuts.mjs";
+
+/** @returns {string[]} */
+export function lookOver() {
+  const modal = document.querySelector("dialog:modal");
+  const scope = modal ?? document.body;
+  const all = [...scope.querySelectorAll("*")].filter(isSeen);
+  const found = [...(modal ? [] : overlapping()), ...leaving(all), ...spilling(all), ...cutting(all), ...covered(scope), ...sideways()];
+  return [...new Set(found)].filter(Boolean);
+}
 
 export function overlapping() {
+  const [stage, panel] = ["stage", "panel"].map((id) => document.getElementById(id));
   const floating = floats();
-  const fixed = ["panel"].map((id) => document.getElementById(id)).filter((element) => element && isSeen(element));
-  const found = [];
-  for (const [place, one] of floating.entries()) {
-    for (const other of [...floating.slice(place + 1), ...fixed]) {
-      // A name beside a landmark goes with it, below a message that stays for a moment, too.
-      const isPassing = [one, other].some(({ id }) => id === "landmark-tag") && [one, other].some(({ id }) => id === "notice" || id === "progress");
-      const shared = isPassing || one.contains(other) || other.contains(one) ? undefined : overlap(one, other);
-      if (shared) found.push(`${nameOf(one)} and ${nameOf(other)} overlap by ${shared}`);
-    }
-  }
-  const stage = document.getElementById("stage");
-  for (const panel of fixed) if (overlap(panel, stage)) found.push(`the stage and ${nameOf(panel)} overlap by ${overlap(panel, stage)}`);
-  return found;
+  const fixed = [panel].filter(isSeen);
+  const standing = [...floating, ...fixed];
+  const pairs = floating.flatMap((one, place) => standing.slice(place + 1).map((other) => [one, other]));
+  return [...pairs, ...fixed.map((one) => [stage, one])].map(([one, other]) => {
+    // A name beside a landmark goes with it, below a message that stays for a moment, too.
+    const isPassing = [one, other].some(({ id }) => id === "landmark-tag") && [one, other].some(({ id }) => id === "notice" || id === "progress");
+    if (isPassing || one.contains(other) || other.contains(one)) return undefined;
+    const shared = overlap(one.getBoundingClientRect(), other.getBoundingClientRect());
+    return shared && `${nameOf(one)} and ${nameOf(other)} overlap by ${shared}`;
+  });
 }
 
 /** @param {{ left: number, top: number, right: number, bottom: number }} box */
 export function lyingOver(box) {
-  const panel = document.getElementById("panel");
-  return [...floats(), ...(panel && isSeen(panel) ? [panel] : [])]
-    .filter((element) => overlap(element, { getBoundingClientRect: () => box }))
-    .map(nameOf);
+  const standing = [...floats(), document.getElementById("panel")].filter(isSeen);
+  return standing.filter((element) => overlap(element.getBoundingClientRect(), box)).map(nameOf);
 }
 
 /** Controls whose middle something else takes the presses of. @param {Element} scope */
 export function covered(scope) {
-  const found = [];
-  for (const element of controls(scope)) {
+  return controls(scope).map((element) => {
     const { left, right, top, bottom } = element.getBoundingClientRect();
     const [x, y] = [(left + right) / 2, (top + bottom) / 2];
     const hit = reachable(element, x, y) ? document.elementFromPoint(x, y) : undefined;
-    if (!hit || element.contains(hit) || element.closest("label")?.contains(hit)) continue;
-    if ([...(element.labels ?? [])].some((label) => label.contains(hit))) continue;
-    found.push(`${nameOf(element)} is covered by ${nameOf(hit)}`);
-  }
-  return found;
+    const own = [element, element.closest("label"), ...(element.labels ?? [])];
+    const isFree = !hit || own.some((one) => one?.contains(hit));
+    return isFree ? undefined : `${nameOf(element)} is covered by ${nameOf(hit)}`;
+  });
 }
 
 /** @param {Element} scope */
