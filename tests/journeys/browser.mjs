@@ -30,13 +30,6 @@ const QUIET = [
   "--disable-gpu-process-crash-limit",
 ];
 
-/** A camera that plays a film. */
-const fakeCamera = (/** @type {string} */ film) => [
-  "--use-fake-ui-for-media-stream",
-  "--use-fake-device-for-media-stream",
-  `--use-file-for-fake-video-capture=${film}`,
-];
-
 /**
  * Starts the system's Chromium without a window.
  *
@@ -44,7 +37,8 @@ const fakeCamera = (/** @type {string} */ film) => [
  *   `seen`: whether the 3D view shows in screenshots; `keepsPages`: whether pages that are left are kept for the way back
  */
 export function launch({ gpu = "webgpu", film, seen = true, keepsPages = false } = {}) {
-  const args = [...QUIET, ...GPUS[gpu], ...(seen ? [] : UNSEEN), ...(film ? fakeCamera(film) : [])];
+  const camera = ["--use-fake-ui-for-media-stream", "--use-fake-device-for-media-stream", `--use-file-for-fake-video-capture=${film}`];
+  const args = [...QUIET, ...GPUS[gpu], ...(seen ? [] : UNSEEN), ...(film ? camera : [])];
   const ignoreDefaultArgs = keepsPages ? ["--disable-back-forward-cache"] : [];
   return chromium.launch({ executablePath: executable(), headless: true, args, ignoreDefaultArgs });
 }

@@ -3,21 +3,20 @@ import { launch } from "./browser.mjs";
 import { movingFilm } from "./film.mjs";
 import { portraitFilm } from "./pictures.mjs";
 
-/** @typedef {import("@playwright/test").Browser} Browser */
-
-/** Kinds of browsers: how each is launched, and whether its screenshots show the 3D view. */
+/** How each kind of browser is launched; `seen`: whether its screenshots show the 3D view. */
 const KINDS = {
-  gpu: { seen: false, options: () => ({}) },
-  eyes: { seen: true, options: () => ({}) },
-  webgl: { seen: true, options: () => ({ gpu: "webgl" }) },
-  "no-gpu": { seen: true, options: () => ({ gpu: "none" }) },
-  camera: { seen: false, options: async () => ({ film: await portraitFilm() }) },
-  "moving-camera": { seen: false, options: async () => ({ film: await movingFilm() }) },
-  "seen-camera": { seen: true, options: async () => ({ film: await movingFilm() }) },
-  "way-back": { seen: false, options: () => ({ keepsPages: true }) },
+  gpu: () => ({ seen: false }),
+  eyes: () => ({ seen: true }),
+  webgl: () => ({ seen: true, gpu: "webgl" }),
+  "no-gpu": () => ({ seen: true, gpu: "none" }),
+  camera: async () => ({ seen: false, film: await portraitFilm() }),
+  "moving-camera": async () => ({ seen: false, film: await movingFilm() }),
+  "seen-camera": async () => ({ seen: true, film: await movingFilm() }),
+  "way-back": () => ({ seen: false, keepsPages: true }),
 };
 
 /** @typedef {keyof typeof KINDS} Kind */
+/** @typedef {{ browser: import("@playwright/test").Browser, pid: number, seen: boolean }} Open */
 
 /** Time limit for closing a page or a browser: one that takes longer hangs. */
 const CLOSING_MS = 30_000;
@@ -29,20 +28,18 @@ export function kindFor(tags) {
 
 /** Browsers of one worker, each launched when it is first needed, and again if it crashed. */
 export class Browsers {
-  /** @type {Map<Kind, { browser: Browser, pid: number }>} */
+  /** @type {Map<Kind, Open>} */
   #open = new Map();
 
-  /** Whether screenshots show the 3D view. @param {Kind} kind */
+  /** Whether screenshots of an open browser show the 3D view. @param {Kind} kind */
   sees(kind) {
-    return KINDS[kind].seen;
+    return this.#open.get(kind).seen;
   }
 
   /** @param {Kind} kind */
   async get(kind) {
-    const last = this.#open.get(kind);
-    const open = last?.browser.isConnected() ? last : await launched(kind);
-    this.#open.set(kind, open);
-    return open.browser;
+    if (!this.#open.get(kind)?.browser.isConnected()) this.#open.set(kind, await launched(kind));
+    return this.#open.get(kind).browser;
   }
 
   /** Closes a visitor's pages. @param {import("./visitor.mjs").Visitor} visitor */
@@ -56,17 +53,17 @@ export class Browsers {
   }
 }
 
-/** @param {Kind} kind */
+/** @param {Kind} kind @returns {Promise<Open>} */
 async function launched(kind) {
-  const { seen, options } = KINDS[kind];
-  const browser = await launch({ seen, ...(await options()) });
+  const options = await KINDS[kind]();
+  const browser = await launch(options);
   const session = await browser.newBrowserCDPSession();
   const { processInfo } = await session.send("SystemInfo.getProcessInfo");
   await session.detach();
-  return { browser, pid: processInfo.find(({ type }) => type === "browser").id };
+  return { browser, pid: processInfo.find(({ type }) => type === "browser").id, seen: options.seen };
 }
 
-/** A browser that hangs is killed. @param {Promise<void>} closing @param {{ browser: Browser, pid: number } | undefined} open */
+/** A browser that hangs is killed. @param {Promise<void>} closing @param {Open | undefined} open */
 async function closeOrKill(closing, open) {
   const isClosed = await Promise.race([closing.then(() => true, () => true), later(CLOSING_MS, false, { ref: false })]);
   if (isClosed || !open?.browser.isConnected()) return;
