@@ -6,12 +6,12 @@ import { Swing } from "./swing.js";
 /** @typedef {import("../viewport/workbench.js").Workbench} Workbench */
 
 const SWING_MS = 3400;
-/** At its end the face is still for a moment, and is shown some times: some of them may be dropped. */
+/** At its end the face is still for a moment, and is shown some times, but seldom: a slow browser falls behind with each picture. */
 const LENGTH_MS = 4000;
 const LAST_PICTURES = 5;
-const LAST_PICTURE_MS = 50;
-/** A browser is behind with what it records, and drops what it has not come to. */
-const BEHIND_MS = 600;
+const LAST_PICTURE_MS = 150;
+/** The time a browser has to catch up with what it was shown: what it has not recorded when it is stopped is lost. */
+const BEHIND_MS = 1500;
 /** A square fits on every screen; codecs want even sides. */
 const SIDE_PX = 720;
 
