@@ -1,10 +1,4 @@
-// What a page did with the camera, told by scripts that run in it before its own.
-
-/**
- * How often the page asked for the camera, the tracks it was given, and how many of them still run.
- *
- * @param {import("./visitor.mjs").Visitor} visitor
- */
+/** How often the page asked for the camera, the tracks it was given, and how many of them still run. */
 export function camera({ page }) {
   return page.evaluate(() => {
     const tracks = window.cameraTracks;

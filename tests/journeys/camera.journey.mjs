@@ -8,55 +8,40 @@ test.use({ visit: { scripts: [watchCamera] } });
 /** Longer than the countdown. */
 const COUNTED_MS = 5000;
 
-test("a double click opens one camera, and Escape stops it", { tag: "@camera" }, async ({ visitor }) => {
-  await visitor.page.dblclick("#welcome [data-action='camera']");
-  await visitor.page.waitForSelector("#camera-shutter:enabled");
-  await visitor.page.keyboard.press("Escape");
-  await untilClosed(visitor.page);
-  assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
+for (const [[presses, press], tag] of alike([
+  ["a double click opens", ({ page }) => page.dblclick("#welcome [data-action='camera']")],
+  ["two presses before the page has answered either open", pressTwice],
+])) {
+  test(`${presses} one camera, and Escape stops it, or the button`, { tag: [...tag, "@camera"] }, async ({ visitor, page }) => {
+    await press(visitor);
+    await page.waitForSelector("#camera-shutter:enabled");
+    await leaveCamera(page);
+    assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
 
-  // Once more, and the other way out.
-  await visitor.page.click("#welcome [data-action='camera']");
-  await visitor.page.waitForSelector("#camera-shutter:enabled");
-  assert.equal((await camera(visitor)).live, 1);
-  await visitor.page.click("#camera [data-action='close-camera']");
-  assert.deepEqual(await camera(visitor), { asked: 2, tracks: 2, live: 0 });
-});
-
-test("two presses before the page has answered either ask for the camera once", { tag: ["@camera", "@rare"] }, async ({ visitor }) => {
-  // A script's press does not wait, as a hand's does, for the page to be there.
-  await visitor.untilLoaded();
-  await visitor.page.evaluate(() => {
-    const button = document.querySelector("#welcome [data-action='camera']");
-    button.click();
-    button.click();
+    await openCamera(page);
+    assert.equal((await camera(visitor)).live, 1);
+    await page.click("#camera [data-action='close-camera']");
+    assert.deepEqual(await camera(visitor), { asked: 2, tracks: 2, live: 0 });
   });
-  await visitor.page.waitForSelector("#camera-shutter:enabled");
-  await visitor.page.keyboard.press("Escape");
-  await untilClosed(visitor.page);
-  assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
-});
+}
 
 test("the dialog is there while the browser asks, and a camera allowed after it was closed is stopped at once", { tag: ["@camera", "@rare"] }, async ({ visitor, page }) => {
   await page.evaluate(() => (window.cameraWaits = true));
   await page.click("#welcome [data-action='camera']");
   assert.match(await page.innerText("#camera-status"), /Allow the camera/);
   assert.ok(await page.isDisabled("#camera-shutter"));
-  await page.keyboard.press("Escape");
-  await untilClosed(page);
+  await leaveCamera(page);
   await page.evaluate(() => window.allowCamera());
   await page.waitForFunction(() => window.cameraTracks.length === 1 && window.cameraTracks[0].readyState === "ended");
 
   // Closed and opened again while the browser asks: its one answer serves the dialog that is open.
   await page.click("#welcome [data-action='camera']");
-  await page.keyboard.press("Escape");
-  await untilClosed(page);
+  await leaveCamera(page);
   await page.click("#welcome [data-action='camera']");
   await page.evaluate(() => window.allowCamera());
   await page.waitForSelector("#camera-shutter:enabled");
   assert.deepEqual(await camera(visitor), { asked: 2, tracks: 2, live: 1 });
-  await page.keyboard.press("Escape");
-  await untilClosed(page);
+  await leaveCamera(page);
   assert.equal((await camera(visitor)).live, 0);
 });
 
@@ -64,8 +49,7 @@ for (const [moment, tag] of alike(["before the photo", "during the countdown"]))
   test(`a camera that is unplugged ${moment} closes the dialog with a message, and no photo is taken`, { tag: [...tag, "@camera"] }, async ({ open }) => {
     const visitor = await open({ hasClock: true });
     const { page } = visitor;
-    await page.click("#welcome [data-action='camera']");
-    await page.waitForSelector("#camera-shutter:enabled");
+    await openCamera(page);
     if (moment === "during the countdown") await page.click("#camera-shutter");
     await page.evaluate(() => window.unplugCamera());
     assert.equal((await visitor.notice()).code, "camera-lost");
@@ -81,11 +65,10 @@ for (const [moment, tag] of alike(["before the photo", "during the countdown"]))
 test("Escape during the countdown takes no photo", { tag: ["@camera", "@rare"] }, async ({ open }) => {
   const visitor = await open({ hasClock: true });
   const { page } = visitor;
-  await page.click("#welcome [data-action='camera']");
-  await page.click("#camera-shutter:enabled");
+  await openCamera(page);
+  await page.click("#camera-shutter");
   await page.waitForFunction(() => /[123]/.test(document.getElementById("camera-countdown").textContent));
-  await page.keyboard.press("Escape");
-  await untilClosed(page);
+  await leaveCamera(page);
   // Open again: the first countdown must not take the second one's photo.
   await page.click("#welcome [data-action='camera']");
   await page.clock.runFor(COUNTED_MS);
@@ -111,12 +94,24 @@ test("no photo is taken of a video that has no size yet", { tag: ["@camera", "@r
   await page.waitForSelector("#camera-shutter:enabled");
 });
 
-/**
- * Waits until the dialog is gone and nothing of the camera runs, which the browser tells the page a moment later.
- *
- * @param {import("@playwright/test").Page} page
- */
-async function untilClosed(page) {
+/** Opens the camera, and waits until it can take a photo. @param {import("@playwright/test").Page} page */
+async function openCamera(page) {
+  await page.click("#welcome [data-action='camera']");
+  await page.waitForSelector("#camera-shutter:enabled");
+}
+
+/** Closes the dialog by Escape, and waits until nothing of the camera runs, which the browser tells the page a moment later. */
+async function leaveCamera(page) {
+  await page.keyboard.press("Escape");
   await page.waitForSelector("#camera", { state: "hidden" });
   await page.waitForFunction(() => window.cameraTracks.every((track) => track.readyState === "ended"), undefined, { timeout: 5000 });
+}
+
+/** A script's press does not wait, as a hand's does, for the page to be there. @param {import("./visitor.mjs").Visitor} visitor */
+async function pressTwice(visitor) {
+  await visitor.untilLoaded();
+  await visitor.page.locator("#welcome [data-action='camera']").evaluate((button) => {
+    button.click();
+    button.click();
+  });
 }
