@@ -1,3 +1,4 @@
+import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { existsSync, statSync } from "node:fs";
 import { mkdtemp, readFile, readdir, rm } from "node:fs/promises";
@@ -8,75 +9,57 @@ import { promisify } from "node:util";
 const ROOT = path.resolve(import.meta.dirname, "../..");
 const TARGET = process.env.CARGO_TARGET_DIR ?? path.join(ROOT, "target");
 
+/** What the page does unless asked otherwise, in the options of `rosto mesh`. */
+export const AS_THE_PAGE_EDITS = "--units mm --topology canonical --operator cotangent --hold exact --anchors oval --radius 25 --mirror".split(" ");
+
 /** The mesh that the command line makes of a photo, as JSON. @param {string} photo @param {string[]} options of `rosto mesh` */
 export async function meshByCommandLine(photo, options) {
-  return JSON.parse((await fileByCommandLine("mesh", photo, "json", options)).toString());
+  return JSON.parse((await fileByCommandLine("mesh", photo, "made.json", options)).toString());
 }
 
 /** A GLB that the command line makes of a photo. @param {string} photo @param {string[]} options of `rosto mesh` */
 export function glbByCommandLine(photo, options) {
-  return fileByCommandLine("mesh", photo, "glb", options);
+  return fileByCommandLine("mesh", photo, "made.glb", options);
 }
 
 /** The photo that the command line makes of a photo, as a PNG. @param {string} photo @param {string[]} options of `rosto photo` */
 export function photoByCommandLine(photo, options) {
-  return fileByCommandLine("photo", photo, "png", options);
-}
-
-/**
- * All files that the command line makes of a photo, by their names, and what it says about them. Where it refuses, there are
- * none.
- *
- * @param {string} photo
- * @param {string} name of the first of them
- * @param {string[]} options of `rosto mesh`
- * @returns {Promise<{ files: Map<string, Buffer>, said: string }>}
- */
-export function filesByCommandLine(photo, name, options) {
-  return inFolder(async (folder) => {
-    const making = promisify(execFile)(program(), ["mesh", photo, "-o", path.join(folder, name), ...options]);
-    const { stdout, stderr } = await making.catch((refused) => refused);
-    const files = (await readdir(folder)).map(async (file) => /** @type {const} */ ([file, await readFile(path.join(folder, file))]));
-    return { files: new Map(await Promise.all(files)), said: `${stdout}${stderr}` };
-  });
-}
-
-/** @param {"mesh" | "photo"} task @param {string} photo @param {string} ending @param {string[]} options */
-function fileByCommandLine(task, photo, ending, options) {
-  return inFolder(async (folder) => {
-    const file = path.join(folder, `made.${ending}`);
-    await promisify(execFile)(program(), [task, photo, "-o", file, ...options]);
-    return readFile(file);
-  });
-}
-
-/**
- * @template T
- * @param {(folder: string) => Promise<T>} work in a folder of its own
- */
-async function inFolder(work) {
-  const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
-  try {
-    return await work(folder);
-  } finally {
-    await rm(folder, { recursive: true });
-  }
+  return fileByCommandLine("photo", photo, "made.png", options);
 }
 
 /** What `rosto paper` finds about each operator and constraint on a photo. @param {string} photo @param {string[]} options */
 export async function paperByCommandLine(photo, options) {
+  const { code, stdout, said } = await run("paper", photo, ".", options);
+  assert.equal(code, 0, said);
+  const rows = stdout.slice(stdout.indexOf("| Operator")).trim().split("\n").slice(2);
+  return rows.map((row) => {
+    const [operator, hold, , ...measures] = row.split("|").slice(1).map((cell) => cell.trim());
+    const [bent, stretch, flipped, smooth] = measures.map(Number.parseFloat);
+    return { operator, hold, bent, stretch, flipped, smooth };
+  });
+}
+
+/** All files that `rosto mesh` makes of a photo, by their names, the first as given, and what it says. There are none where it refuses. */
+export function filesByCommandLine(photo, name, options) {
+  return run("mesh", photo, name, options);
+}
+
+/** @param {"mesh" | "photo"} task @param {string} photo @param {string} name @param {string[]} options */
+async function fileByCommandLine(task, photo, name, options) {
+  const { files, code, said } = await run(task, photo, name, options);
+  assert.equal(code, 0, said);
+  return files.get(name);
+}
+
+/** Runs the command line in a folder of its own. @param {string} task @param {string} photo @param {string} output @param {string[]} options */
+async function run(task, photo, output, options) {
   const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
-  try {
-    const { stdout } = await promisify(execFile)(program(), ["paper", photo, "-o", folder, ...options]);
-    const rows = stdout.slice(stdout.indexOf("| Operator")).trim().split("\n").slice(2);
-    return rows.map((row) => {
-      const [operator, hold, , bent, stretch, flipped, smooth] = row.split("|").slice(1).map((cell) => cell.trim());
-      const [bentBy, stretchedBy, turned, unpeaked] = [bent, stretch, flipped, smooth].map(Number.parseFloat);
-      return { operator, hold, bent: bentBy, stretch: stretchedBy, flipped: turned, smooth: unpeaked };
-    });
-  } finally {
-    await rm(folder, { recursive: true });
-  }
+  const running = promisify(execFile)(program(), [task, photo, "-o", path.join(folder, output), ...options]);
+  const { stdout, stderr, code = 0 } = await running.catch((refused) => refused);
+  const files = (await readdir(folder)).map(async (name) => /** @type {const} */ ([name, await readFile(path.join(folder, name))]));
+  const made = { files: new Map(await Promise.all(files)), stdout, said: `${stdout}${stderr}`, code };
+  await rm(folder, { recursive: true });
+  return made;
 }
 
 /** The command line itself: as the environment says, or the newest that was built. */
