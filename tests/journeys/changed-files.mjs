@@ -1,15 +1,9 @@
 // Files that were saved on the page, as other programs, other versions or ill will may have changed them.
 
-const JSON_CHUNK = 0x4e4f534a;
 const HEADER_BYTES = 12;
 const CHUNK_HEADER_BYTES = 8;
 
-/**
- * A project with another header.
- *
- * @param {Buffer} file
- * @param {(header: any) => any} change is given the header, which it may change; what it returns stands for it
- */
+/** A project with another header: the one that `change` returns, or else that it was given and may have changed. */
 export function changedProject(file, change) {
   const end = file.indexOf("\n");
   const header = JSON.parse(file.subarray(0, end).toString());
@@ -33,34 +27,24 @@ export function partsOfGlb(file) {
 
 /** @param {{ json: any, bytes: Buffer }} parts */
 export function glbOf({ json, bytes }) {
-  const text = padded(Buffer.from(JSON.stringify(json)), 0x20);
-  const data = padded(bytes, 0);
+  const chunks = Buffer.concat([chunk("JSON", Buffer.from(JSON.stringify(json)), 0x20), chunk("BIN\0", bytes, 0)]);
   const header = Buffer.alloc(HEADER_BYTES);
   header.write("glTF");
   header.writeUInt32LE(2, 4);
-  header.writeUInt32LE(HEADER_BYTES + 2 * CHUNK_HEADER_BYTES + text.length + data.length, 8);
-  return Buffer.concat([header, chunkHeader(text, JSON_CHUNK), text, chunkHeader(data, 0x004e4942), data]);
+  header.writeUInt32LE(HEADER_BYTES + chunks.length, 8);
+  return Buffer.concat([header, chunks]);
 }
 
-/**
- * A GLB in which one of the bytes' parts is another, of whatever length.
- *
- * @param {{ json: any, bytes: Buffer }} parts
- * @param {number} view
- * @param {Buffer} replacement
- */
-export function withView({ json, bytes }, view, replacement) {
-  const views = json.bufferViews.map(({ byteOffset = 0, byteLength }, place) =>
-    place === view ? replacement : bytes.subarray(byteOffset, byteOffset + byteLength),
-  );
-  let offset = 0;
-  const bufferViews = json.bufferViews.map((told, place) => {
-    const moved = { ...told, byteOffset: offset, byteLength: views[place].length };
-    offset += padded(views[place], 0).length;
+/** A GLB in which one of the bytes' parts, a view, is another, of whatever length. */
+export function withView(parts, view, replacement) {
+  let joined = Buffer.alloc(0);
+  const bufferViews = parts.json.bufferViews.map((told, place) => {
+    const bytes = place === view ? replacement : viewOf(parts, place);
+    const moved = { ...told, byteOffset: joined.length, byteLength: bytes.length };
+    joined = Buffer.concat([joined, padded(bytes, 0)]);
     return moved;
   });
-  const joined = Buffer.concat(views.map((part) => padded(part, 0)));
-  return glbOf({ json: { ...json, bufferViews, buffers: [{ byteLength: joined.length }] }, bytes: joined });
+  return glbOf({ json: { ...parts.json, bufferViews, buffers: [{ byteLength: joined.length }] }, bytes: joined });
 }
 
 /** The bytes of one part of a GLB. */
@@ -69,12 +53,12 @@ export function viewOf({ json, bytes }, view) {
   return bytes.subarray(byteOffset, byteOffset + byteLength);
 }
 
-/** @param {Buffer} chunk @param {number} kind */
-function chunkHeader(chunk, kind) {
-  const header = Buffer.alloc(CHUNK_HEADER_BYTES);
-  header.writeUInt32LE(chunk.length, 0);
-  header.writeUInt32LE(kind, 4);
-  return header;
+/** A chunk of a GLB: its length, its kind and its bytes, up to a multiple of four. */
+function chunk(kind, bytes, by) {
+  const body = padded(bytes, by);
+  const header = Buffer.from(`\0\0\0\0${kind}`);
+  header.writeUInt32LE(body.length);
+  return Buffer.concat([header, body]);
 }
 
 /** @param {Buffer} bytes @param {number} by */
