@@ -240,7 +240,9 @@ export class Visitor {
       if ((await this.cursor()) !== "move") continue;
       const name = await page.textContent("#landmark-tag");
       lit += 1;
-      await this.drag({ x, y }, { x: 14, y: 14 });
+      await page.mouse.down();
+      await page.mouse.move(x + 14, y + 14, { steps: 2 });
+      await page.mouse.up();
       const [entry] = await this.history();
       if (entry !== name) turned.push({ x, y, name, entry });
       if (entry !== undefined) await page.keyboard.press("Control+z");
