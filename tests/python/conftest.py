@@ -1,14 +1,14 @@
-"""What the tests of the Python package share: the sample portrait, the command line, and variants of the portrait."""
+"""What the tests of the Python package share: the sample portrait, variants of it, and the command line."""
 
-import json
 import os
 import subprocess
+from collections.abc import Callable
 from pathlib import Path
+from random import Random
 
 import numpy as np
 import pytest
-import variants
-from PIL import Image
+from PIL import Image, ImageEnhance
 
 ROOT = Path(__file__).parents[2]
 
@@ -19,29 +19,29 @@ def portrait() -> Path:
 
 
 @pytest.fixture(scope="session")
-def album(portrait: Path, tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    """A thousand photos that differ, as JPEG files; one of them shows nobody, and one is none."""
-    photos = variants.write(portrait, tmp_path_factory.mktemp("album"), 1000)
+def pixels(portrait: Path) -> np.ndarray:
+    """The portrait as an array that cannot be written."""
+    with Image.open(portrait) as opened:
+        return np.asarray(opened.convert("RGB"))
+
+
+@pytest.fixture(scope="session")
+def album(pixels: np.ndarray, tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """A thousand JPEG files of the portrait, each turned, cut and lit differently; one shows no face, and one is not a picture."""
+    random, folder = Random(0), tmp_path_factory.mktemp("album")
+    photos = [folder / f"{number:05}.jpg" for number in range(1000)]
+    for photo in photos:
+        x, y, half = random.uniform(200, 240), random.uniform(150, 190), random.uniform(150, 210)
+        turned = Image.fromarray(pixels).rotate(random.uniform(-20, 20), Image.Resampling.BILINEAR, center=(x, y))
+        cut = turned.crop((x - half, y - half, x + half, y + half)).resize((256, 256))
+        ImageEnhance.Brightness(cut).enhance(random.uniform(0.7, 1.2)).save(photo, quality=90)
     Image.new("RGB", (64, 64), "grey").save(photos[300])
     photos[700].write_bytes(b"these are notes")
     return photos
 
 
-class CommandLine:
-    """The program `rosto`, as the native tests build it."""
-
-    program = os.environ.get("ROSTO_CLI", str(ROOT / "target/debug/rosto"))
-
-    def run(self, *words: object) -> bytes:
-        run = subprocess.run([self.program, *map(str, words)], capture_output=True, check=True)
-        return run.stdout
-
-    def points(self, *words: object) -> np.ndarray:
-        """The landmarks of the first face in each photo."""
-        lines = self.run("landmarks", *words).splitlines()
-        return np.array([json.loads(line)["faces"][0]["landmarks"] for line in lines], np.float32)
-
-
 @pytest.fixture(scope="session")
-def command_line() -> CommandLine:
-    return CommandLine()
+def command_line() -> Callable[..., bytes]:
+    """Runs the program `rosto`, as the native tests build it; returns its output."""
+    program = os.environ.get("ROSTO_CLI", ROOT / "target/debug/rosto")
+    return lambda *words: subprocess.check_output([program, *map(str, words)])

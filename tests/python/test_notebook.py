@@ -1,31 +1,18 @@
-"""The notebook is kept without outputs, and runs."""
-
 from pathlib import Path
 
 import nbformat
-import pytest
 from nbclient import NotebookClient
 
 NOTEBOOK = Path(__file__).parents[2] / "crates/python/notebook/faces.ipynb"
 
 
-@pytest.fixture(scope="module")
-def notebook():
-    return nbformat.read(NOTEBOOK, as_version=4)
-
-
-def code_of(notebook):
-    return [cell for cell in notebook.cells if cell.cell_type == "code"]
-
-
-def test_the_notebook_is_kept_without_outputs(notebook):
-    assert [(cell.outputs, cell.execution_count) for cell in code_of(notebook)] == [([], None)] * 8
-
-
-def test_the_notebook_runs(notebook):
-    resources = {"metadata": {"path": str(NOTEBOOK.parent)}}
-    ran = NotebookClient(notebook, resources=resources, record_timing=False).execute()
-    outputs = [output for cell in code_of(ran) for output in cell.outputs]
+def test_the_notebook_is_kept_without_outputs_and_runs():
+    notebook = nbformat.read(NOTEBOOK, as_version=4)
+    code = [cell for cell in notebook.cells if cell.cell_type == "code"]
+    assert [(cell.outputs, cell.execution_count) for cell in code] == [([], None)] * 8
+    # Fills the same cells.
+    NotebookClient(notebook, resources={"metadata": {"path": str(NOTEBOOK.parent)}}, record_timing=False).execute()
+    outputs = [output for cell in code for output in cell.outputs]
     pictures = [output for output in outputs if "image/png" in output.get("data", {})]
     text = "".join(output["text"] for output in outputs if "text" in output)
     assert len(pictures) == 3

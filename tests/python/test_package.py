@@ -33,17 +33,9 @@ rosto.Laplacian((pixels[0], [[0, 1, 2]])).edit({0: np.array([0, 0, 1.0]), 1: (0,
 """
 
 
-def test_types_hold_by_mypys_strictest(tmp_path):
-    words = ["-m", "mypy", "--strict", "--ignore-missing-imports", "--package", "rosto"]
-    checked = subprocess.run([sys.executable, *words], capture_output=True, text=True, cwd=tmp_path)
-    assert checked.returncode == 0, checked.stdout
-
-
-def test_types_take_what_the_package_takes(tmp_path):
-    script = tmp_path / "uses.py"
-    script.write_text(USES)
-    words = ["-m", "mypy", "--strict", "--cache-dir", str(tmp_path / "cache"), str(script)]
-    checked = subprocess.run([sys.executable, *words], capture_output=True, text=True, cwd=tmp_path)
+@pytest.mark.parametrize("words", [["--ignore-missing-imports", "--package", "rosto"], ["--command", USES]], ids=["own", "uses"])
+def test_types_hold_by_mypys_strictest_and_take_what_the_package_takes(tmp_path, words):
+    checked = subprocess.run([sys.executable, "-m", "mypy", "--strict", *words], capture_output=True, text=True, cwd=tmp_path)
     assert checked.returncode == 0, checked.stdout
 
 
@@ -58,28 +50,26 @@ def test_whatever_is_public_is_documented():
 def test_the_command_line_comes_along_and_finds_its_networks(portrait, command_line, tmp_path):
     words = ["landmarks", str(portrait), "--mediapipe"]
     run = subprocess.run([sys.executable, "-m", "rosto", *words], capture_output=True, cwd=tmp_path)
-    assert (run.returncode, run.stdout) == (0, command_line.run(*words))
+    assert (run.returncode, run.stdout) == (0, command_line(*words))
     assert subprocess.run([sys.executable, "-m", "rosto", "mesh"], capture_output=True).returncode == 2
 
 
-def entry_points() -> dict[str, str]:
-    """The source of each function that Python calls, by file and name."""
-    found = {}
-    for file in sorted((ROOT / "crates/python/src").glob("*.rs")):
-        text = file.read_text()
-        blocks = re.findall(r"#\[pymethods\]\nimpl .*?\n\}\n", text, re.DOTALL)
-        functions = re.findall(r"#\[pyfunction\]\n.*?\n *\}\n", text, re.DOTALL)
-        for block in blocks:
-            functions += re.split(r"\n    (?=fn )", block)[1:]
-        for function in functions:
-            name = re.search(r"fn (\w+)", function)[1]
-            found[f"{file.name}: {name}"] = function
-    return found
-
-
 def test_every_entry_point_turns_a_panic_into_an_error():
-    assert {"photo.rs: decode", "finder.rs: find", "face_mesh.rs: new", "system.rs: edit", "lib.rs: command_line"} <= set(entry_points())
-    assert [name for name, source in entry_points().items() if "guarded(" not in source] == []
+    sources = "".join(file.read_text() for file in (ROOT / "crates/python/src").glob("*.rs"))
+    blocks = re.findall(r"#\[pymethods\]\nimpl .*?\n\}\n|#\[pyfunction\]\n.*?\n *\}\n", sources, re.DOTALL)
+    entry_points = [function for block in blocks for function in re.split(r"\bfn ", block)[1:]]
+    assert {"decode", "find", "new", "edit", "command_line"} <= {re.match(r"\w+", function)[0] for function in entry_points}
+    assert [function for function in entry_points if "guarded(" not in function] == []
+
+
+def test_what_is_shown_of_results_is_short(portrait):
+    edit = rosto.Vertex(1, (0, 0, 5), anchors=range(10, 400))
+    made = rosto.mesh(portrait, [edit] * 50, density=0)
+    assert repr(made).startswith("Mesh(1 image") and len(repr(made)) < 120
+    assert len(repr(edit)) < 120
+    assert repr(rosto.landmarks([portrait] + [b"notes"] * 500)) == "Landmarks(501 images, 1 with a face)"
+    assert repr(rosto.faces(portrait)) == "[Face(478 points, confidence 0.98)]"
+    assert repr(rosto.Laplacian((np.eye(3), [[0, 1, 2]]))) == "Laplacian(3 vertices, 1 triangles, 'cotangent')"
 
 
 @pytest.mark.parametrize(
