@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Direct dependencies by package. Only what ships counts: no development or build dependencies.
-type Graph = BTreeMap<String, BTreeSet<String>>;
+pub type Graph = BTreeMap<String, BTreeSet<String>>;
 
 /// Everything that the invariants look at.
 #[derive(Clone)]
@@ -26,9 +26,11 @@ pub struct Facts {
 impl Facts {
     /// Asks cargo and reads the sources.
     pub fn of_workspace() -> Self {
-        let declared = declared();
+        let metadata = metadata(&["--no-deps"]);
+        let packages = || list(&metadata["packages"]).map(|package| (text(&package["name"]), package));
         let modules = ["rosto-studio-web", "rosto-studio-webgl"].map(|package| (package, built_for_wasm(package)));
-        let sources = declared.keys().map(|package| (package.clone(), sources(package))).collect();
+        let declared = packages().map(|(name, package)| (name, declared(package))).collect();
+        let sources = packages().map(|(name, package)| (name, sources(package))).collect();
         let [host, wasm] = ["host-tuple", "wasm32-unknown-unknown"].map(resolved);
         Self { declared, host, wasm, modules: modules.into(), sources }
     }
@@ -40,13 +42,8 @@ impl Facts {
         found.map(|(place, code)| format!("{place}: {}", code.trim())).collect()
     }
 
-    /// Plants a line in the sources of a package.
-    pub fn write(&mut self, package: &str, code: &str) {
-        self.sources.get_mut(package).unwrap().push((format!("{package}, planted"), code.to_owned()));
-    }
-
     /// Plants a line in a file of a package.
-    pub fn write_beside(&mut self, package: &str, file: &str, code: &str) {
+    pub fn write(&mut self, package: &str, file: &str, code: &str) {
         let lines = self.sources.get_mut(package).unwrap();
         let place = lines.iter().find(|(place, _)| place.contains(file)).unwrap().0.clone();
         lines.push((place, code.to_owned()));
@@ -71,30 +68,27 @@ pub fn reachable(graph: &Graph, package: &str) -> BTreeSet<String> {
     reached
 }
 
-fn declared() -> Graph {
-    let metadata = metadata(&["--no-deps"]);
-    let packages = metadata["packages"].as_array().unwrap().iter();
-    let direct = |package: &Value| {
-        let all = package["dependencies"].as_array().unwrap().iter();
-        all.filter(|dependency| dependency["kind"].is_null()).map(|dependency| text(&dependency["name"])).collect()
-    };
-    packages.map(|package| (text(&package["name"]), direct(package))).collect()
+fn declared(package: &Value) -> BTreeSet<String> {
+    list(&package["dependencies"]).filter(ships).map(|dependency| text(&dependency["name"])).collect()
 }
 
 fn resolved(target: &str) -> Graph {
     let metadata = metadata(&["--filter-platform", target]);
-    let packages = metadata["packages"].as_array().unwrap().iter();
-    let names: BTreeMap<_, _> = packages.map(|package| (text(&package["id"]), text(&package["name"]))).collect();
+    let named = |package: &Value| (text(&package["id"]), text(&package["name"]));
+    let names: BTreeMap<_, _> = list(&metadata["packages"]).map(named).collect();
     let mut graph = Graph::new();
-    for node in metadata["resolve"]["nodes"].as_array().unwrap() {
-        let ships =
-            |dependency: &&Value| dependency["dep_kinds"].as_array().unwrap().iter().any(|kind| kind["kind"].is_null());
-        let direct = node["deps"].as_array().unwrap().iter().filter(ships);
+    for node in list(&metadata["resolve"]["nodes"]) {
+        let direct = list(&node["deps"]).filter(|dependency| list(&dependency["dep_kinds"]).any(|kind| ships(&kind)));
         // Two versions of one package are one name here: what either reaches counts.
         let all = graph.entry(names[&text(&node["id"])].clone()).or_default();
         all.extend(direct.map(|dependency| names[&text(&dependency["pkg"])].clone()));
     }
     graph
+}
+
+/// Whether a dependency is for neither development nor the build.
+fn ships(dependency: &&Value) -> bool {
+    dependency["kind"].is_null()
 }
 
 fn built_for_wasm(package: &str) -> BTreeSet<String> {
@@ -113,21 +107,20 @@ fn cargo(arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
+fn list(value: &Value) -> impl Iterator<Item = &Value> {
+    value.as_array().unwrap().iter()
+}
+
 fn text(value: &Value) -> String {
     value.as_str().unwrap().to_owned()
 }
 
 /// The sources of a package, its shaders among them.
-fn sources(package: &str) -> Vec<(String, String)> {
-    let folder = match package {
-        // The same sources twice, see its manifest.
-        "rosto-studio-webgl" => "studio-web",
-        "rosto-fuzz" => "../tests/fuzz",
-        _ => package.strip_prefix("rosto-").unwrap_or(package),
-    };
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(folder);
-    let files = [files_below(&folder.join("src"), "rs"), files_below(&folder.join("shaders"), "wgsl")].concat();
-    assert!(!files.is_empty(), "{package} has no sources in {}", folder.display());
+fn sources(package: &Value) -> Vec<(String, String)> {
+    // A library comes before any other target.
+    let root = text(&package["targets"][0]["src_path"]);
+    let folder = Path::new(&root).parent().unwrap();
+    let files = [files_below(folder, "rs"), files_below(&folder.with_file_name("shaders"), "wgsl")].concat();
     files.iter().flat_map(|file| lines(file)).collect()
 }
 

@@ -40,13 +40,11 @@ pub const INVARIANTS: [Invariant; 13] = [
                count.",
         breaches: |facts| {
             let crates = facts.sources.iter().filter(|(package, _)| *package != "xtask");
-            crates
-                .flat_map(|(package, sources)| {
-                    circles::of(sources).into_iter().map(move |one| format!("{package}: {one}"))
-                })
-                .collect()
+            let circles =
+                crates.flat_map(|(package, sources)| circles::of(sources).into_iter().map(move |one| (package, one)));
+            circles.map(|(package, one)| format!("{package}: {one}")).collect()
         },
-        plant: |facts| facts.write_beside("rosto-photo", "stored.rs", "use crate::decode::decode;"),
+        plant: |facts| facts.write("rosto-photo", "stored.rs", "use crate::decode::decode;"),
     },
     Invariant {
         says: "No core crate but `viewport` reaches a browser, by however many steps, but for what tract takes along; and \
@@ -92,7 +90,7 @@ pub const INVARIANTS: [Invariant; 13] = [
     Invariant {
         says: "No core crate reads a clock, a file, the network or the environment.",
         breaches: |facts| facts.words(core(facts), &OUTSIDE),
-        plant: |facts| facts.write("rosto-studio", "let now = std::time::Instant::now();"),
+        plant: |facts| facts.write("rosto-studio", "lib.rs", "let now = std::time::Instant::now();"),
     },
     Invariant {
         says: "No core crate draws at random: a seed comes in as a value. (On wasm32 alone `landmarks` names getrandom, to tell \
@@ -106,7 +104,7 @@ pub const INVARIANTS: [Invariant; 13] = [
     Invariant {
         says: "No core crate has global state.",
         breaches: |facts| facts.words(core(facts), &GLOBAL),
-        plant: |facts| facts.write("rosto-session", "static CACHE: OnceLock<u32> = OnceLock::new();"),
+        plant: |facts| facts.write("rosto-session", "lib.rs", "static CACHE: OnceLock<u32> = OnceLock::new();"),
     },
     Invariant {
         says: "No core type is `Serialize`, and no core crate names serde: what a file says is written out where its format is \
@@ -117,7 +115,7 @@ pub const INVARIANTS: [Invariant; 13] = [
             let naming = core(facts).filter(|package| facts.declared[*package].contains("serde"));
             derived.into_iter().chain(naming.map(|package| format!("{package} names serde"))).collect()
         },
-        plant: |facts| facts.write("rosto-face", "#[derive(Serialize)]"),
+        plant: |facts| facts.write("rosto-face", "lib.rs", "#[derive(Serialize)]"),
     },
     Invariant {
         says: "No identifier of `mesh`, `laplacian`, `stage` and `viewport` contains `photo`, `landmark`, `selfie` or the type name \
@@ -126,13 +124,13 @@ pub const INVARIANTS: [Invariant; 13] = [
             let general = ["rosto-mesh", "rosto-laplacian", "rosto-stage", "rosto-viewport"];
             facts.words(general, &["photo", "Photo", "landmark", "Landmark", "LANDMARK", "468", "selfie", "Face"])
         },
-        plant: |facts| facts.write("rosto-viewport", "const LANDMARKS: u32 = 468;"),
+        plant: |facts| facts.write("rosto-viewport", "lib.rs", "const LANDMARKS: u32 = 468;"),
     },
     Invariant {
         says: "No `f32` is in `mesh` and `laplacian`: mathematics is in `f64`, and single precision begins where a picture is \
                drawn or a file written.",
         breaches: |facts| facts.words(["rosto-mesh", "rosto-laplacian"], &["f32"]),
-        plant: |facts| facts.write("rosto-laplacian", "let weight = 1.0_f32;"),
+        plant: |facts| facts.write("rosto-laplacian", "lib.rs", "let weight = 1.0_f32;"),
     },
     Invariant {
         says: "No session is needed to find a face: the worker does not reach `studio`, `stage` or `session`.",
