@@ -9,28 +9,23 @@ const ROOT = path.resolve(import.meta.dirname, "../..");
 /** <model-viewer>'s warning where the machine draws fewer than two pictures a second: nothing about the file. */
 const SLOW = "rAF timed out in updateSource";
 
-/** @typedef {import("./judge.mjs").Seen} Seen */
-/** @typedef {Awaited<ReturnType<typeof openPage>>} Open */
+/** @typedef {import("node:test").TestContext} TestContext */
 
-/** A page that both readers load into, with its warnings and errors. */
-export async function openPage() {
+/** A page with a module, and the page's warnings and errors, until the test ends. @param {TestContext} t @param {string} url */
+export async function openPage(t, url = "/tests/readers/chromium/three.mjs") {
   const browser = await launch({ gpu: "webgl" });
+  t.after(() => browser.close());
   const server = await serve(ROOT, "/");
+  t.after(() => server.close());
   const page = await browser.newPage({ viewport: { width: 512, height: 512 } });
   /** @type {string[]} */
-  const said = [];
-  page.on("console", (message) => ["warning", "error"].includes(message.type()) && message.text() !== SLOW && said.push(message.text()));
-  page.on("pageerror", (error) => said.push(String(error)));
+  const remarks = [];
+  page.on("console", (message) => {
+    if (["warning", "error"].includes(message.type()) && message.text() !== SLOW) remarks.push(message.text());
+  });
+  page.on("pageerror", (error) => remarks.push(String(error)));
   await page.goto(`${server.url}tests/readers/chromium/page.html`);
-  return {
-    page,
-    /** Those since the last call. */
-    remarks: () => said.splice(0),
-    close: async () => {
-      await browser.close();
-      server.close();
-    },
-  };
+  return { page, module: await page.evaluateHandle((address) => import(address), url), remarks };
 }
 
 /** A file's address for the page. @param {string} file */
@@ -38,37 +33,31 @@ export function urlOf(file) {
   return `/${path.relative(ROOT, file)}`;
 }
 
-/** @param {string[]} files */
-export function readByThree(files) {
-  return each(files, async ({ page }, url) => {
+/** @param {TestContext} t */
+export async function three(t) {
+  const { module, remarks } = await openPage(t);
+  return async (/** @type {string} */ file) => {
     // As text: passing numbers one by one takes longer than reading them.
-    const seen = await page.evaluate(async (/** @type {string} */ at) => {
-      const three = await import("/tests/readers/chromium/three-reads.mjs");
-      return JSON.stringify(await three.see(at));
-    }, url);
-    return JSON.parse(seen);
-  });
+    const seen = await module.evaluate(async ({ see }, url) => JSON.stringify(await see(url)), urlOf(file));
+    return { ...JSON.parse(seen), remarks: remarks.splice(0) };
+  };
 }
 
-/** @param {string[]} files */
-export function showInModelViewer(files) {
-  return each(files, async ({ page }, url) => {
-    const size = await page.evaluate(async (/** @type {string} */ at) => {
-      const viewer = await import("/tests/readers/chromium/model-viewer-shows.mjs");
-      return viewer.show(at);
-    }, url);
-    return { size, colours: colourCount(PNG.sync.read(await page.screenshot())) };
-  });
-}
-
-/** @param {string[]} files @param {(open: Open, url: string) => Promise<Partial<Seen>>} see @returns {Promise<Seen[]>} */
-async function each(files, see) {
-  const open = await openPage();
-  const all = [];
-  for (const file of files) {
-    const seen = await see(open, urlOf(file)).catch((error) => ({ error: String(error?.stack ?? error) }));
-    all.push({ path: file, ...seen, remarks: open.remarks() });
-  }
-  await open.close();
-  return all;
+/** @param {TestContext} t */
+export async function modelViewer(t) {
+  const { page, remarks } = await openPage(t, "/node_modules/@google/model-viewer/dist/model-viewer.min.js");
+  return async (/** @type {string} */ file) => {
+    const size = await page.evaluate(async (src) => {
+      const viewer = Object.assign(document.createElement("model-viewer"), { src, loading: "eager", interactionPrompt: "none" });
+      document.body.replaceChildren(viewer);
+      await new Promise((resolve, reject) => {
+        viewer.addEventListener("load", resolve);
+        viewer.addEventListener("error", ({ detail }) => reject(new Error(JSON.stringify(detail))));
+      });
+      await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+      const { x, y, z } = viewer.getDimensions();
+      return [x, y, z];
+    }, urlOf(file));
+    return { size, colours: colourCount(PNG.sync.read(await page.screenshot())), remarks: remarks.splice(0) };
+  };
 }

@@ -20,13 +20,16 @@ export const FOLDER = path.join(ROOT, "target/readers");
 /** @type {Map<string, Promise<any>>} */
 const shapes = new Map();
 
-/** Removes the files of earlier programs. */
-export async function emptyFolder() {
-  await rm(FOLDER, { recursive: true, force: true });
-  await mkdir(FOLDER, { recursive: true });
-}
+// A picture that an earlier program wrote next to its OBJ would hide that this one writes none.
+await rm(FOLDER, { recursive: true, force: true });
+await mkdir(FOLDER, { recursive: true });
 
-/** Writes the files of rows, one per core at a time; throws what the command line reports if it refuses one. @param {Row[]} rows @returns {Promise<Written[]>} */
+/**
+ * Writes the files of rows, one per core at a time; throws what the command line reports if it refuses one.
+ *
+ * @param {Row[]} rows
+ * @returns {Promise<Written[]>}
+ */
 export function written(rows) {
   return Readable.from(rows).map(write, { concurrency: availableParallelism() }).toArray();
 }
@@ -34,20 +37,15 @@ export function written(rows) {
 /** A shape in mm, in our own JSON format. @param {Row["shape"]} shape */
 export function shapeOf(shape) {
   const key = JSON.stringify(shape);
-  const reading = shapes.get(key) ?? write({ ending: "json", shape, options: [], skin: "colours" }).then(({ path: file }) => readFile(file, "utf8")).then(JSON.parse);
+  const reading = shapes.get(key) ?? write({ ending: "json", shape, skin: "colours" }).then(({ path: file }) => readFile(file, "utf8")).then(JSON.parse);
   shapes.set(key, reading);
   return reading;
 }
 
-/** @param {Row} row @returns {Promise<Written>} */
+/** Names a file after its options, in letters every reader accepts. @param {Row} row @returns {Promise<Written>} */
 async function write(row) {
-  const file = path.join(FOLDER, `${nameOf(row)}.${row.ending}`);
-  const { stdout, stderr } = await promisify(execFile)(program(), ["mesh", SAMPLE, "-o", file, ...commandOf(row)]);
+  const options = commandOf(row);
+  const file = path.join(FOLDER, `${options.join(" ").slice(2).replaceAll(/[^\w.]+/g, "-")}.${row.ending}`);
+  const { stdout, stderr } = await promisify(execFile)(program(), ["mesh", SAMPLE, "-o", file, ...options]);
   return { row, path: file, said: `${stdout}${stderr}` };
-}
-
-/** Unique within a format, in letters every reader accepts. @param {Row} row */
-function nameOf({ shape, options }) {
-  const chosen = options.map((word) => word.replace(/^-+/, "").replaceAll(/[^a-z0-9.]+/g, "-"));
-  return [shape.topology, shape.density, ...({ none: [], made: ["edited"], expressed: ["expressed"] })[shape.edits], ...chosen].join("-");
 }

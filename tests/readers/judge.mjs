@@ -1,5 +1,6 @@
 // Compares a reader's report with the mesh the file was made from: the same places, triangles and colours.
-import { Places, openEdges, oriented, size, volume } from "./shape.mjs";
+import assert from "node:assert/strict";
+import { Places, openEdges, oriented, volume } from "./shape.mjs";
 import { METRES, MOVED } from "./table.mjs";
 
 /** @typedef {import("./shape.mjs").Point} Point */
@@ -9,7 +10,6 @@ import { METRES, MOVED } from "./table.mjs";
  * A reader's report about a file; each leaves out the properties it does not know.
  *
  * @typedef {object} Seen
- * @property {string} path
  * @property {string} [error] why it could not be read
  * @property {string[]} [remarks] every warning and error
  * @property {Point[]} [positions] in the file's unit, morph targets applied at their weights
@@ -18,7 +18,7 @@ import { METRES, MOVED } from "./table.mjs";
  * @property {{ width: number, height: number }} [texture] decoded, px
  * @property {Point[]} [skin] colour of each vertex, sRGB from 0 to 255
  * @property {Point[][]} [corner_skin] or of each corner of each triangle
- * @property {{ name: string | null, weight: number }[]} [morphs]
+ * @property {[name: string | null, weight: number][]} [morphs]
  * @property {number} [unit_m] the file's unit, as the file states it
  * @property {string} [up] the file's upward axis
  * @property {boolean} [closed] whether the reader itself considers it a closed, outward body
@@ -54,40 +54,52 @@ const LEAST_COLOURS = 40;
 export function truthOf({ positions, triangles, colors }) {
   const points = positions.map((point) => point.map((value) => value / 1000));
   const places = new Places(points);
-  if (places.list.length !== points.length) throw new Error("two vertices of the mesh share a place");
-  return { places, triangles: new Set(triangles.map(oriented)), colours: colors, size: size(points) };
+  if (points.some((point, at) => places.at(point) !== at)) throw new Error("two vertices of the mesh share a place");
+  const size = [0, 1, 2].map((axis) => {
+    const values = points.map((point) => point[axis]);
+    return Math.max(...values) - Math.min(...values);
+  });
+  return { places, triangles: new Set(triangles.map(oriented)), colours: colors, size };
 }
 
-/** Every difference from the truth. @param {Row} row @param {Truth} truth @param {Seen} seen @param {string} [said] by the command line about the file */
-export function findings(row, truth, seen, said = "") {
-  if (seen.error) return [seen.error, ...(seen.remarks ?? [])];
-  const unit_m = METRES[row.ending] ?? 1;
-  const outside = (seen.uvs ?? []).flat().filter((value) => !(value >= 0 && value <= 1)).length;
-  return [
-    ...(seen.remarks ?? []),
-    ...unless(!seen.size || seen.size.every((length, axis) => near(length, truth.size[axis], SAME_SIZE_M)), `size ${seen.size} m, not ${truth.size}`),
-    ...(seen.positions ? meshFindings(row, truth, seen, said) : []),
-    ...unless(outside === 0, `${outside} texture coordinates outside 0 to 1`),
-    ...unless(seen.colours === undefined || seen.colours >= LEAST_COLOURS, `a picture of ${seen.colours} colours`),
-    ...morphFindings(row, seen),
-    ...unless(seen.unit_m === undefined || near(seen.unit_m / unit_m, 1, 1e-9), `unit ${seen.unit_m} m, not ${unit_m}`),
-    ...unless((seen.up ?? "Y") === "Y", `${seen.up} points up`),
-    ...unless((seen.unlit ?? row.unlit ?? false) === (row.unlit ?? false), seen.unlit ? "unlit" : "lit"),
-  ];
+/** Asserts that a reader has seen the truth. @param {Row} row @param {Truth} truth @param {Seen} seen @param {string} said with the file */
+export function judge(row, truth, seen, said) {
+  const meant = Object.entries(row.morphs ?? {});
+  const { error, remarks = [], morphs = meant, up = "Y", unlit = false } = seen;
+  const listed = (all) => all.map(([name, weight]) => `${name} at ${weight.toFixed(4)}`).sort();
+  assert.deepEqual(
+    { error, remarks, morphs: listed(morphs), up, unlit },
+    { error: undefined, remarks: [], morphs: listed(meant), up: "Y", unlit: false },
+  );
+
+  const metres = METRES[row.ending] ?? 1;
+  const { unit_m = metres, size = truth.size, uvs = [], colours = LEAST_COLOURS } = seen;
+  assert.ok(near(unit_m / metres, 1, 1e-9), `unit ${unit_m} m, not ${metres}`);
+  assert.ok(size.every((length, axis) => near(length, truth.size[axis], SAME_SIZE_M)), `size ${size} m, not ${truth.size}`);
+  assert.ok(uvs.flat().every((value) => value >= 0 && value <= 1), "texture coordinates outside 0 to 1");
+  assert.ok(colours >= LEAST_COLOURS, `a picture of ${colours} colours`);
+  if (seen.positions) judgeMesh(row, truth, seen, said);
 }
 
-function meshFindings(row, truth, seen, said) {
+function judgeMesh(row, truth, seen, said) {
   const points = pointsOf(row, truth, seen);
   const known = points.map((point) => truth.places.at(point));
   const faces = new Set(seen.triangles.map((corners) => oriented(corners.map((corner) => known[corner]))));
   const lost = [...truth.triangles].filter((triangle) => !faces.has(triangle)).length;
-  return [
-    ...unless(lost <= mayBeLost(row, truth, said), `${lost} of the face's ${truth.triangles.size} triangles missing or flipped`),
-    ...(row.body ? [...bodyFindings(points, seen, said), ...roundingFindings(known, points, truth, said)] : []),
-    ...(row.body || row.eyesAndMouth ? [] : sheetFindings(known, seen.triangles, truth)),
-    ...(MOVED[row.ending] ?? []).flatMap((axis) => originFindings(axis, row, seen)),
-    ...(row.skin === "none" ? [] : colourFindings(row, truth, seen, known)),
-  ];
+  assert.ok(lost <= mayBeLost(row, truth, said), `${lost} of the face's ${truth.triangles.size} triangles missing or flipped`);
+  if (row.body) {
+    judgeBody(row, points, seen, said);
+    judgeRounding(known, points, truth, said);
+  } else if (!row.eyesAndMouth) {
+    assert.equal(seen.triangles.length, truth.triangles.size, "triangles");
+    assert.equal(known.filter((place) => place < 0).length, 0, "vertices where the face has none");
+  }
+  for (const axis of MOVED[row.ending] ?? []) {
+    const lowest = seen.positions.reduce((least, point) => (point[axis] < least[axis] ? point : least));
+    const lowest_m = lowest[axis] * (METRES[row.ending] ?? 1);
+    assert.ok(near(lowest_m, 0, SAME_SIZE_M), `begins at ${lowest_m} m, not 0, along ${"XYZ"[axis]}`);
+  }
+  if (row.skin !== "none") judgeColours(row, truth, seen, known);
 }
 
 /** Metres in the model's frame. A format that moves the model is moved back by the tip of the nose, the frontmost place. */
@@ -105,74 +117,41 @@ function mayBeLost({ shape, body, eyesAndMouth }, truth, said) {
   return body && ROUNDED.test(said) ? MOST_ROUNDED * truth.triangles.size : 0;
 }
 
+/** Closed, outward, in one piece and without handles, to us and to the reader, and of the volume the command line reports. */
+function judgeBody({ ending }, points, { triangles, closed = true, volume: theirs, unit_m = METRES[ending] ?? 1 }, said) {
+  const places = points.map(String);
+  const characteristic = new Set(places).size - triangles.length / 2;
+  const enclosed_m3 = volume(points, triangles);
+  const said_cm3 = Number(BODY_CM3.exec(said)?.[1]);
+  assert.equal(openEdges(triangles.map((corners) => corners.map((corner) => places[corner]))), 0, "edges open or flipped");
+  assert.equal(characteristic, 2, "vertices − edges + triangles");
+  assert.ok(enclosed_m3 > 0, "inside out");
+  assert.ok(closed, "not closed to the reader");
+  const theirs_m3 = theirs === undefined ? enclosed_m3 : theirs * unit_m ** 3;
+  assert.ok(near(theirs_m3 / enclosed_m3, 1, SAME_VOLUME), `${theirs_m3} m³ to the reader, not ${enclosed_m3}`);
+  assert.ok(near(said_cm3, 1e6 * enclosed_m3, HALF_DIGIT), `${said_cm3} cm³ to the command line, not ${1e6 * enclosed_m3}`);
+}
+
 /** Each place of the face has a point of the body within the distance the command line reports. */
-function roundingFindings(known, points, truth, said) {
+function judgeRounding(known, points, truth, said) {
   const most_m = (Number(ROUNDED.exec(said)?.[1] ?? 0) + HALF_DIGIT) / 1000;
   const kept = new Set(known);
   const lost = truth.places.list.filter((_, place) => !kept.has(place));
-  const far = lost.filter(([x, y, z]) => points.every((point) => Math.hypot(point[0] - x, point[1] - y, point[2] - z) > most_m)).length;
-  return unless(far === 0, `${far} places of the face further off than the command line reports`);
-}
-
-/** A format that moves the model makes it begin at 0. */
-function originFindings(axis, { ending }, { positions }) {
-  const lowest_m = (METRES[ending] ?? 1) * positions.reduce((least, point) => Math.min(least, point[axis]), Number.POSITIVE_INFINITY);
-  return unless(near(lowest_m, 0, SAME_SIZE_M), `begins at ${lowest_m} m, not 0, along ${"XYZ"[axis]}`);
-}
-
-function sheetFindings(known, triangles, truth) {
-  const strange = known.filter((place) => place < 0).length;
-  return [
-    ...unless(triangles.length === truth.triangles.size, `${triangles.length} triangles, not ${truth.triangles.size}`),
-    ...unless(strange === 0, `${strange} vertices where the face has none`),
-  ];
-}
-
-/** Closed, outward, in one piece and without handles, to us and to the reader, and of the volume the command line reports. */
-function bodyFindings(points, { triangles: corners, closed, volume: theirs, unit_m, path }, said) {
-  const places = new Places();
-  const placeOf = points.map((point) => places.put(point));
-  const triangles = corners.map((triangle) => triangle.map((corner) => placeOf[corner]));
-  const open = openEdges(triangles);
-  const characteristic = places.list.length - triangles.length / 2;
-  const enclosed_m3 = volume(places.list, triangles);
-  const theirs_m3 = (theirs ?? 0) * (unit_m ?? METRES[path.split(".").at(-1)] ?? 1) ** 3;
-  const said_cm3 = Number(BODY_CM3.exec(said)?.[1]);
-  return [
-    ...unless(open === 0, `${open} edges open or flipped`),
-    ...unless(characteristic === 2, `vertices − edges + triangles is ${characteristic}, not 2`),
-    ...unless(enclosed_m3 > 0, "inside out"),
-    ...unless(closed !== false, "not closed to the reader"),
-    ...unless(theirs === undefined || near(theirs_m3 / enclosed_m3, 1, SAME_VOLUME), `${theirs_m3} m³ to the reader, not ${enclosed_m3}`),
-    ...unless(near(said_cm3, 1e6 * enclosed_m3, HALF_DIGIT), `${said_cm3} cm³ to the command line, not ${1e6 * enclosed_m3}`),
-  ];
+  const far = lost.filter(([x, y, z]) => points.every((point) => Math.hypot(point[0] - x, point[1] - y, point[2] - z) > most_m));
+  assert.equal(far.length, 0, "places of the face further off than the command line reports");
 }
 
 /** Mean colour error over the corners of the face's triangles; a body's sides and back do not count. */
-function colourFindings(row, truth, { triangles, skin, corner_skin }, known) {
+function judgeColours({ skin: kind }, truth, { triangles, skin, corner_skin }, known) {
   const offs = triangles.flatMap((corners, at) => {
     if (!truth.triangles.has(oriented(corners.map((corner) => known[corner])))) return [];
-    return corners.map((corner, step) => colourDistance(truth.colours[known[corner]], corner_skin?.[at][step] ?? skin?.[corner]));
+    return corners.flatMap((corner, step) => {
+      const shown = corner_skin?.[at][step] ?? skin?.[corner];
+      return truth.colours[known[corner]].map((value, channel) => Math.abs(value - (shown?.[channel] ?? Number.NaN)));
+    });
   });
-  const [off, most] = [offs.reduce((sum, each) => sum + each, 0) / offs.length, MOST_OFF[row.skin]];
-  return unless(off < most, `colours ${off} off in the mean, of 255; at most ${most}`);
-}
-
-/** @param {Point} meant @param {Point | undefined} shown */
-function colourDistance(meant, shown) {
-  return shown ? meant.reduce((off, value, channel) => off + Math.abs(value - shown[channel]), 0) / meant.length : Number.NaN;
-}
-
-function morphFindings({ morphs = {} }, { morphs: seen }) {
-  const listed = (all) => all.map(([name, weight]) => `${name} at ${weight.toFixed(4)}`).sort().join(", ") || "none";
-  const meant = listed(Object.entries(morphs));
-  const found = seen ? listed(seen.map(({ name, weight }) => [name, weight])) : meant;
-  return unless(found === meant, `morph targets ${found}, not ${meant}`);
-}
-
-/** @param {boolean} holds @param {string} finding */
-function unless(holds, finding) {
-  return holds ? [] : [finding];
+  const off = offs.reduce((sum, each) => sum + each, 0) / offs.length;
+  assert.ok(off < MOST_OFF[kind], `colours ${off} off in the mean, of 255; at most ${MOST_OFF[kind]}`);
 }
 
 /** Also false for NaN. */

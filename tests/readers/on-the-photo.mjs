@@ -1,12 +1,11 @@
 // A face drawn by three.js as the photo's camera saw it lies on the photo.
+import assert from "node:assert/strict";
 import { readFile, writeFile } from "node:fs/promises";
 import path from "node:path";
 import { PNG } from "pngjs";
 import { Euler, MathUtils, Matrix3, Matrix4, Vector3 } from "three";
-import { openPage, urlOf } from "./chromium.mjs";
-import { FOLDER, SAMPLE, shapeOf, written } from "./files.mjs";
-
-/** @typedef {import("../journeys/pixels.mjs").Pixels} Pixels */
+import { urlOf } from "./chromium.mjs";
+import { FOLDER, SAMPLE, shapeOf } from "./files.mjs";
 
 /** Angles are rounded to a hundredth of a degree, which is a hundredth of a px across a face. */
 const MOST_OFF_PX = 0.1;
@@ -17,43 +16,31 @@ const LEAST_PIXELS = 5_000;
 /** Left, right, up and down by a pixel. */
 const SHIFTS = [[-1, 0], [1, 0], [0, -1], [0, 1]];
 
-/** The faults of each row's file. @param {typeof import("./table.mjs").ON_THE_PHOTO} rows */
-export async function* faultsOnThePhoto(rows) {
-  const photo = PNG.sync.read(await readFile(SAMPLE));
-  const files = await written(rows.map(({ row }) => row));
-  const open = await openPage();
-  for (const [at, file] of files.entries()) {
-    const name = path.basename(file.path);
-    yield { name, faults: await faultsOf(open, file, rows[at].most, photo) };
-  }
-  await open.close();
-}
+/** @typedef {typeof import("./table.mjs").ON_THE_PHOTO[number]} Row */
 
-async function faultsOf({ page, remarks }, { row, path: file }, most, photo) {
-  const { width, height } = photo;
+/** Asserts that a file lies on the photo as three.js draws it. @param {{ row: Row, path: string }} file */
+export async function assertOnThePhoto({ module, remarks }, { row, path: file }) {
+  const photo = PNG.sync.read(await readFile(SAMPLE));
   const { matrix, focal_px, off_px } = await photoCamera(file, row.shape, photo);
-  const camera = { width, height, focal_px, cameraFromModel: matrix.toArray() };
-  const drawn = await page.evaluate(async ([url, how]) => {
-    const three = await import("/tests/readers/chromium/three-draws.mjs");
-    return three.draw(url, how);
-  }, /** @type {const} */ ([urlOf(file), camera]));
-  const picture = Object.assign(new PNG({ width, height }), { data: Buffer.from(drawn, "base64") });
-  await writeFile(path.join(FOLDER, `on-the-photo-${path.basename(file)}.png`), PNG.sync.write(picture));
+  const camera = { width: photo.width, height: photo.height, focal_px, cameraFromModel: matrix.toArray() };
+  const drawn = await module.evaluate(({ draw }, [url, how]) => draw(url, how), /** @type {const} */ ([urlOf(file), camera]));
+  const bytes = Buffer.from(drawn.split(",")[1], "base64");
+  await writeFile(path.join(FOLDER, `on-the-photo-${path.basename(file)}.png`), bytes);
+  const picture = PNG.sync.read(bytes);
   const { pixels, off } = difference(picture, photo);
   const shifted = Math.min(...SHIFTS.map((shift) => difference(picture, photo, shift).off));
-  return [
-    ...remarks(),
-    ...(off_px < MOST_OFF_PX ? [] : [`a landmark is ${off_px} px from its place in the photo`]),
-    ...(pixels >= LEAST_PIXELS ? [] : [`only ${pixels} pixels show the face`]),
-    ...(off < most ? [] : [`colours ${off} off the photo's in the mean, of 255; at most ${most}`]),
-    ...(off < shifted ? [] : [`a pixel aside it fits the photo better: ${shifted} off, not ${off}`]),
-  ];
+  assert.deepEqual(remarks.splice(0), []);
+  assert.ok(off_px < MOST_OFF_PX, `a landmark is ${off_px} px from its place in the photo`);
+  assert.ok(pixels >= LEAST_PIXELS, `only ${pixels} pixels show the face`);
+  assert.ok(off < row.most, `colours ${off} off the photo's in the mean, of 255; at most ${row.most}`);
+  assert.ok(off < shifted, `a pixel aside it fits the photo better: ${shifted} off, not ${off}`);
 }
 
 /** The photo's camera from the GLB's extras, and the largest distance of a landmark from its place in the photo. */
 async function photoCamera(file, shape, { width, height }) {
-  const { about, landmarks } = jsonOf(await readFile(file)).scenes[0].extras;
-  const { positions } = await shapeOf({ ...shape, density: 0, edits: "none" });
+  const glb = await readFile(file);
+  const { about, landmarks } = JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12)).toString()).scenes[0].extras;
+  const { positions } = await shapeOf({ ...shape, density: 0, edits: [] });
   const bytes = Buffer.from(landmarks, "base64");
   const seen_px = positions.map((_, at) => [(bytes.readFloatLE(12 * at) - 0.5) * width, (0.5 - bytes.readFloatLE(12 * at + 4)) * height]);
   // Yaw about +Y, then pitch about +X, then roll about +Z, each in the frame that the one before it left.
@@ -79,33 +66,17 @@ function translation(focal_px, turned, seen_px) {
   return new Vector3(product(0, 3), product(1, 3), product(2, 3)).applyMatrix3(new Matrix3(...normal).invert());
 }
 
-/** The JSON of a GLB. @param {Buffer} bytes */
-function jsonOf(bytes) {
-  return JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString());
-}
-
-/**
- * Where the drawn face covers the photo, without its border: the number of pixels, and their mean difference from the photo's,
- * shifted.
- *
- * @param {Pixels} drawn
- * @param {Pixels} photo
- * @param {number[]} shift px
- */
+/** The pixels that a drawn face covers, without its border: their number, and their mean difference from a photo's, a shift in px away. */
 function difference(drawn, photo, [dx, dy] = [0, 0]) {
   let [pixels, sum] = [0, 0];
+  const around = [-BORDER_PX, 0, BORDER_PX];
   for (let y = BORDER_PX; y < drawn.height - BORDER_PX; y += 1) {
     for (let x = BORDER_PX; x < drawn.width - BORDER_PX; x += 1) {
-      if (!isWithin(drawn, x, y)) continue;
+      if (around.some((down) => around.some((right) => drawn.data[4 * ((y + down) * drawn.width + x + right) + 3] < 255))) continue;
       pixels += 1;
       const [here, there] = [4 * (y * drawn.width + x), 4 * ((y + dy) * drawn.width + x + dx)];
       for (const channel of [0, 1, 2]) sum += Math.abs(drawn.data[here + channel] - photo.data[there + channel]) / 3;
     }
   }
   return { pixels, off: sum / pixels };
-}
-
-function isWithin({ width, data }, x, y) {
-  const steps = [-BORDER_PX, 0, BORDER_PX];
-  return steps.every((dy) => steps.every((dx) => data[4 * ((y + dy) * width + x + dx) + 3] === 255));
 }

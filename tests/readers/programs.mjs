@@ -13,7 +13,7 @@ const SLICER_LIMIT_MS = 120_000;
 /** A usual printer and PLA. */
 const PRINT = ["--layer-height", "0.2", "--nozzle-diameter", "0.4", "--filament-diameter", "1.75", "--filament-density", "1.24"];
 /** PrusaSlicer's counts of repairs; it lists only those it made. */
-const REPAIRS = /^(?:degenerate_facets|edges_fixed|facets_removed|facets_reversed|backwards_edges|open_edges) *= *\d+/gm;
+const REPAIRS = ["degenerate_facets", "edges_fixed", "facets_removed", "facets_reversed", "backwards_edges", "open_edges"];
 const COMPLAINTS = /^.*\b(?:warning|error|repair|not manifold|empty layer)\b.*$/gim;
 
 const run = promisify(execFile);
@@ -25,55 +25,46 @@ export class Missing extends Error {}
  * One process for all files.
  *
  * @param {string} reader the script's name after `with_`
- * @param {string} [variable] names the environment variable with the interpreter
- * @returns {(files: string[]) => Promise<Seen[]>}
+ * @param {string} [interpreter]
  */
-export function python(reader, variable = "ROSTO_READERS_PYTHON") {
-  return async (files) => {
-    const interpreter = process.env[variable];
-    if (!interpreter) throw new Missing(`${variable} names no Python`);
+export function python(reader, interpreter = process.env.ROSTO_READERS_PYTHON) {
+  return async (/** @type {unknown} */ _, /** @type {string[]} */ files) => {
+    if (!interpreter) throw new Missing("ROSTO_READERS_PYTHON names no Python");
     const script = path.join(import.meta.dirname, `python/with_${reader}.py`);
     const { stdout } = await run(interpreter, [script, ...files], { maxBuffer: MOST_BYTES }).catch((error) => {
       const lacking = /ModuleNotFoundError: (.+)/.exec(error.stderr ?? "");
       throw lacking ? new Missing(lacking[1]) : error;
     });
-    // Libraries print lines of their own.
-    return stdout.split("\n").filter((line) => line.startsWith('{"path"')).map((line) => JSON.parse(line));
+    /** @type {Seen[]} */
+    const seen = stdout.trim().split("\n").map((line) => JSON.parse(line));
+    return async (/** @type {string} */ file) => seen[files.indexOf(file)];
   };
 }
 
-/** PrusaSlicer's measurements and repairs of bodies, and its complaints while it slices them. @param {string[]} files */
-export async function slice(files) {
+/** PrusaSlicer's measurements and repairs of bodies, and its complaints while it slices them. */
+export async function prusaSlicer() {
   await run(SLICER, ["--help"]).catch(() => {
     throw new Missing(`no \`${SLICER}\` here`);
   });
-  /** @type {Seen[]} */
-  const seen = [];
-  for (const file of files) seen.push({ path: file, ...(await sliced(file).catch((error) => ({ error: String(error?.stderr || error) }))) });
-  return seen;
+  return sliced;
 }
 
-/** @param {string} file @returns {Promise<Partial<Seen>>} */
+/** @param {string} file @returns {Promise<Seen>} */
 async function sliced(file) {
   const options = { timeout: SLICER_LIMIT_MS, maxBuffer: MOST_BYTES };
-  const { stdout: info } = await run(SLICER, ["--info", file], options);
+  const { stdout: listed } = await run(SLICER, ["--info", file], options);
+  const info = Object.fromEntries([...listed.matchAll(/^(\w+) *= *(\S+)/gm)].map(([, name, value]) => [name, value]));
   const gcode = `${file}.gcode`;
   const { stdout, stderr } = await run(SLICER, ["--export-gcode", ...PRINT, "--output", gcode, file], options);
   const hasLayers = (await readFile(gcode, "utf8")).includes("\n;LAYER_CHANGE");
-  const parts = valueIn(info, "number_of_parts");
   return {
-    closed: valueIn(info, "manifold") === "yes",
-    volume: Number(valueIn(info, "volume")),
+    closed: info.manifold === "yes",
+    volume: Number(info.volume),
     remarks: [
-      ...(info.match(REPAIRS) ?? []),
+      ...REPAIRS.filter((repair) => repair in info).map((repair) => `${repair} = ${info[repair]}`),
       ...((stderr + stdout).match(COMPLAINTS) ?? []),
-      ...(parts === "1" ? [] : [`${parts} parts`]),
+      ...(info.number_of_parts === "1" ? [] : [`${info.number_of_parts} parts`]),
       ...(hasLayers ? [] : ["no layers"]),
     ],
   };
-}
-
-/** @param {string} info @param {string} name */
-function valueIn(info, name) {
-  return new RegExp(`^${name} *= *(\\S+)`, "m").exec(info)?.[1];
 }

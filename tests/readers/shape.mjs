@@ -1,4 +1,5 @@
 // Meshes however they are stored: distinct places, and the triangles that join them.
+import { Matrix3 } from "three";
 
 /** @typedef {[number, number, number]} Point */
 
@@ -7,34 +8,24 @@ const SAME_M = 2e-6;
 /** Side of the search grid's cells: wide compared with SAME_M, narrow compared with an edge. */
 const CELL_M = 6.4e-5;
 
-/** Points in metres, each place once. */
+/** Points in metres, found by where they are. */
 export class Places {
   /** @type {Map<number, number[]>} */
   #cells = new Map();
-  /** @type {Point[]} */
-  list = [];
 
-  /** @param {Iterable<Point>} points */
-  constructor(points = []) {
-    for (const point of points) this.put(point);
+  /** @param {Point[]} list */
+  constructor(list) {
+    this.list = list;
+    for (const [place, point] of list.entries()) {
+      const [cell] = cellsNear(point, 0);
+      this.#cells.set(cell, [...(this.#cells.get(cell) ?? []), place]);
+    }
   }
 
   /** Index of the place at a point; -1 if there is none. @param {Point} point */
   at(point) {
-    for (const cell of cellsNear(point, SAME_M)) {
-      const found = this.#cells.get(cell)?.find((place) => isSame(this.list[place], point));
-      if (found !== undefined) return found;
-    }
-    return -1;
-  }
-
-  /** Index of the place at a point, added if there was none. @param {Point} point */
-  put(point) {
-    const found = this.at(point);
-    if (found >= 0) return found;
-    const [cell] = cellsNear(point, 0);
-    this.#cells.set(cell, [...(this.#cells.get(cell) ?? []), this.list.length]);
-    return this.list.push(point) - 1;
+    const near = cellsNear(point, SAME_M).flatMap((cell) => this.#cells.get(cell) ?? []);
+    return near.find((place) => Math.hypot(...point.map((value, axis) => value - this.list[place][axis])) < SAME_M) ?? -1;
   }
 }
 
@@ -44,43 +35,21 @@ export function oriented(corners) {
   return [0, 1, 2].map((step) => corners[(first + step) % 3]).join(",");
 }
 
-/** Number of edges not used once in each direction: 0 for a closed, consistently oriented surface. @param {number[][]} triangles */
+/** Number of edges not used once in each direction: 0 for a closed, consistently oriented surface. @param {string[][]} triangles */
 export function openEdges(triangles) {
-  /** @type {Map<string, number[]>} */
-  const uses = new Map();
-  for (const [a, b, c] of triangles) {
-    for (const [from, to] of [[a, b], [b, c], [c, a]]) {
-      const edge = `${Math.min(from, to)},${Math.max(from, to)}`;
-      uses.set(edge, [...(uses.get(edge) ?? []), from < to ? 1 : -1]);
-    }
-  }
-  return [...uses.values()].filter((ways) => ways.length !== 2 || ways[0] + ways[1] !== 0).length;
+  const edges = triangles.flatMap(([a, b, c]) => [[a, b], [b, c], [c, a]]);
+  const used = new Set(edges.map(String));
+  const unpaired = edges.filter(([from, to]) => from === to || !used.has(`${to},${from}`));
+  return unpaired.length + edges.length - used.size;
 }
 
 /** Enclosed volume by the divergence theorem, negative if inside out. @param {Point[]} points @param {number[][]} triangles */
 export function volume(points, triangles) {
-  return triangles.reduce((sum, [a, b, c]) => sum + determinant(points[a], points[b], points[c]) / 6, 0);
-}
-
-/** Extent along each axis. @param {Point[]} points */
-export function size(points) {
-  return [0, 1, 2].map((axis) => {
-    const values = points.map((point) => point[axis]);
-    return values.reduce((a, b) => Math.max(a, b)) - values.reduce((a, b) => Math.min(a, b));
-  });
-}
-
-function determinant([ax, ay, az], [bx, by, bz], [cx, cy, cz]) {
-  return ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
+  return triangles.reduce((sum, corners) => sum + new Matrix3(...corners.flatMap((corner) => points[corner])).determinant() / 6, 0);
 }
 
 /** Keys of the cells within a distance of a point; cells may share a key. @param {Point} point @param {number} distance_m */
 function cellsNear(point, distance_m) {
   const along = point.map((value) => [...new Set([value - distance_m, value + distance_m].map((end) => Math.floor(end / CELL_M)))]);
   return along.reduce((keys, cells) => keys.flatMap((key) => cells.map((cell) => key * 0x10000 + cell)), [0]);
-}
-
-/** @param {Point} a @param {Point} b */
-function isSame(a, b) {
-  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) < SAME_M;
 }

@@ -5,17 +5,16 @@
  *
  * @typedef {object} Row
  * @property {string} ending the format
- * @property {string[]} options of `rosto mesh`, without those of the shape
  * @property {Shape} shape
  * @property {"photo" | "whole" | "colours" | "none"} skin a texture of the photo or of the whole face, vertex colours,
  *   or nothing
  * @property {"solid"} [body] closed, with the face at its front
  * @property {Record<string, number>} [morphs] weights of the morph targets by name
  * @property {"pieces"} [eyesAndMouth] separate pieces, which lie elsewhere than the face's own fillings
- * @property {true} [unlit]
+ * @property {string[]} [options] of `rosto mesh`, without those that follow from the properties above
  */
 
-/** @typedef {{ topology: "tessellation" | "canonical", density: number, edits: keyof typeof MAKE }} Shape */
+/** @typedef {{ topology: "tessellation" | "canonical", density: number, edits: string[] }} Shape edits: the command line's options */
 
 /** Each is a morph target of its own name where edits are morph targets. */
 const EDITS = { "jaw-width": ["--slider", "jaw-width:-4"], nose: ["--region", "nose:0,0,5"] };
@@ -32,12 +31,8 @@ const BLEND_SHAPES = [
 /** Expressions with a weight; closed lids would share places. */
 const SHOWN = { jawOpen: 0.6, mouthSmileLeft: 0.5, eyeBlinkRight: 0.5 };
 
-/** The command line's options for edits. */
-const MAKE = {
-  none: [],
-  made: Object.values(EDITS).flat(),
-  expressed: Object.entries(SHOWN).flatMap(([name, weight]) => ["--expression", `${name}:${weight}`]),
-};
+const EDITED = Object.values(EDITS).flat();
+const EXPRESSED = Object.entries(SHOWN).flatMap(([name, weight]) => ["--expression", `${name}:${weight}`]);
 
 /** Units in metres of the formats that have another. */
 export const METRES = { stl: 0.001, "3mf": 0.001 };
@@ -45,72 +40,71 @@ export const METRES = { stl: 0.001, "3mf": 0.001 };
 /** Axes along which a format moves the model to begin at 0: a face onto the ground, a body to a printer's origin. */
 export const MOVED = { "3mf": [0, 1, 2], usdz: [1] };
 
-/** @type {{ options: string[], skin: Row["skin"] }[]} */
-const BASE_COLOURS = ["whole", "photo", "colours"].map((skin) => ({ options: ["--base-colour", skin], skin }));
-const MATERIALS = ["lit", "unlit"];
+/** Formats with a choice of base colour. */
+const PAINTED = ["glb", "gltf", "obj", "usdz"];
+const SKINS = /** @type {const} */ (["whole", "photo", "colours"]);
 const MORPH_TARGETS = { options: ["--morph-targets"], morphs: Object.fromEntries(Object.keys(EDITS).map((name) => [name, 1])) };
 /** @type {Pick<Row, "options" | "morphs">} */
 const EXPRESSIONS = { options: ["--expressions"], morphs: { ...Object.fromEntries(BLEND_SHAPES.map((name) => [name, 0])), ...SHOWN } };
 
-/** @type {({ edits: Shape["edits"] } & Pick<Row, "options" | "morphs">)[]} */
-const EDITS_AS = [{ edits: "none", options: [] }, { edits: "made", options: [] }, { edits: "made", ...MORPH_TARGETS }, { edits: "expressed", ...EXPRESSIONS }];
-
 /** @type {Shape} */
-const FACE = { topology: "canonical", density: 2, edits: "made" };
+const FACE = { topology: "canonical", density: 2, edits: EDITED };
 /** With holes for eyes and mouth, and the fewest triangles. @type {Shape} */
-const SHEET = { topology: "tessellation", density: 0, edits: "none" };
+const SHEET = { topology: "tessellation", density: 0, edits: [] };
 
-const [, PHOTO] = BASE_COLOURS;
-const MORPHS = { shape: FACE, ...PHOTO, ...MORPH_TARGETS, options: [...PHOTO.options, ...MORPH_TARGETS.options] };
+const MORPHS = { shape: FACE, skin: "photo", ...MORPH_TARGETS };
 /** For animation. */
-const AVATAR = { ...MORPHS, shape: { ...FACE, edits: "expressed" }, ...EXPRESSIONS, options: [...PHOTO.options, ...EXPRESSIONS.options], eyesAndMouth: "pieces" };
+const AVATAR = { shape: { ...FACE, edits: EXPRESSED }, skin: "photo", ...EXPRESSIONS, eyesAndMouth: "pieces" };
 /** For printers. */
 const BODIES = ["thickness:2", "flat:3"].map((solid) => ({ shape: FACE, options: ["--solid", solid], body: "solid" }));
 
 /** Opened by the readers. @type {Row[]} */
 export const ROWS = [
-  ...["glb", "gltf", "obj", "usdz"].flatMap((ending) => BASE_COLOURS.map((base) => ({ ending, shape: FACE, ...base }))),
-  ...["glb", "gltf"].flatMap((ending) => [{ ending, ...MORPHS }, { ending, ...AVATAR }]),
-  ...["glb", "gltf", "obj", "usdz"].map((ending) => ({ ending, shape: SHEET, ...PHOTO })),
-  ...[FACE, SHEET].map((shape) => ({ ending: "ply", shape, options: [], skin: "colours" })),
-  ...[FACE, SHEET].map((shape) => ({ ending: "stl", shape, options: ["--solid", "surface"], skin: "none" })),
+  ...combinations(PAINTED, SKINS).map(([ending, skin]) => ({ ending, shape: FACE, skin })),
+  ...combinations(["glb", "gltf"], [MORPHS, AVATAR]).map(([ending, row]) => ({ ending, ...row })),
+  ...PAINTED.map((ending) => ({ ending, shape: SHEET, skin: "photo" })),
+  ...[FACE, SHEET].map((shape) => ({ ending: "ply", shape, skin: "colours" })),
+  ...[FACE, SHEET].map((shape) => ({ ending: "stl", shape, skin: "none", options: ["--solid", "surface"] })),
   ...BODIES.map((body) => ({ ending: "stl", ...body, skin: "none" })),
   ...BODIES.map((body) => ({ ending: "3mf", ...body, skin: "colours" })),
 ];
 
-/** The face found by one look, and a small texture: the choices below do not depend on them. */
-const quickly = (/** @type {Row["skin"]} */ skin) => ["--mediapipe", ...(skin === "whole" ? ["--texture-size", "1024"] : [])];
-
 /** Every combination of a GLB's choices, for the validator. @type {Row[]} */
-export const MATRIX = BASE_COLOURS.flatMap((base) =>
-  MATERIALS.flatMap((material) =>
-    EDITS_AS.flatMap(({ edits, options }) =>
-      ["tessellation", "canonical"].flatMap((topology) =>
-        [0, 1, 2, 3].map((density) => ({
-          ending: "glb",
-          shape: { topology, density, edits },
-          skin: base.skin,
-          options: [...quickly(base.skin), ...base.options, "--material", material, ...options],
-        })),
-      ),
-    ),
-  ),
-);
+export const MATRIX = combinations(
+  SKINS,
+  ["lit", "unlit"],
+  [{ edits: [] }, { edits: EDITED }, { edits: EDITED, ...MORPH_TARGETS }, { edits: EXPRESSED, ...EXPRESSIONS }],
+  ["tessellation", "canonical"],
+  [0, 1, 2, 3],
+).map(([skin, material, { edits, options = [] }, topology, density]) => ({
+  ending: "glb",
+  shape: { topology, density, edits },
+  skin,
+  // The face found by one look, and a small texture: the choices do not depend on them.
+  options: ["--mediapipe", ...(skin === "whole" ? ["--texture-size", "1024"] : []), "--material", material, ...options],
+}));
 
 /**
  * Drawn over the photo by three.js, with the largest mean colour error, of 255: a texture is the photo's own JPEG, drawn between
  * its pixels; vertex colours are interpolated between vertices.
  *
- * @type {{ row: Row, most: number }[]}
+ * @type {(Row & { most: number })[]}
  */
-export const ON_THE_PHOTO = [0, 2].flatMap((density) =>
-  BASE_COLOURS.map(({ options, skin }) => ({
-    row: { ending: "glb", shape: { topology: "canonical", density, edits: "none" }, options: [...options, "--material", "unlit"], skin, unlit: true },
-    most: { whole: 8, photo: 3, colours: density === 0 ? 12 : 6 }[skin],
-  })),
-);
+export const ON_THE_PHOTO = combinations([0, 2], SKINS).map(([density, skin]) => ({
+  ending: "glb",
+  shape: { topology: "canonical", density, edits: [] },
+  skin,
+  options: ["--material", "unlit"],
+  most: { whole: 8, photo: 3, colours: density === 0 ? 12 : 6 }[skin],
+}));
 
-/** The command line's options for a row. @param {Row} row */
-export function commandOf({ shape: { topology, density, edits }, options }) {
-  return ["--units", "mm", "--topology", topology, "--density", String(density), ...MAKE[edits], ...options];
+/** The command line's options for a row. @param {Partial<Row> & Pick<Row, "shape">} row */
+export function commandOf({ ending, shape: { topology, density, edits }, skin, options = [] }) {
+  const baseColour = PAINTED.includes(ending) ? ["--base-colour", skin] : [];
+  return ["--units", "mm", "--topology", topology, "--density", String(density), ...edits, ...baseColour, ...options];
+}
+
+/** Every choice of one from each list. */
+function combinations(...lists) {
+  return lists.reduce((chosen, list) => chosen.flatMap((before) => list.map((each) => [...before, each])), [[]]);
 }

@@ -1,9 +1,5 @@
 """Blender as a module: GLB, glTF, OBJ, PLY, STL and USDZ, each by the importer in its menu."""
 
-import contextlib
-import os
-import sys
-
 import bpy
 import numpy
 
@@ -24,29 +20,22 @@ TURNED = {"glb", "gltf", "obj", "usdz"}
 def read(path):
     ending = path.rpartition(".")[2]
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    with silence():
-        IMPORTERS[ending](filepath=path)
+    IMPORTERS[ending](filepath=path)
     (body,) = [thing for thing in bpy.data.objects if thing.type == "MESH"]
     mesh = body.data
     mesh.calc_loop_triangles()
-    points = positions(body)
+    # With the shape keys at their values, as it is shown.
+    shown = body.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    points = numpy.array([shown.matrix_world @ vertex.co for vertex in shown.data.vertices])
     if ending in TURNED:
         points = numpy.stack([points[:, 0], points[:, 2], -points[:, 1]], axis=1)
     keys = mesh.shape_keys.key_blocks[1:] if mesh.shape_keys else []
     return {
         "positions": points,
         "triangles": [list(triangle.vertices) for triangle in mesh.loop_triangles],
-        "morphs": [{"name": key.name, "weight": key.value} for key in keys],
+        "morphs": [[key.name, key.value] for key in keys],
         **skin(mesh),
     }
-
-
-def positions(body):
-    """With the shape keys at their values, as it is shown."""
-    shown = body.evaluated_get(bpy.context.evaluated_depsgraph_get())
-    points = numpy.array([vertex.co for vertex in shown.data.vertices], dtype=float)
-    to_world = numpy.array(shown.matrix_world)
-    return points @ to_world[:3, :3].T + to_world[:3, 3]
 
 
 def skin(mesh):
@@ -58,28 +47,13 @@ def skin(mesh):
         width, height = pictures[0].size
         # Blender's rows begin at the bottom.
         pixels = numpy.array(pictures[0].pixels).reshape(height, width, -1)[::-1]
-        return textured(numpy.round(255 * pixels), uvs, "bottom")
+        return textured(numpy.round(255 * pixels), uvs)
     if not mesh.color_attributes:
         return {}
     attribute = mesh.color_attributes[0]
     colours = numpy.zeros((len(mesh.vertices), 3))
     colours[corners if attribute.domain == "CORNER" else slice(None)] = [list(entry.color_srgb)[:3] for entry in attribute.data]
     return {"skin": numpy.round(255 * colours)}
-
-
-@contextlib.contextmanager
-def silence():
-    """Importers print, some of them from C: standard output is kept for the report."""
-    sys.stdout.flush()
-    kept = os.dup(1)
-    with open(os.devnull, "w") as nowhere:
-        os.dup2(nowhere.fileno(), 1)
-        try:
-            yield
-        finally:
-            sys.stdout.flush()
-            os.dup2(kept, 1)
-            os.close(kept)
 
 
 report(read)

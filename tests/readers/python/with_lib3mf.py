@@ -16,15 +16,14 @@ def read(path):
     reader.SetStrictModeActive(True)
     reader.ReadFromFile(path)
     meshes = model.GetMeshObjects()
-    if not meshes.MoveNext():
-        raise ValueError("no mesh")
+    meshes.MoveNext()
     mesh = meshes.GetCurrentMeshObject()
     return {
         "positions": [list(vertex.Coordinates) for vertex in mesh.GetVertices()],
         "triangles": [list(triangle.Indices) for triangle in mesh.GetTriangleIndices()],
         "remarks": [str(reader.GetWarning(at)) for at in range(reader.GetWarningCount())],
         "unit_m": UNITS_M[model.GetUnit()],
-        **({"closed": True} if mesh.IsManifoldAndOriented() else {}),
+        "closed": mesh.IsManifoldAndOriented(),
         **colours(model, mesh),
     }
 
@@ -32,16 +31,12 @@ def read(path):
 def colours(model, mesh):
     """The colour of each corner of each triangle, where the file has colours."""
     groups = model.GetColorGroups()
-    palette = {}
-    while groups.MoveNext():
-        group = groups.GetCurrentColorGroup()
-        for at in group.GetAllPropertyIDs():
-            colour = group.GetColor(at)
-            palette[group.GetResourceID(), at] = [colour.Red, colour.Green, colour.Blue]
-    if not palette:
+    if not groups.MoveNext():
         return {}
-    corners = mesh.GetAllTriangleProperties()
-    return {"corner_skin": [[palette.get((each.ResourceID, at), [0, 0, 0]) for at in each.PropertyIDs] for each in corners]}
+    group = groups.GetCurrentColorGroup()
+    palette = {at: group.GetColor(at) for at in group.GetAllPropertyIDs()}
+    corners = [[palette[at] for at in triangle.PropertyIDs] for triangle in mesh.GetAllTriangleProperties()]
+    return {"corner_skin": [[[colour.Red, colour.Green, colour.Blue] for colour in triangle] for triangle in corners]}
 
 
 report(read)

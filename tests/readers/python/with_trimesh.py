@@ -2,7 +2,7 @@
 
 import trimesh
 
-from seen import report, srgb_from_linear, textured
+from seen import report, textured
 
 
 def read(path):
@@ -11,25 +11,22 @@ def read(path):
     (mesh,) = scene.dump()
     body = mesh.copy()
     body.merge_vertices(merge_tex=True, merge_norm=True)
-    seen = {"positions": mesh.vertices, "triangles": mesh.faces, **skin(mesh.visual, path)}
-    if body.is_watertight:
-        seen |= {"closed": bool(body.is_winding_consistent), "volume": body.volume}
-    if scene.units in ("millimeters", "mm"):
-        seen["unit_m"] = 0.001
-    return seen
+    return {
+        "positions": mesh.vertices,
+        "triangles": mesh.faces,
+        "closed": bool(body.is_volume),
+        "volume": body.volume,
+        **({"unit_m": trimesh.units.unit_conversion(scene.units, "meters")} if scene.units else {}),
+        **skin(mesh.visual),
+    }
 
 
-def skin(visual, path):
+def skin(visual):
     if visual.kind == "texture" and visual.uv is not None:
         material = visual.material
         picture = getattr(material, "baseColorTexture", None) or getattr(material, "image", None)
-        # Trimesh counts from the bottom in every format.
-        return textured(picture.convert("RGB"), visual.uv, "bottom") if picture else {"uvs": visual.uv}
-    if visual.kind == "vertex":
-        colours = visual.vertex_colors[:, :3]
-        # Linear in glTF; the other formats hold sRGB.
-        return {"skin": srgb_from_linear(colours / 255.0) if path.endswith((".glb", ".gltf")) else colours}
-    return {}
+        return textured(picture.convert("RGB"), visual.uv) if picture else {"uvs": visual.uv}
+    return {"skin": visual.vertex_colors[:, :3]} if visual.kind == "vertex" else {}
 
 
 report(read)

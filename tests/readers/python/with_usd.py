@@ -7,7 +7,7 @@ import numpy
 import PIL.Image
 from pxr import Usd, UsdGeom, UsdShade, UsdUtils, UsdValidation
 
-from seen import report, srgb_from_linear, textured
+from seen import report, textured
 
 
 def read(path):
@@ -18,14 +18,13 @@ def read(path):
         raise ValueError(f"faces of {counts} corners")
     to_world = numpy.array(UsdGeom.XformCache().GetLocalToWorldTransform(mesh.GetPrim()))
     points = numpy.array(mesh.GetPointsAttr().Get(), dtype=float)
-    corners = numpy.array(mesh.GetFaceVertexIndicesAttr().Get())
     return {
         "positions": points @ to_world[:3, :3] + to_world[3, :3],
-        "triangles": corners.reshape(-1, 3),
+        "triangles": numpy.array(mesh.GetFaceVertexIndicesAttr().Get()).reshape(-1, 3),
         "unit_m": UsdGeom.GetStageMetersPerUnit(stage),
         "up": UsdGeom.GetStageUpAxis(stage),
         "remarks": remarks(stage, path),
-        **skin(mesh, corners, len(points), path),
+        **skin(mesh, path),
     }
 
 
@@ -38,7 +37,7 @@ def remarks(stage, path):
     return checker.GetErrors() + checker.GetFailedChecks() + checker.GetWarnings() + errors
 
 
-def skin(mesh, corners, count, path):
+def skin(mesh, path):
     material, _ = UsdShade.MaterialBindingAPI(mesh.GetPrim()).ComputeBoundMaterial()
     if not material:
         return {}
@@ -47,14 +46,16 @@ def skin(mesh, corners, count, path):
     file = UsdShade.Shader(source.source).GetInput("file")
     if not file:
         return {"skin": srgb_from_linear(mesh.GetDisplayColorPrimvar().ComputeFlattened())}
-    primvar = UsdGeom.PrimvarsAPI(mesh).GetPrimvar("st")
-    uvs = numpy.array(primvar.ComputeFlattened())
-    if primvar.GetInterpolation() != UsdGeom.Tokens.vertex:
-        of_corners, uvs = uvs, numpy.zeros((count, 2))
-        uvs[corners] = of_corners
+    uvs = numpy.array(UsdGeom.PrimvarsAPI(mesh).GetPrimvar("st").ComputeFlattened())
     with zipfile.ZipFile(path) as package:
         picture = PIL.Image.open(io.BytesIO(package.read(file.Get().path.removeprefix("./"))))
-        return textured(picture.convert("RGB"), uvs, "bottom")
+        return textured(picture.convert("RGB"), uvs)
+
+
+def srgb_from_linear(colours):
+    """Linear light from 0 to 1 as sRGB from 0 to 255."""
+    linear = numpy.array(colours, dtype=float)
+    return numpy.round(255.0 * numpy.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055))
 
 
 report(read)
