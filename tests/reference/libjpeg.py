@@ -39,15 +39,15 @@ SCANS = [
 RESTARTS = [[], ["-restart", "1"], ["-restart", "2B"]]
 
 
-def picture(width, height, channels):
+def picture(width, height):
     chance = random.Random(1000 * width + height)
 
     def sample(x, y, channel):
         wave = math.sin(0.35 * x * (channel + 1) + 0.2 * y * (3 - channel) + channel)
         return round(min(max(127 + 90 * wave + chance.uniform(-20, 20), 0), 255))
 
-    samples = (sample(x, y, c) for y in range(height) for x in range(width) for c in range(channels))
-    return b"P%d %d %d 255\n" % (6 if channels == 3 else 5, width, height) + bytes(samples)
+    samples = (sample(x, y, c) for y in range(height) for x in range(width) for c in range(3))
+    return b"P6 %d %d 255\n" % (width, height) + bytes(samples)
 
 
 def encoded(size_px, sampling, scans, options):
@@ -55,14 +55,13 @@ def encoded(size_px, sampling, scans, options):
     with tempfile.NamedTemporaryFile("w", suffix=".txt") as file:
         file.write(scans or "")
         file.flush()
-        return encoded_with(file.name, size_px, sampling, scans, options)
+        order = ["-scans", file.name] if scans else ["-grayscale"] if len(sampling) == 1 else []
+        command = ["cjpeg", "-quality", "75", "-optimize", "-sample", listed(sampling), *order, *options]
+        return subprocess.run(command, input=picture(*size_px), capture_output=True).stdout
 
 
-def encoded_with(path, size_px, sampling, scans, options):
-    factors = ",".join(f"{h}x{v}" for h, v in sampling)
-    order = ["-scans", path] if scans else ["-grayscale"] if len(sampling) == 1 else []
-    command = ["cjpeg", "-quality", "75", "-optimize", "-sample", factors, *order, *options]
-    return subprocess.run(command, input=picture(*size_px, 3), capture_output=True).stdout
+def listed(sampling):
+    return ",".join(f"{h}x{v}" for h, v in sampling)
 
 
 def entry(name, file):
@@ -98,8 +97,7 @@ def main():
         if not file:
             scans = PROGRESSIVE_ONE_EACH if ":" in scans else ONE_EACH
             file = encoded(size_px, sampling, scans, options)
-        factors = ",".join(f"{h}x{v}" for h, v in sampling)
-        name = " ".join([f"{size_px[0]}x{size_px[1]} px", factors, scans or "grey", *options])
+        name = " ".join([f"{size_px[0]}x{size_px[1]} px", listed(sampling), scans or "grey", *options])
         packed.append(entry(name, file))
     (FIXTURES / "libjpeg.bin").write_bytes(b"".join(packed))
     print(len(packed), "files packed")

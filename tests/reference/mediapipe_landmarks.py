@@ -17,37 +17,36 @@ import sys
 
 import cv2
 import mediapipe
-
-MILLIPIXELS = 1000
+import numpy
 
 
 def main(pictures: pathlib.Path) -> None:
-    write(pictures, "landmarks.json", refined=False)
-    write(pictures, "refined_landmarks.json", refined=True)
+    for file, refined in [("landmarks.json", False), ("refined_landmarks.json", True)]:
+        answers = {}
+        for path in sorted(pictures.glob("*.png")):
+            name, asked, _ = path.name.split(".")
+            width, height, faces = look(path, int(asked), refined)
+            millipixels = [numpy.rint(1000 * face).astype(int).ravel().tolist() for face in faces]
+            answers[name] = {"width": width, "height": height, "faces": millipixels}
+        write(file, answers)
 
 
-def write(pictures: pathlib.Path, file: str, refined: bool) -> None:
-    answers = {}
-    for path in sorted(pictures.glob("*.png")):
-        name, faces, _ = path.name.split(".")
-        answers[name] = look(cv2.cvtColor(cv2.imread(str(path)), cv2.COLOR_BGR2RGB), int(faces), refined)
-    golden = pathlib.Path(__file__).parent.parent / "golden" / file
-    lines = (f"{json.dumps(name)}: {json.dumps(answer, separators=(',', ':'))}" for name, answer in answers.items())
-    golden.write_text("{\n" + ",\n".join(lines) + "\n}\n")
-
-
-def look(picture, max_faces: int, refined: bool) -> dict:
+def look(path: pathlib.Path, max_faces: int, refined: bool = False) -> tuple:
+    """Width, height, and the landmarks of each face as rows of x, y, z in px."""
+    picture = cv2.cvtColor(cv2.imread(str(path)), cv2.COLOR_BGR2RGB)
     height, width, _ = picture.shape
     # A new graph for each picture: nothing may be remembered from the one before.
     options = {"static_image_mode": True, "max_num_faces": max_faces, "refine_landmarks": refined}
     with mediapipe.solutions.face_mesh.FaceMesh(**options) as face_mesh:
         found = face_mesh.process(picture).multi_face_landmarks or []
-    return {"width": width, "height": height, "faces": [millipixels(face, width, height) for face in found]}
+    faces = [numpy.array([(point.x, point.y, point.z) for point in face.landmark]) for face in found]
+    return width, height, [face * (width, height, width) for face in faces]
 
 
-def millipixels(face, width: int, height: int) -> list:
-    scaled = ((point.x * width, point.y * height, point.z * width) for point in face.landmark)
-    return [round(value * MILLIPIXELS) for point in scaled for value in point]
+def write(file: str, answers: dict) -> None:
+    """Writes a golden file with a line for each picture."""
+    lines = (f"{json.dumps(name)}: {json.dumps(answer, separators=(',', ':'))}" for name, answer in answers.items())
+    (pathlib.Path(__file__).parents[1] / "golden" / file).write_text("{\n" + ",\n".join(lines) + "\n}\n")
 
 
 if __name__ == "__main__":
