@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { meshByCommandLine } from "./command-line.mjs";
 import { test } from "./fixtures.mjs";
 import { assertSameMesh, furthest, way } from "./meshes.mjs";
+import { AS_THE_PAGE } from "./same-face.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 /** The wings of the nose, right and left. */
@@ -14,12 +15,8 @@ test("nose width moves both sides alike, is one entry, and is what the command l
   await editor.unfold("section-face");
   const track = page.locator("[data-slider='nose-width'] input[type=range]");
   await track.scrollIntoViewIfNeeded();
-  const box = await track.boundingBox();
-  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-  await page.mouse.down();
-  await page.mouse.move(box.x + box.width * 0.8, box.y + box.height / 2, { steps: 12 });
-  await page.mouse.up();
-  await editor.frames(3);
+  const { x, y, width, height } = await track.boundingBox();
+  await editor.drag({ x: x + width / 2, y: y + height / 2 }, { x: 0.3 * width, y: 0 });
   const amount_mm = await editor.sliderValue("nose-width");
   assert.ok(amount_mm > 2, `the slider stands at ${amount_mm}`);
   assert.deepEqual(await editor.history(), ["Nose width"]);
@@ -27,8 +24,7 @@ test("nose width moves both sides alike, is one entry, and is what the command l
   const after = await editor.meshJson("mm");
   const [right, left] = WINGS.map((wing) => way(before, after, wing));
   assert.ok(Math.abs(left[0] - amount_mm) < 1e-6 && Math.abs(left[0] + right[0]) < 1e-6, `${right}, ${left}`);
-  const canonical = ["--units", "mm", "--topology", "canonical"];
-  assertSameMesh(after, await meshByCommandLine(SAMPLE, [...canonical, "--slider", `nose-width:${amount_mm}`]));
+  assertSameMesh(after, await meshByCommandLine(SAMPLE, [...AS_THE_PAGE, "--slider", `nose-width:${amount_mm}`]));
 
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await editor.meshJson("mm"), before);
@@ -82,8 +78,7 @@ test("symmetry is an action with a share, listed and undone like any edit", { ta
   const [right, left] = WINGS.map((wing) => after.positions[wing]);
   assert.ok(Math.abs(right[0] + left[0]) < 1e-9 && Math.abs(right[1] - left[1]) < 1e-9);
   assert.match(await page.innerText("#history li"), /Make symmetric\s*100 %/);
-  const canonical = ["--units", "mm", "--topology", "canonical"];
-  assertSameMesh(after, await meshByCommandLine(SAMPLE, [...canonical, "--symmetrise", "1"]));
+  assertSameMesh(after, await meshByCommandLine(SAMPLE, [...AS_THE_PAGE, "--symmetrise", "1"]));
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await editor.meshJson("mm"), before);
 });

@@ -4,7 +4,7 @@ import { test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
 
 test("hints wait for the deed, one after the other; a dot pulses where to drag; who comes again knows", { tag: "@rare" }, async ({ visitor, page }) => {
-  const hint = () => page.evaluate(() => (document.getElementById("hint").checkVisibility() ? document.getElementById("hint").textContent : ""));
+  const hint = async () => ((await page.isVisible("#hint")) ? page.textContent("#hint") : "");
   await visitor.dropSample();
   assert.equal(await hint(), "Drag the nose");
   const [dot, tip] = [await page.locator("#pulse").boundingBox(), await visitor.landmarkPlace(1)];
@@ -43,25 +43,23 @@ test("a face that has arrived turns a little and back, but not for who asked for
     const { page } = visitor;
     await visitor.untilLoaded();
     await page.evaluate(() => {
-      globalThis.swing = { least_px: Infinity, most_px: -Infinity };
+      const places_px = [];
+      globalThis.swing = () => Math.max(...places_px) - Math.min(...places_px);
       const look = () => {
         const x_px = Number.parseFloat(document.getElementById("pulse").style.translate);
-        if (Number.isFinite(x_px)) {
-          globalThis.swing.least_px = Math.min(globalThis.swing.least_px, x_px);
-          globalThis.swing.most_px = Math.max(globalThis.swing.most_px, x_px);
-        }
+        if (Number.isFinite(x_px)) places_px.push(x_px);
         requestAnimationFrame(look);
       };
       requestAnimationFrame(look);
     });
     await visitor.dropSample();
-    if (reducedMotion === "no-preference") await page.waitForFunction(() => globalThis.swing.most_px - globalThis.swing.least_px > 15);
+    if (reducedMotion === "no-preference") await page.waitForFunction("swing() > 15");
     await page.waitForFunction(() => {
       const [pulse, view] = ["pulse", "viewport"].map((id) => document.getElementById(id).getBoundingClientRect());
       return Math.abs(pulse.x + pulse.width / 2 - view.x - view.width / 2) < 12;
     });
     await visitor.frames(30);
-    const swing_px = await page.evaluate(() => globalThis.swing.most_px - globalThis.swing.least_px);
+    const swing_px = await page.evaluate("swing()");
     assert.equal(swing_px > 15, reducedMotion === "no-preference", `${reducedMotion}: the nose swings by ${swing_px} px`);
     await visitor.leave();
   }
@@ -85,23 +83,12 @@ for (const [reducedMotion, moves] of /** @type {const} */ ([["no-preference", tr
   test(`with ${reducedMotion} for motion, the empty face ${verb}`, { tag: "@eyes" }, async ({ open }) => {
     const visitor = await open({ reducedMotion });
     await visitor.untilLoaded();
-    const first = await shot(visitor);
+    const shot = async () => PNG.sync.read(await visitor.page.locator("#viewport").screenshot());
+    const first = await shot();
     await visitor.frames(30);
-    assert.equal(difference(first, await shot(visitor)) > 0, moves);
-    const longest_ms = await visitor.page.evaluate(longestTransition);
+    assert.equal(difference(first, await shot()) > 0, moves);
+    const durations = await visitor.page.locator("*").evaluateAll((all) => all.map((one) => getComputedStyle(one).transitionDuration));
+    const longest_ms = Math.max(...durations.flatMap((each) => each.split(",")).map((duration) => 1000 * Number.parseFloat(duration)));
     assert.ok(moves ? longest_ms >= 100 : longest_ms === 0, `a transition of ${longest_ms} ms`);
   });
-}
-
-/** @param {import("./visitor.mjs").Visitor} visitor */
-async function shot(visitor) {
-  return PNG.sync.read(await visitor.page.locator("#viewport").screenshot());
-}
-
-/** In ms. Runs in the page. */
-function longestTransition() {
-  const durations = [...document.querySelectorAll("*")].flatMap((element) =>
-    getComputedStyle(element).transitionDuration.split(",").map((duration) => 1000 * Number.parseFloat(duration)),
-  );
-  return Math.max(...durations);
 }

@@ -3,25 +3,24 @@ import { alike, test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
 import { crashGpu, watchGpus } from "./watches.mjs";
 
+test.use({ visit: { scripts: [watchGpus] } });
+
 for (const [{ drawn, needs }, tag] of alike([
   { drawn: "WebGPU", needs: "eyes" },
   { drawn: "WebGL2", needs: "webgl" },
 ])) {
-  test(`when the graphics process crashes under ${drawn}, the view comes back by itself and the work goes on`, { tag: [...tag, `@${needs}`] }, async ({ open }) => {
-    const visitor = await open({ scripts: [watchGpus] });
-    const { page } = visitor;
-    await visitor.openFace();
-    await visitor.move("nose tip", "z", 9);
-    const before = { view: await visitor.view(), mesh: await visitor.meshJson("mm") };
+  test(`when the graphics process crashes under ${drawn}, the view comes back by itself and the work goes on`, { tag: [...tag, `@${needs}`] }, async ({ editor, page }) => {
+    await editor.move("nose tip", "z", 9);
+    const before = { view: await editor.view(), mesh: await editor.meshJson("mm") };
     const gpus = await page.evaluate("gpus.length");
     await crashGpu(page);
     await page.waitForFunction((gpus) => window.gpus.length > gpus, gpus);
-    assert.ok(difference(before.view, await visitor.view()) < 0.001, "the view is not what it was");
-    assert.deepEqual(await visitor.meshJson("mm"), before.mesh);
-    await visitor.offset("y", 9);
-    assert.ok(difference(before.view, await visitor.view()) > 0.002, "the picture no longer follows");
+    assert.ok(difference(before.view, await editor.view()) < 0.001, "the view is not what it was");
+    assert.deepEqual(await editor.meshJson("mm"), before.mesh);
+    await editor.offset("y", 9);
+    assert.ok(difference(before.view, await editor.view()) > 0.002, "the picture no longer follows");
     await page.click("#toolbar [data-action='undo']");
-    assert.deepEqual(await visitor.meshJson("mm"), before.mesh);
+    assert.deepEqual(await editor.meshJson("mm"), before.mesh);
     assert.ok(await page.isHidden("#notice"));
   });
 }
@@ -29,10 +28,8 @@ for (const [{ drawn, needs }, tag] of alike([
 test("while WebGL2 stays away the page says so and edits go on, and they show when it is back", { tag: "@webgl" }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   const found = await editor.view();
-  const extension = await page.evaluateHandle(() => {
-    const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("viewport"));
-    return canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
-  });
+  const canvas = page.locator("#viewport");
+  const extension = await canvas.evaluateHandle((canvas) => canvas.getContext("webgl2").getExtension("WEBGL_lose_context"));
   await extension.evaluate((extension) => extension.loseContext());
   await editor.offset("y", 9);
   const { code, text } = await editor.notice();
