@@ -1,14 +1,17 @@
 import assert from "node:assert/strict";
-import { meshByCommandLine } from "./command-line.mjs";
+import { AS_THE_PAGE_EDITS, meshByCommandLine } from "./command-line.mjs";
 import { test } from "./fixtures.mjs";
 import { assertSameMesh } from "./meshes.mjs";
 import { difference } from "./pixels.mjs";
 import { assertPortraitColours } from "./portrait-colours.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-test("a dropped portrait becomes a mesh in its own colours", { tag: "@eyes" }, async ({ visitor }) => {
+test("a dropped portrait becomes a mesh in its own colours, a point of which is picked by a click", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await assertPortraitColours(await visitor.view());
+  await page.click("#viewport");
+  assert.match(await page.inputValue("#landmark-search"), / · \d+$/);
+  assert.ok(await page.isVisible("#landmark-tag"));
 });
 
 test("moving the nose tip changes picture and mesh as the command line does, and undo restores both", { tag: "@eyes" }, async ({ editor }) => {
@@ -41,21 +44,13 @@ test("details that turn with the surface follow every tick, and make the command
   await editor.page.selectOption("#details", "turned");
   const before = await editor.view();
   await editor.page.fill("#landmark-sliders [data-axis='z'] input[type=number]", "14");
-  const moving = await editor.view();
-  assert.ok(difference(before, moving) > 0.002, "the picture did not change while the number was typed");
+  assert.ok(difference(before, await editor.view()) > 0.002, "the picture did not change while the number was typed");
   await editor.page.press("#landmark-sliders [data-axis='z'] input[type=number]", "Tab");
-  const options = "--units mm --topology canonical --operator cotangent --hold exact --anchors oval --radius 25 --mirror --turn-details";
-  const turned = await meshByCommandLine(SAMPLE, [...options.split(" "), "--edit", "61:0,0,14"]);
+  const options = [...AS_THE_PAGE_EDITS, "--edit", "61:0,0,14"];
+  const turned = await meshByCommandLine(SAMPLE, [...options, "--turn-details"]);
   assertSameMesh(await editor.meshJson("mm"), turned);
-  const kept = await meshByCommandLine(SAMPLE, [...options.split(" ").slice(0, -1), "--edit", "61:0,0,14"]);
+  const kept = await meshByCommandLine(SAMPLE, options);
   assert.throws(() => assertSameMesh(kept, turned), "details that keep their direction make the same mesh");
-});
-
-test("a point is picked by clicking it on the mesh", async ({ editor }) => {
-  const box = await editor.page.locator("#viewport").boundingBox();
-  await editor.page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
-  assert.match(await editor.page.inputValue("#landmark-search"), / · \d+$/);
-  assert.ok(await editor.page.locator("#landmark-tag").isVisible());
 });
 
 test("light, paint and camera change the picture, and the view resets", { tag: "@eyes" }, async ({ editor }) => {
@@ -68,16 +63,9 @@ test("light, paint and camera change the picture, and the view resets", { tag: "
   await editor.page.check("input[name='shading'][value='colours']", { force: true });
   const painted = await editor.view();
   assert.ok(difference(lit, painted) > 0.02, "the paint changed without effect");
-  const box = await editor.page.locator("#viewport").boundingBox();
-  // Beside the face: on it, a drag may move a landmark.
-  const [x, y] = [box.x + 40, box.y + box.height / 2];
-  await editor.page.mouse.move(x, y);
-  await editor.page.mouse.down();
-  await editor.page.mouse.move(x + 120, y + 20, { steps: 4 });
-  await editor.page.mouse.up();
-  await editor.page.mouse.move(box.x + 4, box.y + 4);
+  // On the face, a drag may move a landmark.
+  await editor.drag(await editor.besideTheFace(), { x: 120, y: 20 });
   assert.ok(difference(painted, await editor.view()) > 0.05, "the drag did not turn the face");
   await editor.page.click("[data-action='reset-view']");
-  await editor.page.mouse.move(box.x + 4, box.y + 4);
   assert.ok(difference(painted, await editor.view()) < 0.001, "the view did not come back");
 });
