@@ -4,8 +4,7 @@ import { mkdir } from "node:fs/promises";
 import path from "node:path";
 import { error as errors } from "selenium-webdriver";
 import { ENGINES, openDisplay, start } from "./engines/browsers.mjs";
-import { walkCore } from "./engines/core.mjs";
-import { walkElement } from "./engines/element.mjs";
+import { walkCore, walkElement } from "./engines/walks.mjs";
 import { installed, SITE } from "./package.mjs";
 import { DIST, serve } from "./server.mjs";
 
@@ -25,25 +24,27 @@ for (const one of [core, element, display]) one.close();
 console.log(`engines: ${passed} passed, ${names.length - passed} failed`);
 process.exitCode = passed > 0 && passed === names.length ? 0 : 1;
 
-/** @param {string} name @returns {Promise<boolean>} whether it passed */
-async function visit(name, launchesLeft = MOST_LAUNCHES) {
-  const started = performance.now();
-  let willRetry = false;
-  /** @type {import("./engines/browsers.mjs").Browser | undefined} */
-  let browser;
-  try {
-    browser = await start(name, display.env);
-    const drawnBy = await walkCore(browser, core.url, PICTURES);
-    await walkElement(browser, element.url, PICTURES);
-    console.log(`✓ ${browser.version}, drawn by ${drawnBy} (${((performance.now() - started) / 1000).toFixed(0)} s)`);
-    return true;
-  } catch (error) {
-    // A driver whose browser has crashed reports its session as unknown.
-    willRetry = error instanceof errors.NoSuchSessionError && launchesLeft > 1;
-    console.log(willRetry ? `${name} crashed; launching it again` : `✗ ${name}: ${error.stack}`);
-    if (!willRetry) for (const said of (await browser?.errors().catch(() => [])) ?? []) console.log(`    page: ${said}`);
-  } finally {
-    await browser?.close();
+/** @param {keyof typeof ENGINES} name @returns {Promise<boolean>} whether it passed */
+async function visit(name) {
+  for (let launch = 1; ; launch++) {
+    const started = performance.now();
+    /** @type {import("./engines/browsers.mjs").Browser | undefined} */
+    let browser;
+    try {
+      browser = await start(name, display.env);
+      const drawnBy = await walkCore(browser, core.url, PICTURES);
+      await walkElement(browser, element.url, PICTURES);
+      console.log(`✓ ${browser.version}, drawn by ${drawnBy} (${((performance.now() - started) / 1000).toFixed(0)} s)`);
+      return true;
+    } catch (error) {
+      // A driver whose browser has crashed reports its session as unknown.
+      const willRetry = error instanceof errors.NoSuchSessionError && launch < MOST_LAUNCHES;
+      console.log(willRetry ? `${name} crashed; launching it again` : `✗ ${name}: ${error.stack}`);
+      if (willRetry) continue;
+      for (const said of (await browser?.errors().catch(() => [])) ?? []) console.log(`    page: ${said}`);
+      return false;
+    } finally {
+      await browser?.close();
+    }
   }
-  return willRetry && visit(name, launchesLeft - 1);
 }
