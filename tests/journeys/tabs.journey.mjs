@@ -1,13 +1,13 @@
 import assert from "node:assert/strict";
+import { expect } from "@playwright/test";
 import { test } from "./fixtures.mjs";
 import { chooseFace, openGroup, openOther } from "./groups.mjs";
 import { keptWorks, untilKept } from "./kept.mjs";
 
-test("two tabs keep two works: each comes back with its own face and edits", async ({ open }) => {
-  const first = await open();
-  const { page } = first;
-  await first.openFace();
+test("two tabs keep two works: each writes its own alone, and comes back with its own face and edits", async ({ editor: first, page }) => {
   await first.move("nose tip", "z", 9);
+  await untilKept(page);
+  const [kept] = await keptWorks(page);
 
   const second = await first.anotherTab();
   // The first tab's work is not offered while it is open there.
@@ -15,12 +15,14 @@ test("two tabs keep two works: each comes back with its own face and edits", asy
   await openOther(second);
   await second.move("bottom of the chin", "y", -6);
   const others = await second.work();
+  await untilKept(second.page, 2);
+  assert.deepEqual((await keptWorks(page)).find(({ slot }) => slot === kept.slot), kept);
 
   await page.bringToFront();
   await first.offset("y", 4);
   const work = await first.work();
   assert.notDeepEqual(work.mesh, others.mesh);
-  await untilKept(first.page, 2);
+  await untilKept(page, 2);
 
   await page.reload();
   await first.resume();
@@ -39,43 +41,28 @@ test("two tabs keep two works: each comes back with its own face and edits", asy
   assert.deepEqual(await fourth.work(), others);
   // Opening them again has made no copies, which would drive other works out.
   await untilKept(fourth.page);
-  assert.equal((await keptWorks(fourth.page)).length, 2);
-});
+  const both = await keptWorks(fourth.page);
+  assert.equal(both.length, 2);
 
-test("a tab writes its own slot alone, and a new face does not write over the one before", { tag: "@rare" }, async ({ open }) => {
-  const first = await open();
-  await first.openFace();
-  await first.move("nose tip", "z", 9);
-  await untilKept(first.page);
-  const [kept] = await keptWorks(first.page);
-
-  const second = await first.anotherTab();
-  await second.openFace();
-  await second.move("bottom of the chin", "y", -6);
-  await untilKept(second.page, 2);
-  assert.deepEqual((await keptWorks(first.page)).find(({ slot }) => slot === kept.slot), kept);
-
-  // Another photo in the first tab: what was done to the one before stays as it was.
-  await openOther(first);
-  await untilKept(first.page, 3);
-  const now = await keptWorks(first.page);
+  // Another photo in a tab: what was done to the one before stays as it was.
+  await openOther(fourth);
+  await untilKept(fourth.page, 3);
+  const now = await keptWorks(fourth.page);
   assert.equal(now.length, 3);
-  assert.deepEqual(now.find(({ slot }) => slot === kept.slot)?.edits, kept.edits);
+  for (const { slot, edits } of both) assert.deepEqual(now.find((one) => one.slot === slot)?.edits, edits);
 });
 
-test("a face that was left in one tab and goes on in another comes back in the first as it was left there", async ({ open }) => {
-  const first = await open();
-  const { page } = first;
+test("a face left in one tab that goes on in another comes back in the first as it was left there", async ({ visitor: first, page }) => {
   await openGroup(first);
   await first.move("nose tip", "z", 9);
-  await untilKept(first.page);
+  await untilKept(page);
   const left = await first.work();
   const choose = async (index) => {
     await chooseFace(first, index);
-    await page.waitForFunction((count) => document.querySelectorAll("#history li").length === count, index === 0 ? 1 : 0);
+    await expect(page.locator("#history li")).toHaveCount(index === 0 ? 1 : 0);
   };
   await choose(1);
-  await untilKept(first.page, 2);
+  await untilKept(page, 2);
 
   const second = await first.anotherTab();
   await second.resume();
@@ -89,7 +76,7 @@ test("a face that was left in one tab and goes on in another comes back in the f
   assert.deepEqual(await first.work(), left);
   await first.move("nose tip", "y", 2);
   const work = await first.work();
-  await untilKept(first.page, 3);
+  await untilKept(page, 3);
   assert.deepEqual(await second.work(), others);
   for (const [visitor, stands] of [[first, work], [second, others]]) {
     await visitor.page.bringToFront();
@@ -98,15 +85,11 @@ test("a face that was left in one tab and goes on in another comes back in the f
   }
 });
 
-test("work that is open in another tab by now is said to be there, or the next one is opened", async ({ open }) => {
-  const first = await open();
-  const { page } = first;
-  await first.openFace();
+test("work that is open in another tab by now is said to be there, or the next one is opened", async ({ editor: first, page }) => {
   await first.move("nose tip", "z", 9);
-  await untilKept(first.page);
+  await untilKept(page);
   await page.reload();
-  const second = await first.anotherTab();
-  const third = await first.anotherTab();
+  const [second, third] = [await first.anotherTab(), await first.anotherTab()];
   for (const { page } of [first, second, third]) await page.waitForSelector("#continue:not([hidden])");
   await first.resume();
   const work = await first.work();

@@ -1,4 +1,6 @@
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { expect } from "@playwright/test";
 import { PNG } from "pngjs";
 import { meshByCommandLine } from "./command-line.mjs";
 import { test } from "./fixtures.mjs";
@@ -11,7 +13,7 @@ import { SAMPLE } from "./visitor.mjs";
 const FOR_WEBGPU = "rosto-studio-web_bg.wasm";
 const FOR_WEBGL2 = "rosto-studio-webgl_bg.wasm";
 
-test("without a WebGPU adapter the portrait becomes a mesh in WebGL2, is edited by number and by hand, and downloads", { tag: "@webgl" }, async ({ visitor, page }) => {
+test("without a WebGPU adapter the portrait is meshed, edited and downloaded by WebGL2", { tag: "@webgl" }, async ({ visitor, page }) => {
   assert.equal(await page.evaluate(async () => (await navigator.gpu?.requestAdapter()) ?? null), null);
   await visitor.untilLoaded();
   await page.click("#welcome [data-action='sample']");
@@ -25,8 +27,8 @@ test("without a WebGPU adapter the portrait becomes a mesh in WebGL2, is edited 
   await visitor.offset("y", 9);
   const moved = await visitor.view();
   assert.ok(difference(held, moved) > 0.002, "the number did not change the picture");
-  const box = await page.locator("#viewport").boundingBox();
-  await visitor.drag({ x: box.x + box.width / 2, y: box.y + box.height / 2 }, { x: 0, y: -30 });
+  const { x, y, width, height } = await page.locator("#viewport").boundingBox();
+  await visitor.drag({ x: x + width / 2, y: y + height / 2 }, { x: 0, y: -30 });
   assert.equal((await visitor.history()).length, 2, "the drag moved no landmark");
   assert.ok(difference(moved, await visitor.view()) > 0.002, "the drag did not change the picture");
 
@@ -37,7 +39,7 @@ test("without a WebGPU adapter the portrait becomes a mesh in WebGL2, is edited 
   assert.equal(picture.data[3], 0, "the picture is not transparent around the face");
 });
 
-test("without navigator.gpu only the module for WebGL2 is downloaded, and it makes the command line's mesh", { tag: "@webgl" }, async ({ open }) => {
+test("without navigator.gpu only WebGL2's module is downloaded, and makes the command line's mesh", { tag: "@webgl" }, async ({ open }) => {
   const visitor = await open({ scripts: ["delete Navigator.prototype.gpu"] });
   await visitor.dropSample();
   const asked = visitor.requests.map((url) => new URL(url).pathname.split("/").at(-1));
@@ -55,16 +57,14 @@ test("with WebGPU nothing of the module for WebGL2 is downloaded", async ({ open
   assert.equal(await contextKind(visitor.page), "webgpu");
   assert.ok(visitor.requests.some((url) => url.endsWith(FOR_WEBGPU)));
   assert.deepEqual(visitor.requests.filter((url) => /\/wasm\/.*webgl/.test(url)), []);
-  for (const [file, stored] of [[FOR_WEBGPU, true], [FOR_WEBGL2, false]]) {
-    assert.equal(await visitor.page.evaluate((file) => caches.match(`wasm/${file}`).then(Boolean), file), stored, file);
-  }
+  assert.ok(await isStored(visitor.page, FOR_WEBGPU) && !(await isStored(visitor.page, FOR_WEBGL2)));
 });
 
 test("after the first visit the page works in WebGL2 without a network", { tag: "@webgl" }, async ({ open }) => {
   const visitor = await open({ serviceWorkers: "allow" });
   const { page } = visitor;
   await visitor.untilLoaded();
-  await page.waitForFunction((file) => caches.match(`wasm/${file}`).then(Boolean), FOR_WEBGL2);
+  await expect.poll(() => isStored(page, FOR_WEBGL2)).toBe(true);
   await page.context().setOffline(true);
   await page.reload();
   await page.click("#welcome [data-action='sample']");
@@ -73,10 +73,22 @@ test("after the first visit the page works in WebGL2 without a network", { tag: 
   assert.ok(colourCount(await visitor.view()) > 40);
 });
 
+test("without WebGPU and WebGL2 the page says so, and draws landmarks on the photo", { tag: "@no-gpu" }, async ({ visitor, page }) => {
+  const { code, text } = await visitor.notice();
+  assert.equal(code, "no-webgl");
+  assert.match(text, /cannot draw in 3D/);
+  await visitor.drop(await readFile(SAMPLE), "portrait.png");
+  await page.waitForSelector("body[data-state='photo']");
+  const photo = PNG.sync.read(await page.locator("#photo-picture").screenshot());
+  assert.ok(colourCount(photo) > 100, "the photo is not drawn");
+});
+
 /** @param {import("@playwright/test").Page} page */
 function contextKind(page) {
-  return page.evaluate(() => {
-    const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("viewport"));
-    return ["webgpu", "webgl2"].find((kind) => canvas.getContext(kind));
-  });
+  return page.locator("#viewport").evaluate((canvas) => ["webgpu", "webgl2"].find((kind) => canvas.getContext(kind)));
+}
+
+/** Whether the service worker has stored a module. @param {import("@playwright/test").Page} page @param {string} file */
+function isStored(page, file) {
+  return page.evaluate((file) => caches.match(`wasm/${file}`).then(Boolean), file);
 }
