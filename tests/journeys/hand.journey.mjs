@@ -1,14 +1,12 @@
 import assert from "node:assert/strict";
 import { meshByCommandLine } from "./command-line.mjs";
-import { test } from "./fixtures.mjs";
-import { assertSameMesh, furthest, way } from "./meshes.mjs";
+import { alike, test } from "./fixtures.mjs";
+import { DENSEST, LANDMARKS, assertSameMesh, furthest, way } from "./meshes.mjs";
 import { colourCount, difference, differenceNear } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-const LANDMARKS = 468;
 const NOSE_TIP = 1;
 const FOREHEAD = 151;
-const DENSEST = 28_881;
 /** The corners of the mouth, right and left. */
 const MOUTH_CORNERS = [61, 291];
 
@@ -31,30 +29,36 @@ test("the pointer over a landmark marks it and names it, and lets go of it besid
   assert.equal(await editor.cursor(), "grab");
 });
 
-test("a landmark follows the pointer in the view plane, slowly with Shift, and glows as it goes", { tag: "@eyes" }, async ({ editor, page }) => {
-  await editor.findLandmark("nose tip");
-  const tip = await editor.tagged();
-  const start = await editor.meshJson("mm");
-  await page.mouse.move(tip.x, tip.y);
-  await page.mouse.down();
-  await page.mouse.move(tip.x, tip.y - 40, { steps: 5 });
-  const moving = await editor.view();
-  const seen = await editor.tagged();
-  assert.ok(Math.hypot(seen.x - tip.x, seen.y - tip.y + 40) <= 1.5, `it is at ${seen.x}, ${seen.y}`);
-  await page.mouse.up();
-  const around = await editor.onView({ x: tip.x, y: tip.y - 40 });
-  assert.ok(differenceNear(moving, await editor.view(), around, 30) > 0.3, "the response does not glow");
-  const moved = await editor.meshJson("mm");
-  const usual = way(start, moved, NOSE_TIP);
-  assert.ok(usual[1] > 2 && Math.abs(usual[2]) < usual[1] / 2, `${usual}`);
-  assert.deepEqual(await editor.history(), ["nose tip · 1"]);
+for (const [[density, points], tag] of alike([["0", LANDMARKS], ["3", DENSEST]])) {
+  test(`a landmark follows the pointer in the view plane, slowly with Shift, and glows as it goes: ${points} points`, { tag: ["@eyes", ...tag] }, async ({ editor, page }) => {
+    await page.selectOption("#density", density, { force: true });
+    await editor.findLandmark("nose tip");
+    const tip = await editor.tagged();
+    const start = await editor.meshJson("mm");
+    assert.equal(start.positions.length, points);
+    await editor.grab(tip, { x: 0, y: -40 });
+    const moving = await editor.view();
+    assert.ok(colourCount(moving) > 40);
+    const seen = await editor.tagged();
+    assert.ok(Math.hypot(seen.x - tip.x, seen.y - tip.y + 40) <= 1.5, `it is at ${seen.x}, ${seen.y}`);
+    await page.mouse.up();
+    const around = await editor.onView({ x: tip.x, y: tip.y - 40 });
+    assert.ok(differenceNear(moving, await editor.view(), around, 30) > 0.3, "the response does not glow");
+    const moved = await editor.meshJson("mm");
+    const usual = way(start, moved, NOSE_TIP);
+    assert.ok(usual[1] > 2 && Math.abs(usual[2]) < usual[1] / 2, `${usual}`);
+    assert.ok(furthest(start, moved) < 1.5 * Math.hypot(...usual), `a vertex went ${furthest(start, moved)} mm`);
+    assert.deepEqual(await editor.history(), ["nose tip · 1"]);
 
-  await page.keyboard.down("Shift");
-  await editor.drag({ x: tip.x, y: tip.y - 40 }, { x: 0, y: -40 });
-  await page.keyboard.up("Shift");
-  const fine = way(moved, await editor.meshJson("mm"), NOSE_TIP);
-  assert.ok(Math.abs(fine[1] / usual[1] - 0.1) < 0.02, `${fine[1]} mm beside ${usual[1]}`);
-});
+    await page.keyboard.down("Shift");
+    await editor.drag({ x: tip.x, y: tip.y - 40 }, { x: 0, y: -40 });
+    await page.keyboard.up("Shift");
+    const fine = way(moved, await editor.meshJson("mm"), NOSE_TIP);
+    assert.ok(Math.abs(fine[1] / usual[1] - 0.1) < 0.02, `${fine[1]} mm beside ${usual[1]}`);
+    for (let undo = 0; undo < 2; undo++) await page.click("#toolbar [data-action='undo']");
+    assert.deepEqual(await editor.meshJson("mm"), start);
+  });
+}
 
 test("X, Y and Z keep a drag to an axis, and Escape puts everything back", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.reach("#mirror");
@@ -63,9 +67,7 @@ test("X, Y and Z keep a drag to an axis, and Escape puts everything back", { tag
   const tip = await editor.tagged();
   const start = await editor.meshJson("mm");
   for (const [axis, key] of ["x", "y", "z"].entries()) {
-    await page.mouse.move(tip.x, tip.y);
-    await page.mouse.down();
-    await page.mouse.move(tip.x + 10, tip.y - 10, { steps: 3 });
+    await editor.grab(tip, { x: 10, y: -10 });
     await page.keyboard.press(key);
     await page.mouse.move(tip.x + 20, tip.y - 30, { steps: 3 });
     await page.mouse.up();
@@ -76,9 +78,7 @@ test("X, Y and Z keep a drag to an axis, and Escape puts everything back", { tag
     await page.click("#toolbar [data-action='undo']");
   }
 
-  await page.mouse.move(tip.x, tip.y);
-  await page.mouse.down();
-  await page.mouse.move(tip.x + 30, tip.y, { steps: 3 });
+  await editor.grab(tip, { x: 30, y: 0 });
   await page.keyboard.press("Escape");
   const rest = await editor.view();
   await page.mouse.move(tip.x + 80, tip.y + 40, { steps: 3 });
@@ -97,9 +97,7 @@ test("the wheel widens and narrows the reach of a drag, which stays one edit", {
   await editor.findLandmark("nose tip");
   const tip = await editor.tagged();
   const start = await editor.meshJson("mm");
-  await page.mouse.move(tip.x, tip.y);
-  await page.mouse.down();
-  await page.mouse.move(tip.x, tip.y - 30, { steps: 3 });
+  await editor.grab(tip, { x: 0, y: -30 });
   const radius = page.locator("#radius input[type=number]");
   const pictures = [await editor.view()];
   const radii_mm = [];
@@ -131,8 +129,9 @@ test("the other side follows where the mirror is on, and its plane is a hairline
   await editor.findLandmark(String(MOUTH_CORNERS[0]));
   const start = await editor.meshJson("mm");
   await editor.offset("x", -4);
-  const [right, left] = MOUTH_CORNERS.map(async (corner) => way(start, await editor.meshJson("mm"), corner));
-  assert.ok(Math.abs((await right)[0] + 4) < 1e-9 && Math.abs((await left)[0] - 4) < 1e-9);
+  const apart = await editor.meshJson("mm");
+  const [right, left] = MOUTH_CORNERS.map((corner) => way(start, apart, corner)[0]);
+  assert.ok(Math.abs(right + 4) < 1e-9 && Math.abs(left - 4) < 1e-9);
   await page.click("#toolbar [data-action='undo']");
 
   // The forehead, which an edit of the mouth leaves alone.
@@ -140,9 +139,7 @@ test("the other side follows where the mirror is on, and its plane is a hairline
   const corner = await editor.landmarkPlace(MOUTH_CORNERS[0]);
   const plain = await editor.view();
   const whileDragging = async () => {
-    await page.mouse.move(corner.x, corner.y);
-    await page.mouse.down();
-    await page.mouse.move(corner.x, corner.y + 20, { steps: 4 });
+    await editor.grab(corner, { x: 0, y: 20 });
     const seen = await editor.view();
     await page.keyboard.press("Escape");
     await page.mouse.up();
@@ -196,27 +193,4 @@ test("every operator and constraint says in a line what it does, and does what t
   assert.ok(!(await page.isChecked("input[name='preset'][value='paper']")));
   await editor.prefer("sculpt");
   assert.equal(await page.inputValue("#operator"), "cotangent");
-});
-
-test("a landmark is dragged on the densest mesh as on the coarse one", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
-  await page.selectOption("#density", "3", { force: true });
-  await editor.findLandmark("nose tip");
-  const tip = await editor.tagged();
-  const start = await editor.meshJson("mm");
-  assert.equal(start.positions.length, DENSEST);
-  await page.mouse.move(tip.x, tip.y);
-  await page.mouse.down();
-  await page.mouse.move(tip.x, tip.y - 30, { steps: 8 });
-  const moving = await editor.view();
-  assert.ok(colourCount(moving) > 40);
-  const seen = await editor.tagged();
-  assert.ok(Math.hypot(seen.x - tip.x, seen.y - tip.y + 30) <= 1.5, `it is at ${seen.x}, ${seen.y}`);
-  await page.mouse.up();
-  assert.equal((await editor.history()).length, 1);
-  const moved = await editor.meshJson("mm");
-  const furthest_mm = furthest(start, moved);
-  assert.ok(Math.hypot(...way(start, moved, NOSE_TIP)) > 2);
-  assert.ok(furthest_mm < 1.5 * Math.hypot(...way(start, moved, NOSE_TIP)), `a vertex went ${furthest_mm} mm`);
-  await page.click("#toolbar [data-action='undo']");
-  assert.deepEqual(await editor.meshJson("mm"), start);
 });

@@ -2,51 +2,42 @@
 
 const STEPS = 6;
 
-/** @type {WeakMap<import("@playwright/test").Page, Hand>} */
+/** @type {WeakMap<import("@playwright/test").Page, ReturnType<typeof mouse> | ReturnType<typeof finger>>} */
 const HANDS = new WeakMap();
 
 /** What a visitor points with: a finger where the window takes one, else the mouse. It may stay down for as long as it likes. */
-export class Hand {
+export const Hand = {
   /** @param {import("./visitor.mjs").Visitor} visitor */
-  static async of({ page }) {
-    const known = HANDS.get(page);
-    if (known) return known;
+  async of({ page }) {
     const isTouch = await page.evaluate(() => matchMedia("(pointer: coarse)").matches);
-    const hand = new Hand(page, isTouch ? await page.context().newCDPSession(page) : undefined);
-    HANDS.set(page, hand);
-    return hand;
-  }
+    if (!HANDS.has(page)) HANDS.set(page, isTouch ? finger(await page.context().newCDPSession(page)) : mouse(page.mouse));
+    return HANDS.get(page);
+  },
+};
 
-  /** @param {import("@playwright/test").Page} page @param {import("@playwright/test").CDPSession} [touch] */
-  constructor(page, touch) {
-    this.page = page;
-    this.touch = touch;
-  }
+/** @param {import("@playwright/test").Mouse} mouse */
+function mouse(mouse) {
+  return {
+    press: async (/** @type {Place} */ { x, y }) => {
+      await mouse.move(x, y);
+      await mouse.down();
+    },
+    move: (/** @type {Place} */ _, /** @type {Place} */ { x, y }) => mouse.move(x, y, { steps: STEPS }),
+    release: () => mouse.up(),
+  };
+}
 
-  /** @param {Place} place */
-  async press(place) {
-    if (this.touch) return this.#send("touchStart", [place]);
-    await this.page.mouse.move(place.x, place.y);
-    await this.page.mouse.down();
-  }
-
-  /** @param {Place} from @param {Place} to */
-  async move(from, to) {
-    for (let step = 1; step <= STEPS; step++) {
-      const share = step / STEPS;
-      const place = { x: from.x + share * (to.x - from.x), y: from.y + share * (to.y - from.y) };
-      if (this.touch) await this.#send("touchMove", [place]);
-      else await this.page.mouse.move(place.x, place.y);
-    }
-  }
-
-  async release() {
-    if (this.touch) await this.#send("touchEnd", []);
-    else await this.page.mouse.up();
-  }
-
-  /** @param {"touchStart" | "touchMove" | "touchEnd"} type @param {Place[]} touchPoints */
-  #send(type, touchPoints) {
-    return this.touch.send("Input.dispatchTouchEvent", { type, touchPoints });
-  }
+/** @param {import("@playwright/test").CDPSession} session */
+function finger(session) {
+  const send = (type, touchPoints) => session.send("Input.dispatchTouchEvent", { type, touchPoints });
+  return {
+    press: (/** @type {Place} */ place) => send("touchStart", [place]),
+    move: async (/** @type {Place} */ from, /** @type {Place} */ to) => {
+      for (let step = 1; step <= STEPS; step++) {
+        const [x, y] = [from.x + ((to.x - from.x) * step) / STEPS, from.y + ((to.y - from.y) * step) / STEPS];
+        await send("touchMove", [{ x, y }]);
+      }
+    },
+    release: () => send("touchEnd", []),
+  };
 }

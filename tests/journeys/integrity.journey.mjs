@@ -4,7 +4,6 @@ import path from "node:path";
 import { alike, test } from "./fixtures.mjs";
 import { faceless } from "./pictures.mjs";
 import { DIST } from "./server.mjs";
-import { SAMPLE } from "./visitor.mjs";
 
 /** What the worker cannot do without. */
 const OF_THE_WORKER = ["assets/face_detector.onnx", "assets/face_landmarks_attention.onnx", "wasm/rosto-vision-web_bg.wasm"];
@@ -31,9 +30,8 @@ for (const [file, tag] of alike(OF_THE_WORKER)) {
     assert.deepEqual(await visitor.meshJson("mm"), work);
 
     server.disturb();
-    await visitor.drop(await readFile(SAMPLE), "portrait.png");
+    await visitor.dropSample();
     await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
-    await visitor.untilFace();
   });
 }
 
@@ -57,13 +55,7 @@ test("one damaged answer is asked for again, and nobody notices", async ({ open,
   assert.ok(await visitor.page.isHidden("#notice"));
 });
 
-/**
- * Has the server answer with a file of which one bit is another, so often.
- *
- * @param {Awaited<ReturnType<typeof serve>>} server
- * @param {string} file
- * @returns {Promise<string[]>} each time that it was asked for
- */
+/** Has the server answer `times` times with a file of which one bit is another. @returns {Promise<string[]>} an entry for each request */
 async function damage(server, file, times = Infinity) {
   const bytes = await readFile(path.join(DIST, file));
   // In the data of a module and among the weights of a network, where nothing else would notice; in the list a letter of a hash.

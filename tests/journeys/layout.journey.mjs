@@ -7,23 +7,29 @@ import { alike, test } from "./fixtures.mjs";
 import { STATES, withHeldWork, wrongWith } from "./states.mjs";
 
 /** Windows smaller than, or between, those of the contact sheets, and the states that are looked at in them. */
-const SMALL = [
-  { width: 320, height: 568 },
-  { width: 640, height: 360 },
+const SMALL = [{ width: 320, height: 568 }, { width: 640, height: 360 }];
+const SEEN_SMALL = STATES.filter(({ id }) => ["empty", "working", "arrived", "selected", "view", "export", "notice", "keys"].includes(id));
+
+const WINDOWS = [
+  ...alike(AUDIENCES.map(({ options }) => ({ ...options, states: STATES }))),
+  ...alike(SMALL.map((viewport) => ({ viewport, hasTouch: true, isMobile: true, states: SEEN_SMALL }))),
 ];
-const SEEN_SMALL = ["empty", "working", "arrived", "selected", "view", "export", "notice", "keys"];
 
-for (const [{ id, options }, tag] of alike(AUDIENCES)) {
-  test(`in a window of ${id.replace("x", " × ")} nothing overlaps, is cut or covered, in either language`, { tag }, async ({ open }) => {
+for (const [{ states, ...options }, tag] of WINDOWS) {
+  const { width, height } = options.viewport;
+  test(`in a window of ${width} × ${height} nothing overlaps, is cut or covered, in either language`, { tag }, async ({ open }) => {
     const visitor = await open({ ...options, colorScheme: "light", before: withHeldWork });
-    await expectNothingWrong(visitor, STATES);
-  });
-}
-
-for (const [viewport, tag] of alike(SMALL)) {
-  test(`in a small window of ${viewport.width} × ${viewport.height} everything is in reach, and nothing overlaps or is cut`, { tag }, async ({ open }) => {
-    const visitor = await open({ viewport, hasTouch: true, isMobile: true, before: withHeldWork });
-    await expectNothingWrong(visitor, STATES.filter(({ id }) => SEEN_SMALL.includes(id)));
+    /** Each finding with the state in which it was first seen. @type {Map<string, string>} */
+    const found = new Map();
+    for (const state of states) {
+      await state.enter(visitor);
+      for (const language of ["en", "pt"]) {
+        await visitor.speak(language);
+        for (const what of await wrongWith(visitor, state)) found.set(what, found.get(what) ?? `${state.id}, ${language}`);
+      }
+      await state.leave?.(visitor);
+    }
+    assert.deepEqual([...found], []);
   });
 }
 
@@ -37,14 +43,14 @@ test("all of the face is in what a window leaves free, and again whenever the wi
   }
 });
 
-/** Faults, each put into a page that has none. @type {[string, string, Record<string, string>, RegExp][]} */
+/** Faults, each put into a page that has none. @type {[string, string, string, RegExp][]} */
 const FAULTS = [
-  ["overlaps", "#hint", { bottom: "24px" }, /#hint and #toolbar overlap by/],
-  ["leaves the window", "#hint", { left: "-40px", transform: "none" }, /#hint leaves #stage sideways by 40 px/],
-  ["is cut", "#photo-change", { width: "24px" }, /the text of #photo-change is \d+ px wider than its box/],
-  ["wraps", "#tab-export", { width: "40px", padding: "0", overflowWrap: "anywhere" }, /the text of #tab-export wraps/],
-  ["is covered", "#hint", { inset: "0", transform: "none", zIndex: "9" }, /#toolbar button\.icon-button is covered by #hint/],
-  ["scrolls sideways", "#section-photo", { width: "400px" }, /#sections scrolls sideways by/],
+  ["overlaps", "#hint", "bottom: 24px", /#hint and #toolbar overlap by/],
+  ["leaves the window", "#hint", "left: -40px; transform: none", /#hint leaves #stage sideways by 40 px/],
+  ["is cut", "#photo-change", "width: 24px", /the text of #photo-change is \d+ px wider than its box/],
+  ["wraps", "#tab-export", "width: 40px; padding: 0; overflow-wrap: anywhere", /the text of #tab-export wraps/],
+  ["is covered", "#hint", "inset: 0; transform: none; z-index: 9", /#toolbar button\.icon-button is covered by #hint/],
+  ["scrolls sideways", "#section-photo", "width: 400px", /#sections scrolls sideways by/],
 ];
 
 test("what overlaps, leaves the window, is cut, wraps, is covered or scrolls sideways is found", async ({ open }) => {
@@ -53,33 +59,12 @@ test("what overlaps, leaves the window, is cut, wraps, is covered or scrolls sid
   await visitor.openFace();
   assert.deepEqual(await findings(page), []);
   for (const [fault, selector, style, sign] of FAULTS) {
-    const undo = await page.evaluate(restyle, { selector, style });
+    const element = page.locator(selector);
+    const before = await element.evaluate(({ style }) => style.cssText);
+    await element.evaluate((element, style) => (element.style.cssText += style), style);
     const found = await findings(page);
     assert.ok(found.some((what) => sign.test(what)), `nothing ${fault}: ${found.join("; ")}`);
-    await page.evaluate(restyle, { selector, style: undo });
+    await element.evaluate((element, style) => (element.style.cssText = style), before);
   }
   assert.deepEqual(await findings(page), []);
 });
-
-/** Nothing is wrong with any of the states. @param {import("./visitor.mjs").Visitor} visitor @param {import("./states.mjs").State[]} states */
-async function expectNothingWrong(visitor, states) {
-  /** Each finding with the state in which it was first seen. @type {Map<string, string>} */
-  const found = new Map();
-  for (const state of states) {
-    await state.enter(visitor);
-    for (const language of ["en", "pt"]) {
-      await visitor.speak(language);
-      for (const what of await wrongWith(visitor, state)) found.set(what, found.get(what) ?? `${state.id}, ${language}`);
-    }
-    await state.leave?.(visitor);
-  }
-  assert.deepEqual([...found], []);
-}
-
-/** Runs in the page. @returns {Record<string, string>} what takes it back */
-function restyle({ selector, style }) {
-  const element = document.querySelector(selector);
-  const before = Object.fromEntries(Object.keys(style).map((name) => [name, element.style[name]]));
-  Object.assign(element.style, style);
-  return before;
-}
