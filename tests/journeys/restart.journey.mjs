@@ -88,7 +88,7 @@ test("another face that is opened while the module starts again leaves the work 
     dataTransfer.items.add(new File([bytes], "other.rosto"));
     document.getElementById("viewport").dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft", ...options }));
     document.getElementById("stage").dispatchEvent(new DragEvent("drop", { dataTransfer, ...options }));
-  }, other);
+  }, new Uint8Array(other));
   await untilRestarted(editor);
   await editor.drop(other, "other.rosto");
   await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);

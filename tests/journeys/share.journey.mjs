@@ -84,7 +84,7 @@ test("the face swings once in a clip of four seconds without any tool, and is th
 
   // A page of its own: the policy of this one plays no films.
   const player = await page.context().browser().newPage();
-  const { duration_s, width, height, frames } = await player.evaluate(watch, bytes);
+  const { duration_s, width, height, frames } = await player.evaluate(watch, new Uint8Array(bytes));
   await player.close();
   assert.ok(duration_s > 3.7 && duration_s < 5.5, `${duration_s} s`);
   assert.deepEqual([width, height], [720, 720]);

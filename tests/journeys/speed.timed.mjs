@@ -20,7 +20,7 @@ test("no task on the main thread is long from a drop of 12 megapixels to the mes
   await page.evaluate((bytes) => {
     globalThis.dropped = new DataTransfer();
     globalThis.dropped.items.add(new File([bytes], "large.jpg"));
-  }, photo);
+  }, new Uint8Array(photo));
   await visitor.frames(10);
 
   const events = await traced(page, async () => {
