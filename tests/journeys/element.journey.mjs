@@ -1,7 +1,7 @@
 // <rosto-studio> on pages with nothing but it, served from the package as npm installs it.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { glbByCommandLine } from "./command-line.mjs";
+import { AS_THE_PAGE_EDITS, glbByCommandLine } from "./command-line.mjs";
 import { test } from "./element-visitor.mjs";
 import { complaints } from "./package.mjs";
 import { faceless } from "./pictures.mjs";
@@ -17,15 +17,14 @@ test.describe.configure({ mode: "default" });
 const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; img-src 'self'";
 
 const AS_THE_ELEMENT = ["--base-colour", "whole", "--density", "2"];
-const SCULPT = "--operator cotangent --hold exact --anchors oval --radius 25 --mirror".split(" ");
 /** The same edit of the element's and of the command line's. */
 const EDITS = [
-  { edit: (face) => face.setSlider("nose-width", 4), options: ["--slider", "nose-width:4"] },
-  { edit: (face) => face.moveLandmark(1, [0, 0, 6]), options: [...SCULPT, "--edit", "1:0,0,6"] },
+  { edit: (face) => face.setSlider("nose-width", 4), options: [...AS_THE_PAGE, "--slider", "nose-width:4"] },
+  { edit: (face) => face.moveLandmark(1, [0, 0, 6]), options: [...AS_THE_PAGE_EDITS, "--edit", "1:0,0,6"] },
 ];
 
-test("the example page has the face in its photo reshaped by slider and hand, in order, and its GLB is valid", { tag: "@eyes" }, async ({ site }) => {
-  const visitor = await site.arrive();
+test("the example page has the face in its photo reshaped by slider and hand, in order, and its GLB is valid", { tag: "@eyes" }, async ({ arrive }) => {
+  const visitor = await arrive();
   const { page } = visitor;
   await visitor.until("rosto-face");
   assert.deepEqual(await visitor.names(), ["rosto-ready", "rosto-face"]);
@@ -48,23 +47,23 @@ test("the example page has the face in its photo reshaped by slider and hand, in
 
   const [download] = await Promise.all([page.waitForEvent("download"), page.click("rosto-studio [data-tool=download]")]);
   assert.equal(download.suggestedFilename(), "portrait.glb");
-  const glb = await visitor.glb();
+  const glb = await visitor.file();
   assert.ok(glb.equals(await readFile(await download.path())), "the button downloads another file");
-  assert.deepEqual(await validateGlb(new Uint8Array(glb)), { clean: true, counts: "0/0/0/0", messages: [] });
+  assert.deepEqual(await validateGlb(glb), { clean: true, counts: "0/0/0/0", messages: [] });
 });
 
-test("the element's GLB is the command line's, byte for byte, of the same face and edits", async ({ site, project }) => {
-  const visitor = await site.arrive();
+test("the element's GLB is the command line's, byte for byte, of the same face and edits", async ({ arrive, project }) => {
+  const visitor = await arrive();
   await visitor.until("rosto-face");
   await visitor.openFile(await projectAsCommandLine(project), "portrait.rosto");
   for (const { edit, options } of EDITS) {
     await visitor.act(edit);
-    const theirs = await glbByCommandLine(SAMPLE, [...AS_THE_PAGE, ...AS_THE_ELEMENT, ...options]);
-    assert.ok((await visitor.glb()).equals(theirs), options);
+    const theirs = await glbByCommandLine(SAMPLE, [...options, ...AS_THE_ELEMENT]);
+    assert.ok((await visitor.file()).equals(theirs), options);
     await visitor.act((face) => face.undo());
   }
   await visitor.act((face) => face.redo());
-  const [glb, json] = [await visitor.glb(), await visitor.file("json")];
+  const [glb, json] = [await visitor.file(), await visitor.file("json")];
   await visitor.act((face) => face.reset());
   await visitor.openFile(glb, "face.glb");
   assert.equal((await visitor.state()).edits, 1);
@@ -72,30 +71,30 @@ test("the element's GLB is the command line's, byte for byte, of the same face a
   assert.deepEqual(positions(await visitor.file("json")), positions(json), "a file that was saved does not go on where it was left");
 });
 
-test("an element says what it cannot open, by an event and on the stage, and opens what comes next", async ({ site }) => {
-  const visitor = await site.arrive(site.page(`<rosto-studio src="nowhere.jpg" lang="pt-BR" shading="clay"></rosto-studio>`));
+test("an element says what it cannot open, by an event and on the stage, and opens what comes next", async ({ arrive }) => {
+  const visitor = await arrive({ body: `<rosto-studio src="nowhere.jpg" lang="pt-BR" shading="clay"></rosto-studio>` });
   const { page } = visitor;
   assert.equal((await visitor.until("rosto-error")).code, "unreadable-file");
   assert.match(await visitor.notice(), /^Não foi possível ler o arquivo/);
-  assert.equal(await visitor.refusal(() => document.querySelector("rosto-studio").getGlb()), "no-face");
-  assert.equal(await visitor.refusal(() => document.querySelector("rosto-studio").setSlider("nose-width", 1)), "no-face");
+  assert.equal(await visitor.refusal((face) => face.getGlb()), "no-face");
+  assert.equal(await visitor.refusal((face) => face.setSlider("nose-width", 1)), "no-face");
 
   await assert.rejects(visitor.openFile(faceless(), "none.png"), /no face in the photo/);
   assert.equal((await visitor.last("rosto-error")).code, "no-face-found");
-  await page.evaluate(() => (document.querySelector("rosto-studio").src = "portrait.png"));
+  await visitor.act((face) => (face.src = "portrait.png"));
   await visitor.until("rosto-face");
   assert.equal(await visitor.notice(), "");
   assert.equal((await visitor.state()).shading, "clay");
-  assert.equal(await visitor.refusal(() => document.querySelector("rosto-studio").setSlider("ears", 1)), "bad-choice");
-  await page.evaluate(() => document.querySelector("rosto-studio").setAttribute("shading", "mauve"));
+  assert.equal(await visitor.refusal((face) => face.setSlider("ears", 1)), "bad-choice");
+  await visitor.act((face) => face.setAttribute("shading", "mauve"));
   assert.equal((await visitor.last("rosto-error")).code, "bad-choice");
-  await page.evaluate(() => document.querySelector("rosto-studio").apply((studio) => studio.choose("shading", "normals")));
+  await visitor.act((face) => face.apply((studio) => studio.choose("shading", "normals")));
   assert.equal(await page.getAttribute("rosto-studio", "shading"), "normals");
 });
 
-test("two elements share a page and its worker, under a strict policy, and give all back when they go", async ({ site }) => {
-  const two = `<rosto-studio src="portrait.png"></rosto-studio><rosto-studio density="0"><img src="portrait.png" alt=""></rosto-studio>`;
-  const visitor = await site.arrive(site.page(two, POLICY));
+test("two elements share a page and its worker, under a strict policy, and give all back when they go", async ({ arrive }) => {
+  const body = `<rosto-studio src="portrait.png"></rosto-studio><rosto-studio density="0"><img src="portrait.png" alt=""></rosto-studio>`;
+  const visitor = await arrive({ body, policy: POLICY });
   const { page } = visitor;
   await visitor.until("rosto-face", 2);
   assert.equal(page.workers().length, 1);
@@ -104,17 +103,21 @@ test("two elements share a page and its worker, under a strict policy, and give 
   assert.deepEqual([one.edits, other.edits, one.vertices, other.vertices], [1, 0, 7257, 468]);
 
   // Moved within the page it keeps what it has.
-  await page.evaluate(() => document.body.append(document.querySelector("rosto-studio")));
-  await visitor.frames(2);
+  await visitor.act((first) => document.body.append(first));
+  await visitor.visitor.frames(2);
   assert.equal(await page.evaluate(() => document.querySelector("rosto-studio:last-of-type").state.edits), 1);
 
-  await page.evaluate(() => document.querySelector("rosto-studio").remove());
+  await visitor.act((face) => face.remove());
   await visitor.act((left) => left.undo());
   assert.equal(page.workers().length, 1);
   // How much two need at once depends on how they come; one after the other needs no more than the one before.
+  const memory = () => page.evaluate(async () => {
+    const { studioModule } = await import(new URL("node_modules/rosto/js/viewport/studio-module.js", document.baseURI).href);
+    return (await studioModule().default()).memory.buffer.byteLength;
+  });
   let before_bytes = Infinity;
   for (let time = 0; time < 6; time++) {
-    if (time === 2) before_bytes = await visitor.moduleBytes();
+    if (time === 2) before_bytes = await memory();
     await page.evaluate(() => {
       document.querySelector("rosto-studio")?.remove();
       const next = document.createElement("rosto-studio");
@@ -123,15 +126,15 @@ test("two elements share a page and its worker, under a strict policy, and give 
     });
     await visitor.until("rosto-face", 3 + time);
   }
-  assert.ok((await visitor.moduleBytes()) <= before_bytes, "the module's memory grows");
-  await page.evaluate(() => document.querySelector("rosto-studio").remove());
+  assert.ok((await memory()) <= before_bytes, "the module's memory grows");
+  await visitor.act((face) => face.remove());
   await page.waitForFunction(() => window.gpus.every(({ isGone }) => isGone));
   assert.ok((await page.evaluate(() => window.gpus.length)) >= 8);
   if (page.workers().length > 0) await page.workers()[0].waitForEvent("close");
 });
 
-test("where nothing can be drawn in 3D the element shows the photo and says so", { tag: "@no-gpu" }, async ({ site }) => {
-  const visitor = await site.arrive();
+test("where nothing can be drawn in 3D the element shows the photo and says so", { tag: "@no-gpu" }, async ({ arrive }) => {
+  const visitor = await arrive();
   assert.equal((await visitor.until("rosto-error")).code, "no-webgl");
   assert.match(await visitor.notice(), /cannot draw in 3D here\. Switch on/);
   assert.ok(await visitor.page.isVisible("rosto-studio img"));
