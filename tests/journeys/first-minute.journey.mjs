@@ -53,7 +53,7 @@ test("a face that has arrived turns a little and back, but not for who asked for
       requestAnimationFrame(look);
     });
     await visitor.dropSample();
-    if (reducedMotion === "no-preference") await page.waitForFunction("swing() > 15");
+    if (reducedMotion === "no-preference") await page.waitForFunction(() => globalThis.swing() > 15);
     await page.waitForFunction(() => {
       const [pulse, view] = ["pulse", "viewport"].map((id) => document.getElementById(id).getBoundingClientRect());
       return Math.abs(pulse.x + pulse.width / 2 - view.x - view.width / 2) < 12;
