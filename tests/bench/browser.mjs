@@ -8,14 +8,8 @@ import { launch } from "../journeys/browser.mjs";
 import { serve } from "../journeys/server.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
-const BLANK = "dist/blank.html";
-const MEASUREMENTS = [
-  { work: "photosByRosto", at: BLANK },
-  { work: "photosByMediaPipe", at: BLANK },
-  { work: "networks", at: BLANK },
-  { work: "film", at: BLANK },
-  { work: "editing", at: "dist/index.html" },
-];
+/** The exports of page.mjs. */
+const MEASUREMENTS = ["photosByRosto", "photosByMediaPipe", "networks", "film", "editing"];
 
 const rounds = Number(process.argv[2] ?? 10);
 /** @type {Map<string, number[]>} */
@@ -34,14 +28,14 @@ for (const [what, measured] of values) {
   console.log(JSON.stringify({ ...JSON.parse(what), value: median(measured), samples: measured.length }));
 }
 
-/** @param {{ work: string, at: string }} measurement */
-async function inFreshBrowser({ work, at }) {
+/** @param {string} measurement */
+async function inFreshBrowser(measurement) {
   const browser = await launch();
   try {
     const page = await browser.newPage();
     await page.route("**/blank.html", (route) => route.fulfill({ contentType: "text/html", body: "<!doctype html><title>bench</title>" }));
-    await page.goto(server.url + at);
-    return await page.evaluate(async (name) => (await import("/tests/bench/page.mjs"))[name](), work);
+    await page.goto(`${server.url}dist/${measurement === "editing" ? "index" : "blank"}.html`);
+    return await page.evaluate(async (name) => (await import("/tests/bench/page.mjs"))[name](), measurement);
   } finally {
     await browser.close();
   }

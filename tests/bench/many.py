@@ -5,18 +5,17 @@ Each peer decodes as its own documentation does, and is asked for one face in on
 seen some photos before the clock starts.
 """
 
+import io
 import json
 import multiprocessing
-import queue
 import statistics
 import sys
-import tempfile
-import threading
 import time
-from pathlib import Path
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from functools import partial
+from random import Random
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "python"))
-import variants
+from PIL import Image, ImageEnhance
 
 PHOTOS = 300
 WARM_UP = 10
@@ -47,40 +46,32 @@ def mediapipe_worker(refined):
     return lambda photos: sum(bool(found(photo)) for photo in photos)
 
 
-def share(make, refined, photos, start, told):
-    """Works on its photos when all are ready; tells when it began and ended, and the processor time of its process."""
+def share(make, refined, start, photos):
+    """Works on its photos when all are ready; returns when it began and ended, the processor time of its process, and the faces."""
     work = make(refined)
     work(photos[:WARM_UP])
     start.wait()
     began, processor = time.time(), time.process_time()
     found = work(photos)
-    told.put((began, time.time(), time.process_time() - processor, found))
+    return began, time.time(), time.process_time() - processor, found
 
 
 def measure(make, refined, photos, workers, in_threads):
     """Milliseconds a photo: by the clock, and of processors."""
-    if in_threads:
-        kind, start, told = threading.Thread, threading.Barrier(workers), queue.Queue()
-    else:
-        spawning = multiprocessing.get_context("spawn")
-        kind, start, told = spawning.Process, spawning.Barrier(workers), spawning.Queue()
-    shares = [photos[worker::workers] for worker in range(workers)]
-    running = [kind(target=share, args=(make, refined, own, start, told)) for own in shares]
-    for worker in running:
-        worker.start()
-    ended = [told.get() for _ in running]
-    for worker in running:
-        worker.join()
-    if sum(found for *_, found in ended) < 0.95 * len(photos):
-        raise SystemExit(f"only {sum(found for *_, found in ended)} of {len(photos)} faces were found")
-    clock = max(end for _, end, _, _ in ended) - min(began for began, *_ in ended)
-    # Threads each tell of their whole process.
-    of_each = [processor for _, _, processor, _ in ended]
-    processor = max(of_each) if in_threads else sum(of_each)
-    return clock * 1e3 / len(photos), processor * 1e3 / len(photos)
+    spawning = multiprocessing.get_context("spawn")
+    pool = ThreadPoolExecutor(workers) if in_threads else ProcessPoolExecutor(workers, spawning)
+    with spawning.Manager() as manager, pool:
+        work = partial(share, make, refined, manager.Barrier(workers))
+        began, ended, processor, found = zip(*pool.map(work, [photos[worker::workers] for worker in range(workers)]))
+    if sum(found) < 0.95 * len(photos):
+        raise SystemExit(f"only {sum(found)} of {len(photos)} faces were found")
+    # Each thread reports the time of the whole process.
+    processor_s = max(processor) if in_threads else sum(processor)
+    return (max(ended) - min(began)) * 1e3 / len(photos), processor_s * 1e3 / len(photos)
 
 
-def report(what, refined, photos, workers, ways):
+def report(what, refined, photos, workers, in_threads_too=False):
+    ways = [("", False), (", threads", True)] if in_threads_too else [("", False)]
     peers = [("rosto", rosto_worker), ("mediapipe", mediapipe_worker)]
     runs = [(name + suffix, make, in_threads) for suffix, in_threads in ways for name, make in peers]
     times = {name: [] for name, *_ in runs}
@@ -94,14 +85,22 @@ def report(what, refined, photos, workers, ways):
             print(json.dumps(record | {"samples": PHOTOS * ROUNDS}), flush=True)
 
 
+def photos_of(portrait):
+    """JPEG files of the portrait, each turned, cut and lit differently."""
+    random = Random(0)
+    for _ in range(PHOTOS):
+        x, y, half = random.uniform(200, 240), random.uniform(150, 190), random.uniform(150, 210)
+        turned = Image.open(portrait).convert("RGB").rotate(random.uniform(-20, 20), Image.Resampling.BILINEAR, center=(x, y))
+        cut = turned.crop((x - half, y - half, x + half, y + half)).resize((SIDE_PX, SIDE_PX))
+        ImageEnhance.Brightness(cut).enhance(random.uniform(0.7, 1.2)).save(file := io.BytesIO(), "JPEG", quality=90)
+        yield file.getvalue()
+
+
 def main():
-    with tempfile.TemporaryDirectory() as folder:
-        paths = variants.write(Path(sys.argv[1]), Path(folder), PHOTOS, SIDE_PX)
-        photos = [path.read_bytes() for path in paths]
-    alone, both = [("", False)], [("", False), (", threads", True)]
-    report("photo to 468 landmarks, one worker", False, photos, 1, alone)
-    report("photo to 478 landmarks, one worker", True, photos, 1, alone)
-    report("photo to 468 landmarks, two workers", False, photos, 2, both)
+    photos = list(photos_of(sys.argv[1]))
+    report("photo to 468 landmarks, one worker", False, photos, 1)
+    report("photo to 478 landmarks, one worker", True, photos, 1)
+    report("photo to 468 landmarks, two workers", False, photos, 2, in_threads_too=True)
 
 
 if __name__ == "__main__":

@@ -18,11 +18,10 @@ const EVENTS = 20;
 /** From a photo's bytes to its landmarks, in Rosto's worker module. */
 export async function photosByRosto() {
   const photo = await bytes(PHOTO);
-  let vision;
-  const start_ms = await elapsed(async () => {
+  const { ms: start_ms, value: vision } = await timed(async () => {
     const { default: init, Vision } = await import("/dist/wasm/rosto-vision-web.js");
     await init();
-    vision = new Vision(await bytes("/dist/assets/face_detector.onnx"), await bytes("/dist/assets/face_landmarks_attention.onnx"));
+    return new Vision(await bytes("/dist/assets/face_detector.onnx"), await bytes("/dist/assets/face_landmarks_attention.onnx"));
   });
   return photos(ROSTO, start_ms, async () => {
     const found = vision.find(photo, 1, () => {});
@@ -34,25 +33,19 @@ export async function photosByRosto() {
 /** The same in the published @mediapipe/face_mesh, which looks for the face only once and follows it from photo to photo. */
 export async function photosByMediaPipe() {
   const photo = await (await fetch(PHOTO)).blob();
-  let mesh;
-  let faces;
-  const start_ms = await elapsed(async () => {
-    mesh = await faceMesh({ maxNumFaces: 1 }, (found) => {
-      faces = found?.length ?? 0;
-    });
-  });
+  const { ms: start_ms, value: find } = await timed(() => faceMesh({ maxNumFaces: 1 }));
   return photos(FACE_MESH, start_ms, async () => {
     const image = new Image();
     image.src = URL.createObjectURL(photo);
     await image.decode();
-    await mesh.send({ image });
+    const faces = await find(image);
     URL.revokeObjectURL(image.src);
-    if (faces !== 1) throw new Error(`${faces} faces`);
+    if (faces.length !== 1) throw new Error(`${faces.length} faces`);
   });
 }
 
 async function photos(peer, start_ms, find) {
-  const first_ms = await elapsed(find);
+  const { ms: first_ms } = await timed(find);
   const later_ms = await repeated(PHOTOS, find);
   const record = (what, value) => ({ task: "photo in Chrome", what, size: "512 px PNG", peer, unit: "ms", value });
   return [
@@ -66,15 +59,14 @@ async function photos(peer, start_ms, find) {
 export async function networks() {
   const files = { detector: await bytes("/web/assets/face_detector.onnx"), landmarks: await bytes("/web/assets/face_landmarks.onnx") };
   const sides = { detector: 128, landmarks: 192 };
-  const planes = (side) => Float32Array.from({ length: 3 * side * side }, (_, i) => Math.sin(i / 97) / 2 + 0.5);
   const programs = { [ROSTO]: await networksOfRosto(files), "onnxruntime-web": await networksOfOnnxRuntime(files) };
   const record = (what, peer, value) => ({ task: "networks in Chrome", what, size: "1 thread", peer, unit: "ms", value });
   const records = Object.entries(programs).map(([peer, { ready_ms }]) => record("both networks from file to ready", peer, ready_ms));
   for (const [network, side] of Object.entries(sides)) {
-    const picture = planes(side);
+    const picture = Float32Array.from({ length: 3 * side * side }, (_, i) => Math.sin(i / 97) / 2 + 0.5);
     const times = Object.fromEntries(Object.keys(programs).map((peer) => [peer, []]));
     for (let run = 0; run < 2 * RUNS; run += 1) {
-      for (const [peer, { run: once }] of Object.entries(programs)) times[peer].push(await elapsed(() => once(network, picture, side)));
+      for (const [peer, { run: once }] of Object.entries(programs)) times[peer].push((await timed(() => once(network, picture, side))).ms);
     }
     // In the first half the browser finds out what to optimise.
     for (const [peer, all_ms] of Object.entries(times)) records.push(record(`${network} network`, peer, median(all_ms.slice(RUNS))));
@@ -85,10 +77,7 @@ export async function networks() {
 async function networksOfRosto(files) {
   const { default: init, Networks } = await import("/target/bench/networks.js");
   await init();
-  let made;
-  const ready_ms = await elapsed(() => {
-    made = new Networks(files.detector, files.landmarks);
-  });
+  const { ms: ready_ms, value: made } = await timed(() => new Networks(files.detector, files.landmarks));
   return { ready_ms, run: (network, picture) => (network === "detector" ? made.detect(picture) : made.mesh(picture)) };
 }
 
@@ -99,9 +88,8 @@ async function networksOfOnnxRuntime(files) {
   const session = (network) => ort.InferenceSession.create(files[network]);
   // The first session loads the program, which does not count for Rosto either.
   await session("detector");
-  const sessions = {};
-  const ready_ms = await elapsed(async () => {
-    for (const network of Object.keys(files)) sessions[network] = await session(network);
+  const { ms: ready_ms, value: sessions } = await timed(async () => {
+    return { detector: await session("detector"), landmarks: await session("landmarks") };
   });
   const run = (network, picture, side) => {
     const [input] = sessions[network].inputNames;
@@ -140,32 +128,23 @@ async function portraitPixels() {
 }
 
 async function followRosto() {
-  const { VisionClient } = await import("/dist/js/photo/vision-client.js");
-  const vision = new VisionClient();
-  vision.start();
-  await vision.ready;
+  const { client } = await import("/tests/journeys/following-page.mjs");
+  const vision = await client();
   return async (pixels, time_ms) => {
     const bitmap = await createImageBitmap(pixels);
-    let answer;
-    const ms = await elapsed(async () => {
-      answer = await vision.follow(bitmap, time_ms);
-    });
-    answer.frame.close();
-    const { landmarks } = answer;
+    const { ms, value: { frame, landmarks } } = await timed(() => vision.follow(bitmap, time_ms));
+    frame.close();
     return { ms, points: landmarks && Array.from({ length: landmarks.length / 3 }, (_, at) => [landmarks[3 * at], landmarks[3 * at + 1]]) };
   };
 }
 
 async function followMediaPipe() {
-  let points;
-  const mesh = await faceMesh({ maxNumFaces: 1, refineLandmarks: true }, ([face] = []) => {
-    points = face?.map(({ x, y }) => [x, y]);
-  });
+  const find = await faceMesh({ maxNumFaces: 1, refineLandmarks: true });
   const context = Object.assign(document.createElement("canvas"), { width: frames.WIDTH_PX, height: frames.HEIGHT_PX }).getContext("2d");
   return async (pixels, time_ms) => {
     context.putImageData(pixels, 0, 0);
-    points = undefined;
-    return { ms: await elapsed(() => mesh.send({ image: context.canvas }, time_ms)), points };
+    const { ms, value: [face] } = await timed(() => find(context.canvas, time_ms));
+    return { ms, points: face?.map(({ x, y }) => [x, y]) };
   };
 }
 
@@ -200,7 +179,7 @@ export async function editing() {
   const records = [record("navigation to a page that answers", null, performance.now())];
   const transfer = new DataTransfer();
   transfer.items.add(new File([await (await fetch(PHOTO)).blob()], "portrait.png"));
-  const face_ms = await elapsed(async () => {
+  const { ms: face_ms } = await timed(async () => {
     document.getElementById("stage")?.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
     await until(() => document.body.dataset.state === "face");
   });
@@ -235,8 +214,8 @@ function set(control, value, event) {
   control.dispatchEvent(new Event(event, { bubbles: true }));
 }
 
-/** MediaPipe's face mesh, loaded and ready; `found` gets the faces of each picture. */
-async function faceMesh(options, found) {
+/** Finds the faces of a picture with MediaPipe's face mesh, loaded and ready. */
+async function faceMesh(options) {
   await new Promise((loaded, failed) => {
     const script = document.createElement("script");
     Object.assign(script, { src: `${MEDIAPIPE}face_mesh.js`, onload: loaded, onerror: failed });
@@ -244,9 +223,16 @@ async function faceMesh(options, found) {
   });
   const mesh = new globalThis.FaceMesh({ locateFile: (name) => MEDIAPIPE + name });
   mesh.setOptions(options);
-  mesh.onResults(({ multiFaceLandmarks }) => found(multiFaceLandmarks));
+  let faces;
+  mesh.onResults(({ multiFaceLandmarks }) => {
+    faces = multiFaceLandmarks ?? [];
+  });
   await mesh.initialize();
-  return mesh;
+  return async (image, time_ms) => {
+    faces = [];
+    await mesh.send({ image }, time_ms);
+    return faces;
+  };
 }
 
 async function bytes(url) {
@@ -262,15 +248,15 @@ async function repeated(times, work) {
   const all_ms = [];
   for (let time = 0; time < times; time += 1) {
     await new Promise(requestAnimationFrame);
-    all_ms.push(await elapsed(work));
+    all_ms.push((await timed(work)).ms);
   }
   return all_ms;
 }
 
-async function elapsed(work) {
+async function timed(work) {
   const start = performance.now();
-  await work();
-  return performance.now() - start;
+  const value = await work();
+  return { ms: performance.now() - start, value };
 }
 
 function median(numbers) {

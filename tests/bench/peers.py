@@ -12,7 +12,6 @@ N = L_s^T L_s + I_a + I_b + I_e (the paper's normal equations) on the canonical 
 old ones. Anchors 10 and 152, handle 1. A peer that is not installed is left out with a note on standard error.
 """
 
-import argparse
 import json
 import os
 import statistics
@@ -29,6 +28,7 @@ import scipy.sparse.linalg as sparse_linalg
 
 TOPOLOGY = Path(__file__).resolve().parent.parent / "golden" / "topology.json"
 HANDLE, ANCHORS = 1, (10, 152)
+LEVELS = 4
 BUDGET_S = 2.0
 FEWEST_RUNS, MOST_RUNS = 3, 200
 
@@ -127,15 +127,12 @@ def bench_peer(name, factor, matrix):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--levels", type=int, default=4, help="how often to split the canonical face, at most")
-    levels = parser.parse_args().levels
     table = json.loads(TOPOLOGY.read_text())
     count, triangles = len(table["vertices"]), np.array(table["triangles_canonical"])
     laplacian = uniform_laplacian(count, triangles)
     positions = np.array(table["vertices"])
     report("edit from nothing", "NumPy pinv", count, lambda: pseudo_inverse_edit(laplacian, positions))
-    for level in range(levels + 1):
+    for level in range(LEVELS + 1):
         if level:
             count, triangles = split(count, triangles)
         matrix = normal_matrix(uniform_laplacian(count, triangles))
