@@ -28,9 +28,8 @@ test("each lens shows the face another way, on the page and in a picture, and sa
   }
   assert.ok(helps.size === LENSES.length && !helps.has(""));
   const middle = { x: Math.round(views[0].width / 2), y: Math.round(views[0].height / 2) };
-  for (const [one, lens] of LENSES.entries()) {
-    for (const [other, another] of LENSES.entries()) {
-      if (one >= other) continue;
+  for (const [other, another] of LENSES.entries()) {
+    for (const [one, lens] of LENSES.slice(0, other).entries()) {
       assert.ok(differenceNear(views[one], views[other], middle, 200) > 0.02, `${lens} looks like ${another}`);
       assert.ok(difference(pictures[one], pictures[other]) > 0.01, `${lens} is kept like ${another}`);
     }
