@@ -28,7 +28,8 @@ test("before and after are the halves of one picture, and the view stays as it w
     const middle = cut(alone, (alone.width - width) / 2, width);
     const over = difference(cut(half, 0, width, overCaption), cut(middle, 0, width, overCaption));
     assert.equal(over, 0, "a half is not the picture that is saved alone");
-    assert.ok(difference(half, middle) > 0.0004, "there is no caption");
+    // "After" is shorter than "Before".
+    assert.ok(difference(half, middle) > (half === left ? 0.0004 : 0.0003), "there is no caption");
   }
   const nose = { x: left.width / 2 + 2 * (place.x - before.view.width / 2), y: 2 * place.y };
   assert.ok(differenceNear(left, right, nose, 60) > 0.2, "the halves show the same nose");
