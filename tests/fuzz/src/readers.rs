@@ -7,7 +7,7 @@ use rosto_face::{FaceInput, FaceModel};
 use rosto_photo::{Limits, Photo, decode};
 use rosto_studio::{Document, Rest, project};
 
-use crate::seeds::{canonical_rest, with_profile};
+use crate::seeds::{faces::canonical_rest, pictures::with_profile};
 
 /// Smaller than the program's own, so that a reader that ignores them exceeds its memory.
 const LIMITS: Limits = Limits { max_bytes: 40_000_000, max_pixels: 1 << 18 };

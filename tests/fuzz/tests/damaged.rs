@@ -4,17 +4,24 @@ mod damage;
 
 use std::cell::Cell;
 
-use proptest::test_runner::{Config, TestRunner};
+use proptest::collection::vec;
+use proptest::prelude::*;
+use proptest::sample::Index;
+use proptest::test_runner::TestRunner;
 use rosto_fuzz::Kind;
 
 /// Reads `times` as many damaged files as `PROPTEST_CASES` says; returns the share of them that was accepted.
 fn accepted(kind: Kind, times: u32) -> f64 {
-    let config = Config::default();
+    let config = ProptestConfig::default();
     let cases = config.cases * times;
     let (seeds, accepted) = (kind.seeds(), Cell::new(0));
-    let mut runner = TestRunner::new(Config { cases, ..config });
-    let outcome = runner.run(&damage::damage(kind), |damage| {
-        accepted.set(accepted.get() + u32::from(kind.check(&damage.apply(kind, &seeds))));
+    let damage = (any::<Index>(), vec(damage::edit(kind), 1..=4), prop::bool::weighted(0.75));
+    let mut runner = TestRunner::new(ProptestConfig { cases, ..config });
+    let outcome = runner.run(&damage, |(seed, edits, is_repaired)| {
+        let mut bytes = seed.get(&seeds).clone();
+        edits.iter().for_each(|edit| edit.apply(kind, &mut bytes));
+        let bytes = if is_repaired { kind.repaired(bytes) } else { bytes };
+        accepted.set(accepted.get() + u32::from(kind.check(&bytes)));
         Ok(())
     });
     outcome.unwrap_or_else(|failure| panic!("{failure}"));

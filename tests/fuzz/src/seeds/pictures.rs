@@ -15,7 +15,7 @@ const FIXTURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../crates/photo/
 pub fn all() -> Vec<Vec<u8>> {
     let fixtures = fs::read_dir(FIXTURES).expect("invariant: the folder is in the repository");
     let pictures = fixtures.filter_map(|entry| Some(entry.ok()?.path()).filter(|path| !path.ends_with("libjpeg.bin")));
-    pictures.filter_map(|path| fs::read(path).ok()).chain(jpegs()).chain(webps()).chain(pngs()).collect()
+    pictures.filter_map(|path| fs::read(path).ok()).chain(jpegs_and_webps()).chain(pngs()).collect()
 }
 
 /// A JPEG with this profile in it, whole however long the profile is.
@@ -30,22 +30,19 @@ pub fn with_profile(profile: &[u8]) -> Vec<u8> {
     jpeg[..2].iter().copied().chain(segments).chain(jpeg[2..].iter().copied()).collect()
 }
 
-fn jpegs() -> Vec<Vec<u8>> {
-    let of = |colour, quality| {
+fn jpegs_and_webps() -> [Vec<u8>; 5] {
+    use ExtendedColorType::{L8, Rgb8, Rgba8};
+    let jpeg = |colour, quality| {
         let mut bytes = Vec::new();
         write(JpegEncoder::new_with_quality(&mut bytes, quality), colour);
         bytes
     };
-    vec![of(ExtendedColorType::Rgb8, 90), of(ExtendedColorType::L8, 40)]
-}
-
-fn webps() -> Vec<Vec<u8>> {
-    let of = |colour| {
+    let webp = |colour| {
         let mut bytes = Vec::new();
         write(WebPEncoder::new_lossless(&mut bytes), colour);
         bytes
     };
-    [ExtendedColorType::Rgb8, ExtendedColorType::Rgba8, ExtendedColorType::L8].map(of).into()
+    [jpeg(Rgb8, 90), jpeg(L8, 40), webp(Rgb8), webp(Rgba8), webp(L8)]
 }
 
 fn write(mut encoder: impl ImageEncoder, colour: ExtendedColorType) {

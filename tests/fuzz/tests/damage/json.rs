@@ -40,38 +40,29 @@ impl Edit {
         const PLACE: &str = "the place that changes";
         let range = kind.json(bytes)?;
         let mut json: Value = serde_json::from_slice(&bytes[range.clone()]).ok()?;
-        let (mut values, mut numbers) = (Vec::new(), Vec::new());
-        collect(&json, String::new(), &mut values, &mut numbers);
-        let choose = |at: &Index, among: &[String]| among.get(at.index(among.len().max(1))).cloned();
-        let text = |pointer: &str| json.pointer(pointer).map(Value::to_string);
-        let (place, with) = match self {
-            Self::Number(at, number) => (choose(at, &numbers)?, (*number).to_owned()),
-            Self::Value(at, value) => (choose(at, &values)?, (*value).to_owned()),
-            Self::Copy(at, from) => (choose(at, &values)?, text(&choose(from, &values)?)?),
-            Self::Repeat(at, times) => {
-                let place = choose(at, &values)?;
-                let repeated = vec![text(&place)?; *times].join(",");
-                (place, repeated)
-            }
+        let mut values = Vec::new();
+        collect(&json, String::new(), &mut values);
+        let numbers: Vec<_> = values.iter().filter(|(_, value)| value.is_number()).collect();
+        let chosen = |at: &Index| at.get(&values);
+        let ((pointer, _), with) = match self {
+            Self::Number(_, _) if numbers.is_empty() => return None,
+            Self::Number(at, number) => (*at.get(&numbers), (*number).to_owned()),
+            Self::Value(at, value) => (chosen(at), (*value).to_owned()),
+            Self::Copy(at, from) => (chosen(at), chosen(from).1.to_string()),
+            Self::Repeat(at, times) => (chosen(at), vec![chosen(at).1.to_string(); *times].join(",")),
         };
-        *json.pointer_mut(&place)? = PLACE.into();
+        let pointer = pointer.clone();
+        *json.pointer_mut(&pointer)? = PLACE.into();
         let text = json.to_string().replacen(&format!("{PLACE:?}"), &with, 1);
         bytes.splice(range, text.into_bytes());
         Some(())
     }
 }
 
-/// Adds the pointers to this value and all within it; those to numbers also to `numbers`.
-fn collect(value: &Value, pointer: String, values: &mut Vec<String>, numbers: &mut Vec<String>) {
-    match value {
-        Value::Array(list) => {
-            list.iter().enumerate().for_each(|(at, value)| collect(value, format!("{pointer}/{at}"), values, numbers))
-        }
-        Value::Object(fields) => {
-            fields.iter().for_each(|(key, value)| collect(value, format!("{pointer}/{key}"), values, numbers))
-        }
-        Value::Number(_) => numbers.push(pointer.clone()),
-        _ => {}
-    }
-    values.push(pointer);
+/// Adds this value and all within it, each with the pointer to it.
+fn collect<'a>(value: &'a Value, pointer: String, values: &mut Vec<(String, &'a Value)>) {
+    let listed = value.as_array().into_iter().flatten().enumerate().map(|(at, value)| (at.to_string(), value));
+    let named = value.as_object().into_iter().flatten().map(|(key, value)| (key.clone(), value));
+    listed.chain(named).for_each(|(key, value)| collect(value, format!("{pointer}/{key}"), values));
+    values.push((pointer, value));
 }
