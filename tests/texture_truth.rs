@@ -87,7 +87,7 @@ impl Head {
         let mut pixels: Vec<[u8; 3]> = (0..side * side).map(|i| background(i % side, i / side, side)).collect();
         let sampler = Sampler::new(&self.texture);
         let (atlas_px, texture_px) = (self.atlas_uvs.as_slice(), f64::from(self.texture.width()));
-        self.drawn(camera, 2.0, side, |pixel, corners, shares| {
+        self.drawn(camera, 2, |pixel, corners, shares| {
             let [a, b, c] = corners.map(|corner| atlas_px[corner as usize] * texture_px);
             pixels[pixel] = sampler.at(a * shares.x + b * shares.y + c * shares.z).map(|level| (level + 0.5) as u8);
         });
@@ -95,14 +95,10 @@ impl Head {
         large.scaled_down(SIZE_PX)
     }
 
-    /// Calls for each pixel that is nearer than what was before in it; returns how near each pixel is.
-    fn drawn(
-        &self,
-        camera: &Camera,
-        scale: f64,
-        side: usize,
-        mut paint: impl FnMut(usize, [u32; 3], DVec3),
-    ) -> Vec<f64> {
+    /// Calls for each pixel that is nearer than what was before in it; returns how near each pixel is. There are `scale` by
+    /// `scale` for each of the camera's.
+    fn drawn(&self, camera: &Camera, scale: usize, mut paint: impl FnMut(usize, [u32; 3], DVec3)) -> Vec<f64> {
+        let (side, scale) = (scale * SIZE_PX as usize, scale as f64);
         let mut nearest = vec![f64::NEG_INFINITY; side * side];
         let place_px = |corner: u32| camera.project(self.places_m[corner as usize]).unwrap_or(DVec2::NAN) * scale;
         let near_m = |corner: u32| camera.towards_camera_m(self.places_m[corner as usize]);
@@ -126,7 +122,7 @@ impl Head {
     /// Which texels of a texture of `side_px` a camera sees, at less than some 80°.
     pub fn seen(&self, camera: &Camera, side_px: usize) -> Vec<bool> {
         let side = SIZE_PX as usize;
-        let nearest = self.drawn(camera, 1.0, side, |_, _, _| ());
+        let nearest = self.drawn(camera, 1, |_, _, _| ());
         let eye_m = camera.camera_from_model.inverse().translation;
         let normals = vertex_normals(self.mesh.topology(), &self.places_m);
         let mut seen = vec![false; side_px * side_px];
@@ -162,8 +158,8 @@ impl Head {
 
     /// Which texels are skin: neither eyes nor brows nor lips.
     pub fn skin(&self, side_px: usize) -> Vec<bool> {
-        let features =
-            self.share_of(&[Region::RightEye, Region::LeftEye, Region::Lips, Region::RightBrow, Region::LeftBrow]);
+        use Region::{LeftBrow, LeftEye, Lips, RightBrow, RightEye};
+        let features = self.share_of(&[RightEye, LeftEye, Lips, RightBrow, LeftBrow]);
         let mut skin = vec![false; side_px * side_px];
         self.over_the_texture(side_px, |texel, corners, _| {
             skin[texel] = corners.iter().all(|&corner| features[corner as usize].abs() < 0.02);
@@ -208,7 +204,9 @@ fn painted(head: &Head, side_px: u32) -> Photo {
         (&[Region::RightCheek, Region::LeftCheek], DVec3::new(215.0, 140.0, 125.0)),
     ];
     let features = features.map(|(regions, colour)| (head.share_of(regions), colour));
-    let freckles = freckles();
+    let mut seeded = Seeded::new(7);
+    let mut freckle = || (DVec2::splat(0.5) + seeded.vector().truncate() * 0.48, 0.0025 + 0.0015 * seeded.signed());
+    let freckles: Vec<(DVec2, f64)> = (0..160).map(|_| freckle()).collect();
     let mut pixels = vec![[0; 3]; side * side];
     head.over_the_texture(side, |texel, corners, shares| {
         let at = DVec2::new((texel % side) as f64 + 0.5, (texel / side) as f64 + 0.5) / side as f64;
@@ -226,13 +224,6 @@ fn painted(head: &Head, side_px: u32) -> Photo {
         pixels[texel] = colour.to_array().map(|level| (level + 0.5) as u8);
     });
     Photo::from_rgb(side_px, side_px, pixels.concat()).expect("as many bytes as texels")
-}
-
-fn freckles() -> Vec<(DVec2, f64)> {
-    let mut seeded = Seeded::new(7);
-    (0..160)
-        .map(|_| (DVec2::new(0.5, 0.5) + seeded.vector().truncate() * 0.48, 0.0025 + 0.0015 * seeded.signed()))
-        .collect()
 }
 
 /// Value noise, −1 to 1.
