@@ -15,7 +15,7 @@ test("nothing is asked of a module that has trapped, whatever is pressed before 
   await page.evaluate(panicIn, { method: "orbit" });
   await page.focus("#viewport");
   await page.keyboard.press("ArrowLeft");
-  await page.waitForFunction("modules.isWaiting");
+  await page.waitForFunction(() => globalThis.modules.isWaiting);
   const calls = await page.evaluate("modules.calls[0]");
   assert.ok(calls > 100, `${calls} calls were counted`);
   await pressEverything(editor);

@@ -1,8 +1,8 @@
 //! What the page needs besides its sources: npm's packages, the face networks and the sample portrait.
 
-use crate::places::{assets, cache, remove_folder, root, target};
-use crate::python::{sha256, with_pip};
+use crate::places::{assets, cache, remove_folder, root, sha256, target};
 use crate::run::{Run, announced};
+use crate::system::with_pip;
 use anyhow::{Context, Result, ensure};
 use fs_err as fs;
 use std::path::Path;

@@ -2,8 +2,8 @@
 
 use crate::places::{cache, remove_folder, root, target};
 use crate::run::{Run, announced, is_program};
+use crate::rust;
 use crate::setup::{self, Kit};
-use crate::steps;
 use anyhow::{Context, Result, ensure};
 use std::net::{Ipv4Addr, TcpListener};
 
@@ -65,14 +65,14 @@ pub fn site(_: &[&str]) -> Result<()> {
 /// The program that builds the site.
 pub fn build_site(kit: &Kit) -> Result<Run> {
     let node = kit.run("node").arg("docs/site/build.mjs").arg(target().join("site")).log("site");
-    Ok(node.env("ROSTO_CLI", steps::command_line()?))
+    Ok(node.env("ROSTO_CLI", rust::command_line()?))
 }
 
 /// `cargo xtask screenshots`: draws the documentation's pictures of the page and of models.
 pub fn screenshots(_: &[&str]) -> Result<()> {
     let kit = setup::for_tests()?;
     build(&kit)?;
-    let draw = kit.npm("pictures").env("ROSTO_CLI", steps::command_line()?);
+    let draw = kit.npm("pictures").env("ROSTO_CLI", rust::command_line()?);
     print!("{}", announced("pictures", "of the page and of models", || draw.checked())?);
     Ok(())
 }

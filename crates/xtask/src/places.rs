@@ -2,6 +2,7 @@
 
 use anyhow::{Context, Result};
 use fs_err as fs;
+use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
 
 /// The target of the page's modules.
@@ -61,6 +62,11 @@ fn flags(folders: &[(PathBuf, &str)]) -> String {
     let spaceless = folders.iter().filter(|(folder, _)| !folder.to_string_lossy().contains(char::is_whitespace));
     let flag = |(folder, name): &(PathBuf, &str)| format!("--remap-path-prefix={}={name}", folder.display());
     spaceless.map(flag).collect::<Vec<_>>().join(" ")
+}
+
+/// Lower-case hexadecimal SHA-256.
+pub fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 #[cfg(test)]

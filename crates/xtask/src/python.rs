@@ -1,11 +1,11 @@
 //! Virtual environments of Python in the user's cache, and the Python package in them.
 
-use crate::places::{self, cache, remove_folder, root, target};
+use crate::assets;
+use crate::places::{self, cache, remove_folder, root, sha256, target};
 use crate::run::{Run, announced};
-use crate::{assets, system};
+use crate::system::with_pip;
 use anyhow::{Context, Result};
 use fs_err as fs;
-use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
 
 /// What builds the package.
@@ -32,14 +32,6 @@ pub fn environment(requirements: &[&str], why: &str) -> Result<PathBuf> {
         Ok(fs::write(complete, "")?)
     })?;
     Ok(python)
-}
-
-/// Python with pip and virtual environments, which Debian has in packages of their own.
-pub fn with_pip() -> Result<()> {
-    match Run::new("python3").arg("-c").arg("import ensurepip, pip").checked() {
-        Ok(_) => Ok(()),
-        Err(_) => announced("pip", "it installs Python packages", || system::install("python3-pip python3-venv")),
-    }
 }
 
 /// The interpreter that runs the package's tests, with the package built of what the native tests are built of.
@@ -82,9 +74,4 @@ fn build(maturin: &Path, folder: &str, options: &str) -> Result<PathBuf> {
 
 fn pip(python: &Path) -> Run {
     Run::new(python).words("-m pip --disable-pip-version-check").log("pip")
-}
-
-/// Lower-case hexadecimal SHA-256.
-pub fn sha256(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -1,6 +1,6 @@
 //! Rust's own tools: a compiler for wasm32, rustfmt and clippy, and programs that cargo installs into the user's cache.
 
-use crate::places::{WASM, cache, remove_folder};
+use crate::places::{WASM, cache, remove_folder, target};
 use crate::run::{Run, announced, is_program};
 use crate::system;
 use anyhow::{Context, Result, ensure};
@@ -175,6 +175,17 @@ fn build_folder() -> Result<PathBuf> {
     let folder = cache()?.join("build");
     fs::create_dir_all(&folder)?;
     Ok(folder)
+}
+
+/// The command line's program as the native tests build it.
+pub fn command_line() -> Result<PathBuf> {
+    over_the_workspace("test").words("--quiet --tests --no-run").log("command-line").checked()?;
+    Ok(target().join("debug/rosto"))
+}
+
+/// A command of cargo's for this machine's target, without the façades, which are for wasm32 alone.
+pub fn over_the_workspace(command: &str) -> Run {
+    Run::new("cargo").arg(command).words("--workspace --exclude rosto-*-web* --locked")
 }
 
 #[cfg(test)]

@@ -5,11 +5,11 @@
 
 use crate::places::{WASM, root, target};
 use crate::run::{Run, is_program};
+use crate::rust::{command_line, over_the_workspace};
 use crate::setup::Kit;
 use crate::{page, python};
 use anyhow::Result;
 use fs_err as fs;
-use std::path::PathBuf;
 
 /// One step of the tests; it passes if its program exits with status 0.
 pub struct Step {
@@ -80,23 +80,12 @@ const fn step(name: &'static str, what: &'static str, program: fn(&Kit) -> Resul
     Step { name, what, program }
 }
 
-/// The command line's program as the native tests build it.
-pub fn command_line() -> Result<PathBuf> {
-    over_the_workspace("test").words("--quiet --tests --no-run").log("command-line").checked()?;
-    Ok(target().join("debug/rosto"))
-}
-
 fn with_command_line(run: Run) -> Result<Run> {
     Ok(run.env("ROSTO_CLI", command_line()?))
 }
 
 fn cargo(words: &str) -> Run {
     Run::new("cargo").words(words)
-}
-
-/// A command of cargo's for this machine's target, without the façades, which are for wasm32 alone.
-fn over_the_workspace(command: &str) -> Run {
-    cargo(command).words("--workspace --exclude rosto-*-web* --locked")
 }
 
 /// Tests of one of the page's modules with the features and in the profile of that module, so that both are built of the same.

@@ -68,3 +68,11 @@ fn apt_get(verb: &str, packages: &str) -> Result<()> {
     let command = format!("{sudo}env DEBIAN_FRONTEND=noninteractive apt-get {verb} {options} {packages}");
     Run::new("sh").arg("-c").arg(command).log("apt-get").within(Duration::from_secs(900)).checked().map(|_| ())
 }
+
+/// Python with pip and virtual environments, which Debian has in packages of their own.
+pub fn with_pip() -> Result<()> {
+    match Run::new("python3").arg("-c").arg("import ensurepip, pip").checked() {
+        Ok(_) => Ok(()),
+        Err(_) => announced("pip", "it installs Python packages", || install("python3-pip python3-venv")),
+    }
+}

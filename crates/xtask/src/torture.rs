@@ -1,9 +1,9 @@
 //! `cargo xtask torture [MINUTES]`: the fuzz targets, the property tests, every browser test and the monkey test, at length.
 
+use crate::page;
 use crate::run::{Run, elapsed, last_lines};
-use crate::rust::CARGO_FUZZ;
+use crate::rust::{self, CARGO_FUZZ};
 use crate::setup::{self, Kit};
-use crate::{page, steps};
 use anyhow::{Context, Result, ensure};
 use std::time::{Duration, Instant, UNIX_EPOCH};
 
@@ -47,7 +47,7 @@ fn properties(minutes: u32) -> Run {
 
 fn browser(kit: &Kit, minutes: u32) -> Result<[Run; 2]> {
     page::build(kit)?;
-    let every = kit.npm("journeys:all").env("ROSTO_CLI", steps::command_line()?).log("journeys-all");
+    let every = kit.npm("journeys:all").env("ROSTO_CLI", rust::command_line()?).log("journeys-all");
     let runs = (RUNS_PER_MINUTE * minutes).to_string();
     Ok([every, kit.npm("monkey").args(["--", "--runs", &runs]).log("monkey")])
 }
