@@ -28,7 +28,7 @@ pub(super) struct Known<'a> {
 
 /// How well a shape agrees with a photo: the distances in px between where its camera sees the landmarks that face it and
 /// where they were found.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Reprojection {
     /// The root of the mean of their squares.
     pub rms_px: f64,
