@@ -6,7 +6,6 @@
 
 mod camera;
 mod colour;
-mod frame;
 mod lens;
 mod light;
 mod markers;
@@ -16,7 +15,6 @@ mod stage;
 
 pub use camera::{Camera, Glide, NamedView, Sides};
 pub use colour::Srgb;
-pub use frame::FrameUniforms;
 pub use lens::{Lens, Pinhole};
 pub use light::Light;
 pub use markers::{Axis, Mark, MarkKind, Pointer};
@@ -25,7 +23,7 @@ pub use render_settings::{
     Background, Dots, MirrorPlane, Palette, PictureLight, RenderSettings, Rim, Scene, ShadingMode, Surface, Theme,
     Wireframe,
 };
-pub use stage::{Stage, Step};
+pub use stage::{FrameUniforms, Stage, Step};
 
 /// The examples of the README are tested with those of the code.
 #[cfg(doctest)]

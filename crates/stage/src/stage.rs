@@ -1,12 +1,13 @@
 mod arrival;
+mod frame;
 mod picture;
 
 use glam::{DVec2, DVec3};
 
-use crate::frame::{FrameInputs, FrameUniforms};
 use crate::{Axis, Camera, Lens, Mark, MirrorPlane, PicturePlane, Pinhole, Pointer, RenderSettings, Rim, Scene};
 
 use arrival::Arrival;
+pub use frame::FrameUniforms;
 
 /// What is framed has this much room around it.
 const ROOM: f64 = 1.12;
@@ -224,32 +225,6 @@ impl Stage {
         self.last_ms = again.then_some(time_ms);
         let draw = std::mem::take(&mut self.changed) || again || was_moving;
         Step { draw, again }
-    }
-
-    /// What shaders read for this frame.
-    pub fn uniforms(&self) -> FrameUniforms {
-        self.uniforms_at(self.settings.before)
-    }
-
-    /// The same for the part of it that shows the shape before ([`RenderSettings::wipe`]).
-    pub fn uniforms_before(&self) -> FrameUniforms {
-        self.uniforms_at(1.0)
-    }
-
-    fn uniforms_at(&self, before: f64) -> FrameUniforms {
-        let inputs = FrameInputs {
-            pixel_ratio: self.pixel_ratio,
-            offsets_m: self.offsets_m,
-            before,
-            ground_m: self.ground_m,
-            pointer_px: self.pointer_px,
-            hovered: self.hovered,
-            gizmo: self.gizmo,
-            gizmo_axis: self.gizmo_axis,
-            picture: self.picture,
-            picture_share: self.picture_share,
-        };
-        FrameUniforms::new(&self.camera, &self.settings, &inputs)
     }
 
     /// What the GPU reads for each mark: vertex and kind; kinds 4 to 6 are the letters of the axes.
