@@ -126,7 +126,7 @@ rosto_mesh::named! {
 }
 
 /// Everything about how a mesh is shown that is not the mesh, the camera or the marks on it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RenderSettings {
     /// How the surface is coloured.
     pub shading: ShadingMode,
@@ -136,8 +136,8 @@ pub struct RenderSettings {
     pub wireframe: Wireframe,
     /// Which vertices show as dots.
     pub dots: Dots,
-    /// How many vertices, from the first, can show as dots.
-    pub dotted: u32,
+    /// How many vertices, from the first, can show as dots; by default all.
+    pub dotted: Option<u32>,
     /// Light or dark surroundings.
     pub theme: Theme,
     /// What lies behind.
@@ -156,27 +156,6 @@ pub struct RenderSettings {
     pub before: f64,
     /// How strongly the response field glows in the accent over any paint, 0..1.
     pub glow: f64,
-}
-
-impl Default for RenderSettings {
-    fn default() -> Self {
-        Self {
-            shading: ShadingMode::default(),
-            surface: Surface::default(),
-            wireframe: Wireframe::default(),
-            dots: Dots::default(),
-            dotted: u32::MAX,
-            theme: Theme::default(),
-            background: Background::default(),
-            mirror_plane: MirrorPlane::default(),
-            rim: Rim::default(),
-            picture_light: PictureLight::default(),
-            wipe: None,
-            light: Light::default(),
-            before: 0.0,
-            glow: 0.0,
-        }
-    }
 }
 
 impl RenderSettings {

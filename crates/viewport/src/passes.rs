@@ -119,7 +119,7 @@ fn record_mesh(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
     }
     if settings.dots != Dots::None {
         pass.set_pipeline(&pipelines.dots);
-        pass.draw(0..6, 0..settings.dotted.min(mesh.vertex_count()));
+        pass.draw(0..6, 0..mesh.vertex_count().min(settings.dotted.unwrap_or(u32::MAX)));
     }
     record_marks(drawn, stage, pass);
 }
