@@ -93,7 +93,7 @@ impl View {
             (false, _, Turntable::Turns) => TURNTABLE_DEG_PER_S,
             _ => 0.0,
         });
-        stage.set_lens(self.lens);
+        stage.camera_mut().set_lens(self.lens);
         let settings = stage.render_settings_mut();
         settings.background = if is_empty { Background::Transparent } else { self.background };
         settings.shading = self.shading;

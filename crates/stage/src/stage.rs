@@ -4,7 +4,7 @@ mod picture;
 
 use glam::{DVec2, DVec3};
 
-use crate::{Axis, Camera, Lens, Mark, MirrorPlane, PicturePlane, Pinhole, Pointer, RenderSettings, Rim, Scene};
+use crate::{Axis, Camera, Mark, MirrorPlane, PicturePlane, Pointer, RenderSettings, Rim, Scene};
 
 use arrival::Arrival;
 pub use frame::FrameUniforms;
@@ -114,17 +114,6 @@ impl Stage {
         if (radius_m / self.camera.radius_m() - 1.0).abs() > 1e-3 {
             self.camera_mut().frame_again(radius_m);
         }
-    }
-
-    /// From how far away it is seen ([`Camera::set_lens`]).
-    pub fn set_lens(&mut self, lens: Lens) {
-        self.camera_mut().set_lens(lens);
-    }
-
-    /// The camera that took the picture on the mesh, if it is known: for a mesh that is about to be framed, or that is
-    /// seen ([`Camera::set_pinhole`]).
-    pub fn set_pinhole(&mut self, pinhole: Option<Pinhole>) {
-        self.camera_mut().set_pinhole(pinhole);
     }
 
     /// So many px at the picture's top, right, bottom and left have something lying over them ([`Camera::set_covered`]). A mesh

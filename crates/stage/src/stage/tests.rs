@@ -45,7 +45,7 @@ fn with_picture() -> Stage {
     let mut stage = settled();
     stage.camera_mut().resize(600, 400);
     let camera_from_model = glam::DAffine3::from_translation(DVec3::new(0.0, 0.0, -10.0));
-    stage.set_pinhole(Some(Pinhole { camera_from_model }));
+    stage.camera_mut().set_pinhole(Some(Pinhole { camera_from_model }));
     stage.frame(&[DVec3::NEG_ONE, DVec3::ONE]);
     stage.set_picture(Some(PicturePlane {
         origin_m: DVec3::new(-2.0, 2.0, 0.0),
