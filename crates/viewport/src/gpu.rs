@@ -84,6 +84,17 @@ impl Gpu {
         poll_fn(move |context| loss.lock().map_or(Poll::Ready(()), |mut loss| loss.poll(context)))
     }
 
+    /// What shaders read by that layout, in the order of their bindings.
+    pub(crate) fn bind_group<'a>(
+        &self,
+        layout: &wgpu::BindGroupLayout,
+        resources: impl IntoIterator<Item = wgpu::BindingResource<'a>>,
+    ) -> wgpu::BindGroup {
+        let entries: Vec<_> =
+            (0..).zip(resources).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();
+        self.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
+    }
+
     pub(crate) fn largest_side_px(&self) -> u32 {
         self.device.limits().max_texture_dimension_2d
     }

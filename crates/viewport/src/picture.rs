@@ -15,12 +15,8 @@ pub(crate) fn reserve(gpu: &Gpu, width: u32, height: u32) -> Result<PictureOnGpu
     reserve_levels(gpu, width, height, levels)
 }
 
-/// Room for a picture without smaller levels, whose pixels change sixty times a second.
-pub(crate) fn reserve_film(gpu: &Gpu, width: u32, height: u32) -> Result<PictureOnGpu, ViewportError> {
-    reserve_levels(gpu, width, height, 1)
-}
-
-fn reserve_levels(gpu: &Gpu, width: u32, height: u32, levels: u32) -> Result<PictureOnGpu, ViewportError> {
+/// Room for a picture with so many levels, of which each is half as large as the one before.
+pub(crate) fn reserve_levels(gpu: &Gpu, width: u32, height: u32, levels: u32) -> Result<PictureOnGpu, ViewportError> {
     if width == 0 || height == 0 || width.max(height) > gpu.largest_side_px() {
         return Err(ViewportError::BadPicture { width, height, found: 0 });
     }
@@ -85,11 +81,6 @@ pub(crate) fn write_bitmap(
     Ok(())
 }
 
-/// Makes the smaller levels once all rows are there, each pixel the mean of four in linear light.
-pub(crate) fn finish(gpu: &Gpu, shrink: &wgpu::RenderPipeline, picture: &PictureOnGpu) {
-    shrink_levels(gpu, shrink, &picture.texture);
-}
-
 /// One white pixel, for a mesh without a photo.
 pub(crate) fn blank(gpu: &Gpu) -> Result<PictureOnGpu, ViewportError> {
     let pixel = reserve(gpu, 1, 1)?;
@@ -137,7 +128,8 @@ pub(crate) fn shrink_pipeline(gpu: &Gpu) -> wgpu::RenderPipeline {
     })
 }
 
-fn shrink_levels(gpu: &Gpu, shrink: &wgpu::RenderPipeline, texture: &wgpu::Texture) {
+/// Makes the smaller levels once all rows are there, each pixel the mean of four in linear light.
+pub(crate) fn finish(gpu: &Gpu, shrink: &wgpu::RenderPipeline, PictureOnGpu { texture, .. }: &PictureOnGpu) {
     let level = |base_mip_level| {
         texture.create_view(&wgpu::TextureViewDescriptor {
             base_mip_level,
@@ -152,15 +144,9 @@ fn shrink_levels(gpu: &Gpu, shrink: &wgpu::RenderPipeline, texture: &wgpu::Textu
     });
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
     for smaller in 1..texture.mip_level_count() {
-        let source = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("shrink"),
-            layout: &shrink.get_bind_group_layout(0),
-            entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&level(smaller - 1)) },
-                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&sampler) },
-            ],
-        });
-        let target = level(smaller);
+        let (source, target) = (level(smaller - 1), level(smaller));
+        let resources = [wgpu::BindingResource::TextureView(&source), wgpu::BindingResource::Sampler(&sampler)];
+        let bindings = gpu.bind_group(&shrink.get_bind_group_layout(0), resources);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("shrink"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
@@ -172,7 +158,7 @@ fn shrink_levels(gpu: &Gpu, shrink: &wgpu::RenderPipeline, texture: &wgpu::Textu
             ..Default::default()
         });
         pass.set_pipeline(shrink);
-        pass.set_bind_group(0, &source, &[]);
+        pass.set_bind_group(0, &bindings, &[]);
         pass.draw(0..3, 0..1);
     }
     gpu.queue.submit([encoder.finish()]);

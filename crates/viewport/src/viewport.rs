@@ -89,12 +89,12 @@ impl Viewport {
         picture::finish(&self.gpu, &self.shrink, picture);
     }
 
-    /// Room for the frames of a film, which have this size.
+    /// Room for the frames of a film, which have this size; without smaller levels, since pixels change sixty times a second.
     ///
     /// # Errors
     /// As [`Self::reserve_picture`].
     pub fn reserve_film(&self, width: u32, height: u32) -> Result<PictureOnGpu, ViewportError> {
-        picture::reserve_film(&self.gpu, width, height)
+        picture::reserve_levels(&self.gpu, width, height, 1)
     }
 
     /// The next frame of a film, which is to have its size.
@@ -220,8 +220,7 @@ impl Viewport {
         background: Background,
     ) -> Result<impl Future<Output = Result<Snapshot, ViewportError>> + use<>, ViewportError> {
         self.gpu.check()?;
-        let largest = self.gpu.largest_side_px();
-        let size = size_px.map(|side| side.clamp(1, largest));
+        let size = self.fitting(size_px[0], size_px[1]);
         let mut resized = stage.clone();
         let scale = f64::from(size[1]) / stage.camera().size_px().y;
         resized.camera_mut().resize(size[0], size[1]);
