@@ -125,19 +125,18 @@ fn record_mesh(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
 }
 
 fn record_marks(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
-    let Twin { seen, hidden } = &drawn.pipelines.gizmo;
     if stage.gizmo().is_some() {
-        for pipeline in [hidden, seen] {
-            pass.set_pipeline(pipeline);
-            pass.draw(0..6, 0..3);
-        }
+        record_twin(&drawn.pipelines.gizmo, 3, pass);
     }
-    let Twin { seen, hidden } = &drawn.pipelines.marks;
     if drawn.mark_count > 0 {
         pass.set_vertex_buffer(0, drawn.marks.slice(..));
-        for pipeline in [hidden, seen] {
-            pass.set_pipeline(pipeline);
-            pass.draw(0..6, 0..drawn.mark_count);
-        }
+        record_twin(&drawn.pipelines.marks, drawn.mark_count, pass);
+    }
+}
+
+fn record_twin(Twin { seen, hidden }: &Twin, count: u32, pass: &mut wgpu::RenderPass<'_>) {
+    for pipeline in [hidden, seen] {
+        pass.set_pipeline(pipeline);
+        pass.draw(0..6, 0..count);
     }
 }

@@ -1,3 +1,4 @@
+use crate::gpu::texture;
 use crate::{Gpu, ViewportError};
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8UnormSrgb;
@@ -20,18 +21,10 @@ pub(crate) fn reserve_levels(gpu: &Gpu, width: u32, height: u32, levels: u32) ->
     if width == 0 || height == 0 || width.max(height) > gpu.largest_side_px() {
         return Err(ViewportError::BadPicture { width, height, found: 0 });
     }
-    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("picture"),
-        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
-        mip_level_count: levels,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format: FORMAT,
-        usage: wgpu::TextureUsages::TEXTURE_BINDING
-            | wgpu::TextureUsages::COPY_DST
-            | wgpu::TextureUsages::RENDER_ATTACHMENT,
-        view_formats: &[],
-    });
+    let usage =
+        wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST | wgpu::TextureUsages::RENDER_ATTACHMENT;
+    let descriptor = texture("picture", [width, height], FORMAT, usage);
+    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor { mip_level_count: levels, ..descriptor });
     let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
     Ok(PictureOnGpu { texture, view })
 }

@@ -5,6 +5,7 @@ use rosto_stage::{Background, Stage};
 
 use crate::error_scopes::ErrorScopes;
 use crate::frame::FrameOnGpu;
+use crate::gpu::texture;
 use crate::mesh::{MeshOnGpu, filled};
 use crate::passes::Drawn;
 use crate::pipelines::Pipelines;
@@ -227,7 +228,8 @@ impl Viewport {
         resized.set_pixel_ratio(stage.pixel_ratio() * scale);
         resized.render_settings_mut().background = background;
         let scopes = ErrorScopes::open(&self.gpu);
-        let texture = self.still(size);
+        let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
+        let texture = self.gpu.device.create_texture(&texture("still", size, self.target.format, usage));
         let attachments = Attachments::new(&self.gpu, self.target.format, size);
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         self.upload(&resized);
@@ -247,19 +249,6 @@ impl Viewport {
         self.upload(stage);
         passes::record(&self.drawn, stage, &mut encoder, &self.attachments, &texture.create_view(&Default::default()));
         self.gpu.queue.submit([encoder.finish()]);
-    }
-
-    fn still(&self, [width, height]: [u32; 2]) -> wgpu::Texture {
-        self.gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("still"),
-            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: self.target.format,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-            view_formats: &[],
-        })
     }
 
     fn upload(&mut self, stage: &Stage) {
