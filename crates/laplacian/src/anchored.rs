@@ -15,9 +15,9 @@ pub struct AnchoredSystem {
 
 impl AnchoredSystem {
     pub(crate) fn new(form: &GaugeFixedForm, constraints: &Constraints<'_>) -> Result<Self, LaplacianError> {
-        constraints.check(form.component())?;
-        let anchors = Dirichlet::new(form.matrix(), form.component(), constraints.anchors, constraints.kind)?;
-        Ok(Self { component: form.component().to_vec(), anchors })
+        constraints.check(&form.component)?;
+        let anchors = Dirichlet::new(&form.matrix, &form.component, constraints.anchors, constraints.kind)?;
+        Ok(Self { component: form.component.clone(), anchors })
     }
 
     /// How every vertex follows the handles: one solve for each. Anchors and kind must be those that this was made for.

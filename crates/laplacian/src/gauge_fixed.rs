@@ -25,16 +25,17 @@ pub(crate) const MANY_CONSTRAINED: usize = 256;
 
 /// The form `Q`, factored once in a way that serves any constraints.
 pub(crate) struct GaugeFixedForm {
-    component: Vec<u32>,
+    pub(crate) component: Vec<u32>,
     /// `B`.
-    matrix: CsrMatrix<f64>,
+    pub(crate) matrix: CsrMatrix<f64>,
     factor: Factor,
 }
 
 /// The form under constraints: what is left to choose are targets and load.
 pub(crate) struct ConstrainedForm {
-    constrained: Vec<u32>,
-    kind: ConstraintKind,
+    /// The vertices that targets belong to: handles, then anchors.
+    pub(crate) constrained: Vec<u32>,
+    pub(crate) kind: ConstraintKind,
     method: Method,
 }
 
@@ -54,15 +55,6 @@ impl GaugeFixedForm {
         Ok(Self { component, matrix, factor })
     }
 
-    pub(crate) fn component(&self) -> &[u32] {
-        &self.component
-    }
-
-    /// `B`.
-    pub(crate) fn matrix(&self) -> &CsrMatrix<f64> {
-        &self.matrix
-    }
-
     /// Checks the constraints and does all the work that does not depend on targets.
     pub(crate) fn constrain(&self, constraints: &Constraints<'_>) -> Result<ConstrainedForm, LaplacianError> {
         constraints.check(&self.component)?;
@@ -80,19 +72,6 @@ impl GaugeFixedForm {
 }
 
 impl ConstrainedForm {
-    /// The vertices that `targets` belong to: handles, then anchors.
-    pub(crate) fn constrained(&self) -> &[u32] {
-        &self.constrained
-    }
-
-    pub(crate) fn kind(&self) -> ConstraintKind {
-        self.kind
-    }
-
-    pub(crate) fn is_exact(&self) -> bool {
-        self.kind == ConstraintKind::Hard
-    }
-
     /// Writes the minimiser for one target for each constrained vertex, and a load that sums to 0 over each component.
     pub(crate) fn minimise(
         &self,
@@ -113,7 +92,7 @@ impl ConstrainedForm {
             }
             Method::Dirichlet(dirichlet) => dirichlet.minimise(load, targets, out),
         }
-        if self.is_exact() {
+        if self.kind == ConstraintKind::Hard {
             // Exact up to rounding so far; now to the last bit.
             self.constrained.iter().zip(targets).for_each(|(&vertex, &target)| out[vertex as usize] = target);
         }

@@ -78,7 +78,7 @@ impl LaplacianSystem {
         let constrained = self.form.constrain(constraints)?;
         let n = self.operator.nrows();
         let mut fields = vec![0.0; n * constraints.handles.len()];
-        let mut targets = vec![0.0; constrained.constrained().len()];
+        let mut targets = vec![0.0; constrained.constrained.len()];
         for (handle, field) in fields.chunks_exact_mut(n).enumerate() {
             targets[handle] = 1.0;
             constrained.minimise(&self.form, None, &targets, field)?;
