@@ -34,7 +34,7 @@ impl AnchoredSystem {
         let mut columns = DMatrix::zeros(n, handles.len());
         for (mut column, &handle) in columns.column_iter_mut().zip(handles) {
             column[handle as usize] = 1.0;
-            self.anchors.solve(column.as_mut_slice());
+            self.anchors.factor.solve(column.as_mut_slice());
         }
         let mut between = DMatrix::from_fn(handles.len(), handles.len(), |i, j| columns[(handles[i] as usize, j)]);
         (0..handles.len()).for_each(|i| between[(i, i)] += constraints.kind.compliance());

@@ -11,7 +11,6 @@ use crate::{ConstraintKind, LaplacianError, Operator};
 /// and slope. Factored once, for any values.
 pub struct Continuation {
     form: Dirichlet,
-    vertices: usize,
     room: Room,
 }
 
@@ -32,7 +31,7 @@ impl Continuation {
         let operator = operator.matrix(topology, positions)?;
         let squared = gauge_fixed(&(operator.transpose() * &operator), &component);
         let form = Dirichlet::new(&squared, &component, known, ConstraintKind::Hard)?;
-        Ok(Self { form, vertices: component.len(), room: Room::default() })
+        Ok(Self { form, room: Room::default() })
     }
 
     /// One value for each vertex, from one for each known one, in the order in which they were named. From the second time on
@@ -41,8 +40,7 @@ impl Continuation {
     /// # Panics
     /// If `known` has not one value for each known vertex, or `out` not one for each vertex.
     pub fn continued(&mut self, known: &[f64], out: &mut [f64]) {
-        assert_eq!(out.len(), self.vertices, "one value for each vertex");
-        self.form.minimise_in(known, out, &mut self.room);
+        self.form.minimise(None, known, out, &mut self.room);
     }
 }
 

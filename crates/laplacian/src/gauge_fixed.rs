@@ -16,7 +16,7 @@ use nalgebra_sparse::{CooMatrix, CsrMatrix};
 use rosto_mesh::Topology;
 
 use crate::dirichlet::Dirichlet;
-use crate::factor::{Factor, HalfSolved};
+use crate::factor::{Factor, HalfSolved, Room};
 use crate::saddle_point::SaddlePoint;
 use crate::{ConstraintKind, Constraints, LaplacianError};
 
@@ -82,15 +82,18 @@ impl ConstrainedForm {
     ) -> Result<(), LaplacianError> {
         match &self.method {
             Method::SaddlePoint(halves, saddle_point) => {
-                let mut rows = load.map_or_else(|| vec![0.0; out.len()], |load| form.factor.forward(load));
+                let mut rows = vec![0.0; out.len()];
+                if let Some(load) = load {
+                    form.factor.forward(load, &mut rows);
+                }
                 let rest =
                     halves.iter().zip(targets).map(|(half, target)| target - form.factor.inverse_row(half, &rows));
                 let c = saddle_point.solve(rest)?;
-                halves.iter().zip(&c.columns).for_each(|(half, &c)| form.factor.add(half, c, &mut rows));
-                form.factor.backward(rows, out);
-                c.add_constants(&form.component, out);
+                halves.iter().zip(&c).for_each(|(half, &c)| form.factor.add(half, c, &mut rows));
+                form.factor.backward(&mut rows, &mut Vec::new(), out);
+                saddle_point.add_constants(&c, &form.component, out);
             }
-            Method::Dirichlet(dirichlet) => dirichlet.minimise(load, targets, out),
+            Method::Dirichlet(dirichlet) => dirichlet.minimise(load, targets, out, &mut Room::default()),
         }
         if self.kind == ConstraintKind::Hard {
             // Exact up to rounding so far; now to the last bit.
