@@ -1,6 +1,7 @@
 use glam::DVec3;
 use rosto_mesh::Topology;
 
+use crate::constraints::marked;
 use crate::dirichlet::Dirichlet;
 use crate::factor::Room;
 use crate::gauge_fixed::gauge_fixed;
@@ -45,16 +46,9 @@ impl Continuation {
 }
 
 fn check(known: &[u32], component: &[u32]) -> Result<(), LaplacianError> {
-    let vertex_count = component.len();
-    let mut is_known = vec![false; vertex_count];
-    let mut is_held = vec![false; vertex_count];
-    for &vertex in known {
-        let seen = is_known.get_mut(vertex as usize).ok_or(LaplacianError::NoSuchVertex { vertex, vertex_count })?;
-        if std::mem::replace(seen, true) {
-            return Err(LaplacianError::Repeated { vertex });
-        }
-        is_held[component[vertex as usize] as usize] = true;
-    }
+    marked(known, component.len())?;
+    let mut is_held = vec![false; component.len()];
+    known.iter().for_each(|&vertex| is_held[component[vertex as usize] as usize] = true);
     match component.iter().find(|&&piece| !is_held[piece as usize]) {
         Some(&handle) => Err(LaplacianError::Unanchored { handle }),
         None => Ok(()),
