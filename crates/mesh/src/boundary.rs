@@ -29,12 +29,12 @@ impl<'a> Rim<'a> {
     fn of(surface: &'a Topology) -> Self {
         let mut uses: HashMap<[u32; 2], usize> = HashMap::new();
         let mut third = HashMap::new();
-        for [from, to, beside] in corners(surface) {
+        for [from, to, beside] in corners(surface.triangles()) {
             *uses.entry([from.min(to), from.max(to)]).or_default() += 1;
             third.insert([from, to], beside);
         }
         let single = |&[from, to, _]: &[u32; 3]| uses[&[from.min(to), from.max(to)]] == 1;
-        let open = corners(surface).filter(single).map(|[from, to, _]| [from, to]).collect();
+        let open = corners(surface.triangles()).filter(single).map(|[from, to, _]| [from, to]).collect();
         Self { surface, third, open }
     }
 
@@ -75,8 +75,8 @@ impl<'a> Rim<'a> {
 }
 
 /// Every triangle three times: each directed side with the corner that is not on it.
-fn corners(surface: &Topology) -> impl Iterator<Item = [u32; 3]> + '_ {
-    surface.triangles().iter().flat_map(|&[a, b, c]| [[a, b, c], [b, c, a], [c, a, b]])
+pub(crate) fn corners(triangles: &[[u32; 3]]) -> impl Iterator<Item = [u32; 3]> {
+    triangles.iter().flat_map(|&[a, b, c]| [[a, b, c], [b, c, a], [c, a, b]])
 }
 
 #[cfg(test)]

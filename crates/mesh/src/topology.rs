@@ -104,13 +104,8 @@ fn check_triangle(triangle: usize, corners: [u32; 3], vertex_count: usize) -> Re
     Ok(())
 }
 
-fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
-    [[a, b], [b, c], [c, a]]
-}
-
 fn undirected_edges(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
-    let mut edges: Vec<[u32; 2]> =
-        triangles.iter().flat_map(|&corners| sides(corners)).map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    let mut edges: Vec<[u32; 2]> = boundary::corners(triangles).map(|[a, b, _]| [a.min(b), a.max(b)]).collect();
     edges.sort_unstable();
     edges.dedup();
     edges
