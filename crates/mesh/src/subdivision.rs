@@ -325,13 +325,6 @@ mod tests {
     }
 
     #[test]
-    fn a_plane_is_interpolated_by_itself() {
-        let (cage, positions) = grid(4, 4);
-        let through = LoopSubdivision::new(&cage, 2).interpolate(&positions);
-        assert!(through.iter().all(|place| place.z == 0.0));
-    }
-
-    #[test]
     fn a_crease_parts_the_surface_as_cutting_it_would() {
         // A grid, whole with a crease along its middle, and the half on the left of it alone.
         let (whole, positions) = grid(6, 3);
