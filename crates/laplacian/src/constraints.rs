@@ -46,11 +46,6 @@ pub struct Constraints<'a> {
 }
 
 impl Constraints<'_> {
-    /// Handles first, then anchors.
-    pub(crate) fn constrained(&self) -> Vec<u32> {
-        self.handles.iter().chain(self.anchors).copied().collect()
-    }
-
     /// Refuses what has no answer; `component` names each vertex's component.
     pub(crate) fn check(&self, component: &[u32]) -> Result<(), LaplacianError> {
         self.check_vertices(component.len())?;

@@ -58,7 +58,7 @@ impl GaugeFixedForm {
     /// Checks the constraints and does all the work that does not depend on targets.
     pub(crate) fn constrain(&self, constraints: &Constraints<'_>) -> Result<ConstrainedForm, LaplacianError> {
         constraints.check(&self.component)?;
-        let (constrained, kind) = (constraints.constrained(), constraints.kind);
+        let (constrained, kind) = ([constraints.handles, constraints.anchors].concat(), constraints.kind);
         let method = if constrained.len() >= MANY_CONSTRAINED {
             Method::Dirichlet(Box::new(Dirichlet::new(&self.matrix, &self.component, &constrained, kind)?))
         } else {

@@ -26,7 +26,7 @@ pub struct MeshInput<'a> {
 /// A mesh in the GPU's memory.
 #[derive(Debug)]
 pub(crate) struct MeshOnGpu {
-    topology: Topology,
+    pub topology: Topology,
     positions_m: Vec<DVec3>,
     geometry: VertexData<Geometry>,
     geometry_before: VertexData<Geometry>,
@@ -69,18 +69,6 @@ impl MeshOnGpu {
             attributes,
             attribute_list,
         })
-    }
-
-    pub fn vertex_count(&self) -> u32 {
-        self.topology.vertex_count() as u32
-    }
-
-    pub fn index_count(&self) -> u32 {
-        3 * self.topology.triangles().len() as u32
-    }
-
-    pub fn edge_count(&self) -> u32 {
-        self.topology.edges().len() as u32
     }
 
     pub fn write_positions(&mut self, gpu: &Gpu, positions_m: &[DVec3]) -> Result<(), ViewportError> {

@@ -107,7 +107,7 @@ fn record_mesh(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
     let is_felt = drawn.sheet.is_some() && stage.picture_share() == 1.0;
     let is_bare = is_felt || settings.surface == Surface::HiddenLine;
     pass.set_pipeline(if is_bare { &pipelines.bare } else { &pipelines.surface });
-    pass.draw_indexed(0..mesh.index_count(), 0, 0..1);
+    pass.draw_indexed(0..3 * mesh.topology.triangles().len() as u32, 0, 0..1);
     if settings.background == Background::Ground && !is_bare {
         pass.set_pipeline(&pipelines.ground);
         pass.draw(0..6, 0..1);
@@ -115,11 +115,12 @@ fn record_mesh(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
     if settings.wireframe == Wireframe::Shown {
         pass.set_pipeline(&pipelines.wire);
         pass.set_vertex_buffer(0, mesh.edges.slice(..));
-        pass.draw(0..6, 0..mesh.edge_count());
+        pass.draw(0..6, 0..mesh.topology.edges().len() as u32);
     }
     if settings.dots != Dots::None {
         pass.set_pipeline(&pipelines.dots);
-        pass.draw(0..6, 0..mesh.vertex_count().min(settings.dotted.unwrap_or(u32::MAX)));
+        let vertices = mesh.topology.vertex_count() as u32;
+        pass.draw(0..6, 0..settings.dotted.map_or(vertices, |dotted| dotted.min(vertices)));
     }
     record_marks(drawn, stage, pass);
 }
