@@ -11,6 +11,7 @@ use crate::size::{self, Scale};
 use crate::{FaceError, LANDMARK_COUNT, PhotoLens, canonical_positions_m};
 
 /// Landmarks in the model's frame.
+#[derive(Clone)]
 pub(super) struct Fitted {
     /// 468, or 478 with the irises.
     pub(super) positions_m: Vec<DVec3>,
