@@ -228,7 +228,7 @@ impl Sight {
             scale,
             factor,
             error,
-            image_from_model: image_from_px * px_from_model.to_affine().matrix3 * (1.0 / factor),
+            image_from_model: image_from_px * (px_from_model.rotation * px_from_model.scale) * (1.0 / factor),
         }
     }
 }
