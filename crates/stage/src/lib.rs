@@ -20,8 +20,7 @@ pub use light::Light;
 pub use markers::{Axis, Mark, MarkKind, Pointer};
 pub use picture_plane::PicturePlane;
 pub use render_settings::{
-    Background, Dots, MirrorPlane, Palette, PictureLight, RenderSettings, Rim, Scene, ShadingMode, Surface, Theme,
-    Wireframe,
+    Background, Dots, Palette, PictureLight, RenderSettings, Scene, ShadingMode, Surface, Theme, Visibility,
 };
 pub use stage::{FrameUniforms, Stage, Step};
 

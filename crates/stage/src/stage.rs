@@ -4,7 +4,7 @@ mod picture;
 
 use glam::{DVec2, DVec3};
 
-use crate::{Axis, Camera, Mark, MirrorPlane, PicturePlane, Pointer, RenderSettings, Rim, Scene};
+use crate::{Axis, Camera, Mark, PicturePlane, Pointer, RenderSettings, Scene, Visibility};
 
 use arrival::Arrival;
 pub use frame::FrameUniforms;
@@ -132,7 +132,8 @@ impl Stage {
         let mut bare = self.clone();
         bare.marks.clear();
         (bare.pointer_px, bare.hovered, bare.gizmo, bare.gizmo_axis) = (None, None, None, None);
-        (bare.settings.mirror_plane, bare.settings.rim, bare.settings.glow) = (MirrorPlane::Hidden, Rim::Hidden, 0.0);
+        (bare.settings.mirror_plane, bare.settings.rim, bare.settings.glow) =
+            (Visibility::Hidden, Visibility::Hidden, 0.0);
         bare.settings.wipe = None;
         bare.camera.centre();
         bare

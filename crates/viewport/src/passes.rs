@@ -1,4 +1,4 @@
-use rosto_stage::{Background, Dots, RenderSettings, Stage, Surface, Wireframe};
+use rosto_stage::{Background, Dots, RenderSettings, Stage, Surface, Visibility};
 
 use crate::frame::FrameOnGpu;
 use crate::mesh::MeshOnGpu;
@@ -112,7 +112,7 @@ fn record_mesh(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
         pass.set_pipeline(&pipelines.ground);
         pass.draw(0..6, 0..1);
     }
-    if settings.wireframe == Wireframe::Shown {
+    if settings.wireframe == Visibility::Shown {
         pass.set_pipeline(&pipelines.wire);
         pass.set_vertex_buffer(0, mesh.edges.slice(..));
         pass.draw(0..6, 0..mesh.topology.edges().len() as u32);

@@ -145,7 +145,7 @@ impl Viewport {
     }
 
     /// Sets how each vertex follows up to two handles, for [`Stage::set_offsets_m`], and how far it is from them: 1 where
-    /// `rosto_stage::Rim` is drawn. Call it after [`Self::set_positions`]. Nothing without a mesh.
+    /// `rosto_stage::RenderSettings::rim` is drawn. Call it after [`Self::set_positions`]. Nothing without a mesh.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].

@@ -2,7 +2,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 
 use super::Stage;
-use crate::{Dots, MirrorPlane, Rim, Sides};
+use crate::{Dots, Sides};
 
 /// What every shader reads once a frame, in the layout of a uniform buffer.
 ///
@@ -98,8 +98,8 @@ impl Stage {
             hovered: self.hovered.unwrap_or(NO_VERTEX),
             gizmo_vertex: self.gizmo.unwrap_or(NO_VERTEX),
             gizmo_axis: self.gizmo_axis.map_or(NO_VERTEX, |axis| axis as u32),
-            rim: f32::from(u8::from(settings.rim == Rim::Shown)),
-            mirror_plane: f32::from(u8::from(settings.mirror_plane == MirrorPlane::Shown)),
+            rim: f32::from(settings.rim as u8),
+            mirror_plane: f32::from(settings.mirror_plane as u8),
             pixel_ratio: self.pixel_ratio as f32,
             picture: self.picture_share as f32,
             picture_origin_m: picture.origin_m.as_vec3().to_array(),
