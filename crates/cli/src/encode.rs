@@ -150,10 +150,9 @@ impl Skin {
 
 /// The texture of the whole face, of all its photos; the first is the face's own.
 fn texture(face: &FaceModel, side_px: u32) -> Result<Photo, StudioError> {
-    let views = face.views();
-    let others = views.iter().skip(1);
+    let others = face.views().iter().skip(1);
     let others: Vec<Shot<'_>> =
-        others.map(|view| Shot { picture: view.picture, uvs: view.uvs, camera: view.camera }).collect();
+        others.map(|view| Shot { picture: &view.picture, uvs: &view.uvs, camera: &view.camera }).collect();
     Ok(whole_texture_of(face, &others, side_px)?.picture)
 }
 

@@ -26,7 +26,7 @@ pub fn tell(face: &FaceModel, photos: &[PathBuf]) -> Result<(), CliError> {
     Ok(())
 }
 
-fn turned(view: &View<'_>) -> String {
+fn turned(view: &View) -> String {
     let yaw_deg = view.camera.pose().yaw_deg;
     match yaw_deg.abs() {
         ..0.5 => "looks at the camera".to_owned(),
@@ -35,7 +35,7 @@ fn turned(view: &View<'_>) -> String {
 }
 
 /// The one that leads has the mesh on it.
-fn agrees(index: usize, view: &View<'_>) -> String {
+fn agrees(index: usize, view: &View) -> String {
     if index == 0 { String::new() } else { format!(", agrees within {:.1} px", view.reprojection.rms_px) }
 }
 

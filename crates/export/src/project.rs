@@ -60,7 +60,7 @@ pub fn write(source: &Source<'_>, png: &[u8]) -> Result<Vec<u8>, ExportError> {
     let mut file = Vec::with_capacity(header.len() + 1 + landmarks.len() * POINT_BYTES + COLOURS_BYTES + png.len());
     file.extend_from_slice(header.as_bytes());
     file.push(b'\n');
-    file.extend(landmarks.into_iter().flatten().flat_map(f32::to_le_bytes));
+    file.extend(landmarks.iter().flatten().flat_map(|number| number.to_le_bytes()));
     file.extend_from_slice(source.face.colours_srgb().as_flattened());
     file.extend_from_slice(png);
     Ok(file)

@@ -56,7 +56,7 @@ fn assert_same(one: &FaceModel, other: &FaceModel) {
     assert_eq!(one.positions_m(), other.positions_m(), "to the last bit");
     for (one, other) in one.views().iter().zip(other.views()) {
         assert_eq!((one.photo, one.camera, one.lens), (other.photo, other.camera, other.lens));
-        assert_eq!((one.uvs, one.colours_srgb), (other.uvs, other.colours_srgb));
+        assert_eq!((&one.uvs, &one.colours_srgb), (&other.uvs, &other.colours_srgb));
     }
 }
 

@@ -26,20 +26,20 @@ pub use camera::{Camera, Pose};
 pub use canonical::{
     MAX_DENSITY, Triangulation, canonical_positions_m, canonical_uvs, crowded_landmarks, opening_edges,
 };
-pub use contours::oval;
+pub use contours::OVAL;
 pub use error::FaceError;
 pub use irises::{IRIS_COUNT, POINT_COUNT, iris_id, lids_of};
 pub use measures::Measure;
 pub use model::{
     FaceInput, FaceModel, LeftOut, MOST_PHOTOS, Reprojection, Sighting, View, check_landmarks, drawn_out_m,
 };
-pub use names::{has_anatomical_name, landmark_id, part_id};
+pub use names::{landmark_id, part_id};
 pub use openings::{Opening, Parted, Piece, without_fillings};
 pub use photo_lens::{DISTANCES_M, PhotoLens};
 pub use regions::Region;
 pub use rosto_photo::Photo;
 pub use size::{Scale, ScaleSource};
-pub use symmetry::{midline, mirror_of, mirror_pairs};
+pub use symmetry::{MIDLINE, mirror_of};
 pub use tables::LANDMARK_COUNT;
 pub use turn::Turn;
 

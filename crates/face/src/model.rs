@@ -17,7 +17,6 @@ use seen::check_count;
 pub use seen::check_landmarks;
 pub use several::{LeftOut, Reprojection, drawn_out_m};
 pub use sighting::Sighting;
-use views::Other;
 pub use views::{MOST_PHOTOS, View};
 
 /// What a model is made from.
@@ -48,21 +47,13 @@ pub struct FaceInput<'a> {
 pub struct FaceModel {
     triangulation: Triangulation,
     topology: Topology,
-    photo_size_px: [u32; 2],
     positions_m: Vec<DVec3>,
     irises_m: Vec<DVec3>,
     positions_image: Vec<DVec3>,
-    irises_image: Vec<DVec3>,
     image_from_model: DMat3,
-    camera: Camera,
     scale: Scale,
-    lens: PhotoLens,
-    colours_srgb: Vec<[u8; 3]>,
-    uvs: Vec<DVec2>,
-    picture: Photo,
-    /// Which of the photos leads, in the order that they were given in.
-    photo: usize,
-    others: Vec<Other>,
+    /// The photo that leads, and then the others in the order that they were given in.
+    views: Vec<View>,
 }
 
 impl FaceModel {
@@ -77,54 +68,19 @@ impl FaceModel {
     /// [`FaceError`] if there are not 468 or 478 landmarks and 468 colours, if a number is not finite, if the picture has no
     /// area, if there is no such lens, or if the weighted landmarks lie on one line.
     pub fn new(input: FaceInput<'_>, triangulation: Triangulation) -> Result<Self, FaceError> {
-        let size_px = [input.width, input.height];
-        let fitted = Fitted::new(input.landmarks, size_px, input.lens)?;
+        let fitted = Fitted::new(input.landmarks, [input.width, input.height], input.lens)?;
         check_count("colours", LANDMARK_COUNT, input.colours.len())?;
-        Ok(Self::made_of(input, triangulation, fitted))
+        let view = View::new(input, (0, fitted.camera, Reprojection::default()));
+        Ok(Self::made_of(triangulation, fitted, vec![view]))
     }
 
-    fn made_of(input: FaceInput<'_>, triangulation: Triangulation, fitted: Fitted) -> Self {
-        let Fitted { mut positions_m, camera, scale, image_from_model, .. } = fitted;
-        let mut positions_image: Vec<DVec3> = input.landmarks.iter().map(|p| DVec3::from(p.map(f64::from))).collect();
-        let irises_image = positions_image.split_off(LANDMARK_COUNT);
+    fn made_of(triangulation: Triangulation, fitted: Fitted, views: Vec<View>) -> Self {
+        let Fitted { mut positions_m, scale, image_from_model, .. } = fitted;
         let irises_m = positions_m.split_off(LANDMARK_COUNT);
-        Self {
-            triangulation,
-            topology: triangulation.topology(),
-            photo_size_px: [input.width, input.height],
-            positions_m,
-            irises_m,
-            image_from_model,
-            camera,
-            scale,
-            lens: input.lens,
-            colours_srgb: input.colours.to_vec(),
-            uvs: positions_image.iter().map(|p| p.truncate()).collect(),
-            positions_image,
-            irises_image,
-            picture: input.picture,
-            photo: 0,
-            others: Vec::new(),
-        }
-    }
-
-    /// The same face seen through another lens. Of several photos, it is the lens of the one that leads; what is known of the
-    /// others' stays known, and the shape is fitted to all of them again.
-    ///
-    /// # Errors
-    /// [`FaceError::Lens`] if there is no such lens.
-    pub fn with_lens(&self, lens: PhotoLens) -> Result<Self, FaceError> {
-        if !self.others.is_empty() {
-            return self.together_with_lens(lens);
-        }
-        let fitted = Fitted::new(&self.landmarks(), self.photo_size_px, lens)?;
-        Ok(Self { lens, ..self.clone() }.placed_as(fitted))
-    }
-
-    fn placed_as(self, fitted: Fitted) -> Self {
-        let Fitted { mut positions_m, camera, scale, image_from_model, .. } = fitted;
-        let irises_m = positions_m.split_off(LANDMARK_COUNT);
-        Self { positions_m, irises_m, image_from_model, camera, scale, ..self }
+        let landmarks = views[0].landmarks[..LANDMARK_COUNT].iter();
+        let positions_image = landmarks.map(|p| DVec3::from(p.map(f64::from))).collect();
+        let topology = triangulation.topology();
+        Self { triangulation, topology, positions_m, irises_m, positions_image, image_from_model, scale, views }
     }
 
     /// How the landmarks are joined.
@@ -139,7 +95,7 @@ impl FaceModel {
 
     /// Width and height in px of the upright picture that the landmarks were found in.
     pub fn photo_size_px(&self) -> [u32; 2] {
-        self.photo_size_px
+        self.views[0].photo_size_px
     }
 
     /// 468 positions in metres in the model's frame.
@@ -164,8 +120,8 @@ impl FaceModel {
     }
 
     /// The landmarks, and the irises if they were looked for, bit for bit as they came in.
-    pub fn landmarks(&self) -> Vec<[f32; 3]> {
-        self.positions_image.iter().chain(&self.irises_image).map(|p| p.as_vec3().to_array()).collect()
+    pub fn landmarks(&self) -> &[[f32; 3]] {
+        &self.views[0].landmarks
     }
 
     /// What a small way in the model's metres is in the coordinates of [`Self::positions_image`], in the middle of the face.
@@ -175,19 +131,19 @@ impl FaceModel {
 
     /// The camera that took the photo, and where it stood.
     pub fn camera(&self) -> &Camera {
-        &self.camera
+        &self.views[0].camera
     }
 
     /// That camera gone back, or come nearer, to a distance from the middle of the face: the face stays where it is in the photo,
     /// as large as it is.
     pub fn seen_from(&self, distance_m: f64) -> Camera {
         let middle_m = self.positions_m.iter().sum::<DVec3>() / self.positions_m.len() as f64;
-        self.camera.at_distance(distance_m, middle_m)
+        self.camera().at_distance(distance_m, middle_m)
     }
 
     /// What was known of its lens.
     pub fn lens(&self) -> PhotoLens {
-        self.lens
+        self.views[0].lens
     }
 
     /// How well the face's size is known.
@@ -197,25 +153,25 @@ impl FaceModel {
 
     /// 468 sRGB colours, the photo's pixel under each landmark.
     pub fn colours_srgb(&self) -> &[[u8; 3]] {
-        &self.colours_srgb
+        &self.views[0].colours_srgb
     }
 
     /// 468 texture coordinates in the upright picture, origin at the top left. A landmark outside the picture is
     /// outside 0..=1.
     pub fn uvs(&self) -> &[DVec2] {
-        &self.uvs
+        &self.views[0].uvs
     }
 
     /// The sRGB colours of a mesh whose first vertices are the landmarks, as a denser one's are: these have their own, and those
     /// added between them the photo's under their texture coordinates; taken from [`Self::picture`], whose resolution may be lower
     /// than the photo's.
     pub fn colours_under(&self, uvs: &[DVec2]) -> Vec<[u8; 3]> {
-        let added = uvs.iter().skip(LANDMARK_COUNT).map(|uv| self.picture.colour_under(uv.x, uv.y));
-        self.colours_srgb.iter().copied().chain(added).collect()
+        let added = uvs.iter().skip(LANDMARK_COUNT).map(|uv| self.picture().colour_under(uv.x, uv.y));
+        self.colours_srgb().iter().copied().chain(added).collect()
     }
 
     /// The upright picture.
     pub fn picture(&self) -> &Photo {
-        &self.picture
+        &self.views[0].picture
     }
 }

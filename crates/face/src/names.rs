@@ -15,14 +15,6 @@ pub fn landmark_id(landmark: u32) -> String {
     }
 }
 
-/// Whether the landmark has an anatomical name, so that [`landmark_id`] needs no number.
-///
-/// # Panics
-/// If `landmark` is not below [`LANDMARK_COUNT`](crate::LANDMARK_COUNT).
-pub fn has_anatomical_name(landmark: u32) -> bool {
-    anatomical(landmark).is_some()
-}
-
 /// The part of the face that the landmark lies in, with its side, such as `left-cheek`.
 ///
 /// # Panics

@@ -1,4 +1,4 @@
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DMat3, DVec3};
 use nalgebra::{Matrix3, Vector3};
 
 use crate::FaceError;
@@ -20,10 +20,6 @@ impl Similarity {
 
     pub(crate) fn apply(&self, point: DVec3) -> DVec3 {
         self.rotation * point * self.scale + self.translation
-    }
-
-    pub(crate) fn to_affine(self) -> DAffine3 {
-        DAffine3::from_mat3_translation(self.rotation * self.scale, self.translation)
     }
 }
 

@@ -1,7 +1,7 @@
 use crate::tables::LANDMARK_COUNT;
 
 /// The landmarks of the midline, ascending.
-const MIDLINE: [u32; 28] =
+pub const MIDLINE: [u32; 28] =
     [0, 1, 2, 4, 5, 6, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 94, 151, 152, 164, 168, 175, 195, 197, 199, 200];
 
 /// The first landmark of the left side: from here on they are the right ones' partners, in the same order.
@@ -18,15 +18,4 @@ pub fn mirror_of(landmark: u32) -> u32 {
         Err(before) if landmark < FIRST_LEFT => FIRST_LEFT + landmark - before as u32,
         Err(_) => MIDLINE.iter().fold(landmark - FIRST_LEFT, |right, &middle| right + u32::from(middle <= right)),
     }
-}
-
-/// The 28 landmarks of the midline, ascending.
-pub fn midline() -> Vec<u32> {
-    MIDLINE.to_vec()
-}
-
-/// The 220 pairs off the midline as `[right, left]` of the subject, by ascending right landmark.
-pub fn mirror_pairs() -> Vec<[u32; 2]> {
-    let rights = (0..FIRST_LEFT).filter(|landmark| !MIDLINE.contains(landmark));
-    rights.map(|right| [right, mirror_of(right)]).collect()
 }

@@ -141,9 +141,9 @@ proptest! {
             let noisy: Vec<Shot> = shots.iter().map(|&shot| Shot { noise_px: 1.0, ..shot }).collect();
             let photos = photos(&head(seed), &noisy);
             let model = several(&photos, lens).unwrap();
-            let lead = model.views()[0];
+            let lead = &model.views()[0];
             prop_assert_eq!(model.positions_image()[7].as_vec3().to_array(), photos[lead.photo][7]);
-            for (&place_m, uv) in model.positions_m().iter().zip(lead.uvs) {
+            for (&place_m, uv) in model.positions_m().iter().zip(&lead.uvs) {
                 let apart_px = model.camera().project(place_m).unwrap().distance(*uv * DVec2::new(900.0, 1200.0));
                 prop_assert!(apart_px < 1e-6, "{lens:?}: {apart_px} px");
             }
@@ -239,7 +239,7 @@ fn a_photo_added_and_taken_away_is_as_if_all_had_been_given_so() {
     let shown = photos(&head(3.0), &shots);
     let same = |one: &FaceModel, other: &FaceModel| {
         assert_eq!(one.positions_m(), other.positions_m(), "to the last bit");
-        let cameras = |of: &FaceModel| of.views().iter().map(|view| (view.photo, *view.camera)).collect::<Vec<_>>();
+        let cameras = |of: &FaceModel| of.views().iter().map(|view| (view.photo, view.camera)).collect::<Vec<_>>();
         assert_eq!(cameras(one), cameras(other));
     };
     let all = several(&shown, lens()).unwrap();

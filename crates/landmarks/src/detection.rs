@@ -1,3 +1,4 @@
+use crate::outline::Outline;
 use crate::region_of_interest::{PictureSize, RegionOfInterest};
 
 /// A face as the detector sees it. Positions are normalised: to the region it was looked for in, or to the picture.
@@ -16,19 +17,19 @@ pub(crate) struct Detection {
 impl Detection {
     /// The square to look for landmarks in, turned so that the line between the eyes is level.
     pub(crate) fn face_region(&self, picture: PictureSize) -> RegionOfInterest {
-        let size = [0, 1].map(|axis| self.max[axis] - self.min[axis]);
-        let centre = [0, 1].map(|axis| self.min[axis] + size[axis] / 2.0);
-        RegionOfInterest::around(centre, size, [self.keypoints[0], self.keypoints[1]], picture)
+        RegionOfInterest::around(self.outline(), [self.keypoints[0], self.keypoints[1]], picture)
+    }
+
+    pub(crate) fn outline(&self) -> Outline {
+        Outline { min: self.min, max: self.max }
     }
 
     /// The same in other coordinates; of a box that gets turned, the box around it.
     pub(crate) fn mapped(&self, matrix: &[[f32; 3]; 2]) -> Self {
         let map = |[x, y]: [f32; 2]| matrix.map(|row| x * row[0] + y * row[1] + row[2]);
         let ([left, top], [right, bottom]) = (self.min, self.max);
-        let corners = [[left, top], [right, top], [right, bottom], [left, bottom]].map(map);
-        let extreme = |pick: fn(f32, f32) -> f32| {
-            [0, 1].map(|axis| corners.iter().map(|corner| corner[axis]).fold(corners[0][axis], pick))
-        };
-        Self { score: self.score, min: extreme(f32::min), max: extreme(f32::max), keypoints: self.keypoints.map(map) }
+        let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
+        let Outline { min, max } = Outline::around(corners.map(map));
+        Self { score: self.score, min, max, keypoints: self.keypoints.map(map) }
     }
 }

@@ -166,7 +166,7 @@ fn judged(
     max_faces: usize,
     report: &mut impl FnMut(Stage),
 ) -> Result<FoundFaces, LandmarksError> {
-    let picture = PictureSize::of(judge.pyramid.photo());
+    let picture = PictureSize::of(judge.pyramid.photo);
     prominence::sort(&mut proposals, picture, Detection::outline);
     let (mut faces, mut looked_at) = (Vec::<Face>::new(), 0);
     while looked_at < proposals.len() && certain_count(&faces) < max_faces {

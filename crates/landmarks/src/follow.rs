@@ -68,11 +68,7 @@ const BLOCKS: u8 = 8;
 const SAMPLES: u8 = 4;
 
 /// A face in this frame, and what the next one needs.
-struct Found {
-    face: FollowedFace,
-    next_region: RegionOfInterest,
-    smoother: Smoother,
-}
+type Found = (FollowedFace, Last);
 
 impl FaceFinder {
     /// The face that is followed, in the next frame of a film; none is an answer, not an error.
@@ -100,10 +96,10 @@ impl FaceFinder {
         let followed = last.map(|last| self.still_there(last, frame, time_ms)).transpose()?.flatten();
         let found = match followed {
             Some(found) => Some(found),
-            None => self.anew(frame)?,
+            None => self.anew(frame, time_ms)?,
         };
-        Ok(found.map(|Found { face, next_region: region, smoother }| {
-            follower.last = Some(Last { time_ms, picture, region, smoother });
+        Ok(found.map(|(face, last)| {
+            follower.last = Some(last);
             face
         }))
     }
@@ -121,12 +117,12 @@ impl FaceFinder {
         let mut smoother = last.smoother;
         let landmarks = smoother.next(&mesh.landmarks, picture, (time_ms - last.time_ms) / 1000.0);
         let face = FollowedFace { presence: mesh.presence, landmarks, region, origin: Origin::Followed };
-        Ok(Some(Found { face, next_region, smoother }))
+        Ok(Some((face, Last { time_ms, picture, region: next_region, smoother })))
     }
 
     /// A face that nobody followed. The landmark network looks twice, as it will in the next frame: what it sees in the
     /// detector's region is a px off, which would be smoothed away only slowly.
-    fn anew(&self, frame: &Photo) -> Result<Option<Found>, LandmarksError> {
+    fn anew(&self, frame: &Photo, time_ms: f64) -> Result<Option<Found>, LandmarksError> {
         let picture = PictureSize::of(frame);
         let mut detections = self.detector.detect(frame, &RegionPx::whole(picture))?;
         prominence::sort(&mut detections, picture, Detection::outline);
@@ -136,7 +132,7 @@ impl FaceFinder {
             let Some(Mesh { presence, landmarks }) = self.seen_in(region, frame)? else { continue };
             let (next_region, smoother) = (region_of(&landmarks, picture), Smoother::new(&landmarks, picture));
             let face = FollowedFace { presence, landmarks, region, origin: Origin::Detected };
-            return Ok(Some(Found { face, next_region, smoother }));
+            return Ok(Some((face, Last { time_ms, picture, region: next_region, smoother })));
         }
         Ok(None)
     }

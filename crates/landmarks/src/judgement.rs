@@ -102,7 +102,7 @@ impl Judge<'_> {
 
     /// Passes of the landmark network, each on the region of the one before, until they agree.
     fn settled(&self, start: &Detection) -> Result<Settled, LandmarksError> {
-        let picture = PictureSize::of(self.pyramid.photo());
+        let picture = PictureSize::of(self.pyramid.photo);
         let first = start.face_region(picture);
         let mut last = self.look(&first)?;
         let mut passes = 1;
@@ -122,7 +122,7 @@ impl Judge<'_> {
 
     /// The landmark network on the copy of the picture that suits the size of the region.
     fn look(&self, region: &RegionOfInterest) -> Result<Mesh, LandmarksError> {
-        let picture = PictureSize::of(self.pyramid.photo());
+        let picture = PictureSize::of(self.pyramid.photo);
         let share = region.px(picture).size[0] / picture.width.max(picture.height);
         let copy = self.pyramid.fitting(share, SIDE);
         let shift = shift(picture, PictureSize::of(copy));
@@ -136,7 +136,7 @@ impl Judge<'_> {
 
     /// What the detector sees in the middle when it looks at a face from near, along its eyes or turned from there.
     fn closer(&self, region: &RegionOfInterest, turn_rad: f32) -> Result<Option<Detection>, LandmarksError> {
-        let picture = PictureSize::of(self.pyramid.photo());
+        let picture = PictureSize::of(self.pyramid.photo);
         let near = region.px(picture);
         let share = CLOSER * near.size[0] / picture.width.max(picture.height);
         let copy = self.pyramid.fitting(share, detector::SIDE);
@@ -169,7 +169,7 @@ impl Judge<'_> {
     }
 
     fn px_between(&self, a: [f32; 2], b: [f32; 2]) -> f32 {
-        let PictureSize { width, height } = PictureSize::of(self.pyramid.photo());
+        let PictureSize { width, height } = PictureSize::of(self.pyramid.photo);
         ((a[0] - b[0]) * width).hypot((a[1] - b[1]) * height)
     }
 }

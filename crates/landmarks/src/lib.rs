@@ -29,6 +29,7 @@ mod judgement;
 mod layers;
 mod mesh;
 mod network;
+mod outline;
 mod part;
 mod prominence;
 mod pyramid;

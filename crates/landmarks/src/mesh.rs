@@ -6,6 +6,7 @@ use crate::LandmarksError;
 use crate::attention::Attention;
 use crate::detector::sigmoid;
 use crate::network::Network;
+use crate::outline::Outline;
 use crate::raw_mesh::{LANDMARK_COUNT, NAME, RawMesh, SIDE};
 use crate::region_of_interest::{PictureSize, RegionOfInterest, RegionPx};
 use crate::warp::{self, Outside};
@@ -94,15 +95,7 @@ fn in_picture(point: [f32; 3], region: &RegionOfInterest) -> [f32; 3] {
 
 /// The region that landmarks themselves suggest: around all of them, the eyes level.
 pub(crate) fn region_of(landmarks: &[[f32; 3]], picture: PictureSize) -> RegionOfInterest {
-    let along = |axis: usize| landmarks.iter().map(move |landmark| landmark[axis]);
-    let min = [0, 1].map(|axis| along(axis).fold(f32::INFINITY, f32::min));
-    let max = [0, 1].map(|axis| along(axis).fold(f32::NEG_INFINITY, f32::max));
-    let size = [0, 1].map(|axis| max[axis] - min[axis]);
-    let centre = [0, 1].map(|axis| min[axis] + size[axis] / 2.0);
-    RegionOfInterest::around(
-        centre,
-        size,
-        EYE_CORNERS.map(|corner| [landmarks[corner][0], landmarks[corner][1]]),
-        picture,
-    )
+    let outline = Outline::around(landmarks.iter().map(|&[x, y, _]| [x, y]));
+    let eyes = EYE_CORNERS.map(|corner| [landmarks[corner][0], landmarks[corner][1]]);
+    RegionOfInterest::around(outline, eyes, picture)
 }

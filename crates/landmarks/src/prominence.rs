@@ -2,57 +2,20 @@
 
 use crate::detection::Detection;
 use crate::face::Face;
+use crate::outline::Outline;
 use crate::region_of_interest::PictureSize;
-
-/// An upright box, normalised to the picture.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Outline {
-    /// Left and top.
-    pub(crate) min: [f32; 2],
-    /// Right and bottom.
-    pub(crate) max: [f32; 2],
-}
 
 /// Two faces whose outlines share more than this (intersection over union) are one.
 const MAX_OVERLAP: f32 = 0.3;
 
-impl Detection {
-    pub(crate) fn outline(&self) -> Outline {
-        Outline { min: self.min, max: self.max }
-    }
-}
-
 impl Face {
     /// Around all landmarks.
     pub(crate) fn outline(&self) -> Outline {
-        let extreme = |axis: usize, start: f32, pick: fn(f32, f32) -> f32| {
-            self.landmarks.iter().map(|landmark| landmark[axis]).fold(start, pick)
-        };
-        Outline {
-            min: [0, 1].map(|axis| extreme(axis, f32::INFINITY, f32::min)),
-            max: [0, 1].map(|axis| extreme(axis, f32::NEG_INFINITY, f32::max)),
-        }
+        Outline::around(self.landmarks.iter().map(|&[x, y, _]| [x, y]))
     }
 }
 
 impl Outline {
-    fn centre(&self) -> [f32; 2] {
-        [0, 1].map(|axis| (self.min[axis] + self.max[axis]) / 2.0)
-    }
-
-    fn holds(&self, [x, y]: [f32; 2]) -> bool {
-        (self.min[0]..=self.max[0]).contains(&x) && (self.min[1]..=self.max[1]).contains(&y)
-    }
-
-    /// Intersection over union, 0 if neither has an area.
-    pub(crate) fn overlap(&self, other: &Self) -> f32 {
-        let area = |[width, height]: [f32; 2]| width.max(0.0) * height.max(0.0);
-        let extent = |outline: &Self| [0, 1].map(|axis| outline.max[axis] - outline.min[axis]);
-        let shared = area([0, 1].map(|axis| self.max[axis].min(other.max[axis]) - self.min[axis].max(other.min[axis])));
-        let either = area(extent(self)) + area(extent(other)) - shared;
-        if either > 0.0 { shared / either } else { 0.0 }
-    }
-
     /// Whether this is a face of which the other one shows the same or a part.
     fn covers(&self, other: &Self) -> bool {
         self.holds(other.centre()) || self.overlap(other) > MAX_OVERLAP

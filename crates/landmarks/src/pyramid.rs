@@ -13,9 +13,10 @@ const SMALLEST_TILE_PX: f32 = 192.0;
 
 /// The picture, and smaller copies of it.
 pub(crate) struct Pyramid<'a> {
-    photo: &'a Photo,
-    /// From small to large. On the copy of a level, one of its tiles is as large as what the detector takes in.
-    copies: Vec<Photo>,
+    pub(crate) photo: &'a Photo,
+    /// One for each level, from small to large: on it, one of the level's tiles is as large as what the detector takes in. Level
+    /// 0 is the whole picture as one tile.
+    pub(crate) copies: Vec<Photo>,
 }
 
 impl<'a> Pyramid<'a> {
@@ -28,20 +29,6 @@ impl<'a> Pyramid<'a> {
         }
         copies.reverse();
         Self { photo, copies }
-    }
-
-    pub(crate) fn photo(&self) -> &'a Photo {
-        self.photo
-    }
-
-    /// How many levels there are; level 0 is the whole picture as one tile.
-    pub(crate) fn levels(&self) -> usize {
-        self.copies.len()
-    }
-
-    /// The copy on which the tiles of a level are searched.
-    pub(crate) fn copy(&self, level: usize) -> &Photo {
-        &self.copies[level]
     }
 
     /// The longer side of a level's tiles as a share of the longer side of the picture.

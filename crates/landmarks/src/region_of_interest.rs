@@ -1,5 +1,7 @@
 use std::f64::consts::PI;
 
+use crate::outline::Outline;
+
 /// A rotated rectangle in a picture, normalised: x and widths in units of the picture's width, y and heights in units
 /// of its height.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,10 +30,12 @@ pub(crate) struct PictureSize {
 }
 
 impl RegionOfInterest {
-    /// The square around something with the box `size` and `centre` (normalised) whose horizontal runs from `start` to
-    /// `end`: side 1.5 × the longer side of the box in px, turned so that start → end points right.
-    pub(crate) fn around(centre: [f32; 2], size: [f32; 2], [start, end]: [[f32; 2]; 2], picture: PictureSize) -> Self {
+    /// The square around something in a box whose horizontal runs from `start` to `end`: side 1.5 × the longer side of the
+    /// box in px, turned so that start → end points right.
+    pub(crate) fn around(Outline { min, max }: Outline, [start, end]: [[f32; 2]; 2], picture: PictureSize) -> Self {
         const ENLARGEMENT: f32 = 1.5;
+        let size = [0, 1].map(|axis| max[axis] - min[axis]);
+        let centre = [0, 1].map(|axis| min[axis] + size[axis] / 2.0);
         let long_px = (size[0] * picture.width).max(size[1] * picture.height);
         let dx_px = end[0] * picture.width - start[0] * picture.width;
         let dy_px = end[1] * picture.height - start[1] * picture.height;

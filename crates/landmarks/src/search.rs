@@ -36,11 +36,11 @@ pub(crate) fn proposals(
     mut report: impl FnMut(f32),
 ) -> Result<Vec<Detection>, LandmarksError> {
     let mut found = whole(detector, pyramid)?;
-    for level in 1..pyramid.levels() {
-        let done = |share: f32| (level as f32 + share) / pyramid.levels() as f32;
+    for level in 1..pyramid.copies.len() {
+        let done = |share: f32| (level as f32 + share) / pyramid.copies.len() as f32;
         report(done(0.0));
         let sure: Vec<Detection> = found.iter().filter(|detection| detection.score >= SURE).copied().collect();
-        if sure.len() >= enough || !is_worthwhile(&sure, pyramid.copy(0), level) {
+        if sure.len() >= enough || !is_worthwhile(&sure, &pyramid.copies[0], level) {
             break;
         }
         let upright = in_tiles(detector, pyramid, level, 0.0, &sure, |share| report(done(share / 2.0)))?;
@@ -56,9 +56,9 @@ pub(crate) fn proposals(
 }
 
 fn whole(detector: &Detector, pyramid: &Pyramid<'_>) -> Result<Vec<Detection>, LandmarksError> {
-    let photo = pyramid.photo();
+    let photo = pyramid.photo;
     let mut found = detector.detect(photo, &RegionPx::whole(PictureSize::of(photo)))?;
-    let small = pyramid.copy(0);
+    let small = &pyramid.copies[0];
     for rotation_rad in [FRAC_PI_2, -PI, -FRAC_PI_2] {
         let region = RegionPx { rotation_rad, ..RegionPx::whole(PictureSize::of(small)) };
         found.extend(detector.detect(small, &region)?);
@@ -90,7 +90,7 @@ fn in_tiles(
     known: &[Detection],
     mut report: impl FnMut(f32),
 ) -> Result<Vec<Detection>, LandmarksError> {
-    let copy = pyramid.copy(level);
+    let copy = &pyramid.copies[level];
     let tiles = tiles(PictureSize::of(copy), level);
     let mut found = Vec::new();
     for (index, tile) in tiles.iter().enumerate() {

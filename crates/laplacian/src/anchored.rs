@@ -15,9 +15,9 @@ pub struct AnchoredSystem {
 
 impl AnchoredSystem {
     pub(crate) fn new(form: &GaugeFixedForm, constraints: &Constraints<'_>) -> Result<Self, LaplacianError> {
-        constraints.check(form.component())?;
-        let anchors = Dirichlet::new(form.matrix(), form.component(), constraints.anchors, constraints.kind)?;
-        Ok(Self { component: form.component().to_vec(), anchors })
+        constraints.check(&form.component)?;
+        let anchors = Dirichlet::new(&form.matrix, &form.component, constraints.anchors, constraints.kind)?;
+        Ok(Self { component: form.component.clone(), anchors })
     }
 
     /// How every vertex follows the handles: one solve for each. Anchors and kind must be those that this was made for.
@@ -34,7 +34,7 @@ impl AnchoredSystem {
         let mut columns = DMatrix::zeros(n, handles.len());
         for (mut column, &handle) in columns.column_iter_mut().zip(handles) {
             column[handle as usize] = 1.0;
-            self.anchors.solve(column.as_mut_slice());
+            self.anchors.factor.solve(column.as_mut_slice());
         }
         let mut between = DMatrix::from_fn(handles.len(), handles.len(), |i, j| columns[(handles[i] as usize, j)]);
         (0..handles.len()).for_each(|i| between[(i, i)] += constraints.kind.compliance());

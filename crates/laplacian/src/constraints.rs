@@ -46,11 +46,6 @@ pub struct Constraints<'a> {
 }
 
 impl Constraints<'_> {
-    /// Handles first, then anchors.
-    pub(crate) fn constrained(&self) -> Vec<u32> {
-        self.handles.iter().chain(self.anchors).copied().collect()
-    }
-
     /// Refuses what has no answer; `component` names each vertex's component.
     pub(crate) fn check(&self, component: &[u32]) -> Result<(), LaplacianError> {
         self.check_vertices(component.len())?;
@@ -69,25 +64,12 @@ impl Constraints<'_> {
         if self.handles.is_empty() {
             return Err(LaplacianError::NoHandle);
         }
-        if let Some(&vertex) = self.handles.iter().chain(self.anchors).find(|&&v| v as usize >= vertex_count) {
-            return Err(LaplacianError::NoSuchVertex { vertex, vertex_count });
+        let is_handle = marked(self.handles, vertex_count)?;
+        marked(self.anchors, vertex_count)?;
+        match self.anchors.iter().find(|&&anchor| is_handle[anchor as usize]) {
+            Some(&vertex) => Err(LaplacianError::PinnedHandle { vertex }),
+            None => Ok(()),
         }
-        let mut is_handle = vec![false; vertex_count];
-        for &vertex in self.handles {
-            if std::mem::replace(&mut is_handle[vertex as usize], true) {
-                return Err(LaplacianError::Repeated { vertex });
-            }
-        }
-        let mut is_anchor = vec![false; vertex_count];
-        for &vertex in self.anchors {
-            if is_handle[vertex as usize] {
-                return Err(LaplacianError::PinnedHandle { vertex });
-            }
-            if std::mem::replace(&mut is_anchor[vertex as usize], true) {
-                return Err(LaplacianError::Repeated { vertex });
-            }
-        }
-        Ok(())
     }
 
     fn check_kind(&self) -> Result<(), LaplacianError> {
@@ -109,6 +91,18 @@ impl Constraints<'_> {
             None => Ok(()),
         }
     }
+}
+
+/// Whether each vertex is among these; refuses those that the mesh does not have and those that are listed twice.
+pub(crate) fn marked(vertices: &[u32], vertex_count: usize) -> Result<Vec<bool>, LaplacianError> {
+    let mut is_marked = vec![false; vertex_count];
+    for &vertex in vertices {
+        let known = is_marked.get_mut(vertex as usize).ok_or(LaplacianError::NoSuchVertex { vertex, vertex_count })?;
+        if std::mem::replace(known, true) {
+            return Err(LaplacianError::Repeated { vertex });
+        }
+    }
+    Ok(is_marked)
 }
 
 /// Refuses positions that do not fit the mesh or are not numbers.

@@ -1,6 +1,7 @@
 use glam::DVec3;
 use rosto_mesh::Topology;
 
+use crate::constraints::marked;
 use crate::dirichlet::Dirichlet;
 use crate::factor::Room;
 use crate::gauge_fixed::gauge_fixed;
@@ -11,7 +12,6 @@ use crate::{ConstraintKind, LaplacianError, Operator};
 /// and slope. Factored once, for any values.
 pub struct Continuation {
     form: Dirichlet,
-    vertices: usize,
     room: Room,
 }
 
@@ -32,7 +32,7 @@ impl Continuation {
         let operator = operator.matrix(topology, positions)?;
         let squared = gauge_fixed(&(operator.transpose() * &operator), &component);
         let form = Dirichlet::new(&squared, &component, known, ConstraintKind::Hard)?;
-        Ok(Self { form, vertices: component.len(), room: Room::default() })
+        Ok(Self { form, room: Room::default() })
     }
 
     /// One value for each vertex, from one for each known one, in the order in which they were named. From the second time on
@@ -41,22 +41,14 @@ impl Continuation {
     /// # Panics
     /// If `known` has not one value for each known vertex, or `out` not one for each vertex.
     pub fn continued(&mut self, known: &[f64], out: &mut [f64]) {
-        assert_eq!(out.len(), self.vertices, "one value for each vertex");
-        self.form.minimise_in(known, out, &mut self.room);
+        self.form.minimise(None, known, out, &mut self.room);
     }
 }
 
 fn check(known: &[u32], component: &[u32]) -> Result<(), LaplacianError> {
-    let vertex_count = component.len();
-    let mut is_known = vec![false; vertex_count];
-    let mut is_held = vec![false; vertex_count];
-    for &vertex in known {
-        let seen = is_known.get_mut(vertex as usize).ok_or(LaplacianError::NoSuchVertex { vertex, vertex_count })?;
-        if std::mem::replace(seen, true) {
-            return Err(LaplacianError::Repeated { vertex });
-        }
-        is_held[component[vertex as usize] as usize] = true;
-    }
+    marked(known, component.len())?;
+    let mut is_held = vec![false; component.len()];
+    known.iter().for_each(|&vertex| is_held[component[vertex as usize] as usize] = true);
     match component.iter().find(|&&piece| !is_held[piece as usize]) {
         Some(&handle) => Err(LaplacianError::Unanchored { handle }),
         None => Ok(()),

@@ -10,7 +10,7 @@ use crate::{ConstraintKind, LaplacianError};
 pub(crate) struct Dirichlet {
     constrained: Vec<u32>,
     kind: ConstraintKind,
-    factor: Factor,
+    pub(crate) factor: Factor,
     /// For hard constraints, the entries between free vertices (rows) and constrained ones (by index into `constrained`).
     pull: Vec<(usize, usize, f64)>,
 }
@@ -49,24 +49,8 @@ impl Dirichlet {
         self.constrained == constrained && self.kind == kind
     }
 
-    /// Solves for a load on free vertices, in place.
-    pub(crate) fn solve(&self, load: &mut [f64]) {
-        self.factor.solve(load);
-    }
-
     /// See [`ConstrainedForm::minimise`](crate::gauge_fixed::ConstrainedForm::minimise).
-    pub(crate) fn minimise(&self, load: Option<&[f64]>, targets: &[f64], out: &mut [f64]) {
-        self.right_hand_side(load, targets, out);
-        self.factor.solve(out);
-    }
-
-    /// The same for no load, where there is room already.
-    pub(crate) fn minimise_in(&self, targets: &[f64], out: &mut [f64], room: &mut Room) {
-        self.right_hand_side(None, targets, out);
-        self.factor.solve_in(out, room);
-    }
-
-    fn right_hand_side(&self, load: Option<&[f64]>, targets: &[f64], out: &mut [f64]) {
+    pub(crate) fn minimise(&self, load: Option<&[f64]>, targets: &[f64], out: &mut [f64], room: &mut Room) {
         match load {
             Some(load) => out.copy_from_slice(load),
             None => out.fill(0.0),
@@ -80,5 +64,6 @@ impl Dirichlet {
         for &(free, constrained, value) in &self.pull {
             out[free] -= value * targets[constrained];
         }
+        self.factor.solve_in(out, room);
     }
 }

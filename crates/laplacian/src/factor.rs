@@ -108,14 +108,8 @@ impl Factor {
         dot(&v.values[v.values.len() - common..], &w.values[w.values.len() - common..])
     }
 
-    /// `L⁻¹ P b` for any right-hand side `b`.
-    pub(crate) fn forward(&self, b: &[f64]) -> Vec<f64> {
-        let mut rows = Vec::new();
-        self.forward_in(b, &mut rows);
-        rows
-    }
-
-    fn forward_in(&self, b: &[f64], rows: &mut Vec<f64>) {
+    /// Writes `L⁻¹ P b` to `rows` for any right-hand side `b`.
+    pub(crate) fn forward(&self, b: &[f64], rows: &mut Vec<f64>) {
         rows.clear();
         rows.extend(self.vertex_of.iter().map(|&vertex| b[vertex]));
         (0..self.supernode_count()).for_each(|s| self.panel(s).eliminate(rows));
@@ -131,12 +125,8 @@ impl Factor {
         self.along(half).for_each(|(range, values)| add_scaled(&mut rows[range], scale, values));
     }
 
-    /// Writes `Pᵀ L⁻ᵀ rows` to `out`: the second half of a solve.
-    pub(crate) fn backward(&self, mut rows: Vec<f64>, out: &mut [f64]) {
-        self.backward_in(&mut rows, &mut Vec::new(), out);
-    }
-
-    fn backward_in(&self, rows: &mut [f64], gathered: &mut Vec<f64>, out: &mut [f64]) {
+    /// Writes `Pᵀ L⁻ᵀ rows` to `out`: the second half of a solve; `rows` and `gathered` are scratch afterwards.
+    pub(crate) fn backward(&self, rows: &mut [f64], gathered: &mut Vec<f64>, out: &mut [f64]) {
         (0..self.supernode_count()).rev().for_each(|s| self.panel(s).substitute(rows, gathered));
         for (value, &row) in out.iter_mut().zip(&self.row_of) {
             *value = rows[row];
@@ -154,8 +144,8 @@ impl Factor {
     /// The same where there is room already: from the second time on it allocates nothing.
     pub(crate) fn solve_in(&self, b: &mut [f64], Room { rows, gathered }: &mut Room) {
         assert_eq!(b.len(), self.row_of.len(), "one value for each row");
-        self.forward_in(b, rows);
-        self.backward_in(rows, gathered, b);
+        self.forward(b, rows);
+        self.backward(rows, gathered, b);
     }
 
     /// The ranges of rows on the path of a half-solved unit vector, with its values there.

@@ -16,7 +16,7 @@ use nalgebra_sparse::{CooMatrix, CsrMatrix};
 use rosto_mesh::Topology;
 
 use crate::dirichlet::Dirichlet;
-use crate::factor::{Factor, HalfSolved};
+use crate::factor::{Factor, HalfSolved, Room};
 use crate::saddle_point::SaddlePoint;
 use crate::{ConstraintKind, Constraints, LaplacianError};
 
@@ -25,16 +25,17 @@ pub(crate) const MANY_CONSTRAINED: usize = 256;
 
 /// The form `Q`, factored once in a way that serves any constraints.
 pub(crate) struct GaugeFixedForm {
-    component: Vec<u32>,
+    pub(crate) component: Vec<u32>,
     /// `B`.
-    matrix: CsrMatrix<f64>,
+    pub(crate) matrix: CsrMatrix<f64>,
     factor: Factor,
 }
 
 /// The form under constraints: what is left to choose are targets and load.
 pub(crate) struct ConstrainedForm {
-    constrained: Vec<u32>,
-    kind: ConstraintKind,
+    /// The vertices that targets belong to: handles, then anchors.
+    pub(crate) constrained: Vec<u32>,
+    pub(crate) kind: ConstraintKind,
     method: Method,
 }
 
@@ -54,19 +55,10 @@ impl GaugeFixedForm {
         Ok(Self { component, matrix, factor })
     }
 
-    pub(crate) fn component(&self) -> &[u32] {
-        &self.component
-    }
-
-    /// `B`.
-    pub(crate) fn matrix(&self) -> &CsrMatrix<f64> {
-        &self.matrix
-    }
-
     /// Checks the constraints and does all the work that does not depend on targets.
     pub(crate) fn constrain(&self, constraints: &Constraints<'_>) -> Result<ConstrainedForm, LaplacianError> {
         constraints.check(&self.component)?;
-        let (constrained, kind) = (constraints.constrained(), constraints.kind);
+        let (constrained, kind) = ([constraints.handles, constraints.anchors].concat(), constraints.kind);
         let method = if constrained.len() >= MANY_CONSTRAINED {
             Method::Dirichlet(Box::new(Dirichlet::new(&self.matrix, &self.component, &constrained, kind)?))
         } else {
@@ -80,19 +72,6 @@ impl GaugeFixedForm {
 }
 
 impl ConstrainedForm {
-    /// The vertices that `targets` belong to: handles, then anchors.
-    pub(crate) fn constrained(&self) -> &[u32] {
-        &self.constrained
-    }
-
-    pub(crate) fn kind(&self) -> ConstraintKind {
-        self.kind
-    }
-
-    pub(crate) fn is_exact(&self) -> bool {
-        self.kind == ConstraintKind::Hard
-    }
-
     /// Writes the minimiser for one target for each constrained vertex, and a load that sums to 0 over each component.
     pub(crate) fn minimise(
         &self,
@@ -103,17 +82,20 @@ impl ConstrainedForm {
     ) -> Result<(), LaplacianError> {
         match &self.method {
             Method::SaddlePoint(halves, saddle_point) => {
-                let mut rows = load.map_or_else(|| vec![0.0; out.len()], |load| form.factor.forward(load));
+                let mut rows = vec![0.0; out.len()];
+                if let Some(load) = load {
+                    form.factor.forward(load, &mut rows);
+                }
                 let rest =
                     halves.iter().zip(targets).map(|(half, target)| target - form.factor.inverse_row(half, &rows));
                 let c = saddle_point.solve(rest)?;
-                halves.iter().zip(&c.columns).for_each(|(half, &c)| form.factor.add(half, c, &mut rows));
-                form.factor.backward(rows, out);
-                c.add_constants(&form.component, out);
+                halves.iter().zip(&c).for_each(|(half, &c)| form.factor.add(half, c, &mut rows));
+                form.factor.backward(&mut rows, &mut Vec::new(), out);
+                saddle_point.add_constants(&c, &form.component, out);
             }
-            Method::Dirichlet(dirichlet) => dirichlet.minimise(load, targets, out),
+            Method::Dirichlet(dirichlet) => dirichlet.minimise(load, targets, out, &mut Room::default()),
         }
-        if self.is_exact() {
+        if self.kind == ConstraintKind::Hard {
             // Exact up to rounding so far; now to the last bit.
             self.constrained.iter().zip(targets).for_each(|(&vertex, &target)| out[vertex as usize] = target);
         }

@@ -104,7 +104,7 @@ impl RigidEdit {
     ) -> Result<Vec<f64>, LaplacianError> {
         assert_eq!(offsets.len(), self.handles, "one offset for each handle");
         assert_eq!(positions.len(), self.rest.positions.len(), "one position for each vertex");
-        let mut targets = vec![DVec3::ZERO; self.constrained.constrained().len()];
+        let mut targets = vec![DVec3::ZERO; self.constrained.constrained.len()];
         targets[..offsets.len()].copy_from_slice(offsets);
         self.start(&targets, positions);
         let mut rotations = self.rest.rotations(positions);
@@ -125,8 +125,8 @@ impl RigidEdit {
 
     /// Puts hard constrained vertices where they belong, so that the first energy is that of an admissible shape.
     fn start(&self, targets: &[DVec3], positions: &mut [DVec3]) {
-        if self.constrained.is_exact() {
-            for (&vertex, &target) in self.constrained.constrained().iter().zip(targets) {
+        if self.constrained.kind == ConstraintKind::Hard {
+            for (&vertex, &target) in self.constrained.constrained.iter().zip(targets) {
                 positions[vertex as usize] = self.rest.positions[vertex as usize] + target;
             }
         }
@@ -145,9 +145,9 @@ impl RigidEdit {
         let missed = |(&vertex, &target): (&u32, &DVec3)| {
             (positions[vertex as usize] - self.rest.positions[vertex as usize] - target).length_squared()
         };
-        let holding = match self.constrained.kind() {
+        let holding = match self.constrained.kind {
             ConstraintKind::Soft { weight } => {
-                weight * self.constrained.constrained().iter().zip(targets).map(missed).sum::<f64>()
+                weight * self.constrained.constrained.iter().zip(targets).map(missed).sum::<f64>()
             }
             ConstraintKind::Hard => 0.0,
         };

@@ -10,12 +10,6 @@ pub(crate) struct SaddlePoint {
     system: LU<f64, Dyn, Dyn>,
 }
 
-/// What the columns of `Φ`, and the constants on the components, are multiplied by.
-pub(crate) struct Coefficients {
-    pub(crate) columns: Vec<f64>,
-    constants: Vec<(u32, f64)>,
-}
-
 impl SaddlePoint {
     /// `entry(i, j)` is `Φ` between the `i`-th and `j`-th constrained vertex; it is asked for `i ≤ j` only.
     pub(crate) fn new(
@@ -41,27 +35,21 @@ impl SaddlePoint {
         Self { constrained: constrained.to_vec(), touched, system: system.lu() }
     }
 
-    /// The coefficients for the given target at each constrained vertex.
-    pub(crate) fn solve(&self, targets: impl Iterator<Item = f64>) -> Result<Coefficients, LaplacianError> {
-        let k = self.constrained.len();
-        let padded = targets.chain(std::iter::repeat(0.0));
-        let mut x = DVector::from_iterator(k + self.touched.len(), padded.take(k + self.touched.len()));
+    /// What the columns of `Φ`, and then the constants on the touched components, are multiplied by for the given target at
+    /// each constrained vertex.
+    pub(crate) fn solve(&self, targets: impl Iterator<Item = f64>) -> Result<DVector<f64>, LaplacianError> {
+        let size = self.constrained.len() + self.touched.len();
+        let mut x = DVector::from_iterator(size, targets.chain(std::iter::repeat(0.0)).take(size));
         if !self.system.solve_mut(&mut x) || x.iter().any(|value| !value.is_finite()) {
             return Err(LaplacianError::BadlyScaled { vertex: self.constrained[0] });
         }
-        let (columns, constants) = x.as_slice().split_at(k);
-        Ok(Coefficients {
-            columns: columns.to_vec(),
-            constants: self.touched.iter().copied().zip(constants.iter().copied()).collect(),
-        })
+        Ok(x)
     }
-}
 
-impl Coefficients {
-    /// Adds `P t`.
-    pub(crate) fn add_constants(&self, component: &[u32], field: &mut [f64]) {
-        for &(touched, constant) in &self.constants {
-            for (value, &component) in field.iter_mut().zip(component) {
+    /// Adds `P t`, of what [`Self::solve`] found.
+    pub(crate) fn add_constants(&self, coefficients: &DVector<f64>, component: &[u32], field: &mut [f64]) {
+        for (touched, constant) in self.touched.iter().zip(&coefficients.as_slice()[self.constrained.len()..]) {
+            for (value, component) in field.iter_mut().zip(component) {
                 if component == touched {
                     *value += constant;
                 }

@@ -4,7 +4,7 @@ use nalgebra_sparse::csr::CsrRow;
 use rosto_mesh::Topology;
 
 use crate::gauge_fixed::{GaugeFixedForm, MANY_CONSTRAINED};
-use crate::{AnchoredSystem, ConstraintKind, Constraints, LaplacianError, Operator, Response};
+use crate::{AnchoredSystem, Constraints, LaplacianError, Operator, Response};
 
 /// Everything about δ-coordinate edits that depends on the mesh and operator alone; built once.
 ///
@@ -45,21 +45,6 @@ impl LaplacianSystem {
         self.operator.row_iter().map(row).collect()
     }
 
-    /// How much an edit leaves of what it minimises: `‖K X' − K X‖² + Σ w‖x'ᵢ − targetᵢ‖²`, in the square of the positions'
-    /// unit. A hard constraint adds nothing.
-    ///
-    /// # Panics
-    /// If there is not one offset for each handle, or not one position for each vertex.
-    pub fn residual(&self, constraints: &Constraints<'_>, offsets: &[DVec3], rest: &[DVec3], edited: &[DVec3]) -> f64 {
-        assert_eq!(offsets.len(), constraints.handles.len(), "one offset for each handle");
-        let moved: Vec<DVec3> = edited.iter().zip(rest).map(|(after, before)| after - before).collect();
-        let bent: f64 = self.deltas(&moved).iter().map(|delta| delta.length_squared()).sum();
-        let ConstraintKind::Soft { weight } = constraints.kind else { return bent };
-        let targets = offsets.iter().copied().chain(std::iter::repeat(DVec3::ZERO));
-        let missed = constraints.constrained().into_iter().zip(targets);
-        bent + weight * missed.map(|(vertex, target)| (moved[vertex as usize] - target).length_squared()).sum::<f64>()
-    }
-
     /// A system of its own for these anchors, where they are so many that [`Self::respond`] would factor anew for all
     /// handles; it serves other handles, too.
     ///
@@ -78,7 +63,7 @@ impl LaplacianSystem {
         let constrained = self.form.constrain(constraints)?;
         let n = self.operator.nrows();
         let mut fields = vec![0.0; n * constraints.handles.len()];
-        let mut targets = vec![0.0; constrained.constrained().len()];
+        let mut targets = vec![0.0; constrained.constrained.len()];
         for (handle, field) in fields.chunks_exact_mut(n).enumerate() {
             targets[handle] = 1.0;
             constrained.minimise(&self.form, None, &targets, field)?;

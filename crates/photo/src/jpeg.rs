@@ -36,7 +36,7 @@ const ROWS_FOR_EACH_LOST: usize = 20;
 const ENDS_EARLY: &str = "it ends before its last row";
 
 pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError> {
-    let mut segments = Segments::new(without_filler(bytes));
+    let mut segments = Segments { bytes: without_filler(bytes), position: 0 };
     let (mut tables, mut metadata) = (Tables::default(), Metadata::default());
     let frame = loop {
         let (marker, segment) = segments.next().ok_or_else(|| broken("it ends before its header"))?;

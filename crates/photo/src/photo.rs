@@ -12,8 +12,8 @@ pub struct Photo {
     height: u32,
     pixels: Arc<Vec<u8>>,
     /// One byte for each pixel, if any of them is not opaque.
-    alpha: Option<Arc<Vec<u8>>>,
-    focal_length_35mm: Option<u16>,
+    pub(crate) alpha: Option<Arc<Vec<u8>>>,
+    pub(crate) focal_length_35mm: Option<u16>,
 }
 
 impl Photo {
@@ -51,16 +51,6 @@ impl Photo {
         Self { width, height, pixels: Arc::new(pixels), alpha: None, focal_length_35mm: None }
     }
 
-    /// With the opacity of its pixels, whose number was checked already.
-    pub(crate) fn with_valid_alpha(self, alpha: Option<Vec<u8>>) -> Self {
-        debug_assert!(alpha.as_ref().is_none_or(|alpha| alpha.len() * 3 == self.pixels.len()));
-        Self { alpha: alpha.map(Arc::new), ..self }
-    }
-
-    pub(crate) fn with_focal_length_35mm(self, focal_length_35mm: Option<u16>) -> Self {
-        Self { focal_length_35mm, ..self }
-    }
-
     /// Width in px.
     pub fn width(&self) -> u32 {
         self.width
@@ -83,7 +73,7 @@ impl Photo {
     /// The photo with the lens that another file of it tells: the HEIC or AVIF file that it was decoded from elsewhere.
     pub fn with_lens_of(self, container: &[u8]) -> Self {
         let focal_length_35mm = Exif::focal_length_35mm_in_container(container, self.width, self.height);
-        self.with_focal_length_35mm(focal_length_35mm)
+        Self { focal_length_35mm, ..self }
     }
 
     /// All bytes, three for each pixel, row by row from the top.
@@ -105,7 +95,7 @@ impl Photo {
             let (width, height) = (self.width, self.height);
             return Err(PhotoError::WrongLength { width, height, found_bytes: alpha.len() });
         }
-        Ok(self.with_valid_alpha(Some(alpha)))
+        Ok(Self { alpha: Some(Arc::new(alpha)), ..self })
     }
 
     /// Red, green, blue and opacity of each pixel, row by row: the colours without the white below.
@@ -149,7 +139,7 @@ impl Photo {
         let (width, height) = (shrunk(self.width), shrunk(self.height));
         let source = self.pixels.as_chunks().0;
         let small = resize::area_mean(source, [self.width, self.height], [width, height]);
-        Self::from_valid(width, height, small).with_focal_length_35mm(self.focal_length_35mm)
+        Self { focal_length_35mm: self.focal_length_35mm, ..Self::from_valid(width, height, small) }
     }
 }
 

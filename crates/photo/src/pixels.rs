@@ -5,7 +5,7 @@ use image::ColorType;
 /// Converts decoded pixels to RGB and, if any is not opaque, to their opacity; `None` if the layout is none that the decoders
 /// give.
 ///
-/// Grey is repeated, 16-bit samples (native-endian) are rounded to 8 bits, and transparency is laid over white, as on
+/// Grey is repeated, 16-bit samples (big-endian, as only PNG has them) are rounded to 8 bits, and transparency is laid over white, as on
 /// paper.
 pub(crate) fn to_rgb(decoded: Vec<u8>, layout: ColorType) -> Option<(Vec<u8>, Option<Vec<u8>>)> {
     Some(match layout {
@@ -74,6 +74,6 @@ fn without_white(channel: u8, alpha: u8) -> u8 {
 
 /// `round(sample · 255 / 65535)`.
 fn eight_bit(decoded: &[u8]) -> Vec<u8> {
-    let sample = |&bytes: &[u8; 2]| ((u32::from(u16::from_ne_bytes(bytes)) + 128) / 257) as u8;
+    let sample = |&bytes: &[u8; 2]| ((u32::from(u16::from_be_bytes(bytes)) + 128) / 257) as u8;
     decoded.as_chunks::<2>().0.iter().map(sample).collect()
 }

@@ -26,13 +26,6 @@ pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError>
     let layout = layout(&reader)?;
     let mut decoded = vec![0; width as usize * height as usize * usize::from(layout.bytes_per_pixel())];
     read_rows(&mut reader, layout, &mut decoded)?;
-    if reader.output_color_type().1 == BitDepth::Sixteen {
-        decoded
-            .as_chunks_mut::<2>()
-            .0
-            .iter_mut()
-            .for_each(|sample| *sample = u16::from_be_bytes(*sample).to_ne_bytes());
-    }
     let (rgb, alpha) = pixels::to_rgb(decoded, layout).ok_or_else(|| unread(layout))?;
     let exif = reader.info().exif_metadata.as_deref().unwrap_or_default().to_vec();
     Stored { width, height, rgb, alpha, colours: told(reader.info(), layout)?, exif }.upright()

@@ -1,3 +1,5 @@
+use std::sync::Arc;
+
 use image::imageops::{flip_horizontal_in_place, flip_vertical_in_place, rotate90, rotate180_in_place, rotate270};
 use image::metadata::Orientation;
 use image::{ImageBuffer, Luma, Pixel, Rgb};
@@ -29,8 +31,10 @@ impl Stored {
         let wrong_length = PhotoError::WrongLength { width, height, found_bytes: self.rgb.len() };
         let picture = turned::<Rgb<u8>>([width, height], self.rgb, exif.orientation).ok_or(wrong_length)?;
         let alpha = self.alpha.and_then(|alpha| turned::<Luma<u8>>([width, height], alpha, exif.orientation));
-        let photo = Photo::from_rgb(picture.width(), picture.height(), picture.into_raw())?;
-        Ok(photo.with_valid_alpha(alpha.map(ImageBuffer::into_raw)).with_focal_length_35mm(exif.focal_length_35mm))
+        let mut photo = Photo::from_rgb(picture.width(), picture.height(), picture.into_raw())?;
+        photo.alpha = alpha.map(|alpha| Arc::new(alpha.into_raw()));
+        photo.focal_length_35mm = exif.focal_length_35mm;
+        Ok(photo)
     }
 }
 

@@ -2,7 +2,7 @@ use glam::{DVec2, DVec3};
 use rosto_export::TextureSize;
 use rosto_face::{PhotoLens, Triangulation};
 use rosto_stage::{
-    Axis, Background, Dots, Lens, Light, NamedView, PictureLight, Pointer, Scene, ShadingMode, Theme, Wireframe,
+    Axis, Background, Dots, Lens, Light, NamedView, PictureLight, Pointer, Scene, ShadingMode, Theme, Visibility,
 };
 use rosto_studio::{ConstraintKind, Details, Expression, FaceSlider, Mirror, Operator, Switch};
 
@@ -126,7 +126,7 @@ pub enum Intent {
     /// How large its texture is to be.
     TextureSize(TextureSize),
     /// Whether edges are drawn over it.
-    Wireframe(Wireframe),
+    Wireframe(Visibility),
     /// Which landmarks show as dots.
     Dots(Dots),
     /// What lies behind the face.

@@ -1,4 +1,4 @@
-use rosto_stage::{Mark, MarkKind, MirrorPlane, RenderSettings, Rim, Stage};
+use rosto_stage::{Mark, MarkKind, RenderSettings, Stage, Visibility};
 use rosto_studio::{Mirror, RegionOfInfluence, Settings, Switch};
 
 use crate::Selection;
@@ -47,8 +47,8 @@ pub(crate) fn show_offset(stage: &mut Stage, face: Option<&OpenFace>) {
     let settings = face.filter(|face| matches!(face.moving(), Moving::Selection { .. })).and_then(settings);
     let is_near = settings.is_some_and(|settings| settings.reach != RegionOfInfluence::Whole);
     let is_mirrored = settings.is_some_and(|settings| settings.mirror == Mirror::On);
-    let rim = if is_near { Rim::Shown } else { Rim::Hidden };
-    let mirror_plane = if is_mirrored { MirrorPlane::Shown } else { MirrorPlane::Hidden };
+    let rim = if is_near { Visibility::Shown } else { Visibility::Hidden };
+    let mirror_plane = if is_mirrored { Visibility::Shown } else { Visibility::Hidden };
     let now = RenderSettings { glow, rim, mirror_plane, ..*stage.render_settings() };
     if *stage.render_settings() != now {
         *stage.render_settings_mut() = now;

@@ -4,7 +4,7 @@
 
 use rosto_export::TextureSize;
 use rosto_face::Triangulation;
-use rosto_stage::{Background, Dots, Lens, Light, PictureLight, Scene, ShadingMode, Srgb, Wireframe};
+use rosto_stage::{Background, Dots, Lens, Light, PictureLight, Scene, ShadingMode, Srgb, Visibility};
 use rosto_studio::{ConstraintKind, Details, Mirror, Operator, RING_SHARES, Switch};
 use serde_json::{Value, json};
 
@@ -48,7 +48,7 @@ impl Session {
             "skin": view.skin.id(),
             "texture": view.texture_size.id(),
             "lens": view.lens.id(),
-            "wireframe": view.wireframe == Wireframe::Shown,
+            "wireframe": view.wireframe == Visibility::Shown,
             "background": background,
             "turntable": view.turntable == Turntable::Turns,
             "triangulation": view.triangulation.id(),
@@ -93,7 +93,7 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
         skin: named(&value, "skin", Skin::from_id)?,
         texture_size: named(&value, "texture", TextureSize::from_id)?,
         lens: named(&value, "lens", Lens::from_id)?,
-        wireframe: if flag("wireframe")? { Wireframe::Shown } else { Wireframe::Hidden },
+        wireframe: if flag("wireframe")? { Visibility::Shown } else { Visibility::Hidden },
         background: background(&value["background"]).ok_or(missing("background"))?,
         turntable: if flag("turntable")? { Turntable::Turns } else { Turntable::Still },
         triangulation: named(&value, "triangulation", Triangulation::from_id)?,

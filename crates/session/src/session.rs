@@ -57,7 +57,7 @@ impl Session {
             brush_px: None,
             mirror: None,
         };
-        session.stage.render_settings_mut().dotted = LANDMARK_COUNT as u32;
+        session.stage.render_settings_mut().dotted = Some(LANDMARK_COUNT as u32);
         session.show_empty();
         session
     }

@@ -1,6 +1,6 @@
 use rosto_export::TextureSize;
 use rosto_face::Triangulation;
-use rosto_stage::{Background, Lens, PictureLight, Scene, ShadingMode, Stage, Surface, Wireframe};
+use rosto_stage::{Background, Lens, PictureLight, Scene, ShadingMode, Stage, Surface, Visibility};
 use rosto_studio::{DEFAULT_RING, SMOOTH_DENSITY, Switch};
 
 use crate::Skin;
@@ -26,7 +26,7 @@ pub struct View {
     /// From how far away it is seen.
     pub lens: Lens,
     /// Whether edges are drawn.
-    pub wireframe: Wireframe,
+    pub wireframe: Visibility,
     /// What lies behind.
     pub background: Background,
     /// Whether the face turns by itself.
@@ -73,7 +73,7 @@ impl Default for View {
             skin: Skin::default(),
             texture_size: TextureSize::default(),
             lens: Lens::default(),
-            wireframe: Wireframe::default(),
+            wireframe: Visibility::default(),
             background: Background::default(),
             turntable: Turntable::default(),
             triangulation: Triangulation::Canonical,
@@ -93,12 +93,12 @@ impl View {
             (false, _, Turntable::Turns) => TURNTABLE_DEG_PER_S,
             _ => 0.0,
         });
-        stage.set_lens(self.lens);
+        stage.camera_mut().set_lens(self.lens);
         let settings = stage.render_settings_mut();
         settings.background = if is_empty { Background::Transparent } else { self.background };
         settings.shading = self.shading;
         settings.picture_light = self.picture_light;
         settings.surface = if is_empty { Surface::HiddenLine } else { Surface::Shaded };
-        settings.wireframe = if is_empty { Wireframe::Shown } else { self.wireframe };
+        settings.wireframe = if is_empty { Visibility::Shown } else { self.wireframe };
     }
 }

@@ -6,7 +6,6 @@
 
 mod camera;
 mod colour;
-mod frame;
 mod lens;
 mod light;
 mod markers;
@@ -16,16 +15,14 @@ mod stage;
 
 pub use camera::{Camera, Glide, NamedView, Sides};
 pub use colour::Srgb;
-pub use frame::FrameUniforms;
 pub use lens::{Lens, Pinhole};
 pub use light::Light;
 pub use markers::{Axis, Mark, MarkKind, Pointer};
 pub use picture_plane::PicturePlane;
 pub use render_settings::{
-    Background, Dots, MirrorPlane, Palette, PictureLight, RenderSettings, Rim, Scene, ShadingMode, Surface, Theme,
-    Wireframe,
+    Background, Dots, Palette, PictureLight, RenderSettings, Scene, ShadingMode, Surface, Theme, Visibility,
 };
-pub use stage::{Stage, Step};
+pub use stage::{FrameUniforms, Stage, Step};
 
 /// The examples of the README are tested with those of the code.
 #[cfg(doctest)]

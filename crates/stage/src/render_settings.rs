@@ -33,13 +33,13 @@ pub enum Surface {
     HiddenLine,
 }
 
-/// Whether edges are drawn over the surface.
+/// Whether something is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Wireframe {
-    /// No edges.
+pub enum Visibility {
+    /// Not drawn.
     #[default]
     Hidden,
-    /// Every edge, one CSS pixel wide.
+    /// Drawn.
     Shown,
 }
 
@@ -93,26 +93,6 @@ pub enum Background {
     Transparent,
 }
 
-/// Whether the plane of symmetry is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum MirrorPlane {
-    /// Not drawn.
-    #[default]
-    Hidden,
-    /// A hairline where the plane x = 0 cuts the surface.
-    Shown,
-}
-
-/// Whether the end of an edit's reach is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Rim {
-    /// Not drawn.
-    #[default]
-    Hidden,
-    /// A line on the surface as far from what moves as the edit reaches.
-    Shown,
-}
-
 rosto_mesh::named! {
     /// What lights a surface that is painted with the picture.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -126,26 +106,26 @@ rosto_mesh::named! {
 }
 
 /// Everything about how a mesh is shown that is not the mesh, the camera or the marks on it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RenderSettings {
     /// How the surface is coloured.
     pub shading: ShadingMode,
     /// Whether it is seen.
     pub surface: Surface,
-    /// Whether edges are drawn.
-    pub wireframe: Wireframe,
+    /// The edges, each one CSS pixel wide.
+    pub wireframe: Visibility,
     /// Which vertices show as dots.
     pub dots: Dots,
-    /// How many vertices, from the first, can show as dots.
-    pub dotted: u32,
+    /// How many vertices, from the first, can show as dots; by default all.
+    pub dotted: Option<u32>,
     /// Light or dark surroundings.
     pub theme: Theme,
     /// What lies behind.
     pub background: Background,
-    /// Whether the plane of symmetry is drawn.
-    pub mirror_plane: MirrorPlane,
-    /// Whether the end of an edit's reach is drawn.
-    pub rim: Rim,
+    /// The plane of symmetry: a hairline where the plane x = 0 cuts the surface.
+    pub mirror_plane: Visibility,
+    /// The end of an edit's reach: a line on the surface as far from what moves as the edit reaches.
+    pub rim: Visibility,
     /// What lights the picture.
     pub picture_light: PictureLight,
     /// The shape before shows up to this share of the picture's width, 0..1 from the left, and the shape now beyond.
@@ -156,27 +136,6 @@ pub struct RenderSettings {
     pub before: f64,
     /// How strongly the response field glows in the accent over any paint, 0..1.
     pub glow: f64,
-}
-
-impl Default for RenderSettings {
-    fn default() -> Self {
-        Self {
-            shading: ShadingMode::default(),
-            surface: Surface::default(),
-            wireframe: Wireframe::default(),
-            dots: Dots::default(),
-            dotted: u32::MAX,
-            theme: Theme::default(),
-            background: Background::default(),
-            mirror_plane: MirrorPlane::default(),
-            rim: Rim::default(),
-            picture_light: PictureLight::default(),
-            wipe: None,
-            light: Light::default(),
-            before: 0.0,
-            glow: 0.0,
-        }
-    }
 }
 
 impl RenderSettings {

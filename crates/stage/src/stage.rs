@@ -1,12 +1,13 @@
 mod arrival;
+mod frame;
 mod picture;
 
 use glam::{DVec2, DVec3};
 
-use crate::frame::{FrameInputs, FrameUniforms};
-use crate::{Axis, Camera, Lens, Mark, MirrorPlane, PicturePlane, Pinhole, Pointer, RenderSettings, Rim, Scene};
+use crate::{Axis, Camera, Mark, PicturePlane, Pointer, RenderSettings, Scene, Visibility};
 
 use arrival::Arrival;
+pub use frame::FrameUniforms;
 
 /// What is framed has this much room around it.
 const ROOM: f64 = 1.12;
@@ -115,17 +116,6 @@ impl Stage {
         }
     }
 
-    /// From how far away it is seen ([`Camera::set_lens`]).
-    pub fn set_lens(&mut self, lens: Lens) {
-        self.camera_mut().set_lens(lens);
-    }
-
-    /// The camera that took the picture on the mesh, if it is known: for a mesh that is about to be framed, or that is
-    /// seen ([`Camera::set_pinhole`]).
-    pub fn set_pinhole(&mut self, pinhole: Option<Pinhole>) {
-        self.camera_mut().set_pinhole(pinhole);
-    }
-
     /// So many px at the picture's top, right, bottom and left have something lying over them ([`Camera::set_covered`]). A mesh
     /// that is just arriving does so in what is left; any other glides there.
     pub fn set_covered(&mut self, covered_px: [f64; 4]) {
@@ -142,7 +132,8 @@ impl Stage {
         let mut bare = self.clone();
         bare.marks.clear();
         (bare.pointer_px, bare.hovered, bare.gizmo, bare.gizmo_axis) = (None, None, None, None);
-        (bare.settings.mirror_plane, bare.settings.rim, bare.settings.glow) = (MirrorPlane::Hidden, Rim::Hidden, 0.0);
+        (bare.settings.mirror_plane, bare.settings.rim, bare.settings.glow) =
+            (Visibility::Hidden, Visibility::Hidden, 0.0);
         bare.settings.wipe = None;
         bare.camera.centre();
         bare
@@ -224,32 +215,6 @@ impl Stage {
         self.last_ms = again.then_some(time_ms);
         let draw = std::mem::take(&mut self.changed) || again || was_moving;
         Step { draw, again }
-    }
-
-    /// What shaders read for this frame.
-    pub fn uniforms(&self) -> FrameUniforms {
-        self.uniforms_at(self.settings.before)
-    }
-
-    /// The same for the part of it that shows the shape before ([`RenderSettings::wipe`]).
-    pub fn uniforms_before(&self) -> FrameUniforms {
-        self.uniforms_at(1.0)
-    }
-
-    fn uniforms_at(&self, before: f64) -> FrameUniforms {
-        let inputs = FrameInputs {
-            pixel_ratio: self.pixel_ratio,
-            offsets_m: self.offsets_m,
-            before,
-            ground_m: self.ground_m,
-            pointer_px: self.pointer_px,
-            hovered: self.hovered,
-            gizmo: self.gizmo,
-            gizmo_axis: self.gizmo_axis,
-            picture: self.picture,
-            picture_share: self.picture_share,
-        };
-        FrameUniforms::new(&self.camera, &self.settings, &inputs)
     }
 
     /// What the GPU reads for each mark: vertex and kind; kinds 4 to 6 are the letters of the axes.

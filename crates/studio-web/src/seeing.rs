@@ -1,7 +1,7 @@
 use glam::DVec2;
 use rosto_face::LANDMARK_COUNT;
 use rosto_session::{Intent, Motion, Turntable};
-use rosto_stage::{Background, Dots, Light, NamedView, PictureLight, Srgb, Theme, Wireframe};
+use rosto_stage::{Background, Dots, Light, NamedView, PictureLight, Srgb, Theme, Visibility};
 use rosto_studio::Switch;
 use wasm_bindgen::prelude::*;
 
@@ -63,7 +63,7 @@ impl Studio {
     /// Draws the edges over the surface.
     #[wasm_bindgen(js_name = setWireframe)]
     pub fn set_wireframe(&mut self, shown: bool) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Wireframe(if shown { Wireframe::Shown } else { Wireframe::Hidden }))
+        self.act(Intent::Wireframe(if shown { Visibility::Shown } else { Visibility::Hidden }))
     }
 
     /// Shows a dot on every landmark, not only near the pointer.

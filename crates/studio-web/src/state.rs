@@ -2,7 +2,7 @@
 
 use rosto_laplacian::LaplacianError;
 use rosto_session::{Choice, FaceState, Range, Row, Selection, Session, Tick, Turntable};
-use rosto_stage::{Background, Dots, PictureLight, Srgb, Wireframe};
+use rosto_stage::{Background, Dots, PictureLight, Srgb, Visibility};
 use rosto_studio::{EditTarget, Mirror, Standing, StudioError, Switch};
 use wasm_bindgen::prelude::*;
 
@@ -132,7 +132,7 @@ impl StudioState {
             mirror: choices.mirror == Mirror::On,
             nearby: choices.is_nearby,
             radius_mm: choices.radius_mm,
-            wireframe: view.wireframe == Wireframe::Shown,
+            wireframe: view.wireframe == Visibility::Shown,
             anchors_marked: view.anchors == Switch::On,
             is_wiping: session.stage().render_settings().wipe.is_some(),
             photo_lit: view.picture_light == PictureLight::Lamp,

@@ -1,5 +1,5 @@
 use glam::DVec3;
-use rosto_face::{FaceModel, LANDMARK_COUNT, crowded_landmarks, opening_edges, oval};
+use rosto_face::{FaceModel, LANDMARK_COUNT, OVAL, crowded_landmarks, opening_edges};
 use rosto_laplacian::{
     AnchoredSystem, ConstraintKind, Constraints, Geodesics, LaplacianError, LaplacianSystem, Operator, Response,
 };
@@ -35,7 +35,7 @@ impl Rest {
     /// landmarks keep the edges of lids and lips.
     pub fn new(topology: Topology, positions: Vec<DVec3>, frame: CoordinateFrame) -> Self {
         let is_face = topology.vertex_count() == LANDMARK_COUNT;
-        let oval = if is_face { oval().to_vec() } else { longest_boundary(&topology) };
+        let oval = if is_face { OVAL.to_vec() } else { longest_boundary(&topology) };
         let (creases, rounded) = if is_face { (opening_edges(), crowded_landmarks()) } else { Default::default() };
         let mirror = (is_face && frame == CoordinateFrame::Model).then(MirrorTable::of_landmarks);
         Self { topology, positions, oval, creases, rounded, mirror }

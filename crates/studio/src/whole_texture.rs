@@ -82,7 +82,7 @@ pub fn texture_plan(face: &FaceModel, others: &[(&[DVec2], &Camera)]) -> Plan {
 /// How long the side of a face's texture is to be, in px, where it may be as long as `at_most_px`: a power of two that holds
 /// all that the sharpest of the face's photos shows of it. A longer one would be slower to make and to load, and no sharper.
 pub fn texture_side_px(face: &FaceModel, at_most_px: u32) -> u32 {
-    let sharpest = face.views().iter().map(|view| pixels_per_side(view.picture, view.uvs)).fold(0.0, f64::max);
+    let sharpest = face.views().iter().map(|view| pixels_per_side(&view.picture, &view.uvs)).fold(0.0, f64::max);
     let filled_px = (TEXELS_PER_PIXEL * sharpest).ceil() as u32;
     filled_px.checked_next_power_of_two().unwrap_or(at_most_px).clamp(SHORTEST_SIDE_PX.min(at_most_px), at_most_px)
 }

@@ -4,7 +4,7 @@ use rosto_mesh::Topology;
 use crate::raster::spans;
 
 /// Pixels along the longer side of the depth picture.
-const LONGER_SIDE: f64 = 512.0;
+pub(crate) const LONGER_SIDE: f64 = 512.0;
 
 /// So many of them around a place are near it: some 4 mm of a face.
 const AROUND: f64 = 10.0;

@@ -3,7 +3,7 @@ use rosto_mesh::vertex_normals;
 use rosto_photo::{Photo, Sampler};
 
 use crate::atlas::{Atlas, pitch};
-use crate::depths::Depths;
+use crate::depths::{Depths, LONGER_SIDE};
 use crate::map::{AREA, CELLS, blurred, distances, mean_around, ramp};
 use crate::trust::{Sight, trusted};
 use crate::{Shot, Subject};
@@ -76,7 +76,7 @@ impl<'a> Seen<'a> {
         let extent = (positions.iter().copied().reduce(DVec3::max).unwrap_or_default() - low).max_element();
         let scaled = |side: f64| at_pitch(shot.picture, pitch(subject, &places_px, side));
         let (picture, small) = (scaled(f64::from(side_px)), scaled(CELLS as f64));
-        let depth_pitch = extent / 512.0;
+        let depth_pitch = extent / LONGER_SIDE;
         Self { subject, shot, picture, small, cosines: cosines.collect(), nearness, depths, depth_pitch, extent }
     }
 

@@ -1,4 +1,4 @@
-use glam::{DVec2, DVec3, Vec2, Vec3};
+use glam::{DVec2, DVec3};
 use rosto_mesh::Topology;
 use rosto_photo::Photo;
 
@@ -12,19 +12,12 @@ use crate::{Eye, Shot, Subject, Texture, TextureError, texture};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
     topology: Topology,
-    positions: Vec<Vec3>,
-    atlas_uvs: Vec<Vec2>,
+    positions: Vec<DVec3>,
+    atlas_uvs: Vec<DVec2>,
     partners: Vec<u32>,
     wholes: Vec<Vec<u32>>,
-    shots: Vec<PlannedShot>,
-}
-
-#[derive(Debug, Clone, PartialEq)]
-struct PlannedShot {
-    uvs: Vec<Vec2>,
-    /// In a place, or in a direction.
-    is_near: bool,
-    eye: Vec3,
+    /// Where each vertex is seen in each photo, and where it was taken from.
+    shots: Vec<(Vec<DVec2>, Eye)>,
 }
 
 impl Plan {
@@ -32,8 +25,8 @@ impl Plan {
     pub fn new(subject: &Subject<'_>) -> Self {
         Self {
             topology: subject.topology.clone(),
-            positions: subject.positions.iter().map(|place| place.as_vec3()).collect(),
-            atlas_uvs: cut(subject.atlas_uvs),
+            positions: subject.positions.iter().copied().map(cut).collect(),
+            atlas_uvs: cut_uvs(subject.atlas_uvs),
             partners: subject.partners.to_vec(),
             wholes: subject.wholes.to_vec(),
             shots: Vec::new(),
@@ -42,11 +35,11 @@ impl Plan {
 
     /// Adds a photo by where each vertex is seen in it, 0..=1 from its top left, and by where it was taken from.
     pub fn add(&mut self, uvs: &[DVec2], eye: Eye) {
-        let (is_near, eye) = match eye {
-            Eye::At(place) => (true, place.as_vec3()),
-            Eye::Towards(direction) => (false, direction.as_vec3()),
+        let eye = match eye {
+            Eye::At(place) => Eye::At(cut(place)),
+            Eye::Towards(direction) => Eye::Towards(cut(direction)),
         };
-        self.shots.push(PlannedShot { uvs: cut(uvs), is_near, eye });
+        self.shots.push((cut_uvs(uvs), eye));
     }
 
     /// Makes the texture of the photos' upright pictures, in the order in which they were added.
@@ -57,19 +50,15 @@ impl Plan {
         if pictures.len() != self.shots.len() {
             return Err(TextureError::ShotCount { found: pictures.len() });
         }
-        let positions: Vec<DVec3> = self.positions.iter().map(|place| place.as_dvec3()).collect();
-        let atlas_uvs = wide(&self.atlas_uvs);
-        let uvs: Vec<Vec<DVec2>> = self.shots.iter().map(|shot| wide(&shot.uvs)).collect();
         let subject = Subject {
             topology: &self.topology,
-            positions: &positions,
-            atlas_uvs: &atlas_uvs,
+            positions: &self.positions,
+            atlas_uvs: &self.atlas_uvs,
             partners: &self.partners,
             wholes: &self.wholes,
         };
-        let shot = |((picture, shot), uvs): ((_, &PlannedShot), _)| Shot { picture, uvs, eye: shot.eye() };
-        let shots: Vec<Shot<'_>> =
-            pictures.iter().copied().zip(&self.shots).zip(uvs.iter().map(Vec::as_slice)).map(shot).collect();
+        let shots = pictures.iter().zip(&self.shots);
+        let shots: Vec<Shot<'_>> = shots.map(|(picture, (uvs, eye))| Shot { picture, uvs, eye: *eye }).collect();
         texture(&subject, &shots, side_px)
     }
 
@@ -83,10 +72,14 @@ impl Plan {
         push_count(&mut bytes, self.wholes.len());
         self.wholes.iter().for_each(|whole| push_indices(&mut bytes, whole));
         push_count(&mut bytes, self.shots.len());
-        for shot in &self.shots {
-            push_count(&mut bytes, shot.is_near.into());
-            push_numbers(&mut bytes, shot.eye.to_array());
-            push_numbers(&mut bytes, shot.uvs.iter().flat_map(|uv| uv.to_array()));
+        for (uvs, eye) in &self.shots {
+            let (is_near, eye) = match eye {
+                Eye::At(place) => (true, place),
+                Eye::Towards(direction) => (false, direction),
+            };
+            push_count(&mut bytes, is_near.into());
+            push_numbers(&mut bytes, eye.to_array());
+            push_numbers(&mut bytes, uvs.iter().flat_map(|uv| uv.to_array()));
         }
         bytes
     }
@@ -95,7 +88,8 @@ impl Plan {
     pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
         let mut rest = Reader(bytes);
         let triangles = rest.indices()?.as_chunks::<3>().0.to_vec();
-        let positions: Vec<Vec3> = rest.numbers()?.as_chunks().0.iter().map(|&place| Vec3::from_array(place)).collect();
+        let positions: Vec<DVec3> =
+            rest.numbers()?.as_chunks().0.iter().map(|&place| DVec3::from_array(place)).collect();
         let atlas_uvs = rest.pairs()?;
         let partners = rest.indices()?;
         let wholes = (0..rest.count()?).map(|_| rest.indices()).collect::<Option<_>>()?;
@@ -105,19 +99,12 @@ impl Plan {
     }
 }
 
-impl PlannedShot {
-    fn eye(&self) -> Eye {
-        let eye = self.eye.as_dvec3();
-        if self.is_near { Eye::At(eye) } else { Eye::Towards(eye) }
-    }
+fn cut(place: DVec3) -> DVec3 {
+    place.as_vec3().as_dvec3()
 }
 
-fn cut(uvs: &[DVec2]) -> Vec<Vec2> {
-    uvs.iter().map(|uv| uv.as_vec2()).collect()
-}
-
-fn wide(uvs: &[Vec2]) -> Vec<DVec2> {
-    uvs.iter().map(|uv| uv.as_dvec2()).collect()
+fn cut_uvs(uvs: &[DVec2]) -> Vec<DVec2> {
+    uvs.iter().map(|uv| uv.as_vec2().as_dvec2()).collect()
 }
 
 fn push_count(bytes: &mut Vec<u8>, count: usize) {
@@ -129,8 +116,8 @@ fn push_indices(bytes: &mut Vec<u8>, indices: &[u32]) {
     bytes.extend(indices.iter().flat_map(|index| index.to_le_bytes()));
 }
 
-fn push_numbers(bytes: &mut Vec<u8>, numbers: impl IntoIterator<Item = f32>) {
-    let numbers: Vec<u8> = numbers.into_iter().flat_map(f32::to_le_bytes).collect();
+fn push_numbers(bytes: &mut Vec<u8>, numbers: impl IntoIterator<Item = f64>) {
+    let numbers: Vec<u8> = numbers.into_iter().flat_map(|number| (number as f32).to_le_bytes()).collect();
     push_count(bytes, numbers.len() / size_of::<f32>());
     bytes.extend(numbers);
 }
@@ -156,18 +143,18 @@ impl<'a> Reader<'a> {
         Some(self.words()?.iter().map(|&word| u32::from_le_bytes(word)).collect())
     }
 
-    fn numbers(&mut self) -> Option<Vec<f32>> {
-        Some(self.words()?.iter().map(|&word| f32::from_le_bytes(word)).collect())
+    fn numbers(&mut self) -> Option<Vec<f64>> {
+        Some(self.words()?.iter().map(|&word| f32::from_le_bytes(word).into()).collect())
     }
 
-    fn pairs(&mut self) -> Option<Vec<Vec2>> {
-        Some(self.numbers()?.as_chunks().0.iter().map(|&pair| Vec2::from_array(pair)).collect())
+    fn pairs(&mut self) -> Option<Vec<DVec2>> {
+        Some(self.numbers()?.as_chunks().0.iter().map(|&pair| DVec2::from_array(pair)).collect())
     }
 
-    fn shot(&mut self) -> Option<PlannedShot> {
+    fn shot(&mut self) -> Option<(Vec<DVec2>, Eye)> {
         let is_near = self.count()? != 0;
-        let eye = Vec3::from_array(*self.numbers()?.first_chunk()?);
-        Some(PlannedShot { uvs: self.pairs()?, is_near, eye })
+        let eye = DVec3::from_array(*self.numbers()?.first_chunk()?);
+        Some((self.pairs()?, if is_near { Eye::At(eye) } else { Eye::Towards(eye) }))
     }
 }
 

@@ -1,4 +1,4 @@
-// What every shader reads once a frame. `src/frame.rs` has the same fields in the same order.
+// What every shader reads once a frame. The stage's `FrameUniforms` has the same fields in the same order.
 struct FrameUniforms {
     clip_from_model: mat4x4f,
     // The eye as a homogeneous point: its w, in 1/m, is 0 for one infinitely far away, of which the direction is left.

@@ -18,11 +18,7 @@ impl FrameOnGpu {
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        let bindings = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("frame"),
-            layout: &pipelines.frame_layout,
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: buffer.as_entire_binding() }],
-        });
+        let bindings = gpu.bind_group(&pipelines.frame_layout, [buffer.as_entire_binding()]);
         Self { buffer, bindings }
     }
 

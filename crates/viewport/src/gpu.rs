@@ -84,6 +84,17 @@ impl Gpu {
         poll_fn(move |context| loss.lock().map_or(Poll::Ready(()), |mut loss| loss.poll(context)))
     }
 
+    /// What shaders read by that layout, in the order of their bindings.
+    pub(crate) fn bind_group<'a>(
+        &self,
+        layout: &wgpu::BindGroupLayout,
+        resources: impl IntoIterator<Item = wgpu::BindingResource<'a>>,
+    ) -> wgpu::BindGroup {
+        let entries: Vec<_> =
+            (0..).zip(resources).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();
+        self.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
+    }
+
     pub(crate) fn largest_side_px(&self) -> u32 {
         self.device.limits().max_texture_dimension_2d
     }
@@ -110,6 +121,25 @@ impl Loss {
         }
         self.waiting.push(context.waker().clone());
         Poll::Pending
+    }
+}
+
+/// A texture of one level, with one sample a pixel.
+pub(crate) fn texture(
+    label: &'static str,
+    [width, height]: [u32; 2],
+    format: wgpu::TextureFormat,
+    usage: wgpu::TextureUsages,
+) -> wgpu::TextureDescriptor<'static> {
+    wgpu::TextureDescriptor {
+        label: Some(label),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage,
+        view_formats: &[],
     }
 }
 

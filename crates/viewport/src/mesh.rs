@@ -1,5 +1,6 @@
 use glam::{DVec2, DVec3};
 use rosto_mesh::Topology;
+use wgpu::BindingResource::{Sampler, TextureView};
 use wgpu::util::DeviceExt;
 
 use crate::pipelines::Pipelines;
@@ -25,7 +26,7 @@ pub struct MeshInput<'a> {
 /// A mesh in the GPU's memory.
 #[derive(Debug)]
 pub(crate) struct MeshOnGpu {
-    topology: Topology,
+    pub topology: Topology,
     positions_m: Vec<DVec3>,
     geometry: VertexData<Geometry>,
     geometry_before: VertexData<Geometry>,
@@ -45,7 +46,7 @@ impl MeshOnGpu {
         input: &MeshInput<'_>,
     ) -> Result<Self, ViewportError> {
         let attribute_list = attributes(input)?;
-        check_length("positions", input.positions_m.len(), input.topology)?;
+        check_length("positions", input.positions_m.len(), input.topology.vertex_count())?;
         let picture = input.picture.unwrap_or(blank);
         let geometry_list = geometry(input.topology, input.positions_m);
         let geometry_now = VertexData::new(gpu, &geometry_list)?;
@@ -54,8 +55,10 @@ impl MeshOnGpu {
         let attributes = VertexData::new(gpu, &attribute_list)?;
         let textures =
             [geometry_now.view(), geometry_before.view(), follows.view(), attributes.view(), picture.view.clone()];
+        let sampler = picture::sampler(gpu);
+        let resources = textures.iter().map(TextureView).chain([Sampler(&sampler)]);
         Ok(Self {
-            bindings: bindings(gpu, &pipelines.mesh_layout, &textures),
+            bindings: gpu.bind_group(&pipelines.mesh_layout, resources),
             indices: filled(gpu, bytemuck::cast_slice(input.topology.triangles()), wgpu::BufferUsages::INDEX),
             edges: filled(gpu, bytemuck::cast_slice(input.topology.edges()), wgpu::BufferUsages::VERTEX),
             topology: input.topology.clone(),
@@ -68,27 +71,15 @@ impl MeshOnGpu {
         })
     }
 
-    pub fn vertex_count(&self) -> u32 {
-        self.topology.vertex_count() as u32
-    }
-
-    pub fn index_count(&self) -> u32 {
-        3 * self.topology.triangles().len() as u32
-    }
-
-    pub fn edge_count(&self) -> u32 {
-        self.topology.edges().len() as u32
-    }
-
     pub fn write_positions(&mut self, gpu: &Gpu, positions_m: &[DVec3]) -> Result<(), ViewportError> {
-        check_length("positions", positions_m.len(), &self.topology)?;
+        check_length("positions", positions_m.len(), self.topology.vertex_count())?;
         self.positions_m.copy_from_slice(positions_m);
         self.geometry.write(gpu, &geometry(&self.topology, positions_m));
         Ok(())
     }
 
     pub fn write_before(&self, gpu: &Gpu, positions_m: &[DVec3]) -> Result<(), ViewportError> {
-        check_length("positions", positions_m.len(), &self.topology)?;
+        check_length("positions", positions_m.len(), self.topology.vertex_count())?;
         self.geometry_before.write(gpu, &geometry(&self.topology, positions_m));
         Ok(())
     }
@@ -100,38 +91,37 @@ impl MeshOnGpu {
         reach: Option<&[f64]>,
     ) -> Result<(), ViewportError> {
         for field in fields.into_iter().chain([reach]).flatten() {
-            check_length("responses", field.len(), &self.topology)?;
+            check_length("responses", field.len(), self.topology.vertex_count())?;
         }
         self.follows.write(gpu, &follows(&self.topology, &self.positions_m, fields, reach));
         Ok(())
     }
 
     pub fn write_uvs(&mut self, gpu: &Gpu, uvs: &[DVec2]) -> Result<(), ViewportError> {
-        check_length("places in the picture", uvs.len(), &self.topology)?;
+        check_length("places in the picture", uvs.len(), self.topology.vertex_count())?;
         self.attribute_list.iter_mut().zip(uvs).for_each(|(skin, uv)| skin.uv = uv.as_vec2().to_array());
         self.attributes.write(gpu, &self.attribute_list);
         Ok(())
     }
 
     pub fn write_scalars(&mut self, gpu: &Gpu, scalars: &[f64]) -> Result<(), ViewportError> {
-        check_length("scalars", scalars.len(), &self.topology)?;
+        check_length("scalars", scalars.len(), self.topology.vertex_count())?;
         self.attribute_list.iter_mut().zip(scalars).for_each(|(skin, &scalar)| skin.scalar = scalar as f32);
         self.attributes.write(gpu, &self.attribute_list);
         Ok(())
     }
 }
 
-fn check_length(what: &'static str, found: usize, topology: &Topology) -> Result<(), ViewportError> {
-    let expected = topology.vertex_count();
+pub(crate) fn check_length(what: &'static str, found: usize, expected: usize) -> Result<(), ViewportError> {
     if found == expected { Ok(()) } else { Err(ViewportError::LengthMismatch { what, expected, found }) }
 }
 
 fn attributes(input: &MeshInput<'_>) -> Result<Vec<VertexAttributes>, ViewportError> {
     if !input.colours_srgb.is_empty() {
-        check_length("colours", input.colours_srgb.len(), input.topology)?;
+        check_length("colours", input.colours_srgb.len(), input.topology.vertex_count())?;
     }
     if !input.uvs.is_empty() || input.picture.is_some() {
-        check_length("places in the picture", input.uvs.len(), input.topology)?;
+        check_length("places in the picture", input.uvs.len(), input.topology.vertex_count())?;
     }
     let skin = |vertex: usize| {
         let colour = input.colours_srgb.get(vertex).copied().unwrap_or([255; 3]);
@@ -149,13 +139,4 @@ pub(crate) fn filled(gpu: &Gpu, bytes: &[u8], usage: wgpu::BufferUsages) -> wgpu
     let contents = if bytes.is_empty() { &[0; 48] } else { bytes };
     let usage = usage | wgpu::BufferUsages::COPY_DST;
     gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents, usage })
-}
-
-fn bindings(gpu: &Gpu, layout: &wgpu::BindGroupLayout, textures: &[wgpu::TextureView; 5]) -> wgpu::BindGroup {
-    let sampler = picture::sampler(gpu);
-    let views = textures.iter().map(wgpu::BindingResource::TextureView);
-    let resources = views.chain([wgpu::BindingResource::Sampler(&sampler)]);
-    let entries: Vec<_> =
-        (0..).zip(resources).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();
-    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("mesh"), layout, entries: &entries })
 }

@@ -1,4 +1,4 @@
-use rosto_stage::{Background, Dots, RenderSettings, Stage, Surface, Wireframe};
+use rosto_stage::{Background, Dots, RenderSettings, Stage, Surface, Visibility};
 
 use crate::frame::FrameOnGpu;
 use crate::mesh::MeshOnGpu;
@@ -107,37 +107,37 @@ fn record_mesh(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
     let is_felt = drawn.sheet.is_some() && stage.picture_share() == 1.0;
     let is_bare = is_felt || settings.surface == Surface::HiddenLine;
     pass.set_pipeline(if is_bare { &pipelines.bare } else { &pipelines.surface });
-    pass.draw_indexed(0..mesh.index_count(), 0, 0..1);
+    pass.draw_indexed(0..3 * mesh.topology.triangles().len() as u32, 0, 0..1);
     if settings.background == Background::Ground && !is_bare {
         pass.set_pipeline(&pipelines.ground);
         pass.draw(0..6, 0..1);
     }
-    if settings.wireframe == Wireframe::Shown {
+    if settings.wireframe == Visibility::Shown {
         pass.set_pipeline(&pipelines.wire);
         pass.set_vertex_buffer(0, mesh.edges.slice(..));
-        pass.draw(0..6, 0..mesh.edge_count());
+        pass.draw(0..6, 0..mesh.topology.edges().len() as u32);
     }
     if settings.dots != Dots::None {
         pass.set_pipeline(&pipelines.dots);
-        pass.draw(0..6, 0..settings.dotted.min(mesh.vertex_count()));
+        let vertices = mesh.topology.vertex_count() as u32;
+        pass.draw(0..6, 0..settings.dotted.map_or(vertices, |dotted| dotted.min(vertices)));
     }
     record_marks(drawn, stage, pass);
 }
 
 fn record_marks(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
-    let Twin { seen, hidden } = &drawn.pipelines.gizmo;
     if stage.gizmo().is_some() {
-        for pipeline in [hidden, seen] {
-            pass.set_pipeline(pipeline);
-            pass.draw(0..6, 0..3);
-        }
+        record_twin(&drawn.pipelines.gizmo, 3, pass);
     }
-    let Twin { seen, hidden } = &drawn.pipelines.marks;
     if drawn.mark_count > 0 {
         pass.set_vertex_buffer(0, drawn.marks.slice(..));
-        for pipeline in [hidden, seen] {
-            pass.set_pipeline(pipeline);
-            pass.draw(0..6, 0..drawn.mark_count);
-        }
+        record_twin(&drawn.pipelines.marks, drawn.mark_count, pass);
+    }
+}
+
+fn record_twin(Twin { seen, hidden }: &Twin, count: u32, pass: &mut wgpu::RenderPass<'_>) {
+    for pipeline in [hidden, seen] {
+        pass.set_pipeline(pipeline);
+        pass.draw(0..6, 0..count);
     }
 }

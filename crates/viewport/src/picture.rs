@@ -1,3 +1,4 @@
+use crate::gpu::texture;
 use crate::{Gpu, ViewportError};
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8UnormSrgb;
@@ -15,27 +16,15 @@ pub(crate) fn reserve(gpu: &Gpu, width: u32, height: u32) -> Result<PictureOnGpu
     reserve_levels(gpu, width, height, levels)
 }
 
-/// Room for a picture without smaller levels, whose pixels change sixty times a second.
-pub(crate) fn reserve_film(gpu: &Gpu, width: u32, height: u32) -> Result<PictureOnGpu, ViewportError> {
-    reserve_levels(gpu, width, height, 1)
-}
-
-fn reserve_levels(gpu: &Gpu, width: u32, height: u32, levels: u32) -> Result<PictureOnGpu, ViewportError> {
+/// Room for a picture with so many levels, of which each is half as large as the one before.
+pub(crate) fn reserve_levels(gpu: &Gpu, width: u32, height: u32, levels: u32) -> Result<PictureOnGpu, ViewportError> {
     if width == 0 || height == 0 || width.max(height) > gpu.largest_side_px() {
         return Err(ViewportError::BadPicture { width, height, found: 0 });
     }
-    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("picture"),
-        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
-        mip_level_count: levels,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format: FORMAT,
-        usage: wgpu::TextureUsages::TEXTURE_BINDING
-            | wgpu::TextureUsages::COPY_DST
-            | wgpu::TextureUsages::RENDER_ATTACHMENT,
-        view_formats: &[],
-    });
+    let usage =
+        wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST | wgpu::TextureUsages::RENDER_ATTACHMENT;
+    let descriptor = texture("picture", [width, height], FORMAT, usage);
+    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor { mip_level_count: levels, ..descriptor });
     let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
     Ok(PictureOnGpu { texture, view })
 }
@@ -85,11 +74,6 @@ pub(crate) fn write_bitmap(
     Ok(())
 }
 
-/// Makes the smaller levels once all rows are there, each pixel the mean of four in linear light.
-pub(crate) fn finish(gpu: &Gpu, shrink: &wgpu::RenderPipeline, picture: &PictureOnGpu) {
-    shrink_levels(gpu, shrink, &picture.texture);
-}
-
 /// One white pixel, for a mesh without a photo.
 pub(crate) fn blank(gpu: &Gpu) -> Result<PictureOnGpu, ViewportError> {
     let pixel = reserve(gpu, 1, 1)?;
@@ -137,7 +121,8 @@ pub(crate) fn shrink_pipeline(gpu: &Gpu) -> wgpu::RenderPipeline {
     })
 }
 
-fn shrink_levels(gpu: &Gpu, shrink: &wgpu::RenderPipeline, texture: &wgpu::Texture) {
+/// Makes the smaller levels once all rows are there, each pixel the mean of four in linear light.
+pub(crate) fn finish(gpu: &Gpu, shrink: &wgpu::RenderPipeline, PictureOnGpu { texture, .. }: &PictureOnGpu) {
     let level = |base_mip_level| {
         texture.create_view(&wgpu::TextureViewDescriptor {
             base_mip_level,
@@ -152,15 +137,9 @@ fn shrink_levels(gpu: &Gpu, shrink: &wgpu::RenderPipeline, texture: &wgpu::Textu
     });
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
     for smaller in 1..texture.mip_level_count() {
-        let source = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("shrink"),
-            layout: &shrink.get_bind_group_layout(0),
-            entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&level(smaller - 1)) },
-                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&sampler) },
-            ],
-        });
-        let target = level(smaller);
+        let (source, target) = (level(smaller - 1), level(smaller));
+        let resources = [wgpu::BindingResource::TextureView(&source), wgpu::BindingResource::Sampler(&sampler)];
+        let bindings = gpu.bind_group(&shrink.get_bind_group_layout(0), resources);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("shrink"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
@@ -172,7 +151,7 @@ fn shrink_levels(gpu: &Gpu, shrink: &wgpu::RenderPipeline, texture: &wgpu::Textu
             ..Default::default()
         });
         pass.set_pipeline(shrink);
-        pass.set_bind_group(0, &source, &[]);
+        pass.set_bind_group(0, &bindings, &[]);
         pass.draw(0..3, 0..1);
     }
     gpu.queue.submit([encoder.finish()]);

@@ -1,6 +1,7 @@
 use glam::DVec2;
+use wgpu::BindingResource::{Sampler, TextureView};
 
-use crate::mesh::filled;
+use crate::mesh::{check_length, filled};
 use crate::pipelines::Pipelines;
 use crate::{Gpu, PictureOnGpu, ViewportError, picture};
 
@@ -38,11 +39,13 @@ impl SheetOnGpu {
         let moving = input.triangles.iter().map(|triangle| triangle.map(|corner| corner + corners.len() as u32));
         let triangles: Vec<[u32; 3]> = whole.into_iter().chain(moving).collect();
         let ways: Vec<[f32; 4]> = corners.iter().chain(input.from_px).map(|place| way(*place, *place)).collect();
+        let sampler = picture::sampler(gpu);
+        let resources = [TextureView(&input.picture.view), Sampler(&sampler)];
         Self {
             ways_on_gpu: filled(gpu, bytemuck::cast_slice(&ways), wgpu::BufferUsages::VERTEX),
             indices: filled(gpu, bytemuck::cast_slice(&triangles), wgpu::BufferUsages::INDEX),
             index_count: 3 * triangles.len() as u32,
-            bindings: bindings(gpu, pipelines, input.picture),
+            bindings: gpu.bind_group(&pipelines.sheet_layout, resources),
             corners,
             from_px: input.from_px.to_vec(),
             ways,
@@ -50,19 +53,13 @@ impl SheetOnGpu {
     }
 
     pub fn carry(&mut self, gpu: &Gpu, from_px: &[DVec2], to_px: &[DVec2]) -> Result<(), ViewportError> {
-        let (expected, found) = (self.from_px.len(), from_px.len());
-        if expected != found {
-            return Err(ViewportError::LengthMismatch { what: "places", expected, found });
-        }
+        check_length("places", from_px.len(), self.from_px.len())?;
         self.from_px.copy_from_slice(from_px);
         self.follow(gpu, to_px)
     }
 
     pub fn follow(&mut self, gpu: &Gpu, to_px: &[DVec2]) -> Result<(), ViewportError> {
-        let (expected, found) = (self.from_px.len(), to_px.len());
-        if expected != found {
-            return Err(ViewportError::LengthMismatch { what: "places", expected, found });
-        }
+        check_length("places", to_px.len(), self.from_px.len())?;
         let moving = &mut self.ways[self.corners.len()..];
         for (own, (to, from)) in moving.iter_mut().zip(to_px.iter().zip(&self.from_px)) {
             *own = way(*to, *from);
@@ -75,14 +72,4 @@ impl SheetOnGpu {
 fn way(to_px: DVec2, from_px: DVec2) -> [f32; 4] {
     let ([to_x, to_y], [from_x, from_y]) = (to_px.as_vec2().to_array(), from_px.as_vec2().to_array());
     [to_x, to_y, from_x, from_y]
-}
-
-fn bindings(gpu: &Gpu, pipelines: &Pipelines, picture: &PictureOnGpu) -> wgpu::BindGroup {
-    let sampler = picture::sampler(gpu);
-    let entries = [
-        wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&picture.view) },
-        wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&sampler) },
-    ];
-    let layout = &pipelines.sheet_layout;
-    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("sheet"), layout, entries: &entries })
 }

@@ -1,4 +1,5 @@
 use crate::Gpu;
+use crate::gpu::texture;
 #[cfg(target_arch = "wasm32")]
 use crate::{Backend, ViewportError, gpu};
 
@@ -148,17 +149,9 @@ pub(crate) struct Attachments {
 impl Attachments {
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat, size: [u32; 2]) -> Self {
         let view = |format| {
-            let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-                label: Some("attachment"),
-                size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-                mip_level_count: 1,
-                sample_count: SAMPLES,
-                dimension: wgpu::TextureDimension::D2,
-                format,
-                usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
-                view_formats: &[],
-            });
-            texture.create_view(&Default::default())
+            let descriptor = texture("attachment", size, format, wgpu::TextureUsages::RENDER_ATTACHMENT);
+            let descriptor = wgpu::TextureDescriptor { sample_count: SAMPLES, ..descriptor };
+            gpu.device.create_texture(&descriptor).create_view(&Default::default())
         };
         Self { colour: view(format), depth: view(DEPTH_FORMAT), size }
     }

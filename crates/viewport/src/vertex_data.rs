@@ -4,6 +4,7 @@ use std::marker::PhantomData;
 
 use bytemuck::Pod;
 
+use crate::gpu::texture;
 use crate::{Gpu, ViewportError};
 
 /// Texels in a row; `shaders/mesh.wgsl` says the same.
@@ -29,17 +30,10 @@ impl<T: Pod> VertexData<T> {
         if rows > gpu.largest_side_px() as usize {
             return Err(ViewportError::TooManyVertices(values.len()));
         }
-        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("vertex data"),
-            size: extent(ROW, rows),
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: wgpu::TextureFormat::Rgba32Float,
-            usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
-            view_formats: &[],
-        });
-        let data = Self { texture, kind: PhantomData };
+        let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
+        let size = [ROW as u32, rows as u32];
+        let descriptor = texture("vertex data", size, wgpu::TextureFormat::Rgba32Float, usage);
+        let data = Self { texture: gpu.device.create_texture(&descriptor), kind: PhantomData };
         data.write(gpu, values);
         Ok(data)
     }

@@ -5,6 +5,7 @@ use rosto_stage::{Background, Stage};
 
 use crate::error_scopes::ErrorScopes;
 use crate::frame::FrameOnGpu;
+use crate::gpu::texture;
 use crate::mesh::{MeshOnGpu, filled};
 use crate::passes::Drawn;
 use crate::pipelines::Pipelines;
@@ -89,12 +90,12 @@ impl Viewport {
         picture::finish(&self.gpu, &self.shrink, picture);
     }
 
-    /// Room for the frames of a film, which have this size.
+    /// Room for the frames of a film, which have this size; without smaller levels, since pixels change sixty times a second.
     ///
     /// # Errors
     /// As [`Self::reserve_picture`].
     pub fn reserve_film(&self, width: u32, height: u32) -> Result<PictureOnGpu, ViewportError> {
-        picture::reserve_film(&self.gpu, width, height)
+        picture::reserve_levels(&self.gpu, width, height, 1)
     }
 
     /// The next frame of a film, which is to have its size.
@@ -144,7 +145,7 @@ impl Viewport {
     }
 
     /// Sets how each vertex follows up to two handles, for [`Stage::set_offsets_m`], and how far it is from them: 1 where
-    /// `rosto_stage::Rim` is drawn. Call it after [`Self::set_positions`]. Nothing without a mesh.
+    /// `rosto_stage::RenderSettings::rim` is drawn. Call it after [`Self::set_positions`]. Nothing without a mesh.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
@@ -220,15 +221,15 @@ impl Viewport {
         background: Background,
     ) -> Result<impl Future<Output = Result<Snapshot, ViewportError>> + use<>, ViewportError> {
         self.gpu.check()?;
-        let largest = self.gpu.largest_side_px();
-        let size = size_px.map(|side| side.clamp(1, largest));
+        let size = self.fitting(size_px[0], size_px[1]);
         let mut resized = stage.clone();
         let scale = f64::from(size[1]) / stage.camera().size_px().y;
         resized.camera_mut().resize(size[0], size[1]);
         resized.set_pixel_ratio(stage.pixel_ratio() * scale);
         resized.render_settings_mut().background = background;
         let scopes = ErrorScopes::open(&self.gpu);
-        let texture = self.still(size);
+        let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
+        let texture = self.gpu.device.create_texture(&texture("still", size, self.target.format, usage));
         let attachments = Attachments::new(&self.gpu, self.target.format, size);
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         self.upload(&resized);
@@ -248,19 +249,6 @@ impl Viewport {
         self.upload(stage);
         passes::record(&self.drawn, stage, &mut encoder, &self.attachments, &texture.create_view(&Default::default()));
         self.gpu.queue.submit([encoder.finish()]);
-    }
-
-    fn still(&self, [width, height]: [u32; 2]) -> wgpu::Texture {
-        self.gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("still"),
-            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: self.target.format,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-            view_formats: &[],
-        })
     }
 
     fn upload(&mut self, stage: &Stage) {

@@ -17,20 +17,18 @@ pub(crate) enum Pictures {
 
 /// Which photo leads, and what there is of the others; nothing of a face that was seen in one alone.
 pub(crate) fn further(face: &FaceModel, pictures: Pictures) -> Result<Option<Value>, ExportError> {
-    let views = face.views();
-    let [lead, others @ ..] = views.as_slice() else { return Ok(None) };
+    let [lead, others @ ..] = face.views() else { return Ok(None) };
     if others.is_empty() {
         return Ok(None);
     }
-    let photos = others.iter().zip(1..).map(|(view, place)| photo(face, view, place, pictures));
+    let photos = others.iter().map(|view| photo(view, pictures));
     Ok(Some(json!({"leads": lead.photo, "photos": photos.collect::<Result<Vec<_>, _>>()?})))
 }
 
-fn photo(face: &FaceModel, view: &View<'_>, place: usize, pictures: Pictures) -> Result<Value, ExportError> {
-    let landmarks = face.landmarks_of(place).unwrap_or_default();
-    let mut photo = found(view.photo_size_px, view.lens, landmarks, view.colours_srgb);
+fn photo(view: &View, pictures: Pictures) -> Result<Value, ExportError> {
+    let mut photo = found(view.photo_size_px, view.lens, &view.landmarks, &view.colours_srgb);
     if let Pictures::UpTo(max_px) = pictures {
-        photo["picture"] = part_of(&Picture { pixels: view.picture, uvs: view.uvs }, max_px)?;
+        photo["picture"] = part_of(&Picture { pixels: &view.picture, uvs: &view.uvs }, max_px)?;
     }
     Ok(photo)
 }

@@ -62,8 +62,8 @@ pub(super) fn extras(source: &Source<'_>) -> Result<Value, ExportError> {
 }
 
 /// A face found in a photo: landmarks as little-endian numbers, and the colours under them, both in base64.
-pub(super) fn found(photo_px: [u32; 2], lens: PhotoLens, landmarks: Vec<[f32; 3]>, colours: &[[u8; 3]]) -> Value {
-    let landmarks: Vec<u8> = landmarks.into_iter().flatten().flat_map(f32::to_le_bytes).collect();
+pub(super) fn found(photo_px: [u32; 2], lens: PhotoLens, landmarks: &[[f32; 3]], colours: &[[u8; 3]]) -> Value {
+    let landmarks: Vec<u8> = landmarks.iter().flatten().flat_map(|number| number.to_le_bytes()).collect();
     let [landmarks, colours] = [&landmarks, colours.as_flattened()].map(|bytes| BASE64_STANDARD.encode(bytes));
     json!({"photo_px": photo_px, "lens": lens.to_string(), "landmarks": landmarks, "colours": colours})
 }

@@ -11,6 +11,7 @@ use crate::size::{self, Scale};
 use crate::{FaceError, LANDMARK_COUNT, PhotoLens, canonical_positions_m};
 
 /// Landmarks in the model's frame.
+#[derive(Clone)]
 pub(super) struct Fitted {
     /// 468, or 478 with the irises.
     pub(super) positions_m: Vec<DVec3>,
@@ -227,7 +228,7 @@ impl Sight {
             scale,
             factor,
             error,
-            image_from_model: image_from_px * px_from_model.to_affine().matrix3 * (1.0 / factor),
+            image_from_model: image_from_px * (px_from_model.rotation * px_from_model.scale) * (1.0 / factor),
         }
     }
 }

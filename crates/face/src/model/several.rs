@@ -28,7 +28,7 @@ pub(super) struct Known<'a> {
 
 /// How well a shape agrees with a photo: the distances in px between where its camera sees the landmarks that face it and
 /// where they were found.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Reprojection {
     /// The root of the mean of their squares.
     pub rms_px: f64,
@@ -129,10 +129,10 @@ impl<'a> Photos<'a> {
     fn fit(&self, of: &[usize]) -> Result<Shape, FaceError> {
         const ROUNDS: usize = 3;
         let lead = self.lead(of);
-        let (sight, lens) = (&self.sights[lead], self.known[lead].lens);
+        let sight = &self.sights[lead];
         let others: Vec<usize> = of.iter().copied().filter(|&photo| photo != lead).collect();
-        let mut alone = sight.fitted(lens)?;
-        let mut shape = sight.fitted(lens)?;
+        let mut alone = self.alone[lead].clone();
+        let mut shape = alone.clone();
         if others.is_empty() {
             return Ok(Shape { lead, fitted: shape, others: Vec::new() });
         }

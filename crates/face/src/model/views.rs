@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 use rosto_photo::Photo;
 
+use super::fitting::Fitted;
 use super::several::{self, Known, LeftOut, Reprojection, Together};
 use super::{FaceInput, FaceModel, check_count};
 use crate::camera::Camera;
@@ -12,38 +13,26 @@ use crate::{FaceError, LANDMARK_COUNT, PhotoLens, Triangulation};
 pub const MOST_PHOTOS: usize = 5;
 
 /// One of the photos that a face was seen in.
-#[derive(Debug, Clone, Copy)]
-pub struct View<'a> {
+#[derive(Debug, Clone)]
+pub struct View {
     /// Which of them, in the order that they were given in.
     pub photo: usize,
     /// The upright picture; it may be a scaled-down copy.
-    pub picture: &'a Photo,
+    pub picture: Photo,
     /// Width and height in px of the upright picture that the landmarks were found in.
     pub photo_size_px: [u32; 2],
+    /// The landmarks, and the irises if they were looked for, bit for bit as they came in.
+    pub landmarks: Vec<[f32; 3]>,
     /// Where the 468 landmarks were found in it, x/W and y/H, origin at the top left.
-    pub uvs: &'a [DVec2],
+    pub uvs: Vec<DVec2>,
     /// The camera that took it, in px of [`Self::photo_size_px`], and where that stood before the model.
-    pub camera: &'a Camera,
+    pub camera: Camera,
     /// What was known of its lens.
     pub lens: PhotoLens,
     /// 468 sRGB colours, its pixel under each landmark.
-    pub colours_srgb: &'a [[u8; 3]],
+    pub colours_srgb: Vec<[u8; 3]>,
     /// How well the model agrees with it; nothing is left of that for the photo that leads, on which the model lies.
     pub reprojection: Reprojection,
-}
-
-/// A photo beside the one that leads.
-#[derive(Debug, Clone)]
-pub(super) struct Other {
-    photo: usize,
-    photo_size_px: [u32; 2],
-    landmarks: Vec<[f32; 3]>,
-    uvs: Vec<DVec2>,
-    lens: PhotoLens,
-    colours_srgb: Vec<[u8; 3]>,
-    picture: Photo,
-    camera: Camera,
-    reprojection: Reprojection,
 }
 
 impl FaceModel {
@@ -76,15 +65,11 @@ impl FaceModel {
                 .map_err(|reason| FaceError::InPhoto { photo, reason: Box::new(reason) })?;
         }
         let known: Vec<Known<'_>> = inputs.iter().map(Known::of).collect();
-        let Together { lead, fitted, others } = several::together(&known)?;
-        let (mut lead_input, mut kept) = (None, Vec::new());
-        for (photo, input) in inputs.into_iter().enumerate() {
-            if photo == lead { lead_input = Some(input) } else { kept.push((photo, input)) }
-        }
-        let input = lead_input.expect("invariant: one of the photos leads");
-        let others =
-            kept.into_iter().zip(others).map(|((photo, input), seen)| Other::new(photo, input, seen)).collect();
-        Ok(Self { photo: lead, others, ..Self::made_of(input, triangulation, fitted) })
+        let Together { lead, fitted, others: mut seen } = several::together(&known)?;
+        seen.insert(lead, (lead, fitted.camera, Reprojection::default()));
+        let mut views: Vec<View> = inputs.into_iter().zip(seen).map(|(input, seen)| View::new(input, seen)).collect();
+        views[..=lead].rotate_right(1);
+        Ok(Self::made_of(triangulation, fitted, views))
     }
 
     /// The same face with a further photo of it, the last of them: as if all had been given to [`Self::of_several`] together.
@@ -92,8 +77,7 @@ impl FaceModel {
     /// # Errors
     /// As [`Self::of_several`].
     pub fn with_photo(&self, input: FaceInput<'_>) -> Result<Self, FaceError> {
-        let landmarks = self.landmarks_in_order();
-        let inputs = self.inputs(&landmarks).into_iter().chain([input]);
+        let inputs = self.inputs().into_iter().chain([input]);
         Self::of_several(inputs.collect(), self.triangulation)
     }
 
@@ -103,56 +87,42 @@ impl FaceModel {
     /// # Errors
     /// As [`Self::of_several`]; [`FaceError::PhotoCount`] for the only one.
     pub fn without_photo(&self, photo: usize) -> Result<Self, FaceError> {
-        let landmarks = self.landmarks_in_order();
-        let inputs = self.inputs(&landmarks).into_iter().enumerate();
+        let inputs = self.inputs().into_iter().enumerate();
         let others = inputs.filter(|(other, _)| *other != photo).map(|(_, input)| input);
         Self::of_several(others.collect(), self.triangulation)
     }
 
-    /// The photos that the face was seen in: the one that leads first, the others in the order that they were given in.
-    pub fn views(&self) -> Vec<View<'_>> {
-        let lead = View {
-            photo: self.photo,
-            picture: &self.picture,
-            photo_size_px: self.photo_size_px,
-            uvs: &self.uvs,
-            camera: &self.camera,
-            lens: self.lens,
-            colours_srgb: &self.colours_srgb,
-            reprojection: Reprojection { rms_px: 0.0, median_px: 0.0 },
+    /// The same face seen through another lens. Of several photos, it is the lens of the one that leads; what is known of the
+    /// others' stays known, and the shape is fitted to all of them again.
+    ///
+    /// # Errors
+    /// [`FaceError::Lens`] if there is no such lens.
+    pub fn with_lens(&self, lens: PhotoLens) -> Result<Self, FaceError> {
+        let (fitted, others) = match self.views() {
+            [only] => (Fitted::new(&only.landmarks, only.photo_size_px, lens)?, Vec::new()),
+            _ => {
+                let Together { fitted, others, .. } = several::together(&self.known(lens))?;
+                (fitted, others)
+            }
         };
-        std::iter::once(lead).chain(self.others.iter().map(Other::view)).collect()
-    }
-
-    /// The landmarks of a photo, and the irises if they were looked for, bit for bit as they came in, by its place in
-    /// [`Self::views`]; none where there is no such photo.
-    pub fn landmarks_of(&self, view: usize) -> Option<Vec<[f32; 3]>> {
-        match view {
-            0 => Some(self.landmarks()),
-            _ => self.others.get(view - 1).map(|other| other.landmarks.clone()),
+        let mut views = self.views.clone();
+        (views[0].lens, views[0].camera) = (lens, fitted.camera);
+        for (view, (_, camera, reprojection)) in views[1..].iter_mut().zip(others) {
+            (view.camera, view.reprojection) = (camera, reprojection);
         }
+        Ok(Self::made_of(self.triangulation, fitted, views))
     }
 
-    /// The landmarks of each photo, in the order that they were given in.
-    fn landmarks_in_order(&self) -> Vec<Vec<[f32; 3]>> {
-        let mut landmarks: Vec<_> = self.others.iter().map(|other| other.landmarks.clone()).collect();
-        landmarks.insert(self.photo, self.landmarks());
-        landmarks
+    /// The photos that the face was seen in: the one that leads first, the others in the order that they were given in.
+    pub fn views(&self) -> &[View] {
+        &self.views
     }
 
     /// What the model was made from, in the order that it was given in.
-    fn inputs<'a>(&'a self, landmarks: &'a [Vec<[f32; 3]>]) -> Vec<FaceInput<'a>> {
-        let mut views = self.views();
+    fn inputs(&self) -> Vec<FaceInput<'_>> {
+        let mut views: Vec<&View> = self.views.iter().collect();
         views.sort_by_key(|view| view.photo);
-        let input = |(view, landmarks): (View<'a>, &'a Vec<[f32; 3]>)| FaceInput {
-            landmarks,
-            width: view.photo_size_px[0],
-            height: view.photo_size_px[1],
-            colours: view.colours_srgb,
-            picture: view.picture.clone(),
-            lens: view.lens,
-        };
-        views.into_iter().zip(landmarks).map(input).collect()
+        views.into_iter().map(View::input).collect()
     }
 
     /// Leaves out each photo in turn and tells how well the others foresee it; nothing for fewer than three.
@@ -160,25 +130,13 @@ impl FaceModel {
     /// # Errors
     /// As [`Self::of_several`].
     pub fn left_out(&self) -> Result<Vec<LeftOut>, FaceError> {
-        let landmarks = self.landmarks();
-        several::left_out(&self.known(&landmarks, self.lens))
+        several::left_out(&self.known(self.lens()))
     }
 
-    /// Fitted to all photos again with another lens of the one that leads.
-    pub(super) fn together_with_lens(&self, lens: PhotoLens) -> Result<Self, FaceError> {
-        let landmarks = self.landmarks();
-        let Together { fitted, others, .. } = several::together(&self.known(&landmarks, lens))?;
-        let mut again = Self { lens, ..self.clone() }.placed_as(fitted);
-        for (other, (_, camera, reprojection)) in again.others.iter_mut().zip(others) {
-            (other.camera, other.reprojection) = (camera, reprojection);
-        }
-        Ok(again)
-    }
-
-    /// What is known of each photo, in the order that they were given in.
-    fn known<'a>(&'a self, landmarks: &'a [[f32; 3]], lens: PhotoLens) -> Vec<Known<'a>> {
-        let mut known: Vec<Known<'_>> = self.others.iter().map(Other::known).collect();
-        known.insert(self.photo, Known { landmarks, size_px: self.photo_size_px, lens });
+    /// What is known of each photo, in the order that they were given in, with this lens of the one that leads.
+    fn known(&self, lens: PhotoLens) -> Vec<Known<'_>> {
+        let mut known: Vec<Known<'_>> = self.inputs().iter().map(Known::of).collect();
+        known[self.views[0].photo].lens = lens;
         known
     }
 }
@@ -189,37 +147,30 @@ impl<'a> Known<'a> {
     }
 }
 
-impl Other {
-    fn new(photo: usize, input: FaceInput<'_>, (_, camera, reprojection): (usize, Camera, Reprojection)) -> Self {
+impl View {
+    pub(super) fn new(input: FaceInput<'_>, (photo, camera, reprojection): (usize, Camera, Reprojection)) -> Self {
         let place = |p: &[f32; 3]| DVec3::from(p.map(f64::from)).truncate();
         Self {
             photo,
+            picture: input.picture,
             photo_size_px: [input.width, input.height],
             landmarks: input.landmarks.to_vec(),
             uvs: input.landmarks[..LANDMARK_COUNT].iter().map(place).collect(),
+            camera,
             lens: input.lens,
             colours_srgb: input.colours.to_vec(),
-            picture: input.picture,
-            camera,
             reprojection,
         }
     }
 
-    fn known(&self) -> Known<'_> {
-        Known { landmarks: &self.landmarks, size_px: self.photo_size_px, lens: self.lens }
-    }
-
-    fn view(&self) -> View<'_> {
-        let Self { photo, picture, photo_size_px, uvs, camera, lens, colours_srgb, reprojection, .. } = self;
-        View {
-            photo: *photo,
-            picture,
-            photo_size_px: *photo_size_px,
-            uvs,
-            camera,
-            lens: *lens,
-            colours_srgb,
-            reprojection: *reprojection,
+    fn input(&self) -> FaceInput<'_> {
+        FaceInput {
+            landmarks: &self.landmarks,
+            width: self.photo_size_px[0],
+            height: self.photo_size_px[1],
+            colours: &self.colours_srgb,
+            picture: self.picture.clone(),
+            lens: self.lens,
         }
     }
 }

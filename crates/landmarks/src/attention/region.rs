@@ -1,4 +1,5 @@
 use super::parts::Part;
+use crate::outline::Outline;
 use crate::raw_mesh::SIDE;
 
 /// Channels of the trunk's features.
@@ -27,10 +28,7 @@ impl FeatureRegion {
         let rotation_rad = (right[1] - left[1]).atan2(right[0] - left[0]);
         let (sin, cos) = rotation_rad.sin_cos();
         let levelled = part.points.iter().map(|&index| at(index)).map(|[x, y]| [x * cos + y * sin, y * cos - x * sin]);
-        let start = ([f32::INFINITY; 2], [f32::NEG_INFINITY; 2]);
-        let (min, max) = levelled.fold(start, |(min, max), point| {
-            ([0, 1].map(|axis| point[axis].min(min[axis])), [0, 1].map(|axis| point[axis].max(max[axis])))
-        });
+        let Outline { min, max } = Outline::around(levelled);
         let [x, y] = [0, 1].map(|axis| (min[axis] + max[axis]) / 2.0);
         let centre = [x * cos - y * sin, x * sin + y * cos];
         let [wide, high] = [0, 1].map(|axis| (max[axis] - min[axis]) * ENLARGEMENT / CROP_SIDE as f32);

@@ -30,7 +30,7 @@ impl Waiting {
     fn channels(&self) -> usize {
         match &self.kind {
             Kind::Depthwise(depthwise) => depthwise.channels(),
-            Kind::Convolution(convolution) => convolution.dense.channels(),
+            Kind::Convolution(convolution) => convolution.dense.channels,
         }
     }
 

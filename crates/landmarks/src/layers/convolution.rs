@@ -33,14 +33,14 @@ impl Layer for Convolution {
         };
         let [height, width, channels] = picture(input)?;
         ensure!(channels == self.channels_in, "{channels} channels where {} are read", self.channels_in);
-        let window = self.depthwise.as_ref().map_or(&self.window, Depthwise::window);
+        let window = self.depthwise.as_ref().map_or(&self.window, |depthwise| &depthwise.window);
         let [height, width] = window.output([height, width])?;
         if let Some(skip) = skip {
             let added = picture(skip)?;
-            let fits = added[..2] == [height, width] && added[2] <= self.dense.channels();
-            ensure!(fits, "{added:?} added to {:?}", [height, width, self.dense.channels()]);
+            let fits = added[..2] == [height, width] && added[2] <= self.dense.channels;
+            ensure!(fits, "{added:?} added to {:?}", [height, width, self.dense.channels]);
         }
-        Ok(tvec![1, height, width, self.dense.channels()])
+        Ok(tvec![1, height, width, self.dense.channels])
     }
 
     fn run(&self, inputs: &[Value<'_>], shape: &[usize], output: &mut [f32]) {
@@ -73,11 +73,11 @@ impl Convolution {
     ) {
         let row_length = width * depthwise.channels();
         let rows_at_hand = PIXELS_AT_HAND.div_ceil(width);
-        let spans = depthwise.window().spans(1, width, extents[1]);
+        let spans = depthwise.window.spans(1, width, extents[1]);
         let mut at_hand = vec![0.0; rows_at_hand * row_length];
-        let bands = output.chunks_mut(rows_at_hand * width * self.dense.channels());
+        let bands = output.chunks_mut(rows_at_hand * width * self.dense.channels);
         for (band, output) in bands.enumerate() {
-            let rows = output.len() / (width * self.dense.channels());
+            let rows = output.len() / (width * self.dense.channels);
             let first = band * rows_at_hand;
             for (row, made) in at_hand.chunks_exact_mut(row_length).take(rows).enumerate() {
                 depthwise.row(numbers, extents, &spans, first + row, made);
@@ -92,11 +92,11 @@ impl Convolution {
     fn slide(&self, numbers: &[f32], extents: [usize; 2], skip: Skip<'_>, width: usize, output: &mut [f32]) {
         let spans = self.window.spans(1, width, extents[1]);
         let step = self.window.strides[1] * self.channels_in;
-        for (y, row) in output.chunks_exact_mut(width * self.dense.channels()).enumerate() {
+        for (y, row) in output.chunks_exact_mut(width * self.dense.channels).enumerate() {
             for span in &spans {
                 let parts = self.parts(numbers, extents, y, span);
-                let output = &mut row[span.places.start * self.dense.channels()..];
-                let output = &mut output[..span.places.len() * self.dense.channels()];
+                let output = &mut row[span.places.start * self.dense.channels..];
+                let output = &mut output[..span.places.len() * self.dense.channels];
                 self.dense.run(&parts, step, skip.from(y * width + span.places.start), output);
             }
         }
@@ -130,13 +130,13 @@ impl Layer for Depthwise {
         ensure!(inputs.len() == 1, "{} inputs", inputs.len());
         let [height, width, channels] = picture(inputs[0])?;
         ensure!(channels == self.channels(), "{channels} channels where {} are read", self.channels());
-        let [height, width] = self.window().output([height, width])?;
+        let [height, width] = self.window.output([height, width])?;
         Ok(tvec![1, height, width, channels])
     }
 
     fn run(&self, inputs: &[Value<'_>], shape: &[usize], output: &mut [f32]) {
         let extents = [inputs[0].shape[1], inputs[0].shape[2]];
-        let spans = self.window().spans(1, shape[2], extents[1]);
+        let spans = self.window.spans(1, shape[2], extents[1]);
         for (y, row) in output.chunks_exact_mut(shape[2] * shape[3]).enumerate() {
             self.row(inputs[0].numbers, extents, &spans, y, row);
         }

@@ -13,7 +13,8 @@ const PIXELS: usize = 4;
 
 /// Sums over all input channels: `out = activated(bias + skip + weights · in)`, for each pixel.
 pub(crate) struct Dense {
-    channels: usize,
+    /// Output channels.
+    pub(crate) channels: usize,
     /// How many numbers a sum has.
     depth: usize,
     /// By block of output channels, then by input; zeros beyond the last channel.
@@ -58,11 +59,6 @@ impl Dense {
         let weights = (0..blocks).flat_map(|block| (0..depth).map(move |input| (block, input)));
         let weights = weights.map(|(block, input)| lane(block, input)).collect();
         Self { channels, depth, weights, biases: in_lanes(biases), slopes: vec![[1.0; LANES]; blocks] }
-    }
-
-    /// Output channels.
-    pub(crate) fn channels(&self) -> usize {
-        self.channels
     }
 
     /// With what follows the sums: a slope for each channel, see [`activated`].

@@ -6,7 +6,7 @@ use super::window::{Span, Window};
 
 /// Sums over the taps of a window, for each channel by itself: `out = activated(bias + Σ weight · in)`.
 pub(crate) struct Depthwise {
-    window: Window,
+    pub(crate) window: Window,
     /// By tap, then by channel.
     weights: Vec<f32>,
     biases: Vec<f32>,
@@ -25,10 +25,6 @@ impl Depthwise {
         let weights = (0..taps).flat_map(|tap| (0..biases.len()).map(move |channel| (channel, tap)));
         let weights = weights.map(|(channel, tap)| weight(channel, tap)).collect();
         Self { window, weights, biases: biases.to_vec(), slopes: vec![1.0; biases.len()] }
-    }
-
-    pub(crate) fn window(&self) -> &Window {
-        &self.window
     }
 
     pub(crate) fn channels(&self) -> usize {

@@ -18,7 +18,7 @@ pub(crate) struct Run {
 const LARGEST_FIRST: u32 = 1280;
 
 /// A first coefficient by its difference, checked against what 8-bit samples can have.
-fn first(bits: &mut Bits<'_>, dc: &Huffman, prediction: &mut i32, scale: i32) -> Option<i32> {
+pub(crate) fn first(bits: &mut Bits<'_>, dc: &Huffman, prediction: &mut i32, scale: i32) -> Option<i32> {
     const MOST_BITS: u8 = 11;
     let size = dc.decode(bits).filter(|&size| size <= MOST_BITS)?;
     *prediction = prediction.wrapping_add(signed(bits, size.into()));
@@ -58,19 +58,6 @@ pub(crate) fn sequential(
         }
     }
     (k == 64).then_some(true)
-}
-
-/// The first coefficient of a progressive picture but for its last `low` bits.
-pub(crate) fn first_of_progressive(
-    bits: &mut Bits<'_>,
-    dc: &Huffman,
-    prediction: &mut i32,
-    low: u8,
-    quantisation: i32,
-    block: &mut [i16; 64],
-) -> Option<()> {
-    block[0] = (first(bits, dc, prediction, quantisation << low)? << low) as i16;
-    Some(())
 }
 
 /// The others of a band, in zigzag order.

@@ -22,7 +22,30 @@ pub(crate) fn decode(
     planes: &mut [Plane],
     rows: &mut Rows,
 ) -> Option<usize> {
-    let mut decoder = Decoder::new((bytes, position), frame, scan, tables, planes)?;
+    let interleaved = scan.components.len() > 1;
+    let mut unit = Vec::new();
+    for (component, &of) in scan.components.iter().enumerate() {
+        let step = if interleaved { frame.components[of.index].sampling } else { [1, 1] };
+        for at in 0..step[0] * step[1] {
+            let offset = [at % step[0], at / step[0]];
+            unit.push(UnitBlock::new(component, of, scan, tables, planes, [step, offset])?);
+        }
+    }
+    let first = scan.components.first()?.index;
+    let [across, down] = if interleaved { frame.units() } else { planes[first].blocks };
+    let sampled = if interleaved { 1 } else { frame.components[first].sampling[1] };
+    let mut decoder = Decoder {
+        bytes,
+        bits: Bits::new(bytes, position),
+        frame,
+        scan,
+        run: Run::default(),
+        unit,
+        across,
+        total: across * down,
+        unit_height_px: 8 * frame.largest[1] / sampled,
+        restart_interval: tables.restart_interval,
+    };
     decoder.decode_intervals(planes, rows);
     Some(decoder.bits.next_marker().map_or(bytes.len(), |code| code - 1))
 }
@@ -69,40 +92,7 @@ enum Fault {
     Long,
 }
 
-impl<'a> Decoder<'a> {
-    fn new(
-        (bytes, position): (&'a [u8], usize),
-        frame: &'a Frame,
-        scan: &'a Scan,
-        tables: &'a Tables,
-        planes: &[Plane],
-    ) -> Option<Self> {
-        let interleaved = scan.components.len() > 1;
-        let mut unit = Vec::new();
-        for (component, &of) in scan.components.iter().enumerate() {
-            let step = if interleaved { frame.components[of.index].sampling } else { [1, 1] };
-            for at in 0..step[0] * step[1] {
-                let offset = [at % step[0], at / step[0]];
-                unit.push(UnitBlock::new(component, of, scan, tables, planes, [step, offset])?);
-            }
-        }
-        let first = scan.components.first()?.index;
-        let [across, down] = if interleaved { frame.units() } else { planes[first].blocks };
-        let sampled = if interleaved { 1 } else { frame.components[first].sampling[1] };
-        Some(Self {
-            bytes,
-            bits: Bits::new(bytes, position),
-            frame,
-            scan,
-            run: Run::default(),
-            unit,
-            across,
-            total: across * down,
-            unit_height_px: 8 * frame.largest[1] / sampled,
-            restart_interval: tables.restart_interval,
-        })
-    }
-
+impl Decoder<'_> {
     /// Up to the last unit, or to where no more can be told from the data.
     fn decode_intervals(&mut self, planes: &mut [Plane], rows: &mut Rows) {
         let length = if self.restart_interval == 0 { self.total } else { self.restart_interval };
@@ -186,8 +176,8 @@ impl<'a> Decoder<'a> {
             let block = plane.coefficients(at);
             match (first, high) {
                 (0, 0) => {
-                    let prediction = &mut run.predictions[of.component];
-                    block::first_of_progressive(bits, of.dc?, prediction, low, of.quantisation[0], block)?;
+                    let (prediction, quantisation) = (&mut run.predictions[of.component], of.quantisation[0] << low);
+                    block[0] = (block::first(bits, of.dc?, prediction, quantisation)? << low) as i16;
                 }
                 (0, _) => block[0] |= i16::from(bits.bit()) << low,
                 (_, 0) => block::band(bits, of.ac?, run, [first, last], low, block)?,

@@ -9,12 +9,6 @@ pub(crate) struct Segments<'a> {
     pub(crate) position: usize,
 }
 
-impl<'a> Segments<'a> {
-    pub(crate) fn new(bytes: &'a [u8]) -> Self {
-        Self { bytes, position: 0 }
-    }
-}
-
 impl<'a> Iterator for Segments<'a> {
     type Item = (u8, &'a [u8]);
 

@@ -34,7 +34,7 @@ impl<'a> Upsampler<'a> {
         let own = self.plane.row(y / self.ratio[1]);
         match (self.ratio, self.interpolated) {
             ([1, 1], _) => return own,
-            (_, [true, false]) => interpolate_across(own, &mut self.row),
+            (_, [true, false]) => interpolate_across(own, &mut self.row, of_samples),
             (_, [across, true]) => {
                 let near = if y.is_multiple_of(2) {
                     (y / 2).saturating_sub(1)
@@ -46,7 +46,7 @@ impl<'a> Upsampler<'a> {
                     *sum = 3 * u16::from(own) + u16::from(near);
                 }
                 if across {
-                    interpolate_sums_across(&self.sums, &mut self.row);
+                    interpolate_across(&self.sums, &mut self.row, of_sums);
                 } else {
                     let rounding = 1 + (y % 2) as u16;
                     self.row.iter_mut().zip(&self.sums).for_each(|(to, sum)| *to = ((sum + rounding) / 4) as u8);
@@ -60,26 +60,21 @@ impl<'a> Upsampler<'a> {
     }
 }
 
-fn interpolate_across(samples: &[u8], out: &mut [u8]) {
-    let pair = |left: u8, own: u8, right: u8| {
-        let [left, own, right] = [left, own, right].map(u16::from);
-        [((3 * own + left + 1) / 4) as u8, ((3 * own + right + 2) / 4) as u8]
-    };
-    let (out, last) = (out.as_chunks_mut::<2>().0, samples.len() - 1);
-    for (to, near) in out[1..].iter_mut().zip(samples.array_windows::<3>()) {
+/// Two px of each value: `pair` makes them of the value before, its own, and the one after.
+fn interpolate_across<T: Copy>(values: &[T], out: &mut [u8], pair: impl Fn(T, T, T) -> [u8; 2]) {
+    let (out, last) = (out.as_chunks_mut::<2>().0, values.len() - 1);
+    for (to, near) in out[1..].iter_mut().zip(values.array_windows::<3>()) {
         *to = pair(near[0], near[1], near[2]);
     }
-    out[0] = pair(samples[0], samples[0], samples[1]);
-    out[last] = pair(samples[last - 1], samples[last], samples[last]);
+    out[0] = pair(values[0], values[0], values[1]);
+    out[last] = pair(values[last - 1], values[last], values[last]);
 }
 
-fn interpolate_sums_across(sums: &[u16], out: &mut [u8]) {
-    let pair =
-        |left: u16, own: u16, right: u16| [((3 * own + left + 8) / 16) as u8, ((3 * own + right + 7) / 16) as u8];
-    let (out, last) = (out.as_chunks_mut::<2>().0, sums.len() - 1);
-    for (to, near) in out[1..].iter_mut().zip(sums.array_windows::<3>()) {
-        *to = pair(near[0], near[1], near[2]);
-    }
-    out[0] = pair(sums[0], sums[0], sums[1]);
-    out[last] = pair(sums[last - 1], sums[last], sums[last]);
+fn of_samples(left: u8, own: u8, right: u8) -> [u8; 2] {
+    let [left, own, right] = [left, own, right].map(u16::from);
+    [((3 * own + left + 1) / 4) as u8, ((3 * own + right + 2) / 4) as u8]
+}
+
+fn of_sums(left: u16, own: u16, right: u16) -> [u8; 2] {
+    [((3 * own + left + 8) / 16) as u8, ((3 * own + right + 7) / 16) as u8]
 }

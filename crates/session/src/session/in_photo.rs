@@ -26,7 +26,9 @@ impl Session {
             return;
         }
         let seen_by = self.face.as_ref().map(OpenFace::seen_by);
-        self.stage.set_pinhole(seen_by.map(|camera| Pinhole { camera_from_model: camera.camera_from_model }));
+        self.stage
+            .camera_mut()
+            .set_pinhole(seen_by.map(|camera| Pinhole { camera_from_model: camera.camera_from_model }));
         let centre_m = self.stage.camera().centre_m();
         self.stage.set_picture(
             self.face.as_ref().and_then(|face| plane(&face.seen_by(), face.model().photo_size_px(), centre_m)),

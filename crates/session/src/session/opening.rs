@@ -30,7 +30,7 @@ impl Session {
 
     /// Where the photo lies depends on the middle of what is framed, and how the face is framed on the photo's camera.
     fn frame_in_photo(&mut self) {
-        self.stage.set_pinhole(None);
+        self.stage.camera_mut().set_pinhole(None);
         self.frame();
         self.show_pinhole();
         self.frame();
@@ -67,7 +67,7 @@ impl Session {
     }
 
     pub(super) fn show_empty(&mut self) {
-        self.stage.set_pinhole(None);
+        self.stage.camera_mut().set_pinhole(None);
         self.stage.set_picture(None);
         self.stage.settle_picture();
         self.view.show_on(&mut self.stage, true);

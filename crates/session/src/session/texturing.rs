@@ -37,8 +37,7 @@ impl Session {
     /// [`SessionError::NoFace`].
     pub fn texture_plan(&self) -> Result<Vec<u8>, SessionError> {
         let model = self.open_face()?.model();
-        let views = model.views();
-        let others: Vec<_> = views.iter().skip(1).map(|view| (view.uvs, view.camera)).collect();
+        let others: Vec<_> = model.views().iter().skip(1).map(|view| (&view.uvs[..], &view.camera)).collect();
         Ok(texture_plan(model, &others).to_bytes())
     }
 

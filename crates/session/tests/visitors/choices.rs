@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use rosto_export::{BaseColour, TextureSize};
-use rosto_face::{LANDMARK_COUNT, Region, has_anatomical_name, landmark_id, part_id};
+use rosto_face::{LANDMARK_COUNT, Region, landmark_id, part_id};
 use rosto_session::{Choice, Intent, Session, plain_formats, printed_formats};
 use rosto_studio::{Expression, FaceSlider};
 
@@ -66,9 +66,9 @@ fn named() -> Vec<String> {
         let values = choice.values().into_iter().map(move |id| format!("{}.{id}", choice.id()));
         values.chain([choice.id().to_owned()]).filter(|key| key != "preset")
     });
-    let landmarks = (0..LANDMARK_COUNT as u32).map(|landmark| match has_anatomical_name(landmark) {
-        true => format!("landmark.{}", landmark_id(landmark)),
-        false => format!("part.{}", part_id(landmark)),
+    let landmarks = (0..LANDMARK_COUNT as u32).map(|landmark| match landmark_id(landmark) {
+        id if id.ends_with(&format!("-{landmark}")) => format!("part.{}", part_id(landmark)),
+        id => format!("landmark.{id}"),
     });
     let near = (0..LANDMARK_COUNT as u32).map(|landmark| format!("near.{}", part_id(landmark)));
     let regions = Region::ALL.into_iter().map(|region| format!("region.{}", region.id()));

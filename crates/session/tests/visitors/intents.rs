@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use rosto_face::{PhotoLens, Region, Triangulation};
 use rosto_session::{AnchorChoice, Intent, Pace, Preset, Selection, SelectionMode, Turntable};
 use rosto_stage::{
-    Axis, Background, Dots, Lens, Light, NamedView, PictureLight, Pointer, Scene, ShadingMode, Srgb, Theme, Wireframe,
+    Axis, Background, Dots, Lens, Light, NamedView, PictureLight, Pointer, Scene, ShadingMode, Srgb, Theme, Visibility,
 };
 use rosto_studio::{ConstraintKind, Details, Expression, FaceSlider, Mirror, Operator, Switch};
 
@@ -134,7 +134,7 @@ fn seeing() -> impl Strategy<Value = Intent> {
     prop_oneof![
         any_of(&ShadingMode::ALL).prop_map(Intent::Shading),
         any_of(&Lens::ALL).prop_map(Intent::Lens),
-        any_of(&[Wireframe::Shown, Wireframe::Hidden]).prop_map(Intent::Wireframe),
+        any_of(&[Visibility::Shown, Visibility::Hidden]).prop_map(Intent::Wireframe),
         any_of(&PictureLight::ALL).prop_map(Intent::PictureLight),
         any_of(&[Switch::On, Switch::Off]).prop_map(Intent::MarkAnchors),
         proptest::option::of(number()).prop_map(Intent::Wipe),

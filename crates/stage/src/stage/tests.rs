@@ -45,7 +45,7 @@ fn with_picture() -> Stage {
     let mut stage = settled();
     stage.camera_mut().resize(600, 400);
     let camera_from_model = glam::DAffine3::from_translation(DVec3::new(0.0, 0.0, -10.0));
-    stage.set_pinhole(Some(Pinhole { camera_from_model }));
+    stage.camera_mut().set_pinhole(Some(Pinhole { camera_from_model }));
     stage.frame(&[DVec3::NEG_ONE, DVec3::ONE]);
     stage.set_picture(Some(PicturePlane {
         origin_m: DVec3::new(-2.0, 2.0, 0.0),
@@ -201,11 +201,11 @@ fn a_picture_without_tools_shows_none() {
     stage.set_hovered(Some(5));
     let settings = stage.render_settings_mut();
     (settings.mirror_plane, settings.rim, settings.glow, settings.wipe) =
-        (MirrorPlane::Shown, Rim::Shown, 0.5, Some(0.5));
+        (Visibility::Shown, Visibility::Shown, 0.5, Some(0.5));
     let bare = stage.without_tools();
     assert_eq!((bare.mark_words(), bare.gizmo()), (Vec::new(), None));
     let RenderSettings { mirror_plane, rim, glow, wipe, .. } = *bare.render_settings();
-    assert_eq!((mirror_plane, rim, glow, wipe), (MirrorPlane::Hidden, Rim::Hidden, 0.0, None));
+    assert_eq!((mirror_plane, rim, glow, wipe), (Visibility::Hidden, Visibility::Hidden, 0.0, None));
 }
 
 #[test]

@@ -1,5 +1,5 @@
 use glam::DVec3;
-use rosto_stage::{Light, RenderSettings, Rim, ShadingMode};
+use rosto_stage::{Light, RenderSettings, ShadingMode, Visibility};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 use crate::support::{SIDE_PX, Sheet, dome, largest_difference, picture, plain, screen};
@@ -94,7 +94,7 @@ async fn the_rim_is_a_line_where_the_reach_is_1() {
     let reach: Vec<f64> = sheet.positions.iter().map(|p| p.truncate().length() / 0.5).collect();
     screen.viewport.set_fields([None, None], Some(&reach)).unwrap();
     let without = picture(&mut screen, shaded()).await;
-    let with = picture(&mut screen, RenderSettings { rim: Rim::Shown, ..shaded() }).await;
+    let with = picture(&mut screen, RenderSettings { rim: Visibility::Shown, ..shaded() }).await;
     let differs = |x: u32, y: u32| with.pixel(x, y) != without.pixel(x, y);
     let m_per_px = screen.stage.camera().m_per_px_at(DVec3::ZERO);
     let middle = f64::from(SIDE_PX) / 2.0;

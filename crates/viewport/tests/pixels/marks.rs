@@ -1,5 +1,5 @@
 use glam::DVec3;
-use rosto_stage::{Axis, Dots, Mark, MarkKind, MirrorPlane, Pointer, RenderSettings, ShadingMode, Srgb, Wireframe};
+use rosto_stage::{Axis, Dots, Mark, MarkKind, Pointer, RenderSettings, ShadingMode, Srgb, Visibility};
 use rosto_viewport::Snapshot;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -84,7 +84,7 @@ async fn the_wireframe_darkens_edges_by_less_than_half() {
     let mut screen = screen().await;
     screen.show(&sheet.input());
     let bare = picture(&mut screen, clay()).await;
-    let wired = picture(&mut screen, RenderSettings { wireframe: Wireframe::Shown, ..clay() }).await;
+    let wired = picture(&mut screen, RenderSettings { wireframe: Visibility::Shown, ..clay() }).await;
     let middle = SIDE_PX / 2;
     let row = middle - 12;
     let fills = luminance(bare.pixel(middle, row));
@@ -137,7 +137,7 @@ async fn the_mirror_plane_is_a_hairline_where_it_cuts_the_surface() {
     let mut screen = screen().await;
     screen.show(&Sheet::new(1, |_, _| 0.0).input());
     let without = picture(&mut screen, clay()).await;
-    let with = picture(&mut screen, RenderSettings { mirror_plane: MirrorPlane::Shown, ..clay() }).await;
+    let with = picture(&mut screen, RenderSettings { mirror_plane: Visibility::Shown, ..clay() }).await;
     let middle = SIDE_PX / 2;
     for (x, y) in (0..SIDE_PX).flat_map(|y| (0..SIDE_PX).map(move |x| (x, y))) {
         let is_on_line = x.abs_diff(middle) <= 1;

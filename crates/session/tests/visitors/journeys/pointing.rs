@@ -1,7 +1,7 @@
 use glam::{DVec2, DVec3};
 use rosto_face::Region;
 use rosto_session::{Changed, Intent, Pace, SLIDER_MM, Selection, SelectionMode, Session};
-use rosto_stage::{MirrorPlane, Pointer, Rim, ShadingMode};
+use rosto_stage::{Pointer, ShadingMode, Visibility};
 use rosto_studio::{FaceSlider, Switch};
 
 use super::{act, face, place_px, positions, select, state, way_mm};
@@ -298,7 +298,7 @@ fn the_reach_of_an_edit_and_the_plane_are_drawn_while_it_goes_on() {
     let mut session = session();
     let drawn = |session: &Session| {
         let settings = session.stage().render_settings();
-        (settings.rim == Rim::Shown, settings.mirror_plane == MirrorPlane::Shown)
+        (settings.rim == Visibility::Shown, settings.mirror_plane == Visibility::Shown)
     };
     select(&mut session, Selection::Landmark(NOSE_TIP));
     assert_eq!(drawn(&session), (false, false));

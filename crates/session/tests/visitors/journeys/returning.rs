@@ -4,7 +4,7 @@ use rosto_face::Triangulation;
 use rosto_session::{
     EditsAs, FileOptions, Intent, Motion, Preset, Selection, SelectionMode, Session, SessionError, Turntable,
 };
-use rosto_stage::{Background, Dots, Lens, Light, PictureLight, ShadingMode, Srgb, Wireframe};
+use rosto_stage::{Background, Dots, Lens, Light, PictureLight, ShadingMode, Srgb, Visibility};
 use rosto_studio::{
     Anchors, Command, Details, EditSpec, Entry, FaceSlider, Mirror, SMOOTH_DENSITY, Settings, Standing, Switch, project,
 };
@@ -29,7 +29,7 @@ fn choose_otherwise(session: &mut Session) {
         Intent::Radius(33.0),
         Intent::Shading(ShadingMode::Clay),
         Intent::Lens(Lens::Near),
-        Intent::Wireframe(Wireframe::Hidden),
+        Intent::Wireframe(Visibility::Hidden),
         Intent::Background(Background::Plain(Srgb([1, 2, 3]))),
         Intent::Turntable(Turntable::Turns),
         Intent::Dots(Dots::All),

@@ -1,5 +1,5 @@
 use glam::DVec3;
-use rosto_face::{Region, Triangulation, midline, mirror_of};
+use rosto_face::{MIDLINE, Region, Triangulation, mirror_of};
 use rosto_laplacian::LaplacianError;
 use rosto_session::{AnchorChoice, Intent, Selection, SelectionMode, Session, SessionError};
 use rosto_studio::{ConstraintKind, EditTarget, Mirror, Standing, StudioError, Switch};
@@ -112,7 +112,7 @@ fn the_reach_of_what_moves_in_the_mirrors_plane_is_whole() {
     let mut session = session();
     act(&mut session, Intent::Constraint(ConstraintKind::Soft { weight: 1.0 }));
     assert_eq!((session.choices().anchors, session.choices().mirror), (AnchorChoice::Oval, Mirror::On));
-    let landmarks = midline().into_iter().map(Selection::Landmark);
+    let landmarks = MIDLINE.into_iter().map(Selection::Landmark);
     for selection in landmarks.chain([Region::Nose, Region::Lips, Region::Chin].map(Selection::Region)) {
         select(&mut session, selection);
         let before = positions(&session);

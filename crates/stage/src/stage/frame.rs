@@ -1,8 +1,8 @@
 use bytemuck::{Pod, Zeroable};
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
-use crate::markers::Axis;
-use crate::{Camera, Dots, MirrorPlane, PicturePlane, RenderSettings, Rim, Sides};
+use super::Stage;
+use crate::{Dots, Sides};
 
 /// What every shader reads once a frame, in the layout of a uniform buffer.
 ///
@@ -52,60 +52,56 @@ pub struct FrameUniforms {
 /// Stands for "no vertex" in what shaders read.
 const NO_VERTEX: u32 = u32::MAX;
 
-/// What a frame shows beside the camera and the settings.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct FrameInputs {
-    pub pixel_ratio: f64,
-    pub offsets_m: [DVec3; 2],
-    pub before: f64,
-    pub ground_m: DVec3,
-    pub pointer_px: Option<DVec2>,
-    pub hovered: Option<u32>,
-    pub gizmo: Option<u32>,
-    pub gizmo_axis: Option<Axis>,
-    pub picture: Option<PicturePlane>,
-    pub picture_share: f64,
-}
+impl Stage {
+    /// What shaders read for this frame.
+    pub fn uniforms(&self) -> FrameUniforms {
+        self.uniforms_at(self.settings.before)
+    }
 
-impl FrameUniforms {
-    pub(crate) fn new(camera: &Camera, settings: &RenderSettings, inputs: &FrameInputs) -> Self {
+    /// The same for the part of it that shows the shape before ([`RenderSettings::wipe`](crate::RenderSettings::wipe)).
+    pub fn uniforms_before(&self) -> FrameUniforms {
+        self.uniforms_at(1.0)
+    }
+
+    fn uniforms_at(&self, before: f64) -> FrameUniforms {
+        let (camera, settings) = (&self.camera, &self.settings);
         let palette = settings.theme.palette();
         let light = &settings.surface_light();
         // What rises out of the picture has its light, which becomes the lamp's on the way.
-        let lamp = (1.0 - inputs.picture_share) as f32;
-        let picture = inputs.picture.unwrap_or_default();
-        Self {
+        let lamp = (1.0 - self.picture_share) as f32;
+        let picture = self.picture.unwrap_or_default();
+        FrameUniforms {
             clip_from_model: camera.clip_from_model().as_mat4().to_cols_array(),
             eye: camera.eye().as_vec4().to_array(),
             light_direction: light.direction(camera).as_vec3().to_array(),
             light_strength: lamp * light.brightness() as f32,
             light_colour: light.colour.to_linear(),
             ambient: 1.0 + lamp * (light.ambient as f32 - 1.0),
-            offset_a_m: inputs.offsets_m[0].as_vec3().to_array(),
-            before: inputs.before as f32,
-            offset_b_m: inputs.offsets_m[1].as_vec3().to_array(),
+            offset_a_m: self.offsets_m[0].as_vec3().to_array(),
+            before: before as f32,
+            offset_b_m: self.offsets_m[1].as_vec3().to_array(),
             glow: settings.glow as f32,
             right: camera.right().as_vec3().to_array(),
             m_per_px: camera.m_per_px() as f32,
             up: camera.up().as_vec3().to_array(),
             shading: settings.shading as u32,
-            ground_m: inputs.ground_m.as_vec3().to_array(),
+            ground_m: self.ground_m.as_vec3().to_array(),
             radius_m: camera.radius_m() as f32,
             viewport_px: camera.size_px().as_vec2().to_array(),
-            pointer_px: inputs.pointer_px.unwrap_or(DVec2::splat(-1e6)).as_vec2().to_array(),
+            pointer_px: self.pointer_px.unwrap_or(DVec2::splat(-1e6)).as_vec2().to_array(),
             ink: palette.ink.with_alpha(palette.ink_alpha),
             halo: palette.halo.with_alpha(palette.shadow_alpha),
             accent: palette.accent.with_alpha(1.0),
             ground_top: palette.ground_top.with_alpha(1.0),
             ground_bottom: palette.ground_bottom.with_alpha(1.0),
             dots: u32::from(settings.dots == Dots::All),
-            hovered: inputs.hovered.unwrap_or(NO_VERTEX),
-            gizmo_vertex: inputs.gizmo.unwrap_or(NO_VERTEX),
-            gizmo_axis: inputs.gizmo_axis.map_or(NO_VERTEX, |axis| axis as u32),
-            rim: f32::from(u8::from(settings.rim == Rim::Shown)),
-            mirror_plane: f32::from(u8::from(settings.mirror_plane == MirrorPlane::Shown)),
-            pixel_ratio: inputs.pixel_ratio as f32,
-            picture: inputs.picture_share as f32,
+            hovered: self.hovered.unwrap_or(NO_VERTEX),
+            gizmo_vertex: self.gizmo.unwrap_or(NO_VERTEX),
+            gizmo_axis: self.gizmo_axis.map_or(NO_VERTEX, |axis| axis as u32),
+            rim: f32::from(settings.rim as u8),
+            mirror_plane: f32::from(settings.mirror_plane as u8),
+            pixel_ratio: self.pixel_ratio as f32,
+            picture: self.picture_share as f32,
             picture_origin_m: picture.origin_m.as_vec3().to_array(),
             picture_width_px: picture.size_px.x as f32,
             picture_right_m: picture.right_m.as_vec3().to_array(),
