@@ -185,7 +185,7 @@ pub fn command_line() -> Result<PathBuf> {
 
 /// A command of cargo's for this machine's target, without the façades, which are for wasm32 alone.
 pub fn over_the_workspace(command: &str) -> Run {
-    Run::new("cargo").arg(command).words("--workspace --exclude rosto-*-web* --locked")
+    Run::new("cargo").words(command).words("--workspace --exclude rosto-*-web* --locked")
 }
 
 #[cfg(test)]
