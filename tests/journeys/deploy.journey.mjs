@@ -130,10 +130,13 @@ async function expectScripts({ page }, build) {
   for (const place of [page, worker, validator]) await expect.poll(() => place.evaluate(() => globalThis.build)).toBe(build);
 }
 
-/** Waits until there are the stores of `count` versions. */
+/** Waits until `count` versions are stored whole: what holds the page is. A service worker that is stopped before stores no more. */
 async function untilStored({ page }, count) {
-  const stores = async () => (await page.evaluate(() => caches.keys())).filter((name) => name !== "rosto-notes");
-  await expect.poll(stores).toHaveLength(count);
+  const stores = () => page.evaluate(async () => {
+    const pages = (await caches.keys()).map((cacheName) => caches.match("./", { cacheName }));
+    return (await Promise.all(pages)).filter(Boolean).length;
+  });
+  await expect.poll(stores).toBe(count);
 }
 
 /** @param {import("@playwright/test").Page} page */
