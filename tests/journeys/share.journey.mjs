@@ -6,7 +6,7 @@ import { difference, differenceNear } from "./pixels.mjs";
 import { crashGpu, watchGpus } from "./watches.mjs";
 
 /** A clip is there by then, however slowly the machine draws. */
-const CLIP_MS = 30_000;
+const CLIP_MS = 120_000;
 
 /** As in side-by-side.js: a share of the picture's height. */
 const GAP = 0.008;

@@ -14,7 +14,7 @@ import { clipType } from "./recorder.js";
  */
 
 /** A clip that is not there by then will not come, in ms. */
-const PATIENCE_MS = 20_000;
+const PATIENCE_MS = 60_000;
 
 /** What would turn the face while it is recorded. */
 const STANDS_STILL = "#viewport, #toolbar, .tabs";

@@ -6,6 +6,10 @@ import { Swing } from "./swing.js";
 /** @typedef {import("../viewport/workbench.js").Workbench} Workbench */
 
 const SWING_MS = 3400;
+/** A swing of fewer pictures jumps: where so many cannot be drawn meanwhile, they are drawn before. */
+const LEAST_PICTURES = 8;
+/** How much of the progress that takes, where it is done. */
+const AHEAD_SHARE = 0.8;
 /** At its end the face is still for a moment, and is shown some times, but seldom: a slow browser falls behind with each picture. */
 const LENGTH_MS = 4000;
 const LAST_PICTURES = 5;
@@ -69,15 +73,26 @@ async function film(bench, swing, recorder, { signal, isSameFace, told }) {
   // Of the face as it was, from which the swing goes out and to which it comes back.
   const asked_ms = performance.now();
   const still = await draw(0);
+  let drawing_ms = performance.now() - asked_ms;
+  const ahead = [];
+  for (let turn = 1; turn < LEAST_PICTURES && drawing_ms > SWING_MS / LEAST_PICTURES; turn += 1) {
+    ahead.push(await draw(turn / LEAST_PICTURES));
+    told((AHEAD_SHARE * turn) / LEAST_PICTURES);
+  }
+  const before = ahead.length > 0 ? AHEAD_SHARE : 0;
   const start_ms = performance.now();
   const past_ms = () => performance.now() - start_ms;
   const show = (/** @type {ImageData} */ picture) => {
     recorder.show(picture);
-    told(past_ms() / LENGTH_MS);
+    told(before + (1 - before) * (past_ms() / LENGTH_MS));
   };
   show(still);
+  for (const [place, picture] of ahead.entries()) {
+    await wait(((place + 1) * SWING_MS) / LEAST_PICTURES - past_ms());
+    check();
+    show(picture);
+  }
   // A picture is seen once it is drawn: it shows the face as it will have turned by then, at the earliest.
-  let drawing_ms = start_ms - asked_ms;
   while (past_ms() + drawing_ms < SWING_MS) {
     const begun_ms = past_ms();
     show(await draw((begun_ms + drawing_ms) / SWING_MS));
