@@ -4,7 +4,7 @@ import { test } from "./fixtures.mjs";
 import { asJpeg, enormousPng, faceless, heic, outOfFocus, text } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-test("what is no photo of a face gets a message each, a face that may be none a remark, and the page works on", async ({ visitor, page }) => {
+test("other files get an error, doubtful faces a remark, and the page still works", async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.move("nose tip", "z", 4);
   const work = await visitor.meshJson("mm");

@@ -36,7 +36,7 @@ test("the photo leaves the page as it came; edits change nothing beyond the ring
   assert.ok(step <= 1, String(step));
 });
 
-test("a wider ring gives way further, and a narrow one less", { tag: "@rare" }, async ({ editor }) => {
+test("a wider ring moves more of the photo, a narrow one less", { tag: "@rare" }, async ({ editor }) => {
   await editor.slide("face-length", 8);
   const widths = [];
   for (const share of [10, 35, 80]) {

@@ -120,7 +120,7 @@ for (const [[width, height], tag] of alike([[1280, 720], [720, 450], [844, 390],
   });
 }
 
-test("fingers are told to tap and choose, a mouse to click and drop; language and theme are in reach of both", async ({ open, editor }) => {
+test("hints say tap to touch users and click to mouse users; both reach language and theme", async ({ open, editor }) => {
   const texts = async ({ page }) => `${await page.textContent("#welcome-title")} ${await page.textContent("#landmark-help")}`;
   const phone = await open(PHONE);
   const { page } = phone;

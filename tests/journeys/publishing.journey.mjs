@@ -13,7 +13,7 @@ const HOOK = path.join(ROOT, "web/list-for-offline.mjs");
 const COMPARE = path.join(ROOT, "web/compare-published.mjs");
 const run = promisify(execFile);
 
-test("the page comes with its policy as a header, and with those that a page's text cannot say; every kind of host is told the same", async ({ visitor }) => {
+test("the page is served with its security headers, and all host configurations list the same ones", async ({ visitor }) => {
   const policy = await visitor.page.getAttribute("meta[http-equiv='Content-Security-Policy']", "content");
   for (const name of ["./", "js/worker/vision-worker.js", "service-worker.js", "wasm/rosto-vision-web_bg.wasm"]) {
     const headers = await visitor.page.evaluate(async (name) => Object.fromEntries((await fetch(name)).headers), name);

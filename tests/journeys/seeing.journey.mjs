@@ -68,7 +68,7 @@ test("a photo keeps its own light unless the lamp is asked for; the lamp follows
   assert.ok(difference(fromTheRight, await editor.view()) > 0.05);
 });
 
-test("before and after: all of it while the button or B is held, beside each other by an edge that moves", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("the button or B shows the face before; the slider shows before and after side by side", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   const before = await editor.view();
   await editor.findLandmark("nose tip");
   const nose = await editor.onView(await editor.tagged());
@@ -139,7 +139,7 @@ test("the turntable turns until it is switched off", { tag: ["@eyes", "@rare"] }
   assert.equal(difference(turned, await editor.view()), 0, "it went on turning");
 });
 
-test("the background is a colour of one's own, in the picture too, which can leave it out", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("the background can be any colour, also in the saved picture, or be left out there", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.unfold("section-view");
   await page.fill("#background-colour", "#0cb4fa");
   assert.ok(await page.isChecked("#background-plain"));

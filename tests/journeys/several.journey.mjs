@@ -23,7 +23,7 @@ async function turnedPhoto(visitor, key) {
   return file;
 }
 
-/** Waits until so many photos are listed, and their face is there. @param {import("./visitor.mjs").Visitor} visitor @param {number} count */
+/** Waits for this many photos in the list and their face on the canvas. @param {import("./visitor.mjs").Visitor} visitor @param {number} count */
 async function untilPhotos(visitor, count) {
   await expect(visitor.page.locator("#photo-list li")).toHaveCount(count);
   await visitor.untilFace();

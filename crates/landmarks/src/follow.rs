@@ -96,7 +96,7 @@ impl FaceFinder {
         let followed = last.map(|last| self.still_there(last, frame, time_ms)).transpose()?.flatten();
         let found = match followed {
             Some(found) => Some(found),
-            None => self.anew(frame, time_ms)?,
+            None => self.find_first(frame, time_ms)?,
         };
         Ok(found.map(|(face, last)| {
             follower.last = Some(last);
@@ -120,9 +120,9 @@ impl FaceFinder {
         Ok(Some((face, Last { time_ms, picture, region: next_region, smoother })))
     }
 
-    /// A face that nobody followed. The landmark network looks twice, as it will in the next frame: what it sees in the
+    /// Finds a face without an earlier frame. The landmark network looks twice, as it will in the next frame: what it sees in the
     /// detector's region is a px off, which would be smoothed away only slowly.
-    fn anew(&self, frame: &Photo, time_ms: f64) -> Result<Option<Found>, LandmarksError> {
+    fn find_first(&self, frame: &Photo, time_ms: f64) -> Result<Option<Found>, LandmarksError> {
         let picture = PictureSize::of(frame);
         let mut detections = self.detector.detect(frame, &RegionPx::whole(picture))?;
         prominence::sort(&mut detections, picture, Detection::outline);

@@ -35,8 +35,7 @@ impl SaddlePoint {
         Self { constrained: constrained.to_vec(), touched, system: system.lu() }
     }
 
-    /// What the columns of `Φ`, and then the constants on the touched components, are multiplied by for the given target at
-    /// each constrained vertex.
+    /// Factors of the columns of `Φ`, then the constants on the touched components, for a target at each constrained vertex.
     pub(crate) fn solve(&self, targets: impl Iterator<Item = f64>) -> Result<DVector<f64>, LaplacianError> {
         let size = self.constrained.len() + self.touched.len();
         let mut x = DVector::from_iterator(size, targets.chain(std::iter::repeat(0.0)).take(size));

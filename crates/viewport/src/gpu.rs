@@ -84,7 +84,7 @@ impl Gpu {
         poll_fn(move |context| loss.lock().map_or(Poll::Ready(()), |mut loss| loss.poll(context)))
     }
 
-    /// What shaders read by that layout, in the order of their bindings.
+    /// A bind group with these resources, in the order of the layout's bindings.
     pub(crate) fn bind_group<'a>(
         &self,
         layout: &wgpu::BindGroupLayout,

@@ -16,7 +16,7 @@ pub(crate) fn reserve(gpu: &Gpu, width: u32, height: u32) -> Result<PictureOnGpu
     reserve_levels(gpu, width, height, levels)
 }
 
-/// Room for a picture with so many levels, of which each is half as large as the one before.
+/// An empty texture with so many mip levels. Sizes are in px.
 pub(crate) fn reserve_levels(gpu: &Gpu, width: u32, height: u32, levels: u32) -> Result<PictureOnGpu, ViewportError> {
     if width == 0 || height == 0 || width.max(height) > gpu.largest_side_px() {
         return Err(ViewportError::BadPicture { width, height, found: 0 });

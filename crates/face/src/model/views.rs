@@ -133,7 +133,7 @@ impl FaceModel {
         several::left_out(&self.known(self.lens()))
     }
 
-    /// What is known of each photo, in the order that they were given in, with this lens of the one that leads.
+    /// The facts about each photo in input order; the leading photo has the given lens.
     fn known(&self, lens: PhotoLens) -> Vec<Known<'_>> {
         let mut known: Vec<Known<'_>> = self.inputs().iter().map(Known::of).collect();
         known[self.views[0].photo].lens = lens;

@@ -53,7 +53,7 @@ pub struct FrameUniforms {
 const NO_VERTEX: u32 = u32::MAX;
 
 impl Stage {
-    /// What shaders read for this frame.
+    /// The shader uniforms of this frame.
     pub fn uniforms(&self) -> FrameUniforms {
         self.uniforms_at(self.settings.before)
     }
