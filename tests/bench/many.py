@@ -47,7 +47,7 @@ def mediapipe_worker(refined):
 
 
 def share(make, refined, start, photos):
-    """Works on its photos when all are ready; returns when it began and ended, the processor time of its process, and the faces."""
+    """Finds faces once all workers are ready; returns the start, the end, its CPU time and the faces."""
     work = make(refined)
     work(photos[:WARM_UP])
     start.wait()

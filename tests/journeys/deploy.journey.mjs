@@ -130,7 +130,7 @@ async function expectScripts({ page }, build) {
   for (const place of [page, worker, validator]) await expect.poll(() => place.evaluate(() => globalThis.build)).toBe(build);
 }
 
-/** Waits until `count` versions are stored whole: what holds the page is. A service worker that is stopped before stores no more. */
+/** Waits until `count` versions are stored completely, the page last: stopping a service worker earlier ends its installation. */
 async function untilStored({ page }, count) {
   const stores = () => page.evaluate(async () => {
     const pages = (await caches.keys()).map((cacheName) => caches.match("./", { cacheName }));

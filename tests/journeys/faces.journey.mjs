@@ -104,7 +104,7 @@ test("photos before the last one are there, too, each with its edits and by its 
 });
 
 for (const [keeps, scripts] of /** @type {const} */ ([["everything", []], ["nothing", [refuseDatabase]]])) {
-  test(`where the browser keeps ${keeps}, a group can be gone back to, each of its faces as it was left`, { tag: "@rare" }, async ({ open }) => {
+  test(`going back to a group restores each face as it was left: the browser stores ${keeps}`, { tag: "@rare" }, async ({ open }) => {
     const visitor = await open({ scripts: [...scripts] });
     const { page } = visitor;
     await openGroup(visitor);

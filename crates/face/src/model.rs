@@ -52,7 +52,7 @@ pub struct FaceModel {
     positions_image: Vec<DVec3>,
     image_from_model: DMat3,
     scale: Scale,
-    /// The photo that leads, and then the others in the order that they were given in.
+    /// The leading photo first, then the others in input order.
     views: Vec<View>,
 }
 

@@ -8,7 +8,7 @@ pub(crate) struct Outline {
 }
 
 impl Outline {
-    /// The least box that holds some points.
+    /// The smallest box around the points.
     pub(crate) fn around(points: impl IntoIterator<Item = [f32; 2]>) -> Self {
         let nothing = Self { min: [f32::INFINITY; 2], max: [f32::NEG_INFINITY; 2] };
         points.into_iter().fold(nothing, |Self { min, max }, point| Self {

@@ -93,7 +93,7 @@ impl Constraints<'_> {
     }
 }
 
-/// Whether each vertex is among these; refuses those that the mesh does not have and those that are listed twice.
+/// A mask of the listed vertices. Refuses vertices outside the mesh and duplicates.
 pub(crate) fn marked(vertices: &[u32], vertex_count: usize) -> Result<Vec<bool>, LaplacianError> {
     let mut is_marked = vec![false; vertex_count];
     for &vertex in vertices {

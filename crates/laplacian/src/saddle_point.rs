@@ -45,7 +45,7 @@ impl SaddlePoint {
         Ok(x)
     }
 
-    /// Adds `P t`, of what [`Self::solve`] found.
+    /// Adds `P t` for a solution of [`Self::solve`].
     pub(crate) fn add_constants(&self, coefficients: &DVector<f64>, component: &[u32], field: &mut [f64]) {
         for (touched, constant) in self.touched.iter().zip(&coefficients.as_slice()[self.constrained.len()..]) {
             for (value, component) in field.iter_mut().zip(component) {

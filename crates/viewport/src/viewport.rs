@@ -90,7 +90,7 @@ impl Viewport {
         picture::finish(&self.gpu, &self.shrink, picture);
     }
 
-    /// Room for the frames of a film, which have this size; without smaller levels, since pixels change sixty times a second.
+    /// A texture for the frames of a film, without mip levels: pixels change sixty times a second. Sizes are in px.
     ///
     /// # Errors
     /// As [`Self::reserve_picture`].

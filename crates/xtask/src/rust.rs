@@ -183,7 +183,7 @@ pub fn command_line() -> Result<PathBuf> {
     Ok(target().join("debug/rosto"))
 }
 
-/// A command of cargo's for this machine's target, without the façades, which are for wasm32 alone.
+/// A cargo command over the workspace without the façades, which only build for wasm32.
 pub fn over_the_workspace(command: &str) -> Run {
     Run::new("cargo").words(command).words("--workspace --exclude rosto-*-web* --locked")
 }

@@ -6,15 +6,15 @@ import { Swing } from "./swing.js";
 /** @typedef {import("../viewport/workbench.js").Workbench} Workbench */
 
 const SWING_MS = 3400;
-/** A swing of fewer pictures jumps: where so many cannot be drawn meanwhile, they are drawn before. */
+/** Fewer pictures make the swing jerky: a slow machine draws this many before the recording starts. */
 const LEAST_PICTURES = 8;
-/** How much of the progress that takes, where it is done. */
+/** Share of the progress bar for drawing them. */
 const AHEAD_SHARE = 0.8;
-/** At its end the face is still for a moment, and is shown some times, but seldom: a slow browser falls behind with each picture. */
+/** The clip ends on a still face, shown a few times at long intervals: each picture delays a slow encoder. */
 const LENGTH_MS = 4000;
 const LAST_PICTURES = 5;
 const LAST_PICTURE_MS = 150;
-/** The time a browser has to catch up with what it was shown: what it has not recorded when it is stopped is lost. */
+/** Time for the encoder to catch up: what it has not encoded when the recording stops is lost. */
 const BEHIND_MS = 1500;
 /** A square fits on every screen; codecs want even sides. */
 const SIDE_PX = 720;
@@ -74,11 +74,7 @@ async function film(bench, swing, recorder, { signal, isSameFace, told }) {
   const asked_ms = performance.now();
   const still = await draw(0);
   let drawing_ms = performance.now() - asked_ms;
-  const ahead = [];
-  for (let turn = 1; turn < LEAST_PICTURES && drawing_ms > SWING_MS / LEAST_PICTURES; turn += 1) {
-    ahead.push(await draw(turn / LEAST_PICTURES));
-    told((AHEAD_SHARE * turn) / LEAST_PICTURES);
-  }
+  const ahead = drawing_ms > SWING_MS / LEAST_PICTURES ? await drawAhead(draw, told) : [];
   const before = ahead.length > 0 ? AHEAD_SHARE : 0;
   const start_ms = performance.now();
   const past_ms = () => performance.now() - start_ms;
@@ -105,6 +101,21 @@ async function film(bench, swing, recorder, { signal, isSameFace, told }) {
     check();
   }
   await wait(BEHIND_MS);
+}
+
+/**
+ * Draws the swing before it is recorded.
+ *
+ * @param {(share: number) => Promise<ImageData>} draw
+ * @param {(share: number) => void} told
+ */
+async function drawAhead(draw, told) {
+  const pictures = [];
+  for (let turn = 1; turn < LEAST_PICTURES; turn += 1) {
+    pictures.push(await draw(turn / LEAST_PICTURES));
+    told((AHEAD_SHARE * turn) / LEAST_PICTURES);
+  }
+  return pictures;
 }
 
 /** @param {number} duration_ms */

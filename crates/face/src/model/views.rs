@@ -92,8 +92,8 @@ impl FaceModel {
         Self::of_several(others.collect(), self.triangulation)
     }
 
-    /// The same face seen through another lens. Of several photos, it is the lens of the one that leads; what is known of the
-    /// others' stays known, and the shape is fitted to all of them again.
+    /// The same face with another lens for the leading photo. The other photos keep theirs, and the shape is fitted to all of
+    /// them again.
     ///
     /// # Errors
     /// [`FaceError::Lens`] if there is no such lens.
@@ -113,7 +113,7 @@ impl FaceModel {
         Ok(Self::made_of(self.triangulation, fitted, views))
     }
 
-    /// The photos that the face was seen in: the one that leads first, the others in the order that they were given in.
+    /// The photos of the face: the leading one first, then the others in input order.
     pub fn views(&self) -> &[View] {
         &self.views
     }

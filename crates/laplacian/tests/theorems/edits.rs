@@ -60,7 +60,7 @@ fn the_answer_is_the_least_of_what_is_minimised() {
     });
 }
 
-/// How much an edit by its first handle leaves of what it minimises: `‖K X' − K X‖² + Σ w‖x'ᵢ − targetᵢ‖²`.
+/// The energy that an edit of one handle minimises: `‖K X' − K X‖² + Σ w‖x'ᵢ − targetᵢ‖²`.
 fn residual(
     system: &LaplacianSystem,
     constraints: &Constraints<'_>,

@@ -60,7 +60,7 @@ impl<'a> Upsampler<'a> {
     }
 }
 
-/// Two px of each value: `pair` makes them of the value before, its own, and the one after.
+/// Two output pixels per value; `pair` computes them from the previous, own and next value.
 fn interpolate_across<T: Copy>(values: &[T], out: &mut [u8], pair: impl Fn(T, T, T) -> [u8; 2]) {
     let (out, last) = (out.as_chunks_mut::<2>().0, values.len() - 1);
     for (to, near) in out[1..].iter_mut().zip(values.array_windows::<3>()) {

@@ -59,7 +59,7 @@ impl Edit {
     }
 }
 
-/// Adds this value and all within it, each with the pointer to it.
+/// Collects this value and all nested ones with their JSON pointers.
 fn collect<'a>(value: &'a Value, pointer: String, values: &mut Vec<(String, &'a Value)>) {
     let listed = value.as_array().into_iter().flatten().enumerate().map(|(at, value)| (at.to_string(), value));
     let named = value.as_object().into_iter().flatten().map(|(key, value)| (key.clone(), value));

@@ -8,7 +8,7 @@ use rosto_fuzz::Kind;
 
 #[derive(Debug, Clone)]
 pub enum Edit {
-    /// Puts bytes in the place of some.
+    /// Replaces a range of bytes.
     Replace(Index, usize, Vec<u8>),
     /// Inserts a copy of bytes of this file.
     Copy(Index, usize, Index),
