@@ -1,4 +1,4 @@
-"""MediaPipe's answers for the pictures of docs/robustness.md, as tests/golden/robustness.json.
+"""MediaPipe's answers for the pictures of docs/detection.md, as tests/golden/robustness.json.
 
     cargo run -p rosto-landmarks --example write_robustness_pictures -- target/robustness-pictures
     target/mediapipe/bin/python tests/reference/mediapipe_robustness.py target/robustness-pictures

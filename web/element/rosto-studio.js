@@ -21,7 +21,7 @@ const CHOICES = ["shading", "density", "lens"];
 
 /**
  * `<rosto-studio>`: the face in a photo as a mesh that can be turned and reshaped. The photo is named by `src`, or is an `img`
- * inside. See docs/embedding.md.
+ * inside. See docs/embed.md.
  */
 export class RostoStudio extends HTMLElement {
   static observedAttributes = ["src", "lang", "controls", ...CHOICES];

@@ -1,6 +1,6 @@
 //! `cargo run --release -p rosto-landmarks --example robustness [-- FAMILY…]`
 //!
-//! Prints the figures of docs/robustness.md, a JSON object per family of pictures whose faces are known: those that this crate
+//! Prints the figures of docs/detection.md, a JSON object per family of pictures whose faces are known: those that this crate
 //! finds, and those that MediaPipe finds by `tests/golden/robustness.json`. Errors are shares of the distance between the eyes.
 
 #[path = "../tests/support/mod.rs"]

@@ -1,6 +1,6 @@
 //! `cargo run -p rosto-landmarks --example write_robustness_pictures -- FOLDER`
 //!
-//! Writes the pictures of docs/robustness.md as PNG, and where their faces are as `truth.json`, for
+//! Writes the pictures of docs/detection.md as PNG, and where their faces are as `truth.json`, for
 //! `tests/reference/mediapipe_robustness.py` to look at.
 
 #[path = "../tests/support/mod.rs"]

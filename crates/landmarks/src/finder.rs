@@ -67,7 +67,7 @@ pub enum Stage {
 
 /// What the landmark network is less sure of is no face, as in MediaPipe.
 pub(crate) const MIN_PRESENCE: f32 = 0.5;
-/// In the scenes of docs/robustness.md, right meshes have 0.8 and more, but for faces of which the border leaves little.
+/// In the scenes of docs/detection.md, right meshes have 0.8 and more, but for faces of which the border leaves little.
 const MIN_CONFIDENCE: f32 = 0.7;
 impl Default for FindOptions {
     fn default() -> Self {

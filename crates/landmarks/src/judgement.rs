@@ -3,7 +3,7 @@
 //!
 //! The landmark network draws a face into whatever it is shown: on a head that stands upside down its mesh is as well
 //! shaped as any, and it may be sure of it (0.99) and repeat it, as it may of folds of cloth. Measured on the scenes of
-//! docs/robustness.md, the misfit of the best similarity between a mesh and the average face does not tell wrong meshes
+//! docs/detection.md, the misfit of the best similarity between a mesh and the average face does not tell wrong meshes
 //! from right ones. What does: that passes agree; that the detector, looking closely along the mesh, is sure of a face and
 //! sees eyes, nose and mouth where the mesh has them; and that it does not see a better one when it looks the other way
 //! round.

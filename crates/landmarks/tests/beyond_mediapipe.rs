@@ -1,4 +1,4 @@
-//! What is found beyond MediaPipe: a part of the scenes of docs/robustness.md, which has them all.
+//! What is found beyond MediaPipe: a part of the scenes of docs/detection.md, which has them all.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
