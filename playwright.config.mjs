@@ -1,11 +1,11 @@
 import { availableParallelism } from "node:os";
 import { defineConfig } from "@playwright/test";
 
-const JOURNEYS = "*.journey.mjs";
+const SPECS = "*.spec.mjs";
 
 export default defineConfig({
-  testDir: "tests/journeys",
-  outputDir: "target/journeys",
+  testDir: "tests/e2e",
+  outputDir: "target/e2e",
   preserveOutput: "failures-only",
   timeout: 180_000,
   fullyParallel: true,
@@ -16,8 +16,8 @@ export default defineConfig({
   expect: { timeout: 30_000 },
   use: { trace: "on-first-retry" },
   projects: [
-    { name: "usual", testMatch: JOURNEYS, grepInvert: /@rare/ },
-    { name: "rare", testMatch: JOURNEYS, grep: /@rare/ },
+    { name: "usual", testMatch: SPECS, grepInvert: /@rare/ },
+    { name: "rare", testMatch: SPECS, grep: /@rare/ },
     // Results depend on the machine's other load.
     { name: "timed", testMatch: "*.timed.mjs", workers: 1, retries: 0 },
   ],

@@ -1,7 +1,7 @@
 // Draws the pictures of the documentation, docs/images/*, from the built page and the models: node docs/pictures/draw.mjs [NAME…].
 import path from "node:path";
-import { launch } from "../../tests/journeys/browser.mjs";
-import { DIST, serve } from "../../tests/journeys/server.mjs";
+import { launch } from "../../tests/e2e/browser.mjs";
+import { DIST, serve } from "../../tests/e2e/server.mjs";
 import { drawFirstMinute } from "./first-minute.mjs";
 import { drawExpressions, drawSlices, drawTextures } from "./models.mjs";
 import { drawInPhoto, SCREENSHOTS, takeScreenshot } from "./page.mjs";

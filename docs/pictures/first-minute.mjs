@@ -1,6 +1,6 @@
 // The first minute of somebody new to the page, by mouse and with the motion that visitors see.
-import { STATES, withHeldWork } from "../../tests/journeys/states.mjs";
-import { Visitor } from "../../tests/journeys/visitor.mjs";
+import { STATES, withHeldWork } from "../../tests/e2e/states.mjs";
+import { Visitor } from "../../tests/e2e/visitor.mjs";
 import { writeSheet } from "./sheet.mjs";
 
 /** @typedef {{ x: number, y: number }} Place in CSS px of the window */

@@ -3,8 +3,8 @@ import { execFile } from "node:child_process";
 import { mkdir, readdir, readFile } from "node:fs/promises";
 import path from "node:path";
 import { promisify } from "node:util";
-import { program } from "../../tests/journeys/command-line.mjs";
-import { SAMPLE } from "../../tests/journeys/visitor.mjs";
+import { program } from "../../tests/e2e/command-line.mjs";
+import { SAMPLE } from "../../tests/e2e/visitor.mjs";
 import { cut, writeSheet } from "./sheet.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");

@@ -1,8 +1,8 @@
 // Pictures of the built page, and what it makes of the sample portrait.
 import { readFile } from "node:fs/promises";
 import path from "node:path";
-import { asJpeg } from "../../tests/journeys/pictures.mjs";
-import { SAMPLE, Visitor } from "../../tests/journeys/visitor.mjs";
+import { asJpeg } from "../../tests/e2e/pictures.mjs";
+import { SAMPLE, Visitor } from "../../tests/e2e/visitor.mjs";
 import { cut, writeSheet } from "./sheet.mjs";
 
 /** @typedef {import("@playwright/test").Browser} Browser */

@@ -4,8 +4,8 @@
 // all rounds, a JSON object a line. Needs the built page in dist/ and the networks alone in target/bench/, which
 // `cargo xtask bench browser` builds.
 import path from "node:path";
-import { launch } from "../journeys/browser.mjs";
-import { serve } from "../journeys/server.mjs";
+import { launch } from "../e2e/browser.mjs";
+import { serve } from "../e2e/server.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
 /** The exports of page.mjs. */

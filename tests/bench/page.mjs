@@ -1,5 +1,5 @@
 // In the browser: the measurements of browser.mjs, each an export that resolves to records without samples.
-import * as frames from "/tests/journeys/film-frames.mjs";
+import * as frames from "/tests/e2e/film-frames.mjs";
 
 const PHOTO = "/web/assets/sample.png";
 const MEDIAPIPE = "/node_modules/@mediapipe/face_mesh/";
@@ -128,7 +128,7 @@ async function portraitPixels() {
 }
 
 async function followRosto() {
-  const { client } = await import("/tests/journeys/following-page.mjs");
+  const { client } = await import("/tests/e2e/following-page.mjs");
   const vision = await client();
   return async (pixels, time_ms) => {
     const bitmap = await createImageBitmap(pixels);

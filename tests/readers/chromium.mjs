@@ -1,9 +1,9 @@
 // The readers that run in a browser: three.js and <model-viewer>.
 import path from "node:path";
 import { PNG } from "pngjs";
-import { launch } from "../journeys/browser.mjs";
-import { colourCount } from "../journeys/pixels.mjs";
-import { serve } from "../journeys/server.mjs";
+import { launch } from "../e2e/browser.mjs";
+import { colourCount } from "../e2e/pixels.mjs";
+import { serve } from "../e2e/server.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
 /** <model-viewer>'s warning where the machine draws fewer than two pictures a second: nothing about the file. */

@@ -5,7 +5,7 @@ import { availableParallelism } from "node:os";
 import path from "node:path";
 import { Readable } from "node:stream";
 import { promisify } from "node:util";
-import { program } from "../journeys/command-line.mjs";
+import { program } from "../e2e/command-line.mjs";
 import { commandOf } from "./table.mjs";
 
 /** @typedef {import("./table.mjs").Row} Row */

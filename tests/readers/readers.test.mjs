@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { test } from "node:test";
-import { validateGlb } from "../journeys/validate-glb.mjs";
+import { validateGlb } from "../e2e/validate-glb.mjs";
 import { openPage } from "./chromium.mjs";
 import { shapeOf, written } from "./files.mjs";
 import { judge, truthOf } from "./judge.mjs";

@@ -1,4 +1,4 @@
-"""Draws the pictures of tests/journeys/pictures, in a format that browsers decode and the page's own module does not.
+"""Draws the pictures of tests/e2e/pictures, in a format that browsers decode and the page's own module does not.
 
 Made with Pillow 13.0.0: pip install pillow==13.0.0; python foreign_pictures.py
 """
@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PIL import Image, ImageDraw, ImageFilter
 
-FOLDER = Path(__file__).parents[1] / "journeys" / "pictures"
+FOLDER = Path(__file__).parents[1] / "e2e" / "pictures"
 SIZE_PX = (160, 200)
 # Edges are smooth in a picture drawn larger.
 OVERSAMPLING = 4

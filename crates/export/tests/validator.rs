@@ -34,7 +34,7 @@ fn khronos_finds_no_error_warning_information_or_hint() {
             }
         }
     }
-    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/journeys/validate-glb.mjs");
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/e2e/validate-glb.mjs");
     let run =
         Command::new("node").arg(script).args(&paths).output().expect("Node.js is missing: run `cargo xtask setup`");
     let said = [run.stdout, run.stderr].map(|text| String::from_utf8_lossy(&text).into_owned()).concat();

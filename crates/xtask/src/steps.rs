@@ -68,7 +68,7 @@ pub const ALL: [Step; 19] = [
     step("size", "what a visitor downloads, against its budget", |kit| Ok(kit.npm("size"))),
     step("types", "tsc over the page's scripts", |kit| Ok(kit.npm("check"))),
     step("readers", "every file opened by programs that are not ours", |kit| with_command_line(kit.npm("readers"))),
-    step("journeys", "visits of the page in headless Chromium", |kit| with_command_line(kit.npm("journeys"))),
+    step("e2e", "end-to-end tests of the page in headless Chromium", |kit| with_command_line(kit.npm("e2e"))),
     step("engines", "the page in Chromium, Firefox and WebKit, by WebGL2", |kit| Ok(kit.npm("engines"))),
 ];
 

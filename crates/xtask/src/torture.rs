@@ -47,7 +47,7 @@ fn properties(minutes: u32) -> Run {
 
 fn browser(kit: &Kit, minutes: u32) -> Result<[Run; 2]> {
     page::build(kit)?;
-    let every = kit.npm("journeys:all").env("ROSTO_CLI", rust::command_line()?).log("journeys-all");
+    let every = kit.npm("e2e:all").env("ROSTO_CLI", rust::command_line()?).log("e2e-all");
     let runs = (RUNS_PER_MINUTE * minutes).to_string();
     Ok([every, kit.npm("monkey").args(["--", "--runs", &runs]).log("monkey")])
 }

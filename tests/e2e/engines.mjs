@@ -1,4 +1,4 @@
-// The core walk and the element's in every engine, by WebGL2: node tests/journeys/engines.mjs [ENGINE…]. Screenshots go to
+// The core walk and the element's in every engine, by WebGL2: node tests/e2e/engines.mjs [ENGINE…]. Screenshots go to
 // target/engines.
 import { mkdir } from "node:fs/promises";
 import path from "node:path";

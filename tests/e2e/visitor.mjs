@@ -363,7 +363,7 @@ export class Visitor {
 
   /** The pixels of the 3D view once it has come to rest, with what floats over it left out. */
   async view() {
-    assert.ok(this.sees, 'screenshots do not show the 3D view here: the journey has to say that it needs "eyes"');
+    assert.ok(this.sees, 'screenshots do not show the 3D view here: the test has to say that it needs "eyes"');
     await this.#showFloating("hidden");
     let shot = await this.#shot();
     for (let tries = 0; tries < MOST_SHOTS; tries += 1) {

@@ -1,4 +1,4 @@
-// What the journeys of following do in the page: they bring it this file and drive the page's side of the worker with it.
+// What the end-to-end tests of following do in the page: they bring it this file and drive the page's side of the worker with it.
 import { numberOf } from "./film-frames.mjs";
 
 /**

@@ -1,4 +1,4 @@
-// A monkey test of the built page by fast-check: node tests/journeys/monkey.mjs [--runs N] [--actions MOST] [--seed S]
+// A monkey test of the built page by fast-check: node tests/e2e/monkey.mjs [--runs N] [--actions MOST] [--seed S]
 // [--path P] [--replay R]. Two lanes share the runs where the machine has two cores. A failure is shrunk and printed with its seed,
 // path and replay path, which repeat it.
 import { availableParallelism } from "node:os";

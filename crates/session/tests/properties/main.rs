@@ -6,7 +6,7 @@ mod choices;
 mod faces;
 mod intents;
 mod invariants;
-mod journeys;
+mod walks;
 mod mirror;
 mod random;
 mod refusals;
