@@ -10,7 +10,7 @@ mod choices;
 mod drag;
 mod error;
 #[cfg(test)]
-#[path = "../tests/visitors/faces.rs"]
+#[path = "../tests/properties/faces.rs"]
 #[allow(dead_code, reason = "the visitors use the others")]
 mod faces;
 mod files;
