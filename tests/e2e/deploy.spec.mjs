@@ -53,7 +53,7 @@ for (const [[when, needs], tag] of alike([["opened on a first visit", "gpu"], ["
     server.disturb((_, response) => Boolean(response.writeHead(503).end()));
     await next.page.bringToFront();
     await next.page.reload();
-    await next.page.waitForSelector("body[data-bench='open']");
+    await next.page.waitForSelector("body[data-host='open']");
     await expectBuild(next, newer, needs);
     server.disturb();
 
@@ -69,7 +69,7 @@ for (const [[when, needs], tag] of alike([["opened on a first visit", "gpu"], ["
     await expectBuild(next, newer);
     server.disturb((_, response) => Boolean(response.writeHead(503).end()));
     await next.page.reload();
-    await next.page.waitForSelector("body[data-bench='open']");
+    await next.page.waitForSelector("body[data-host='open']");
     await expectBuild(next, newer, needs);
   });
 }

@@ -42,7 +42,7 @@ for (const [file, tag] of alike(["wasm/rosto-studio-web_bg.wasm", "integrity.jso
     assert.equal((await visitor.notice()).code, "not-as-built");
     server.disturb();
     await visitor.page.reload();
-    await visitor.page.waitForSelector("body[data-bench='open']");
+    await visitor.page.waitForSelector("body[data-host='open']");
     assert.ok(await visitor.page.isHidden("#notice"));
   });
 }

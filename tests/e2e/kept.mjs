@@ -55,7 +55,7 @@ function hide() {
   Object.defineProperty(document, "visibilityState", { configurable: true, get: () => "hidden" });
   document.dispatchEvent(new Event("visibilitychange"));
   Reflect.deleteProperty(document, "visibilityState");
-  const spoken = Object.keys(localStorage).find((key) => key.startsWith("rosto-last-words-") && localStorage[key] !== before[key]);
+  const spoken = Object.keys(localStorage).find((key) => key.startsWith("rosto-drafts-") && localStorage[key] !== before[key]);
   if (!spoken) return undefined;
   const { order: _, ...unkept } = JSON.parse(localStorage[spoken]);
   return unkept;

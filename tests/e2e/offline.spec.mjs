@@ -71,7 +71,7 @@ test("a page of a newer version comes from the network with all its files, or sa
   // The older version is still whole.
   server.disturb(() => true);
   await page.click("#start-again");
-  await page.waitForSelector("body[data-bench='open']");
+  await page.waitForSelector("body[data-host='open']");
   assert.ok(await page.isHidden("#not-started"));
 });
 
@@ -90,7 +90,7 @@ test("what is not the file that was built is not stored", async ({ open, server 
   assert.equal(await isKept(), true);
   server.disturb(() => true);
   await page.reload();
-  await page.waitForSelector("body[data-bench='open']");
+  await page.waitForSelector("body[data-host='open']");
 });
 
 /** @param {import("node:http").ServerResponse} response @param {number} status @param {string} text @param {string} [type] */

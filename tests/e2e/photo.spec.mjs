@@ -73,7 +73,7 @@ test("the landmark under the pointer shows on the panel's photo, where it is in 
 test("of a large photo the page's own thread draws only what it shows", async ({ open }) => {
   const visitor = await open({ scripts: [countDrawn] });
   const { page } = visitor;
-  // Before the bench is there, a part of the photo that nobody has scaled yet is drawn.
+  // Before the host is there, a part of the photo that nobody has scaled yet is drawn.
   await visitor.untilLoaded();
   await visitor.drop(await asJpeg(page, await readFile(SAMPLE), { width: 4000, height: 3000 }), "large.jpg");
   await visitor.untilFace();

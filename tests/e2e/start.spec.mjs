@@ -23,7 +23,7 @@ for (const { file, what, answer, errors } of TROUBLES) {
 
     await page.context().unroute(`**/${file}`);
     await page.click("#start-again");
-    await page.waitForSelector("body[data-bench='open']");
+    await page.waitForSelector("body[data-host='open']");
     assert.ok(await page.isHidden("#not-started"));
   });
 }
@@ -52,7 +52,7 @@ for (const [[what, block], tag] of alike(/** @type {const} */ ([["cannot be read
   test(`with a storage that ${what} the page works, and only forgets`, { tag }, async ({ open }) => {
     const visitor = await open({ colorScheme: "light", scripts: [block] });
     const { page } = visitor;
-    await page.waitForSelector("body[data-bench='open']");
+    await page.waitForSelector("body[data-host='open']");
     await page.selectOption("#language", "pt");
     assert.equal(await page.innerText("#welcome-title"), "Solte aqui a foto de um rosto");
     await page.click("#theme");
@@ -62,7 +62,7 @@ for (const [[what, block], tag] of alike(/** @type {const} */ ([["cannot be read
     await visitor.dropSample();
 
     await page.reload();
-    await page.waitForSelector("body[data-bench='open']");
+    await page.waitForSelector("body[data-host='open']");
     assert.equal(await page.innerText("#welcome-title"), "Drop a photo of a face");
   });
 }

@@ -15,7 +15,7 @@ const WORKER_MODULE = "**/rosto-vision-web_bg.wasm";
 test("the page draws and answers before the worker's module has arrived", { tag: "@eyes" }, async ({ open }) => {
   const { before, deliver } = withHeld(WORKER_MODULE);
   const visitor = await open({ before });
-  await visitor.page.waitForSelector("body[data-bench='open']");
+  await visitor.page.waitForSelector("body[data-host='open']");
   assert.ok(colourCount(await visitor.view()) > 4, "the canonical face is not drawn");
   await visitor.page.selectOption("#language", "pt");
   assert.equal(await visitor.page.innerText("#welcome-title"), "Solte aqui a foto de um rosto");
@@ -48,7 +48,7 @@ test("a worker that dies, by itself or of a photo, is started again, and leaves 
 test("a worker that never comes is given up after a minute, and the next photo starts another", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ hasClock: true, before: (context) => context.route(WORKER_MODULE, () => {}) });
   const { page, requests } = visitor;
-  await page.waitForSelector("body[data-bench='open']");
+  await page.waitForSelector("body[data-host='open']");
   await untilNetworksLoad(visitor);
   await expect.poll(() => requests.join()).toContain(path.basename(WORKER_MODULE));
   await visitor.frames(5);
@@ -78,7 +78,7 @@ test("a worker on a slow connection is waited for", async ({ open, server }) => 
   });
   const visitor = await open({ hasClock: true, scripts: [watchWorkers] });
   const { page } = visitor;
-  await page.waitForSelector("body[data-bench='open']");
+  await page.waitForSelector("body[data-host='open']");
   await untilNetworksLoad(visitor);
   const reports = () => page.evaluate(() => window.workersSaid.filter((type) => type === "loading").length);
   let at = 0;

@@ -1,7 +1,7 @@
 import { make } from "../js/page/dom.js";
 import { Replaced } from "../js/photo/vision-client.js";
 import { openPictures, takeFace } from "../js/photo/open-picture.js";
-import { Workbench } from "../js/viewport/workbench.js";
+import { Host } from "../js/viewport/host.js";
 import { LandmarkMarks } from "../js/viewport/landmark-marks.js";
 import { isTrap } from "../js/viewport/studio-module.js";
 import { setUpViewKeys } from "../js/viewport/shortcuts.js";
@@ -10,7 +10,7 @@ import { stemOf } from "../js/work/file-name.js";
 import { photosOf } from "../js/work/photos.js";
 import { kindOf, readSavedFile } from "../js/work/saved-file.js";
 import { standing } from "../js/work/standing.js";
-import { learnWords } from "../js/words/words.js";
+import { loadWords } from "../js/words/words.js";
 import { writtenFile } from "../js/work/written-file.js";
 import { borrowVision, facesIn, returnVision } from "./shared-vision.js";
 
@@ -55,23 +55,23 @@ export class FaceSession {
    */
   static async open(canvas, told = {}, tag = make("output")) {
     const all = { ...UNHEARD, ...told };
-    await learnWords(navigator.language);
-    return new FaceSession(await Workbench.open(canvas, { show: all.error, hide: all.settled }), tag, all);
+    await loadWords(navigator.language);
+    return new FaceSession(await Host.open(canvas, { show: all.error, hide: all.settled }), tag, all);
   }
 
   /**
-   * @param {Workbench} bench
+   * @param {Host} host
    * @param {HTMLOutputElement} tag
    * @param {Told} told
    */
-  constructor(bench, tag, told) {
-    this.bench = bench;
+  constructor(host, tag, told) {
+    this.host = host;
     this.#told = told;
-    new LandmarkMarks(bench, { tag });
-    setUpViewKeys(bench);
-    this.#texture = new WholeTexture(bench, borrowVision(), this, () => {});
-    bench.onChange(() => this.#follow());
-    bench.onRestart(() => this.#workAgain());
+    new LandmarkMarks(host, { tag });
+    setUpViewKeys(host);
+    this.#texture = new WholeTexture(host, borrowVision(), this, () => {});
+    host.onChange(() => this.#follow());
+    host.onRestart(() => this.#workAgain());
   }
 
   /** The face that is shown. */
@@ -113,10 +113,10 @@ export class FaceSession {
   /**
    * Carries an intent out; what goes wrong is thrown.
    *
-   * @param {(studio: import("../js/viewport/workbench.js").Studio) => import("../js/viewport/workbench.js").ChangeName | void} intent
+   * @param {(studio: import("../js/viewport/host.js").Studio) => import("../js/viewport/host.js").ChangeName | void} intent
    */
   apply(intent) {
-    return this.#watched(() => this.bench.attempt(intent));
+    return this.#watched(() => this.host.attempt(intent));
   }
 
   /**
@@ -127,15 +127,15 @@ export class FaceSession {
    */
   async file(format, chosen) {
     if (!this.#face) throw { code: "no-face", message: "no face is open", hint: "" };
-    const written = writtenFile(this.bench, this.#texture, format, { "base-colour": "whole", ...chosen });
+    const written = writtenFile(this.host, this.#texture, format, { "base-colour": "whole", ...chosen });
     const bytes = await written.catch((error) => this.#mind(error));
-    return new Blob([/** @type {BlobPart} */ (bytes)], { type: this.bench.answer((studio) => studio.mediaType(format)) });
+    return new Blob([/** @type {BlobPart} */ (bytes)], { type: this.host.answer((studio) => studio.mediaType(format)) });
   }
 
   /** Gives everything back. */
   close() {
     this.#newest += 1;
-    this.bench.close();
+    this.host.close();
     returnVision();
   }
 
@@ -158,7 +158,7 @@ export class FaceSession {
     await shown;
     this.#faces = faces;
     this.#told.face();
-    this.bench.announce();
+    this.host.announce();
   }
 
   /**
@@ -168,20 +168,20 @@ export class FaceSession {
    */
   async #bringIn(face, done, isWanted) {
     const photos = photosOf({ ...face, lens: done?.lens ?? face.lens });
-    if (!isWanted() || !(await openPictures(this.bench, photos, isWanted))) throw new Replaced();
+    if (!isWanted() || !(await openPictures(this.host, photos, isWanted))) throw new Replaced();
     this.#isTaking = true;
     try {
-      this.#watched(() => takeFace(this.bench, photos, done));
+      this.#watched(() => takeFace(this.host, photos, done));
       this.#face = face;
     } finally {
       this.#isTaking = false;
     }
-    this.#done = standing(this.bench);
+    this.#done = standing(this.host);
   }
 
   #follow() {
     if (this.#isTaking) return;
-    const done = this.#face && standing(this.bench);
+    const done = this.#face && standing(this.host);
     if (!done) return;
     const isEdited = done.edits !== this.#done?.edits;
     this.#done = done;
@@ -215,7 +215,7 @@ export class FaceSession {
    * @returns {never}
    */
   #mind(error) {
-    if (isTrap(error)) this.bench.fail(error);
+    if (isTrap(error)) this.host.fail(error);
     throw error;
   }
 }

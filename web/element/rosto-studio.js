@@ -1,7 +1,7 @@
 import { init } from "../js/files.js";
 import { download } from "../js/page/download.js";
 import { Replaced } from "../js/photo/vision-client.js";
-import { languageFor, learnWords, speak } from "../js/words/words.js";
+import { languageFor, loadWords, speak } from "../js/words/words.js";
 import { fileName } from "../js/work/file-name.js";
 import { FaceSession } from "./face-session.js";
 import { fetchedFile, pictureIn } from "./photo-source.js";
@@ -12,8 +12,8 @@ import { stateOf, themeOf } from "./state.js";
 /**
  * @typedef {import("./stage.js").Tool} Tool
  * @typedef {import("./state.js").StudioSnapshot} StudioSnapshot
- * @typedef {import("../js/viewport/workbench.js").Studio} Studio
- * @typedef {import("../js/viewport/workbench.js").ChangeName} ChangeName
+ * @typedef {import("../js/viewport/host.js").Studio} Studio
+ * @typedef {import("../js/viewport/host.js").ChangeName} ChangeName
  */
 
 /** What an attribute chooses in the studio, under the same name. */
@@ -209,7 +209,7 @@ export class RostoStudio extends HTMLElement {
   async #open(stage, signal) {
     const base = this.getAttribute("base");
     if (base !== null) init(new URL(base, this.baseURI));
-    await learnWords(this.#language()).catch((error) => Promise.reject(new RostoError("not-loaded", String(error))));
+    await loadWords(this.#language()).catch((error) => Promise.reject(new RostoError("not-loaded", String(error))));
     stage.furnish((tool) => this.#use(tool), signal);
     const session = await FaceSession.open(stage.canvas, {
       progress: (step, fraction) => stage.showProgress(step, fraction),
@@ -232,12 +232,12 @@ export class RostoStudio extends HTMLElement {
     this.#session = session;
     const [still, dark] = ["(prefers-reduced-motion: reduce)", "(prefers-color-scheme: dark)"].map((query) => matchMedia(query));
     const suit = () => {
-      session.bench.act((studio) => studio.setTheme(themeOf(this)));
-      session.bench.act((studio) => studio.setReducedMotion(still?.matches ?? false));
+      session.host.act((studio) => studio.setTheme(themeOf(this)));
+      session.host.act((studio) => studio.setReducedMotion(still?.matches ?? false));
     };
     for (const query of [still, dark]) query?.addEventListener("change", suit, { signal });
     suit();
-    session.bench.onRestart(async () => suit());
+    session.host.onRestart(async () => suit());
     for (const name of CHOICES) {
       const value = this.getAttribute(name);
       if (value !== null) this.#choose(session, name, value);
@@ -274,7 +274,7 @@ export class RostoStudio extends HTMLElement {
 
   /** @param {FaceSession} session @param {string} choice @param {string} id */
   #choose(session, choice, id) {
-    if (session.bench.read((state) => state.chosen(choice)) === id) return;
+    if (session.host.read((state) => state.chosen(choice)) === id) return;
     try {
       session.apply((studio) => studio.choose(choice, id));
     } catch (error) {
@@ -323,7 +323,7 @@ export class RostoStudio extends HTMLElement {
 
   #showTools() {
     const covered_px = this.#stage?.showTools(this.controls) ?? 0;
-    this.#session?.bench.act((studio) => studio.cover(0, 0, covered_px * devicePixelRatio, 0));
+    this.#session?.host.act((studio) => studio.setViewportInsets(0, 0, covered_px * devicePixelRatio, 0));
   }
 
   /**

@@ -1,5 +1,5 @@
 import { make } from "../js/page/dom.js";
-import { inEveryLanguage, isWord, say } from "../js/words/words.js";
+import { onLocaleChange, isWord, t } from "../js/words/words.js";
 import { STYLES } from "./styles.js";
 
 /**
@@ -64,11 +64,11 @@ export class Stage {
     const tools = /** @type {[Tool, { word: WordKey, lines: string }][]} */ (Object.entries(TOOLS));
     const buttons = tools.map(([tool, { lines }]) => button(tool, lines, () => use(tool)));
     this.#toolbar.append(...buttons);
-    inEveryLanguage(() => {
-      this.canvas.ariaLabel = say("viewport.label");
-      this.canvas.ariaDescription = say("element.keys");
-      this.#toolbar.ariaLabel = say("toolbar.label");
-      for (const [at, [, { word }]] of tools.entries()) Object.assign(buttons[at] ?? {}, { ariaLabel: say(word), title: say(word) });
+    onLocaleChange(() => {
+      this.canvas.ariaLabel = t("viewport.label");
+      this.canvas.ariaDescription = t("element.keys");
+      this.#toolbar.ariaLabel = t("toolbar.label");
+      for (const [at, [, { word }]] of tools.entries()) Object.assign(buttons[at] ?? {}, { ariaLabel: t(word), title: t(word) });
     }, gone);
   }
 
@@ -88,7 +88,7 @@ export class Stage {
   showProgress(step, fraction) {
     this.#progress.hidden = false;
     this.hideNotice();
-    this.#word.textContent = say(step === "loading" ? "progress.loading" : "progress.working");
+    this.#word.textContent = t(step === "loading" ? "progress.loading" : "progress.working");
     this.#bar.ariaLabel = this.#word.textContent;
     if (step === "loading") this.#bar.removeAttribute("value");
     else this.#bar.value = fraction;
@@ -145,7 +145,7 @@ function wordsFor(code) {
   const [title, hint] = [`error.${code}`, `error.${code}.hint`];
   const unkept = `${hint}.unkept`;
   const next = WITHOUT_3D.test(code) ? "element.no-3d" : isWord(unkept) ? unkept : hint;
-  return [title, next].filter(isWord).map((word) => say(word)).join(". ");
+  return [title, next].filter(isWord).map((word) => t(word)).join(". ");
 }
 
 /**

@@ -26,7 +26,7 @@ const NOTHING = {
  * @returns {StudioSnapshot}
  */
 export function stateOf(session) {
-  const state = session?.bench.read((now, studio) => ({
+  const state = session?.host.read((now, studio) => ({
     ...{ ready: true, faces: session.faces.length, vertices: now.vertexCount, edits: now.entryCount },
     ...{ canUndo: now.canUndo, canRedo: now.canRedo, selected: now.selected },
     ...{ shading: now.chosen("shading"), density: now.chosen("density"), lens: now.chosen("lens") },
@@ -35,7 +35,7 @@ export function stateOf(session) {
   return state ?? NOTHING;
 }
 
-/** @param {import("../js/viewport/workbench.js").Studio} studio */
+/** @param {import("../js/viewport/host.js").Studio} studio */
 function slidersOf(studio) {
   const tick = studio.tick();
   const at_mm = tick.slidersMm;

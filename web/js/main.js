@@ -44,11 +44,11 @@ import { setUpScene } from "./viewport/scene-switch.js";
 import { setUpViewKeys } from "./viewport/shortcuts.js";
 import { isFallback, prepareRestart } from "./viewport/studio-module.js";
 import { WholeTexture } from "./viewport/whole-texture.js";
-import { Workbench } from "./viewport/workbench.js";
-import { inEveryLanguage, language, languages, learnWords, speak, writeWords } from "./words/words.js";
+import { Host } from "./viewport/host.js";
+import { onLocaleChange, language, languages, loadWords, speak, writeWords } from "./words/words.js";
 import { Autosave } from "./work/autosave.js";
 
-await learnWords(remembered("language") ?? navigator.language);
+await loadWords(remembered("language") ?? navigator.language);
 setUpWords();
 setUpNotice();
 setUpProgress();
@@ -58,28 +58,28 @@ setUpDialogs();
 
 const vision = new VisionClient();
 const overlay = new PhotoOverlay();
-const keeper = new Autosave();
+const autosave = new Autosave();
 const validator = new Validator();
 /** @type {PaperPanel | undefined} */
 let paper;
-const bench = openBench();
+const host = openBench();
 const faceChoice = new FaceChoice((face) => opening.openFace(face), (face) => opening.goBackTo(face));
 const opened = (/** @type {number | undefined} */ extraction_ms) => paper?.forget(extraction_ms);
-const opening = new Opening({ bench, overlay, faceChoice, vision, keeper, opened });
+const opening = new Opening({ host, overlay, faceChoice, vision, autosave, opened });
 
-setUpTheme((theme) => bench.then((there) => there?.act((studio) => studio.setTheme(theme))));
+setUpTheme((theme) => host.then((there) => there?.act((studio) => studio.setTheme(theme))));
 setUpPhotoInput((file) => opening.openFile(file));
 setUpCamera((photo) => opening.openFile(photo, "selfie"));
-setUpMirror({ bench, vision, opening });
+setUpMirror({ host, vision, opening });
 onAction("sample", () => opening.openFile(loadSample(), "sample"));
-keeper.offer((read) => opening.openWork(read));
+autosave.offer((read) => opening.openWork(read));
 countRequests(loadTheRest());
 dispatchEvent(new Event("started"));
 
 /** The 3D view and every panel that works on it; nothing where the browser cannot draw in 3D. */
 async function openBench() {
   try {
-    const opened = await Workbench.open(byId("viewport", HTMLCanvasElement), { show: showError, hide: hideNotice });
+    const opened = await Host.open(byId("viewport", HTMLCanvasElement), { show: showError, hide: hideNotice });
     overlay.follow(opened);
     new EditOptions(opened);
     new LandmarkMarks(opened, { tag: byId("landmark-tag", HTMLOutputElement), overlay, did, announce });
@@ -100,18 +100,18 @@ async function openBench() {
     new SizePanel(opened, () => opening.lens);
     setUpInPhotoPanel(opened);
     setUpHistoryPanel(opened);
-    const texture = new WholeTexture(opened, vision, keeper, (isMaking) => document.body.toggleAttribute("data-texture", isMaking));
-    setUpExportPanel(opened, keeper, validator, texture);
-    setUpSharePanel(opened, keeper);
-    setUpPhotoFile(opened, keeper, vision);
+    const texture = new WholeTexture(opened, vision, autosave, (isMaking) => document.body.toggleAttribute("data-texture", isMaking));
+    setUpExportPanel(opened, autosave, validator, texture);
+    setUpSharePanel(opened, autosave);
+    setUpPhotoFile(opened, autosave, vision);
     paper = new PaperPanel(opened);
-    keeper.follow(opened);
+    autosave.follow(opened);
     opened.onRestart(() => workAgain(opened));
     opened.act((studio) => studio.showCanonical());
-    document.body.dataset["bench"] = "open";
+    document.body.dataset["host"] = "open";
     return opened;
   } catch (error) {
-    document.body.dataset["bench"] = "closed";
+    document.body.dataset["host"] = "closed";
     showError(error);
     return undefined;
   }
@@ -122,17 +122,17 @@ async function loadTheRest() {
   await afterNextFrame();
   vision.start();
   await vision.ready;
-  await bench;
+  await host;
   await Promise.allSettled([showSample(), validator.start(), keepOffline(isFallback()), prepareRestart()]);
 }
 
 /**
  * The studio was started again, and is empty: it gets back what it had.
  *
- * @param {Workbench} opened
+ * @param {Host} opened
  */
 async function workAgain(opened) {
-  const work = keeper.lose();
+  const work = autosave.lose();
   const theme = document.documentElement.dataset["theme"] === "dark" ? "dark" : "light";
   opened.act((studio) => studio.setTheme(theme));
   opened.act((studio) => studio.setReducedMotion(matchMedia("(prefers-reduced-motion: reduce)").matches));
@@ -148,5 +148,5 @@ function setUpWords() {
   choice.addEventListener("change", () => {
     speak(choice.value).then(() => remember("language", language()), () => (choice.value = language()));
   });
-  inEveryLanguage(writeWords);
+  onLocaleChange(writeWords);
 }

@@ -9,24 +9,24 @@ import { readPhoto } from "./photo/read-photo.js";
 import { Replaced } from "./photo/vision-client.js";
 import { isTrap } from "./viewport/studio-module.js";
 import { stemOf } from "./work/file-name.js";
-import { fromVisit, fromWork, shownBefore, wayBack } from "./work/incoming.js";
+import { fromVisit, fromWork, shownBefore, recentFaces } from "./work/incoming.js";
 import { faceOf, factsOf, foundIn, photosOf, placeOf } from "./work/photos.js";
 import { bitmapOf } from "./work/pixels.js";
 import { kindOf, readSavedFile } from "./work/saved-file.js";
 
 /**
- * @typedef {import("./viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("./viewport/host.js").Host} Host
  * @typedef {import("./work/work.js").Work} Work
  * @typedef {import("./work/work.js").OpenedFace} OpenedFace
  * @typedef {import("./work/incoming.js").Shown} Shown
  * @typedef {import("./work/incoming.js").Incoming} Incoming
  *
  * @typedef {object} Room where a face is shown
- * @property {Promise<Workbench | undefined>} bench nothing where the browser cannot draw in 3D
+ * @property {Promise<Host | undefined>} host nothing where the browser cannot draw in 3D
  * @property {import("./photo/photo-overlay.js").PhotoOverlay} overlay
  * @property {import("./photo/face-choice.js").FaceChoice} faceChoice
  * @property {import("./photo/vision-client.js").VisionClient} vision
- * @property {import("./work/autosave.js").Autosave} keeper
+ * @property {import("./work/autosave.js").Autosave} autosave
  * @property {(extraction_ms: number | undefined) => void} opened
  */
 
@@ -70,8 +70,8 @@ export class Opening {
     return this.#open(async (isWanted) => {
       const blob = await file;
       // The page's own module, which reads saved files, may still be on its way.
-      const bench = await this.#room.bench;
-      const kind = bench ? await kindOf(blob) : "other";
+      const host = await this.#room.host;
+      const kind = host ? await kindOf(blob) : "other";
       if (!isWanted()) throw new Replaced();
       if (kind === "other") return readPhoto(this.#room.vision, blob, name ?? stemOf(blob), isWanted);
       return fromWork(await readSavedFile(blob, kind));
@@ -117,10 +117,10 @@ export class Opening {
    */
   addPhotos(files) {
     return this.#attend(async (isWanted) => {
-      const bench = await this.#room.bench;
+      const host = await this.#room.host;
       for (const file of files) {
-        if (!bench || !isWanted()) return;
-        await this.#addPhoto(bench, file, isWanted).catch((error) => {
+        if (!host || !isWanted()) return;
+        await this.#addPhoto(host, file, isWanted).catch((error) => {
           if (isTrap(error) || error instanceof Replaced) throw error;
           showNotAdded(file.name, error);
         });
@@ -136,12 +136,12 @@ export class Opening {
    */
   removePhoto(photo) {
     return this.#attend(async () => {
-      const bench = await this.#room.bench;
-      if (!bench) return;
+      const host = await this.#room.host;
+      if (!host) return;
       await this.#inTurn(async () => {
         const place = placeOf(this.#now?.face, photo);
         if (place === undefined) return;
-        await this.#changePhotos(bench, (studio) => studio.removePhoto(place), (photos) => photos.toSpliced(place, 1));
+        await this.#changePhotos(host, (studio) => studio.removePhoto(place), (photos) => photos.toSpliced(place, 1));
       });
     });
   }
@@ -153,8 +153,8 @@ export class Opening {
    */
   restorePhoto(photo) {
     return this.#attend(async (isWanted) => {
-      const bench = await this.#room.bench;
-      if (bench) await this.#inTurn(() => this.#seeIn(bench, photo, isWanted));
+      const host = await this.#room.host;
+      if (host) await this.#inTurn(() => this.#seeIn(host, photo, isWanted));
     });
   }
 
@@ -202,7 +202,7 @@ export class Opening {
     try {
       await act(isWanted);
     } catch (error) {
-      if (isTrap(error)) (await this.#room.bench)?.fail(error);
+      if (isTrap(error)) (await this.#room.host)?.fail(error);
       else if (isWanted() && !(error instanceof Replaced)) showError(error);
     } finally {
       if (isWanted()) hideProgress();
@@ -211,19 +211,19 @@ export class Opening {
   }
 
   /**
-   * @param {Workbench} bench
+   * @param {Host} host
    * @param {File} file
    * @param {() => boolean} isWanted
    */
-  async #addPhoto(bench, file, isWanted) {
-    const most = bench.ask((studio) => studio.mostPhotos) ?? 1;
+  async #addPhoto(host, file, isWanted) {
+    const most = host.ask((studio) => studio.mostPhotos) ?? 1;
     if (this.#now && photosOf(this.#now.face).length >= most) throw { code: "too-many-photos", message: `${most} photos`, hint: "" };
     if ((await kindOf(file)) !== "other") throw { code: "not-a-picture", message: "a saved face", hint: "" };
     const { face: photo, bitmap } = await readPhoto(this.#room.vision, file, stemOf(file), isWanted);
     bitmap.close();
     await this.#inTurn(async () => {
-      if (!(await this.#seeIn(bench, photo, isWanted))) return;
-      const adds = bench.ask((studio) => factsOf(studio).at(-1)?.adds);
+      if (!(await this.#seeIn(host, photo, isWanted))) return;
+      const adds = host.ask((studio) => factsOf(studio).at(-1)?.adds);
       if (adds === false) showRemark("adds-little", { name: file.name });
     });
   }
@@ -231,46 +231,46 @@ export class Opening {
   /**
    * The open face in one more photo, unless it is in it already. Resolves to whether it is new.
    *
-   * @param {Workbench} bench
+   * @param {Host} host
    * @param {OpenedFace} photo
    * @param {() => boolean} isWanted
    */
-  async #seeIn(bench, photo, isWanted) {
-    if (placeOf(this.#now?.face, photo) !== undefined || !(await openPicture(bench, photo, isWanted))) return false;
+  async #seeIn(host, photo, isWanted) {
+    if (placeOf(this.#now?.face, photo) !== undefined || !(await openPicture(host, photo, isWanted))) return false;
     const found = foundIn(photo);
-    await this.#changePhotos(bench, (studio) => studio.addPhoto(...found), (photos) => [...photos, photo]);
+    await this.#changePhotos(host, (studio) => studio.addPhoto(...found), (photos) => [...photos, photo]);
     return true;
   }
 
   /**
    * The open face in other photos: in the studio, in what is kept, and in what is shown of it.
    *
-   * @param {Workbench} bench
+   * @param {Host} host
    * @param {(studio: import("../wasm/rosto-studio-web.js").Studio) => import("../wasm/rosto-studio-web.js").ChangeName} act
    * @param {(photos: OpenedFace[]) => OpenedFace[]} change
    */
-  async #changePhotos(bench, act, change) {
-    const { overlay, keeper, faceChoice } = this.#room;
+  async #changePhotos(host, act, change) {
+    const { overlay, autosave, faceChoice } = this.#room;
     const before = this.#now;
     if (!before) return;
     const { face: was, faces } = before;
-    const lens = bench.ask((studio) => studio.photoLens);
-    bench.attempt(act);
-    const place = bench.ask((studio) => factsOf(studio).findIndex(({ leads }) => leads)) ?? 0;
+    const lens = host.ask((studio) => studio.photoLens);
+    host.attempt(act);
+    const place = host.ask((studio) => factsOf(studio).findIndex(({ leads }) => leads)) ?? 0;
     // The one that led is taken to be taken as it was said.
     const asSaid = photosOf(was).map((photo, at) => (at === (was.place ?? 0) && lens !== undefined ? { ...photo, lens } : photo));
     const isSameLead = change(photosOf(was))[place]?.landmarks === was.landmarks;
     const face = faceOf(change(isSameLead ? photosOf(was) : asSaid), place, was.name);
-    keeper.change(face);
+    autosave.change(face);
     this.#now = { face, faces: isSameLead ? faces.map((one) => (one === was ? face : one)) : [face] };
     // Only now is known of which photos its texture is made.
-    bench.announce();
+    host.announce();
     await nextTask();
     const { faces: shown } = this.#now;
     try {
       const bitmap = await bitmapOf(face);
       overlay.show(await overlay.prepare(face, bitmap));
-      await faceChoice.show(shown, wayBack(this.#before, shown), bitmap);
+      await faceChoice.show(shown, recentFaces(this.#before, shown), bitmap);
       bitmap.close();
     } catch (error) {
       // The face is another one already: only what is seen of its photo is not.
@@ -284,7 +284,7 @@ export class Opening {
    */
   async #again(shown) {
     if (!shown || shown.face === this.#now?.face) throw new Replaced();
-    return fromVisit(shown, this.#room.keeper.doneTo(shown.face));
+    return fromVisit(shown, this.#room.autosave.doneTo(shown.face));
   }
 
   /**
@@ -306,8 +306,8 @@ export class Opening {
    * @param {() => boolean} isWanted
    */
   async #bringIn({ face, faces, bitmap, done }, isWanted) {
-    const { bench, overlay, keeper } = this.#room;
-    const opened = await bench;
+    const { host, overlay, autosave } = this.#room;
+    const opened = await host;
     const photos = photosOf({ ...face, lens: done?.lens ?? face.lens });
     if (opened && !(await openPictures(opened, photos, isWanted))) return false;
     const prepared = await overlay.prepare(face, bitmap);
@@ -317,9 +317,9 @@ export class Opening {
     }
     // An edit in progress is one, too.
     opened?.act((studio) => studio.commit());
-    keeper.finish();
+    autosave.finish();
     if (opened) takeFace(opened, photos, done);
-    if (opened) keeper.take(face);
+    if (opened) autosave.take(face);
     this.#before = shownBefore([this.#now, ...this.#before], face);
     this.#now = { face, faces };
     await nextTask();
@@ -329,19 +329,19 @@ export class Opening {
 
   /** @param {Incoming} incoming that is open now */
   #welcome({ faces, bitmap, extraction_ms, changedElsewhere, isDoubtful, ofThisVisit = false }) {
-    const { bench, opened, faceChoice } = this.#room;
-    document.body.dataset["state"] = document.body.dataset["bench"] === "open" ? "face" : "photo";
+    const { host, opened, faceChoice } = this.#room;
+    document.body.dataset["state"] = document.body.dataset["host"] === "open" ? "face" : "photo";
     byId("welcome", HTMLElement).hidden = true;
-    byId("toolbar", HTMLDivElement).hidden = document.body.dataset["bench"] !== "open";
+    byId("toolbar", HTMLDivElement).hidden = document.body.dataset["host"] !== "open";
     // The tools take the place of the photo, which folds to a row; without a view in 3D it is all there is to see.
     byId("section-photo", HTMLDetailsElement).open = document.body.dataset["state"] === "photo";
-    faceChoice.show(faces, wayBack(this.#before, faces), bitmap).catch((error) => console.warn("the faces are not shown:", error));
+    faceChoice.show(faces, recentFaces(this.#before, faces), bitmap).catch((error) => console.warn("the faces are not shown:", error));
     freshen(ofThisVisit);
     // What was being typed no longer stands in the way of what is to be shown.
-    bench.then((there) => there?.announce());
+    host.then((there) => there?.announce());
     opened(extraction_ms);
     if (changedElsewhere) showError({ code: "changed-elsewhere", message: "", hint: "" });
     else if (isDoubtful) showRemark("may-not-be-a-face", {});
-    else if (document.body.dataset["bench"] === "open") giveHints();
+    else if (document.body.dataset["host"] === "open") giveHints();
   }
 }

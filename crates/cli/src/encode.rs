@@ -2,7 +2,7 @@ use std::path::Path;
 
 use glam::{DVec2, DVec3};
 use rosto_export::{
-    BaseColour, Choosable, Content, Eyes, Format, GlbOptions, JsonMesh, Model, Morph, Picture, Source, Units, Written,
+    BaseColour, Choosable, Content, Eyes, Format, GlbOptions, JsonMesh, Model, Morph, Picture, Source, Units, ExportedFile,
     about, mesh_json,
 };
 use rosto_face::{FaceModel, Photo, canonical_uvs};
@@ -31,7 +31,7 @@ pub fn encode(
     task: &MeshTask,
     format: Format,
     name: &str,
-) -> Result<Written, CliError> {
+) -> Result<ExportedFile, CliError> {
     if task.units == Units::Image {
         return Ok(image_json(face, document).into());
     }
@@ -98,7 +98,7 @@ fn rigged(
     task: &MeshTask,
     format: Format,
     name: &str,
-) -> Result<Written, CliError> {
+) -> Result<ExportedFile, CliError> {
     let (parted, base_m) = (rig.parted(), rig.base_m());
     let skin = Skin::new(face, document, task, format)?;
     let (uvs, texture_uvs) = (parted.uvs(&skin.uvs), parted.uvs(&skin.texture_uvs));

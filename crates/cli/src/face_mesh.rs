@@ -1,6 +1,6 @@
 use clap::{ArgMatches, CommandFactory, FromArgMatches};
 use glam::{DVec2, DVec3};
-use rosto_export::{Units, Written};
+use rosto_export::{Units, ExportedFile};
 use rosto_face::{FaceError, FaceModel, MOST_PHOTOS};
 use rosto_landmarks::FaceFinder;
 use rosto_photo::Photo;
@@ -77,7 +77,7 @@ impl FaceMesh {
     ///
     /// # Errors
     /// If there is no such format, or the options would change nothing or something that cannot be written.
-    pub fn write(&mut self, name: &str, options: &[String]) -> Result<Written, Refused> {
+    pub fn write(&mut self, name: &str, options: &[String]) -> Result<ExportedFile, Refused> {
         let (task, matches) = task(&[&self.options, options].concat(), name)?;
         let format = encode::format_of(name.as_ref())?;
         request::check(&task, format, &Given(matches.subcommand().map_or(&matches, |(_, given)| given)))?;

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use crate::args::LandmarksTask;
 use crate::error::CliError;
 use crate::found::notes_on_all;
-use crate::many::{self, Journal, Listing, Outcome, PhotoName, Progress, Told};
+use crate::many::{self, Journal, Listing, Outcome, PhotoName, Progress, BatchSummary};
 use crate::networks::Networks;
 use crate::{files, networks, output, portrait, terminal};
 
@@ -65,7 +65,7 @@ pub fn run(task: &LandmarksTask, networks: Networks<'_>) -> Result<(), CliError>
     let left: Vec<PathBuf> = paths.filter(|photo| !lines.has(photo)).cloned().collect();
     let done = photos.photos.len() - left.len();
     let progress = Progress::new(photos.photos.len(), done, task.output.is_none());
-    let mut told = Told::default();
+    let mut summary = BatchSummary::default();
     let work = |photo: &Path| line(photo, &how, &finder, &options);
     many::in_order(&left, task.many.jobs, work, |(photo, outcome): Outcome<Line>| {
         let kept = match &outcome {
@@ -78,15 +78,15 @@ pub fn run(task: &LandmarksTask, networks: Networks<'_>) -> Result<(), CliError>
                 lines.add_failure(&photo, &how, error)
             }
         };
-        told.count(outcome.map(|line| line.faces > 0).as_ref());
+        summary.count(outcome.map(|line| line.faces > 0).as_ref());
         progress.step();
         kept
     })?;
     drop(progress);
     if let Some(path) = &task.output {
-        terminal::note(&told.summary(path, done, &photos.skipped));
+        terminal::note(&summary.text(path, done, &photos.skipped));
     }
-    told.verdict()
+    summary.verdict()
 }
 
 /// How faces are looked for: of lines that differ in it, some would be another request's.

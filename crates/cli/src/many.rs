@@ -5,7 +5,7 @@ mod lines;
 mod listing;
 mod name;
 mod progress;
-mod told;
+mod summary;
 
 use std::panic::{self, AssertUnwindSafe};
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ pub use lines::{Lines, Verdict};
 pub use listing::{Listed, Listing, Skipped, photos};
 pub use name::{PhotoName, hex};
 pub use progress::Progress;
-pub use told::Told;
+pub use summary::BatchSummary;
 
 /// What came of a photo.
 pub type Outcome<T> = (PathBuf, Result<T, CliError>);
@@ -43,7 +43,7 @@ pub fn in_order<T: Send>(
                 in_a_thread(scope, own, &work)
             })
             .collect();
-        // Photos are dealt out in turn, and taken back so; a thread that ends early has told why.
+        // Photos are dealt out in turn, and taken back so; a thread that ends early has said why.
         let mut outcomes = (0..photos.len()).map_while(|photo| lanes[photo % jobs].recv().ok());
         outcomes.try_for_each(&mut take)
     })

@@ -4,7 +4,7 @@ mod ledger;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use rosto_export::{Format, PLA_G_PER_CM3, SolidFacts, Units, Written};
+use rosto_export::{Format, PLA_G_PER_CM3, SolidFacts, Units, ExportedFile};
 use rosto_face::{FaceModel, MOST_PHOTOS, Photo, PhotoLens};
 use rosto_landmarks::FaceFinder;
 use rosto_studio::{Anchors, Command, CoordinateFrame, Document, EditSpec, Rest, StudioError};
@@ -71,7 +71,7 @@ fn make(
     format: Format,
     name: &str,
     finder: &FaceFinder,
-) -> Result<(Edited, Written), CliError> {
+) -> Result<(Edited, ExportedFile), CliError> {
     let mut edited = edited_face(task, photos, steps, finder)?;
     let written = encode::encode(&edited.face, &mut edited.document, task, format, name)?;
     Ok((edited, written))

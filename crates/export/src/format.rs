@@ -94,7 +94,7 @@ pub struct Content<'a> {
 
 /// What a format makes of a face: a file, and what lies beside it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Written {
+pub struct ExportedFile {
     /// The file.
     pub bytes: Vec<u8>,
     /// Files that it names, without folders; none in most formats.
@@ -103,13 +103,13 @@ pub struct Written {
     pub solid: Option<SolidFacts>,
 }
 
-impl<B: Into<Vec<u8>>> From<B> for Written {
+impl<B: Into<Vec<u8>>> From<B> for ExportedFile {
     fn from(bytes: B) -> Self {
         Self { bytes: bytes.into(), beside: Vec::new(), solid: None }
     }
 }
 
-impl Written {
+impl ExportedFile {
     /// One file for whoever can save only one: the file itself or, with what lies beside it, a zip archive.
     pub fn bundled(self, name: &str, format: Format) -> Vec<u8> {
         if self.beside.is_empty() {
@@ -124,7 +124,7 @@ impl Written {
 struct Definition {
     media_type: &'static str,
     choosable: &'static [Choosable],
-    write: fn(&Content<'_>) -> Result<Written, ExportError>,
+    write: fn(&Content<'_>) -> Result<ExportedFile, ExportError>,
 }
 
 impl Format {
@@ -155,7 +155,7 @@ impl Format {
         }
     }
 
-    /// How the name of the one file ends that [`Written::bundled`] makes: `zip` where there are several.
+    /// How the name of the one file ends that [`ExportedFile::bundled`] makes: `zip` where there are several.
     pub fn bundle_ending(self, base_colour: BaseColour) -> &'static str {
         if self.names_beside(base_colour, "").is_empty() { self.id() } else { "zip" }
     }
@@ -165,7 +165,7 @@ impl Format {
     /// # Errors
     /// [`ExportError`] if a length does not fit, a position is not finite, there is no triangle, no such picture, or no
     /// such body; for glTF also as [`glb`].
-    pub fn write(self, content: &Content<'_>) -> Result<Written, ExportError> {
+    pub fn write(self, content: &Content<'_>) -> Result<ExportedFile, ExportError> {
         (self.definition().write)(content)
     }
 
@@ -203,9 +203,9 @@ impl<'a> Content<'a> {
         mesh_json(&JsonMesh { units, positions, colours_srgb: self.model.colours_srgb, triangles, about })
     }
 
-    fn stl(&self) -> Result<Written, ExportError> {
+    fn stl(&self) -> Result<ExportedFile, ExportError> {
         Ok(match self.solid.body(&self.model)? {
-            Some(body) => Written {
+            Some(body) => ExportedFile {
                 solid: Some(SolidFacts::of(&body)),
                 ..stl::stl_of(body.topology().triangles(), body.positions_m()).into()
             },
@@ -213,12 +213,12 @@ impl<'a> Content<'a> {
         })
     }
 
-    fn three_mf(&self) -> Result<Written, ExportError> {
+    fn three_mf(&self) -> Result<ExportedFile, ExportError> {
         let body = self.solid.body(&self.model)?.ok_or(ExportError::NoBody)?;
-        Ok(Written { solid: Some(SolidFacts::of(&body)), ..three_mf(&self.model, &body)?.into() })
+        Ok(ExportedFile { solid: Some(SolidFacts::of(&body)), ..three_mf(&self.model, &body)?.into() })
     }
 
-    fn png(&self) -> Result<Written, ExportError> {
+    fn png(&self) -> Result<ExportedFile, ExportError> {
         self.model.check()?;
         let texture = texture::of(&self.model, self.gltf.base_colour, self.gltf.max_texture_px)?;
         Ok(texture::png(&texture.ok_or(ExportError::NoPicture)?.pixels)?.into())

@@ -20,7 +20,7 @@ pub use about::about;
 pub use colour::linear_from_srgb;
 pub use error::ExportError;
 pub use format::{
-    Choosable, Content, Eyes, Format, JsonMesh, Units, Written, mesh_json, obj, ply, stl, three_mf, usdz,
+    Choosable, Content, Eyes, Format, JsonMesh, Units, ExportedFile, mesh_json, obj, ply, stl, three_mf, usdz,
 };
 pub use glb::{GlbOptions, Material, Morph, Source, TextureSize, glb, gltf};
 pub use model::{Model, Picture};

@@ -13,13 +13,13 @@ use glam::{DVec2, DVec3};
 use rosto_export::*;
 use rosto_face::{FaceModel, Triangulation};
 
-fn written(face: &FaceModel, format: Format, base_colour: BaseColour, solid: Solid) -> Result<Written, ExportError> {
+fn written(face: &FaceModel, format: Format, base_colour: BaseColour, solid: Solid) -> Result<ExportedFile, ExportError> {
     let (model, rest_m) = (model(face), face.positions_m());
     let gltf = GlbOptions { base_colour, ..GlbOptions::default() };
     format.write(&Content { model, rest_m, gltf, solid, name: "my face", positions_image: None })
 }
 
-fn printed(solid: Solid) -> Written {
+fn printed(solid: Solid) -> ExportedFile {
     written(&face(Triangulation::Canonical), Format::ThreeMf, BaseColour::Photo, solid).unwrap()
 }
 
@@ -91,7 +91,7 @@ fn a_3mf_gives_each_corner_its_vertex_colour_and_the_back_a_neutral_one() {
 #[test]
 fn an_stl_is_a_body_unless_the_surface_alone_is_asked_for() {
     let face = face(Triangulation::Tessellation);
-    let count = |file: &Written| u32::from_le_bytes(file.bytes[80..84].try_into().unwrap()) as usize;
+    let count = |file: &ExportedFile| u32::from_le_bytes(file.bytes[80..84].try_into().unwrap()) as usize;
     let write = |solid| written(&face, Format::Stl, BaseColour::Photo, solid).unwrap();
     let sheet = write(Solid::Surface);
     assert_eq!((count(&sheet), &sheet.solid), (852, &None));

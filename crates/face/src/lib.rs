@@ -31,7 +31,7 @@ pub use error::FaceError;
 pub use irises::{IRIS_COUNT, POINT_COUNT, iris_id, lids_of};
 pub use measures::Measure;
 pub use model::{
-    FaceInput, FaceModel, LeftOut, MOST_PHOTOS, Reprojection, Sighting, View, check_landmarks, drawn_out_m,
+    FaceInput, FaceModel, LeftOut, MOST_PHOTOS, Reprojection, PoseFit, View, check_landmarks, drawn_out_m,
 };
 pub use names::{landmark_id, part_id};
 pub use openings::{Opening, Parted, Piece, without_fillings};

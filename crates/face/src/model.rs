@@ -1,7 +1,7 @@
 mod fitting;
 mod seen;
 mod several;
-mod sighting;
+mod pose_fit;
 mod views;
 
 use glam::{DMat3, DVec2, DVec3};
@@ -16,7 +16,7 @@ use fitting::Fitted;
 use seen::check_count;
 pub use seen::check_landmarks;
 pub use several::{LeftOut, Reprojection, drawn_out_m};
-pub use sighting::Sighting;
+pub use pose_fit::PoseFit;
 pub use views::{MOST_PHOTOS, View};
 
 /// What a model is made from.

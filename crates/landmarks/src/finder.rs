@@ -3,7 +3,7 @@ use rosto_photo::Photo;
 use crate::detection::Detection;
 use crate::detector::Detector;
 use crate::face::Face;
-use crate::judgement::Judge;
+use crate::verification::Verifier;
 use crate::mesh::{LandmarkNetwork, Mesh, MeshNetwork};
 use crate::pyramid::Pyramid;
 use crate::region_of_interest::{PictureSize, RegionPx};
@@ -145,15 +145,15 @@ impl FaceFinder {
         mut report: impl FnMut(Stage),
     ) -> Result<FoundFaces, LandmarksError> {
         let pyramid = Pyramid::new(photo);
-        let judge = Judge { detector: &self.detector, mesh: &self.mesh, pyramid: &pyramid };
+        let verifier = Verifier { detector: &self.detector, mesh: &self.mesh, pyramid: &pyramid };
         let proposals =
             search::proposals(&self.detector, &pyramid, max_faces, |share| report(Stage::Detecting { share }))?;
         let ended_early = proposals.iter().filter(|seen| seen.score >= search::SURE).count() >= max_faces;
-        let found = judged(&judge, proposals, max_faces, &mut report)?;
+        let found = judged(&verifier, proposals, max_faces, &mut report)?;
         // Some of what ended the search may be no faces after all: search on.
         if ended_early && certain_count(&found.faces) < max_faces {
             let proposals = search::proposals(&self.detector, &pyramid, usize::MAX, |_| ())?;
-            return judged(&judge, proposals, max_faces, &mut |_| ());
+            return judged(&verifier, proposals, max_faces, &mut |_| ());
         }
         Ok(found)
     }
@@ -161,12 +161,12 @@ impl FaceFinder {
 
 /// Takes the proposals by prominence until enough of them are certain faces.
 fn judged(
-    judge: &Judge<'_>,
+    verifier: &Verifier<'_>,
     mut proposals: Vec<Detection>,
     max_faces: usize,
     report: &mut impl FnMut(Stage),
 ) -> Result<FoundFaces, LandmarksError> {
-    let picture = PictureSize::of(judge.pyramid.photo);
+    let picture = PictureSize::of(verifier.pyramid.photo);
     prominence::sort(&mut proposals, picture, Detection::outline);
     let (mut faces, mut looked_at) = (Vec::<Face>::new(), 0);
     while looked_at < proposals.len() && certain_count(&faces) < max_faces {
@@ -174,7 +174,7 @@ fn judged(
         report(Stage::Meshing { face: looked_at, of: proposals.len() });
         looked_at += 1;
         if !prominence::is_among(proposal, &faces) {
-            let face = judge.face(proposal)?;
+            let face = verifier.face(proposal)?;
             faces = prominence::with(faces, face.filter(|face| face.confidence > MIN_CONFIDENCE));
         }
     }

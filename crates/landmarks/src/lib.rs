@@ -4,7 +4,7 @@
 //! agrees with MediaPipe's Face Mesh in static image mode where it is asked to. The steps, each in its own module: the whole
 //! picture is resampled (`warp`) for the `detector`, whose overlapping boxes are merged (`suppression`); the eyes of a
 //! detection turn it into a square `region`, which is resampled for the landmark network (`mesh`). Beyond MediaPipe, and by
-//! default: a `search` through turns and tiles of the picture at several sizes (`pyramid`), and a `judgement` that looks again
+//! default: a `search` through turns and tiles of the picture at several sizes (`pyramid`), and a `verification` that looks again
 //! until the landmarks settle, and drops what is no face. [`FaceFinder::follow`] takes the frames of a film one by one and looks
 //! where the face was in the frame before (`follow`).
 
@@ -25,7 +25,7 @@ mod follow;
 mod golden_steps;
 mod graph;
 mod homography;
-mod judgement;
+mod verification;
 mod layers;
 mod mesh;
 mod network;

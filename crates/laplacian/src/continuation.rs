@@ -3,7 +3,7 @@ use rosto_mesh::Topology;
 
 use crate::constraints::marked;
 use crate::dirichlet::Dirichlet;
-use crate::factor::Room;
+use crate::factor::Scratch;
 use crate::gauge_fixed::gauge_fixed;
 use crate::{ConstraintKind, LaplacianError, Operator};
 
@@ -12,7 +12,7 @@ use crate::{ConstraintKind, LaplacianError, Operator};
 /// and slope. Factored once, for any values.
 pub struct Continuation {
     form: Dirichlet,
-    room: Room,
+    scratch: Scratch,
 }
 
 impl Continuation {
@@ -32,7 +32,7 @@ impl Continuation {
         let operator = operator.matrix(topology, positions)?;
         let squared = gauge_fixed(&(operator.transpose() * &operator), &component);
         let form = Dirichlet::new(&squared, &component, known, ConstraintKind::Hard)?;
-        Ok(Self { form, room: Room::default() })
+        Ok(Self { form, scratch: Scratch::default() })
     }
 
     /// One value for each vertex, from one for each known one, in the order in which they were named. From the second time on
@@ -41,7 +41,7 @@ impl Continuation {
     /// # Panics
     /// If `known` has not one value for each known vertex, or `out` not one for each vertex.
     pub fn continued(&mut self, known: &[f64], out: &mut [f64]) {
-        self.form.minimise(None, known, out, &mut self.room);
+        self.form.minimise(None, known, out, &mut self.scratch);
     }
 }
 

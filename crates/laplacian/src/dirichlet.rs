@@ -1,6 +1,6 @@
 use nalgebra_sparse::{CooMatrix, CsrMatrix};
 
-use crate::factor::{Factor, Room};
+use crate::factor::{Factor, Scratch};
 use crate::{ConstraintKind, LaplacianError};
 
 /// A form whose constrained vertices are worked into the matrix before it is factored, however many they are.
@@ -50,7 +50,7 @@ impl Dirichlet {
     }
 
     /// See [`ConstrainedForm::minimise`](crate::gauge_fixed::ConstrainedForm::minimise).
-    pub(crate) fn minimise(&self, load: Option<&[f64]>, targets: &[f64], out: &mut [f64], room: &mut Room) {
+    pub(crate) fn minimise(&self, load: Option<&[f64]>, targets: &[f64], out: &mut [f64], scratch: &mut Scratch) {
         match load {
             Some(load) => out.copy_from_slice(load),
             None => out.fill(0.0),
@@ -64,6 +64,6 @@ impl Dirichlet {
         for &(free, constrained, value) in &self.pull {
             out[free] -= value * targets[constrained];
         }
-        self.factor.solve_in(out, room);
+        self.factor.solve_in(out, scratch);
     }
 }

@@ -32,7 +32,7 @@ pub struct Factor {
 
 /// Room for a solve.
 #[derive(Default)]
-pub(crate) struct Room {
+pub(crate) struct Scratch {
     rows: Vec<f64>,
     gathered: Vec<f64>,
 }
@@ -138,11 +138,11 @@ impl Factor {
     /// # Panics
     /// If `b` has not one value for each row.
     pub fn solve(&self, b: &mut [f64]) {
-        self.solve_in(b, &mut Room::default());
+        self.solve_in(b, &mut Scratch::default());
     }
 
-    /// The same where there is room already: from the second time on it allocates nothing.
-    pub(crate) fn solve_in(&self, b: &mut [f64], Room { rows, gathered }: &mut Room) {
+    /// The same where there is scratch already: from the second time on it allocates nothing.
+    pub(crate) fn solve_in(&self, b: &mut [f64], Scratch { rows, gathered }: &mut Scratch) {
         assert_eq!(b.len(), self.row_of.len(), "one value for each row");
         self.forward(b, rows);
         self.backward(rows, gathered, b);

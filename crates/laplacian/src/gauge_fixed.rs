@@ -16,7 +16,7 @@ use nalgebra_sparse::{CooMatrix, CsrMatrix};
 use rosto_mesh::Topology;
 
 use crate::dirichlet::Dirichlet;
-use crate::factor::{Factor, HalfSolved, Room};
+use crate::factor::{Factor, HalfSolved, Scratch};
 use crate::saddle_point::SaddlePoint;
 use crate::{ConstraintKind, Constraints, LaplacianError};
 
@@ -93,7 +93,7 @@ impl ConstrainedForm {
                 form.factor.backward(&mut rows, &mut Vec::new(), out);
                 saddle_point.add_constants(&c, &form.component, out);
             }
-            Method::Dirichlet(dirichlet) => dirichlet.minimise(load, targets, out, &mut Room::default()),
+            Method::Dirichlet(dirichlet) => dirichlet.minimise(load, targets, out, &mut Scratch::default()),
         }
         if self.kind == ConstraintKind::Hard {
             // Exact up to rounding so far; now to the last bit.

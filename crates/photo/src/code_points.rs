@@ -15,23 +15,23 @@ pub(crate) struct CodePoints {
 type Curve = fn(f64) -> f64;
 
 /// What a picture says of its colours.
-pub(crate) enum Told {
+pub(crate) enum ColourEncoding {
     /// Nothing that is understood.
-    Nothing,
+    Unspecified,
     /// That they are sRGB, or as good as that.
     Srgb,
     /// How they become sRGB.
-    Otherwise(Conversion),
+    Converted(Conversion),
 }
 
 impl CodePoints {
     /// Colour encoding that the code points describe.
-    pub(crate) fn told(self) -> Told {
-        let (Some(primaries), Some(curve)) = (self.known_primaries(), self.curve()) else { return Told::Nothing };
-        let Some(colorants) = primaries.colorants_d50() else { return Told::Nothing };
+    pub(crate) fn encoding(self) -> ColourEncoding {
+        let (Some(primaries), Some(curve)) = (self.known_primaries(), self.curve()) else { return ColourEncoding::Unspecified };
+        let Some(colorants) = primaries.colorants_d50() else { return ColourEncoding::Unspecified };
         let table: Vec<f32> = (0..=u8::MAX).map(|value| curve(self.signal(value)) as f32).collect();
         let conversion = Conversion::new([table.clone(), table.clone(), table], colorants);
-        conversion.map_or(Told::Srgb, Told::Otherwise)
+        conversion.map_or(ColourEncoding::Srgb, ColourEncoding::Converted)
     }
 
     /// The signal, 0..1, of an 8-bit value.
@@ -77,23 +77,23 @@ impl CodePoints {
 }
 
 /// What PNG's `gAMA` (the exponent of its encoding, 0.45455 for sRGB) and `cHRM` say; each may be missing or absurd.
-pub(crate) fn told_by_gamma(gamma: Option<f64>, primaries: Option<Primaries>) -> Told {
+pub(crate) fn encoding_from_gamma(gamma: Option<f64>, primaries: Option<Primaries>) -> ColourEncoding {
     /// A smaller difference from sRGB's is one of rounding, or of an old habit of writing 0.45.
     const SIGNIFICANT: f64 = 0.05;
     const PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.1..=5.0;
     let gamma = gamma.filter(|gamma| PLAUSIBLE.contains(gamma));
     let colorants = primaries.and_then(|primaries| primaries.colorants_d50());
     if gamma.is_none() && colorants.is_none() {
-        return Told::Nothing;
+        return ColourEncoding::Unspecified;
     }
-    let Some(colorants) = colorants.or_else(|| SRGB.colorants_d50()) else { return Told::Nothing };
+    let Some(colorants) = colorants.or_else(|| SRGB.colorants_d50()) else { return ColourEncoding::Unspecified };
     let exponent = gamma.filter(|gamma| (gamma * 2.2 - 1.0).abs() > SIGNIFICANT).map(|gamma| 1.0 / gamma);
     let light = |value: u8| {
         let signal = f64::from(value) / 255.0;
         exponent.map_or_else(|| srgb(signal), |exponent| signal.powf(exponent)) as f32
     };
     let table: Vec<f32> = (0..=u8::MAX).map(light).collect();
-    Conversion::new([table.clone(), table.clone(), table], colorants).map_or(Told::Srgb, Told::Otherwise)
+    Conversion::new([table.clone(), table.clone(), table], colorants).map_or(ColourEncoding::Srgb, ColourEncoding::Converted)
 }
 
 /// IEC 61966-2-1.

@@ -33,7 +33,7 @@ fn decode_webp(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError> {
     decoder.read_image(&mut decoded).map_err(refused)?;
     let unread = || Format::WebP.unsupported(format!("{layout:?} pixels"));
     let (rgb, alpha) = pixels::to_rgb(decoded, layout).ok_or_else(unread)?;
-    let colours = icc::told(&profile, layout);
+    let colours = icc::encoding(&profile, layout);
     Stored { width, height, rgb, alpha, colours, exif }.upright()
 }
 

@@ -5,19 +5,19 @@
 
 use image::ColorType;
 
-use crate::code_points::Told;
+use crate::code_points::ColourEncoding;
 use crate::colour::Conversion;
 use crate::primaries::SRGB;
 
 /// What a profile asks for in a picture that was stored so.
-pub(crate) fn told(profile: &[u8], layout: ColorType) -> Told {
+pub(crate) fn encoding(profile: &[u8], layout: ColorType) -> ColourEncoding {
     let conversion = match profile.get(16..24) {
         Some(b"RGB XYZ ") => of_colours(profile),
         Some(b"GRAYXYZ ") if !layout.has_color() => of_grey(profile, |luminance| luminance),
         Some(b"GRAYLab ") if !layout.has_color() => of_grey(profile, luminance_of_lightness),
         _ => None,
     };
-    conversion.map_or(Told::Srgb, Told::Otherwise)
+    conversion.map_or(ColourEncoding::Srgb, ColourEncoding::Converted)
 }
 
 /// `None` if the profile is as good as sRGB or is not understood.

@@ -145,7 +145,7 @@ impl<'a> Picture<'a> {
         let layout = if colours == Colours::Grey { ColorType::L8 } else { ColorType::Rgb8 };
         let exif = metadata.exif.unwrap_or_default().to_vec();
         let (width, height, rgb) = (width as u32, height as u32, self.rgb(colours));
-        let colours = icc::told(&metadata.profile(), layout);
+        let colours = icc::encoding(&metadata.profile(), layout);
         Ok(Stored { width, height, rgb, alpha: None, colours, exif })
     }
 

@@ -5,7 +5,7 @@ use std::io::{Cursor, ErrorKind};
 use image::ColorType;
 use png::{BitDepth, DecodingError, Info, InterlaceInfo, Reader, Transformations};
 
-use crate::code_points::{CodePoints, Told, told_by_gamma};
+use crate::code_points::{CodePoints, ColourEncoding, encoding_from_gamma};
 use crate::format::Format;
 use crate::primaries::Primaries;
 use crate::stored::Stored;
@@ -28,7 +28,7 @@ pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError>
     read_rows(&mut reader, layout, &mut decoded)?;
     let (rgb, alpha) = pixels::to_rgb(decoded, layout).ok_or_else(|| unread(layout))?;
     let exif = reader.info().exif_metadata.as_deref().unwrap_or_default().to_vec();
-    Stored { width, height, rgb, alpha, colours: told(reader.info(), layout)?, exif }.upright()
+    Stored { width, height, rgb, alpha, colours: encoding(reader.info(), layout)?, exif }.upright()
 }
 
 /// Width and height out of the header chunk, which the format wants first.
@@ -137,31 +137,31 @@ fn read_rows(reader: &mut Reader<Source<'_>>, layout: ColorType, decoded: &mut [
 
 /// Colour encoding of the file: the first that is present and understood of code points, profile, sRGB, gamma and
 /// primaries. Refuses a file that says nothing but a curve that is not read: its colours would be wrong.
-fn told(info: &Info<'_>, layout: ColorType) -> Result<Told, PhotoError> {
+fn encoding(info: &Info<'_>, layout: ColorType) -> Result<ColourEncoding, PhotoError> {
     let points = info.coding_independent_code_points.as_ref().map(|points| CodePoints {
         primaries: points.color_primaries,
         transfer: points.transfer_function,
         full_range: points.is_video_full_range_image,
     });
-    let told = match points.map_or(Told::Nothing, CodePoints::told) {
-        Told::Nothing => told_otherwise(info, layout),
-        told => told,
+    let encoding = match points.map_or(ColourEncoding::Unspecified, CodePoints::encoding) {
+        ColourEncoding::Unspecified => encoding_without_code_points(info, layout),
+        encoding => encoding,
     };
-    match (told, points) {
-        (Told::Nothing, Some(points)) if points.has_another_curve() => {
+    match (encoding, points) {
+        (ColourEncoding::Unspecified, Some(points)) if points.has_another_curve() => {
             Err(Format::Png.unsupported(format!("its transfer curve, {} in H.273, is not read", points.transfer)))
         }
-        (told, _) => Ok(told),
+        (encoding, _) => Ok(encoding),
     }
 }
 
 /// The same without code points.
-fn told_otherwise(info: &Info<'_>, layout: ColorType) -> Told {
+fn encoding_without_code_points(info: &Info<'_>, layout: ColorType) -> ColourEncoding {
     if let Some(profile) = &info.icc_profile {
-        return icc::told(profile, layout);
+        return icc::encoding(profile, layout);
     }
     if info.srgb.is_some() {
-        return Told::Srgb;
+        return ColourEncoding::Srgb;
     }
     let value = |number: png::ScaledFloat| f64::from(number.into_scaled()) / 100_000.0;
     let place = |(x, y): (png::ScaledFloat, png::ScaledFloat)| [value(x), value(y)];
@@ -171,7 +171,7 @@ fn told_otherwise(info: &Info<'_>, layout: ColorType) -> Told {
         blue: place(chrm.blue),
         white: place(chrm.white),
     });
-    told_by_gamma(info.gama_chunk.map(value), primaries)
+    encoding_from_gamma(info.gama_chunk.map(value), primaries)
 }
 
 fn is_end(error: &DecodingError) -> bool {

@@ -4,7 +4,7 @@ use image::imageops::{flip_horizontal_in_place, flip_vertical_in_place, rotate90
 use image::metadata::Orientation;
 use image::{ImageBuffer, Luma, Pixel, Rgb};
 
-use crate::code_points::Told;
+use crate::code_points::ColourEncoding;
 use crate::exif::Exif;
 use crate::{Photo, PhotoError};
 
@@ -16,14 +16,14 @@ pub(crate) struct Stored {
     pub(crate) rgb: Vec<u8>,
     /// How opaque each pixel is, if any of them is not.
     pub(crate) alpha: Option<Vec<u8>>,
-    pub(crate) colours: Told,
+    pub(crate) colours: ColourEncoding,
     pub(crate) exif: Vec<u8>,
 }
 
 impl Stored {
     /// The picture in sRGB, turned upright by its EXIF block.
     pub(crate) fn upright(mut self) -> Result<Photo, PhotoError> {
-        if let Told::Otherwise(conversion) = self.colours {
+        if let ColourEncoding::Converted(conversion) = self.colours {
             conversion.apply(&mut self.rgb);
         }
         let (width, height) = (self.width, self.height);

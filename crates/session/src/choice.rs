@@ -7,7 +7,7 @@ use rosto_stage::{Lens, Scene, ShadingMode};
 use rosto_studio::{ConstraintKind, Details, Operator};
 
 use crate::incoming::DENSEST_SHOWN;
-use crate::{AnchorChoice, Intent, Preset, SelectionMode, Session, Skin};
+use crate::{AnchorChoice, Intent, Preset, SelectionMode, Session, TextureSource};
 
 rosto_mesh::named! {
     /// Something that is chosen among named things.
@@ -30,7 +30,7 @@ rosto_mesh::named! {
         /// How the surface is coloured.
         Shading = "shading",
         /// Which picture is laid on the face.
-        Skin = "skin",
+        TextureSource = "texture-source",
         /// How large the texture of the whole face is.
         TextureSize = "texture-size",
         /// From how far away the face is seen.
@@ -59,7 +59,7 @@ impl Choice {
             Self::Anchors => owned(&AnchorChoice::ALL.map(AnchorChoice::id)),
             Self::Scene => owned(&Scene::ALL.map(Scene::id)),
             Self::Shading => owned(&ShadingMode::ALL.map(ShadingMode::id)),
-            Self::Skin => owned(&Skin::ALL.map(Skin::id)),
+            Self::TextureSource => owned(&TextureSource::ALL.map(TextureSource::id)),
             Self::TextureSize => owned(&TextureSize::ALL.map(TextureSize::id)),
             Self::Lens => owned(&Lens::ALL.map(Lens::id)),
             Self::Triangulation => owned(&Triangulation::ALL.map(Triangulation::id)),
@@ -78,7 +78,7 @@ impl Choice {
             Self::Anchors => Intent::Anchors(AnchorChoice::from_id(id)?),
             Self::Scene => Intent::Scene(Scene::from_id(id)?),
             Self::Shading => Intent::Shading(ShadingMode::from_id(id)?),
-            Self::Skin => Intent::Skin(Skin::from_id(id)?),
+            Self::TextureSource => Intent::TextureSource(TextureSource::from_id(id)?),
             Self::TextureSize => Intent::TextureSize(TextureSize::from_id(id)?),
             Self::Lens => Intent::Lens(Lens::from_id(id)?),
             Self::Triangulation => Intent::Triangulation(Triangulation::from_id(id)?),
@@ -100,7 +100,7 @@ impl Session {
             Choice::Anchors => choices.anchors.id(),
             Choice::Scene => view.scene.id(),
             Choice::Shading => view.shading.id(),
-            Choice::Skin => view.skin.id(),
+            Choice::TextureSource => view.texture_source.id(),
             Choice::TextureSize => view.texture_size.id(),
             Choice::Lens => view.lens.id(),
             Choice::Triangulation => view.triangulation.id(),

@@ -1,6 +1,6 @@
 use rosto_export::{
     BaseColour, Choosable, Content, Eyes, Format, GlbOptions, Material, Model, Morph, Picture, Solid, SolidFacts,
-    Source, Units, Written, project,
+    Source, Units, ExportedFile, project,
 };
 use rosto_mesh::Topology;
 use rosto_studio::{EditsInRig, Layer, Rig};
@@ -96,7 +96,7 @@ impl Session {
     ///
     /// # Errors
     /// [`SessionError::NoFace`] or [`SessionError::Export`].
-    pub fn file(&mut self, format: Format, options: &FileOptions) -> Result<Written, SessionError> {
+    pub fn file(&mut self, format: Format, options: &FileOptions) -> Result<ExportedFile, SessionError> {
         if let Some(rig) = self.rig_for(format, options)? {
             return self.rigged(&rig, format, options);
         }
@@ -166,7 +166,7 @@ impl Session {
         Ok(Some(rig.darkened(self.open_face()?.model().colours_srgb())))
     }
 
-    fn rigged(&self, rig: &Rig, format: Format, options: &FileOptions) -> Result<Written, SessionError> {
+    fn rigged(&self, rig: &Rig, format: Format, options: &FileOptions) -> Result<ExportedFile, SessionError> {
         let face = self.open_face()?;
         let (json, in_photo) = (face.history_json(), face.in_photo_json());
         let layers = rig.layers().iter();

@@ -7,7 +7,7 @@ use rosto_stage::{
 use rosto_studio::{ConstraintKind, Details, Expression, FaceSlider, Mirror, Operator, Switch};
 
 use crate::drag::Pace;
-use crate::{AnchorChoice, FurtherPhoto, Incoming, Motion, Preset, Selection, SelectionMode, Skin, Turntable};
+use crate::{AnchorChoice, FurtherPhoto, Incoming, Motion, Preset, Selection, SelectionMode, TextureSource, Turntable};
 
 /// Everything that a visitor can want. Places are device pixels from the canvas' top left.
 #[derive(Debug, Clone, PartialEq)]
@@ -122,7 +122,7 @@ pub enum Intent {
     /// How the surface is coloured.
     Shading(ShadingMode),
     /// Which picture is laid on it.
-    Skin(Skin),
+    TextureSource(TextureSource),
     /// How large its texture is to be.
     TextureSize(TextureSize),
     /// Whether edges are drawn over it.
@@ -160,7 +160,7 @@ pub enum Intent {
     /// The canvas has another size in px, and so many px make a CSS px.
     Resize([u32; 2], f64),
     /// So many px at the canvas' top, right, bottom and left lie under something else: the face is framed in the rest.
-    Cover([f64; 4]),
+    ViewportInsets([f64; 4]),
 }
 
 impl Intent {

@@ -53,7 +53,7 @@ pub use selection::{Selection, SelectionMode};
 pub use session::{BRUSH_PX, Session};
 pub use state::{FaceState, State, Tick};
 pub use strokes::Strokes;
-pub use texture::Skin;
+pub use texture::TextureSource;
 pub use view::{Motion, Turntable, View};
 
 /// The examples of the README are tested with those of the code.

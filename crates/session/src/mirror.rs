@@ -1,5 +1,5 @@
 use glam::{DMat3, DVec2, DVec3};
-use rosto_face::{Camera, LANDMARK_COUNT, Sighting, without_fillings};
+use rosto_face::{Camera, LANDMARK_COUNT, PoseFit, without_fillings};
 use rosto_studio::{InFilm, fading};
 use rosto_warp::Patch;
 
@@ -72,14 +72,14 @@ impl Mirror {
     }
 
     /// Where the open face is in the frame that was taken last; none where no face is in it.
-    pub(crate) fn sighting(&self, face: &OpenFace) -> Result<Option<Sighting>, SessionError> {
+    pub(crate) fn pose_fit(&self, face: &OpenFace) -> Result<Option<PoseFit>, SessionError> {
         let seen = self.is_seen.then_some(self.landmarks.as_slice());
-        sighting(face, seen, self.size_px)
+        pose_fit(face, seen, self.size_px)
     }
 
     /// Brings the edits to the frame that was taken last.
-    pub(crate) fn follow(&mut self, sighting: Option<Sighting>, face: &OpenFace, view: &View) {
-        let Some(Sighting { camera, positions_m }) = sighting else { return self.in_film.rest() };
+    pub(crate) fn follow(&mut self, pose_fit: Option<PoseFit>, face: &OpenFace, view: &View) {
+        let Some(PoseFit { camera, positions_m }) = pose_fit else { return self.in_film.rest() };
         let (known_m, document) = (face.model().positions_m(), face.document());
         let left = document.from_cage(&fading(face.model().topology(), known_m, &positions_m));
         self.seen_m = document.from_cage(&positions_m);
@@ -106,12 +106,12 @@ impl Mirror {
 }
 
 /// Where the open face is in a frame with these landmarks; none without any.
-pub(crate) fn sighting(
+pub(crate) fn pose_fit(
     face: &OpenFace,
     landmarks: Option<&[[f32; 3]]>,
     size_px: [u32; 2],
-) -> Result<Option<Sighting>, SessionError> {
-    let seen = landmarks.map(|landmarks| Sighting::new(face.model().positions_m(), landmarks, size_px));
+) -> Result<Option<PoseFit>, SessionError> {
+    let seen = landmarks.map(|landmarks| PoseFit::new(face.model().positions_m(), landmarks, size_px));
     Ok(seen.transpose()?)
 }
 

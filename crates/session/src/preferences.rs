@@ -9,7 +9,7 @@ use rosto_studio::{ConstraintKind, Details, Mirror, Operator, RING_SHARES, Switc
 use serde_json::{Value, json};
 
 use crate::error::SessionError;
-use crate::{AnchorChoice, Choices, SelectionMode, Session, Skin, Turntable, View};
+use crate::{AnchorChoice, Choices, SelectionMode, Session, TextureSource, Turntable, View};
 
 /// What the text tells.
 pub(crate) struct Preferences {
@@ -45,7 +45,7 @@ impl Session {
             "scene": view.scene.id(),
             "ring": view.ring,
             "paint": view.shading.id(),
-            "skin": view.skin.id(),
+            "texture-source": view.texture_source.id(),
             "texture": view.texture_size.id(),
             "lens": view.lens.id(),
             "wireframe": view.wireframe == Visibility::Shown,
@@ -90,7 +90,7 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
         scene: named(&value, "scene", Scene::from_id)?,
         ring: Some(number("ring")?).filter(|ring| RING_SHARES.contains(ring)).ok_or(missing("ring"))?,
         shading: named(&value, "paint", ShadingMode::from_id)?,
-        skin: named(&value, "skin", Skin::from_id)?,
+        texture_source: named(&value, "texture-source", TextureSource::from_id)?,
         texture_size: named(&value, "texture", TextureSize::from_id)?,
         lens: named(&value, "lens", Lens::from_id)?,
         wireframe: if flag("wireframe")? { Visibility::Shown } else { Visibility::Hidden },

@@ -1,4 +1,4 @@
-use rosto_studio::{Amount, Document, EditTarget, Standing};
+use rosto_studio::{Amount, Document, EditTarget, EntryStatus};
 
 pub(crate) const PER_CENT: f64 = 100.0;
 
@@ -14,13 +14,13 @@ pub struct Row {
     /// What `amount` counts: "mm" or "%".
     pub unit: &'static str,
     /// How it takes part in the shape.
-    pub standing: Standing,
+    pub status: EntryStatus,
 }
 
 impl Row {
     /// Whether it takes part in where sliders stand.
     pub(crate) fn counts(&self) -> bool {
-        !matches!(self.standing, Standing::Off | Standing::Impossible(_))
+        !matches!(self.status, EntryStatus::Off | EntryStatus::Impossible(_))
     }
 }
 
@@ -49,8 +49,8 @@ impl Rows {
                 Amount::Distance(distance_m) => (distance_m * 1000.0, "mm"),
                 Amount::Share(share) | Amount::Weight(share) => (share * PER_CENT, "%"),
             };
-            let standing = document.standing(index).cloned().unwrap_or_default();
-            self.rows.push(Row { index, target: entry.command.target(), amount, unit, standing });
+            let status = document.status(index).cloned().unwrap_or_default();
+            self.rows.push(Row { index, target: entry.command.target(), amount, unit, status });
         }
     }
 

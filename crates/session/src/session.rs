@@ -189,7 +189,7 @@ impl Session {
             Intent::SeenFrom(distance_m) => self.set_seen_from(distance_m),
             Intent::Brush(radius_px) => self.set_brush(radius_px),
             Intent::ShowDepth => self.show_depth(),
-            Intent::Skin(skin) => Ok(self.set_skin(skin)),
+            Intent::TextureSource(texture_source) => Ok(self.set_texture_source(texture_source)),
             Intent::TextureSize(size) => Ok(self.set_texture_size(size)),
             seen => self.see(seen),
         }

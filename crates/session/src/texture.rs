@@ -6,7 +6,7 @@ use crate::OpenFace;
 rosto_mesh::named! {
     /// Which picture is laid on the face in the round.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-    pub enum Skin {
+    pub enum TextureSource {
         /// One of the whole face: what the photo does not show is filled.
         #[default]
         Whole = "whole",

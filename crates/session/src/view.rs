@@ -3,7 +3,7 @@ use rosto_face::Triangulation;
 use rosto_stage::{Background, Lens, PictureLight, Scene, ShadingMode, Stage, Surface, Visibility};
 use rosto_studio::{DEFAULT_RING, SMOOTH_DENSITY, Switch};
 
-use crate::Skin;
+use crate::TextureSource;
 
 /// How fast the empty state turns.
 const IDLE_TURN_DEG_PER_S: f64 = 14.0;
@@ -20,7 +20,7 @@ pub struct View {
     /// How the surface is coloured.
     pub shading: ShadingMode,
     /// Which picture is laid on it.
-    pub skin: Skin,
+    pub texture_source: TextureSource,
     /// How large its texture is.
     pub texture_size: TextureSize,
     /// From how far away it is seen.
@@ -70,7 +70,7 @@ impl Default for View {
             scene: Scene::default(),
             ring: DEFAULT_RING,
             shading: ShadingMode::default(),
-            skin: Skin::default(),
+            texture_source: TextureSource::default(),
             texture_size: TextureSize::default(),
             lens: Lens::default(),
             wireframe: Visibility::default(),

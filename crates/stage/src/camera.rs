@@ -1,18 +1,18 @@
-mod clear;
 mod eye;
 mod facing;
 mod film;
 mod picture;
 mod pose;
 mod projection;
+mod visible_area;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::{DVec2, DVec3};
 
 use crate::{Lens, PicturePlane, Pinhole};
-use clear::Clear;
 pub(crate) use eye::Eye;
+use visible_area::VisibleArea;
 pub(crate) use facing::Facing;
 pub use film::Sides;
 use pose::Pose;
@@ -63,8 +63,8 @@ pub struct Camera {
     framed: Option<PicturePlane>,
     centre_m: DVec3,
     size_px: DVec2,
-    clear: Clear,
-    clear_goal: Clear,
+    visible_area: VisibleArea,
+    visible_area_goal: VisibleArea,
     glide: Glide,
     sides: Sides,
 }
@@ -84,8 +84,8 @@ impl Default for Camera {
             framed: None,
             centre_m: DVec3::ZERO,
             size_px: DVec2::ONE,
-            clear: Clear::ALL,
-            clear_goal: Clear::ALL,
+            visible_area: VisibleArea::ALL,
+            visible_area_goal: VisibleArea::ALL,
             glide: Glide::default(),
             sides: Sides::default(),
         }
@@ -100,7 +100,7 @@ impl Camera {
         self.goal = self.home();
         self.now = self.goal;
         self.sway = 0.0;
-        self.clear = self.clear_goal;
+        self.visible_area = self.visible_area_goal;
     }
 
     /// Frames another radius around the same middle, from where it looks: it glides there.
@@ -111,18 +111,18 @@ impl Camera {
 
     /// So many px at the picture's top, right, bottom and left have something lying over them: what is framed fits into
     /// the rest, and its middle is there. It glides there.
-    pub fn set_covered(&mut self, covered_px: [f64; 4]) {
-        self.keep_home(|camera| camera.clear_goal = Clear::without(covered_px, camera.size_px));
+    pub fn set_viewport_insets(&mut self, insets_px: [f64; 4]) {
+        self.keep_home(|camera| camera.visible_area_goal = VisibleArea::without(insets_px, camera.size_px));
     }
 
     /// Fits what is framed into what nothing lies over at once, without a glide.
     pub fn settle_clear(&mut self) {
-        self.clear = self.clear_goal;
+        self.visible_area = self.visible_area_goal;
     }
 
     /// Has what is framed in the middle of the whole picture, as large as it is.
     pub fn centre(&mut self) {
-        (self.clear.middle, self.clear_goal.middle) = (Clear::ALL.middle, Clear::ALL.middle);
+        (self.visible_area.middle, self.visible_area_goal.middle) = (VisibleArea::ALL.middle, VisibleArea::ALL.middle);
     }
 
     /// Middle of what is framed, in metres.
@@ -265,7 +265,7 @@ impl Camera {
 
     /// Moves on by `seconds`; true while the camera has not arrived.
     pub fn advance(&mut self, seconds: f64) -> bool {
-        if self.now == self.goal && self.clear == self.clear_goal {
+        if self.now == self.goal && self.visible_area == self.visible_area_goal {
             return false;
         }
         let share = match self.glide {
@@ -273,9 +273,9 @@ impl Camera {
             Glide::Off => 1.0,
         };
         self.now = self.now.towards(&self.goal, share);
-        self.clear = self.clear.towards(self.clear_goal, share);
-        if self.now.is_near(&self.goal) && self.clear.is_near(self.clear_goal) {
-            (self.now, self.clear) = (self.goal, self.clear_goal);
+        self.visible_area = self.visible_area.towards(self.visible_area_goal, share);
+        if self.now.is_near(&self.goal) && self.visible_area.is_near(self.visible_area_goal) {
+            (self.now, self.visible_area) = (self.goal, self.visible_area_goal);
         }
         true
     }

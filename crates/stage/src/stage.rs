@@ -116,12 +116,12 @@ impl Stage {
         }
     }
 
-    /// So many px at the picture's top, right, bottom and left have something lying over them ([`Camera::set_covered`]). A mesh
+    /// So many px at the picture's top, right, bottom and left have something lying over them ([`Camera::set_viewport_insets`]). A mesh
     /// that is just arriving does so in what is left; any other glides there.
-    pub fn set_covered(&mut self, covered_px: [f64; 4]) {
+    pub fn set_viewport_insets(&mut self, insets_px: [f64; 4]) {
         let is_arriving = self.is_arriving();
         let camera = self.camera_mut();
-        camera.set_covered(covered_px);
+        camera.set_viewport_insets(insets_px);
         if is_arriving {
             camera.settle_clear();
         }

@@ -66,17 +66,17 @@ fn named_views_look_along_the_axes_and_take_the_short_way() {
 
 #[test]
 fn what_is_framed_fits_into_what_nothing_lies_over() {
-    for covered_px in [[0.0; 4], [40.0, 0.0, 80.0, 0.0], [10.0, 300.0, 20.0, 0.0], [0.0, 0.0, 420.0, 500.0]] {
+    for insets_px in [[0.0; 4], [40.0, 0.0, 80.0, 0.0], [10.0, 300.0, 20.0, 0.0], [0.0, 0.0, 420.0, 500.0]] {
         let mut camera = camera();
-        camera.set_covered(covered_px);
+        camera.set_viewport_insets(insets_px);
         while camera.advance(0.016) {}
-        let [top, right, bottom, left] = covered_px;
+        let [top, right, bottom, left] = insets_px;
         let (from, to) = (DVec2::new(left, top), DVec2::new(800.0 - right, 600.0 - bottom));
         let middle = camera.project(camera.centre_m()).unwrap();
-        assert!(middle.distance(0.5 * (from + to)) < 1e-9, "{covered_px:?}: {middle}");
+        assert!(middle.distance(0.5 * (from + to)) < 1e-9, "{insets_px:?}: {middle}");
         for side in [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z] {
             let seen = camera.project(camera.centre_m() + side * camera.radius_m()).unwrap();
-            assert!(seen.cmpge(from - 1e-9).all() && seen.cmple(to + 1e-9).all(), "{covered_px:?}: {seen}");
+            assert!(seen.cmpge(from - 1e-9).all() && seen.cmple(to + 1e-9).all(), "{insets_px:?}: {seen}");
             let ray = camera.ray(seen);
             let miss = (camera.centre_m() + side * camera.radius_m() - ray.origin).cross(ray.direction).length();
             assert!(miss < 1e-12, "{miss}");
@@ -106,7 +106,7 @@ fn no_input_drives_the_camera_out_of_reach() {
         camera.zoom(factor);
         camera.orbit(1e6, 1e6);
         camera.pan(1e6, -1e6);
-        camera.set_covered([factor, 1e9, -factor, f64::NAN]);
+        camera.set_viewport_insets([factor, 1e9, -factor, f64::NAN]);
         camera.advance(1.0);
         assert!(camera.clip_from_model().is_finite());
     }

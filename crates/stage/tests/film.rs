@@ -10,7 +10,7 @@ fn camera() -> Camera {
     camera.set_glide(Glide::Off);
     camera.resize(1000, 600);
     // Something lies over the left fifth.
-    camera.set_covered([0.0, 0.0, 0.0, 200.0]);
+    camera.set_viewport_insets([0.0, 0.0, 0.0, 200.0]);
     camera.frame(DVec3::new(0.0, 0.01, 0.02), 0.12);
     camera
 }

@@ -32,7 +32,7 @@ fn steered(lens: Lens) -> Camera {
     camera.orbit(130.0, -70.0);
     camera.pan(12.0, 35.0);
     camera.zoom(1.7);
-    camera.set_covered([20.0, 0.0, 90.0, 140.0]);
+    camera.set_viewport_insets([20.0, 0.0, 90.0, 140.0]);
     camera.advance(0.0);
     camera
 }
@@ -115,10 +115,10 @@ fn panning_and_zooming_only_cut_another_part_out_of_the_picture() {
 
 #[test]
 fn what_is_framed_fills_the_same_share_of_the_view_with_every_lens() {
-    for (covered_px, filled_px) in [([0.0; 4], [0.0, 600.0]), ([30.0, 0.0, 170.0, 0.0], [30.0, 430.0])] {
+    for (insets_px, filled_px) in [([0.0; 4], [0.0, 600.0]), ([30.0, 0.0, 170.0, 0.0], [30.0, 430.0])] {
         for lens in Lens::ALL {
             let mut camera = camera(lens);
-            camera.set_covered(covered_px);
+            camera.set_viewport_insets(insets_px);
             camera.advance(0.0);
             let [left, top, right, bottom] = silhouette_px(&camera);
             let height_px = filled_px[1] - filled_px[0];
@@ -175,12 +175,12 @@ fn as_taken_the_view_is_the_pinholes_picture_scaled_and_shifted() {
         let p = pinhole.camera_from_model.transform_point3(point_m);
         principal_px + DVec2::new(p.x, -p.y) * (focal_px / -p.z)
     };
-    for (from, covered_px) in [(NamedView::Front, [0.0; 4]), (NamedView::Left, [12.0, 300.0, 80.0, 0.0])] {
+    for (from, insets_px) in [(NamedView::Front, [0.0; 4]), (NamedView::Left, [12.0, 300.0, 80.0, 0.0])] {
         let mut camera = camera(Lens::Portrait);
         camera.set_glide(Glide::Smooth);
         camera.look(from);
         camera.zoom(3.0);
-        camera.set_covered(covered_px);
+        camera.set_viewport_insets(insets_px);
         while camera.advance(0.016) {}
         camera.set_lens(Lens::AsTaken);
         while camera.advance(0.016) {}

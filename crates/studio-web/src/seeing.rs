@@ -137,15 +137,16 @@ impl Studio {
         self.act(Intent::Wipe(share))
     }
 
-    /// So many px at the canvas' top, right, bottom and left lie under something else: the face is framed in the rest.
-    pub fn cover(
+    /// Sets the widths in px covered by other elements at the edges of the canvas; the face is framed in the rest.
+    #[wasm_bindgen(js_name = setViewportInsets)]
+    pub fn set_viewport_insets(
         &mut self,
         #[wasm_bindgen(js_name = topPx)] top_px: f64,
         #[wasm_bindgen(js_name = rightPx)] right_px: f64,
         #[wasm_bindgen(js_name = bottomPx)] bottom_px: f64,
         #[wasm_bindgen(js_name = leftPx)] left_px: f64,
     ) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Cover([top_px, right_px, bottom_px, left_px]))
+        self.act(Intent::ViewportInsets([top_px, right_px, bottom_px, left_px]))
     }
 
     /// Marks what stays in place while what is selected moves, or not.

@@ -3,7 +3,7 @@
 use rosto_laplacian::LaplacianError;
 use rosto_session::{Choice, FaceState, Range, Row, Selection, Session, Tick, Turntable};
 use rosto_stage::{Background, Dots, PictureLight, Srgb, Visibility};
-use rosto_studio::{EditTarget, Mirror, Standing, StudioError, Switch};
+use rosto_studio::{EditTarget, Mirror, EntryStatus, StudioError, Switch};
 use wasm_bindgen::prelude::*;
 
 use crate::error::FacadeError;
@@ -238,12 +238,12 @@ impl StudioEntry {
             target,
             amount: row.amount,
             unit: row.unit.to_owned(),
-            enabled: row.standing != Standing::Off,
-            waits_for_density: match row.standing {
-                Standing::Waits { level } => Some(level),
+            enabled: row.status != EntryStatus::Off,
+            waits_for_density: match row.status {
+                EntryStatus::Waits { level } => Some(level),
                 _ => None,
             },
-            impossible: matches!(row.standing, Standing::Impossible(_)),
+            impossible: matches!(row.status, EntryStatus::Impossible(_)),
         }
     }
 }

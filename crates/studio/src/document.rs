@@ -16,7 +16,7 @@ use crate::fault::Fault;
 use crate::level::{Level, Rest};
 use crate::level_positions::LevelPositions;
 use crate::prepared_edit::PreparedEdit;
-use crate::{Entry, Expression, History, InfluenceWeights, Standing, StudioError};
+use crate::{Entry, Expression, History, InfluenceWeights, EntryStatus, StudioError};
 pub use checks::SMOOTH_DENSITY;
 use editing::Preview;
 use replay_cache::ReplayCache;
@@ -79,8 +79,8 @@ impl Document {
         }
         document.history = History::of_entries(entries);
         document.follow_history(0);
-        let impossible = |index| match document.standing(index) {
-            Some(Standing::Impossible(reason)) => Some((index, reason.clone())),
+        let impossible = |index| match document.status(index) {
+            Some(EntryStatus::Impossible(reason)) => Some((index, reason.clone())),
             _ => None,
         };
         match (0..document.replayed.count()).find_map(impossible) {

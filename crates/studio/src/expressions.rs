@@ -167,12 +167,12 @@ impl Expressions {
     }
 
     fn solve(&self, expression: Expression) -> Result<Vec<DVec3>, StudioError> {
-        let Authored { known, ways_m } = Authored::of(expression, &self.rest_m, &self.canonical_m);
+        let Authored { known, displacements_m } = Authored::of(expression, &self.rest_m, &self.canonical_m);
         let mut solver = Continuation::new(&self.skin, &self.rest_m, Operator::CotangentMass, &known)?;
         let mut displacement = vec![DVec3::ZERO; LANDMARK_COUNT];
         let mut along = vec![0.0; LANDMARK_COUNT];
         for axis in 0..3 {
-            let known: Vec<f64> = ways_m.iter().map(|way| way[axis]).collect();
+            let known: Vec<f64> = displacements_m.iter().map(|way| way[axis]).collect();
             solver.continued(&known, &mut along);
             displacement.iter_mut().zip(&along).for_each(|(way, share)| way[axis] = *share);
         }

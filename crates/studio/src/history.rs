@@ -27,7 +27,7 @@ rosto_mesh::named! {
 
 /// How an entry takes part in the shape that is shown.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub enum Standing {
+pub enum EntryStatus {
     /// It does.
     #[default]
     InForce,

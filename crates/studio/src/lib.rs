@@ -32,7 +32,7 @@ pub use document::{Document, DocumentState, SMOOTH_DENSITY};
 pub use error::StudioError;
 pub use expressions::{Expression, Expressions};
 pub use fading::fading;
-pub use history::{Entry, History, Standing, Switch};
+pub use history::{Entry, History, EntryStatus, Switch};
 pub use in_film::InFilm;
 pub use in_photo::{DEFAULT_RING, InPhoto, RING_SHARES};
 pub use influence::InfluenceWeights;

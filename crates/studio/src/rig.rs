@@ -1,7 +1,7 @@
 use glam::DVec3;
 use rosto_face::Parted;
 
-use crate::{Command, Document, Entry, Expression, Standing, StudioError};
+use crate::{Command, Document, Entry, Expression, EntryStatus, StudioError};
 
 /// A face in pieces: the mesh that is shown, parted at eyes and mouth. So that others can move it, where it is without
 /// expressions, and what each of them displaces it by.
@@ -106,8 +106,8 @@ impl Document {
     pub fn weights(&self) -> [f64; Expression::ALL.len()] {
         let mut weights = [0.0; Expression::ALL.len()];
         for (index, entry) in self.history().entries().iter().enumerate() {
-            if let (Command::Express { expression, weight }, Some(Standing::InForce)) =
-                (&entry.command, self.standing(index))
+            if let (Command::Express { expression, weight }, Some(EntryStatus::InForce)) =
+                (&entry.command, self.status(index))
             {
                 weights[*expression as usize] += weight;
             }

@@ -1,5 +1,5 @@
 import { byId, onAction } from "../page/dom.js";
-import { inEveryLanguage, say, sayNumber } from "../words/words.js";
+import { onLocaleChange, t, formatNumber } from "../words/words.js";
 
 /** @typedef {import("./figures.js").Figures} Figures */
 
@@ -26,7 +26,7 @@ export class MirrorBar {
     this.#keep.addEventListener("click", keep);
     onAction("close-mirror", close);
     this.#toggle.addEventListener("click", () => this.#showFigures(Boolean(this.#line.hidden)));
-    inEveryLanguage(() => this.#write());
+    onLocaleChange(() => this.#write());
   }
 
   get isShown() {
@@ -45,7 +45,7 @@ export class MirrorBar {
    * @param {import("../words/words.js").WordKey | undefined} word on what is seen
    * @param {boolean} canKeep
    */
-  say(word, canKeep) {
+  show(word, canKeep) {
     this.#keep.disabled = !canKeep;
     if (word === this.#word) return;
     this.#word = word;
@@ -62,7 +62,7 @@ export class MirrorBar {
   }
 
   #write() {
-    this.#status.textContent = this.#word ? say(this.#word) : "";
+    this.#status.textContent = this.#word ? t(this.#word) : "";
     const figures = this.#line.hidden ? undefined : this.#read();
     this.#line.textContent = figures ? wordsOf(figures) : "";
     Object.assign(this.#line.dataset, figures);
@@ -71,12 +71,12 @@ export class MirrorBar {
 
 /** @param {Figures} figures */
 function wordsOf({ frames, interval_ms, worker_ms, page_ms, age, jitter_px }) {
-  return say("live.figures.line", {
-    frames: sayNumber(frames, 0),
-    interval: sayNumber(interval_ms, 0),
-    worker: sayNumber(worker_ms, 0),
-    page: sayNumber(page_ms, 1),
+  return t("live.figures.line", {
+    frames: formatNumber(frames, 0),
+    interval: formatNumber(interval_ms, 0),
+    worker: formatNumber(worker_ms, 0),
+    page: formatNumber(page_ms, 1),
     age,
-    jitter: Number.isNaN(jitter_px) ? "–" : sayNumber(jitter_px, 2),
+    jitter: Number.isNaN(jitter_px) ? "–" : formatNumber(jitter_px, 2),
   });
 }

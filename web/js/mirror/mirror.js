@@ -6,12 +6,12 @@ import { Film } from "./film.js";
 import { MirrorBar } from "./mirror-bar.js";
 
 /**
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../viewport/host.js").Host} Host
  * @typedef {import("../worker/protocol.js").Followed} Followed
  * @typedef {import("../work/work.js").Done} Done
  *
  * @typedef {object} Room
- * @property {Promise<Workbench | undefined>} bench
+ * @property {Promise<Host | undefined>} host
  * @property {import("../photo/vision-client.js").VisionClient} vision
  * @property {import("../opening.js").Opening} opening
  */
@@ -22,9 +22,9 @@ import { MirrorBar } from "./mirror-bar.js";
  * @param {Room} room
  */
 export async function setUpMirror(room) {
-  const bench = await room.bench;
-  if (!bench) return;
-  const mirror = new Mirror(bench, room);
+  const host = await room.host;
+  if (!host) return;
+  const mirror = new Mirror(host, room);
   onAction("mirror", () => mirror.open());
   // One camera at a time.
   onAction("camera", () => mirror.close());
@@ -39,7 +39,7 @@ export async function setUpMirror(room) {
 class Mirror {
   /** @type {"closed" | "live" | "asleep"} */
   #state = "closed";
-  #bench;
+  #host;
   #vision;
   #opening;
   #video = byId("live-video", HTMLVideoElement);
@@ -68,11 +68,11 @@ class Mirror {
   #opener = null;
 
   /**
-   * @param {Workbench} bench
+   * @param {Host} host
    * @param {Room} room
    */
-  constructor(bench, { vision, opening }) {
-    this.#bench = bench;
+  constructor(host, { vision, opening }) {
+    this.#host = host;
     this.#vision = vision;
     this.#opening = opening;
     addEventListener("keydown", (event) => {
@@ -88,8 +88,8 @@ class Mirror {
     this.#opened += 1;
     this.#opener = document.activeElement;
     this.#sceneBefore = document.body.dataset["scene"] ?? "solid";
-    this.#bench.act((studio) => studio.setBrush(undefined));
-    this.#bench.act((studio) => studio.choose("scene", "picture"));
+    this.#host.act((studio) => studio.setBrush(undefined));
+    this.#host.act((studio) => studio.choose("scene", "picture"));
     this.#state = "live";
     this.#bar.show(true);
     this.#write();
@@ -101,9 +101,9 @@ class Mirror {
     if (this.#state === "closed") return;
     this.#state = "closed";
     this.#stop();
-    this.#bench.act((studio) => studio.endMirror());
+    this.#host.act((studio) => studio.endMirror());
     const scene = this.#sceneBefore;
-    this.#bench.act((studio) => studio.choose("scene", scene));
+    this.#host.act((studio) => studio.choose("scene", scene));
     this.#bar.show(false);
     if (this.#opener instanceof HTMLElement && this.#opener.checkVisibility()) this.#opener.focus();
   }
@@ -168,10 +168,10 @@ class Mirror {
   #show({ frame, landmarks, took_ms, width_px, height_px }, number) {
     const begun_ms = performance.now();
     try {
-      this.#bench.attempt((studio) => studio.mirrorFrame(frame, landmarks));
+      this.#host.attempt((studio) => studio.mirrorFrame(frame, landmarks));
     } catch (error) {
       // While the studio is started again there is no face; the next frames will find one.
-      if (!["no-face", "internal"].includes(asPageError(error).code)) this.#bench.fail(error);
+      if (!["no-face", "internal"].includes(asPageError(error).code)) this.#host.fail(error);
       return;
     }
     const at_ms = performance.now();
@@ -216,8 +216,8 @@ class Mirror {
 
   /** @returns {Done | undefined} what was done to the face that is open */
   #done() {
-    this.#bench.act((studio) => studio.commit());
-    return this.#bench.read((state, studio) => {
+    this.#host.act((studio) => studio.commit());
+    return this.#host.read((state, studio) => {
       const [triangulation = "", density = "0"] = ["triangulation", "density"].map((choice) => state.chosen(choice));
       return { edits: studio.editsJson(), triangulation, density: Number(density) };
     });
@@ -236,9 +236,9 @@ class Mirror {
     const hasPicture = this.#film.hasPicture;
     if (!this.#shown) this.#video.hidden = this.#state !== "live";
     const canKeep = this.#state === "live" && this.#hasFace && document.body.dataset["state"] === "face";
-    if (!hasPicture) this.#bar.say("camera.asking", false);
-    else if (!this.#shown) this.#bar.say("live.looking", false);
-    else this.#bar.say(this.#hasFace ? undefined : "live.no-face", canKeep);
+    if (!hasPicture) this.#bar.show("camera.asking", false);
+    else if (!this.#shown) this.#bar.show("live.looking", false);
+    else this.#bar.show(this.#hasFace ? undefined : "live.no-face", canKeep);
   }
 }
 

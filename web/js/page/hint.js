@@ -1,4 +1,4 @@
-import { inEveryLanguage, say } from "../words/words.js";
+import { onLocaleChange, t } from "../words/words.js";
 import { byId } from "./dom.js";
 import { remember, remembered } from "./remember.js";
 
@@ -16,7 +16,7 @@ const listeners = new Set();
 /** Writes the hints in the page's language. */
 export function setUpHints() {
   for (const deed of DEEDS) if (remembered(`did.${deed}`)) done.add(deed);
-  inEveryLanguage(write);
+  onLocaleChange(write);
 }
 
 /** Gives the first hint that was not followed yet; it stays until it is. */
@@ -52,6 +52,6 @@ function write() {
   const element = byId("hint", HTMLParagraphElement);
   const deed = hinted();
   element.hidden = deed === undefined;
-  if (deed) element.textContent = say(`hint.${deed}`);
+  if (deed) element.textContent = t(`hint.${deed}`);
   for (const listener of listeners) listener(deed);
 }

@@ -1,4 +1,4 @@
-import { inEveryLanguage, isWord, say } from "../words/words.js";
+import { onLocaleChange, isWord, t } from "../words/words.js";
 import { byId } from "./dom.js";
 import { asPageError } from "./page-error.js";
 
@@ -20,7 +20,7 @@ export function setUpNotice() {
     if (key === "Escape") dismissNotices();
   });
   for (const change of ["toggle", "close"]) addEventListener(change, ({ target }) => target instanceof HTMLDialogElement && write(), { capture: true });
-  inEveryLanguage(write);
+  onLocaleChange(write);
 }
 
 /**
@@ -40,7 +40,7 @@ export function showError(thrown, owner = "page") {
  * @param {Record<string, string | number>} values for its words
  */
 export function showRemark(remark, values) {
-  const words = () => ({ title: say(`remark.${remark}`, values), hint: say(`remark.${remark}.hint`, values) });
+  const words = () => ({ title: t(`remark.${remark}`, values), hint: t(`remark.${remark}.hint`, values) });
   show({ kind: "remark", code: remark, words });
 }
 
@@ -55,8 +55,8 @@ export function showNotAdded(name, thrown) {
   const words = () => {
     const { title: reason, hint: usual } = notice.words();
     // A face from the side does not look at the camera.
-    const hint = notice.code === "no-face-found" ? say("photos.not-added.no-face") : usual;
-    return { title: say("photos.not-added", { name }), hint: say("photos.not-added.why", { reason, hint }) };
+    const hint = notice.code === "no-face-found" ? t("photos.not-added.no-face") : usual;
+    return { title: t("photos.not-added", { name }), hint: t("photos.not-added.why", { reason, hint }) };
   };
   show({ ...notice, words });
 }
@@ -155,7 +155,7 @@ function place(notice) {
 function wordsFor(code) {
   const key = `error.${code}`;
   const known = isWord(key) ? key : "error.other";
-  return { title: say(known), hint: say(hintOf(known)) };
+  return { title: t(known), hint: t(hintOf(known)) };
 }
 
 /**

@@ -1,4 +1,4 @@
-import { inEveryLanguage, say } from "../words/words.js";
+import { onLocaleChange, t } from "../words/words.js";
 import { byId } from "./dom.js";
 
 /** @type {number | undefined} */
@@ -6,7 +6,7 @@ let requestsSinceLoad;
 
 /** Counts the page's network requests from the moment `loaded` says that everything has arrived. */
 export async function countRequests(/** @type {Promise<unknown>} */ loaded) {
-  inEveryLanguage(write);
+  onLocaleChange(write);
   await loaded;
   requestsSinceLoad = 0;
   write();
@@ -32,6 +32,6 @@ function write() {
   count.dataset["requests"] = String(requestsSinceLoad ?? "");
   if (requestsSinceLoad === undefined) return;
   const many = requestsSinceLoad === 0 ? "none" : requestsSinceLoad === 1 ? "one" : "many";
-  count.textContent = say(`privacy.${many}`, { n: requestsSinceLoad });
-  short.textContent = say(`privacy.${many}.short`, { n: requestsSinceLoad });
+  count.textContent = t(`privacy.${many}`, { n: requestsSinceLoad });
+  short.textContent = t(`privacy.${many}.short`, { n: requestsSinceLoad });
 }

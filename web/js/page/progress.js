@@ -1,4 +1,4 @@
-import { inEveryLanguage, say } from "../words/words.js";
+import { onLocaleChange, t } from "../words/words.js";
 import { byId } from "./dom.js";
 
 /** @typedef {import("../worker/protocol.js").Stage} Stage */
@@ -11,7 +11,7 @@ let phase = "hidden";
 
 /** Writes the progress in the page's language. */
 export function setUpProgress() {
-  inEveryLanguage(writeTitle);
+  onLocaleChange(writeTitle);
 }
 
 /** Shows that the photo waits for the worker, whose networks are still on their way. */
@@ -49,8 +49,8 @@ function setPhase(next) {
 
 function writeTitle() {
   const title = byId("progress-title", HTMLParagraphElement);
-  if (phase === "loading") title.textContent = say("progress.loading");
-  if (phase === "working") title.textContent = say("progress.working");
+  if (phase === "loading") title.textContent = t("progress.loading");
+  if (phase === "working") title.textContent = t("progress.working");
 }
 
 /** @param {number} now index of the step at work */

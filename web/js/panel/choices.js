@@ -1,9 +1,9 @@
 import { make } from "../page/dom.js";
-import { sayId } from "../words/names.js";
-import { inEveryLanguage, isWord, say } from "../words/words.js";
+import { idName } from "../words/names.js";
+import { onLocaleChange, isWord, t } from "../words/words.js";
 import { isSlow, untilWaitIsSaid } from "./selection-mode.js";
 
-/** @typedef {import("../viewport/workbench.js").Workbench} Workbench */
+/** @typedef {import("../viewport/host.js").Host} Host */
 
 /** The word under which a choice says that none of its sets of options is on. */
 const OWN = "custom";
@@ -13,27 +13,27 @@ const OWN = "custom";
  * as the studio says. `data-choice` names the choice; the words `choice.id`, `choice.id.help` and `choice.id.legend` go
  * with what is chosen.
  *
- * @param {Workbench} bench
+ * @param {Host} host
  */
-export function setUpChoices(bench) {
+export function setUpChoices(host) {
   for (const element of document.querySelectorAll("[data-choice]")) {
     const choice = element.getAttribute("data-choice") ?? "";
-    const ids = bench.answer((studio) => studio.choices(choice));
+    const ids = host.answer((studio) => studio.choices(choice));
     const control = element instanceof HTMLSelectElement ? listOf(element) : groupOf(/** @type {HTMLElement} */ (element), choice);
     const explain = () => sayMore(choice, control.chosen());
     control.offer(ids);
     element.addEventListener("change", async () => {
       const id = control.chosen();
       if (isSlow(choice, id)) await untilWaitIsSaid();
-      bench.act((studio) => studio.choose(choice, id));
+      host.act((studio) => studio.choose(choice, id));
       explain();
     });
-    bench.onChange((state) => {
+    host.onChange((state) => {
       control.show(state.chosen(choice) ?? "");
       explain();
     });
-    inEveryLanguage(() => {
-      control.name((id) => sayId(choice, id));
+    onLocaleChange(() => {
+      control.name((id) => idName(choice, id));
       explain();
     });
   }
@@ -123,7 +123,7 @@ function sayMore(choice, id) {
     const key = `${choice}.${id}.${kind}`;
     const place = document.getElementById(`${choice}-${kind}`);
     if (!place) continue;
-    place.textContent = isWord(key) ? say(key) : "";
+    place.textContent = isWord(key) ? t(key) : "";
     const frame = place.closest("[data-legend]");
     if (frame instanceof HTMLElement) {
       frame.hidden = !isWord(key);

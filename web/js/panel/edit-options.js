@@ -2,8 +2,8 @@ import { byId } from "../page/dom.js";
 import { Slider } from "./slider.js";
 
 /**
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
- * @typedef {import("../viewport/workbench.js").StudioState} StudioState
+ * @typedef {import("../viewport/host.js").Host} Host
+ * @typedef {import("../viewport/host.js").StudioState} StudioState
  */
 
 /** How the surface follows a landmark, apart from what is chosen from lists. */
@@ -12,23 +12,23 @@ export class EditOptions {
   #nearby = byId("nearby", HTMLInputElement);
   #pinned = byId("pinned", HTMLInputElement);
   #anchorsMarked = byId("anchors-shown", HTMLInputElement);
-  #bench;
+  #host;
   #radius;
 
-  /** @param {Workbench} bench */
-  constructor(bench) {
-    this.#bench = bench;
+  /** @param {Host} host */
+  constructor(host) {
+    this.#host = host;
     this.#radius = this.#makeRadius();
-    this.#mirror.addEventListener("change", () => bench.act((studio) => studio.setMirror(this.#mirror.checked)));
-    this.#nearby.addEventListener("change", () => bench.act((studio) => studio.setNearby(this.#nearby.checked)));
-    this.#pinned.addEventListener("change", () => bench.act((studio) => studio.setPinned(this.#pinned.checked)));
-    this.#anchorsMarked.addEventListener("change", () => bench.act((studio) => studio.setAnchorsMarked(this.#anchorsMarked.checked)));
-    bench.onChange((state) => this.#show(state));
+    this.#mirror.addEventListener("change", () => host.act((studio) => studio.setMirror(this.#mirror.checked)));
+    this.#nearby.addEventListener("change", () => host.act((studio) => studio.setNearby(this.#nearby.checked)));
+    this.#pinned.addEventListener("change", () => host.act((studio) => studio.setPinned(this.#pinned.checked)));
+    this.#anchorsMarked.addEventListener("change", () => host.act((studio) => studio.setAnchorsMarked(this.#anchorsMarked.checked)));
+    host.onChange((state) => this.#show(state));
   }
 
   #makeRadius() {
-    const apply = () => this.#bench.act((studio) => studio.setRadius(this.#radius.value));
-    const { min, max, step, neutral } = this.#bench.answer((studio) => studio.radiusRange);
+    const apply = () => this.#host.act((studio) => studio.setRadius(this.#radius.value));
+    const { min, max, step, neutral } = this.#host.answer((studio) => studio.radiusRange);
     const radius = new Slider({
       label: "edit.radius",
       longLabel: "edit.radius.long",

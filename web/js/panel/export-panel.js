@@ -6,7 +6,7 @@ import { setUpArLink } from "../share/ar-link.js";
 import { canSend, send } from "../share/send.js";
 import { canCopyPictures, copyPicture, viewPicture } from "../share/view-picture.js";
 import { studioModule } from "../viewport/studio-module.js";
-import { inEveryLanguage, isWord, say } from "../words/words.js";
+import { onLocaleChange, isWord, t } from "../words/words.js";
 import { fileName } from "../work/file-name.js";
 import { pngOf } from "../work/pixels.js";
 import { withFileChoices, writtenFile } from "../work/written-file.js";
@@ -18,7 +18,7 @@ import { VerdictLine } from "./verdict-line.js";
 /**
  * @typedef {import("../page/validator.js").Validator} Validator
  * @typedef {import("../viewport/whole-texture.js").WholeTexture} WholeTexture
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../viewport/host.js").Host} Host
  * @typedef {import("../work/autosave.js").Autosave} Autosave
  * @typedef {(format: string) => Promise<File>} MakeFile
  */
@@ -26,54 +26,54 @@ import { VerdictLine } from "./verdict-line.js";
 /**
  * Files made of the face as it stands.
  *
- * @param {Workbench} bench
- * @param {Autosave} keeper
+ * @param {Host} host
+ * @param {Autosave} autosave
  * @param {Validator} validator
  * @param {WholeTexture} texture
  */
-export function setUpExportPanel(bench, keeper, validator, texture) {
-  const complain = (/** @type {unknown} */ error) => bench.fail(error);
-  const [plain, printed] = bench.answer((studio) => [studio.plainFormats, studio.printedFormats]);
+export function setUpExportPanel(host, autosave, validator, texture) {
+  const complain = (/** @type {unknown} */ error) => host.fail(error);
+  const [plain, printed] = host.answer((studio) => [studio.plainFormats, studio.printedFormats]);
   const makeFile = async (/** @type {string} */ format) => {
-    const { ending, type } = kindOf(bench, format);
+    const { ending, type } = kindOf(host, format);
     const chosen = printed.includes(format) ? printChoices() : fileChoices();
-    const bytes = await writtenFile(bench, texture, format, chosen);
-    return new File([/** @type {BlobPart} */ (bytes)], meshName(bench, keeper, ending), { type });
+    const bytes = await writtenFile(host, texture, format, chosen);
+    return new File([/** @type {BlobPart} */ (bytes)], meshName(host, autosave, ending), { type });
   };
   const saveAs = (/** @type {string} */ format) => makeFile(format).then(keep);
-  const nameOf = (/** @type {string} */ ending) => meshName(bench, keeper, ending);
-  offerGlb({ bench, validator, makeFile, nameOf });
+  const nameOf = (/** @type {string} */ ending) => meshName(host, autosave, ending);
+  offerGlb({ host, validator, makeFile, nameOf });
   offerFormats("plain", plain, (format) => saveAs(format).catch(complain));
-  const print = new PrintPanel(bench);
+  const print = new PrintPanel(host);
   offerFormats("printed", printed, (format) => saveAs(format).catch((error) => print.refuse(error)));
   setUpArLink(() => makeFile("usdz"), complain);
-  onAction("save-project", () => makeProject(bench, keeper).then(keep, complain));
+  onAction("save-project", () => makeProject(host, autosave).then(keep, complain));
   onAction("download-json", () => saveAs("json").catch(complain));
-  offerPicture(bench, keeper);
+  offerPicture(host, autosave);
 }
 
 /**
  * The format that the page is about: checked, downloaded, and handed to other programs where the browser can.
  *
- * @param {{ bench: Workbench, validator: Validator, makeFile: MakeFile, nameOf: (ending: string) => string }} room
+ * @param {{ host: Host, validator: Validator, makeFile: MakeFile, nameOf: (ending: string) => string }} room
  */
-function offerGlb({ bench, validator, makeFile, nameOf }) {
-  const facts = new ExportFacts(bench, nameOf);
-  const verdict = new VerdictLine(bench);
+function offerGlb({ host, validator, makeFile, nameOf }) {
+  const facts = new ExportFacts(host, nameOf);
+  const verdict = new VerdictLine(host);
   const make = async () => {
     const file = await makeFile("glb");
     facts.tell(file);
     return file;
   };
-  const check = () => checked(bench, nameOf("glb"), make, validator, verdict);
+  const check = () => checked(host, nameOf("glb"), make, validator, verdict);
   onAction("check-glb", check);
   onAction("download-glb", async () => {
     const file = await check();
     if (file) keep(file);
   });
-  byId("share-glb", HTMLButtonElement).hidden = !canSend(bench.answer((studio) => studio.mediaType("glb")), "face.glb");
+  byId("share-glb", HTMLButtonElement).hidden = !canSend(host.answer((studio) => studio.mediaType("glb")), "face.glb");
   const handOn = async (/** @type {File} */ file) => (await send(file)) || keep(file);
-  onAction("share-glb", () => make().then(handOn).catch((error) => bench.fail(error)));
+  onAction("share-glb", () => make().then(handOn).catch((error) => host.fail(error)));
 }
 
 /**
@@ -92,33 +92,33 @@ function offerFormats(kind, formats, saveAs) {
   });
   byId(`${kind}-formats`, HTMLDivElement).replaceChildren(...buttons);
   for (const format of formats) onAction(`download-${format}`, () => saveAs(format));
-  inEveryLanguage(() => {
+  onLocaleChange(() => {
     const help = formats.map((format) => `format.${format}.help`).filter(isWord);
-    byId(`${kind}-formats-help`, HTMLParagraphElement).textContent = help.map((key) => say(key)).join(" ");
+    byId(`${kind}-formats-help`, HTMLParagraphElement).textContent = help.map((key) => t(key)).join(" ");
   });
 }
 
 /**
  * How a format's file ends as it is asked for, and its media type.
  *
- * @param {Workbench} bench
+ * @param {Host} host
  * @param {string} format
  */
-function kindOf(bench, format) {
-  const ending = withFileChoices(fileChoices(), (choices) => bench.answer((studio) => studio.fileEnding(format, choices)));
-  return { ending, type: ending === "zip" ? "application/zip" : bench.answer((studio) => studio.mediaType(format)) };
+function kindOf(host, format) {
+  const ending = withFileChoices(fileChoices(), (choices) => host.answer((studio) => studio.fileEnding(format, choices)));
+  return { ending, type: ending === "zip" ? "application/zip" : host.answer((studio) => studio.mediaType(format)) };
 }
 
 /**
  * The GLB as it is asked for, with the validator's verdict on it shown; nothing if it cannot be made.
  *
- * @param {Workbench} bench
+ * @param {Host} host
  * @param {string} name of the file
  * @param {() => Promise<File>} make
  * @param {Validator} validator
  * @param {VerdictLine} line
  */
-async function checked(bench, name, make, validator, line) {
+async function checked(host, name, make, validator, line) {
   line.show({ file: name, outcome: "checking" });
   // The words are on the screen before the file is made.
   await afterNextFrame();
@@ -129,52 +129,52 @@ async function checked(bench, name, make, validator, line) {
     return file;
   } catch (error) {
     line.show(undefined);
-    bench.fail(error);
+    host.fail(error);
     return undefined;
   }
 }
 
 /**
- * @param {Workbench} bench
- * @param {Autosave} keeper
+ * @param {Host} host
+ * @param {Autosave} autosave
  * @param {string} ending
  */
-function meshName(bench, keeper, ending) {
-  const points = bench.read((state) => (state.chosen("density") === String(studioModule().usualDensity()) ? undefined : state.vertexCount));
-  return fileName(keeper.face, ending, points);
+function meshName(host, autosave, ending) {
+  const points = host.read((state) => (state.chosen("density") === String(studioModule().usualDensity()) ? undefined : state.vertexCount));
+  return fileName(autosave.face, ending, points);
 }
 
 /**
- * @param {Workbench} bench
- * @param {Autosave} keeper
+ * @param {Host} host
+ * @param {Autosave} autosave
  */
-async function makeProject(bench, keeper) {
-  const { face } = keeper;
+async function makeProject(host, autosave) {
+  const { face } = autosave;
   if (!face) throw { code: "no-face", message: "no face is open", hint: "" };
   const png = new Uint8Array(await (await pngOf(face)).arrayBuffer());
-  const bytes = bench.answer((studio) => studio.projectFile(png));
+  const bytes = host.answer((studio) => studio.projectFile(png));
   return new File([/** @type {BlobPart} */ (bytes)], fileName(face, "rosto"), { type: "application/octet-stream" });
 }
 
 /**
  * The view as a picture: saved, or copied where the browser can.
  *
- * @param {Workbench} bench
- * @param {Autosave} keeper
+ * @param {Host} host
+ * @param {Autosave} autosave
  */
-function offerPicture(bench, keeper) {
-  const complain = (/** @type {unknown} */ error) => bench.fail(error);
-  const picture = () => viewPicture(bench, isChecked("picture-transparent"));
+function offerPicture(host, autosave) {
+  const complain = (/** @type {unknown} */ error) => host.fail(error);
+  const picture = () => viewPicture(host, isChecked("picture-transparent"));
   onAction("download-picture", () => {
-    const name = fileName(keeper.face, "png");
+    const name = fileName(autosave.face, "png");
     picture().then((png) => keep(new File([png], name, { type: png.type })), complain);
   });
   byId("copy-picture", HTMLButtonElement).hidden = !canCopyPictures();
-  onAction("copy-picture", () => copyPicture(picture()).then(() => toast(say("export.copied")), complain));
+  onAction("copy-picture", () => copyPicture(picture()).then(() => toast(t("export.copied")), complain));
 }
 
 /** @param {File} file */
 function keep(file) {
   download(file, file.name, file.type);
-  toast(say("export.done", { file: file.name }));
+  toast(t("export.done", { file: file.name }));
 }

@@ -1,13 +1,13 @@
 import { announce } from "../page/announce.js";
 import { byId, make, makeIcon, onAction } from "../page/dom.js";
-import { sayId } from "../words/names.js";
-import { inEveryLanguage, say, sayNumber } from "../words/words.js";
+import { idName } from "../words/names.js";
+import { onLocaleChange, t, formatNumber } from "../words/words.js";
 import { Slider } from "./slider.js";
 
 /**
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
- * @typedef {import("../viewport/workbench.js").StudioState} StudioState
- * @typedef {import("../viewport/workbench.js").StudioTick} StudioTick
+ * @typedef {import("../viewport/host.js").Host} Host
+ * @typedef {import("../viewport/host.js").StudioState} StudioState
+ * @typedef {import("../viewport/host.js").StudioTick} StudioTick
  */
 
 /** Where the face moves, by how ids begin. */
@@ -27,40 +27,40 @@ export class ExpressionPanel {
   #both = byId("expressions-both", HTMLInputElement);
   #ids;
   #sliders;
-  #bench;
+  #host;
 
-  /** @param {Workbench} bench */
-  constructor(bench) {
-    this.#bench = bench;
-    this.#ids = bench.answer((studio) => studio.expressionIds);
+  /** @param {Host} host */
+  constructor(host) {
+    this.#host = host;
+    this.#ids = host.answer((studio) => studio.expressionIds);
     this.#sliders = this.#ids.map((id) => this.#makeSlider(id));
     byId("expressions", HTMLDivElement).append(...AREAS.map(([area, begins]) => this.#makeArea(area, begins)));
-    this.#both.addEventListener("change", () => bench.act((studio) => studio.setMirror(this.#both.checked)));
+    this.#both.addEventListener("change", () => host.act((studio) => studio.setMirror(this.#both.checked)));
     onAction("come-to-rest", () => {
-      bench.act((studio) => studio.comeToRest());
-      announce(say("expressions.rested"));
+      host.act((studio) => studio.comeToRest());
+      announce(t("expressions.rested"));
     });
-    bench.onChange((state) => this.#showSides(state));
-    bench.onTick((tick) => this.#show(tick));
+    host.onChange((state) => this.#showSides(state));
+    host.onTick((tick) => this.#show(tick));
   }
 
   /** @param {string} id */
   #makeSlider(id) {
-    const label = () => sayId("expression", this.#both.checked && !SIDEWAYS.test(id) ? id.replace(/(Left|Right)$/, "") : id);
+    const label = () => idName("expression", this.#both.checked && !SIDEWAYS.test(id) ? id.replace(/(Left|Right)$/, "") : id);
     const slider = new Slider({
       label,
-      longLabel: () => say("expression.long", { name: label() }),
+      longLabel: () => t("expression.long", { name: label() }),
       unit: "%",
       min: 0,
       max: PER_CENT,
       step: 1,
       neutral: 0,
-      onInput: () => this.#bench.act((studio) => studio.express(id, slider.value / PER_CENT)),
+      onInput: () => this.#host.act((studio) => studio.express(id, slider.value / PER_CENT)),
       onCommit: () => {
-        this.#bench.act((studio) => studio.commit());
-        announce(say("expression.shown", { name: label(), n: sayNumber(slider.value, 0) }));
+        this.#host.act((studio) => studio.commit());
+        announce(t("expression.shown", { name: label(), n: formatNumber(slider.value, 0) }));
       },
-      onCancel: () => this.#bench.act((studio) => studio.cancel()),
+      onCancel: () => this.#host.act((studio) => studio.cancel()),
     });
     slider.element.dataset["expression"] = id;
     return slider;
@@ -76,7 +76,7 @@ export class ExpressionPanel {
     const title = make("h3");
     const sliders = make("fieldset", "sliders stacked");
     const legend = make("legend", "visually-hidden");
-    inEveryLanguage(() => (title.textContent = legend.textContent = say(`expressions.${area}`)));
+    onLocaleChange(() => (title.textContent = legend.textContent = t(`expressions.${area}`)));
     const own = this.#sliders.filter((_slider, place) => begins.test(this.#ids[place] ?? ""));
     sliders.append(legend, ...own.map((slider) => slider.element));
     summary.append(title, makeIcon("fold"));

@@ -1,12 +1,12 @@
 import { announce } from "../page/announce.js";
 import { byId, onAction } from "../page/dom.js";
-import { sayId } from "../words/names.js";
-import { say, sayNumber } from "../words/words.js";
+import { idName } from "../words/names.js";
+import { t, formatNumber } from "../words/words.js";
 import { Slider } from "./slider.js";
 
 /**
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
- * @typedef {import("../viewport/workbench.js").StudioTick} StudioTick
+ * @typedef {import("../viewport/host.js").Host} Host
+ * @typedef {import("../viewport/host.js").StudioTick} StudioTick
  */
 
 const STEP_MM = 0.1;
@@ -14,18 +14,18 @@ const STEP_MM = 0.1;
 /** The ready-made sliders, and symmetry. */
 export class FacePanel {
   #sliders;
-  #bench;
+  #host;
 
-  /** @param {Workbench} bench */
-  constructor(bench) {
-    this.#bench = bench;
-    this.#sliders = bench.answer((studio) => studio.faceSliders).map((slider) => {
+  /** @param {Host} host */
+  constructor(host) {
+    this.#host = host;
+    this.#sliders = host.answer((studio) => studio.faceSliders).map((slider) => {
       const { id, rangeMm } = slider;
       slider.free();
       return this.#makeSlider(id, rangeMm);
     });
     byId("face-sliders", HTMLFieldSetElement).append(...this.#sliders.map((slider) => slider.element));
-    bench.onTick((tick) => this.#show(tick));
+    host.onTick((tick) => this.#show(tick));
     onAction("symmetrise", () => this.#symmetrise());
   }
 
@@ -34,21 +34,21 @@ export class FacePanel {
    * @param {number} range_mm
    */
   #makeSlider(id, range_mm) {
-    const label = () => sayId("slider", id);
+    const label = () => idName("slider", id);
     const slider = new Slider({
       label,
-      longLabel: () => say("face.slider.long", { name: label() }),
+      longLabel: () => t("face.slider.long", { name: label() }),
       unit: "mm",
       min: -range_mm,
       max: range_mm,
       step: STEP_MM,
       neutral: 0,
-      onInput: () => this.#bench.act((studio) => studio.slide(id, slider.value)),
+      onInput: () => this.#host.act((studio) => studio.slide(id, slider.value)),
       onCommit: () => {
-        this.#bench.act((studio) => studio.commit());
-        announce(say("face.slid", { name: label(), mm: sayNumber(slider.value, 1) }));
+        this.#host.act((studio) => studio.commit());
+        announce(t("face.slid", { name: label(), mm: formatNumber(slider.value, 1) }));
       },
-      onCancel: () => this.#bench.act((studio) => studio.cancel()),
+      onCancel: () => this.#host.act((studio) => studio.cancel()),
     });
     slider.element.dataset["slider"] = id;
     return slider;
@@ -57,8 +57,8 @@ export class FacePanel {
   #symmetrise() {
     const share = byId("symmetrise-share", HTMLInputElement);
     if (!share.reportValidity()) return;
-    this.#bench.act((studio) => studio.symmetrise(share.valueAsNumber));
-    announce(say("symmetrised", { n: share.value }));
+    this.#host.act((studio) => studio.symmetrise(share.valueAsNumber));
+    announce(t("symmetrised", { n: share.value }));
   }
 
   /** @param {StudioTick} tick */

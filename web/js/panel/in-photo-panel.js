@@ -1,10 +1,10 @@
 import { byId, onAction } from "../page/dom.js";
-import { say, sayNumber } from "../words/words.js";
+import { t, formatNumber } from "../words/words.js";
 import { Slider } from "./slider.js";
 
 /**
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
- * @typedef {import("../viewport/workbench.js").StudioState} StudioState
+ * @typedef {import("../viewport/host.js").Host} Host
+ * @typedef {import("../viewport/host.js").StudioState} StudioState
  */
 
 /** Nearer no selfie is taken, and beyond nothing changes that could be seen. */
@@ -15,47 +15,47 @@ const LIMIT_SAID = 0.006;
 /**
  * How the edits show in the photo: from how far away it is seen, how far it gives way, and what of it stays.
  *
- * @param {Workbench} bench
+ * @param {Host} host
  */
-export function setUpInPhotoPanel(bench) {
-  const seenFrom = slider(bench, "in-photo-distance", { label: "in-photo.distance", longLabel: "in-photo.distance.long", unit: "cm", ...SEEN_FROM_CM }, (studio, cm) =>
+export function setUpInPhotoPanel(host) {
+  const seenFrom = slider(host, "in-photo-distance", { label: "in-photo.distance", longLabel: "in-photo.distance.long", unit: "cm", ...SEEN_FROM_CM }, (studio, cm) =>
     studio.setSeenFrom(cm / 100),
   );
-  const { min, max, step, neutral } = bench.answer((studio) => studio.ringRange);
-  const ring = slider(bench, "in-photo-ring", { label: "in-photo.ring", longLabel: "in-photo.ring.long", unit: "%", ...inPercent({ min, max, step, neutral }) }, (studio, share) =>
+  const { min, max, step, neutral } = host.answer((studio) => studio.ringRange);
+  const ring = slider(host, "in-photo-ring", { label: "in-photo.ring", longLabel: "in-photo.ring.long", unit: "%", ...inPercent({ min, max, step, neutral }) }, (studio, share) =>
     studio.setRing(share / 100),
   );
-  onAction("seen-as-taken", () => bench.act((studio) => studio.setSeenFrom()));
-  setUpBrush(bench);
-  setUpDepthNote(bench);
-  bench.onChange((state) => {
+  onAction("seen-as-taken", () => host.act((studio) => studio.setSeenFrom()));
+  setUpBrush(host);
+  setUpDepthNote(host);
+  host.onChange((state) => {
     ring.value = 100 * state.ring;
     seenFrom.value = Number.isFinite(state.seenFromM) ? 100 * state.seenFromM : SEEN_FROM_CM.max;
     byId("seen-as-taken", HTMLButtonElement).disabled = state.isAsTaken;
   });
-  bench.onPhoto(() => sayLimit(bench));
+  host.onPhoto(() => sayLimit(host));
 }
 
-/** @param {Workbench} bench */
-function sayLimit(bench) {
-  const [limited_px = 0, side_px = 1] = bench.ask((studio) => [studio.photoLimitedPx, Math.max(...studio.photoSize)]) ?? [];
+/** @param {Host} host */
+function sayLimit(host) {
+  const [limited_px = 0, side_px = 1] = host.ask((studio) => [studio.photoLimitedPx, Math.max(...studio.photoSize)]) ?? [];
   const line = byId("in-photo-limit", HTMLParagraphElement);
-  const text = limited_px > LIMIT_SAID * side_px ? say("in-photo.limited", { px: sayNumber(limited_px, 0) }) : "";
+  const text = limited_px > LIMIT_SAID * side_px ? t("in-photo.limited", { px: formatNumber(limited_px, 0) }) : "";
   if (line.textContent !== text) line.textContent = text;
 }
 
-/** @param {Workbench} bench */
-function setUpBrush(bench) {
-  const { min, max, step, neutral } = bench.answer((studio) => studio.brushRange);
+/** @param {Host} host */
+function setUpBrush(host) {
+  const { min, max, step, neutral } = host.answer((studio) => studio.brushRange);
   const box = byId("brush", HTMLInputElement);
-  const size = slider(bench, "brush-size", { label: "brush.size", longLabel: "brush.size.long", unit: "px", min, max, step, neutral }, (studio, px) =>
+  const size = slider(host, "brush-size", { label: "brush.size", longLabel: "brush.size.long", unit: "px", min, max, step, neutral }, (studio, px) =>
     box.checked ? studio.setBrush(px) : undefined,
   );
-  box.addEventListener("change", () => bench.act((studio) => studio.setBrush(box.checked ? size.value : undefined)));
-  onAction("brush-undo", () => bench.act((studio) => studio.undo()));
-  onAction("brush-redo", () => bench.act((studio) => studio.redo()));
-  onAction("brush-clear", () => bench.act((studio) => studio.keepNothing()));
-  bench.onChange(({ brushPx, strokeCount, canRedoStroke }) => {
+  box.addEventListener("change", () => host.act((studio) => studio.setBrush(box.checked ? size.value : undefined)));
+  onAction("brush-undo", () => host.act((studio) => studio.undo()));
+  onAction("brush-redo", () => host.act((studio) => studio.redo()));
+  onAction("brush-clear", () => host.act((studio) => studio.keepNothing()));
+  host.onChange(({ brushPx, strokeCount, canRedoStroke }) => {
     box.checked = brushPx !== undefined;
     document.body.toggleAttribute("data-brush", brushPx !== undefined);
     byId("brush-tools", HTMLDivElement).hidden = brushPx === undefined;
@@ -65,31 +65,31 @@ function setUpBrush(bench) {
   });
 }
 
-/** An edit that goes along the view can hardly be seen: that is said beside its sliders, with a way to see it. @param {Workbench} bench */
-function setUpDepthNote(bench) {
+/** An edit that goes along the view can hardly be seen: that is said beside its sliders, with a way to see it. @param {Host} host */
+function setUpDepthNote(host) {
   const note = byId("depth-note", HTMLParagraphElement);
   let isKept = false;
-  bench.onChange(({ isAlongView }) => {
+  host.onChange(({ isAlongView }) => {
     isKept = isAlongView;
     note.hidden = !isAlongView;
   });
-  bench.onTick(({ editing, isAlongView }) => {
+  host.onTick(({ editing, isAlongView }) => {
     note.hidden = !(editing ? isAlongView : isKept);
   });
-  onAction("show-depth", () => bench.act((studio) => studio.showDepth()));
+  onAction("show-depth", () => host.act((studio) => studio.showDepth()));
 }
 
 /**
- * @param {Workbench} bench
+ * @param {Host} host
  * @param {string} id of its place
  * @param {Pick<import("./slider.js").SliderOptions, "label" | "longLabel" | "unit" | "min" | "max" | "step" | "neutral">} options
- * @param {(studio: import("../../wasm/rosto-studio-web.js").Studio, value: number) => import("../viewport/workbench.js").ChangeName | void} set
+ * @param {(studio: import("../../wasm/rosto-studio-web.js").Studio, value: number) => import("../viewport/host.js").ChangeName | void} set
  */
-function slider(bench, id, options, set) {
+function slider(host, id, options, set) {
   /** @type {Slider} */
   const made = new Slider({
     ...options,
-    onInput: () => bench.act((studio) => set(studio, made.value)),
+    onInput: () => host.act((studio) => set(studio, made.value)),
     onCommit: () => {},
     onCancel: () => {},
   });

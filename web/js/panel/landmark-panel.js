@@ -1,13 +1,13 @@
 import { announce } from "../page/announce.js";
 import { byId } from "../page/dom.js";
-import { sayNumberedLandmark, sayOnce, vertexCalled } from "../words/names.js";
-import { inEveryLanguage, isWord, say, sayNumber } from "../words/words.js";
+import { numberedLandmarkName, announceOnce, vertexCalled } from "../words/names.js";
+import { onLocaleChange, isWord, t, formatNumber } from "../words/words.js";
 import { Slider } from "./slider.js";
 
 /**
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
- * @typedef {import("../viewport/workbench.js").StudioState} StudioState
- * @typedef {import("../viewport/workbench.js").StudioTick} StudioTick
+ * @typedef {import("../viewport/host.js").Host} Host
+ * @typedef {import("../viewport/host.js").StudioState} StudioState
+ * @typedef {import("../viewport/host.js").StudioTick} StudioTick
  */
 
 /** More anchors than this are only counted. */
@@ -27,28 +27,28 @@ export class LandmarkPanel {
   #missed;
   #selectable = 0;
   #landmarkIds;
-  #bench;
+  #host;
 
-  /** @param {Workbench} bench */
-  constructor(bench) {
-    this.#bench = bench;
-    this.#landmarkIds = bench.answer((studio) => studio.landmarkIds);
-    const { min, max, step, neutral } = bench.answer((studio) => studio.offsetRange);
+  /** @param {Host} host */
+  constructor(host) {
+    this.#host = host;
+    this.#landmarkIds = host.answer((studio) => studio.landmarkIds);
+    const { min, max, step, neutral } = host.answer((studio) => studio.offsetRange);
     this.#step_mm = step;
     this.#sliders = AXES.map((axis) => this.#makeSlider(axis, { min, max, step, neutral }));
     byId("landmark-sliders", HTMLFieldSetElement).append(...this.#sliders.map((slider) => slider.element));
     // What is typed there is another name.
     this.#search.addEventListener("focus", () => this.#search.select());
     this.#search.addEventListener("change", () => this.#find(this.#search.value));
-    this.#search.addEventListener("input", () => bench.read((state) => this.#explain(state)));
+    this.#search.addEventListener("input", () => host.read((state) => this.#explain(state)));
     this.#search.addEventListener("keydown", ({ key }) => {
       // What was sought in vain and is typed once more is no change.
       const isAgain = this.#search.value.trim() === this.#missed && !this.#isWrong;
       if (key === "Enter" && isAgain) this.#find(this.#search.value);
     });
-    bench.onChange((state) => this.#show(state));
-    bench.onTick((tick) => this.#follow(tick));
-    inEveryLanguage(() => this.#listNames());
+    host.onChange((state) => this.#show(state));
+    host.onTick((tick) => this.#follow(tick));
+    onLocaleChange(() => this.#listNames());
   }
 
   /**
@@ -64,7 +64,7 @@ export class LandmarkPanel {
       axis,
       onInput: () => this.#preview(),
       onCommit: () => this.#commit(),
-      onCancel: () => this.#bench.act((studio) => studio.cancel()),
+      onCancel: () => this.#host.act((studio) => studio.cancel()),
     });
   }
 
@@ -77,22 +77,22 @@ export class LandmarkPanel {
       const by_mm = slider.value - (this.#kept_mm[axis] ?? 0);
       return Math.abs(by_mm) > this.#step_mm / 2 + 1e-9 ? by_mm : 0;
     });
-    this.#bench.act((studio) => studio.preview(dx_mm, dy_mm, dz_mm));
+    this.#host.act((studio) => studio.preview(dx_mm, dy_mm, dz_mm));
   }
 
   #commit() {
-    this.#bench.act((studio) => studio.commit());
-    const [x = "", y = "", z = ""] = this.#sliders.map((slider) => sayNumber(slider.value, 1));
-    announce(say("landmark.moved", { name: this.#selectionName(), x, y, z }));
+    this.#host.act((studio) => studio.commit());
+    const [x = "", y = "", z = ""] = this.#sliders.map((slider) => formatNumber(slider.value, 1));
+    announce(t("landmark.moved", { name: this.#selectionName(), x, y, z }));
   }
 
   /** @param {string} text */
   #find(text) {
     const vertex = vertexCalled(text, this.#landmarkIds, this.#selectable);
     if (vertex === undefined) return this.#missing(text.trim());
-    this.#bench.act((studio) => studio.selectAt(vertex));
+    this.#host.act((studio) => studio.selectAt(vertex));
     this.#search.value = this.#selectionName();
-    announce(say("landmark.selected", { name: this.#search.value }));
+    announce(t("landmark.selected", { name: this.#search.value }));
   }
 
   /** Of nothing nothing is sought: the field says again what is selected. @param {string} text */
@@ -110,7 +110,7 @@ export class LandmarkPanel {
   #sayMissing(text) {
     this.#search.setAttribute("aria-invalid", "true");
     this.#help.classList.add("field-error");
-    this.#help.textContent = say(/^\d+$/.test(text) ? "point.unknown" : "landmark.unknown", { text });
+    this.#help.textContent = t(/^\d+$/.test(text) ? "point.unknown" : "landmark.unknown", { text });
   }
 
   /** Whether the field says that what is in it was not found. */
@@ -122,15 +122,15 @@ export class LandmarkPanel {
   #explain(state) {
     this.#search.removeAttribute("aria-invalid");
     this.#help.classList.toggle("field-error", state.refusal !== undefined);
-    this.#help.textContent = say(helpFor(state));
+    this.#help.textContent = t(helpFor(state));
   }
 
   #selectionName() {
-    return this.#bench.ask((studio) => sayOnce(studio.selectedTarget)) ?? "";
+    return this.#host.ask((studio) => announceOnce(studio.selectedTarget)) ?? "";
   }
 
   #listNames() {
-    const options = this.#landmarkIds.map((id, number) => new Option("", sayNumberedLandmark(id, number)));
+    const options = this.#landmarkIds.map((id, number) => new Option("", numberedLandmarkName(id, number)));
     byId("landmark-names", HTMLDataListElement).replaceChildren(...options);
   }
 
@@ -163,7 +163,7 @@ export class LandmarkPanel {
   #showAnchors(anchors, isSelected) {
     const list = byId("landmark-anchors", HTMLParagraphElement);
     const named = anchors.length <= NAMED_ANCHORS;
-    const text = named ? say("landmark.anchors", { list: anchors.join(", ") }) : say("landmark.anchors.many", { n: anchors.length });
+    const text = named ? t("landmark.anchors", { list: anchors.join(", ") }) : t("landmark.anchors.many", { n: anchors.length });
     list.textContent = isSelected && anchors.length > 0 ? text : "";
     list.dataset["anchors"] = anchors.join(" ");
   }

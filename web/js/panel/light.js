@@ -2,7 +2,7 @@ import { byId, chosenColour, hex } from "../page/dom.js";
 import { Slider } from "./slider.js";
 
 /**
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../viewport/host.js").Host} Host
  * @typedef {import("../words/words.js").WordKey} WordKey
  */
 
@@ -12,13 +12,13 @@ const SPHERE = 40;
 /**
  * The light: dragged on a small sphere, or set exactly by numbers.
  *
- * @param {Workbench} bench
+ * @param {Host} host
  */
-export function setUpLight(bench) {
-  const [azimuth_deg = 0, elevation_deg = 0, strength = 1, ambient = 0] = bench.read(({ light }) => [...light]) ?? [];
+export function setUpLight(host) {
+  const [azimuth_deg = 0, elevation_deg = 0, strength = 1, ambient = 0] = host.read(({ light }) => [...light]) ?? [];
   const apply = () => {
     const [around = 0, height = 0, direct = 0, even = 0] = sliders.map(({ value }) => value);
-    bench.act((studio) => studio.setLight(around, height, direct / 100, even / 100));
+    host.act((studio) => studio.setLight(around, height, direct / 100, even / 100));
     showSun(around, height);
   };
   const sliders = [
@@ -37,13 +37,13 @@ export function setUpLight(bench) {
   const colour = byId("light-colour", HTMLInputElement);
   colour.addEventListener("input", () => {
     const { red, green, blue } = chosenColour(colour);
-    bench.act((studio) => studio.setLightColour(red, green, blue));
+    host.act((studio) => studio.setLightColour(red, green, blue));
   });
   const onPhoto = byId("light-photo", HTMLInputElement);
-  onPhoto.addEventListener("change", () => bench.act((studio) => studio.setPhotoLit(onPhoto.checked)));
+  onPhoto.addEventListener("change", () => host.act((studio) => studio.setPhotoLit(onPhoto.checked)));
   // What the face is painted with is no change of the document.
-  for (const choice of [byId("shading", HTMLDivElement), onPhoto]) choice.addEventListener("change", () => bench.read(showLamp));
-  bench.onChange((state) => {
+  for (const choice of [byId("shading", HTMLDivElement), onPhoto]) choice.addEventListener("change", () => host.read(showLamp));
+  host.onChange((state) => {
     const { light, lightColour } = state;
     showLamp(state);
     for (const [place, slider] of sliders.entries()) slider.value = (light[place] ?? 0) * (place < 2 ? 1 : 100);
@@ -55,7 +55,7 @@ export function setUpLight(bench) {
 /**
  * A photo has its own light, of which nothing can be moved.
  *
- * @param {import("../viewport/workbench.js").StudioState} state
+ * @param {import("../viewport/host.js").StudioState} state
  */
 function showLamp(state) {
   const isPhoto = state.chosen("shading") === "picture";

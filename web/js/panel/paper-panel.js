@@ -1,14 +1,14 @@
 import { announce } from "../page/announce.js";
 import { byId, enableAction, make, onAction } from "../page/dom.js";
 import { ownDrawing } from "../page/trusted.js";
-import { sayId } from "../words/names.js";
-import { inEveryLanguage, say, sayNumber } from "../words/words.js";
+import { idName } from "../words/names.js";
+import { onLocaleChange, t, formatNumber } from "../words/words.js";
 import { Stopwatch } from "./stopwatch.js";
 
 /**
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../viewport/host.js").Host} Host
  * @typedef {import("../../wasm/rosto-studio-web.js").PaperRun} PaperRun
- * @typedef {import("../viewport/workbench.js").Lease<PaperRun>} Run
+ * @typedef {import("../viewport/host.js").Lease<PaperRun>} Run
  * @typedef {import("../../wasm/rosto-studio-web.js").PaperMethod} PaperMethod
  * @typedef {import("../../wasm/rosto-studio-web.js").PaperRow} PaperRow
  * @typedef {"bent" | "stretch" | "flipped" | "smooth" | "timeMs"} Measure
@@ -26,7 +26,7 @@ const DECIMALS = { bent: 3, stretch: 2, flipped: 0, smooth: 0, timeMs: 2 };
 /** The paper's experiment on the open face, in the visitor's browser. */
 export class PaperPanel {
   #measure = byId("paper-measure", HTMLSelectElement);
-  #bench;
+  #host;
   /** @type {number | undefined} how long finding the landmarks of this face took */
   #extraction_ms;
   /** @type {Run | undefined} the last finished run */
@@ -34,12 +34,12 @@ export class PaperPanel {
   /** Counts the faces, so that a run notices when its own is gone. */
   #face = 0;
 
-  /** @param {Workbench} bench */
-  constructor(bench) {
-    this.#bench = bench;
+  /** @param {Host} host */
+  constructor(host) {
+    this.#host = host;
     onAction("run-paper", () => this.#run());
     this.#measure.addEventListener("change", () => this.#show());
-    inEveryLanguage(() => this.#show());
+    onLocaleChange(() => this.#show());
   }
 
   /**
@@ -57,14 +57,14 @@ export class PaperPanel {
     const face = this.#face;
     enableAction("run-paper", false);
     try {
-      const run = this.#bench.lease((studio) => studio.paperRun(RUNS, SEED));
+      const run = this.#host.lease((studio) => studio.paperRun(RUNS, SEED));
       const isDone = await this.#go(run, () => face === this.#face);
       if (isDone) {
         this.#keep(run);
-        announce(say("paper.done"));
+        announce(t("paper.done"));
       } else run.end();
     } catch (error) {
-      this.#bench.fail(error);
+      this.#host.fail(error);
     }
     byId("paper-progress", HTMLProgressElement).hidden = true;
     enableAction("run-paper", true);
@@ -103,19 +103,19 @@ export class PaperPanel {
   #write(run) {
     byId("paper-table", HTMLTableSectionElement).replaceChildren(...run.table().map((row) => this.#tableRow(row)));
     const { degreeRatio, offsetRatio, smooth, edits } = run.claims();
-    const claims = { degree: sayNumber(degreeRatio, 2), offset: sayNumber(offsetRatio, 2), smooth, edits };
-    byId("paper-claims", HTMLParagraphElement).textContent = say("paper.claims", claims);
+    const claims = { degree: formatNumber(degreeRatio, 2), offset: formatNumber(offsetRatio, 2), smooth, edits };
+    byId("paper-claims", HTMLParagraphElement).textContent = t("paper.claims", claims);
     byId("paper-plot", HTMLDivElement).replaceChildren(plotOf(run));
     const measure = /** @type {Measure} */ (this.#measure.value);
-    byId("paper-measure-help", HTMLParagraphElement).textContent = say(`paper.${measure}.help`, { runs: RUNS, edits });
+    byId("paper-measure-help", HTMLParagraphElement).textContent = t(`paper.${measure}.help`, { runs: RUNS, edits });
     byId("paper-methods", HTMLTableSectionElement).replaceChildren(...methodRows(run.methods(), measure));
   }
 
   /** @param {PaperRow} row */
   #tableRow({ task, degree, firstMs, secondMs, hereMs }) {
     const here_ms = task === "extraction" ? this.#extraction_ms : hereMs;
-    const here = here_ms === undefined ? say("paper.not-timed") : sayNumber(here_ms, here_ms < 10 ? 2 : 0);
-    return tableRow(say(`paper.${task}`, { degree }), [sayNumber(firstMs, 0), sayNumber(secondMs, 0), here]);
+    const here = here_ms === undefined ? t("paper.not-timed") : formatNumber(here_ms, here_ms < 10 ? 2 : 0);
+    return tableRow(t(`paper.${task}`, { degree }), [formatNumber(firstMs, 0), formatNumber(secondMs, 0), here]);
   }
 }
 
@@ -130,9 +130,9 @@ function methodRows(methods, measure) {
   return operators.map((operator) => {
     const values = /** @type {const} */ (["soft", "exact"]).map((constraint) => {
       const method = methods.find((one) => one.operator === operator && one.constraint === constraint);
-      return sayNumber(method?.[measure] ?? 0, DECIMALS[measure]);
+      return formatNumber(method?.[measure] ?? 0, DECIMALS[measure]);
     });
-    return tableRow(sayId("operator", operator), values);
+    return tableRow(idName("operator", operator), values);
   });
 }
 
@@ -151,7 +151,7 @@ function tableRow(heading, values) {
 /** @param {PaperRun} run */
 function plotOf(run) {
   const { width, height } = PLOT_PX;
-  const words = /** @type {const} */ (["title", "degree", "small", "large"]).map((word) => say(`paper.plot.${word}`));
+  const words = /** @type {const} */ (["title", "degree", "small", "large"]).map((word) => t(`paper.plot.${word}`));
   const [title = "", degree = "", small = "", large = ""] = words;
   const svg = run.plot(width, height, title, degree, small, large);
   const picture = new DOMParser().parseFromString(ownDrawing(svg), "image/svg+xml").documentElement;

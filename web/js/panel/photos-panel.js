@@ -1,12 +1,12 @@
 import { byId, make, makeIcon } from "../page/dom.js";
 import { toast } from "../page/toast.js";
 import { faceBox } from "../photo/face-box.js";
-import { inEveryLanguage, say } from "../words/words.js";
+import { onLocaleChange, t } from "../words/words.js";
 import { factsOf, photosOf, placeOf } from "../work/photos.js";
 import { imageDataOf } from "../work/pixels.js";
 
 /**
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../viewport/host.js").Host} Host
  * @typedef {import("../work/work.js").OpenedFace} OpenedFace
  * @typedef {ReturnType<typeof factsOf>[number]} Facts
  *
@@ -23,7 +23,7 @@ const AROUND_FACE = 1.4;
 
 /** The photos that the face is seen in, which turn of the head none of them shows, and the way to add and to remove one. */
 export class PhotosPanel {
-  #bench;
+  #host;
   #opening;
   #list = byId("photo-list", HTMLUListElement);
   #missing = byId("photos-missing", HTMLParagraphElement);
@@ -35,16 +35,16 @@ export class PhotosPanel {
   #removed;
 
   /**
-   * @param {Workbench} bench
+   * @param {Host} host
    * @param {() => Photos} opening
    */
-  constructor(bench, opening) {
-    this.#bench = bench;
+  constructor(host, opening) {
+    this.#host = host;
     this.#opening = opening;
     this.#setUpChooser();
     byId("restore-photo", HTMLButtonElement).addEventListener("click", () => this.#bringBack());
-    bench.onChange(() => this.#show());
-    inEveryLanguage(() => this.#show());
+    host.onChange(() => this.#show());
+    onLocaleChange(() => this.#show());
   }
 
   #setUpChooser() {
@@ -63,7 +63,7 @@ export class PhotosPanel {
     const before = this.#count();
     await act(this.#opening());
     const n = this.#count();
-    if (n !== before) toast(n > 1 ? say("photos.added", { n }) : say("photos.alone"));
+    if (n !== before) toast(n > 1 ? t("photos.added", { n }) : t("photos.alone"));
   }
 
   /** @param {OpenedFace} photo */
@@ -87,11 +87,11 @@ export class PhotosPanel {
 
   #show() {
     const { face } = this.#opening();
-    const facts = this.#bench.ask(factsOf) ?? [];
+    const facts = this.#host.ask(factsOf) ?? [];
     const photos = face ? photosOf(face) : [];
-    this.#missing.textContent = (this.#bench.ask((studio) => studio.missingTurns()) ?? []).map(missing).join(" ");
+    this.#missing.textContent = (this.#host.ask((studio) => studio.missingTurns()) ?? []).map(missing).join(" ");
     this.#missing.hidden = this.#list.hidden = facts.length < 2;
-    this.#add.disabled = facts.length >= (this.#bench.ask((studio) => studio.mostPhotos) ?? 0);
+    this.#add.disabled = facts.length >= (this.#host.ask((studio) => studio.mostPhotos) ?? 0);
     if (photos.length !== facts.length) return;
     const held = this.#list.contains(document.activeElement);
     if (face !== this.#face) this.#list.replaceChildren(...(photos.length < 2 ? [] : photos.map((photo) => this.#row(photo))));
@@ -128,8 +128,8 @@ function write(row, facts) {
   const [span, button] = [row.querySelector("span"), row.querySelector("button")];
   if (!facts || !span || !button) return;
   const turn = turned(facts);
-  span.textContent = facts.leads ? say("photos.leads", { turn }) : turn;
-  const words = say("photos.remove", { turn });
+  span.textContent = facts.leads ? t("photos.leads", { turn }) : turn;
+  const words = t("photos.remove", { turn });
   button.setAttribute("aria-label", words);
   button.title = words;
 }
@@ -137,14 +137,14 @@ function write(row, facts) {
 /** @param {Facts} facts */
 function turned({ turn, yawDeg }) {
   const degrees = Math.round(Math.abs(yawDeg));
-  if (turn === "front") return say("photos.turn.front");
-  return say(yawDeg > 0 ? "photos.turn.left" : "photos.turn.right", { degrees });
+  if (turn === "front") return t("photos.turn.front");
+  return t(yawDeg > 0 ? "photos.turn.left" : "photos.turn.right", { degrees });
 }
 
 /** @param {string} turn that no photo shows */
 function missing(turn) {
-  if (turn === "front") return say("photos.missing.front");
-  return say(turn === "left" ? "photos.missing.left" : "photos.missing.right");
+  if (turn === "front") return t("photos.missing.front");
+  return t(turn === "left" ? "photos.missing.left" : "photos.missing.right");
 }
 
 /**

@@ -1,13 +1,13 @@
 import { byId, make } from "../page/dom.js";
 import { asPageError } from "../page/page-error.js";
 import { isTrap, studioModule } from "../viewport/studio-module.js";
-import { sayId } from "../words/names.js";
-import { inEveryLanguage, isWord, say, sayNumber } from "../words/words.js";
+import { idName } from "../words/names.js";
+import { onLocaleChange, isWord, t, formatNumber } from "../words/words.js";
 import { withFileChoices } from "../work/written-file.js";
 import { chosen, hasLength, printChoices } from "./file-choices.js";
 
 /**
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../viewport/host.js").Host} Host
  * @typedef {import("../../wasm/rosto-studio-web.js").PrintedBody} PrintedBody
  * @typedef {import("../words/words.js").WordKey} WordKey
  * @typedef {Pick<PrintedBody, "volumeCm3" | "sizeMm" | "thinnestMm" | "movedMm" | "plaGrams">} Body
@@ -21,7 +21,7 @@ const SEEN_MM = 0.05;
 
 /** What is printed of the face, what that measures, and why it cannot be, before it is saved. */
 export class PrintPanel {
-  #bench;
+  #host;
   #fold = byId("export-print", HTMLDetailsElement);
   #length = byId("solid-mm", HTMLInputElement);
   #facts = byId("print-facts", HTMLDListElement);
@@ -36,9 +36,9 @@ export class PrintPanel {
   #isStale = true;
   #coming = 0;
 
-  /** @param {Workbench} bench */
-  constructor(bench) {
-    this.#bench = bench;
+  /** @param {Host} host */
+  constructor(host) {
+    this.#host = host;
     this.#range_mm = studioModule().solidRangeMm();
     const [least = 0, most = 0] = this.#range_mm;
     Object.assign(this.#length, { min: String(least), max: String(most) });
@@ -46,10 +46,10 @@ export class PrintPanel {
     this.#fold.addEventListener("change", () => this.#offerLength());
     this.#fold.addEventListener("input", () => this.#measureSoon());
     this.#length.addEventListener("input", () => (this.#lengths_mm[chosen("solid")] = this.#length.value));
-    bench.onChange(() => this.#measureSoon());
+    host.onChange(() => this.#measureSoon());
     // It is measured where it is seen: once the fold opens, or the tab that it is on.
     new ResizeObserver(() => this.#isStale && this.#measureSoon()).observe(this.#fold);
-    inEveryLanguage(() => this.#write());
+    onLocaleChange(() => this.#write());
   }
 
   /**
@@ -58,7 +58,7 @@ export class PrintPanel {
    * @param {unknown} error
    */
   refuse(error) {
-    if (isTrap(error)) this.#bench.fail(error);
+    if (isTrap(error)) this.#host.fail(error);
     this.#refused = error;
     this.#body = undefined;
     this.#write();
@@ -82,7 +82,7 @@ export class PrintPanel {
     this.#isStale = false;
     delete this.#fold.dataset["measuring"];
     try {
-      this.#show(withFileChoices(printChoices(), (choices) => this.#bench.answer((studio) => studio.solidFacts(choices))));
+      this.#show(withFileChoices(printChoices(), (choices) => this.#host.answer((studio) => studio.solidFacts(choices))));
     } catch (error) {
       this.refuse(error);
     }
@@ -99,8 +99,8 @@ export class PrintPanel {
   #write() {
     const solid = chosen("solid");
     byId("solid-length", HTMLDivElement).hidden = !hasLength(solid);
-    if (hasLength(solid)) byId("solid-mm-label", HTMLLabelElement).textContent = sayId("solid", `${solid}.mm`);
-    byId("solid-help", HTMLParagraphElement).textContent = sayId("solid", `${solid}.help`);
+    if (hasLength(solid)) byId("solid-mm-label", HTMLLabelElement).textContent = idName("solid", `${solid}.mm`);
+    byId("solid-help", HTMLParagraphElement).textContent = idName("solid", `${solid}.help`);
     this.#facts.replaceChildren(...(this.#body ? listed(this.#body) : []));
     this.#refusal.hidden = this.#refused === undefined;
     this.#refusal.textContent = this.#refused === undefined ? "" : this.#explained();
@@ -112,12 +112,12 @@ export class PrintPanel {
     const [least = 0, most = 0] = this.#range_mm;
     const { code } = asPageError(this.#refused);
     const { mostMm = 0 } = /** @type {{ mostMm?: number }} */ (this.#refused);
-    if (code === "bad-choice") return say("print.range", { least: sayNumber(least, 1), most: sayNumber(most, 0) });
+    if (code === "bad-choice") return t("print.range", { least: formatNumber(least, 1), most: formatNumber(most, 0) });
     // Rounded down: that much works, too.
     const works_mm = Math.floor(10 * mostMm) / 10;
-    if (works_mm >= least) return say("print.at-most", { most: sayNumber(works_mm, 1) });
+    if (works_mm >= least) return t("print.at-most", { most: formatNumber(works_mm, 1) });
     const key = isWord(`error.${code}`) ? code : "other";
-    return `${say(/** @type {WordKey} */ (`error.${key}`))}. ${say(/** @type {WordKey} */ (`error.${key}.hint`))}`;
+    return `${t(/** @type {WordKey} */ (`error.${key}`))}. ${t(/** @type {WordKey} */ (`error.${key}.hint`))}`;
   }
 }
 
@@ -132,11 +132,11 @@ function measuresOf({ volumeCm3, sizeMm, thinnestMm, movedMm, plaGrams }) {
 /** @param {Body} body */
 function listed({ volumeCm3, sizeMm, thinnestMm, movedMm, plaGrams }) {
   const rows = [
-    ["size", `${[...sizeMm].map((side) => sayNumber(side, 0)).join(" × ")} mm`],
-    ["volume", `${sayNumber(volumeCm3, 1)} cm³`],
-    ["weight", `${sayNumber(plaGrams, 0)} g`],
-    ["thinnest", `${sayNumber(thinnestMm, 1)} mm`],
-    ...(movedMm < SEEN_MM ? [] : [["rounded", `${sayNumber(movedMm, 1)} mm`]]),
+    ["size", `${[...sizeMm].map((side) => formatNumber(side, 0)).join(" × ")} mm`],
+    ["volume", `${formatNumber(volumeCm3, 1)} cm³`],
+    ["weight", `${formatNumber(plaGrams, 0)} g`],
+    ["thinnest", `${formatNumber(thinnestMm, 1)} mm`],
+    ...(movedMm < SEEN_MM ? [] : [["rounded", `${formatNumber(movedMm, 1)} mm`]]),
   ];
-  return rows.flatMap(([name, value]) => [make("dt", "", sayId("print", name ?? "")), make("dd", "", value)]);
+  return rows.flatMap(([name, value]) => [make("dt", "", idName("print", name ?? "")), make("dd", "", value)]);
 }

@@ -1,30 +1,30 @@
 import { announce } from "../page/announce.js";
 import { byId, make } from "../page/dom.js";
 import { afterNextFrame } from "../page/tasks.js";
-import { sayId, sayOnce } from "../words/names.js";
-import { inEveryLanguage, say } from "../words/words.js";
+import { idName, announceOnce } from "../words/names.js";
+import { onLocaleChange, t } from "../words/words.js";
 
 /**
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../viewport/host.js").Host} Host
  */
 
 /**
  * What a click selects (one landmark, the region around it, any point of the mesh), and the regions by name.
  *
- * @param {Workbench} bench
+ * @param {Host} host
  */
-export function setUpSelectionMode(bench) {
+export function setUpSelectionMode(host) {
   const regions = byId("region", HTMLSelectElement);
   regions.addEventListener("change", () => {
     const { value } = regions;
-    bench.act((studio) => (value === "" ? studio.select() : studio.selectRegion(value)));
-    if (value !== "") announce(say("landmark.selected", { name: bench.ask((studio) => sayOnce(studio.selectedTarget)) ?? "" }));
+    host.act((studio) => (value === "" ? studio.select() : studio.selectRegion(value)));
+    if (value !== "") announce(t("landmark.selected", { name: host.ask((studio) => announceOnce(studio.selectedTarget)) ?? "" }));
   });
-  bench.onChange((state) => {
+  host.onChange((state) => {
     regions.value = state.selectedRegion ?? "";
     showFields(state.chosen("selection") ?? "");
   });
-  inEveryLanguage(() => listRegions(bench, regions));
+  onLocaleChange(() => listRegions(host, regions));
 }
 
 /**
@@ -40,7 +40,7 @@ export function isSlow(choice, id) {
 
 /** Shows those words before the work begins. */
 export async function untilWaitIsSaid() {
-  byId("landmark-help", HTMLParagraphElement).textContent = say("selection.preparing");
+  byId("landmark-help", HTMLParagraphElement).textContent = t("selection.preparing");
   await afterNextFrame();
 }
 
@@ -54,15 +54,15 @@ function showFields(mode) {
 }
 
 /**
- * @param {Workbench} bench
+ * @param {Host} host
  * @param {HTMLSelectElement} list
  */
-function listRegions(bench, list) {
+function listRegions(host, list) {
   const chosen = list.value;
-  const none = make("option", undefined, say("region.none"));
+  const none = make("option", undefined, t("region.none"));
   none.value = "";
   none.hidden = true;
-  const named = (bench.ask((studio) => studio.regionIds) ?? []).map((id) => new Option(sayId("region", id), id));
+  const named = (host.ask((studio) => studio.regionIds) ?? []).map((id) => new Option(idName("region", id), id));
   list.replaceChildren(none, ...named);
   list.value = chosen;
 }

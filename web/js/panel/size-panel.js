@@ -1,10 +1,10 @@
 import { byId, make, onAction } from "../page/dom.js";
-import { sayId, sayLandmark } from "../words/names.js";
-import { inEveryLanguage, say, sayNumber } from "../words/words.js";
+import { idName, landmarkName } from "../words/names.js";
+import { onLocaleChange, t, formatNumber } from "../words/words.js";
 import { Slider } from "./slider.js";
 
 /**
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../viewport/host.js").Host} Host
  *
  * @typedef {object} About what the studio knows of a face beside its mesh
  * @property {string} lens
@@ -24,7 +24,7 @@ const MAX_CM = 300;
 
 /** How the photo was taken, how large the face is, and a measuring tape. */
 export class SizePanel {
-  #bench;
+  #host;
   #landmarkIds;
   #measureIds;
   #section = byId("section-size", HTMLDetailsElement);
@@ -34,13 +34,13 @@ export class SizePanel {
   #from;
 
   /**
-   * @param {Workbench} bench
+   * @param {Host} host
    * @param {() => string | undefined} known what is known of the lens of the photo that is open
    */
-  constructor(bench, known) {
-    this.#bench = bench;
-    this.#landmarkIds = bench.answer((studio) => studio.landmarkIds);
-    this.#measureIds = bench.answer((studio) => studio.measureIds);
+  constructor(host, known) {
+    this.#host = host;
+    this.#landmarkIds = host.answer((studio) => studio.landmarkIds);
+    this.#measureIds = host.answer((studio) => studio.measureIds);
     this.#known = known;
     this.#distance = new Slider({
       ...{ label: "size.distance", longLabel: "size.distance.long", unit: "cm", min: MIN_CM, max: MAX_CM, step: 1 },
@@ -54,26 +54,26 @@ export class SizePanel {
     onAction("tape-start", () => this.#start());
     // A tape on a dense mesh takes its time, and is laid only where it is seen.
     this.#section.addEventListener("toggle", () => this.#show());
-    bench.onChange(() => this.#show());
-    inEveryLanguage(() => this.#show());
+    host.onChange(() => this.#show());
+    onLocaleChange(() => this.#show());
   }
 
   /** @param {string} lens */
   #take(lens) {
-    this.#bench.act((studio) => studio.setPhotoLens(lens));
+    this.#host.act((studio) => studio.setPhotoLens(lens));
   }
 
   #start() {
-    this.#from = this.#bench.read((state) => state.selected);
+    this.#from = this.#host.read((state) => state.selected);
     this.#show();
   }
 
   #show() {
-    const face = this.#bench.read(({ vertexCount, selected }, { photoLens }) => ({ vertexCount, selected, photoLens }));
+    const face = this.#host.read(({ vertexCount, selected }, { photoLens }) => ({ vertexCount, selected, photoLens }));
     // A coarser mesh, or none, may lack the point where the tape begins.
     if (face?.photoLens === undefined || (this.#from ?? 0) >= face.vertexCount) this.#from = undefined;
     if (face?.photoLens === undefined) return;
-    const about = this.#bench.read((_, studio) => studio.about());
+    const about = this.#host.read((_, studio) => studio.about());
     if (about) this.#write(JSON.parse(about), face.selected);
   }
 
@@ -86,8 +86,8 @@ export class SizePanel {
     if (distance_cm !== undefined) this.#distance.value = Math.min(MAX_CM, distance_cm);
     write("size-camera", takenFrom(about, distance_cm));
     const pose = { yaw: turned(about.yaw_deg), pitch: turned(about.pitch_deg), roll: turned(about.roll_deg) };
-    write("size-pose", say("size.pose", pose));
-    write("size-source", say(about.size_from === "irises" ? "size.by-irises" : "size.canonical"));
+    write("size-pose", t("size.pose", pose));
+    write("size-source", t(about.size_from === "irises" ? "size.by-irises" : "size.canonical"));
     const rows = this.#measureIds.flatMap((id) => row(id, about));
     byId("size-measures", HTMLDListElement).replaceChildren(...rows);
     write("tape-result", this.#measured(about.size_error, selected));
@@ -99,17 +99,17 @@ export class SizePanel {
    */
   #measured(error, to) {
     const from = this.#from;
-    if (from === undefined) return say("tape.help");
-    if (to === undefined || to === from || !this.#section.open) return say("tape.next", { from: this.#name(from) });
-    const [straight = 0, along = 0] = this.#bench.read((_, studio) => studio.measure(from, to)) ?? [];
+    if (from === undefined) return t("tape.help");
+    if (to === undefined || to === from || !this.#section.open) return t("tape.next", { from: this.#name(from) });
+    const [straight = 0, along = 0] = this.#host.read((_, studio) => studio.measure(from, to)) ?? [];
     const lengths = { straight: millimetres(straight, error), along: millimetres(along, error) };
-    return say("tape.result", { from: this.#name(from), to: this.#name(to), ...lengths });
+    return t("tape.result", { from: this.#name(from), to: this.#name(to), ...lengths });
   }
 
   /** @param {number} vertex */
   #name(vertex) {
     const id = this.#landmarkIds[vertex];
-    return id === undefined ? String(vertex) : sayLandmark(id);
+    return id === undefined ? String(vertex) : landmarkName(id);
   }
 }
 
@@ -126,17 +126,17 @@ function write(id, text) {
  * @param {number | undefined} distance_cm
  */
 function takenFrom({ lens, distance_error = 0 }, distance_cm) {
-  if (distance_cm === undefined) return say("size.parallel");
+  if (distance_cm === undefined) return t("size.parallel");
   const source = lens.split(":")[0];
   const distance = Math.round(distance_cm);
-  if (source === "distance") return say("size.as-given", { distance });
+  if (source === "distance") return t("size.as-given", { distance });
   const error = Math.max(1, Math.round(distance_cm * distance_error));
-  return say(source === "estimated" ? "size.by-face" : "size.by-lens-data", { distance, error });
+  return t(source === "estimated" ? "size.by-face" : "size.by-lens-data", { distance, error });
 }
 
 /** @param {number} degrees */
 function turned(degrees) {
-  return `${sayNumber(Math.round(degrees), 0)}°`;
+  return `${formatNumber(Math.round(degrees), 0)}°`;
 }
 
 /**
@@ -144,7 +144,7 @@ function turned(degrees) {
  * @param {About} about
  */
 function row(id, { measures_mm, size_error }) {
-  return [make("dt", "", sayId("measure", id)), make("dd", "", millimetres(measures_mm[id] ?? 0, size_error))];
+  return [make("dt", "", idName("measure", id)), make("dd", "", millimetres(measures_mm[id] ?? 0, size_error))];
 }
 
 /**
@@ -152,5 +152,5 @@ function row(id, { measures_mm, size_error }) {
  * @param {number} error one standard deviation, as a share
  */
 function millimetres(length_mm, error) {
-  return `${sayNumber(length_mm, 0)} mm ± ${sayNumber(Math.max(1, length_mm * error), 0)}`;
+  return `${formatNumber(length_mm, 0)} mm ± ${formatNumber(Math.max(1, length_mm * error), 0)}`;
 }

@@ -1,5 +1,5 @@
 import { make } from "../page/dom.js";
-import { inEveryLanguage, say } from "../words/words.js";
+import { onLocaleChange, t } from "../words/words.js";
 
 /**
  * @typedef {import("../words/words.js").WordKey} WordKey
@@ -46,7 +46,7 @@ export class Slider {
     for (const input of [this.#range, this.#number]) this.#wire(input);
     this.value = options.neutral;
     this.#label = label;
-    inEveryLanguage(() => this.name());
+    onLocaleChange(() => this.name());
   }
 
   /** Says its name anew, as in another language or after it has come to stand for something else. */
@@ -125,7 +125,7 @@ export class Slider {
 
 /** @param {Label} label */
 function textOf(label) {
-  return typeof label === "function" ? label() : say(label);
+  return typeof label === "function" ? label() : t(label);
 }
 
 /** @param {number} step */

@@ -1,5 +1,5 @@
 import { byId } from "../page/dom.js";
-import { inEveryLanguage, say, sayNumber } from "../words/words.js";
+import { onLocaleChange, t, formatNumber } from "../words/words.js";
 
 /**
  * @typedef {import("../worker/protocol.js").Verdict} Verdict
@@ -13,11 +13,11 @@ export class VerdictLine {
   /** @type {Shown | undefined} */
   #shown;
 
-  /** @param {import("../viewport/workbench.js").Workbench} bench */
-  constructor(bench) {
-    bench.onChange(() => this.show(undefined));
+  /** @param {import("../viewport/host.js").Host} host */
+  constructor(host) {
+    host.onChange(() => this.show(undefined));
     byId("section-export", HTMLElement).addEventListener("change", () => this.show(undefined));
-    inEveryLanguage(() => this.#write());
+    onLocaleChange(() => this.#write());
   }
 
   /**
@@ -56,10 +56,10 @@ function nameOf(outcome) {
 /** @param {Shown} shown */
 function words({ file, bytes = 0, outcome }) {
   const counts = typeof outcome === "string" ? {} : outcome;
-  return say(`verdict.${nameOf(outcome)}`, { file, size: saySize(bytes), ...counts });
+  return t(`verdict.${nameOf(outcome)}`, { file, size: formatBytes(bytes), ...counts });
 }
 
 /** @param {number} bytes */
-export function saySize(bytes) {
-  return bytes < 1_000_000 ? `${sayNumber(bytes / 1000, 0)} KB` : `${sayNumber(bytes / 1_000_000, 1)} MB`;
+export function formatBytes(bytes) {
+  return bytes < 1_000_000 ? `${formatNumber(bytes / 1000, 0)} KB` : `${formatNumber(bytes / 1_000_000, 1)} MB`;
 }

@@ -1,48 +1,48 @@
 import { byId, chosenColour, hex, onAction } from "../page/dom.js";
 import { setUpLight } from "./light.js";
 
-/** @typedef {import("../viewport/workbench.js").Workbench} Workbench */
+/** @typedef {import("../viewport/host.js").Host} Host */
 
 /**
  * How the face is lit and looked at.
  *
- * @param {Workbench} bench
+ * @param {Host} host
  */
-export function setUpViewPanel(bench) {
-  setUpLight(bench);
-  setUpBackground(bench);
-  onCheck("wireframe", (shown) => bench.act((studio) => studio.setWireframe(shown)));
-  bench.canvas.addEventListener("keydown", (event) => {
+export function setUpViewPanel(host) {
+  setUpLight(host);
+  setUpBackground(host);
+  onCheck("wireframe", (shown) => host.act((studio) => studio.setWireframe(shown)));
+  host.canvas.addEventListener("keydown", (event) => {
     if (event.key.toLowerCase() === "w" && !event.ctrlKey && !event.metaKey) byId("wireframe", HTMLInputElement).click();
   });
-  onCheck("dots", (shown) => bench.act((studio) => studio.setDots(shown)));
-  onCheck("turntable", (turns) => bench.act((studio) => studio.setTurntable(turns)));
-  bench.onChange((state) => {
+  onCheck("dots", (shown) => host.act((studio) => studio.setDots(shown)));
+  onCheck("turntable", (turns) => host.act((studio) => studio.setTurntable(turns)));
+  host.onChange((state) => {
     byId("wireframe", HTMLInputElement).checked = state.wireframe;
     byId("dots", HTMLInputElement).checked = state.dots;
     byId("turntable", HTMLInputElement).checked = state.turntable;
   });
-  onAction("reset-view", () => bench.act((studio) => studio.view("reset")));
+  onAction("reset-view", () => host.act((studio) => studio.view("reset")));
   for (const side of /** @type {const} */ (["front", "left", "top"])) {
-    onAction(`view-${side}`, () => bench.act((studio) => studio.view(side)));
+    onAction(`view-${side}`, () => host.act((studio) => studio.view(side)));
   }
-  followMotionSetting(bench);
+  followMotionSetting(host);
 }
 
-/** @param {Workbench} bench */
-function setUpBackground(bench) {
+/** @param {Host} host */
+function setUpBackground(host) {
   const colour = byId("background-colour", HTMLInputElement);
   const plain = byId("background-plain", HTMLInputElement);
   const apply = () => {
     const { red, green, blue } = chosenColour(colour);
-    bench.act((studio) => (plain.checked ? studio.setBackdrop(red, green, blue) : studio.setGround()));
+    host.act((studio) => (plain.checked ? studio.setBackdrop(red, green, blue) : studio.setGround()));
   };
   plain.addEventListener("change", apply);
   colour.addEventListener("input", () => {
     plain.checked = true;
     apply();
   });
-  bench.onChange(({ backdrop }) => {
+  host.onChange(({ backdrop }) => {
     plain.checked = backdrop.length > 0;
     if (plain.checked) colour.value = hex(backdrop);
   });
@@ -57,10 +57,10 @@ function onCheck(id, apply) {
   box.addEventListener("change", () => apply(box.checked));
 }
 
-/** @param {Workbench} bench */
-function followMotionSetting(bench) {
+/** @param {Host} host */
+function followMotionSetting(host) {
   const setting = matchMedia("(prefers-reduced-motion: reduce)");
-  const apply = () => bench.act((studio) => studio.setReducedMotion(setting.matches));
+  const apply = () => host.act((studio) => studio.setReducedMotion(setting.matches));
   setting.addEventListener("change", apply);
   apply();
 }

@@ -1,6 +1,6 @@
 import { byId, onAction } from "../page/dom.js";
 import { showError } from "../page/notice.js";
-import { inEveryLanguage, say } from "../words/words.js";
+import { onLocaleChange, t } from "../words/words.js";
 import { codeOf, hasPicture, stopTracks } from "./camera-stream.js";
 
 const COUNTDOWN_S = 3;
@@ -46,7 +46,7 @@ class Camera {
     this.#shutter.addEventListener("click", (event) => isFirst(event) && this.#countDown());
     onAction("close-camera", (event) => isFirst(event) && this.#close());
     addEventListener("pagehide", () => this.#close());
-    inEveryLanguage(() => this.#write());
+    onLocaleChange(() => this.#write());
   }
 
   /** Opens the dialog at once, and the camera when the browser lets it. */
@@ -93,7 +93,7 @@ class Camera {
 
   /** @param {number} left_s */
   #count(left_s) {
-    this.#countdown.textContent = left_s > 0 ? String(left_s) : say("camera.taken");
+    this.#countdown.textContent = left_s > 0 ? String(left_s) : t("camera.taken");
     if (left_s > 0) this.#tick = setTimeout(() => this.#count(left_s - 1), 1000);
     else this.#take();
   }
@@ -154,7 +154,7 @@ class Camera {
     this.#shutter.disabled = !isReady;
     if (isReady && wasDisabled) this.#shutter.focus();
     const waits = this.#state === "asking" || (this.#state === "live" && !isReady);
-    this.#status.textContent = waits ? say("camera.asking") : "";
+    this.#status.textContent = waits ? t("camera.asking") : "";
   }
 }
 

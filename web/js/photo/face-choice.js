@@ -1,5 +1,5 @@
 import { byId, make } from "../page/dom.js";
-import { inEveryLanguage, say } from "../words/words.js";
+import { onLocaleChange, t } from "../words/words.js";
 import { faceBox } from "./face-box.js";
 
 /** @typedef {import("../work/work.js").OpenedFace} OpenedFace */
@@ -33,7 +33,7 @@ export class FaceChoice {
     this.#choose = choose;
     this.#goBackTo = goBackTo;
     this.#previous.addEventListener("click", () => this.#before[0] && goBackTo(this.#before[0]));
-    inEveryLanguage(() => this.#write());
+    onLocaleChange(() => this.#write());
   }
 
   /**
@@ -127,10 +127,10 @@ export class FaceChoice {
   }
 
   #write() {
-    byId("face-choice-title", HTMLLegendElement).textContent = say("face.several", { n: this.#faces.length });
-    for (const [index, input] of this.#inputs().entries()) input.setAttribute("aria-label", say("face.number", { n: index + 1 }));
+    byId("face-choice-title", HTMLLegendElement).textContent = t("face.several", { n: this.#faces.length });
+    for (const [index, input] of this.#inputs().entries()) input.setAttribute("aria-label", t("face.number", { n: index + 1 }));
     for (const [index, button] of this.#earlier.querySelectorAll("button").entries()) {
-      const words = say("face.earlier", { name: this.#before[index + 1]?.name ?? "" });
+      const words = t("face.earlier", { name: this.#before[index + 1]?.name ?? "" });
       button.setAttribute("aria-label", words);
       button.title = words;
     }

@@ -66,7 +66,7 @@ export class Following {
    * @param {number} id
    * @param {Followed} followed
    */
-  hear(id, followed) {
+  onMessage(id, followed) {
     const asked = this.#take(id);
     if (asked) asked.resolve(followed);
     // Whoever no longer waits for the frame does not close it either.

@@ -1,5 +1,5 @@
 /**
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../viewport/host.js").Host} Host
  * @typedef {ImageBitmap | OffscreenCanvas} Part
  */
 
@@ -23,11 +23,11 @@ export class LivePhoto {
   #drawn;
   /** Of what the studio was given. @type {string | undefined} */
   #given;
-  #bench;
+  #host;
 
-  /** @param {Workbench} bench */
-  constructor(bench) {
-    this.#bench = bench;
+  /** @param {Host} host */
+  constructor(host) {
+    this.#host = host;
   }
 
   /**
@@ -65,7 +65,7 @@ export class LivePhoto {
   }
 
   #draw() {
-    const rgba = this.#bench.ask((studio) => studio.panelPhoto());
+    const rgba = this.#host.ask((studio) => studio.panelPhoto());
     const edited = rgba && new ImageData(new Uint8ClampedArray(/** @type {ArrayBuffer} */ (rgba.buffer)), this.#canvas.width);
     const pixels = edited ?? this.#unedited;
     if (!pixels) return undefined;
@@ -93,6 +93,6 @@ export class LivePhoto {
     const { left, top } = this.#crop;
     const per = this.#photoPerPicture;
     const scale = width / (this.#crop.width * per);
-    this.#bench.act((studio) => studio.setPanelPhoto(rgba, width, left * per, top * per, scale));
+    this.#host.act((studio) => studio.setPanelPhoto(rgba, width, left * per, top * per, scale));
   }
 }

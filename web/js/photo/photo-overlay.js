@@ -1,5 +1,5 @@
 import { byId } from "../page/dom.js";
-import { inEveryLanguage, say } from "../words/words.js";
+import { onLocaleChange, t } from "../words/words.js";
 import { aroundFace } from "./face-box.js";
 import { LivePhoto } from "./live-photo.js";
 import { drawLandmarks, LANDMARK_COUNT, ring } from "./photo-landmarks.js";
@@ -52,18 +52,18 @@ export class PhotoOverlay {
 
   constructor() {
     new ResizeObserver(() => this.#draw()).observe(byId("photo", HTMLDivElement));
-    inEveryLanguage(() => this.#writeCaption());
+    onLocaleChange(() => this.#writeCaption());
   }
 
   /**
    * Follows the edits from now on.
    *
-   * @param {import("../viewport/workbench.js").Workbench} bench
+   * @param {import("../viewport/host.js").Host} host
    */
-  follow(bench) {
-    this.#live = new LivePhoto(bench);
+  follow(host) {
+    this.#live = new LivePhoto(host);
     byId("section-photo", HTMLDetailsElement).addEventListener("toggle", () => this.#draw());
-    bench.onPhoto(() => this.#drawSoon(bench));
+    host.onPhoto(() => this.#drawSoon(host));
   }
 
   /**
@@ -142,13 +142,13 @@ export class PhotoOverlay {
   /**
    * Not oftener than the eye sees beside what is being done on the stage.
    *
-   * @param {import("../viewport/workbench.js").Workbench} bench
+   * @param {import("../viewport/host.js").Host} host
    */
-  #drawSoon(bench) {
+  #drawSoon(host) {
     if (this.#soon !== 0) return;
     this.#soon = setTimeout(() => {
       this.#soon = 0;
-      this.#moved = bench.ask((studio) => studio.photoLandmarks());
+      this.#moved = host.ask((studio) => studio.photoLandmarks());
       this.#live?.note();
       this.#draw();
     }, DRAW_EVERY_MS);
@@ -211,7 +211,7 @@ export class PhotoOverlay {
 
   #writeCaption() {
     const { width_px: width, height_px: height } = this.#size;
-    byId("photo-caption", HTMLSpanElement).textContent = width > 0 ? say("photo.caption", { width, height }) : "";
+    byId("photo-caption", HTMLSpanElement).textContent = width > 0 ? t("photo.caption", { width, height }) : "";
   }
 }
 

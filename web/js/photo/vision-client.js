@@ -57,10 +57,10 @@ export class VisionClient {
     this.#starts += 1;
     this.#isReady = false;
     const worker = workerOfThisPage();
-    worker.addEventListener("message", (event) => this.#hear(worker, event.data));
+    worker.addEventListener("message", (event) => this.#onMessage(worker, event.data));
     worker.addEventListener("error", (event) => {
       event.preventDefault();
-      this.#bury(worker, { code: "not-loaded", message: event.message ?? "", hint: "" });
+      this.#terminate(worker, { code: "not-loaded", message: event.message ?? "", hint: "" });
     });
     this.#worker = worker;
     this.#post({ type: "load", base: filesBase(), list: listHash() });
@@ -68,7 +68,7 @@ export class VisionClient {
 
   /** Ends the worker and gives its memory back; whoever still waits hears so. The next photo starts another. */
   end() {
-    if (this.#worker) this.#bury(this.#worker, { code: "worker-died", message: "the worker was ended", hint: "" });
+    if (this.#worker) this.#terminate(this.#worker, { code: "worker-died", message: "the worker was ended", hint: "" });
     this.ready = this.#untilReady();
   }
 
@@ -163,7 +163,7 @@ export class VisionClient {
    * @param {Worker} worker
    * @param {Reply} reply
    */
-  #hear(worker, reply) {
+  #onMessage(worker, reply) {
     if (worker !== this.#worker) return;
     this.#watchSilence();
     switch (reply.type) {
@@ -176,7 +176,7 @@ export class VisionClient {
         this.#following.open();
         return this.#nowReady();
       case "unusable":
-        return this.#bury(worker, reply.error);
+        return this.#terminate(worker, reply.error);
       case "progress":
         return this.#waiting.get(reply.id)?.report(reply.stage, reply.fraction);
       case "found":
@@ -188,7 +188,7 @@ export class VisionClient {
       case "textured":
         return this.#answered(reply.id)?.resolve(reply.pixels);
       case "followed":
-        this.#following.hear(reply.id, reply.followed);
+        this.#following.onMessage(reply.id, reply.followed);
         return this.#watchSilence();
       case "not-followed":
         this.#following.fail(reply.id, reply.error);
@@ -209,7 +209,7 @@ export class VisionClient {
     if (worker !== this.#worker) return;
     // One that dies before it has loaded would die again: the next photo tries once more.
     if (this.#isReady) this.#replace(worker, "the worker ended");
-    else this.#bury(worker, { code: "worker-died", message: "the worker ended while loading", hint: "" });
+    else this.#terminate(worker, { code: "worker-died", message: "the worker ended while loading", hint: "" });
   }
 
   /**
@@ -217,7 +217,7 @@ export class VisionClient {
    * @param {string} message
    */
   #replace(worker, message) {
-    this.#bury(worker, { code: "worker-died", message, hint: "" });
+    this.#terminate(worker, { code: "worker-died", message, hint: "" });
     this.ready = this.#untilReady();
     this.start();
   }
@@ -226,7 +226,7 @@ export class VisionClient {
    * @param {Worker} worker
    * @param {import("../worker/protocol.js").PageError} error
    */
-  #bury(worker, error) {
+  #terminate(worker, error) {
     worker.terminate();
     if (worker === this.#worker) this.#worker = undefined;
     this.#nowReady();
@@ -268,7 +268,7 @@ export class VisionClient {
     const message = `silent for ${SILENCE_MS / 1000} s`;
     if (!this.#worker) return;
     if (this.#isReady) this.#replace(this.#worker, message);
-    else this.#bury(this.#worker, { code: "not-loaded", message, hint: "" });
+    else this.#terminate(this.#worker, { code: "not-loaded", message, hint: "" });
   }
 
   #untilReady() {

@@ -3,13 +3,13 @@ import { byId } from "../page/dom.js";
 import { download } from "../page/download.js";
 import { toast } from "../page/toast.js";
 import { isTrap } from "../viewport/studio-module.js";
-import { inEveryLanguage, say } from "../words/words.js";
+import { onLocaleChange, t } from "../words/words.js";
 import { fileName } from "../work/file-name.js";
 import { recordClip } from "./clip.js";
 import { clipType } from "./recorder.js";
 
 /**
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../viewport/host.js").Host} Host
  * @typedef {import("../work/autosave.js").Autosave} Autosave
  */
 
@@ -29,21 +29,21 @@ export class ClipPanel {
   /** Ends the recording in progress. @type {AbortController | undefined} */
   #end;
   #type = clipType();
-  #bench;
-  #keeper;
+  #host;
+  #autosave;
 
   /**
-   * @param {Workbench} bench
-   * @param {Autosave} keeper
+   * @param {Host} host
+   * @param {Autosave} autosave
    */
-  constructor(bench, keeper) {
-    this.#bench = bench;
-    this.#keeper = keeper;
+  constructor(host, autosave) {
+    this.#host = host;
+    this.#autosave = autosave;
     if (!this.#type) this.#says = "clip.unsupported";
     this.#button.addEventListener("click", () => (this.#end ? this.#end.abort("cancelled") : this.#record()));
     addEventListener("keydown", (event) => this.#key(event), { capture: true });
     document.addEventListener("visibilitychange", () => this.#end?.abort("out of sight"));
-    inEveryLanguage(() => this.#write());
+    onLocaleChange(() => this.#write());
   }
 
   async #record() {
@@ -63,10 +63,10 @@ export class ClipPanel {
 
   /** @param {AbortSignal} signal */
   async #clip(signal) {
-    const { face } = this.#keeper;
-    const isSameFace = () => this.#keeper.face === face;
+    const { face } = this.#autosave;
+    const isSameFace = () => this.#autosave.face === face;
     const told = (/** @type {number} */ share) => this.#progressTo(share);
-    const clip = await recordClip(this.#bench, { type: this.#type ?? "", signal, isSameFace, told });
+    const clip = await recordClip(this.#host, { type: this.#type ?? "", signal, isSameFace, told });
     const ending = clip.type === "video/mp4" ? "mp4" : "webm";
     return new File([clip], fileName(face, ending, "turning"), { type: clip.type });
   }
@@ -74,15 +74,15 @@ export class ClipPanel {
   /** @param {File} clip */
   #keep(clip) {
     download(clip, clip.name, clip.type);
-    toast(say("export.done", { file: clip.name }));
+    toast(t("export.done", { file: clip.name }));
   }
 
   /** @param {unknown} error that ended it, or the reason why it was ended */
   #explain(error) {
-    if (error === "cancelled") return toast(say("clip.cancelled"));
+    if (error === "cancelled") return toast(t("clip.cancelled"));
     console.warn("the clip was not recorded:", error);
     this.#says = "clip.interrupted";
-    if (isTrap(error)) this.#bench.fail(error);
+    if (isTrap(error)) this.#host.fail(error);
   }
 
   /** @param {AbortController | undefined} end of the recording that begins; none when one is over */
@@ -92,7 +92,7 @@ export class ClipPanel {
     for (const element of document.querySelectorAll(STANDS_STILL)) element.toggleAttribute("inert", end !== undefined);
     this.#progressTo(end && 0);
     this.#write();
-    if (end) announce(say("clip.recording"));
+    if (end) announce(t("clip.recording"));
   }
 
   /** @param {number | undefined} share recorded */
@@ -103,9 +103,9 @@ export class ClipPanel {
 
   #write() {
     this.#button.hidden = !this.#type;
-    this.#button.textContent = say(this.#end ? "clip.cancel" : "clip.record");
+    this.#button.textContent = t(this.#end ? "clip.cancel" : "clip.record");
     this.#line.hidden = !this.#says;
-    this.#line.textContent = this.#says ? say(this.#says) : "";
+    this.#line.textContent = this.#says ? t(this.#says) : "";
   }
 
   /** @param {KeyboardEvent} event */

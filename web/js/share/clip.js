@@ -3,7 +3,7 @@ import { imageDataOf } from "../work/pixels.js";
 import { Recorder } from "./recorder.js";
 import { Swing } from "./swing.js";
 
-/** @typedef {import("../viewport/workbench.js").Workbench} Workbench */
+/** @typedef {import("../viewport/host.js").Host} Host */
 
 const SWING_MS = 3400;
 /** Fewer pictures make the swing jerky: a slow machine draws this many before the recording starts. */
@@ -31,15 +31,15 @@ const SIDE_PX = 720;
  * Records the face as it swings once from side to side. Each frame is a picture of its own, drawn without the tools that
  * the screen goes on showing. In the end the view is as it was, however that comes about.
  *
- * @param {Workbench} bench
+ * @param {Host} host
  * @param {Wishes} wishes
  */
-export async function recordClip(bench, wishes) {
+export async function recordClip(host, wishes) {
   const recorder = new Recorder(wishes.type, SIDE_PX);
-  const swing = new Swing(bench);
+  const swing = new Swing(host);
   const stopped = whenAborted(wishes.signal);
   try {
-    await Promise.race([stopped, film(bench, swing, recorder, wishes)]);
+    await Promise.race([stopped, film(host, swing, recorder, wishes)]);
     return await Promise.race([stopped, recorder.finish()]);
   } finally {
     recorder.stop();
@@ -48,23 +48,23 @@ export async function recordClip(bench, wishes) {
 }
 
 /**
- * @param {Workbench} bench
+ * @param {Host} host
  * @param {Swing} swing
  * @param {Recorder} recorder
  * @param {Wishes} wishes
  */
-async function film(bench, swing, recorder, { signal, isSameFace, told }) {
-  const { life } = bench;
+async function film(host, swing, recorder, { signal, isSameFace, told }) {
+  const { life } = host;
   // A studio that was started again shows the face from the front, and is another one.
   const check = () => {
     signal.throwIfAborted();
-    if (bench.life !== life || !isSameFace()) throw new Error("another face has come");
+    if (host.life !== life || !isSameFace()) throw new Error("another face has come");
   };
   const draw = async (/** @type {number} */ share) => {
     swing.go(share);
     await afterNextFrame();
     check();
-    const picture = imageDataOf(await bench.picture((studio) => studio.snapshot(SIDE_PX, SIDE_PX, false)));
+    const picture = imageDataOf(await host.picture((studio) => studio.snapshot(SIDE_PX, SIDE_PX, false)));
     check();
     return picture;
   };

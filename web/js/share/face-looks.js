@@ -1,8 +1,8 @@
 import { bitmapOf } from "../work/pixels.js";
 
 /**
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
- * @typedef {import("../viewport/workbench.js").Studio} Studio
+ * @typedef {import("../viewport/host.js").Host} Host
+ * @typedef {import("../viewport/host.js").Studio} Studio
  */
 
 /** A picture is twice the size of the screen, like the one that is saved alone, but two of them must fit into a canvas. */
@@ -13,12 +13,12 @@ const MOST_PX = 2048;
  * The face as it was found and as it is now, seen by the same camera. Nothing of it shows on the screen: both are asked for
  * in one task, at whose end the view is as it was.
  *
- * @param {Workbench} bench
+ * @param {Host} host
  * @param {boolean} isTransparent where there is no face
  */
-export async function faceLooks(bench, isTransparent) {
-  const size = sizeOf(bench.canvas);
-  const asked = [1, 0].map((before) => bench.picture((studio) => lookAt(studio, before, size, isTransparent)));
+export async function faceLooks(host, isTransparent) {
+  const size = sizeOf(host.canvas);
+  const asked = [1, 0].map((before) => host.picture((studio) => lookAt(studio, before, size, isTransparent)));
   const [before, after] = await Promise.all(asked.map(async (picture) => bitmapOf(await picture)));
   if (!before || !after) throw new Error("invariant: two were asked for");
   return { before, after };

@@ -2,12 +2,12 @@ import { byId, onAction } from "../page/dom.js";
 import { download } from "../page/download.js";
 import { showError } from "../page/notice.js";
 import { toast } from "../page/toast.js";
-import { inEveryLanguage, say } from "../words/words.js";
+import { onLocaleChange, t } from "../words/words.js";
 import { fileName } from "../work/file-name.js";
 import { pngOf } from "../work/pixels.js";
 
 /**
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../viewport/host.js").Host} Host
  * @typedef {import("../work/work.js").OpenedFace} OpenedFace
  * @typedef {"png" | "jpeg"} PhotoFormat
  */
@@ -18,28 +18,28 @@ const ENDINGS = { png: "png", jpeg: "jpg" };
 /**
  * The photo with the edits in it, as a file of its full size. The worker draws it: the page's own thread goes on.
  *
- * @param {Workbench} bench
- * @param {{ face: OpenedFace | undefined }} keeper
+ * @param {Host} host
+ * @param {{ face: OpenedFace | undefined }} autosave
  * @param {import("../photo/vision-client.js").VisionClient} vision
  */
-export function setUpPhotoFile(bench, keeper, vision) {
+export function setUpPhotoFile(host, autosave, vision) {
   const help = byId("export-photo-help", HTMLParagraphElement);
   let isWriting = false;
   const explain = () => {
-    const { face } = keeper;
-    if (isWriting) help.textContent = say("export.photo.wait");
-    else if (face && !face.photo) help.textContent = say("export.photo.small", { width: face.pictureWidth_px, height: face.pictureHeight_px });
-    else help.textContent = say("export.photo.help");
+    const { face } = autosave;
+    if (isWriting) help.textContent = t("export.photo.wait");
+    else if (face && !face.photo) help.textContent = t("export.photo.small", { width: face.pictureWidth_px, height: face.pictureHeight_px });
+    else help.textContent = t("export.photo.help");
   };
   const save = async (/** @type {PhotoFormat} */ format) => {
-    const { face } = keeper;
+    const { face } = autosave;
     if (!face || isWriting) return;
     isWriting = true;
     explain();
     try {
       const name = fileName(face, ENDINGS[format], "edited");
-      download(await editedPhoto(bench, face, vision, format), name, `image/${format}`);
-      toast(say("export.saved", { name }));
+      download(await editedPhoto(host, face, vision, format), name, `image/${format}`);
+      toast(t("export.saved", { name }));
     } catch (error) {
       showError(error);
     } finally {
@@ -48,8 +48,8 @@ export function setUpPhotoFile(bench, keeper, vision) {
     }
   };
   for (const format of /** @type {const} */ (["png", "jpeg"])) onAction(`download-photo-${format}`, () => save(format));
-  bench.onChange(explain);
-  inEveryLanguage(explain);
+  host.onChange(explain);
+  onLocaleChange(explain);
 }
 
 /**
@@ -67,13 +67,13 @@ async function readable(file) {
 }
 
 /**
- * @param {Workbench} bench
+ * @param {Host} host
  * @param {OpenedFace} face
  * @param {import("../photo/vision-client.js").VisionClient} vision
  * @param {PhotoFormat} format
  */
-async function editedPhoto(bench, face, vision, format) {
-  const warp = bench.ask((studio) => studio.photoWarp());
+async function editedPhoto(host, face, vision, format) {
+  const warp = host.ask((studio) => studio.photoWarp());
   const [from_px, to_px, triangles] = warp ? [warp.fromPx, warp.toPx, warp.triangles] : [new Float64Array(), new Float64Array(), new Uint32Array()];
   warp?.free();
   const photo = (await readable(face.photo)) ?? (await pngOf(face));

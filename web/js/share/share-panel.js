@@ -6,10 +6,10 @@ import { setUpPairPanel } from "./pair-panel.js";
 /**
  * What the face is shown to others by.
  *
- * @param {import("../viewport/workbench.js").Workbench} bench
- * @param {import("../work/autosave.js").Autosave} keeper
+ * @param {import("../viewport/host.js").Host} host
+ * @param {import("../work/autosave.js").Autosave} autosave
  */
-export function setUpSharePanel(bench, keeper) {
-  setUpPairPanel(bench, keeper, () => faceLooks(bench, byId("picture-transparent", HTMLInputElement).checked));
-  new ClipPanel(bench, keeper);
+export function setUpSharePanel(host, autosave) {
+  setUpPairPanel(host, autosave, () => faceLooks(host, byId("picture-transparent", HTMLInputElement).checked));
+  new ClipPanel(host, autosave);
 }

@@ -1,23 +1,23 @@
-/** @typedef {import("../viewport/workbench.js").Workbench} Workbench */
+/** @typedef {import("../viewport/host.js").Host} Host */
 
 /** To each side: far enough for a profile's line, and the hollow behind the face is not seen. */
 const SWING = (35 * Math.PI) / 180;
 
 /** Turns the face to one side, to the other and back to where it was, as smoothly as a pendulum. */
 export class Swing {
-  #bench;
+  #host;
   #life;
   /** From where it was at first, in radians. */
   #turned = 0;
   /** Whether it turned by itself before. */
   #turntable;
 
-  /** @param {Workbench} bench */
-  constructor(bench) {
-    this.#bench = bench;
-    this.#life = bench.life;
-    this.#turntable = bench.read(({ turntable }) => turntable) ?? false;
-    if (this.#turntable) bench.act((studio) => studio.setTurntable(false));
+  /** @param {Host} host */
+  constructor(host) {
+    this.#host = host;
+    this.#life = host.life;
+    this.#turntable = host.read(({ turntable }) => turntable) ?? false;
+    if (this.#turntable) host.act((studio) => studio.setTurntable(false));
   }
 
   /** @param {number} share of the way there and back, 0 to 1 */
@@ -27,16 +27,16 @@ export class Swing {
 
   /** @param {boolean} turnsBack not where another face has come, which is seen from the front */
   end(turnsBack) {
-    if (this.#bench.life !== this.#life) return;
+    if (this.#host.life !== this.#life) return;
     if (turnsBack) this.#turnTo(0);
-    if (this.#turntable) this.#bench.act((studio) => studio.setTurntable(true));
+    if (this.#turntable) this.#host.act((studio) => studio.setTurntable(true));
   }
 
   /** @param {number} radians */
   #turnTo(radians) {
     // Half a turn is a drag over the canvas' height, however high it is by now.
-    const drag_px = ((radians - this.#turned) * this.#bench.canvas.height) / Math.PI;
+    const drag_px = ((radians - this.#turned) * this.#host.canvas.height) / Math.PI;
     this.#turned = radians;
-    this.#bench.act((studio) => studio.orbit(drag_px, 0));
+    this.#host.act((studio) => studio.orbit(drag_px, 0));
   }
 }

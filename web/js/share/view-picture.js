@@ -8,12 +8,12 @@ const SCREENS = 2;
 /**
  * The view as it is, larger than on the screen, as PNG.
  *
- * @param {import("../viewport/workbench.js").Workbench} bench
+ * @param {import("../viewport/host.js").Host} host
  * @param {boolean} isTransparent where there is no face
  */
-export async function viewPicture(bench, isTransparent) {
-  const { width, height } = bench.canvas;
-  return pngOf(await bench.picture((studio) => studio.snapshot(SCREENS * width, SCREENS * height, isTransparent)));
+export async function viewPicture(host, isTransparent) {
+  const { width, height } = host.canvas;
+  return pngOf(await host.picture((studio) => studio.snapshot(SCREENS * width, SCREENS * height, isTransparent)));
 }
 
 /** Whether this browser copies pictures. */

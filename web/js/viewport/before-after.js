@@ -1,6 +1,6 @@
 import { byId } from "../page/dom.js";
 
-/** @typedef {import("./workbench.js").Workbench} Workbench */
+/** @typedef {import("./host.js").Host} Host */
 
 /** A button that is held for longer shows the face before for as long as it is held, in ms. */
 const HOLD_MS = 250;
@@ -12,22 +12,22 @@ const THUMB_PX = 40;
  * The face as it was found: all of it while B or the button is held, or beside the face as it is now, with an edge between
  * them that can be moved.
  *
- * @param {Workbench} bench
+ * @param {Host} host
  */
-export function setUpBeforeAfter(bench) {
+export function setUpBeforeAfter(host) {
   const hold = (/** @type {boolean} */ held) => {
-    bench.act((studio) => studio.setBefore(held ? 1 : 0));
+    host.act((studio) => studio.setBefore(held ? 1 : 0));
     document.body.toggleAttribute("data-comparing", held || wipe.isShown);
   };
-  const wipe = setUpWipe(bench);
+  const wipe = setUpWipe(host);
   setUpButton(hold, wipe);
-  bench.canvas.addEventListener("keydown", (event) => {
+  host.canvas.addEventListener("keydown", (event) => {
     if (event.key.toLowerCase() === "b" && !event.repeat && !event.ctrlKey && !event.metaKey) hold(true);
   });
-  bench.canvas.addEventListener("keyup", (event) => {
+  host.canvas.addEventListener("keyup", (event) => {
     if (event.key.toLowerCase() === "b") hold(false);
   });
-  bench.canvas.addEventListener("blur", () => hold(false));
+  host.canvas.addEventListener("blur", () => hold(false));
 }
 
 /**
@@ -62,8 +62,8 @@ function setUpButton(hold, wipe) {
 
 /** @typedef {ReturnType<typeof setUpWipe>} Wipe */
 
-/** @param {Workbench} bench */
-function setUpWipe(bench) {
+/** @param {Host} host */
+function setUpWipe(host) {
   const edge = byId("wipe", HTMLInputElement);
   const words = byId("wipe-words", HTMLParagraphElement);
   const button = byId("compare", HTMLButtonElement);
@@ -71,7 +71,7 @@ function setUpWipe(bench) {
     const width = edge.clientWidth;
     const share = (THUMB_PX / 2 + edge.valueAsNumber * (width - THUMB_PX)) / width;
     words.style.setProperty("--wipe", `${100 * share}%`);
-    bench.act((studio) => studio.setWipe(edge.hidden ? undefined : share));
+    host.act((studio) => studio.setWipe(edge.hidden ? undefined : share));
   };
   const show = (/** @type {boolean} */ shown) => {
     if (edge.hidden !== shown) return;
@@ -85,9 +85,9 @@ function setUpWipe(bench) {
   edge.addEventListener("input", apply);
   new ResizeObserver(() => {
     if (!edge.hidden) apply();
-  }).observe(bench.canvas);
+  }).observe(host.canvas);
   // Another face has come, of which nothing is compared yet.
-  bench.onChange(({ isWiping }) => {
+  host.onChange(({ isWiping }) => {
     if (!isWiping) show(false);
   });
   return {

@@ -1,7 +1,7 @@
 import { byId } from "../page/dom.js";
 import { remember, remembered } from "../page/remember.js";
 
-/** @typedef {import("./workbench.js").Workbench} Workbench */
+/** @typedef {import("./host.js").Host} Host */
 
 /** The stage holds both from this width on, in CSS px; stage.css says the same. */
 const WIDE = matchMedia("(width >= 1080px)");
@@ -9,9 +9,9 @@ const WIDE = matchMedia("(width >= 1080px)");
 /**
  * The photo beside the face in the round, for as long as the window is wide: a press on it puts it on the stage alone.
  *
- * @param {Workbench} bench
+ * @param {Host} host
  */
-export function setUpBeside(bench) {
+export function setUpBeside(host) {
   const button = byId("both", HTMLButtonElement);
   const photo = byId("beside", HTMLButtonElement);
   let isWanted = remembered("beside") === "yes";
@@ -22,7 +22,7 @@ export function setUpBeside(bench) {
     if (photo.hidden !== isShown) return;
     photo.hidden = !isShown;
     document.body.toggleAttribute("data-beside", isShown);
-    bench.tellPhoto();
+    host.tellPhoto();
   };
   const want = (/** @type {boolean} */ wanted) => {
     isWanted = wanted;
@@ -31,12 +31,12 @@ export function setUpBeside(bench) {
   };
   button.addEventListener("click", () => {
     const wanted = Boolean(photo.hidden);
-    if (wanted) bench.act((studio) => studio.choose("scene", "solid"));
+    if (wanted) host.act((studio) => studio.choose("scene", "solid"));
     want(wanted);
   });
-  photo.addEventListener("click", () => bench.act((studio) => studio.choose("scene", "picture")));
+  photo.addEventListener("click", () => host.act((studio) => studio.choose("scene", "picture")));
   WIDE.addEventListener("change", show);
-  bench.onChange((state) => {
+  host.onChange((state) => {
     isPhoto = state.chosen("scene") === "picture";
     show();
   });

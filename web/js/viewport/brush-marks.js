@@ -1,13 +1,13 @@
 import { byId } from "../page/dom.js";
 
-/** @typedef {import("./workbench.js").Workbench} Workbench */
+/** @typedef {import("./host.js").Host} Host */
 
 /**
  * What the brush keeps of the photo, tinted over the stage while the brush is in hand, and the brush itself under the pointer.
  *
- * @param {Workbench} bench
+ * @param {Host} host
  */
-export function setUpBrushMarks(bench) {
+export function setUpBrushMarks(host) {
   const canvas = byId("kept", HTMLCanvasElement);
   /** @type {number | undefined} */
   let radius_px;
@@ -17,11 +17,11 @@ export function setUpBrushMarks(bench) {
     const isInHand = radius_px !== undefined;
     canvas.hidden = !isInHand;
     if (!isInHand) return;
-    const { width, height } = bench.canvas;
+    const { width, height } = host.canvas;
     Object.assign(canvas, { width, height });
     const context = canvas.getContext("2d");
     if (!context) return;
-    const circles = bench.ask((studio) => studio.keptOnCanvas()) ?? new Float32Array();
+    const circles = host.ask((studio) => studio.keptOnCanvas()) ?? new Float32Array();
     context.fillStyle = hatching(context);
     context.beginPath();
     for (let at = 0; at < circles.length; at += 3) {
@@ -32,18 +32,18 @@ export function setUpBrushMarks(bench) {
     context.fill();
     if (pointer) ring(context, pointer, radius_px ?? 0);
   };
-  bench.onChange(({ brushPx }) => {
+  host.onChange(({ brushPx }) => {
     radius_px = brushPx;
     draw();
   });
-  bench.onFrame(draw);
-  bench.canvas.addEventListener("pointermove", (event) => {
+  host.onFrame(draw);
+  host.canvas.addEventListener("pointermove", (event) => {
     if (radius_px === undefined) return;
     // To ask where it is lays the page out anew: not with every move of a drag.
     pointer = { x: event.offsetX * devicePixelRatio, y: event.offsetY * devicePixelRatio };
     draw();
   });
-  bench.canvas.addEventListener("pointerleave", () => {
+  host.canvas.addEventListener("pointerleave", () => {
     pointer = undefined;
     draw();
   });

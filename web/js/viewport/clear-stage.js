@@ -1,6 +1,6 @@
 import { byId } from "../page/dom.js";
 
-/** @typedef {import("./workbench.js").Workbench} Workbench */
+/** @typedef {import("./host.js").Host} Host */
 
 /** What lies over the stage for longer than a moment. */
 const FLOATS = ["faces", "privacy", "toolbar", "hint", "live"];
@@ -11,12 +11,12 @@ const MARGIN_PX = 8;
 /**
  * Has the face framed in what nothing lies over, and framed again when that changes.
  *
- * @param {Workbench} bench
+ * @param {Host} host
  */
-export function keepStageClear(bench) {
+export function keepStageClear(host) {
   const beside = byId("beside", HTMLButtonElement);
   const tell = () => {
-    const stage = bench.canvas.getBoundingClientRect();
+    const stage = host.canvas.getBoundingClientRect();
     const isAbove = (/** @type {DOMRect} */ { top, bottom }) => top + bottom < stage.top + stage.bottom;
     const floats = floatsSeen().map((float) => float.getBoundingClientRect());
     const lowest = Math.max(stage.top, ...floats.filter(isAbove).map(({ bottom }) => bottom + MARGIN_PX));
@@ -25,11 +25,11 @@ export function keepStageClear(bench) {
     const left = beside.hidden ? 0 : right - stage.left;
     const sides = [lowest - stage.top, 0, stage.bottom - highest, left].map((side) => side * devicePixelRatio);
     const [above = 0, after = 0, below = 0, before = 0] = sides;
-    bench.act((studio) => studio.cover(above, after, below, before));
+    host.act((studio) => studio.setViewportInsets(above, after, below, before));
   };
   const observer = new ResizeObserver(tell);
-  for (const element of [bench.canvas, beside, ...floats()]) observer.observe(element);
-  bench.onRestart(async () => tell());
+  for (const element of [host.canvas, beside, ...floats()]) observer.observe(element);
+  host.onRestart(async () => tell());
 }
 
 function floats() {

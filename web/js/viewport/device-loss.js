@@ -1,7 +1,7 @@
 import { asPageError } from "../page/page-error.js";
 import { disown, studioModule } from "./studio-module.js";
 
-/** @typedef {import("./workbench.js").Workbench} Workbench */
+/** @typedef {import("./host.js").Host} Host */
 
 /** A browser may take this long to give a WebGL2 context back before the visitor is told. */
 const PATIENCE_MS = 4000;
@@ -13,17 +13,17 @@ const PATIENCE_MS = 4000;
 export class DeviceLossHandler {
   #isThere = true;
   #patience = 0;
-  #bench;
+  #host;
   #notices;
 
   /**
-   * @param {Workbench} bench
-   * @param {import("./workbench.js").Notices} notices
+   * @param {Host} host
+   * @param {import("./host.js").Notices} notices
    */
-  constructor(bench, notices) {
-    this.#bench = bench;
+  constructor(host, notices) {
+    this.#host = host;
     this.#notices = notices;
-    const { canvas, gone: signal } = bench;
+    const { canvas, gone: signal } = host;
     signal.addEventListener("abort", () => clearTimeout(this.#patience));
     canvas.addEventListener("webglcontextlost", (event) => {
       // The browser gives a context back only to those who ask for it so.
@@ -39,11 +39,11 @@ export class DeviceLossHandler {
     return this.#isThere;
   }
 
-  /** Sees to the GPU of the bench's studio, and no longer to that of the one before. WebGPU gives another device at once. */
+  /** Sees to the GPU of the host's studio, and no longer to that of the one before. WebGPU gives another device at once. */
   async watch() {
-    const { life } = this.#bench;
+    const { life } = this.#host;
     this.#found();
-    await this.#bench.ask((studio) => studio.gpuLost());
+    await this.#host.ask((studio) => studio.gpuLost());
     if (this.#isReplaced(life)) return;
     this.#lose();
     await this.#replace();
@@ -61,13 +61,13 @@ export class DeviceLossHandler {
   }
 
   async #replace() {
-    const { life, canvas } = this.#bench;
+    const { life, canvas } = this.#host;
     try {
       const renderer = await studioModule().createRenderer(canvas);
-      if (this.#isReplaced(life)) return this.#bench.life === life ? renderer.free() : disown(renderer);
-      this.#bench.answer((studio) => studio.useRenderer(renderer));
+      if (this.#isReplaced(life)) return this.#host.life === life ? renderer.free() : disown(renderer);
+      this.#host.answer((studio) => studio.useRenderer(renderer));
       this.watch();
-      this.#bench.requestFrame();
+      this.#host.requestFrame();
       this.#notices.hide("gpu");
     } catch (error) {
       if (!this.#isReplaced(life)) this.#tell(asPageError(error).message);
@@ -76,7 +76,7 @@ export class DeviceLossHandler {
 
   /** @param {object} life of the studio whose GPU was lost: it may not be touched any more, then */
   #isReplaced(life) {
-    return life !== this.#bench.life || this.#bench.gone.aborted;
+    return life !== this.#host.life || this.#host.gone.aborted;
   }
 
   /** @param {string} message */

@@ -1,5 +1,5 @@
 /**
- * @typedef {import("./workbench.js").Workbench} Workbench
+ * @typedef {import("./host.js").Host} Host
  * @typedef {"x" | "y" | "z"} AxisName
  * @typedef {import("../../wasm/rosto-studio-web.js").PointerName} PointerName
  * @typedef {{ x: number, y: number, button: number }} Press in CSS px of the window
@@ -35,17 +35,17 @@ export class Gestures {
   #moved_px = 0;
   /** The pointer that has taken hold of something. @type {number | undefined} */
   #holder;
-  #bench;
+  #host;
   #told;
 
   /**
-   * @param {Workbench} bench
+   * @param {Host} host
    * @param {Told} told
    */
-  constructor(bench, told) {
-    this.#bench = bench;
+  constructor(host, told) {
+    this.#host = host;
     this.#told = told;
-    const { canvas } = bench;
+    const { canvas } = host;
     canvas.addEventListener("pointerdown", (event) => this.#press(event));
     canvas.addEventListener("pointermove", (event) => this.#move(event));
     canvas.addEventListener("pointerup", (event) => this.#release(event));
@@ -55,12 +55,12 @@ export class Gestures {
     // The middle button would scroll the page.
     canvas.addEventListener("mousedown", (event) => event.button === 1 && event.preventDefault());
     canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
-    addEventListener("keydown", (event) => this.#key(event), { capture: true, signal: bench.gone });
+    addEventListener("keydown", (event) => this.#key(event), { capture: true, signal: host.gone });
   }
 
   /** @param {PointerEvent} event */
   #press(event) {
-    this.#bench.canvas.setPointerCapture(event.pointerId);
+    this.#host.canvas.setPointerCapture(event.pointerId);
     this.#told.press();
     this.#pressed.set(event.pointerId, { x: event.clientX, y: event.clientY, button: event.button });
     this.#mayClick = this.#pressed.size === 1 && event.button === 0;
@@ -96,9 +96,9 @@ export class Gestures {
     // The finger that changed how far the drag reaches.
     if (this.#holder !== undefined && this.#holder !== event.pointerId) return;
     this.#holder = undefined;
-    this.#bench.act((studio) => studio.release());
+    this.#host.act((studio) => studio.release());
     const place = this.#place(event);
-    if (isClick) this.#bench.act((studio) => (event.altKey ? studio.pinUnder(...place) : studio.selectUnder(...place)));
+    if (isClick) this.#host.act((studio) => (event.altKey ? studio.pinUnder(...place) : studio.selectUnder(...place)));
     // A mouse rests where it was let go; a finger is gone.
     if (event.pointerType !== "touch") this.#told.hover(...place);
   }
@@ -107,17 +107,17 @@ export class Gestures {
   #lose(event) {
     this.#pressed.delete(event.pointerId);
     this.#mayClick = false;
-    if (this.#isDragging) this.#bench.act((studio) => studio.cancel());
+    if (this.#isDragging) this.#host.act((studio) => studio.cancel());
     this.#letGo();
   }
 
   #letGo() {
     this.#holder = undefined;
-    this.#bench.act((studio) => studio.release());
+    this.#host.act((studio) => studio.release());
   }
 
   get #isDragging() {
-    return this.#bench.ask((studio) => studio.dragging) ?? false;
+    return this.#host.ask((studio) => studio.dragging) ?? false;
   }
 
   /**
@@ -128,15 +128,15 @@ export class Gestures {
   #take(event) {
     const pointer = /** @type {PointerName} */ (event.pointerType);
     const place = this.#place(event);
-    const hasTaken = this.#bench.ask((studio) => studio.press(...place, pointer)) ?? false;
+    const hasTaken = this.#host.ask((studio) => studio.press(...place, pointer)) ?? false;
     if (hasTaken) this.#holder = event.pointerId;
-    this.#bench.requestFrame();
+    this.#host.requestFrame();
   }
 
   /** @param {PointerEvent} event */
   #drag(event) {
     const place = this.#place(event);
-    this.#bench.act((studio) => studio.drag(...place, event.shiftKey));
+    this.#host.act((studio) => studio.drag(...place, event.shiftKey));
     this.#told.did("drag");
   }
 
@@ -146,10 +146,10 @@ export class Gestures {
     const axis = AXIS_KEYS[event.key.toLowerCase()];
     if (event.key === "Escape") {
       event.stopPropagation();
-      this.#bench.act((studio) => studio.cancel());
+      this.#host.act((studio) => studio.cancel());
     } else if (axis) {
       event.preventDefault();
-      this.#bench.act((studio) => studio.dragAlong(axis));
+      this.#host.act((studio) => studio.dragAlong(axis));
     }
   }
 
@@ -159,13 +159,13 @@ export class Gestures {
     const scroll_px = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * 16 : event.deltaY;
     const factor = Math.exp(-scroll_px * ZOOM_PER_WHEEL_PX);
     if (this.#isDragging) this.#widen(1 / factor);
-    else this.#bench.act((studio) => studio.zoom(factor));
+    else this.#host.act((studio) => studio.zoom(factor));
   }
 
   /** @param {number} factor by which a drag reaches further */
   #widen(factor) {
     if (!Number.isFinite(factor) || factor <= 0) return;
-    this.#bench.act((studio) => studio.widen(factor));
+    this.#host.act((studio) => studio.widen(factor));
     this.#told.widened();
   }
 
@@ -176,7 +176,7 @@ export class Gestures {
    */
   #turn(dx, dy, moves) {
     const ratio = devicePixelRatio;
-    this.#bench.act((studio) => (moves ? studio.pan(dx * ratio, dy * ratio) : studio.orbit(dx * ratio, dy * ratio)));
+    this.#host.act((studio) => (moves ? studio.pan(dx * ratio, dy * ratio) : studio.orbit(dx * ratio, dy * ratio)));
     if (!moves) this.#told.did("turn");
   }
 
@@ -186,7 +186,7 @@ export class Gestures {
    */
   #pinch(before, after) {
     this.#turn(after.x - before.x, after.y - before.y, this.#pressed.size > 2);
-    if (before.apart > 0 && after.apart > 0) this.#bench.act((studio) => studio.zoom(after.apart / before.apart));
+    if (before.apart > 0 && after.apart > 0) this.#host.act((studio) => studio.zoom(after.apart / before.apart));
   }
 
   /**
@@ -196,7 +196,7 @@ export class Gestures {
    * @returns {[number, number]}
    */
   #place(event) {
-    const { canvas } = this.#bench;
+    const { canvas } = this.#host;
     const box = canvas.getBoundingClientRect();
     return [
       ((event.clientX - box.left) * canvas.width) / box.width,

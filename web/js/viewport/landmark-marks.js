@@ -1,11 +1,11 @@
-import { sayOnce } from "../words/names.js";
-import { say, sayNumber } from "../words/words.js";
+import { announceOnce } from "../words/names.js";
+import { t, formatNumber } from "../words/words.js";
 import { Gestures } from "./gestures.js";
 import { placeTag } from "./tag-place.js";
 
 /**
- * @typedef {import("./workbench.js").Workbench} Workbench
- * @typedef {import("./workbench.js").StudioState} StudioState
+ * @typedef {import("./host.js").Host} Host
+ * @typedef {import("./host.js").StudioState} StudioState
  *
  * @typedef {object} Around what else shows what the pointer does
  * @property {HTMLOutputElement} tag that has the landmark's name
@@ -36,20 +36,20 @@ export class LandmarkMarks {
   #refusal;
 
   /**
-   * @param {Workbench} bench
+   * @param {Host} host
    * @param {Around} around
    */
-  constructor(bench, around) {
-    this.bench = bench;
+  constructor(host, around) {
+    this.host = host;
     this.#around = around;
     this.#tag = around.tag;
-    bench.onChange((state) => this.#follow(state));
-    bench.onTick(({ isAtEnd }) => this.#setAtEnd(isAtEnd));
-    bench.onFrame(() => {
+    host.onChange((state) => this.#follow(state));
+    host.onTick(({ isAtEnd }) => this.#setAtEnd(isAtEnd));
+    host.onFrame(() => {
       this.#lookAgain();
       this.#place();
     });
-    new Gestures(bench, {
+    new Gestures(host, {
       hover: (x_px, y_px) => this.#point(x_px, y_px),
       leave: () => {
         this.#resting_px = undefined;
@@ -66,8 +66,8 @@ export class LandmarkMarks {
     });
     around.overlay?.listen({
       hover: (landmark) => this.#pointAt(landmark),
-      choose: (landmark) => bench.act((studio) => studio.selectAt(landmark)),
-      press: () => bench.act((studio) => studio.choose("scene", "picture")),
+      choose: (landmark) => host.act((studio) => studio.selectAt(landmark)),
+      press: () => host.act((studio) => studio.choose("scene", "picture")),
     });
   }
 
@@ -78,7 +78,7 @@ export class LandmarkMarks {
     this.#radius_mm = radiusMm;
     this.#leavesPlane = leavesPlane;
     this.#refusal = refusal;
-    if (!this.bench.ask((studio) => studio.dragging)) this.#isWidened = false;
+    if (!this.host.ask((studio) => studio.dragging)) this.#isWidened = false;
     // What was under the pointer may be another one by now, or none.
     this.#hovered = undefined;
     this.#write();
@@ -98,7 +98,7 @@ export class LandmarkMarks {
    * @param {number | undefined} landmark
    */
   #pointAt(landmark) {
-    this.bench.act((studio) => studio.pointAt(landmark));
+    this.host.act((studio) => studio.pointAt(landmark));
     this.#name(landmark);
   }
 
@@ -108,23 +108,23 @@ export class LandmarkMarks {
    */
   #point(x_px, y_px) {
     this.#resting_px = [x_px, y_px];
-    this.#light(this.bench.ask((studio) => studio.hover(x_px, y_px)));
-    this.bench.requestFrame();
+    this.#light(this.host.ask((studio) => studio.hover(x_px, y_px)));
+    this.host.requestFrame();
   }
 
   /** The face may have moved below a pointer that rests: what lights up is what a press would take now. */
   #lookAgain() {
     const place = this.#resting_px;
     if (!place) return;
-    const vertex = this.bench.ask((studio) => studio.hover(...place));
+    const vertex = this.host.ask((studio) => studio.hover(...place));
     if (vertex === this.#hovered) return;
     this.#light(vertex);
-    this.bench.requestFrame();
+    this.host.requestFrame();
   }
 
   /** @param {number | undefined} vertex below the pointer */
   #light(vertex) {
-    this.bench.canvas.classList.toggle("over-landmark", vertex !== undefined);
+    this.host.canvas.classList.toggle("over-landmark", vertex !== undefined);
     this.#name(vertex);
   }
 
@@ -138,7 +138,7 @@ export class LandmarkMarks {
   #write() {
     this.#around.overlay?.mark(this.#selected, this.#hovered);
     const named = this.#hovered ?? this.#selected;
-    const name = named === undefined ? undefined : this.bench.ask((studio) => sayOnce(studio.targetAt(named)));
+    const name = named === undefined ? undefined : this.host.ask((studio) => announceOnce(studio.targetAt(named)));
     this.#tag.hidden = name === undefined;
     if (name === undefined) return;
     this.#tag.value = this.#tell(name);
@@ -147,23 +147,23 @@ export class LandmarkMarks {
 
   /** @param {string} name of what is dragged, or pointed at */
   #tell(name) {
-    const isDragging = this.bench.ask((studio) => studio.dragging) ?? false;
+    const isDragging = this.host.ask((studio) => studio.dragging) ?? false;
     if (!isDragging) return name;
-    if (this.#refusal) return say("landmark.refuses", { name });
-    if (this.#isAtEnd) return say("landmark.at-end", { name });
-    if (this.#isWidened) return say("landmark.reach", { name, mm: sayNumber(this.#radius_mm, 0) });
-    return this.#leavesPlane ? say("landmark.alone", { name }) : name;
+    if (this.#refusal) return t("landmark.refuses", { name });
+    if (this.#isAtEnd) return t("landmark.at-end", { name });
+    if (this.#isWidened) return t("landmark.reach", { name, mm: formatNumber(this.#radius_mm, 0) });
+    return this.#leavesPlane ? t("landmark.alone", { name }) : name;
   }
 
   #place() {
     const named = this.#hovered ?? this.#selected;
     if (named === undefined) return;
-    const place = this.bench.ask((studio) => studio.screenPosition(named));
+    const place = this.host.ask((studio) => studio.screenPosition(named));
     if (!place) return;
     const [x, y] = [place.x / devicePixelRatio, place.y / devicePixelRatio];
     place.free();
     this.#tag.dataset["place"] = `${x} ${y}`;
-    const box = this.bench.ask((studio) => [...studio.screenBox()]) ?? [];
+    const box = this.host.ask((studio) => [...studio.screenBox()]) ?? [];
     const [left = 0, top = 0, right = 0, bottom = 0] = box.map((side) => side / devicePixelRatio);
     placeTag(this.#tag, { x, y }, { left, top, right, bottom });
   }

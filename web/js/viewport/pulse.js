@@ -1,7 +1,7 @@
 import { byId } from "../page/dom.js";
 import { onHint } from "../page/hint.js";
 
-/** @typedef {import("./workbench.js").Workbench} Workbench */
+/** @typedef {import("./host.js").Host} Host */
 
 /** The landmark that a newcomer is told to drag. */
 const NOSE_TIP = 1;
@@ -9,13 +9,13 @@ const NOSE_TIP = 1;
 /**
  * A dot that pulses where to drag, until something was dragged.
  *
- * @param {Workbench} bench
+ * @param {Host} host
  */
-export function setUpPulse(bench) {
+export function setUpPulse(host) {
   const dot = byId("pulse", HTMLSpanElement);
   const place = () => {
     if (dot.hidden) return;
-    const at = bench.ask((studio) => studio.screenPosition(NOSE_TIP));
+    const at = host.ask((studio) => studio.screenPosition(NOSE_TIP));
     if (!at) return;
     dot.style.translate = `${at.x / devicePixelRatio}px ${at.y / devicePixelRatio}px`;
     at.free();
@@ -31,9 +31,9 @@ export function setUpPulse(bench) {
     show();
   });
   // What is selected has a mark of its own.
-  bench.onChange(({ selected }) => {
+  host.onChange(({ selected }) => {
     isSelected = selected !== undefined;
     show();
   });
-  bench.onFrame(place);
+  host.onFrame(place);
 }

@@ -1,6 +1,6 @@
 import { isTyping } from "../page/dom.js";
 
-/** @typedef {import("./workbench.js").Workbench} Workbench */
+/** @typedef {import("./host.js").Host} Host */
 
 /** One press of an arrow key turns or moves by this much, in CSS px of a drag. */
 const STEP_PX = 24;
@@ -12,12 +12,12 @@ const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], Arrow
 /**
  * The keys of the 3D view, while the canvas has the focus.
  *
- * @param {Workbench} bench
+ * @param {Host} host
  * @param {(deed: "turn") => void} [did]
  */
-export function setUpViewKeys(bench, did) {
-  bench.canvas.addEventListener("keydown", (event) => {
-    if (moveByArrow(bench, event, did) || chooseView(bench, event) || letGo(bench, event)) event.preventDefault();
+export function setUpViewKeys(host, did) {
+  host.canvas.addEventListener("keydown", (event) => {
+    if (moveByArrow(host, event, did) || chooseView(host, event) || letGo(host, event)) event.preventDefault();
   });
 }
 
@@ -39,16 +39,16 @@ export function setUpEditKeys(actions) {
 }
 
 /**
- * @param {Workbench} bench
+ * @param {Host} host
  * @param {KeyboardEvent} event
  * @param {(deed: "turn") => void} [did]
  */
-function moveByArrow(bench, event, did) {
+function moveByArrow(host, event, did) {
   const arrow = ARROWS[event.key];
   if (!arrow) return false;
   const [dx, dy] = arrow.map((way) => way * STEP_PX * devicePixelRatio);
   if (dx === undefined || dy === undefined) return false;
-  bench.act((studio) => {
+  host.act((studio) => {
     if (event.altKey) return studio.zoom(dy < 0 ? ZOOM_STEP : 1 / ZOOM_STEP);
     if (event.shiftKey && (event.ctrlKey || event.metaKey)) return studio.pan(dx, dy);
     did?.("turn");
@@ -58,26 +58,26 @@ function moveByArrow(bench, event, did) {
 }
 
 /**
- * @param {Workbench} bench
+ * @param {Host} host
  * @param {KeyboardEvent} event
  */
-function chooseView(bench, event) {
+function chooseView(host, event) {
   if (event.ctrlKey || event.metaKey || event.altKey) return false;
   const views = /** @type {const} */ ({ f: "front", l: "left", t: "top", " ": "reset" });
   const key = event.key.toLowerCase();
   if (!(key in views)) return false;
-  bench.act((studio) => studio.view(views[/** @type {keyof typeof views} */ (key)]));
+  host.act((studio) => studio.view(views[/** @type {keyof typeof views} */ (key)]));
   return true;
 }
 
 /**
  * Lets go of what is in hand; a drag keeps Escape to itself.
  *
- * @param {Workbench} bench
+ * @param {Host} host
  * @param {KeyboardEvent} event
  */
-function letGo(bench, event) {
+function letGo(host, event) {
   if (event.key !== "Escape") return false;
-  bench.act((studio) => studio.select());
+  host.act((studio) => studio.select());
   return true;
 }

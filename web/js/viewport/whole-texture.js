@@ -2,7 +2,7 @@ import { nextTask } from "../page/tasks.js";
 import { inStrips } from "../photo/open-picture.js";
 
 /**
- * @typedef {import("./workbench.js").Workbench} Workbench
+ * @typedef {import("./host.js").Host} Host
  * @typedef {import("../photo/vision-client.js").VisionClient} VisionClient
  * @typedef {import("../work/work.js").OpenedFace} OpenedFace
  *
@@ -17,9 +17,9 @@ import { inStrips } from "../photo/open-picture.js";
  * seen. Without a worker it stays so.
  */
 export class WholeTexture {
-  #bench;
+  #host;
   #vision;
-  #keeper;
+  #autosave;
   /** @type {Wanted | undefined} what is being made, or could not be */
   #latest;
   #tell;
@@ -28,19 +28,19 @@ export class WholeTexture {
   #making = Promise.resolve();
 
   /**
-   * @param {Workbench} bench
+   * @param {Host} host
    * @param {VisionClient} vision
-   * @param {{ face: OpenedFace | undefined }} keeper
+   * @param {{ face: OpenedFace | undefined }} autosave
    * @param {(isMaking: boolean) => void} tell
    */
-  constructor(bench, vision, keeper, tell) {
-    this.#bench = bench;
+  constructor(host, vision, autosave, tell) {
+    this.#host = host;
     this.#vision = vision;
-    this.#keeper = keeper;
+    this.#autosave = autosave;
     this.#tell = tell;
-    bench.onChange(() => this.#follow());
+    host.onChange(() => this.#follow());
     // What was on its way to the studio before is lost with it.
-    bench.onRestart(async () => {
+    host.onRestart(async () => {
       this.#latest = undefined;
     });
   }
@@ -90,17 +90,17 @@ export class WholeTexture {
 
   /** @returns {Wanted | undefined} */
   #wanted() {
-    const { face } = this.#keeper;
-    const side_px = this.#bench.ask((studio) => studio.textureWantedPx);
+    const { face } = this.#autosave;
+    const side_px = this.#host.ask((studio) => studio.textureWantedPx);
     if (!face || side_px === undefined) return undefined;
-    return { face, side_px, lens: this.#bench.ask((studio) => studio.photoLens) };
+    return { face, side_px, lens: this.#host.ask((studio) => studio.photoLens) };
   }
 
   /** @param {Wanted} wanted */
   async #make(wanted) {
     // The face is on the screen first.
     await nextTask();
-    const plan = this.#bench.ask((studio) => studio.texturePlan());
+    const plan = this.#host.ask((studio) => studio.texturePlan());
     if (!plan) return;
     const { face, side_px } = wanted;
     // The one that leads first, as in the plan.
@@ -108,8 +108,8 @@ export class WholeTexture {
     const pixels = await this.#vision.texture({ plan, pictures, side_px });
     const isWanted = () => this.#latest === wanted && isSame(this.#wanted(), wanted);
     if (!isWanted()) return;
-    this.#bench.attempt((studio) => studio.openTexture(side_px));
-    await inStrips(this.#bench, pixels, side_px, (studio, rows) => studio.addTextureRows(rows), isWanted);
+    this.#host.attempt((studio) => studio.openTexture(side_px));
+    await inStrips(this.#host, pixels, side_px, (studio, rows) => studio.addTextureRows(rows), isWanted);
   }
 }
 

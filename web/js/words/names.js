@@ -1,5 +1,5 @@
 import { bestMatch } from "./search.js";
-import { isWord, say, sayNumber } from "./words.js";
+import { isWord, t, formatNumber } from "./words.js";
 
 /**
  * What things are called, by their ids: the studio tells which there are, the words what people call them.
@@ -14,9 +14,9 @@ import { isWord, say, sayNumber } from "./words.js";
  * @param {string} kind such as "region"
  * @param {string} id such as "left-brow"
  */
-export function sayId(kind, id) {
+export function idName(kind, id) {
   const key = `${kind}.${id}`;
-  if (isWord(key)) return say(key);
+  if (isWord(key)) return t(key);
   const plain = id.replaceAll("-", " ");
   return kind === "slider" ? plain.charAt(0).toUpperCase() + plain.slice(1) : plain;
 }
@@ -26,9 +26,9 @@ export function sayId(kind, id) {
  *
  * @param {string} id such as "left-mouth-corner" or "left-cheek-425"
  */
-export function sayLandmark(id) {
+export function landmarkName(id) {
   const numbered = /^(?<part>.*)-(?<number>\d+)$/.exec(id)?.groups;
-  return numbered ? `${sayId("part", numbered["part"] ?? "")} ${numbered["number"]}` : sayId("landmark", id);
+  return numbered ? `${idName("part", numbered["part"] ?? "")} ${numbered["number"]}` : idName("landmark", id);
 }
 
 /**
@@ -37,8 +37,8 @@ export function sayLandmark(id) {
  * @param {string} id
  * @param {number} number
  */
-export function sayNumberedLandmark(id, number) {
-  const name = sayLandmark(id);
+export function numberedLandmarkName(id, number) {
+  const name = landmarkName(id);
   const bare = name.endsWith(` ${number}`) ? name.slice(0, -` ${number}`.length) : name;
   return `${bare} · ${number}`;
 }
@@ -48,22 +48,22 @@ export function sayNumberedLandmark(id, number) {
  *
  * @param {Target} target
  */
-export function sayTarget({ kind, id, number = 0, part }) {
+export function targetName({ kind, id, number = 0, part }) {
   switch (kind) {
     case "landmark":
-      return sayNumberedLandmark(id, number);
+      return numberedLandmarkName(id, number);
     case "point": {
-      const name = say("target.point", { n: sayNumber(number, 0) });
-      return part === undefined ? name : `${name} ${sayId("near", part)}`;
+      const name = t("target.point", { n: formatNumber(number, 0) });
+      return part === undefined ? name : `${name} ${idName("near", part)}`;
     }
     case "slider":
-      return sayId("slider", id);
+      return idName("slider", id);
     case "vertices":
-      return say("target.vertices", { n: sayNumber(number, 0) });
+      return t("target.vertices", { n: formatNumber(number, 0) });
     case "symmetry":
-      return say("target.symmetry");
+      return t("target.symmetry");
     default:
-      return sayId(kind, id);
+      return idName(kind, id);
   }
 }
 
@@ -72,11 +72,11 @@ export function sayTarget({ kind, id, number = 0, part }) {
  *
  * @param {StudioTarget | undefined} target
  */
-export function sayOnce(target) {
+export function announceOnce(target) {
   if (!target) return undefined;
   const { kind, id, number, part } = target;
   target.free();
-  return sayTarget({ kind, id, number, part });
+  return targetName({ kind, id, number, part });
 }
 
 /**
@@ -90,5 +90,5 @@ export function sayOnce(target) {
 export function vertexCalled(text, landmarkIds, selectable) {
   const wanted = text.trim();
   if (/^\d+$/.test(wanted)) return Number(wanted) < selectable ? Number(wanted) : undefined;
-  return bestMatch(wanted, landmarkIds.map((id, number) => sayNumberedLandmark(id, number)));
+  return bestMatch(wanted, landmarkIds.map((id, number) => numberedLandmarkName(id, number)));
 }

@@ -31,7 +31,7 @@ TOUCH.addEventListener("change", tellAll);
  *
  * @param {string} wanted a language as browsers name it, which is spoken if there are words of it
  */
-export function learnWords(wanted) {
+export function loadWords(wanted) {
   learned ??= learnFirst(wanted);
   learned.catch(() => (learned = undefined));
   return learned;
@@ -69,7 +69,7 @@ export function language() {
  * @param {WordKey} key
  * @param {Record<string, string | number>} [values]
  */
-export function say(key, values = {}) {
+export function t(key, values = {}) {
   const byTouch = `${key}.touch`;
   const asked = TOUCH.matches && isWord(byTouch) ? byTouch : key;
   const text = WORDS.get(current)?.[asked] ?? firstWords[asked];
@@ -92,7 +92,7 @@ export function isWord(key) {
  * @param {() => void} listener
  * @param {AbortSignal} [gone] when nobody needs to know any more
  */
-export function inEveryLanguage(listener, gone) {
+export function onLocaleChange(listener, gone) {
   listeners.add(listener);
   gone?.addEventListener("abort", () => listeners.delete(listener));
   listener();
@@ -116,13 +116,13 @@ export function writeWords() {
   document.documentElement.lang = tag();
   for (const element of document.querySelectorAll("[data-text]")) {
     const key = element.getAttribute("data-text") ?? "";
-    if (isWord(key)) element.textContent = say(key);
+    if (isWord(key)) element.textContent = t(key);
   }
   for (const element of document.querySelectorAll("[data-label]")) {
     const key = element.getAttribute("data-label") ?? "";
     if (!isWord(key)) continue;
-    element.setAttribute("aria-label", say(key));
-    if (element instanceof HTMLButtonElement) element.title = say(key);
+    element.setAttribute("aria-label", t(key));
+    if (element instanceof HTMLButtonElement) element.title = t(key);
   }
 }
 
@@ -132,7 +132,7 @@ export function writeWords() {
  * @param {number} value
  * @param {number} decimals
  */
-export function sayNumber(value, decimals) {
+export function formatNumber(value, decimals) {
   const tidy = Math.abs(value) < 0.5 * 10 ** -decimals ? 0 : value;
   return new Intl.NumberFormat(tag(), {
     minimumFractionDigits: decimals,

@@ -11,7 +11,7 @@ import { Late } from "./within.js";
  * @typedef {import("./work.js").Work} Work
  * @typedef {import("./work.js").Done} Done
  * @typedef {import("./work.js").OpenedFace} OpenedFace
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../viewport/host.js").Host} Host
  */
 
 /** What is done is kept this long after the last change. */
@@ -27,8 +27,8 @@ export class Autosave {
   #now;
   /** @type {WeakMap<OpenedFace, KeptFace>} */
   #visited = new WeakMap();
-  /** @type {Workbench | undefined} */
-  #bench;
+  /** @type {Host | undefined} */
+  #host;
   #pause = 0;
   #hasComplained = false;
   /** Whether the studio has lost the work, which is not back yet: what the studio holds is not to be kept, then. */
@@ -44,7 +44,7 @@ export class Autosave {
       if (persisted) this.#comeBack();
     });
     document.addEventListener("visibilitychange", () => {
-      if (document.visibilityState === "hidden") this.#sayLastWords();
+      if (document.visibilityState === "hidden") this.#saveDraft();
     });
   }
 
@@ -88,10 +88,10 @@ export class Autosave {
     return this.#now?.done && { face: this.#now.face, ...this.#now.done };
   }
 
-  /** @param {Workbench} bench */
-  follow(bench) {
-    this.#bench = bench;
-    bench.onChange(() => {
+  /** @param {Host} host */
+  follow(host) {
+    this.#host = host;
+    host.onChange(() => {
       if (this.#now) this.#saveSoon();
     });
   }
@@ -115,7 +115,7 @@ export class Autosave {
     this.#visited.set(face, now);
     this.#refused.delete(now.slot);
     rememberSlot(now.slot);
-    now.done = standing(this.#bench);
+    now.done = standing(this.#host);
     // Not in the task that brings the face to the screen.
     this.#saveSoon();
   }
@@ -193,7 +193,7 @@ export class Autosave {
   async #save() {
     clearTimeout(this.#pause);
     const now = this.#now;
-    const done = this.#isLost ? undefined : now && standing(this.#bench);
+    const done = this.#isLost ? undefined : now && standing(this.#host);
     if (!now || !done) return;
     if (JSON.stringify(done) !== JSON.stringify(now.done)) now.done = done;
     try {
@@ -207,14 +207,14 @@ export class Autosave {
     }
   }
 
-  #sayLastWords() {
+  #saveDraft() {
     this.#save();
-    this.#now?.sayLastWords();
+    this.#now?.saveDraft();
   }
 
   /** The browser may keep a page that is left, and everything in it, for the way back. */
   #leave() {
-    this.#sayLastWords();
+    this.#saveDraft();
     this.#now?.letGo();
     this.#reopened?.letGo();
   }

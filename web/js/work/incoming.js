@@ -71,7 +71,7 @@ export function shownBefore(shown, now) {
  * @param {OpenedFace[]} faces of the photo that is shown
  * @returns {OpenedFace[]}
  */
-export function wayBack(before, faces) {
+export function recentFaces(before, faces) {
   const photos = new Set(faces.map(({ picture }) => picture));
   return before
     .filter(({ face }, place) => {

@@ -3,7 +3,7 @@
  * @typedef {import("./work.js").Done} Done
  * @typedef {import("./work.js").OpenedFace} OpenedFace
  */
-import { keepLastWords } from "./last-words.js";
+import { writeDraft } from "./drafts.js";
 import { hold } from "./locks.js";
 import { Taken, keep, workIn } from "./slots.js";
 
@@ -96,8 +96,8 @@ export class KeptFace {
   }
 
   /** A page that is left may not live to see the database's answer. */
-  sayLastWords() {
-    if (this.done && this.done !== this.#kept.done) keepLastWords(this.#slot, this.done);
+  saveDraft() {
+    if (this.done && this.done !== this.#kept.done) writeDraft(this.#slot, this.done);
   }
 
   async #hold() {

@@ -15,7 +15,7 @@
  * @property {number} [since] the order of what this tab last kept in the slot or read there
  */
 import { ORDER, answer, transact } from "./database.js";
-import { forgetLastWords, forgetOtherLastWords, lastWords, nextOrder } from "./last-words.js";
+import { deleteDraft, deleteOtherDrafts, readDraft, nextOrder } from "./drafts.js";
 import { heldOf, hold } from "./locks.js";
 import { isDone, isFace } from "./whole.js";
 import { Late } from "./within.js";
@@ -43,7 +43,7 @@ export async function allSlots() {
   const held = await heldOf(names);
   const slots = names.map((slot) => ({
     slot,
-    order: Math.max(orders.get(slot) ?? 0, lastWords(slot)?.order ?? 0),
+    order: Math.max(orders.get(slot) ?? 0, readDraft(slot)?.order ?? 0),
     isWhole: faces.includes(slot) && done.includes(slot),
     isHeld: held.has(slot),
   }));
@@ -60,7 +60,7 @@ export async function workIn(slot) {
   const [face, done] = await transact("readonly", (stores) => Promise.all([answer(stores.faces.get(slot)), answer(stores.done.get(slot))]));
   if (!isFace(face)) throw new Damaged(`the face in ${slot}`);
   if (!isDone(done)) throw new Damaged(`what was done in ${slot}`);
-  const latest = lastWords(slot);
+  const latest = readDraft(slot);
   const { order: _, ...left } = latest && latest.order > done.order ? latest : done;
   const { further, ...lead } = face;
   const photos = further && (await Promise.all(further.map(readPhoto)));
@@ -79,7 +79,7 @@ export async function keep(slot, keeping) {
     if (error instanceof Late || error instanceof Taken) throw error;
     return put(slot, keeping, withoutFile);
   });
-  if ((lastWords(slot)?.order ?? Infinity) <= order) forgetLastWords(slot);
+  if ((readDraft(slot)?.order ?? Infinity) <= order) deleteDraft(slot);
   return order;
 }
 
@@ -88,7 +88,7 @@ export async function prune() {
   const slots = await allSlots();
   const free = slots.filter(({ isHeld }) => !isHeld);
   for (const { slot } of free.slice(MOST_KEPT)) await dropIfFree(slot);
-  forgetOtherLastWords(slots.map(({ slot }) => slot));
+  deleteOtherDrafts(slots.map(({ slot }) => slot));
 }
 
 /**
@@ -142,7 +142,7 @@ async function dropIfFree(slot) {
   if (!letGo) return;
   try {
     await transact("readwrite", (stores) => Promise.all([answer(stores.faces.delete(slot)), answer(stores.done.delete(slot))]));
-    forgetLastWords(slot);
+    deleteDraft(slot);
   } finally {
     letGo();
   }

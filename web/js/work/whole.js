@@ -4,7 +4,7 @@
  * @typedef {import("./work.js").OpenedFace} OpenedFace
  * @typedef {Omit<OpenedFace, "picture" | "further"> & { picture: Uint8Array | Blob }} KeptPhoto pixels that the browser takes as a blob are kept as one
  * @typedef {KeptPhoto & { further?: KeptPhoto[] }} KeptRow
- * @typedef {import("./last-words.js").KeptDone} KeptDone
+ * @typedef {import("./drafts.js").KeptDone} KeptDone
  */
 
 /** Three numbers for each landmark. */

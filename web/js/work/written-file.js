@@ -3,21 +3,21 @@ import { release, studioModule } from "../viewport/studio-module.js";
 /**
  * @typedef {import("../../wasm/rosto-studio-web.js").FileChoices} FileChoices
  * @typedef {import("../viewport/whole-texture.js").WholeTexture} WholeTexture
- * @typedef {import("../viewport/workbench.js").Workbench} Workbench
+ * @typedef {import("../viewport/host.js").Host} Host
  * @typedef {Record<string, string>} Chosen what is chosen about a file, by the ids of the studio's `FileChoices`
  */
 
 /**
  * The face as a file, as it is asked for. One that is painted with the whole face waits for its texture.
  *
- * @param {Workbench} bench
+ * @param {Host} host
  * @param {WholeTexture} texture
  * @param {string} format
  * @param {Chosen} chosen
  */
-export async function writtenFile(bench, texture, format, chosen) {
-  if (chosen["base-colour"] === "whole" && bench.answer((studio) => studio.isPainted(format))) await texture.ready();
-  return withFileChoices(chosen, (choices) => bench.answer((studio) => studio.exportFile(format, choices)));
+export async function writtenFile(host, texture, format, chosen) {
+  if (chosen["base-colour"] === "whole" && host.answer((studio) => studio.isPainted(format))) await texture.ready();
+  return withFileChoices(chosen, (choices) => host.answer((studio) => studio.exportFile(format, choices)));
 }
 
 /**

@@ -12,7 +12,7 @@ use super::ledger::{Ledger, Status};
 use super::{Step, make};
 use crate::args::MeshTask;
 use crate::error::CliError;
-use crate::many::{self, Listing, Outcome, Progress, Told};
+use crate::many::{self, Listing, Outcome, Progress, BatchSummary};
 use crate::networks::Networks;
 use crate::{encode, files, networks, output, portrait, terminal};
 
@@ -40,7 +40,7 @@ pub fn run(task: &MeshTask, steps: &[Step], format: Format, networks: Networks<'
     let by_photo: HashMap<&Path, &Job> = jobs.iter().map(|job| (&*job.photo, job)).collect();
     let done = jobs.len() - left.len();
     let progress = Progress::new(jobs.len(), done, false);
-    let mut told = Told::default();
+    let mut summary = BatchSummary::default();
     let is_stopped = AtomicBool::new(false);
     let work = |path: &Path| {
         if is_stopped.load(Ordering::Relaxed) {
@@ -65,13 +65,13 @@ pub fn run(task: &MeshTask, steps: &[Step], format: Format, networks: Networks<'
             Err(ref error) => progress.report(error),
             Ok(ref notes) => progress.note(notes),
         }
-        told.count(outcome.map(|_| true).as_ref());
+        summary.count(outcome.map(|_| true).as_ref());
         progress.step();
         Ok(())
     })?;
     drop(progress);
-    terminal::note(&told.summary(&task.output, done, &listing.skipped));
-    told.verdict()
+    terminal::note(&summary.text(&task.output, done, &listing.skipped));
+    summary.verdict()
 }
 
 /// All that makes the meshes of two requests differ.

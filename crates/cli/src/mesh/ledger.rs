@@ -7,7 +7,7 @@ use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Mutex;
 
-use rosto_export::Written;
+use rosto_export::ExportedFile;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -111,7 +111,7 @@ impl Ledger {
     }
 
     /// Notes what is about to be written for the photo.
-    pub fn add(&self, photo: &Path, written: &Written) -> Result<(), CliError> {
+    pub fn add(&self, photo: &Path, written: &ExportedFile) -> Result<(), CliError> {
         let contents = [&written.bytes].into_iter().chain(written.beside.iter().map(|file| &file.bytes));
         let sha256 = contents.map(|bytes| hex(&Sha256::digest(bytes))).collect();
         let record = Record { request: self.request.clone(), sha256 };

@@ -1,7 +1,7 @@
 use glam::{DVec2, DVec3};
 use rosto_mesh::vertex_normals;
 
-use super::{Written, push};
+use super::{ExportedFile, push};
 use crate::texture::{self, Texture};
 use crate::zip::NamedFile;
 use crate::{BaseColour, ExportError, Model};
@@ -28,7 +28,7 @@ pub(super) fn painted(
     base_colour: BaseColour,
     max_px: u32,
     name: &str,
-) -> Result<Written, ExportError> {
+) -> Result<ExportedFile, ExportError> {
     model.check()?;
     let Some(texture) = texture::of(model, base_colour, max_px)? else { return Ok(text(model, None).into()) };
     let [material_name, picture_name] = names_beside(name);
@@ -36,7 +36,7 @@ pub(super) fn painted(
     let picture = texture::png(&texture.pixels)?;
     let material = material(name, &picture_name, &picture);
     let beside = vec![NamedFile::new(material_name, material), NamedFile::new(picture_name, picture)];
-    Ok(Written { beside, ..text.into() })
+    Ok(ExportedFile { beside, ..text.into() })
 }
 
 /// What the material and the picture are called beside an OBJ file of that name. Readers take what is between blanks for a

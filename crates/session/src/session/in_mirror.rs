@@ -1,9 +1,9 @@
-use rosto_face::Sighting;
+use rosto_face::PoseFit;
 use rosto_stage::{Pinhole, Sides};
 
 use super::Session;
 use super::in_photo::plane;
-use crate::mirror::sighting;
+use crate::mirror::pose_fit;
 use crate::{Mirror, SessionError};
 
 /// The mirror: the open face's edits on a film. Frames are no intents: they come by themselves, as time does, and change only what
@@ -25,9 +25,9 @@ impl Session {
         if let Some(landmarks) = landmarks {
             rosto_face::check_landmarks(landmarks, size_px[0], size_px[1])?;
         }
-        let sighting = sighting(face, landmarks, size_px)?;
+        let pose_fit = pose_fit(face, landmarks, size_px)?;
         self.mirror.get_or_insert_default().take(landmarks, size_px);
-        self.show_in_mirror(sighting);
+        self.show_in_mirror(pose_fit);
         Ok(())
     }
 
@@ -37,14 +37,14 @@ impl Session {
     /// As [`Self::mirror_frame`].
     pub fn follow_in_mirror(&mut self) -> Result<(), SessionError> {
         let (Some(mirror), Some(face)) = (&self.mirror, &self.face) else { return Ok(()) };
-        let sighting = mirror.sighting(face)?;
-        self.show_in_mirror(sighting);
+        let pose_fit = mirror.pose_fit(face)?;
+        self.show_in_mirror(pose_fit);
         Ok(())
     }
 
-    fn show_in_mirror(&mut self, sighting: Option<Sighting>) {
+    fn show_in_mirror(&mut self, pose_fit: Option<PoseFit>) {
         let (Some(mirror), Some(face)) = (&mut self.mirror, &self.face) else { return };
-        mirror.follow(sighting, face, &self.view);
+        mirror.follow(pose_fit, face, &self.view);
         let camera = mirror.camera();
         let pinhole = Pinhole { camera_from_model: camera.camera_from_model };
         let stage = &mut self.stage;

@@ -58,7 +58,7 @@ impl Session {
                 self.stage.camera_mut().resize(width.max(1), height.max(1));
                 self.stage.set_pixel_ratio(pixel_ratio);
             }
-            Intent::Cover(covered_px) => self.stage.set_covered(covered_px),
+            Intent::ViewportInsets(insets_px) => self.stage.set_viewport_insets(insets_px),
             _ => {}
         }
         self.view.show_on(&mut self.stage, self.face.is_none());

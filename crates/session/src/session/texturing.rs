@@ -3,7 +3,7 @@ use rosto_face::Photo;
 use rosto_studio::{texture_plan, texture_side_px};
 
 use super::Session;
-use crate::{Changed, SessionError, Skin};
+use crate::{Changed, SessionError, TextureSource};
 
 /// The texture of the whole face is made elsewhere, since it takes longer than a frame, and is shown once it is there.
 impl Session {
@@ -19,7 +19,7 @@ impl Session {
         self.texture_side_px().filter(|side_px| there != Some(*side_px))
     }
 
-    pub(super) fn set_skin(&mut self, skin: Skin) -> Changed {
+    pub(super) fn set_texture_source(&mut self, texture_source: TextureSource) -> Changed {
         self.view.skin = skin;
         Changed::Mesh
     }
@@ -56,6 +56,6 @@ impl Session {
 
     /// Whether the texture of the whole face is what is seen of the open one.
     pub fn shows_texture(&self) -> bool {
-        self.view().skin == Skin::Whole && self.face().is_some_and(|face| face.texture.is_some())
+        self.view().texture_source == TextureSource::Whole && self.face().is_some_and(|face| face.texture.is_some())
     }
 }

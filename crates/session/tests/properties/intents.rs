@@ -138,7 +138,7 @@ fn seeing() -> impl Strategy<Value = Intent> {
         any_of(&PictureLight::ALL).prop_map(Intent::PictureLight),
         any_of(&[Switch::On, Switch::Off]).prop_map(Intent::MarkAnchors),
         proptest::option::of(number()).prop_map(Intent::Wipe),
-        [number(), number(), number(), number()].prop_map(Intent::Cover),
+        [number(), number(), number(), number()].prop_map(Intent::ViewportInsets),
         any_of(&Dots::ALL).prop_map(Intent::Dots),
         any_of(&[Background::Ground, Background::Plain(Srgb([1, 2, 3]))]).prop_map(Intent::Background),
         any_of(&[Theme::Light, Theme::Dark]).prop_map(Intent::Theme),

@@ -1,7 +1,7 @@
 //! What holds of a session whatever was done to it.
 
 use rosto_session::{OpenFace, Selection, Session, State, Tick};
-use rosto_studio::{CoordinateFrame, Document, History, Mirror, Rest, Standing, project};
+use rosto_studio::{CoordinateFrame, Document, History, Mirror, Rest, EntryStatus, project};
 
 use crate::faces::bits;
 
@@ -62,7 +62,7 @@ pub fn hold_deeply(session: &Session) -> Result<(), String> {
     let json = face.history_json();
     let entries = project::from_json(&json).map_err(|error| error.to_string())?;
     ensure(project::to_json(&entries) == json, || "the history reads back as another".to_owned())?;
-    if face.rows().iter().any(|row| matches!(row.standing, Standing::Impossible(_))) {
+    if face.rows().iter().any(|row| matches!(row.status, EntryStatus::Impossible(_))) {
         return Ok(());
     }
     let rest = Rest::new(face.triangulation().topology(), face.model().positions_m().to_vec(), CoordinateFrame::Model);

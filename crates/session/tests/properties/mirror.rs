@@ -51,7 +51,7 @@ fn edited() -> Session {
     session
 }
 
-fn ways_m(session: &Session) -> Vec<DVec3> {
+fn displacements_m(session: &Session) -> Vec<DVec3> {
     let mirror = session.mirror().unwrap();
     mirror.edited_m().iter().zip(mirror.seen_m()).map(|(edited, seen)| *edited - *seen).collect()
 }
@@ -65,7 +65,7 @@ fn without_edits_nothing_moves() {
     let mut session = session();
     for pose in POSES {
         session.mirror_frame(Some(&seen(&head_m(&session), pose)), FRAME_PX).unwrap();
-        assert_eq!(furthest(ways_m(&session).into_iter()), 0.0);
+        assert_eq!(furthest(displacements_m(&session).into_iter()), 0.0);
         let (patch, _) = session.mirror().unwrap().patch();
         let moved = patch.from_px.iter().zip(&patch.to_px).map(|(from, to)| from.distance(*to));
         assert!(moved.fold(0.0, f64::max) < 1e-9, "{pose:?}");
@@ -82,7 +82,7 @@ fn the_same_face_gets_the_same_edits_wherever_it_is_however_large_and_turned() {
         assert!(furthest(wanted.iter().copied()) > 2e-3, "the edit is one");
         for pose in POSES {
             session.mirror_frame(Some(&seen(&head_m(&session), pose)), FRAME_PX).unwrap();
-            let off = furthest(ways_m(&session).iter().zip(&wanted).map(|(way, wanted)| *way - *wanted));
+            let off = furthest(displacements_m(&session).iter().zip(&wanted).map(|(way, wanted)| *way - *wanted));
             assert!(off < 1e-9, "{off} m at {pose:?}");
         }
     }
@@ -106,7 +106,7 @@ fn edits_fade_around_a_mouth_that_opens_and_only_there() {
     let mut left = Vec::new();
     for head in heads {
         session.mirror_frame(Some(&seen(&head, POSES[0])), FRAME_PX).unwrap();
-        let ways = ways_m(&session);
+        let ways = displacements_m(&session);
         left.push([nose, lip].map(|vertex: usize| ways[vertex].length()));
     }
     let [nose_m, lip_m] = [0, 1].map(|which| left.iter().map(|left| left[which]).collect::<Vec<f64>>());
@@ -181,13 +181,13 @@ fn what_is_no_frame_is_refused_and_the_mirror_stays() {
     let mut session = edited();
     let landmarks = seen(&head_m(&session), POSES[0]);
     session.mirror_frame(Some(&landmarks), FRAME_PX).unwrap();
-    let before = ways_m(&session);
+    let before = displacements_m(&session);
     assert!(matches!(session.mirror_frame(Some(&landmarks[..7]), FRAME_PX), Err(SessionError::Face(_))));
-    assert_eq!(ways_m(&session), before);
+    assert_eq!(displacements_m(&session), before);
     // Another face is opened while it runs.
     open(&mut session, found());
     session.mirror_frame(Some(&landmarks), FRAME_PX).unwrap();
-    assert_eq!(furthest(ways_m(&session).into_iter()), 0.0);
+    assert_eq!(furthest(displacements_m(&session).into_iter()), 0.0);
 }
 
 #[test]

@@ -46,7 +46,7 @@ impl Camera {
         let axes = home.facing.axes();
         let middle_m = (axes.transpose() * (picture.middle_m() - self.centre_m)).truncate();
         let (aside_m, half_m) = home.eye.silhouette_m(home.radius_m);
-        let (room_px, half_picture_m) = (self.clear_goal.size * self.size_px, 0.5 * picture.size_m());
+        let (room_px, half_picture_m) = (self.visible_area_goal.size * self.size_px, 0.5 * picture.size_m());
         // A mirror stands still, wherever what is in it goes.
         let least_share = if self.sides == Sides::Swapped { 0.0 } else { LEAST_SHARE };
         let px_per_m = (0.5 * room_px / half_m).min_element();

@@ -3,7 +3,7 @@ use rosto_mesh::Ray;
 
 use super::facing::Facing;
 use super::pose::Pose;
-use super::{Camera, Clear, Sides};
+use super::{Camera, VisibleArea, Sides};
 
 /// What is drawn reaches from so many radii before the middle to so many behind it.
 const RADII_BEFORE: f64 = 4.0;
@@ -45,8 +45,8 @@ impl Camera {
     /// WebGPU clip space (depth 0..1) from the model, for column vectors; w is 1 at the depth of the middle.
     pub fn clip_from_model(&self) -> DMat4 {
         let (eye, [near_m, far_m]) = (self.now.eye, self.depths_m());
-        let scale = 2.0 * self.px_per_m(&self.now, self.clear) / self.size_px;
-        let shift = (self.clear.middle * 2.0 - DVec2::ONE) * DVec2::new(1.0, -1.0) - self.middle_m(&self.now) * scale;
+        let scale = 2.0 * self.px_per_m(&self.now, self.visible_area) / self.size_px;
+        let shift = (self.visible_area.middle * 2.0 - DVec2::ONE) * DVec2::new(1.0, -1.0) - self.middle_m(&self.now) * scale;
         let to_depth = eye.remoteness(far_m) / (far_m - near_m);
         let by_depth = -(eye.aside * scale + shift * eye.nearness_per_m);
         let clip_from_view = DMat4::from_cols(
@@ -70,9 +70,9 @@ impl Camera {
     pub fn ray(&self, place_px: DVec2) -> Ray {
         let place_px = match self.sides {
             Sides::True => place_px,
-            Sides::Swapped => DVec2::new(2.0 * self.clear.middle.x * self.size_px.x - place_px.x, place_px.y),
+            Sides::Swapped => DVec2::new(2.0 * self.visible_area.middle.x * self.size_px.x - place_px.x, place_px.y),
         };
-        let from_middle_m = (place_px - self.clear.middle * self.size_px) / self.px_per_m(&self.now, self.clear);
+        let from_middle_m = (place_px - self.visible_area.middle * self.size_px) / self.px_per_m(&self.now, self.visible_area);
         let plane_m = self.middle_m(&self.now) + from_middle_m * DVec2::new(1.0, -1.0);
         let (eye, [near_m, _], axes) = (self.now.eye, self.depths_m(), self.facing().axes());
         Ray {
@@ -93,12 +93,12 @@ impl Camera {
 
     /// The same as deep as the middle of what is framed.
     pub fn m_per_px(&self) -> f64 {
-        self.px_per_m(&self.now, self.clear).recip()
+        self.px_per_m(&self.now, self.visible_area).recip()
     }
 
     /// The same for the goal as deep as its target lies.
     pub(super) fn m_per_px_at_target(&self, goal: &Pose) -> f64 {
-        goal.eye.remoteness(self.view_m(goal.target_m).z) / self.px_per_m(goal, self.clear)
+        goal.eye.remoteness(self.view_m(goal.target_m).z) / self.px_per_m(goal, self.visible_area)
     }
 
     /// How it faces what it frames now.
@@ -113,7 +113,7 @@ impl Camera {
             Sides::True => DMat4::IDENTITY,
             Sides::Swapped => {
                 let mut swapped = DMat4::from_scale(DVec3::new(-1.0, 1.0, 1.0));
-                swapped.w_axis.x = 2.0 * (2.0 * self.clear.middle.x - 1.0);
+                swapped.w_axis.x = 2.0 * (2.0 * self.visible_area.middle.x - 1.0);
                 swapped
             }
         }
@@ -133,9 +133,9 @@ impl Camera {
     }
 
     /// The scale that fits the whole sphere into what nothing lies over, times the zoom.
-    fn px_per_m(&self, pose: &Pose, clear: Clear) -> f64 {
+    fn px_per_m(&self, pose: &Pose, visible_area: VisibleArea) -> f64 {
         let (_, half_m) = pose.eye.silhouette_m(pose.radius_m);
-        (0.5 * clear.size * self.size_px / half_m).min_element() * pose.zoom
+        (0.5 * visible_area.size * self.size_px / half_m).min_element() * pose.zoom
     }
 
     /// The depths between which things are drawn, towards the viewer: the nearest and the furthest.

@@ -88,7 +88,7 @@ fn the_picture_fits_into_what_is_clear_whatever_size_that_has() {
     let mut stage = with_picture();
     stage.show(Scene::Picture);
     stage.camera_mut().resize(300, 500);
-    stage.set_covered([0.0, 0.0, 100.0, 0.0]);
+    stage.set_viewport_insets([0.0, 0.0, 100.0, 0.0]);
     run(&mut stage, 0..200);
     let corner = stage.camera().project(DVec3::new(-2.0, 2.0, 0.0)).unwrap();
     assert!(corner.distance(DVec2::new(0.0, 50.0)) < 1e-2, "{corner}");

@@ -8,7 +8,7 @@ use crate::expressed;
 use crate::level::Level;
 use crate::level_positions::{LevelPositions, Scratch};
 use crate::prepared_edit::PreparedEdit;
-use crate::{Command, Details, EditSpec, Entry, Expression, InfluenceWeights, Standing, StudioError, Switch};
+use crate::{Command, Details, EditSpec, Entry, Expression, InfluenceWeights, EntryStatus, StudioError, Switch};
 
 /// The spec's offsets and the positions they lead to, while vertices are being moved.
 #[derive(Clone)]
@@ -178,7 +178,7 @@ impl Document {
             }
             let command = held.command(self.preview.offsets.clone());
             self.history.push(Entry { label: label.to_owned(), command, switch: Switch::On });
-            self.replayed.push(Arc::new(self.preview.shape.clone()), Standing::InForce);
+            self.replayed.push(Arc::new(self.preview.shape.clone()), EntryStatus::InForce);
         }
         self.settle_down();
     }
@@ -191,7 +191,7 @@ impl Document {
         for &(expression, weight) in &self.preview.weights {
             let mut shape = LevelPositions::clone(self.replayed.last());
             shape.express(&self.levels, expression, weight);
-            self.replayed.push(Arc::new(shape), Standing::InForce);
+            self.replayed.push(Arc::new(shape), EntryStatus::InForce);
             let command = Command::Express { expression, weight };
             entries.push(Entry { label: expression.id().to_owned(), command, switch: Switch::On });
         }

@@ -6,7 +6,7 @@ use crate::expressed;
 use crate::level::Level;
 use crate::level_positions::{LevelPositions, Scratch};
 use crate::prepared_edit::PreparedEdit;
-use crate::{Command, EditTarget, Entry, History, Standing, StudioError, Switch};
+use crate::{Command, EditTarget, Entry, History, EntryStatus, StudioError, Switch};
 
 /// What was done, undone and switched. An entry that has no answer on the mesh that is shown is passed over, so that none
 /// of these can fail half-way.
@@ -17,8 +17,8 @@ impl Document {
     }
 
     /// How an entry of the history takes part in the shape that is shown; none where there is no such entry.
-    pub fn standing(&self, index: usize) -> Option<&Standing> {
-        self.replayed.standing(index)
+    pub fn status(&self, index: usize) -> Option<&EntryStatus> {
+        self.replayed.status(index)
     }
 
     /// Carries out a command as one entry of the history.
@@ -30,12 +30,12 @@ impl Document {
         let entry = Entry { label: label.to_owned(), command, switch: Switch::On };
         self.check(&entry)?;
         let from = self.replayed.last();
-        let (shape, standing) = carried_out(&mut self.levels, self.density, from, &entry, &mut Latest::default());
-        if let Standing::Impossible(reason) = standing {
+        let (shape, status) = carried_out(&mut self.levels, self.density, from, &entry, &mut Latest::default());
+        if let EntryStatus::Impossible(reason) = status {
             return Err(reason);
         }
         self.history.push(entry);
-        self.replayed.push(shape, standing);
+        self.replayed.push(shape, status);
         self.settle_down();
         Ok(())
     }
@@ -106,8 +106,8 @@ impl Document {
         let mut latest = Latest::default();
         for entry in &self.history.entries()[self.replayed.count()..] {
             let from = self.replayed.last();
-            let (shape, standing) = carried_out(&mut self.levels, self.density, from, entry, &mut latest);
-            self.replayed.push(shape, standing);
+            let (shape, status) = carried_out(&mut self.levels, self.density, from, entry, &mut latest);
+            self.replayed.push(shape, status);
         }
         self.settle_down();
     }
@@ -141,16 +141,16 @@ fn carried_out(
     from: &Arc<LevelPositions>,
     entry: &Entry,
     latest: &mut Latest,
-) -> (Arc<LevelPositions>, Standing) {
-    let standing = match &entry.command {
-        _ if entry.switch == Switch::Off => Standing::Off,
-        Command::Move { spec, .. } if spec.level > density => Standing::Waits { level: spec.level },
+) -> (Arc<LevelPositions>, EntryStatus) {
+    let status = match &entry.command {
+        _ if entry.switch == Switch::Off => EntryStatus::Off,
+        Command::Move { spec, .. } if spec.level > density => EntryStatus::Waits { level: spec.level },
         command => match moved(levels, density, from, command, latest) {
-            Ok(shape) => return (Arc::new(shape), Standing::InForce),
-            Err(reason) => Standing::Impossible(reason),
+            Ok(shape) => return (Arc::new(shape), EntryStatus::InForce),
+            Err(reason) => EntryStatus::Impossible(reason),
         },
     };
-    (Arc::clone(from), standing)
+    (Arc::clone(from), status)
 }
 
 fn moved(

@@ -1,6 +1,6 @@
 use std::sync::Arc;
 
-use crate::Standing;
+use crate::EntryStatus;
 use crate::level_positions::LevelPositions;
 
 /// What the kept shapes may take together, in bytes.
@@ -14,15 +14,15 @@ const LATEST: usize = 8;
 pub(super) struct ReplayCache {
     unedited: Arc<LevelPositions>,
     after: Vec<Option<Arc<LevelPositions>>>,
-    standings: Vec<Standing>,
+    statuses: Vec<EntryStatus>,
     kept_bytes: usize,
     budget_bytes: usize,
 }
 
 impl ReplayCache {
     pub fn new(unedited: LevelPositions) -> Self {
-        let (after, standings) = (Vec::new(), Vec::new());
-        Self { unedited: Arc::new(unedited), after, standings, kept_bytes: 0, budget_bytes: BUDGET_BYTES }
+        let (after, statuses) = (Vec::new(), Vec::new());
+        Self { unedited: Arc::new(unedited), after, statuses, kept_bytes: 0, budget_bytes: BUDGET_BYTES }
     }
 
     pub fn count(&self) -> usize {
@@ -38,15 +38,15 @@ impl ReplayCache {
         self.after.last().and_then(Option::as_ref).unwrap_or(&self.unedited)
     }
 
-    pub fn standing(&self, index: usize) -> Option<&Standing> {
-        self.standings.get(index)
+    pub fn status(&self, index: usize) -> Option<&EntryStatus> {
+        self.statuses.get(index)
     }
 
-    pub fn push(&mut self, shape: Arc<LevelPositions>, standing: Standing) {
+    pub fn push(&mut self, shape: Arc<LevelPositions>, status: EntryStatus) {
         // Shapes that entries share count once: one that changes nothing shares that of the one before.
         self.kept_bytes += if Arc::ptr_eq(&shape, self.last()) { 0 } else { shape.bytes() };
         self.after.push(Some(shape));
-        self.standings.push(standing);
+        self.statuses.push(status);
         self.thin_out();
     }
 
@@ -56,7 +56,7 @@ impl ReplayCache {
         let known = self.after[..count.min(self.after.len())].iter().rposition(Option::is_some);
         let count = known.map_or(0, |place| place + 1);
         self.after.truncate(count);
-        self.standings.truncate(count);
+        self.statuses.truncate(count);
         self.kept_bytes = self.count_bytes();
     }
 
@@ -88,7 +88,7 @@ impl ReplayCache {
 mod tests {
     use super::*;
     use crate::level::{Level, Rest};
-    use crate::{CoordinateFrame, Standing};
+    use crate::{CoordinateFrame, EntryStatus};
     use rosto_face::{Triangulation, canonical_positions_m};
 
     #[test]
@@ -98,7 +98,7 @@ mod tests {
         let mut shapes = ReplayCache::new(shape.clone());
         shapes.budget_bytes = 20 * shape.bytes();
         for _ in 0..1000 {
-            shapes.push(Arc::new(shape.clone()), Standing::InForce);
+            shapes.push(Arc::new(shape.clone()), EntryStatus::InForce);
         }
         assert!(shapes.kept_bytes <= 20 * shape.bytes());
         assert!(shapes.after[1000 - LATEST..].iter().all(Option::is_some));

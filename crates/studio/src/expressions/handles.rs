@@ -20,7 +20,7 @@ pub(super) struct Authored {
     /// Landmarks that are moved or stay.
     pub known: Vec<u32>,
     /// One way for each of them, in metres.
-    pub ways_m: Vec<DVec3>,
+    pub displacements_m: Vec<DVec3>,
 }
 
 /// A face as a table sees it: the subject's right is its right, even where the table is that of the left.
@@ -42,7 +42,7 @@ impl Authored {
         let back = |landmark: u32| if is_mirrored { mirror_of(landmark) } else { landmark };
         let way_back = |way: DVec3| if is_mirrored { reflected(way) } else { way };
         let known = ways.keys().map(|&landmark| back(landmark)).collect();
-        Self { known, ways_m: ways.into_values().map(way_back).collect() }
+        Self { known, displacements_m: ways.into_values().map(way_back).collect() }
     }
 }
 

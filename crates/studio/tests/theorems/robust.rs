@@ -43,7 +43,7 @@ fn handles_that_come_to_lie_on_one_vertex_of_other_triangles_move_it_together() 
     filled.apply("crowd", point(2, crowded, settings)).unwrap();
     let mut open = filled.over(canonical(Triangulation::Tessellation)).unwrap();
     open.set_density(2).unwrap();
-    assert_eq!(open.standing(0), Some(&Standing::InForce));
+    assert_eq!(open.status(0), Some(&EntryStatus::InForce));
     let Command::Move { spec, offsets } = &open.history().entries()[0].command else { panic!("a move") };
     let mut once = spec.handles.clone();
     once.sort_unstable();
@@ -63,7 +63,7 @@ fn an_entry_without_an_answer_on_other_triangles_is_passed_over_and_comes_back()
     // Dense meshes with open eyes and mouth have no mirror image.
     let mut open = Document::resume(canonical(Triangulation::Tessellation), history.clone()).unwrap();
     open.set_density(1).unwrap();
-    assert_eq!(open.standing(0), Some(&Standing::Impossible(StudioError::NoMirror)));
+    assert_eq!(open.status(0), Some(&EntryStatus::Impossible(StudioError::NoMirror)));
     assert_eq!(bits(open.positions()), bits(open.rest()));
     assert!(open.switch(0, Switch::Off).is_ok() && open.undo().is_some());
     let mut back = Document::resume(canonical(Triangulation::Canonical), open.history().clone()).unwrap();

@@ -6,7 +6,7 @@ use rosto_session::{
 };
 use rosto_stage::{Background, Dots, Lens, Light, PictureLight, ShadingMode, Srgb, Visibility};
 use rosto_studio::{
-    Anchors, Command, Details, EditSpec, Entry, FaceSlider, Mirror, SMOOTH_DENSITY, Settings, Standing, Switch, project,
+    Anchors, Command, Details, EditSpec, Entry, FaceSlider, Mirror, SMOOTH_DENSITY, Settings, EntryStatus, Switch, project,
 };
 use serde_json::Value;
 
@@ -122,11 +122,11 @@ fn work_on_a_denser_mesh_than_is_shown_opens_with_its_entry_waiting() {
     let mut session = session();
     open(&mut session, worked_on(&dense_history(), Triangulation::Canonical, 4));
     assert_eq!((session.view().density, face(&session).document().density()), (3, 3));
-    assert_eq!(face(&session).rows()[0].standing, Standing::Waits { level: 4 });
+    assert_eq!(face(&session).rows()[0].status, EntryStatus::Waits { level: 4 });
     assert_eq!(positions(&session), face(&session).document().rest());
     assert_eq!(face(&session).rows()[0].target.to_string(), "point-20000@4");
     everything_works(&mut session);
-    assert_eq!(face(&session).rows()[0].standing, Standing::Waits { level: 4 });
+    assert_eq!(face(&session).rows()[0].status, EntryStatus::Waits { level: 4 });
     hold_deeply(&session).unwrap();
     let saved = face(&session).history_json();
     open(&mut session, worked_on(&saved, Triangulation::Canonical, 4));

@@ -2,7 +2,7 @@ use glam::DVec3;
 use rosto_face::{MIDLINE, Region, Triangulation, mirror_of};
 use rosto_laplacian::LaplacianError;
 use rosto_session::{AnchorChoice, Intent, Selection, SelectionMode, Session, SessionError};
-use rosto_studio::{ConstraintKind, EditTarget, Mirror, Standing, StudioError, Switch};
+use rosto_studio::{ConstraintKind, EditTarget, Mirror, EntryStatus, StudioError, Switch};
 
 use super::{act, face, move_by, place_px, positions, select, select_points, state, way_mm};
 use crate::faces::{SIZE_PX, session};
@@ -228,9 +228,9 @@ fn a_point_moves_with_its_mirror_image_and_waits_under_its_name_while_the_mesh_i
     assert_eq!(label, "point-1500@1");
     assert_eq!((face(&session).rows()[0].target, session.selected_target()), (target, Some(target)));
     assert!(face(&session).document().part_of(target).is_some());
-    assert_eq!(face(&session).rows()[0].standing, Standing::InForce);
+    assert_eq!(face(&session).rows()[0].status, EntryStatus::InForce);
     act(&mut session, Intent::Density(0));
-    assert_eq!(face(&session).rows()[0].standing, Standing::Waits { level: 1 });
+    assert_eq!(face(&session).rows()[0].status, EntryStatus::Waits { level: 1 });
     assert_eq!(face(&session).rows()[0].target, target);
     assert_eq!(positions(&session), face(&session).document().rest());
 }

@@ -37,7 +37,7 @@ const RESTARTS_WITHIN_MS = 60_000;
  * replaced by a new one. Nobody else has the studio: `act`, `ask` and `answer` lend it for the length of a call, and only
  * while its module is sound.
  */
-export class Workbench {
+export class Host {
   #frameIsComing = false;
   #isBroken = false;
   #studio;
@@ -67,10 +67,10 @@ export class Workbench {
    * @param {Notices} notices
    */
   static async open(canvas, notices) {
-    return new Workbench(canvas, await openStudio(canvas), notices);
+    return new Host(canvas, await openStudio(canvas), notices);
   }
 
-  /** All that are open: they share the module, and its fate. @type {Set<Workbench>} */
+  /** All that are open: they share the module, and its fate. @type {Set<Host>} */
   static #open = new Set();
   /** Traps that were seen to: some are reported by several. @type {WeakSet<Error>} */
   static #seen = new WeakSet();
@@ -86,10 +86,10 @@ export class Workbench {
     this.#notices = notices;
     this.#gpu = new DeviceLossHandler(this, notices);
     this.#followSize();
-    Workbench.#open.add(this);
+    Host.#open.add(this);
   }
 
-  /** Aborted when the workbench is closed. */
+  /** Aborted when the host is closed. */
   get gone() {
     return this.#gone.signal;
   }
@@ -105,7 +105,7 @@ export class Workbench {
     const isFree = !this.#isBroken;
     this.#isBroken = true;
     this.#gone.abort();
-    Workbench.#open.delete(this);
+    Host.#open.delete(this);
     if (isFree) this.#studio.free();
     this.canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context")?.loseContext();
   }
@@ -238,10 +238,10 @@ export class Workbench {
     if (!isTrap(error)) {
       const isLate = asPageError(error).code === "restarting";
       if (isLate === this.#isBroken) this.#notices.show(error, "studio");
-    } else if (!Workbench.#seen.has(error)) {
-      Workbench.#seen.add(error);
+    } else if (!Host.#seen.has(error)) {
+      Host.#seen.add(error);
       noteTrap();
-      for (const bench of Workbench.#open) bench.#restart(error);
+      for (const host of Host.#open) host.#restart(error);
     }
   }
 

@@ -6,14 +6,14 @@ use crate::{FaceError, LANDMARK_COUNT};
 
 /// A face that is known, as one frame of a film shows it: with another expression, elsewhere and turned.
 #[derive(Debug, Clone)]
-pub struct Sighting {
+pub struct PoseFit {
     /// What sees it, from infinitely far away: how the head is turned, where it is in the frame, and how large.
     pub camera: Camera,
     /// The frame's 468 landmarks in the frame of the face that is known, in metres of that face.
     pub positions_m: Vec<DVec3>,
 }
 
-impl Sighting {
+impl PoseFit {
     /// Fits the 468 landmarks that are known, in metres in the model's frame, to those that a frame of `size_px` shows: the
     /// weighted Procrustes problem of [`FaceModel::new`](crate::FaceModel::new), with the face itself in place of the
     /// canonical one. No perspective is taken out: in a film that would cost more than it shows.

@@ -7,7 +7,7 @@
  */
 import { isDone } from "./whole.js";
 
-const PREFIX = "rosto-last-words-";
+const PREFIX = "rosto-drafts-";
 const ORDER = "rosto-order";
 
 /**
@@ -25,7 +25,7 @@ export function nextOrder(latest = 0) {
  * @param {string} slot
  * @param {Done} done
  */
-export function keepLastWords(slot, done) {
+export function writeDraft(slot, done) {
   write(PREFIX + slot, JSON.stringify({ ...done, order: nextOrder() }));
 }
 
@@ -33,7 +33,7 @@ export function keepLastWords(slot, done) {
  * @param {string} slot
  * @returns {KeptDone | undefined} nothing where there are none that can be read
  */
-export function lastWords(slot) {
+export function readDraft(slot) {
   try {
     const words = JSON.parse(read(PREFIX + slot) ?? "null");
     return isDone(words) ? words : undefined;
@@ -43,7 +43,7 @@ export function lastWords(slot) {
 }
 
 /** @param {string} slot */
-export function forgetLastWords(slot) {
+export function deleteDraft(slot) {
   try {
     localStorage.removeItem(PREFIX + slot);
   } catch {
@@ -52,10 +52,10 @@ export function forgetLastWords(slot) {
 }
 
 /** Forgets those of other slots, whose face was never kept or is gone. @param {string[]} slots */
-export function forgetOtherLastWords(slots) {
+export function deleteOtherDrafts(slots) {
   try {
     const spoken = Object.keys(localStorage).filter((key) => key.startsWith(PREFIX)).map((key) => key.slice(PREFIX.length));
-    for (const slot of spoken) if (!slots.includes(slot)) forgetLastWords(slot);
+    for (const slot of spoken) if (!slots.includes(slot)) deleteDraft(slot);
   } catch {
     // As above.
   }

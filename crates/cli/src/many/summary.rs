@@ -5,14 +5,14 @@ use crate::error::CliError;
 
 /// What came of the photos.
 #[derive(Default)]
-pub struct Told {
+pub struct BatchSummary {
     with_faces: usize,
     without: usize,
     failed: usize,
     failed_by_networks: usize,
 }
 
-impl Told {
+impl BatchSummary {
     /// Counts a photo by whether it has a face, or by why that is not known.
     pub fn count(&mut self, outcome: Result<&bool, &CliError>) {
         match outcome {
@@ -26,7 +26,7 @@ impl Told {
     }
 
     /// In words; `done` photos were done before, and folders had files that are not photos.
-    pub fn summary(&self, path: &Path, done: usize, skipped: &Skipped) -> String {
+    pub fn text(&self, path: &Path, done: usize, skipped: &Skipped) -> String {
         let Self { with_faces, without, failed, .. } = self;
         let before = if done > 0 { format!("; {done} were done before") } else { String::new() };
         let path = path.display();

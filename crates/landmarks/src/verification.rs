@@ -20,7 +20,7 @@ use crate::raw_mesh::SIDE;
 use crate::region_of_interest::{PictureSize, RegionOfInterest, RegionPx};
 
 /// The two networks, and the picture that they look at.
-pub(crate) struct Judge<'a> {
+pub(crate) struct Verifier<'a> {
     pub(crate) detector: &'a Detector,
     pub(crate) mesh: &'a MeshNetwork,
     pub(crate) pyramid: &'a Pyramid<'a>,
@@ -63,7 +63,7 @@ struct Settled {
     change: f32,
 }
 
-impl Judge<'_> {
+impl Verifier<'_> {
     /// The face of a detection with its confidence, if it can be one at all.
     pub(crate) fn face(&self, proposal: &Detection) -> Result<Option<Face>, LandmarksError> {
         let mut best: Option<Face> = None;
