@@ -1,30 +1,30 @@
-//! Dependencies and sources of the workspace, in a form in which a breach can be planted.
+//! Dependencies and sources of the workspace, in a form that a test can plant breaches in.
 
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Direct dependencies by package. Only what ships counts: no development or build dependencies.
+/// Direct dependencies by package, without development and build dependencies.
 pub type Graph = BTreeMap<String, BTreeSet<String>>;
 
-/// Everything that the invariants look at.
+/// The input of the invariants' checks.
 #[derive(Clone)]
 pub struct Facts {
-    /// What each of our packages declares, for all targets.
+    /// Dependencies that each workspace package declares, for all targets.
     pub declared: Graph,
-    /// What every package in a build for this machine depends on.
+    /// Dependencies of each package in a build for the host.
     pub host: Graph,
     /// The same for wasm32.
     pub wasm: Graph,
-    /// Packages in each of the page's two modules, built with its features alone.
+    /// Packages in each of the page's two modules, with that module's features.
     pub modules: BTreeMap<&'static str, BTreeSet<String>>,
-    /// Lines of each of our packages as place and code, without comments and tests.
+    /// Lines of each workspace package as location and code, without comments and tests.
     pub sources: BTreeMap<String, Vec<(String, String)>>,
 }
 
 impl Facts {
-    /// Asks cargo and reads the sources.
+    /// Runs cargo and reads the sources.
     pub fn of_workspace() -> Self {
         let metadata = metadata(&["--no-deps"]);
         let packages = || list(&metadata["packages"]).map(|package| (text(&package["name"]), package));
@@ -57,7 +57,7 @@ impl Facts {
     }
 }
 
-/// Everything that a package depends on, directly or not.
+/// Packages that a package depends on, directly or transitively.
 pub fn reachable(graph: &Graph, package: &str) -> BTreeSet<String> {
     let mut reached = graph[package].clone();
     let mut waiting: Vec<String> = reached.iter().cloned().collect();
@@ -79,14 +79,14 @@ fn resolved(target: &str) -> Graph {
     let mut graph = Graph::new();
     for node in list(&metadata["resolve"]["nodes"]) {
         let direct = list(&node["deps"]).filter(|dependency| list(&dependency["dep_kinds"]).any(|kind| ships(&kind)));
-        // Two versions of one package are one name here: what either reaches counts.
+        // Two versions of a package share an entry, which gets the dependencies of both.
         let all = graph.entry(names[&text(&node["id"])].clone()).or_default();
         all.extend(direct.map(|dependency| names[&text(&dependency["pkg"])].clone()));
     }
     graph
 }
 
-/// Whether a dependency is for neither development nor the build.
+/// False for development and build dependencies.
 fn ships(dependency: &&Value) -> bool {
     dependency["kind"].is_null()
 }
@@ -115,9 +115,9 @@ fn text(value: &Value) -> String {
     value.as_str().unwrap().to_owned()
 }
 
-/// The sources of a package, its shaders among them.
+/// Rust sources and shaders of a package.
 fn sources(package: &Value) -> Vec<(String, String)> {
-    // A library comes before any other target.
+    // cargo lists the library first.
     let root = text(&package["targets"][0]["src_path"]);
     let folder = Path::new(&root).parent().unwrap();
     let files = [files_below(folder, "rs"), files_below(&folder.with_file_name("shaders"), "wgsl")].concat();

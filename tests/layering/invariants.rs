@@ -1,24 +1,24 @@
-//! The invariants of ARCHITECTURE.md, in its words and its order.
+//! The invariants of ARCHITECTURE.md, word for word, with a check and a planted breach for each.
 
-use crate::circles;
+use crate::cycles;
 use crate::facts::{Facts, reachable};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Something that must be absent.
+/// An architecture invariant.
 pub struct Invariant {
-    /// The words of ARCHITECTURE.md.
-    pub says: &'static str,
+    /// Its text in ARCHITECTURE.md.
+    pub text: &'static str,
     /// Finds the breaches.
     pub breaches: fn(&Facts) -> Vec<String>,
-    /// Plants one.
+    /// Plants a breach.
     pub plant: fn(&mut Facts),
 }
 
-/// The one core crate that draws.
+/// The core crate that draws.
 const VIEWPORT: &str = "rosto-viewport";
 /// The crates that the page's JavaScript calls.
 const FACADES: [&str; 3] = ["rosto-studio-web", "rosto-studio-webgl", "rosto-vision-web"];
-/// All others are the core, which knows neither browser, clock, file, network, environment nor random source.
+/// The other shells. Crates that are neither façade nor shell are the core.
 const SHELLS: [&str; 5] = ["rosto-cli", "rosto-python", "rosto-model-import", "rosto-fuzz", "xtask"];
 
 const BROWSER: [&str; 5] = ["web-sys", "js-sys", "wasm-bindgen", "wasm-bindgen-futures", "gloo"];
@@ -28,26 +28,26 @@ const OUTSIDE: [&str; 8] =
 const RANDOM: [&str; 3] = ["rand", "fastrand", "getrandom"];
 const GLOBAL: [&str; 6] = ["static mut", "thread_local!", "OnceLock", "LazyLock", "OnceCell", "Atomic"];
 
-/// All of them, in the order of ARCHITECTURE.md.
+/// The invariants.
 pub const INVARIANTS: [Invariant; 13] = [
     Invariant {
-        says: "No crate knows another one of ours than those its row in the table above names.",
-        breaches: strangers,
+        text: "A crate depends only on the workspace crates that its row in this table lists.",
+        breaches: undeclared,
         plant: |facts| facts.depend("rosto-mesh", "rosto-face"),
     },
     Invariant {
-        says: "No modules of a crate use each other in a circle: what a module uses of its ancestors does not count.",
+        text: "The modules of a crate form no dependency cycle. A module may use its ancestors.",
         breaches: |facts| {
             let crates = facts.sources.iter();
-            let circles =
-                crates.flat_map(|(package, sources)| circles::of(sources).into_iter().map(move |one| (package, one)));
-            circles.map(|(package, one)| format!("{package}: {one}")).collect()
+            let cycles =
+                crates.flat_map(|(package, sources)| cycles::of(sources).into_iter().map(move |one| (package, one)));
+            cycles.map(|(package, one)| format!("{package}: {one}")).collect()
         },
         plant: |facts| facts.write("rosto-photo", "stored.rs", "use crate::decode::decode;"),
     },
     Invariant {
-        says: "No core crate but `viewport` reaches a browser, by however many steps, but for what tract takes along; and \
-               only the façades (`studio-web`, `studio-webgl`, `vision-web`) name web-sys.",
+        text: "Apart from `viewport`, and from `landmarks` through tract, no core crate reaches a browser binding. Only the \
+               façades (`studio-web`, `studio-webgl`, `vision-web`) depend on one directly.",
         breaches: |facts| {
             let without_tract = without_gpu(facts).filter(|package| *package != "rosto-landmarks");
             let reached = without_tract.flat_map(|package| reaches(&facts.wasm, package, &BROWSER));
@@ -56,7 +56,7 @@ pub const INVARIANTS: [Invariant; 13] = [
         plant: |facts| facts.depend("rosto-export", "web-sys"),
     },
     Invariant {
-        says: "No crate but `landmarks` names tract, and the page's modules do not reach it.",
+        text: "Only `landmarks` depends on tract directly, and the page's modules do not reach it.",
         breaches: |facts| {
             let page = FACADES[..2].iter().flat_map(|package| reaches(&facts.wasm, package, &["tract"]));
             page.chain(named(facts, &["tract"], &["rosto-landmarks"])).collect()
@@ -64,8 +64,8 @@ pub const INVARIANTS: [Invariant; 13] = [
         plant: |facts| facts.depend("rosto-face", "tract-onnx"),
     },
     Invariant {
-        says: "No crate but `viewport` names wgpu; what does not draw (every other core crate, the worker, the command line) \
-               does not reach it.",
+        text: "Only `viewport` depends on wgpu directly. The other core crates, the worker and the command line do not reach \
+               it.",
         breaches: |facts| {
             let others = ["rosto-vision-web", "rosto-cli"];
             let reached = without_gpu(facts).chain(others).flat_map(|package| {
@@ -76,7 +76,7 @@ pub const INVARIANTS: [Invariant; 13] = [
         plant: |facts| facts.depend("rosto-mesh", "wgpu"),
     },
     Invariant {
-        says: "No WebGL is in the page's module but in `studio-webgl`'s.",
+        text: "Of the page's two modules, only the one built from `studio-webgl` contains WebGL.",
         breaches: |facts| {
             let wanted = [("rosto-studio-web", false), ("rosto-studio-webgl", true)].into_iter();
             let wrong = wanted.filter(|(package, wanted)| facts.modules[package].contains("glow") != *wanted);
@@ -87,38 +87,37 @@ pub const INVARIANTS: [Invariant; 13] = [
         },
     },
     Invariant {
-        says: "No core crate reads a clock, a file, the network or the environment.",
+        text: "The core crates do not read a clock, a file, the network or the environment.",
         breaches: |facts| facts.words(core(facts), &OUTSIDE),
         plant: |facts| facts.write("rosto-studio", "lib.rs", "let now = std::time::Instant::now();"),
     },
     Invariant {
-        says: "No core crate draws at random: a seed comes in as a value. (On wasm32 alone `landmarks` names getrandom, to tell \
-               tract's which source there is.)",
+        text: "The core crates use no random source; callers pass a seed. On wasm32, `landmarks` names getrandom to select a \
+               source for tract.",
         breaches: |facts| {
             let drawn = |package| facts.host[package].iter().filter(|name| RANDOM.contains(&name.as_str()));
-            core(facts).flat_map(drawn).map(|name| format!("a core crate names {name}")).collect()
+            core(facts).flat_map(drawn).map(|name| format!("a core crate depends on {name}")).collect()
         },
         plant: |facts| facts.depend("rosto-laplacian", "rand"),
     },
     Invariant {
-        says: "No core crate has global state.",
+        text: "The core crates have no global state.",
         breaches: |facts| facts.words(core(facts), &GLOBAL),
         plant: |facts| facts.write("rosto-session", "lib.rs", "static CACHE: OnceLock<u32> = OnceLock::new();"),
     },
     Invariant {
-        says: "No core type is `Serialize`, and no core crate names serde: what a file says is written out where its format is \
-               documented (`export`, `studio::project`, the preferences of `session`), so that no file changes because a type \
-               does.",
+        text: "The core types do not implement `Serialize`, and no core crate depends on serde. The code that writes a file \
+               format spells out its fields, so that renaming a field of a type does not change a file.",
         breaches: |facts| {
             let derived = facts.words(core(facts), &["Serialize", "Deserialize"]);
             let naming = core(facts).filter(|package| facts.declared[*package].contains("serde"));
-            derived.into_iter().chain(naming.map(|package| format!("{package} names serde"))).collect()
+            derived.into_iter().chain(naming.map(|package| format!("{package} depends on serde"))).collect()
         },
         plant: |facts| facts.write("rosto-face", "lib.rs", "#[derive(Serialize)]"),
     },
     Invariant {
-        says: "No identifier of `mesh`, `laplacian`, `stage` and `viewport` contains `photo`, `landmark`, `selfie` or the type name \
-               `Face`: they know meshes, pictures and what is seen of them.",
+        text: "The identifiers of `mesh`, `laplacian`, `stage` and `viewport` do not contain `photo`, `landmark`, `selfie` \
+               or the type name `Face`.",
         breaches: |facts| {
             let general = ["rosto-mesh", "rosto-laplacian", "rosto-stage", "rosto-viewport"];
             facts.words(general, &["photo", "Photo", "landmark", "Landmark", "LANDMARK", "468", "selfie", "Face"])
@@ -126,13 +125,13 @@ pub const INVARIANTS: [Invariant; 13] = [
         plant: |facts| facts.write("rosto-viewport", "lib.rs", "const LANDMARKS: u32 = 468;"),
     },
     Invariant {
-        says: "No `f32` is in `mesh` and `laplacian`: mathematics is in `f64`, and single precision begins where a picture is \
-               drawn or a file written.",
+        text: "`mesh` and `laplacian` contain no `f32`. Mathematics uses `f64`; single precision begins where a picture is \
+               drawn or a file is written.",
         breaches: |facts| facts.words(["rosto-mesh", "rosto-laplacian"], &["f32"]),
         plant: |facts| facts.write("rosto-laplacian", "lib.rs", "let weight = 1.0_f32;"),
     },
     Invariant {
-        says: "No session is needed to find a face: the worker does not reach `studio`, `stage` or `session`.",
+        text: "Finding a face needs no session: the worker does not reach `studio`, `stage` or `session`.",
         breaches: |facts| reaches(&facts.wasm, "rosto-vision-web", &["rosto-studio", "rosto-stage", "rosto-session"]),
         plant: |facts| facts.depend("rosto-photo", "rosto-stage"),
     },
@@ -144,46 +143,47 @@ fn core(facts: &Facts) -> impl Iterator<Item = &str> {
     all.filter(|package| !FACADES.contains(package) && !SHELLS.contains(package))
 }
 
-/// The core crates that draw nothing.
+/// The core crates that do not draw.
 fn without_gpu(facts: &Facts) -> impl Iterator<Item = &str> {
     core(facts).filter(|package| *package != VIEWPORT)
 }
 
-/// The crates that each crate may know, from the table of ARCHITECTURE.md.
-fn may_know() -> BTreeMap<String, BTreeSet<String>> {
-    let table = include_str!("../../ARCHITECTURE.md").split("\n## ").find(|section| section.starts_with("The crates"));
+/// The workspace crates that each crate may depend on, from the table in ARCHITECTURE.md.
+fn allowed() -> BTreeMap<String, BTreeSet<String>> {
+    let table =
+        include_str!("../../ARCHITECTURE.md").split("\n## ").find(|section| section.starts_with("Dependencies"));
     let rows = table.unwrap().lines().filter(|line| line.starts_with("| `"));
     let full_name = |name: &str| if name == "xtask" { name.to_owned() } else { format!("rosto-{name}") };
     let of_row = |row: &str| {
         let mut cells = row.split('|').skip(1).map(|cell| cell.split('`').skip(1).step_by(2).map(full_name).collect());
         let name: BTreeSet<String> = cells.next().unwrap();
-        (name.into_iter().next().unwrap(), cells.nth(1).unwrap())
+        (name.into_iter().next().unwrap(), cells.next().unwrap())
     };
     rows.map(of_row).collect()
 }
 
-/// Packages of ours that the others know and may not.
-fn strangers(facts: &Facts) -> Vec<String> {
-    let allowed = may_know();
+/// Dependencies between workspace crates that the table does not allow, and crates that it lacks.
+fn undeclared(facts: &Facts) -> Vec<String> {
+    let allowed = allowed();
     let ours = |name: &&String| facts.declared.contains_key(*name);
-    let known = facts.declared.iter().flat_map(|(package, on)| on.iter().filter(ours).map(move |name| (package, name)));
-    let strangers = known.filter(|(package, name)| !allowed.get(*package).is_some_and(|names| names.contains(*name)));
+    let all = facts.declared.iter().flat_map(|(package, on)| on.iter().filter(ours).map(move |name| (package, name)));
+    let undeclared = all.filter(|(package, name)| !allowed.get(*package).is_some_and(|names| names.contains(*name)));
     let unlisted = facts.declared.keys().filter(|package| !allowed.contains_key(*package));
-    let missing = unlisted.map(|package| format!("{package} is missing in the table of crates"));
-    strangers.map(|(package, name)| format!("{package} knows {name}")).chain(missing).collect()
+    let missing = unlisted.map(|package| format!("{package} is missing from the table in ARCHITECTURE.md"));
+    undeclared.map(|(package, name)| format!("{package} depends on {name}")).chain(missing).collect()
 }
 
-/// Packages with one of these prefixes that a package reaches.
+/// Packages with one of these prefixes that a package depends on, directly or transitively.
 fn reaches(graph: &BTreeMap<String, BTreeSet<String>>, package: &str, prefixes: &[&str]) -> Vec<String> {
     let reached = reachable(graph, package).into_iter();
     let found = reached.filter(|name| prefixes.iter().any(|prefix| name.starts_with(prefix)));
     found.map(|name| format!("{package} reaches {name}")).collect()
 }
 
-/// Packages that declare something with one of these prefixes, except those that may.
-fn named(facts: &Facts, prefixes: &[&str], may: &[&str]) -> Vec<String> {
-    let others = facts.declared.iter().filter(|(package, _)| !may.contains(&package.as_str()));
+/// Packages outside `allowed` that declare a dependency with one of these prefixes.
+fn named(facts: &Facts, prefixes: &[&str], allowed: &[&str]) -> Vec<String> {
+    let others = facts.declared.iter().filter(|(package, _)| !allowed.contains(&package.as_str()));
     let declared = others.flat_map(|(package, on)| on.iter().map(move |name| (package, name)));
     let found = declared.filter(|(_, name)| prefixes.iter().any(|prefix| name.starts_with(prefix)));
-    found.map(|(package, name)| format!("{package} names {name}")).collect()
+    found.map(|(package, name)| format!("{package} depends on {name}")).collect()
 }

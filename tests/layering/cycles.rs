@@ -1,24 +1,23 @@
-//! Circles of modules inside a crate.
+//! Dependency cycles between the modules of a crate.
 
 use crate::facts::{Graph, reachable};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A crate's modules by their paths, `crate::a::b`.
+/// A crate's modules by path, such as `crate::a::b`.
 #[derive(Default)]
 struct Modules {
     code: BTreeMap<String, String>,
-    /// What a module hands on under a path of its own, by that path.
-    handed_on: BTreeMap<String, Vec<String>>,
+    /// Paths that a module re-exports, by the path that they get there.
+    re_exports: BTreeMap<String, Vec<String>>,
 }
 
-/// The modules of a crate that use each other in a circle, with what each uses. What a module uses of its ancestors does
-/// not count.
+/// Modules that are part of a cycle, each with the modules that it uses. Uses of an ancestor do not count.
 pub fn of(sources: &[(String, String)]) -> Vec<String> {
     let modules = Modules::new(sources);
     let used = |(module, code): (&String, &String)| (module.clone(), modules.used(module, code));
     let uses: Graph = modules.code.iter().map(used).collect();
-    let in_circle = uses.iter().filter(|(module, _)| reachable(&uses, module).contains(*module));
-    in_circle.map(|(module, used)| format!("{module} uses {used:?}")).collect()
+    let in_cycle = uses.iter().filter(|(module, _)| reachable(&uses, module).contains(*module));
+    in_cycle.map(|(module, used)| format!("{module} uses {used:?}")).collect()
 }
 
 impl Modules {
@@ -32,18 +31,18 @@ impl Modules {
             *modules.code.entry(module).or_default() += &format!("{line}\n");
         }
         for (module, code) in &modules.code {
-            let is_handed_on = |(at, _): &(usize, &str)| code[..*at].ends_with("pub ") || code[..*at].ends_with(") ");
-            let uses = code.match_indices("use ").filter(is_handed_on);
-            let handed_on = uses.flat_map(|(at, start)| paths(&mut &code[at + start.len()..]));
-            // A single name is a macro of the module's own.
-            for path in handed_on.filter(|path| path.len() > 1) {
-                modules.handed_on.insert(format!("{module}::{}", path[path.len() - 1]), path);
+            let is_re_export = |(at, _): &(usize, &str)| code[..*at].ends_with("pub ") || code[..*at].ends_with(") ");
+            let uses = code.match_indices("use ").filter(is_re_export);
+            let re_exports = uses.flat_map(|(at, start)| paths(&mut &code[at + start.len()..]));
+            // A single name is the module's own macro.
+            for path in re_exports.filter(|path| path.len() > 1) {
+                modules.re_exports.insert(format!("{module}::{}", path[path.len() - 1]), path);
             }
         }
         modules
     }
 
-    /// The module's own children, and what it names by `crate::` and `super::`.
+    /// The module's children, and the modules that it names by `crate::` and `super::`.
     fn used(&self, module: &str, code: &str) -> BTreeSet<String> {
         let is_child = |other: &&String| other.rsplit_once("::").is_some_and(|(parent, _)| parent == module);
         let starts = ["crate::", "super::"].into_iter().flat_map(|start| code.match_indices(start));
@@ -53,7 +52,7 @@ impl Modules {
         used.filter(|used| !format!("{module}::").starts_with(&format!("{used}::"))).collect()
     }
 
-    /// The module that holds what a path names.
+    /// The module that defines what a path names.
     fn resolved(&self, from: &str, path: &[String]) -> String {
         let mut at = from.to_owned();
         for (index, name) in path.iter().enumerate() {
@@ -63,8 +62,8 @@ impl Modules {
                 "super" => at.truncate(at.rfind("::").unwrap_or(at.len())),
                 "self" => {}
                 _ if self.code.contains_key(&child) => at = child,
-                _ => match self.handed_on.get(&child) {
-                    Some(held) => return self.resolved(&at, &[held, &path[index + 1..]].concat()),
+                _ => match self.re_exports.get(&child) {
+                    Some(target) => return self.resolved(&at, &[target, &path[index + 1..]].concat()),
                     None => return at,
                 },
             }
@@ -73,7 +72,7 @@ impl Modules {
     }
 }
 
-/// The paths of a use tree such as `crate::a::{B, c::D}`, with which a text begins; moves the text behind it.
+/// The paths of the use tree, such as `crate::a::{B, c::D}`, at the start of `text`; advances `text` past it.
 fn paths(text: &mut &str) -> Vec<Vec<String>> {
     if !text.starts_with('{') {
         let is_of_name = |letter: char| letter.is_alphanumeric() || letter == '_';
@@ -88,7 +87,7 @@ fn paths(text: &mut &str) -> Vec<Vec<String>> {
     let mut branches = Vec::new();
     while let Some(branch) = text.strip_prefix(['{', ',']) {
         *text = branch.trim_start();
-        // A comma may come last.
+        // Trailing comma.
         if !text.starts_with('}') {
             branches.extend(paths(text));
         }
