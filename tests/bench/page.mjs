@@ -1,5 +1,5 @@
 // In the browser: the measurements of browser.mjs, each an export that resolves to records without samples.
-import * as frames from "/tests/e2e/film-frames.mjs";
+import * as frames from "/tests/e2e/video-frames.mjs";
 
 const PHOTO = "/web/assets/sample.png";
 const MEDIAPIPE = "/node_modules/@mediapipe/face_mesh/";
@@ -110,7 +110,7 @@ export async function film() {
       if (number >= 0) seen[peer].push({ number, ...answer });
     }
   }
-  return Object.entries(seen).flatMap(([peer, all]) => filmRecords(peer, all));
+  return Object.entries(seen).flatMap(([peer, all]) => videoRecords(peer, all));
 }
 
 /** The tests' film, and the face turning and nearing after it. */
@@ -149,7 +149,7 @@ async function followMediaPipe() {
 }
 
 /** @param {string} peer @param {{ number: number, ms: number, points?: number[][] }[]} all */
-function filmRecords(peer, all) {
+function videoRecords(peer, all) {
   const lost = all.filter(({ points }) => !points).map(({ number }) => number);
   if (lost.length > 0) throw new Error(`${peer} found no face in frames ${lost}`);
   const px = all.map(({ number, points }) => ({ number, points: points.map(([x, y]) => [x * frames.WIDTH_PX, y * frames.HEIGHT_PX]) }));

@@ -36,9 +36,9 @@ const QUIET = [
  * @param {{ gpu?: keyof typeof GPUS, film?: string, seen?: boolean, keepsPages?: boolean }} [options] `film`: a .y4m that a fake camera plays;
  *   `seen`: whether the 3D view shows in screenshots; `keepsPages`: whether pages that are left are kept for the way back
  */
-export function launch({ gpu = "webgpu", film, seen = true, keepsPages = false } = {}) {
-  const camera = ["--use-fake-ui-for-media-stream", "--use-fake-device-for-media-stream", `--use-file-for-fake-video-capture=${film}`];
-  const args = [...QUIET, ...GPUS[gpu], ...(seen ? [] : UNSEEN), ...(film ? camera : [])];
+export function launch({ gpu = "webgpu", video, seen = true, keepsPages = false } = {}) {
+  const camera = ["--use-fake-ui-for-media-stream", "--use-fake-device-for-media-stream", `--use-file-for-fake-video-capture=${video}`];
+  const args = [...QUIET, ...GPUS[gpu], ...(seen ? [] : UNSEEN), ...(video ? camera : [])];
   const ignoreDefaultArgs = keepsPages ? ["--disable-back-forward-cache"] : [];
   return chromium.launch({ executablePath: executable(), headless: true, args, ignoreDefaultArgs });
 }

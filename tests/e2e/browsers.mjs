@@ -1,7 +1,7 @@
 import { setTimeout as later } from "node:timers/promises";
 import { launch } from "./browser.mjs";
-import { movingFilm } from "./film.mjs";
-import { portraitFilm } from "./pictures.mjs";
+import { movingVideo } from "./video.mjs";
+import { portraitVideo } from "./pictures.mjs";
 
 /** How each kind of browser is launched; `seen`: whether its screenshots show the 3D view. */
 const KINDS = {
@@ -9,9 +9,9 @@ const KINDS = {
   eyes: () => ({ seen: true }),
   webgl: () => ({ seen: true, gpu: "webgl" }),
   "no-gpu": () => ({ seen: true, gpu: "none" }),
-  camera: async () => ({ seen: false, film: await portraitFilm() }),
-  "moving-camera": async () => ({ seen: false, film: await movingFilm() }),
-  "seen-camera": async () => ({ seen: true, film: await movingFilm() }),
+  camera: async () => ({ seen: false, video: await portraitVideo() }),
+  "moving-camera": async () => ({ seen: false, video: await movingVideo() }),
+  "seen-camera": async () => ({ seen: true, video: await movingVideo() }),
   "way-back": () => ({ seen: false, keepsPages: true }),
 };
 

@@ -9,7 +9,7 @@ const BELOW = "/some/where/";
 
 /**
  * Tests of the page. Tags choose the browser: `@eyes` (screenshots show the 3D view), `@webgl`, `@no-gpu`, `@camera`,
- * `@moving-camera` (plays the film of film-frames.mjs), `@seen-camera` (both of the former), `@way-back` (keeps the pages that are left).
+ * `@moving-camera` (plays the film of video-frames.mjs), `@seen-camera` (both of the former), `@way-back` (keeps the pages that are left).
  * `@rare` tests are left out of the usual run.
  */
 export const test = base.extend({

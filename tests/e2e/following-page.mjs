@@ -1,5 +1,5 @@
 // What the end-to-end tests of following do in the page: they bring it this file and drive the page's side of the worker with it.
-import { numberOf } from "./film-frames.mjs";
+import { numberOf } from "./video-frames.mjs";
 
 /**
  * A frame of the film that was answered; `answersMeanwhile` to others, since it was handed over.

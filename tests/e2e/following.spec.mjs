@@ -2,8 +2,8 @@
 // no part in it.
 import assert from "node:assert/strict";
 import path from "node:path";
-import { portraitLandmarks } from "./film.mjs";
-import { FRAMES_PER_S, STILL_FRAMES, carried, placeIn, speedIn } from "./film-frames.mjs";
+import { portraitLandmarks } from "./video.mjs";
+import { FRAMES_PER_S, STILL_FRAMES, carried, placeIn, speedIn } from "./video-frames.mjs";
 import { test as base } from "./fixtures.mjs";
 import { dieBefore } from "./watches.mjs";
 

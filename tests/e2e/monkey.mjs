@@ -6,7 +6,7 @@ import { parseArgs } from "node:util";
 import fc from "fast-check";
 import { action } from "./monkey/actions.mjs";
 import { Visit } from "./monkey/visit.mjs";
-import { portraitFilm } from "./pictures.mjs";
+import { portraitVideo } from "./pictures.mjs";
 import { DIST, serve } from "./server.mjs";
 
 const SHRINKING_MS = 300_000;
@@ -16,13 +16,13 @@ const SHRINKING_MS = 300_000;
 /** @param {Amount} amount @returns {Promise<number>} the actions that were done */
 export async function monkeyTest({ runs, actions, seed, path, replay }) {
   const server = await serve(DIST, "/some/where/");
-  const film = await portraitFilm();
+  const video = await portraitVideo();
   let done = 0;
   let shrinkingEnds = Number.POSITIVE_INFINITY;
   const commands = fc.commands([action], { maxCommands: actions, size: "max", replayPath: replay });
   const property = fc.asyncProperty(commands, async (commands) => {
     if (performance.now() > shrinkingEnds) return;
-    const visit = await Visit.start(server.url, film);
+    const visit = await Visit.start(server.url, video);
     try {
       await fc.asyncModelRun(() => ({ model: visit, real: visit }), commands);
       await visit.look(3);

@@ -62,7 +62,7 @@ test("the sample is offered as a small picture, which moves and asks for nothing
   assert.ok(colours > 50, "the thumbnail is empty");
   assert.deepEqual(await sample.boundingBox(), before);
   assert.equal(visitor.requests.filter((url) => url.endsWith("sample.png")).length, 1);
-  assert.deepEqual(await offered(page), [["choose", true], ["camera", false], ["mirror", false], ["sample", false]]);
+  assert.deepEqual(await offered(page), [["choose", true], ["camera", false], ["live-preview", false], ["sample", false]]);
   await sample.click();
   await visitor.untilFace();
   assert.equal(await nameOf(visitor, "save-project"), "sample.rosto");
@@ -71,7 +71,7 @@ test("the sample is offered as a small picture, which moves and asks for nothing
   await page.reload();
   await page.waitForSelector("#continue:not([hidden])");
   await visitor.untilLoaded();
-  assert.deepEqual(await offered(page), [["continue", true], ["choose", false], ["camera", false], ["mirror", false], ["sample", false]]);
+  assert.deepEqual(await offered(page), [["continue", true], ["choose", false], ["camera", false], ["live-preview", false], ["sample", false]]);
 });
 
 /** The buttons of the empty page in their order, and whether each stands out. */

@@ -96,7 +96,7 @@ async function redraw(page, png, how) {
 }
 
 /** The file of a film of the sample portrait, for a fake camera to play. */
-export async function portraitFilm() {
+export async function portraitVideo() {
   const picture = PNG.sync.read(await readFile(SAMPLE));
   const header = Buffer.from(`YUV4MPEG2 W${picture.width} H${picture.height} F25:1 Ip A1:1 C420\n`);
   const file = path.join(await mkdtemp(path.join(tmpdir(), "rosto-")), "portrait.y4m");

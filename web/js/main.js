@@ -1,5 +1,5 @@
 import { Opening } from "./opening.js";
-import { setUpMirror } from "./mirror/mirror.js";
+import { setUpLivePreview } from "./live/live-preview.js";
 import { announce } from "./page/announce.js";
 import { setUpDialogs } from "./page/dialogs.js";
 import { byId, onAction } from "./page/dom.js";
@@ -70,7 +70,7 @@ const opening = new Opening({ host, overlay, faceChoice, vision, autosave, opene
 setUpTheme((theme) => host.then((there) => there?.act((studio) => studio.setTheme(theme))));
 setUpPhotoInput((file) => opening.openFile(file));
 setUpCamera((photo) => opening.openFile(photo, "selfie"));
-setUpMirror({ host, vision, opening });
+setUpLivePreview({ host, vision, opening });
 onAction("sample", () => opening.openFile(loadSample(), "sample"));
 autosave.offer((read) => opening.openWork(read));
 countRequests(loadTheRest());

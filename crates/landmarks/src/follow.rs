@@ -29,7 +29,7 @@ struct Last {
     smoother: Smoother,
 }
 
-/// A face in one frame of a film.
+/// A face in one frame of a video.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FollowedFace {
     /// The landmark network's, 0.5..1.
@@ -71,7 +71,7 @@ const SAMPLES: u8 = 4;
 type Found = (FollowedFace, Last);
 
 impl FaceFinder {
-    /// The face that is followed, in the next frame of a film; none is an answer, not an error.
+    /// The face that is followed, in the next frame of a video; none is an answer, not an error.
     ///
     /// The landmark network looks once at the region that the landmarks of the frame before suggest (their box × 1.5, square,
     /// the outer eye corners level), once more if the face has gone far, and the face is followed for as long as it finds one

@@ -5,7 +5,7 @@
 //! picture is resampled (`warp`) for the `detector`, whose overlapping boxes are merged (`suppression`); the eyes of a
 //! detection turn it into a square `region`, which is resampled for the landmark network (`mesh`). Beyond MediaPipe, and by
 //! default: a `search` through turns and tiles of the picture at several sizes (`pyramid`), and a `verification` that looks again
-//! until the landmarks settle, and drops what is no face. [`FaceFinder::follow`] takes the frames of a film one by one and looks
+//! until the landmarks settle, and drops what is no face. [`FaceFinder::follow`] takes the frames of a video one by one and looks
 //! where the face was in the frame before (`follow`).
 
 mod anchors;

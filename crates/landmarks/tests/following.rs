@@ -6,7 +6,7 @@ mod support;
 
 use rosto_landmarks::{FaceFinder, Follower, Origin};
 use rosto_photo::Photo;
-use support::film::{self, FRAME_MS};
+use support::video::{self, FRAME_MS};
 use support::scenes::canvas::Ground;
 use support::scenes::{Model, Placed};
 use support::seeded::Seeded;
@@ -20,13 +20,13 @@ fn model(finder: &FaceFinder) -> Model {
 
 /// The landmarks in every frame, px; there is a face in each.
 fn followed_px(finder: &FaceFinder, frames: &[Photo]) -> Vec<Vec<[f64; 2]>> {
-    film::follow(finder, frames).iter().map(|face| film::px(face.as_ref().unwrap())).collect()
+    video::follow(finder, frames).iter().map(|face| video::px(face.as_ref().unwrap())).collect()
 }
 
 /// The same, each frame by itself.
 fn fresh_px(finder: &FaceFinder, frames: &[Photo]) -> Vec<Vec<[f64; 2]>> {
-    let fresh = |frame| film::follow_one(finder, &mut Follower::default(), frame, 0.0).unwrap();
-    frames.iter().map(|frame| film::px(&fresh(frame))).collect()
+    let fresh = |frame| video::follow_one(finder, &mut Follower::default(), frame, 0.0).unwrap();
+    frames.iter().map(|frame| video::px(&fresh(frame))).collect()
 }
 
 fn shifted(landmarks: &[[f64; 2]], [dx, dy]: [f64; 2]) -> Vec<[f64; 2]> {
@@ -39,10 +39,10 @@ fn a_still_face_in_a_trembling_picture_rests() {
     const SETTLED: usize = 10;
     let finder = support::attentive_finder();
     let model = model(&finder);
-    let frames: Vec<Photo> = (0..30).map(|number| film::frame(&model, &[film::middle()], NOISE, number)).collect();
+    let frames: Vec<Photo> = (0..30).map(|number| video::frame(&model, &[video::middle()], NOISE, number)).collect();
     let followed = followed_px(&finder, &frames);
-    let fresh = film::jitter_px(&fresh_px(&finder, &frames[SETTLED..]));
-    let (whole, settled) = (film::jitter_px(&followed), film::jitter_px(&followed[SETTLED..]));
+    let fresh = video::jitter_px(&fresh_px(&finder, &frames[SETTLED..]));
+    let (whole, settled) = (video::jitter_px(&followed), video::jitter_px(&followed[SETTLED..]));
     assert!(whole < 0.3, "{whole} px from the first frame on");
     assert!(settled < 0.15 && settled < 0.4 * fresh, "{settled} px; {fresh} px frame by frame");
 }
@@ -53,12 +53,12 @@ fn a_moving_face_is_followed_without_lag() {
     let model = model(&finder);
     for speed_px_s in [100.0, 200.0, 300.0] {
         let at = |number: u64| 200.0 + speed_px_s * FRAME_MS / 1000.0 * number as f64;
-        let frame = |number| film::frame(&model, &[Placed::upright([at(number), 240.0], 1.6)], NOISE, number);
+        let frame = |number| video::frame(&model, &[Placed::upright([at(number), 240.0], 1.6)], NOISE, number);
         let frames: Vec<Photo> = (0..20).map(frame).collect();
         let followed = followed_px(&finder, &frames);
         for number in [1, 4, 10, 19] {
             let truth = shifted(&followed[0], [at(number) - at(0), 0.0]);
-            let lag_ms = film::lag_ms(&followed[number as usize], &truth, speed_px_s);
+            let lag_ms = video::lag_ms(&followed[number as usize], &truth, speed_px_s);
             assert!(lag_ms.abs() < 15.0, "{lag_ms} ms at {speed_px_s} px/s in frame {number}");
         }
     }
@@ -79,11 +79,11 @@ fn a_face_that_is_seen_seldom_is_followed_without_lag() {
             let way = (SPEED_PX_S * time_ms / 1000.0) % (4.0 * REACH_PX);
             let aside = REACH_PX - (way - 2.0 * REACH_PX).abs();
             let placed = Placed::upright([320.0 + aside, 240.0], 1.6);
-            let frame = film::frame(&model, &[placed], NOISE, number.into());
-            let face = film::follow_one(&finder, &mut follower, &frame, time_ms).unwrap();
-            let px = film::px(&face);
+            let frame = video::frame(&model, &[placed], NOISE, number.into());
+            let face = video::follow_one(&finder, &mut follower, &frame, time_ms).unwrap();
+            let px = video::px(&face);
             let (begin, from) = first.get_or_insert_with(|| (px.clone(), aside));
-            let behind_px = film::apart_px(&px, &shifted(begin, [aside - *from, 0.0]));
+            let behind_px = video::apart_px(&px, &shifted(begin, [aside - *from, 0.0]));
             assert!(behind_px < 4.0, "every {every_ms} ms, frame {number}: {behind_px} px");
         }
     }
@@ -98,15 +98,15 @@ fn the_detector_looks_once_and_following_says_what_a_fresh_look_says() {
             degrees: 2.0 * number as f64,
             ..Placed::upright([260.0 + 8.0 * number as f64, 240.0], 1.4 + 0.02 * number as f64)
         };
-        film::frame(&model, &[placed], 0.0, number)
+        video::frame(&model, &[placed], 0.0, number)
     };
     let frames: Vec<Photo> = (0..12).map(frame).collect();
-    let followed = film::follow(&finder, &frames);
+    let followed = video::follow(&finder, &frames);
     let origins: Vec<Origin> = followed.iter().flatten().map(|face| face.origin).collect();
     assert_eq!(origins[0], Origin::Detected);
     assert!(origins.len() == 12 && origins[1..].iter().all(|&origin| origin == Origin::Followed), "{origins:?}");
     for (number, (face, fresh)) in followed.iter().flatten().zip(fresh_px(&finder, &frames)).enumerate() {
-        let apart = film::apart_px(&film::px(face), &fresh);
+        let apart = video::apart_px(&video::px(face), &fresh);
         assert!(apart < 2.0, "frame {number}: {apart} px");
     }
 }
@@ -116,12 +116,12 @@ fn a_face_that_turns_onto_its_head_is_followed_all_the_way() {
     let finder = support::attentive_finder();
     let model = model(&finder);
     let turned = |number: u64| Placed { degrees: 12.0 * number as f64, ..Placed::upright([320.0, 240.0], 1.3) };
-    let frames: Vec<Photo> = (0..16).map(|number| film::frame(&model, &[turned(number)], 0.0, number)).collect();
-    let followed = film::follow(&finder, &frames);
+    let frames: Vec<Photo> = (0..16).map(|number| video::frame(&model, &[turned(number)], 0.0, number)).collect();
+    let followed = video::follow(&finder, &frames);
     let origins: Vec<_> = followed.iter().map(|face| face.as_ref().map(|face| face.origin)).collect();
     assert!(origins[1..].iter().all(|&origin| origin == Some(Origin::Followed)), "{origins:?}");
-    let (last, truth) = (film::px(followed[15].as_ref().unwrap()), model.truth_px(&turned(15)));
-    assert!(film::apart_px(&last, &truth) < 4.0, "{} px", film::apart_px(&last, &truth));
+    let (last, truth) = (video::px(followed[15].as_ref().unwrap()), model.truth_px(&turned(15)));
+    assert!(video::apart_px(&last, &truth) < 4.0, "{} px", video::apart_px(&last, &truth));
 }
 
 #[test]
@@ -129,14 +129,14 @@ fn landmarks_move_with_the_picture() {
     let finder = support::attentive_finder();
     let model = model(&finder);
     let by = [37.0, -21.0];
-    let [x, y] = film::middle().at_px;
+    let [x, y] = video::middle().at_px;
     let film_at = |at_px: [f64; 2]| -> Vec<Photo> {
         let placed = |number: u64| Placed::upright([at_px[0] + 3.0 * number as f64, at_px[1]], 1.6);
-        (0..5).map(|number| film::frame(&model, &[placed(number)], 0.0, number)).collect()
+        (0..5).map(|number| video::frame(&model, &[placed(number)], 0.0, number)).collect()
     };
     let (here, there) = (film_at([x, y]), film_at([x + by[0], y + by[1]]));
     for (here, there) in followed_px(&finder, &here).iter().zip(followed_px(&finder, &there)) {
-        let apart = film::apart_px(&shifted(here, by), &there);
+        let apart = video::apart_px(&shifted(here, by), &there);
         assert!(apart < 0.5, "{apart} px");
     }
 }
@@ -145,10 +145,10 @@ fn landmarks_move_with_the_picture() {
 fn a_face_that_leaves_is_lost_and_one_that_comes_back_is_found() {
     let finder = support::attentive_finder();
     let model = model(&finder);
-    let at = |x: f64| film::frame(&model, &[Placed::upright([x, 240.0], 1.6)], NOISE, x as u64);
+    let at = |x: f64| video::frame(&model, &[Placed::upright([x, 240.0], 1.6)], NOISE, x as u64);
     let mut places: Vec<f64> = (0..14).map(|number| 400.0 + 30.0 * f64::from(number)).collect();
     places.extend([2000.0, 320.0, 325.0]);
-    let found = film::follow(&finder, &places.iter().map(|&x| at(x)).collect::<Vec<_>>());
+    let found = video::follow(&finder, &places.iter().map(|&x| at(x)).collect::<Vec<_>>());
     let seen: Vec<Option<Origin>> = found.iter().map(|face| face.as_ref().map(|face| face.origin)).collect();
     assert!(seen[1..7].iter().all(|&origin| origin == Some(Origin::Followed)), "{seen:?}");
     assert!(seen[11..15].iter().all(Option::is_none), "{seen:?}");
@@ -159,11 +159,11 @@ fn a_face_that_leaves_is_lost_and_one_that_comes_back_is_found() {
 fn a_face_that_vanishes_is_lost_at_once_whatever_is_behind_it() {
     let finder = support::attentive_finder();
     let model = model(&finder);
-    let with_face = film::frame(&model, &[film::middle()], 0.0, 0);
+    let with_face = video::frame(&model, &[video::middle()], 0.0, 0);
     for ground in Ground::ALL {
-        let [width, height] = film::SIZE_PX;
+        let [width, height] = video::SIZE_PX;
         let empty = ground.picture(width, height, 7, &model.portrait);
-        let found = film::follow(&finder, &[with_face.clone(), empty]);
+        let found = video::follow(&finder, &[with_face.clone(), empty]);
         assert!(
             found[0].is_some() && found[1].is_none(),
             "{ground:?}: {:?}",
@@ -176,14 +176,14 @@ fn a_face_that_vanishes_is_lost_at_once_whatever_is_behind_it() {
 fn a_camera_that_is_covered_shows_no_face() {
     let finder = support::attentive_finder();
     let model = model(&finder);
-    let with_face = film::frame(&model, &[film::middle()], 0.0, 0);
-    let [width, height] = film::SIZE_PX;
+    let with_face = video::frame(&model, &[video::middle()], 0.0, 0);
+    let [width, height] = video::SIZE_PX;
     let mut seeded = Seeded::new(5);
     for (level, noise) in [(0.0, 0.0), (8.0, 8.0), (128.0, 0.0), (60.0, 8.0), (255.0, 0.0)] {
         let pixels = (0..3 * width * height).map(|_| (level + noise * seeded.signed()) as u8).collect();
         let covered = Photo::from_rgb(width, height, pixels).unwrap();
         let dim = dimmed(&with_face, 0.15);
-        let found = film::follow(&finder, &[with_face.clone(), covered.clone(), covered, dim]);
+        let found = video::follow(&finder, &[with_face.clone(), covered.clone(), covered, dim]);
         let seen: Vec<bool> = found.iter().map(Option::is_some).collect();
         assert_eq!(seen, [true, false, false, true], "all at {level}, and noise of {noise}");
     }
@@ -199,19 +199,19 @@ fn dimmed(frame: &Photo, share: f64) -> Photo {
 fn a_face_that_jumps_is_found_in_the_same_frame_and_not_smoothed_on_its_way() {
     let finder = support::attentive_finder();
     let model = model(&finder);
-    let at = |x: f64| film::frame(&model, &[Placed::upright([x, 200.0], 1.0)], 0.0, 0);
+    let at = |x: f64| video::frame(&model, &[Placed::upright([x, 200.0], 1.0)], 0.0, 0);
     let frames = [at(120.0), at(520.0)];
-    let (followed, fresh) = (film::follow(&finder, &frames), fresh_px(&finder, &frames));
+    let (followed, fresh) = (video::follow(&finder, &frames), fresh_px(&finder, &frames));
     let last = followed[1].as_ref().unwrap();
     assert_eq!(last.origin, Origin::Detected);
-    assert_eq!(film::px(last), fresh[1]);
+    assert_eq!(video::px(last), fresh[1]);
 }
 
 #[test]
 fn a_long_pause_time_that_runs_backwards_and_another_size_begin_anew() {
     let finder = support::attentive_finder();
     let model = model(&finder);
-    let frame = film::frame(&model, &[film::middle()], 0.0, 0);
+    let frame = video::frame(&model, &[video::middle()], 0.0, 0);
     let portrait = support::assets::portrait();
     for (second, time_ms, origin) in [
         (&frame, 1033.0, Origin::Followed),
@@ -222,8 +222,8 @@ fn a_long_pause_time_that_runs_backwards_and_another_size_begin_anew() {
         (&portrait, 1033.0, Origin::Detected),
     ] {
         let mut follower = Follower::default();
-        film::follow_one(&finder, &mut follower, &frame, 1000.0);
-        let face = film::follow_one(&finder, &mut follower, second, time_ms).unwrap();
+        video::follow_one(&finder, &mut follower, &frame, 1000.0);
+        let face = video::follow_one(&finder, &mut follower, second, time_ms).unwrap();
         assert_eq!(face.origin, origin, "{time_ms} ms");
         assert!(face.landmarks.as_flattened().iter().all(|number| number.is_finite()));
     }
@@ -234,11 +234,11 @@ fn frames_of_one_moment_show_the_face_where_it_was() {
     let finder = support::attentive_finder();
     let model = model(&finder);
     let mut follower = Follower::default();
-    let at = |x: f64| film::frame(&model, &[Placed::upright([x, 240.0], 1.6)], 0.0, 0);
-    let first = film::follow_one(&finder, &mut follower, &at(300.0), 40.0).unwrap();
-    let again = film::follow_one(&finder, &mut follower, &at(310.0), 40.0).unwrap();
+    let at = |x: f64| video::frame(&model, &[Placed::upright([x, 240.0], 1.6)], 0.0, 0);
+    let first = video::follow_one(&finder, &mut follower, &at(300.0), 40.0).unwrap();
+    let again = video::follow_one(&finder, &mut follower, &at(310.0), 40.0).unwrap();
     assert_eq!(first.landmarks, again.landmarks);
-    let later = film::follow_one(&finder, &mut follower, &at(310.0), 73.0).unwrap();
+    let later = video::follow_one(&finder, &mut follower, &at(310.0), 73.0).unwrap();
     assert!(later.landmarks.as_flattened().iter().all(|number| number.is_finite()));
     assert!(later.landmarks[1][0] > first.landmarks[1][0]);
 }
@@ -248,8 +248,8 @@ fn of_two_faces_the_larger_one_is_followed() {
     let finder = support::attentive_finder();
     let model = model(&finder);
     let faces = [Placed::upright([110.0, 240.0], 0.7), Placed::upright([430.0, 240.0], 1.4)];
-    let found = film::follow(&finder, &[film::frame(&model, &faces, 0.0, 0)]);
-    let nose = film::px(found[0].as_ref().unwrap())[1];
+    let found = video::follow(&finder, &[video::frame(&model, &faces, 0.0, 0)]);
+    let nose = video::px(found[0].as_ref().unwrap())[1];
     assert!((nose[0] - 430.0).abs() < 60.0, "{nose:?}");
 }
 
@@ -259,6 +259,6 @@ fn tiny_and_thin_frames_are_followed_without_trouble() {
     let mut follower = Follower::default();
     for (width, height) in [(1, 1), (1, 300), (2000, 2), (7, 5), (7, 5)] {
         let frame = Photo::from_rgb(width, height, vec![90; width as usize * height as usize * 3]).unwrap();
-        assert_eq!(film::follow_one(&finder, &mut follower, &frame, 0.0), None, "{width}×{height}");
+        assert_eq!(video::follow_one(&finder, &mut follower, &frame, 0.0), None, "{width}×{height}");
     }
 }

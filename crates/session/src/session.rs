@@ -1,6 +1,6 @@
 #[cfg(test)]
 mod faults;
-mod in_mirror;
+mod live_preview;
 mod in_photo;
 mod moving;
 mod opening;
@@ -15,7 +15,7 @@ use rosto_stage::{Scene, Stage};
 use rosto_studio::{Document, Switch};
 
 use crate::gesture::{Gesture, Under};
-use crate::mirror::Mirror;
+use crate::live_preview::LivePreview;
 use crate::open_face::OpenFace;
 use crate::seeds::Seeds;
 use crate::strokes::Strokes;
@@ -37,7 +37,7 @@ pub struct Session {
     stage: Stage,
     seeds: Seeds,
     brush_px: Option<f64>,
-    mirror: Option<Mirror>,
+    live_preview: Option<LivePreview>,
 }
 
 type Result<T = Changed, E = SessionError> = std::result::Result<T, E>;
@@ -55,7 +55,7 @@ impl Session {
             stage: Stage::default(),
             seeds: Seeds::new(seed),
             brush_px: None,
-            mirror: None,
+            live_preview: None,
         };
         session.stage.render_settings_mut().dotted = Some(LANDMARK_COUNT as u32);
         session.show_empty();

@@ -1,6 +1,6 @@
 mod eye;
 mod facing;
-mod film;
+mod camera_stream;
 mod picture;
 mod pose;
 mod projection;
@@ -14,7 +14,7 @@ use crate::{Lens, PicturePlane, Pinhole};
 pub(crate) use eye::Eye;
 use visible_area::VisibleArea;
 pub(crate) use facing::Facing;
-pub use film::Sides;
+pub use camera_stream::Sides;
 use pose::Pose;
 
 /// Time constant of the glide towards where the camera is asked to be.

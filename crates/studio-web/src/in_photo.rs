@@ -181,8 +181,8 @@ impl Studio {
 
     fn show_sheet(&mut self) -> Result<()> {
         let (Some(face), Some(picture)) = (self.session.face(), &self.picture) else { return Ok(()) };
-        // The mirror's film lies where the photo does.
-        let Some((patch, version)) = face.photo().patch().filter(|_| self.film.is_none()) else { return Ok(()) };
+        // The mirror's camera stream lies where the photo does.
+        let Some((patch, version)) = face.photo().patch().filter(|_| self.camera_stream.is_none()) else { return Ok(()) };
         if self.photo_shown.version.replace(version) != Some(version) {
             self.viewport.show_sheet(Some(&sheet(face, picture, patch)));
         }

@@ -9,7 +9,7 @@ mod error;
 mod files;
 mod in_photo;
 mod measuring;
-mod mirror;
+mod live_preview;
 mod modes;
 mod names;
 mod paper;

@@ -1,4 +1,4 @@
-//! The photo and the camera's film, as they are shown.
+//! The photo and the camera's camera stream, as they are shown.
 
 use glam::DVec2;
 use rosto_face::Photo;
@@ -21,12 +21,12 @@ pub(crate) struct PanelPhoto {
     pub(crate) scale: f64,
 }
 
-/// The film on the GPU, and what of it is shown.
-pub(crate) struct Film {
+/// The camera stream on the GPU, and what of it is shown.
+pub(crate) struct CameraStream {
     pub(crate) on_gpu: PictureOnGpu,
     pub(crate) size_px: [u32; 2],
     /// Of the layout that is shown; none before there is one.
     pub(crate) version: Option<u32>,
-    /// Whether the mesh that is shown has the film on it.
+    /// Whether the mesh that is shown has the camera stream on it.
     pub(crate) is_on_mesh: bool,
 }

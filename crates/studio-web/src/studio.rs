@@ -11,7 +11,7 @@ use crate::modes::ChangeName;
 use crate::picture::{IncomingPicture, OpenPicture};
 use crate::pieces::Pieces;
 use crate::renderer::Renderer;
-use crate::shown::{Film, PhotoShown};
+use crate::shown::{CameraStream, PhotoShown};
 
 /// Seeds stay exact as JavaScript's numbers.
 const SEEDS: f64 = 9_007_199_254_740_992.0;
@@ -33,7 +33,7 @@ pub struct Studio {
     pub(crate) incoming_texture: Option<IncomingPicture>,
     pub(crate) photo_shown: PhotoShown,
     /// While the mirror shows one.
-    pub(crate) film: Option<Film>,
+    pub(crate) camera_stream: Option<CameraStream>,
     /// What the mesh on the GPU is parted into, while the face shows an expression.
     pub(crate) pieces: Option<Pieces>,
     /// What has changed and could not be brought to the GPU yet: the next frame tries again.
@@ -70,7 +70,7 @@ impl Studio {
         self.viewport.resize(size[0], size[1]);
         (self.incoming_picture, self.incoming_texture) = (None, None);
         // The next frame brings another.
-        self.film = None;
+        self.camera_stream = None;
         self.show_soon(Changed::Mesh);
         Ok(())
     }
@@ -221,7 +221,7 @@ impl Studio {
             texture: None,
             incoming_texture: None,
             photo_shown: PhotoShown::default(),
-            film: None,
+            camera_stream: None,
             pieces: None,
             unshown: Changed::Nothing,
         }
@@ -283,8 +283,8 @@ impl Studio {
 
     /// Brings to the GPU what has changed.
     pub(crate) fn show(&mut self, changed: Changed) -> Result<()> {
-        if self.film.is_some() {
-            return self.show_in_mirror(changed);
+        if self.camera_stream.is_some() {
+            return self.show_live_preview(changed);
         }
         let is_parted = self.session.face().is_some_and(OpenFace::shows_expression);
         if changed >= Changed::Mesh {
@@ -309,7 +309,7 @@ impl Studio {
         let picture = if is_whole { &self.texture } else { &self.picture };
         let picture = picture.as_ref().map(|picture| &picture.on_gpu);
         // What comes with the camera's frames is whole.
-        let parted = self.session.face().filter(|face| self.film.is_none() && face.shows_expression());
+        let parted = self.session.face().filter(|face| self.camera_stream.is_none() && face.shows_expression());
         self.pieces = parted.map(Pieces::of);
         let Some(face) = self.session.face() else { return show_canonical(&mut self.viewport) };
         let uvs = if is_whole { face.texture_uvs() } else { face.uvs() };

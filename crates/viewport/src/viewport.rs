@@ -90,21 +90,21 @@ impl Viewport {
         picture::finish(&self.gpu, &self.shrink, picture);
     }
 
-    /// A texture for the frames of a film, without mip levels: pixels change sixty times a second. Sizes are in px.
+    /// A texture for the frames of a camera stream, without mip levels: pixels change sixty times a second. Sizes are in px.
     ///
     /// # Errors
     /// As [`Self::reserve_picture`].
-    pub fn reserve_film(&self, width: u32, height: u32) -> Result<PictureOnGpu, ViewportError> {
+    pub fn reserve_camera_stream(&self, width: u32, height: u32) -> Result<PictureOnGpu, ViewportError> {
         picture::reserve_levels(&self.gpu, width, height, 1)
     }
 
-    /// The next frame of a film, which is to have its size.
+    /// The next frame of a camera stream, which is to have its size.
     ///
     /// # Errors
     /// [`ViewportError::BadPicture`] for a bitmap of another size, or one that was closed.
     #[cfg(target_arch = "wasm32")]
-    pub fn write_frame(&self, film: &PictureOnGpu, frame: &wgpu::web_sys::ImageBitmap) -> Result<(), ViewportError> {
-        picture::write_bitmap(&self.gpu, film, frame)
+    pub fn write_frame(&self, camera_stream: &PictureOnGpu, frame: &wgpu::web_sys::ImageBitmap) -> Result<(), ViewportError> {
+        picture::write_bitmap(&self.gpu, camera_stream, frame)
     }
 
     /// Shows a mesh in place of the one before. No handle moves it yet: a stage's offsets must be zero until the next
@@ -174,7 +174,7 @@ impl Viewport {
         self.drawn.sheet.as_mut().map_or(Ok(()), |sheet| sheet.follow(&self.gpu, to_px))
     }
 
-    /// The same where what moves is elsewhere in each picture, as in those of a film. Nothing without a picture.
+    /// The same where what moves is elsewhere in each picture, as in those of a camera stream. Nothing without a picture.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].

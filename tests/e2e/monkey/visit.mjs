@@ -21,8 +21,8 @@ export class Visit {
   done = 0;
 
   /** @param {string} url @param {string} film the file that the camera plays */
-  static async start(url, film) {
-    const browser = await launch({ film, seen: false });
+  static async start(url, video) {
+    const browser = await launch({ video, seen: false });
     const options = { viewport: { width: 760, height: 480 }, hasTouch: true, scripts: [letMonkeyIn] };
     const { page, broken, said } = await Visitor.arrive(browser, url, options);
     const visit = Object.assign(new Visit(), { page, broken, said, input: await page.context().newCDPSession(page) });

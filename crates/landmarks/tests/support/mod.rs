@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "each test file is a program of its own and uses its part of this")]
 
 pub mod assets;
-pub mod film;
+pub mod video;
 pub mod pictures;
 pub mod scenes;
 #[path = "../../../../tests/seeded.rs"]

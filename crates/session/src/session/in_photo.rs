@@ -22,7 +22,7 @@ impl Session {
     /// The photo's camera, in whose view mesh and photo coincide, and where it has the photo lie.
     pub(super) fn show_pinhole(&mut self) {
         // What the mirror shows comes with each frame.
-        if self.mirror.is_some() {
+        if self.live_preview.is_some() {
             return;
         }
         let seen_by = self.face.as_ref().map(OpenFace::seen_by);
@@ -89,7 +89,7 @@ impl Session {
     /// The brush paints on the photo alone.
     pub(super) fn set_brush(&mut self, radius_px: Option<f64>) -> Result {
         // In a mirror nothing stays where it was painted.
-        let radius_px = radius_px.filter(|_| self.mirror.is_none());
+        let radius_px = radius_px.filter(|_| self.live_preview.is_none());
         self.brush_px = radius_px.map(|px| within("the brush in px", px, BRUSH_PX[0], BRUSH_PX[1])).transpose()?;
         if self.brush_px.is_some() && self.view.scene != Scene::Picture {
             self.set_scene(Scene::Picture);

@@ -22,7 +22,7 @@ impl Session {
         self.frame_in_photo();
         self.stage.show(self.view.scene);
         self.stage.settle_picture();
-        if self.view.motion == Motion::Usual && self.view.scene == Scene::Solid && self.mirror.is_none() {
+        if self.view.motion == Motion::Usual && self.view.scene == Scene::Solid && self.live_preview.is_none() {
             self.stage.start_arrival();
         }
         Ok(Changed::Mesh)
@@ -53,7 +53,7 @@ impl Session {
 
     pub(super) fn close(&mut self) -> Result {
         (self.face, self.brush_px) = (None, None);
-        self.end_mirror();
+        self.end_live_preview();
         self.see_as_edited();
         (self.gesture, self.under) = (Gesture::Idle, Under::default());
         self.show_empty();

@@ -7,7 +7,7 @@ mod faces;
 mod intents;
 mod invariants;
 mod walks;
-mod mirror;
+mod live_preview;
 mod random;
 mod refusals;
 mod taken_from;

@@ -20,7 +20,7 @@ impl Stage {
         }
     }
 
-    /// The next picture of a film, at once in the place of the one before ([`change_picture`](crate::Camera::change_picture)).
+    /// The next picture of a camera stream, at once in the place of the one before ([`change_picture`](crate::Camera::change_picture)).
     pub fn change_picture(&mut self, picture: PicturePlane, pinhole: Pinhole) {
         self.picture = Some(picture);
         self.camera_mut().change_picture(picture, pinhole);

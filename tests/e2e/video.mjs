@@ -4,16 +4,16 @@ import { existsSync } from "node:fs";
 import { mkdir, readFile, rename, writeFile } from "node:fs/promises";
 import path from "node:path";
 import { PNG } from "pngjs";
-import { FRAMES, FRAMES_PER_S, HEIGHT_PX, WIDTH_PX, frameOf, placeIn } from "./film-frames.mjs";
+import { FRAMES, FRAMES_PER_S, HEIGHT_PX, WIDTH_PX, frameOf, placeIn } from "./video-frames.mjs";
 import { yuvOf } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 const HERE = import.meta.dirname;
-const FOLDER = path.join(process.env.CARGO_TARGET_DIR ?? path.join(HERE, "../../target"), "films");
+const FOLDER = path.join(process.env.CARGO_TARGET_DIR ?? path.join(HERE, "../../target"), "videos");
 
 /** The film of `placeIn` as a .y4m: written once, and anew when it would be another. */
-export async function movingFilm() {
-  const sources = [SAMPLE, ...["film.mjs", "film-frames.mjs", "pictures.mjs"].map((name) => path.join(HERE, name))];
+export async function movingVideo() {
+  const sources = [SAMPLE, ...["video.mjs", "video-frames.mjs", "pictures.mjs"].map((name) => path.join(HERE, name))];
   const hash = createHash("sha256");
   for (const source of sources) hash.update(await readFile(source));
   const file = path.join(FOLDER, `moving-${hash.digest("hex").slice(0, 16)}.y4m`);

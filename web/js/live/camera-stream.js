@@ -15,7 +15,7 @@ const WANTED = { video: { facingMode: "user", width: { ideal: 1280 }, height: { 
  */
 
 /** The camera and its frames. It is asked for once at a time, and runs only between `open` and `close`. */
-export class Film {
+export class CameraStream {
   #video;
   #audience;
   /** @type {MediaStream | undefined} */

@@ -5,13 +5,13 @@ use crate::StudioError;
 use crate::fading::smooth_step;
 use crate::in_photo::{leading, longer_side};
 
-/// The edits of a face in the frames of a film, one after the other.
+/// The edits of a face in the frames of a camera stream, one after the other.
 ///
 /// What gives way is laid out and factored once, and then carried along: a similarity takes the face to where it is, and what is
 /// left of its motion (an expression, a small turn) leads the layout as edits lead a photo. From there the edits lead it further.
 /// Only a face that has turned or changed a lot is laid out anew.
 #[derive(Default)]
-pub struct InFilm {
+pub struct StreamWarp {
     laid: Option<Laid>,
     patch: Patch,
     version: u32,
@@ -47,7 +47,7 @@ const MOST_CHANGED: f64 = 0.03;
 /// So near to the frame's edge, in shares of the ring, what gives way begins to do so less.
 const TAPER: f64 = 0.25;
 
-impl InFilm {
+impl StreamWarp {
     /// Lets the next frame, of `size_px`, follow vertices that it shows at `places` (px, y down, and metres towards the camera) to
     /// their targets, in px. Around them it gives way by `ring`, a share of the face's longer side. Two back-substitutions for each
     /// axis; the first time, and when the face has changed a lot, a factorisation, for which the triangles of its skin are asked

@@ -19,7 +19,7 @@ pub fn middle() -> Placed {
 pub fn frame(model: &Model, faces: &[Placed], noise: f64, number: u64) -> Photo {
     let filter = if noise > 0.0 { Filter::Noise(noise) } else { Filter::None };
     let scene = Scene {
-        family: "film",
+        family: "video",
         name: String::new(),
         size_px: SIZE_PX,
         ground: Ground::Gradient,

@@ -3,8 +3,8 @@ import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
 import { findings } from "./boxes.mjs";
 import { camera, watchCamera } from "./camera-watch.mjs";
-import { portraitLandmarks } from "./film.mjs";
-import { FRAMES_PER_S, HEIGHT_PX, SPEED_PX_S, WIDTH_PX, carried, numberOf, placeIn } from "./film-frames.mjs";
+import { portraitLandmarks } from "./video.mjs";
+import { FRAMES_PER_S, HEIGHT_PX, SPEED_PX_S, WIDTH_PX, carried, numberOf, placeIn } from "./video-frames.mjs";
 import { test } from "./fixtures.mjs";
 import { differenceNear, meanColour } from "./pixels.mjs";
 import { dieBefore } from "./watches.mjs";
@@ -22,7 +22,7 @@ test.use({ visit: { scripts: [watchCamera, watchFrames] } });
 test("in the mirror the film is seen with its sides swapped, and with the edits where the face is", { tag: "@seen-camera" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.slide("nose-width", NOSE_MM);
-  await openMirror(visitor);
+  await openLivePreview(visitor);
   assert.ok((await figures(visitor)).frames > 0);
 
   const nose = (await portraitLandmarks())[NOSE_TIP];
@@ -31,10 +31,10 @@ test("in the mirror the film is seen with its sides swapped, and with the edits 
     // No frame more comes, and what was on its way is there.
     await page.evaluate("isFrozen = true");
     await page.waitForFunction(() => window.following === 0);
-    const now = await filmOf(visitor);
+    const now = await streamOf(visitor);
     await page.focus("#viewport");
     await page.keyboard.down("b");
-    const unedited = await filmOf(visitor);
+    const unedited = await streamOf(visitor);
     await page.keyboard.up("b");
     await page.evaluate("isFrozen = false");
 
@@ -59,7 +59,7 @@ test("in the mirror the film is seen with its sides swapped, and with the edits 
 test("what is seen in the mirror is kept as a photo with its edits, and the camera stops", { tag: ["@moving-camera", "@rare"] }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.slide("nose-width", NOSE_MM);
-  await openMirror(visitor);
+  await openLivePreview(visitor);
   // An edit that is made in the mirror is kept as well.
   await visitor.slide("eye-size", 2);
   await page.click("#live-keep");
@@ -76,7 +76,7 @@ test("without a face open, the first one that the camera sees is opened; a doubl
   const visitor = await open({ viewport: { width: 390, height: 844 } });
   const { page } = visitor;
   await visitor.untilLoaded();
-  await page.dblclick("#welcome [data-action='mirror']");
+  await page.dblclick("#welcome [data-action='live-preview']");
   await visitor.untilFace();
   await untilShown(visitor);
   assert.equal(await page.getAttribute("body", "data-scene"), "picture");
@@ -96,7 +96,7 @@ test("without a face open, the first one that the camera sees is opened; a doubl
 
 test("in the mirror a face is lost and found, a worker that dies is said, and a hidden page has no camera", { tag: ["@moving-camera", "@rare"] }, async ({ visitor, page }) => {
   await visitor.dropSample();
-  await openMirror(visitor);
+  await openLivePreview(visitor);
   await page.evaluate(() => (window.isBlank = true));
   await page.waitForFunction(() => document.getElementById("live-status").textContent === "No face in sight");
   assert.ok(await page.isDisabled("#live-keep"));
@@ -124,12 +124,12 @@ test("in the mirror a face is lost and found, a worker that dies is said, and a 
 test("a camera that is refused or unplugged ends the mirror, and says why", { tag: "@moving-camera" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
   await page.evaluate(() => (window.isRefused = true));
-  await page.click("#welcome [data-action='mirror']");
+  await page.click("#welcome [data-action='live-preview']");
   assert.equal((await visitor.notice()).code, "camera-refused");
   assert.ok(await page.isHidden("#live"));
   await page.evaluate(() => (window.isRefused = false));
   await visitor.dropSample();
-  await openMirror(visitor);
+  await openLivePreview(visitor);
   await page.evaluate(() => window.unplugCamera());
   assert.equal((await visitor.notice()).code, "camera-lost");
   assert.ok(await page.isHidden("#live"));
@@ -139,9 +139,9 @@ test("a camera that is refused or unplugged ends the mirror, and says why", { ta
 });
 
 /** Opens the mirror over the face that is open, and waits until the stage shows it. @param {Visitor} visitor */
-async function openMirror(visitor) {
+async function openLivePreview(visitor) {
   await visitor.unfold("section-photo");
-  await visitor.page.click("#section-photo [data-action='mirror']");
+  await visitor.page.click("#section-photo [data-action='live-preview']");
   await untilShown(visitor);
 }
 
@@ -160,7 +160,7 @@ function figures({ page }) {
 }
 
 /** The film as the stage shows it, turned back and as large as it came. @param {Visitor} visitor */
-async function filmOf(visitor) {
+async function streamOf(visitor) {
   const view = await visitor.view();
   const covered = await visitor.page.evaluate(() => {
     const [stage, bar, toolbar] = ["viewport", "live", "toolbar"].map((id) => document.getElementById(id).getBoundingClientRect());

@@ -1,10 +1,10 @@
-//! The mirror: edits on the face of whoever is before the camera.
+//! The live preview: edits on the face of whoever is before the camera.
 
 use glam::{DMat3, DQuat, DVec2, DVec3, EulerRot};
 use rosto_face::{LANDMARK_COUNT, canonical_positions_m};
 use rosto_session::{Intent, Session, SessionError};
 use rosto_stage::{Scene, Sides};
-use rosto_studio::{FaceSlider, InFilm};
+use rosto_studio::{FaceSlider, StreamWarp};
 
 use crate::faces::{found, open, session};
 
@@ -52,8 +52,8 @@ fn edited() -> Session {
 }
 
 fn displacements_m(session: &Session) -> Vec<DVec3> {
-    let mirror = session.mirror().unwrap();
-    mirror.edited_m().iter().zip(mirror.seen_m()).map(|(edited, seen)| *edited - *seen).collect()
+    let live_preview = session.live_preview().unwrap();
+    live_preview.edited_m().iter().zip(live_preview.seen_m()).map(|(edited, seen)| *edited - *seen).collect()
 }
 
 fn furthest(ways: impl Iterator<Item = DVec3>) -> f64 {
@@ -64,9 +64,9 @@ fn furthest(ways: impl Iterator<Item = DVec3>) -> f64 {
 fn without_edits_nothing_moves() {
     let mut session = session();
     for pose in POSES {
-        session.mirror_frame(Some(&seen(&head_m(&session), pose)), FRAME_PX).unwrap();
+        session.preview_frame(Some(&seen(&head_m(&session), pose)), FRAME_PX).unwrap();
         assert_eq!(furthest(displacements_m(&session).into_iter()), 0.0);
-        let (patch, _) = session.mirror().unwrap().patch();
+        let (patch, _) = session.live_preview().unwrap().patch();
         let moved = patch.from_px.iter().zip(&patch.to_px).map(|(from, to)| from.distance(*to));
         assert!(moved.fold(0.0, f64::max) < 1e-9, "{pose:?}");
     }
@@ -81,7 +81,7 @@ fn the_same_face_gets_the_same_edits_wherever_it_is_however_large_and_turned() {
         let wanted: Vec<DVec3> = face.positions().iter().zip(face.rest()).map(|(now, rest)| *now - *rest).collect();
         assert!(furthest(wanted.iter().copied()) > 2e-3, "the edit is one");
         for pose in POSES {
-            session.mirror_frame(Some(&seen(&head_m(&session), pose)), FRAME_PX).unwrap();
+            session.preview_frame(Some(&seen(&head_m(&session), pose)), FRAME_PX).unwrap();
             let off = furthest(displacements_m(&session).iter().zip(&wanted).map(|(way, wanted)| *way - *wanted));
             assert!(off < 1e-9, "{off} m at {pose:?}");
         }
@@ -105,7 +105,7 @@ fn edits_fade_around_a_mouth_that_opens_and_only_there() {
     let [nose, lip] = [129, 17];
     let mut left = Vec::new();
     for head in heads {
-        session.mirror_frame(Some(&seen(&head, POSES[0])), FRAME_PX).unwrap();
+        session.preview_frame(Some(&seen(&head, POSES[0])), FRAME_PX).unwrap();
         let ways = displacements_m(&session);
         left.push([nose, lip].map(|vertex: usize| ways[vertex].length()));
     }
@@ -116,43 +116,43 @@ fn edits_fade_around_a_mouth_that_opens_and_only_there() {
 }
 
 #[test]
-fn mesh_and_film_coincide_on_the_stage_with_their_sides_swapped() {
+fn mesh_and_camera_stream_coincide_on_the_stage_with_their_sides_swapped() {
     let mut session = edited();
     session.apply(Intent::Scene(Scene::Picture)).unwrap();
     session.stage_mut().advance(0.0);
     for pose in POSES {
-        session.mirror_frame(Some(&seen(&head_m(&session), pose)), FRAME_PX).unwrap();
+        session.preview_frame(Some(&seen(&head_m(&session), pose)), FRAME_PX).unwrap();
         session.stage_mut().advance(16.0);
-        let (stage, mirror) = (session.stage(), session.mirror().unwrap());
+        let (stage, live_preview) = (session.stage(), session.live_preview().unwrap());
         let [left, right] = [[0.0, 0.0], [640.0, 0.0]].map(|px| stage.place_of(px.into()).unwrap());
         assert!(left.x > right.x + 400.0 && (left.y - right.y).abs() < 1e-6, "{left} {right}");
         for vertex in [1, 33, 263, 61, 152] {
-            let px = stage.camera().project(mirror.edited_m()[vertex]).unwrap();
-            let uv = mirror.uvs()[vertex] * DVec2::from(FRAME_PX.map(f64::from));
-            let seen = stage.camera().project(mirror.seen_m()[vertex]).unwrap();
+            let px = stage.camera().project(live_preview.edited_m()[vertex]).unwrap();
+            let uv = live_preview.uvs()[vertex] * DVec2::from(FRAME_PX.map(f64::from));
+            let seen = stage.camera().project(live_preview.seen_m()[vertex]).unwrap();
             assert!(stage.place_of(uv).unwrap().distance(seen) < 0.05, "landmark {vertex} at {pose:?}");
             let ray = stage.camera().ray(px);
-            let aside = (mirror.edited_m()[vertex] - ray.origin).cross(ray.direction).length();
+            let aside = (live_preview.edited_m()[vertex] - ray.origin).cross(ray.direction).length();
             assert!(aside < 1e-6, "the ray under it passes by {aside} m");
         }
     }
 }
 
 #[test]
-fn a_face_that_goes_leaves_the_film_as_it_is_and_comes_back_with_its_edits() {
+fn a_face_that_goes_leaves_the_camera_stream_as_it_is_and_comes_back_with_its_edits() {
     let mut session = edited();
-    session.mirror_frame(None, FRAME_PX).unwrap();
-    assert!(!session.mirror().unwrap().is_seen());
+    session.preview_frame(None, FRAME_PX).unwrap();
+    assert!(!session.live_preview().unwrap().is_seen());
     let landmarks = seen(&head_m(&session), POSES[0]);
     let moved = |session: &Session| {
-        let (patch, _) = session.mirror().unwrap().patch();
+        let (patch, _) = session.live_preview().unwrap().patch();
         patch.from_px.iter().zip(&patch.to_px).map(|(from, to)| from.distance(*to)).fold(0.0, f64::max)
     };
-    session.mirror_frame(Some(&landmarks), FRAME_PX).unwrap();
+    session.preview_frame(Some(&landmarks), FRAME_PX).unwrap();
     assert!(moved(&session) > 2.0, "{}", moved(&session));
-    session.mirror_frame(None, FRAME_PX).unwrap();
+    session.preview_frame(None, FRAME_PX).unwrap();
     assert_eq!(moved(&session), 0.0);
-    session.mirror_frame(Some(&landmarks), FRAME_PX).unwrap();
+    session.preview_frame(Some(&landmarks), FRAME_PX).unwrap();
     assert!(moved(&session) > 2.0);
 }
 
@@ -163,38 +163,38 @@ fn when_the_mirror_ends_the_photo_is_where_it_was() {
     session.stage_mut().advance(0.0);
     let corners = |session: &Session| [[0.0, 0.0], [64.0, 30.0]].map(|px| session.stage().place_of(px.into()).unwrap());
     let before = corners(&session);
-    session.mirror_frame(Some(&seen(&head_m(&session), POSES[2])), FRAME_PX).unwrap();
+    session.preview_frame(Some(&seen(&head_m(&session), POSES[2])), FRAME_PX).unwrap();
     session.stage_mut().advance(16.0);
-    session.end_mirror();
+    session.end_live_preview();
     session.stage_mut().advance(32.0);
     assert_eq!(session.stage().camera().sides(), Sides::True);
     for (now, before) in corners(&session).into_iter().zip(before) {
         assert!(now.distance(before) < 1e-6, "{now} {before}");
     }
-    assert!(session.mirror().is_none());
+    assert!(session.live_preview().is_none());
 }
 
 #[test]
 fn what_is_no_frame_is_refused_and_the_mirror_stays() {
     let mut empty = Session::new(1);
-    assert_eq!(empty.mirror_frame(None, FRAME_PX), Err(SessionError::NoFace));
+    assert_eq!(empty.preview_frame(None, FRAME_PX), Err(SessionError::NoFace));
     let mut session = edited();
     let landmarks = seen(&head_m(&session), POSES[0]);
-    session.mirror_frame(Some(&landmarks), FRAME_PX).unwrap();
+    session.preview_frame(Some(&landmarks), FRAME_PX).unwrap();
     let before = displacements_m(&session);
-    assert!(matches!(session.mirror_frame(Some(&landmarks[..7]), FRAME_PX), Err(SessionError::Face(_))));
+    assert!(matches!(session.preview_frame(Some(&landmarks[..7]), FRAME_PX), Err(SessionError::Face(_))));
     assert_eq!(displacements_m(&session), before);
     // Another face is opened while it runs.
     open(&mut session, found());
-    session.mirror_frame(Some(&landmarks), FRAME_PX).unwrap();
+    session.preview_frame(Some(&landmarks), FRAME_PX).unwrap();
     assert_eq!(furthest(displacements_m(&session).into_iter()), 0.0);
 }
 
 #[test]
-fn a_film_is_laid_out_once_for_a_face_that_moves_and_stays_within_its_frame() {
+fn a_camera_stream_is_laid_out_once_for_a_face_that_moves_and_stays_within_its_frame() {
     let session = edited();
     let triangles = session.face().unwrap().model().topology().triangles().to_vec();
-    let mut in_film = InFilm::default();
+    let mut stream_warp = StreamWarp::default();
     for step in 0..30 {
         let pose = Pose {
             px_per_m: 1200.0 + 20.0 * f64::from(step),
@@ -208,8 +208,8 @@ fn a_film_is_laid_out_once_for_a_face_that_moves_and_stays_within_its_frame() {
             })
             .collect();
         let targets: Vec<DVec2> = places.iter().map(|place| place.truncate() + DVec2::new(2.0, 1.0)).collect();
-        in_film.follow(|| triangles.clone(), &places, &targets, FRAME_PX, 0.35).unwrap();
-        let (patch, version) = in_film.patch();
+        stream_warp.follow(|| triangles.clone(), &places, &targets, FRAME_PX, 0.35).unwrap();
+        let (patch, version) = stream_warp.patch();
         assert_eq!(version, 1, "step {step}");
         for (from, to) in patch.from_px.iter().zip(&patch.to_px) {
             assert!(from.cmpge(DVec2::ZERO).all() && to.cmpge(DVec2::ZERO).all() && from.x <= 640.0 && to.x <= 640.0);

@@ -15,7 +15,7 @@ fn camera() -> Camera {
     camera
 }
 
-fn mirror() -> Camera {
+fn swapped() -> Camera {
     let mut camera = camera();
     camera.set_sides(Sides::Swapped);
     camera
@@ -23,11 +23,11 @@ fn mirror() -> Camera {
 
 #[test]
 fn a_mirror_swaps_the_sides_of_the_screen_and_nothing_else() {
-    let (usual, mirror) = (camera(), mirror());
+    let (usual, mirrored) = (camera(), swapped());
     for place_m in [DVec3::new(0.05, 0.03, 0.01), DVec3::new(-0.02, -0.04, 0.08)] {
-        let (seen, swapped) = (usual.project(place_m).unwrap(), mirror.project(place_m).unwrap());
+        let (seen, swapped) = (usual.project(place_m).unwrap(), mirrored.project(place_m).unwrap());
         assert!(swapped.distance(DVec2::new(1200.0 - seen.x, seen.y)) < 1e-9, "{seen} {swapped}");
-        let ray = mirror.ray(swapped);
+        let ray = mirrored.ray(swapped);
         assert!((place_m - ray.origin).cross(ray.direction).length() < 1e-9, "the ray under it meets it");
     }
 }
@@ -36,7 +36,7 @@ fn a_mirror_swaps_the_sides_of_the_screen_and_nothing_else() {
 fn in_a_mirror_what_is_moved_follows_the_pointer_as_well() {
     let place_m = DVec3::new(0.02, 0.01, 0.05);
     let motion_px = DVec2::new(30.0, -20.0);
-    let mut camera = mirror();
+    let mut camera = swapped();
     let from = camera.project(place_m).unwrap();
     let moved = camera.project(place_m + camera.view_plane_offset_m(place_m, motion_px)).unwrap();
     assert!(moved.distance(from + motion_px) < 1e-6, "{moved}");
@@ -64,10 +64,10 @@ fn picture(turned: [f64; 3], px_per_m: f64, middle_px: DVec2) -> (PicturePlane, 
 }
 
 #[test]
-fn a_film_stays_where_it_is_on_the_screen_however_its_head_moves_and_whoever_has_zoomed() {
+fn a_camera_stream_stays_where_it_is_on_the_screen_however_its_head_moves_and_whoever_has_zoomed() {
     let (first, pinhole) = picture([0.0; 3], 1500.0, DVec2::new(320.0, 240.0));
     for zoom in [1.0, 1.7] {
-        let mut camera = mirror();
+        let mut camera = swapped();
         camera.set_pinhole(Some(pinhole));
         camera.frame_picture(first);
         camera.zoom(zoom);
@@ -90,8 +90,8 @@ fn a_film_stays_where_it_is_on_the_screen_however_its_head_moves_and_whoever_has
 }
 
 #[test]
-fn who_looks_at_the_mesh_goes_on_doing_so_while_a_film_runs() {
-    let mut camera = mirror();
+fn who_looks_at_the_mesh_goes_on_doing_so_while_a_camera_stream_runs() {
+    let mut camera = swapped();
     let place_m = DVec3::new(0.02, 0.03, 0.04);
     let before = camera.project(place_m).unwrap();
     let (next, pinhole) = picture([0.3, 0.1, 0.2], 900.0, DVec2::new(100.0, 240.0));
@@ -100,17 +100,17 @@ fn who_looks_at_the_mesh_goes_on_doing_so_while_a_film_runs() {
 }
 
 #[test]
-fn all_of_a_film_is_seen_though_of_a_photo_as_small_as_that_only_the_face_was() {
+fn all_of_a_camera_stream_is_seen_though_of_a_photo_as_small_as_that_only_the_face_was() {
     let (photo, pinhole) = picture([0.0; 3], 600.0, DVec2::new(200.0, 240.0));
     let mut camera = camera();
     camera.set_pinhole(Some(pinhole));
     camera.frame_picture(photo);
     camera.advance(0.0);
     camera.set_sides(Sides::Swapped);
-    let (film, pinhole) = picture([0.1, 0.0, 0.2], 700.0, DVec2::new(400.0, 240.0));
-    camera.change_picture(film, pinhole);
+    let (camera_stream, pinhole) = picture([0.1, 0.0, 0.2], 700.0, DVec2::new(400.0, 240.0));
+    camera.change_picture(camera_stream, pinhole);
     for (corner, wanted) in [(DVec2::ZERO, [1000.0, 0.0]), (DVec2::new(640.0, 480.0), [200.0, 600.0])] {
-        let seen = camera.project(film.at(corner)).unwrap();
+        let seen = camera.project(camera_stream.at(corner)).unwrap();
         assert!(seen.distance(wanted.into()) < 0.05, "{corner} at {seen}");
     }
 }

@@ -7,7 +7,7 @@ import { onLocaleChange, t, formatNumber } from "../words/words.js";
 const FIGURES_EVERY_MS = 500;
 
 /** What lies over the stage while the mirror is open: a word on what is seen, what can be done, and figures for who wants them. */
-export class MirrorBar {
+export class LiveBar {
   #bar = byId("live", HTMLElement);
   #status = byId("live-status", HTMLParagraphElement);
   #keep = byId("live-keep", HTMLButtonElement);
@@ -24,7 +24,7 @@ export class MirrorBar {
   constructor({ keep, close, figures }) {
     this.#read = figures;
     this.#keep.addEventListener("click", keep);
-    onAction("close-mirror", close);
+    onAction("close-live-preview", close);
     this.#toggle.addEventListener("click", () => this.#showFigures(Boolean(this.#line.hidden)));
     onLocaleChange(() => this.#write());
   }
@@ -36,7 +36,7 @@ export class MirrorBar {
   /** @param {boolean} shown */
   show(shown) {
     this.#bar.hidden = !shown;
-    document.body.toggleAttribute("data-mirror", shown);
+    document.body.toggleAttribute("data-live-preview", shown);
     if (shown) byId("live-close", HTMLButtonElement).focus();
     else this.#showFigures(false);
   }
@@ -45,7 +45,7 @@ export class MirrorBar {
    * @param {import("../words/words.js").WordKey | undefined} word on what is seen
    * @param {boolean} canKeep
    */
-  show(word, canKeep) {
+  report(word, canKeep) {
     this.#keep.disabled = !canKeep;
     if (word === this.#word) return;
     this.#word = word;

@@ -1,6 +1,6 @@
 use glam::{DMat3, DVec2, DVec3};
 use rosto_face::{Camera, LANDMARK_COUNT, PoseFit, without_fillings};
-use rosto_studio::{InFilm, fading};
+use rosto_studio::{StreamWarp, fading};
 use rosto_warp::Patch;
 
 use crate::open_face::OpenFace;
@@ -12,7 +12,7 @@ use crate::{SessionError, View};
 /// where that frame is and how large; the ways are taken there, less where the face has another shape than the one that was edited
 /// ([`fading`]), and lead the frame as they lead a photo.
 #[derive(Default)]
-pub struct Mirror {
+pub struct LivePreview {
     landmarks: Vec<[f32; 3]>,
     size_px: [u32; 2],
     is_seen: bool,
@@ -21,13 +21,13 @@ pub struct Mirror {
     seen_m: Vec<DVec3>,
     edited_m: Vec<DVec3>,
     uvs: Vec<DVec2>,
-    in_film: InFilm,
+    stream_warp: StreamWarp,
 }
 
 /// So many metres are as high as a frame in which no face has been seen yet. Any number would do: all of the frame is shown.
 const HEIGHT_M: f64 = 0.4;
 
-impl Mirror {
+impl LivePreview {
     /// Whether the last frame had a face in it.
     pub fn is_seen(&self) -> bool {
         self.is_seen
@@ -53,9 +53,9 @@ impl Mirror {
         &self.uvs
     }
 
-    /// What of the frame moves, in its px, and the number of the layout ([`InFilm::patch`]).
+    /// What of the frame moves, in its px, and the number of the layout ([`StreamWarp::patch`]).
     pub fn patch(&self) -> (&Patch, u32) {
-        self.in_film.patch()
+        self.stream_warp.patch()
     }
 
     /// What saw the face last, or would see one in the middle of the frame.
@@ -79,7 +79,7 @@ impl Mirror {
 
     /// Brings the edits to the frame that was taken last.
     pub(crate) fn follow(&mut self, pose_fit: Option<PoseFit>, face: &OpenFace, view: &View) {
-        let Some(PoseFit { camera, positions_m }) = pose_fit else { return self.in_film.rest() };
+        let Some(PoseFit { camera, positions_m }) = pose_fit else { return self.stream_warp.rest() };
         let (known_m, document) = (face.model().positions_m(), face.document());
         let left = document.from_cage(&fading(face.model().topology(), known_m, &positions_m));
         self.seen_m = document.from_cage(&positions_m);
@@ -99,8 +99,8 @@ impl Mirror {
         let targets_px: Vec<DVec2> = self.edited_m[..leads.vertex_count()].iter().map(place).collect();
         let skin = || without_fillings(face.model().topology().triangles(), leads.triangles());
         // A face that is as good as outside of the frame leads nothing in it.
-        if self.in_film.follow(skin, &places, &targets_px, self.size_px, view.ring).is_err() {
-            self.in_film.rest();
+        if self.stream_warp.follow(skin, &places, &targets_px, self.size_px, view.ring).is_err() {
+            self.stream_warp.rest();
         }
     }
 }

@@ -2,8 +2,8 @@ import { byId, onAction } from "../page/dom.js";
 import { showError } from "../page/notice.js";
 import { asPageError } from "../page/page-error.js";
 import { Stopwatch } from "./figures.js";
-import { Film } from "./film.js";
-import { MirrorBar } from "./mirror-bar.js";
+import { CameraStream } from "./camera-stream.js";
+import { LiveBar } from "./live-bar.js";
 
 /**
  * @typedef {import("../viewport/host.js").Host} Host
@@ -21,13 +21,13 @@ import { MirrorBar } from "./mirror-bar.js";
  *
  * @param {Room} room
  */
-export async function setUpMirror(room) {
+export async function setUpLivePreview(room) {
   const host = await room.host;
   if (!host) return;
-  const mirror = new Mirror(host, room);
-  onAction("mirror", () => mirror.open());
+  const preview = new LivePreview(host, room);
+  onAction("live-preview", () => preview.open());
   // One camera at a time.
-  onAction("camera", () => mirror.close());
+  onAction("camera", () => preview.close());
 }
 
 /**
@@ -36,19 +36,19 @@ export async function setUpMirror(room) {
  *
  * Sides are swapped in what is seen alone, by the stage's camera: frames, landmarks and edits keep theirs.
  */
-class Mirror {
+class LivePreview {
   /** @type {"closed" | "live" | "asleep"} */
   #state = "closed";
   #host;
   #vision;
   #opening;
   #video = byId("live-video", HTMLVideoElement);
-  #film = new Film(this.#video, {
+  #stream = new CameraStream(this.#video, {
     frame: (time_ms) => this.#follow(time_ms),
     changed: () => this.#write(),
     lost: (code, error) => this.#giveUp(code, error),
   });
-  #bar = new MirrorBar({
+  #bar = new LiveBar({
     keep: () => this.#keep(),
     close: () => this.close(),
     figures: () => this.#stopwatch.read(),
@@ -93,7 +93,7 @@ class Mirror {
     this.#state = "live";
     this.#bar.show(true);
     this.#write();
-    this.#film.open();
+    this.#stream.open();
   }
 
   /** The one way out: nothing that the camera gave stays, but for a photo that was kept. */
@@ -101,7 +101,7 @@ class Mirror {
     if (this.#state === "closed") return;
     this.#state = "closed";
     this.#stop();
-    this.#host.act((studio) => studio.endMirror());
+    this.#host.act((studio) => studio.endLivePreview());
     const scene = this.#sceneBefore;
     this.#host.act((studio) => studio.choose("scene", scene));
     this.#bar.show(false);
@@ -115,13 +115,13 @@ class Mirror {
       this.#stop();
     } else if (document.visibilityState === "visible" && this.#state === "asleep") {
       this.#state = "live";
-      this.#film.open();
+      this.#stream.open();
       this.#write();
     }
   }
 
   #stop() {
-    this.#film.close();
+    this.#stream.close();
     this.#vision.stopFollowing();
     this.#stopwatch.clear();
     this.#shown?.close();
@@ -136,7 +136,7 @@ class Mirror {
     if (this.#isReading) return;
     const opened = this.#opened;
     try {
-      const frame = await this.#film.grab();
+      const frame = await this.#stream.grab();
       const followed = frame && (await this.#vision.follow(frame, time_ms));
       if (!followed) return;
       if (this.#state === "live" && opened === this.#opened) this.#take(followed, number);
@@ -168,7 +168,7 @@ class Mirror {
   #show({ frame, landmarks, took_ms, width_px, height_px }, number) {
     const begun_ms = performance.now();
     try {
-      this.#host.attempt((studio) => studio.mirrorFrame(frame, landmarks));
+      this.#host.attempt((studio) => studio.previewFrame(frame, landmarks));
     } catch (error) {
       // While the studio is started again there is no face; the next frames will find one.
       if (!["no-face", "internal"].includes(asPageError(error).code)) this.#host.fail(error);
@@ -233,12 +233,12 @@ class Mirror {
   }
 
   #write() {
-    const hasPicture = this.#film.hasPicture;
+    const hasPicture = this.#stream.hasPicture;
     if (!this.#shown) this.#video.hidden = this.#state !== "live";
     const canKeep = this.#state === "live" && this.#hasFace && document.body.dataset["state"] === "face";
-    if (!hasPicture) this.#bar.show("camera.asking", false);
-    else if (!this.#shown) this.#bar.show("live.looking", false);
-    else this.#bar.show(this.#hasFace ? undefined : "live.no-face", canKeep);
+    if (!hasPicture) this.#bar.report("camera.asking", false);
+    else if (!this.#shown) this.#bar.report("live.looking", false);
+    else this.#bar.report(this.#hasFace ? undefined : "live.no-face", canKeep);
   }
 }
 

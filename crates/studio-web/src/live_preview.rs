@@ -1,0 +1,135 @@
+use glam::DVec2;
+use rosto_session::{Changed, LivePreview};
+use rosto_stage::Scene;
+use rosto_viewport::{MeshInput, SheetInput};
+use wasm_bindgen::prelude::*;
+use web_sys::ImageBitmap;
+
+use crate::Studio;
+use crate::error::{FacadeError, Result};
+use crate::shown::CameraStream;
+
+/// The live preview.
+#[wasm_bindgen]
+impl Studio {
+    /// Shows the next frame of the camera with the open face's edits: its landmarks as `openFace` takes them, or nothing where no
+    /// face is in it. The first frame begins the live preview.
+    ///
+    /// # Errors
+    /// `no-face`, `bad-face` or `device-lost`.
+    #[wasm_bindgen(js_name = previewFrame)]
+    pub fn preview_frame(&mut self, frame: &ImageBitmap, landmarks: Option<Vec<f32>>) -> Result<(), JsValue> {
+        let size_px = [frame.width(), frame.height()];
+        let landmarks = landmarks.as_deref().map(|landmarks| landmarks.as_chunks::<3>().0);
+        let camera_stream = self.camera_stream_for(size_px)?;
+        self.session.preview_frame(landmarks, size_px).map_err(FacadeError::from)?;
+        self.camera_stream = camera_stream.or(self.camera_stream.take());
+        self.take_frame(frame)?;
+        self.show_camera_stream()?;
+        self.session.stage_mut().ask_for_a_frame();
+        Ok(())
+    }
+
+    /// Ends the live preview: the photo is there again.
+    #[wasm_bindgen(js_name = endLivePreview)]
+    pub fn end_live_preview(&mut self) {
+        self.session.end_live_preview();
+        self.camera_stream = None;
+        self.show_soon(Changed::Mesh);
+    }
+}
+
+impl Studio {
+    /// Room for a frame of that size; none where there is.
+    fn camera_stream_for(&self, size_px: [u32; 2]) -> Result<Option<CameraStream>> {
+        if self.camera_stream.as_ref().is_some_and(|camera_stream| camera_stream.size_px == size_px) {
+            return Ok(None);
+        }
+        let on_gpu = self.viewport.reserve_camera_stream(size_px[0], size_px[1])?;
+        Ok(Some(CameraStream { on_gpu, size_px, version: None, is_on_mesh: false }))
+    }
+
+    fn take_frame(&mut self, frame: &ImageBitmap) -> Result<()> {
+        // Without a face in the frame, the mesh keeps the last one that had one, unless the camera stream itself is seen.
+        let is_seen = self.session.live_preview().is_some_and(LivePreview::is_seen);
+        if is_seen || self.session.stage().scene() == Scene::Picture {
+            self.write_frame(frame)?;
+        }
+        Ok(())
+    }
+
+    #[cfg(target_arch = "wasm32")]
+    fn write_frame(&self, frame: &ImageBitmap) -> Result<()> {
+        let Some(camera_stream) = &self.camera_stream else { return Ok(()) };
+        Ok(self.viewport.write_frame(&camera_stream.on_gpu, frame)?)
+    }
+
+    /// Only a browser has bitmaps; elsewhere this crate is built for its tests alone.
+    #[cfg(not(target_arch = "wasm32"))]
+    fn write_frame(&self, _: &ImageBitmap) -> Result<()> {
+        Ok(())
+    }
+
+    /// What changes while the camera stream runs: the edits follow at once, and do not wait for the next frame.
+    pub(crate) fn show_live_preview(&mut self, changed: Changed) -> Result<()> {
+        if self.session.live_preview().is_none() {
+            self.camera_stream = None;
+            return self.show(changed);
+        }
+        // The panel still has the photo.
+        self.note_for_photo(changed);
+        if changed >= Changed::Mesh || self.pieces.is_some() {
+            self.show_mesh()?;
+            if let Some(camera_stream) = &mut self.camera_stream {
+                camera_stream.is_on_mesh = false;
+            }
+        }
+        if changed >= Changed::Tick {
+            self.session.follow_live_preview()?;
+            self.show_camera_stream()?;
+        }
+        if changed >= Changed::Document
+            && let Some(face) = self.session.face()
+        {
+            // What the mesh follows is brought with each frame, not by fields.
+            let reach = face.document().reach();
+            self.viewport.set_fields([None, None], reach.as_deref())?;
+        }
+        self.session.stage_mut().ask_for_a_frame();
+        Ok(())
+    }
+
+    fn show_camera_stream(&mut self) -> Result<()> {
+        let (Some(camera_stream), Some(live_preview), Some(face)) = (&mut self.camera_stream, self.session.live_preview(), self.session.face())
+        else {
+            return Ok(());
+        };
+        let (patch, version) = live_preview.patch();
+        if camera_stream.version != Some(version) {
+            camera_stream.version = Some(version);
+            let [width, height] = camera_stream.size_px.map(f64::from);
+            let picture = &camera_stream.on_gpu;
+            let size_px = DVec2::new(width, height);
+            let input = SheetInput { size_px, from_px: &patch.from_px, triangles: &patch.triangles, picture };
+            self.viewport.show_sheet(Some(&input));
+        }
+        self.viewport.carry_sheet(&patch.from_px, &patch.to_px)?;
+        if live_preview.edited_m().len() != face.document().rest().len() {
+            // No face was seen since this mesh is there.
+            return Ok(());
+        }
+        if !std::mem::replace(&mut camera_stream.is_on_mesh, true) {
+            self.viewport.show(&MeshInput {
+                topology: face.document().topology(),
+                positions_m: live_preview.edited_m(),
+                colours_srgb: &face.colours_srgb(&face.uvs()),
+                uvs: live_preview.uvs(),
+                picture: Some(&camera_stream.on_gpu),
+            })?;
+            self.viewport.set_fields([None, None], face.document().reach().as_deref())?;
+        }
+        self.viewport.set_positions(live_preview.edited_m())?;
+        self.viewport.set_uvs(live_preview.uvs())?;
+        Ok(self.viewport.set_before(live_preview.seen_m())?)
+    }
+}
