@@ -41,7 +41,7 @@ test("a wider ring moves more of the photo, a narrow one less", { tag: "@rare" }
   const widths = [];
   for (const share of [10, 35, 80]) {
     await editor.unfold("section-in-photo");
-    await editor.page.locator("#in-photo-ring input[type=number]").fill(String(share));
+    await editor.page.locator("#in-photo-falloff-band input[type=number]").fill(String(share));
     await editor.page.keyboard.press("Tab");
     const { left, right } = differingBox(await sample(), await photoOf(editor));
     widths.push(right - left);

@@ -2,8 +2,8 @@ use std::path::Path;
 
 use glam::{DVec2, DVec3};
 use rosto_export::{
-    BaseColour, Choosable, Content, Eyes, Format, GlbOptions, JsonMesh, Model, Morph, Picture, Source, Units, ExportedFile,
-    about, mesh_json,
+    BaseColour, Choosable, Content, ExportedFile, Eyes, Format, GlbOptions, JsonMesh, Model, Morph, Picture, Source,
+    Units, about, mesh_json,
 };
 use rosto_face::{FaceModel, Photo, canonical_uvs};
 use rosto_studio::{Document, EditsInRig, Layer, Rig, Shot, StudioError, project, texture_side_px, whole_texture_of};

@@ -1,6 +1,6 @@
 use clap::{ArgMatches, CommandFactory, FromArgMatches};
 use glam::{DVec2, DVec3};
-use rosto_export::{Units, ExportedFile};
+use rosto_export::{ExportedFile, Units};
 use rosto_face::{FaceError, FaceModel, MOST_PHOTOS};
 use rosto_landmarks::FaceFinder;
 use rosto_photo::Photo;

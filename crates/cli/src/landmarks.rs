@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use crate::args::LandmarksTask;
 use crate::error::CliError;
 use crate::found::notes_on_all;
-use crate::many::{self, Journal, Listing, Outcome, PhotoName, Progress, BatchSummary};
+use crate::many::{self, BatchSummary, Journal, Listing, Outcome, PhotoName, Progress};
 use crate::networks::Networks;
 use crate::{files, networks, output, portrait, terminal};
 

@@ -4,7 +4,7 @@ mod ledger;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use rosto_export::{Format, PLA_G_PER_CM3, SolidFacts, Units, ExportedFile};
+use rosto_export::{ExportedFile, Format, PLA_G_PER_CM3, SolidFacts, Units};
 use rosto_face::{FaceModel, MOST_PHOTOS, Photo, PhotoLens};
 use rosto_landmarks::FaceFinder;
 use rosto_studio::{Anchors, Command, CoordinateFrame, Document, EditSpec, Rest, StudioError};

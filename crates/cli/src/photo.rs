@@ -40,7 +40,7 @@ pub fn run(task: &PhotoTask, given: &Given<'_>, networks: Networks<'_>) -> Resul
 }
 
 fn warped(photo: &Photo, face: &FaceModel, document: &Document, task: &PhotoTask) -> Result<Photo, CliError> {
-    let mut in_photo = InPhoto::new(face, document, task.ring, &task.kept)?;
+    let mut in_photo = InPhoto::new(face, document, task.falloff_band, &task.kept)?;
     let seen_from = match task.seen_from_m {
         Some(distance_m) => face.seen_from(distance_m),
         None => *face.camera(),
@@ -52,7 +52,7 @@ fn warped(photo: &Photo, face: &FaceModel, document: &Document, task: &PhotoTask
             in_photo.limited_px()
         ));
     }
-    Ok(rosto_warp::drawn(photo, in_photo.patch()))
+    Ok(rosto_warp::drawn(photo, in_photo.warp_mesh()))
 }
 
 /// What a photo is written as.

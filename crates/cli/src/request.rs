@@ -40,7 +40,7 @@ pub fn check(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), C
 /// Refuses what would change nothing in `rosto photo`.
 pub fn check_photo(task: &PhotoTask, given: &Given<'_>) -> Result<(), CliError> {
     if !is_edited(&task.edits) && task.seen_from_m.is_none() {
-        for (id, flag) in [("ring", "--ring"), ("kept", "--keep")] {
+        for (id, flag) in [("falloff_band", "--falloff-band"), ("kept", "--keep")] {
             if given.has(id) {
                 return useless(flag, "nothing in the photo is moved");
             }

@@ -1,6 +1,6 @@
 use glam::DVec2;
 use rosto_face::PhotoLens;
-use rosto_studio::{ConstraintKind, RING_SHARES};
+use rosto_studio::{ConstraintKind, FALLOFF_BAND_SHARES};
 use rosto_warp::Dab;
 
 /// A rule for anchors as the command line names it; random ones get their seed later.
@@ -44,9 +44,13 @@ pub fn seen_from(text: &str) -> Result<f64, String> {
 }
 
 /// How far a photo gives way around a face, in shares of its longer side.
-pub fn ring(text: &str) -> Result<f64, String> {
-    let [least, most] = [RING_SHARES.start(), RING_SHARES.end()];
-    number(text, |ring| RING_SHARES.contains(&ring), &format!("give a share from {least} to {most}"))
+pub fn falloff_band(text: &str) -> Result<f64, String> {
+    let [least, most] = [FALLOFF_BAND_SHARES.start(), FALLOFF_BAND_SHARES.end()];
+    number(
+        text,
+        |falloff_band| FALLOFF_BAND_SHARES.contains(&falloff_band),
+        &format!("give a share from {least} to {most}"),
+    )
 }
 
 /// A round part of a photo, in its px.

@@ -107,14 +107,14 @@ fn an_edit_moves_what_it_is_of_and_nothing_beyond_the_ring() {
     let longer = side(0).max(side(1));
     let nose = [landmarks[129], landmarks[358]];
     let mut counts = Vec::new();
-    for (name, ring, more) in [("wide", 0.35, &[][..]), ("narrow", 0.1, &["--ring", "0.1"])] {
+    for (name, falloff_band, more) in [("wide", 0.35, &[][..]), ("narrow", 0.1, &["--falloff-band", "0.1"])] {
         let places = changed(&before, &edited(&portrait(), name, &[&NOSE, more].concat()));
         for wing in nose {
             assert!(places.iter().any(|place| apart(*place, wing) < 2.0), "the nose's wing at {wing:?}");
         }
         let nearest = |place: &[f64; 2]| landmarks.iter().map(|at| apart(*at, *place)).fold(f64::MAX, f64::min);
         let furthest = places.iter().map(nearest).fold(0.0, f64::max);
-        assert!(furthest < ring * longer, "{furthest} px beyond the face, which is {longer} px long");
+        assert!(furthest < falloff_band * longer, "{furthest} px beyond the face, which is {longer} px long");
         counts.push(places.len());
     }
     assert!(counts[1] < counts[0], "{counts:?}");
@@ -180,13 +180,13 @@ fn requests_that_cannot_be_met() {
     for ending in ["face.webp", "face.glb", "face"] {
         refused(ending, &NOSE, &[".jpg or .png", "End its name so"]);
     }
-    for ring in ["0", "0.05", "0.9", "nan", "wide"] {
-        refused("a.png", &[&NOSE[..], &["--ring", ring]].concat(), &["--ring", "0.1 to 0.8"]);
+    for falloff_band in ["0", "0.05", "0.9", "nan", "wide"] {
+        refused("a.png", &[&NOSE[..], &["--falloff-band", falloff_band]].concat(), &["--falloff-band", "0.1 to 0.8"]);
     }
     for dab in ["10,20", "10,20,0", "here"] {
         refused("a.png", &[&NOSE[..], &["--keep", dab]].concat(), &["--keep", "X,Y,RADIUS"]);
     }
-    refused("a.png", &["--ring", "0.2"], &["--ring", "nothing in the photo is moved"]);
+    refused("a.png", &["--falloff-band", "0.2"], &["--falloff-band", "nothing in the photo is moved"]);
     refused("a.png", &["--keep", "1,2,3"], &["--keep", "nothing in the photo is moved"]);
     refused("a.png", &["--operator", "L"], &["--operator", "none is given"]);
     refused("a.png", &["--seen-from", "3"], &["--seen-from"]);

@@ -112,7 +112,7 @@ impl Choices {
     ///
     /// # Errors
     /// [`SessionError::OutOfRange`] beyond [`RADIUS_MM`].
-    pub fn reaching(self, radius_mm: f64) -> Result<Self, SessionError> {
+    pub fn with_radius(self, radius_mm: f64) -> Result<Self, SessionError> {
         let radius_mm = within("the radius in mm", radius_mm, RADIUS_MM.least, RADIUS_MM.most)?;
         Ok(Self { is_nearby: true, radius_mm, ..self })
     }
@@ -138,7 +138,7 @@ impl Choices {
             AnchorChoice::PinsOnly => AnchorKind::PinsOnly,
         };
         let pins = pins.iter().copied().filter(|&pin| is_there(pin) && !moves(pin)).collect();
-        let reach = match self.is_nearby {
+        let influence = match self.is_nearby {
             true => RegionOfInfluence::Within { radius: self.radius_mm * M_PER_MM },
             false => RegionOfInfluence::Whole,
         };
@@ -147,7 +147,7 @@ impl Choices {
             operator: self.operator,
             constraint: self.constraint,
             anchors,
-            reach,
+            influence,
             mirror,
             details: self.details,
         };

@@ -1,6 +1,6 @@
 use rosto_export::{
-    BaseColour, Choosable, Content, Eyes, Format, GlbOptions, Material, Model, Morph, Picture, Solid, SolidFacts,
-    Source, Units, ExportedFile, project,
+    BaseColour, Choosable, Content, ExportedFile, Eyes, Format, GlbOptions, Material, Model, Morph, Picture, Solid,
+    SolidFacts, Source, Units, project,
 };
 use rosto_mesh::Topology;
 use rosto_studio::{EditsInRig, Layer, Rig};

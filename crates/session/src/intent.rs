@@ -107,8 +107,8 @@ pub enum Intent {
 
     /// Puts the photo on the stage, or the face in the round. Who turns the photo turns the face out of it.
     Scene(Scene),
-    /// How far around the face its photo gives way, as a share of the face's longer side within `rosto_studio::RING_SHARES`.
-    Ring(f64),
+    /// How far around the face its photo gives way, as a share of the face's longer side within `rosto_studio::FALLOFF_BAND_SHARES`.
+    FalloffBand(f64),
     /// Shows the face in its photo as a camera sees it from so many metres; none as it was taken.
     SeenFrom(Option<f64>),
     /// Takes a brush of that radius in CSS px in hand, or none: pressed on the photo, which comes onto the stage, it paints

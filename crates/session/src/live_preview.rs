@@ -1,7 +1,7 @@
 use glam::{DMat3, DVec2, DVec3};
 use rosto_face::{Camera, LANDMARK_COUNT, PoseFit, without_fillings};
 use rosto_studio::{StreamWarp, fading};
-use rosto_warp::Patch;
+use rosto_warp::WarpMesh;
 
 use crate::open_face::OpenFace;
 use crate::{SessionError, View};
@@ -53,9 +53,9 @@ impl LivePreview {
         &self.uvs
     }
 
-    /// What of the frame moves, in its px, and the number of the layout ([`StreamWarp::patch`]).
-    pub fn patch(&self) -> (&Patch, u32) {
-        self.stream_warp.patch()
+    /// What of the frame moves, in its px, and the number of the layout ([`StreamWarp::warp mesh`]).
+    pub fn warp_mesh(&self) -> (&WarpMesh, u32) {
+        self.stream_warp.warp_mesh()
     }
 
     /// What saw the face last, or would see one in the middle of the frame.
@@ -99,7 +99,7 @@ impl LivePreview {
         let targets_px: Vec<DVec2> = self.edited_m[..leads.vertex_count()].iter().map(place).collect();
         let skin = || without_fillings(face.model().topology().triangles(), leads.triangles());
         // A face that is as good as outside of the frame leads nothing in it.
-        if self.stream_warp.follow(skin, &places, &targets_px, self.size_px, view.ring).is_err() {
+        if self.stream_warp.follow(skin, &places, &targets_px, self.size_px, view.falloff_band).is_err() {
             self.stream_warp.rest();
         }
     }

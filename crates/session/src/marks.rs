@@ -45,7 +45,7 @@ pub(crate) fn show_offset(stage: &mut Stage, face: Option<&OpenFace>) {
     let glows = face.is_some_and(|face| face.is_moving() && face.expression().is_none());
     let glow = if glows { GLOW } else { 0.0 };
     let settings = face.filter(|face| matches!(face.moving(), Moving::Selection { .. })).and_then(settings);
-    let is_near = settings.is_some_and(|settings| settings.reach != RegionOfInfluence::Whole);
+    let is_near = settings.is_some_and(|settings| settings.influence != RegionOfInfluence::Whole);
     let is_mirrored = settings.is_some_and(|settings| settings.mirror == Mirror::On);
     let rim = if is_near { Visibility::Shown } else { Visibility::Hidden };
     let mirror_plane = if is_mirrored { Visibility::Shown } else { Visibility::Hidden };

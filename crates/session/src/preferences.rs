@@ -5,7 +5,7 @@
 use rosto_export::TextureSize;
 use rosto_face::Triangulation;
 use rosto_stage::{Background, Dots, Lens, Light, PictureLight, Scene, ShadingMode, Srgb, Visibility};
-use rosto_studio::{ConstraintKind, Details, Mirror, Operator, RING_SHARES, Switch};
+use rosto_studio::{ConstraintKind, Details, FALLOFF_BAND_SHARES, Mirror, Operator, Switch};
 use serde_json::{Value, json};
 
 use crate::error::SessionError;
@@ -43,7 +43,7 @@ impl Session {
             "mirror": choices.mirror == Mirror::On,
             "turned": choices.details == Details::AsRigidAsPossible,
             "scene": view.scene.id(),
-            "ring": view.ring,
+            "falloff-band": view.falloff_band,
             "paint": view.shading.id(),
             "texture-source": view.texture_source.id(),
             "texture": view.texture_size.id(),
@@ -84,11 +84,13 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
         mirror: if flag("mirror")? { Mirror::On } else { Mirror::Off },
         details: if flag("turned")? { Details::AsRigidAsPossible } else { Details::Kept },
     };
-    let choices = Choices { is_nearby: flag("nearby")?, ..choices.reaching(choices.radius_mm)? };
+    let choices = Choices { is_nearby: flag("nearby")?, ..choices.with_radius(choices.radius_mm)? };
     let density = value["density"].as_u64().filter(|density| *density <= crate::DENSEST_SHOWN.into());
     let view = View {
         scene: named(&value, "scene", Scene::from_id)?,
-        ring: Some(number("ring")?).filter(|ring| RING_SHARES.contains(ring)).ok_or(missing("ring"))?,
+        falloff_band: Some(number("falloff-band")?)
+            .filter(|falloff_band| FALLOFF_BAND_SHARES.contains(falloff_band))
+            .ok_or(missing("falloff-band"))?,
         shading: named(&value, "paint", ShadingMode::from_id)?,
         texture_source: named(&value, "texture-source", TextureSource::from_id)?,
         texture_size: named(&value, "texture", TextureSize::from_id)?,

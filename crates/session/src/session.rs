@@ -1,7 +1,7 @@
 #[cfg(test)]
 mod faults;
-mod live_preview;
 mod in_photo;
+mod live_preview;
 mod moving;
 mod opening;
 mod pointing;
@@ -156,7 +156,7 @@ impl Session {
             Intent::Anchors(anchors) => self.choose(Choices { anchors, ..self.choices }),
             Intent::Mirror(mirror) => self.choose(Choices { mirror, ..self.choices }),
             Intent::Nearby(switch) => self.choose(Choices { is_nearby: switch == Switch::On, ..self.choices }),
-            Intent::Radius(radius_mm) => self.choose(self.choices.reaching(radius_mm)?),
+            Intent::Radius(radius_mm) => self.choose(self.choices.with_radius(radius_mm)?),
             Intent::Widen(factor) => self.widen(factor),
             Intent::Preview(offset_mm) => self.preview(offset_mm),
             Intent::Slide(slider, to_mm) => self.slide(slider, to_mm),
@@ -185,7 +185,7 @@ impl Session {
             Intent::RemovePhoto(photo) => self.change_photos(|face, choices| face.remove_photo(photo, choices)),
             Intent::Triangulation(triangulation) => self.set_triangulation(triangulation),
             Intent::Scene(scene) => Ok(self.set_scene(scene)),
-            Intent::Ring(share) => self.set_ring(share),
+            Intent::FalloffBand(share) => self.set_falloff_band(share),
             Intent::SeenFrom(distance_m) => self.set_seen_from(distance_m),
             Intent::Brush(radius_px) => self.set_brush(radius_px),
             Intent::ShowDepth => self.show_depth(),

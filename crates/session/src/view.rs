@@ -1,7 +1,7 @@
 use rosto_export::TextureSize;
 use rosto_face::Triangulation;
 use rosto_stage::{Background, Lens, PictureLight, Scene, ShadingMode, Stage, Surface, Visibility};
-use rosto_studio::{DEFAULT_RING, SMOOTH_DENSITY, Switch};
+use rosto_studio::{DEFAULT_FALLOFF_BAND, SMOOTH_DENSITY, Switch};
 
 use crate::TextureSource;
 
@@ -16,7 +16,7 @@ pub struct View {
     /// Whether the photo is on the stage, or the face in the round.
     pub scene: Scene,
     /// How far around the face its photo gives way, as a share of the face's longer side.
-    pub ring: f64,
+    pub falloff_band: f64,
     /// How the surface is coloured.
     pub shading: ShadingMode,
     /// Which picture is laid on it.
@@ -68,7 +68,7 @@ impl Default for View {
     fn default() -> Self {
         Self {
             scene: Scene::default(),
-            ring: DEFAULT_RING,
+            falloff_band: DEFAULT_FALLOFF_BAND,
             shading: ShadingMode::default(),
             texture_source: TextureSource::default(),
             texture_size: TextureSize::default(),

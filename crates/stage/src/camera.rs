@@ -1,6 +1,6 @@
+mod camera_stream;
 mod eye;
 mod facing;
-mod camera_stream;
 mod picture;
 mod pose;
 mod projection;
@@ -11,11 +11,11 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use glam::{DVec2, DVec3};
 
 use crate::{Lens, PicturePlane, Pinhole};
-pub(crate) use eye::Eye;
-use visible_area::VisibleArea;
-pub(crate) use facing::Facing;
 pub use camera_stream::Sides;
+pub(crate) use eye::Eye;
+pub(crate) use facing::Facing;
 use pose::Pose;
+use visible_area::VisibleArea;
 
 /// Time constant of the glide towards where the camera is asked to be.
 const GLIDE_S: f64 = 0.07;

@@ -1,8 +1,8 @@
 use glam::DVec2;
 use rosto_session::{BRUSH_PX, Changed, Intent, OpenFace};
-use rosto_studio::{DEFAULT_RING, RING_SHARES};
-use rosto_viewport::SheetInput;
-use rosto_warp::Patch;
+use rosto_studio::{DEFAULT_FALLOFF_BAND, FALLOFF_BAND_SHARES};
+use rosto_viewport::PhotoLayerInput;
+use rosto_warp::WarpMesh;
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
@@ -32,15 +32,20 @@ impl Studio {
     ///
     /// # Errors
     /// `bad-number`.
-    #[wasm_bindgen(js_name = setRing)]
-    pub fn set_ring(&mut self, share: f64) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Ring(share))
+    #[wasm_bindgen(js_name = setFalloffBand)]
+    pub fn set_falloff_band(&mut self, share: f64) -> Result<ChangeName, JsValue> {
+        self.act(Intent::FalloffBand(share))
     }
 
     /// Between which shares that is.
-    #[wasm_bindgen(getter, js_name = ringRange)]
-    pub fn ring_range(&self) -> StudioRange {
-        StudioRange { min: *RING_SHARES.start(), max: *RING_SHARES.end(), step: 0.01, neutral: DEFAULT_RING }
+    #[wasm_bindgen(getter, js_name = falloffBandRange)]
+    pub fn falloff_band_range(&self) -> StudioRange {
+        StudioRange {
+            min: *FALLOFF_BAND_SHARES.start(),
+            max: *FALLOFF_BAND_SHARES.end(),
+            step: 0.01,
+            neutral: DEFAULT_FALLOFF_BAND,
+        }
     }
 
     /// Shows the face in its photo as seen from so many metres; undefined as it was taken.
@@ -139,12 +144,12 @@ impl Studio {
     #[wasm_bindgen(js_name = photoWarp)]
     pub fn photo_warp(&mut self) -> Option<PhotoWarp> {
         self.session.follow_in_photo();
-        let (patch, _) = self.session.face()?.photo().patch()?;
+        let (warp_mesh, _) = self.session.face()?.photo().warp_mesh()?;
         let flat = |places: &[DVec2]| places.iter().flat_map(|place| place.to_array()).collect();
         Some(PhotoWarp {
-            from_px: flat(&patch.from_px),
-            to_px: flat(&patch.to_px),
-            triangles: patch.triangles.as_flattened().to_vec(),
+            from_px: flat(&warp_mesh.from_px),
+            to_px: flat(&warp_mesh.to_px),
+            triangles: warp_mesh.triangles.as_flattened().to_vec(),
         })
     }
 }
@@ -153,9 +158,10 @@ impl Studio {
     /// The photo as it was taken, for a face that has just come.
     pub(crate) fn show_photo_as_taken(&mut self) {
         self.photo_shown.version = None;
-        let still = Patch::default();
+        let still = WarpMesh::default();
         let face_and_picture = self.session.face().zip(self.picture.as_ref());
-        self.viewport.show_sheet(face_and_picture.map(|(face, picture)| sheet(face, picture, &still)).as_ref());
+        self.viewport
+            .show_photo_layer(face_and_picture.map(|(face, picture)| photo_layer(face, picture, &still)).as_ref());
     }
 
     /// The photo is to follow what has changed, once a frame at most.
@@ -176,25 +182,27 @@ impl Studio {
     fn catch_up_photo(&mut self) -> Result<()> {
         self.photo_shown.is_due = false;
         self.session.follow_in_photo();
-        self.show_sheet()
+        self.show_photo_layer()
     }
 
-    fn show_sheet(&mut self) -> Result<()> {
+    fn show_photo_layer(&mut self) -> Result<()> {
         let (Some(face), Some(picture)) = (self.session.face(), &self.picture) else { return Ok(()) };
         // The mirror's camera stream lies where the photo does.
-        let Some((patch, version)) = face.photo().patch().filter(|_| self.camera_stream.is_none()) else { return Ok(()) };
+        let Some((warp_mesh, version)) = face.photo().warp_mesh().filter(|_| self.camera_stream.is_none()) else {
+            return Ok(());
+        };
         if self.photo_shown.version.replace(version) != Some(version) {
-            self.viewport.show_sheet(Some(&sheet(face, picture, patch)));
+            self.viewport.show_photo_layer(Some(&photo_layer(face, picture, warp_mesh)));
         }
-        Ok(self.viewport.move_sheet(&patch.to_px)?)
+        Ok(self.viewport.move_photo_layer(&warp_mesh.to_px)?)
     }
 }
 
-fn sheet<'a>(face: &OpenFace, picture: &'a OpenPicture, patch: &'a Patch) -> SheetInput<'a> {
-    SheetInput {
+fn photo_layer<'a>(face: &OpenFace, picture: &'a OpenPicture, warp_mesh: &'a WarpMesh) -> PhotoLayerInput<'a> {
+    PhotoLayerInput {
         size_px: DVec2::from(face.model().photo_size_px().map(f64::from)),
-        from_px: &patch.from_px,
-        triangles: &patch.triangles,
+        from_px: &warp_mesh.from_px,
+        triangles: &warp_mesh.triangles,
         picture: &picture.on_gpu,
     }
 }

@@ -1,7 +1,7 @@
 use glam::DVec2;
 use rosto_session::{Changed, LivePreview};
 use rosto_stage::Scene;
-use rosto_viewport::{MeshInput, SheetInput};
+use rosto_viewport::{MeshInput, PhotoLayerInput};
 use wasm_bindgen::prelude::*;
 use web_sys::ImageBitmap;
 
@@ -92,28 +92,30 @@ impl Studio {
             && let Some(face) = self.session.face()
         {
             // What the mesh follows is brought with each frame, not by fields.
-            let reach = face.document().reach();
-            self.viewport.set_fields([None, None], reach.as_deref())?;
+            let influence_distances = face.document().influence_distances();
+            self.viewport.set_fields([None, None], influence_distances.as_deref())?;
         }
         self.session.stage_mut().ask_for_a_frame();
         Ok(())
     }
 
     fn show_camera_stream(&mut self) -> Result<()> {
-        let (Some(camera_stream), Some(live_preview), Some(face)) = (&mut self.camera_stream, self.session.live_preview(), self.session.face())
+        let (Some(camera_stream), Some(live_preview), Some(face)) =
+            (&mut self.camera_stream, self.session.live_preview(), self.session.face())
         else {
             return Ok(());
         };
-        let (patch, version) = live_preview.patch();
+        let (warp_mesh, version) = live_preview.warp_mesh();
         if camera_stream.version != Some(version) {
             camera_stream.version = Some(version);
             let [width, height] = camera_stream.size_px.map(f64::from);
             let picture = &camera_stream.on_gpu;
             let size_px = DVec2::new(width, height);
-            let input = SheetInput { size_px, from_px: &patch.from_px, triangles: &patch.triangles, picture };
-            self.viewport.show_sheet(Some(&input));
+            let input =
+                PhotoLayerInput { size_px, from_px: &warp_mesh.from_px, triangles: &warp_mesh.triangles, picture };
+            self.viewport.show_photo_layer(Some(&input));
         }
-        self.viewport.carry_sheet(&patch.from_px, &patch.to_px)?;
+        self.viewport.carry_photo_layer(&warp_mesh.from_px, &warp_mesh.to_px)?;
         if live_preview.edited_m().len() != face.document().rest().len() {
             // No face was seen since this mesh is there.
             return Ok(());
@@ -126,7 +128,7 @@ impl Studio {
                 uvs: live_preview.uvs(),
                 picture: Some(&camera_stream.on_gpu),
             })?;
-            self.viewport.set_fields([None, None], face.document().reach().as_deref())?;
+            self.viewport.set_fields([None, None], face.document().influence_distances().as_deref())?;
         }
         self.viewport.set_positions(live_preview.edited_m())?;
         self.viewport.set_uvs(live_preview.uvs())?;

@@ -35,7 +35,7 @@ impl Studio {
     #[wasm_bindgen(js_name = panelPhoto)]
     pub fn panel_photo(&self) -> Option<Vec<u8>> {
         let PanelPhoto { photo, corner_px, scale } = self.photo_shown.panel.as_ref()?;
-        let (patch, _) = self.session.face()?.photo().patch()?;
-        Some(rosto_warp::drawn(photo, &patch.cut(*corner_px, *scale)).rgbx())
+        let (warp_mesh, _) = self.session.face()?.photo().warp_mesh()?;
+        Some(rosto_warp::drawn(photo, &warp_mesh.cut(*corner_px, *scale)).rgbx())
     }
 }

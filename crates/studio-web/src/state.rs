@@ -3,7 +3,7 @@
 use rosto_laplacian::LaplacianError;
 use rosto_session::{Choice, FaceState, Range, Row, Selection, Session, Tick, Turntable};
 use rosto_stage::{Background, Dots, PictureLight, Srgb, Visibility};
-use rosto_studio::{EditTarget, Mirror, EntryStatus, StudioError, Switch};
+use rosto_studio::{EditTarget, EntryStatus, Mirror, StudioError, Switch};
 use wasm_bindgen::prelude::*;
 
 use crate::error::FacadeError;
@@ -76,7 +76,7 @@ readable! {
         /// Whether the offsets kept go so nearly along the view that they hardly show from here.
         is_along_view as isAlongView: bool,
         /// How far around the face its photo gives way, as a share of the face's longer side.
-        ring: f64,
+        falloff_band as falloffBand: f64,
         /// From how far away the face is shown in its photo, in metres; infinite where its camera is taken to be very far.
         seen_from_m as seenFromM: f64,
         /// Whether that is as it was taken.
@@ -152,7 +152,7 @@ impl StudioState {
             can_redo: is(|face| face.can_redo),
             entry_count: face.map_or(0, |face| face.entry_count as u32),
             is_along_view: is(|face| face.is_along_view),
-            ring: view.ring,
+            falloff_band: view.falloff_band,
             seen_from_m: face.map_or(f64::INFINITY, |face| face.seen_from_m),
             is_as_taken: is(|face| face.is_as_taken),
             brush_px: state.brush_px,

@@ -322,16 +322,16 @@ impl Studio {
     /// The shape that the edit in progress starts from, and how it is going to be followed.
     fn show_shape(&mut self) -> Result<()> {
         let Some(face) = self.session.face() else { return Ok(()) };
-        let (fields, reach) = (face.influence_fields(), face.document().reach());
+        let (fields, influence_distances) = (face.influence_fields(), face.document().influence_distances());
         let Some(pieces) = &mut self.pieces else {
             self.viewport.set_positions(face.document().committed())?;
-            return Ok(self.viewport.set_fields(fields, reach.as_deref())?);
+            return Ok(self.viewport.set_fields(fields, influence_distances.as_deref())?);
         };
         pieces.settle(face);
         self.viewport.set_positions(&pieces.positions_m(face.document().committed()))?;
         let [a, b] = fields.map(|field| field.map(|field| pieces.values(field, 0.0)));
-        let reach = reach.map(|reach| pieces.values(&reach, OUT_OF_REACH));
-        Ok(self.viewport.set_fields([a.as_deref(), b.as_deref()], reach.as_deref())?)
+        let influence_distances = influence_distances.map(|distances| pieces.values(&distances, OUT_OF_REACH));
+        Ok(self.viewport.set_fields([a.as_deref(), b.as_deref()], influence_distances.as_deref())?)
     }
 
     /// Three numbers of the stage, unless details turn, the face's expression changes or distortion is painted.

@@ -10,7 +10,7 @@ use std::hint::black_box;
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use glam::DVec3;
 use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, PhotoLens, Triangulation};
-use rosto_studio::{DEFAULT_RING, Document, FaceSlider, InPhoto, Rest, whole_texture};
+use rosto_studio::{DEFAULT_FALLOFF_BAND, Document, FaceSlider, InPhoto, Rest, whole_texture};
 use rosto_warp::drawn;
 use serde_json::Value;
 
@@ -30,7 +30,7 @@ fn in_the_photo(criterion: &mut Criterion) {
         let document = document(&face, density);
         let (rest_m, size) = (document.rest(), format!("{} vertices", document.rest().len()));
         let id = |what: &str| BenchmarkId::new(what, &size);
-        let made = || InPhoto::new(&face, &document, DEFAULT_RING, &[]).unwrap();
+        let made = || InPhoto::new(&face, &document, DEFAULT_FALLOFF_BAND, &[]).unwrap();
         let mut in_photo = made();
         group.bench_function(id("ready to follow"), |bencher| bencher.iter(made));
         for (what, share) in [("slider tick", 1.0), ("slider tick, limited against folds", 4.0)] {
@@ -41,7 +41,7 @@ fn in_the_photo(criterion: &mut Criterion) {
             });
         }
         in_photo.follow(rest_m, document.positions(), camera, camera);
-        group.bench_function(id("drawn for its file"), |bencher| bencher.iter(|| drawn(&photo, in_photo.patch())));
+        group.bench_function(id("drawn for its file"), |bencher| bencher.iter(|| drawn(&photo, in_photo.warp_mesh())));
     }
 }
 

@@ -50,7 +50,7 @@ pub struct Settings {
     /// What stays in place.
     pub anchors: Anchors,
     /// How far the edit reaches.
-    pub reach: RegionOfInfluence,
+    pub influence: RegionOfInfluence,
     /// Whether the other side of the face takes part.
     pub mirror: Mirror,
     /// Whether details turn with the surface.

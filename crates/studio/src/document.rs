@@ -16,7 +16,7 @@ use crate::fault::Fault;
 use crate::level::{Level, Rest};
 use crate::level_positions::LevelPositions;
 use crate::prepared_edit::PreparedEdit;
-use crate::{Entry, Expression, History, InfluenceWeights, EntryStatus, StudioError};
+use crate::{Entry, EntryStatus, Expression, History, InfluenceWeights, StudioError};
 pub use checks::SMOOTH_DENSITY;
 use editing::Preview;
 use replay_cache::ReplayCache;

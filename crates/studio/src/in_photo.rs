@@ -2,15 +2,15 @@ use std::ops::RangeInclusive;
 
 use glam::{DVec2, DVec3};
 use rosto_face::{Camera, FaceModel, without_fillings};
-use rosto_warp::{self as warp, Dab, Patch, Subject, Warp};
+use rosto_warp::{self as warp, Dab, Subject, Warp, WarpMesh};
 
 use crate::{Document, StudioError};
 
 /// How far around the face a photo can give way, in shares of the face's longer side.
-pub const RING_SHARES: RangeInclusive<f64> = 0.1..=0.8;
+pub const FALLOFF_BAND_SHARES: RangeInclusive<f64> = 0.1..=0.8;
 
 /// And how far it does if nobody says otherwise.
-pub const DEFAULT_RING: f64 = 0.35;
+pub const DEFAULT_FALLOFF_BAND: f64 = 0.35;
 
 /// What lies less than this behind the surface is seen all the same, in metres.
 const BEHIND_M: f64 = 0.004;
@@ -28,18 +28,18 @@ pub struct InPhoto {
 }
 
 impl InPhoto {
-    /// Of the mesh that a document shows. The photo gives way around it by `ring`, a share of the face's longer side within
-    /// [`RING_SHARES`], and stays where `kept` says, in its px.
+    /// Of the mesh that a document shows. The photo gives way around it by `falloff band`, a share of the face's longer side within
+    /// [`FALLOFF_BAND_SHARES`], and stays where `kept` says, in its px.
     ///
     /// # Errors
     /// [`StudioError::Warp`] where too little of the face lies in its photo.
-    pub fn new(face: &FaceModel, document: &Document, ring: f64, kept: &[Dab]) -> Result<Self, StudioError> {
+    pub fn new(face: &FaceModel, document: &Document, falloff_band: f64, kept: &[Dab]) -> Result<Self, StudioError> {
         let camera = face.camera();
         let places: Vec<DVec3> = document.rest().iter().map(|&place_m| place(camera, place_m)).collect();
         let skin = without_fillings(face.topology().triangles(), document.topology().triangles());
         let (vertices, from_px) = leading(&skin, &places);
-        let ring_px = ring * longer_side(&from_px);
-        let subject = Subject { size_px: face.photo_size_px(), points_px: &from_px, ring_px, kept };
+        let falloff_band_px = falloff_band * longer_side(&from_px);
+        let subject = Subject { size_px: face.photo_size_px(), points_px: &from_px, falloff_band_px, kept };
         let warp = Warp::new(&subject)?;
         Ok(Self { vertices, to_px: from_px.clone(), from_px, warp })
     }
@@ -57,8 +57,8 @@ impl InPhoto {
     }
 
     /// What of the photo moves, in its px.
-    pub fn patch(&self) -> &Patch {
-        self.warp.patch()
+    pub fn warp_mesh(&self) -> &WarpMesh {
+        self.warp.warp_mesh()
     }
 
     /// By how much the photo stays behind the mesh at most, in px, so that nothing in it folds.

@@ -21,7 +21,7 @@ pub(crate) struct PreparedEdit {
     partner_places: Vec<usize>,
     response: Response,
     /// For an edit that does not reach everywhere: the distance of each vertex from the handles, 1 at the radius.
-    reach: Option<Vec<f64>>,
+    influence_distances: Option<Vec<f64>>,
     /// For details that turn: over the positions that the edit starts from.
     rigid: Option<Arc<RigidEdit>>,
     /// One for each handle; filled anew by each displacement.
@@ -33,7 +33,7 @@ impl PreparedEdit {
     /// Solves for the response fields; `from` are the positions that the edit starts from.
     pub(crate) fn new(spec: EditSpec, level: &mut Level, from: &[DVec3]) -> Result<Self, StudioError> {
         let handles = joined_by_mirror(&spec, &spec.handles, level)?;
-        let (falloff, reach) = falloff(&spec, &handles, level)?.unzip();
+        let (falloff, influence_distances) = falloff(&spec, &handles, level)?.unzip();
         let anchors = anchors(&spec, &handles, level)?;
         let constraint = spec.settings.constraint;
         let constraints =
@@ -48,7 +48,7 @@ impl PreparedEdit {
         };
         let partner_places = partner_places(&spec, &handles, level)?;
         let offsets = vec![DVec3::ZERO; handles.len()];
-        Ok(Self { spec, handles, anchors, partner_places, response, reach, rigid, offsets, stale: false })
+        Ok(Self { spec, handles, anchors, partner_places, response, influence_distances, rigid, offsets, stale: false })
     }
 
     /// Whether it depends on the shape that it starts from.
@@ -75,8 +75,8 @@ impl PreparedEdit {
 
     /// The distance of each vertex of the spec's level from the handles, 1 at the radius; none for an edit that reaches
     /// everywhere.
-    pub(crate) fn reach(&self) -> Option<&[f64]> {
-        self.reach.as_deref()
+    pub(crate) fn influence_distances(&self) -> Option<&[f64]> {
+        self.influence_distances.as_deref()
     }
 
     /// The positions that the next edit starts from are no longer those that this was made ready for.
@@ -167,15 +167,16 @@ fn partner_places(spec: &EditSpec, handles: &[u32], level: &Level) -> Result<Vec
 /// How an edit fades out, and the distances by which it does, 1 at the radius. With the mirror, what is near on either side
 /// takes part.
 fn falloff(spec: &EditSpec, handles: &[u32], level: &mut Level) -> Result<Option<(Falloff, Vec<f64>)>, StudioError> {
-    let RegionOfInfluence::Within { radius } = spec.settings.reach else { return Ok(None) };
+    let RegionOfInfluence::Within { radius } = spec.settings.influence else { return Ok(None) };
     let distances = level.distances(handles)?;
     let falloff = Falloff::within(radius, &distances)?;
     // What the surface does not lead to is far away rather than nowhere, so that denser meshes can take means.
-    let mut reach: Vec<f64> = distances.into_iter().map(|distance| (distance / radius).min(FAR)).collect();
+    let mut influence_distances: Vec<f64> =
+        distances.into_iter().map(|distance| (distance / radius).min(FAR)).collect();
     if spec.settings.mirror == Mirror::On {
-        level.mirror()?.nearer_of_both(&mut reach);
+        level.mirror()?.nearer_of_both(&mut influence_distances);
     }
-    Ok(Some((falloff, reach)))
+    Ok(Some((falloff, influence_distances)))
 }
 
 /// The anchors that the settings ask for: pins, and those of the rule that are no handles.

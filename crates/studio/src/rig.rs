@@ -1,7 +1,7 @@
 use glam::DVec3;
 use rosto_face::Parted;
 
-use crate::{Command, Document, Entry, Expression, EntryStatus, StudioError};
+use crate::{Command, Document, Entry, EntryStatus, Expression, StudioError};
 
 /// A face in pieces: the mesh that is shown, parted at eyes and mouth. So that others can move it, where it is without
 /// expressions, and what each of them displaces it by.

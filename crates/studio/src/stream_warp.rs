@@ -1,5 +1,5 @@
 use glam::{DVec2, DVec3};
-use rosto_warp::{Patch, Subject, Warp};
+use rosto_warp::{Subject, Warp, WarpMesh};
 
 use crate::StudioError;
 use crate::fading::smooth_step;
@@ -13,7 +13,7 @@ use crate::in_photo::{leading, longer_side};
 #[derive(Default)]
 pub struct StreamWarp {
     laid: Option<Laid>,
-    patch: Patch,
+    warp_mesh: WarpMesh,
     version: u32,
 }
 
@@ -31,7 +31,7 @@ struct Laid {
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Of {
     vertex_count: usize,
-    ring: f64,
+    falloff_band: f64,
 }
 
 /// From px of the layout to px of a frame: `frame = turn · layout + shift`, the turn and the scale a complex number.
@@ -44,12 +44,12 @@ struct Carried {
 /// The layout is made anew when the face has changed by more than this share of its longer side (root of the mean square).
 const MOST_CHANGED: f64 = 0.03;
 
-/// So near to the frame's edge, in shares of the ring, what gives way begins to do so less.
+/// So near to the frame's edge, in shares of the falloff band, what gives way begins to do so less.
 const TAPER: f64 = 0.25;
 
 impl StreamWarp {
     /// Lets the next frame, of `size_px`, follow vertices that it shows at `places` (px, y down, and metres towards the camera) to
-    /// their targets, in px. Around them it gives way by `ring`, a share of the face's longer side. Two back-substitutions for each
+    /// their targets, in px. Around them it gives way by `falloff band`, a share of the face's longer side. Two back-substitutions for each
     /// axis; the first time, and when the face has changed a lot, a factorisation, for which the triangles of its skin are asked
     /// for.
     ///
@@ -64,29 +64,29 @@ impl StreamWarp {
         places: &[DVec3],
         targets_px: &[DVec2],
         size_px: [u32; 2],
-        ring: f64,
+        falloff_band: f64,
     ) -> Result<(), StudioError> {
         assert_eq!(places.len(), targets_px.len(), "one target for each place");
-        let of = Of { vertex_count: places.len(), ring };
+        let of = Of { vertex_count: places.len(), falloff_band };
         let carried = self.laid.as_ref().filter(|laid| laid.of == of).and_then(|laid| laid.carried(places));
         let carried = match carried {
             Some(carried) => carried,
             None => self.lay(&skin(), places, size_px, of)?,
         };
         if let Some(laid) = &mut self.laid {
-            laid.draw(carried, places, targets_px, size_px, &mut self.patch);
+            laid.draw(carried, places, targets_px, size_px, &mut self.warp_mesh);
         }
         Ok(())
     }
 
     /// The frame has no face, and stays as it is.
     pub fn rest(&mut self) {
-        self.patch.to_px.clone_from(&self.patch.from_px);
+        self.warp_mesh.to_px.clone_from(&self.warp_mesh.from_px);
     }
 
     /// What of the frame moves, in its px, and the number of the layout: as long as that is the same, so are the triangles.
-    pub fn patch(&self) -> (&Patch, u32) {
-        (&self.patch, self.version)
+    pub fn warp_mesh(&self) -> (&WarpMesh, u32) {
+        (&self.warp_mesh, self.version)
     }
 
     fn lay(&mut self, skin: &[[u32; 3]], places: &[DVec3], size_px: [u32; 2], of: Of) -> Result<Carried, StudioError> {
@@ -95,9 +95,10 @@ impl StreamWarp {
         from_px.iter_mut().for_each(|place| *place += aside);
         let longer_side_px = longer_side(&from_px);
         let size_px = size_px.map(|side| side.saturating_mul(3));
-        let subject = Subject { size_px, points_px: &from_px, ring_px: of.ring * longer_side_px, kept: &[] };
+        let subject =
+            Subject { size_px, points_px: &from_px, falloff_band_px: of.falloff_band * longer_side_px, kept: &[] };
         let warp = Warp::new(&subject)?;
-        self.patch.triangles.clone_from(&warp.patch().triangles);
+        self.warp_mesh.triangles.clone_from(&warp.warp_mesh().triangles);
         self.laid = Some(Laid { vertices, from_px, longer_side_px, warp, of });
         self.version += 1;
         Ok(Carried { turn: DVec2::X, shift: -aside })
@@ -123,21 +124,28 @@ impl Laid {
         (changed < MOST_CHANGED).then_some(carried)
     }
 
-    fn draw(&mut self, carried: Carried, places: &[DVec3], targets_px: &[DVec2], size_px: [u32; 2], patch: &mut Patch) {
+    fn draw(
+        &mut self,
+        carried: Carried,
+        places: &[DVec3],
+        targets_px: &[DVec2],
+        size_px: [u32; 2],
+        warp_mesh: &mut WarpMesh,
+    ) {
         let at: Vec<DVec2> =
             self.vertices.iter().map(|&vertex| carried.back(places[vertex as usize].truncate())).collect();
         let to: Vec<DVec2> = self.vertices.iter().map(|&vertex| carried.back(targets_px[vertex as usize])).collect();
         self.warp.carry(&self.from_px, &at);
-        patch.from_px.clear();
-        patch.from_px.extend(self.warp.patch().to_px.iter().map(|&place| carried.on(place)));
+        warp_mesh.from_px.clear();
+        warp_mesh.from_px.extend(self.warp.warp_mesh().to_px.iter().map(|&place| carried.on(place)));
         // The edits alone are kept from folding: how the face itself moves, the frame has already.
         self.warp.follow(&at, &to);
-        let laid = self.warp.patch();
+        let laid = self.warp.warp_mesh();
         let ways = laid.to_px.iter().zip(&laid.from_px).map(|(to, from)| carried.turn.rotate(*to - *from));
-        patch.to_px.clear();
-        patch.to_px.extend(ways.zip(&patch.from_px).map(|(way, from)| *from + way));
-        let taper_px = TAPER * self.of.ring * self.longer_side_px * carried.turn.length();
-        keep_edges(patch, DVec2::from(size_px.map(f64::from)), taper_px);
+        warp_mesh.to_px.clear();
+        warp_mesh.to_px.extend(ways.zip(&warp_mesh.from_px).map(|(way, from)| *from + way));
+        let taper_px = TAPER * self.of.falloff_band * self.longer_side_px * carried.turn.length();
+        keep_edges(warp_mesh, DVec2::from(size_px.map(f64::from)), taper_px);
     }
 }
 
@@ -156,8 +164,8 @@ fn conjugate(number: DVec2) -> DVec2 {
 }
 
 /// The frame's edge stays, and what lies beyond it is brought onto it.
-fn keep_edges(patch: &mut Patch, size_px: DVec2, taper_px: f64) {
-    for (from, to) in patch.from_px.iter_mut().zip(&mut patch.to_px) {
+fn keep_edges(warp_mesh: &mut WarpMesh, size_px: DVec2, taper_px: f64) {
+    for (from, to) in warp_mesh.from_px.iter_mut().zip(&mut warp_mesh.to_px) {
         let way = (*to - *from) * smooth_step(from.min(size_px - *from).min_element() / taper_px);
         *from = from.clamp(DVec2::ZERO, size_px);
         *to = (*from + way).clamp(DVec2::ZERO, size_px);

@@ -56,7 +56,7 @@ fn a_photo_follows_without_allocating_where_nothing_folds() {
         let mut document = Document::new(Rest::of_face(&face())).unwrap();
         document.set_density(density).unwrap();
         document.hold(FaceSlider::JawWidth.spec()).unwrap();
-        let mut in_photo = InPhoto::new(&face(), &document, DEFAULT_RING, &[]).unwrap();
+        let mut in_photo = InPhoto::new(&face(), &document, DEFAULT_FALLOFF_BAND, &[]).unwrap();
         let mut tick = |amount_m: f64| {
             document.preview(&FaceSlider::JawWidth.offsets_m(amount_m)).unwrap();
             let before = ALLOCATIONS.with(Cell::get);

@@ -30,7 +30,7 @@ struct FrameUniforms {
     hovered: u32,
     gizmo_vertex: u32,
     gizmo_axis: u32,
-    // Whether the end of an edit's reach and the plane of symmetry are drawn on the surface, 0 or 1.
+    // Whether the influence radius of the edit and the plane of symmetry are drawn on the surface, 0 or 1.
     rim: f32,
     mirror_plane: f32,
     pixel_ratio: f32,

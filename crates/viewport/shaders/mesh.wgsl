@@ -11,7 +11,7 @@ struct InfluenceWeights {
     normal_derivative_b: vec3f,
     field_b: f32,
     cross: f32,
-    reach: f32,
+    influence_distance: f32,
 }
 
 struct VertexAttributes {

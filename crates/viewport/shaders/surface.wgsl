@@ -8,7 +8,7 @@ struct Corner {
     @location(4) scalar: f32,
     @location(5) response: f32,
     // Distance from what moves, 1 where an edit ends.
-    @location(6) reach: f32,
+    @location(6) influence_distance: f32,
 }
 
 const CLAY = vec3f(0.445, 0.385, 0.330);
@@ -30,7 +30,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
     corner.colour = linear_from_srgb(skin.colour);
     corner.scalar = skin.scalar;
     corner.response = response(index);
-    corner.reach = follow(index).reach;
+    corner.influence_distance = follow(index).influence_distance;
     return corner;
 }
 
@@ -68,11 +68,11 @@ fn line_along(value: f32, per_px: f32, width_px: f32) -> f32 {
     return coverage(distance_px - 0.5 * width_px * frame.pixel_ratio);
 }
 
-// The end of an edit's reach and the plane of symmetry, where they cross the surface.
-fn lines_on(corner: Corner, reach_per_px: f32, x_per_px: f32) -> vec4f {
-    let away = corner.reach - 1.0;
-    let halo = 0.6 * frame.rim * line_along(away, reach_per_px, 4.0);
-    let rim = frame.rim * line_along(away, reach_per_px, 2.0);
+// The influence radius of the edit and the plane of symmetry, where they cross the surface.
+fn lines_on(corner: Corner, distance_per_px: f32, x_per_px: f32) -> vec4f {
+    let away = corner.influence_distance - 1.0;
+    let halo = 0.6 * frame.rim * line_along(away, distance_per_px, 4.0);
+    let rim = frame.rim * line_along(away, distance_per_px, 2.0);
     let plane = 0.8 * frame.mirror_plane * line_along(corner.model_m.x, x_per_px, 1.0);
     let line = max(rim, plane);
     return vec4f(mix(vec3f(1.0), frame.accent.rgb, line), max(line, halo));
@@ -83,10 +83,10 @@ fn fragment(corner: Corner, @builtin(front_facing) winds: bool) -> @location(0) 
     // In a mirror everything winds the other way round.
     let front = winds != (frame.swapped > 0.5);
     let picture_colour = textureSample(picture, picture_sampler, corner.uv).rgb;
-    let reach_per_px = length(vec2f(dpdx(corner.reach), dpdy(corner.reach)));
+    let distance_per_px = length(vec2f(dpdx(corner.influence_distance), dpdy(corner.influence_distance)));
     let x_per_px = length(vec2f(dpdx(corner.model_m.x), dpdy(corner.model_m.x)));
     let facing = normalize(select(-corner.normal, corner.normal, front));
-    let lines = lines_on(corner, reach_per_px, x_per_px);
+    let lines = lines_on(corner, distance_per_px, x_per_px);
     if frame.shading == NORMALS {
         return vec4f(mix(0.5 * facing + 0.5, lines.rgb, lines.a), 1.0);
     }

@@ -88,12 +88,12 @@ impl MeshOnGpu {
         &self,
         gpu: &Gpu,
         fields: [Option<&[f64]>; 2],
-        reach: Option<&[f64]>,
+        influence_distances: Option<&[f64]>,
     ) -> Result<(), ViewportError> {
-        for field in fields.into_iter().chain([reach]).flatten() {
+        for field in fields.into_iter().chain([influence_distances]).flatten() {
             check_length("responses", field.len(), self.topology.vertex_count())?;
         }
-        self.follows.write(gpu, &follows(&self.topology, &self.positions_m, fields, reach));
+        self.follows.write(gpu, &follows(&self.topology, &self.positions_m, fields, influence_distances));
         Ok(())
     }
 

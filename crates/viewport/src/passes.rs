@@ -2,8 +2,8 @@ use rosto_stage::{Background, Dots, RenderSettings, Stage, Surface, Visibility};
 
 use crate::frame::FrameOnGpu;
 use crate::mesh::MeshOnGpu;
+use crate::photo_layer::PhotoLayerOnGpu;
 use crate::pipelines::{Pipelines, Twin};
-use crate::sheet::SheetOnGpu;
 use crate::target::Attachments;
 
 /// What a frame is drawn from.
@@ -14,7 +14,7 @@ pub(crate) struct Drawn {
     /// The same with the shape before, for the other part of a picture that shows both.
     pub(crate) frame_before: FrameOnGpu,
     pub(crate) mesh: Option<MeshOnGpu>,
-    pub(crate) sheet: Option<SheetOnGpu>,
+    pub(crate) photo_layer: Option<PhotoLayerOnGpu>,
     pub(crate) marks: wgpu::Buffer,
     pub(crate) mark_count: u32,
 }
@@ -84,17 +84,17 @@ fn record_backdrop(drawn: &Drawn, settings: &RenderSettings, pass: &mut wgpu::Re
 }
 
 fn record_shape(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
-    record_sheet(drawn, stage, pass);
+    record_photo_layer(drawn, stage, pass);
     record_mesh(drawn, stage, pass);
 }
 
-fn record_sheet(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
-    let Some(sheet) = drawn.sheet.as_ref().filter(|_| stage.picture_share() > 0.0) else { return };
-    pass.set_pipeline(&drawn.pipelines.sheet);
-    pass.set_bind_group(1, &sheet.bindings, &[]);
-    pass.set_vertex_buffer(0, sheet.ways_on_gpu.slice(..));
-    pass.set_index_buffer(sheet.indices.slice(..), wgpu::IndexFormat::Uint32);
-    pass.draw_indexed(0..sheet.index_count, 0, 0..1);
+fn record_photo_layer(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
+    let Some(photo_layer) = drawn.photo_layer.as_ref().filter(|_| stage.picture_share() > 0.0) else { return };
+    pass.set_pipeline(&drawn.pipelines.photo_layer);
+    pass.set_bind_group(1, &photo_layer.bindings, &[]);
+    pass.set_vertex_buffer(0, photo_layer.ways_on_gpu.slice(..));
+    pass.set_index_buffer(photo_layer.indices.slice(..), wgpu::IndexFormat::Uint32);
+    pass.draw_indexed(0..photo_layer.index_count, 0, 0..1);
 }
 
 fn record_mesh(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
@@ -104,7 +104,7 @@ fn record_mesh(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
     pass.set_bind_group(1, &mesh.bindings, &[]);
     pass.set_index_buffer(mesh.indices.slice(..), wgpu::IndexFormat::Uint32);
     // All of the picture hides the mesh, which lies on it.
-    let is_felt = drawn.sheet.is_some() && stage.picture_share() == 1.0;
+    let is_felt = drawn.photo_layer.is_some() && stage.picture_share() == 1.0;
     let is_bare = is_felt || settings.surface == Surface::HiddenLine;
     pass.set_pipeline(if is_bare { &pipelines.bare } else { &pipelines.surface });
     pass.draw_indexed(0..3 * mesh.topology.triangles().len() as u32, 0, 0..1);

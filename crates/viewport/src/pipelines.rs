@@ -8,9 +8,9 @@ use crate::{Gpu, shaders};
 pub(crate) struct Pipelines {
     pub frame_layout: wgpu::BindGroupLayout,
     pub mesh_layout: wgpu::BindGroupLayout,
-    pub sheet_layout: wgpu::BindGroupLayout,
+    pub photo_layer_layout: wgpu::BindGroupLayout,
     pub background: wgpu::RenderPipeline,
-    pub sheet: wgpu::RenderPipeline,
+    pub photo_layer: wgpu::RenderPipeline,
     pub ground: wgpu::RenderPipeline,
     pub surface: wgpu::RenderPipeline,
     pub bare: wgpu::RenderPipeline,
@@ -36,7 +36,7 @@ const HIDDEN_ARM_ALPHA: f64 = 0.75;
 #[derive(Clone, Copy)]
 enum Role {
     Backdrop,
-    Sheet,
+    PhotoLayer,
     Solid,
     DepthOnly,
     Overlay,
@@ -70,10 +70,10 @@ impl Pipelines {
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat) -> Self {
         let frame_layout = layout(gpu, "frame", &[uniform(0)]);
         let mesh_layout = layout(gpu, "mesh", &[data(0), data(1), data(2), data(3), picture(4), picture_sampler(5)]);
-        let sheet_layout = layout(gpu, "sheet", &[picture(0), picture_sampler(1)]);
+        let photo_layer_layout = layout(gpu, "photo_layer", &[picture(0), picture_sampler(1)]);
         let backdrop = pipeline_layout(gpu, &[Some(&frame_layout)]);
         let over_mesh = pipeline_layout(gpu, &[Some(&frame_layout), Some(&mesh_layout)]);
-        let over_picture = pipeline_layout(gpu, &[Some(&frame_layout), Some(&sheet_layout)]);
+        let over_picture = pipeline_layout(gpu, &[Some(&frame_layout), Some(&photo_layer_layout)]);
         let build = |layout: &wgpu::PipelineLayout, name, text, role| {
             pipeline(gpu, format, layout, &PipelineSpec { name, text, entries: MAIN, role, words: &[] })
         };
@@ -82,9 +82,15 @@ impl Pipelines {
             Twin { seen: one(Role::Overlay), hidden: one(Role::SeenThrough { alpha }) }
         };
         let wire = PipelineSpec { name: "wire", text: shaders::WIRE, entries: MAIN, role: Role::Overlay, words: &PAIR };
-        let sheet = PipelineSpec { name: "sheet", text: shaders::SHEET, entries: MAIN, role: Role::Sheet, words: &WAY };
+        let photo_layer = PipelineSpec {
+            name: "photo_layer",
+            text: shaders::PHOTO_LAYER,
+            entries: MAIN,
+            role: Role::PhotoLayer,
+            words: &WAY,
+        };
         Self {
-            sheet: pipeline(gpu, format, &over_picture, &sheet),
+            photo_layer: pipeline(gpu, format, &over_picture, &photo_layer),
             background: build(&backdrop, "background", shaders::BACKGROUND, Role::Backdrop),
             ground: build(&backdrop, "ground", shaders::GROUND, Role::Overlay),
             surface: build(&over_mesh, "surface", shaders::SURFACE, Role::Solid),
@@ -95,7 +101,7 @@ impl Pipelines {
             gizmo: twin("gizmo", shaders::GIZMO, ["arm_vertex", "arm_fragment"], &[], HIDDEN_ARM_ALPHA),
             frame_layout,
             mesh_layout,
-            sheet_layout,
+            photo_layer_layout,
         }
     }
 }
@@ -185,7 +191,7 @@ fn pipeline(
 
 fn depth(role: Role) -> wgpu::DepthStencilState {
     let (write, compare) = match role {
-        Role::Backdrop | Role::Sheet => (false, wgpu::CompareFunction::Always),
+        Role::Backdrop | Role::PhotoLayer => (false, wgpu::CompareFunction::Always),
         Role::Solid | Role::DepthOnly => (true, wgpu::CompareFunction::Less),
         Role::Overlay => (false, wgpu::CompareFunction::LessEqual),
         Role::SeenThrough { .. } => (false, wgpu::CompareFunction::Greater),
@@ -203,7 +209,7 @@ fn colour(role: Role, format: wgpu::TextureFormat) -> wgpu::ColorTargetState {
     let (blend, write_mask) = match role {
         Role::Backdrop | Role::Solid => (None, wgpu::ColorWrites::ALL),
         Role::DepthOnly => (None, wgpu::ColorWrites::empty()),
-        Role::Sheet | Role::Overlay | Role::SeenThrough { .. } => {
+        Role::PhotoLayer | Role::Overlay | Role::SeenThrough { .. } => {
             (Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING), wgpu::ColorWrites::ALL)
         }
     };

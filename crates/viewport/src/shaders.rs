@@ -11,7 +11,7 @@ pub(crate) const WIRE: &str = shader!("frame", "mesh", "wire");
 pub(crate) const DOTS: &str = shader!("frame", "mesh", "dots");
 pub(crate) const MARKS: &str = shader!("frame", "mesh", "marks");
 pub(crate) const GIZMO: &str = shader!("frame", "mesh", "marks", "gizmo");
-pub(crate) const SHEET: &str = shader!("frame", "sheet");
+pub(crate) const PHOTO_LAYER: &str = shader!("frame", "photo_layer");
 pub(crate) const SHRINK: &str = shader!("shrink");
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -29,7 +29,7 @@ mod tests {
         ("dots", DOTS),
         ("marks", MARKS),
         ("gizmo", GIZMO),
-        ("sheet", SHEET),
+        ("photo_layer", PHOTO_LAYER),
         ("shrink", SHRINK),
     ];
 

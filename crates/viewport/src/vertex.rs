@@ -32,13 +32,13 @@ pub(crate) struct InfluenceWeights {
     pub field_b: f32,
     pub cross: f32,
     /// Distance from the handles, 1 where an edit ends.
-    pub reach: f32,
+    pub influence_distance: f32,
     pub unused: [f32; 2],
 }
 
 impl Default for InfluenceWeights {
     fn default() -> Self {
-        Self { reach: FAR as f32, ..Self::zeroed() }
+        Self { influence_distance: FAR as f32, ..Self::zeroed() }
     }
 }
 
@@ -75,7 +75,7 @@ pub(crate) fn follows(
     topology: &Topology,
     positions_m: &[DVec3],
     fields: [Option<&[f64]>; 2],
-    reach: Option<&[f64]>,
+    influence_distances: Option<&[f64]>,
 ) -> Vec<InfluenceWeights> {
     let value = |field: Option<&[f64]>, vertex: u32| field.map_or(0.0, |values| values[vertex as usize]);
     let mut turns = vec![([DVec3::ZERO; 2], 0.0); positions_m.len()];
@@ -100,7 +100,7 @@ pub(crate) fn follows(
         normal_derivative_b: turn[1].as_vec3().to_array(),
         field_b: value(fields[1], vertex as u32) as f32,
         cross: *cross as f32,
-        reach: reach.map_or(FAR, |reach| reach[vertex]) as f32,
+        influence_distance: influence_distances.map_or(FAR, |distances| distances[vertex]) as f32,
         ..InfluenceWeights::default()
     };
     turns.iter().enumerate().map(follow).collect()
@@ -148,8 +148,8 @@ mod tests {
     fn a_missing_field_moves_nothing_and_reaches_nowhere() {
         let (topology, positions) = fan();
         assert_eq!(follows(&topology, &positions, [None, None], None), vec![InfluenceWeights::default(); 6]);
-        let reach = [0.0, 0.5, 1.0, 1.5, 2.0, 3.0];
-        let near = follows(&topology, &positions, [None, None], Some(&reach));
-        assert!(near.iter().map(|follow| f64::from(follow.reach)).eq(reach));
+        let distances = [0.0, 0.5, 1.0, 1.5, 2.0, 3.0];
+        let near = follows(&topology, &positions, [None, None], Some(&distances));
+        assert!(near.iter().map(|follow| f64::from(follow.influence_distance)).eq(distances));
     }
 }

@@ -8,8 +8,8 @@ use crate::frame::FrameOnGpu;
 use crate::gpu::texture;
 use crate::mesh::{MeshOnGpu, filled};
 use crate::passes::Drawn;
+use crate::photo_layer::{PhotoLayerInput, PhotoLayerOnGpu};
 use crate::pipelines::Pipelines;
-use crate::sheet::{SheetInput, SheetOnGpu};
 use crate::snapshot::{Snapshot, copy};
 use crate::target::{Attachments, Canvas, Target};
 use crate::{Gpu, MeshInput, PictureOnGpu, ViewportError, passes, picture};
@@ -36,7 +36,7 @@ impl Viewport {
                 frame: FrameOnGpu::new(&gpu, &pipelines),
                 frame_before: FrameOnGpu::new(&gpu, &pipelines),
                 mesh: None,
-                sheet: None,
+                photo_layer: None,
                 marks: filled(&gpu, &[], wgpu::BufferUsages::VERTEX),
                 mark_count: 0,
                 pipelines,
@@ -103,7 +103,11 @@ impl Viewport {
     /// # Errors
     /// [`ViewportError::BadPicture`] for a bitmap of another size, or one that was closed.
     #[cfg(target_arch = "wasm32")]
-    pub fn write_frame(&self, camera_stream: &PictureOnGpu, frame: &wgpu::web_sys::ImageBitmap) -> Result<(), ViewportError> {
+    pub fn write_frame(
+        &self,
+        camera_stream: &PictureOnGpu,
+        frame: &wgpu::web_sys::ImageBitmap,
+    ) -> Result<(), ViewportError> {
         picture::write_bitmap(&self.gpu, camera_stream, frame)
     }
 
@@ -149,8 +153,12 @@ impl Viewport {
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
-    pub fn set_fields(&mut self, fields: [Option<&[f64]>; 2], reach: Option<&[f64]>) -> Result<(), ViewportError> {
-        self.drawn.mesh.as_ref().map_or(Ok(()), |mesh| mesh.write_fields(&self.gpu, fields, reach))
+    pub fn set_fields(
+        &mut self,
+        fields: [Option<&[f64]>; 2],
+        influence_distances: Option<&[f64]>,
+    ) -> Result<(), ViewportError> {
+        self.drawn.mesh.as_ref().map_or(Ok(()), |mesh| mesh.write_fields(&self.gpu, fields, influence_distances))
     }
 
     /// Sets the values, −1 to 1, that `rosto_stage::ShadingMode::Distortion` shows. Nothing without a mesh.
@@ -162,24 +170,24 @@ impl Viewport {
     }
 
     /// Has a picture that was taken of the mesh lie on its plane ([`Stage::set_picture`]), or none.
-    pub fn show_sheet(&mut self, input: Option<&SheetInput<'_>>) {
-        self.drawn.sheet = input.map(|input| SheetOnGpu::new(&self.gpu, &self.drawn.pipelines, input));
+    pub fn show_photo_layer(&mut self, input: Option<&PhotoLayerInput<'_>>) {
+        self.drawn.photo_layer = input.map(|input| PhotoLayerOnGpu::new(&self.gpu, &self.drawn.pipelines, input));
     }
 
     /// Moves the places of the picture that move. Nothing without a picture.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
-    pub fn move_sheet(&mut self, to_px: &[DVec2]) -> Result<(), ViewportError> {
-        self.drawn.sheet.as_mut().map_or(Ok(()), |sheet| sheet.follow(&self.gpu, to_px))
+    pub fn move_photo_layer(&mut self, to_px: &[DVec2]) -> Result<(), ViewportError> {
+        self.drawn.photo_layer.as_mut().map_or(Ok(()), |photo_layer| photo_layer.follow(&self.gpu, to_px))
     }
 
     /// The same where what moves is elsewhere in each picture, as in those of a camera stream. Nothing without a picture.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
-    pub fn carry_sheet(&mut self, from_px: &[DVec2], to_px: &[DVec2]) -> Result<(), ViewportError> {
-        self.drawn.sheet.as_mut().map_or(Ok(()), |sheet| sheet.carry(&self.gpu, from_px, to_px))
+    pub fn carry_photo_layer(&mut self, from_px: &[DVec2], to_px: &[DVec2]) -> Result<(), ViewportError> {
+        self.drawn.photo_layer.as_mut().map_or(Ok(()), |photo_layer| photo_layer.carry(&self.gpu, from_px, to_px))
     }
 
     /// Draws if anything changed; true asks to be called again in the next frame. `time_ms` is any steady clock's.

@@ -1,7 +1,7 @@
 use glam::DVec2;
 use js_sys::Error;
 use rosto_photo::{Limits, Photo, decode};
-use rosto_warp::{Patch, drawn};
+use rosto_warp::{WarpMesh, drawn};
 use wasm_bindgen::prelude::*;
 
 use crate::error;
@@ -24,8 +24,8 @@ impl Warped {
         console_error_panic_hook::set_once();
         let photo = decode(bytes, &Limits::default()).map_err(error::of_photo)?;
         let scale = f64::from(photo.width()) / f64::from(width.max(1));
-        let patch = patch(from, to, triangles).ok_or_else(|| error::internal("triangles that do not fit"))?;
-        Ok(Self { photo: drawn(&photo, &patch.cut(DVec2::ZERO, scale)) })
+        let warp_mesh = warp_mesh(from, to, triangles).ok_or_else(|| error::internal("triangles that do not fit"))?;
+        Ok(Self { photo: drawn(&photo, &warp_mesh.cut(DVec2::ZERO, scale)) })
     }
 
     /// Width in px.
@@ -46,10 +46,10 @@ impl Warped {
     }
 }
 
-fn patch(from: &[f64], to: &[f64], triangles: &[u32]) -> Option<Patch> {
+fn warp_mesh(from: &[f64], to: &[f64], triangles: &[u32]) -> Option<WarpMesh> {
     let places = |flat: &[f64]| flat.as_chunks::<2>().0.iter().map(|&place| DVec2::from(place)).collect::<Vec<_>>();
     let (from_px, to_px, triangles) = (places(from), places(to), triangles.as_chunks::<3>().0.to_vec());
     let fits =
         from_px.len() == to_px.len() && triangles.iter().flatten().all(|&corner| (corner as usize) < from_px.len());
-    fits.then_some(Patch { from_px, to_px, triangles })
+    fits.then_some(WarpMesh { from_px, to_px, triangles })
 }

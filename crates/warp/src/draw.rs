@@ -3,29 +3,29 @@ use std::ops::Range;
 use glam::{DAffine2, DMat2, DVec2};
 use rosto_photo::{Photo, Sampler};
 
-use crate::Patch;
+use crate::WarpMesh;
 use crate::folds::doubled_area;
 
 /// Less than this moves nothing, in px.
 const LEAST_PX: f64 = 1e-4;
 
-/// The picture with what is in the patch moved: each pixel takes the colour from where it came, by cubic interpolation
+/// The picture with what is in the warp mesh moved: each pixel takes the colour from where it came, by cubic interpolation
 /// (Catmull–Rom), in sRGB. A pixel that does not move keeps its bytes. Transparency moves with the colours.
-pub fn drawn(photo: &Photo, patch: &Patch) -> Photo {
-    let moved = drawn_opaque(photo, patch);
+pub fn drawn(photo: &Photo, warp_mesh: &WarpMesh) -> Photo {
+    let moved = drawn_opaque(photo, warp_mesh);
     let Some(alpha) = photo.alpha() else { return moved };
     let grey = alpha.iter().flat_map(|&alpha| [alpha; 3]).collect();
-    let moved_alpha = Photo::from_rgb(photo.width(), photo.height(), grey).map(|grey| drawn_opaque(&grey, patch));
+    let moved_alpha = Photo::from_rgb(photo.width(), photo.height(), grey).map(|grey| drawn_opaque(&grey, warp_mesh));
     let alpha = moved_alpha.map(|grey| grey.pixels().iter().step_by(3).copied().collect());
     alpha.and_then(|alpha| moved.with_alpha(alpha)).unwrap_or_else(|_| photo.clone())
 }
 
-fn drawn_opaque(photo: &Photo, patch: &Patch) -> Photo {
+fn drawn_opaque(photo: &Photo, warp_mesh: &WarpMesh) -> Photo {
     let mut pixels = photo.pixels().to_vec();
     let (sampler, size) = (Sampler::new(photo), [photo.width(), photo.height()].map(|side| side as usize));
-    for corners in &patch.triangles {
-        let from = corners.map(|corner| patch.from_px[corner as usize]);
-        let to = corners.map(|corner| patch.to_px[corner as usize]);
+    for corners in &warp_mesh.triangles {
+        let from = corners.map(|corner| warp_mesh.from_px[corner as usize]);
+        let to = corners.map(|corner| warp_mesh.to_px[corner as usize]);
         if (0..3).any(|corner| from[corner].distance(to[corner]) > LEAST_PX) {
             draw_triangle(&sampler, size, from, to, &mut pixels);
         }

@@ -14,11 +14,11 @@ pub enum WarpError {
         /// All of them.
         points: usize,
     },
-    /// The ring is too narrow or too wide for the points ([`crate::RING_SHARES`]).
-    #[error("the ring must be {least_px:.1} to {most_px:.1} px wide, not {ring_px}")]
-    Ring {
+    /// The falloff band is too narrow or too wide for the points ([`crate::FALLOFF_BAND_SHARES`]).
+    #[error("the falloff band must be {least_px:.1} to {most_px:.1} px wide, not {falloff_band_px}")]
+    FalloffBand {
         /// The width asked for.
-        ring_px: f64,
+        falloff_band_px: f64,
         /// The narrowest.
         least_px: f64,
         /// The widest.

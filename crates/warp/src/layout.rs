@@ -5,9 +5,9 @@ use glam::DVec2;
 use crate::WarpError;
 use crate::cells::Cells;
 
-/// How far beyond its points a picture can give way, in shares of their box's longer side. A narrower ring would need a
+/// How far beyond its points a picture can give way, in shares of their box's longer side. A narrower falloff band would need a
 /// lattice too fine to solve for, and a wider one too large.
-pub const RING_SHARES: RangeInclusive<f64> = 0.05..=3.0;
+pub const FALLOFF_BAND_SHARES: RangeInclusive<f64> = 0.05..=3.0;
 
 /// What of a picture leads, and how far the rest gives way.
 #[derive(Debug, Clone, Copy)]
@@ -16,8 +16,8 @@ pub struct Subject<'a> {
     pub size_px: [u32; 2],
     /// Points that know where they go. Those outside the picture lead nothing.
     pub points_px: &'a [DVec2],
-    /// How far beyond them the picture gives way: [`RING_SHARES`] of their box's longer side.
-    pub ring_px: f64,
+    /// How far beyond them the picture gives way: [`FALLOFF_BAND_SHARES`] of their box's longer side.
+    pub falloff_band_px: f64,
     /// What is to stay as it is, byte for byte.
     pub kept: &'a [Dab],
 }
@@ -55,9 +55,9 @@ pub(crate) struct Layout {
 
 /// A lattice this many times finer than the subject is long tells the eye's corner from the brow's.
 const NODES_ALONG: f64 = 28.0;
-/// And there are at least so many nodes across the ring, the last of which stay.
+/// And there are at least so many nodes across the falloff band, the last of which stay.
 const NODES_ACROSS: f64 = 6.0;
-/// So many layers of nodes stay within the ring's border: value and slope are zero there.
+/// So many layers of nodes stay within the falloff band's border: value and slope are zero there.
 const LAYERS_THAT_STAY: f64 = 2.0;
 /// Shares of the lattice's spacing: nodes keep so far from points, and points from each other.
 const ROOM: f64 = 0.55;
@@ -93,12 +93,12 @@ impl<'a> Plan<'a> {
         let size_px = DVec2::from(subject.size_px.map(f64::from));
         let [low, high] = box_inside(subject, size_px)?;
         let side = (high - low).max_element();
-        let [least_px, most_px] = [RING_SHARES.start(), RING_SHARES.end()].map(|share| share * side);
-        if !(least_px..=most_px).contains(&subject.ring_px) {
-            return Err(WarpError::Ring { ring_px: subject.ring_px, least_px, most_px });
+        let [least_px, most_px] = [FALLOFF_BAND_SHARES.start(), FALLOFF_BAND_SHARES.end()].map(|share| share * side);
+        if !(least_px..=most_px).contains(&subject.falloff_band_px) {
+            return Err(WarpError::FalloffBand { falloff_band_px: subject.falloff_band_px, least_px, most_px });
         }
-        let spacing = (side / NODES_ALONG).min(subject.ring_px / NODES_ACROSS);
-        let reach = DVec2::splat(subject.ring_px + spacing);
+        let spacing = (side / NODES_ALONG).min(subject.falloff_band_px / NODES_ACROSS);
+        let reach = DVec2::splat(subject.falloff_band_px + spacing);
         let around = [(low - reach).max(DVec2::ZERO), (high + reach).min(size_px)];
         let cells = Cells::over(around, spacing);
         Ok(Self { subject, size_px, spacing, middle: 0.5 * (low + high), around, cells, laid: Vec::new() })
@@ -132,7 +132,7 @@ impl<'a> Plan<'a> {
         let room = ROOM * self.spacing;
         let from_subject = self.away_from_subject(place);
         if self.away_from_edge(place) > room && from_subject > room && from_subject.is_finite() {
-            let is_within = from_subject < self.subject.ring_px - LAYERS_THAT_STAY * self.spacing;
+            let is_within = from_subject < self.subject.falloff_band_px - LAYERS_THAT_STAY * self.spacing;
             let gives_way = is_within && self.away_from_kept(place) > 0.0;
             self.laid.push((place, if gives_way { Tie::Free } else { Tie::Stays }));
         }
@@ -180,9 +180,9 @@ impl<'a> Plan<'a> {
         self.subject.kept.iter().map(from).fold(f64::INFINITY, f64::min)
     }
 
-    /// Infinity for what is beyond the ring.
+    /// Infinity for what is beyond the falloff band.
     fn away_from_subject(&self, place: DVec2) -> f64 {
-        self.cells.distance(place, self.subject.ring_px + self.spacing)
+        self.cells.distance(place, self.subject.falloff_band_px + self.spacing)
     }
 }
 

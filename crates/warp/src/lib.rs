@@ -14,15 +14,15 @@ mod error;
 mod folds;
 mod layout;
 mod seen;
-mod sheets;
+mod surfaces;
 mod warp;
 
 pub use draw::drawn;
 pub use error::WarpError;
-pub use layout::{Dab, RING_SHARES, Subject};
+pub use layout::{Dab, FALLOFF_BAND_SHARES, Subject};
 pub use seen::seen;
-pub use sheets::leading;
-pub use warp::{Patch, Warp};
+pub use surfaces::leading;
+pub use warp::{Warp, WarpMesh};
 
 /// The examples of the README are tested with those of the code.
 #[cfg(doctest)]

@@ -9,7 +9,7 @@ use crate::{Subject, WarpError};
 
 /// A picture that follows points in it. Made once for where the points are; [`Self::follow`] is what a slider's tick costs.
 pub struct Warp {
-    patch: Patch,
+    warp_mesh: WarpMesh,
     ties: Vec<Tie>,
     surroundings: Option<Surroundings>,
     coarse: Coarse,
@@ -22,7 +22,7 @@ pub struct Warp {
 
 /// The part of a picture that moves, as triangles. What lies outside of them stays.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Patch {
+pub struct WarpMesh {
     /// Where its points are in the picture, in px.
     pub from_px: Vec<DVec2>,
     /// Where they go.
@@ -33,7 +33,7 @@ pub struct Patch {
 
 /// The part of the triangulation that gives way, with as much of what is known around it as it takes to go on smoothly.
 struct Surroundings {
-    /// Points of the patch.
+    /// Points of the warp mesh.
     points: Vec<u32>,
     /// Indices into `points` of those that know where they go.
     known: Vec<u32>,
@@ -46,7 +46,7 @@ impl Warp {
     /// Lays the triangulation over the picture and factors what gives way.
     ///
     /// # Errors
-    /// [`WarpError::TooFewPoints`] or [`WarpError::Ring`].
+    /// [`WarpError::TooFewPoints`] or [`WarpError::FalloffBand`].
     pub fn new(subject: &Subject<'_>) -> Result<Self, WarpError> {
         let layout = Layout::of(subject)?;
         let coarse = Coarse::new(&layout);
@@ -54,10 +54,10 @@ impl Warp {
         let topology = Topology::new(points.len(), triangles)?;
         let surroundings = Surroundings::new(&topology, &points, &ties)?;
         let unfolding = Unfolding::new(topology.triangles(), &points, &ties);
-        let patch = Patch { to_px: points.clone(), from_px: points, triangles: topology.triangles().to_vec() };
+        let warp_mesh = WarpMesh { to_px: points.clone(), from_px: points, triangles: topology.triangles().to_vec() };
         let offsets_px = vec![DVec2::ZERO; ties.len()];
         let longest_px = DVec2::from(subject.size_px.map(f64::from)).length();
-        Ok(Self { patch, ties, surroundings, coarse, unfolding, longest_px, offsets_px, limited_px: 0.0 })
+        Ok(Self { warp_mesh, ties, surroundings, coarse, unfolding, longest_px, offsets_px, limited_px: 0.0 })
     }
 
     /// Lets each of the subject's points go to its target, in px of the picture. One whose target is no place stays.
@@ -112,14 +112,14 @@ impl Warp {
     }
 
     fn put(&mut self) {
-        for ((to, from), offset) in self.patch.to_px.iter_mut().zip(&self.patch.from_px).zip(&self.offsets_px) {
+        for ((to, from), offset) in self.warp_mesh.to_px.iter_mut().zip(&self.warp_mesh.from_px).zip(&self.offsets_px) {
             *to = *from + *offset;
         }
     }
 
     /// The part of the picture that moves.
-    pub fn patch(&self) -> &Patch {
-        &self.patch
+    pub fn warp_mesh(&self) -> &WarpMesh {
+        &self.warp_mesh
     }
 
     /// By how much a point stays behind where it was to go at most, in px, so that nothing folds. What lies beside what stays
@@ -129,7 +129,7 @@ impl Warp {
     }
 }
 
-impl Patch {
+impl WarpMesh {
     /// The same in a part of the picture that begins at a place of it and is so many times as large.
     pub fn cut(&self, corner_px: DVec2, scale: f64) -> Self {
         let cut = |places: &[DVec2]| places.iter().map(|place| (*place - corner_px) * scale).collect();

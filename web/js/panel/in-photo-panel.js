@@ -21,15 +21,15 @@ export function setUpInPhotoPanel(host) {
   const seenFrom = slider(host, "in-photo-distance", { label: "in-photo.distance", longLabel: "in-photo.distance.long", unit: "cm", ...SEEN_FROM_CM }, (studio, cm) =>
     studio.setSeenFrom(cm / 100),
   );
-  const { min, max, step, neutral } = host.answer((studio) => studio.ringRange);
-  const ring = slider(host, "in-photo-ring", { label: "in-photo.ring", longLabel: "in-photo.ring.long", unit: "%", ...inPercent({ min, max, step, neutral }) }, (studio, share) =>
-    studio.setRing(share / 100),
+  const { min, max, step, neutral } = host.answer((studio) => studio.falloffBandRange);
+  const ring = slider(host, "in-photo-falloff-band", { label: "in-photo.ring", longLabel: "in-photo.ring.long", unit: "%", ...inPercent({ min, max, step, neutral }) }, (studio, share) =>
+    studio.setFalloffBand(share / 100),
   );
   onAction("seen-as-taken", () => host.act((studio) => studio.setSeenFrom()));
   setUpBrush(host);
   setUpDepthNote(host);
   host.onChange((state) => {
-    ring.value = 100 * state.ring;
+    ring.value = 100 * state.falloffBand;
     seenFrom.value = Number.isFinite(state.seenFromM) ? 100 * state.seenFromM : SEEN_FROM_CM.max;
     byId("seen-as-taken", HTMLButtonElement).disabled = state.isAsTaken;
   });

@@ -81,7 +81,7 @@ impl SettingsArguments {
             operator: self.operator,
             constraint: self.constraint,
             anchors: Anchors { kind, pins: self.pins.clone() },
-            reach: self
+            influence: self
                 .radius
                 .map_or(RegionOfInfluence::Whole, |radius| RegionOfInfluence::Within { radius: radius * unit }),
             mirror: if self.mirror { Mirror::On } else { Mirror::Off },

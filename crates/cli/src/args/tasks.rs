@@ -4,7 +4,7 @@ use clap::Args;
 use clap::builder::RangedU64ValueParser;
 use rosto_export::{BaseColour, Eyes, Material, Solid, TextureSize, Units};
 use rosto_face::Triangulation;
-use rosto_studio::{DEFAULT_RING, SMOOTH_DENSITY};
+use rosto_studio::{DEFAULT_FALLOFF_BAND, SMOOTH_DENSITY};
 use rosto_warp::Dab;
 
 use super::{CameraArguments, EditArguments, FindArguments, SettingsArguments};
@@ -130,8 +130,8 @@ pub struct PhotoTask {
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// How far around the face the photo gives way, as a share of the face's longer side
-    #[arg(long, value_name = "SHARE", default_value_t = DEFAULT_RING, allow_negative_numbers = true, value_parser = settings::ring)]
-    pub ring: f64,
+    #[arg(long, value_name = "SHARE", default_value_t = DEFAULT_FALLOFF_BAND, allow_negative_numbers = true, value_parser = settings::falloff_band)]
+    pub falloff_band: f64,
     /// Keeps what lies within a radius of a place as it is, all three in px of the upright photo; repeatable
     #[arg(long = "keep", value_name = "X,Y,RADIUS", allow_hyphen_values = true, value_parser = settings::dab)]
     pub kept: Vec<Dab>,

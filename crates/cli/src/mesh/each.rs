@@ -12,7 +12,7 @@ use super::ledger::{Ledger, Status};
 use super::{Step, make};
 use crate::args::MeshTask;
 use crate::error::CliError;
-use crate::many::{self, Listing, Outcome, Progress, BatchSummary};
+use crate::many::{self, BatchSummary, Listing, Outcome, Progress};
 use crate::networks::Networks;
 use crate::{encode, files, networks, output, portrait, terminal};
 

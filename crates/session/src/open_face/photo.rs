@@ -1,7 +1,7 @@
 use glam::DVec2;
 use rosto_face::{Camera, LANDMARK_COUNT, lids_of};
-use rosto_studio::{DEFAULT_RING, InPhoto};
-use rosto_warp::{Dab, Patch};
+use rosto_studio::{DEFAULT_FALLOFF_BAND, InPhoto};
+use rosto_warp::{Dab, WarpMesh};
 
 use super::OpenFace;
 use crate::strokes::Strokes;
@@ -10,7 +10,7 @@ use crate::strokes::Strokes;
 pub struct PhotoEdit {
     pub(super) seen_from_m: Option<f64>,
     pub(super) strokes: Strokes,
-    ring: f64,
+    falloff_band: f64,
     warp: Option<InPhoto>,
     /// Counts the warps that were made: whoever shows one knows by it whether it is another.
     version: u32,
@@ -22,7 +22,7 @@ impl Default for PhotoEdit {
         Self {
             seen_from_m: None,
             strokes: Strokes::default(),
-            ring: DEFAULT_RING,
+            falloff_band: DEFAULT_FALLOFF_BAND,
             warp: None,
             version: 0,
             is_stale: true,
@@ -33,7 +33,7 @@ impl Default for PhotoEdit {
 impl PhotoEdit {
     /// For another photo of the same face.
     pub(super) fn of_next_photo(before: &Self) -> Self {
-        Self { ring: before.ring, version: before.version, ..Self::default() }
+        Self { falloff_band: before.falloff_band, version: before.version, ..Self::default() }
     }
 
     /// From how far away the face is shown in its photo, in metres, if that is not how it was taken.
@@ -47,14 +47,14 @@ impl PhotoEdit {
     }
 
     /// How far around the face the photo gives way, as a share of the face's longer side.
-    pub fn ring(&self) -> f64 {
-        self.ring
+    pub fn falloff_band(&self) -> f64 {
+        self.falloff_band
     }
 
     /// What moves in the photo, in its px, and the number of the warp; none before the first [`OpenFace::follow_in_photo`], or
     /// where nothing of the face is in its photo.
-    pub fn patch(&self) -> Option<(&Patch, u32)> {
-        self.warp.as_ref().map(|warp| (warp.patch(), self.version))
+    pub fn warp_mesh(&self) -> Option<(&WarpMesh, u32)> {
+        self.warp.as_ref().map(|warp| (warp.warp_mesh(), self.version))
     }
 
     /// Whether the next [`OpenFace::follow_in_photo`] has to factor anew.
@@ -86,12 +86,12 @@ impl OpenFace {
     }
 
     /// Lets the photo follow the edits and the edit in progress: a back-substitution for each axis. The first time, and whenever
-    /// the mesh, the ring or what is kept is another, a factorisation.
+    /// the mesh, the falloff band or what is kept is another, a factorisation.
     pub fn follow_in_photo(&mut self) {
         if std::mem::take(&mut self.photo.is_stale) {
             let kept: Vec<Dab> = self.photo.strokes.dabs().copied().collect();
             // A face beside its photo leads nothing in it.
-            self.photo.warp = InPhoto::new(&self.model, &self.document, self.photo.ring, &kept).ok();
+            self.photo.warp = InPhoto::new(&self.model, &self.document, self.photo.falloff_band, &kept).ok();
             self.photo.version += 1;
         }
         let seen_by = self.seen_by();
@@ -120,9 +120,9 @@ impl OpenFace {
             .collect()
     }
 
-    pub(crate) fn set_ring(&mut self, ring: f64) {
-        if self.photo.ring != ring {
-            self.photo.ring = ring;
+    pub(crate) fn set_falloff_band(&mut self, falloff_band: f64) {
+        if self.photo.falloff_band != falloff_band {
+            self.photo.falloff_band = falloff_band;
             self.photo.forget();
         }
     }

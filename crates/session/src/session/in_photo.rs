@@ -1,7 +1,7 @@
 use glam::{DVec2, DVec3};
 use rosto_face::{Camera, DISTANCES_M};
 use rosto_stage::{NamedView, PicturePlane, Pinhole, Scene};
-use rosto_studio::RING_SHARES;
+use rosto_studio::FALLOFF_BAND_SHARES;
 use rosto_warp::Dab;
 
 use super::{Result, Session};
@@ -69,10 +69,11 @@ impl Session {
         Changed::Nothing
     }
 
-    pub(super) fn set_ring(&mut self, ring: f64) -> Result {
-        self.view.ring = within("the ring's share", ring, *RING_SHARES.start(), *RING_SHARES.end())?;
+    pub(super) fn set_falloff_band(&mut self, falloff_band: f64) -> Result {
+        self.view.falloff_band =
+            within("the falloff band's share", falloff_band, *FALLOFF_BAND_SHARES.start(), *FALLOFF_BAND_SHARES.end())?;
         if let Some(face) = &mut self.face {
-            face.set_ring(ring);
+            face.set_falloff_band(falloff_band);
         }
         Ok(Changed::Document)
     }

@@ -11,7 +11,7 @@ use crate::{Changed, Choices, Motion, Selection, SelectionMode, SessionError, pr
 impl Session {
     pub(super) fn open(&mut self, incoming: Incoming) -> Result {
         let mut face = incoming::opened(incoming, (self.view.triangulation, self.view.density))?;
-        face.set_ring(self.view.ring);
+        face.set_falloff_band(self.view.falloff_band);
         prepare(&mut face, self.mode, &self.choices, self.seeds.peek());
         self.view.triangulation = face.triangulation();
         self.view.density = face.document().density();
@@ -92,7 +92,7 @@ impl Session {
         self.view.show_on(&mut self.stage, self.face.is_none());
         self.show_scene();
         let Some(face) = &mut self.face else { return Ok(Changed::Document) };
-        face.set_ring(self.view.ring);
+        face.set_falloff_band(self.view.falloff_band);
         // The face keeps its mesh: what is preferred is for the next one.
         (self.view.triangulation, self.view.density) = (face.triangulation(), face.document().density());
         let wanted = face.selected_by(self.mode);

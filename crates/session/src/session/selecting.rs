@@ -98,6 +98,6 @@ impl Session {
         // Whole steps, as the panel shows them.
         let radius_mm = (self.choices.radius_mm * factor / RADIUS_MM.step).round() * RADIUS_MM.step;
         let radius_mm = radius_mm.clamp(RADIUS_MM.least, RADIUS_MM.most);
-        self.choose(self.choices.reaching(radius_mm)?)
+        self.choose(self.choices.with_radius(radius_mm)?)
     }
 }

@@ -157,7 +157,7 @@ fn seeing() -> impl Strategy<Value = Intent> {
 fn in_photo() -> impl Strategy<Value = Intent> {
     prop_oneof![
         3 => any_of(&Scene::ALL).prop_map(Intent::Scene),
-        1 => prop_oneof![0.1..0.8, number()].prop_map(Intent::Ring),
+        1 => prop_oneof![0.1..0.8, number()].prop_map(Intent::FalloffBand),
         2 => proptest::option::of(prop_oneof![0.2..3.0, number()]).prop_map(Intent::SeenFrom),
         2 => proptest::option::of(prop_oneof![4.0..120.0, number()]).prop_map(Intent::Brush),
         1 => Just(Intent::KeepNothing),

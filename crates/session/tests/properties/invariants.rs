@@ -1,7 +1,7 @@
 //! What holds of a session whatever was done to it.
 
 use rosto_session::{OpenFace, Selection, Session, State, Tick};
-use rosto_studio::{CoordinateFrame, Document, History, Mirror, Rest, EntryStatus, project};
+use rosto_studio::{CoordinateFrame, Document, EntryStatus, History, Mirror, Rest, project};
 
 use crate::faces::bits;
 

@@ -66,8 +66,8 @@ fn without_edits_nothing_moves() {
     for pose in POSES {
         session.preview_frame(Some(&seen(&head_m(&session), pose)), FRAME_PX).unwrap();
         assert_eq!(furthest(displacements_m(&session).into_iter()), 0.0);
-        let (patch, _) = session.live_preview().unwrap().patch();
-        let moved = patch.from_px.iter().zip(&patch.to_px).map(|(from, to)| from.distance(*to));
+        let (warp_mesh, _) = session.live_preview().unwrap().warp_mesh();
+        let moved = warp_mesh.from_px.iter().zip(&warp_mesh.to_px).map(|(from, to)| from.distance(*to));
         assert!(moved.fold(0.0, f64::max) < 1e-9, "{pose:?}");
     }
 }
@@ -145,8 +145,8 @@ fn a_face_that_goes_leaves_the_camera_stream_as_it_is_and_comes_back_with_its_ed
     assert!(!session.live_preview().unwrap().is_seen());
     let landmarks = seen(&head_m(&session), POSES[0]);
     let moved = |session: &Session| {
-        let (patch, _) = session.live_preview().unwrap().patch();
-        patch.from_px.iter().zip(&patch.to_px).map(|(from, to)| from.distance(*to)).fold(0.0, f64::max)
+        let (warp_mesh, _) = session.live_preview().unwrap().warp_mesh();
+        warp_mesh.from_px.iter().zip(&warp_mesh.to_px).map(|(from, to)| from.distance(*to)).fold(0.0, f64::max)
     };
     session.preview_frame(Some(&landmarks), FRAME_PX).unwrap();
     assert!(moved(&session) > 2.0, "{}", moved(&session));
@@ -209,19 +209,19 @@ fn a_camera_stream_is_laid_out_once_for_a_face_that_moves_and_stays_within_its_f
             .collect();
         let targets: Vec<DVec2> = places.iter().map(|place| place.truncate() + DVec2::new(2.0, 1.0)).collect();
         stream_warp.follow(|| triangles.clone(), &places, &targets, FRAME_PX, 0.35).unwrap();
-        let (patch, version) = stream_warp.patch();
+        let (warp_mesh, version) = stream_warp.warp_mesh();
         assert_eq!(version, 1, "step {step}");
-        for (from, to) in patch.from_px.iter().zip(&patch.to_px) {
+        for (from, to) in warp_mesh.from_px.iter().zip(&warp_mesh.to_px) {
             assert!(from.cmpge(DVec2::ZERO).all() && to.cmpge(DVec2::ZERO).all() && from.x <= 640.0 && to.x <= 640.0);
             let on_edge = from.x == 0.0 || from.x == 640.0 || from.y == 0.0 || from.y == 480.0;
             assert!(!on_edge || from == to, "the edge stays");
         }
-        let near = |place: DVec2| patch.from_px.iter().position(|from| from.distance(place) < 1e-6);
+        let near = |place: DVec2| warp_mesh.from_px.iter().position(|from| from.distance(place) < 1e-6);
         let led = (0..LANDMARK_COUNT).filter_map(|vertex| near(places[vertex].truncate()));
         let led: Vec<usize> = led
-            .filter(|&at| patch.from_px[at].x < 540.0 && patch.from_px[at].cmpgt(DVec2::splat(100.0)).all())
+            .filter(|&at| warp_mesh.from_px[at].x < 540.0 && warp_mesh.from_px[at].cmpgt(DVec2::splat(100.0)).all())
             .collect();
-        let off = led.iter().map(|&at| (patch.to_px[at] - patch.from_px[at]).distance(DVec2::new(2.0, 1.0)));
+        let off = led.iter().map(|&at| (warp_mesh.to_px[at] - warp_mesh.from_px[at]).distance(DVec2::new(2.0, 1.0)));
         assert!(
             off.fold(0.0, f64::max) < 1e-6 && led.len() > 100,
             "{} of the landmarks lead in step {step}",

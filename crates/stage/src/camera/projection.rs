@@ -3,7 +3,7 @@ use rosto_mesh::Ray;
 
 use super::facing::Facing;
 use super::pose::Pose;
-use super::{Camera, VisibleArea, Sides};
+use super::{Camera, Sides, VisibleArea};
 
 /// What is drawn reaches from so many radii before the middle to so many behind it.
 const RADII_BEFORE: f64 = 4.0;
@@ -46,7 +46,8 @@ impl Camera {
     pub fn clip_from_model(&self) -> DMat4 {
         let (eye, [near_m, far_m]) = (self.now.eye, self.depths_m());
         let scale = 2.0 * self.px_per_m(&self.now, self.visible_area) / self.size_px;
-        let shift = (self.visible_area.middle * 2.0 - DVec2::ONE) * DVec2::new(1.0, -1.0) - self.middle_m(&self.now) * scale;
+        let shift =
+            (self.visible_area.middle * 2.0 - DVec2::ONE) * DVec2::new(1.0, -1.0) - self.middle_m(&self.now) * scale;
         let to_depth = eye.remoteness(far_m) / (far_m - near_m);
         let by_depth = -(eye.aside * scale + shift * eye.nearness_per_m);
         let clip_from_view = DMat4::from_cols(
@@ -72,7 +73,8 @@ impl Camera {
             Sides::True => place_px,
             Sides::Swapped => DVec2::new(2.0 * self.visible_area.middle.x * self.size_px.x - place_px.x, place_px.y),
         };
-        let from_middle_m = (place_px - self.visible_area.middle * self.size_px) / self.px_per_m(&self.now, self.visible_area);
+        let from_middle_m =
+            (place_px - self.visible_area.middle * self.size_px) / self.px_per_m(&self.now, self.visible_area);
         let plane_m = self.middle_m(&self.now) + from_middle_m * DVec2::new(1.0, -1.0);
         let (eye, [near_m, _], axes) = (self.now.eye, self.depths_m(), self.facing().axes());
         Ray {

@@ -8,7 +8,7 @@ use crate::expressed;
 use crate::level::Level;
 use crate::level_positions::{LevelPositions, Scratch};
 use crate::prepared_edit::PreparedEdit;
-use crate::{Command, Details, EditSpec, Entry, Expression, InfluenceWeights, EntryStatus, StudioError, Switch};
+use crate::{Command, Details, EditSpec, Entry, EntryStatus, Expression, InfluenceWeights, StudioError, Switch};
 
 /// The spec's offsets and the positions they lead to, while vertices are being moved.
 #[derive(Clone)]
@@ -107,10 +107,14 @@ impl Document {
 
     /// How far each vertex shown is from what is held, along the surface at rest: 1 where an edit ends. None while nothing
     /// is held, or what is held moves the whole mesh.
-    pub fn reach(&self) -> Option<Vec<f64>> {
+    pub fn influence_distances(&self) -> Option<Vec<f64>> {
         let held = self.held.as_ref()?;
         let steps = &self.levels[held.spec().level as usize..self.density as usize];
-        Some(steps.iter().fold(held.reach()?.to_vec(), |reach, level| level.finer().interpolate(&reach)))
+        Some(
+            steps
+                .iter()
+                .fold(held.influence_distances()?.to_vec(), |distances, level| level.finer().interpolate(&distances)),
+        )
     }
 
     /// Moves what is held by one offset for each of the spec's handles, counted from the last commit, in the document's

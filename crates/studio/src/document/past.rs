@@ -6,7 +6,7 @@ use crate::expressed;
 use crate::level::Level;
 use crate::level_positions::{LevelPositions, Scratch};
 use crate::prepared_edit::PreparedEdit;
-use crate::{Command, EditTarget, Entry, History, EntryStatus, StudioError, Switch};
+use crate::{Command, EditTarget, Entry, EntryStatus, History, StudioError, Switch};
 
 /// What was done, undone and switched. An entry that has no answer on the mesh that is shown is passed over, so that none
 /// of these can fail half-way.

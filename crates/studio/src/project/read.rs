@@ -79,12 +79,12 @@ fn spec(value: &Value) -> FieldResult<EditSpec> {
         soft => ConstraintKind::Soft { weight: soft["soft"].as_f64().ok_or("hold")? },
     };
     let mirror = value["mirror"].as_str().and_then(Mirror::from_id).ok_or("mirror")?;
-    let reach = match &value["reach"] {
+    let influence = match &value["influence"] {
         Value::String(word) if word == "whole" => RegionOfInfluence::Whole,
-        within => RegionOfInfluence::Within { radius: within["within"].as_f64().ok_or("reach")? },
+        within => RegionOfInfluence::Within { radius: within["within"].as_f64().ok_or("influence")? },
     };
     let details = value["details"].as_str().and_then(Details::from_id).ok_or("details")?;
-    let settings = Settings { operator, constraint, anchors: anchors(&value["anchors"])?, reach, mirror, details };
+    let settings = Settings { operator, constraint, anchors: anchors(&value["anchors"])?, influence, mirror, details };
     let level = value["level"].as_u64().and_then(|level| level.try_into().ok()).ok_or("level")?;
     Ok(EditSpec { level, handles: vertices(&value["handles"]).ok_or("handles")?, settings })
 }

@@ -37,7 +37,7 @@ fn movement(spec: &EditSpec, offsets: Vec<Value>) -> Value {
         AnchorKind::Random { seed } => json!({"random": seed}),
         AnchorKind::Outside { radius } => json!({"outside": radius}),
     };
-    let reach = match settings.reach {
+    let influence = match settings.influence {
         RegionOfInfluence::Whole => json!("whole"),
         RegionOfInfluence::Within { radius } => json!({"within": radius}),
     };
@@ -48,7 +48,7 @@ fn movement(spec: &EditSpec, offsets: Vec<Value>) -> Value {
         "operator": settings.operator.id(),
         "hold": constraint,
         "anchors": {"kind": kind, "pins": settings.anchors.pins},
-        "reach": reach,
+        "influence": influence,
         "mirror": settings.mirror.id(),
         "details": settings.details.id(),
     })

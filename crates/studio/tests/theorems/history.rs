@@ -24,7 +24,7 @@ fn any_command(random: &mut Seeded) -> Command {
             2 => Anchors { kind: AnchorKind::Outside { radius: 0.05 }, pins: vec![] },
             _ => Anchors::explicit(vec![467]),
         },
-        reach: [RegionOfInfluence::Whole, RegionOfInfluence::Within { radius: 0.06 }][random.below(2)],
+        influence: [RegionOfInfluence::Whole, RegionOfInfluence::Within { radius: 0.06 }][random.below(2)],
         mirror: [Mirror::On, Mirror::Off][random.below(2)],
         details: [Details::AsRigidAsPossible, Details::Kept, Details::Kept, Details::Kept][random.below(4)],
     };

@@ -3,7 +3,7 @@
 use glam::DVec2;
 use rosto_face::*;
 use rosto_studio::*;
-use rosto_warp::Patch;
+use rosto_warp::WarpMesh;
 
 use crate::faces::portrait_landmarks;
 use crate::seeded::Seeded;
@@ -38,15 +38,15 @@ fn asleep(triangulation: Triangulation) -> FaceModel {
 }
 
 /// Where a warp takes a place.
-fn carried(patch: &Patch, place: DVec2) -> DVec2 {
+fn carried(warp_mesh: &WarpMesh, place: DVec2) -> DVec2 {
     let area = |[a, b, c]: [DVec2; 3]| (b - a).perp_dot(c - a);
     let shares = |corners: &[u32; 3]| {
-        let [a, b, c] = corners.map(|corner| patch.from_px[corner as usize]);
+        let [a, b, c] = corners.map(|corner| warp_mesh.from_px[corner as usize]);
         [[place, b, c], [a, place, c], [a, b, place]].map(|part| area(part) / area([a, b, c]))
     };
     let within = |corners: &&[u32; 3]| shares(corners).iter().all(|share| *share >= -1e-9);
-    let corners = patch.triangles.iter().find(within).unwrap();
-    shares(corners).iter().zip(corners).map(|(share, corner)| *share * patch.to_px[*corner as usize]).sum()
+    let corners = warp_mesh.triangles.iter().find(within).unwrap();
+    shares(corners).iter().zip(corners).map(|(share, corner)| *share * warp_mesh.to_px[*corner as usize]).sum()
 }
 
 #[test]
@@ -62,7 +62,7 @@ fn the_line_between_lids_that_are_shut_does_not_go_zigzag() {
             let mut document = Document::new(Rest::of_face(&face)).unwrap();
             document.set_density(density).unwrap();
             document.apply(FaceSlider::EyeSize.id(), FaceSlider::EyeSize.command(0.003)).unwrap();
-            let mut in_photo = InPhoto::new(&face, &document, DEFAULT_RING, &[]).unwrap();
+            let mut in_photo = InPhoto::new(&face, &document, DEFAULT_FALLOFF_BAND, &[]).unwrap();
             in_photo.follow(document.rest(), document.positions(), face.camera(), face.camera());
             for lids in LIDS {
                 let along = |i: usize| lids.map(|lid| found(lid[i])).iter().sum::<DVec2>() / 2.0;
@@ -73,7 +73,7 @@ fn the_line_between_lids_that_are_shut_does_not_go_zigzag() {
                         along(from).lerp(along(from + 1), at - from as f64)
                     })
                     .collect();
-                let ways: Vec<DVec2> = line.iter().map(|&place| carried(in_photo.patch(), place) - place).collect();
+                let ways: Vec<DVec2> = line.iter().map(|&place| carried(in_photo.warp_mesh(), place) - place).collect();
                 let bend_px = |ways: &[DVec2]| (ways[1] - 0.5 * (ways[0] + ways[2])).length();
                 let most_px = ways.windows(3).map(bend_px).fold(0.0, f64::max);
                 assert!(most_px < 2.0, "{triangulation:?}, density {density}: it bends by {most_px} px");

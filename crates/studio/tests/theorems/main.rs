@@ -8,9 +8,9 @@ mod faces;
 mod golden_edits;
 mod history;
 mod in_photo;
+mod influence_radius;
 mod mirror;
 mod paper;
-mod reach;
 mod robust;
 #[path = "../../../../tests/seeded.rs"]
 mod seeded;

@@ -91,8 +91,8 @@ async fn the_rim_is_a_line_where_the_reach_is_1() {
     let sheet = Sheet::new(32, |_, _| 0.0);
     let mut screen = screen().await;
     screen.show(&sheet.input());
-    let reach: Vec<f64> = sheet.positions.iter().map(|p| p.truncate().length() / 0.5).collect();
-    screen.viewport.set_fields([None, None], Some(&reach)).unwrap();
+    let influence_distances: Vec<f64> = sheet.positions.iter().map(|p| p.truncate().length() / 0.5).collect();
+    screen.viewport.set_fields([None, None], Some(&influence_distances)).unwrap();
     let without = picture(&mut screen, shaded()).await;
     let with = picture(&mut screen, RenderSettings { rim: Visibility::Shown, ..shaded() }).await;
     let differs = |x: u32, y: u32| with.pixel(x, y) != without.pixel(x, y);

@@ -6,7 +6,7 @@ mod canvas;
 mod follow;
 mod marks;
 mod paints;
-mod sheet;
+mod photo_layer;
 mod support;
 
 wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);

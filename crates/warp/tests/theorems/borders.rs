@@ -4,17 +4,18 @@ use rosto_warp::{Dab, Subject, Warp, drawn};
 use crate::scenes::*;
 use crate::seeded::Seeded;
 
-/// A line that crosses the ring's border goes on straight: where it is has no jump, and its slope has none either.
+/// A line that crosses the falloff band's border goes on straight: where it is has no jump, and its slope has none either.
 #[test]
 fn at_the_border_value_and_slope_vanish() {
     let mut seeded = Seeded::new(6);
     let points = oval(&mut seeded);
     let targets: Vec<DVec2> = points.iter().map(|&point| point + DVec2::new(10.0, 0.0)).collect();
     let warp = moved(&points, &targets);
-    let patch = warp.patch();
-    let offsets = || patch.from_px.iter().zip(&patch.to_px).map(|(from, to)| (nearest(&points, *from), *to - *from));
+    let warp_mesh = warp.warp_mesh();
+    let offsets =
+        || warp_mesh.from_px.iter().zip(&warp_mesh.to_px).map(|(from, to)| (nearest(&points, *from), *to - *from));
     let within = |low: f64, high: f64| {
-        let chosen = offsets().filter(move |(away, _)| (low..high).contains(&(away / RING_PX)));
+        let chosen = offsets().filter(move |(away, _)| (low..high).contains(&(away / FALLOFF_BAND_PX)));
         chosen.map(|(_, offset)| offset.length()).fold(0.0, f64::max)
     };
     assert_eq!(within(0.95, 9.0), 0.0, "what is beyond the border");
@@ -39,7 +40,7 @@ fn what_is_kept_keeps_its_bytes() {
             .collect();
         let mut warp = warp(&points, &kept);
         warp.follow(&points, &edited(&points, 15.0, &mut seeded));
-        assert_whole(warp.patch());
+        assert_whole(warp.warp_mesh());
         let after = redrawn(&photo, &warp);
         let is_kept = |place: DVec2| kept.iter().any(|dab| dab.centre_px.distance(place) <= dab.radius_px);
         for ((place, before), (_, after)) in pixels(&photo).zip(pixels(&after)) {
@@ -70,10 +71,10 @@ fn the_edge_of_the_picture_stays_a_straight_line() {
         for way in [DVec2::new(14.0, 9.0), DVec2::new(-14.0, -9.0)] {
             let targets: Vec<DVec2> = points.iter().map(|point| *point + way).collect();
             let warp = moved(&points, &targets);
-            assert_whole(warp.patch());
+            assert_whole(warp.warp_mesh());
             let size = f64::from(SIDE);
             let at_edge = |place: &DVec2| place.x == 0.0 || place.y == 0.0 || place.x == size || place.y == size;
-            for (from, to) in warp.patch().from_px.iter().zip(&warp.patch().to_px) {
+            for (from, to) in warp.warp_mesh().from_px.iter().zip(&warp.warp_mesh().to_px) {
                 assert!(!at_edge(from) || from == to);
                 assert!(to.min_element() >= 0.0 && to.max_element() <= size, "{to}");
             }
@@ -88,14 +89,15 @@ fn a_wider_ring_gives_way_further_out() {
     let points = oval(&mut seeded);
     let targets: Vec<DVec2> = points.iter().map(|&point| point + DVec2::X * 8.0).collect();
     let photo = noise();
-    let reaches = [15.0, 30.0, 60.0].map(|ring_px| {
-        let mut warp = Warp::new(&Subject { size_px: [SIDE, SIDE], points_px: &points, ring_px, kept: &[] }).unwrap();
+    let reaches = [15.0, 30.0, 60.0].map(|falloff_band_px| {
+        let mut warp =
+            Warp::new(&Subject { size_px: [SIDE, SIDE], points_px: &points, falloff_band_px, kept: &[] }).unwrap();
         warp.follow(&points, &targets);
-        let after = drawn(&photo, warp.patch());
+        let after = drawn(&photo, warp.warp_mesh());
         let changed = pixels(&photo).zip(pixels(&after)).filter(|((_, before), (_, after))| before != after);
         changed.map(|((place, _), _)| nearest(&points, place)).fold(0.0, f64::max)
     });
-    for (reach, ring_px) in reaches.into_iter().zip([15.0, 30.0, 60.0]) {
-        assert!((0.6 * ring_px..ring_px).contains(&reach), "{reach} of {ring_px}");
+    for (reach, falloff_band_px) in reaches.into_iter().zip([15.0, 30.0, 60.0]) {
+        assert!((0.6 * falloff_band_px..falloff_band_px).contains(&reach), "{reach} of {falloff_band_px}");
     }
 }

@@ -1,6 +1,6 @@
 use glam::{DMat2, DVec2};
 use rosto_photo::Photo;
-use rosto_warp::Patch;
+use rosto_warp::WarpMesh;
 
 use crate::scenes::*;
 use crate::seeded::Seeded;
@@ -26,7 +26,7 @@ fn beyond_the_ring_every_byte_stays() {
         let after = redrawn(&photo, &moved(&points, &edited(&points, 20.0, &mut seeded)));
         assert_ne!(after, photo);
         for ((place, before), (_, after)) in pixels(&photo).zip(pixels(&after)) {
-            assert!(before == after || nearest(&points, place) < RING_PX, "{place} of edit {seed}");
+            assert!(before == after || nearest(&points, place) < FALLOFF_BAND_PX, "{place} of edit {seed}");
         }
     }
 }
@@ -41,7 +41,7 @@ fn there_is_no_seam() {
         let points = oval(&mut seeded);
         let warp = moved(&points, &edited(&points, 14.0, &mut seeded));
         // Rounding, and what the cubic makes of rounded slopes.
-        let most = most_stretched(warp.patch()) + 2.0;
+        let most = most_stretched(warp.warp_mesh()) + 2.0;
         let after = redrawn(&slopes, &warp);
         for (x, y) in (1..SIDE).flat_map(|y| (1..SIDE).map(move |x| (x, y))) {
             let here = after.pixel(x, y);
@@ -54,16 +54,16 @@ fn there_is_no_seam() {
 }
 
 /// How far apart the places of two neighbouring pixels can be at most.
-fn most_stretched(patch: &Patch) -> f64 {
+fn most_stretched(warp_mesh: &WarpMesh) -> f64 {
     let edges = |places: &[DVec2], corners: &[u32; 3]| {
         let [a, b, c] = corners.map(|corner| places[corner as usize]);
         DMat2::from_cols(b - a, c - a)
     };
     let stretch = |corners: &[u32; 3]| {
-        let back = edges(&patch.from_px, corners) * edges(&patch.to_px, corners).inverse();
+        let back = edges(&warp_mesh.from_px, corners) * edges(&warp_mesh.to_px, corners).inverse();
         back.x_axis.length().max(back.y_axis.length())
     };
-    patch.triangles.iter().map(stretch).fold(1.0, f64::max)
+    warp_mesh.triangles.iter().map(stretch).fold(1.0, f64::max)
 }
 
 #[test]
@@ -108,7 +108,7 @@ fn a_larger_picture_is_warped_in_the_same_way() {
     let mut seeded = Seeded::new(3);
     let points = oval(&mut seeded);
     let warp = moved(&points, &edited(&points, 9.0, &mut seeded));
-    let twice = warp.patch().cut(DVec2::ZERO, 2.0);
+    let twice = warp.warp_mesh().cut(DVec2::ZERO, 2.0);
     let mut larger = Warp2::of(&points);
     larger.follow(&twice);
     assert!(larger.furthest(&twice) < 1e-6, "{}", larger.furthest(&twice));
@@ -123,24 +123,24 @@ impl Warp2 {
         let subject = rosto_warp::Subject {
             size_px: [2 * SIDE, 2 * SIDE],
             points_px: &points,
-            ring_px: 2.0 * RING_PX,
+            falloff_band_px: 2.0 * FALLOFF_BAND_PX,
             kept: &[],
         };
         Self(rosto_warp::Warp::new(&subject).unwrap(), points)
     }
 
-    /// Sends each point to where it is in the scaled patch.
-    fn follow(&mut self, patch: &Patch) {
+    /// Sends each point to where it is in the scaled warp mesh.
+    fn follow(&mut self, warp_mesh: &WarpMesh) {
         let target = |point: &DVec2| {
-            let at = patch.from_px.iter().position(|from| from.distance(*point) < 1e-9).unwrap();
-            patch.to_px[at]
+            let at = warp_mesh.from_px.iter().position(|from| from.distance(*point) < 1e-9).unwrap();
+            warp_mesh.to_px[at]
         };
         let targets: Vec<DVec2> = self.1.iter().map(target).collect();
         self.0.follow(&self.1, &targets);
     }
 
-    fn furthest(&self, patch: &Patch) -> f64 {
-        let apart = self.0.patch().to_px.iter().zip(&patch.to_px).map(|(a, b)| a.distance(*b));
+    fn furthest(&self, warp_mesh: &WarpMesh) -> f64 {
+        let apart = self.0.warp_mesh().to_px.iter().zip(&warp_mesh.to_px).map(|(a, b)| a.distance(*b));
         apart.fold(0.0, f64::max)
     }
 }

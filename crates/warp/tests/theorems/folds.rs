@@ -1,5 +1,5 @@
 use glam::DVec2;
-use rosto_warp::Patch;
+use rosto_warp::WarpMesh;
 
 use crate::scenes::*;
 use crate::seeded::Seeded;
@@ -15,7 +15,7 @@ fn no_target_turns_a_triangle_over() {
         let torn: Vec<DVec2> = points.iter().map(|&point| point + plane(&mut seeded) * most_px).collect();
         for targets in [alike, torn] {
             let warp = moved(&points, &targets);
-            assert_whole(warp.patch());
+            assert_whole(warp.warp_mesh());
             assert!(warp.limited_px() < 2.0 * most_px * 2_f64.sqrt() && warp.limited_px() >= 0.0);
         }
     }
@@ -36,9 +36,9 @@ fn lines_that_would_cross_meet_and_that_is_said() {
     assert_eq!(warp(0.1).limited_px(), 0.0, "half the way to each other, they touch nothing");
     for share in [0.5, 1.0] {
         let warp = warp(share);
-        assert_whole(warp.patch());
+        assert_whole(warp.warp_mesh());
         assert!(warp.limited_px() > 1.0, "{}", warp.limited_px());
-        let moved = warp.patch().from_px.iter().zip(&warp.patch().to_px).map(|(from, to)| from.distance(*to));
+        let moved = warp.warp_mesh().from_px.iter().zip(&warp.warp_mesh().to_px).map(|(from, to)| from.distance(*to));
         assert!(moved.fold(0.0, f64::max) > 2.0, "not all is taken back");
     }
 }
@@ -58,11 +58,11 @@ fn what_folds_in_one_place_takes_nothing_back_in_another() {
         .filter(|(_, point)| point.y > 95.0)
         .for_each(|(target, point)| *target += way(*point));
     let warp = moved(&points, &targets);
-    assert_whole(warp.patch());
+    assert_whole(warp.warp_mesh());
     assert!(warp.limited_px() > 5.0, "{}", warp.limited_px());
     for (point, target) in points.iter().zip(&targets).filter(|(point, _)| point.y > 115.0) {
-        let at = warp.patch().from_px.iter().position(|from| from == point).unwrap();
-        assert!(warp.patch().to_px[at].distance(*target) < 1e-9, "{point}");
+        let at = warp.warp_mesh().from_px.iter().position(|from| from == point).unwrap();
+        assert!(warp.warp_mesh().to_px[at].distance(*target) < 1e-9, "{point}");
     }
 }
 
@@ -76,9 +76,9 @@ fn however_dense_points_are_what_folds_widely_goes_nearly_as_far() {
         let way = |point: DVec2| DVec2::X * 30.0 * (-(point - DVec2::splat(100.0)).length_squared() / 150.0).exp();
         let targets: Vec<DVec2> = points.iter().map(|&point| point + way(point)).collect();
         let warp = moved(&points, &targets);
-        assert_whole(warp.patch());
+        assert_whole(warp.warp_mesh());
         assert!(warp.limited_px() > 1.0, "{} px", warp.limited_px());
-        let Patch { from_px, to_px, .. } = warp.patch();
+        let WarpMesh { from_px, to_px, .. } = warp.warp_mesh();
         from_px.iter().zip(to_px).map(|(from, to)| from.distance(*to)).fold(0.0, f64::max)
     };
     let [coarse, fine, finest] = [8.0, 2.0, 0.75].map(moved_px);
@@ -92,8 +92,8 @@ fn what_is_limited_is_as_long_as_it_is_said() {
     let targets: Vec<DVec2> = points.iter().map(|&point| point + plane(&mut seeded) * 8.0).collect();
     let warp = moved(&points, &targets);
     let behind = |(point, target): (&DVec2, &DVec2)| {
-        let at = warp.patch().from_px.iter().position(|from| from == point)?;
-        Some(warp.patch().to_px[at].distance(*target))
+        let at = warp.warp_mesh().from_px.iter().position(|from| from == point)?;
+        Some(warp.warp_mesh().to_px[at].distance(*target))
     };
     let longest = points.iter().zip(&targets).filter_map(behind).fold(0.0, f64::max);
     assert!((longest - warp.limited_px()).abs() < 1e-9, "{longest} and {}", warp.limited_px());
@@ -107,6 +107,6 @@ fn the_same_question_has_the_same_answer_to_the_last_bit() {
     let mut busy = warp(&points, &[]);
     for targets in &ticks {
         busy.follow(&points, targets);
-        assert_eq!(busy.patch(), moved(&points, targets).patch(), "what was before leaves nothing");
+        assert_eq!(busy.warp_mesh(), moved(&points, targets).warp_mesh(), "what was before leaves nothing");
     }
 }

@@ -1,11 +1,11 @@
 use glam::DVec2;
-use rosto_warp::{Dab, RING_SHARES, Subject, Warp, WarpError};
+use rosto_warp::{Dab, FALLOFF_BAND_SHARES, Subject, Warp, WarpError};
 
 use crate::scenes::*;
 use crate::seeded::Seeded;
 
-fn made(size_px: [u32; 2], points_px: &[DVec2], ring_px: f64) -> Result<Warp, WarpError> {
-    Warp::new(&Subject { size_px, points_px, ring_px, kept: &[] })
+fn made(size_px: [u32; 2], points_px: &[DVec2], falloff_band_px: f64) -> Result<Warp, WarpError> {
+    Warp::new(&Subject { size_px, points_px, falloff_band_px, kept: &[] })
 }
 
 #[test]
@@ -23,15 +23,15 @@ fn points_that_cannot_lead_are_refused() {
 #[test]
 fn rings_are_as_wide_as_they_can_be_solved_for() {
     let points = oval(&mut Seeded::new(1));
-    for ring_px in [0.0, -3.0, 0.01, 1e9, f64::NAN, f64::INFINITY] {
-        let refused = made([SIDE, SIDE], &points, ring_px).err();
-        assert!(matches!(refused, Some(WarpError::Ring { .. })), "{ring_px}: {refused:?}");
+    for falloff_band_px in [0.0, -3.0, 0.01, 1e9, f64::NAN, f64::INFINITY] {
+        let refused = made([SIDE, SIDE], &points, falloff_band_px).err();
+        assert!(matches!(refused, Some(WarpError::FalloffBand { .. })), "{falloff_band_px}: {refused:?}");
     }
     let high = 2.0 * AXES.y;
-    for share in [*RING_SHARES.start() * 1.1, *RING_SHARES.end() * 0.9] {
+    for share in [*FALLOFF_BAND_SHARES.start() * 1.1, *FALLOFF_BAND_SHARES.end() * 0.9] {
         let mut warp = made([SIDE, SIDE], &points, share * high).unwrap();
         warp.follow(&points, &edited(&points, 9.0, &mut Seeded::new(2)));
-        assert_whole(warp.patch());
+        assert_whole(warp.warp_mesh());
     }
 }
 
@@ -50,13 +50,14 @@ fn odd_subjects_have_an_answer() {
     let cases = [line, slanted, twice, some_nowhere, in_a_pixel, at_the_edge, grid, far_apart];
     for (case, points) in cases.iter().enumerate() {
         for size_px in [[1, 1], [1, 200], [200, 1], [60, 50], [SIDE, SIDE]] {
-            for ring_px in [0.2, 10.0, 60.0] {
-                let Ok(mut warp) = made(size_px, points, ring_px) else { continue };
+            for falloff_band_px in [0.2, 10.0, 60.0] {
+                let Ok(mut warp) = made(size_px, points, falloff_band_px) else { continue };
                 warp.follow(points, &edited(points, 7.0, &mut Seeded::new(case as u64)));
-                assert_whole(warp.patch());
+                assert_whole(warp.warp_mesh());
             }
         }
-        let has_answer = [0.2, 10.0, 60.0].iter().any(|&ring_px| made([SIDE, SIDE], points, ring_px).is_ok());
+        let has_answer =
+            [0.2, 10.0, 60.0].iter().any(|&falloff_band_px| made([SIDE, SIDE], points, falloff_band_px).is_ok());
         assert!(has_answer, "case {case}");
     }
 }
@@ -70,7 +71,7 @@ fn targets_that_are_no_places_lead_nowhere() {
         let mut targets = points.clone();
         targets[7] = DVec2::splat(far);
         targets[80].y = far;
-        assert_whole(moved(&points, &targets).patch());
+        assert_whole(moved(&points, &targets).warp_mesh());
     }
 }
 
@@ -81,6 +82,6 @@ fn dabs_that_are_none_keep_nothing() {
         let mut warp = warp(&points, &[Dab { centre_px, radius_px }]);
         warp.follow(&points, &edited(&points, 9.0, &mut Seeded::new(2)));
         assert_ne!(redrawn(&noise(), &warp), noise());
-        assert_whole(warp.patch());
+        assert_whole(warp.warp_mesh());
     }
 }

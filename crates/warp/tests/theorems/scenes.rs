@@ -2,12 +2,12 @@
 
 use glam::DVec2;
 use rosto_photo::Photo;
-use rosto_warp::{Dab, Patch, Subject, Warp, drawn};
+use rosto_warp::{Dab, Subject, Warp, WarpMesh, drawn};
 
 use crate::seeded::Seeded;
 
 pub const SIDE: u32 = 200;
-pub const RING_PX: f64 = 40.0;
+pub const FALLOFF_BAND_PX: f64 = 40.0;
 /// The middle of [`oval`], and its half axes.
 pub const MIDDLE: DVec2 = DVec2::new(98.0, 103.0);
 pub const AXES: DVec2 = DVec2::new(34.0, 45.0);
@@ -35,7 +35,7 @@ pub fn edited(points: &[DVec2], most_px: f64, seeded: &mut Seeded) -> Vec<DVec2>
 }
 
 pub fn warp(points: &[DVec2], kept: &[Dab]) -> Warp {
-    Warp::new(&Subject { size_px: [SIDE, SIDE], points_px: points, ring_px: RING_PX, kept }).unwrap()
+    Warp::new(&Subject { size_px: [SIDE, SIDE], points_px: points, falloff_band_px: FALLOFF_BAND_PX, kept }).unwrap()
 }
 
 pub fn moved(points: &[DVec2], targets: &[DVec2]) -> Warp {
@@ -68,18 +68,18 @@ pub fn nearest(points: &[DVec2], place: DVec2) -> f64 {
 }
 
 /// Twice the area of each triangle, with its sign.
-pub fn areas(patch: &Patch, places: &[DVec2]) -> Vec<f64> {
+pub fn areas(warp_mesh: &WarpMesh, places: &[DVec2]) -> Vec<f64> {
     let area = |corners: &[u32; 3]| {
         let [a, b, c] = corners.map(|corner| places[corner as usize]);
         (b - a).perp_dot(c - a)
     };
-    patch.triangles.iter().map(area).collect()
+    warp_mesh.triangles.iter().map(area).collect()
 }
 
 /// Nothing is turned over, and the triangles cover what they covered: the map is one to one and onto.
 #[track_caller]
-pub fn assert_whole(patch: &Patch) {
-    let (before, after) = (areas(patch, &patch.from_px), areas(patch, &patch.to_px));
+pub fn assert_whole(warp_mesh: &WarpMesh) {
+    let (before, after) = (areas(warp_mesh, &warp_mesh.from_px), areas(warp_mesh, &warp_mesh.to_px));
     for (triangle, (before, after)) in before.iter().zip(&after).enumerate() {
         assert!(before * after > 0.0 || before == after, "triangle {triangle}: {before} to {after}");
     }
@@ -88,5 +88,5 @@ pub fn assert_whole(patch: &Patch) {
 }
 
 pub fn redrawn(photo: &Photo, warp: &Warp) -> Photo {
-    drawn(photo, warp.patch())
+    drawn(photo, warp.warp_mesh())
 }

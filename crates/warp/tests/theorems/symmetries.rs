@@ -8,9 +8,10 @@ use crate::seeded::Seeded;
 /// What becomes of a picture of this size whose points go that way.
 fn outcome(photo: &Photo, points: &[DVec2], targets: &[DVec2]) -> Photo {
     let size_px = [photo.width(), photo.height()];
-    let mut warp = Warp::new(&Subject { size_px, points_px: points, ring_px: RING_PX, kept: &[] }).unwrap();
+    let mut warp =
+        Warp::new(&Subject { size_px, points_px: points, falloff_band_px: FALLOFF_BAND_PX, kept: &[] }).unwrap();
     warp.follow(points, targets);
-    drawn(photo, warp.patch())
+    drawn(photo, warp.warp_mesh())
 }
 
 fn mapped(photo: &Photo, size: [u32; 2], source: impl Fn(u32, u32) -> Option<(u32, u32)>) -> Photo {
@@ -78,7 +79,9 @@ fn the_way_there_and_a_share_of_it_are_in_proportion() {
     let targets = edited(&points, 5.0, &mut seeded);
     let half: Vec<DVec2> = points.iter().zip(&targets).map(|(point, target)| point.lerp(*target, 0.5)).collect();
     let (whole, half) = (moved(&points, &targets), moved(&points, &half));
-    for ((from, whole), half) in whole.patch().from_px.iter().zip(&whole.patch().to_px).zip(&half.patch().to_px) {
+    for ((from, whole), half) in
+        whole.warp_mesh().from_px.iter().zip(&whole.warp_mesh().to_px).zip(&half.warp_mesh().to_px)
+    {
         assert!(from.lerp(*whole, 0.5).distance(*half) < 1e-9, "linear as long as nothing folds");
     }
 }

@@ -24,8 +24,11 @@ pub fn histories() -> Vec<String> {
     let by_default = || Settings::default();
     let anchored = |kind, pins: &[u32]| Settings { anchors: Anchors { kind, pins: pins.to_vec() }, ..by_default() };
     let exact = Settings { constraint: ConstraintKind::Hard, mirror: Mirror::On, ..by_default() };
-    let near =
-        Settings { reach: RegionOfInfluence::Within { radius: 0.05 }, operator: Operator::Cotangent, ..by_default() };
+    let near = Settings {
+        influence: RegionOfInfluence::Within { radius: 0.05 },
+        operator: Operator::Cotangent,
+        ..by_default()
+    };
     let turned = Settings { details: Details::AsRigidAsPossible, ..anchored(AnchorKind::PinsOnly, &[10, 152]) };
     let far = Settings {
         constraint: ConstraintKind::Soft { weight: 0.25 },

@@ -51,10 +51,10 @@ fn on_the_photo_what_lights_up_is_taken_and_the_photo_follows_the_pointer() {
         assert_eq!(face(&session).selection(), Some(Selection::Landmark(landmark)));
         assert_eq!(session.view().scene, Scene::Picture);
         session.follow_in_photo();
-        let (patch, _) = face(&session).photo().patch().unwrap();
+        let (warp_mesh, _) = face(&session).photo().warp_mesh().unwrap();
         let found_px = found_px(&session, landmark);
-        let at = patch.from_px.iter().position(|from| from.distance(found_px) < 1e-6).unwrap();
-        let shown = session.stage().place_of(patch.to_px[at]).unwrap();
+        let at = warp_mesh.from_px.iter().position(|from| from.distance(found_px) < 1e-6).unwrap();
+        let shown = session.stage().place_of(warp_mesh.to_px[at]).unwrap();
         let wanted = place_px(&session, landmark);
         assert!(shown.distance(wanted) < 1.0, "{landmark}: the photo shows it at {shown}, the mesh is at {wanted}");
         assert_eq!(state(&session).entry_count, 1);
@@ -66,8 +66,8 @@ fn without_an_edit_nothing_in_the_photo_moves_and_an_undo_takes_it_back() {
     let mut session = photo();
     let moved = |session: &mut Session| {
         session.follow_in_photo();
-        let (patch, _) = face(session).photo().patch().unwrap();
-        patch.from_px.iter().zip(&patch.to_px).map(|(from, to)| from.distance(*to)).fold(0.0, f64::max)
+        let (warp_mesh, _) = face(session).photo().warp_mesh().unwrap();
+        warp_mesh.from_px.iter().zip(&warp_mesh.to_px).map(|(from, to)| from.distance(*to)).fold(0.0, f64::max)
     };
     assert_eq!(moved(&mut session), 0.0);
     act(&mut session, Intent::Slide(FaceSlider::JawWidth, -6.0));
@@ -91,11 +91,11 @@ fn what_is_seen_from_further_away_is_seen_so_by_the_stage_too() {
     act(&mut session, Intent::SeenFrom(Some(2.0)));
     session.stage_mut().advance(0.0);
     session.follow_in_photo();
-    let (patch, _) = face(&session).photo().patch().unwrap();
+    let (warp_mesh, _) = face(&session).photo().warp_mesh().unwrap();
     for landmark in IN_SIGHT {
         let found_px = found_px(&session, landmark);
-        let at = patch.from_px.iter().position(|from| from.distance(found_px) < 1e-6).unwrap();
-        let off = session.stage().place_of(patch.to_px[at]).unwrap().distance(place_px(&session, landmark));
+        let at = warp_mesh.from_px.iter().position(|from| from.distance(found_px) < 1e-6).unwrap();
+        let off = session.stage().place_of(warp_mesh.to_px[at]).unwrap().distance(place_px(&session, landmark));
         assert!(off < 1.0, "{landmark} is {off} px beside itself");
     }
 }
@@ -163,9 +163,9 @@ fn what_is_painted_stays_and_is_undone_apart_from_the_edits() {
     session.follow_in_photo();
     let found = found_px(&session, MOUTH_CORNER);
     let moved = |session: &Session| {
-        let (patch, _) = face(session).photo().patch().unwrap();
-        let at = patch.from_px.iter().position(|from| from.distance(found) < 1e-6).unwrap();
-        patch.to_px[at].distance(patch.from_px[at])
+        let (warp_mesh, _) = face(session).photo().warp_mesh().unwrap();
+        let at = warp_mesh.from_px.iter().position(|from| from.distance(found) < 1e-6).unwrap();
+        warp_mesh.to_px[at].distance(warp_mesh.from_px[at])
     };
     assert_eq!(moved(&session), 0.0);
     act(&mut session, Intent::Undo);
@@ -199,7 +199,7 @@ fn the_brush_brings_the_photo_selects_nothing_and_goes_with_it() {
     for wrong in [0.0, 1e9, f64::NAN] {
         let as_it_was = seen(&session);
         assert!(session.apply(Intent::Brush(Some(wrong))).is_err());
-        assert!(session.apply(Intent::Ring(wrong)).is_err());
+        assert!(session.apply(Intent::FalloffBand(wrong)).is_err());
         assert!(session.apply(Intent::SeenFrom(Some(wrong))).is_err());
         assert_eq!(seen(&session), as_it_was);
     }

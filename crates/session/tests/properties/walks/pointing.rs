@@ -304,11 +304,12 @@ fn the_reach_of_an_edit_and_the_plane_are_drawn_while_it_goes_on() {
     assert_eq!(drawn(&session), (false, false));
     act(&mut session, Intent::Preview(DVec3::Z));
     assert_eq!(drawn(&session), (true, true));
-    let reach = face(&session).document().reach().unwrap();
+    let distances = face(&session).document().influence_distances().unwrap();
     let way_mm: Vec<f64> =
         (0..468).map(|v| way_mm(&session, face(&session).document().committed(), v).length()).collect();
     assert!(
-        reach[NOSE_TIP as usize] == 0.0 && reach.iter().zip(&way_mm).all(|(reach, way)| *reach < 1.0 || *way < 1e-6)
+        distances[NOSE_TIP as usize] == 0.0
+            && distances.iter().zip(&way_mm).all(|(distance, way)| *distance < 1.0 || *way < 1e-6)
     );
     act(&mut session, Intent::Preview(DVec3::X));
     assert_eq!(drawn(&session), (true, false), "sideways it goes alone");

@@ -6,7 +6,8 @@ use rosto_session::{
 };
 use rosto_stage::{Background, Dots, Lens, Light, PictureLight, ShadingMode, Srgb, Visibility};
 use rosto_studio::{
-    Anchors, Command, Details, EditSpec, Entry, FaceSlider, Mirror, SMOOTH_DENSITY, Settings, EntryStatus, Switch, project,
+    Anchors, Command, Details, EditSpec, Entry, EntryStatus, FaceSlider, Mirror, SMOOTH_DENSITY, Settings, Switch,
+    project,
 };
 use serde_json::Value;
 

@@ -2,7 +2,7 @@ use glam::DVec3;
 use rosto_face::{MIDLINE, Region, Triangulation, mirror_of};
 use rosto_laplacian::LaplacianError;
 use rosto_session::{AnchorChoice, Intent, Selection, SelectionMode, Session, SessionError};
-use rosto_studio::{ConstraintKind, EditTarget, Mirror, EntryStatus, StudioError, Switch};
+use rosto_studio::{ConstraintKind, EditTarget, EntryStatus, Mirror, StudioError, Switch};
 
 use super::{act, face, move_by, place_px, positions, select, select_points, state, way_mm};
 use crate::faces::{SIZE_PX, session};

@@ -13,7 +13,7 @@ const MOST_CELLS: f64 = 64.0;
 
 /// Which vertices of a surface can lead its picture: those that are [`seen`], but for what lies right beside another sheet of it.
 ///
-/// Sheets meet where rims touch, as closed lids and lips do, and where one lies before another, as a nose before a cheek. Points
+/// Surfaces meet where rims touch, as closed lids and lips do, and where one lies before another, as a nose before a cheek. Points
 /// of both that lie some px from each other go different ways, and where they were found is less exact than that: what is
 /// between would go zigzag. So where rims are less than `apart_px` from each other, neither leads, and the picture gives way
 /// between what is beside them; and what lies behind another sheet by more than `behind` leads only twice as far from it. Two
@@ -26,15 +26,15 @@ pub fn leading(triangles: &[[u32; 3]], places: &[DVec3], behind: f64, apart_px: 
     if !(far_px > 0.0 && far_px.is_finite()) {
         return leads;
     }
-    let mut sheets = Sheets::new(triangles, places, &leads, far_px);
-    for rim in std::mem::take(&mut sheets.rims) {
-        for other in sheets.beside(rim, apart_px) {
-            let nearer = sheets.nearer(rim, other);
+    let mut surfaces = Surfaces::new(triangles, places, &leads, far_px);
+    for rim in std::mem::take(&mut surfaces.rims) {
+        for other in surfaces.beside(rim, apart_px) {
+            let nearer = surfaces.nearer(rim, other);
             leads[rim as usize] &= nearer > behind;
             leads[other as usize] &= nearer < -behind;
         }
-        for other in sheets.beside(rim, far_px) {
-            let nearer = sheets.nearer(rim, other);
+        for other in surfaces.beside(rim, far_px) {
+            let nearer = surfaces.nearer(rim, other);
             leads[rim as usize] &= nearer >= -behind;
             leads[other as usize] &= nearer <= behind;
         }
@@ -43,7 +43,7 @@ pub fn leading(triangles: &[[u32; 3]], places: &[DVec3], behind: f64, apart_px: 
 }
 
 /// The part of a surface that is seen.
-struct Sheets<'a> {
+struct Surfaces<'a> {
     places: &'a [DVec3],
     /// Those of each vertex that are seen, of one that is.
     neighbours: Vec<Vec<u32>>,
@@ -56,23 +56,23 @@ struct Sheets<'a> {
     searches: u32,
 }
 
-impl<'a> Sheets<'a> {
+impl<'a> Surfaces<'a> {
     fn new(triangles: &[[u32; 3]], places: &'a [DVec3], is_seen: &[bool], far_px: f64) -> Self {
         let seen: Vec<u32> = (0..places.len() as u32).filter(|&vertex| is_seen[vertex as usize]).collect();
         let around = bounds(&seen.iter().map(|&vertex| places[vertex as usize].truncate()).collect::<Vec<_>>());
         let longest_px = (around[1] - around[0]).max_element();
         let cells = Cells::over(around, far_px.max(longest_px / MOST_CELLS));
         let (neighbours, found_by) = (vec![Vec::new(); places.len()], vec![0; places.len()]);
-        let mut sheets = Self { places, neighbours, rims: Vec::new(), cells, found_by, searches: 0 };
-        let wholly_seen = sheets.join(triangles, is_seen);
+        let mut surfaces = Self { places, neighbours, rims: Vec::new(), cells, found_by, searches: 0 };
+        let wholly_seen = surfaces.join(triangles, is_seen);
         for vertex in seen {
-            sheets.cells.add(sheets.place(vertex), vertex);
+            surfaces.cells.add(surfaces.place(vertex), vertex);
             // Around a vertex in the middle of what is seen there are as many triangles as neighbours.
-            if sheets.neighbours[vertex as usize].len() > wholly_seen[vertex as usize] {
-                sheets.rims.push(vertex);
+            if surfaces.neighbours[vertex as usize].len() > wholly_seen[vertex as usize] {
+                surfaces.rims.push(vertex);
             }
         }
-        sheets
+        surfaces
     }
 
     /// Notes what is beside each vertex; returns how many of its triangles are seen with all their corners.
@@ -91,7 +91,7 @@ impl<'a> Sheets<'a> {
         wholly_seen
     }
 
-    /// Vertices of other sheets that lie so near to one: no way that stays as near leads there.
+    /// Vertices of other surfaces that lie so near to one: no way that stays as near leads there.
     fn beside(&mut self, vertex: u32, within_px: f64) -> Vec<u32> {
         self.search(vertex, within_px);
         let place = self.place(vertex);

@@ -7,7 +7,7 @@ use crate::{Gpu, PictureOnGpu, ViewportError, picture};
 
 /// A picture whose places move.
 #[derive(Debug, Clone, Copy)]
-pub struct SheetInput<'a> {
+pub struct PhotoLayerInput<'a> {
     /// Its width and height in the px that places are given in, which may be more than it has here.
     pub size_px: DVec2,
     /// Places in it that move.
@@ -20,7 +20,7 @@ pub struct SheetInput<'a> {
 
 /// The same in the GPU's memory: the whole picture as two triangles, and what moves over it.
 #[derive(Debug)]
-pub(crate) struct SheetOnGpu {
+pub(crate) struct PhotoLayerOnGpu {
     corners: [DVec2; 4],
     from_px: Vec<DVec2>,
     /// Scratch: where each place goes and where it comes from.
@@ -31,8 +31,8 @@ pub(crate) struct SheetOnGpu {
     pub bindings: wgpu::BindGroup,
 }
 
-impl SheetOnGpu {
-    pub fn new(gpu: &Gpu, pipelines: &Pipelines, input: &SheetInput<'_>) -> Self {
+impl PhotoLayerOnGpu {
+    pub fn new(gpu: &Gpu, pipelines: &Pipelines, input: &PhotoLayerInput<'_>) -> Self {
         let DVec2 { x: width, y: height } = input.size_px;
         let corners = [DVec2::ZERO, DVec2::new(width, 0.0), input.size_px, DVec2::new(0.0, height)];
         let whole = [[0, 1, 2], [0, 2, 3]];
@@ -45,7 +45,7 @@ impl SheetOnGpu {
             ways_on_gpu: filled(gpu, bytemuck::cast_slice(&ways), wgpu::BufferUsages::VERTEX),
             indices: filled(gpu, bytemuck::cast_slice(&triangles), wgpu::BufferUsages::INDEX),
             index_count: 3 * triangles.len() as u32,
-            bindings: gpu.bind_group(&pipelines.sheet_layout, resources),
+            bindings: gpu.bind_group(&pipelines.photo_layer_layout, resources),
             corners,
             from_px: input.from_px.to_vec(),
             ways,

@@ -21,7 +21,7 @@ fn moved(settings: Settings, offset: DVec3) -> Document {
 #[test]
 fn nothing_moves_outside_the_radius() {
     let settings = Settings {
-        reach: RegionOfInfluence::Within { radius: RADIUS_M },
+        influence: RegionOfInfluence::Within { radius: RADIUS_M },
         constraint: ConstraintKind::Hard,
         ..Settings::default()
     };

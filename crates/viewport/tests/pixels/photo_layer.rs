@@ -1,6 +1,6 @@
 use glam::{DVec2, DVec3};
 use rosto_stage::{PicturePlane, RenderSettings, Scene};
-use rosto_viewport::{PictureOnGpu, SheetInput};
+use rosto_viewport::{PhotoLayerInput, PictureOnGpu};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 use crate::support::{SIDE_PX, Screen, assert_close, dome, largest_difference, picture, plain, screen};
@@ -24,7 +24,7 @@ fn halves(screen: &Screen) -> PictureOnGpu {
 }
 
 /// A dome before its picture, whose middle column of places moves.
-async fn with_sheet() -> Screen {
+async fn with_photo_layer() -> Screen {
     let mut screen = screen().await;
     screen.show(&dome().input());
     let per_px = 2.0 / f64::from(PICTURE_PX);
@@ -38,7 +38,7 @@ async fn with_sheet() -> Screen {
     screen.stage.settle_picture();
     screen.stage.advance(0.0);
     let picture = halves(&screen);
-    screen.viewport.show_sheet(Some(&SheetInput {
+    screen.viewport.show_photo_layer(Some(&PhotoLayerInput {
         size_px: DVec2::splat(f64::from(PICTURE_PX)),
         from_px: &places(30.0),
         triangles: &[[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4]],
@@ -54,7 +54,7 @@ fn places(column: f64) -> Vec<DVec2> {
 
 #[wasm_bindgen_test]
 async fn the_picture_lies_on_its_plane_as_it_is_and_hides_the_mesh() {
-    let mut screen = with_sheet().await;
+    let mut screen = with_photo_layer().await;
     let seen = picture(&mut screen, plain()).await;
     for y in [10, SIDE_PX / 2, SIDE_PX - 10] {
         assert_close(seen.pixel(SIDE_PX / 4, y), RED);
@@ -64,21 +64,21 @@ async fn the_picture_lies_on_its_plane_as_it_is_and_hides_the_mesh() {
 
 #[wasm_bindgen_test]
 async fn what_moves_takes_the_picture_along_and_before_shows_it_as_it_was() {
-    let mut screen = with_sheet().await;
+    let mut screen = with_photo_layer().await;
     let still = picture(&mut screen, plain()).await;
-    screen.viewport.move_sheet(&places(45.0)).unwrap();
+    screen.viewport.move_photo_layer(&places(45.0)).unwrap();
     let moved = picture(&mut screen, plain()).await;
     let beside = SIDE_PX * 5 / 8;
     assert_close(still.pixel(beside, SIDE_PX / 2), BLUE);
     assert_close(moved.pixel(beside, SIDE_PX / 2), RED);
     let before = picture(&mut screen, RenderSettings { before: 1.0, ..plain() }).await;
     assert_eq!(largest_difference(&still, &before), 0);
-    assert!(screen.viewport.move_sheet(&[]).is_err(), "a place for each");
+    assert!(screen.viewport.move_photo_layer(&[]).is_err(), "a place for each");
 }
 
 #[wasm_bindgen_test]
 async fn off_the_stage_the_picture_is_gone() {
-    let mut screen = with_sheet().await;
+    let mut screen = with_photo_layer().await;
     screen.stage.show(Scene::Solid);
     screen.stage.settle_picture();
     screen.stage.advance(16.0);
