@@ -1,4 +1,5 @@
-//! Edits of the canonical face by mesh size; `tests/bench/peers.py` times other solvers on the same matrices.
+//! Benchmarks of edits of the canonical face at several densities. `tests/bench/peers.py` runs other solvers on the
+//! same matrices.
 #![allow(clippy::unwrap_used, reason = "a benchmark fails by panicking")]
 #![allow(missing_docs, reason = "Criterion's macros make public functions")]
 

@@ -1,11 +1,11 @@
-//! Pulls one vertex of any mesh: reads an OBJ file, lets the nearer half of the surface follow, and writes the file again.
+//! Pulls one vertex of a mesh in an OBJ file; the nearer half of the surface follows.
 //!
 //! ```sh
 //! cargo run --release --package rosto-laplacian --example edit_obj -- IN.obj OUT.obj VERTEX DX DY DZ
 //! ```
 //!
-//! `VERTEX` counts from 1, as OBJ does; `DX DY DZ` is how far it is moved, in the file's unit. What is farther along the
-//! surface than half the way to its farthest vertex stays. Only lines of vertices that moved are written anew.
+//! `VERTEX` counts from 1, as in OBJ. `DX DY DZ` is the displacement in the file's unit. Vertices farther along the
+//! surface than half the greatest distance stay. Only the lines of moved vertices change.
 
 use std::{error::Error, fs};
 
@@ -17,17 +17,18 @@ use wavefront_obj::obj::{Primitive, Shape, parse};
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [from, to, vertex, x, y, z] = &arguments[..] else {
-        return Err("what it needs: IN.obj OUT.obj VERTEX DX DY DZ".into());
+        return Err("usage: edit_obj IN.obj OUT.obj VERTEX DX DY DZ".into());
     };
     let offset = DVec3::new(x.parse()?, y.parse()?, z.parse()?);
     Ok(fs::write(to, edited(&fs::read_to_string(from)?, vertex.parse()?, offset)?)?)
 }
 
-/// The text of an OBJ file after the edit.
+/// Returns the text of the edited OBJ file.
 pub fn edited(obj: &str, vertex: u32, offset: DVec3) -> Result<String, Box<dyn Error>> {
     let (topology, rest) = read(obj)?;
     let handle = vertex.checked_sub(1).filter(|&index| (index as usize) < rest.len());
-    let handle = handle.ok_or_else(|| format!("there is no vertex {vertex}: the file has 1 to {}", rest.len()))?;
+    let handle =
+        handle.ok_or_else(|| format!("vertex {vertex} does not exist: the file has vertices 1 to {}", rest.len()))?;
 
     let distances = Geodesics::new(&topology, &rest)?.distances(&[handle])?;
     let reach = distances.iter().copied().filter(|distance| distance.is_finite()).fold(0.0, f64::max) / 2.0;
@@ -41,11 +42,11 @@ pub fn edited(obj: &str, vertex: u32, offset: DVec3) -> Result<String, Box<dyn E
     Ok(written(obj, &rest, &moved))
 }
 
-/// Triangles and positions; larger faces are cut into triangles.
+/// Reads triangles and positions; faces with more than three corners are split into triangles.
 fn read(obj: &str) -> Result<(Topology, Vec<DVec3>), Box<dyn Error>> {
     let file = parse(obj)?;
     let [object] = &file.objects[..] else {
-        return Err(format!("the file holds {} objects, not one", file.objects.len()).into());
+        return Err(format!("the file must contain one object; it contains {}", file.objects.len()).into());
     };
     let corners = |shape: &Shape| match shape.primitive {
         Primitive::Triangle(a, b, c) => Some([a.0, b.0, c.0].map(|index| index as u32)),

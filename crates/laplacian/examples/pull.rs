@@ -1,10 +1,10 @@
-//! Pulls the middle of a wavy sheet upwards, with its border held, and writes the result as OBJ:
+//! Pulls the middle of a wavy sheet upwards with its border fixed, and writes the result as OBJ:
 //!
 //! ```sh
 //! cargo run --release --package rosto-laplacian --example pull > sheet.obj
 //! ```
 //!
-//! Nothing here is a face: any triangle mesh can be edited so.
+//! The same code edits any triangle mesh.
 
 use std::error::Error;
 
@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let border = topology.boundary_loops().concat();
     let middle = SIDE * SIDE / 2;
 
-    // Once for the mesh, once for the choice of handles and anchors, and then for every tick of a slider.
+    // The system is built once per mesh, the response once per choice of handles and anchors.
     let system = LaplacianSystem::new(&topology, &rest, Operator::Cotangent)?;
     let response = system.respond(&Constraints {
         handles: &[middle],
@@ -43,7 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A square of waves, two triangles to each cell.
+/// A square grid of waves, with two triangles per cell.
 fn sheet() -> Result<(Topology, Vec<DVec3>), Box<dyn Error>> {
     let place = |index: u32| {
         let (x, y) = (f64::from(index % SIDE), f64::from(index / SIDE));

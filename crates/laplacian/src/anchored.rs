@@ -4,10 +4,10 @@ use crate::dirichlet::Dirichlet;
 use crate::gauge_fixed::GaugeFixedForm;
 use crate::{Constraints, LaplacianError, Response};
 
-/// A system whose anchors are worked into the factor, so that any handles beside them ask for no new one.
+/// A system with its anchors in the factorisation, so that changing the handles needs no other factorisation.
 ///
-/// With `A = Q + Σ` of the anchors alone and `U = A⁻¹E` of the handles, the fields are `U (W⁻¹ + EᵀU)⁻¹`, Woodbury's formula
-/// once more; a hard constraint is `1/w = 0`.
+/// With `A = Q + Σ wₐeₐeₐᵀ` over the anchors and `U = A⁻¹E` for the handles' unit vectors `E`, the response fields are
+/// `U (W⁻¹ + EᵀU)⁻¹` by Woodbury's formula. A hard constraint has `1/w = 0`.
 pub struct AnchoredSystem {
     component: Vec<u32>,
     anchors: Dirichlet,
@@ -20,15 +20,19 @@ impl AnchoredSystem {
         Ok(Self { component: form.component.clone(), anchors })
     }
 
-    /// How every vertex follows the handles: one solve for each. Anchors and kind must be those that this was made for.
+    /// Returns the response of every vertex to the handles, with one solve per handle. `anchors` and `kind` must equal
+    /// those of the system.
     ///
     /// # Errors
     /// As for [`LaplacianSystem::respond`](crate::LaplacianSystem::respond).
     ///
     /// # Panics
-    /// If anchors or kind are others.
+    /// If `anchors` or `kind` differ from those of the system.
     pub fn respond(&self, constraints: &Constraints<'_>) -> Result<Response, LaplacianError> {
-        assert!(self.anchors.holds(constraints.anchors, constraints.kind), "the anchors that the system was made for");
+        assert!(
+            self.anchors.holds(constraints.anchors, constraints.kind),
+            "anchors and kind equal those of the system"
+        );
         constraints.check(&self.component)?;
         let (n, handles) = (self.component.len(), constraints.handles);
         let mut columns = DMatrix::zeros(n, handles.len());
@@ -44,7 +48,7 @@ impl AnchoredSystem {
             return Err(LaplacianError::BadlyScaled { vertex: handles[0] });
         }
         if constraints.kind == crate::ConstraintKind::Hard {
-            // Exact up to rounding so far; now to the last bit.
+            // The solve meets the constraints up to rounding; assign them exactly.
             for (i, mut field) in fields.column_iter_mut().enumerate() {
                 handles
                     .iter()

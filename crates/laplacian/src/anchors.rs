@@ -1,18 +1,18 @@
-/// Two distinct random vertices that are not in `excluded`: the paper's anchors.
+/// Returns two distinct random vertices that are not in `excluded`, as the paper chooses its anchors.
 ///
-/// The same seed gives the same pair on every platform (SplitMix64, without modulo bias to speak of: the mesh would have
-/// to have 2⁴⁰ vertices for it to show).
+/// The same seed gives the same pair on every platform. Uses SplitMix64; the modulo bias is negligible below 2⁴⁰
+/// vertices.
 ///
 /// # Panics
-/// If fewer than two vertices are left to choose from.
+/// If fewer than two vertices remain.
 pub fn random_anchors(vertex_count: usize, excluded: &[u32], seed: u64) -> [u32; 2] {
     let mut free: Vec<u32> = (0..vertex_count as u32).filter(|vertex| !excluded.contains(vertex)).collect();
-    assert!(free.len() >= 2, "two anchors need two free vertices, and {} are left", free.len());
+    assert!(free.len() >= 2, "two anchors need two free vertices; {} remain", free.len());
     let mut state = seed;
     [(); 2].map(|()| free.swap_remove(below(free.len(), &mut state)))
 }
 
-/// A number in `0..limit`: the high half of a 128-bit product, which keeps to integers and so to every platform.
+/// A number in `0..limit`: the high half of a 128-bit product, in integer arithmetic for portability.
 fn below(limit: usize, state: &mut u64) -> usize {
     ((u128::from(split_mix(state)) * limit as u128) >> 64) as usize
 }
@@ -31,7 +31,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_generator_is_the_published_one() {
+    fn generator_matches_the_published_values() {
         let mut state = 1_234_567;
         let first = [(); 3].map(|()| split_mix(&mut state));
         assert_eq!(first, [6_457_827_717_110_365_317, 3_203_168_211_198_807_973, 9_817_491_932_198_370_423]);
@@ -47,7 +47,7 @@ mod tests {
     }
 
     #[test]
-    fn every_pair_comes_up_about_equally_often() {
+    fn pairs_are_uniformly_distributed() {
         let mut count = [[0; 5]; 5];
         for seed in 0..20_000 {
             let [a, b] = random_anchors(5, &[], seed);

@@ -2,15 +2,15 @@ use rosto_mesh::Topology;
 
 use crate::{Falloff, LaplacianError};
 
-/// Whether handles and anchors meet their targets softly (penalty) or hard (equality).
+/// Whether handles and anchors are soft (penalty) or hard (equality) constraints.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ConstraintKind {
-    /// `weight·‖x'ᵢ − target‖²` joins what is minimised; the paper's weight is 1.
+    /// Adds `weight·‖x'ᵢ − target‖²` to the energy; the paper uses a weight of 1.
     Soft {
-        /// Positive; the greater, the firmer.
+        /// Positive and finite. A greater weight brings vertices closer to their targets.
         weight: f64,
     },
-    /// Handles land on their targets and anchors stay.
+    /// Handles reach their targets exactly; anchors do not move.
     Hard,
 }
 
@@ -30,23 +30,23 @@ impl ConstraintKind {
     }
 }
 
-/// Which vertices are moved, which are constrained, how firmly, and how far the edit may reach.
+/// Handles, anchors, the kind of constraint, and the region of influence.
 ///
-/// Every component of the mesh that has a handle needs an anchor; a component without a handle stays as it is.
+/// A component with a handle needs an anchor. A component without a handle does not move.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Constraints<'a> {
-    /// Vertices that are given an offset, each once.
+    /// Vertices that an offset moves; distinct.
     pub handles: &'a [u32],
-    /// Vertices that are to stay, each once, none of them a handle.
+    /// Vertices that stay; distinct, and none of them a handle.
     pub anchors: &'a [u32],
-    /// Whether both are soft or hard constraints.
+    /// The kind of constraint, for handles and anchors.
     pub kind: ConstraintKind,
-    /// Where the edit fades out; `None` reaches everywhere.
+    /// Weights that limit the edit to a region; `None` for the whole mesh.
     pub falloff: Option<&'a Falloff>,
 }
 
 impl Constraints<'_> {
-    /// Refuses what has no answer; `component` names each vertex's component.
+    /// Checks for contradictions. `component` maps each vertex to its component.
     pub(crate) fn check(&self, component: &[u32]) -> Result<(), LaplacianError> {
         self.check_vertices(component.len())?;
         self.check_kind()?;
@@ -93,7 +93,7 @@ impl Constraints<'_> {
     }
 }
 
-/// A mask of the listed vertices. Refuses vertices outside the mesh and duplicates.
+/// A mask of the listed vertices. Rejects vertices outside the mesh and duplicates.
 pub(crate) fn marked(vertices: &[u32], vertex_count: usize) -> Result<Vec<bool>, LaplacianError> {
     let mut is_marked = vec![false; vertex_count];
     for &vertex in vertices {
@@ -105,7 +105,7 @@ pub(crate) fn marked(vertices: &[u32], vertex_count: usize) -> Result<Vec<bool>,
     Ok(is_marked)
 }
 
-/// Refuses positions that do not fit the mesh or are not numbers.
+/// Rejects an empty mesh, and positions of the wrong length or with non-finite values.
 pub(crate) fn check_positions(topology: &Topology, positions: &[glam::DVec3]) -> Result<(), LaplacianError> {
     if topology.vertex_count() == 0 {
         return Err(LaplacianError::Empty);

@@ -7,20 +7,21 @@ use crate::factor::Scratch;
 use crate::gauge_fixed::gauge_fixed;
 use crate::{ConstraintKind, LaplacianError, Operator};
 
-/// Continues values that are known at some vertices to all the others, so that `‖K x‖²` is least: with
-/// [`Operator::CotangentMass`] the bi-Laplacian of what is continued is zero, and two layers of known vertices give it value
-/// and slope. Factored once, for any values.
+/// Extends values from fixed vertices to all vertices by minimising `‖K x‖²`. Factored once for any values.
+///
+/// With [`Operator::CotangentMass`] the extension is biharmonic: two layers of fixed vertices prescribe value and
+/// slope.
 pub struct Continuation {
     form: Dirichlet,
     scratch: Scratch,
 }
 
 impl Continuation {
-    /// Works the vertices `known` into the matrix; `positions` in any unit.
+    /// Factors the system with hard constraints at the vertices `known`. `positions` in any unit.
     ///
     /// # Errors
-    /// [`LaplacianError::NoSuchVertex`], [`LaplacianError::Repeated`], [`LaplacianError::Unanchored`] for a piece of the mesh
-    /// of which nothing is known, or positions that do not fit.
+    /// [`LaplacianError::NoSuchVertex`], [`LaplacianError::Repeated`], [`LaplacianError::Unanchored`] for a component
+    /// of the mesh without a known vertex, and the errors of [`Operator::matrix`] for invalid positions.
     pub fn new(
         topology: &Topology,
         positions: &[DVec3],
@@ -35,11 +36,11 @@ impl Continuation {
         Ok(Self { form, scratch: Scratch::default() })
     }
 
-    /// One value for each vertex, from one for each known one, in the order in which they were named. From the second time on
-    /// nothing is allocated.
+    /// Writes one value per vertex to `out`, from one value per known vertex in the order of [`Self::new`]. Allocates
+    /// only on the first call.
     ///
     /// # Panics
-    /// If `known` has not one value for each known vertex, or `out` not one for each vertex.
+    /// If the lengths of `known` and `out` are not the numbers of known vertices and of vertices.
     pub fn continued(&mut self, known: &[f64], out: &mut [f64]) {
         self.form.minimise(None, known, out, &mut self.scratch);
     }
@@ -47,9 +48,9 @@ impl Continuation {
 
 fn check(known: &[u32], component: &[u32]) -> Result<(), LaplacianError> {
     marked(known, component.len())?;
-    let mut is_held = vec![false; component.len()];
-    known.iter().for_each(|&vertex| is_held[component[vertex as usize] as usize] = true);
-    match component.iter().find(|&&piece| !is_held[piece as usize]) {
+    let mut is_known = vec![false; component.len()];
+    known.iter().for_each(|&vertex| is_known[component[vertex as usize] as usize] = true);
+    match component.iter().find(|&&piece| !is_known[piece as usize]) {
         Some(&handle) => Err(LaplacianError::Unanchored { handle }),
         None => Ok(()),
     }
@@ -61,7 +62,7 @@ mod tests {
 
     const SIDE: u32 = 12;
 
-    /// A square of 12 × 12 vertices, one apart.
+    /// A square grid of 12 × 12 vertices with spacing 1.
     fn plane() -> (Topology, Vec<DVec3>) {
         let at = |x: u32, y: u32| y * SIDE + x;
         let cells = (0..SIDE - 1).flat_map(|y| (0..SIDE - 1).map(move |x| (x, y)));
@@ -78,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn a_plane_that_is_known_at_two_layers_of_its_rim_goes_on_inside() {
+    fn a_linear_function_on_two_boundary_layers_extends_linearly() {
         let (topology, positions) = plane();
         let known = rim(2);
         let mut continuation = Continuation::new(&topology, &positions, Operator::CotangentMass, &known).unwrap();
@@ -95,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_known_stays_to_the_last_bit_and_what_is_continued_is_linear_in_it() {
+    fn known_values_are_exact_and_the_extension_is_linear() {
         let (topology, positions) = plane();
         let mut known = rim(2);
         known.push(5 * SIDE + 6);
@@ -112,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_answer_is_refused() {
+    fn invalid_known_vertices_are_rejected() {
         let (topology, positions) = plane();
         let of = |known: &[u32]| Continuation::new(&topology, &positions, Operator::CotangentMass, known).err();
         assert_eq!(of(&[]), Some(LaplacianError::Unanchored { handle: 0 }));

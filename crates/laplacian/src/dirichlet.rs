@@ -3,20 +3,21 @@ use nalgebra_sparse::{CooMatrix, CsrMatrix};
 use crate::factor::{Factor, Scratch};
 use crate::{ConstraintKind, LaplacianError};
 
-/// A form whose constrained vertices are worked into the matrix before it is factored, however many they are.
+/// A form that is factored with its constraints, for any number of constrained vertices.
 ///
-/// Soft constraints add their weight to the diagonal. Hard constrained vertices leave the system (Dirichlet elimination): their rows and columns become the
-/// identity's, and what they pull on their neighbours moves to the right-hand side.
+/// Soft constraints add their weight to the diagonal. Hard constraints use Dirichlet elimination: the rows and columns
+/// of the constrained vertices become the identity's, and their coupling to free vertices moves to the right-hand side.
 pub(crate) struct Dirichlet {
     constrained: Vec<u32>,
     kind: ConstraintKind,
     pub(crate) factor: Factor,
-    /// For hard constraints, the entries between free vertices (rows) and constrained ones (by index into `constrained`).
+    /// For hard constraints, the entries between free vertices (rows) and constrained vertices (indices into
+    /// `constrained`).
     pull: Vec<(usize, usize, f64)>,
 }
 
 impl Dirichlet {
-    /// From `B = Q + Σ e_g e_gᵀ`, where the gauge vertex of a component is the one that names it.
+    /// Removes the gauge from `B = Q + Σ e_g e_gᵀ` in every constrained component, adds the constraints, and factors.
     pub(crate) fn new(
         gauge_fixed: &CsrMatrix<f64>,
         component: &[u32],
@@ -44,7 +45,7 @@ impl Dirichlet {
         Ok(Self { constrained: constrained.to_vec(), kind, factor: Factor::new(&CsrMatrix::from(&entries))?, pull })
     }
 
-    /// Whether these vertices, and no others, are constrained so.
+    /// Whether the form has exactly these constraints.
     pub(crate) fn holds(&self, constrained: &[u32], kind: ConstraintKind) -> bool {
         self.constrained == constrained && self.kind == kind
     }

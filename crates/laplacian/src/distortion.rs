@@ -5,22 +5,22 @@ use rosto_mesh::Topology;
 
 use crate::{LaplacianSystem, Peak, peaks};
 
-/// How much an edit bent a mesh.
+/// Distortion of a mesh by an edit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Distortion {
-    /// For each vertex `‖δ' − δ‖`, in the positions' unit: how much its place among its neighbours changed.
+    /// Length of the change of each vertex's δ-coordinate, `‖δ' − δ‖`, in the positions' unit.
     pub delta_change: Vec<f64>,
-    /// For each of [`Topology::edges`], its length over what it was; 1 for an edge that had none.
+    /// For each of [`Topology::edges`], its new length over its old length; 1 for edges that had length 0.
     pub edge_stretch: Vec<f64>,
-    /// For each triangle, its area over what it was; 1 for a triangle that had none.
+    /// For each triangle, its new area over its old area; 1 for triangles that had area 0.
     pub area_ratio: Vec<f64>,
-    /// Triangles whose normal has turned by more than a right angle.
+    /// Triangles whose normal turned by more than 90°.
     pub flipped: Vec<u32>,
-    /// Vertices that rise without taking their neighbours along.
+    /// Vertices that moved without a gradual rise around them; see [`peaks`].
     pub peaks: Vec<Peak>,
 }
 
-/// A distortion in a few numbers.
+/// Extremes and counts of a [`Distortion`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DistortionSummary {
     /// The vertex with the greatest `‖δ' − δ‖`.
@@ -35,13 +35,13 @@ pub struct DistortionSummary {
     pub least_area: Extreme,
     /// The triangle that grew most.
     pub greatest_area: Extreme,
-    /// How many triangles turned over, of how many.
+    /// Number of flipped triangles, and number of triangles.
     pub flipped: (usize, usize),
-    /// How many vertices stand alone.
+    /// Number of peaks.
     pub peaks: usize,
 }
 
-/// The greatest or least of many values, and where it is.
+/// The greatest or least of several values, with its index.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extreme {
     /// Index of the vertex, edge or triangle.
@@ -54,7 +54,7 @@ impl Distortion {
     /// Compares a mesh before and after an edit made with `system`.
     ///
     /// # Panics
-    /// If there is not one position for each vertex.
+    /// If the numbers of vertices and positions differ.
     pub fn measure(topology: &Topology, system: &LaplacianSystem, before: &[DVec3], after: &[DVec3]) -> Self {
         let moved: Vec<DVec3> = after.iter().zip(before).map(|(after, before)| after - before).collect();
         let length = |at: &[DVec3], [a, b]: [u32; 2]| at[a as usize].distance(at[b as usize]);
@@ -73,7 +73,7 @@ impl Distortion {
         }
     }
 
-    /// The few numbers that tell most. For an empty list of edges or triangles the ratio is 1.
+    /// Returns the extremes and counts. Without edges or triangles the ratios are 1.
     pub fn summary(&self) -> DistortionSummary {
         DistortionSummary {
             delta_change: extreme(&self.delta_change, 0.0, |new, old| new > old),
@@ -95,7 +95,7 @@ impl fmt::Display for DistortionSummary {
             "edges are {:.2} to {:.2} times as long, triangles {:.2} to {:.2} times as large; ",
             self.least_stretch.value, self.greatest_stretch.value, self.least_area.value, self.greatest_area.value,
         )?;
-        write!(out, "{} of {} triangles turned over, {} lone peaks; ", self.flipped.0, self.flipped.1, self.peaks)?;
+        write!(out, "{} of {} triangles flipped, {} isolated peaks; ", self.flipped.0, self.flipped.1, self.peaks)?;
         write!(out, "bent most at vertex {} (by {:.2e})", self.delta_change.index, self.delta_change.value)
     }
 }

@@ -1,13 +1,13 @@
 use thiserror::Error;
 
-/// Why a system cannot be built, or a set of constraints has no answer.
+/// Reasons why a system cannot be built or constraints cannot be applied.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum LaplacianError {
-    /// There is nothing to edit.
+    /// The mesh has no vertices.
     #[error("the mesh has no vertices")]
     Empty,
-    /// A slice with one value for each vertex has another length.
+    /// The number of values differs from the number of vertices.
     #[error("{found} values for {expected} vertices")]
     LengthMismatch {
         /// Number of vertices.
@@ -16,21 +16,21 @@ pub enum LaplacianError {
         found: usize,
     },
     /// A position or weight is infinite or not a number.
-    #[error("vertex {vertex} has a value that is not finite")]
+    #[error("vertex {vertex} has a non-finite value")]
     NotFinite {
         /// The vertex.
         vertex: u32,
     },
     /// A handle or anchor is not a vertex of the mesh.
-    #[error("there is no vertex {vertex}: the mesh has {vertex_count}")]
+    #[error("vertex {vertex} does not exist: the mesh has {vertex_count} vertices")]
     NoSuchVertex {
-        /// The vertex asked for.
+        /// The requested vertex.
         vertex: u32,
-        /// How many vertices there are.
+        /// Number of vertices.
         vertex_count: usize,
     },
-    /// Nothing is to be moved.
-    #[error("no handle was given")]
+    /// The constraints have no handle.
+    #[error("no handle given")]
     NoHandle,
     /// A vertex is listed twice among the handles or among the anchors.
     #[error("vertex {vertex} is listed twice")]
@@ -38,37 +38,37 @@ pub enum LaplacianError {
         /// The vertex.
         vertex: u32,
     },
-    /// A vertex cannot be moved and constrained at once.
-    #[error("vertex {vertex} is a handle and an anchor at once")]
+    /// A vertex is a handle and an anchor.
+    #[error("vertex {vertex} is both a handle and an anchor")]
     PinnedHandle {
         /// The vertex.
         vertex: u32,
     },
-    /// Without an anchor a whole piece of the mesh would follow the handle as it is.
-    #[error("no anchor holds the piece of the mesh that handle {handle} belongs to")]
+    /// A component with a handle has no anchor, so all of it would move with the handle.
+    #[error("the connected part of the mesh with handle {handle} has no anchor")]
     Unanchored {
         /// The handle.
         handle: u32,
     },
     /// A soft constraint's weight is not a positive number.
-    #[error("a constraint's weight must be positive and finite, not {weight}")]
+    #[error("a constraint's weight must be positive and finite; got {weight}")]
     Weight {
-        /// The weight given.
+        /// The given weight.
         weight: f64,
     },
-    /// A region's radius is not a positive number.
-    #[error("a region's radius must be positive and finite, not {radius}")]
+    /// A region's radius is not positive and finite.
+    #[error("a region's radius must be positive and finite; got {radius}")]
     Radius {
-        /// The radius given.
+        /// The given radius.
         radius: f64,
     },
-    /// A handle lies where the region lets nothing move.
+    /// A handle has weight 0 in the region of influence.
     #[error("handle {handle} lies outside the region of influence")]
     OutsideRegion {
         /// The handle.
         handle: u32,
     },
-    /// Rounding has eaten the last digits: no trustworthy factor exists.
+    /// A pivot is not positive because of rounding.
     #[error("the system is too badly scaled to factor; it breaks down at vertex {vertex}")]
     BadlyScaled {
         /// The vertex whose pivot was not positive.

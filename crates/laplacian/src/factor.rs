@@ -15,38 +15,40 @@ use nalgebra_sparse::CsrMatrix;
 use crate::LaplacianError;
 use crate::kernels::{add_scaled, dot};
 
-/// A sparse symmetric positive definite matrix `A`, kept as `P A Pᵀ = L Lᵀ` with a fill-reducing order `P`.
+/// Sparse Cholesky factorisation `P A Pᵀ = L Lᵀ` of a symmetric positive definite matrix, with a fill-reducing
+/// permutation `P`.
 ///
-/// `L` is stored by supernodes: runs of columns with one pattern, each a dense panel. faer factors; the solves are done
-/// here, because a unit right-hand side touches only the path from its supernode to the root of the elimination tree,
-/// which makes the forward half of such a solve nearly free.
+/// `L` is stored by supernodes: ranges of columns with one sparsity pattern, each a dense panel. faer computes the
+/// factor. The solves are implemented here, because a unit right-hand side touches only the path from its supernode to
+/// the root of the elimination tree, which makes the forward substitution cheap.
 pub struct Factor {
     symbolic: SymbolicCholesky<usize>,
     values: Vec<f64>,
-    /// For each vertex, its row in `L`; and back.
+    /// For each vertex, its row in `L`; `vertex_of` is the inverse.
     row_of: Vec<usize>,
     vertex_of: Vec<usize>,
-    /// For each row of `L`, its supernode.
+    /// The supernode of each row of `L`.
     supernode_of: Vec<usize>,
 }
 
-/// Room for a solve.
+/// Scratch buffers for a solve.
 #[derive(Default)]
 pub(crate) struct Scratch {
     rows: Vec<f64>,
     gathered: Vec<f64>,
 }
 
-/// `L⁻¹ P e_v` for one vertex `v`: its values along the path from the supernode of `v` to the root, end to end.
+/// `L⁻¹ P e_v` for a vertex `v`: the values along the path from the supernode of `v` to the root, concatenated.
 ///
-/// Paths that meet go on together, so that two columns overlap in a common tail and nowhere else.
+/// Two paths that meet share their remainder, so two columns overlap in a common tail only.
 #[derive(Default)]
 pub(crate) struct HalfSolved {
     path: Vec<usize>,
     values: Vec<f64>,
 }
 
-/// Columns `start..start + width` of `L`: column-major, first the rows of the diagonal block, then those of `pattern`.
+/// Columns `start..start + width` of `L` in column-major order: the rows of the diagonal block, then those of
+/// `pattern`.
 struct Panel<'a> {
     start: usize,
     width: usize,
@@ -55,17 +57,17 @@ struct Panel<'a> {
 }
 
 impl Factor {
-    /// Orders by approximate minimum degree and factors. Of a symmetric matrix, both halves must be there.
+    /// Orders by approximate minimum degree and factors. `matrix` must store both triangles.
     ///
     /// # Errors
-    /// [`LaplacianError::BadlyScaled`] where a pivot is not positive.
+    /// [`LaplacianError::BadlyScaled`] if a pivot is not positive.
     ///
     /// # Panics
     /// If the matrix is not square.
     pub fn new(matrix: &CsrMatrix<f64>) -> Result<Self, LaplacianError> {
         let symbolic = order(matrix);
         let values = factorize(matrix, &symbolic)?;
-        let (vertex_of, row_of) = symbolic.perm().expect("invariant: an order was asked for").arrays();
+        let (vertex_of, row_of) = symbolic.perm().expect("invariant: an ordering was requested").arrays();
         let (vertex_of, row_of) = (vertex_of.to_vec(), row_of.to_vec());
         let supernodes = supernodes(&symbolic);
         let widths =
@@ -74,7 +76,7 @@ impl Factor {
         Ok(Self { values, row_of, vertex_of, supernode_of, symbolic })
     }
 
-    /// `L⁻¹ P e_v` for each of `vertices`. Where paths meet, each panel is read once for all of them.
+    /// `L⁻¹ P e_v` for each of `vertices`. Reads a panel once for all paths that contain it.
     pub(crate) fn half_solve(&self, vertices: &[u32]) -> Vec<HalfSolved> {
         let n = self.row_of.len();
         let mut work = vec![0.0; n * vertices.len()];
@@ -85,7 +87,7 @@ impl Factor {
             work[k * n + row] = 1.0;
             waiting.entry(self.supernode_of[row]).or_default().push(k);
         }
-        // Paths climb: whatever supernode comes first, nothing that waits can still change it.
+        // Paths only ascend, so no pending path can change the lowest supernode.
         while let Some((s, columns)) = waiting.pop_first() {
             let panel = self.panel(s);
             for &k in &columns {
@@ -108,7 +110,7 @@ impl Factor {
         dot(&v.values[v.values.len() - common..], &w.values[w.values.len() - common..])
     }
 
-    /// Writes `L⁻¹ P b` to `rows` for any right-hand side `b`.
+    /// Writes `L⁻¹ P b` to `rows` for a dense right-hand side `b`.
     pub(crate) fn forward(&self, b: &[f64], rows: &mut Vec<f64>) {
         rows.clear();
         rows.extend(self.vertex_of.iter().map(|&vertex| b[vertex]));
@@ -125,7 +127,7 @@ impl Factor {
         self.along(half).for_each(|(range, values)| add_scaled(&mut rows[range], scale, values));
     }
 
-    /// Writes `Pᵀ L⁻ᵀ rows` to `out`: the second half of a solve; `rows` and `gathered` are scratch afterwards.
+    /// Writes `Pᵀ L⁻ᵀ rows` to `out`, the second half of a solve. Overwrites `rows` and `gathered`.
     pub(crate) fn backward(&self, rows: &mut [f64], gathered: &mut Vec<f64>, out: &mut [f64]) {
         (0..self.supernode_count()).rev().for_each(|s| self.panel(s).substitute(rows, gathered));
         for (value, &row) in out.iter_mut().zip(&self.row_of) {
@@ -133,22 +135,22 @@ impl Factor {
         }
     }
 
-    /// Solves `A x = b`, where `b` becomes `x`.
+    /// Solves `A x = b` in place.
     ///
     /// # Panics
-    /// If `b` has not one value for each row.
+    /// If the length of `b` is not the number of rows.
     pub fn solve(&self, b: &mut [f64]) {
         self.solve_in(b, &mut Scratch::default());
     }
 
-    /// The same where there is scratch already: from the second time on it allocates nothing.
+    /// [`Self::solve`] with scratch buffers; allocates only on their first use.
     pub(crate) fn solve_in(&self, b: &mut [f64], Scratch { rows, gathered }: &mut Scratch) {
         assert_eq!(b.len(), self.row_of.len(), "one value for each row");
         self.forward(b, rows);
         self.backward(rows, gathered, b);
     }
 
-    /// The ranges of rows on the path of a half-solved unit vector, with its values there.
+    /// The row ranges on the path of a half-solved unit vector, each with its values.
     fn along<'a>(&'a self, half: &'a HalfSolved) -> impl Iterator<Item = (Range<usize>, &'a [f64])> {
         let mut values = half.values.as_slice();
         half.path.iter().map(move |&s| {
@@ -176,7 +178,7 @@ impl Factor {
 }
 
 impl Panel<'_> {
-    /// One step of `x ← L⁻¹ x`.
+    /// One step of the forward substitution `x ← L⁻¹ x`.
     fn eliminate(&self, x: &mut [f64]) {
         let height = self.width + self.pattern.len();
         for (j, column) in self.values.chunks_exact(height).enumerate() {
@@ -190,7 +192,7 @@ impl Panel<'_> {
         }
     }
 
-    /// One step of `x ← L⁻ᵀ x`; `gathered` is scratch.
+    /// One step of the backward substitution `x ← L⁻ᵀ x`; overwrites `gathered`.
     fn substitute(&self, x: &mut [f64], gathered: &mut Vec<f64>) {
         let height = self.width + self.pattern.len();
         gathered.clear();
@@ -203,15 +205,15 @@ impl Panel<'_> {
     }
 }
 
-/// The symbolic half: it looks at the pattern only, and always chooses supernodes.
+/// The symbolic factorisation of the sparsity pattern, supernodal for any matrix.
 fn order(matrix: &CsrMatrix<f64>) -> SymbolicCholesky<usize> {
     let params = CholeskySymbolicParams {
-        // Below zero: even a diagonal matrix, which costs nothing to factor, is to be stored by supernodes.
+        // A negative threshold selects supernodes even for a diagonal matrix, whose factorisation costs no flops.
         supernodal_flop_ratio_threshold: SupernodalThreshold(-1.0),
         ..Default::default()
     };
     factorize_symbolic_cholesky(pattern(matrix), Side::Lower, SymmetricOrdering::Amd, params)
-        .expect("invariant: the pattern fits in memory and its indices in usize")
+        .expect("invariant: the pattern fits in memory and its indices fit in usize")
 }
 
 fn factorize(matrix: &CsrMatrix<f64>, symbolic: &SymbolicCholesky<usize>) -> Result<Vec<f64>, LaplacianError> {
@@ -230,13 +232,13 @@ fn factorize(matrix: &CsrMatrix<f64>, symbolic: &SymbolicCholesky<usize>) -> Res
     match outcome {
         Ok(_) => Ok(values),
         Err(LltError::NonPositivePivot { index }) => {
-            let order = symbolic.perm().expect("invariant: an order was asked for");
+            let order = symbolic.perm().expect("invariant: an ordering was requested");
             Err(LaplacianError::BadlyScaled { vertex: order.arrays().0[index] as u32 })
         }
     }
 }
 
-/// A symmetric matrix has the same rows as columns, so that faer reads nalgebra's storage as it is.
+/// The pattern as faer's column-major type; the CSR storage of a symmetric matrix is also its CSC storage.
 fn pattern(matrix: &CsrMatrix<f64>) -> SymbolicSparseColMatRef<'_, usize> {
     SymbolicSparseColMatRef::new_checked(
         matrix.nrows(),
@@ -250,6 +252,6 @@ fn pattern(matrix: &CsrMatrix<f64>) -> SymbolicSparseColMatRef<'_, usize> {
 fn supernodes(symbolic: &SymbolicCholesky<usize>) -> &SymbolicSupernodalCholesky<usize> {
     match symbolic.raw() {
         SymbolicCholeskyRaw::Supernodal(supernodes) => supernodes,
-        SymbolicCholeskyRaw::Simplicial(_) => unreachable!("invariant: supernodes were asked for"),
+        SymbolicCholeskyRaw::Simplicial(_) => unreachable!("invariant: a supernodal factorisation was requested"),
     }
 }

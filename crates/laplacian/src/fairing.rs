@@ -2,10 +2,10 @@ use nalgebra_sparse::CsrMatrix;
 
 use crate::{Factor, LaplacianError};
 
-/// Makes values, one for each vertex, bend less: [`Self::faired`] is the minimum of `‖x − values‖² + weight·‖K x‖²` for an
-/// operator `K` ([`Operator::matrix`](crate::Operator::matrix)), in the unit of the values. Factored once, for any values.
+/// Smooths one value per vertex: [`Self::faired`] minimises `‖x − values‖² + weight·‖K x‖²` for an operator `K`
+/// ([`Operator::matrix`](crate::Operator::matrix)). Factored once for any values.
 ///
-/// What `K` takes no notice of, such as a constant, stays as it is.
+/// Values in the kernel of `K`, such as constants, do not change.
 pub struct Fairing {
     factor: Factor,
     vertices: usize,
@@ -25,10 +25,10 @@ impl Fairing {
         Ok(Self { factor: Factor::new(&(CsrMatrix::identity(vertices) + bent))?, vertices })
     }
 
-    /// Values near to those given that bend less.
+    /// Returns the smoothed values, in the unit of `values`.
     ///
     /// # Errors
-    /// [`LaplacianError::LengthMismatch`] or [`LaplacianError::NotFinite`] for values that do not fit.
+    /// [`LaplacianError::LengthMismatch`] or [`LaplacianError::NotFinite`] for invalid values.
     pub fn faired(&self, values: &[f64]) -> Result<Vec<f64>, LaplacianError> {
         if values.len() != self.vertices {
             return Err(LaplacianError::LengthMismatch { expected: self.vertices, found: values.len() });

@@ -1,16 +1,15 @@
-//! Constrained minimisation with one factor for all constraints.
+//! Constrained minimisation with one factorisation for all constraints.
 //!
-//! Of a positive semi-definite form `Q`, whose kernel is the constants on each component of the mesh, the factor of
-//! `B = Q + Σ e_g e_gᵀ` is kept, with one gauge vertex `g` for each component: its lowest, which only has to be
-//! some vertex, since nothing that is asked of the form depends on it. Minimising
-//! `dᵀQd − 2rᵀd + Σ wᵢ(dᵢ − sᵢ)²` over constrained vertices `S`, for a load `r` that sums to 0, then asks for no new factor.
-//! With `Φ = B⁻¹`:
+//! `Q` is a positive semi-definite form whose kernel is the functions that are constant on each component of the mesh.
+//! This module factors `B = Q + Σ e_g e_gᵀ`, with one gauge vertex `g` per component. The choice of gauge does not
+//! affect the results; it is the lowest vertex. Minimising `dᵀQd − 2rᵀd + Σ wᵢ(dᵢ − sᵢ)²` over constrained vertices
+//! `S`, for a load `r` that sums to 0, then needs no other factorisation. With `Φ = B⁻¹`:
 //! ```text
 //! d = Φ r + Φ_S c + P t    with   ⎡ W⁻¹ + Φ_SS  P_S ⎤ ⎡ c ⎤ = ⎡ s − (Φ r)_S ⎤
 //!                                 ⎣    P_Sᵀ      0  ⎦ ⎣ t ⎦   ⎣      0      ⎦
 //! ```
-//! where `P` holds the indicators of the components. This is Woodbury's formula for `N = Q + Σ wᵢeᵢeᵢᵀ`, with the gauge
-//! taken out by `Φ e_g = P_g` (as `Q·1 = 0`), so that the choice of gauge leaves no trace. A hard constraint is `1/w = 0`.
+//! where the columns of `P` are the indicators of the components. This is Woodbury's formula for `N = Q + Σ wᵢeᵢeᵢᵀ`,
+//! with the gauge eliminated by `Φ e_g = P_g`, which holds because `Q·1 = 0`. A hard constraint has `1/w = 0`.
 
 use nalgebra_sparse::{CooMatrix, CsrMatrix};
 use rosto_mesh::Topology;
@@ -20,10 +19,11 @@ use crate::factor::{Factor, HalfSolved, Scratch};
 use crate::saddle_point::SaddlePoint;
 use crate::{ConstraintKind, Constraints, LaplacianError};
 
-/// From this many constrained vertices on, a factor of their own is cheaper than the saddle-point system, which grows as the cube.
+/// Number of constrained vertices from which a separate factorisation is cheaper than the saddle-point system, whose
+/// cost is cubic.
 pub(crate) const MANY_CONSTRAINED: usize = 256;
 
-/// The form `Q`, factored once in a way that serves any constraints.
+/// The form `Q`, factored once for any constraints.
 pub(crate) struct GaugeFixedForm {
     pub(crate) component: Vec<u32>,
     /// `B`.
@@ -31,19 +31,19 @@ pub(crate) struct GaugeFixedForm {
     factor: Factor,
 }
 
-/// The form under constraints: what is left to choose are targets and load.
+/// The form with its constraints fixed; targets and load remain free.
 pub(crate) struct ConstrainedForm {
-    /// The vertices that targets belong to: handles, then anchors.
+    /// The handles, then the anchors, in the order of the targets.
     pub(crate) constrained: Vec<u32>,
     pub(crate) kind: ConstraintKind,
     method: Method,
 }
 
-/// How a constrained form is minimised; both ways give the same numbers.
+/// How a constrained form is minimised. Both methods solve the same problem.
 enum Method {
-    /// The columns `Φ_S` are half solved, and the rest of the work is a saddle-point (KKT) system.
+    /// Half-solved columns `Φ_S` and a saddle-point (KKT) system.
     SaddlePoint(Vec<HalfSolved>, SaddlePoint),
-    /// The constrained vertices are worked into a factor of their own.
+    /// A separate factorisation that contains the constraints.
     Dirichlet(Box<Dirichlet>),
 }
 
@@ -55,7 +55,7 @@ impl GaugeFixedForm {
         Ok(Self { component, matrix, factor })
     }
 
-    /// Checks the constraints and does all the work that does not depend on targets.
+    /// Checks the constraints and does the work that does not depend on targets.
     pub(crate) fn constrain(&self, constraints: &Constraints<'_>) -> Result<ConstrainedForm, LaplacianError> {
         constraints.check(&self.component)?;
         let (constrained, kind) = ([constraints.handles, constraints.anchors].concat(), constraints.kind);
@@ -72,7 +72,8 @@ impl GaugeFixedForm {
 }
 
 impl ConstrainedForm {
-    /// Writes the minimiser for one target for each constrained vertex, and a load that sums to 0 over each component.
+    /// Writes the minimiser to `out`, for one target per constrained vertex and a load that sums to 0 over each
+    /// component.
     pub(crate) fn minimise(
         &self,
         form: &GaugeFixedForm,
@@ -96,14 +97,14 @@ impl ConstrainedForm {
             Method::Dirichlet(dirichlet) => dirichlet.minimise(load, targets, out, &mut Scratch::default()),
         }
         if self.kind == ConstraintKind::Hard {
-            // Exact up to rounding so far; now to the last bit.
+            // The solve meets the targets up to rounding; assign them exactly.
             self.constrained.iter().zip(targets).for_each(|(&vertex, &target)| out[vertex as usize] = target);
         }
         Ok(())
     }
 }
 
-/// `Q + Σ e_g e_gᵀ`; the gauge vertex of a component is its lowest.
+/// `Q + Σ e_g e_gᵀ`, with the lowest vertex of each component as its gauge vertex.
 pub(crate) fn gauge_fixed(form: &CsrMatrix<f64>, component: &[u32]) -> CsrMatrix<f64> {
     let n = component.len();
     let mut gauges = CooMatrix::new(n, n);

@@ -7,18 +7,19 @@ use crate::gauge_fixed::gauge_fixed;
 use crate::weights::{barycentric_areas, unit_scale};
 use crate::{LaplacianError, Operator, check_positions};
 
-/// A vertex never stores less heat than this share of an average edge's square.
+/// Lower bound on a vertex's mass in the heat matrix, as a share of a mean edge's square.
 const MIN_STORAGE: f64 = 1e-6;
 
-/// Distances along a surface by the heat method (Crane, Weischedel and Wardetzky 2013): factored once per mesh, two
-/// solves for each set of sources.
+/// Geodesic distances by the heat method (Crane, Weischedel and Wardetzky 2013): two factorisations per mesh, two
+/// solves per set of sources.
 ///
-/// A spot of heat is left to spread for as long as it takes to cross an edge; distance is the function whose gradient is
-/// nearest to the unit field that runs down that heat. Approximate: it runs through triangles, not only along edges, is
-/// smooth, and is a few per cent off where triangles are coarse or uneven, but never shorter than a straight line.
+/// Heat diffuses from the sources for the time it takes to cross an edge. The distance is the function whose gradient
+/// is closest to the normalised negative gradient of the heat. The result is smooth and approximate: a few per cent off
+/// where triangles are coarse or uneven, and bounded below by the straight-line distance. Paths cross triangles and do
+/// not only follow edges.
 pub struct Geodesics {
     triangles: Vec<[u32; 3]>,
-    /// Brought to about unit size by `scale`, so that no square overflows.
+    /// Scaled to about unit size by `scale`, so that squares do not overflow.
     positions: Vec<DVec3>,
     scale: f64,
     component: Vec<u32>,
@@ -27,11 +28,11 @@ pub struct Geodesics {
 }
 
 impl Geodesics {
-    /// Factors for a mesh at the given positions, in any unit.
+    /// Factors the heat and Poisson systems of a mesh; `positions` in any unit.
     ///
     /// # Errors
-    /// For positions that do not fit the mesh or are not finite, and [`LaplacianError::BadlyScaled`] should a factor
-    /// break down.
+    /// The errors of [`Operator::matrix`] for invalid positions, and [`LaplacianError::BadlyScaled`] if a factorisation
+    /// fails.
     pub fn new(topology: &Topology, positions: &[DVec3]) -> Result<Self, LaplacianError> {
         check_positions(topology, positions)?;
         let laplacian = Operator::Cotangent.matrix(topology, positions)?;
@@ -48,11 +49,11 @@ impl Geodesics {
         })
     }
 
-    /// For each vertex, its distance to the nearest of `sources`, in the positions' unit; infinite where the surface does
-    /// not lead to any.
+    /// Returns the distance from each vertex to the nearest of `sources`, in the positions' unit; infinite if the
+    /// surface does not connect them.
     ///
     /// # Errors
-    /// [`LaplacianError::NoSuchVertex`].
+    /// [`LaplacianError::NoSuchVertex`] for a source outside the mesh.
     pub fn distances(&self, sources: &[u32]) -> Result<Vec<f64>, LaplacianError> {
         let n = self.positions.len();
         if let Some(&vertex) = sources.iter().find(|&&vertex| vertex as usize >= n) {
@@ -61,7 +62,7 @@ impl Geodesics {
         let mut heat = vec![0.0; n];
         sources.iter().for_each(|&source| heat[source as usize] = 1.0);
         self.heat.solve(&mut heat);
-        // Obtuse triangles may leave a trace of cold.
+        // Obtuse triangles can produce slightly negative heat.
         heat.iter_mut().for_each(|heat| *heat = heat.max(0.0));
         let mut distance = self.divergence_of_descent(&heat);
         self.poisson.solve(&mut distance);
@@ -70,14 +71,14 @@ impl Geodesics {
         Ok(distance)
     }
 
-    /// The integrated divergence, with its sign turned, of the unit field that runs down `heat`: what `L φ` must be.
+    /// The negated integrated divergence of the unit field down the gradient of `heat`: the right-hand side of `L φ`.
     fn divergence_of_descent(&self, heat: &[f64]) -> Vec<f64> {
         let mut divergence = vec![0.0; heat.len()];
         for &corners in &self.triangles {
             let at = corners.map(|corner| self.positions[corner as usize]);
             let opposite = [at[2] - at[1], at[0] - at[2], at[1] - at[0]];
             let normal = opposite[0].cross(opposite[1]).normalize_or_zero();
-            // Far from the sources heat is tiny: only its direction counts, so scale before anything cancels.
+            // Heat is tiny far from the sources and only its direction counts, so scale it first to avoid cancellation.
             let hottest = corners.iter().map(|&corner| heat[corner as usize]).fold(f64::MIN_POSITIVE, f64::max);
             let share = corners.map(|corner| heat[corner as usize] / hottest);
             let uphill: DVec3 = (0..3).map(|k| share[k] * normal.cross(opposite[k])).sum();
@@ -90,7 +91,7 @@ impl Geodesics {
         divergence
     }
 
-    /// Shifts each component so that its nearest source is at 0, and puts the others out of reach.
+    /// Shifts each component so that its nearest source is at 0; components without a source become infinite.
     fn measure_from(&self, sources: &[u32], distance: &mut [f64]) {
         let mut nearest = vec![f64::INFINITY; distance.len()];
         for &source in sources {
@@ -104,7 +105,7 @@ impl Geodesics {
         sources.iter().for_each(|&source| distance[source as usize] = 0.0);
     }
 
-    /// No way along a surface is shorter than the straight one, however coarse its triangles are.
+    /// Raises distances to the straight-line distance, which the approximation can undercut on coarse triangles.
     fn stretch_to_straight_lines(&self, sources: &[u32], distance: &mut [f64]) {
         for (value, position) in distance.iter_mut().zip(&self.positions) {
             let squared = |&source: &u32| self.positions[source as usize].distance_squared(*position);
@@ -116,7 +117,7 @@ impl Geodesics {
     }
 }
 
-/// `M/h² + L`: one implicit step of the heat equation over the time `h²` for a mean edge length `h`.
+/// `M/h² + L`: an implicit step of the heat equation over the time `h²`, with the mean edge length `h`.
 fn heat_matrix(topology: &Topology, positions: &[DVec3], laplacian: &CsrMatrix<f64>) -> CsrMatrix<f64> {
     let lengths = topology.edges().iter().map(|&[a, b]| positions[a as usize].distance(positions[b as usize]));
     let step = lengths.sum::<f64>() / topology.edges().len().max(1) as f64;

@@ -1,6 +1,6 @@
-//! The few loops that all the time goes into.
+//! The inner loops of the solver.
 
-/// `xᵀy`, summed in eight lanes so that it vectorises; the order of summation is the same on every platform.
+/// `xᵀy`, summed in eight lanes so that it vectorises, in the same order on every platform.
 pub(crate) fn dot(x: &[f64], y: &[f64]) -> f64 {
     let mut lanes = [0.0; 8];
     let (x_chunks, y_chunks) = (x.chunks_exact(8), y.chunks_exact(8));

@@ -1,6 +1,6 @@
-//! δ-coordinates: operators, constraints, factorisation, response fields, distortion. Knows nothing of faces.
+//! Laplacian editing of triangle meshes: operators, constraints, factorisation, response fields, distortion measures.
 //!
-//! What an operation costs is in its type:
+//! The type states the cost of an operation:
 //!
 //! | once per | type | cost |
 //! |---|---|---|
@@ -13,7 +13,7 @@
 //! use rosto_laplacian::{Constraints, ConstraintKind, LaplacianSystem, Operator};
 //! use rosto_mesh::Topology;
 //!
-//! // A tent of four corners and a top. The top is pulled up; two corners opposite each other stay.
+//! // A tent with four corners and a top. The top moves up; two opposite corners are anchors.
 //! let topology = Topology::new(5, vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]])?;
 //! let rest = [DVec3::X, DVec3::Y, -DVec3::X, -DVec3::Y, DVec3::Z];
 //! let system = LaplacianSystem::new(&topology, &rest, Operator::UniformSymmetric)?;
@@ -24,7 +24,7 @@
 //! response.displace(&rest, &[DVec3::Z], &mut edited);
 //! assert!(edited[4].distance(rest[4] + DVec3::Z) < 1e-12);
 //! assert!(edited[0].distance(rest[0]) < 1e-12);
-//! // By symmetry, the two free corners rise alike.
+//! // By symmetry, the two free corners rise by the same amount.
 //! assert!(edited[1].z > 0.0 && (edited[1].z - edited[3].z).abs() < 1e-12);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -69,7 +69,7 @@ pub use system::LaplacianSystem;
 
 use constraints::check_positions;
 
-/// The examples of the README are tested with those of the code.
+/// Runs the README's examples as doc-tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;

@@ -5,47 +5,49 @@ use rosto_mesh::Topology;
 use crate::{LaplacianError, check_positions, weights};
 
 rosto_mesh::named! {
-    /// A discrete Laplacian `K`, which turns positions into δ-coordinates: `δ = K x`.
+    /// A discrete Laplacian `K`, which maps positions to δ-coordinates: `δ = K x`.
     ///
-    /// Every operator is `n × n`, dimensionless (no matter the unit of the positions), positive on the diagonal, has rows that
-    /// sum to 0, and so takes no notice of translations; `δᵢ` points from a weighted mean of the neighbours to vertex `i`.
-    /// Each is made of edge weights `W`: `L = diag(W·1) − W` is symmetric and positive semi-definite, with one zero eigenvalue
-    /// for each component of the mesh. `K` is `L` itself, or `L` with scaled rows where the variant says so.
+    /// Every operator is `n × n` and dimensionless, has a positive diagonal and rows that sum to 0, and is therefore
+    /// invariant to translation. `δᵢ` points from a weighted mean of the neighbours to vertex `i`. The edge weights `W`
+    /// give the symmetric positive semi-definite `L = diag(W·1) − W`, with one zero eigenvalue per connected component.
+    /// `K` is `L`, or `L` with scaled rows where the variant says so.
     ///
-    /// The first four are graph Laplacians: they know how the mesh is joined, and lengths at most. The last two know its
-    /// geometry. An edit minimises `‖K d‖²` of the displacement `d`. With the cotangent stiffness matrix alone that is
-    /// `dᵀLLd`, in which small triangles count for less than their share of the surface; with the mass matrix `M` it is
-    /// `dᵀLM⁻¹Ld`, the discrete `∫‖Δd‖²`, which is the same however densely the surface is sampled.
+    /// The first four are graph Laplacians, which use the connectivity and at most the edge lengths. The last two use
+    /// the geometry. An edit minimises `‖K d‖²` over the displacement `d`. With the cotangent stiffness matrix that is
+    /// `dᵀLLd`, which underweights small triangles. With the mass matrix `M` it is `dᵀLM⁻¹Ld`, the discrete `∫‖Δd‖²`,
+    /// which is independent of the sampling density.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     pub enum Operator {
-        /// The combinatorial graph Laplacian `L_s = D − Adj`, the paper's default (eq. 4): every edge weighs 1. Knows only the
-        /// topology.
+        /// The combinatorial graph Laplacian `L_s = D − Adj`, the paper's default (eq. 4). Every edge weight is 1.
+        /// Depends only on the topology.
         #[default]
         UniformSymmetric = "L_s",
-        /// The random-walk graph Laplacian `L = I − D⁻¹·Adj` (eq. 3): each row of `L_s` over its degree; not symmetric. Knows
-        /// only the topology.
+        /// The random-walk graph Laplacian `L = I − D⁻¹·Adj` (eq. 3): the rows of `L_s` divided by the degree; not
+        /// symmetric. Depends only on the topology.
         Uniform = "L",
-        /// Edge `ij` weighs `(dᵢ + dⱼ) / 2d̄` for degrees `d` with mean `d̄`: well-connected vertices pull more. Knows only the
+        /// Edge `ij` has weight `(dᵢ + dⱼ) / 2d̄`, with vertex degrees `d` and their mean `d̄`. Depends only on the
         /// topology.
         Degree = "degree",
-        /// Edge `ij` weighs `ℓ̄ / ℓᵢⱼ` for lengths `ℓ` at the start of the edit, with mean `ℓ̄`: close neighbours pull more.
-        /// Clamped to `1/20 … 20`.
+        /// Edge `ij` has weight `ℓ̄ / ℓᵢⱼ`, clamped to `1/20 … 20`, with rest lengths `ℓ` and their mean `ℓ̄`.
         InverseLength = "inverse-length",
-        /// Edge `ij` weighs `½(cot α + cot β)` for the angles that face it (Pinkall and Polthier 1993). On a plane every
-        /// linear function has `δ = 0` inside the rim, however the plane is cut into triangles. Triangles lower than 1/50 of
-        /// their longest side fade into uniform weights, so that no cotangent exceeds 50 and no piece comes loose.
+        /// Edge `ij` has weight `½(cot α + cot β)` for the opposite angles `α` and `β` (Pinkall and Polthier 1993). On
+        /// a plane, a linear function has `δ = 0` away from the boundary for any triangulation. Triangles with a height
+        /// below 1/50 of their longest side blend into uniform weights, which bounds cotangents by 50 and keeps
+        /// components connected.
         Cotangent = "cotangent",
-        /// The rows of [`Operator::Cotangent`] over `√mᵢ`, so that `KᵀK = L M⁻¹ L`; not symmetric. `mᵢ` is a third of the area
-        /// of the triangles around vertex `i` (the lumped, barycentric mass), over the mean of all; at least 1/100.
+        /// The rows of [`Operator::Cotangent`] divided by `√mᵢ`, so that `KᵀK = L M⁻¹ L`; not symmetric. `mᵢ` is the
+        /// lumped barycentric mass of vertex `i`, a third of the area of its triangles, divided by the mean mass; at
+        /// least 1/100.
         CotangentMass = "cotangent-mass",
     }
 }
 
 impl Operator {
-    /// The matrix `K` over a mesh at rest; `positions` in any unit.
+    /// Builds the matrix `K` from the rest positions, in any unit.
     ///
     /// # Errors
-    /// [`LaplacianError::LengthMismatch`] or [`LaplacianError::NotFinite`] for positions that do not fit.
+    /// [`LaplacianError::Empty`], [`LaplacianError::LengthMismatch`] or [`LaplacianError::NotFinite`] for invalid
+    /// positions.
     pub fn matrix(self, topology: &Topology, positions: &[DVec3]) -> Result<CsrMatrix<f64>, LaplacianError> {
         check_positions(topology, positions)?;
         let symmetric = difference_from_neighbours(topology, &self.edge_weights(topology, positions));
@@ -56,7 +58,7 @@ impl Operator {
         })
     }
 
-    /// The operator with the same edge weights whose rows are not scaled, and which is symmetric.
+    /// The symmetric operator with the same edge weights and unscaled rows.
     pub(crate) fn symmetric(self) -> Self {
         match self {
             Self::Uniform => Self::UniformSymmetric,
@@ -65,7 +67,7 @@ impl Operator {
         }
     }
 
-    /// `W`: one weight for each of [`Topology::edges`].
+    /// The weights `W`, one per entry of [`Topology::edges`].
     fn edge_weights(self, topology: &Topology, positions: &[DVec3]) -> Vec<f64> {
         match self {
             Self::UniformSymmetric | Self::Uniform => weights::uniform(topology),
@@ -75,8 +77,8 @@ impl Operator {
         }
     }
 
-    /// `W` by triangles: for each, its share in the weight of the side opposite each corner. The shares of a triangle are
-    /// such that `Σ shareₖ ‖sideₖ‖²` is not negative, whatever is put for its sides.
+    /// The contribution of each triangle to `W`, per corner for the opposite side. `Σ shareₖ ‖sideₖ‖²` is non-negative
+    /// for any side vectors.
     pub(crate) fn triangle_shares(self, topology: &Topology, positions: &[DVec3]) -> Vec<[f64; 3]> {
         match self {
             Self::Cotangent | Self::CotangentMass => weights::cotangent_shares(topology, positions),
@@ -85,11 +87,11 @@ impl Operator {
     }
 }
 
-/// `diag(W·1) − W`, where `weights` has one entry for each of [`Topology::edges`].
+/// `diag(W·1) − W`, with one weight per entry of [`Topology::edges`].
 fn difference_from_neighbours(topology: &Topology, weights: &[f64]) -> CsrMatrix<f64> {
     let n = topology.vertex_count();
     let mut entries = CooMatrix::new(n, n);
-    // A vertex on its own keeps an explicit zero, so that every row has its diagonal.
+    // Isolated vertices get an explicit zero, so that every row stores its diagonal.
     for vertex in 0..n {
         entries.push(vertex, vertex, 0.0);
     }
@@ -103,7 +105,7 @@ fn difference_from_neighbours(topology: &Topology, weights: &[f64]) -> CsrMatrix
     CsrMatrix::from(&entries)
 }
 
-/// Each row over its divisor.
+/// Divides each row by its divisor.
 fn over_rows(mut matrix: CsrMatrix<f64>, divisors: &[f64]) -> CsrMatrix<f64> {
     for (mut row, divisor) in matrix.row_iter_mut().zip(divisors) {
         row.values_mut().iter_mut().for_each(|value| *value /= divisor);

@@ -1,29 +1,30 @@
 use glam::DVec3;
 use rosto_mesh::Topology;
 
-/// Neighbours that take less than this share of a summit's displacement make it a peak.
+/// Mean displacement of the neighbours, as a share of the summit's, below which the summit is a peak.
 const GRADUAL_SHARE: f64 = 0.5;
 
-/// Ripples lower than this share of the greatest displacement do not count.
+/// Least height of a peak over its neighbours, as a share of the greatest displacement.
 const LEAST_RISE: f64 = 0.05;
 
-/// A vertex that moved further than all its neighbours and did not take them along.
+/// A vertex that moved further than its neighbours, without a gradual rise around it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Peak {
     /// The vertex.
     pub vertex: u32,
-    /// The share of its displacement that its neighbours take on average, below ½; negative where they move the other way.
+    /// Mean displacement of its neighbours along its own, as a share of it: below ½, and negative if they move the
+    /// opposite direction.
     pub share: f64,
 }
 
-/// The paper's test of a good edit: "any peaks on a face without a gradual rise would be unnatural".
+/// Finds peaks by the paper's criterion: "any peaks on a face without a gradual rise would be unnatural".
 ///
-/// A summit is a vertex that moved further than every neighbour. Its rise is gradual if the neighbours' displacements,
-/// measured along its own, are on average at least half of it; otherwise it is a peak, if it stands out by at least 5 % of
-/// the greatest displacement anywhere. `moved` holds a displacement for each vertex.
+/// A summit is a vertex that moved further than each neighbour. Its rise is gradual if the neighbours' displacements,
+/// projected on its own, average at least half of it. Otherwise the summit is a peak, if it exceeds its neighbours by
+/// at least 5 % of the greatest displacement. `moved` holds one displacement per vertex.
 ///
 /// # Panics
-/// If there is not one displacement for each vertex.
+/// If the numbers of displacements and vertices differ.
 pub fn peaks(topology: &Topology, moved: &[DVec3]) -> Vec<Peak> {
     assert_eq!(moved.len(), topology.vertex_count(), "one displacement for each vertex");
     let greatest = moved.iter().map(|moved| moved.length()).fold(0.0, f64::max);

@@ -2,11 +2,11 @@ use glam::DVec3;
 
 use crate::{ConstraintKind, Constraints};
 
-/// How every vertex follows each handle; built once for a set of constraints, then applied for any offsets.
+/// Displacement of every vertex per unit offset of each handle. Computed once per set of constraints, for any offsets.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Response {
     handles: Vec<u32>,
-    /// One field after the other.
+    /// One field per handle, concatenated.
     fields: Vec<f64>,
 }
 
@@ -15,7 +15,7 @@ impl Response {
         if let Some(falloff) = constraints.falloff {
             let weights = falloff.weights();
             for (field, &handle) in fields.chunks_exact_mut(weights.len()).zip(constraints.handles) {
-                // A hard constrained handle still arrives where the region is already fading.
+                // Without the division, a falloff below 1 at a hard handle would keep it from its target.
                 let whole = if constraints.kind == ConstraintKind::Hard { weights[handle as usize] } else { 1.0 };
                 field.iter_mut().zip(weights).for_each(|(value, share)| *value *= share / whole);
             }
@@ -28,22 +28,23 @@ impl Response {
         &self.handles
     }
 
-    /// The response field `g` of the `index`-th handle: for each vertex, the share of that handle's offset that it takes.
+    /// The response field `g` of the handle at `index`: for each vertex, its share of the handle's offset.
     /// Dimensionless.
     ///
     /// # Panics
-    /// If there is no such handle.
+    /// If `index` is out of range.
     pub fn field(&self, index: usize) -> &[f64] {
         let n = self.fields.len() / self.handles.len();
         &self.fields[index * n..(index + 1) * n]
     }
 
-    /// Writes `X' = X + Σ g Δᵀ` to `out`: `rest` moved by one offset for each handle, all in one unit.
+    /// Writes `X' = X + Σ g Δᵀ` to `out`: `rest` displaced by one offset per handle, all in one unit.
     ///
-    /// This is what a slider does on every tick: no solve, no allocation.
+    /// Runs on each tick of a slider, without a solve or an allocation.
     ///
     /// # Panics
-    /// If there is not one offset for each handle, or not one place in `rest` and `out` for each vertex.
+    /// If the number of offsets differs from that of the handles, or the length of `rest` or `out` from that of the
+    /// vertices.
     pub fn displace(&self, rest: &[DVec3], offsets: &[DVec3], out: &mut [DVec3]) {
         let n = self.fields.len() / self.handles.len();
         assert_eq!(offsets.len(), self.handles.len(), "one offset for each handle");

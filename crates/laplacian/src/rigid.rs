@@ -7,17 +7,17 @@ use crate::gauge_fixed::{ConstrainedForm, GaugeFixedForm};
 use crate::rotation::best_rotation;
 use crate::{ConstraintKind, Constraints, Falloff, LaplacianError, Operator};
 
-/// As-rigid-as-possible edits (Sorkine and Alexa 2007; in the form of Chao et al. 2010), in which details turn with the
-/// surface.
+/// As-rigid-as-possible edits (Sorkine and Alexa 2007, in the formulation of Chao et al. 2010), which rotate details
+/// with the surface.
 ///
-/// Built once for a mesh at rest `X` and the edge weights of an operator, of which each triangle `t` has its share
-/// `c_tk` for its side `k`. Positions `X'` and a rotation `Rᵢ` for each vertex minimise
+/// Built once per mesh, from rest positions `X` and the edge weights of an operator; triangle `t` contributes `c_tk` to
+/// the weight of its side `k`. Positions `X'` and one rotation `Rᵢ` per vertex minimise
 /// ```text
-/// E = Σ_t Σ_k c_tk · ⅓ Σ_{i∈t} ‖side'_tk − Rᵢ side_tk‖² + Σ_held w‖x'ᵢ − targetᵢ‖²
+/// E = Σ_t Σ_k c_tk · ⅓ Σ_{i∈t} ‖side'_tk − Rᵢ side_tk‖² + Σ_constrained w‖x'ᵢ − targetᵢ‖²
 /// ```
-/// in turns: for fixed positions each rotation is a small problem of its own; for fixed rotations the positions solve
-/// `L x' = Σ c_tk R̄_t side_tk` with the mean rotation `R̄_t` of a triangle's corners, always with the same factor. Neither
-/// turn can raise `E`, and `E ≥ 0` however obtuse the triangles.
+/// by alternation. For fixed positions, the rotations are independent small problems. For fixed rotations, the
+/// positions solve `L x' = Σ c_tk R̄_t side_tk`, with the mean rotation `R̄_t` of a triangle's corners and the same
+/// factorisation in each iteration. Neither step increases `E`, and `E ≥ 0` even for obtuse triangles.
 pub struct RigidSystem {
     rest: Arc<Rest>,
 }
@@ -30,10 +30,10 @@ struct Rest {
     form: GaugeFixedForm,
 }
 
-/// A side of a triangle: from where, to where, and its share of the edge's weight.
+/// A side of a triangle: start vertex, end vertex, and share of the edge's weight.
 type Side = (usize, usize, f64);
 
-/// An as-rigid-as-possible edit with its handles and anchors chosen.
+/// An as-rigid-as-possible edit for fixed handles and anchors.
 pub struct RigidEdit {
     rest: Arc<Rest>,
     constrained: ConstrainedForm,
@@ -41,12 +41,12 @@ pub struct RigidEdit {
     falloff: Option<Falloff>,
 }
 
-/// When to stop taking turns.
+/// Stopping criteria of the iteration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RigidOptions {
-    /// Never more turns than this.
+    /// Maximum number of iterations.
     pub max_iterations: usize,
-    /// Stop once a turn lowers the energy by less than this share of it.
+    /// Stops when an iteration reduces the energy by at most this fraction.
     pub tolerance: f64,
 }
 
@@ -57,11 +57,10 @@ impl Default for RigidOptions {
 }
 
 impl RigidSystem {
-    /// Takes the edge weights of `operator` (rows are not scaled here) and
-    /// factors `L`. `positions` in any unit.
+    /// Factors `L` for the symmetric form of `operator`. `positions` in any unit.
     ///
     /// # Errors
-    /// As [`LaplacianSystem::new`](crate::LaplacianSystem::new).
+    /// The errors of [`LaplacianSystem::new`](crate::LaplacianSystem::new).
     pub fn new(topology: &Topology, positions: &[DVec3], operator: Operator) -> Result<Self, LaplacianError> {
         let symmetric = operator.symmetric();
         let laplacian = symmetric.matrix(topology, positions)?;
@@ -74,10 +73,10 @@ impl RigidSystem {
         Ok(Self { rest: Arc::new(rest) })
     }
 
-    /// Does all that depends on handles and anchors alone.
+    /// Does the work that depends only on the constraints.
     ///
     /// # Errors
-    /// As [`LaplacianSystem::respond`](crate::LaplacianSystem::respond).
+    /// The errors of [`LaplacianSystem::respond`](crate::LaplacianSystem::respond).
     pub fn constrain(&self, constraints: &Constraints<'_>) -> Result<RigidEdit, LaplacianError> {
         let constrained = self.rest.form.constrain(constraints)?;
         let (handles, falloff) = (constraints.handles.len(), constraints.falloff.cloned());
@@ -86,16 +85,17 @@ impl RigidSystem {
 }
 
 impl RigidEdit {
-    /// Lets `positions` settle for one offset for each handle, and returns the energy before the first turn and after
-    /// each. What `positions` hold is where it starts: the rest, a δ-coordinate edit, or the last tick of a drag.
+    /// Iterates from `positions` towards the minimum for one offset per handle. Returns the energy at the start and
+    /// after each iteration.
     ///
-    /// With a falloff, the displacement is faded out once it has settled.
+    /// The initial positions may be the rest positions, a δ-coordinate edit, or the result of the previous tick of a
+    /// drag. A falloff scales the resulting displacement.
     ///
     /// # Errors
-    /// [`LaplacianError::BadlyScaled`] should the factor break down.
+    /// [`LaplacianError::BadlyScaled`] if a solve gives non-finite values.
     ///
     /// # Panics
-    /// If there is not one offset for each handle, or not one position for each vertex.
+    /// If the number of offsets differs from that of the handles, or the number of positions from that of the vertices.
     pub fn settle(
         &self,
         offsets: &[DVec3],
@@ -123,7 +123,7 @@ impl RigidEdit {
         Ok(energies)
     }
 
-    /// Puts hard constrained vertices where they belong, so that the first energy is that of an admissible shape.
+    /// Moves hard constrained vertices to their targets, so that the first energy is that of an admissible shape.
     fn start(&self, targets: &[DVec3], positions: &mut [DVec3]) {
         if self.constrained.kind == ConstraintKind::Hard {
             for (&vertex, &target) in self.constrained.constrained.iter().zip(targets) {
@@ -132,7 +132,7 @@ impl RigidEdit {
         }
     }
 
-    /// `E` for the given rotations and positions.
+    /// The energy `E` for the given rotations and positions.
     fn energy(&self, rotations: &[DMat3], targets: &[DVec3], positions: &[DVec3]) -> f64 {
         let rest = &self.rest.positions;
         let bent = |(corners, sides): ([usize; 3], [Side; 3])| {
@@ -154,8 +154,8 @@ impl RigidEdit {
         self.rest.triangles().map(bent).sum::<f64>() + holding
     }
 
-    /// The positions that are best for fixed rotations. Solved for the displacement `d = x' − x`, whose load
-    /// `Σ c_tk (R̄_t − 1) side_tk` vanishes where nothing turns.
+    /// Sets the optimal positions for fixed rotations. Solves for the displacement `d = x' − x`, whose load `Σ c_tk
+    /// (R̄_t − 1) side_tk` vanishes without rotation.
     fn move_to(&self, rotations: &[DMat3], targets: &[DVec3], positions: &mut [DVec3]) -> Result<(), LaplacianError> {
         let rest = &self.rest.positions;
         let mut load = vec![DVec3::ZERO; rest.len()];
@@ -189,7 +189,7 @@ impl RigidEdit {
 }
 
 impl Rest {
-    /// Every triangle's corners and sides.
+    /// The corners and sides of each triangle.
     fn triangles(&self) -> impl Iterator<Item = ([usize; 3], [Side; 3])> {
         self.triangles.iter().zip(&self.shares).map(|(corners, shares)| {
             let [a, b, c] = corners.map(|corner| corner as usize);
@@ -197,7 +197,7 @@ impl Rest {
         })
     }
 
-    /// For each vertex, the rotation that turns the sides of its triangles at rest best into those of `positions`.
+    /// For each vertex, the best rotation from the sides of its triangles at rest to those of `positions`.
     fn rotations(&self, positions: &[DVec3]) -> Vec<DMat3> {
         let mut covariances = vec![DMat3::ZERO; positions.len()];
         for (corners, sides) in self.triangles() {

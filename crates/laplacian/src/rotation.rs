@@ -3,8 +3,8 @@ use nalgebra::Matrix4;
 
 /// The rotation `R` that maximises `Σ w ⟨b, R a⟩` for pairs of vectors with covariance `Σ w b aᵀ`.
 ///
-/// Horn's closed form (1987): the unit quaternion for the greatest eigenvalue of a symmetric 4 × 4 matrix. It needs no
-/// rank: where several rotations are equally good, it is one of them.
+/// Horn's closed form (1987): the unit quaternion of the greatest eigenvalue of a symmetric 4 × 4 matrix. Works for any
+/// rank; if several rotations are optimal, returns one of them.
 pub(crate) fn best_rotation(covariance: &DMat3) -> DMat3 {
     let greatest = covariance.to_cols_array().into_iter().map(f64::abs).fold(0.0, f64::max);
     if greatest == 0.0 || !greatest.is_finite() {
@@ -50,7 +50,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_turned_set_of_vectors_gives_its_rotation_back(turn in quaternion(), vectors in prop::array::uniform4(vector())) {
+        fn rotated_vectors_give_back_their_rotation(turn in quaternion(), vectors in prop::array::uniform4(vector())) {
             prop_assume!(vectors[0].cross(vectors[1]).length() > 0.05);
             let pairs = vectors.map(|vector| (vector, turn * vector));
             let found = best_rotation(&covariance(&pairs));
@@ -66,7 +66,7 @@ mod tests {
         }
 
         #[test]
-        fn any_rank_and_scale_gives_a_rotation(vector in vector(), image in vector(), exponent in -250..250i32) {
+        fn result_is_a_rotation_for_any_rank_and_scale(vector in vector(), image in vector(), exponent in -250..250i32) {
             let scale = 10f64.powi(exponent);
             let found = best_rotation(&(covariance(&[(vector, image)]) * scale));
             prop_assert!((found * found.transpose() - DMat3::IDENTITY).to_cols_array().iter().all(|x| x.abs() < 1e-12));

@@ -2,16 +2,17 @@ use nalgebra::{DMatrix, DVector, Dyn, LU};
 
 use crate::{ConstraintKind, LaplacianError};
 
-/// The small saddle-point (KKT) system that is left when all but the constrained vertices are eliminated; see [`crate::gauge_fixed`].
+/// The saddle-point (KKT) system of the constrained vertices, after elimination of the free ones; see
+/// [`crate::gauge_fixed`].
 pub(crate) struct SaddlePoint {
     constrained: Vec<u32>,
-    /// The components that have a constrained vertex.
+    /// The components that contain a constrained vertex.
     touched: Vec<u32>,
     system: LU<f64, Dyn, Dyn>,
 }
 
 impl SaddlePoint {
-    /// `entry(i, j)` is `Φ` between the `i`-th and `j`-th constrained vertex; it is asked for `i ≤ j` only.
+    /// `entry(i, j)` returns `Φ` between the `i`-th and `j`-th constrained vertex, for `i ≤ j`.
     pub(crate) fn new(
         constrained: &[u32],
         component: &[u32],
@@ -35,7 +36,8 @@ impl SaddlePoint {
         Self { constrained: constrained.to_vec(), touched, system: system.lu() }
     }
 
-    /// Factors of the columns of `Φ`, then the constants on the touched components, for a target at each constrained vertex.
+    /// Returns the coefficients of the columns of `Φ`, then the constants of the touched components, for one target per
+    /// constrained vertex.
     pub(crate) fn solve(&self, targets: impl Iterator<Item = f64>) -> Result<DVector<f64>, LaplacianError> {
         let size = self.constrained.len() + self.touched.len();
         let mut x = DVector::from_iterator(size, targets.chain(std::iter::repeat(0.0)).take(size));
@@ -45,7 +47,7 @@ impl SaddlePoint {
         Ok(x)
     }
 
-    /// Adds `P t` for a solution of [`Self::solve`].
+    /// Adds `P t` of a solution from [`Self::solve`] to `field`.
     pub(crate) fn add_constants(&self, coefficients: &DVector<f64>, component: &[u32], field: &mut [f64]) {
         for (touched, constant) in self.touched.iter().zip(&coefficients.as_slice()[self.constrained.len()..]) {
             for (value, component) in field.iter_mut().zip(component) {

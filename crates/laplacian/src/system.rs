@@ -6,21 +6,21 @@ use rosto_mesh::Topology;
 use crate::gauge_fixed::{GaugeFixedForm, MANY_CONSTRAINED};
 use crate::{AnchoredSystem, Constraints, LaplacianError, Operator, Response};
 
-/// Everything about δ-coordinate edits that depends on the mesh and operator alone; built once.
+/// The part of δ-coordinate editing that depends on the mesh and operator alone.
 ///
-/// An edit minimises `‖K X' − K X‖²` together with its constraints. `X` itself leaves nothing of that where nothing is
-/// moved, so only the displacement is solved for: `N = KᵀK + Σ wᵢeᵢeᵢᵀ`, `N g = wₑ·eₑ`, `X' = X + g Δᵀ`.
+/// An edit minimises `‖K X' − K X‖²` together with its constraints. The rest positions `X` drop out, so only the
+/// displacement is solved for: `N = KᵀK + Σ wᵢeᵢeᵢᵀ`, `N g = wₑ·eₑ`, `X' = X + g Δᵀ`.
 pub struct LaplacianSystem {
     operator: CsrMatrix<f64>,
     form: GaugeFixedForm,
 }
 
 impl LaplacianSystem {
-    /// Builds `K` over the mesh at rest and factors `KᵀK`. `positions` in any unit.
+    /// Builds `K` from the rest positions, in any unit, and factors `KᵀK`.
     ///
     /// # Errors
-    /// For positions that do not fit the mesh or are not finite, and [`LaplacianError::BadlyScaled`] should the factor
-    /// break down.
+    /// The errors of [`Operator::matrix`] for invalid positions, and [`LaplacianError::BadlyScaled`] if the
+    /// factorisation fails.
     pub fn new(topology: &Topology, positions: &[DVec3], operator: Operator) -> Result<Self, LaplacianError> {
         let operator = operator.matrix(topology, positions)?;
         let squared = operator.transpose() * &operator;
@@ -32,10 +32,10 @@ impl LaplacianSystem {
         &self.operator
     }
 
-    /// The δ-coordinates `K X` of some positions, in their unit.
+    /// Returns the δ-coordinates `K X` of the given positions, in their unit.
     ///
     /// # Panics
-    /// If there is not one position for each vertex.
+    /// If the numbers of vertices and positions differ.
     pub fn deltas(&self, positions: &[DVec3]) -> Vec<DVec3> {
         assert_eq!(positions.len(), self.operator.ncols(), "one position for each vertex");
         let row = |row: CsrRow<'_, f64>| {
@@ -45,8 +45,10 @@ impl LaplacianSystem {
         self.operator.row_iter().map(row).collect()
     }
 
-    /// A system of its own for these anchors, where they are so many that [`Self::respond`] would factor anew for all
-    /// handles; it serves other handles, too.
+    /// Returns a system with these anchors in its factorisation, or `None` below [`MANY_CONSTRAINED`] anchors.
+    ///
+    /// With that many anchors [`Self::respond`] factors again for each choice of handles, and the returned system does
+    /// not.
     ///
     /// # Errors
     /// As for [`Self::respond`].
@@ -55,10 +57,11 @@ impl LaplacianSystem {
         are_many.then(|| AnchoredSystem::new(&self.form, constraints)).transpose()
     }
 
-    /// How every vertex follows the handles: one back-substitution for each handle.
+    /// Returns the response of every vertex to the handles, with one back-substitution per handle.
     ///
     /// # Errors
-    /// For constraints that name no vertex, contradict each other, or leave a handle's piece of the mesh unanchored.
+    /// If a constraint names a vertex outside the mesh, constraints contradict each other, or a component with a handle
+    /// lacks an anchor.
     pub fn respond(&self, constraints: &Constraints<'_>) -> Result<Response, LaplacianError> {
         let constrained = self.form.constrain(constraints)?;
         let n = self.operator.nrows();

@@ -1,15 +1,15 @@
-//! Edge weights, one for each of [`Topology::edges`], for the operators of the form `diag(W·1) − W`.
+//! Edge weights for operators of the form `diag(W·1) − W`, one per entry of [`Topology::edges`].
 
 use glam::DVec3;
 use rosto_mesh::Topology;
 
-/// How far a length may be from the mean before its weight stops changing.
+/// Bound on the ratio of the mean length to a length, and on its inverse.
 const MAX_LENGTH_RATIO: f64 = 20.0;
 
-/// A vertex has at least this share of the mean mass.
+/// Lower bound on a vertex's mass, as a share of the mean mass.
 const MIN_MASS: f64 = 0.01;
 
-/// Area over the square of the longest side under which a triangle counts as degenerate.
+/// Area over squared longest side below which a triangle counts as degenerate.
 const MIN_SHAPE: f64 = 0.01;
 
 pub(crate) fn uniform(topology: &Topology) -> Vec<f64> {
@@ -33,12 +33,12 @@ pub(crate) fn by_inverse_length(topology: &Topology, positions: &[DVec3]) -> Vec
     lengths.into_iter().map(|length| if mean > 0.0 { weight(length) } else { 1.0 }).collect()
 }
 
-/// The degree of each vertex; 1 for one on its own.
+/// The degree of each vertex; 1 for isolated vertices.
 pub(crate) fn degrees(topology: &Topology) -> Vec<f64> {
     (0..topology.vertex_count() as u32).map(|vertex| topology.degree(vertex).max(1) as f64).collect()
 }
 
-/// `√mᵢ` for masses `m` over their mean; a vertex without area around it counts as one with little.
+/// `√mᵢ` for masses `m` divided by their mean, with the mass clamped from below to [`MIN_MASS`].
 pub(crate) fn root_masses(topology: &Topology, positions: &[DVec3]) -> Vec<f64> {
     let scale = unit_scale(positions);
     let positions: Vec<DVec3> = positions.iter().map(|&position| position * scale).collect();
@@ -48,7 +48,7 @@ pub(crate) fn root_masses(topology: &Topology, positions: &[DVec3]) -> Vec<f64> 
     masses.into_iter().map(|mass| if mean > 0.0 { root(mass) } else { 1.0 }).collect()
 }
 
-/// For each vertex, a third of the area of the triangles around it.
+/// For each vertex, a third of the area of its triangles.
 pub(crate) fn barycentric_areas(topology: &Topology, positions: &[DVec3]) -> Vec<f64> {
     let mut areas = vec![0.0; topology.vertex_count()];
     for &corners in topology.triangles() {
@@ -59,10 +59,11 @@ pub(crate) fn barycentric_areas(topology: &Topology, positions: &[DVec3]) -> Vec
     areas
 }
 
-/// Sums each triangle's share `½ cot` of the corner opposite, which is `e·f / 4A` for the sides `e, f` at that corner.
+/// Sums over the triangles of an edge `½ cot` of the opposite angle, computed as `e·f / 4A` from the sides `e`, `f` at
+/// that corner.
 ///
-/// Where a triangle's area `A` falls under `A' = MIN_SHAPE · longest²`, its share is blended as
-/// `(A/A')·cotangent-with-A' + (1 − A/A')·uniform`: continuous, and positive semi-definite for every shape.
+/// If a triangle's area `A` is below `A' = MIN_SHAPE · longest²`, its share is `(A/A')·cotangent-with-A' + (1 −
+/// A/A')·uniform`: continuous, and positive semi-definite for every shape.
 pub(crate) fn cotangent(topology: &Topology, positions: &[DVec3]) -> Vec<f64> {
     let mut weights = vec![0.0; topology.edges().len()];
     for (edges, shares) in triangle_edges(topology).zip(cotangent_shares(topology, positions)) {
@@ -71,21 +72,21 @@ pub(crate) fn cotangent(topology: &Topology, positions: &[DVec3]) -> Vec<f64> {
     weights
 }
 
-/// For each triangle, what it adds to the weight of the side opposite each of its corners.
+/// For each triangle, its contribution to the weight of the side opposite each corner.
 pub(crate) fn cotangent_shares(topology: &Topology, positions: &[DVec3]) -> Vec<[f64; 3]> {
     let scale = unit_scale(positions);
     let shares = |&corners: &[u32; 3]| triangle_shares(corners.map(|corner| positions[corner as usize] * scale));
     topology.triangles().iter().map(shares).collect()
 }
 
-/// Every edge's weight in equal parts for its triangles, as [`cotangent_shares`] gives them.
+/// Splits each edge's weight equally among its triangles, in the layout of [`cotangent_shares`].
 pub(crate) fn equal_shares(topology: &Topology, weights: &[f64]) -> Vec<[f64; 3]> {
     let mut uses = vec![0.0; weights.len()];
     triangle_edges(topology).flatten().for_each(|edge| uses[edge] += 1.0);
     triangle_edges(topology).map(|edges| edges.map(|edge| weights[edge] / uses[edge])).collect()
 }
 
-/// For each triangle, the edges opposite its corners, as indices into [`Topology::edges`].
+/// For each triangle, the edges opposite its corners as indices into [`Topology::edges`].
 fn triangle_edges(topology: &Topology) -> impl Iterator<Item = [usize; 3]> {
     topology.triangles().iter().map(|&[a, b, c]| {
         [[b, c], [c, a], [a, b]].map(|[from, to]| {
@@ -108,7 +109,7 @@ fn triangle_shares(corners: [DVec3; 3]) -> [f64; 3] {
     [0, 1, 2].map(|k| 0.5 * (trust * cotangent(k) + (1.0 - trust)))
 }
 
-/// A factor that brings positions to about unit size, so that squares neither overflow nor vanish.
+/// A factor that scales positions to about unit size, to avoid overflow and underflow of squares.
 pub(crate) fn unit_scale(positions: &[DVec3]) -> f64 {
     let greatest = positions.iter().map(|position| position.abs().max_element()).fold(0.0, f64::max);
     let scale = greatest.recip();

@@ -1,7 +1,7 @@
-//! A slider tick allocates nothing.
+//! A slider tick does not allocate.
 #![cfg(not(target_arch = "wasm32"))]
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
-#![allow(unsafe_code, reason = "counting allocations takes an allocator, and an allocator is unsafe to write")]
+#![allow(clippy::unwrap_used, reason = "a failed set-up fails the test")]
+#![allow(unsafe_code, reason = "counting allocations needs a global allocator, which is an unsafe trait")]
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -16,16 +16,16 @@ thread_local! {
 
 struct Counting;
 
-// SAFETY: every call is handed on to the system's allocator as it came.
+// SAFETY: all calls are forwarded unchanged to the system allocator.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         ALLOCATIONS.set(ALLOCATIONS.get() + 1);
-        // SAFETY: the caller's promises are those that the system's allocator asks for.
+        // SAFETY: the caller upholds the contract of `GlobalAlloc::alloc`, which is the system allocator's.
         unsafe { System.alloc(layout) }
     }
 
     unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: as above; the pointer came from the system's allocator.
+        // SAFETY: as above; the pointer came from the system allocator.
         unsafe { System.dealloc(pointer, layout) }
     }
 }
@@ -40,7 +40,7 @@ fn allocations_during(work: impl FnOnce()) -> usize {
 }
 
 #[test]
-fn ticks_on_cage_and_dense_mesh_allocate_nothing() {
+fn ticks_and_subdivision_do_not_allocate() {
     let octahedron = vec![[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
     let cage = Topology::new(6, octahedron).unwrap();
     let corners = [DVec3::X, -DVec3::X, DVec3::Y, -DVec3::Y, DVec3::Z, -DVec3::Z];

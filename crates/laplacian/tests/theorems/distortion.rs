@@ -12,7 +12,7 @@ fn measure(mesh: &Mesh, after: &[DVec3]) -> Distortion {
 }
 
 #[test]
-fn a_shifted_mesh_is_not_bent() {
+fn a_translated_mesh_is_not_distorted() {
     for mesh in small() {
         let after: Vec<DVec3> = mesh.positions.iter().map(|&position| position + DVec3::new(3.0, 1.0, 2.0)).collect();
         let bent = measure(&mesh, &after);
@@ -23,7 +23,7 @@ fn a_shifted_mesh_is_not_bent() {
 }
 
 #[test]
-fn a_scaled_mesh_is_stretched_by_the_scale_everywhere() {
+fn scaling_stretches_edges_by_the_scale_and_areas_by_its_square() {
     for mesh in small() {
         let after: Vec<DVec3> = mesh.positions.iter().map(|&position| 2.0 * position).collect();
         let summary = measure(&mesh, &after).summary();
@@ -36,7 +36,7 @@ fn a_scaled_mesh_is_stretched_by_the_scale_everywhere() {
 }
 
 #[test]
-fn one_moved_vertex_is_a_peak_and_bends_itself_and_its_ring() {
+fn moving_one_vertex_changes_its_delta_and_its_neighbours() {
     let mesh = plane(6, 6, &mut Seeded::new(2));
     let mut after = mesh.positions.clone();
     after[24] += DVec3::new(0.0, 0.0, 2.0);
@@ -51,7 +51,7 @@ fn one_moved_vertex_is_a_peak_and_bends_itself_and_its_ring() {
 }
 
 #[test]
-fn a_vertex_pulled_across_its_ring_turns_triangles_over() {
+fn a_vertex_moved_past_its_one_ring_flips_triangles() {
     let mesh = plane(6, 6, &mut Seeded::new(2));
     let mut after = mesh.positions.clone();
     after[24] += DVec3::new(2.5, 0.0, 0.0);
@@ -62,7 +62,7 @@ fn a_vertex_pulled_across_its_ring_turns_triangles_over() {
 }
 
 #[test]
-fn a_gradual_rise_is_no_peak_and_a_steep_one_is() {
+fn a_steep_rise_is_a_peak_and_a_gradual_one_is_not() {
     let mesh = plane(12, 12, &mut Seeded::new(5));
     let hill = |steepness: f64| {
         let lift = |p: &DVec3| DVec3::new(0.0, 0.0, (-steepness * p.distance_squared(mesh.positions[84])).exp());
@@ -73,7 +73,7 @@ fn a_gradual_rise_is_no_peak_and_a_steep_one_is() {
 }
 
 #[test]
-fn the_summary_reads_as_a_sentence() {
+fn summary_display() {
     let mesh = plane(6, 6, &mut Seeded::new(2));
     let after: Vec<DVec3> = mesh.positions.iter().map(|&position| 2.0 * position).collect();
     let text = measure(&mesh, &after).summary().to_string();
@@ -81,5 +81,5 @@ fn the_summary_reads_as_a_sentence() {
         text.starts_with("edges are 2.00 to 2.00 times as long, triangles 4.00 to 4.00 times as large; "),
         "{text}"
     );
-    assert!(text.contains("0 of 72 triangles turned over, 0 lone peaks"), "{text}");
+    assert!(text.contains("0 of 72 triangles flipped, 0 isolated peaks"), "{text}");
 }

@@ -8,7 +8,7 @@ use crate::golden::{face, golden};
 use crate::meshes::{Mesh, canonical_face, handle_and_anchors, plane, small, torus};
 use crate::seeded::Seeded;
 
-const HOLDS: [ConstraintKind; 3] =
+const KINDS: [ConstraintKind; 3] =
     [ConstraintKind::Soft { weight: 1.0 }, ConstraintKind::Soft { weight: 250.0 }, ConstraintKind::Hard];
 
 fn system(mesh: &Mesh, operator: Operator) -> LaplacianSystem {
@@ -21,13 +21,13 @@ fn moved(response: &Response, mesh: &Mesh, offsets: &[DVec3]) -> Vec<DVec3> {
     out
 }
 
-/// Every small mesh with every operator and constraint, one handle and two anchors.
+/// Calls `check` for each small mesh, operator and constraint kind, with one handle and two anchors.
 fn each(check: impl Fn(&str, &Mesh, &LaplacianSystem, &Constraints<'_>)) {
     for mesh in small() {
         let (handle, anchors) = handle_and_anchors(&mesh);
         for operator in Operator::ALL {
             let system = system(&mesh, operator);
-            for kind in HOLDS {
+            for kind in KINDS {
                 let constraints = Constraints { handles: &[handle], anchors: &anchors, kind, falloff: None };
                 check(&format!("{operator:?}, {kind:?} on {}", mesh.name), &mesh, &system, &constraints);
             }
@@ -36,7 +36,7 @@ fn each(check: impl Fn(&str, &Mesh, &LaplacianSystem, &Constraints<'_>)) {
 }
 
 #[test]
-fn no_offset_moves_nothing_at_all() {
+fn a_zero_offset_returns_the_rest_positions() {
     each(|case, mesh, system, constraints| {
         let response = system.respond(constraints).unwrap();
         assert_eq!(moved(&response, mesh, &[DVec3::ZERO]), mesh.positions, "{case}");
@@ -44,14 +44,14 @@ fn no_offset_moves_nothing_at_all() {
 }
 
 #[test]
-fn the_answer_is_the_least_of_what_is_minimised() {
+fn the_edit_minimises_the_energy() {
     let offset = DVec3::new(0.3, -0.2, 0.9);
     each(|case, mesh, system, constraints| {
         let best = moved(&system.respond(constraints).unwrap(), mesh, &[offset]);
         let least = residual(system, constraints, offset, &mesh.positions, &best);
         let random = &mut Seeded::new(5);
         for _ in 0..20 {
-            let free = |vertex: usize| constraints.kind != ConstraintKind::Hard || !is_held(constraints, vertex);
+            let free = |vertex: usize| constraints.kind != ConstraintKind::Hard || !is_constrained(constraints, vertex);
             let nudge = |(vertex, &p): (usize, &DVec3)| if free(vertex) { p + 0.01 * random.vector() } else { p };
             let other: Vec<DVec3> = best.iter().enumerate().map(nudge).collect();
             let residual = residual(system, constraints, offset, &mesh.positions, &other);
@@ -77,12 +77,12 @@ fn residual(
     bent + weight * missed.sum::<f64>()
 }
 
-fn is_held(constraints: &Constraints<'_>, vertex: usize) -> bool {
+fn is_constrained(constraints: &Constraints<'_>, vertex: usize) -> bool {
     constraints.handles.iter().chain(constraints.anchors).any(|&constrained| constrained as usize == vertex)
 }
 
 #[test]
-fn exact_handles_land_on_their_targets_and_anchors_stay() {
+fn hard_handles_reach_their_targets_and_anchors_stay() {
     let random = &mut Seeded::new(21);
     let mesh = canonical_face();
     for operator in Operator::ALL {
@@ -102,7 +102,7 @@ fn exact_handles_land_on_their_targets_and_anchors_stay() {
 }
 
 #[test]
-fn a_firmer_hold_comes_nearer_to_an_exact_one() {
+fn soft_constraints_converge_to_hard_ones_with_their_weight() {
     let mesh = canonical_face();
     let system = system(&mesh, Operator::UniformSymmetric);
     let field = |kind| {
@@ -115,12 +115,12 @@ fn a_firmer_hold_comes_nearer_to_an_exact_one() {
 }
 
 #[test]
-fn handles_add_up() {
+fn the_displacement_is_the_sum_over_handles() {
     let mesh = canonical_face();
     let random = &mut Seeded::new(2);
     for operator in Operator::ALL {
         let system = system(&mesh, operator);
-        for kind in HOLDS {
+        for kind in KINDS {
             let constraints = Constraints { handles: &[4, 61, 291], anchors: &[10, 152], kind, falloff: None };
             let response = system.respond(&constraints).unwrap();
             let offsets = [random.vector(), random.vector(), random.vector()];
@@ -139,7 +139,7 @@ fn handles_add_up() {
 }
 
 #[test]
-fn edits_ride_along_when_a_mesh_is_moved_turned_or_scaled() {
+fn edits_commute_with_similarity_transforms() {
     let (turn, shift, scale) = (Seeded::new(8).rotation(), DVec3::new(3.0, -7.0, 2.0), 2.5);
     let map = |p: DVec3| turn * p * scale + shift;
     let offset = DVec3::new(0.3, -0.2, 0.9);
@@ -155,10 +155,10 @@ fn edits_ride_along_when_a_mesh_is_moved_turned_or_scaled() {
 }
 
 #[test]
-fn every_piece_of_the_mesh_without_a_handle_stays() {
+fn components_without_a_handle_stay() {
     let mesh = crate::meshes::apart(&mut Seeded::new(1));
     let component = mesh.topology.components();
-    for kind in HOLDS {
+    for kind in KINDS {
         let constraints = Constraints { handles: &[0], anchors: &[3, 17], kind, falloff: None };
         let response = system(&mesh, Operator::Cotangent).respond(&constraints).unwrap();
         for (vertex, &share) in response.field(0).iter().enumerate().filter(|(v, _)| component[*v] != 0) {
@@ -167,7 +167,7 @@ fn every_piece_of_the_mesh_without_a_handle_stays() {
     }
 }
 
-/// The normal equations as the paper's successors write them, solved densely.
+/// Dense Cholesky solution of the normal equations, with one response field per handle.
 fn by_dense_solve(mesh: &Mesh, operator: Operator, constraints: &Constraints<'_>) -> Vec<DVector<f64>> {
     let k = DMatrix::from(&operator.matrix(&mesh.topology, &mesh.positions).unwrap());
     let n = mesh.vertex_count();
@@ -206,11 +206,11 @@ fn assert_equals_dense_solve(mesh: &Mesh, operator: Operator, constraints: &Cons
 }
 
 #[test]
-fn one_factor_for_all_constraints_equals_a_factor_for_each() {
+fn a_shared_factor_equals_a_dense_solve_per_constraint() {
     let random = &mut Seeded::new(77);
     for mesh in [canonical_face(), torus(12, 9)] {
         for operator in Operator::ALL {
-            for kind in HOLDS {
+            for kind in KINDS {
                 let constrained = random.vertices(6, mesh.vertex_count());
                 let (handles, anchors) = constrained.split_at(2);
                 assert_equals_dense_solve(&mesh, operator, &Constraints { handles, anchors, kind, falloff: None });
@@ -220,9 +220,9 @@ fn one_factor_for_all_constraints_equals_a_factor_for_each() {
 }
 
 #[test]
-fn the_ground_vertex_may_be_handle_or_anchor() {
+fn the_gauge_vertex_may_be_a_handle_or_an_anchor() {
     let mesh = canonical_face();
-    for kind in HOLDS {
+    for kind in KINDS {
         for (handles, anchors) in [([0], [7, 300]), ([7], [0, 300])] {
             let constraints = Constraints { handles: &handles, anchors: &anchors, kind, falloff: None };
             assert_equals_dense_solve(&mesh, Operator::UniformSymmetric, &constraints);
@@ -231,19 +231,19 @@ fn the_ground_vertex_may_be_handle_or_anchor() {
 }
 
 #[test]
-fn larger_meshes_are_solved_to_the_same_digits() {
+fn larger_meshes_match_the_dense_solve() {
     let mesh = plane(33, 31, &mut Seeded::new(4));
-    for (operator, kind) in [(Operator::UniformSymmetric, HOLDS[0]), (Operator::Cotangent, ConstraintKind::Hard)] {
+    for (operator, kind) in [(Operator::UniformSymmetric, KINDS[0]), (Operator::Cotangent, ConstraintKind::Hard)] {
         let constraints = Constraints { handles: &[500, 30], anchors: &[0, 1087, 700], kind, falloff: None };
         assert_equals_dense_solve(&mesh, operator, &constraints);
     }
 }
 
 #[test]
-fn hundreds_of_anchors_are_solved_to_the_same_digits() {
+fn hundreds_of_anchors_match_the_dense_solve() {
     let constrained = Seeded::new(6).vertices(310, 468);
     let (handles, anchors) = constrained.split_at(3);
-    for kind in HOLDS {
+    for kind in KINDS {
         let constraints = Constraints { handles, anchors, kind, falloff: None };
         assert_equals_dense_solve(&canonical_face(), Operator::UniformSymmetric, &constraints);
     }
@@ -261,7 +261,7 @@ fn mirrored_handles_on_a_symmetric_mesh_give_a_mirrored_displacement() {
     let offset = DVec3::new(0.4, 0.7, -0.3);
     for operator in Operator::ALL {
         let system = system(&mesh, operator);
-        for kind in HOLDS {
+        for kind in KINDS {
             let handles = [61, mirror(61)];
             let anchors = [234, mirror(234), 10, 152];
             let response = system.respond(&Constraints { handles: &handles, anchors: &anchors, kind, falloff: None });
@@ -277,7 +277,7 @@ fn mirrored_handles_on_a_symmetric_mesh_give_a_mirrored_displacement() {
 }
 
 #[test]
-fn the_papers_random_edits_never_leave_a_lone_peak() {
+fn the_papers_random_edits_leave_no_peaks() {
     let topology = face("tessellation");
     let mesh = Mesh { name: "face", topology, positions: canonical_face().positions };
     let system = system(&mesh, Operator::UniformSymmetric);
@@ -293,19 +293,19 @@ fn the_papers_random_edits_never_leave_a_lone_peak() {
 }
 
 #[test]
-fn one_factor_for_many_anchors_serves_all_handles_as_a_factor_for_each_does() {
+fn an_anchored_system_equals_a_factor_per_choice_of_handles() {
     let mesh = canonical_face();
     let anchors: Vec<u32> = (160..460).collect();
     for operator in Operator::ALL {
         let system = system(&mesh, operator);
-        for kind in HOLDS {
+        for kind in KINDS {
             let under = |handles| Constraints { handles, anchors: &anchors, kind, falloff: None };
             let anchored = system.anchored(&under(&[4])).unwrap().unwrap();
             for handles in [&[4][..], &[1, 61, 152]] {
-                let (once, anew) =
+                let (shared, separate) =
                     (anchored.respond(&under(handles)).unwrap(), system.respond(&under(handles)).unwrap());
                 for index in 0..handles.len() {
-                    let pairs = once.field(index).iter().zip(anew.field(index));
+                    let pairs = shared.field(index).iter().zip(separate.field(index));
                     let apart = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                     assert!(apart < 1e-10, "{operator:?}, {kind:?}: {apart}");
                 }

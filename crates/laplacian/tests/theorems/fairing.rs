@@ -33,7 +33,7 @@ fn faired_values_solve_the_dense_normal_equations() {
 }
 
 #[test]
-fn a_constant_stays_and_the_mean_of_a_symmetric_operators_values_does() {
+fn fairing_keeps_constants_and_the_mean_under_a_symmetric_operator() {
     for mesh in small() {
         let mut seeded = Seeded::new(6);
         let values: Vec<f64> = mesh.positions.iter().map(|_| seeded.signed()).collect();
@@ -49,7 +49,7 @@ fn a_constant_stays_and_the_mean_of_a_symmetric_operators_values_does() {
 }
 
 #[test]
-fn what_cannot_be_faired_is_refused() {
+fn invalid_weights_and_values_are_rejected() {
     let mesh = &small()[0];
     let matrix = Operator::Uniform.matrix(&mesh.topology, &mesh.positions).unwrap();
     let values = vec![0.0; mesh.positions.len()];

@@ -1,10 +1,10 @@
-//! The numbers in `tests/golden`.
+//! Reference data in `tests/golden`.
 
 use glam::DVec3;
 use rosto_mesh::Topology;
 use serde_json::Value;
 
-/// Reads one of the files of `tests/golden`, which are compiled in so that the same test runs in a browser.
+/// Parses a file of `tests/golden`. Callers embed the text, so that the tests also run in a browser.
 pub fn golden(text: &str) -> Value {
     serde_json::from_str(text).unwrap()
 }

@@ -1,4 +1,4 @@
-//! The paper's own edits, solved with a dense pseudo-inverse in NumPy (`tests/golden/edits.json`).
+//! The paper's edits, solved with a dense pseudo-inverse in NumPy (`tests/golden/edits.json`).
 
 use glam::DVec3;
 use rosto_laplacian::{Constraints, LaplacianSystem, Operator};
@@ -9,7 +9,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use crate::golden::{face, golden, indices, points};
 
 #[test]
-fn every_edit_equals_the_pseudo_inverse() {
+fn edits_equal_the_pseudo_inverse() {
     let file = golden(include_str!("../../../../tests/golden/edits.json"));
     let rest = points(&file["rest_positions"]);
     let cases = file["cases"].as_array().unwrap();

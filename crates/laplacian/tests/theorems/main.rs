@@ -1,5 +1,5 @@
-//! What must hold for every mesh and every edit, run natively and, with the same bodies, in a browser.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
+//! Properties that must hold for any mesh and edit. The same tests run natively and in a browser.
+#![allow(clippy::unwrap_used, reason = "a failed set-up fails the test")]
 
 mod distortion;
 mod edits;

@@ -1,4 +1,4 @@
-//! Meshes to try theorems on.
+//! Test meshes.
 
 use glam::DVec3;
 use rosto_mesh::{LoopSubdivision, Topology};
@@ -28,7 +28,7 @@ pub fn canonical_face() -> Mesh {
     Mesh { name: "face", topology: face("canonical"), positions: points(&tables["vertices"]) }
 }
 
-/// A plane of unevenly spaced points, cut along random diagonals; not Delaunay.
+/// A plane of unevenly spaced points with random diagonals; not a Delaunay triangulation.
 pub fn plane(columns: u32, rows: u32, random: &mut Seeded) -> Mesh {
     let at = |column: u32, row: u32| row * (columns + 1) + column;
     let mut triangles = Vec::new();
@@ -45,7 +45,7 @@ pub fn plane(columns: u32, rows: u32, random: &mut Seeded) -> Mesh {
     Mesh::new("plane", triangles, (0..count).map(place).collect())
 }
 
-/// A closed ring, `around` by `across`.
+/// A torus of `around` by `across` quads, each split into two triangles.
 pub fn torus(around: u32, across: u32) -> Mesh {
     let at = |i: u32, j: u32| (i % around) * across + j % across;
     let cut = |(i, j): (u32, u32)| {
@@ -62,7 +62,7 @@ pub fn torus(around: u32, across: u32) -> Mesh {
     Mesh::new("torus", squares.flat_map(cut).collect(), (0..around * across).map(place).collect())
 }
 
-/// Two planes far apart, and a vertex that no triangle uses.
+/// Two distant planes, and a vertex without triangles.
 pub fn apart(random: &mut Seeded) -> Mesh {
     let (near, far) = (plane(3, 3, random), plane(2, 4, random));
     let shift = near.vertex_count() as u32;
@@ -73,7 +73,7 @@ pub fn apart(random: &mut Seeded) -> Mesh {
     Mesh::new("apart", triangles, positions)
 }
 
-/// Small ones of every kind.
+/// Small closed, open and disconnected meshes.
 pub fn small() -> Vec<Mesh> {
     let random = &mut Seeded::new(7);
     let tetrahedron = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
@@ -85,7 +85,8 @@ pub fn small() -> Vec<Mesh> {
     vec![solid, egg, plane(5, 4, random), torus(9, 6), apart(random)]
 }
 
-/// The first and the last two vertices of a small mesh's first component, far from one another: handle and anchors.
+/// Returns the first vertex of the first component as handle, and its last two vertices, which are far away, as
+/// anchors.
 pub fn handle_and_anchors(mesh: &Mesh) -> (u32, [u32; 2]) {
     let component = mesh.topology.components();
     let own: Vec<u32> = (0..mesh.vertex_count() as u32).filter(|&vertex| component[vertex as usize] == 0).collect();

@@ -30,7 +30,7 @@ fn rows_sum_to_zero() {
 }
 
 #[test]
-fn all_operators_but_those_with_scaled_rows_are_symmetric() {
+fn operators_without_scaled_rows_are_symmetric() {
     for mesh in small() {
         for operator in symmetric() {
             let matrix = dense(&mesh, operator);
@@ -40,7 +40,7 @@ fn all_operators_but_those_with_scaled_rows_are_symmetric() {
 }
 
 #[test]
-fn symmetric_operators_are_semi_definite_with_one_zero_for_each_component() {
+fn symmetric_operators_are_semi_definite_with_one_zero_per_component() {
     for mesh in small() {
         let mut components = mesh.topology.components();
         components.sort_unstable();
@@ -56,7 +56,7 @@ fn symmetric_operators_are_semi_definite_with_one_zero_for_each_component() {
 }
 
 #[test]
-fn the_row_normalised_operator_has_the_spectrum_of_a_symmetric_one() {
+fn the_random_walk_operator_is_similar_to_a_symmetric_one() {
     for mesh in small() {
         let degrees: Vec<f64> =
             (0..mesh.vertex_count() as u32).map(|v| mesh.topology.degree(v).max(1) as f64).collect();
@@ -74,7 +74,7 @@ fn the_row_normalised_operator_has_the_spectrum_of_a_symmetric_one() {
 
 #[test]
 fn the_mass_weighted_operator_minimises_the_integral_of_the_squared_laplacian() {
-    // `Σ mᵢ (Δd)ᵢ²` with `Δd = M⁻¹ L d`, worked out triangle by triangle.
+    // `Σ mᵢ (Δd)ᵢ²` with `Δd = M⁻¹ L d`, computed per triangle.
     for mesh in small() {
         let random = &mut Seeded::new(7);
         let d = DMatrix::from_fn(mesh.vertex_count(), 1, |_, _| random.signed());
@@ -96,7 +96,7 @@ fn the_mass_weighted_operator_minimises_the_integral_of_the_squared_laplacian() 
 }
 
 #[test]
-fn the_papers_operators_are_its_equations() {
+fn the_papers_operators_match_its_equations() {
     let mesh = canonical_face();
     let (symmetric, normalised) = (dense(&mesh, Operator::UniformSymmetric), dense(&mesh, Operator::Uniform));
     for i in 0..468 {
@@ -110,7 +110,7 @@ fn the_papers_operators_are_its_equations() {
 }
 
 #[test]
-fn the_cotangent_operator_sees_no_bend_in_a_plane_however_it_is_cut() {
+fn the_cotangent_operator_has_linear_precision_on_any_triangulated_plane() {
     for seed in 0..20 {
         let mesh = plane(6, 5, &mut Seeded::new(seed));
         let matrix = dense(&mesh, Operator::Cotangent);
@@ -126,7 +126,7 @@ fn the_cotangent_operator_sees_no_bend_in_a_plane_however_it_is_cut() {
 }
 
 #[test]
-fn no_operator_notices_where_a_mesh_stands_how_it_is_turned_or_how_large_it_is() {
+fn operators_are_invariant_to_similarity_transforms() {
     each(|mesh, operator| {
         let random = &mut Seeded::new(mesh.vertex_count() as u64);
         let (turn, shift, scale) = (random.rotation(), 5.0 * random.vector(), 3.7);
@@ -138,7 +138,7 @@ fn no_operator_notices_where_a_mesh_stands_how_it_is_turned_or_how_large_it_is()
 }
 
 #[test]
-fn near_neighbours_and_busy_ones_weigh_more() {
+fn short_edges_and_high_degrees_weigh_more() {
     let mesh = plane(5, 4, &mut Seeded::new(3));
     let (lengths, degrees) = (dense(&mesh, Operator::InverseLength), dense(&mesh, Operator::Degree));
     let edges = mesh.topology.edges();

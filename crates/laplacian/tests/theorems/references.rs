@@ -1,5 +1,5 @@
-//! What NumPy and libigl answer, on the canonical face and on two meshes that are no faces (`tests/golden/engine.json`,
-//! written by `tests/reference/engine.py`).
+//! Comparison with NumPy and libigl on the canonical face and two other meshes (`tests/golden/engine.json`, written by
+//! `tests/reference/engine.py`).
 
 use glam::DVec3;
 use rosto_laplacian::{ConstraintKind, Constraints, Geodesics, LaplacianSystem, Operator, RigidOptions, RigidSystem};
@@ -44,7 +44,7 @@ impl Reference {
         self.answers[answer].as_array().unwrap().iter().map(|value| value.as_f64().unwrap()).collect()
     }
 
-    /// How far `found` is from the points of an answer, at most, as a share of the offset.
+    /// Greatest distance from `found` to the points of an answer, relative to the offset.
     fn worst(&self, answer: &str, found: &[DVec3]) -> f64 {
         let distances = points(&self.answers[answer]).into_iter().zip(found).map(|(a, b)| a.distance(*b));
         distances.fold(0.0, f64::max) / self.offset.length()
@@ -52,7 +52,7 @@ impl Reference {
 }
 
 #[test]
-fn the_papers_edit_is_numpys_pseudo_inverse() {
+fn the_papers_edit_equals_numpys_pseudo_inverse() {
     for reference in Reference::all() {
         let system = LaplacianSystem::new(&reference.topology, &reference.rest, Operator::UniformSymmetric).unwrap();
         let handles = [reference.handle];
@@ -65,7 +65,7 @@ fn the_papers_edit_is_numpys_pseudo_inverse() {
 }
 
 #[test]
-fn the_cotangent_operator_is_libigls_with_the_sign_turned() {
+fn the_cotangent_operator_is_the_negative_of_libigls() {
     for reference in Reference::all() {
         let matrix = Operator::Cotangent.matrix(&reference.topology, &reference.rest).unwrap();
         let entries = reference.answers["cotangent"].as_array().unwrap();
@@ -79,7 +79,7 @@ fn the_cotangent_operator_is_libigls_with_the_sign_turned() {
 }
 
 #[test]
-fn exact_cotangent_edits_are_libigls_biharmonic_fields() {
+fn hard_cotangent_edits_equal_libigls_biharmonic_fields() {
     for reference in Reference::all() {
         let system = LaplacianSystem::new(&reference.topology, &reference.rest, Operator::Cotangent).unwrap();
         let handles = [reference.handle];
@@ -93,7 +93,7 @@ fn exact_cotangent_edits_are_libigls_biharmonic_fields() {
 }
 
 #[test]
-fn libigls_harmonic_fields_have_no_delta_but_where_they_are_held() {
+fn libigls_harmonic_fields_have_zero_delta_at_free_vertices() {
     for reference in Reference::all() {
         let system = LaplacianSystem::new(&reference.topology, &reference.rest, Operator::Cotangent).unwrap();
         let field: Vec<DVec3> = reference.numbers("harmonic").into_iter().map(DVec3::splat).collect();
@@ -104,9 +104,9 @@ fn libigls_harmonic_fields_have_no_delta_but_where_they_are_held() {
     }
 }
 
-/// libigl fits its rotations in single precision, so that it stops a little short of the least energy.
+/// libigl fits its rotations in single precision and stops slightly above the minimum of the energy.
 #[test]
-fn rigid_edits_settle_where_libigls_do_and_no_higher() {
+fn rigid_edits_converge_to_libigls_at_no_higher_energy() {
     let settled = RigidOptions { max_iterations: 500, tolerance: 0.0 };
     let untouched = RigidOptions { max_iterations: 0, tolerance: 0.0 };
     for reference in Reference::all() {
@@ -126,7 +126,7 @@ fn rigid_edits_settle_where_libigls_do_and_no_higher() {
 }
 
 #[test]
-fn distances_are_near_libigls_exact_ones() {
+fn distances_approximate_libigls_exact_geodesics() {
     for reference in Reference::all() {
         let geodesics = Geodesics::new(&reference.topology, &reference.rest).unwrap();
         let found = geodesics.distances(&[reference.handle]).unwrap();

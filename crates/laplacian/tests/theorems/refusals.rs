@@ -20,7 +20,7 @@ fn refusal(handles: &[u32], anchors: &[u32], kind: ConstraintKind) -> LaplacianE
 }
 
 #[test]
-fn constraints_without_an_answer_are_refused_with_the_vertex_at_fault() {
+fn invalid_constraints_report_the_vertex() {
     let soft = ConstraintKind::default();
     assert_eq!(refusal(&[], &[1, 2], soft), LaplacianError::NoHandle);
     assert_eq!(refusal(&[3, 4, 3], &[1], soft), LaplacianError::Repeated { vertex: 3 });
@@ -42,11 +42,11 @@ fn weights_must_be_positive_numbers() {
     let system = LaplacianSystem::new(&mesh.topology, &mesh.positions, Operator::default()).unwrap();
     let kind = ConstraintKind::Soft { weight: f64::NAN };
     let error = system.respond(&Constraints { handles: &[3], anchors: &[1], kind, falloff: None }).unwrap_err();
-    assert_eq!(error.to_string(), "a constraint's weight must be positive and finite, not NaN");
+    assert_eq!(error.to_string(), "a constraint's weight must be positive and finite; got NaN");
 }
 
 #[test]
-fn positions_must_be_finite_and_as_many_as_the_vertices() {
+fn positions_must_be_finite_and_match_the_vertices() {
     let mesh = canonical_face();
     for operator in Operator::ALL {
         let build = |positions: &[DVec3]| LaplacianSystem::new(&mesh.topology, positions, operator).err();
@@ -61,7 +61,7 @@ fn positions_must_be_finite_and_as_many_as_the_vertices() {
 }
 
 #[test]
-fn a_mesh_without_vertices_is_refused() {
+fn an_empty_mesh_is_rejected() {
     let nothing = Topology::new(0, Vec::new()).unwrap();
     for operator in Operator::ALL {
         assert_eq!(LaplacianSystem::new(&nothing, &[], operator).err(), Some(LaplacianError::Empty));
@@ -70,7 +70,7 @@ fn a_mesh_without_vertices_is_refused() {
 }
 
 #[test]
-fn regions_must_fit_the_mesh_and_hold_its_handles() {
+fn regions_must_match_the_mesh_and_contain_the_handles() {
     let mesh = canonical_face();
     let system = LaplacianSystem::new(&mesh.topology, &mesh.positions, Operator::default()).unwrap();
     let respond = |falloff: &Falloff| {
@@ -91,7 +91,7 @@ fn regions_must_fit_the_mesh_and_hold_its_handles() {
 }
 
 #[test]
-fn messages_name_the_vertex() {
+fn error_messages_name_the_vertex() {
     let message = refusal(&[3], &[1, 3], ConstraintKind::Hard).to_string();
-    assert_eq!(message, "vertex 3 is a handle and an anchor at once");
+    assert_eq!(message, "vertex 3 is both a handle and an anchor");
 }

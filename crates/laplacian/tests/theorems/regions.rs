@@ -12,7 +12,7 @@ fn distances(mesh: &Mesh, sources: &[u32]) -> Vec<f64> {
 }
 
 #[test]
-fn on_a_plane_the_way_is_straight() {
+fn on_a_plane_distances_are_euclidean() {
     let mesh = plane(40, 40, &mut Seeded::new(12));
     let centre = 20 * 41 + 20;
     for (vertex, &found) in distances(&mesh, &[centre]).iter().enumerate() {
@@ -22,8 +22,8 @@ fn on_a_plane_the_way_is_straight() {
 }
 
 #[test]
-fn around_a_bend_the_way_follows_the_surface() {
-    // A sheet rolled to a half cylinder is as long as it was flat.
+fn on_a_bent_sheet_distances_follow_the_surface() {
+    // A sheet rolled into a half cylinder keeps its intrinsic distances.
     let mut mesh = plane(40, 12, &mut Seeded::new(9));
     let flat = mesh.positions.clone();
     let radius = 40.0 / std::f64::consts::PI;
@@ -39,7 +39,7 @@ fn around_a_bend_the_way_follows_the_surface() {
 }
 
 #[test]
-fn on_a_dense_face_ways_are_longer_than_straight_lines_and_shorter_than_ways_along_edges() {
+fn on_a_dense_face_distances_lie_between_straight_lines_and_edge_paths() {
     let cage = canonical_face();
     let dense = LoopSubdivision::new(&cage.topology, 2);
     let mesh = Mesh { name: "dense face", topology: dense.topology().clone(), positions: dense.apply(&cage.positions) };
@@ -51,7 +51,7 @@ fn on_a_dense_face_ways_are_longer_than_straight_lines_and_shorter_than_ways_alo
     }
 }
 
-/// Bellman and Ford's relaxation, which needs no queue.
+/// Shortest paths along edges, by the Bellman–Ford algorithm.
 fn shortest_along_edges(mesh: &Mesh, source: usize) -> Vec<f64> {
     let mut distance = vec![f64::INFINITY; mesh.vertex_count()];
     distance[source] = 0.0;
@@ -85,7 +85,7 @@ fn distances_scale_with_the_mesh() {
 }
 
 #[test]
-fn the_nearest_source_counts_and_other_pieces_are_out_of_reach() {
+fn distances_are_infinite_in_components_without_a_source() {
     let mesh = apart(&mut Seeded::new(1));
     let found = distances(&mesh, &[0, 15]);
     let component = mesh.topology.components();
@@ -96,12 +96,12 @@ fn the_nearest_source_counts_and_other_pieces_are_out_of_reach() {
 }
 
 #[test]
-fn without_sources_everything_is_out_of_reach() {
+fn without_sources_distances_are_infinite() {
     assert!(distances(&canonical_face(), &[]).iter().all(|distance| distance.is_infinite()));
 }
 
 #[test]
-fn a_region_fades_from_one_to_zero_without_a_step() {
+fn a_region_falls_smoothly_from_one_to_zero() {
     let along: Vec<f64> = (0..=1000).map(|k| f64::from(k) / 500.0).collect();
     let falloff = Falloff::within(1.5, &along).unwrap();
     let weights = falloff.weights();
@@ -112,7 +112,7 @@ fn a_region_fades_from_one_to_zero_without_a_step() {
 }
 
 #[test]
-fn nothing_moves_outside_the_region_and_exact_handles_still_arrive() {
+fn vertices_outside_the_region_stay_and_hard_handles_reach_their_targets() {
     let mesh = canonical_face();
     let along = distances(&mesh, &[4]);
     let falloff = Falloff::within(4.0, &along).unwrap();
@@ -136,7 +136,7 @@ fn nothing_moves_outside_the_region_and_exact_handles_still_arrive() {
 }
 
 #[test]
-fn a_line_of_triangles_without_area_still_has_distances() {
+fn degenerate_triangles_have_finite_distances() {
     let topology = Topology::new(4, vec![[0, 1, 2], [1, 3, 2]]).unwrap();
     let positions = [0.0, 1.0, 2.0, 3.0].map(|x| DVec3::new(x, 0.0, 0.0));
     let found = Geodesics::new(&topology, &positions).unwrap().distances(&[0]).unwrap();

@@ -6,14 +6,14 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use crate::meshes::{Mesh, canonical_face, handle_and_anchors, plane, small};
 use crate::seeded::Seeded;
 
-const PATIENT: RigidOptions = RigidOptions { max_iterations: 60, tolerance: 0.0 };
+const MANY_ITERATIONS: RigidOptions = RigidOptions { max_iterations: 60, tolerance: 0.0 };
 
 fn rigid(mesh: &Mesh, operator: Operator) -> RigidSystem {
     RigidSystem::new(&mesh.topology, &mesh.positions, operator).unwrap()
 }
 
 #[test]
-fn the_energy_never_rises_and_the_turns_are_bounded() {
+fn the_energy_does_not_increase_and_iterations_are_bounded() {
     for mesh in small().into_iter().chain([canonical_face()]) {
         let (handle, anchors) = handle_and_anchors(&mesh);
         for operator in Operator::ALL {
@@ -23,7 +23,7 @@ fn the_energy_never_rises_and_the_turns_are_bounded() {
                 let mut positions = mesh.positions.clone();
                 let energies = rigid.constrain(&constraints).unwrap().settle(
                     &[DVec3::new(2.0, 1.0, 3.0)],
-                    &PATIENT,
+                    &MANY_ITERATIONS,
                     &mut positions,
                 );
                 let energies = energies.unwrap();
@@ -36,20 +36,20 @@ fn the_energy_never_rises_and_the_turns_are_bounded() {
 }
 
 #[test]
-fn no_offset_moves_nothing() {
+fn a_zero_offset_moves_nothing() {
     for mesh in small() {
         let (handle, anchors) = handle_and_anchors(&mesh);
         let constraints = Constraints { handles: &[handle], anchors: &anchors, ..Default::default() };
         let mut positions = mesh.positions.clone();
         let edit = rigid(&mesh, Operator::Cotangent).constrain(&constraints).unwrap();
-        edit.settle(&[DVec3::ZERO], &PATIENT, &mut positions).unwrap();
+        edit.settle(&[DVec3::ZERO], &MANY_ITERATIONS, &mut positions).unwrap();
         let worst = positions.iter().zip(&mesh.positions).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
         assert!(worst < 1e-12, "{}: {worst:e}", mesh.name);
     }
 }
 
 #[test]
-fn handles_that_turn_as_a_body_turn_the_whole_mesh() {
+fn rigidly_moved_handles_move_the_mesh_rigidly() {
     let mesh = canonical_face();
     let (turn, shift) = (Seeded::new(3).rotation(), DVec3::new(1.0, 2.0, 3.0));
     let turned: Vec<DVec3> = mesh.positions.iter().map(|&position| turn * position + shift).collect();
@@ -57,20 +57,20 @@ fn handles_that_turn_as_a_body_turn_the_whole_mesh() {
     let offsets = handles.map(|handle: u32| turned[handle as usize] - mesh.positions[handle as usize]);
     for kind in [ConstraintKind::Soft { weight: 1.0 }, ConstraintKind::Hard] {
         let constraints = Constraints { handles: &handles[1..], anchors: &handles[..1], kind, falloff: None };
-        // The one anchor stays, so turn about it.
+        // The single anchor stays, so rotate about it.
         let about = mesh.positions[handles[0] as usize];
         let turned: Vec<DVec3> = mesh.positions.iter().map(|&position| about + turn * (position - about)).collect();
         let offsets: Vec<DVec3> = offsets[1..].iter().map(|offset| *offset - offsets[0]).collect();
         let edit = rigid(&mesh, Operator::Cotangent).constrain(&constraints).unwrap();
         let mut positions = turned.clone();
-        let energies = edit.settle(&offsets, &PATIENT, &mut positions).unwrap();
+        let energies = edit.settle(&offsets, &MANY_ITERATIONS, &mut positions).unwrap();
         assert!(energies[0] < 1e-20);
         assert!(positions.iter().zip(&turned).all(|(a, b)| a.distance(*b) < 1e-9));
     }
 }
 
 #[test]
-fn a_bent_strip_keeps_its_lengths_better_than_a_linear_edit() {
+fn a_bent_strip_stretches_less_than_in_a_linear_edit() {
     let mesh = plane(24, 3, &mut Seeded::new(30));
     let row = |column: u32| (0..4).map(|row| row * 25 + column).collect::<Vec<_>>();
     let (handles, anchors) = (row(24), row(0));
@@ -83,7 +83,7 @@ fn a_bent_strip_keeps_its_lengths_better_than_a_linear_edit() {
     rigid(&mesh, Operator::Cotangent)
         .constrain(&constraints)
         .unwrap()
-        .settle(&offsets, &PATIENT, &mut settled)
+        .settle(&offsets, &MANY_ITERATIONS, &mut settled)
         .unwrap();
     let stretch = |positions: &[DVec3]| {
         let length = |at: &[DVec3], [a, b]: [u32; 2]| at[a as usize].distance(at[b as usize]);
@@ -95,7 +95,7 @@ fn a_bent_strip_keeps_its_lengths_better_than_a_linear_edit() {
 }
 
 #[test]
-fn exact_handles_land_and_nothing_moves_outside_a_region() {
+fn hard_handles_reach_their_targets_and_vertices_outside_the_region_stay() {
     let mesh = canonical_face();
     let falloff = mesh.positions.iter().map(|p| 1.0 - p.distance(mesh.positions[4]) / 5.0).collect();
     let falloff = Falloff::new(falloff).unwrap();
