@@ -1,28 +1,28 @@
 use thiserror::Error;
 
-/// Why a list of triangles is not a mesh, or positions do not fit one.
+/// Reasons why triangles or positions are invalid.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum MeshError {
-    /// A triangle names a vertex that is not there.
-    #[error("triangle {triangle} names vertex {vertex}, but the mesh has {vertex_count} vertices")]
+    /// A triangle uses a vertex outside the mesh.
+    #[error("triangle {triangle} uses vertex {vertex}, but the mesh has {vertex_count} vertices")]
     VertexOutOfRange {
         /// Index of the triangle.
         triangle: usize,
-        /// The vertex it names.
+        /// The vertex.
         vertex: u32,
-        /// How many vertices there are.
+        /// Number of vertices.
         vertex_count: usize,
     },
-    /// A triangle names one vertex twice.
-    #[error("triangle {triangle} names vertex {vertex} twice")]
+    /// A triangle uses a vertex twice.
+    #[error("triangle {triangle} uses vertex {vertex} twice")]
     RepeatedCorner {
         /// Index of the triangle.
         triangle: usize,
-        /// The vertex it repeats.
+        /// The repeated vertex.
         vertex: u32,
     },
-    /// A slice with one value for each vertex has another length.
+    /// The number of values differs from the number of vertices.
     #[error("{found} values for {expected} vertices")]
     LengthMismatch {
         /// Number of vertices.

@@ -1,7 +1,7 @@
-//! Triangle meshes: topology apart from positions, adjacency, normals, subdivision, picking.
+//! Triangle meshes: topology, adjacency, normals, subdivision and picking.
 //!
-//! A mesh is a [`Topology`] (which vertices are joined) beside a slice of positions (where they are), so that one
-//! topology serves every edit of a face; a [`Surface`] borrows both and knows that they fit. Positions are `f64` in whatever unit the caller works in.
+//! A [`Topology`] is stored apart from the positions, so that one topology serves many edits of a mesh. A [`Surface`]
+//! borrows both and checks that they match. Positions are `f64` in the caller's unit.
 
 mod boundary;
 mod error;
@@ -22,7 +22,7 @@ pub use subdivision::{LoopSubdivision, Value};
 pub use surface::Surface;
 pub use topology::Topology;
 
-/// The examples of the README are tested with those of the code.
+/// Runs the README's examples as doc-tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;

@@ -1,18 +1,18 @@
-//! An enum as one table: its variants with the ids by which files, command lines and panels know them.
+//! Enums with string ids.
 
-/// Declares an enum whose variants have ids: `Variant = "id"`.
+/// Declares an enum whose variants have string ids: `Variant = "id"`.
 ///
-/// The enum gets `ALL`, its variants in the order of the table; `id`, a variant's stable name for files, command lines and
-/// panels; and `from_id`, the inverse of `id`. Words for people are looked up by the id, in any language.
+/// The macro adds `ALL`, the variants in declaration order; `id`, the stable id of a variant in files, on the command
+/// line and in panels; and `from_id`, its inverse. Translations are looked up by id.
 ///
 /// ```
 /// rosto_mesh::named! {
 ///     /// A primary colour.
 ///     #[derive(Debug, Clone, Copy, PartialEq)]
 ///     pub enum Primary {
-///         /// Like blood.
+///         /// Wavelengths around 650 nm.
 ///         Red = "red",
-///         /// Like the sky.
+///         /// Wavelengths around 450 nm.
 ///         Blue = "blue",
 ///     }
 /// }
@@ -34,17 +34,17 @@ macro_rules! named {
         }
 
         impl $name {
-            /// All of them, in the order of their definition.
+            /// All variants, in declaration order.
             pub const ALL: [Self; [$($id),+].len()] = [$(Self::$variant),+];
 
-            /// A stable name for files, command lines and panels.
+            /// The stable id in files, on the command line and in panels.
             pub const fn id(self) -> &'static str {
                 match self {
                     $(Self::$variant => $id,)+
                 }
             }
 
-            /// The one whose id this is.
+            /// The variant with this id.
             pub fn from_id(id: &str) -> Option<Self> {
                 Self::ALL.into_iter().find(|one| one.id() == id)
             }

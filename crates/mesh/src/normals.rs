@@ -2,13 +2,12 @@ use glam::DVec3;
 
 use crate::Topology;
 
-/// Area-weighted unit normals, one per vertex, pointing to the side from which triangles wind counter-clockwise.
+/// Area-weighted unit normals, one per vertex, on the side where triangles wind counter-clockwise.
 ///
-/// The normal of a vertex is the normalised sum of the (area-scaled) normals of its triangles. A vertex without any area
-/// around it, or whose triangles cancel, gets `+Z`, so that every normal has length 1.
+/// Normalises the sum of the area vectors of the vertex's triangles. If that sum is zero, the normal is `+Z`.
 ///
 /// # Panics
-/// If there is not one position for each vertex.
+/// If the numbers of positions and vertices differ.
 pub fn vertex_normals(topology: &Topology, positions: &[DVec3]) -> Vec<DVec3> {
     assert_eq!(positions.len(), topology.vertex_count(), "one position for each vertex");
     let mut normals = vec![DVec3::ZERO; positions.len()];
@@ -31,7 +30,7 @@ mod tests {
     use crate::shapes::{icosahedron, tetrahedron};
 
     #[test]
-    fn normals_of_a_sphere_like_solid_point_away_from_its_centre() {
+    fn normals_of_an_icosahedron_point_outwards() {
         let (topology, positions) = icosahedron();
         for (normal, position) in vertex_normals(&topology, &positions).iter().zip(&positions) {
             assert!(normal.dot(position.normalize()) > 1.0 - 1e-12);
@@ -39,7 +38,7 @@ mod tests {
     }
 
     #[test]
-    fn a_vertex_without_triangles_still_has_a_unit_normal() {
+    fn a_vertex_without_triangles_has_a_unit_normal() {
         let lonely = Topology::new(4, vec![[0, 1, 2]]).unwrap();
         let normals = vertex_normals(&lonely, &[DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::ONE]);
         assert_eq!(normals, [DVec3::Z; 4]);
@@ -47,7 +46,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn normals_turn_with_the_mesh_and_ignore_its_place_and_size(
+        fn normals_rotate_with_the_mesh_and_ignore_translation_and_scale(
             turn in prop::array::uniform4(-1.0..1.0f64), shift in prop::array::uniform3(-9.0..9.0f64), scale in 0.1..10.0f64,
         ) {
             prop_assume!(DVec3::new(turn[0], turn[1], turn[2]).length() > 0.1);

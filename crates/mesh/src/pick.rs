@@ -2,12 +2,12 @@ use glam::DVec3;
 
 use crate::Surface;
 
-/// A half-line; `direction` need not have length 1.
+/// A half-line. `direction` need not be normalised.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ray {
-    /// Where the ray starts.
+    /// Start point.
     pub origin: DVec3,
-    /// Where it goes; distances are counted in multiples of this vector.
+    /// Direction; its length is the unit of distance along the ray.
     pub direction: DVec3,
 }
 
@@ -18,21 +18,21 @@ impl Ray {
     }
 }
 
-/// Where a ray meets a mesh first.
+/// The first intersection of a ray with a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
     /// Index of the triangle.
     pub triangle: usize,
-    /// Its three vertices.
+    /// Vertices of the triangle.
     pub corners: [u32; 3],
-    /// Weights of its three corners at the point, each in `0..=1`, summing to 1.
+    /// Barycentric coordinates of the point, each in `0..=1`, with sum 1.
     pub barycentric: [f64; 3],
-    /// How far along the ray, in multiples of its direction.
+    /// Distance along the ray, in multiples of its direction.
     pub distance: f64,
 }
 
 impl Hit {
-    /// The vertex of the triangle that has the greatest weight at the point.
+    /// The vertex with the greatest barycentric coordinate.
     pub fn nearest_corner(&self) -> u32 {
         let [a, b, c] = self.barycentric;
         let corner = if a >= b && a >= c { 0 } else { 1 + usize::from(c > b) };
@@ -40,22 +40,22 @@ impl Hit {
     }
 }
 
-/// The nearest triangle that `ray` meets at or after its origin, seen from either side; `None` where it meets none.
+/// Returns the nearest triangle that `ray` meets at or after its origin, from either side, or `None`.
 ///
-/// Möller and Trumbore's intersection over every triangle. A triangle seen exactly edge-on is not met, nor one with a
-/// corner that is not finite.
+/// Tests all triangles by Möller and Trumbore's method. Misses triangles seen exactly edge-on and triangles with a
+/// non-finite corner.
 pub fn pick(surface: Surface<'_>, ray: &Ray) -> Option<Hit> {
     let triangles = surface.topology().triangles().iter().zip(surface.triangles()).enumerate();
-    let hits = triangles.filter_map(|(triangle, (&corners, places))| {
-        let (barycentric, distance) = meet(ray, places)?;
+    let hits = triangles.filter_map(|(triangle, (&corners, corner_positions))| {
+        let (barycentric, distance) = meet(ray, corner_positions)?;
         Some(Hit { triangle, corners, barycentric, distance })
     });
     hits.min_by(|one, other| one.distance.total_cmp(&other.distance))
 }
 
-/// How far outside a triangle, in shares of it, still counts as on its rim: a ray aimed exactly at a corner or an edge
-/// would slip between the triangles that share it.
-const RIM: f64 = 1e-9;
+/// Tolerance on barycentric coordinates, so that a ray aimed at a corner or an edge does not pass between its
+/// triangles.
+const TOLERANCE: f64 = 1e-9;
 
 fn meet(ray: &Ray, [a, b, c]: [DVec3; 3]) -> Option<([f64; 3], f64)> {
     let (ab, ac) = (b - a, c - a);
@@ -70,7 +70,7 @@ fn meet(ray: &Ray, [a, b, c]: [DVec3; 3]) -> Option<([f64; 3], f64)> {
     let w = ray.direction.dot(around) / determinant;
     let distance = ac.dot(around) / determinant;
     let u = 1.0 - v - w;
-    let inside = u >= -RIM && v >= -RIM && w >= -RIM && distance >= 0.0 && distance.is_finite();
+    let inside = u >= -TOLERANCE && v >= -TOLERANCE && w >= -TOLERANCE && distance >= 0.0 && distance.is_finite();
     inside.then(|| ([u, v, w].map(|weight| weight.clamp(0.0, 1.0)), distance))
 }
 
@@ -88,7 +88,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_ray_at_a_point_of_the_surface_finds_it_first(
+        fn a_ray_at_a_surface_point_hits_it_first(
             triangle in 0..20usize, (u, v) in (0.01..0.98f64, 0.01..0.98f64), far in 0.5..50.0f64,
         ) {
             let weights = [u * (1.0 - v), u * v, 1.0 - u];
@@ -105,7 +105,7 @@ mod tests {
         }
 
         #[test]
-        fn a_ray_away_from_the_mesh_meets_nothing(direction in prop::array::uniform3(-1.0..1.0f64)) {
+        fn a_ray_away_from_the_mesh_misses(direction in prop::array::uniform3(-1.0..1.0f64)) {
             let direction = DVec3::from(direction);
             prop_assume!(direction.length() > 0.1);
             let (topology, positions) = icosahedron();
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn the_nearest_corner_is_the_one_aimed_at() {
+    fn nearest_corner_has_the_greatest_weight() {
         let (topology, positions) = icosahedron();
         for &[a, b, c] in topology.triangles() {
             let [at, b, c] = [a, b, c].map(|corner| positions[corner as usize]);
@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn no_ray_slips_between_triangles_that_share_a_corner_or_an_edge() {
+    fn rays_at_shared_corners_and_edges_hit() {
         let (topology, positions) = icosahedron();
         let eye = DVec3::new(0.3, -1.7, 4.1);
         let middle = |[a, b]: &[u32; 2]| 0.5 * (positions[*a as usize] + positions[*b as usize]);
@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn rays_and_positions_that_are_no_numbers_meet_nothing() {
+    fn non_finite_rays_and_positions_miss() {
         let (topology, mut positions) = icosahedron();
         let towards = |origin: DVec3| Ray { origin, direction: -origin };
         for broken in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX] {
@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn triangles_without_area_are_not_met() {
+    fn triangles_without_area_are_missed() {
         let flat = Topology::new(3, vec![[0, 1, 2]]).unwrap();
         let line = [DVec3::ZERO, DVec3::X, 2.0 * DVec3::X];
         assert_eq!(pick(&flat, &line, &Ray { origin: DVec3::Z, direction: -DVec3::Z }), None);

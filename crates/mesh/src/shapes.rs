@@ -1,4 +1,4 @@
-//! Small meshes with known answers, for tests.
+//! Small test meshes.
 
 use glam::DVec3;
 
@@ -10,7 +10,7 @@ pub fn tetrahedron() -> (Topology, Vec<DVec3>) {
     (Topology::new(4, triangles).unwrap(), positions.map(DVec3::from).to_vec())
 }
 
-/// Twelve vertices on the unit sphere, twenty triangles seen counter-clockwise from outside.
+/// Twelve vertices on the unit sphere; twenty triangles, counter-clockwise as seen from outside.
 pub fn icosahedron() -> (Topology, Vec<DVec3>) {
     let golden = (1.0 + 5f64.sqrt()) / 2.0;
     let mut positions = Vec::new();

@@ -1,7 +1,7 @@
 use std::iter::Sum;
 use std::ops::Mul;
 
-/// A sparse matrix by rows: what each new vertex is made of.
+/// A sparse matrix stored by rows: the weights of the old vertices in each new vertex.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Stencils {
     /// Number of old vertices.
@@ -12,7 +12,7 @@ pub(crate) struct Stencils {
 }
 
 impl Stencils {
-    /// No rows yet, over `width` old vertices.
+    /// An empty matrix over `width` old vertices.
     pub(crate) fn new(width: usize) -> Self {
         Self { width, starts: vec![0], parents: Vec::new(), weights: Vec::new() }
     }
@@ -23,13 +23,13 @@ impl Stencils {
         identity
     }
 
-    /// Adds a row; entries of one parent are summed.
+    /// Appends a row; entries with the same parent are summed.
     pub(crate) fn push(&mut self, mut entries: Vec<(u32, f64)>) {
         entries.sort_by_key(|&(parent, _)| parent);
         let first = self.parents.len();
         for (parent, weight) in entries {
             if self.parents[first..].last() == Some(&parent) {
-                *self.weights.last_mut().expect("invariant: a weight for each parent") += weight;
+                *self.weights.last_mut().expect("invariant: weights and parents have equal lengths") += weight;
             } else {
                 self.parents.push(parent);
                 self.weights.push(weight);
@@ -55,9 +55,9 @@ impl Stencils {
         product
     }
 
-    /// One row times `values`.
+    /// The product of one row and `values`.
     pub(crate) fn combine<T: Copy + Mul<f64, Output = T> + Sum>(&self, row: usize, values: &[T]) -> T {
-        assert_eq!(values.len(), self.width, "one value for each vertex of the cage");
+        assert_eq!(values.len(), self.width, "one value per cage vertex");
         self.row(row).map(|(parent, weight)| values[parent as usize] * weight).sum()
     }
 }

@@ -9,37 +9,37 @@ use crate::Topology;
 use crate::boundary::corners;
 use crate::stencils::Stencils;
 
-/// Loop's subdivision of a cage, as one sparse matrix that takes values on the cage to values on the dense mesh.
+/// Loop subdivision of a cage, as a sparse matrix from values on the cage to values on the dense mesh.
 ///
-/// Each level cuts every triangle into four. Weights are Loop's own (1987): a new vertex takes ⅜ of its edge's ends and ⅛
-/// of the two corners across; an old vertex of degree `d` keeps `1 − dβ` and takes `β = (⅝ − (⅜ + ¼cos 2π/d)²) / d` of
-/// each neighbour. Along a boundary, along creases, and along edges where more than two triangles meet, only the curve
-/// counts: ½ ½ for new vertices, ⅛ ¾ ⅛ for old ones (Hoppe et al. 1994). Where such curves end or cross, and at vertices
-/// without triangles, vertices stay.
+/// Each level splits triangles into four, with Loop's weights (1987). A new vertex takes ⅜ of each end of its edge and
+/// ⅛ of each opposite corner. An old vertex of degree `d` has weight `1 − dβ`, and each neighbour `β = (⅝ − (⅜ + ¼cos
+/// 2π/d)²) / d`. Boundaries, creases, and edges of more than two triangles are subdivided as curves, with weights ½ ½
+/// for new vertices and ⅛ ¾ ⅛ for old ones (Hoppe et al. 1994). Vertices where such curves end or cross, and vertices
+/// without triangles, do not move.
 ///
-/// The cage's vertices keep their numbers; those that a level adds follow, in the order of [`Topology::edges`].
+/// Cage vertices keep their indices. Each level appends its new vertices in the order of [`Topology::edges`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoopSubdivision {
     topology: Topology,
     creases: Vec<[u32; 2]>,
     stencils: Stencils,
-    /// One over what each of the cage's vertices keeps of itself; 0 for those that are rounded off.
+    /// Inverse of each cage vertex's own weight in its stencil; 0 for smoothed vertices, see [`Self::rounding`].
     inverse_own: Vec<f64>,
 }
 
-/// What can be subdivided: a number, a vector.
+/// A value that can be subdivided, such as a number or a vector.
 pub trait Value: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self> + Sum {}
 
 impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T> + Sum> Value for T {}
 
 impl LoopSubdivision {
-    /// Subdivides `levels` times; 0 leaves the cage as it is.
+    /// Subdivides `levels` times; 0 returns the cage.
     pub fn new(cage: &Topology, levels: u32) -> Self {
         Self::creased(cage, &[], levels)
     }
 
-    /// The same with edges of the cage, in whatever order and direction, that part the surface as its boundary does: what is
-    /// on one side of such a curve knows nothing of the other. What is no edge of the cage is passed over.
+    /// Subdivides with creases, edges of the cage in any order and direction. A crease separates the surface as a
+    /// boundary does: vertices on one side do not affect the other. Pairs that are not edges of the cage are ignored.
     pub fn creased(cage: &Topology, creases: &[[u32; 2]], levels: u32) -> Self {
         let mut creases: Vec<[u32; 2]> = creases.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
         creases.retain(|crease| cage.edges().binary_search(crease).is_ok());
@@ -57,18 +57,18 @@ impl LoopSubdivision {
         dense
     }
 
-    /// The same with vertices of the cage that [`Self::interpolate`] rounds off, too: where many are near each other, a surface
-    /// through them all would go through itself.
+    /// Makes [`Self::interpolate`] smooth these cage vertices instead of interpolating them. An interpolating surface
+    /// would intersect itself where many vertices are close together.
     ///
     /// # Panics
-    /// If there is no such vertex.
+    /// If a vertex is not in the cage.
     #[must_use]
     pub fn rounding(mut self, vertices: &[u32]) -> Self {
         vertices.iter().for_each(|&vertex| self.inverse_own[vertex as usize] = 0.0);
         self
     }
 
-    /// The edges of the dense mesh that its creases have become, each from its lower to its higher vertex, ascending.
+    /// The creases of the dense mesh as sorted edges `[low, high]`.
     pub fn creases(&self) -> &[[u32; 2]] {
         &self.creases
     }
@@ -78,81 +78,83 @@ impl LoopSubdivision {
         &self.topology
     }
 
-    /// What a dense vertex is made of: vertices of the cage, ascending, and their weights, which sum to 1.
+    /// The weights of a dense vertex's cage vertices, in ascending order; they sum to 1.
     ///
     /// # Panics
-    /// If there is no such dense vertex.
+    /// If `vertex` is not in the dense mesh.
     pub fn stencil(&self, vertex: u32) -> impl Iterator<Item = (u32, f64)> {
         self.stencils.row(vertex as usize)
     }
 
-    /// The dense mesh's values (positions, texture coordinates, displacements …) from the cage's.
+    /// Returns the dense mesh's values (positions, texture coordinates, displacements) for the cage's values.
     ///
     /// # Panics
-    /// If there is not one value for each vertex of the cage.
+    /// If the numbers of values and cage vertices differ.
     pub fn apply<T: Value>(&self, cage: &[T]) -> Vec<T> {
         (0..self.topology.vertex_count()).map(|vertex| self.stencils.combine(vertex, cage)).collect()
     }
 
-    /// The dense mesh's values that pass through the cage's: each of the cage's vertices has its own value there, too, where
-    /// [`Self::apply`] rounds it off. They are those of another cage, the control cage. Meant for one level at a time, of which
-    /// each passes through the one before; over several at once more of what is lacking stays.
+    /// Returns dense values that interpolate the cage's values, which [`Self::apply`] smooths. They are the subdivision
+    /// of another cage, the control cage.
+    ///
+    /// Meant for one level at a time, each interpolating the previous one: the residual of the control cage is larger
+    /// over several levels.
     ///
     /// # Panics
-    /// If there is not one value for each vertex of the cage.
+    /// If the numbers of values and cage vertices differ.
     pub fn interpolate<T: Value>(&self, cage: &[T]) -> Vec<T> {
         let (mut control, mut dense) = (cage.to_vec(), self.apply(cage));
         self.interpolate_into(cage, &mut control, &mut dense);
         dense
     }
 
-    /// As [`Self::interpolate`], into slices of the caller's; nothing is allocated. Of positions and displacements alone, so that
-    /// the loop is compiled here and as quick as this crate is, whoever calls it.
+    /// [`Self::interpolate`] into the caller's slices, without allocation. Not generic, so that the loop is compiled in
+    /// this crate with its optimisation level.
     ///
     /// # Panics
-    /// If there is not one value, and one place in the control cage, for each vertex of the cage, and one place for each dense
-    /// vertex.
+    /// If the lengths of `cage` and `control` are not the number of cage vertices, or that of `dense` the number of
+    /// dense vertices.
     pub fn interpolate_to(&self, cage: &[DVec3], control: &mut [DVec3], dense: &mut [DVec3]) {
         self.interpolate_into(cage, control, dense);
     }
 
-    /// The control cage solves the square part of the matrix that takes the cage to itself. It is found by Gauss and Seidel's
-    /// steps, each of which leaves some tenth of what is lacking, on meshes of low degrees a third.
+    /// Solves for the control cage by Gauss–Seidel iteration on the square block that maps the cage to itself. Each
+    /// iteration reduces the residual to about a tenth, and to a third on meshes of low degree.
     fn interpolate_into<T: Value>(&self, cage: &[T], control: &mut [T], dense: &mut [T]) {
         control.copy_from_slice(cage);
-        for _ in 0..INTERPOLATING_STEPS {
-            for (vertex, wanted) in cage.iter().enumerate() {
-                let lacking = *wanted - self.stencils.combine(vertex, control);
+        for _ in 0..INTERPOLATION_ITERATIONS {
+            for (vertex, target) in cage.iter().enumerate() {
+                let residual = *target - self.stencils.combine(vertex, control);
                 control[vertex] = match self.inverse_own[vertex] {
-                    0.0 => *wanted - lacking * ROUNDED_FURTHER,
-                    inverse_own => control[vertex] + lacking * inverse_own,
+                    0.0 => *target - residual * ROUNDING_SHIFT,
+                    inverse_own => control[vertex] + residual * inverse_own,
                 };
             }
         }
         self.apply_to(control, dense);
-        // What the steps have left.
+        // Remove the remaining residual.
         for ((dense, cage), _) in dense.iter_mut().zip(cage).zip(&self.inverse_own).filter(|(_, own)| **own > 0.0) {
             *dense = *cage;
         }
     }
 
-    /// As [`Self::apply`], into a slice of the caller's; nothing is allocated.
+    /// [`Self::apply`] into the caller's slice, without allocation.
     ///
     /// # Panics
-    /// If there is not one value for each vertex of the cage, and one place for each dense vertex.
+    /// If the length of `cage` is not the number of cage vertices, or that of `dense` the number of dense vertices.
     pub fn apply_to<T: Value>(&self, cage: &[T], dense: &mut [T]) {
-        assert_eq!(dense.len(), self.topology.vertex_count(), "one place for each dense vertex");
+        assert_eq!(dense.len(), self.topology.vertex_count(), "one value per dense vertex");
         dense.iter_mut().enumerate().for_each(|(vertex, value)| *value = self.stencils.combine(vertex, cage));
     }
 }
 
-/// Of what [`LoopSubdivision::apply`] rounds off a face, 10⁻¹⁰ is left.
-const INTERPOLATING_STEPS: usize = 12;
+/// Number of Gauss–Seidel iterations; reduces the residual on a face by a factor of 10¹⁰.
+const INTERPOLATION_ITERATIONS: usize = 12;
 
-/// So far a vertex that is rounded off gives way in the control cage, too, as a share of the way to where it is rounded off to.
-const ROUNDED_FURTHER: f64 = 1.0 / 3.0;
+/// Shift of a smoothed vertex in the control cage, as a fraction of its displacement by smoothing.
+const ROUNDING_SHIFT: f64 = 1.0 / 3.0;
 
-/// The matrix of a single level.
+/// The matrix of one level.
 fn one_level(mesh: &Topology, creases: &[[u32; 2]]) -> Stencils {
     let mut across = corners_across(mesh);
     creases.iter().for_each(|crease| _ = across.insert(*crease, Vec::new()));
@@ -192,13 +194,13 @@ fn new_vertex([a, b]: [u32; 2], across: &[u32]) -> Vec<(u32, f64)> {
     }
 }
 
-/// Loop's `β`: what an inner vertex of this degree takes of each neighbour.
+/// Loop's `β`: the weight of each neighbour of an inner vertex.
 fn loop_share(degree: usize) -> f64 {
     let degree = degree as f64;
     (0.625 - (0.375 + 0.25 * (TAU / degree).cos()).powi(2)) / degree
 }
 
-/// For each edge, the third corners of its triangles.
+/// For each edge, the opposite corners of its triangles.
 fn corners_across(mesh: &Topology) -> HashMap<[u32; 2], Vec<u32>> {
     let mut across: HashMap<[u32; 2], Vec<u32>> = HashMap::with_capacity(mesh.edges().len());
     for [from, to, third] in corners(mesh.triangles()) {
@@ -207,10 +209,10 @@ fn corners_across(mesh: &Topology) -> HashMap<[u32; 2], Vec<u32>> {
     across
 }
 
-/// The vertex that a level adds on an edge.
+/// The new vertex on an edge.
 fn middle(mesh: &Topology, a: u32, b: u32) -> u32 {
     let edge = mesh.edges().binary_search(&[a.min(b), a.max(b)]);
-    (mesh.vertex_count() + edge.expect("invariant: only edges are halved")) as u32
+    (mesh.vertex_count() + edge.expect("invariant: only edges are split")) as u32
 }
 
 fn split_edges(mesh: &Topology, edges: &[[u32; 2]]) -> Vec<[u32; 2]> {
@@ -238,7 +240,7 @@ mod tests {
     use super::*;
     use crate::shapes::{icosahedron, tetrahedron};
 
-    /// A grid of unit squares on the plane, each cut along a diagonal.
+    /// A planar grid of unit squares, each split along a diagonal.
     fn grid(columns: u32, rows: u32) -> (Topology, Vec<DVec3>) {
         let at = |column: u32, row: u32| row * (columns + 1) + column;
         let cut = |(c, r): (u32, u32)| {
@@ -251,7 +253,7 @@ mod tests {
     }
 
     #[test]
-    fn counts_grow_as_euler_says() {
+    fn counts_per_level() {
         for cage in [tetrahedron().0, icosahedron().0, grid(4, 3).0] {
             let dense = LoopSubdivision::new(&cage, 1);
             let (v, e, f) = (cage.vertex_count(), cage.edges().len(), cage.triangles().len());
@@ -262,7 +264,7 @@ mod tests {
     }
 
     #[test]
-    fn weights_sum_to_one_and_none_is_negative() {
+    fn weights_are_non_negative_and_sum_to_one() {
         for cage in [tetrahedron().0, icosahedron().0, grid(4, 3).0, Topology::new(5, vec![[0, 1, 2]]).unwrap()] {
             let dense = LoopSubdivision::new(&cage, 3);
             for vertex in 0..dense.topology().vertex_count() as u32 {
@@ -285,7 +287,7 @@ mod tests {
     }
 
     #[test]
-    fn a_boundary_depends_on_the_boundary_alone() {
+    fn boundary_vertices_depend_only_on_the_boundary() {
         let (cage, _) = grid(4, 3);
         let dense = LoopSubdivision::new(&cage, 2);
         let rim = &cage.boundary_loops()[0];
@@ -295,38 +297,40 @@ mod tests {
     }
 
     #[test]
-    fn what_interpolates_passes_through_the_cage_and_is_smooth_between() {
+    fn interpolation_passes_through_the_cage_and_is_a_loop_surface() {
         for (mut cage, positions) in [icosahedron(), grid(5, 4)] {
-            let mut places: Vec<DVec3> = positions.iter().map(|p| p.with_z(p.z + (p.x * 1.3).sin() * p.y)).collect();
+            let mut values: Vec<DVec3> = positions.iter().map(|p| p.with_z(p.z + (p.x * 1.3).sin() * p.y)).collect();
             for _ in 0..3 {
                 let dense = LoopSubdivision::new(&cage, 1);
-                let through = dense.interpolate(&places);
-                assert!(through.iter().zip(&places).all(|(a, b)| a == b));
-                let mut control = places.clone();
-                dense.interpolate_to(&places, &mut control, &mut through.clone());
+                let through = dense.interpolate(&values);
+                assert!(through.iter().zip(&values).all(|(a, b)| a == b));
+                let mut control = values.clone();
+                dense.interpolate_to(&values, &mut control, &mut through.clone());
                 let off = dense.apply(&control).iter().zip(&through).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
-                assert!(off < 1e-6, "{off}: it is no surface of Loop's");
-                (cage, places) = (dense.topology().clone(), through);
+                assert!(off < 1e-6, "not the subdivision of the control cage: off by {off}");
+                (cage, values) = (dense.topology().clone(), through);
             }
         }
     }
 
     #[test]
-    fn what_is_rounded_off_is_where_loop_has_it_and_all_others_are_met() {
+    fn rounded_vertices_are_smoothed_and_the_others_interpolated() {
         let (cage, positions) = icosahedron();
         let dense = LoopSubdivision::new(&cage, 1).rounding(&[3, 7]);
         let through = dense.interpolate(&positions);
-        for (vertex, place) in positions.iter().enumerate() {
-            assert_eq!(through[vertex] == *place, ![3, 7].contains(&vertex), "{vertex}");
+        for (vertex, position) in positions.iter().enumerate() {
+            assert_eq!(through[vertex] == *position, ![3, 7].contains(&vertex), "{vertex}");
         }
         let all = LoopSubdivision::new(&cage, 1).rounding(&(0..12).collect::<Vec<_>>());
-        let [rounded, rounded_further] = [all.apply(&positions), all.interpolate(&positions)];
-        assert!(rounded_further.iter().zip(&rounded).all(|(further, rounded)| further.length() < rounded.length()));
+        let [rounded, interpolated] = [all.apply(&positions), all.interpolate(&positions)];
+        assert!(
+            interpolated.iter().zip(&rounded).all(|(interpolated, rounded)| interpolated.length() < rounded.length())
+        );
     }
 
     #[test]
-    fn a_crease_parts_the_surface_as_cutting_it_would() {
-        // A grid, whole with a crease along its middle, and the half on the left of it alone.
+    fn a_crease_is_equivalent_to_a_cut() {
+        // A grid with a crease along its middle, and its left half alone.
         let (whole, positions) = grid(6, 3);
         let on_the_left = |corners: &&[u32; 3]| corners.iter().all(|corner| corner % 7 <= 3);
         let left = whole.triangles().iter().filter(on_the_left).copied().collect();
@@ -335,14 +339,14 @@ mod tests {
         let bent: Vec<DVec3> = positions.iter().map(|p| p.with_z((p.x * 1.7).sin() * p.y)).collect();
         let (creased, cut) = (LoopSubdivision::creased(&whole, &crease, 1), LoopSubdivision::new(&left, 1));
         let dense = [&creased, &cut].map(|dense| dense.apply(&bent));
-        // Where the crease meets the rim, three curves do in one surface and two in the other.
+        // At the ends of the crease three curves meet on the whole grid, but two on the half.
         let ends = [3, 24];
-        let places = |dense: &LoopSubdivision, at: &[DVec3]| -> Vec<[DVec3; 3]> {
+        let triangle_positions = |dense: &LoopSubdivision, at: &[DVec3]| -> Vec<[DVec3; 3]> {
             let away = |corners: &&[u32; 3]| !ends.iter().any(|end| corners.contains(end));
             dense.topology().triangles().iter().filter(away).map(|t| t.map(|corner| at[corner as usize])).collect()
         };
-        let [parted, alone] = [places(&creased, &dense[0]), places(&cut, &dense[1])];
-        assert!(alone.iter().all(|triangle| parted.contains(triangle)), "the left half is another surface");
+        let [separated, alone] = [triangle_positions(&creased, &dense[0]), triangle_positions(&cut, &dense[1])];
+        assert!(alone.iter().all(|triangle| separated.contains(triangle)), "the left half differs");
         assert_eq!(creased.creases().len(), 6);
         let twice = LoopSubdivision::creased(creased.topology(), creased.creases(), 1);
         assert_eq!(twice.topology(), LoopSubdivision::creased(&whole, &crease, 2).topology());
@@ -350,7 +354,7 @@ mod tests {
     }
 
     #[test]
-    fn a_regular_plane_stays_where_it_is_inside() {
+    fn inner_vertices_of_a_regular_plane_stay() {
         let (cage, positions) = grid(8, 8);
         let dense = LoopSubdivision::new(&cage, 1);
         let moved = dense.apply(&positions);
@@ -367,7 +371,7 @@ mod tests {
     }
 
     #[test]
-    fn edges_of_three_triangles_and_lone_vertices_are_taken_in_stride() {
+    fn non_manifold_edges_and_isolated_vertices_are_supported() {
         let book = Topology::new(6, vec![[0, 1, 2], [1, 0, 3], [0, 1, 4]]).unwrap();
         let dense = LoopSubdivision::new(&book, 2);
         assert_eq!(dense.stencil(5).collect::<Vec<_>>(), [(5, 1.0)]);
@@ -376,7 +380,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn subdividing_commutes_with_affine_maps(
+        fn subdivision_commutes_with_affine_maps(
             columns in prop::array::uniform9(-2.0..2.0f64), shift in prop::array::uniform3(-9.0..9.0f64), levels in 0..4u32,
         ) {
             let map = |p: DVec3| DMat3::from_cols_array(&columns) * p + DVec3::from(shift);

@@ -2,7 +2,7 @@ use glam::DVec3;
 
 use crate::{MeshError, Topology};
 
-/// A topology and one position for each of its vertices, borrowed: the two cannot disagree.
+/// A topology with one position per vertex, both borrowed.
 #[derive(Debug, Clone, Copy)]
 pub struct Surface<'a> {
     topology: &'a Topology,
@@ -10,10 +10,10 @@ pub struct Surface<'a> {
 }
 
 impl<'a> Surface<'a> {
-    /// A topology with its positions, in whatever unit the caller works in.
+    /// Pairs a topology with positions, in any unit.
     ///
     /// # Errors
-    /// [`MeshError::LengthMismatch`] if there is not one position for each vertex.
+    /// [`MeshError::LengthMismatch`] if the numbers of positions and vertices differ.
     pub fn new(topology: &'a Topology, positions: &'a [DVec3]) -> Result<Self, MeshError> {
         let (expected, found) = (topology.vertex_count(), positions.len());
         if found == expected {
@@ -23,17 +23,17 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// How the vertices are joined.
+    /// The topology.
     pub fn topology(self) -> &'a Topology {
         self.topology
     }
 
-    /// Where the vertices are, one for each.
+    /// The positions, one per vertex.
     pub fn positions(self) -> &'a [DVec3] {
         self.positions
     }
 
-    /// The triangles' corners in space, in the topology's order.
+    /// The corner positions of each triangle, in the topology's order.
     pub fn triangles(self) -> impl Iterator<Item = [DVec3; 3]> + 'a {
         let Self { topology, positions } = self;
         topology.triangles().iter().map(|corners| corners.map(|corner| positions[corner as usize]))
@@ -46,7 +46,7 @@ mod tests {
     use crate::shapes::{icosahedron, tetrahedron};
 
     #[test]
-    fn positions_of_another_mesh_are_refused_with_both_numbers() {
+    fn a_length_mismatch_reports_both_numbers() {
         let ((four, _), (_, twelve)) = (tetrahedron(), icosahedron());
         let refused = Surface::new(&four, &twelve).unwrap_err();
         assert_eq!(refused, MeshError::LengthMismatch { expected: 4, found: 12 });
@@ -54,7 +54,7 @@ mod tests {
     }
 
     #[test]
-    fn each_triangle_has_the_positions_of_its_corners() {
+    fn triangles_yield_the_positions_of_their_corners() {
         let (topology, positions) = tetrahedron();
         let surface = Surface::new(&topology, &positions).unwrap();
         let corners: Vec<_> = surface.triangles().collect();

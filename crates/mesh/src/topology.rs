@@ -1,9 +1,9 @@
 use crate::{MeshError, boundary};
 
-/// Which vertices a mesh has and how triangles join them; no positions.
+/// The vertices and triangles of a mesh, without positions.
 ///
-/// Vertices are `0..vertex_count`; a vertex that no triangle uses is allowed and has degree 0. Triangles wind
-/// counter-clockwise as seen from outside. Neighbours are kept sorted.
+/// Vertices are numbered `0..vertex_count`. A vertex without triangles is allowed and has degree 0. Triangles wind
+/// counter-clockwise as seen from outside.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Topology {
     vertex_count: usize,
@@ -17,7 +17,7 @@ impl Topology {
     /// Builds the adjacency of `triangles` over `vertex_count` vertices.
     ///
     /// # Errors
-    /// [`MeshError::VertexOutOfRange`] or [`MeshError::RepeatedCorner`] for the first triangle that is none.
+    /// [`MeshError::VertexOutOfRange`] or [`MeshError::RepeatedCorner`] for the first invalid triangle.
     pub fn new(vertex_count: usize, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
         for (index, corners) in triangles.iter().enumerate() {
             check_triangle(index, *corners, vertex_count)?;
@@ -27,22 +27,22 @@ impl Topology {
         Ok(Self { vertex_count, triangles, edges, neighbour_starts, neighbours })
     }
 
-    /// Number of vertices, used by triangles or not.
+    /// Number of vertices, including those without triangles.
     pub fn vertex_count(&self) -> usize {
         self.vertex_count
     }
 
-    /// The triangles, in the order given.
+    /// The triangles, in the order given to [`Self::new`].
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
     }
 
-    /// Every undirected edge once, `[low, high]`, sorted.
+    /// The undirected edges as `[low, high]`, sorted and without duplicates.
     pub fn edges(&self) -> &[[u32; 2]] {
         &self.edges
     }
 
-    /// The one-ring of `vertex`, sorted.
+    /// The neighbours of `vertex`, sorted.
     ///
     /// # Panics
     /// If `vertex` is not below [`Self::vertex_count`].
@@ -59,7 +59,7 @@ impl Topology {
         self.neighbours(vertex).len()
     }
 
-    /// Connected components: for each vertex, the lowest vertex of its component.
+    /// For each vertex, the lowest vertex of its connected component.
     pub fn components(&self) -> Vec<u32> {
         let mut component = vec![u32::MAX; self.vertex_count];
         for seed in 0..self.vertex_count as u32 {
@@ -80,11 +80,10 @@ impl Topology {
         component
     }
 
-    /// Boundary loops, each as a cycle of vertices that keeps the surface on its left; longest first, then by lowest
-    /// vertex.
+    /// The boundary loops, each a cycle of vertices with the surface on its left; longest first, then by lowest vertex.
     ///
-    /// No loop passes through a vertex twice: where several touch in one, each closes by itself. Where triangles wind
-    /// against each other, a rim may break off; it is then given as far as it goes.
+    /// A loop does not repeat a vertex; loops that share a vertex are separate. Inconsistent winding can interrupt a
+    /// boundary, which is then returned as an open path.
     pub fn boundary_loops(&self) -> Vec<Vec<u32>> {
         boundary::loops(self)
     }
@@ -132,7 +131,7 @@ mod tests {
     use crate::shapes::{icosahedron, tetrahedron};
 
     #[test]
-    fn closed_solids_obey_euler_and_have_no_boundary() {
+    fn closed_solids_satisfy_eulers_formula_and_have_no_boundary() {
         for (solid, _) in [tetrahedron(), icosahedron()] {
             let (v, e, f) = (solid.vertex_count(), solid.edges().len(), solid.triangles().len());
             assert_eq!(v + f, e + 2);
@@ -147,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn a_hole_is_a_loop_of_its_own_and_comes_after_the_rim() {
+    fn a_hole_is_a_separate_loop_after_the_longer_rim() {
         let (solid, positions) = icosahedron();
         let mut triangles = solid.triangles().to_vec();
         let lid = triangles.remove(0);
@@ -159,14 +158,14 @@ mod tests {
     }
 
     #[test]
-    fn components_are_named_by_their_lowest_vertex() {
+    fn components_are_identified_by_their_lowest_vertex() {
         let apart = Topology::new(7, vec![[5, 6, 1], [0, 2, 4]]).unwrap();
         assert_eq!(apart.components(), [0, 1, 0, 3, 0, 1, 1]);
         assert_eq!(apart.degree(3), 0);
     }
 
     #[test]
-    fn broken_triangles_are_named() {
+    fn invalid_triangles_are_reported() {
         let outside = MeshError::VertexOutOfRange { triangle: 1, vertex: 3, vertex_count: 3 };
         assert_eq!(Topology::new(3, vec![[0, 1, 2], [0, 1, 3]]), Err(outside));
         for repeated in [[1, 1, 2], [1, 2, 1], [2, 1, 1]] {
@@ -177,7 +176,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn neighbours_are_mutual_sorted_and_counted_by_the_edges(
+        fn neighbours_are_symmetric_and_sorted_and_match_the_edges(
             corners in prop::collection::vec((0..20u32, 1..20u32, 1..19u32), 0..60),
         ) {
             let distinct = |(a, ab, extra): (u32, u32, u32)| {

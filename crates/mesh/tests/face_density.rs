@@ -1,5 +1,5 @@
-//! Loop's subdivision on the canonical face.
-#![allow(clippy::unwrap_used, reason = "a test that cannot read its golden numbers should stop")]
+//! Loop subdivision of the canonical face.
+#![allow(clippy::unwrap_used, reason = "a failed set-up fails the test")]
 
 use glam::DVec3;
 use rosto_mesh::{LoopSubdivision, Topology};
@@ -15,7 +15,7 @@ fn canonical_face() -> (Topology, Vec<DVec3>) {
 }
 
 #[test]
-fn three_levels_give_the_known_counts() {
+fn vertex_counts_of_three_levels() {
     let (cage, _) = canonical_face();
     let counts = [0, 1, 2, 3].map(|levels| LoopSubdivision::new(&cage, levels).topology().vertex_count());
     assert_eq!(counts, [468, 1833, 7257, 28_881]);
@@ -30,7 +30,7 @@ fn the_dense_face_stays_within_a_few_millimetres_of_its_cage() {
 }
 
 #[test]
-fn applying_in_place_gives_the_same_numbers() {
+fn apply_to_equals_apply() {
     let (cage, positions) = canonical_face();
     let dense = LoopSubdivision::new(&cage, 3);
     let mut out = vec![DVec3::ZERO; dense.topology().vertex_count()];
