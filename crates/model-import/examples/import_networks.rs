@@ -1,6 +1,6 @@
-//! `cargo run -p rosto-model-import --example import_networks -- PACKAGE_FOLDER OUTPUT_FOLDER`
+//! Converts the networks of an unpacked `@mediapipe/face_mesh` package to three ONNX files:
 //!
-//! Writes the three ONNX networks out of an unpacked `@mediapipe/face_mesh` package.
+//! `cargo run -p rosto-model-import --example import_networks -- PACKAGE_FOLDER OUTPUT_FOLDER`
 
 use std::error::Error;
 use std::fs;

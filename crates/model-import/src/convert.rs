@@ -1,8 +1,8 @@
-//! TFLite to ONNX, operator by operator.
+//! Conversion from TFLite to ONNX, operator by operator.
 //!
-//! Picture-shaped (rank 4) values are NHWC on one side and NCHW on the other; values of other ranks are the same on
-//! both. Convolution weights go from `[out, height, width, in]` to `[out, in, height, width]`, depthwise ones from
-//! `[1, height, width, channels]` to `[channels, 1, height, width]`.
+//! Rank 4 values are NHWC in TFLite and NCHW in ONNX; values of other ranks have one layout. Convolution weights go
+//! from `[out, height, width, in]` to `[out, in, height, width]`, depthwise weights from `[1, height, width, channels]`
+//! to `[channels, 1, height, width]`.
 
 use prost::Message;
 
@@ -10,19 +10,18 @@ use crate::ImportError;
 use crate::onnx::{ElementType, Graph, Model, Node, Tensor as Constant, ValueInfo};
 use crate::tflite::{FLOAT16, INT32, Kind, Network, Operator, Tensor, Window};
 
-/// Converts one TFLite network to an ONNX file (opset 13, NCHW, weights kept in half precision).
+/// Converts a TFLite network to an ONNX file (opset 13, NCHW, half-precision weights).
 ///
 /// # Errors
-/// If the bytes are no TFLite file, or the network uses what the face networks do not.
+/// If the file is damaged, or the network uses an unsupported operator, type or shape.
 pub fn onnx_from_tflite(tflite: &[u8]) -> Result<Vec<u8>, ImportError> {
     onnx_of(&Network::read(tflite)?)
 }
 
-/// Converts the part of a TFLite network that computes the tensors named in `outputs` out of those named in `inputs`;
-/// what else the network does is left out.
+/// Converts the part of a TFLite network that computes the tensors `outputs` from the tensors `inputs`.
 ///
 /// # Errors
-/// As [`onnx_from_tflite`], and if there is no tensor of such a name.
+/// The errors of [`onnx_from_tflite`], and [`ImportError::NoSuchTensor`] for an unknown name.
 pub fn onnx_of_part(tflite: &[u8], inputs: &[&str], outputs: &[&str]) -> Result<Vec<u8>, ImportError> {
     onnx_of(&Network::read(tflite)?.part(inputs, outputs)?)
 }
@@ -38,9 +37,9 @@ fn onnx_of(network: &Network<'_>) -> Result<Vec<u8>, ImportError> {
     Ok(Model::opset_13(graph).encode_to_vec())
 }
 
-/// Order of the axes that turns NHWC into NCHW.
+/// Permutation of the axes from NHWC to NCHW.
 const NCHW_FROM_NHWC: [usize; 4] = [0, 3, 1, 2];
-/// Order of the axes that turns depthwise weights `[1, height, width, channels]` into ONNX's.
+/// Permutation of the axes from TFLite's depthwise weights to ONNX's.
 const DEPTHWISE_WEIGHTS: [usize; 4] = [3, 0, 1, 2];
 
 struct Converter<'a> {
@@ -61,7 +60,7 @@ impl Converter<'_> {
             Kind::Add => self.elementwise("Add", operator),
             Kind::Relu => self.elementwise("Relu", operator),
             Kind::Prelu => self.elementwise("PRelu", operator),
-            Kind::Other => Err(self.unsupported(operator, "the operator")),
+            Kind::Other => Err(self.unsupported(operator, "this operator")),
         }
     }
 
@@ -73,12 +72,12 @@ impl Converter<'_> {
         self.graph.nodes.push(node);
     }
 
-    /// Half-precision weights behind a `Cast`, in the layout their only user wants.
+    /// Stores half-precision weights, with a `Cast`, in the layout that their reader needs.
     fn dequantize(&mut self, operator: &Operator) -> Result<(), ImportError> {
         let (weights, output) = (self.tensor(operator.inputs[0]), self.tensor(operator.output));
         let bytes = weights.shape.iter().try_fold(2_usize, |bytes, &extent| bytes.checked_mul(extent));
         if weights.element_type != FLOAT16 || bytes != Some(weights.data.len()) {
-            return Err(self.unsupported(operator, "anything but half-precision constants"));
+            return Err(self.unsupported(operator, "dequantisation of anything but half-precision constants"));
         }
         let axes = self.weight_axes(operator.output, weights.shape.len());
         let shape: Vec<_> = axes.iter().map(|&axis| weights.shape[axis]).collect();
@@ -90,7 +89,7 @@ impl Converter<'_> {
         Ok(())
     }
 
-    /// In which order the axes of a constant have to come, which depends on the operator that reads it.
+    /// Permutation of the axes of a constant for the operator that reads it.
     fn weight_axes(&self, constant: usize, rank: usize) -> Vec<usize> {
         let reader = self.network.operators.iter().find(|operator| operator.inputs.contains(&constant));
         match (reader.map(|reader| reader.kind), rank) {
@@ -129,11 +128,11 @@ impl Converter<'_> {
         Ok(())
     }
 
-    /// Pads with zeros; TFLite lists (before, after) per NHWC axis, ONNX all befores and then all afters in NCHW.
+    /// Zero padding. TFLite lists (before, after) per NHWC axis; ONNX lists the values before, then after, in NCHW.
     fn pad(&mut self, operator: &Operator) -> Result<(), ImportError> {
         let [picture, pads] = [0, 1].map(|i| self.tensor(operator.inputs[i]));
         if pads.element_type != INT32 || pads.data.len() != 4 * 8 || picture.shape.len() != 4 {
-            return Err(self.unsupported(operator, "anything but constant pads of a rank 4 value"));
+            return Err(self.unsupported(operator, "padding other than constant padding of a rank 4 value"));
         }
         let values: Vec<i64> =
             pads.data.chunks_exact(4).map(|b| i64::from(i32::from_le_bytes([b[0], b[1], b[2], b[3]]))).collect();
@@ -146,11 +145,11 @@ impl Converter<'_> {
         Ok(())
     }
 
-    /// Goes through NHWC, because that is the order of values TFLite's reshape keeps.
+    /// Transposes to NHWC first, because TFLite's reshape keeps the values in that order.
     fn reshape(&mut self, operator: &Operator) -> Result<(), ImportError> {
         let (input, output) = (self.tensor(operator.inputs[0]), self.tensor(operator.output));
         if input.shape.len() != 4 || output.shape.len() == 4 {
-            return Err(self.unsupported(operator, "anything but rank 4 to another rank"));
+            return Err(self.unsupported(operator, "a reshape other than from rank 4 to another rank"));
         }
         let (nhwc, shape) = (format!("{}/nhwc", output.name), format!("{}/shape", output.name));
         let transpose = Node::new("Transpose", &[&input.name], &nhwc).ints("perm", &[0, 2, 3, 1]);
@@ -188,7 +187,7 @@ impl Converter<'_> {
     }
 }
 
-/// How many input channels one output channel of a convolution sees.
+/// Number of input channels per output channel of a convolution.
 enum Depth {
     Full,
     PerChannel,
@@ -208,7 +207,7 @@ fn value_info(tensor: &Tensor<'_>) -> ValueInfo {
     }
 }
 
-/// Reorders the axes of an array of 2-byte numbers: axis `i` of the result is axis `axes[i]` of the source.
+/// Permutes the axes of an array of 2-byte elements: axis `i` of the result is axis `axes[i]` of the source.
 fn transposed_halves(data: &[u8], shape: &[usize], axes: &[usize]) -> Vec<u8> {
     let stride = |axis: usize| shape[axis + 1..].iter().product::<usize>();
     let mut offsets = vec![0];
@@ -239,13 +238,13 @@ mod tests {
     }
 
     #[test]
-    fn every_weight_arrives_in_half_precision() {
+    fn all_weights_keep_half_precision() {
         let counts = models().map(|model| parameters(&model.graph.unwrap()));
         assert_eq!(counts, [101_390, 604_685, 1_189_277]);
     }
 
     #[test]
-    fn nodes_come_in_an_order_in_which_they_can_run_and_no_value_is_made_twice() {
+    fn nodes_are_topologically_sorted_with_unique_outputs() {
         for model in models() {
             let graph = model.graph.unwrap();
             let given = graph.inputs.iter().map(|input| input.name.clone());
@@ -259,7 +258,7 @@ mod tests {
     }
 
     #[test]
-    fn reordering_axes_moves_each_number_to_its_place() {
+    fn permuting_axes_transposes_the_elements() {
         let data: Vec<u8> = (0..6_u16).flat_map(u16::to_le_bytes).collect();
         let moved = transposed_halves(&data, &[2, 3], &[1, 0]);
         let numbers: Vec<u16> = moved.chunks(2).map(|bytes| u16::from_le_bytes([bytes[0], bytes[1]])).collect();

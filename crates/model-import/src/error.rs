@@ -1,25 +1,25 @@
 use thiserror::Error;
 
-/// Why a network could not be imported.
+/// Reasons why a network cannot be imported.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ImportError {
-    /// The loader script has no `loadPackage({…})` with a list of files.
-    #[error("the loader script has no list of files: {reason}")]
+    /// The loader script does not contain `loadPackage({…})` with a list of files.
+    #[error("cannot read the list of files in the loader script: {reason}")]
     NoFileList {
-        /// What was missing or wrong.
+        /// The missing or invalid part.
         reason: String,
     },
-    /// The list of files does not name this one.
-    #[error("the package has no file {name}")]
+    /// The list of files does not contain the requested file.
+    #[error("the package does not contain {name}")]
     NoSuchFile {
-        /// File name without its folder.
+        /// File name without folder.
         name: String,
     },
-    /// The list of files points outside the packed bytes.
-    #[error("{name} is said to be bytes {start}..{end}, but there are {available}")]
+    /// The list of files refers to bytes outside the package.
+    #[error("{name} should be bytes {start}..{end}, but the package has {available} bytes")]
     OutsidePackage {
-        /// File name without its folder.
+        /// File name without folder.
         name: String,
         /// First byte.
         start: usize,
@@ -28,38 +28,38 @@ pub enum ImportError {
         /// Length of the packed bytes.
         available: usize,
     },
-    /// The file is not the one this conversion was checked on.
-    #[error("{name} has sha256 {found}, expected {expected}")]
+    /// The file differs from the version that the conversion was tested with.
+    #[error("{name} has SHA-256 {found}; expected {expected}")]
     OtherFile {
-        /// File name without its folder.
+        /// File name without folder.
         name: String,
-        /// Hexadecimal SHA-256 wanted.
+        /// Expected SHA-256, in hexadecimal.
         expected: String,
-        /// Hexadecimal SHA-256 of the bytes.
+        /// Actual SHA-256, in hexadecimal.
         found: String,
     },
-    /// The bytes are no well-formed TFLite file.
-    #[error("damaged TFLite file: {what} at byte {offset}")]
+    /// The bytes are not a well-formed TFLite file.
+    #[error("damaged TFLite file: invalid {what} at byte {offset}")]
     Damaged {
-        /// What was being read.
+        /// The invalid part.
         what: &'static str,
-        /// Where in the file.
+        /// Byte offset in the file.
         offset: usize,
     },
-    /// The network has no tensor of this name to be cut at.
-    #[error("the network has no tensor {name}")]
+    /// The network does not contain the requested tensor.
+    #[error("the network does not contain the tensor {name}")]
     NoSuchTensor {
         /// The name.
         name: String,
     },
-    /// The network uses something this converter does not know.
+    /// The network uses an unsupported feature.
     #[error("operator {operator} ({output}): {what} is not supported")]
     Unsupported {
-        /// TFLite's number of the operator.
+        /// TFLite's number for the operator.
         operator: i32,
-        /// Name of the tensor it makes.
+        /// Name of the operator's output tensor.
         output: String,
-        /// What about it.
+        /// The unsupported feature.
         what: String,
     },
 }

@@ -1,11 +1,11 @@
-//! As much of the FlatBuffers wire format as a TFLite file needs, with every access checked.
+//! A reader for the part of the FlatBuffers format that TFLite files use, with bounds checks.
 //!
-//! All numbers are little-endian. An offset is a u32 counted from where it stands. A table starts with an i32 that
-//! leads back to its vtable: u16 size, u16 table size, then one u16 per field, 0 for a field left at its default.
+//! Numbers are little-endian. An offset is a u32 relative to its own position. A table starts with an i32, the distance
+//! back to its vtable: u16 size, u16 table size, then one u16 per field, 0 for an absent field.
 
 use crate::ImportError;
 
-/// A table inside the file.
+/// A table of the file.
 #[derive(Clone, Copy)]
 pub(crate) struct Table<'a> {
     file: &'a [u8],
@@ -13,7 +13,7 @@ pub(crate) struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    /// The root table of a file whose identifier (bytes 4..8) is `identifier`.
+    /// Returns the root table of a file whose bytes 4..8 are `identifier`.
     pub(crate) fn root(file: &'a [u8], identifier: [u8; 4]) -> Result<Self, ImportError> {
         if file.get(4..8) != Some(identifier.as_slice()) {
             return Err(ImportError::Damaged { what: "file identifier", offset: 4 });
@@ -65,7 +65,7 @@ impl<'a> Table<'a> {
         Ok(&self.file[start..start + length])
     }
 
-    /// Where the elements of a vector start and how many there are; they lie inside the file.
+    /// Position and number of a vector's elements, which lie inside the file.
     fn vector(&self, field: usize, element_bytes: usize) -> Result<Option<(usize, usize)>, ImportError> {
         let Some(at) = self.field(field)? else { return Ok(None) };
         let length_at = follow(self.file, at, "vector field")?;
@@ -78,7 +78,7 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Where a field stands, `None` if it was left at its default.
+    /// Position of a field, `None` if absent.
     fn field(&self, field: usize) -> Result<Option<usize>, ImportError> {
         let damaged = ImportError::Damaged { what: "vtable", offset: self.position };
         let back = i32::from_le_bytes(read(self.file, self.position, "table")?);

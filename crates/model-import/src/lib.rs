@@ -1,23 +1,25 @@
-//! The published face networks, read out of the npm package `@mediapipe/face_mesh` and written as ONNX.
+//! Converts the face networks of the npm package `@mediapipe/face_mesh` to ONNX.
 //!
-//! Bytes in, bytes out: nothing here touches a file or the network. The package keeps its assets in one raw
-//! concatenation and says in a loader script which bytes are which file; [`import`] cuts out the three TFLite networks,
-//! checks them against their known SHA-256, and converts them mechanically:
+//! The functions map bytes to bytes and do not access files or the network. The package concatenates its assets in one
+//! file, and a loader script lists the byte range of each. [`import`] extracts the three TFLite networks, verifies
+//! their SHA-256, and converts them:
 //!
-//! * NHWC becomes NCHW; a reshape of a picture-shaped tensor goes through a transpose back to NHWC, so that the order
-//!   of the values in the outputs stays TFLite's.
-//! * `SAME` padding becomes explicit pads (the `Window` of the `tflite` module).
-//! * Half-precision weights stay half-precision in the file, each behind a `Cast`, so that detector and landmarks are about 1.5 MB.
-//! * The network with attention has operators of MediaPipe's own, which cut turned regions out of its features. It is
-//!   written without them: what comes before is the graph's trunk, what comes after are three heads, each with its own
-//!   input; whoever runs it cuts out the regions in between.
+//! * NHWC becomes NCHW. A reshape of a rank 4 tensor is preceded by a transpose to NHWC, which preserves the order of
+//! the output values.
+//! * `SAME` padding becomes explicit padding (`Window` in the `tflite` module).
+//! * Weights stay in half precision, each followed by a `Cast`. The detector and the landmark network together take
+//! about 1.5 MB.
+//! * The attention network has custom MediaPipe operators, which crop rotated regions from its feature map. The
+//! conversion omits them: the graph consists of a trunk and three heads with separate inputs, and the caller crops the
+//! regions.
 //!
-//! Opset 13. The picture comes in as f32 `[1, 3, side, side]`. Outputs, by name: for the detector `regressors`
-//! `[1, 896, 16]` and `classificators` `[1, 896, 1]`; for the landmarks `conv2d_21` `[1, 1404, 1, 1]` and `conv2d_31`
-//! `[1, 1, 1, 1]`. With attention: `output_mesh` `[1, 1404, 1, 1]`, `conv_faceflag` `[1, 1, 1, 1]` and the features
-//! `p_re_lu_3` `[1, 32, 48, 48]`; of the inputs `transform_tensor_bilinear_v2`, `…_1` and `…_2` (`[1, 32, 16, 16]` each):
-//! `conv_lips` `[1, 160, 1, 1]`, `conv_left_eye` `[1, 142, 1, 1]` and `conv_left_iris` `[1, 10, 1, 1]`, and the same of the
-//! right eye, where left and right are the picture's.
+//! The opset is 13. The picture is f32 `[1, 3, side, side]`. The outputs of the detector are `regressors` `[1, 896,
+//! 16]` and `classificators` `[1, 896, 1]`. Those of the landmark network are `conv2d_21` `[1, 1404, 1, 1]` and
+//! `conv2d_31` `[1, 1, 1, 1]`. The trunk of the attention network outputs `output_mesh` `[1, 1404, 1, 1]`,
+//! `conv_faceflag` `[1, 1, 1, 1]` and the features `p_re_lu_3` `[1, 32, 48, 48]`. Its heads take
+//! `transform_tensor_bilinear_v2`, `…_1` and `…_2`, each `[1, 32, 16, 16]`. They output `conv_lips` `[1, 160, 1, 1]`,
+//! `conv_left_eye` `[1, 142, 1, 1]`, `conv_left_iris` `[1, 10, 1, 1]`, and the same for the right eye. Left and right
+//! are the picture's.
 
 mod convert;
 mod error;
@@ -37,11 +39,11 @@ use package::Package;
 /// The three networks as ONNX files.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Networks {
-    /// Picture 128² → 896 boxes with six key points each, and their scores.
+    /// 128 × 128 picture → 896 boxes with six key points each, and their scores.
     pub detector_onnx: Vec<u8>,
-    /// Face 192² → 468 landmarks and the face flag.
+    /// 192 × 192 face → 468 landmarks and the face flag.
     pub landmarks_onnx: Vec<u8>,
-    /// Face 192² → 468 landmarks, the face flag and features; regions of the features → lips, eyes and irises.
+    /// 192 × 192 face → 468 landmarks, the face flag and features; crops of the features → lips, eyes and irises.
     pub attention_onnx: Vec<u8>,
 }
 
@@ -51,10 +53,10 @@ const LANDMARKS_FILE: &str = "face_landmark.tflite";
 const LANDMARKS_SHA256: &str = "c603fa6149219a3e9487dc9abd7a0c24474c77263273d24868378cdf40aa26d1";
 const ATTENTION_FILE: &str = "face_landmark_with_attention.tflite";
 const ATTENTION_SHA256: &str = "883b7411747bac657c30c462d305d312e9dec6adbf8b85e2f5d8d722fca9455d";
-/// The picture, and where the regions of lips and eyes come back in.
+/// The picture, and the crops for the lips and the eyes.
 const ATTENTION_INPUTS: [&str; 4] =
     ["input_1", "transform_tensor_bilinear_v2", "transform_tensor_bilinear_v2_1", "transform_tensor_bilinear_v2_2"];
-/// What the trunk finds, the features that the regions are cut out of, and what the three heads find.
+/// The trunk's outputs, including the features to crop, then the heads' outputs.
 const ATTENTION_OUTPUTS: [&str; 8] = [
     "output_mesh",
     "conv_faceflag",
@@ -66,12 +68,12 @@ const ATTENTION_OUTPUTS: [&str; 8] = [
     "conv_right_iris",
 ];
 
-/// Reads the networks out of the package's packed assets and converts them.
+/// Extracts the networks from the package's assets and converts them.
 ///
 /// `loader_js` is `face_mesh_solution_packed_assets_loader.js`, `packed` is `face_mesh_solution_packed_assets.data`.
 ///
 /// # Errors
-/// If the script lists no such files, if a file is not the one known by its SHA-256, or if it cannot be converted.
+/// If the script does not list the files, a file has another SHA-256, or a conversion fails.
 pub fn import(loader_js: &str, packed: &[u8]) -> Result<Networks, ImportError> {
     let package = Package::new(loader_js, packed)?;
     Ok(Networks {

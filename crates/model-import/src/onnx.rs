@@ -1,11 +1,11 @@
-//! The ONNX messages a network of this kind needs; field numbers are those of `onnx.proto`.
+//! The ONNX messages that the face networks need. Field numbers are those of `onnx.proto`.
 
 use prost::Message;
 
 const INT_ATTRIBUTE: i32 = 2;
 const INTS_ATTRIBUTE: i32 = 7;
 
-/// Type of the elements of a tensor, `TensorProto.DataType`.
+/// Element type of a tensor, `TensorProto.DataType`.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum ElementType {
     F32 = 1,
@@ -13,7 +13,7 @@ pub(crate) enum ElementType {
     F16 = 10,
 }
 
-/// A whole file.
+/// The root message of a file.
 #[derive(Clone, PartialEq, Message)]
 pub(crate) struct Model {
     #[prost(int64, tag = "1")]
@@ -116,13 +116,13 @@ pub(crate) struct Shape {
 
 #[derive(Clone, PartialEq, Message)]
 pub(crate) struct Dimension {
-    // A member of a oneof, so it is written even where it is 0.
+    // A member of a oneof, so 0 is also written.
     #[prost(int64, optional, tag = "1")]
     pub(crate) value: Option<i64>,
 }
 
 impl Model {
-    /// A file of opset 13, which IR version 7 introduced.
+    /// A file of opset 13, which requires IR version 7.
     pub(crate) fn opset_13(graph: Graph) -> Self {
         Self {
             ir_version: 7,
@@ -145,14 +145,14 @@ impl Node {
         }
     }
 
-    /// The same node with one more attribute, a number.
+    /// Adds an integer attribute.
     pub(crate) fn int(mut self, name: &str, value: i64) -> Self {
         let name = name.to_owned();
         self.attributes.push(Attribute { name, int: Some(value), ints: Vec::new(), kind: INT_ATTRIBUTE });
         self
     }
 
-    /// The same node with one more attribute, a list of numbers.
+    /// Adds an attribute with a list of integers.
     pub(crate) fn ints(mut self, name: &str, values: &[i64]) -> Self {
         let name = name.to_owned();
         self.attributes.push(Attribute { name, int: None, ints: values.to_vec(), kind: INTS_ATTRIBUTE });
@@ -161,13 +161,13 @@ impl Node {
 }
 
 impl Tensor {
-    /// A constant from its little-endian bytes in row-major order.
+    /// Creates a constant from little-endian bytes in row-major order.
     pub(crate) fn new(name: &str, element_type: ElementType, shape: &[usize], raw_data: Vec<u8>) -> Self {
         let shape = shape.iter().map(|&extent| extent as i64).collect();
         Self { shape, element_type: element_type as i32, name: name.to_owned(), raw_data }
     }
 
-    /// A constant list of i64.
+    /// Creates a one-dimensional i64 constant.
     pub(crate) fn i64s(name: &str, values: &[i64]) -> Self {
         let bytes = values.iter().flat_map(|value| value.to_le_bytes()).collect();
         Self::new(name, ElementType::I64, &[values.len()], bytes)
@@ -175,7 +175,7 @@ impl Tensor {
 }
 
 impl ValueInfo {
-    /// An f32 input or output of the graph.
+    /// Creates an f32 input or output of the graph.
     pub(crate) fn f32(name: &str, shape: &[usize]) -> Self {
         let dimensions = shape.iter().map(|&extent| Dimension { value: Some(extent as i64) }).collect();
         let tensor = TensorType { element_type: ElementType::F32 as i32, shape: Some(Shape { dimensions }) };

@@ -3,7 +3,7 @@ use sha2::{Digest, Sha256};
 
 use crate::ImportError;
 
-/// The package's packed assets and where in them each file lies.
+/// The package's assets and their byte ranges.
 pub(crate) struct Package<'a> {
     files: Vec<PackedFile>,
     packed: &'a [u8],
@@ -22,17 +22,17 @@ struct PackedFile {
 }
 
 impl<'a> Package<'a> {
-    /// Reads the list of files that the loader script passes to `loadPackage`, which is plain JSON.
+    /// Parses the JSON list of files that the loader script passes to `loadPackage`.
     pub(crate) fn new(loader_js: &str, packed: &'a [u8]) -> Result<Self, ImportError> {
         const CALL: &str = "loadPackage({";
-        let call = loader_js.rfind(CALL).ok_or_else(|| no_list("it never calls loadPackage".to_owned()))?;
+        let call = loader_js.rfind(CALL).ok_or_else(|| no_list("it does not call loadPackage".to_owned()))?;
         let json = &loader_js[call + CALL.len() - 1..];
         let mut lists = serde_json::Deserializer::from_str(json).into_iter::<FileList>();
-        let list = lists.next().ok_or_else(|| no_list("it is empty".to_owned()))?;
+        let list = lists.next().ok_or_else(|| no_list("the list is empty".to_owned()))?;
         Ok(Self { files: list.map_err(|error| no_list(error.to_string()))?.files, packed })
     }
 
-    /// The bytes of the file with this name (without folder), if they are the ones expected.
+    /// Returns the bytes of the named file (without folder) after verifying their SHA-256.
     pub(crate) fn file(&self, name: &str, expected_sha256: &str) -> Result<&'a [u8], ImportError> {
         let is_named = |file: &&PackedFile| file.filename.rsplit('/').next() == Some(name);
         let file = self.files.iter().find(is_named).ok_or_else(|| ImportError::NoSuchFile { name: name.to_owned() })?;

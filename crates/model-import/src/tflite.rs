@@ -1,11 +1,11 @@
-//! The subset of the TFLite schema that the face networks use; field and operator numbers are those of `schema.fbs`.
+//! The subset of the TFLite schema that the face networks use. Field and operator numbers are those of `schema.fbs`.
 
 use std::collections::HashSet;
 
 use crate::ImportError;
 use crate::flatbuffer::Table;
 
-/// One network: tensors, and operators in the order they run.
+/// A network: tensors, and operators in execution order.
 pub(crate) struct Network<'a> {
     pub(crate) tensors: Vec<Tensor<'a>>,
     pub(crate) operators: Vec<Operator>,
@@ -13,22 +13,22 @@ pub(crate) struct Network<'a> {
     pub(crate) outputs: Vec<usize>,
 }
 
-/// A value that flows, or a constant if `data` is not empty.
+/// A value, or a constant if `data` is not empty.
 pub(crate) struct Tensor<'a> {
     pub(crate) name: String,
-    /// NHWC where it is picture-shaped.
+    /// NHWC for rank 4.
     pub(crate) shape: Vec<usize>,
     pub(crate) element_type: i8,
     /// Little-endian, row-major.
     pub(crate) data: &'a [u8],
 }
 
-/// Element type of half-precision weights.
+/// TFLite's element type of half-precision weights.
 pub(crate) const FLOAT16: i8 = 1;
-/// Element type of pads.
+/// TFLite's element type of padding.
 pub(crate) const INT32: i8 = 2;
 
-/// One step of the network. Inputs and outputs are indices of tensors.
+/// An operator; inputs and output are tensor indices.
 pub(crate) struct Operator {
     pub(crate) code: i32,
     pub(crate) kind: Kind,
@@ -36,7 +36,7 @@ pub(crate) struct Operator {
     pub(crate) output: usize,
 }
 
-/// What a step does.
+/// Kind of operator, with its options.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
     Add,
@@ -54,11 +54,11 @@ pub(crate) enum Kind {
     Reshape,
     Pad,
     Prelu,
-    /// An operator that the face networks use only where they are cut.
+    /// An unsupported operator; [`Network::part`] removes those of the face networks.
     Other,
 }
 
-/// How a kernel moves over a picture. Pairs are height, width.
+/// Movement of a kernel over a picture. Pairs are (height, width).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Window {
     pub(crate) padding: Padding,
@@ -68,15 +68,15 @@ pub(crate) struct Window {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Padding {
-    /// Output extent is `ceil(n / stride)`; the surplus pad goes after.
+    /// Output extent is `ceil(n / stride)`; odd padding adds one more after than before.
     Same,
-    /// No pads.
+    /// No padding.
     Valid,
 }
 
 impl Window {
-    /// Pads before and after along one axis (0 = height, 1 = width) of extent `n` for a kernel of extent `k`:
-    /// `total = max((ceil(n/s) − 1)·s + k − n, 0)`, before = total/2, after = the rest.
+    /// Padding before and after along an axis (0 = height, 1 = width) of extent `n` for a kernel of extent `k`: `total
+    /// = max((ceil(n/s) − 1)·s + k − n, 0)`, before = total/2, after = the rest.
     pub(crate) fn pads(&self, axis: usize, n: usize, kernel: usize) -> [usize; 2] {
         if self.padding == Padding::Valid {
             return [0, 0];
@@ -89,7 +89,7 @@ impl Window {
 }
 
 impl<'a> Network<'a> {
-    /// Reads the first subgraph of a TFLite file.
+    /// Parses the first subgraph of a TFLite file.
     pub(crate) fn read(file: &'a [u8]) -> Result<Self, ImportError> {
         let model = Table::root(file, *b"TFL3")?;
         let codes = model.tables(1)?.iter().map(operator_code).collect::<Result<Vec<_>, _>>()?;
@@ -103,21 +103,20 @@ impl<'a> Network<'a> {
         Ok(Self { tensors, operators, inputs, outputs })
     }
 
-    /// The part of the network that computes the tensors named in `outputs` out of those named in `inputs` and out of
-    /// constants.
+    /// The part of the network that computes the tensors `outputs` from the tensors `inputs` and constants.
     pub(crate) fn part(mut self, inputs: &[&str], outputs: &[&str]) -> Result<Self, ImportError> {
         self.inputs = self.named(inputs)?;
         self.outputs = self.named(outputs)?;
-        let mut wanted: HashSet<usize> = self.outputs.iter().copied().collect();
-        let mut kept = Vec::new();
+        let mut needed: HashSet<usize> = self.outputs.iter().copied().collect();
+        let mut selected = Vec::new();
         for operator in self.operators.into_iter().rev() {
-            if wanted.contains(&operator.output) && !self.inputs.contains(&operator.output) {
-                wanted.extend(&operator.inputs);
-                kept.push(operator);
+            if needed.contains(&operator.output) && !self.inputs.contains(&operator.output) {
+                needed.extend(&operator.inputs);
+                selected.push(operator);
             }
         }
-        kept.reverse();
-        self.operators = kept;
+        selected.reverse();
+        self.operators = selected;
         Ok(self)
     }
 
@@ -132,7 +131,7 @@ fn damaged(what: &'static str) -> ImportError {
     ImportError::Damaged { what, offset: 0 }
 }
 
-/// Small numbers stand in an i8 field that older readers know, larger ones in an i32 field; the other is 0.
+/// Small codes are in the deprecated i8 field, larger ones in the i32 field; the other field is lower.
 fn operator_code(table: &Table<'_>) -> Result<i32, ImportError> {
     Ok(i32::from(table.i8(0, 0)?).max(table.i32(3, 0)?))
 }
@@ -151,7 +150,7 @@ fn tensor<'a>(table: &Table<'a>, buffers: &[Table<'a>]) -> Result<Tensor<'a>, Im
 fn operator(table: &Table<'_>, codes: &[i32], tensors: &[Tensor<'_>]) -> Result<Operator, ImportError> {
     let code = *codes.get(table.index(0)?).ok_or(damaged("operator code index"))?;
     let inputs = tensor_indices(table, 1, tensors.len())?;
-    let output = *tensor_indices(table, 2, tensors.len())?.first().ok_or(damaged("operator without output"))?;
+    let output = *tensor_indices(table, 2, tensors.len())?.first().ok_or(damaged("operator output"))?;
     let unsupported =
         |what: String| ImportError::Unsupported { operator: code, output: tensors[output].name.clone(), what };
     let options = table.table(4)?;
@@ -203,7 +202,7 @@ fn window(options: &Table<'_>, dilation_fields: Option<[usize; 2]>) -> Result<Wi
     Ok(Window { padding, strides: [extent(options, 2)?, extent(options, 1)?], dilations })
 }
 
-/// A stride, dilation or kernel size: a positive i32 that is 1 if absent.
+/// A stride, dilation or kernel size: a positive i32, 1 if absent.
 fn extent(options: &Table<'_>, field: usize) -> Result<usize, ImportError> {
     let value = usize::try_from(options.i32(field, 1)?).ok();
     value.filter(|&extent| extent > 0).ok_or(damaged("stride, dilation or kernel size"))
@@ -236,19 +235,19 @@ mod tests {
     }
 
     #[test]
-    fn same_padding_makes_the_output_the_input_over_the_stride_rounded_up() {
+    fn same_padding_gives_the_extent_over_the_stride_rounded_up() {
         for (n, stride, kernel, dilation) in cases() {
             let [before, after] = window(Padding::Same, stride, dilation).pads(0, n, kernel);
-            let reach = (kernel - 1) * dilation + 1;
+            let extent = (kernel - 1) * dilation + 1;
             let padded = n + before + after;
-            assert!(padded >= reach, "{n} {stride} {kernel} {dilation}");
-            assert_eq!((padded - reach) / stride + 1, n.div_ceil(stride), "{n} {stride} {kernel} {dilation}");
+            assert!(padded >= extent, "{n} {stride} {kernel} {dilation}");
+            assert_eq!((padded - extent) / stride + 1, n.div_ceil(stride), "{n} {stride} {kernel} {dilation}");
             assert!(after == before || after == before + 1);
         }
     }
 
     #[test]
-    fn valid_padding_is_none() {
+    fn valid_padding_is_zero() {
         assert!(cases().all(|(n, stride, kernel, d)| window(Padding::Valid, stride, d).pads(1, n, kernel) == [0, 0]));
     }
 

@@ -1,4 +1,4 @@
-//! The npm package the networks come from, as `cargo xtask setup` installs it.
+//! The npm package of the networks, as installed by `cargo xtask setup`.
 
 use std::path::Path;
 
@@ -6,7 +6,7 @@ use std::path::Path;
 pub fn package() -> (String, Vec<u8>) {
     let loader_js = read("face_mesh_solution_packed_assets_loader.js");
     let packed = read("face_mesh_solution_packed_assets.data");
-    (String::from_utf8(loader_js).expect("a script is text"), packed)
+    (String::from_utf8(loader_js).expect("the script is UTF-8"), packed)
 }
 
 fn read(name: &str) -> Vec<u8> {
