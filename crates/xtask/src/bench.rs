@@ -1,4 +1,4 @@
-//! `cargo xtask bench`: Rosto and its peers on this machine, into docs/benchmarks.json.
+//! `cargo xtask bench`: measures Rosto and comparable software, and writes docs/benchmarks.json.
 
 use crate::places::{WASM, assets, remove_folder, root, target};
 use crate::run::{Run, announced};
@@ -11,19 +11,19 @@ use std::time::Duration;
 const LIMIT: Duration = Duration::from_secs(7200);
 const MEDIAPIPE: &str = "tests/reference/mediapipe_requirements.txt";
 const PEERS: &str = "tests/bench/requirements.txt";
-/// Needs a C library and a compiler: left out where it does not install.
+/// Optional, because it needs a C library and a compiler.
 const CHOLMOD: &str = "tests/bench/requirements-cholmod.txt";
 
-/// A name, what is measured, and a program that prints a JSON object per measurement.
+/// Name, description, and a program that prints one JSON object per measurement.
 type Part = (&'static str, &'static str, fn(&Kit) -> Result<Run>);
 const PARTS: [Part; 4] = [
-    ("native", "edits, photos, landmarks and textures on this machine", native),
+    ("native", "edits, photos, landmarks and textures", native),
     ("solvers", "edits in NumPy, SciPy, libigl and CHOLMOD", solvers),
-    ("batches", "many photos in Python, compared with MediaPipe's package", batches),
-    ("browser", "the page and its peers in fresh browsers", browser),
+    ("batches", "folders of photos in Python, compared with MediaPipe", batches),
+    ("browser", "the page and comparable pages", browser),
 ];
 
-/// Runs all parts, or those named; replaces the results of the tasks and peers that they measure.
+/// Runs the named parts, or all, and replaces their results.
 pub fn run(wanted: &[&str]) -> Result<()> {
     if let Some(unknown) = wanted.iter().find(|name| !PARTS.iter().any(|(part, ..)| part == *name)) {
         bail!("unknown part `{unknown}`: use native, solvers, batches or browser");
@@ -48,16 +48,16 @@ fn native(kit: &Kit) -> Result<Run> {
 }
 
 fn solvers(_: &Kit) -> Result<Run> {
-    let python = python::environment(&[PEERS, CHOLMOD], "the solvers that edits are compared with");
+    let python = python::environment(&[PEERS, CHOLMOD], "solvers for comparison");
     let python = python.or_else(|_| {
-        println!("  · CHOLMOD does not install here (on Debian it needs libsuitesparse-dev); it is left out");
-        python::environment(&[PEERS], "the solvers that edits are compared with")
+        println!("  · skipping CHOLMOD, which did not install (on Debian it needs libsuitesparse-dev)");
+        python::environment(&[PEERS], "solvers for comparison")
     })?;
     Ok(Run::new(python).arg("tests/bench/peers.py"))
 }
 
 fn batches(_: &Kit) -> Result<Run> {
-    let python = python::environment(&[python::MATURIN, MEDIAPIPE], "photos are measured with MediaPipe, too")?;
+    let python = python::environment(&[python::MATURIN, MEDIAPIPE], "MediaPipe for comparison")?;
     python::install_package(&python, "--release")?;
     Ok(Run::new(python).arg("tests/bench/many.py").arg(assets().join("sample.png")))
 }

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Builds Rust's library for wasm32 with Debian's compiler and sources, for machines where rustup cannot download it, into a
-# sysroot below $1. Its bin/ has a rustc and a cargo that use it; the system's folders stay as the packages left them.
+# Builds Rust's library for wasm32 from Debian's compiler and sources into the sysroot $1, if rustup cannot download it.
+# $1/bin contains a rustc and a cargo that use the sysroot. System folders stay unchanged.
 set -eu
 at=$1
 target=wasm32-unknown-unknown
@@ -19,7 +19,7 @@ echo '#![no_std]' > "$at/empty/src/lib.rs"
 )
 rm -r "$at/empty"
 
-# The host's libraries, for build scripts and procedural macros, and the linker.
+# Host libraries for build scripts and procedural macros, and the linker.
 for lib in /usr/lib/rustlib/*-linux-*/lib; do
   host="$at/lib/rustlib/$(basename "$(dirname "$lib")")"
   mkdir -p "$host/bin"
@@ -27,7 +27,7 @@ for lib in /usr/lib/rustlib/*-linux-*/lib; do
   ln -s /usr/bin/lld-22 "$host/bin/rust-lld"
 done
 
-# clippy-driver reads SYSROOT; cargo-clippy finds it next to itself.
+# clippy-driver reads SYSROOT. cargo-clippy runs the clippy-driver in its own folder.
 printf '#!/bin/sh\nexec /usr/bin/rustc --sysroot "%s" "$@"\n' "$at" > "$at/bin/rustc"
 printf '#!/bin/sh\nexport RUSTC="%s/bin/rustc" SYSROOT="%s"\nexec /usr/bin/cargo "$@"\n' "$at" "$at" > "$at/bin/cargo"
 chmod +x "$at/bin/rustc" "$at/bin/cargo"

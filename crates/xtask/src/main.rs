@@ -1,7 +1,8 @@
-//! The workspace's tasks: see `cargo xtask help`.
+//! Tasks of the workspace; `cargo xtask help` lists them.
 
 mod assets;
 mod bench;
+mod fuzz;
 mod page;
 mod places;
 mod python;
@@ -12,49 +13,40 @@ mod setup;
 mod steps;
 mod system;
 mod test;
-mod torture;
 
 use anyhow::{Result, anyhow};
 use std::process::ExitCode;
 
-/// A task by its name, with its help.
+/// Name, help and function of a task.
 type Task = (&'static str, &'static str, fn(&[&str]) -> Result<()>);
 
 const TASKS: [Task; 14] = [
-    ("setup", "obtain all that the tasks below need and that is missing", setup::run),
-    ("serve", "build the page and serve it on 127.0.0.1:8080, or the next free port", page::serve),
-    ("dist", "build the page for the web into dist/, and show its sizes", page::dist),
-    (
-        "reproduce",
-        "build the page once more, from nothing and elsewhere: it must be dist/ byte for byte",
-        page::reproduce,
-    ),
-    ("npm", "build the npm package out of the page into target/npm, and pack it", page::npm),
-    ("test", "[STEP…] check and test everything, or only the named steps", test::run),
-    ("deny", "check licences, bans and sources of all that is compiled against deny.toml", rust::deny),
+    ("setup", "install missing tools, networks and packages", setup::run),
+    ("serve", "build the page and serve it on 127.0.0.1:8080 or the next free port", page::serve),
+    ("dist", "build the page into dist/ and print its sizes", page::dist),
+    ("reproduce", "rebuild the page from scratch in another folder and compare it with dist/", page::reproduce),
+    ("npm", "build and pack the npm package in target/npm", page::npm),
+    ("test", "[STEP…] run all checks and tests, or the named steps", test::run),
+    ("deny", "check licences, bans and sources of dependencies against deny.toml", rust::deny),
     (
         "bench",
-        "[PART…] measure Rosto and its peers into docs/benchmarks.json: native, solvers, batches, browser",
+        "[PART…] run benchmarks and write docs/benchmarks.json; parts: native, solvers, batches, browser",
         bench::run,
     ),
-    ("readers", "open every file in programs that are not ours, Blender included", readers::run),
-    (
-        "torture",
-        "[MINUTES] fuzz, then run property, browser and monkey tests at length; 10 minutes a part by default",
-        torture::run,
-    ),
-    ("screenshots", "draw the documentation's pictures", page::screenshots),
-    ("wheel", "build the Python package into target/wheels, and try it in an empty environment", python::wheel),
-    ("site", "build the documentation as a static site into target/site", page::site),
-    ("help", "this text", help),
+    ("readers", "open exported files in other programs, including Blender", readers::run),
+    ("fuzz", "[MINUTES] run fuzzing, property, end-to-end and monkey tests; default: 10 minutes each", fuzz::run),
+    ("screenshots", "render the documentation's pictures", page::screenshots),
+    ("wheel", "build the Python package in target/wheels and try it in an empty environment", python::wheel),
+    ("site", "build the documentation site in target/site", page::site),
+    ("help", "print this help", help),
 ];
 
 const NOTES: &str = "
-Every task first obtains what it needs. Tools go to $XDG_CACHE_HOME/rosto (by default ~/.cache/rosto) and are shared by
-all checkouts; nothing is fetched or built twice. Debian packages are installed only where something is missing.
+Each task installs what it needs. Tools go to $XDG_CACHE_HOME/rosto (default: ~/.cache/rosto), which all checkouts share.
+On Debian, missing system packages are installed with apt-get.
 
-  ROSTO_BROWSER  the Chromium or Chrome that the tests drive
-  CHROMEDRIVER   its driver
+  ROSTO_BROWSER  Chromium or Chrome for the tests
+  CHROMEDRIVER   ChromeDriver of the same version
 ";
 
 fn main() -> ExitCode {
@@ -63,7 +55,7 @@ fn main() -> ExitCode {
     let (name, rest) = words.split_first().map_or(("help", &[][..]), |(name, rest)| (*name, rest));
     let name = if matches!(name, "-h" | "--help") { "help" } else { name };
     let task = TASKS.iter().find(|(task, ..)| *task == name);
-    let unknown = || anyhow!("`{name}` is not a task: cargo xtask help lists them");
+    let unknown = || anyhow!("unknown task `{name}`; `cargo xtask help` lists the tasks");
     match task.ok_or_else(unknown).and_then(|(.., run)| run(rest)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {

@@ -1,4 +1,4 @@
-//! What is built of the page: `dist/`, the npm package, the site beside it, and the documentation's pictures.
+//! Builds `dist/`, the npm package, the documentation site and its pictures.
 
 use crate::places::{cache, remove_folder, root, target};
 use crate::run::{Run, announced, is_program};
@@ -18,30 +18,30 @@ pub fn dist(_: &[&str]) -> Result<()> {
 
 /// Builds `dist/`.
 pub fn build(kit: &Kit) -> Result<()> {
-    announced("page", "the first time takes some minutes", || trunk(kit).arg("build").checked().map(|_| ()))
+    announced("page", "the first build takes several minutes", || trunk(kit).arg("build").checked().map(|_| ()))
 }
 
-/// Trunk, in the profile in which the tests are built, too.
+/// Trunk; Trunk.toml selects the profile that the tests use, too.
 pub fn trunk(kit: &Kit) -> Run {
     kit.run("trunk").arg("--skip-version-check")
 }
 
-/// `cargo xtask serve`: serves the page until it is interrupted, and builds it again when a file changes.
+/// `cargo xtask serve`: serves the page until interrupted, and rebuilds it when a file changes.
 pub fn serve(_: &[&str]) -> Result<()> {
     let kit = setup::for_page()?;
     let is_free = |port: &u16| TcpListener::bind((Ipv4Addr::LOCALHOST, *port)).is_ok();
-    let port = (8080..8180).find(is_free).context("no port from 8080 to 8179 is free: end what listens there")?;
-    println!("Building the page, which takes some minutes the first time; then it is at http://127.0.0.1:{port}/");
-    println!("Ctrl-C ends it.");
+    let port = (8080..8180).find(is_free).context("no free port from 8080 to 8179")?;
+    println!("Building the page (the first build takes several minutes). Address: http://127.0.0.1:{port}/");
+    println!("Press Ctrl-C to stop.");
     let has_screen = cfg!(target_os = "macos") || std::env::var_os("DISPLAY").is_some() && is_program("xdg-open");
     let serve = trunk(&kit).args(["serve", "--port", &port.to_string(), &format!("--open={has_screen}")]);
-    // A folder of its own: the page built for the web stays as it is.
+    // A separate folder, so that dist/ stays unchanged.
     let status = serve.arg("--dist").arg(target().join("xtask/serve")).command.status()?;
-    ensure!(status.success(), "Trunk ended with {status}: see what it says above");
+    ensure!(status.success(), "Trunk failed with {status}; see above");
     Ok(())
 }
 
-/// `cargo xtask npm`: builds the npm package out of the page and packs it as it would be published.
+/// `cargo xtask npm`: builds the npm package from the page, and packs it for publishing.
 pub fn npm(_: &[&str]) -> Result<()> {
     let kit = setup::for_page()?;
     build(&kit)?;
@@ -55,46 +55,46 @@ pub fn npm(_: &[&str]) -> Result<()> {
 
 /// `cargo xtask site`: builds the documentation as a static site into `target/site`.
 pub fn site(_: &[&str]) -> Result<()> {
-    let built = announced("site", "the command line is built first: it describes itself", || {
+    let built = announced("site", "builds the command line first, for its reference", || {
         build_site(&setup::for_page()?)?.checked()
     })?;
     print!("{built}");
     Ok(())
 }
 
-/// The program that builds the site.
+/// Program that builds the site.
 pub fn build_site(kit: &Kit) -> Result<Run> {
     let node = kit.run("node").arg("docs/site/build.mjs").arg(target().join("site")).log("site");
     Ok(node.env("ROSTO_CLI", rust::command_line()?))
 }
 
-/// `cargo xtask screenshots`: draws the documentation's pictures of the page and of models.
+/// `cargo xtask screenshots`: renders the documentation's pictures of the page and of models.
 pub fn screenshots(_: &[&str]) -> Result<()> {
     let kit = setup::for_tests()?;
     build(&kit)?;
     let draw = kit.npm("pictures").env("ROSTO_CLI", rust::command_line()?);
-    print!("{}", announced("pictures", "of the page and of models", || draw.checked())?);
+    print!("{}", announced("pictures", "for the documentation", || draw.checked())?);
     Ok(())
 }
 
-/// `cargo xtask reproduce`: builds the page once more, in a checkout of its own and from nothing, and compares the two.
+/// `cargo xtask reproduce`: builds the page from scratch in another checkout, and compares the results.
 pub fn reproduce(_: &[&str]) -> Result<()> {
     let git = |words: &str| Run::new("git").words(words);
     let changes = git("status --porcelain").checked()?;
-    ensure!(changes.is_empty(), "commit these first, since the other checkout has what git has:\n{changes}");
+    ensure!(changes.is_empty(), "commit these changes first; the second build uses the committed files:\n{changes}");
     build(&setup::for_page()?)?;
     let other = cache()?.join(format!("another-checkout-{}", std::process::id()));
     git("worktree add --detach").arg(&other).checked()?;
     // A build folder of its own, and cargo's toolchain found anew.
     let mut again = Run::new("cargo").words("xtask dist").current_dir(&other).log("reproduce");
     again.command.env_remove("CARGO_TARGET_DIR");
-    let compared = announced("page again", "from nothing, in another folder", || {
+    let compared = announced("second build", "from scratch, in another folder", || {
         again.checked()?;
-        // Trunk's lock is empty and never published.
+        // Trunk's lock is empty and not published.
         Run::new("diff").words("-r --exclude=.trunk-lock").arg(root().join("dist")).arg(other.join("dist")).checked()
     });
     git("worktree remove --force").arg(&other).checked()?;
     compared.context("two builds of the same sources differ")?;
-    println!("Both are the same, byte for byte; dist/integrity.json has the SHA-256 of every file.");
+    println!("Both builds are identical. dist/integrity.json lists the SHA-256 of each file.");
     Ok(())
 }

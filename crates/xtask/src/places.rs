@@ -1,33 +1,32 @@
-//! Folders: this checkout's, and the user's cache, which all checkouts share.
+//! Folders of this checkout, and of the user's cache, which all checkouts share.
 
 use anyhow::{Context, Result};
 use fs_err as fs;
 use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
 
-/// The target of the page's modules.
+/// Target of the page's modules.
 pub const WASM: &str = "wasm32-unknown-unknown";
 
-/// The folder with the workspace's `Cargo.toml`. cargo names it at run time: checkouts that share a build folder share
-/// this program, too.
+/// Root of the workspace. Read at run time, because checkouts that share a build folder also share this program.
 pub fn root() -> PathBuf {
     let here = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
     Path::new(&here).ancestors().nth(2).expect("invariant: this crate lies two folders below the root").to_owned()
 }
 
-/// cargo's build folder.
+/// Build folder of cargo.
 pub fn target() -> PathBuf {
     root().join(std::env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
 }
 
-/// The logs of the programs that were run last.
+/// Logs of the last run of each program.
 pub fn logs() -> Result<PathBuf> {
     let folder = target().join("xtask/logs");
     fs::create_dir_all(&folder)?;
     Ok(folder)
 }
 
-/// The networks and the sample portrait.
+/// Networks and sample portrait.
 pub fn assets() -> PathBuf {
     root().join("web/assets")
 }
@@ -36,10 +35,10 @@ pub fn assets() -> PathBuf {
 pub fn cache() -> Result<PathBuf> {
     let from_xdg = std::env::var_os("XDG_CACHE_HOME").map(PathBuf::from).filter(|path| path.is_absolute());
     let folder = from_xdg.or_else(|| Some(std::env::home_dir()?.join(".cache")));
-    Ok(folder.context("no place for the tools: set HOME or XDG_CACHE_HOME")?.join("rosto"))
+    Ok(folder.context("no cache folder: set HOME or XDG_CACHE_HOME")?.join("rosto"))
 }
 
-/// Removes a folder unless it is missing.
+/// Removes a folder if it exists.
 pub fn remove_folder(folder: &Path) -> Result<()> {
     if folder.exists() {
         fs::remove_dir_all(folder)?;
@@ -47,11 +46,10 @@ pub fn remove_folder(folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Flags for rustc that keep this machine's folders out of the page's modules: a panic's message names its source file by
-/// the path that rustc was given, so every machine would build other bytes.
+/// Flags for rustc that remove this machine's paths from panic messages, so that builds are reproducible.
 ///
-/// Of two prefixes that match, rustc takes the last. cargo's variable cannot hold a space, so a folder with a space in its
-/// name stays.
+/// If several prefixes match, rustc uses the last. Folders with a space in their path are not remapped, because cargo
+/// splits the variable at spaces.
 pub fn remapped() -> String {
     let cargo_home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
     let cargo_home = cargo_home.or_else(|| Some(std::env::home_dir()?.join(".cargo"))).unwrap_or_default();
@@ -74,7 +72,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_folder_with_a_space_in_its_name_does_not_break_the_others() {
+    fn skips_folders_with_a_space_in_their_path() {
         let folders =
             [(PathBuf::from("/a/b"), "rosto"), (PathBuf::from("/my files"), "rosto"), (PathBuf::from("/c"), "cargo")];
         assert_eq!(flags(&folders), "--remap-path-prefix=/a/b=rosto --remap-path-prefix=/c=cargo");

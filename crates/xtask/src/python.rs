@@ -1,4 +1,4 @@
-//! Virtual environments of Python in the user's cache, and the Python package in them.
+//! Python environments in the user's cache, and the Python package in them.
 
 use crate::assets;
 use crate::places::{self, cache, remove_folder, root, sha256, target};
@@ -8,12 +8,11 @@ use anyhow::{Context, Result};
 use fs_err as fs;
 use std::path::{Path, PathBuf};
 
-/// What builds the package.
+/// Build tools of the package.
 pub const MATURIN: &str = "crates/python/requirements-build.txt";
 const TESTS: &str = "tests/python/requirements.txt";
 
-/// The interpreter of an environment with the packages that these files of requirements pin. Other pins make another
-/// environment.
+/// Returns the interpreter of an environment with the packages that `requirements` pin. Other pins give another environment.
 pub fn environment(requirements: &[&str], why: &str) -> Result<PathBuf> {
     let pins = requirements.iter().map(|file| fs::read_to_string(root().join(file)));
     let folder = cache()?.join("python").join(&sha256(pins.collect::<Result<String, _>>()?.as_bytes())[..16]);
@@ -22,7 +21,7 @@ pub fn environment(requirements: &[&str], why: &str) -> Result<PathBuf> {
     if complete.is_file() {
         return Ok(python);
     }
-    announced(&format!("Python packages of {}", requirements.join(" and ")), why, || {
+    announced(&format!("Python packages in {}", requirements.join(" and ")), why, || {
         with_pip()?;
         remove_folder(&folder)?;
         Run::new("python3").words("-m venv").arg(&folder).checked()?;
@@ -34,25 +33,24 @@ pub fn environment(requirements: &[&str], why: &str) -> Result<PathBuf> {
     Ok(python)
 }
 
-/// The interpreter that runs the package's tests, with the package built of what the native tests are built of.
+/// Returns an interpreter with the package's tests installed, built from the artefacts of the native tests.
 pub fn for_tests() -> Result<PathBuf> {
-    let python = environment(&[MATURIN, TESTS], "300 MB: tests use the Python package with Ray, Dask and a notebook")?;
+    let python = environment(&[MATURIN, TESTS], "300 MB: Ray, Dask and Jupyter for the tests")?;
     install_package(&python, "--profile dev --compatibility linux")?;
     Ok(python)
 }
 
-/// Builds the package with these options of maturin and installs it into an environment that has maturin and all that the
-/// package needs.
+/// Builds the package with these options of maturin, and installs it without its dependencies.
 pub fn install_package(python: &Path, options: &str) -> Result<()> {
     let wheel = build(python, "python/wheels", options)?;
     pip(python).words("install --quiet --no-deps --force-reinstall").arg(wheel).checked().map(|_| ())
 }
 
-/// `cargo xtask wheel`: builds the wheel into `target/wheels`, installs it where nothing else is, and finds a face with it.
+/// `cargo xtask wheel`: builds the wheel in `target/wheels`, and finds a face with it in an empty environment.
 pub fn wheel(_: &[&str]) -> Result<()> {
     assets::obtain()?;
-    let maturin = environment(&[MATURIN], "maturin builds the Python package")?;
-    let wheel = announced("wheel", "the first time takes some minutes", || build(&maturin, "wheels", "--release"))?;
+    let maturin = environment(&[MATURIN], "builds the Python package")?;
+    let wheel = announced("wheel", "the first build takes several minutes", || build(&maturin, "wheels", "--release"))?;
     let empty = target().join("python/empty");
     let python = empty.join("bin/python");
     Run::new("python3").words("-m venv --clear").arg(&empty).checked()?;
@@ -63,13 +61,13 @@ pub fn wheel(_: &[&str]) -> Result<()> {
     Ok(())
 }
 
-/// Builds the only wheel in a folder of `target`.
+/// Builds a wheel into an emptied folder of `target`, and returns its path.
 fn build(maturin: &Path, folder: &str, options: &str) -> Result<PathBuf> {
     let folder = target().join(folder);
     remove_folder(&folder)?;
     let build = Run::new(maturin).words("-m maturin build --locked --manifest-path crates/python/Cargo.toml");
     build.words(options).arg("--out").arg(&folder).log("maturin").checked()?;
-    Ok(fs::read_dir(&folder)?.next().context("maturin has built no wheel")??.path())
+    Ok(fs::read_dir(&folder)?.next().context("maturin did not build a wheel")??.path())
 }
 
 fn pip(python: &Path) -> Run {

@@ -1,18 +1,18 @@
-//! `cargo xtask readers`: every file in programs that are not ours, Blender included.
+//! `cargo xtask readers`: opens exported files in other programs, including Blender.
 
 use crate::run::announced;
 use crate::{python, rust, setup};
 use anyhow::Result;
 
-/// Several times as large as all other readers together: not for every run of the tests.
+/// Separate, because it is several times as large as the other readers together.
 const BLENDER: &str = "tests/readers/requirements-blender.txt";
 
-/// Opens every file with every reader.
+/// Opens each file with each reader.
 pub fn run(_: &[&str]) -> Result<()> {
     let kit = setup::for_tests()?;
-    let blender = python::environment(&[BLENDER], "373 MB: Blender opens every file; its package is for Python 3.11")?;
+    let blender = python::environment(&[BLENDER], "373 MB: Blender; needs Python 3.11")?;
     let readers = kit.npm("readers").env("ROSTO_CLI", rust::command_line()?).env("ROSTO_READERS_BLENDER", blender);
-    let output = announced("readers", "every file in other programs", || readers.checked())?;
+    let output = announced("readers", "opens exported files in other programs", || readers.checked())?;
     kit.report_missing();
     print!("{output}");
     Ok(())

@@ -1,4 +1,4 @@
-//! Running other programs: with a log, a time limit and signs of life.
+//! Runs other programs with a log, a time limit and progress lines.
 
 use crate::places::{logs, root};
 use anyhow::{Context, Result, anyhow, bail};
@@ -10,13 +10,13 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 const POLL: Duration = Duration::from_millis(50);
-const SIGN_OF_LIFE: Duration = Duration::from_secs(15);
+const PROGRESS: Duration = Duration::from_secs(15);
 const SHOWN_CHARACTERS: usize = 100;
 const SHOWN_LINES: usize = 40;
 
-/// A program to run, by default in the root of the workspace and for up to an hour.
+/// A program to run, by default in the workspace's root and for up to one hour.
 pub struct Run {
-    /// What the program runs as.
+    /// Underlying command.
     pub command: Command,
     name: String,
     limit: Duration,
@@ -24,18 +24,18 @@ pub struct Run {
 
 /// How a program ended.
 pub struct Ended {
-    /// Exit status 0 within the limit.
+    /// Whether it exited with status 0 within the limit.
     pub success: bool,
-    /// Standard output and error in the order in which they came.
+    /// Standard output and error, interleaved.
     pub output: String,
     name: String,
 }
 
 impl Run {
-    /// A program by its name on PATH, or by its path.
+    /// Takes a name on PATH or a path.
     pub fn new(program: impl AsRef<OsStr>) -> Self {
         let mut command = Command::new(&program);
-        // cargo names its own toolchain here, which need not be the one that the program is meant to use.
+        // CARGO would force the toolchain that runs xtask.
         command.current_dir(root()).stdin(Stdio::null()).env_remove("CARGO");
         let name = Path::new(&program).file_name().unwrap_or_default().to_string_lossy().into_owned();
         Self { command, name, limit: Duration::from_secs(3600) }
@@ -53,7 +53,7 @@ impl Run {
         self
     }
 
-    /// Adds arguments that are separated by spaces.
+    /// Adds arguments separated by spaces.
     pub fn words(self, arguments: &str) -> Self {
         self.args(arguments.split_whitespace())
     }
@@ -76,13 +76,13 @@ impl Run {
         self
     }
 
-    /// Names the log after something other than the program.
+    /// Sets the name of the log; the default is the program's name.
     pub fn log(mut self, name: &str) -> Self {
         self.name = name.to_owned();
         self
     }
 
-    /// Runs the program, shows the last line of its output now and then, and keeps the output in a log.
+    /// Runs the program, logs its output, and prints the last line of it every 15 s.
     pub fn run(mut self) -> Result<Ended> {
         let file = logs()?.join(format!("{}.log", self.name));
         let log = fs::File::create(&file)?.into_file();
@@ -99,44 +99,44 @@ impl Run {
 
     fn wait(&mut self, log: &Path) -> Result<bool> {
         let mut child = self.command.spawn().map_err(|error| match error.kind() {
-            ErrorKind::NotFound => anyhow!("the program `{}` is not on this machine", self.name),
-            _ => anyhow!("`{}` does not start: {error}", self.name),
+            ErrorKind::NotFound => anyhow!("program `{}` not found", self.name),
+            _ => anyhow!("cannot start `{}`: {error}", self.name),
         })?;
-        let (started, mut signs) = (Instant::now(), 0);
+        let (started, mut lines) = (Instant::now(), 0);
         while started.elapsed() < self.limit {
             if let Some(status) = child.try_wait()? {
                 return Ok(status.success());
             }
-            if started.elapsed() > SIGN_OF_LIFE * (signs + 1) {
-                signs += 1;
+            if started.elapsed() > PROGRESS * (lines + 1) {
+                lines += 1;
                 println!("    {}, {}: {}", self.name, elapsed(started.elapsed()), last_line(log));
             }
             std::thread::sleep(POLL);
         }
         child.kill()?;
         child.wait()?;
-        println!("    {} is stopped at its limit of {}", self.name, elapsed(self.limit));
+        println!("    stopped {} at its time limit of {}", self.name, elapsed(self.limit));
         Ok(false)
     }
 }
 
 impl Ended {
-    /// The output if the program succeeded, else an error with its last lines.
+    /// Returns the output if the program succeeded, else an error with its last lines.
     pub fn checked(self) -> Result<String> {
         if self.success {
             return Ok(self.output);
         }
-        bail!("`{}` failed; the last lines of its output:\n{}", self.name, last_lines(&self.output, SHOWN_LINES))
+        bail!("`{}` failed; last lines of its output:\n{}", self.name, last_lines(&self.output, SHOWN_LINES))
     }
 }
 
-/// The last lines of a text.
+/// Last lines of a text.
 pub fn last_lines(text: &str, count: usize) -> String {
     let lines: Vec<&str> = text.trim_end().lines().collect();
     lines[lines.len().saturating_sub(count)..].join("\n")
 }
 
-/// Announces what takes a while and why it is needed, does it, and reports how long it took.
+/// Prints a title and a reason, does the work, and prints how long it took.
 pub fn announced<T>(what: &str, why: &str, work: impl FnOnce() -> Result<T>) -> Result<T> {
     println!("▸ {what} ({why})");
     let started = Instant::now();
@@ -145,12 +145,12 @@ pub fn announced<T>(what: &str, why: &str, work: impl FnOnce() -> Result<T>) -> 
     Ok(done)
 }
 
-/// An error with its causes, a line each, and without a backtrace.
+/// An error and its causes, one per line, without a backtrace.
 pub fn causes(error: &anyhow::Error) -> String {
     error.chain().map(ToString::to_string).collect::<Vec<_>>().join("\n  ")
 }
 
-/// A duration as people say it: `0.4 s`, `12 s`, `3 min 05 s`.
+/// Formats a duration: `0.4 s`, `12 s`, `3 min 05 s`.
 pub fn elapsed(duration: Duration) -> String {
     match duration.as_secs() {
         0..10 => format!("{:.1} s", duration.as_secs_f64()),
@@ -159,12 +159,12 @@ pub fn elapsed(duration: Duration) -> String {
     }
 }
 
-/// Whether a program is on this machine.
+/// Whether a program is on PATH.
 pub fn is_program(name: &str) -> bool {
     find(name).is_some()
 }
 
-/// Finds a program on PATH or, given its absolute path, in its place.
+/// Finds a program on PATH, or by its absolute path.
 pub fn find(name: &str) -> Option<PathBuf> {
     let path = std::env::var_os("PATH")?;
     let file = format!("{name}{}", std::env::consts::EXE_SUFFIX);

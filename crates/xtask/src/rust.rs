@@ -1,4 +1,4 @@
-//! Rust's own tools: a compiler for wasm32, rustfmt and clippy, and programs that cargo installs into the user's cache.
+//! Rust's tools: a compiler for wasm32, rustfmt and clippy, and programs that cargo installs into the user's cache.
 
 use crate::places::{WASM, cache, remove_folder, target};
 use crate::run::{Run, announced, is_program};
@@ -8,83 +8,68 @@ use fs_err as fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// Without a route to its servers, rustup hangs.
+/// rustup hangs without a route to its servers.
 const RUSTUP_LIMIT: Duration = Duration::from_secs(120);
 const DEBIAN_PACKAGES: &str = "rustc-web cargo-web rust-web-src rust-web-clippy lld-22";
 
-/// A program that comes from a crate.
+/// A program installed from a crate.
 pub struct Tool {
     package: &'static str,
     version: &'static str,
     options: &'static str,
-    /// 1 for what works through megabytes; what waits for compilers is compiled as quickly as can be.
+    /// 1 for programs that process megabytes, 0 for those that mostly wait for compilers.
     opt_level: &'static str,
     why: &'static str,
 }
 
-/// Builds and serves the page. It must have one kind of TLS, although all that it calls is on PATH.
+/// Builds and serves the page. It needs a TLS feature to compile, although it downloads nothing.
 pub const TRUNK: Tool = Tool {
     package: "trunk",
     version: "0.22.1",
     options: "--no-default-features --features rustls",
     opt_level: "0",
-    why: "it builds and serves the page",
+    why: "builds and serves the page",
 };
 
-/// Joins the modules to JavaScript; must be the version of the crate in `Cargo.lock`.
+/// Generates the modules' JavaScript; must have the version of the crate in `Cargo.lock`.
 pub const WASM_BINDGEN: Tool = Tool {
     package: "wasm-bindgen-cli",
     version: "0.2.130",
     options: "",
     opt_level: "1",
-    why: "it joins WebAssembly to JavaScript",
+    why: "generates JavaScript bindings",
 };
 
 /// Runs the WebAssembly tests in a browser.
-pub const WASM_PACK: Tool = Tool {
-    package: "wasm-pack",
-    version: "0.15.1",
-    options: "",
-    opt_level: "0",
-    why: "it runs the WebAssembly tests in Chromium",
-};
+pub const WASM_PACK: Tool =
+    Tool { package: "wasm-pack", version: "0.15.1", options: "", opt_level: "0", why: "runs the WebAssembly tests" };
 
-/// Drives Firefox; Debian has it in none of its packages.
-pub const GECKODRIVER: Tool = Tool {
-    package: "geckodriver",
-    version: "0.37.1",
-    options: "",
-    opt_level: "0",
-    why: "a test visits the page in Firefox with it",
-};
+/// Drives Firefox; not packaged by Debian.
+pub const GECKODRIVER: Tool =
+    Tool { package: "geckodriver", version: "0.37.1", options: "", opt_level: "0", why: "drives Firefox in a test" };
 
-/// Checks licences, bans and sources of all that is compiled.
-pub const CARGO_DENY: Tool = Tool {
-    package: "cargo-deny",
-    version: "0.20.2",
-    options: "",
-    opt_level: "1",
-    why: "it checks licences, bans and sources of all that is compiled",
-};
+/// Checks licences, bans and sources of dependencies.
+pub const CARGO_DENY: Tool =
+    Tool { package: "cargo-deny", version: "0.20.2", options: "", opt_level: "1", why: "checks dependencies" };
 
 /// Runs the fuzz targets with libFuzzer.
 pub const CARGO_FUZZ: Tool =
-    Tool { package: "cargo-fuzz", version: "0.13.2", options: "", opt_level: "0", why: "it fuzzes the readers" };
+    Tool { package: "cargo-fuzz", version: "0.13.2", options: "", opt_level: "0", why: "runs the fuzz targets" };
 
 impl Tool {
-    /// The folder that holds the program, installed if it is not there yet.
+    /// Returns the folder that contains the program; installs it if necessary.
     pub fn obtain(&self) -> Result<PathBuf> {
         let folder = cache()?.join("tools").join(format!("{}-{}", self.package, self.version));
-        // cargo writes this list last.
+        // cargo writes this file last.
         if !folder.join(".crates.toml").is_file() {
             announced(self.package, self.why, || self.install(&folder))?;
         }
         Ok(folder.join("bin"))
     }
 
-    /// Not `--locked`: a mirror need not have every version that the package was locked to.
+    /// Installs without `--locked`, because a mirror may lack some of the locked versions.
     fn install(&self, folder: &Path) -> Result<()> {
-        // One build folder for all: what two of them are made of is compiled once.
+        // A shared build folder compiles common dependencies once.
         let install =
             Run::new("cargo").words("install --ignore-rust-version").args([self.package, "--version", self.version]);
         let install = install.words(self.options).arg("--root").arg(folder).env("CARGO_TARGET_DIR", build_folder()?);
@@ -92,27 +77,27 @@ impl Tool {
         let install = install.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", self.opt_level).env("RUSTFLAGS", "");
         let installed = install.log(self.package).current_dir(cache()?).checked().map(|_| ());
         installed.with_context(|| match is_program("cc") {
-            true => "let cargo reach its package registry; a newer Rust may be needed, too: rustup update",
-            false => "install a C linker first, on Debian: apt-get install build-essential",
+            true => "cargo must reach its package registry; you may also need a newer Rust: rustup update",
+            false => "install a C linker (on Debian: apt-get install build-essential)",
         })
     }
 }
 
-/// `cargo xtask deny`: checks every crate in `Cargo.lock`. Advisories are left to the workflow: their database changes while
-/// the sources stay as they are.
+/// `cargo xtask deny`: checks the crates in `Cargo.lock`. The workflow checks advisories, whose database changes
+/// independently of the sources.
 pub fn deny(_: &[&str]) -> Result<()> {
     let deny = Run::new(CARGO_DENY.obtain()?.join("cargo-deny"));
     let checked = deny.words("--locked check --deny warnings licenses bans sources").command.status()?;
-    ensure!(checked.success(), "a crate is not as deny.toml wants it: see what cargo-deny says above");
+    ensure!(checked.success(), "a crate violates deny.toml; see above");
     Ok(())
 }
 
-/// Removes what the tools were built from.
+/// Removes the tools' build folder.
 pub fn tidy_up() -> Result<()> {
     remove_folder(&build_folder()?)
 }
 
-/// Finds or obtains a compiler for wasm32; returns its folder if it is not the present one.
+/// Finds or installs a compiler for wasm32; returns its folder if it is not the current one.
 pub fn for_wasm() -> Result<Option<PathBuf>> {
     if has_wasm()? {
         return Ok(None);
@@ -120,17 +105,17 @@ pub fn for_wasm() -> Result<Option<PathBuf>> {
     if let Some(built) = debian_sysroot().ok().filter(|built| built.join("bin/rustc").is_file()) {
         return Ok(Some(built));
     }
-    announced("Rust's library for wasm32", "the page is compiled to WebAssembly", || {
+    announced("Rust's library for wasm32", "compiles the page to WebAssembly", || {
         let Err(why) = add_wasm() else { return Ok(None) };
-        println!("  · building it from Debian's sources, since rustup cannot add it: {why:#}");
-        let advice = format!("add it yourself: rustup target add {WASM}; or, on Debian, make apt-get work");
+        println!("  · rustup cannot add it ({why:#}); building it from Debian's sources");
+        let advice = format!("run `rustup target add {WASM}`, or make apt-get work on Debian");
         from_debian().context(advice).map(Some)
     })
 }
 
 fn add_wasm() -> Result<()> {
     rustup(&format!("target add {WASM}"))?;
-    ensure!(has_wasm()?, "rustup added the target, but not to the compiler that cargo uses");
+    ensure!(has_wasm()?, "rustup added the target to another toolchain than the one that cargo uses");
     Ok(())
 }
 
@@ -141,7 +126,7 @@ fn from_debian() -> Result<PathBuf> {
     Ok(sysroot)
 }
 
-/// Another version of Debian's compiler needs another library.
+/// The folder name contains the compiler's version, because the library must match it.
 fn debian_sysroot() -> Result<PathBuf> {
     let version = Run::new("/usr/bin/rustc").arg("--version").checked()?;
     let version = version.split_whitespace().nth(1).context("rustc has no version")?;
@@ -153,21 +138,21 @@ fn has_wasm() -> Result<bool> {
     Ok(fs::read_dir(folder.trim()).is_ok_and(|mut files| files.next().is_some()))
 }
 
-/// Adds rustfmt and clippy where they are missing.
+/// Installs rustfmt and clippy if they are missing.
 pub fn components() -> Result<()> {
     for (component, command) in [("rustfmt", "fmt"), ("clippy", "clippy")] {
         if Run::new("cargo").args([command, "--version"]).run()?.success {
             continue;
         }
-        announced(component, "the tests check the sources with it", || {
-            rustup(&format!("component add {component}")).context("install it with your Rust")
+        announced(component, "checks the sources", || {
+            rustup(&format!("component add {component}")).context("install it with your Rust toolchain")
         })?;
     }
     Ok(())
 }
 
 fn rustup(words: &str) -> Result<()> {
-    ensure!(is_program("rustup"), "this machine has no rustup");
+    ensure!(is_program("rustup"), "rustup not found");
     Run::new("rustup").words(words).within(RUSTUP_LIMIT).checked().map(|_| ())
 }
 
@@ -177,13 +162,13 @@ fn build_folder() -> Result<PathBuf> {
     Ok(folder)
 }
 
-/// The command line's program as the native tests build it.
+/// Builds the command line as the native tests do, and returns its path.
 pub fn command_line() -> Result<PathBuf> {
     over_the_workspace("test").words("--quiet --tests --no-run").log("command-line").checked()?;
     Ok(target().join("debug/rosto"))
 }
 
-/// A cargo command over the workspace without the façades, which only build for wasm32.
+/// A cargo command for the workspace without the façades, which build for wasm32 alone.
 pub fn over_the_workspace(command: &str) -> Run {
     Run::new("cargo").words(command).words("--workspace --exclude rosto-*-web* --locked")
 }
@@ -194,7 +179,7 @@ mod tests {
     use crate::places::root;
 
     #[test]
-    fn wasm_bindgen_is_the_version_of_its_crate() {
+    fn wasm_bindgen_has_the_version_in_the_lock_file() {
         let lock = fs::read_to_string(root().join("Cargo.lock")).unwrap();
         assert!(lock.contains(&format!("name = \"wasm-bindgen\"\nversion = \"{}\"", WASM_BINDGEN.version)));
     }

@@ -1,4 +1,4 @@
-//! Obtains everything that a task needs, and only what is missing.
+//! Installs the missing tools and files of a task.
 
 use crate::places::{WASM, remapped, root};
 use crate::run::{Run, causes, elapsed};
@@ -11,10 +11,10 @@ use std::time::Instant;
 
 const READERS: &str = "tests/readers/requirements.txt";
 
-/// What was obtained, as the environment of the programs that need it.
+/// Environment variables that point programs to the installed tools.
 pub struct Kit {
     environment: Vec<(String, OsString)>,
-    /// Why something could not be had; the tests that do without it run all the same.
+    /// Errors of tools that could not be installed; tests that do not need them still run.
     missing: Vec<anyhow::Error>,
 }
 
@@ -23,12 +23,12 @@ pub fn run(_: &[&str]) -> Result<()> {
     let started = Instant::now();
     let kit = for_tests()?;
     kit.report_missing();
-    ensure!(kit.missing.is_empty(), "not everything could be had: see above");
-    println!("Everything is in place ({}).", elapsed(started.elapsed()));
+    ensure!(kit.missing.is_empty(), "some tools could not be installed; see above");
+    println!("Set-up is complete ({}).", elapsed(started.elapsed()));
     Ok(())
 }
 
-/// What is needed to build and serve the page.
+/// Tools to build and serve the page.
 pub fn for_page() -> Result<Kit> {
     with_tools(&[&WASM_BINDGEN, &TRUNK])
 }
@@ -42,19 +42,19 @@ fn with_tools(tools: &[&Tool]) -> Result<Kit> {
     let folders = folders.chain([root().join("node_modules/.bin")]);
     let present = std::env::var_os("PATH").unwrap_or_default();
     let path = std::env::join_paths(folders.chain(std::env::split_paths(&present)))?;
-    // The same flags for everything that is built for wasm32, or the tests would build the page's modules again.
+    // The same flags for all wasm32 builds; otherwise the tests would rebuild the page's modules.
     let flags = format!("CARGO_TARGET_{}_RUSTFLAGS", WASM.to_uppercase().replace('-', "_"));
     let mut environment = vec![("PATH".to_owned(), path), (flags, remapped().into())];
-    // rustup's stand-in for cargo-clippy comes before the one on PATH, and takes a folder here.
+    // rustup's proxy for cargo-clippy precedes the one on PATH, and accepts a folder here.
     environment.extend(debian.map(|sysroot| ("RUSTUP_TOOLCHAIN".to_owned(), sysroot.into())));
     Ok(Kit { environment, missing: Vec::new() })
 }
 
-/// What is needed to test it, too. Packages arrive while tools compile.
+/// Tools to build and test the page. Packages download while tools compile.
 pub fn for_tests() -> Result<Kit> {
     thread::scope(|scope| {
         let system = scope.spawn(system::obtain);
-        let readers = scope.spawn(|| python::environment(&[READERS], "62 MB: a test opens every file with them"));
+        let readers = scope.spawn(|| python::environment(&[READERS], "62 MB: programs that open exported files"));
         rust::components()?;
         let mut kit = with_tools(&[&WASM_BINDGEN, &TRUNK, &WASM_PACK, &GECKODRIVER])?;
         kit.missing = system.join().expect("invariant: setting up does not panic");
@@ -68,17 +68,17 @@ pub fn for_tests() -> Result<Kit> {
 }
 
 impl Kit {
-    /// A program that finds what was obtained.
+    /// A program with the environment of the installed tools.
     pub fn run(&self, program: impl AsRef<OsStr>) -> Run {
         self.environment.iter().fold(Run::new(program), |run, (name, value)| run.env(name, value))
     }
 
-    /// A script of `package.json`.
+    /// A script in `package.json`.
     pub fn npm(&self, script: &str) -> Run {
         self.run("npm").args(["run", "--silent", script])
     }
 
-    /// Prints why something could not be had.
+    /// Prints the errors of tools that could not be installed.
     pub fn report_missing(&self) {
         self.missing.iter().for_each(|missing| println!("✗ {}", causes(missing)));
     }

@@ -1,7 +1,7 @@
-//! What is checked, in which order, by which program.
+//! Steps of `cargo xtask test`.
 //!
-//! The order keeps quick checks first and lets later steps use what earlier ones built: the page built for the web carries
-//! the types that tsc reads and is what the browsers visit.
+//! Quick checks come first. Later steps use the results of earlier ones: `dist` builds the types for tsc and the page for the
+//! browsers.
 
 use crate::places::{WASM, root, target};
 use crate::run::{Run, is_program};
@@ -11,68 +11,64 @@ use crate::{page, python};
 use anyhow::Result;
 use fs_err as fs;
 
-/// One step of the tests; it passes if its program exits with status 0.
+/// A step; it passes if its program exits with status 0.
 pub struct Step {
-    /// Its name on the command line.
+    /// Name on the command line.
     pub name: &'static str,
-    /// What it checks.
+    /// Description.
     pub what: &'static str,
     /// Prepares the program.
     pub program: fn(&Kit) -> Result<Run>,
 }
 
-/// All steps in their order.
+/// All steps, in order.
 pub const ALL: [Step; 19] = [
     step("format", "rustfmt", |_| Ok(cargo("fmt --all --check"))),
-    step("lint", "clippy on this machine's target", |_| {
+    step("lint", "clippy on the host", |_| {
         Ok(over_the_workspace("clippy").words("--all-targets --keep-going -- -D warnings"))
     }),
-    step("lint-js", "Biome over the page's JavaScript and the tests'", |kit| Ok(kit.npm("lint"))),
-    // Benchmarks run on this machine alone.
-    step("lint-wasm", "clippy on wasm32, for what runs in the browser", |kit| {
+    step("lint-js", "Biome on JavaScript", |kit| Ok(kit.npm("lint"))),
+    // Without benchmarks, which run on the host.
+    step("lint-wasm", "clippy on wasm32", |kit| {
         let clippy = kit.run("cargo").words("clippy --lib --tests --examples --locked --keep-going --target").arg(WASM);
         Ok(packages(clippy, tested_on_wasm()?).words("-- -D warnings"))
     }),
-    step("docs", "rustdoc without warnings", |_| {
+    step("docs", "rustdoc", |_| {
         Ok(over_the_workspace("doc").words("--no-deps --keep-going").env("RUSTDOCFLAGS", "-D warnings"))
     }),
-    step("packages", "what the published crates hold", |_| {
+    step("packages", "contents of the published crates", |_| {
         Ok(cargo("publish --workspace --dry-run --no-verify --allow-dirty --locked"))
     }),
-    step("native", "theorems, golden numbers, shaders, layering", |_| {
+    step("native", "native tests", |_| {
         let runner = if is_program("cargo-nextest") { "nextest run" } else { "test" };
         Ok(over_the_workspace(runner).words("--tests --no-fail-fast"))
     }),
-    step("examples", "the examples in the documentation", |_| {
-        Ok(over_the_workspace("test --doc").arg("--no-fail-fast"))
-    }),
-    step("python", "the Python package, on clusters and in a notebook, too", |_| {
+    step("examples", "examples in the documentation", |_| Ok(over_the_workspace("test --doc").arg("--no-fail-fast"))),
+    step("python", "Python package, with clusters and a notebook", |_| {
         let pytest = Run::new(python::for_tests()?).words("-m pytest --quiet --disable-warnings -p no:cacheprovider");
         Ok(pytest.arg("tests/python").env("ROSTO_CLI", command_line()?))
     }),
-    step("site", "the documentation as a site, and every link in it", |kit| {
+    step("site", "documentation site and its links", |kit| {
         page::build_site(kit)?.checked()?;
         Ok(kit.npm("site").env("ROSTO_SITE", target().join("site")))
     }),
-    step("wasm:page", "the page's module in headless Chromium", |kit| {
+    step("wasm:page", "page module in headless Chromium", |kit| {
         Ok(packages(in_chromium(kit), tested_on_wasm()?.into_iter().filter(|name| name != WORKER_MODULE)))
     }),
-    step("wasm:webgl", "the page's module for WebGL2 in headless Chromium", |kit| {
+    step("wasm:webgl", "WebGL2 module in headless Chromium", |kit| {
         let webgl = packages(in_chromium(kit), [WEBGL_MODULE, "rosto-viewport"]);
         Ok(webgl.words("--features rosto-viewport/webgl"))
     }),
-    step("wasm:worker", "the worker's module in headless Chromium", |kit| {
-        Ok(packages(in_chromium(kit), [WORKER_MODULE]))
-    }),
-    step("dist", "the page built for the web", |kit| Ok(page::trunk(kit).arg("build"))),
-    step("size", "what a visitor downloads, against its budget", |kit| Ok(kit.npm("size"))),
-    step("types", "tsc over the page's scripts", |kit| Ok(kit.npm("check"))),
-    step("readers", "every file opened by programs that are not ours", |kit| with_command_line(kit.npm("readers"))),
-    step("e2e", "end-to-end tests of the page in headless Chromium", |kit| with_command_line(kit.npm("e2e"))),
-    step("engines", "the page in Chromium, Firefox and WebKit, by WebGL2", |kit| Ok(kit.npm("engines"))),
+    step("wasm:worker", "worker module in headless Chromium", |kit| Ok(packages(in_chromium(kit), [WORKER_MODULE]))),
+    step("dist", "build of the page", |kit| Ok(page::trunk(kit).arg("build"))),
+    step("size", "download size against its budget", |kit| Ok(kit.npm("size"))),
+    step("types", "tsc on JavaScript", |kit| Ok(kit.npm("check"))),
+    step("readers", "exported files in other programs", |kit| with_command_line(kit.npm("readers"))),
+    step("e2e", "end-to-end tests in headless Chromium", |kit| with_command_line(kit.npm("e2e"))),
+    step("engines", "page in Chromium, Firefox and WebKit with WebGL2", |kit| Ok(kit.npm("engines"))),
 ];
 
-/// The page's module with the feature `webgl`. Everything that cargo builds together with it gets the feature, too.
+/// The page's module with the feature `webgl`. Built separately, because cargo would enable the feature for the others too.
 const WEBGL_MODULE: &str = "rosto-studio-webgl";
 const WORKER_MODULE: &str = "rosto-vision-web";
 
@@ -88,7 +84,7 @@ fn cargo(words: &str) -> Run {
     Run::new("cargo").words(words)
 }
 
-/// Tests of one of the page's modules with the features and in the profile of that module, so that both are built of the same.
+/// Tests of a module with that module's features and profile, so that both builds share artefacts.
 fn in_chromium(kit: &Kit) -> Run {
     let test = kit.run("wasm-pack").words("test --headless --chrome");
     let driver = std::env::var_os("CHROMEDRIVER");
@@ -101,7 +97,7 @@ fn packages(run: Run, names: impl IntoIterator<Item = impl AsRef<str>>) -> Run {
     names.into_iter().fold(run, |run, name| run.args(["--package", name.as_ref()]))
 }
 
-/// The workspace's packages with tests for the browser, sorted.
+/// Packages with browser tests, sorted.
 fn tested_on_wasm() -> Result<Vec<String>> {
     let mut found = Vec::new();
     for folder in fs::read_dir(root().join("crates"))? {

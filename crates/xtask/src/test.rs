@@ -1,4 +1,4 @@
-//! `cargo xtask test`: every check of the workspace, or the steps that are named.
+//! `cargo xtask test`: runs all steps or the named ones.
 
 use crate::run::{causes, elapsed, last_lines};
 use crate::setup::{self, Kit};
@@ -6,14 +6,14 @@ use crate::steps::{ALL, Step};
 use anyhow::{Result, bail, ensure};
 use std::time::Instant;
 
-/// Shown where the step fails, and once more at the end, where a log that was cut still has it.
+/// Lines of output shown when a step fails, and again at the end, in case the log is truncated at the start.
 const SHOWN_LINES: [usize; 2] = [400, 40];
 
-/// Runs all steps or those named, even when one fails.
+/// Runs all steps or the named ones, and continues after a failure.
 pub fn run(wanted: &[&str]) -> Result<()> {
     let unknown = wanted.iter().find(|name| !ALL.iter().any(|step| step.is_called(name)));
     if let Some(name) = unknown {
-        bail!("`{name}` is not a step; the steps are {}", ALL.map(|step| step.name).join(", "));
+        bail!("unknown step `{name}`; the steps are {}", ALL.map(|step| step.name).join(", "));
     }
     let steps = ALL.iter().filter(|step| wanted.is_empty() || wanted.iter().any(|name| step.is_called(name)));
     let kit = setup::for_tests()?;
@@ -31,12 +31,12 @@ pub fn run(wanted: &[&str]) -> Result<()> {
 }
 
 impl Step {
-    /// Whether the command line means this step: by its name, or by the part before the colon.
+    /// Whether `name` is this step's name, or the part of it before the colon.
     fn is_called(&self, name: &str) -> bool {
         self.name == name || self.name.split(':').next() == Some(name)
     }
 
-    /// Runs it; returns its output, or fails with it.
+    /// Runs the step; returns its output, on failure as the error.
     fn run(&self, kit: &Kit) -> Result<String, String> {
         println!("▸ {} ({})", self.name, self.what);
         let started = Instant::now();
@@ -51,7 +51,7 @@ impl Step {
         };
         let took = elapsed(started.elapsed());
         match &result {
-            // Several runners close with such a line; one of cargo's follows for each crate without tests.
+            // Test runners end with such a line; cargo also prints one for each crate without tests.
             Ok(output) => match output.lines().rfind(|line| line.contains("passed") && !line.contains(" 0 passed")) {
                 Some(counts) => println!("  ✓ {}, {took}: {}", self.name, counts.trim()),
                 None => println!("  ✓ {}, {took}", self.name),

@@ -1,4 +1,4 @@
-//! Writes the seeds of every fuzz target into a folder, as the corpus that `cargo fuzz` starts from.
+//! Writes the seeds of the fuzz targets into a folder, as the initial corpus of `cargo fuzz`.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! The files that others write and Rosto reads: valid seeds of every kind, their readers, and what every reader promises.
+//! Rosto's readers of untrusted files: valid seeds of each kind, and the requirements that a reader must meet.
 
 mod readers;
 mod repair;
@@ -15,11 +15,11 @@ pub enum Kind {
     Picture,
     /// An ICC profile.
     Profile,
-    /// A GLB with what opens it again.
+    /// A GLB that can be reopened.
     Glb,
     /// A project file.
     Project,
-    /// A history of edits.
+    /// A history of edits, as JSON.
     Edits,
 }
 
@@ -27,7 +27,7 @@ impl Kind {
     /// All kinds.
     pub const ALL: [Self; 5] = [Self::Picture, Self::Profile, Self::Glb, Self::Project, Self::Edits];
 
-    /// Valid files, small where they can be.
+    /// Small valid files.
     pub fn seeds(self) -> Vec<Vec<u8>> {
         match self {
             Self::Picture => seeds::pictures::all(),
@@ -38,14 +38,14 @@ impl Kind {
         }
     }
 
-    /// Reads a file as the program does; returns whether it was accepted.
+    /// Reads a file as Rosto does; returns whether it was accepted.
     ///
     /// # Panics
     ///
-    /// If reading takes more than 2 s twice, holds more than 64 MB at a time, or breaks a promise.
+    /// If reading takes more than 2 s in two attempts, allocates more than 64 MB, or violates a requirement.
     pub fn check(self, bytes: &[u8]) -> bool {
-        let (accepted, took) = frugal(|| self.read(bytes));
-        assert!(took < MOST_TIME || frugal(|| self.read(bytes)).1 < MOST_TIME, "reading takes {took:?}");
+        let (accepted, took) = measured(|| self.read(bytes));
+        assert!(took < MAX_TIME || measured(|| self.read(bytes)).1 < MAX_TIME, "reading takes {took:?}");
         accepted
     }
 
@@ -63,18 +63,18 @@ impl Kind {
 #[global_allocator]
 static MEMORY: PeakAlloc = PeakAlloc;
 
-const MOST_TIME: Duration = Duration::from_secs(2);
-const MOST_BYTES: usize = 64_000_000;
+const MAX_TIME: Duration = Duration::from_secs(2);
+const MAX_BYTES: usize = 64_000_000;
 
-/// Runs `action` within the memory that a reader may hold; returns how long it took, too.
-fn frugal<T>(action: impl FnOnce() -> T) -> (T, Duration) {
+/// Runs `action`, asserts its memory limit, and returns its result and duration.
+fn measured<T>(action: impl FnOnce() -> T) -> (T, Duration) {
     let before = MEMORY.current_usage();
     MEMORY.reset_peak_usage();
     let started = Instant::now();
     let outcome = action();
     let took = started.elapsed();
     let held = MEMORY.peak_usage().saturating_sub(before);
-    assert!(held <= MOST_BYTES, "reading holds {held} bytes");
+    assert!(held <= MAX_BYTES, "reading allocates {held} bytes");
     (outcome, took)
 }
 
@@ -83,7 +83,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_seed_is_accepted_by_its_reader() {
+    fn readers_accept_their_seeds() {
         for kind in Kind::ALL {
             for (which, seed) in kind.seeds().iter().enumerate() {
                 assert!(kind.check(seed), "{kind:?} {which}");
@@ -92,8 +92,8 @@ mod tests {
     }
 
     #[test]
-    #[should_panic(expected = "reading holds 70")]
-    fn memory_that_was_given_back_counts_too() {
-        frugal(|| drop(std::hint::black_box(vec![1_u8; 70_000_000])));
+    #[should_panic(expected = "reading allocates 70")]
+    fn counts_memory_that_was_freed() {
+        measured(|| drop(std::hint::black_box(vec![1_u8; 70_000_000])));
     }
 }

@@ -1,4 +1,4 @@
-//! Rosto's own readers, in the order in which the program calls them, and what they promise.
+//! Rosto's readers, called in the same order as in Rosto, with assertions on their results.
 
 use std::sync::LazyLock;
 
@@ -9,7 +9,7 @@ use rosto_studio::{Document, Rest, project};
 
 use crate::seeds::{faces::canonical_rest, pictures::with_profile};
 
-/// Smaller than the program's own, so that a reader that ignores them exceeds its memory.
+/// Smaller than the defaults, so that a reader that ignores them exceeds the memory limit.
 const LIMITS: Limits = Limits { max_bytes: 40_000_000, max_pixels: 1 << 18 };
 
 /// Decodes a photo and scales it down.
@@ -17,29 +17,29 @@ pub fn picture(bytes: &[u8]) -> bool {
     let decoded = decode(bytes, &LIMITS);
     match &decoded {
         Ok(photo) => assert_sound(photo),
-        Err(error) => assert!(!error.to_string().is_empty() && !error.hint().is_empty(), "a refusal without words"),
+        Err(error) => assert!(!error.to_string().is_empty() && !error.hint().is_empty(), "an error without a message or hint"),
     }
     decoded.is_ok()
 }
 
-/// Decodes an intact JPEG with this colour profile.
+/// Decodes an intact JPEG that contains this colour profile.
 pub fn profile(bytes: &[u8]) -> bool {
-    assert!(picture(&with_profile(bytes)), "a damaged profile costs the picture");
+    assert!(picture(&with_profile(bytes)), "a damaged profile makes the picture unreadable");
     true
 }
 
-/// Opens the face in a GLB, its texture and its history.
+/// Reopens a GLB: face, texture and history.
 pub fn glb(bytes: &[u8]) -> bool {
     reopen(bytes).is_ok_and(|opened| face(&opened))
 }
 
-/// Opens the face in a project, its picture and its history.
+/// Opens a project: face, picture and history.
 pub fn project(bytes: &[u8]) -> bool {
     let _ = sniff(bytes);
     rosto_export::project::read(bytes).is_ok_and(|opened| face(&opened))
 }
 
-/// Replays a history over the canonical face.
+/// Replays a history on the canonical face.
 pub fn edits(bytes: &[u8]) -> bool {
     static REST: LazyLock<Rest> = LazyLock::new(canonical_rest);
     std::str::from_utf8(bytes).is_ok_and(|text| history(text, REST.clone()))
@@ -71,7 +71,7 @@ fn texture(opened: &Reopened<'_>) -> Option<Photo> {
 fn history(text: &str, rest: Rest) -> bool {
     let Ok(entries) = project::from_json(text) else { return false };
     let again = project::from_json(&project::to_json(&entries));
-    assert_eq!(again.as_ref(), Ok(&entries), "a history changes by being written and read");
+    assert_eq!(again.as_ref(), Ok(&entries), "a history changes when it is written and read");
     let Ok(document) = Document::replay(rest, entries) else { return false };
     assert!(document.positions().iter().all(|position| position.is_finite()), "a history with an infinite position");
     true
@@ -81,7 +81,7 @@ fn assert_sound(photo: &Photo) {
     let pixels = u64::from(photo.width()) * u64::from(photo.height());
     assert_eq!(photo.pixels().len() as u64, pixels * 3, "a photo without three bytes for each pixel");
     assert!((1..=LIMITS.max_pixels).contains(&pixels), "a photo beyond its limit");
-    assert!(photo.focal_length_35mm().is_none_or(|mm| (8.0..=400.0).contains(&mm)), "a lens that nobody has");
+    assert!(photo.focal_length_35mm().is_none_or(|mm| (8.0..=400.0).contains(&mm)), "a focal length out of range");
     let small = photo.scaled_down(8);
     assert!(small.width().max(small.height()) <= 8, "a photo that was not scaled down");
 }

@@ -1,4 +1,4 @@
-//! Lengths and checksums that match again after damage: without them, readers look no further.
+//! Repairs lengths and checksums after damage, so that readers do not stop at the first check.
 
 use std::ops::Range;
 
@@ -7,7 +7,7 @@ use crate::Kind;
 const PNG_SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 impl Kind {
-    /// The file with its checksums and the lengths around its JSON put right.
+    /// Repairs the checksums of PNGs and the lengths around the JSON of GLBs.
     pub fn repaired(self, mut bytes: Vec<u8>) -> Vec<u8> {
         match self {
             Self::Picture | Self::Project => checksums(&mut bytes),
@@ -17,7 +17,7 @@ impl Kind {
         bytes
     }
 
-    /// The place of the JSON in a file that has some.
+    /// Range of the JSON in a file that contains some.
     pub fn json(self, bytes: &[u8]) -> Option<Range<usize>> {
         let json = match self {
             Self::Glb => 20..find(bytes, b"BIN\0")?.checked_sub(4)?,
@@ -29,7 +29,7 @@ impl Kind {
     }
 }
 
-/// Of the chunks of a PNG anywhere in the file; ends at the first that does not fit.
+/// Repairs the chunks of a PNG anywhere in the file, up to the first that exceeds the file.
 fn checksums(bytes: &mut [u8]) -> Option<()> {
     let mut at = find(bytes, PNG_SIGNATURE)? + PNG_SIGNATURE.len();
     loop {
@@ -41,7 +41,7 @@ fn checksums(bytes: &mut [u8]) -> Option<()> {
     }
 }
 
-/// Of a GLB, and of the JSON before its binary chunk.
+/// Repairs the lengths of a GLB and of its JSON chunk.
 fn lengths(bytes: &mut Vec<u8>) -> Option<()> {
     let json = Kind::Glb.json(bytes)?;
     let padding = json.len().next_multiple_of(4) - json.len();

@@ -1,4 +1,4 @@
-//! Valid files of every kind.
+//! Valid files of each kind.
 
 pub mod faces;
 pub mod pictures;

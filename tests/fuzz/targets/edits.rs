@@ -1,4 +1,4 @@
-//! Fuzzes the reader of histories of edits.
+//! Fuzzes the reader of edit histories.
 
 #![no_main]
 

@@ -1,4 +1,4 @@
-//! Fuzzes the reader of GLBs.
+//! Fuzzes the GLB reader.
 
 #![no_main]
 

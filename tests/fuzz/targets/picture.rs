@@ -1,4 +1,4 @@
-//! Fuzzes the reader of pictures.
+//! Fuzzes the picture decoder.
 
 #![no_main]
 

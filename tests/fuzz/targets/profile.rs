@@ -1,4 +1,4 @@
-//! Fuzzes the reader of colour profiles.
+//! Fuzzes the colour profile reader.
 
 #![no_main]
 

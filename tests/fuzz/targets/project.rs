@@ -1,4 +1,4 @@
-//! Fuzzes the reader of projects.
+//! Fuzzes the project reader.
 
 #![no_main]
 

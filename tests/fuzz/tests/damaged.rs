@@ -1,4 +1,4 @@
-//! Any small damage to a valid file: it is read or refused, and the reader keeps its promises.
+//! Property tests: readers accept or refuse slightly damaged files, within their requirements.
 
 mod damage;
 
@@ -10,7 +10,7 @@ use proptest::sample::Index;
 use proptest::test_runner::TestRunner;
 use rosto_fuzz::Kind;
 
-/// Reads `times` as many damaged files as `PROPTEST_CASES` says; returns the share of them that was accepted.
+/// Reads `times` × `PROPTEST_CASES` damaged files; returns the share that was accepted.
 fn accepted(kind: Kind, times: u32) -> f64 {
     let config = ProptestConfig::default();
     let cases = config.cases * times;
@@ -28,32 +28,32 @@ fn accepted(kind: Kind, times: u32) -> f64 {
     f64::from(accepted.get()) / f64::from(cases)
 }
 
-/// Neither so little damage that nothing is refused, nor so much that nothing behind the first check is reached.
+/// Asserts that the damage is neither harmless nor caught entirely by the first check.
 fn assert_deep(share: f64) {
     assert!((0.05..0.95).contains(&share), "{share} of the files were accepted");
 }
 
 #[test]
-fn a_damaged_picture_is_read_or_refused() {
+fn reads_or_refuses_damaged_pictures() {
     assert_deep(accepted(Kind::Picture, 32));
 }
 
 #[test]
-fn a_damaged_profile_never_costs_the_picture() {
+fn decodes_pictures_with_damaged_profiles() {
     assert_eq!(accepted(Kind::Profile, 8), 1.0);
 }
 
 #[test]
-fn a_damaged_glb_is_read_or_refused() {
+fn reads_or_refuses_damaged_glbs() {
     assert_deep(accepted(Kind::Glb, 2));
 }
 
 #[test]
-fn a_damaged_project_is_read_or_refused() {
+fn reads_or_refuses_damaged_projects() {
     assert_deep(accepted(Kind::Project, 2));
 }
 
 #[test]
-fn damaged_edits_are_read_or_refused() {
+fn reads_or_refuses_damaged_edits() {
     assert_deep(accepted(Kind::Edits, 8));
 }

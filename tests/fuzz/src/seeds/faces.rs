@@ -11,15 +11,15 @@ use rosto_studio::{
 
 const SIDE_PX: u32 = 40;
 
-/// What was done to the photo alone.
+/// Photo edits of a project.
 const IN_PHOTO: &str = r#"{"seen_from_m":1.5,"kept_px":[[[10.0,12.5,3.0],[11.0,12.5,3.0]],[[20.0,20.0,4.0]]]}"#;
 
-/// The canonical face, which histories are replayed over.
+/// Canonical face, on which histories are replayed.
 pub fn canonical_rest() -> Rest {
     Rest::new(Triangulation::Canonical.topology(), canonical_positions_m(), CoordinateFrame::Model)
 }
 
-/// Histories with every command and every setting.
+/// Histories that cover the commands and settings.
 pub fn histories() -> Vec<String> {
     let by_default = || Settings::default();
     let anchored = |kind, pins: &[u32]| Settings { anchors: Anchors { kind, pins: pins.to_vec() }, ..by_default() };
@@ -63,7 +63,7 @@ fn symmetrised(share: f64) -> Entry {
     Entry { label: "symmetrise".to_owned(), command: Command::Symmetrise { share }, switch: Switch::On }
 }
 
-/// GLBs painted both ways, in both triangulations, with every history, with a morph target and without.
+/// GLBs with either base colour, either triangulation, each history, with and without a morph target.
 pub fn glbs() -> Vec<Vec<u8>> {
     use {BaseColour::Photo, BaseColour::VertexColours, Triangulation::Canonical, Triangulation::Tessellation};
     let displacements_m = vec![DVec3::Z * 0.001; LANDMARK_COUNT];
@@ -85,7 +85,7 @@ pub fn glbs() -> Vec<Vec<u8>> {
     written.collect()
 }
 
-/// Projects with every history.
+/// Projects with each history.
 pub fn projects() -> Vec<Vec<u8>> {
     let face = face(Triangulation::Tessellation);
     let mut png = Vec::new();

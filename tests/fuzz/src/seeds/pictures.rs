@@ -11,14 +11,14 @@ const HEIGHT: u32 = 13;
 const EXIF: &[u8] = b"II\x2a\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0\0\0\0\0";
 const FIXTURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../crates/photo/tests/fixtures");
 
-/// JPEG, PNG and WebP in every layout: written here and, for those that the encoders lack, the fixtures of `photo`.
+/// JPEG, PNG and WebP in many layouts, written here or, if the encoders do not support them, from the fixtures of `photo`.
 pub fn all() -> Vec<Vec<u8>> {
     let fixtures = fs::read_dir(FIXTURES).expect("invariant: the folder is in the repository");
     let pictures = fixtures.filter_map(|entry| Some(entry.ok()?.path()).filter(|path| !path.ends_with("libjpeg.bin")));
     pictures.filter_map(|path| fs::read(path).ok()).chain(jpegs_and_webps()).chain(pngs()).collect()
 }
 
-/// A JPEG with this profile in it, whole however long the profile is.
+/// A JPEG with this profile, split into as many segments as necessary.
 pub fn with_profile(profile: &[u8]) -> Vec<u8> {
     const MOST: usize = 65_535 - 2 - 14;
     let jpeg = include_bytes!("../../../../crates/photo/tests/fixtures/progressive.jpg");
@@ -51,7 +51,7 @@ fn write(mut encoder: impl ImageEncoder, colour: ExtendedColorType) {
     encoder.write_image(&pixels, WIDTH, HEIGHT, colour).expect("invariant: it can be written");
 }
 
-/// Every colour type and depth, with a palette, transparency, colour spaces and EXIF.
+/// All colour types, with several depths, transparency, colour spaces and EXIF.
 fn pngs() -> Vec<Vec<u8>> {
     use png::BitDepth::{Eight, Four, One, Sixteen, Two};
     use png::ColorType::{Grayscale, GrayscaleAlpha, Indexed, Rgb, Rgba};
@@ -64,12 +64,12 @@ fn pngs() -> Vec<Vec<u8>> {
     ];
     let plain = depths.iter().flat_map(|(colour, depths)| depths.iter().map(|&depth| png(*colour, depth, &[])));
     let corners = [31_270_u32, 32_900, 64_000, 33_000, 30_000, 60_000, 15_000, 6_000].map(u32::to_be_bytes);
-    let told = [
+    let tagged = [
         png(Rgb, Eight, &[(*b"gAMA", &45_455_u32.to_be_bytes()), (*b"cHRM", corners.as_flattened())]),
         png(Rgb, Eight, &[(*b"cICP", &[12, 13, 0, 1]), (*b"eXIf", EXIF)]),
         png(Rgb, Eight, &[(*b"tRNS", &[0, 1, 0, 2, 0, 3])]),
     ];
-    plain.chain(told).collect()
+    plain.chain(tagged).collect()
 }
 
 fn png(colour: ColorType, depth: BitDepth, chunks: &[([u8; 4], &[u8])]) -> Vec<u8> {

@@ -1,6 +1,6 @@
 use moxcms::{ColorProfile, ToneReprCurve};
 
-/// Display P3 with every kind of curve, and a profile of grey.
+/// Display P3 with each kind of curve, and a grey profile.
 pub fn all() -> Vec<Vec<u8>> {
     const NUMBERS: [f32; 7] = [2.4, 0.948, 0.052, 0.0774, 0.0405, 0.01, 0.0];
     let parametric = [1, 3, 4, 5, 7].map(|count| ToneReprCurve::Parametric(NUMBERS[..count].to_vec()));

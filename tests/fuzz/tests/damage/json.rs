@@ -1,4 +1,4 @@
-//! Changes to the JSON in a file that leave it JSON.
+//! Changes to a file's JSON that keep it valid.
 
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
@@ -11,13 +11,13 @@ pub enum Edit {
     Number(Index, &'static str),
     /// Replaces any value.
     Value(Index, &'static str),
-    /// Puts a copy of the second value in the place of the first.
+    /// Replaces the first value with a copy of the second.
     Copy(Index, Index),
-    /// Repeats a value; in a list, there are more then.
+    /// Repeats a value, which lengthens a list.
     Repeat(Index, usize),
 }
 
-/// At which readers stumble.
+/// Boundary numbers.
 const NUMBERS: &str = "0 -0.0 1 -1 2 3 0.5 1.5 1e-320 1e-9 1e9 1e153 -1e308 1e400 255 467 468 1832 9999 2147483648 4294967295 \
                        4294967296 18446744073709551615 18446744073709551616";
 const VALUES: &str =
@@ -34,10 +34,10 @@ pub fn edit() -> impl Strategy<Value = Edit> {
 }
 
 impl Edit {
-    /// Changes nothing where the file holds no JSON any more.
+    /// Changes nothing if the file no longer contains JSON.
     pub fn apply(&self, kind: Kind, bytes: &mut Vec<u8>) -> Option<()> {
-        /// No seed has this text.
-        const PLACE: &str = "the place that changes";
+        /// Does not occur in the seeds.
+        const PLACE: &str = "placeholder of the changed value";
         let range = kind.json(bytes)?;
         let mut json: Value = serde_json::from_slice(&bytes[range.clone()]).ok()?;
         let mut values = Vec::new();
@@ -59,7 +59,7 @@ impl Edit {
     }
 }
 
-/// Collects this value and all nested ones with their JSON pointers.
+/// Collects this value and its descendants with their JSON pointers.
 fn collect<'a>(value: &'a Value, pointer: String, values: &mut Vec<(String, &'a Value)>) {
     let listed = value.as_array().into_iter().flatten().enumerate().map(|(at, value)| (at.to_string(), value));
     let named = value.as_object().into_iter().flatten().map(|(key, value)| (key.clone(), value));

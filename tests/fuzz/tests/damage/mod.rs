@@ -10,7 +10,7 @@ use rosto_fuzz::Kind;
 pub enum Edit {
     /// Replaces a range of bytes.
     Replace(Index, usize, Vec<u8>),
-    /// Inserts a copy of bytes of this file.
+    /// Inserts a copy of some of the file's bytes.
     Copy(Index, usize, Index),
     Json(json::Edit),
 }
@@ -32,7 +32,7 @@ pub fn edit(kind: Kind) -> impl Strategy<Value = Edit> {
     ]
 }
 
-/// A number at which readers stumble, as it is written in files.
+/// A boundary number as bytes, in either byte order.
 fn number() -> impl Strategy<Value = Vec<u8>> {
     const NUMBERS: [u32; 14] =
         [0, 1, 2, 63, 0x7F, 0x80, 0xFF, 0x100, 0x7FFF, 0xFFFF, 1 << 16, 1 << 24, 1 << 31, i32::MAX as u32];

@@ -1,4 +1,4 @@
-//! `cargo xtask torture [MINUTES]`: the fuzz targets, the property tests, every browser test and the monkey test, at length.
+//! `cargo xtask fuzz [MINUTES]`: fuzz targets, property tests with new cases, end-to-end tests and monkey test.
 
 use crate::page;
 use crate::run::{Run, elapsed, last_lines};
@@ -8,20 +8,20 @@ use anyhow::{Context, Result, ensure};
 use std::time::{Duration, Instant, UNIX_EPOCH};
 
 const TARGETS: [&str; 5] = ["picture", "profile", "glb", "project", "edits"];
-/// About a minute's worth on two cores.
+/// About one minute on two cores.
 const CASES_PER_MINUTE: u32 = 4000;
 const RUNS_PER_MINUTE: u32 = 3;
 const LIMIT: Duration = Duration::from_secs(24 * 3600);
 const SHOWN_LINES: usize = 100;
 
-/// Runs every part, for about so many minutes each, and fails if one of them did.
+/// Runs each part for about `MINUTES`; fails if a part fails.
 pub fn run(arguments: &[&str]) -> Result<()> {
     let minutes = arguments.first().map_or(Ok(10), |minutes| minutes.parse());
-    let minutes = minutes.context("the option is a whole number: minutes for each part")?;
+    let minutes = minutes.context("MINUTES must be a whole number")?;
     let kit = setup::for_tests()?;
     let parts = fuzz(minutes)?.into_iter().chain([properties(minutes)]).chain(browser(&kit, minutes)?);
     let failed = parts.map(is_failure).collect::<Result<Vec<bool>>>()?.into_iter().filter(|failed| *failed).count();
-    ensure!(failed == 0, "{failed} parts failed: see above");
+    ensure!(failed == 0, "{failed} parts failed; see above");
     Ok(())
 }
 
@@ -36,10 +36,10 @@ fn fuzz(minutes: u32) -> Result<Vec<Run>> {
     Ok([seeds].into_iter().chain(TARGETS.map(target)).collect())
 }
 
-/// Other cases in each run.
+/// Property tests with new cases in each run.
 fn properties(minutes: u32) -> Run {
     let tests =
-        Run::new("cargo").words("test --release --package rosto-fuzz --package rosto-session -- visitor damaged");
+        Run::new("cargo").words("test --release --package rosto-fuzz --package rosto-session -- random:: damaged");
     let seed = UNIX_EPOCH.elapsed().map_or(0, |since| since.as_secs());
     let tests = tests.env("PROPTEST_CASES", (CASES_PER_MINUTE * minutes).to_string()).log("properties");
     tests.env("PROPTEST_RNG_SEED", seed.to_string())
