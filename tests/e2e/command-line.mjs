@@ -10,7 +10,7 @@ const ROOT = path.resolve(import.meta.dirname, "../..");
 const TARGET = process.env.CARGO_TARGET_DIR ?? path.join(ROOT, "target");
 
 /** What the page does unless asked otherwise, in the options of `rosto mesh`. */
-export const AS_THE_PAGE_EDITS = "--units mm --topology canonical --operator cotangent --hold exact --anchors oval --radius 25 --mirror".split(" ");
+export const AS_THE_PAGE_EDITS = "--units mm --topology canonical --operator cotangent --constraint exact --anchors oval --radius 25 --mirror".split(" ");
 
 /** The mesh that the command line makes of a photo, as JSON. @param {string} photo @param {string[]} options of `rosto mesh` */
 export async function meshByCommandLine(photo, options) {

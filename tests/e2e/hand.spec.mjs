@@ -184,7 +184,7 @@ test("every operator and constraint says in a line what it does, and does what t
     await page.selectOption("#constraint", hold);
     said.add(await page.innerText("#constraint-help"));
     await editor.offset("z", 6);
-    const options = `--units mm --topology canonical --operator ${operator} --hold ${weight} --anchors oval --radius 25 --mirror --edit 1:0,0,6`;
+    const options = `--units mm --topology canonical --operator ${operator} --constraint ${weight} --anchors oval --radius 25 --mirror --edit 1:0,0,6`;
     assertSameMesh(await editor.meshJson("mm"), await meshByCommandLine(SAMPLE, options.split(" ")));
     await page.click("#toolbar [data-action='undo']");
   }

@@ -6,7 +6,7 @@ import { difference } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 /** What the page does unless told otherwise, in the command line's words. */
-const AS_THE_PAGE = "--units mm --topology canonical --operator cotangent --hold exact --anchors oval --radius 25 --mirror".split(" ");
+const AS_THE_PAGE = "--units mm --topology canonical --operator cotangent --constraint exact --anchors oval --radius 25 --mirror".split(" ");
 
 const NOSE_TIP = 1;
 const CHIN = 152;

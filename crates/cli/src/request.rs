@@ -13,7 +13,7 @@ use crate::settings::Rule;
 /// The options that shape edits, by their names in [`crate::args::SettingsArguments`].
 const SETTINGS: [(&str, &str); 8] = [
     ("operator", "--operator"),
-    ("constraint", "--hold"),
+    ("constraint", "--constraint"),
     ("anchors", "--anchors"),
     ("seed", "--seed"),
     ("pins", "--pin"),

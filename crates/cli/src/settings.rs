@@ -13,7 +13,7 @@ pub enum Rule {
 }
 
 /// `exact`, or the weight of a soft constraint.
-pub fn hold(text: &str) -> Result<ConstraintKind, String> {
+pub fn constraint(text: &str) -> Result<ConstraintKind, String> {
     let weight: Option<f64> = text.parse().ok();
     match (text, weight) {
         ("exact", _) => Ok(ConstraintKind::Hard),
@@ -99,9 +99,14 @@ mod tests {
 
     #[test]
     fn holds_and_rules_are_read_by_their_names() {
-        assert_eq!(hold("exact"), Ok(ConstraintKind::Hard));
-        assert_eq!(hold("2.5"), Ok(ConstraintKind::Soft { weight: 2.5 }));
-        assert!(hold("0").is_err() && hold("-1").is_err() && hold("inf").is_err() && hold("firm").is_err());
+        assert_eq!(constraint("exact"), Ok(ConstraintKind::Hard));
+        assert_eq!(constraint("2.5"), Ok(ConstraintKind::Soft { weight: 2.5 }));
+        assert!(
+            constraint("0").is_err()
+                && constraint("-1").is_err()
+                && constraint("inf").is_err()
+                && constraint("firm").is_err()
+        );
         assert_eq!(anchors("outside:30"), Ok(Rule::Outside { radius: 30.0 }));
         assert_eq!(anchors("oval"), Ok(Rule::Oval));
         assert!(

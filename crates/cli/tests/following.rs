@@ -22,7 +22,7 @@ fn ways(name: &str, more: &[&str]) -> Vec<DVec3> {
 fn every_operator_held_exactly_reaches_its_target_and_keeps_its_anchors() {
     for operator in ["L_s", "L", "degree", "inverse-length", "cotangent"] {
         let edit =
-            ["--operator", operator, "--hold", "exact", "--anchors", "oval", "--pin", "168", "--edit", "4:1,2,8"];
+            ["--operator", operator, "--constraint", "exact", "--anchors", "oval", "--pin", "168", "--edit", "4:1,2,8"];
         let ways = ways(&format!("exact-{operator}.json"), &edit);
         assert!(ways[4].distance(DVec3::new(1.0, 2.0, 8.0)) < 1e-9, "{operator}: {}", ways[4]);
         assert!([10, 152, 234, 454, 168].iter().all(|&anchor| ways[anchor].length() < 1e-9), "{operator}");
@@ -32,8 +32,17 @@ fn every_operator_held_exactly_reaches_its_target_and_keeps_its_anchors() {
 
 #[test]
 fn a_mirrored_region_moves_both_sides_within_its_radius() {
-    let edit =
-        ["--hold", "exact", "--anchors", "outside:25", "--radius", "25", "--mirror", "--region", "left-brow:1,3,0"];
+    let edit = [
+        "--constraint",
+        "exact",
+        "--anchors",
+        "outside:25",
+        "--radius",
+        "25",
+        "--mirror",
+        "--region",
+        "left-brow:1,3,0",
+    ];
     let ways = ways("brows.json", &edit);
     for vertex in Region::LeftBrow.vertices() {
         let (left, right) = (ways[vertex as usize], ways[mirror_of(vertex) as usize]);
@@ -54,7 +63,7 @@ fn sliders_and_symmetry_change_what_they_say() {
 #[test]
 fn turning_details_is_another_answer_that_still_reaches_the_target() {
     let edit = |name, more: &[&str]| {
-        ways(name, &[&["--hold", "exact", "--anchors", "oval", "--edit", "4:0,10,20"], more].concat())
+        ways(name, &[&["--constraint", "exact", "--anchors", "oval", "--edit", "4:0,10,20"], more].concat())
     };
     let (kept, turned) = (edit("kept.json", &[]), edit("turned.json", &["--turn-details"]));
     assert!(turned[4].distance(DVec3::new(0.0, 10.0, 20.0)) < 1e-9);
@@ -84,7 +93,7 @@ fn a_denser_mesh_carries_the_edit_and_takes_its_colours_from_the_photo() {
 fn a_vertex_of_a_denser_mesh_is_moved_by_itself() {
     let dense = ["--density", "2"];
     let rest = positions("dense-rest.json", &dense);
-    let exact = ["--hold", "exact", "--anchors", "oval", "--mirror"];
+    let exact = ["--constraint", "exact", "--anchors", "oval", "--mirror"];
     let by_option = positions("dense-moved.json", &[&dense[..], &exact, &["--edit", "7000@2:1,0,2"]].concat());
     assert!((by_option[7_000] - rest[7_000]).distance(DVec3::new(1.0, 0.0, 2.0)) < 1e-9);
     let mirrored = DVec3::new(-1.0, 0.0, 2.0);

@@ -139,7 +139,7 @@ fn what_is_kept_stays() {
 fn every_density_moves_the_photo() {
     let before = read(&portrait());
     let tip = landmarks()[1];
-    let edit = ["--hold", "exact", "--anchors", "oval", "--edit", "1:6,0,0"];
+    let edit = ["--constraint", "exact", "--anchors", "oval", "--edit", "1:6,0,0"];
     for (name, more) in [
         ("coarse", [&edit[..], &["--density", "0"]].concat()),
         ("denser", [&edit[..], &["--density", "3", "--topology", "canonical"]].concat()),
@@ -165,7 +165,7 @@ fn a_face_is_shown_as_from_elsewhere() {
 
 #[test]
 fn what_folds_is_said() {
-    let run = photo(&portrait(), &scratch("crossed.png"), &["--hold", "exact", "--edit", "13:0,-40,0"]);
+    let run = photo(&portrait(), &scratch("crossed.png"), &["--constraint", "exact", "--edit", "13:0,-40,0"]);
     assert_eq!(code(&run), 0);
     assert!(said(&run).contains("px behind the edits"), "{}", said(&run));
 }

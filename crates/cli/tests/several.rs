@@ -58,7 +58,7 @@ fn the_same_photo_twice_is_that_photo() {
 #[test]
 fn another_view_makes_another_depth_and_edits_go_on_it() {
     let (photo, other, output) = (portrait(), mirrored(), scratch("two.json"));
-    let edit = ["--hold", "exact", "--edit", "1:0,0,5"];
+    let edit = ["--constraint", "exact", "--edit", "1:0,0,5"];
     assert_eq!(code(&several(&[&photo, &other], &output, &[])), 0);
     let unedited = triples(&json(&output)["positions"]);
     let alone = triples(&mesh_json("alone.json", &[])["positions"]);

@@ -68,7 +68,7 @@ fn bodies_where_nothing_is_printed() {
 fn settings_of_edits_that_nobody_asked_for() {
     for flag in [
         &["--operator", "L"][..],
-        &["--hold", "exact"],
+        &["--constraint", "exact"],
         &["--anchors", "oval"],
         &["--seed", "1"],
         &["--pin", "4"],
@@ -92,7 +92,7 @@ fn numbers_that_mean_nothing() {
         refused("numbers.json", &[&edit[..], &[&radius]].concat(), &["--radius", "positive number"]);
     }
     for (flag, number) in
-        [("--radius", "-5"), ("--hold", "-1"), ("--seed", "-1"), ("--pin", "-1"), ("--symmetrise", "-1")]
+        [("--radius", "-5"), ("--constraint", "-1"), ("--seed", "-1"), ("--pin", "-1"), ("--symmetrise", "-1")]
     {
         let target = scratch("negative.json");
         let run = mesh(&portrait(), &target, &[&edit[..], &[flag, number]].concat());
@@ -112,7 +112,7 @@ fn numbers_that_mean_nothing() {
 
 #[test]
 fn a_pin_stays_beside_the_anchors_that_an_edit_names() {
-    let edit = ["--hold", "exact", "--edit", "4:0,0,20:10,152"];
+    let edit = ["--constraint", "exact", "--edit", "4:0,0,20:10,152"];
     let rest = triples(&mesh_json("pin-rest.json", &[])["positions"]);
     let free = triples(&mesh_json("pin-free.json", &edit)["positions"]);
     let pinned =

@@ -11,7 +11,7 @@ impl Session {
     /// [`SessionError::NoSuchVertex`].
     pub fn target_at(&self, vertex: u32) -> Result<EditTarget, SessionError> {
         let Some(face) = self.face() else { return Ok(EditTarget::Landmark(known_landmark(vertex)?)) };
-        let selection = face.at_or_held(face.known(vertex, self.mode())?, self.mode());
+        let selection = face.at_or_grabbed(face.known(vertex, self.mode())?, self.mode());
         Ok(selection.target())
     }
 

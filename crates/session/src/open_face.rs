@@ -192,7 +192,7 @@ impl OpenFace {
     pub(crate) fn select(&mut self, selection: Option<Selection>, choices: &Choices, seed: u64) {
         self.selection = selection;
         self.seed = seed;
-        self.hold(choices);
+        self.prepare(choices);
     }
 
     /// Pins vertices, or frees them. An edit in progress goes on.
@@ -201,35 +201,35 @@ impl OpenFace {
         if switch == Switch::On {
             self.pins.extend(vertices);
         }
-        self.hold_on(choices);
+        self.keep_prepared(choices);
     }
 
     /// Takes hold of what is selected again, after choices have changed. What has no answer stays selected, and cannot be
     /// moved until it has one. An edit in progress is dropped.
-    pub(crate) fn hold(&mut self, choices: &Choices) {
+    pub(crate) fn prepare(&mut self, choices: &Choices) {
         self.leaves_plane = false;
-        self.hold_as_it_moves(choices);
+        self.prepare_as_it_moves(choices);
     }
 
-    fn hold_as_it_moves(&mut self, choices: &Choices) {
+    fn prepare_as_it_moves(&mut self, choices: &Choices) {
         self.moving = Moving::Nothing;
         self.refusal = None;
         let Some(selection) = self.selection else { return self.document.release() };
         let mirror = if self.leaves_plane { Mirror::Off } else { choices.mirror };
         let spec = Choices { mirror, ..*choices }.spec(selection, &self.pins, self.seed, &self.document);
-        if let Err(reason) = self.document.hold(spec) {
+        if let Err(reason) = self.document.prepare(spec) {
             self.document.release();
             self.refusal = Some(reason);
         }
     }
 
     /// The same, but an edit in progress goes on.
-    pub(crate) fn hold_on(&mut self, choices: &Choices) {
+    pub(crate) fn keep_prepared(&mut self, choices: &Choices) {
         match self.moving {
-            Moving::Nothing => self.hold(choices),
+            Moving::Nothing => self.prepare(choices),
             Moving::Slider { .. } | Moving::Expression { .. } => self.commit(choices),
             Moving::Selection { offset_mm } => {
-                self.hold(choices);
+                self.prepare(choices);
                 // Details that find no rest are where they were.
                 let _ = self.preview(offset_mm, choices);
             }
@@ -247,7 +247,7 @@ impl OpenFace {
         }
         self.whole(|face| {
             face.leaves_plane = leaves_plane;
-            face.hold_as_it_moves(choices);
+            face.prepare_as_it_moves(choices);
             face.move_selection(offset_mm)
         })?;
         Ok(true)
@@ -263,7 +263,7 @@ impl OpenFace {
     /// Takes a ready-made slider in hand, unless it is: one solve. An edit of something else is kept first.
     pub(crate) fn take_slider(&mut self, slider: FaceSlider, choices: &Choices) -> Result<(), SessionError> {
         self.commit(choices);
-        let taken = self.document.hold(slider.spec());
+        let taken = self.document.prepare(slider.spec());
         self.slider_influence = taken.and_then(|()| SliderInfluence::of(&mut self.document, slider))?;
         self.ways = slider.offsets_m(1.0);
         self.refusal = None;
@@ -318,7 +318,7 @@ impl OpenFace {
         self.document.cancel();
         let was_slider = matches!(std::mem::take(&mut self.moving), Moving::Slider { .. });
         if was_slider || self.leaves_plane {
-            self.hold(choices);
+            self.prepare(choices);
         }
     }
 

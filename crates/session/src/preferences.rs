@@ -36,7 +36,7 @@ impl Session {
         json!({
             "mode": self.mode().id(),
             "operator": choices.operator.id(),
-            "hold": constraint,
+            "constraint": constraint,
             "anchors": choices.anchors.id(),
             "nearby": choices.is_nearby,
             "radius_mm": choices.radius_mm,
@@ -69,10 +69,10 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
     let value: Value = serde_json::from_str(text).map_err(|_| missing("JSON"))?;
     let flag = |field: &'static str| value[field].as_bool().ok_or(missing(field));
     let number = |field: &'static str| value[field].as_f64().ok_or(missing(field));
-    let constraint = match &value["hold"] {
+    let constraint = match &value["constraint"] {
         Value::String(word) if word == "exact" => ConstraintKind::Hard,
         soft => ConstraintKind::Soft {
-            weight: soft["soft"].as_f64().filter(|weight| *weight > 0.0).ok_or(missing("hold"))?,
+            weight: soft["soft"].as_f64().filter(|weight| *weight > 0.0).ok_or(missing("constraint"))?,
         },
     };
     let choices = Choices {

@@ -49,7 +49,7 @@ mod tests {
             let mut document = Document::new(rest).unwrap();
             document.set_density(density).unwrap();
             for slider in FaceSlider::ALL {
-                document.hold(slider.spec()).unwrap();
+                document.prepare(slider.spec()).unwrap();
                 let influence = SliderInfluence::of(&mut document, slider).unwrap();
                 document.preview(&slider.offsets_m(0.003)).unwrap();
                 let [to_a, to_b] = slider_offsets(slider, 0.003);

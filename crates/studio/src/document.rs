@@ -35,7 +35,7 @@ pub struct Document {
     density: u32,
     history: History,
     replayed: ReplayCache,
-    held: Option<PreparedEdit>,
+    prepared: Option<PreparedEdit>,
     /// Of what is held.
     influence: Option<InfluenceWeights>,
     preview: Preview,
@@ -54,7 +54,7 @@ impl Document {
         let preview = Preview::none(&unedited);
         let (history, replayed) = (History::default(), ReplayCache::new(unedited));
         let fault = Fault::default();
-        Ok(Self { levels, density: 0, history, replayed, held: None, influence: None, preview, fault })
+        Ok(Self { levels, density: 0, history, replayed, prepared: None, influence: None, preview, fault })
     }
 
     /// A document with these entries, as a project file holds them; see [`crate::project`]. Each can be taken back.

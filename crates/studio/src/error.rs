@@ -95,7 +95,7 @@ pub enum StudioError {
     Injected,
     /// Nothing is held that could be moved or committed.
     #[error("no vertex is held")]
-    NothingHeld,
+    NothingPrepared,
     /// The history has no such entry.
     #[error("there is no entry {index}: the history has {count}")]
     NoSuchEntry {

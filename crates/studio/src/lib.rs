@@ -1,7 +1,7 @@
 //! The document: commands, history, undo, project file.
 //!
 //! A [`Document`] is a mesh at rest and a [`History`] of commands over it; the vertices on screen follow from the two and
-//! are never stored. Editing runs in three steps that cost what their names say: [`Document::hold`] takes hold of
+//! are never stored. Editing runs in three steps that cost what their names say: [`Document::prepare`] takes hold of
 //! vertices (one solve), [`Document::preview`] moves them (on every slider tick; no solve, no allocation), and
 //! [`Document::commit`] makes the drag one entry of the history.
 

@@ -3,7 +3,7 @@
 //! ```json
 //! {"rosto": "history", "version": 1, "entries": [
 //!   {"label": "nose tip", "switch": "on", "move": {
-//!     "level": 0, "handles": [4], "offsets": [[0, 0, 0.01]], "operator": "L_s", "hold": {"soft": 1},
+//!     "level": 0, "handles": [4], "offsets": [[0, 0, 0.01]], "operator": "L_s", "constraint": {"soft": 1},
 //!     "anchors": {"kind": "oval", "pins": []}, "influence": "whole", "mirror": "on", "details": "kept"}},
 //!   {"label": "symmetrise", "switch": "off", "symmetrise": {"share": 0.5}},
 //!   {"label": "jawOpen", "switch": "on", "express": {"expression": "jawOpen", "weight": 0.6}}]}

@@ -39,7 +39,7 @@ fn ticks_after_the_first_allocate_nothing() {
         let mut document = Document::new(Rest::new(topology, canonical_positions_m(), CoordinateFrame::Model)).unwrap();
         document.set_density(density).unwrap();
         let settings = Settings { mirror, ..Settings::default() };
-        document.hold(EditSpec { level: 0, handles: vec![61, 17], settings }).unwrap();
+        document.prepare(EditSpec { level: 0, handles: vec![61, 17], settings }).unwrap();
         document.preview(&[DVec3::X, DVec3::Y]).unwrap();
         let before = ALLOCATIONS.with(Cell::get);
         for tick in 0..100 {
@@ -55,7 +55,7 @@ fn a_photo_follows_without_allocating_where_nothing_folds() {
     for density in [0, 2] {
         let mut document = Document::new(Rest::of_face(&face())).unwrap();
         document.set_density(density).unwrap();
-        document.hold(FaceSlider::JawWidth.spec()).unwrap();
+        document.prepare(FaceSlider::JawWidth.spec()).unwrap();
         let mut in_photo = InPhoto::new(&face(), &document, DEFAULT_FALLOFF_BAND, &[]).unwrap();
         let mut tick = |amount_m: f64| {
             document.preview(&FaceSlider::JawWidth.offsets_m(amount_m)).unwrap();

@@ -46,7 +46,7 @@ pub struct SettingsArguments {
         value_parser = one_of("operator", Operator::ALL, Operator::id, Operator::from_id))]
     pub operator: Operator,
     /// How firmly handles and anchors are held: "exact", or the weight of a soft constraint
-    #[arg(long = "hold", value_name = "exact|WEIGHT", allow_negative_numbers = true, default_value = "1", value_parser = settings::hold)]
+    #[arg(long, value_name = "exact|WEIGHT", allow_negative_numbers = true, default_value = "1", value_parser = settings::constraint)]
     pub constraint: ConstraintKind,
     /// What stays in place: two random vertices, the face's oval, everything further away than a radius, or only --pin
     #[arg(long, value_name = "random|oval|outside:RADIUS|pins", default_value = "random", value_parser = settings::anchors)]

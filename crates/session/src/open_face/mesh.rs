@@ -27,7 +27,7 @@ impl OpenFace {
         }
         self.photo.forget();
         self.rows.read(&self.document, 0);
-        self.hold(choices);
+        self.prepare(choices);
         Ok(())
     }
 
@@ -47,7 +47,7 @@ impl OpenFace {
         }
         self.photo.forget();
         self.rows.read(&self.document, 0);
-        self.hold(choices);
+        self.prepare(choices);
         Ok(())
     }
 
@@ -66,7 +66,7 @@ impl OpenFace {
         self.texture = None;
         self.photo.forget();
         self.rows.read(&self.document, 0);
-        self.hold(choices);
+        self.prepare(choices);
         Ok(())
     }
 

@@ -36,7 +36,7 @@ impl OpenFace {
     }
 
     /// What is selected, if a vertex is part of it, or what is selected there.
-    pub(crate) fn at_or_held(&self, vertex: u32, mode: SelectionMode) -> Selection {
+    pub(crate) fn at_or_grabbed(&self, vertex: u32, mode: SelectionMode) -> Selection {
         self.selection().filter(|_| self.holds(vertex)).unwrap_or_else(|| self.at(vertex, mode))
     }
 

@@ -108,7 +108,7 @@ pub(super) fn prepare(face: &mut OpenFace, mode: SelectionMode, choices: &Choice
         let any = Selection::Point { level, vertex: 0 };
         let spec = choices.spec(any, face.pins(), seed, face.document());
         // One that cannot be held says so when it is selected.
-        let _ = face.document_mut().hold(spec);
-        face.hold(choices);
+        let _ = face.document_mut().prepare(spec);
+        face.prepare(choices);
     }
 }

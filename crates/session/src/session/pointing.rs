@@ -47,7 +47,7 @@ impl Session {
     /// What the pointer rests on and would select, unless it is selected.
     pub(super) fn pointed(&self) -> Option<Selection> {
         let (face, vertex) = (self.face.as_ref()?, self.under.vertex?);
-        let pointed = face.at_or_held(vertex, self.mode);
+        let pointed = face.at_or_grabbed(vertex, self.mode);
         Some(pointed).filter(|pointed| Some(*pointed) != face.selection())
     }
 

@@ -88,7 +88,7 @@ impl Session {
     pub(super) fn choose(&mut self, choices: Choices) -> Result {
         self.choices = choices;
         if let Some(face) = &mut self.face {
-            face.hold_on(&self.choices);
+            face.keep_prepared(&self.choices);
         }
         Ok(Changed::Document)
     }

@@ -62,7 +62,7 @@ fn history(entries: &[String]) -> String {
 fn moved(level: u32, vertex: u32, offset_m: &str) -> String {
     format!(
         r#"{{"label": "a", "switch": "on", "move": {{"level": {level}, "handles": [{vertex}], "offsets": [{offset_m}],
-        "operator": "L_s", "hold": {{"soft": 1}}, "anchors": {{"kind": "oval", "pins": []}}, "influence": "whole",
+        "operator": "L_s", "constraint": {{"soft": 1}}, "anchors": {{"kind": "oval", "pins": []}}, "influence": "whole",
         "mirror": "off", "details": "kept"}}}}"#
     )
 }

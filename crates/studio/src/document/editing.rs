@@ -30,7 +30,7 @@ pub(super) struct Preview {
 enum UnderWay {
     Nothing,
     /// What is held.
-    Held,
+    Prepared,
     Expressions,
 }
 
@@ -61,12 +61,12 @@ impl Document {
     ///
     /// # Errors
     /// [`StudioError`] if the spec has no answer; what was held stays held.
-    pub fn hold(&mut self, spec: EditSpec) -> Result<(), StudioError> {
+    pub fn prepare(&mut self, spec: EditSpec) -> Result<(), StudioError> {
         self.fault.check()?;
-        if self.held.as_ref().is_none_or(|held| *held.spec() != spec) {
-            let mut held = self.made_ready(spec)?;
-            let influence = self.influence_of(&mut held)?;
-            (self.held, self.influence) = (Some(held), Some(influence));
+        if self.prepared.as_ref().is_none_or(|prepared| *prepared.spec() != spec) {
+            let mut prepared = self.made_ready(spec)?;
+            let influence = self.influence_of(&mut prepared)?;
+            (self.prepared, self.influence) = (Some(prepared), Some(influence));
         }
         self.cancel();
         Ok(())
@@ -75,28 +75,28 @@ impl Document {
     /// Lets go; an edit in progress is cancelled.
     pub fn release(&mut self) {
         self.cancel();
-        self.held = None;
+        self.prepared = None;
         self.influence = None;
     }
 
     /// The spec that is held.
     pub fn spec(&self) -> Option<&EditSpec> {
-        self.held.as_ref().map(PreparedEdit::spec)
+        self.prepared.as_ref().map(PreparedEdit::spec)
     }
 
     /// All vertices that move by their own offset: the spec's handles, then the partners that the mirror adds.
     pub fn handles(&self) -> &[u32] {
-        self.held.as_ref().map_or(&[], PreparedEdit::handles)
+        self.prepared.as_ref().map_or(&[], PreparedEdit::handles)
     }
 
     /// The vertices that the spec keeps in place.
     pub fn anchors(&self) -> &[u32] {
-        self.held.as_ref().map_or(&[], PreparedEdit::anchors)
+        self.prepared.as_ref().map_or(&[], PreparedEdit::anchors)
     }
 
     /// How every vertex of the spec's level follows each of [`Self::handles`], if details keep their direction.
     pub fn response(&self) -> Option<&Response> {
-        self.held.as_ref().map(PreparedEdit::response)
+        self.prepared.as_ref().map(PreparedEdit::response)
     }
 
     /// How every vertex shown follows the spec's handles when they move by one offset and details keep their direction.
@@ -108,12 +108,12 @@ impl Document {
     /// How far each vertex shown is from what is held, along the surface at rest: 1 where an edit ends. None while nothing
     /// is held, or what is held moves the whole mesh.
     pub fn influence_distances(&self) -> Option<Vec<f64>> {
-        let held = self.held.as_ref()?;
-        let steps = &self.levels[held.spec().level as usize..self.density as usize];
+        let prepared = self.prepared.as_ref()?;
+        let steps = &self.levels[prepared.spec().level as usize..self.density as usize];
         Some(
-            steps
-                .iter()
-                .fold(held.influence_distances()?.to_vec(), |distances, level| level.finer().interpolate(&distances)),
+            steps.iter().fold(prepared.influence_distances()?.to_vec(), |distances, level| {
+                level.finer().interpolate(&distances)
+            }),
         )
     }
 
@@ -121,27 +121,27 @@ impl Document {
     /// unit. Unless details turn: no solve and, after the first call, no allocation.
     ///
     /// # Errors
-    /// [`StudioError::NothingHeld`], [`StudioError::WrongOffsetCount`] or [`StudioError::OffsetNotFinite`], or
+    /// [`StudioError::NothingPrepared`], [`StudioError::WrongOffsetCount`] or [`StudioError::OffsetNotFinite`], or
     /// [`StudioError::Laplacian`] for details that find no rest. What was moved before stays where it was.
     pub fn preview(&mut self, offsets: &[DVec3]) -> Result<(), StudioError> {
         self.fault.check()?;
-        let held = self.held.as_ref().ok_or(StudioError::NothingHeld)?;
-        if held.is_stale() {
-            self.held = Some(self.made_ready(held.spec().clone())?);
+        let prepared = self.prepared.as_ref().ok_or(StudioError::NothingPrepared)?;
+        if prepared.is_stale() {
+            self.prepared = Some(self.made_ready(prepared.spec().clone())?);
         }
-        let held = self.held.as_mut().ok_or(StudioError::NothingHeld)?;
+        let prepared = self.prepared.as_mut().ok_or(StudioError::NothingPrepared)?;
         let (from, preview) = (self.replayed.last(), &mut self.preview);
-        held.check(offsets)?;
-        if let Some(influence) = carried(&self.influence, held, offsets, self.density) {
+        prepared.check(offsets)?;
+        if let Some(influence) = carried(&self.influence, prepared, offsets, self.density) {
             influence.displace(from.densest(), offsets[0], &mut preview.positions);
         } else {
-            preview.next.displace(&self.levels, from, held, offsets, &mut preview.scratch)?;
+            preview.next.displace(&self.levels, from, prepared, offsets, &mut preview.scratch)?;
             std::mem::swap(&mut preview.shape, &mut preview.next);
             preview.positions.copy_from_slice(preview.shape.densest());
         }
         self.preview.offsets.clear();
         self.preview.offsets.extend_from_slice(offsets);
-        self.preview.under_way = UnderWay::Held;
+        self.preview.under_way = UnderWay::Prepared;
         Ok(())
     }
 
@@ -174,13 +174,14 @@ impl Document {
     pub fn commit(&mut self, label: &str) {
         if self.preview.under_way == UnderWay::Expressions {
             self.commit_expressions();
-        } else if let (UnderWay::Held, Some(held)) = (self.preview.under_way, &mut self.held) {
+        } else if let (UnderWay::Prepared, Some(prepared)) = (self.preview.under_way, &mut self.prepared) {
             let (from, preview) = (self.replayed.last(), &mut self.preview);
-            if carried(&self.influence, held, &preview.offsets, self.density).is_some() {
-                let moved = preview.shape.displace(&self.levels, from, held, &preview.offsets, &mut preview.scratch);
+            if carried(&self.influence, prepared, &preview.offsets, self.density).is_some() {
+                let moved =
+                    preview.shape.displace(&self.levels, from, prepared, &preview.offsets, &mut preview.scratch);
                 moved.expect("invariant: the preview has checked these offsets");
             }
-            let command = held.command(self.preview.offsets.clone());
+            let command = prepared.command(self.preview.offsets.clone());
             self.history.push(Entry { label: label.to_owned(), command, switch: Switch::On });
             self.replayed.push(Arc::new(self.preview.shape.clone()), EntryStatus::InForce);
         }
@@ -210,8 +211,8 @@ impl Document {
     /// Ends the edit in progress after the start of the next one has changed.
     pub(super) fn settle_down(&mut self) {
         self.cancel();
-        if let Some(held) = &mut self.held {
-            held.start_changed();
+        if let Some(prepared) = &mut self.prepared {
+            prepared.start_changed();
         }
     }
 
@@ -221,20 +222,20 @@ impl Document {
     }
 
     /// What [`Self::influence`] says of a spec.
-    fn influence_of(&mut self, held: &mut PreparedEdit) -> Result<InfluenceWeights, StudioError> {
+    fn influence_of(&mut self, prepared: &mut PreparedEdit) -> Result<InfluenceWeights, StudioError> {
         let from = self.replayed.last();
         let mut kept = None;
-        if held.spec().settings.details == Details::AsRigidAsPossible {
-            let mut spec = held.spec().clone();
+        if prepared.spec().settings.details == Details::AsRigidAsPossible {
+            let mut spec = prepared.spec().clone();
             spec.settings.details = Details::Kept;
             kept = Some(made_ready(&mut self.levels, self.density, from, spec)?);
         }
-        let held = kept.as_mut().unwrap_or(held);
+        let prepared = kept.as_mut().unwrap_or(prepared);
         // Not the preview's own: an edit in progress stays as it is should this fail.
         let (mut shape, mut scratch) = (LevelPositions::clone(from), Scratch::default());
-        let handles = held.spec().handles.len();
+        let handles = prepared.spec().handles.len();
         let mut along = |axis: DVec3| {
-            shape.displace(&self.levels, from, held, &vec![axis; handles], &mut scratch)?;
+            shape.displace(&self.levels, from, prepared, &vec![axis; handles], &mut scratch)?;
             Ok::<_, StudioError>(shape.densest().iter().zip(from.densest()).map(|(to, at)| *to - *at).collect())
         };
         let (along_x, along_y): (Vec<DVec3>, Vec<DVec3>) = (along(DVec3::X)?, along(DVec3::Y)?);
@@ -262,11 +263,11 @@ pub(super) fn made_ready(
 /// to it but for rounding, so that a commit takes the long way, as a replay does.
 fn carried<'a>(
     influence: &'a Option<InfluenceWeights>,
-    held: &PreparedEdit,
+    prepared: &PreparedEdit,
     offsets: &[DVec3],
     density: u32,
 ) -> Option<&'a InfluenceWeights> {
     let as_one = offsets.iter().all(|offset| *offset == offsets[0]);
-    let EditSpec { level, settings, .. } = held.spec();
+    let EditSpec { level, settings, .. } = prepared.spec();
     influence.as_ref().filter(|_| as_one && *level < density && settings.details == Details::Kept)
 }

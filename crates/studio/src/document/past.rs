@@ -130,7 +130,7 @@ impl Document {
 /// What carrying out one entry leaves for the next: often the same is moved again.
 #[derive(Default)]
 struct Latest {
-    held: Option<PreparedEdit>,
+    prepared: Option<PreparedEdit>,
     scratch: Scratch,
 }
 
@@ -163,10 +163,10 @@ fn moved(
     let mut shape = from.clone();
     match command {
         Command::Move { spec, offsets } => {
-            let known = latest.held.take().filter(|held| held.spec() == spec && !held.turns_details());
-            let mut held = known.map_or_else(|| made_ready(levels, density, from, spec.clone()), Ok)?;
-            shape.displace(levels, from, &mut held, offsets, &mut latest.scratch)?;
-            latest.held = Some(held);
+            let known = latest.prepared.take().filter(|prepared| prepared.spec() == spec && !prepared.turns_details());
+            let mut prepared = known.map_or_else(|| made_ready(levels, density, from, spec.clone()), Ok)?;
+            shape.displace(levels, from, &mut prepared, offsets, &mut latest.scratch)?;
+            latest.prepared = Some(prepared);
         }
         &Command::Symmetrise { share } => shape.symmetrise(levels, share)?,
         &Command::Express { expression, weight } => {

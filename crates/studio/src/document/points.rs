@@ -37,7 +37,7 @@ impl Document {
             Command::Move { spec, .. } => spec.level,
             Command::Symmetrise { .. } | Command::Express { .. } => 0,
         };
-        let of_held = self.held.as_ref().map(|held| held.spec().level);
+        let of_held = self.prepared.as_ref().map(|prepared| prepared.spec().level);
         let levels = self.history().entries().iter().map(of_entry).chain(of_held);
         levels.filter(|level| *level <= self.density()).max().unwrap_or(0)
     }

@@ -9,7 +9,7 @@ pub struct DocumentState {
     density: u32,
     history: History,
     replayed: ReplayCache,
-    held: Option<PreparedEdit>,
+    prepared: Option<PreparedEdit>,
     influence: Option<InfluenceWeights>,
     preview: Preview,
 }
@@ -21,7 +21,7 @@ impl Document {
             density: self.density,
             history: self.history.clone(),
             replayed: self.replayed.clone(),
-            held: self.held.clone(),
+            prepared: self.prepared.clone(),
             influence: self.influence.clone(),
             preview: self.preview.clone(),
         }
@@ -29,9 +29,9 @@ impl Document {
 
     /// Goes back to what this document held.
     pub fn restore(&mut self, state: DocumentState) {
-        let DocumentState { density, history, replayed, held, influence, preview } = state;
+        let DocumentState { density, history, replayed, prepared, influence, preview } = state;
         (self.density, self.history, self.replayed) = (density, history, replayed);
-        (self.held, self.influence, self.preview) = (held, influence, preview);
+        (self.prepared, self.influence, self.preview) = (prepared, influence, preview);
     }
 
     /// Has the call after the next `calls` fallible ones fail, whatever it is.

@@ -74,9 +74,9 @@ fn entry(value: &Value) -> FieldResult<Entry> {
 
 fn spec(value: &Value) -> FieldResult<EditSpec> {
     let operator = value["operator"].as_str().and_then(Operator::from_id).ok_or("operator")?;
-    let constraint = match &value["hold"] {
+    let constraint = match &value["constraint"] {
         Value::String(word) if word == "exact" => ConstraintKind::Hard,
-        soft => ConstraintKind::Soft { weight: soft["soft"].as_f64().ok_or("hold")? },
+        soft => ConstraintKind::Soft { weight: soft["soft"].as_f64().ok_or("constraint")? },
     };
     let mirror = value["mirror"].as_str().and_then(Mirror::from_id).ok_or("mirror")?;
     let influence = match &value["influence"] {

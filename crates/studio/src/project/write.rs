@@ -46,7 +46,7 @@ fn movement(spec: &EditSpec, offsets: Vec<Value>) -> Value {
         "handles": spec.handles,
         "offsets": offsets,
         "operator": settings.operator.id(),
-        "hold": constraint,
+        "constraint": constraint,
         "anchors": {"kind": kind, "pins": settings.anchors.pins},
         "influence": influence,
         "mirror": settings.mirror.id(),

@@ -99,7 +99,7 @@ fn an_edit_of_the_dense_mesh_leaves_the_cage_and_waits_while_the_cage_is_shown()
     let dense = bits(document.positions());
     document.set_density(0).unwrap();
     assert_eq!(bits(document.positions()), cage);
-    assert_eq!(document.hold(spec), Err(StudioError::TooCoarse { level: 1, density: 0 }));
+    assert_eq!(document.prepare(spec), Err(StudioError::TooCoarse { level: 1, density: 0 }));
     document.set_density(1).unwrap();
     assert_eq!(bits(document.positions()), dense);
 }
@@ -109,7 +109,7 @@ fn a_mirrored_edit_of_the_dense_mesh_is_symmetric() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
     document.set_density(1).unwrap();
     let settings = Settings { mirror: Mirror::On, constraint: ConstraintKind::Hard, ..Settings::default() };
-    document.hold(EditSpec { level: 1, handles: vec![1_000], settings }).unwrap();
+    document.prepare(EditSpec { level: 1, handles: vec![1_000], settings }).unwrap();
     let offset = DVec3::new(0.002, 0.001, 0.003);
     document.preview(&[offset]).unwrap();
     let [handle, partner] = document.handles() else { panic!("two handles") };
@@ -140,7 +140,7 @@ fn on_a_dense_mesh_a_tick_shows_what_its_commit_keeps() {
         let settings =
             Settings { mirror, constraint: ConstraintKind::Hard, operator: Operator::Cotangent, ..Settings::default() };
         let offsets = vec![DVec3::new(0.004, -0.003, 0.007); handles.len()];
-        document.hold(EditSpec { handles, settings, ..EditSpec::default() }).unwrap();
+        document.prepare(EditSpec { handles, settings, ..EditSpec::default() }).unwrap();
         document.preview(&offsets).unwrap();
         let shown = document.positions().to_vec();
         document.commit("a tick");
@@ -162,7 +162,7 @@ fn handles_that_move_as_one_tell_how_the_mesh_follows_them() {
         let settings = Settings { mirror, ..Settings::default() };
         let offset = DVec3::new(0.004, -0.003, 0.007);
         let offsets = vec![offset; handles.len()];
-        document.hold(EditSpec { handles, settings, ..EditSpec::default() }).unwrap();
+        document.prepare(EditSpec { handles, settings, ..EditSpec::default() }).unwrap();
         let influence = document.influence().unwrap().clone();
         document.preview(&offsets).unwrap();
         for (vertex, (now, before)) in document.positions().iter().zip(document.committed()).enumerate() {
@@ -171,10 +171,10 @@ fn handles_that_move_as_one_tell_how_the_mesh_follows_them() {
             assert!(now.distance(predicted) < 1e-12, "vertex {vertex} at density {density}, {mirror:?}");
         }
     }
-    document.hold(EditSpec { handles: vec![61], ..EditSpec::default() }).unwrap();
+    document.prepare(EditSpec { handles: vec![61], ..EditSpec::default() }).unwrap();
     let kept = document.influence().cloned();
     let turned = Settings { details: Details::AsRigidAsPossible, ..Settings::default() };
-    document.hold(EditSpec { handles: vec![61], settings: turned, ..EditSpec::default() }).unwrap();
+    document.prepare(EditSpec { handles: vec![61], settings: turned, ..EditSpec::default() }).unwrap();
     assert_eq!(document.influence(), kept.as_ref());
 }
 

@@ -100,7 +100,7 @@ fn an_entry_switched_off_might_as_well_not_be_there() {
 fn a_drag_is_one_entry_and_equals_the_command_it_leaves() {
     let rest = portrait(Triangulation::Canonical);
     let mut dragged = Document::new(rest.clone()).unwrap();
-    dragged.hold(mirrored_grip(61)).unwrap();
+    dragged.prepare(mirrored_grip(61)).unwrap();
     for step in 1..=10 {
         dragged.preview(&[DVec3::new(0.0, 0.001, 0.002) * f64::from(step)]).unwrap();
     }
@@ -117,7 +117,7 @@ fn a_drag_is_one_entry_and_equals_the_command_it_leaves() {
 fn cancelling_a_drag_leaves_nothing_behind_and_the_grip_in_hand() {
     let mut document = Document::new(canonical(Triangulation::Tessellation)).unwrap();
     let rest = bits(document.positions());
-    document.hold(mirrored_grip(61)).unwrap();
+    document.prepare(mirrored_grip(61)).unwrap();
     document.preview(&[DVec3::splat(0.01)]).unwrap();
     assert_ne!(bits(document.positions()), rest);
     document.cancel();
@@ -133,7 +133,7 @@ fn cancelling_a_drag_leaves_nothing_behind_and_the_grip_in_hand() {
 #[test]
 fn the_next_drag_starts_where_the_last_one_ended() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
-    document.hold(mirrored_grip(4)).unwrap();
+    document.prepare(mirrored_grip(4)).unwrap();
     for _ in 0..2 {
         document.preview(&[DVec3::new(0.0, 0.0, 0.005)]).unwrap();
         document.commit("nose tip");
@@ -283,6 +283,6 @@ fn a_refused_command_changes_nothing() {
         assert_eq!(bits(document.positions()), before);
         assert_eq!(document.history().entries().len(), 1);
     }
-    assert_eq!(document.preview(&[DVec3::Z]), Err(StudioError::NothingHeld));
+    assert_eq!(document.preview(&[DVec3::Z]), Err(StudioError::NothingPrepared));
     assert_eq!(document.switch(1, Switch::Off), Err(StudioError::NoSuchEntry { index: 1, count: 1 }));
 }

@@ -13,7 +13,7 @@ const RADIUS_M: f64 = 0.03;
 
 fn moved(settings: Settings, offset: DVec3) -> Document {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
-    document.hold(EditSpec { level: 0, handles: vec![205], settings }).unwrap();
+    document.prepare(EditSpec { level: 0, handles: vec![205], settings }).unwrap();
     document.preview(&[offset]).unwrap();
     document
 }

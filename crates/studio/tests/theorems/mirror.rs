@@ -49,7 +49,7 @@ fn the_change_is_its_own_mirror_image_and_asymmetry_survives() {
 fn an_exact_handle_and_its_partner_both_reach_their_targets() {
     let mut document = Document::new(portrait(Triangulation::Canonical)).unwrap();
     let offset = DVec3::new(0.004, -0.002, 0.003);
-    document.hold(mirrored_grip(61)).unwrap();
+    document.prepare(mirrored_grip(61)).unwrap();
     document.preview(&[offset]).unwrap();
     assert_eq!(document.handles(), [61, 291]);
     assert!((document.positions()[61] - document.rest()[61] - offset).length() < TOLERANCE_M);
@@ -74,7 +74,7 @@ fn several_mirrored_handles_keep_their_own_offsets() {
 #[test]
 fn the_midline_stays_in_its_plane() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
-    document.hold(mirrored_grip(4)).unwrap();
+    document.prepare(mirrored_grip(4)).unwrap();
     document.preview(&[DVec3::new(0.01, 0.002, 0.003)]).unwrap();
     assert!(MIDLINE.into_iter().all(|vertex| document.positions()[vertex as usize].x.abs() < TOLERANCE_M));
     let moved = document.positions()[4] - document.rest()[4];
@@ -113,6 +113,6 @@ fn coordinates_of_a_picture_have_no_mirror() {
     let topology = Triangulation::Canonical.topology();
     let positions = rosto_face::canonical_positions_m();
     let mut document = Document::new(Rest::new(topology, positions, CoordinateFrame::Other)).unwrap();
-    assert_eq!(document.hold(mirrored_grip(4)), Err(StudioError::NoMirror));
+    assert_eq!(document.prepare(mirrored_grip(4)), Err(StudioError::NoMirror));
     assert_eq!(document.apply("half", Command::Symmetrise { share: 0.5 }), Err(StudioError::NoMirror));
 }

@@ -102,13 +102,13 @@ fn a_file_that_names_what_no_mesh_has_or_one_vertex_twice_is_refused_whether_or_
 #[test]
 fn a_grip_that_has_no_answer_leaves_the_one_that_is_held() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
-    document.hold(mirrored_grip(61)).unwrap();
+    document.prepare(mirrored_grip(61)).unwrap();
     document.preview(&[DVec3::Z * 0.01]).unwrap();
     let shown = bits(document.positions());
     let unanchored = Settings { anchors: Anchors::explicit(Vec::new()), ..Settings::default() };
     for handles in [vec![4], vec![468], vec![], vec![4, 4]] {
         let spec = EditSpec { level: 0, handles, settings: unanchored.clone() };
-        assert!(document.hold(spec).is_err());
+        assert!(document.prepare(spec).is_err());
         assert_eq!((document.spec(), bits(document.positions())), (Some(&mirrored_grip(61)), shown.clone()));
     }
 }
