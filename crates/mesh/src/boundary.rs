@@ -55,7 +55,7 @@ impl<'a> Rim<'a> {
         }
         // Inconsistent windings interrupt the boundary.
         if path.len() > 1 {
-            loops.push(way);
+            loops.push(path);
         }
     }
 

@@ -20,7 +20,7 @@ impl Session {
     }
 
     pub(super) fn set_texture_source(&mut self, texture_source: TextureSource) -> Changed {
-        self.view.skin = skin;
+        self.view.texture_source = texture_source;
         Changed::Mesh
     }
 
