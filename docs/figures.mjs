@@ -1,10 +1,10 @@
 /**
- * The measured figures of the documentation, from docs/benchmarks.json, docs/accuracy.json and the download budgets in
- * package.json. `node docs/figures.mjs` writes the marked figures of every page again; tests/docs/figures.test.mjs compares.
+ * Fills in the measured figures of README.md and docs/: `node docs/figures.mjs`. They come from docs/benchmarks.json,
+ * docs/accuracy.json and the download budgets in package.json. tests/docs/figures.test.mjs compares them.
  *
- * A mark is a comment right after a figure, with the figure's key: `0.97 ms<!-- edit/edit from nothing/468 vertices/rosto -->`.
- * `KEY ÷ rosto` is the ratio to the same measurement of another peer. `<!-- figures: KEY -->` on the line before a table marks
- * its cells; `{row}` and `{column}` in the key are the cell's headings. The number of decimals is the one in the text.
+ * A comment right after a figure holds its key: `0.97 ms<!-- edit/edit from nothing/468 vertices/rosto -->`.
+ * `KEY ÷ PEER` is the ratio of a measurement to the same one by another peer. A line `<!-- figures: KEY -->` before a
+ * table applies to its cells, whose headings replace `{row}` and `{column}`. The text sets unit and number of decimals.
  */
 
 import { readFile, readdir, writeFile } from "node:fs/promises";
@@ -42,37 +42,48 @@ const ANY_MARK = /(?<=\S)<!-- .+? -->/g;
 const TABLE = /(<!-- figures: (.+?) -->\n+)((?:\|.*\n)+)/g;
 const CODE_BLOCK = /^```.*?^```/gms;
 const FORMULA = /^\$\$.*?^\$\$/gms;
+/** Code, addresses, tags and formulas in a line. */
+const INLINE = /`[^`\n]*`|\]\([^)]*\)|<[a-z/!][^>]*>|\$[^$\n]*\$/g;
 
-/** Measured or budgeted figures that no mark names, in units of time and size and as ratios. */
-const UNMARKED = /(?<![\w.,×]|× )\d[\d.,]*(?:(?: ?(?:µs|ms|s|min|h|kB|MB|GB)| (?:seconds|minutes|hours|times))\b|×(?! ?\d))/g;
-/** On pages whose subject is figures, also lengths, shares, and table cells with a decimal number. */
-const UNMARKED_STRICT = new RegExp(
-  String.raw`${UNMARKED.source}|(?<![\w.,×]|× )\d[\d.,]* ?(?:px|µm|mm|levels|%)(?!\w)|(?<=\| *)\d+\.\d+(?= *\|)`,
-  "g",
-);
+const START = String.raw`(?<![\w.,×]|× )\d[\d.,]*`;
+const MEASURED = String.raw`(?: ?(?:µs|ms|s|min|h|kB|MB|GB)| (?:seconds|minutes|hours|times))\b|×(?! ?\d)`;
+const LENGTH_OR_SHARE = String.raw` ?(?:px|µm|mm|levels|%)(?!\w)`;
+const TABLE_DECIMAL = String.raw`(?<=\| *)\d+\.\d+(?= *\|)`;
+/** Times, sizes and ratios. */
+const UNMARKED = new RegExp(`${START}(?:${MEASURED})`, "g");
+/** On pages about figures, also lengths, shares, and table cells with a decimal number. */
+const UNMARKED_STRICT = new RegExp(`${START}(?:${MEASURED}|${LENGTH_OR_SHARE})|${TABLE_DECIMAL}`, "g");
 
 /** All figures by key, in lower case. @returns {Promise<Figures>} */
 export async function figures() {
   /** @type {Figures} */
   const found = new Map();
-  const json = async (/** @type {string} */ path) => JSON.parse(await readFile(join(ROOT, path), "utf8"));
-  const add = (/** @type {(string | null)[]} */ parts, /** @type {string | null} */ by, /** @type {number} */ value, /** @type {string} */ unit) => {
-    const subject = keyOf(parts);
-    const key = keyOf([...parts, by]);
+  for (const { subject, by = null, value, unit } of await records()) {
+    const key = keyOf([...subject, by]);
     if (found.has(key)) throw new Error(`two figures have the key "${key}"`);
-    found.set(key, { value, unit, subject });
-  };
-  for (const { task, what, size, peer, value, unit } of await json("docs/benchmarks.json")) add([task, what, size], peer, value, unit);
-  for (const { task, case: of, measure, by, value, unit } of (await json("docs/accuracy.json")).figures) add([task, of, measure], by, value, unit);
-  for (const { name, limit } of (await json("package.json"))["size-limit"]) {
-    const [number, unit] = limit.split(" ");
-    add(["budget", name], null, Number(number), unit);
+    found.set(key, { value, unit, subject: keyOf(subject) });
   }
   return found;
 }
 
+/** @returns {Promise<{ subject: (string | null)[], by?: string | null, value: number, unit: string }[]>} */
+async function records() {
+  const json = async (/** @type {string} */ path) => JSON.parse(await readFile(join(ROOT, path), "utf8"));
+  const speed = await json("docs/benchmarks.json");
+  const accuracy = await json("docs/accuracy.json");
+  const budgets = (await json("package.json"))["size-limit"];
+  return [
+    ...speed.map(({ task, what, size, peer: by, value, unit }) => ({ subject: [task, what, size], by, value, unit })),
+    ...accuracy.figures.map((figure) => ({ ...figure, subject: [figure.task, figure.case, figure.measure] })),
+    ...budgets.map(({ name, limit }) => {
+      const [number, unit] = limit.split(" ");
+      return { subject: ["budget", name], value: Number(number), unit };
+    }),
+  ];
+}
+
 /**
- * A text whose marked figures are those of the data.
+ * Returns the text with its marked figures taken from the data.
  *
  * @param {string} text
  * @param {Figures} figures
@@ -81,25 +92,25 @@ export function filled(text, figures) {
   const inTables = text.replaceAll(TABLE, (_, mark, template, table) => mark + filledTable(table, template, figures));
   const marks = inTables.match(ANY_MARK)?.length ?? 0;
   let filledMarks = 0;
-  const whole = inTables.replaceAll(MARKED, (_, number, unit = "", key) => {
+  const whole = inTables.replaceAll(MARKED, (_, number, unit, key) => {
     filledMarks += 1;
-    return `${shown(number, unit.trim(), figureOf(key, figures))}${unit}<!-- ${key} -->`;
+    return `${shown(number, unit, figureOf(key, figures))}${unit ?? ""}<!-- ${key} -->`;
   });
   if (filledMarks !== marks) throw new Error(`${marks - filledMarks} marks do not follow a number and a known unit`);
   return whole;
 }
 
 /**
- * Figures that need a mark and have none.
+ * Finds figures that need a mark and have none.
  *
  * @param {string} text
  * @param {readonly string[]} constants phrases that are limits, parameters or quotations
  * @param {{ strict?: boolean }} [options] whether lengths and shares need marks, too
  */
 export function unmarked(text, constants, { strict = false } = {}) {
-  const withoutMarked = text.replaceAll(CODE_BLOCK, "").replaceAll(FORMULA, "").replaceAll(TABLE, "").replaceAll(MARKED, "");
-  const prose = withoutMarked.replaceAll(/`[^`\n]*`|\]\([^)]*\)|<[a-z/!][^>]*>|\$[^$\n]*\$/g, "").replaceAll(/\s+/g, " ");
-  const rest = constants.reduce((left, phrase) => left.replaceAll(phrase, ""), prose);
+  const prose = [CODE_BLOCK, FORMULA, TABLE, MARKED, INLINE].reduce((left, part) => left.replaceAll(part, ""), text);
+  const line = prose.replaceAll(/\s+/g, " ");
+  const rest = constants.reduce((left, phrase) => left.replaceAll(phrase, ""), line);
   return rest.match(strict ? UNMARKED_STRICT : UNMARKED) ?? [];
 }
 
@@ -119,8 +130,8 @@ function filledTable(table, template, figures) {
     const filledCells = cells.map((cell, at) => {
       if (at === 0 || !/\d/.test(cell) || cell.includes("<!--")) return cell;
       const key = template.replace("{row}", label).replace("{column}", columns[at] ?? "");
-      return cell.replace(new RegExp(`(${NUMBER})( ?(?:${UNIT}))?`), (_, number, unit = "") => {
-        return `${shown(number, unit.trim(), figureOf(key, figures))}${unit}`;
+      return cell.replace(new RegExp(`(${NUMBER})( ?(?:${UNIT}))?`), (_, number, unit) => {
+        return `${shown(number, unit, figureOf(key, figures))}${unit ?? ""}`;
       });
     });
     return `|${filledCells.join("|")}|`;
@@ -133,7 +144,11 @@ function cellsOf(row) {
   return row.replace(/^\|/, "").replace(/\|\s*$/, "").split("|");
 }
 
-/** A heading as part of a key: "found: Rosto" is "found/Rosto", "28,881 vertices" is "28881 vertices". @param {string} cell */
+/**
+ * A heading as part of a key: "found: Rosto" becomes "found/Rosto", "28,881 vertices" becomes "28881 vertices".
+ *
+ * @param {string} cell
+ */
 function plain(cell) {
   return cell.replaceAll(/[*`]|\[|\]\([^)]*\)/g, "").replaceAll(/(\d),(?=\d{3})/g, "$1").replaceAll(": ", "/").trim();
 }
@@ -156,19 +171,24 @@ function lookedUp(key, figures) {
 }
 
 /**
- * A value with as many decimals as the text has, in the text's unit.
+ * Formats a value with the decimals of the number in the text, in the text's unit.
  *
  * @param {string} number
- * @param {string} unit
+ * @param {string | undefined} unit
  * @param {{ value: number, unit: string }} figure
  */
 function shown(number, unit, figure) {
-  const [kind, factor] = UNITS[unit || figure.unit] ?? [unit, 1];
-  const [ownKind, ownFactor] = UNITS[figure.unit] ?? [figure.unit, 1];
-  if (unit && kind !== ownKind) throw new Error(`a figure in ${figure.unit} is shown in ${unit}`);
+  const [kind, factor] = unitOf(unit?.trim() ?? figure.unit);
+  const [ownKind, ownFactor] = unitOf(figure.unit);
+  if (kind !== ownKind) throw new Error(`a figure in ${figure.unit} is shown in ${unit}`);
   const decimals = number.split(".")[1]?.length ?? 0;
   const [whole = "", fraction] = ((figure.value * ownFactor) / factor).toFixed(decimals).replace("-", "−").split(".");
   return [whole.replaceAll(/\B(?=(?:\d{3})+$)/g, ","), fraction].filter((part) => part !== undefined).join(".");
+}
+
+/** @param {string} name @returns {[kind: string, factor: number]} */
+function unitOf(name) {
+  return UNITS[name] ?? [name, 1];
 }
 
 /** @param {(string | null)[]} parts */
