@@ -1,4 +1,4 @@
-//! A JPEG of 12 megapixels, to an upright sRGB picture.
+//! Decoding of a 12-megapixel JPEG to an upright sRGB picture.
 #![allow(clippy::unwrap_used, reason = "a benchmark fails by panicking")]
 #![allow(missing_docs, reason = "Criterion's macros make public functions")]
 
@@ -17,7 +17,7 @@ fn decoding(criterion: &mut Criterion) {
     group.bench_function(id, |bencher| bencher.iter(|| decode(&jpeg, &Limits::default()).unwrap()));
 }
 
-/// Slopes, waves and fine grain.
+/// Gradients, waves and fine grain.
 fn jpeg() -> Vec<u8> {
     let [width, height] = SIZE_PX;
     let pixel = |i: u32| [i % width / 16, i / width / 16, (i % width) ^ (i / width)].map(|value| value as u8);

@@ -1,9 +1,9 @@
-//! Colours told by code points (ITU-T H.273), as PNG's `cICP` chunk has them, or by a plain gamma, as `gAMA` does.
+//! Colour encodings given by code points (ITU-T H.273, PNG's `cICP` chunk) or by a gamma (`gAMA`).
 
 use crate::colour::Conversion;
 use crate::primaries::{D65, Primaries, SRGB};
 
-/// Primaries, transfer characteristics and range, in the numbers of ITU-T H.273.
+/// Colour primaries, transfer characteristics and range, as numbered by ITU-T H.273.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct CodePoints {
     pub(crate) primaries: u8,
@@ -11,30 +11,32 @@ pub(crate) struct CodePoints {
     pub(crate) full_range: bool,
 }
 
-/// From a signal to linear light, both 0..1.
+/// Decodes a signal to linear light, both in 0..1.
 type Curve = fn(f64) -> f64;
 
-/// What a picture says of its colours.
+/// Colour encoding of a decoded picture.
 pub(crate) enum ColourEncoding {
-    /// Nothing that is understood.
+    /// Missing or not understood.
     Unspecified,
-    /// That they are sRGB, or as good as that.
+    /// sRGB, or indistinguishable from it.
     Srgb,
-    /// How they become sRGB.
+    /// Needs a conversion to sRGB.
     Converted(Conversion),
 }
 
 impl CodePoints {
-    /// Colour encoding that the code points describe.
+    /// Returns the colour encoding that the code points describe.
     pub(crate) fn encoding(self) -> ColourEncoding {
-        let (Some(primaries), Some(curve)) = (self.known_primaries(), self.curve()) else { return ColourEncoding::Unspecified };
+        let (Some(primaries), Some(curve)) = (self.known_primaries(), self.curve()) else {
+            return ColourEncoding::Unspecified;
+        };
         let Some(colorants) = primaries.colorants_d50() else { return ColourEncoding::Unspecified };
         let table: Vec<f32> = (0..=u8::MAX).map(|value| curve(self.signal(value)) as f32).collect();
         let conversion = Conversion::new([table.clone(), table.clone(), table], colorants);
         conversion.map_or(ColourEncoding::Srgb, ColourEncoding::Converted)
     }
 
-    /// The signal, 0..1, of an 8-bit value.
+    /// Returns the signal (0..1) of an 8-bit value.
     fn signal(self, value: u8) -> f64 {
         let value = f64::from(value);
         if self.full_range { value / 255.0 } else { ((value - 16.0) / 219.0).clamp(0.0, 1.0) }
@@ -58,7 +60,7 @@ impl CodePoints {
         }
     }
 
-    /// Table 3 of H.273, without the curves that no photo has: from a signal to linear light.
+    /// Table 3 of H.273, without the transfer characteristics that photos do not use.
     fn curve(self) -> Option<Curve> {
         match self.transfer {
             1 | 6 | 11 | 12 | 14 | 15 => Some(bt709),
@@ -70,15 +72,17 @@ impl CodePoints {
         }
     }
 
-    /// Whether they name a curve that is not read, such as PQ (16) or HLG (18). 2 names none.
-    pub(crate) fn has_another_curve(self) -> bool {
+    /// Whether the transfer characteristics are specified (not 2) but unsupported, such as PQ (16) or HLG (18).
+    pub(crate) fn has_unsupported_curve(self) -> bool {
         self.transfer != 2 && self.curve().is_none()
     }
 }
 
-/// What PNG's `gAMA` (the exponent of its encoding, 0.45455 for sRGB) and `cHRM` say; each may be missing or absurd.
+/// Returns the colour encoding given by PNG's `gAMA` (the encoding exponent, 0.45455 for sRGB) and `cHRM`.
+///
+/// Either may be missing; implausible values are ignored.
 pub(crate) fn encoding_from_gamma(gamma: Option<f64>, primaries: Option<Primaries>) -> ColourEncoding {
-    /// A smaller difference from sRGB's is one of rounding, or of an old habit of writing 0.45.
+    /// Smaller deviations from sRGB's gamma are rounding errors, or the common value 0.45.
     const SIGNIFICANT: f64 = 0.05;
     const PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.1..=5.0;
     let gamma = gamma.filter(|gamma| PLAUSIBLE.contains(gamma));
@@ -93,7 +97,8 @@ pub(crate) fn encoding_from_gamma(gamma: Option<f64>, primaries: Option<Primarie
         exponent.map_or_else(|| srgb(signal), |exponent| signal.powf(exponent)) as f32
     };
     let table: Vec<f32> = (0..=u8::MAX).map(light).collect();
-    Conversion::new([table.clone(), table.clone(), table], colorants).map_or(ColourEncoding::Srgb, ColourEncoding::Converted)
+    Conversion::new([table.clone(), table.clone(), table], colorants)
+        .map_or(ColourEncoding::Srgb, ColourEncoding::Converted)
 }
 
 /// IEC 61966-2-1.
@@ -101,7 +106,7 @@ fn srgb(signal: f64) -> f64 {
     if signal <= 0.040_45 { signal / 12.92 } else { ((signal + 0.055) / 1.055).powf(2.4) }
 }
 
-/// ITU-R BT.709, the camera's curve turned round.
+/// Inverse of the ITU-R BT.709 transfer function.
 fn bt709(signal: f64) -> f64 {
     if signal < 0.081 { signal / 4.5 } else { ((signal + 0.099) / 1.099).powf(1.0 / 0.45) }
 }

@@ -1,23 +1,25 @@
-//! The colours of a picture to sRGB.
+//! Conversion of pixels to sRGB.
 
-/// How the values of a picture become sRGB.
+/// Conversion of 8-bit RGB from a device colour space to sRGB.
 pub(crate) struct Conversion {
-    /// Linear light by 8-bit value, for each channel.
+    /// Linear light for each 8-bit value, per channel.
     linear: [Vec<f32>; 3],
     linear_srgb_from_device: [[f32; 3]; 3],
-    /// 8-bit sRGB by linear light in steps of `1 / ENCODED_STEPS`.
+    /// 8-bit sRGB for linear light in steps of `1 / ENCODED_STEPS`.
     encoded: Vec<u8>,
 }
 
 const ENCODED_STEPS: usize = 16_384;
 
-/// Linear sRGB from XYZ relative to D50, where profiles meet: the inverse of sRGB's own colorants.
+/// Linear sRGB from XYZ relative to D50, the profile connection space: the inverse of sRGB's own colorants.
 const LINEAR_SRGB_FROM_XYZ_D50: [[f32; 3]; 3] =
     [[3.133_856, -1.616_867, -0.490_615], [-0.978_768, 1.916_142, 0.033_454], [0.071_945, -0.228_991, 1.405_243]];
 
 impl Conversion {
-    /// From curves (linear light by 8-bit value, for each channel) and colorants (XYZ relative to D50 of red, green and
-    /// blue); `None` if they are as good as sRGB, or a number among them is not finite.
+    /// Creates a conversion from tone curves (linear light for each 8-bit value, per channel) and colorants (XYZ of
+    /// red, green and blue, relative to D50).
+    ///
+    /// Returns `None` if the result is indistinguishable from sRGB, or a value is not finite.
     pub(crate) fn new(linear: [Vec<f32>; 3], colorants_d50: [[f32; 3]; 3]) -> Option<Self> {
         let linear_srgb_from_device = LINEAR_SRGB_FROM_XYZ_D50
             .map(|row| colorants_d50.map(|column| row.iter().zip(column).map(|(a, b)| a * b).sum::<f32>()));
@@ -27,7 +29,7 @@ impl Conversion {
         }
         let encoded = (0..=ENCODED_STEPS).map(|step| srgb_encoded(step as f32 / ENCODED_STEPS as f32)).collect();
         let conversion = Self { linear, linear_srgb_from_device, encoded };
-        (!conversion.is_nearly_none()).then_some(conversion)
+        (!conversion.is_nearly_identity()).then_some(conversion)
     }
 
     /// Converts RGB pixels in place.
@@ -44,8 +46,8 @@ impl Conversion {
         light.map(|light| self.encoded[(light.clamp(0.0, 1.0) * ENCODED_STEPS as f32 + 0.5) as usize])
     }
 
-    /// Whether it would change no corner or middle of the colour cube by more than a step of an 8-bit value.
-    fn is_nearly_none(&self) -> bool {
+    /// Whether no sample of a 5 × 5 × 5 grid of the colour cube changes by more than one 8-bit level.
+    fn is_nearly_identity(&self) -> bool {
         const LEVELS: [u8; 5] = [0, 64, 128, 192, 255];
         let mut cube = LEVELS.iter().flat_map(|&r| LEVELS.iter().flat_map(move |&g| LEVELS.map(|b| [r, g, b])));
         cube.all(|pixel| self.srgb(pixel).iter().zip(pixel).all(|(new, old)| new.abs_diff(old) <= 1))

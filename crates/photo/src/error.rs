@@ -1,32 +1,32 @@
 use thiserror::Error;
 
-/// Why bytes did not become a picture.
+/// Reason why bytes could not be decoded to a picture.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum PhotoError {
-    /// The first bytes are those of no picture format.
-    #[error("this is not a picture: its first bytes are those of no picture format")]
+    /// The first bytes match no known picture format.
+    #[error("this is not a picture: its first bytes match no known picture format")]
     NotAPicture,
-    /// A picture, but in a format that is not read.
+    /// A recognised picture format that is not supported.
     #[error("{format} pictures are not supported")]
     UnsupportedFormat {
         /// Name of the format.
         format: &'static str,
     },
-    /// JPEG, PNG or WebP, but with a feature that is not read.
+    /// JPEG, PNG or WebP with an unsupported feature.
     #[error("this kind of {format} is not supported: {reason}")]
     UnsupportedFeature {
         /// Name of the format.
         format: &'static str,
-        /// The feature.
+        /// The unsupported feature.
         reason: String,
     },
-    /// The file breaks off or contradicts itself.
+    /// The file is truncated or inconsistent.
     #[error("this {format} picture is damaged: {reason}")]
     Damaged {
         /// Name of the format.
         format: &'static str,
-        /// What the decoder said.
+        /// The decoder's message.
         reason: String,
     },
     /// The file is larger than [`Limits::max_bytes`](crate::Limits::max_bytes).
@@ -47,20 +47,20 @@ pub enum PhotoError {
         /// The limit on width × height.
         max_pixels: u64,
     },
-    /// Width, height and number of bytes do not fit together, or there is no pixel.
-    #[error("{found_bytes} bytes are not {width}×{height} pixels")]
+    /// The number of bytes does not match width × height, or the picture is empty.
+    #[error("{found_bytes} bytes do not match {width}×{height} pixels")]
     WrongLength {
         /// Width in px.
         width: u32,
         /// Height in px.
         height: u32,
-        /// Number of bytes given.
+        /// Number of bytes passed.
         found_bytes: usize,
     },
 }
 
 impl PhotoError {
-    /// What the person who chose the picture can do about it.
+    /// Returns advice for the user who chose the picture.
     pub fn hint(&self) -> &'static str {
         match self {
             Self::NotAPicture => "Choose a JPEG, PNG or WebP picture.",
@@ -73,17 +73,17 @@ impl PhotoError {
                 "The file may have been cut short or changed while copying: copy or download it again."
             }
             Self::TooManyBytes { .. } | Self::TooManyPixels { .. } => "Scale the picture down or crop it to the face.",
-            Self::WrongLength { .. } => "Give three bytes for each pixel, row by row.",
+            Self::WrongLength { .. } => "Pass three bytes per pixel, row by row.",
         }
     }
 }
 
-/// Megapixels with one decimal, rounded up, so that what is too large never looks as if it were not.
+/// Megapixels with one decimal, rounded up, so that a picture over the limit is not shown as equal to it.
 fn more_than(width: u32, height: u32) -> String {
     tenths((u64::from(width) * u64::from(height)).div_ceil(100_000))
 }
 
-/// The same, rounded down.
+/// Megapixels with one decimal, rounded down.
 fn at_most(pixels: u64) -> String {
     tenths(pixels / 100_000)
 }

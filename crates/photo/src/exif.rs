@@ -1,6 +1,6 @@
-//! What EXIF says of how a picture was taken: CIPA DC-008 (Exif 3.0), in the directories of a TIFF 6.0 file.
+//! EXIF metadata: CIPA DC-008 (Exif 3.0), stored in the directories of a TIFF 6.0 file.
 //!
-//! Of what cannot be read nothing is known, and no reason to refuse the picture.
+//! Unreadable metadata is ignored; it does not make a picture invalid.
 
 use image::metadata::Orientation;
 
@@ -10,21 +10,21 @@ const PIXEL_X_DIMENSION: u16 = 0xA002;
 const PIXEL_Y_DIMENSION: u16 = 0xA003;
 const FOCAL_LENGTH_IN_35MM_FILM: u16 = 0xA405;
 
-/// How a picture was taken.
+/// EXIF fields that Rosto uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Exif {
-    /// How the stored picture is turned upright.
+    /// Transform that turns the stored picture upright.
     pub(crate) orientation: Orientation,
-    /// The focal length that takes in as much of a frame of 36 × 24 mm, diagonal by diagonal, in mm.
+    /// 35-mm-equivalent focal length in mm: the same diagonal field of view on a 36 × 24 mm frame.
     pub(crate) focal_length_35mm: Option<u16>,
 }
 
 impl Exif {
-    /// Reads the block of a stored picture (before it is turned) of that many px.
+    /// Reads the EXIF block of a stored picture of `width` × `height` px, before its orientation is applied.
     ///
-    /// The focal length is that of the whole frame. It is left out where it is implausible (0 stands for unknown), and
-    /// where the picture has other proportions than EXIF says, since part of it was then cut off. Programs that turn a
-    /// picture without loss leave EXIF's width and height as they were: either side may be the width.
+    /// The focal length describes the whole frame. It is `None` if it is implausible (0 means unknown), or if the
+    /// aspect ratio differs from EXIF's, which indicates a crop. Lossless rotation leaves EXIF's width and height
+    /// unchanged, so either side may be the width.
     pub(crate) fn read(block: &[u8], width: u32, height: u32) -> Self {
         let tiff = Tiff::new(block);
         let orientation = tiff.as_ref().and_then(|tiff| tiff.number(tiff.first, ORIENTATION));
@@ -36,15 +36,17 @@ impl Exif {
         }
     }
 
-    /// The focal length that a HEIC or AVIF file tells of a picture that has that many px once it is upright.
+    /// Returns the focal length that a HEIC or AVIF file gives for a picture of `width` × `height` px, which is already
+    /// upright.
     pub(crate) fn focal_length_35mm_in_container(file: &[u8], width: u32, height: u32) -> Option<u16> {
         Self::read(block_in_container(file)?, width, height).focal_length_35mm
     }
 }
 
-/// The EXIF block of a HEIC or AVIF file, and what comes behind it: an item of its own, as ISO/IEC 23008-12 has it (A.2.1),
-/// which is a count of four bytes, as many bytes of a header (six or none), and the block. It is found by how it begins,
-/// as compressed pixels hardly ever do.
+/// Returns the EXIF block of a HEIC or AVIF file, with all bytes after it.
+///
+/// The block is an item (ISO/IEC 23008-12, A.2.1): a 4-byte length, a header of that length (6 bytes or none), then the
+/// TIFF data. It is found by its signature, which is unlikely to occur in compressed pixels.
 fn block_in_container(file: &[u8]) -> Option<&[u8]> {
     let begins = |bytes: &[u8; 10]| match bytes {
         [before @ .., b'I', b'I', 42, 0] | [before @ .., b'M', b'M', 0, 42] => {
@@ -52,21 +54,21 @@ fn block_in_container(file: &[u8]) -> Option<&[u8]> {
         }
         _ => false,
     };
-    let place = file.array_windows().position(begins)?;
-    file.get(place + 6..)
+    let position = file.array_windows().position(begins)?;
+    file.get(position + 6..)
 }
 
-/// A TIFF file without its pictures: directories of numbers.
+/// Directories of a TIFF file.
 struct Tiff<'a> {
     bytes: &'a [u8],
     big_endian: bool,
-    /// Where the first directory begins.
+    /// Offset of the first directory.
     first: u32,
 }
 
 impl<'a> Tiff<'a> {
     fn new(block: &'a [u8]) -> Option<Self> {
-        // Some writers of WebP and PNG keep the header that only JPEG wants.
+        // Some WebP and PNG encoders keep the header that only JPEG uses.
         let bytes = block.strip_prefix(b"Exif\0\0").unwrap_or(block);
         let big_endian = match bytes.get(..4)? {
             b"II\x2a\0" => false,
@@ -88,7 +90,7 @@ impl<'a> Tiff<'a> {
         (whole && PLAUSIBLE_MM.contains(&focal_length)).then_some(focal_length)
     }
 
-    /// The value of a directory's entry that is a single SHORT or LONG.
+    /// Value of a directory entry that holds a single SHORT or LONG.
     fn number(&self, directory: u32, tag: u16) -> Option<u32> {
         const SHORT: u16 = 3;
         const LONG: u16 = 4;
@@ -114,7 +116,7 @@ impl<'a> Tiff<'a> {
     }
 }
 
-/// Whether one may be the other scaled, with both sides rounded, or both cut off, to whole pixels.
+/// Whether the two sizes have the same aspect ratio, up to rounding or truncation of both sides to whole pixels.
 fn same_proportions(one_px: [u32; 2], other_px: [u32; 2]) -> bool {
     let [[width, height], [other_width, other_height]] = [one_px, other_px].map(|size_px| size_px.map(u64::from));
     let one_px_of_the_longest = width.max(height).max(other_width).max(other_height);

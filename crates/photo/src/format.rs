@@ -1,6 +1,6 @@
 use crate::PhotoError;
 
-/// A format that is read.
+/// A supported file format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Format {
     Jpeg,
@@ -9,7 +9,7 @@ pub(crate) enum Format {
 }
 
 impl Format {
-    /// Tells the format by the first bytes; a file name says nothing about a file.
+    /// Detects the format by the first bytes, since a file name can be wrong.
     pub(crate) fn sniff(bytes: &[u8]) -> Result<Self, PhotoError> {
         match bytes {
             [0xFF, 0xD8, 0xFF, ..] => Ok(Self::Jpeg),
@@ -37,7 +37,7 @@ impl Format {
     }
 }
 
-/// Names a picture format that is recognised but not read.
+/// Returns the name of a picture format that is recognised but not supported.
 fn foreign_format(bytes: &[u8]) -> Option<&'static str> {
     match bytes {
         [_, _, _, _, b'f', b't', b'y', b'p', ..] => iso_media_format(bytes),
@@ -53,19 +53,20 @@ fn foreign_format(bytes: &[u8]) -> Option<&'static str> {
     }
 }
 
-/// HEIC and AVIF share a container. Its brands tell them apart: the first, behind which come four bytes of a version, or
-/// where that one fits both, the others.
+/// HEIC and AVIF share a container and differ in their brands.
+///
+/// The major brand decides, followed by a 4-byte version; if it fits both formats, the compatible brands decide.
 fn iso_media_format(bytes: &[u8]) -> Option<&'static str> {
     let length = u32::from_be_bytes(*bytes.first_chunk()?) as usize;
     let brands = bytes.get(8..length.clamp(12, bytes.len().max(12)))?.as_chunks::<4>().0;
     let others = brands.iter().skip(2);
-    brands.iter().take(1).chain(others).find_map(of_brand).or_else(|| match brands.first()? {
+    brands.iter().take(1).chain(others).find_map(format_of_brand).or_else(|| match brands.first()? {
         b"mif1" | b"mif2" | b"msf1" | b"miaf" => Some("HEIF"),
         _ => None,
     })
 }
 
-fn of_brand(brand: &[u8; 4]) -> Option<&'static str> {
+fn format_of_brand(brand: &[u8; 4]) -> Option<&'static str> {
     match brand {
         b"heic" | b"heix" | b"heim" | b"heis" | b"hevc" | b"hevx" | b"hevm" | b"hevs" => Some("HEIC"),
         b"avif" | b"avis" => Some("AVIF"),

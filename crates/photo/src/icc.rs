@@ -1,7 +1,7 @@
-//! Embedded colour profiles to sRGB: those that are three curves and a matrix, as Display P3 of every newer phone is, and
-//! of grey pictures those that are a curve.
+//! Embedded ICC profiles (ICC.1:2022) that consist of three curves and a matrix, such as Display P3, or of one grey
+//! curve.
 //!
-//! ICC.1:2022. A profile of another kind, or one that cannot be read, is ignored, and the values are taken for sRGB.
+//! Other profiles, and those that cannot be read, are ignored: the values are taken as sRGB.
 
 use image::ColorType;
 
@@ -9,27 +9,27 @@ use crate::code_points::ColourEncoding;
 use crate::colour::Conversion;
 use crate::primaries::SRGB;
 
-/// What a profile asks for in a picture that was stored so.
+/// Returns the colour encoding that a profile describes for a picture with the given layout.
 pub(crate) fn encoding(profile: &[u8], layout: ColorType) -> ColourEncoding {
     let conversion = match profile.get(16..24) {
-        Some(b"RGB XYZ ") => of_colours(profile),
-        Some(b"GRAYXYZ ") if !layout.has_color() => of_grey(profile, |luminance| luminance),
-        Some(b"GRAYLab ") if !layout.has_color() => of_grey(profile, luminance_of_lightness),
+        Some(b"RGB XYZ ") => rgb_conversion(profile),
+        Some(b"GRAYXYZ ") if !layout.has_color() => grey_conversion(profile, |luminance| luminance),
+        Some(b"GRAYLab ") if !layout.has_color() => grey_conversion(profile, luminance_of_lightness),
         _ => None,
     };
     conversion.map_or(ColourEncoding::Srgb, ColourEncoding::Converted)
 }
 
-/// `None` if the profile is as good as sRGB or is not understood.
-fn of_colours(profile: &[u8]) -> Option<Conversion> {
+/// Returns `None` if the profile is indistinguishable from sRGB, or is not understood.
+fn rgb_conversion(profile: &[u8]) -> Option<Conversion> {
     let columns = [xyz(tag(profile, b"rXYZ")?)?, xyz(tag(profile, b"gXYZ")?)?, xyz(tag(profile, b"bXYZ")?)?];
     let curves = [tag(profile, b"rTRC")?, tag(profile, b"gTRC")?, tag(profile, b"bTRC")?];
     let [red, green, blue] = curves.map(|curve| Some(table(&Curve::read(curve)?)));
     Conversion::new([red?, green?, blue?], columns)
 }
 
-/// The same of a profile whose curve leads to luminance, or to what that can be told from; both 0..1.
-fn of_grey(profile: &[u8], luminance: fn(f32) -> f32) -> Option<Conversion> {
+/// Conversion for a grey profile; `luminance` maps the curve's output to luminance, both 0..1.
+fn grey_conversion(profile: &[u8], luminance: fn(f32) -> f32) -> Option<Conversion> {
     let curve = table(&Curve::read(tag(profile, b"kTRC")?)?).into_iter().map(luminance).collect::<Vec<_>>();
     Conversion::new([curve.clone(), curve.clone(), curve], SRGB.colorants_d50()?)
 }
@@ -40,7 +40,7 @@ fn luminance_of_lightness(lightness: f32) -> f32 {
     if lightness > LINEAR_BELOW { ((lightness + 0.16) / 1.16).powi(3) } else { lightness / 9.033 }
 }
 
-/// The contents of a tag: signature, offset and size stand in a table behind the 128 bytes of the header.
+/// Returns the contents of a tag. The tag table (signature, offset, size) follows the 128-byte header.
 fn tag<'a>(profile: &'a [u8], signature: &[u8; 4]) -> Option<&'a [u8]> {
     let count = u32_at(profile, 128)? as usize;
     let entries = profile.get(132..)?.as_chunks::<12>().0;
@@ -54,10 +54,10 @@ fn xyz(tag: &[u8]) -> Option<[f32; 3]> {
     tag.starts_with(b"XYZ ").then_some([fixed(0)?, fixed(1)?, fixed(2)?])
 }
 
-/// From a stored value to linear light, both 0..1.
+/// Tone curve from a stored value to linear light, both 0..1.
 enum Curve {
     Table(Vec<u16>),
-    /// `(a·x + b)^g + e` from `d` on, `c·x + f` below it: `[g, a, b, c, d, e, f]`.
+    /// `(a·x + b)^g + e` for `x ≥ d`, otherwise `c·x + f`: `[g, a, b, c, d, e, f]`.
     Parametric([f32; 7]),
 }
 
@@ -118,7 +118,7 @@ impl Curve {
     }
 }
 
-/// Linear light of each 8-bit value.
+/// Linear light for each 8-bit value.
 fn table(curve: &Curve) -> Vec<f32> {
     (0..=u8::MAX).map(|value| curve.linear(f32::from(value) / 255.0)).collect()
 }
@@ -127,7 +127,7 @@ fn u32_at(bytes: &[u8], at: usize) -> Option<u32> {
     Some(u32::from_be_bytes(bytes.get(at..at.checked_add(4)?)?.try_into().ok()?))
 }
 
-/// An s15Fixed16 number.
+/// Reads an s15Fixed16 number.
 fn fixed_at(bytes: &[u8], at: usize) -> Option<f32> {
     Some(u32_at(bytes, at)?.cast_signed() as f32 / 65_536.0)
 }

@@ -1,8 +1,8 @@
-//! JPEG files of the baseline, extended sequential and progressive processes with Huffman codes and 8 bits a sample
-//! (ITU-T T.81), decoded in one pass to the same pixels as libjpeg.
+//! JPEG decoder for baseline, extended sequential and progressive files with Huffman coding and 8-bit samples (ITU-T
+//! T.81).
 //!
-//! Other decoders fill what is missing with grey and call it a success; half a face is of no use here. So each scan reports
-//! which rows are intact in it, and a picture with fewer than 95 % of them is damaged.
+//! One pass over the file; the pixels are the same as libjpeg's. Other decoders fill missing data with grey and report
+//! success. This one records the intact rows of each scan, and refuses a picture with fewer than 95 % of them.
 
 mod bits;
 mod block;
@@ -23,7 +23,7 @@ use image::ColorType;
 use crate::stored::Stored;
 use crate::{Limits, Photo, PhotoError, icc};
 use colours::Colours;
-use header::{Frame, Scan, Tables, broken, unread};
+use header::{Frame, Scan, Tables, broken, unsupported};
 use metadata::Metadata;
 use plane::Plane;
 use progress::Progress;
@@ -31,30 +31,30 @@ use rows::Rows;
 use segments::Segments;
 use upsample::Upsampler;
 
-/// One row of so many may be lost.
-const ROWS_FOR_EACH_LOST: usize = 20;
-const ENDS_EARLY: &str = "it ends before its last row";
+/// At most one row in this many may be lost.
+const ROWS_PER_LOST_ROW: usize = 20;
+const ENDS_EARLY: &str = "the data ends before the last row";
 
 pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError> {
     let mut segments = Segments { bytes: without_filler(bytes), position: 0 };
     let (mut tables, mut metadata) = (Tables::default(), Metadata::default());
     let frame = loop {
-        let (marker, segment) = segments.next().ok_or_else(|| broken("it ends before its header"))?;
+        let (marker, segment) = segments.next().ok_or_else(|| broken("the data ends before the frame header"))?;
         match marker {
             0xC0..=0xC2 => break Frame::read(segment, marker == 0xC2)?,
-            _ => see(marker, segment, &mut tables, &mut metadata)?,
+            _ => read_segment(marker, segment, &mut tables, &mut metadata)?,
         }
     };
     limits.check_size(frame.width as u32, frame.height as u32)?;
     let mut picture = Picture::new(&frame);
     while let Some((marker, segment)) = segments.next().filter(|&(marker, _)| marker != segments::END) {
-        let seen = match marker {
+        let result = match marker {
             segments::SCAN => picture.decode_scan(segment, &mut segments, &tables),
-            _ => see(marker, segment, &mut tables, &mut metadata),
+            _ => read_segment(marker, segment, &mut tables, &mut metadata),
         };
-        match seen {
+        match result {
             Ok(()) => {}
-            // Whatever comes after damaged data may be data.
+            // After damaged data, a "marker" may be part of the data.
             Err(_) if picture.rows.intact() < frame.height => break,
             Err(error) => return Err(error),
         }
@@ -62,24 +62,29 @@ pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError>
     picture.stored(metadata)?.upright()
 }
 
-/// Takes in what a segment says that is neither a frame nor a scan.
-fn see<'a>(marker: u8, segment: &'a [u8], tables: &mut Tables, metadata: &mut Metadata<'a>) -> Result<(), PhotoError> {
-    let contradictory = || broken("its tables contradict themselves");
+/// Reads a segment other than a frame or scan header.
+fn read_segment<'a>(
+    marker: u8,
+    segment: &'a [u8],
+    tables: &mut Tables,
+    metadata: &mut Metadata<'a>,
+) -> Result<(), PhotoError> {
+    let inconsistent = || broken("a table is inconsistent");
     match marker {
-        0xC4 => tables.read_huffman(segment).ok_or_else(contradictory),
-        0xDB => tables.read_quantisation(segment).ok_or_else(contradictory),
-        0xDD => tables.read_restart_interval(segment).ok_or_else(contradictory),
+        0xC4 => tables.read_huffman(segment).ok_or_else(inconsistent),
+        0xDB => tables.read_quantisation(segment).ok_or_else(inconsistent),
+        0xDD => tables.read_restart_interval(segment).ok_or_else(inconsistent),
         0xE0..=0xEF => {
-            metadata.see(marker, segment);
+            metadata.read(marker, segment);
             Ok(())
         }
-        0xC0..=0xC2 => Err(broken("it has two headers")),
-        _ => process(marker).map_or(Ok(()), |process| Err(unread(process.to_owned()))),
+        0xC0..=0xC2 => Err(broken("there are two frame headers")),
+        _ => unsupported_process(marker).map_or(Ok(()), |process| Err(unsupported(process.to_owned()))),
     }
 }
 
-/// The name of a process that is not read, by the marker that begins its frame.
-fn process(marker: u8) -> Option<&'static str> {
+/// Name of an unsupported coding process, by the marker of its frame header.
+fn unsupported_process(marker: u8) -> Option<&'static str> {
     match marker {
         0xC3 => Some("lossless coding"),
         0xC5..=0xC7 | 0xDE => Some("hierarchical coding"),
@@ -89,9 +94,9 @@ fn process(marker: u8) -> Option<&'static str> {
     }
 }
 
-/// Without zeros that a copy was filled up with.
+/// Strips trailing zeros that padded a truncated copy.
 fn without_filler(bytes: &[u8]) -> &[u8] {
-    /// A scan may end with a zero, but hardly with so many.
+    /// A scan may end with a few zeros of its own.
     const FILLER: usize = 16;
     let end = bytes.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1);
     if bytes.len() - end >= FILLER { &bytes[..end] } else { bytes }
@@ -115,16 +120,16 @@ impl<'a> Picture<'a> {
     }
 
     fn decode_scan(&mut self, segment: &[u8], segments: &mut Segments<'_>, tables: &Tables) -> Result<(), PhotoError> {
-        let scan = Scan::read(segment, self.frame).ok_or_else(|| broken("a scan contradicts itself"))?;
-        self.progress.see(&scan).ok_or_else(|| broken("its scans contradict each other"))?;
-        for of in &scan.components {
-            let table = tables.quantisation[self.frame.components[of.index].quantisation];
-            let plane = &mut self.planes[of.index];
+        let scan = Scan::read(segment, self.frame).ok_or_else(|| broken("a scan header is inconsistent"))?;
+        self.progress.record(&scan).ok_or_else(|| broken("its scans are inconsistent"))?;
+        for selected in &scan.components {
+            let table = tables.quantisation[self.frame.components[selected.index].quantisation];
+            let plane = &mut self.planes[selected.index];
             plane.quantisation = plane.quantisation.or(table.map(|table| table.map(i32::from)));
         }
         let data = (segments.bytes, segments.position);
         segments.position = scan::decode(data, self.frame, &scan, tables, &mut self.planes, &mut self.rows)
-            .ok_or_else(|| unread("its tables are in another file".to_owned()))?;
+            .ok_or_else(|| unsupported("its tables are not in the file".to_owned()))?;
         Ok(())
     }
 
@@ -135,7 +140,7 @@ impl<'a> Picture<'a> {
             return Err(broken(ENDS_EARLY));
         }
         if self.is_damaged() {
-            return Err(broken(&format!("{intact} of its {height} rows are intact")));
+            return Err(broken(&format!("only {intact} of {height} rows are intact")));
         }
         if self.frame.progressive {
             self.planes.iter_mut().for_each(Plane::transform);
@@ -150,7 +155,7 @@ impl<'a> Picture<'a> {
     }
 
     fn is_damaged(&self) -> bool {
-        (self.frame.height - self.rows.intact()) * ROWS_FOR_EACH_LOST > self.frame.height
+        (self.frame.height - self.rows.intact()) * ROWS_PER_LOST_ROW > self.frame.height
     }
 
     fn rgb(&self, colours: Colours) -> Vec<u8> {

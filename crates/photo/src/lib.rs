@@ -1,10 +1,11 @@
-//! Bytes to an upright, bounded sRGB picture.
+//! Decodes photos to upright, bounded sRGB pictures.
 //!
-//! [`decode`] tells JPEG, PNG and WebP apart by their first bytes, refuses what is too large before it allocates the
-//! pixels, applies the EXIF orientation exactly once, converts colours to sRGB that the file describes otherwise (a
-//! profile such as Display P3; in PNG code points or a gamma), and lays transparent pixels over white. Of a JPEG, up to a
-//! twentieth of the rows may be lost, or the last refinements of a progressive one. What comes out is a [`Photo`]: 8-bit
-//! RGB, row-major, upright, not mirrored; with the focal length that EXIF tells.
+//! [`decode`] detects JPEG, PNG and WebP by their first bytes and checks the size before it allocates the pixels. It
+//! applies the EXIF orientation once, converts the colours to sRGB, and blends transparent pixels over white. Other
+//! encodings are read from an ICC profile such as Display P3 and, in PNG, from code points or a gamma.
+//!
+//! A JPEG may lack up to a twentieth of its rows, or the last refinement bits if it is progressive. The result is a
+//! [`Photo`]: 8-bit RGB, row-major, upright, not mirrored, with the focal length from EXIF.
 
 mod code_points;
 mod colour;
@@ -30,7 +31,7 @@ pub use limits::Limits;
 pub use photo::Photo;
 pub use sampler::Sampler;
 
-/// The examples of the README are tested with those of the code.
+/// Runs the README's examples as doc-tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;

@@ -1,14 +1,14 @@
 use crate::PhotoError;
 
-/// How large a picture may be. Checked before the pixels are allocated.
+/// Largest accepted picture, checked before the pixels are allocated.
 ///
-/// Whoever reads a file asks [`Self::check_length`] first where its length is known, and reads one byte more than
-/// [`Self::max_bytes`] at most where it is not: that byte is enough for [`decode`](crate::decode()) to refuse it.
+/// If you know a file's length, pass it to [`Self::check_length`] before reading. Otherwise read at most
+/// [`Self::max_bytes`] + 1 bytes: the extra byte makes [`decode`](crate::decode()) refuse the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Limits {
-    /// Largest file, in bytes. 40 MB by default.
+    /// Largest file, in bytes; 40 MB by default.
     pub max_bytes: usize,
-    /// Largest width × height. 50 megapixels by default.
+    /// Largest width × height; 50 megapixels by default.
     pub max_pixels: u64,
 }
 
@@ -19,10 +19,10 @@ impl Default for Limits {
 }
 
 impl Limits {
-    /// Refuses a file by its length, before any of it is read.
+    /// Checks the length of a file before it is read.
     ///
     /// # Errors
-    /// [`PhotoError::TooManyBytes`].
+    /// [`PhotoError::TooManyBytes`] if the file is longer than [`Self::max_bytes`].
     pub fn check_length(&self, bytes: u64) -> Result<(), PhotoError> {
         let max_bytes = self.max_bytes as u64;
         if bytes <= max_bytes {
@@ -31,10 +31,10 @@ impl Limits {
         Err(PhotoError::TooManyBytes { found_bytes: bytes, max_bytes })
     }
 
-    /// Refuses a picture by its size in px, before its pixels are decoded.
+    /// Checks the size of a picture, in px, before its pixels are decoded.
     ///
     /// # Errors
-    /// [`PhotoError::TooManyPixels`].
+    /// [`PhotoError::TooManyPixels`] if the picture has more than [`Self::max_pixels`].
     pub fn check_size(&self, width: u32, height: u32) -> Result<(), PhotoError> {
         if u64::from(width) * u64::from(height) <= self.max_pixels {
             return Ok(());

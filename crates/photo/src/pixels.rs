@@ -1,12 +1,11 @@
-//! Whatever a decoder gives to 8-bit RGB.
+//! Conversion of decoded pixels to 8-bit RGB.
 
 use image::ColorType;
 
-/// Converts decoded pixels to RGB and, if any is not opaque, to their opacity; `None` if the layout is none that the decoders
-/// give.
+/// Converts decoded pixels to RGB and, unless all are opaque, their opacity.
 ///
-/// Grey is repeated, 16-bit samples (big-endian, as only PNG has them) are rounded to 8 bits, and transparency is laid over white, as on
-/// paper.
+/// Grey is repeated, 16-bit samples (big-endian, PNG only) are rounded to 8 bits, and transparency is blended over
+/// white. Returns `None` for a layout that the decoders do not produce.
 pub(crate) fn to_rgb(decoded: Vec<u8>, layout: ColorType) -> Option<(Vec<u8>, Option<Vec<u8>>)> {
     Some(match layout {
         ColorType::Rgb8 => (decoded, None),
@@ -21,13 +20,13 @@ pub(crate) fn to_rgb(decoded: Vec<u8>, layout: ColorType) -> Option<(Vec<u8>, Op
     })
 }
 
-/// The last byte of each pixel, if one of them is not opaque.
+/// Last byte of each pixel; `None` if all are opaque.
 fn alpha_of<const N: usize>(decoded: &[u8]) -> Option<Vec<u8>> {
     let alpha: Vec<u8> = decoded.as_chunks::<N>().0.iter().map(|pixel| pixel[N - 1]).collect();
     alpha.iter().any(|&alpha| alpha < u8::MAX).then_some(alpha)
 }
 
-/// RGBA out of colours that were laid over white, and what was opaque of them.
+/// Returns RGBA from colours blended over white and their opacity.
 pub(crate) fn to_rgba(rgb: &[u8], alpha: Option<&[u8]>) -> Vec<u8> {
     let mut rgba = vec![u8::MAX; rgb.len() / 3 * 4];
     for (to, pixel) in rgba.as_chunks_mut::<4>().0.iter_mut().zip(rgb.as_chunks::<3>().0) {
@@ -42,8 +41,8 @@ pub(crate) fn to_rgba(rgb: &[u8], alpha: Option<&[u8]>) -> Vec<u8> {
     rgba
 }
 
-/// The first three of every four bytes.
-pub(crate) fn without_the_fourth(pixels: &[u8]) -> Vec<u8> {
+/// Drops the last of each four bytes.
+pub(crate) fn drop_fourth(pixels: &[u8]) -> Vec<u8> {
     let mut rgb = vec![0; pixels.len() / 4 * 3];
     for (to, from) in rgb.as_chunks_mut::<3>().0.iter_mut().zip(pixels.as_chunks::<4>().0) {
         *to = [from[0], from[1], from[2]];
@@ -55,18 +54,18 @@ fn rgb_from<const N: usize>(decoded: &[u8], rgb: impl Fn([u8; N]) -> [u8; 3]) ->
     decoded.as_chunks::<N>().0.iter().flat_map(|&pixel| rgb(pixel)).collect()
 }
 
-/// RGB of RGBA laid over white.
+/// Blends RGBA over white.
 pub(crate) fn over_white(rgba: &[u8]) -> Vec<u8> {
     rgb_from::<4>(rgba, |[r, g, b, a]| [r, g, b].map(|channel| blended(channel, a)))
 }
 
-/// A channel laid over white.
+/// Blends a channel over white.
 fn blended(channel: u8, alpha: u8) -> u8 {
     let (channel, alpha) = (u16::from(channel), u16::from(alpha));
     ((channel * alpha + 255 * (255 - alpha) + 127) / 255) as u8
 }
 
-/// The colour that [`blended`] makes this one of.
+/// Inverse of [`blended`].
 fn without_white(channel: u8, alpha: u8) -> u8 {
     let (channel, alpha) = (i32::from(channel), i32::from(alpha.max(1)));
     ((channel * 255 - 255 * (255 - alpha) + alpha / 2) / alpha).clamp(0, 255) as u8

@@ -1,4 +1,4 @@
-//! PNG files.
+//! PNG decoding.
 
 use std::io::{Cursor, ErrorKind};
 
@@ -14,7 +14,7 @@ use crate::{Limits, Photo, PhotoError, icc, pixels};
 type Source<'a> = Cursor<&'a [u8]>;
 
 pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError> {
-    // Read here, because the decoder wants to see pixel data before it tells the size.
+    // Checked here as well, because the decoder reads up to the pixel data before it returns the size.
     if let Some((width, height)) = size(bytes) {
         limits.check_size(width, height)?;
     }
@@ -26,35 +26,35 @@ pub(crate) fn decode(bytes: &[u8], limits: &Limits) -> Result<Photo, PhotoError>
     let layout = layout(&reader)?;
     let mut decoded = vec![0; width as usize * height as usize * usize::from(layout.bytes_per_pixel())];
     read_rows(&mut reader, layout, &mut decoded)?;
-    let (rgb, alpha) = pixels::to_rgb(decoded, layout).ok_or_else(|| unread(layout))?;
+    let (rgb, alpha) = pixels::to_rgb(decoded, layout).ok_or_else(|| unsupported(layout))?;
     let exif = reader.info().exif_metadata.as_deref().unwrap_or_default().to_vec();
     Stored { width, height, rgb, alpha, colours: encoding(reader.info(), layout)?, exif }.upright()
 }
 
-/// Width and height out of the header chunk, which the format wants first.
+/// Width and height from the header chunk, which has to come first.
 fn size(bytes: &[u8]) -> Option<(u32, u32)> {
     let header = bytes.get(12..24)?.strip_prefix(b"IHDR")?;
     let number = |at: usize| u32::from_be_bytes([header[at], header[at + 1], header[at + 2], header[at + 3]]);
     Some((number(0), number(4)))
 }
 
-/// Refuses what the format does not have yet, or another has in its place: a method of a header that no standard version
-/// knows, and a chunk that has to be understood and is not, such as the first of Apple's own PNG files.
+/// Refuses files that the standard does not cover: an unknown method in the header, or an unknown critical chunk, such
+/// as the first chunk of Apple's CgBI variant.
 fn check_kind(bytes: &[u8]) -> Result<(), PhotoError> {
     const KNOWN: [&[u8; 4]; 4] = [b"IHDR", b"PLTE", b"IDAT", b"IEND"];
     for (name, content) in chunks(bytes).take_while(|(name, _)| name != b"IDAT") {
         let method = |at: usize, most: u8| content.get(at).is_some_and(|&method| method > most);
         if name[0].is_ascii_uppercase() && !KNOWN.contains(&&name) {
-            return Err(Format::Png.unsupported(format!("the chunk {}", name.escape_ascii())));
+            return Err(Format::Png.unsupported(format!("the critical chunk {}", name.escape_ascii())));
         }
         if &name == b"IHDR" && (method(10, 0) || method(11, 0) || method(12, 1)) {
-            return Err(Format::Png.unsupported("a compression, filter or interlace method of its own"));
+            return Err(Format::Png.unsupported("a non-standard compression, filter or interlace method"));
         }
     }
     Ok(())
 }
 
-/// Names and contents of the chunks, up to the first that is damaged.
+/// Names and contents of the chunks, up to the first damaged one.
 fn chunks(bytes: &[u8]) -> impl Iterator<Item = ([u8; 4], &[u8])> {
     let mut rest = bytes.get(8..).unwrap_or_default();
     std::iter::from_fn(move || {
@@ -63,33 +63,34 @@ fn chunks(bytes: &[u8]) -> impl Iterator<Item = ([u8; 4], &[u8])> {
         let (checksum, after) = after.split_first_chunk()?;
         let (&name, content) = named.split_first_chunk()?;
         rest = after;
-        // A whole picture is not read twice for its checksum.
+        // Pixel data is not read twice for its checksum.
         (&name == b"IDAT" || crc32fast::hash(named) == u32::from_be_bytes(*checksum)).then_some((name, content))
     })
 }
 
 fn reader<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Reader<Source<'a>>, PhotoError> {
-    /// Room for metadata, a colour profile above all, which is stored compressed.
+    /// Allowance for metadata, mainly a compressed colour profile.
     const METADATA_BYTES: u64 = 16_000_000;
     let most = limits.max_pixels.saturating_mul(8).saturating_add(METADATA_BYTES);
     let most = png::Limits { bytes: usize::try_from(most).unwrap_or(usize::MAX) };
     let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), most);
     decoder.set_ignore_text_chunk(true);
     decoder.set_transformations(Transformations::EXPAND);
-    decoder.read_info().map_err(|error| refused(&error, "it ends before its first row"))
+    decoder.read_info().map_err(|error| decode_error(&error, "the data ends before the first row"))
 }
 
-/// Refuses a palette that is not of whole colours, over which the decoder panics; one of no or too many it refuses itself.
+/// Refuses a palette with a partial colour, on which the decoder panics. The decoder itself refuses an empty or
+/// oversized palette.
 fn check_palette(info: &Info<'_>) -> Result<(), PhotoError> {
     match info.palette.as_deref().map_or(0, <[u8]>::len) {
         bytes if info.color_type == png::ColorType::Indexed && !bytes.is_multiple_of(3) => {
-            Err(Format::Png.damaged(format!("{bytes} bytes of palette do not hold whole colours of three bytes")))
+            Err(Format::Png.damaged(format!("{bytes} bytes of palette are not a multiple of three")))
         }
         _ => Ok(()),
     }
 }
 
-/// How the decoder lays out a pixel.
+/// Pixel layout of the decoder's output.
 fn layout(reader: &Reader<Source<'_>>) -> Result<ColorType, PhotoError> {
     let (colour, depth) = reader.output_color_type();
     match (colour, depth) {
@@ -101,15 +102,16 @@ fn layout(reader: &Reader<Source<'_>>) -> Result<ColorType, PhotoError> {
         (png::ColorType::Rgb, BitDepth::Sixteen) => Ok(ColorType::Rgb16),
         (png::ColorType::Rgba, BitDepth::Eight) => Ok(ColorType::Rgba8),
         (png::ColorType::Rgba, BitDepth::Sixteen) => Ok(ColorType::Rgba16),
-        other => Err(unread(other)),
+        other => Err(unsupported(other)),
     }
 }
 
-/// Reads all rows, big-endian. The end of the file after the last row may be missing, but not wrong.
+/// Reads all rows, big-endian. The file may be truncated after the last row.
 fn read_rows(reader: &mut Reader<Source<'_>>, layout: ColorType, decoded: &mut [u8]) -> Result<(), PhotoError> {
     let (width, height) = reader.info().size();
     if let Some(frame) = reader.info().frame_control.filter(|frame| (frame.width, frame.height) != (width, height)) {
-        let sizes = format!("its first frame is {}×{} px, and the picture {width}×{height}", frame.width, frame.height);
+        let sizes =
+            format!("its first frame is {}×{} px, but the picture is {width}×{height} px", frame.width, frame.height);
         return Err(Format::Png.damaged(sizes));
     }
     let row_bytes = width as usize * usize::from(layout.bytes_per_pixel());
@@ -120,8 +122,8 @@ fn read_rows(reader: &mut Reader<Source<'_>>, layout: ColorType, decoded: &mut [
                 let data = row.data();
                 match row.interlace() {
                     InterlaceInfo::Null(_) => decoded[filled..filled + data.len()].copy_from_slice(data),
-                    InterlaceInfo::Adam7(place) => {
-                        png::expand_interlaced_row(decoded, row_bytes, data, place, layout.bits_per_pixel() as u8);
+                    InterlaceInfo::Adam7(pass) => {
+                        png::expand_interlaced_row(decoded, row_bytes, data, pass, layout.bits_per_pixel() as u8);
                     }
                 }
                 filled += data.len();
@@ -129,14 +131,19 @@ fn read_rows(reader: &mut Reader<Source<'_>>, layout: ColorType, decoded: &mut [
             Ok(None) => return Ok(()),
             Err(error) if is_end(&error) && filled == decoded.len() => return Ok(()),
             Err(error) => {
-                return Err(refused(&error, &format!("it ends after {} of its {height} rows", filled / row_bytes)));
+                return Err(decode_error(
+                    &error,
+                    &format!("the data ends after {} of {height} rows", filled / row_bytes),
+                ));
             }
         }
     }
 }
 
-/// Colour encoding of the file: the first that is present and understood of code points, profile, sRGB, gamma and
-/// primaries. Refuses a file that says nothing but a curve that is not read: its colours would be wrong.
+/// Returns the colour encoding of the file: the first supported one of code points, profile, sRGB, and gamma with
+/// primaries.
+///
+/// Refuses a file whose only description is an unsupported transfer curve, since its colours would be wrong.
 fn encoding(info: &Info<'_>, layout: ColorType) -> Result<ColourEncoding, PhotoError> {
     let points = info.coding_independent_code_points.as_ref().map(|points| CodePoints {
         primaries: points.color_primaries,
@@ -148,14 +155,13 @@ fn encoding(info: &Info<'_>, layout: ColorType) -> Result<ColourEncoding, PhotoE
         encoding => encoding,
     };
     match (encoding, points) {
-        (ColourEncoding::Unspecified, Some(points)) if points.has_another_curve() => {
-            Err(Format::Png.unsupported(format!("its transfer curve, {} in H.273, is not read", points.transfer)))
+        (ColourEncoding::Unspecified, Some(points)) if points.has_unsupported_curve() => {
+            Err(Format::Png.unsupported(format!("transfer characteristics {} of H.273", points.transfer)))
         }
         (encoding, _) => Ok(encoding),
     }
 }
 
-/// The same without code points.
 fn encoding_without_code_points(info: &Info<'_>, layout: ColorType) -> ColourEncoding {
     if let Some(profile) = &info.icc_profile {
         return icc::encoding(profile, layout);
@@ -164,12 +170,12 @@ fn encoding_without_code_points(info: &Info<'_>, layout: ColorType) -> ColourEnc
         return ColourEncoding::Srgb;
     }
     let value = |number: png::ScaledFloat| f64::from(number.into_scaled()) / 100_000.0;
-    let place = |(x, y): (png::ScaledFloat, png::ScaledFloat)| [value(x), value(y)];
+    let point = |(x, y): (png::ScaledFloat, png::ScaledFloat)| [value(x), value(y)];
     let primaries = info.chrm_chunk.map(|chrm| Primaries {
-        red: place(chrm.red),
-        green: place(chrm.green),
-        blue: place(chrm.blue),
-        white: place(chrm.white),
+        red: point(chrm.red),
+        green: point(chrm.green),
+        blue: point(chrm.blue),
+        white: point(chrm.white),
     });
     encoding_from_gamma(info.gama_chunk.map(value), primaries)
 }
@@ -178,10 +184,10 @@ fn is_end(error: &DecodingError) -> bool {
     matches!(error, DecodingError::IoError(error) if error.kind() == ErrorKind::UnexpectedEof)
 }
 
-fn refused(error: &DecodingError, at_the_end: &str) -> PhotoError {
+fn decode_error(error: &DecodingError, at_the_end: &str) -> PhotoError {
     if is_end(error) { Format::Png.damaged(at_the_end) } else { Format::Png.damaged(error) }
 }
 
-fn unread(layout: impl std::fmt::Debug) -> PhotoError {
+fn unsupported(layout: impl std::fmt::Debug) -> PhotoError {
     Format::Png.unsupported(format!("{layout:?} pixels"))
 }

@@ -1,7 +1,8 @@
-/// Resamples to a smaller size, each new pixel the mean of the old ones it covers, weighted by how much of them it
-/// covers. One pass over the source rows; means are taken of the sRGB values.
+/// Downscales a picture by area averaging, in one pass over the source rows.
+///
+/// A new pixel is the mean of the sRGB values that it covers, weighted by the covered area.
 pub(crate) fn area_mean(source: &[[u8; 3]], [old_width, old_height]: [u32; 2], [width, height]: [u32; 2]) -> Vec<u8> {
-    let (columns, rows) = (Cover::all(old_width, width), Cover::all(old_height, height));
+    let (columns, rows) = (Coverage::all(old_width, width), Coverage::all(old_height, height));
     let mut pixels = Vec::with_capacity(width as usize * height as usize * 3);
     let mut sums = vec![[0.0_f32; 3]; width as usize];
     for row in &rows {
@@ -14,7 +15,7 @@ pub(crate) fn area_mean(source: &[[u8; 3]], [old_width, old_height]: [u32; 2], [
     pixels
 }
 
-fn add_row(sums: &mut [[f32; 3]], row: &[[u8; 3]], columns: &[Cover], row_weight: f32) {
+fn add_row(sums: &mut [[f32; 3]], row: &[[u8; 3]], columns: &[Coverage], row_weight: f32) {
     for (sum, column) in sums.iter_mut().zip(columns) {
         let mean = column.mean(row);
         for channel in 0..3 {
@@ -23,23 +24,23 @@ fn add_row(sums: &mut [[f32; 3]], row: &[[u8; 3]], columns: &[Cover], row_weight
     }
 }
 
-/// Which old pixels along one axis a new pixel covers: `first..=last`, the two ends in part. Weights sum to 1.
-struct Cover {
+/// Source pixels along one axis that a new pixel covers: `first..=last`, partially at both ends. Weights sum to 1.
+struct Coverage {
     first: usize,
     last: usize,
     first_weight: f32,
     inner_weight: f32,
-    /// 0 where the first pixel is the last as well.
+    /// 0 if `first == last`.
     last_weight: f32,
 }
 
-impl Cover {
+impl Coverage {
     fn all(old_extent: u32, new_extent: u32) -> Vec<Self> {
         let ratio = f64::from(old_extent) / f64::from(new_extent);
         (0..new_extent).map(|i| Self::new(f64::from(i) * ratio, f64::from(i + 1) * ratio, old_extent)).collect()
     }
 
-    /// The old pixels between two positions.
+    /// Coverage between two source positions.
     fn new(start: f64, end: f64, old_extent: u32) -> Self {
         let first = start.floor();
         let last = (end.ceil() - 1.0).clamp(first, f64::from(old_extent) - 1.0);
@@ -61,7 +62,7 @@ impl Cover {
         }
     }
 
-    /// The mean of the covered pixels of a row; those covered whole are added up as integers.
+    /// Mean of the covered pixels of a row; inner pixels are summed as integers.
     fn mean(&self, row: &[[u8; 3]]) -> [f32; 3] {
         let mut inner = [0_u32; 3];
         for pixel in row.get(self.first + 1..self.last).unwrap_or_default() {

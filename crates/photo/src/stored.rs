@@ -8,20 +8,20 @@ use crate::code_points::ColourEncoding;
 use crate::exif::Exif;
 use crate::{Photo, PhotoError};
 
-/// A picture as its file stores it: in its own colours, and not yet turned.
+/// A decoded picture in the file's colour encoding and orientation.
 pub(crate) struct Stored {
     pub(crate) width: u32,
     pub(crate) height: u32,
-    /// Three bytes for each pixel, row by row.
+    /// RGB bytes, three per pixel, row by row.
     pub(crate) rgb: Vec<u8>,
-    /// How opaque each pixel is, if any of them is not.
+    /// Opacity of each pixel; `None` if all are opaque.
     pub(crate) alpha: Option<Vec<u8>>,
     pub(crate) colours: ColourEncoding,
     pub(crate) exif: Vec<u8>,
 }
 
 impl Stored {
-    /// The picture in sRGB, turned upright by its EXIF block.
+    /// Converts to sRGB and applies the EXIF orientation.
     pub(crate) fn upright(mut self) -> Result<Photo, PhotoError> {
         if let ColourEncoding::Converted(conversion) = self.colours {
             conversion.apply(&mut self.rgb);
@@ -29,8 +29,8 @@ impl Stored {
         let (width, height) = (self.width, self.height);
         let exif = Exif::read(&self.exif, width, height);
         let wrong_length = PhotoError::WrongLength { width, height, found_bytes: self.rgb.len() };
-        let picture = turned::<Rgb<u8>>([width, height], self.rgb, exif.orientation).ok_or(wrong_length)?;
-        let alpha = self.alpha.and_then(|alpha| turned::<Luma<u8>>([width, height], alpha, exif.orientation));
+        let picture = oriented::<Rgb<u8>>([width, height], self.rgb, exif.orientation).ok_or(wrong_length)?;
+        let alpha = self.alpha.and_then(|alpha| oriented::<Luma<u8>>([width, height], alpha, exif.orientation));
         let mut photo = Photo::from_rgb(picture.width(), picture.height(), picture.into_raw())?;
         photo.alpha = alpha.map(|alpha| Arc::new(alpha.into_raw()));
         photo.focal_length_35mm = exif.focal_length_35mm;
@@ -38,8 +38,8 @@ impl Stored {
     }
 }
 
-/// A stored picture turned upright.
-fn turned<P: Pixel<Subpixel = u8> + 'static>(
+/// Applies an orientation to a stored picture.
+fn oriented<P: Pixel<Subpixel = u8> + 'static>(
     [width, height]: [u32; 2],
     stored: Vec<u8>,
     orientation: Orientation,

@@ -1,4 +1,4 @@
-//! Embedded profiles become sRGB.
+//! Conversion of embedded ICC profiles to sRGB.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -9,12 +9,12 @@ use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 use rosto_photo::{Limits, decode};
 use seeded::Seeded;
 
-/// D50-adapted colorants of Display P3 and of sRGB, red, green, blue.
+/// D50-adapted colorants (red, green, blue) of Display P3 and sRGB.
 const DISPLAY_P3: [[f64; 3]; 3] =
     [[0.515_121, 0.241_196, -0.001_053], [0.291_977, 0.692_245, 0.041_885], [0.157_104, 0.066_574, 0.784_073]];
 const SRGB: [[f64; 3]; 3] =
     [[0.436_066, 0.222_488, 0.013_916], [0.385_147, 0.716_873, 0.097_076], [0.143_066, 0.060_608, 0.714_096]];
-/// g, a, b, c, d of sRGB's curve.
+/// Parameters g, a, b, c, d of sRGB's curve.
 const SRGB_CURVE: [f64; 5] = [2.4, 1.0 / 1.055, 0.055 / 1.055, 1.0 / 12.92, 0.04045];
 
 fn fixed(value: f64) -> [u8; 4] {
@@ -27,7 +27,7 @@ fn parametric(values: &[f64], kind: u8) -> Vec<u8> {
     curve
 }
 
-/// A profile of three colorants and one curve.
+/// Builds a profile with three colorants and one curve.
 fn profile(colorants: [[f64; 3]; 3], curve: &[u8]) -> Vec<u8> {
     let xyz = |colorant: [f64; 3]| [b"XYZ \0\0\0\0".to_vec(), colorant.map(fixed).concat()].concat();
     let contents = [xyz(colorants[0]), xyz(colorants[1]), xyz(colorants[2]), curve.to_vec()];
@@ -35,12 +35,12 @@ fn profile(colorants: [[f64; 3]; 3], curve: &[u8]) -> Vec<u8> {
     profile_of(b"RGB XYZ ", &tags, &contents)
 }
 
-/// A profile of a curve from grey to luminance (`XYZ `) or to lightness (`Lab `).
+/// Builds a profile with a curve from grey to luminance (`XYZ `) or lightness (`Lab `).
 fn grey_profile(connection: &[u8; 4], curve: Vec<u8>) -> Vec<u8> {
     profile_of(&[*b"GRAY", *connection].concat(), &[(b"kTRC", 0)], &[curve])
 }
 
-/// A profile from one space to another, of tags that share contents.
+/// Builds a profile between two colour spaces; tags may share contents.
 fn profile_of(spaces: &[u8], tags: &[(&[u8; 4], usize)], contents: &[Vec<u8>]) -> Vec<u8> {
     let mut bytes = vec![0; 128];
     bytes[16..24].copy_from_slice(spaces);
@@ -63,7 +63,7 @@ fn converted_grey(grey: u8, profile: Vec<u8>) -> [u8; 3] {
     read(with_profile(&[grey], ExtendedColorType::L8, profile))
 }
 
-/// A PNG of one pixel.
+/// Encodes a PNG of one pixel.
 fn with_profile(pixel: &[u8], layout: ExtendedColorType, profile: Vec<u8>) -> Vec<u8> {
     let mut png = Vec::new();
     let mut encoder = PngEncoder::new(&mut png);
@@ -96,7 +96,7 @@ fn display_p3_becomes_srgb() {
 }
 
 #[test]
-fn grey_stays_grey_whatever_the_primaries() {
+fn grey_is_preserved_for_any_primaries() {
     for value in [0, 17, 128, 255] {
         let found = converted([value; 3], profile(DISPLAY_P3, &parametric(&SRGB_CURVE, 3)));
         assert!(close(found, [value; 3]), "{found:?}");
@@ -104,15 +104,15 @@ fn grey_stays_grey_whatever_the_primaries() {
 }
 
 #[test]
-fn a_profile_that_is_srgb_changes_nothing() {
+fn an_srgb_profile_is_a_no_op() {
     for pixel in [[1, 2, 3], [200, 30, 99], [254, 255, 0]] {
         assert_eq!(converted(pixel, profile(SRGB, &parametric(&SRGB_CURVE, 3))), pixel);
     }
 }
 
 #[test]
-fn a_plain_gamma_is_applied_in_either_notation() {
-    // (128/255)^1.8 is 0.289 of the light, which sRGB writes as 146.
+fn a_gamma_is_applied_in_both_notations() {
+    // (128/255)^1.8 is 0.289 in linear light, which is 146 in sRGB.
     let table = [b"curv\0\0\0\0\0\0\0\x01".to_vec(), vec![1, 205]].concat();
     for curve in [parametric(&[1.8], 0), table] {
         let found = converted([128; 3], profile(SRGB, &curve));
@@ -121,7 +121,7 @@ fn a_plain_gamma_is_applied_in_either_notation() {
 }
 
 #[test]
-fn grey_becomes_the_grey_of_the_same_luminance() {
+fn grey_profiles_preserve_luminance() {
     for value in (0..=255).step_by(5) {
         let signal = f64::from(value) / 255.0;
         let by_gamma = grey_profile(b"XYZ ", parametric(&[1.8], 0));
@@ -136,16 +136,16 @@ fn grey_becomes_the_grey_of_the_same_luminance() {
 }
 
 #[test]
-fn a_grey_picture_takes_a_profile_of_colours_but_not_the_other_way_round() {
-    let of_colours = profile(DISPLAY_P3, &parametric(&[1.8], 0));
-    assert!(close(converted_grey(128, of_colours), [146; 3]));
+fn a_grey_picture_accepts_an_rgb_profile_but_not_vice_versa() {
+    let rgb_profile = profile(DISPLAY_P3, &parametric(&[1.8], 0));
+    assert!(close(converted_grey(128, rgb_profile), [146; 3]));
     for connection in [b"XYZ ", b"Lab "] {
         assert_eq!(converted([128, 20, 7], grey_profile(connection, parametric(&[1.8], 0))), [128, 20, 7]);
     }
 }
 
 #[test]
-fn a_profile_of_printing_inks_or_of_tables_is_ignored() {
+fn cmyk_and_lookup_table_profiles_are_ignored() {
     for spaces in [b"CMYKLab ", b"CMYKXYZ ", b"RGB Lab ", b"GRAYHSV "] {
         let profile = profile_of(spaces, &[(b"A2B0", 0), (b"kTRC", 0)], &[parametric(&[1.8], 0)]);
         assert_eq!(converted([128, 20, 7], profile.clone()), [128, 20, 7]);
@@ -154,7 +154,7 @@ fn a_profile_of_printing_inks_or_of_tables_is_ignored() {
 }
 
 #[test]
-fn a_broken_profile_is_ignored() {
+fn a_truncated_profile_is_ignored() {
     let whole = profile(DISPLAY_P3, &parametric(&SRGB_CURVE, 3));
     for length in (0..whole.len()).step_by(11) {
         let mut cut = whole[..length].to_vec();
@@ -164,7 +164,7 @@ fn a_broken_profile_is_ignored() {
 }
 
 #[test]
-fn mutated_profiles_are_applied_or_ignored() {
+fn mutated_profiles_decode_deterministically() {
     let whole = profile(DISPLAY_P3, &parametric(&SRGB_CURVE, 3));
     let mut seeded = Seeded::new(3);
     for _ in 0..2000 {

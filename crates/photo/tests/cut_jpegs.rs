@@ -1,4 +1,4 @@
-//! JPEG files whose last bytes did not arrive.
+//! Truncated JPEG files.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -9,11 +9,11 @@ use image::codecs::jpeg::JpegEncoder;
 use rosto_photo::Photo;
 use support::{blocks_with_restarts, read, reason};
 
-const REFUSED: &str = "it ends before its last row";
-/// The end-of-image marker.
+const REFUSED: &str = "the data ends before the last row";
+/// Length of the end-of-image marker.
 const END_BYTES: usize = 2;
 
-/// A picture that no two rows of are alike, so that each can be told from its neighbours.
+/// A picture whose rows all differ, so that a copied row can be recognised.
 fn waves() -> RgbImage {
     RgbImage::from_fn(40, 400, |x, y| {
         let wave = |period: f32, phase: f32| (127.0 + 100.0 * ((x * x + 3 * y) as f32 / period + phase).sin()) as u8;
@@ -32,20 +32,20 @@ fn row(photo: &Photo, y: u32) -> &[u8] {
     &photo.pixels()[y as usize * bytes..][..bytes]
 }
 
-/// How many rows are like those of the whole picture, from the top.
+/// Number of rows, from the top, that equal those of the whole picture.
 fn rows_like(photo: &Photo, whole: &Photo) -> u32 {
     (0..whole.height()).take_while(|&y| row(photo, y) == row(whole, y)).count() as u32
 }
 
 #[test]
-fn up_to_a_twentieth_of_the_rows_may_be_missing_and_they_are_like_the_last_one_that_is_there() {
+fn up_to_a_twentieth_of_the_rows_may_be_missing_and_repeat_the_last_intact_row() {
     let bytes = jpeg(&waves());
     let whole = read(&bytes).unwrap();
     let mut rows_of_accepted = Vec::new();
     for length in (bytes.len() / 2..bytes.len()).step_by(11) {
         let Ok(photo) = read(&bytes[..length]) else {
             assert_eq!(reason(&bytes[..length]), REFUSED, "the first {length} bytes");
-            assert!(rows_of_accepted.is_empty(), "more of it was accepted already");
+            assert!(rows_of_accepted.is_empty(), "a shorter file was already accepted");
             continue;
         };
         let rows = rows_like(&photo, &whole);
@@ -53,26 +53,26 @@ fn up_to_a_twentieth_of_the_rows_may_be_missing_and_they_are_like_the_last_one_t
         rows_of_accepted.push(rows);
     }
     assert!(rows_of_accepted.is_sorted(), "{rows_of_accepted:?}");
-    // A row of blocks is 8 px high: the first that is accepted lacks 16 rows.
+    // A row of blocks is 8 px high: the first accepted file lacks 16 rows.
     assert_eq!(rows_of_accepted[0], 384);
     assert_eq!(read(&bytes[..bytes.len() - END_BYTES]).unwrap(), whole);
 }
 
 #[test]
-fn a_part_between_restart_markers_may_be_missing_where_it_is_small() {
+fn the_last_restart_interval_may_be_missing() {
     let unmarked = blocks_with_restarts(25);
     let whole = read(&unmarked).unwrap();
     assert_eq!((whole.width(), whole.height()), (8, 200));
-    // The last block is a byte behind a marker of two.
+    // The last block takes one byte, after a two-byte marker.
     for missing in 1..=3 {
         let photo = read(&unmarked[..unmarked.len() - missing]).unwrap();
-        assert_eq!(rows_like(&photo, &whole), 200, "blocks of one colour hide that one is missing");
+        assert_eq!(rows_like(&photo, &whole), 200, "all blocks have the same colour");
     }
     assert_eq!(reason(&unmarked[..unmarked.len() - 4]), REFUSED);
 }
 
 #[test]
-fn a_progressive_jpeg_may_lack_the_last_bits_of_its_coefficients() {
+fn a_progressive_jpeg_may_lack_the_last_refinement_bits() {
     let bytes = include_bytes!("fixtures/refined.jpg");
     let whole = read(bytes).unwrap();
     let scans = bytes.windows(2).enumerate().filter(|(_, two)| *two == [0xFF, 0xDA]).map(|(at, _)| at);
@@ -91,12 +91,12 @@ fn a_progressive_jpeg_may_lack_the_last_bits_of_its_coefficients() {
 }
 
 #[test]
-fn what_was_written_over_the_end_of_a_jpeg_is_not_taken_for_a_scan() {
+fn segments_that_overwrite_the_end_of_a_jpeg_are_not_decoded() {
     let bytes = jpeg(&waves());
     for share in [4, 2] {
-        let kept = &bytes[..bytes.len() - bytes.len() / share];
+        let retained = &bytes[..bytes.len() - bytes.len() / share];
         for foreign in [&b"\xFF\xFE\0\x04text"[..], b"\xFF\xC4\0\x02", b"\xFF\xE1\0\x08morexx"] {
-            assert_eq!(reason(&[kept, foreign].concat()), REFUSED);
+            assert_eq!(reason(&[retained, foreign].concat()), REFUSED);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What is read, and how.
+//! Decoding of valid files.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -58,7 +58,7 @@ fn an_exif_header_left_in_a_webp_is_skipped() {
 }
 
 #[test]
-fn transparency_lies_over_white() {
+fn transparency_is_blended_over_white() {
     let pixels = vec![100, 50, 0, 255, 100, 50, 0, 0, 100, 50, 0, 51];
     let eight_bit = DynamicImage::from(image::RgbaImage::from_raw(3, 1, pixels).unwrap());
     let files = [
@@ -72,22 +72,22 @@ fn transparency_lies_over_white() {
 }
 
 #[test]
-fn opacity_is_kept_next_to_the_pixels_and_turned_with_them() {
+fn opacity_is_stored_separately_and_rotated_with_the_pixels() {
     let pixels = vec![100, 50, 0, 255, 9, 9, 9, 0, 100, 50, 0, 51];
     let picture = DynamicImage::from(image::RgbaImage::from_raw(3, 1, pixels).unwrap());
-    let kept = vec![100, 50, 0, 255, 255, 255, 255, 0, 100, 50, 0, 51];
+    let expected = vec![100, 50, 0, 255, 255, 255, 255, 0, 100, 50, 0, 51];
     for (file, name) in [(ImageFormat::Png, "eXIf"), (ImageFormat::WebP, "EXIF")] {
         let photo = read(&file_of(picture.clone(), file));
         assert_eq!(photo.alpha(), Some([255, 0, 51].as_slice()), "{name}");
-        assert_eq!(photo.rgba(), kept);
-        assert_eq!(photo.scaled_down(1024).alpha(), None, "a copy lies over white");
+        assert_eq!(photo.rgba(), expected);
+        assert_eq!(photo.scaled_down(1024).alpha(), None, "the scaled copy is opaque");
     }
     let turned = with_chunk(&file_of(picture, ImageFormat::Png), b"eXIf", &exif(Orientation::Rotate180));
     assert_eq!(read(&turned).alpha(), Some([51, 0, 255].as_slice()));
     let opaque = read(&png(image::RgbaImage::from_raw(1, 1, vec![1, 2, 3, 255]).unwrap()));
     assert_eq!((opaque.alpha(), opaque.rgba()), (None, vec![1, 2, 3, 255]));
     let grey = read(&png(image::GrayAlphaImage::from_raw(2, 1, vec![7, 255, 200, 128]).unwrap()));
-    // Half of a colour of eight bits has seven.
+    // At an opacity of 50 %, a value keeps about seven of its eight bits.
     assert!(grey.rgba().iter().zip([7, 7, 7, 255, 200, 200, 200, 128]).all(|(a, b)| a.abs_diff(b) <= 1));
     assert!(Photo::from_rgb(2, 1, vec![0; 6]).unwrap().with_alpha(vec![0; 3]).is_err());
 }
@@ -106,17 +106,17 @@ fn grey_is_repeated() {
 }
 
 #[test]
-fn grey_with_transparency_of_sixteen_bits_is_read() {
+fn sixteen_bit_grey_with_alpha_is_decoded() {
     let samples = vec![0, 65_535, 0, 0];
     let photo = read(&png(DynamicImage::ImageLumaA16(image::ImageBuffer::from_raw(2, 1, samples).unwrap())));
     assert_eq!(photo.pixels(), [0, 0, 0, 255, 255, 255]);
 }
 
 #[test]
-fn print_colours_become_red_and_blue() {
+fn cmyk_and_ycck_are_converted_to_rgb() {
     let [inks, luminance_and_black] =
         [include_bytes!("fixtures/cmyk.jpg").as_slice(), include_bytes!("fixtures/ycck.jpg")];
-    // Adobe's segment has 14 bytes behind its marker; without it, inks are taken as Adobe's programs write them.
+    // Adobe's segment has 14 bytes after its marker. Without it, inks are read as inverted.
     let adobe = inks.windows(2).position(|two| two == [0xFF, 0xEE]).unwrap();
     let unnamed = [&inks[..adobe], &inks[adobe + 16..]].concat();
     for file in [inks, luminance_and_black, &unnamed] {
@@ -129,26 +129,27 @@ fn print_colours_become_red_and_blue() {
 }
 
 #[test]
-fn a_progressive_jpeg_is_read() {
+fn a_progressive_jpeg_is_decoded() {
     let photo = read(include_bytes!("fixtures/progressive.jpg"));
     assert!(largest_difference(&photo, &[180, 60, 20].repeat(256)) <= 3);
 }
 
 #[test]
-fn an_animation_shows_its_first_frame() {
+fn an_animation_decodes_to_its_first_frame() {
     let photo = read(include_bytes!("fixtures/animated.webp"));
     assert_eq!((photo.width(), photo.height()), (12, 10));
     assert_eq!(photo.pixels(), [10, 200, 30].repeat(120));
 }
 
 #[test]
-fn a_picture_whose_file_lacks_only_its_end_is_whole() {
+fn a_file_that_lacks_only_its_end_is_accepted() {
     let picture = blocks();
     let jpeg = file(&picture, Format::Jpeg, Orientation::Rotate90);
     let png = file(&picture, Format::Png, Orientation::Rotate90);
     let progressive = include_bytes!("fixtures/progressive.jpg");
     let cmyk = include_bytes!("fixtures/cmyk.jpg");
-    // The end mark of a JPEG has 2 bytes; that of a PNG 12, behind a checksum of 4 and one more of 4 in the pixels.
+    // The end marker of a JPEG takes 2 bytes. A PNG ends with a 4-byte checksum of the pixel data (and 4 bytes for
+    // Adler-32) before a 12-byte end chunk.
     let cases: [(&[u8], &[usize]); 4] =
         [(&jpeg, &[1, 2]), (progressive, &[1, 2]), (cmyk, &[1, 2]), (&png, &[1, 4, 8, 12, 14, 16])];
     for (whole, endings) in cases {
@@ -157,19 +158,19 @@ fn a_picture_whose_file_lacks_only_its_end_is_whole() {
             let cut = &whole[..whole.len() - missing];
             assert_eq!(read(cut), expected, "{:?} without its last {missing} bytes", &whole[1..4]);
             if whole[0] == 0xFF {
-                assert_eq!(read(&[cut, &[0; 100]].concat()), expected, "filled up with zeros");
+                assert_eq!(read(&[cut, &[0; 100]].concat()), expected, "padded with zeros");
             }
         }
     }
 }
 
 #[test]
-fn a_jpeg_with_restart_markers_is_whole_without_its_end_but_not_without_a_part() {
+fn a_jpeg_with_restart_markers_may_lack_its_end_marker_but_not_an_interval() {
     let unmarked = blocks_with_restarts(11);
     let whole = read(&[unmarked.as_slice(), &[0xFF, 0xD9]].concat());
     assert_eq!((whole.width(), whole.height()), (8, 88));
     assert_eq!(read(&unmarked), whole);
-    // Cut behind a block, within a marker, behind a marker.
+    // Cut after a block, within a marker, and after a marker.
     for missing in 1..=9 {
         let cut = &unmarked[..unmarked.len() - missing];
         assert!(decode(cut, &Limits::default()).is_err(), "without its last {missing} bytes");
@@ -177,7 +178,7 @@ fn a_jpeg_with_restart_markers_is_whole_without_its_end_but_not_without_a_part()
 }
 
 #[test]
-fn an_interlaced_png_is_read_and_its_end_may_be_missing() {
+fn an_interlaced_png_is_decoded_and_may_lack_its_end() {
     let bytes = include_bytes!("fixtures/interlaced.png");
     assert_eq!(bytes[28], 1, "the file is interlaced");
     let photo = read(bytes);

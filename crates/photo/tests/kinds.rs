@@ -1,4 +1,4 @@
-//! Kinds of files that the formats allow and that are not read, and what several segments of a file say together.
+//! Unsupported variants of the formats, and precedence among a file's segments.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -8,7 +8,7 @@ use image::metadata::Orientation;
 use rosto_photo::PhotoError;
 use support::{Format, blocks, exif, file, read, with_chunk};
 
-/// Upright, and what says so left out.
+/// An upright JPEG without its EXIF segment.
 fn jpeg() -> Vec<u8> {
     let file = file(&blocks(), Format::Jpeg, Orientation::NoTransforms);
     let start = file.windows(2).position(|two| two == [0xFF, 0xE1]).unwrap();
@@ -20,13 +20,13 @@ fn segment(marker: u8, content: &[u8]) -> Vec<u8> {
     [&[0xFF, marker], &(content.len() as u16 + 2).to_be_bytes()[..], content].concat()
 }
 
-/// With something put in before the first segment of a kind.
+/// Inserts segments before the first segment with the marker `before`.
 fn with_segments(file: &[u8], before: u8, segments: &[Vec<u8>]) -> Vec<u8> {
     let at = file.windows(2).position(|two| two == [0xFF, before]).unwrap();
     [&file[..at], &segments.concat(), &file[at..]].concat()
 }
 
-/// With another byte, counted from the marker of the header.
+/// Replaces the byte at offset `at` from the marker of the frame header.
 fn with_header_byte(file: &[u8], at: usize, byte: u8) -> Vec<u8> {
     let mut changed = file.to_vec();
     let header = file.windows(2).position(|two| two == [0xFF, 0xC0]).unwrap();
@@ -45,7 +45,7 @@ fn unsupported(file: &[u8]) -> String {
 }
 
 #[test]
-fn kinds_of_jpeg_that_are_not_read_are_named_as_such() {
+fn unsupported_jpeg_processes_are_named() {
     let jpeg = jpeg();
     let frames = [
         (0xC3, "lossless"),
@@ -60,12 +60,15 @@ fn kinds_of_jpeg_that_are_not_read_are_named_as_such() {
         (0xF7, "JPEG-LS"),
     ];
     for (marker, name) in frames {
-        let said = unsupported(&with_header_byte(&jpeg, 1, marker));
-        assert!(said.starts_with("this kind of JPEG is not supported") && said.contains(name), "{marker:X}: {said}");
+        let message = unsupported(&with_header_byte(&jpeg, 1, marker));
+        assert!(
+            message.starts_with("this kind of JPEG is not supported") && message.contains(name),
+            "{marker:X}: {message}"
+        );
     }
     assert!(unsupported(&with_segments(&jpeg, 0xC0, &[segment(0xDE, &[8, 0, 32, 0, 48, 0])])).contains("hierarchical"));
     assert!(unsupported(&with_header_byte(&jpeg, 4, 12)).contains("12 bits"));
-    // The two bytes of the height.
+    // The low byte of the height.
     let unknown = with_header_byte(&jpeg, 6, 0);
     assert!(unsupported(&unknown).contains("height"));
     let two = [0xFF, 0xC0, 0, 14, 8, 0, 32, 0, 48, 2, 1, 0x11, 0, 2, 0x11, 0];
@@ -80,7 +83,7 @@ fn kinds_of_jpeg_that_are_not_read_are_named_as_such() {
 }
 
 #[test]
-fn a_kind_that_is_read_and_damaged_is_damaged() {
+fn an_inconsistent_frame_header_is_damaged() {
     let jpeg = jpeg();
     for (at, byte) in [(9, 0), (11, 0x51), (11, 0x01), (12, 9)] {
         let mut broken = with_header_byte(&jpeg, at, byte);
@@ -93,15 +96,15 @@ fn a_kind_that_is_read_and_damaged_is_damaged() {
 }
 
 #[test]
-fn a_height_that_is_told_again_after_the_scan_changes_nothing() {
+fn a_height_repeated_after_the_scan_is_ignored() {
     let jpeg = jpeg();
     let end = jpeg.len() - 2;
-    let told = [&jpeg[..end], &segment(0xDC, &[0, 32]), &jpeg[end..]].concat();
-    assert_eq!(read(&told), read(&jpeg));
+    let repeated = [&jpeg[..end], &segment(0xDC, &[0, 32]), &jpeg[end..]].concat();
+    assert_eq!(read(&repeated), read(&jpeg));
 }
 
 #[test]
-fn kinds_of_png_that_are_not_read_are_named_as_such() {
+fn unsupported_png_variants_are_named() {
     let png = file(&blocks(), Format::Png, Orientation::NoTransforms);
     assert!(unsupported(&with_chunk(&png, b"CgBI", &[0x30, 0, 0x20, 0x06])).contains("CgBI"));
     assert!(unsupported(&with_chunk(&png, b"JDAT", &[])).starts_with("this kind of PNG is not supported"));
@@ -111,16 +114,16 @@ fn kinds_of_png_that_are_not_read_are_named_as_such() {
         let header = with_chunk(&[&png[..8], &[0; 4], b"IDAT"].concat(), b"IHDR", &content);
         let changed = [&header[..33], &png[33..]].concat();
         assert!(unsupported(&changed).contains("method"), "{method}");
-        // With the checksum of another header it is damaged.
+        // The old checksum makes the header damaged.
         let mut damaged = png.clone();
         damaged[16 + method] = 2;
         assert!(matches!(read(&damaged), Err(PhotoError::Damaged { .. })));
     }
-    assert!(read(&with_chunk(&png, b"neWt", b"anything")).is_ok(), "what need not be understood is passed over");
+    assert!(read(&with_chunk(&png, b"neWt", b"anything")).is_ok(), "ancillary chunks are ignored");
 }
 
 #[test]
-fn jfif_comes_before_what_adobes_segment_says_of_the_colours() {
+fn jfif_takes_precedence_over_adobes_segment() {
     let jpeg = jpeg();
     let expected = read(&jpeg).unwrap();
     let jfif = segment(0xE0, b"JFIF\0\x01\x02\0\0\x01\0\x01\0\0");
@@ -129,22 +132,23 @@ fn jfif_comes_before_what_adobes_segment_says_of_the_colours() {
     assert_eq!(read(&with_segments(&jpeg, 0xDB, std::slice::from_ref(&adobe))).unwrap(), expected);
     let start = jpeg.windows(2).position(|two| two == [0xFF, 0xE0]).unwrap();
     let bare = [&jpeg[..start], &jpeg[start + 18..]].concat();
-    assert_eq!(read(&bare).unwrap(), expected, "without either it is the same");
+    assert_eq!(read(&bare).unwrap(), expected, "YCbCr is the default");
     assert_ne!(read(&with_segments(&bare, 0xDB, std::slice::from_ref(&adobe))).unwrap(), expected);
     assert_eq!(read(&with_segments(&bare, 0xDB, &[adobe, jfif])).unwrap(), expected, "in either order");
 }
 
 #[test]
-fn of_two_exif_segments_the_first_counts() {
+fn the_first_of_two_exif_segments_is_used() {
     let jpeg = jpeg();
     let block = |orientation| segment(0xE1, &[b"Exif\0\0".as_slice(), &exif(orientation)].concat());
-    let turned = |orientations: [Orientation; 2]| read(&with_segments(&jpeg, 0xDB, &orientations.map(block))).unwrap();
+    let with_exif =
+        |orientations: [Orientation; 2]| read(&with_segments(&jpeg, 0xDB, &orientations.map(block))).unwrap();
     let upright = read(&jpeg).unwrap();
-    assert_eq!(turned([Orientation::NoTransforms, Orientation::Rotate90]), upright);
-    let lying = turned([Orientation::Rotate90, Orientation::NoTransforms]);
-    assert_eq!([lying.width(), lying.height()], [upright.height(), upright.width()]);
-    // Other metadata in front of it is none of it.
+    assert_eq!(with_exif([Orientation::NoTransforms, Orientation::Rotate90]), upright);
+    let rotated = with_exif([Orientation::Rotate90, Orientation::NoTransforms]);
+    assert_eq!([rotated.width(), rotated.height()], [upright.height(), upright.width()]);
+    // Other metadata in an APP1 segment is skipped.
     let other = segment(0xE1, b"http://ns.adobe.com/xap/1.0/\0<x/>");
     let both = with_segments(&jpeg, 0xDB, &[other, block(Orientation::Rotate90)]);
-    assert_eq!(read(&both).unwrap(), lying);
+    assert_eq!(read(&both).unwrap(), rotated);
 }

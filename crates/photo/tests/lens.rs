@@ -1,4 +1,4 @@
-//! What EXIF tells of the lens.
+//! Focal length from EXIF.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -48,7 +48,7 @@ impl Endian {
         [entries.as_slice(), &[0; 4]].concat()
     }
 
-    /// A block of two directories: the orientation in the first, and all else in the second.
+    /// Builds an EXIF block with the orientation in the first directory and the other entries in a second.
     fn exif(self, orientation: Orientation, entries: &[(u16, Value)]) -> Vec<u8> {
         let first = [(0x0112, Short(orientation.to_exif().into())), (0x8769, Long(38))];
         let mark: &[u8; 2] = if self == Self::Big { b"MM" } else { b"II" };
@@ -56,7 +56,7 @@ impl Endian {
     }
 }
 
-/// EXIF of a lens and of the size that the picture had when it was taken.
+/// Builds EXIF with a focal length and the size at which the picture was taken.
 fn taken_with(focal_length: u16, taken_px: [u32; 2]) -> Vec<u8> {
     let size = [(0xA002, Long(taken_px[0])), (0xA003, Long(taken_px[1]))];
     let entries = [size.as_slice(), &[(FOCAL_LENGTH_IN_35MM_FILM, Short(focal_length))]].concat();
@@ -69,7 +69,7 @@ fn focal_length(stored_px: [u32; 2], exif: Vec<u8>) -> Option<f64> {
 }
 
 #[test]
-fn the_focal_length_comes_with_the_photo_in_every_format_byte_order_and_orientation() {
+fn the_focal_length_is_read_in_all_formats_byte_orders_and_orientations() {
     for (format, endian) in FORMATS.into_iter().flat_map(|format| [Endian::Little, Endian::Big].map(|e| (format, e))) {
         for orientation in (1..=8).map(|exif| Orientation::from_exif(exif).unwrap()) {
             let stored = stored_for(&blocks(), orientation);
@@ -78,47 +78,47 @@ fn the_focal_length_comes_with_the_photo_in_every_format_byte_order_and_orientat
             let photo = read(&file_with_exif(&stored, format, endian.exif(orientation, &entries))).unwrap();
             assert_eq!((photo.width(), photo.height()), blocks().dimensions(), "{format:?} {endian:?}");
             assert_eq!(photo.focal_length_35mm(), Some(26.0), "{format:?} {endian:?} {orientation:?}");
-            assert_eq!(photo.scaled_down(24).focal_length_35mm(), Some(26.0), "a smaller copy has the same lens");
+            assert_eq!(photo.scaled_down(24).focal_length_35mm(), Some(26.0), "a smaller copy keeps the focal length");
         }
     }
 }
 
 #[test]
-fn an_implausible_focal_length_is_none() {
+fn an_implausible_focal_length_is_ignored() {
     let found = |mm| focal_length([4, 3], taken_with(mm, [4, 3]));
     assert_eq!([0, 1, 7, 401, u16::MAX].map(found), [None; 5]);
     assert_eq!([8, 13, 400].map(found), [Some(8.0), Some(13.0), Some(400.0)]);
 }
 
 #[test]
-fn a_picture_that_was_cut_has_no_focal_length() {
-    for cut in [[4032, 2900], [2900, 4032], [3024, 3024], [4032, 2268], [403, 2000], [0, 3024]] {
-        assert_eq!(focal_length([96, 72], taken_with(28, cut)), None, "{cut:?}");
+fn a_cropped_picture_has_no_focal_length() {
+    for cropped in [[4032, 2900], [2900, 4032], [3024, 3024], [4032, 2268], [403, 2000], [0, 3024]] {
+        assert_eq!(focal_length([96, 72], taken_with(28, cropped)), None, "{cropped:?}");
     }
-    assert_eq!(focal_length([96, 72], taken_with(28, [0, 0])), Some(28.0), "its size is unknown");
+    assert_eq!(focal_length([96, 72], taken_with(28, [0, 0])), Some(28.0), "the size is unknown");
 }
 
 #[test]
-fn a_picture_that_was_turned_without_loss_keeps_its_focal_length() {
+fn a_losslessly_rotated_picture_keeps_its_focal_length() {
     assert_eq!(focal_length([72, 96], taken_with(28, [4032, 3024])), Some(28.0));
     assert_eq!(focal_length([96, 72], taken_with(28, [3024, 4032])), Some(28.0));
 }
 
 #[test]
-fn a_photo_without_exif_or_from_elsewhere_has_no_focal_length() {
+fn a_photo_without_exif_has_no_focal_length() {
     let bare = Endian::Big.exif(Orientation::Rotate90, &[]);
     assert_eq!(focal_length([4, 3], bare), None);
     assert_eq!(Photo::from_rgb(1, 1, vec![0; 3]).unwrap().focal_length_35mm(), None);
 }
 
 #[test]
-fn the_focal_length_in_the_container_of_a_photo_that_was_decoded_elsewhere_is_found() {
+fn the_focal_length_is_found_in_a_heic_container() {
     let photo = || Photo::from_rgb(30, 40, vec![9; 3600]).unwrap();
     let in_container = |exif: &[u8]| {
         let container = [b"\0\0\0\x18ftypheic\0\0\0\0mif1heic MM II*", exif, &[0x9E; 99]].concat();
         photo().with_lens_of(&container).focal_length_35mm()
     };
-    // Taken lying, and turned by the container, of which EXIF tells in vain.
+    // Taken in landscape and rotated by the container, so EXIF's orientation has no effect.
     for endian in [Endian::Little, Endian::Big] {
         let size = [(0xA002, Long(4032)), (0xA003, Long(3024))];
         let entries = [size.as_slice(), &[(FOCAL_LENGTH_IN_35MM_FILM, Short(23))]].concat();
@@ -127,21 +127,21 @@ fn the_focal_length_in_the_container_of_a_photo_that_was_decoded_elsewhere_is_fo
         assert_eq!(in_container(&[&[0; 4], &block[..]].concat()), Some(23.0), "{endian:?}");
         assert_eq!(in_container(&block[..30]), None, "{endian:?}");
     }
-    assert_eq!(in_container(&[&[0; 4], &taken_with(23, [3000, 3000])[..]].concat()), None, "it was cut");
+    assert_eq!(in_container(&[&[0; 4], &taken_with(23, [3000, 3000])[..]].concat()), None, "cropped");
     assert_eq!(photo().with_lens_of(b"").focal_length_35mm(), None);
 }
 
 #[test]
-fn directories_that_lead_nowhere_or_into_each_other_are_passed_over() {
-    for (place, offset) in [(4, u32::MAX), (4, 4), (4, 0), (30, u32::MAX), (30, 8), (30, 0), (30, 1 << 20)] {
+fn invalid_or_cyclic_directory_offsets_are_ignored() {
+    for (position, offset) in [(4, u32::MAX), (4, 4), (4, 0), (30, u32::MAX), (30, 8), (30, 0), (30, 1 << 20)] {
         let mut exif = taken_with(28, [4, 3]);
-        exif[place..place + 4].copy_from_slice(&offset.to_le_bytes());
-        assert_eq!(focal_length([4, 3], exif), None, "{offset} at {place}");
+        exif[position..position + 4].copy_from_slice(&offset.to_le_bytes());
+        assert_eq!(focal_length([4, 3], exif), None, "{offset} at {position}");
     }
 }
 
 #[test]
-fn a_block_cut_short_or_altered_anywhere_is_no_reason_to_refuse_the_picture() {
+fn a_damaged_exif_block_does_not_make_the_picture_invalid() {
     let whole = Endian::Little.exif(Orientation::Rotate90, &[(FOCAL_LENGTH_IN_35MM_FILM, Short(28))]);
     for length in 0..whole.len() {
         let found = focal_length([4, 3], whole[..length].to_vec());
@@ -160,14 +160,14 @@ fn a_block_cut_short_or_altered_anywhere_is_no_reason_to_refuse_the_picture() {
 }
 
 proptest! {
-    /// Whoever scales a picture down rounds both sides or cuts the fractions of both off.
+    /// Programs that scale a picture down either round or truncate both sides.
     #[test]
-    fn a_copy_scaled_to_any_size_keeps_the_focal_length(
-        taken_px in [500_u32..9000, 500_u32..9000], scale in 0.01_f64..0.1, cut_off: bool,
+    fn a_scaled_copy_keeps_the_focal_length(
+        taken_px in [500_u32..9000, 500_u32..9000], scale in 0.01_f64..0.1, truncated: bool,
     ) {
         let side = |axis: usize| {
             let side = f64::from(taken_px[axis]) * scale;
-            (if cut_off { side.floor() } else { side.round() }).max(1.0) as u32
+            (if truncated { side.floor() } else { side.round() }).max(1.0) as u32
         };
         prop_assert_eq!(focal_length([side(0), side(1)], taken_with(24, taken_px)), Some(24.0));
     }

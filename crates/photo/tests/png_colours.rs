@@ -1,4 +1,4 @@
-//! What a PNG file says of its colours without a profile: code points, gamma, primaries.
+//! PNG colour encodings without a profile: code points, gamma and primaries.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -9,11 +9,11 @@ use proptest::prelude::*;
 use rosto_photo::{Limits, PhotoError, decode};
 use support::with_chunk;
 
-/// Full range, RGB: primaries and transfer characteristics in the numbers of H.273.
+/// Primaries and transfer characteristics as numbered by H.273; RGB, full range.
 const DISPLAY_P3: [u8; 4] = [12, 13, 0, 1];
 const SRGB: [u8; 4] = [1, 13, 0, 1];
 const UNSPECIFIED: [u8; 4] = [2, 2, 0, 1];
-/// CSS Color 4, color(display-p3 …) as sRGB.
+/// From CSS Color 4: `color(display-p3 …)` in sRGB.
 const P3_TO_SRGB: [([u8; 3], [u8; 3]); 3] =
     [([204, 153, 128], [213, 150, 124]), ([90, 120, 60], [81, 121, 51]), ([255, 0, 0], [255, 0, 0])];
 
@@ -37,7 +37,7 @@ fn gama(gamma: u32) -> Chunk<'static> {
     (b"gAMA", gamma.to_be_bytes().to_vec())
 }
 
-/// White and the primaries of Display P3.
+/// White point and primaries of Display P3.
 fn chrm() -> Chunk<'static> {
     let numbers = [31_270_u32, 32_900, 68_000, 32_000, 26_500, 69_000, 15_000, 6_000];
     (b"cHRM", numbers.into_iter().flat_map(u32::to_be_bytes).collect())
@@ -49,14 +49,14 @@ fn assert_close(found: [u8; 3], expected: [u8; 3], levels: u8) {
 }
 
 #[test]
-fn code_points_of_display_p3_become_srgb() {
+fn display_p3_code_points_are_converted_to_srgb() {
     for (p3, srgb) in P3_TO_SRGB {
         assert_close(converted(p3, &[cicp(DISPLAY_P3)]), srgb, 1);
     }
 }
 
 #[test]
-fn what_is_told_to_be_srgb_keeps_every_value() {
+fn srgb_descriptions_leave_pixels_unchanged() {
     for value in 0..=255 {
         let pixel = [value, 255 - value, value / 2];
         for chunks in [vec![cicp(SRGB)], vec![gama(45_455)], vec![gama(45_000)], vec![(b"sRGB", vec![0]), gama(45_455)]]
@@ -67,7 +67,7 @@ fn what_is_told_to_be_srgb_keeps_every_value() {
 }
 
 #[test]
-fn code_points_go_before_srgb_and_that_before_gamma() {
+fn code_points_take_precedence_over_srgb_and_srgb_over_gamma() {
     let pixel = [204, 153, 128];
     assert_close(converted(pixel, &[cicp(DISPLAY_P3), (b"sRGB", vec![0])]), P3_TO_SRGB[0].1, 1);
     assert_eq!(converted(pixel, &[cicp(SRGB), gama(100_000), chrm()]), pixel);
@@ -76,8 +76,8 @@ fn code_points_go_before_srgb_and_that_before_gamma() {
 }
 
 #[test]
-fn a_gamma_is_applied_and_primaries_too() {
-    // Linear light of 128/255, which sRGB writes as 188; and (128/255)^1.8, which it writes as 146.
+fn gamma_and_primaries_are_applied() {
+    // 128/255 as linear light is 188 in sRGB; (128/255)^1.8 is 146.
     assert_close(converted([128; 3], &[gama(100_000)]), [188; 3], 1);
     assert_close(converted([128; 3], &[gama(55_556)]), [146; 3], 1);
     for (p3, srgb) in P3_TO_SRGB {
@@ -87,7 +87,7 @@ fn a_gamma_is_applied_and_primaries_too() {
 }
 
 #[test]
-fn absurd_numbers_are_ignored() {
+fn implausible_values_are_ignored() {
     let pixel = [204, 153, 128];
     let zeros = (b"cHRM", vec![0; 32]);
     let one_point = (b"cHRM", [30_000_u32; 8].into_iter().flat_map(u32::to_be_bytes).collect());
@@ -97,7 +97,7 @@ fn absurd_numbers_are_ignored() {
 }
 
 #[test]
-fn a_curve_that_is_not_read_is_refused_where_the_file_says_nothing_else_of_its_colours() {
+fn an_unsupported_transfer_curve_is_refused_without_a_fallback() {
     let p3 = P3_TO_SRGB[0];
     for transfer in [7, 16, 17, 18] {
         let code_points = cicp([9, transfer, 0, 1]);
@@ -110,7 +110,7 @@ fn a_curve_that_is_not_read_is_refused_where_the_file_says_nothing_else_of_its_c
 }
 
 #[test]
-fn narrow_range_is_spread() {
+fn narrow_range_is_expanded() {
     let narrow = |value| converted([value; 3], &[cicp([1, 13, 0, 0])]);
     assert_eq!([narrow(0), narrow(16), narrow(235), narrow(255)], [[0; 3], [0; 3], [255; 3], [255; 3]]);
     assert_close(narrow(126), [128; 3], 1);
@@ -118,7 +118,7 @@ fn narrow_range_is_spread() {
 
 proptest! {
     #[test]
-    fn every_description_of_colours_gives_a_picture_but_for_unread_transfer_curves(
+    fn any_colour_description_decodes_or_is_unsupported(
         points in [0..24_u8, 0..24, 0..1, 0..2], gamma: u32, corners: [u32; 8], is_small: bool,
     ) {
         let corners = corners.map(|corner| if is_small { corner & 0x1_FFFF } else { corner }.to_be_bytes());

@@ -1,4 +1,4 @@
-//! PNG files whose palettes are not of whole colours.
+//! PNG palettes with partial colours.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -6,7 +6,7 @@ mod support;
 
 use support::{read, reason};
 
-/// One pixel of the first colour, in a palette of that many bytes.
+/// Encodes one pixel of the first colour, with a palette of `palette_bytes`.
 fn indexed_png(palette_bytes: usize, colour: png::ColorType) -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, 1, 1);
@@ -17,13 +17,13 @@ fn indexed_png(palette_bytes: usize, colour: png::ColorType) -> Vec<u8> {
 }
 
 #[test]
-fn a_palette_is_of_whole_colours_and_of_256_at_most() {
+fn a_palette_has_whole_colours_and_at_most_256() {
     for palette_bytes in [3, 6, 48, 768] {
         assert_eq!(read(&indexed_png(palette_bytes, png::ColorType::Indexed)).unwrap().pixel(0, 0), [7; 3]);
     }
     for palette_bytes in [4, 5, 20, 767] {
-        let said = reason(&indexed_png(palette_bytes, png::ColorType::Indexed));
-        assert!(said.starts_with(&format!("{palette_bytes} bytes ")), "{said}");
+        let message = reason(&indexed_png(palette_bytes, png::ColorType::Indexed));
+        assert!(message.starts_with(&format!("{palette_bytes} bytes ")), "{message}");
     }
     for palette_bytes in [1, 2, 769, 771, 1000] {
         assert!(reason(&indexed_png(palette_bytes, png::ColorType::Indexed)).contains("PLTE"));
@@ -31,6 +31,6 @@ fn a_palette_is_of_whole_colours_and_of_256_at_most() {
 }
 
 #[test]
-fn a_palette_that_is_only_suggested_may_be_of_any_length() {
+fn a_suggested_palette_may_have_any_length() {
     assert_eq!(read(&indexed_png(20, png::ColorType::Rgb)).unwrap().pixel(0, 0), [0; 3]);
 }

@@ -1,4 +1,4 @@
-//! What is refused, and with which words.
+//! Refused files and their error messages.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -13,7 +13,7 @@ fn refusal(bytes: &[u8]) -> PhotoError {
     decode(bytes, &Limits::default()).unwrap_err()
 }
 
-/// A PNG that says how large it is and then breaks off.
+/// A PNG that ends after its header.
 fn png_header(width: u32, height: u32) -> Vec<u8> {
     let mut bytes = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR".to_vec();
     bytes.extend(width.to_be_bytes());
@@ -23,20 +23,20 @@ fn png_header(width: u32, height: u32) -> Vec<u8> {
 }
 
 #[test]
-fn a_text_file_is_no_picture_whatever_its_name() {
+fn a_text_file_is_not_a_picture() {
     assert_eq!(refusal(b"Dear diary, this is not a photo.\n"), PhotoError::NotAPicture);
     assert_eq!(refusal(b""), PhotoError::NotAPicture);
 }
 
 #[test]
-fn a_huge_picture_is_refused_by_its_header_with_its_numbers() {
+fn an_oversized_picture_is_refused_from_its_header() {
     let error = refusal(&png_header(20_000, 20_000));
     assert_eq!(error, PhotoError::TooManyPixels { width: 20_000, height: 20_000, max_pixels: 50_000_000 });
     assert_eq!(error.to_string(), "the picture is 20000×20000 px, 400 megapixels; the limit is 50");
 }
 
 #[test]
-fn the_limit_on_pixels_holds_in_every_format_and_is_inclusive() {
+fn the_pixel_limit_is_inclusive_in_each_format() {
     let pixels = u64::from(blocks().width() * blocks().height());
     for format in FORMATS {
         let bytes = file(&blocks(), format, Orientation::NoTransforms);
@@ -48,7 +48,7 @@ fn the_limit_on_pixels_holds_in_every_format_and_is_inclusive() {
 }
 
 #[test]
-fn the_limit_on_bytes_is_inclusive() {
+fn the_byte_limit_is_inclusive() {
     let bytes = file(&blocks(), Format::Png, Orientation::NoTransforms);
     let with_limit = |max_bytes| decode(&bytes, &Limits { max_bytes, ..Limits::default() });
     assert!(with_limit(bytes.len()).is_ok());
@@ -65,19 +65,20 @@ fn a_file_is_refused_by_its_length_before_it_is_read() {
 }
 
 #[test]
-fn the_numbers_of_a_refusal_do_not_contradict_each_other() {
-    let said = |width, height| refusal(&png_header(width, height)).to_string();
-    assert_eq!(said(8400, 6000), "the picture is 8400×6000 px, 50.4 megapixels; the limit is 50");
-    assert_eq!(said(50_000_001, 1), "the picture is 50000001×1 px, 50.1 megapixels; the limit is 50");
+fn the_reported_size_exceeds_the_reported_limit() {
+    let message = |width, height| refusal(&png_header(width, height)).to_string();
+    assert_eq!(message(8400, 6000), "the picture is 8400×6000 px, 50.4 megapixels; the limit is 50");
+    assert_eq!(message(50_000_001, 1), "the picture is 50000001×1 px, 50.1 megapixels; the limit is 50");
     assert_eq!(refusal(b"\0\0\0\x1cftypavif\0\0\0\0avifmif1").to_string(), "AVIF pictures are not supported");
 }
 
 #[test]
-fn a_file_cut_short_anywhere_is_damaged() {
+fn a_truncated_file_is_damaged() {
     for format in FORMATS {
         let bytes = file(&blocks(), format, Orientation::NoTransforms);
         let whole = decode(&bytes, &Limits::default()).unwrap();
-        // Behind the pixels come an end mark in JPEG, checksums too in PNG, and EXIF in WebP: the picture is whole without.
+        // After the pixels come an end marker in JPEG, checksums and an end chunk in PNG, and EXIF in WebP; none is
+        // required.
         let last = match format {
             Format::Jpeg => bytes.len() - 2,
             Format::Png => bytes.len() - 20,
@@ -86,7 +87,7 @@ fn a_file_cut_short_anywhere_is_damaged() {
         for length in (16..last).step_by(7).chain(last - 9..last) {
             match decode(&bytes[..length], &Limits::default()) {
                 Err(PhotoError::Damaged { .. }) => {}
-                // The last bytes of compressed pixels say only that there are no more.
+                // The last bytes of the compressed pixels only mark their end.
                 Ok(photo) if format == Format::Png && length >= last - 9 => assert_eq!(photo, whole, "at {length}"),
                 other => panic!("{format:?} at {length} of {last}: {other:?}"),
             }
@@ -95,7 +96,7 @@ fn a_file_cut_short_anywhere_is_damaged() {
 }
 
 #[test]
-fn a_whole_thumbnail_does_not_make_a_cut_jpeg_whole() {
+fn a_complete_thumbnail_does_not_hide_a_truncated_jpeg() {
     let thumbnail = file(&blocks(), Format::Jpeg, Orientation::NoTransforms);
     let picture = file(&blocks(), Format::Jpeg, Orientation::NoTransforms);
     let mut bytes = vec![0xFF, 0xD8, 0xFF, 0xE1];
@@ -108,19 +109,19 @@ fn a_whole_thumbnail_does_not_make_a_cut_jpeg_whole() {
 }
 
 #[test]
-fn what_lacks_rows_says_how_many_or_that_it_does() {
+fn errors_report_missing_rows() {
     let png = file(&blocks(), Format::Png, Orientation::NoTransforms);
     let pixels = png.windows(4).position(|window| window == b"IDAT").unwrap() + 4;
-    let said = refusal(&png[..pixels]).to_string();
-    assert_eq!(said, "this PNG picture is damaged: it ends after 0 of its 32 rows");
+    let message = refusal(&png[..pixels]).to_string();
+    assert_eq!(message, "this PNG picture is damaged: the data ends after 0 of 32 rows");
     let jpeg = file(&blocks(), Format::Jpeg, Orientation::NoTransforms);
     for cut in [&jpeg[..jpeg.len() - 20], &[&jpeg[..jpeg.len() - 20], &[0; 512]].concat()] {
-        assert_eq!(refusal(cut).to_string(), "this JPEG picture is damaged: it ends before its last row");
+        assert_eq!(refusal(cut).to_string(), "this JPEG picture is damaged: the data ends before the last row");
     }
 }
 
 #[test]
-fn pictures_of_other_formats_are_named_and_say_what_to_do() {
+fn unsupported_formats_are_named_with_advice() {
     let cases: [(&[u8], &str, &str); 9] = [
         (b"\0\0\0\x18ftypheic\0\0\0\0mif1heic", "HEIC", "JPEG"),
         (b"\0\0\0\x18ftypmif1\0\0\0\0mif1heic", "HEIC", "JPEG"),
@@ -140,7 +141,7 @@ fn pictures_of_other_formats_are_named_and_say_what_to_do() {
 }
 
 #[test]
-fn a_picture_needs_pixels_and_as_many_bytes_as_they_take() {
+fn the_number_of_bytes_has_to_match_the_size() {
     assert!(Photo::from_rgb(0, 5, Vec::new()).is_err());
     assert!(Photo::from_rgb(2, 2, vec![0; 11]).is_err());
     assert!(Photo::from_rgb(u32::MAX, u32::MAX, vec![0; 3]).is_err());
@@ -151,19 +152,19 @@ fn a_picture_needs_pixels_and_as_many_bytes_as_they_take() {
 }
 
 proptest! {
-    /// Whatever the bytes, the answer is a picture or an error.
+    /// Arbitrary changes yield a picture or an error, not a panic.
     #[test]
-    fn broken_bytes_never_panic(
+    fn damaged_files_do_not_panic(
         format in prop::sample::select(FORMATS.to_vec()),
         changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 0..12),
-        kept in any::<prop::sample::Index>(),
+        cut in any::<prop::sample::Index>(),
     ) {
         let mut bytes = file(&blocks(), format, Orientation::Rotate90);
         for (at, value) in changes {
             let at = at.index(bytes.len());
             bytes[at] = value;
         }
-        bytes.truncate(bytes.len() - kept.index(bytes.len()) / 4);
+        bytes.truncate(bytes.len() - cut.index(bytes.len()) / 4);
         if let Ok(photo) = decode(&bytes, &Limits { max_pixels: 1_000_000, ..Limits::default() }) {
             prop_assert_eq!(photo.pixels().len(), photo.width() as usize * photo.height() as usize * 3);
         }

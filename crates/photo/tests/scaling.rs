@@ -1,4 +1,4 @@
-//! Scaling down and looking up colours.
+//! Downscaling and colour lookup.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -12,7 +12,7 @@ fn photo(width: u32, height: u32, colour: impl Fn(u32, u32) -> [u8; 3]) -> Photo
 }
 
 #[test]
-fn halving_takes_the_mean_of_each_four() {
+fn halving_averages_blocks_of_four() {
     let original = photo(6, 4, |x, y| [(x * 40) as u8, (y * 80) as u8, (x * y) as u8]);
     let half = original.scaled_down(3);
     assert_eq!((half.width(), half.height()), (3, 2));
@@ -26,27 +26,27 @@ fn halving_takes_the_mean_of_each_four() {
 }
 
 #[test]
-fn stripes_finer_than_a_pixel_become_their_mean_and_not_a_pattern() {
+fn fine_stripes_are_averaged_without_aliasing() {
     let stripes = photo(1000, 1000, |x, _| [if x % 2 == 0 { 0 } else { 255 }; 3]);
     let small = stripes.scaled_down(77);
     assert!(small.pixels().iter().all(|&value| (118..=137).contains(&value)));
 }
 
 #[test]
-fn a_picture_that_fits_is_left_alone() {
+fn a_picture_within_the_limit_is_unchanged() {
     let original = photo(5, 3, |x, y| [x as u8, y as u8, 9]);
     assert_eq!(original.scaled_down(5), original);
 }
 
 #[test]
-fn a_thin_picture_keeps_at_least_one_pixel_each_way() {
+fn a_thin_picture_keeps_at_least_one_pixel_per_axis() {
     let thin = photo(1000, 1, |_, _| [1, 2, 3]).scaled_down(10);
     assert_eq!((thin.width(), thin.height()), (10, 1));
     assert_eq!(thin.pixel(9, 0), [1, 2, 3]);
 }
 
 #[test]
-fn the_colour_under_a_position_is_the_pixel_below_its_product_with_the_size() {
+fn colour_lookup_rounds_positions_down() {
     let picture = photo(4, 2, |x, y| [x as u8, y as u8, 0]);
     assert_eq!(picture.colour_under(0.0, 0.0), [0, 0, 0]);
     assert_eq!(picture.colour_under(0.74, 0.49), [2, 0, 0]);
@@ -54,7 +54,7 @@ fn the_colour_under_a_position_is_the_pixel_below_its_product_with_the_size() {
 }
 
 #[test]
-fn the_fourth_byte_of_a_pixel_is_passed_over() {
+fn the_fourth_byte_of_an_rgbx_pixel_is_ignored() {
     let frame: Vec<u8> = (0..24).collect();
     let photo = Photo::from_rgbx(3, 2, &frame).unwrap();
     assert_eq!((photo.pixel(0, 0), photo.pixel(2, 1)), ([0, 1, 2], [20, 21, 22]));
@@ -62,7 +62,7 @@ fn the_fourth_byte_of_a_pixel_is_passed_over() {
 }
 
 #[test]
-fn a_position_outside_takes_the_nearest_pixel() {
+fn positions_outside_are_clamped() {
     let picture = photo(4, 2, |x, y| [x as u8, y as u8, 0]);
     assert_eq!(picture.colour_under(1.0, 1.0), [3, 1, 0]);
     assert_eq!(picture.colour_under(-3.0, 7.5), [0, 1, 0]);
@@ -71,7 +71,7 @@ fn a_position_outside_takes_the_nearest_pixel() {
 
 proptest! {
     #[test]
-    fn one_colour_stays_that_colour(width in 1_u32..90, height in 1_u32..90, side in 1_u32..90, colour: [u8; 3]) {
+    fn a_uniform_colour_is_preserved(width in 1_u32..90, height in 1_u32..90, side in 1_u32..90, colour: [u8; 3]) {
         let small = photo(width, height, |_, _| colour).scaled_down(side);
         prop_assert!(small.width().max(small.height()) <= side.max(1));
         prop_assert!(small.pixels().chunks(3).all(|pixel| pixel == colour));

@@ -1,27 +1,27 @@
-//! Entropy-coded data as bits (ITU-T T.81, F.2.2.5).
+//! Bit reader for entropy-coded data (ITU-T T.81, F.2.2.5).
 
-/// Reads bits up to the next marker, and zeros after it.
+/// Reads bits up to the next marker, then zeros.
 #[derive(Clone)]
 pub(crate) struct Bits<'a> {
     bytes: &'a [u8],
-    /// The next byte to be buffered.
+    /// Position of the next byte to buffer.
     position: usize,
-    /// The bits to come, from the highest on.
+    /// Unread bits, most significant first.
     buffer: u64,
     /// Number of buffered bits.
     count: u32,
-    /// Number of zeros at the end of the buffer that are not in the file.
+    /// Number of buffered zeros that are not in the file.
     padding: u32,
 }
 
-/// The bytes after an interval's last block, up to the marker.
+/// Kind of data between an interval's last block and the next marker.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Rest {
-    /// Ones up to the end of the byte.
+    /// Ones up to the end of the byte, as encoders pad it.
     Ones,
-    /// A few bits or bytes that cannot hold a block, or a filler.
+    /// Too few bits or bytes for a block, or one repeated byte.
     Filler,
-    /// As many bytes as blocks have.
+    /// Enough bytes for more blocks.
     Data,
 }
 
@@ -30,7 +30,7 @@ impl<'a> Bits<'a> {
         Self { bytes, position, buffer: 0, count: 0, padding: 0 }
     }
 
-    /// Whether bits were read that are not in the file.
+    /// Whether bits beyond the data were read.
     pub(crate) fn overrun(&self) -> bool {
         self.count < self.padding
     }
@@ -77,7 +77,7 @@ impl<'a> Bits<'a> {
         self.position += length;
     }
 
-    /// The next 16 bits, without reading them. At least as many have to be buffered.
+    /// Peeks at the next 16 bits, which have to be buffered.
     #[inline(always)]
     pub(crate) fn peek(&self) -> u32 {
         (self.buffer >> 48) as u32
@@ -89,7 +89,7 @@ impl<'a> Bits<'a> {
         self.count -= count;
     }
 
-    /// A number of up to 16 bits, at least as many of which have to be buffered.
+    /// Reads `count` bits, at most 16, which have to be buffered.
     #[inline(always)]
     pub(crate) fn take(&mut self, count: u32) -> u32 {
         let value = (self.buffer >> 1 >> (63 - count)) as u32;
@@ -105,9 +105,9 @@ impl<'a> Bits<'a> {
         self.take(1) == 1
     }
 
-    /// Reads what is left before the next marker.
+    /// Reads and classifies the data before the next marker.
     pub(crate) fn rest(&mut self) -> Rest {
-        /// Fewer than a block of each of three components has.
+        /// Fewer bytes than one block of each of three components takes.
         const FEW_BYTES: usize = 3;
         self.refill();
         let real = self.count.saturating_sub(self.padding);
@@ -130,7 +130,7 @@ impl<'a> Bits<'a> {
         }
     }
 
-    /// Position of the next marker's code.
+    /// Position of the next marker's code byte.
     pub(crate) fn next_marker(&self) -> Option<usize> {
         let mut position = self.position;
         loop {

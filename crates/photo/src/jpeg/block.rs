@@ -1,23 +1,23 @@
-//! The coefficients of one block (ITU-T T.81, F.2.2 and G.2). Data that no encoder writes is `None`.
+//! Decoding of one block's coefficients (ITU-T T.81, F.2.2 and G.2). Returns `None` for data that no encoder writes.
 
 use super::bits::Bits;
 use super::header::ZIGZAG;
 use super::huffman::{Huffman, signed};
 use super::idct::Block;
 
-/// What runs from block to block within a scan.
+/// Decoder state carried from block to block within a scan.
 #[derive(Default)]
 pub(crate) struct Run {
-    /// The last first coefficient of each component of the scan.
+    /// Last DC coefficient of each component of the scan.
     pub(crate) predictions: [i32; 4],
-    /// Number of blocks to come whose band has ended.
+    /// Number of blocks left in the current end-of-band run.
     pub(crate) ended: u32,
 }
 
-/// Samples of 8 bits reach from -1024 to 1016, and what an encoder rounds to goes a little beyond.
+/// Largest DC magnitude. 8-bit samples give -1024 to 1016; quantisation may round slightly beyond.
 const LARGEST_FIRST: u32 = 1280;
 
-/// A first coefficient by its difference, checked against what 8-bit samples can have.
+/// Decodes a DC coefficient from its difference and checks it against the range of 8-bit samples.
 pub(crate) fn first(bits: &mut Bits<'_>, dc: &Huffman, prediction: &mut i32, scale: i32) -> Option<i32> {
     const MOST_BITS: u8 = 11;
     let size = dc.decode(bits).filter(|&size| size <= MOST_BITS)?;
@@ -26,7 +26,7 @@ pub(crate) fn first(bits: &mut Bits<'_>, dc: &Huffman, prediction: &mut i32, sca
     within.then_some(*prediction)
 }
 
-/// A block of a sequential picture, dequantised; whether it has more than its first coefficient.
+/// Decodes and dequantises a block of a sequential picture. Returns whether it has AC coefficients.
 pub(crate) fn sequential(
     bits: &mut Bits<'_>,
     [dc, ac]: [&Huffman; 2],
@@ -39,8 +39,8 @@ pub(crate) fn sequential(
     while k < 64 {
         if let Some((zeros, value)) = ac.short_coefficient(bits) {
             k += zeros;
-            let place = *ZIGZAG.get(k)?;
-            block[usize::from(place)] = value * quantisation[k];
+            let index = *ZIGZAG.get(k)?;
+            block[usize::from(index)] = value * quantisation[k];
             k += 1;
             continue;
         }
@@ -51,8 +51,8 @@ pub(crate) fn sequential(
             (_, 0) => return Some(k > 1),
             _ => {
                 k += run;
-                let place = *ZIGZAG.get(k)?;
-                block[usize::from(place)] = signed(bits, size) * quantisation[k];
+                let index = *ZIGZAG.get(k)?;
+                block[usize::from(index)] = signed(bits, size) * quantisation[k];
                 k += 1;
             }
         }
@@ -60,7 +60,7 @@ pub(crate) fn sequential(
     (k == 64).then_some(true)
 }
 
-/// The others of a band, in zigzag order.
+/// Decodes the first scan of a band of AC coefficients, in zigzag order.
 pub(crate) fn band(
     bits: &mut Bits<'_>,
     ac: &Huffman,
@@ -96,7 +96,7 @@ pub(crate) fn band(
     (k == last + 1).then_some(())
 }
 
-/// One more bit of a band (T.81, G.1.2.3).
+/// Decodes one more bit of a band (T.81, G.1.2.3).
 pub(crate) fn refine_band(
     bits: &mut Bits<'_>,
     ac: &Huffman,
@@ -131,7 +131,7 @@ pub(crate) fn refine_band(
     Some(())
 }
 
-/// Refines the coefficients that are not zero up to the next one after so many that are; where that one is.
+/// Refines non-zero coefficients, skipping `zeros` zero ones. Returns the index of the next zero, or `last + 1`.
 fn refine(bits: &mut Bits<'_>, mut zeros: usize, [first, last]: [usize; 2], low: u8, block: &mut [i16; 64]) -> usize {
     for k in first..=last {
         let value = &mut block[usize::from(ZIGZAG[k])];

@@ -1,27 +1,28 @@
-//! What the components of a picture mean (JFIF 1.02; Adobe Technical Note 5116), and how they become RGB.
+//! Colour spaces of JPEG components (JFIF 1.02; Adobe Technical Note 5116) and their conversion to RGB.
 
-/// What the components mean.
+/// Colour space of the components.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Colours {
     Grey,
     Rgb,
     YCbCr,
-    /// Stored as Adobe's programs do: 255 is no ink.
+    /// Inverted, as Adobe's programs store it: 255 is no ink.
     Cmyk,
-    /// The same, the colours as luminance and colour differences.
+    /// Inverted like [`Self::Cmyk`], with the inks as luminance and chrominance.
     Ycck,
 }
 
 impl Colours {
-    /// JFIF comes before what Adobe's segment says, and that before the components' names, as in the reference library.
-    pub(crate) fn new(components: usize, jfif: bool, adobe: Option<u8>, names: &[u8]) -> Self {
+    /// Determines the colour space. As in libjpeg, JFIF takes precedence over Adobe's segment, and that over the
+    /// component ids.
+    pub(crate) fn new(components: usize, jfif: bool, adobe: Option<u8>, ids: &[u8]) -> Self {
         match (components, adobe) {
             (1, _) => Self::Grey,
             (4, Some(1..)) => Self::Ycck,
             (4, _) => Self::Cmyk,
             _ if jfif => Self::YCbCr,
             (_, Some(0)) => Self::Rgb,
-            (_, None) if names == b"RGB" => Self::Rgb,
+            (_, None) if ids == b"RGB" => Self::Rgb,
             _ => Self::YCbCr,
         }
     }
@@ -56,7 +57,7 @@ impl Colours {
     }
 }
 
-/// A group at once, so that the arithmetic is done for several pixels by one instruction.
+/// Converts a group of pixels in loops that the compiler can vectorise.
 fn write_group(to: &mut [[u8; 3]; 16], y: &[u8; 16], cb: &[u8; 16], cr: &[u8; 16]) {
     let mut channels = [[0; 16]; 3];
     for at in 0..16 {
@@ -69,7 +70,8 @@ fn write_group(to: &mut [[u8; 3]; 16], y: &[u8; 16], cb: &[u8; 16], cr: &[u8; 16
     }
 }
 
-/// ITU-R BT.601 over the whole range, in fractions of 2^16; whole parts apart, so that the factors have 16 bits.
+/// Full-range ITU-R BT.601 in 16-bit fixed point. Integer parts are added separately, so that the factors fit in 16
+/// bits.
 #[inline(always)]
 fn rgb(y: u8, cb: u8, cr: u8) -> [u8; 3] {
     const HALF: i32 = 1 << 15;

@@ -1,10 +1,10 @@
-//! Segments before the entropy-coded data (ITU-T T.81, annex B).
+//! Header and table segments (ITU-T T.81, annex B).
 
 use super::huffman::Huffman;
 use crate::PhotoError;
 use crate::format::Format;
 
-/// Where the coefficients of a block lie, in the order in which they are stored.
+/// Index within a block of each coefficient, in stored order.
 pub(crate) const ZIGZAG: [u8; 64] = [
     0, 1, 8, 16, 9, 2, 3, 10, 17, 24, 32, 25, 18, 11, 4, 5, 12, 19, 26, 33, 40, 48, 41, 34, 27, 20, 13, 6, 7, 14, 21,
     28, 35, 42, 49, 56, 57, 50, 43, 36, 29, 22, 15, 23, 30, 37, 44, 51, 58, 59, 52, 45, 38, 31, 39, 46, 53, 60, 61, 54,
@@ -16,29 +16,29 @@ pub(crate) struct Frame {
     pub(crate) height: usize,
     pub(crate) progressive: bool,
     pub(crate) components: Vec<Component>,
-    /// The largest sampling factors across and down.
+    /// Largest sampling factors, horizontal and vertical.
     pub(crate) largest: [usize; 2],
 }
 
 pub(crate) struct Component {
     pub(crate) id: u8,
-    /// Sampling factors across and down.
+    /// Sampling factors, horizontal and vertical.
     pub(crate) sampling: [usize; 2],
     pub(crate) quantisation: usize,
 }
 
-/// Which coefficients of which components a scan holds.
+/// Scan header: components and coefficients of a scan.
 pub(crate) struct Scan {
     pub(crate) components: Vec<ScanComponent>,
     pub(crate) first: usize,
     pub(crate) last: usize,
-    /// Bits of the coefficients that were left out in the scan before; 0 in the first one.
+    /// Successive approximation: point transform of the preceding scan; 0 in the first.
     pub(crate) high: u8,
-    /// Bits that are left out in this one.
+    /// Point transform of this scan: number of low bits left out.
     pub(crate) low: u8,
 }
 
-/// Indices of a component and of its Huffman tables.
+/// Indices of a component and its Huffman tables.
 #[derive(Clone, Copy)]
 pub(crate) struct ScanComponent {
     pub(crate) index: usize,
@@ -46,37 +46,42 @@ pub(crate) struct ScanComponent {
     pub(crate) ac: usize,
 }
 
-/// What later segments refer to.
+/// Tables that later segments refer to.
 #[derive(Default)]
 pub(crate) struct Tables {
     /// In zigzag order.
     pub(crate) quantisation: [Option<[u16; 64]>; 4],
     pub(crate) dc: [Option<Box<Huffman>>; 4],
     pub(crate) ac: [Option<Box<Huffman>>; 4],
-    /// Units between restart markers; 0 where there are none.
+    /// Coded units between restart markers; 0 if there are none.
     pub(crate) restart_interval: usize,
 }
 
 impl Frame {
+    /// Reads a frame header.
+    ///
     /// # Errors
-    /// [`PhotoError::UnsupportedFeature`] for what the standard allows and is not read.
+    /// [`PhotoError::UnsupportedFeature`] for valid headers that are not supported, otherwise [`PhotoError::Damaged`].
     pub(crate) fn read(segment: &[u8], progressive: bool) -> Result<Self, PhotoError> {
         let (&[precision, h1, h0, w1, w0, count], listed) =
-            segment.split_first_chunk().ok_or_else(|| broken("its header is too short"))?;
+            segment.split_first_chunk().ok_or_else(|| broken("the frame header is too short"))?;
         let (width, height) = (usize::from(u16::from_be_bytes([w1, w0])), usize::from(u16::from_be_bytes([h1, h0])));
         match (precision, height, count) {
             (8, 1.., 1 | 3 | 4) if width > 0 && listed.len() == 3 * usize::from(count) => {}
-            (8, 0, _) if width > 0 => return Err(unread("its height comes after its pixels".to_owned())),
-            (8, _, 2 | 5..) => return Err(unread(format!("{count} components"))),
-            (2..=16, ..) if precision != 8 => return Err(unread(format!("{precision} bits a sample"))),
-            _ => return Err(broken("its header contradicts itself")),
+            (8, 0, _) if width > 0 => return Err(unsupported("the height is stored after the pixels".to_owned())),
+            (8, _, 2 | 5..) => return Err(unsupported(format!("{count} components"))),
+            (2..=16, ..) if precision != 8 => return Err(unsupported(format!("{precision} bits per sample"))),
+            _ => return Err(broken("the frame header is inconsistent")),
         }
         let components: Vec<Component> = listed.as_chunks().0.iter().map(Component::read).collect::<Result<_, _>>()?;
-        let largest = [0, 1].map(|axis| components.iter().map(|of| of.sampling[axis]).max().unwrap_or(1));
-        match components.iter().find(|of| [0, 1].iter().any(|&axis| largest[axis] % of.sampling[axis] != 0)) {
+        let largest = [0, 1].map(|axis| components.iter().map(|component| component.sampling[axis]).max().unwrap_or(1));
+        match components
+            .iter()
+            .find(|component| [0, 1].iter().any(|&axis| largest[axis] % component.sampling[axis] != 0))
+        {
             None => Ok(Self { width, height, progressive, components, largest }),
             Some(Component { sampling: [h, v], .. }) => {
-                Err(unread(format!("a component sampled {h}×{v} next to {}×{}", largest[0], largest[1])))
+                Err(unsupported(format!("a component sampled {h}×{v} next to {}×{}", largest[0], largest[1])))
             }
         }
     }
@@ -87,7 +92,7 @@ impl Frame {
         [scaled(self.width, 0), scaled(self.height, 1)]
     }
 
-    /// Number of minimum coded units across and down.
+    /// Number of minimum coded units, horizontal and vertical.
     pub(crate) fn units(&self) -> [usize; 2] {
         [self.width.div_ceil(8 * self.largest[0]), self.height.div_ceil(8 * self.largest[1])]
     }
@@ -98,7 +103,7 @@ impl Component {
         let sampling = [sampling >> 4, sampling & 15].map(usize::from);
         match sampling.iter().all(|factor| (1..=4).contains(factor)) && quantisation < 4 {
             true => Ok(Self { id, sampling, quantisation: quantisation.into() }),
-            false => Err(broken("its header contradicts itself")),
+            false => Err(broken("the frame header is inconsistent")),
         }
     }
 }
@@ -110,7 +115,7 @@ impl Scan {
         let &[first, last, bits] = rest.first_chunk()?;
         let components = listed.as_chunks().0.iter().map(|component| ScanComponent::read(component, frame));
         let components: Vec<ScanComponent> = components.collect::<Option<_>>()?;
-        let repeats = |at: usize| components[..at].iter().any(|of| of.index == components[at].index);
+        let repeats = |at: usize| components[..at].iter().any(|other| other.index == components[at].index);
         if components.is_empty() || (0..components.len()).any(repeats) {
             return None;
         }
@@ -133,12 +138,12 @@ impl ScanComponent {
 }
 
 impl Tables {
-    /// Takes in what a segment defines; `None` if it contradicts itself.
+    /// Reads a DQT segment; `None` if it is malformed.
     pub(crate) fn read_quantisation(&mut self, mut segment: &[u8]) -> Option<()> {
         while let Some((&kind, rest)) = segment.split_first() {
             let bytes = if kind >> 4 == 0 { 1 } else { 2 };
             let (values, rest) = rest.split_at_checked(64 * bytes)?;
-            let value = |of: &[u8]| of.iter().fold(0, |value, &byte| value << 8 | u16::from(byte));
+            let value = |digits: &[u8]| digits.iter().fold(0, |value, &byte| value << 8 | u16::from(byte));
             let table = std::array::from_fn(|k| value(&values[k * bytes..][..bytes]));
             *self.quantisation.get_mut(usize::from(kind & 15))? = Some(table);
             segment = rest;
@@ -146,6 +151,7 @@ impl Tables {
         Some(())
     }
 
+    /// Reads a DHT segment; `None` if it is malformed.
     pub(crate) fn read_huffman(&mut self, mut segment: &[u8]) -> Option<()> {
         while let Some((&kind, rest)) = segment.split_first() {
             let (counts, rest) = rest.split_first_chunk::<16>()?;
@@ -157,6 +163,7 @@ impl Tables {
         Some(())
     }
 
+    /// Reads a DRI segment; `None` if it is malformed.
     pub(crate) fn read_restart_interval(&mut self, segment: &[u8]) -> Option<()> {
         self.restart_interval = u16::from_be_bytes(*segment.first_chunk()?).into();
         Some(())
@@ -167,6 +174,6 @@ pub(crate) fn broken(reason: &str) -> PhotoError {
     Format::Jpeg.damaged(reason)
 }
 
-pub(crate) fn unread(reason: String) -> PhotoError {
+pub(crate) fn unsupported(reason: String) -> PhotoError {
     Format::Jpeg.unsupported(reason)
 }

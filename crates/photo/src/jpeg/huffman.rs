@@ -2,24 +2,24 @@
 
 use super::bits::Bits;
 
-/// Codes of up to so many bits are looked up at once.
+/// Codes of up to this many bits are decoded by table lookup.
 const FAST_BITS: u32 = 10;
 
 pub(crate) struct Huffman {
-    /// Length and symbol by the next [`FAST_BITS`] bits; 0 where the code is longer.
+    /// Length and symbol for the next [`FAST_BITS`] bits; 0 if the code is longer.
     fast: [u16; 1 << FAST_BITS],
-    /// The same where a coefficient's value follows within those bits: the value, the zeros before it (four bits) and the
-    /// length of both codes (four bits).
+    /// Like `fast`, where the coefficient's value fits in the same bits: value, number of zeros before it (four bits)
+    /// and total length (four bits).
     coefficients: [i16; 1 << FAST_BITS],
-    /// By length: the first 16 bits that are too large for a code of it.
+    /// For each length, the first 16-bit prefix too large for its codes.
     limit: [u32; 17],
-    /// By length: what makes the index of a symbol out of its code.
+    /// For each length, the offset from code to symbol index.
     offset: [i32; 17],
     symbols: [u8; 256],
 }
 
 impl Huffman {
-    /// From the number of codes of each length, and their symbols; `None` if there are more codes than bits allow.
+    /// Builds the tables from the number of codes of each length and the symbols; `None` if the codes overflow.
     pub(crate) fn new(counts: &[u8; 16], listed: &[u8]) -> Option<Box<Self>> {
         let mut table = Box::new(Self {
             fast: [0; 1 << FAST_BITS],
@@ -54,7 +54,7 @@ impl Huffman {
         Some(())
     }
 
-    /// The zeros before the next coefficient, and its value, if its code is short. Leaves at least 16 bits buffered.
+    /// Decodes the number of zeros and the next coefficient, if its code is short. Leaves at least 16 bits buffered.
     #[inline(always)]
     pub(crate) fn short_coefficient(&self, bits: &mut Bits<'_>) -> Option<(usize, i32)> {
         bits.refill();
@@ -66,7 +66,7 @@ impl Huffman {
         Some((usize::from((entry >> 4 & 15) as u16), i32::from(entry >> 8)))
     }
 
-    /// The next symbol; `None` if the bits are not a code. Leaves at least 32 bits buffered.
+    /// Decodes the next symbol; `None` if the bits are not a code. Leaves at least 16 bits buffered.
     #[inline(always)]
     pub(crate) fn decode(&self, bits: &mut Bits<'_>) -> Option<u8> {
         bits.refill();
@@ -83,7 +83,7 @@ impl Huffman {
     }
 }
 
-/// An entry of [`Huffman::coefficients`]; 0 if there is none.
+/// Entry of [`Huffman::coefficients`]; 0 if the code or value is too long.
 fn coefficient(bits: u32, entry: u16) -> i16 {
     let (length, zeros, size) = (u32::from(entry >> 8), (entry >> 4 & 15) as i16, u32::from(entry & 15));
     if length == 0 || size == 0 || length + size > FAST_BITS {
@@ -93,13 +93,13 @@ fn coefficient(bits: u32, entry: u16) -> i16 {
     i16::try_from(value << 8).map_or(0, |value| value | zeros << 4 | (length + size) as i16)
 }
 
-/// A signed number of so many bits.
+/// Reads a signed number of `size` bits.
 #[inline(always)]
 pub(crate) fn signed(bits: &mut Bits<'_>, size: u32) -> i32 {
     extended(bits.take(size), size)
 }
 
-/// T.81, F.2.2.1, EXTEND.
+/// EXTEND of T.81, F.2.2.1.
 #[inline(always)]
 fn extended(value: u32, size: u32) -> i32 {
     let negative = value >> size.saturating_sub(1) == 0;

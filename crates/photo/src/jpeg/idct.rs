@@ -1,18 +1,20 @@
-//! The inverse discrete cosine transform, to the bit as the reference library's accurate integer one: Loeffler, Ligtenberg
-//! and Moschytz, "Practical fast 1-D DCT algorithms with 11 multiplications" (ICASSP 1989), with factors of 13 bits.
+//! Inverse DCT, bit-exact with libjpeg's accurate integer version.
+//!
+//! Loeffler, Ligtenberg and Moschytz, "Practical fast 1-D DCT algorithms with 11 multiplications" (ICASSP 1989), with
+//! 13-bit factors.
 
 use std::num::Wrapping;
 
-/// Dequantised coefficients row by row, and then samples. Damaged data may overflow, and its samples mean nothing.
+/// Dequantised coefficients, row by row. Damaged data may overflow; its samples are undefined.
 pub(crate) type Block = [i32; 64];
 
 type Number = Wrapping<i32>;
 
 const FACTOR_BITS: usize = 13;
-/// More bits after the first pass.
+/// Extra fractional bits after the first pass.
 const FIRST_PASS_BITS: usize = 2;
 
-/// Samples of a block, written at the beginning of `out` with `stride` from row to row.
+/// Writes the samples of a block to the start of `out`, with `stride` between rows.
 pub(crate) fn write_samples(block: &Block, out: &mut [u8], stride: usize) {
     let columns = transform::<{ FACTOR_BITS - FIRST_PASS_BITS }>(block);
     let samples = transform::<{ FACTOR_BITS + FIRST_PASS_BITS + 3 }>(&transposed(&columns));
@@ -22,7 +24,7 @@ pub(crate) fn write_samples(block: &Block, out: &mut [u8], stride: usize) {
     }
 }
 
-/// The same of a block whose coefficients are zero but the first.
+/// Writes a block that has only a DC coefficient.
 pub(crate) fn write_flat(first: i32, out: &mut [u8], stride: usize) {
     let sample = ((first.wrapping_add(4) >> 3).saturating_add(128)).clamp(0, 255) as u8;
     out.chunks_mut(stride).take(8).for_each(|row| row[..8].fill(sample));
@@ -39,7 +41,7 @@ fn transposed<T: Copy + Default>(block: &[T; 64]) -> [T; 64] {
     out
 }
 
-/// One-dimensional transforms of the columns.
+/// Transforms each column.
 fn transform<const SHIFT: usize>(block: &Block) -> Block {
     let mut out = [0; 64];
     for lane in 0..8 {

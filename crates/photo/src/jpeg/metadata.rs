@@ -1,18 +1,18 @@
-//! What application segments say of a picture.
+//! Metadata from application segments.
 
 #[derive(Default)]
 pub(crate) struct Metadata<'a> {
     pub(crate) jfif: bool,
-    /// The colour transform that Adobe's segment names.
+    /// Colour transform of Adobe's segment.
     pub(crate) adobe: Option<u8>,
-    /// The first block of several.
+    /// The first EXIF block.
     pub(crate) exif: Option<&'a [u8]>,
-    /// Parts of the colour profile by their numbers.
+    /// Parts of the ICC profile with their sequence numbers.
     profile: Vec<(u8, &'a [u8])>,
 }
 
 impl<'a> Metadata<'a> {
-    pub(crate) fn see(&mut self, marker: u8, segment: &'a [u8]) {
+    pub(crate) fn read(&mut self, marker: u8, segment: &'a [u8]) {
         match (marker, segment) {
             (0xE0, [b'J', b'F', b'I', b'F', 0, ..]) => self.jfif = true,
             (0xE1, [b'E', b'x', b'i', b'f', 0, _, block @ ..]) if self.exif.is_none() => self.exif = Some(block),

@@ -1,19 +1,19 @@
-//! The samples of one component.
+//! Samples of one component.
 
 use super::header::{Component, Frame, ZIGZAG};
 use super::idct::{Block, write_flat, write_samples};
 
 pub(crate) struct Plane {
-    /// Width and height in samples, without what fills the last blocks.
+    /// Width and height in samples, without block padding.
     pub(crate) size: [usize; 2],
-    /// Number of blocks across and down that hold them.
+    /// Number of blocks that cover `size`, horizontal and vertical.
     pub(crate) blocks: [usize; 2],
-    /// Number of blocks from one row of blocks to the next: whole coded units.
+    /// Blocks per stored row: whole coded units.
     blocks_across: usize,
     samples: Vec<u8>,
-    /// Of a progressive picture, block by block.
+    /// Coefficients of a progressive picture, one entry per block; otherwise empty.
     coefficients: Vec<[i16; 64]>,
-    /// In zigzag order, as it was when the first scan of the component began.
+    /// In zigzag order, fixed when the component's first scan begins.
     pub(crate) quantisation: Option<[i32; 64]>,
 }
 
@@ -46,16 +46,16 @@ impl Plane {
         if flat { write_flat(block[0], out, stride) } else { write_samples(block, out, stride) }
     }
 
-    /// Makes samples of a progressive picture's coefficients.
+    /// Converts the coefficients of a progressive picture to samples.
     pub(crate) fn transform(&mut self) {
         let quantisation = self.quantisation.unwrap_or([0; 64]);
-        for (index, coefficients) in std::mem::take(&mut self.coefficients).iter().enumerate() {
+        for (block_index, coefficients) in std::mem::take(&mut self.coefficients).iter().enumerate() {
             let mut block = [0; 64];
-            for (place, factor) in ZIGZAG.into_iter().map(usize::from).zip(quantisation) {
-                block[place] = i32::from(coefficients[place]) * factor;
+            for (index, factor) in ZIGZAG.into_iter().map(usize::from).zip(quantisation) {
+                block[index] = i32::from(coefficients[index]) * factor;
             }
             let flat = coefficients[1..].iter().all(|&coefficient| coefficient == 0);
-            self.write([index % self.blocks_across, index / self.blocks_across], &block, flat);
+            self.write([block_index % self.blocks_across, block_index / self.blocks_across], &block, flat);
         }
     }
 }

@@ -1,10 +1,10 @@
-//! Which rows of a picture are intact.
+//! Record of the rows that were lost.
 
 use std::ops::Range;
 
 pub(crate) struct Rows {
     lost: Vec<bool>,
-    /// Whether data ends before its last row.
+    /// Whether the data ends before the last row.
     pub(crate) ends_early: bool,
 }
 
@@ -22,7 +22,7 @@ impl Rows {
         self.lost.iter().filter(|lost| !**lost).count()
     }
 
-    /// Makes lost rows, and those that are blurred with them, like the nearest one above that is intact, or below.
+    /// Replaces lost rows, and rows interpolated from them, with the nearest intact row above; at the top, below.
     pub(crate) fn repair(&self, rgb: &mut [u8], row_bytes: usize, blurred_rows: usize) {
         let height = self.lost.len();
         let near = |row: usize| row.saturating_sub(blurred_rows)..(row + blurred_rows + 1).min(height);

@@ -1,4 +1,4 @@
-//! One scan, and which rows of the picture are intact in it.
+//! Decoding of one scan, with a record of the rows it lost.
 
 use std::ops::Range;
 
@@ -10,10 +10,10 @@ use super::plane::Plane;
 use super::rows::Rows;
 use super::segments::END;
 
-/// The code of the first restart marker, and of the last.
+/// Codes of the first and the last restart marker.
 const RESTART: [u8; 2] = [0xD0, 0xD7];
 
-/// Decodes the data of a scan that begins at `position`; where it ends. `None` where a table is missing.
+/// Decodes a scan whose data begins at `position`. Returns the position after it, or `None` if a table is missing.
 pub(crate) fn decode(
     (bytes, position): (&[u8], usize),
     frame: &Frame,
@@ -24,11 +24,11 @@ pub(crate) fn decode(
 ) -> Option<usize> {
     let interleaved = scan.components.len() > 1;
     let mut unit = Vec::new();
-    for (component, &of) in scan.components.iter().enumerate() {
-        let step = if interleaved { frame.components[of.index].sampling } else { [1, 1] };
+    for (component, &selected) in scan.components.iter().enumerate() {
+        let step = if interleaved { frame.components[selected.index].sampling } else { [1, 1] };
         for at in 0..step[0] * step[1] {
             let offset = [at % step[0], at / step[0]];
-            unit.push(UnitBlock::new(component, of, scan, tables, planes, [step, offset])?);
+            unit.push(UnitBlock::new(component, selected, scan, tables, planes, [step, offset])?);
         }
     }
     let first = scan.components.first()?.index;
@@ -56,44 +56,44 @@ struct Decoder<'a> {
     frame: &'a Frame,
     scan: &'a Scan,
     run: Run,
-    /// The blocks of a unit.
+    /// Blocks of one coded unit.
     unit: Vec<UnitBlock<'a>>,
-    /// Units in a row of them, and in all.
+    /// Units per row, and in total.
     across: usize,
     total: usize,
-    /// Height of a row of units, in px of the picture.
+    /// Height of a row of units, in picture px.
     unit_height_px: usize,
     restart_interval: usize,
 }
 
-/// One block of each unit.
+/// A block's place within each coded unit.
 struct UnitBlock<'a> {
     plane: usize,
-    /// Index of its component within the scan.
+    /// Index of the component within the scan.
     component: usize,
     dc: Option<&'a Huffman>,
     ac: Option<&'a Huffman>,
     quantisation: [i32; 64],
-    /// Blocks from one unit to the next across and down, and from the unit's beginning to this one.
+    /// Step in blocks from one unit to the next, and offset within the unit; horizontal and vertical.
     step: [usize; 2],
     offset: [usize; 2],
 }
 
-/// Why the units of an interval are not all there.
+/// Reason why an interval is incomplete or invalid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Fault {
     /// The data ends within a unit.
     Cut,
-    /// It ends like an encoder's, at the end of a unit.
+    /// The data ends with regular padding, but before the last unit.
     Short,
-    /// It is nothing that an encoder writes.
+    /// The data contains a code that no encoder writes.
     Invalid,
-    /// Something is left of it after the last unit.
+    /// Data is left after the last unit.
     Long,
 }
 
 impl Decoder<'_> {
-    /// Up to the last unit, or to where no more can be told from the data.
+    /// Decodes up to the last unit, or until the data can no longer be assigned to units.
     fn decode_intervals(&mut self, planes: &mut [Plane], rows: &mut Rows) {
         let length = if self.restart_interval == 0 { self.total } else { self.restart_interval };
         let (mut start, mut number) = (0, 0);
@@ -105,11 +105,11 @@ impl Decoder<'_> {
                 self.lose(fault, unit, start..end, rows);
             }
             let missing = match marker {
-                // More intervals than the picture has: which of them are its own is unknown.
+                // There are more intervals than the picture has, and it is unknown which ones are surplus.
                 Some(code) if end == self.total && is_restart(code) => return self.lose_units(0..self.total, rows),
                 _ if end == self.total => return,
                 Some(code) if self.restart_interval > 0 && is_restart(code) => self.restart(number),
-                // The data ends like an encoder's, which writes all intervals: some of those before are missing.
+                // The data ends regularly, so earlier intervals are missing.
                 Some(_) if fault.is_none() => return self.lose_units(0..self.total, rows),
                 _ => None,
             };
@@ -123,10 +123,10 @@ impl Decoder<'_> {
         }
     }
 
-    /// Goes to the interval after the restart marker that has the number `expected`, or to a later one; the number of
-    /// intervals that are missing before it. `None` if there is no such marker.
+    /// Skips to the interval after the restart marker numbered `expected`, or a later one. Returns the number of
+    /// missing intervals, or `None` if there is no such marker.
     fn restart(&mut self, expected: usize) -> Option<usize> {
-        /// A number that lies further ahead belongs to an interval that came before.
+        /// A number further ahead belongs to an earlier interval.
         const MOST_AHEAD: usize = 4;
         while let Some(code) = self.bits.next_marker().filter(|&code| is_restart(self.bytes[code])) {
             self.bits = Bits::new(self.bytes, code + 1);
@@ -142,7 +142,7 @@ impl Decoder<'_> {
         self.bits.next_marker().map(|code| self.bytes[code])
     }
 
-    /// The units of an interval; what is wrong, and the unit where it shows.
+    /// Decodes the units of an interval. Returns the fault, if any, and the unit where it was detected.
     fn decode_interval(&mut self, units: Range<usize>, planes: &mut [Plane]) -> Option<(Fault, usize)> {
         self.run = Run::default();
         for unit in units.clone() {
@@ -160,34 +160,41 @@ impl Decoder<'_> {
     }
 
     fn decode_unit(&mut self, unit: usize, planes: &mut [Plane]) -> Option<()> {
-        let place = [unit % self.across, unit / self.across];
-        for of in &self.unit {
-            let at = [0, 1].map(|axis| place[axis] * of.step[axis] + of.offset[axis]);
-            let plane = &mut planes[of.plane];
+        let position = [unit % self.across, unit / self.across];
+        for unit_block in &self.unit {
+            let at = [0, 1].map(|axis| position[axis] * unit_block.step[axis] + unit_block.offset[axis]);
+            let plane = &mut planes[unit_block.plane];
             let Scan { first, last, high, low, .. } = *self.scan;
             let (bits, run) = (&mut self.bits, &mut self.run);
             if !self.frame.progressive {
                 let mut block = [0; 64];
-                let prediction = &mut run.predictions[of.component];
-                let more = block::sequential(bits, [of.dc?, of.ac?], prediction, &of.quantisation, &mut block)?;
+                let prediction = &mut run.predictions[unit_block.component];
+                let more = block::sequential(
+                    bits,
+                    [unit_block.dc?, unit_block.ac?],
+                    prediction,
+                    &unit_block.quantisation,
+                    &mut block,
+                )?;
                 plane.write(at, &block, !more);
                 continue;
             }
             let block = plane.coefficients(at);
             match (first, high) {
                 (0, 0) => {
-                    let (prediction, quantisation) = (&mut run.predictions[of.component], of.quantisation[0] << low);
-                    block[0] = (block::first(bits, of.dc?, prediction, quantisation)? << low) as i16;
+                    let (prediction, quantisation) =
+                        (&mut run.predictions[unit_block.component], unit_block.quantisation[0] << low);
+                    block[0] = (block::first(bits, unit_block.dc?, prediction, quantisation)? << low) as i16;
                 }
                 (0, _) => block[0] |= i16::from(bits.bit()) << low,
-                (_, 0) => block::band(bits, of.ac?, run, [first, last], low, block)?,
-                _ => block::refine_band(bits, of.ac?, run, [first, last], low, block)?,
+                (_, 0) => block::band(bits, unit_block.ac?, run, [first, last], low, block)?,
+                _ => block::refine_band(bits, unit_block.ac?, run, [first, last], low, block)?,
             }
         }
         Some(())
     }
 
-    /// Which units are lost by a fault that shows at `unit` of an interval.
+    /// Marks the units lost to a fault detected at `unit` of an interval.
     fn lose(&self, fault: Fault, unit: usize, interval: Range<usize>, rows: &mut Rows) {
         let marker = self.marker();
         let restarts = marker.is_some_and(is_restart);
@@ -197,14 +204,14 @@ impl Decoder<'_> {
             Fault::Short if marker.is_none() => return self.end_at(unit, rows),
             Fault::Short if unit == interval.start => 0..self.total,
             Fault::Short | Fault::Long => interval.start..self.total,
-            // What is wrong may begin some blocks before it shows.
+            // Decoding may go wrong some blocks before the fault is detected.
             Fault::Invalid => unit.saturating_sub(self.across)..self.total,
         };
         self.lose_units(lost, rows);
     }
 
-    /// Loses what did not arrive. Without the last bit of some coefficients, a picture is nearly the same, if that is where
-    /// the file ends.
+    /// Marks the units after the end of the data as lost. A refinement scan that only lacks its last bits, at the end
+    /// of the file, leaves the picture almost unchanged.
     fn end_at(&self, unit: usize, rows: &mut Rows) {
         rows.ends_early = true;
         if self.scan.high != 1 || self.marker().is_some_and(|code| code != END) {
@@ -227,16 +234,16 @@ fn is_restart(code: u8) -> bool {
 impl<'a> UnitBlock<'a> {
     fn new(
         component: usize,
-        of: ScanComponent,
+        selected: ScanComponent,
         scan: &Scan,
         tables: &'a Tables,
         planes: &[Plane],
         [step, offset]: [[usize; 2]; 2],
     ) -> Option<Self> {
-        let (dc, ac) = (tables.dc[of.dc].as_deref(), tables.ac[of.ac].as_deref());
+        let (dc, ac) = (tables.dc[selected.dc].as_deref(), tables.ac[selected.ac].as_deref());
         let needs_dc = scan.first == 0 && scan.high == 0;
-        let quantisation = planes[of.index].quantisation?;
-        let there = (dc.is_some() || !needs_dc) && (ac.is_some() || scan.last == 0);
-        there.then_some(Self { plane: of.index, component, dc, ac, quantisation, step, offset })
+        let quantisation = planes[selected.index].quantisation?;
+        let complete = (dc.is_some() || !needs_dc) && (ac.is_some() || scan.last == 0);
+        complete.then_some(Self { plane: selected.index, component, dc, ac, quantisation, step, offset })
     }
 }

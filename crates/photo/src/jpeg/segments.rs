@@ -1,25 +1,25 @@
-//! A file's markers and the segments after them (ITU-T T.81, B.1.1).
+//! Iterator over a file's markers and their segments (ITU-T T.81, B.1.1).
 
 pub(crate) const END: u8 = 0xD9;
 pub(crate) const SCAN: u8 = 0xDA;
 
 pub(crate) struct Segments<'a> {
     pub(crate) bytes: &'a [u8],
-    /// Where the next marker is looked for.
+    /// Position from which the next marker is searched.
     pub(crate) position: usize,
 }
 
 impl<'a> Iterator for Segments<'a> {
     type Item = (u8, &'a [u8]);
 
-    /// The next marker's code, and its segment without the two bytes of its length. Ends where the file does, in a segment or
-    /// after one.
+    /// Returns the next marker's code, and its segment without the length. Ends at the end of the file, even within a
+    /// segment.
     fn next(&mut self) -> Option<Self::Item> {
         loop {
             self.position += self.bytes.get(self.position..)?.iter().position(|&byte| byte == 0xFF)? + 1;
             match *self.bytes.get(self.position)? {
                 0xFF => {}
-                // No marker, or one without a segment.
+                // Not a marker, or one without a segment.
                 0 | 1 | 0xD0..=0xD8 => self.position += 1,
                 END => return Some((END, &[])),
                 code => {

@@ -1,16 +1,16 @@
-//! Rows of a component at the picture's full size, to the bit as the reference library makes them: halved sides are
-//! interpolated with weights of 3/4 and 1/4, others repeated.
+//! Upsampling of a component to full size, bit-exact with libjpeg: sides at half size are interpolated with weights of
+//! 3/4 and 1/4, others repeated.
 
 use super::header::{Component, Frame};
 use super::plane::Plane;
 
 pub(crate) struct Upsampler<'a> {
     plane: &'a Plane,
-    /// How many px a sample covers across and down.
+    /// Size of a sample in px, horizontal and vertical.
     ratio: [usize; 2],
     interpolated: [bool; 2],
     width: usize,
-    /// The row up to whole samples, and sums of two rows.
+    /// Buffers for the upsampled row and for the weighted sum of two rows.
     row: Vec<u8>,
     sums: Vec<u16>,
 }
@@ -24,17 +24,17 @@ impl<'a> Upsampler<'a> {
         Self { plane, ratio, interpolated, width: frame.width, row, sums: vec![0; plane.size[0]] }
     }
 
-    /// Number of rows above and below a row of samples that it is seen in besides its own.
+    /// Number of rows above and below that a row of samples is blended into.
     pub(crate) fn blurred_rows(&self) -> usize {
         usize::from(self.interpolated[1])
     }
 
-    /// A row of the picture.
+    /// Returns row `y` of the picture.
     pub(crate) fn row(&mut self, y: usize) -> &[u8] {
         let own = self.plane.row(y / self.ratio[1]);
         match (self.ratio, self.interpolated) {
             ([1, 1], _) => return own,
-            (_, [true, false]) => interpolate_across(own, &mut self.row, of_samples),
+            (_, [true, false]) => interpolate_across(own, &mut self.row, pair_of_samples),
             (_, [across, true]) => {
                 let near = if y.is_multiple_of(2) {
                     (y / 2).saturating_sub(1)
@@ -46,7 +46,7 @@ impl<'a> Upsampler<'a> {
                     *sum = 3 * u16::from(own) + u16::from(near);
                 }
                 if across {
-                    interpolate_across(&self.sums, &mut self.row, of_sums);
+                    interpolate_across(&self.sums, &mut self.row, pair_of_sums);
                 } else {
                     let rounding = 1 + (y % 2) as u16;
                     self.row.iter_mut().zip(&self.sums).for_each(|(to, sum)| *to = ((sum + rounding) / 4) as u8);
@@ -60,7 +60,7 @@ impl<'a> Upsampler<'a> {
     }
 }
 
-/// Two output pixels per value; `pair` computes them from the previous, own and next value.
+/// Interpolates a row to twice its width; `pair` computes two pixels from the previous, current and next value.
 fn interpolate_across<T: Copy>(values: &[T], out: &mut [u8], pair: impl Fn(T, T, T) -> [u8; 2]) {
     let (out, last) = (out.as_chunks_mut::<2>().0, values.len() - 1);
     for (to, near) in out[1..].iter_mut().zip(values.array_windows::<3>()) {
@@ -70,11 +70,11 @@ fn interpolate_across<T: Copy>(values: &[T], out: &mut [u8], pair: impl Fn(T, T,
     out[last] = pair(values[last - 1], values[last], values[last]);
 }
 
-fn of_samples(left: u8, own: u8, right: u8) -> [u8; 2] {
+fn pair_of_samples(left: u8, own: u8, right: u8) -> [u8; 2] {
     let [left, own, right] = [left, own, right].map(u16::from);
     [((3 * own + left + 1) / 4) as u8, ((3 * own + right + 2) / 4) as u8]
 }
 
-fn of_sums(left: u16, own: u16, right: u16) -> [u8; 2] {
+fn pair_of_sums(left: u16, own: u16, right: u16) -> [u8; 2] {
     [((3 * own + left + 8) / 16) as u8, ((3 * own + right + 7) / 16) as u8]
 }

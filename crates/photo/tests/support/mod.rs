@@ -1,13 +1,13 @@
-//! Pictures with no symmetry, and their files in every format that is read.
+//! Asymmetric test pictures, encoded in each supported format.
 
-#![allow(dead_code, reason = "each test file is a program of its own and uses its part of this")]
+#![allow(dead_code, reason = "each test file is a separate crate that uses a part of this module")]
 
 use image::codecs::{jpeg::JpegEncoder, png::PngEncoder, webp::WebPEncoder};
 use image::metadata::Orientation;
 use image::{DynamicImage, ExtendedColorType, ImageEncoder, RgbImage};
 use rosto_photo::{Limits, Photo, PhotoError, decode};
 
-/// Formats that are written for the tests.
+/// Formats that the tests can encode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
     Jpeg,
@@ -17,7 +17,7 @@ pub enum Format {
 
 pub const FORMATS: [Format; 3] = [Format::Jpeg, Format::Png, Format::WebP];
 
-/// 48 × 32 px in blocks of 16, each of its own colour, so that JPEG keeps it nearly as it is.
+/// 48 × 32 px in blocks of 16 px with different colours, which JPEG preserves closely.
 pub fn blocks() -> RgbImage {
     RgbImage::from_fn(48, 32, |x, y| {
         let (column, row) = (x / 16, y / 16);
@@ -25,12 +25,12 @@ pub fn blocks() -> RgbImage {
     })
 }
 
-/// The picture as a file that asks its reader to apply `orientation`.
+/// Encodes the picture with an EXIF orientation.
 pub fn file(picture: &RgbImage, format: Format, orientation: Orientation) -> Vec<u8> {
     file_with_exif(picture, format, exif(orientation))
 }
 
-/// The picture as a file with an EXIF block.
+/// Encodes the picture with an EXIF block.
 pub fn file_with_exif(picture: &RgbImage, format: Format, exif: Vec<u8>) -> Vec<u8> {
     let mut bytes = Vec::new();
     match format {
@@ -42,32 +42,33 @@ pub fn file_with_exif(picture: &RgbImage, format: Format, exif: Vec<u8>) -> Vec<
 }
 
 fn write(mut encoder: impl ImageEncoder, picture: &RgbImage, exif: Vec<u8>) {
-    encoder.set_exif_metadata(exif).expect("the format knows EXIF");
+    encoder.set_exif_metadata(exif).expect("the format supports EXIF");
     let (width, height) = picture.dimensions();
-    encoder.write_image(picture, width, height, ExtendedColorType::Rgb8).expect("the picture can be written");
+    encoder.write_image(picture, width, height, ExtendedColorType::Rgb8).expect("the picture can be encoded");
 }
 
-/// A little-endian TIFF header and one directory with one entry: 0x0112, SHORT, count 1.
+/// A little-endian TIFF header and a directory with one entry: tag 0x0112, SHORT, count 1.
 pub fn exif(orientation: Orientation) -> Vec<u8> {
     let mut bytes = b"II\x2a\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0".to_vec();
     bytes.extend([orientation.to_exif(), 0, 0, 0, 0, 0, 0, 0]);
     bytes
 }
 
-/// What has to be stored for `picture` to appear when `orientation` is applied.
+/// Returns the picture to store so that applying `orientation` yields `picture`.
 pub fn stored_for(picture: &RgbImage, orientation: Orientation) -> RgbImage {
     let inverse = match orientation {
         Orientation::Rotate90 => Orientation::Rotate270,
         Orientation::Rotate270 => Orientation::Rotate90,
-        its_own => its_own,
+        self_inverse => self_inverse,
     };
     let mut stored = DynamicImage::from(picture.clone());
     stored.apply_orientation(inverse);
     stored.into_rgb8()
 }
 
-/// A grey JPEG, one block of 8 × 8 px above the other, a restart marker between any two; without its end mark. Of the
-/// Huffman codes, 0 is "no difference" and "no more", and 10 is "a difference of four bits".
+/// A grey JPEG without its end marker: a column of 8 × 8 px blocks with restart markers between them.
+///
+/// The Huffman codes: 0 is a difference of zero or an end of block, 10 is a difference of four bits.
 pub fn blocks_with_restarts(blocks: u8) -> Vec<u8> {
     let table = |class: u8, second: u8| {
         let counts = [1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
@@ -79,7 +80,7 @@ pub fn blocks_with_restarts(blocks: u8) -> Vec<u8> {
     file.extend([table(0x00, 4), table(0x10, 1)].concat());
     file.extend([0xFF, 0xDD, 0, 4, 0, 1, 0xFF, 0xDA, 0, 8, 1, 1, 0, 0, 63, 0]);
     for block in 0..blocks {
-        // 10, a difference of 9, "no more", and a bit to fill the byte.
+        // 10, a difference of 9, end of block, and a padding bit.
         file.push(0b1010_0101);
         if block + 1 < blocks {
             file.extend([0xFF, 0xD0 + block % 8]);
@@ -88,7 +89,7 @@ pub fn blocks_with_restarts(blocks: u8) -> Vec<u8> {
     file
 }
 
-/// A PNG file with another chunk before its pixels.
+/// Inserts a chunk into a PNG file, before its pixels.
 pub fn with_chunk(png: &[u8], name: &[u8; 4], content: &[u8]) -> Vec<u8> {
     let at = png.windows(4).position(|window| window == b"IDAT").expect("a PNG file has pixels") - 4;
     let named = [name.as_slice(), content].concat();
@@ -97,12 +98,12 @@ pub fn with_chunk(png: &[u8], name: &[u8; 4], content: &[u8]) -> Vec<u8> {
     [&png[..at], &chunk, &png[at..]].concat()
 }
 
-/// The picture in a file, within the usual limits.
+/// Decodes a file within the default limits.
 pub fn read(bytes: &[u8]) -> Result<Photo, PhotoError> {
     decode(bytes, &Limits::default())
 }
 
-/// Why a damaged picture is refused.
+/// Returns the reason why a damaged picture is refused.
 pub fn reason(bytes: &[u8]) -> String {
     match read(bytes).expect_err("a damaged picture") {
         PhotoError::Damaged { reason, .. } => reason,
