@@ -1,8 +1,9 @@
-// Draws the pictures of the documentation, docs/images/*, from the built page and the models: node docs/pictures/draw.mjs [NAME…].
+// Redraws docs/images/ from the built page (dist/) and the models: node docs/pictures/draw.mjs [NAME…].
 import path from "node:path";
 import { launch } from "../../tests/e2e/browser.mjs";
 import { DIST, serve } from "../../tests/e2e/server.mjs";
 import { drawFirstMinute } from "./first-minute.mjs";
+import { drawLandmarks } from "./landmarks.mjs";
 import { drawExpressions, drawSlices, drawTextures } from "./models.mjs";
 import { drawInPhoto, SCREENSHOTS, takeScreenshot } from "./page.mjs";
 
@@ -13,6 +14,7 @@ const PICTURES = {
   ...Object.fromEntries(Object.keys(SCREENSHOTS).map((name) => [`${name}.png`, takeScreenshot])),
   "first-minute.jpg": drawFirstMinute,
   "in-photo.jpg": drawInPhoto,
+  "landmarks.svg": drawLandmarks,
   "expressions.jpg": drawExpressions,
   "texture.jpg": drawTextures,
   "sliced.jpg": drawSlices,

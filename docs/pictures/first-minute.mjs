@@ -1,26 +1,26 @@
-// The first minute of somebody new to the page, by mouse and with the motion that visitors see.
+// The first minute on the page, with a mouse and with animations.
 import { STATES, withHeldWork } from "../../tests/e2e/states.mjs";
 import { Visitor } from "../../tests/e2e/visitor.mjs";
 import { writeSheet } from "./sheet.mjs";
 
-/** @typedef {{ x: number, y: number }} Place in CSS px of the window */
+/** @typedef {{ x: number, y: number }} Place CSS px of the window */
 
 const WINDOW = { width: 1280, height: 800 };
-/** A face that has arrived is turned furthest after this time, by the clock of the frames. */
+/** Frame time at which the opening animation has turned the face furthest. */
 const TURNED_MS = 1600;
 const STEP_MS = 100;
 
-/** Each caption, and what is done before its picture; returns the place of the pointer. @type {[string, (visitor: Visitor) => Promise<Place | void>][]} */
+/** A caption, and the action before its picture, which returns the pointer's place. @type {[string, (visitor: Visitor) => Promise<Place | void>][]} */
 const STEPS = [
-  ["Open the page. Nothing is asked for, nothing to install.", (visitor) => visitor.untilLoaded()],
-  ["Drop a photo. It is read here, on the device.", (visitor) => state("working").enter(visitor)],
-  ["The photo lifts into a mesh, which turns a little …", seeItArrive],
-  ["… and back. A dot says where to begin.", seeItThere],
-  ["Drag the nose: what is around it follows.", dragNose],
-  ["Let go, and drag beside the face to turn it.", turn],
-  ["Or move a ready-made slider.", slide],
-  ["The photo follows: one press gives it the stage. Before and after.", compareInPhoto],
-  ["Download: a GLB for any 3D program.", download],
+  ["Open the page. There is nothing to install and no account.", (visitor) => visitor.untilLoaded()],
+  ["Drop a photo. It stays on the device.", (visitor) => state("working").enter(visitor)],
+  ["The photo becomes a mesh, which turns a little …", seeItArrive],
+  ["… and back. A dot marks a place to start.", seeItThere],
+  ["Drag the nose: the skin around it follows.", dragNose],
+  ["Drag next to the face to turn it.", turn],
+  ["Or move a slider.", slide],
+  ["Show the edit in the photo: before and after.", compareInPhoto],
+  ["Download a GLB for 3D programs.", download],
 ];
 
 /** @param {import("@playwright/test").Browser} browser @param {string} file @param {string} url */
@@ -48,7 +48,7 @@ function state(id) {
   return STATES.find((state) => state.id === id);
 }
 
-/** A screenshot takes longer than the arrival: its frames come one by one. @param {Visitor} visitor */
+/** Steps through the animation frame by frame, since a screenshot takes longer than the whole animation. @param {Visitor} visitor */
 async function seeItArrive(visitor) {
   const hold = (/** @type {number} */ ms) => visitor.page.evaluate((ms) => window["holdFramesAfter"](ms), ms);
   await hold(0);
@@ -59,7 +59,7 @@ async function seeItArrive(visitor) {
   }
 }
 
-/** Runs in the page before its own scripts: `holdFramesAfter` stops the frames' time so long after a face has come. */
+/** Runs in the page before its scripts. `holdFramesAfter(ms)` stops the frame clock that long after the face appears. */
 function holdFrames() {
   const ask = window.requestAnimationFrame.bind(window);
   let most_ms = Number.POSITIVE_INFINITY;
@@ -90,7 +90,7 @@ async function dragNose(visitor) {
   return hold(visitor, nose, { x: nose.x, y: nose.y - 26 });
 }
 
-/** Moves the pointer down the middle of the face until the nose tip lights up. @param {Visitor} visitor @returns {Promise<Place>} */
+/** Moves the pointer down the middle of the face until the nose tip is highlighted. @param {Visitor} visitor @returns {Promise<Place>} */
 async function findNose(visitor) {
   const { page } = visitor;
   const { x, y, width, height } = await page.locator("#viewport").boundingBox();
@@ -101,7 +101,7 @@ async function findNose(visitor) {
     await visitor.frames(2);
     if ((await tag.isVisible()) && (await tag.innerText()).startsWith("nose tip")) return place;
   }
-  throw new Error("the nose tip does not light up");
+  throw new Error("the nose tip is not highlighted");
 }
 
 /** @param {Visitor} visitor */
@@ -141,7 +141,7 @@ async function download(visitor) {
   return middleOf(visitor.page.locator("[data-action='download-glb']:visible").first());
 }
 
-/** Presses the mouse and moves it; it stays down. @param {Visitor} visitor @param {Place} from @param {Place} to */
+/** Drags without releasing the button. @param {Visitor} visitor @param {Place} from @param {Place} to */
 async function hold(visitor, from, to) {
   await visitor.page.mouse.move(from.x, from.y);
   await visitor.page.mouse.down();

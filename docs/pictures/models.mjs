@@ -1,4 +1,4 @@
-// Pictures of models: all expressions, textures next to the truth, a printed body in layers.
+// Pictures of models: expressions, textures next to the ground truth, layers of a printed body.
 import { execFile } from "node:child_process";
 import { mkdir, readdir, readFile } from "node:fs/promises";
 import path from "node:path";
@@ -10,13 +10,13 @@ import { cut, writeSheet } from "./sheet.mjs";
 const ROOT = path.resolve(import.meta.dirname, "../..");
 const DRAWN = path.join(ROOT, "target/pictures");
 const TURNS = [0, 20, -20, 40, -40];
-/** The head in each picture of it, px. */
+/** The head in each texture picture, px. */
 const HEAD = { x: 194, y: 194, width: 635, height: 635 };
 
-/** What the printer lays down, by the slicer's names. @type {Record<string, string>} */
+/** Colours of PrusaSlicer's extrusion types. @type {Record<string, string>} */
 const COLOURS = { "External perimeter": "#e07a3e", "Overhang perimeter": "#be3c5a", Perimeter: "#f0be78" };
 const OTHERS = "#7896be";
-/** The layers that are shown, as shares of the height. */
+/** Heights of the layers shown, as shares of the body's height. */
 const HEIGHTS = [0.1, 0.35, 0.55, 0.75, 0.92];
 
 const run = promisify(execFile);
@@ -29,7 +29,7 @@ export async function drawExpressions(browser, file) {
   await writeSheet(browser, file, await Promise.all(cells), { columns: 5, width: 270 });
 }
 
-/** A photo of each turn, and the side that it hides: as it is, by the photo alone, and by the whole texture. @param {import("@playwright/test").Browser} browser @param {string} file */
+/** For each turn: the photo, and the side that it hides as ground truth, with the photo projected, and with the whole texture. @param {import("@playwright/test").Browser} browser @param {string} file */
 export async function drawTextures(browser, file) {
   const folder = await drawnBy("texture_sheet");
   const cell = async (/** @type {string} */ name, /** @type {string} */ caption) => ({ picture: cut(await readFile(path.join(folder, `${name}.png`)), HEAD), caption });
@@ -45,7 +45,7 @@ export async function drawTextures(browser, file) {
   await writeSheet(browser, file, await Promise.all(cells), { columns: 4, width: 230 });
 }
 
-/** The sample portrait as a mask of 2 mm, as PrusaSlicer plans its layers. @param {import("@playwright/test").Browser} browser @param {string} file */
+/** The sample portrait as a 2 mm mask, sliced by PrusaSlicer. @param {import("@playwright/test").Browser} browser @param {string} file */
 export async function drawSlices(browser, file) {
   const [body, plan] = ["mask.stl", "mask.gcode"].map((name) => path.join(DRAWN, name));
   await mkdir(DRAWN, { recursive: true });
@@ -60,7 +60,7 @@ export async function drawSlices(browser, file) {
   await writeSheet(browser, file, [...cells, { picture: side, caption: `${layers.length} layers from the side, every fourth` }], { columns: 3, width: 300 });
 }
 
-/** The folder that an example of `rosto-studio` draws into. @param {string} example */
+/** Runs an example of `rosto-studio` and returns its output folder. @param {string} example */
 async function drawnBy(example) {
   const folder = path.join(DRAWN, example);
   await run("cargo", ["run", "--quiet", "--release", "--locked", "--package", "rosto-studio", "--example", example, "--", folder], { cwd: ROOT });
@@ -86,7 +86,7 @@ function layersOf(plan) {
   return layers.filter(({ lines }) => lines.length > 0);
 }
 
-/** Layers in a picture with room for all. @param {Layer[]} layers @param {(place_mm: number[]) => number[]} seen projects a place into the picture, mm @param {Layer[]} all */
+/** Draws `layers` in a view box that fits `all`. @param {Layer[]} layers @param {(place_mm: number[]) => number[]} seen projects into the picture, mm @param {Layer[]} all */
 function svg(layers, seen, all = layers) {
   const projected = (/** @type {Layer[]} */ of) => of.flatMap(({ z_mm, lines }) => lines.map(({ type, from, to }) => ({ type, from: seen([...from, z_mm]), to: seen([...to, z_mm]) })));
   const drawn = projected(layers);

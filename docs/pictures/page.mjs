@@ -1,4 +1,4 @@
-// Pictures of the built page, and what it makes of the sample portrait.
+// Screenshots of the built page, and the sample portrait as edited by it.
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { asJpeg } from "../../tests/e2e/pictures.mjs";
@@ -9,7 +9,7 @@ import { cut, writeSheet } from "./sheet.mjs";
 
 const DESKTOP = { viewport: { width: 1440, height: 900 } };
 
-/** The portrait is enlarged, so that its face is as large as in a selfie; the head in it, px. */
+/** The size to which the portrait is enlarged, so that its face has the size of a selfie's, and the head in it; px. */
 const ENLARGED = { width: 2048, height: 1536 };
 const HEAD = { x: 460, y: 60, width: 840, height: 840 };
 
@@ -20,7 +20,7 @@ const EDITS = [
   ["Larger eyes, higher brows, fuller lips", { "eye-size": 2, "brow-height": 4, "lip-fullness": 2 }],
 ];
 
-/** The page in a state, in the theme that ends its name. @type {Record<string, (visitor: Visitor) => Promise<void>>} */
+/** Brings the page into a state; names end with the colour scheme, light by default. @type {Record<string, (visitor: Visitor) => Promise<void>>} */
 export const SCREENSHOTS = {
   "empty-light": async () => {},
   "edit-light": async (visitor) => {

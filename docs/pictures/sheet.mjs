@@ -2,20 +2,20 @@ import { PNG } from "pngjs";
 
 /**
  * @typedef {object} Cell
- * @property {Uint8Array | string} picture a PNG, or the source of an SVG
+ * @property {Uint8Array | string} picture PNG bytes or SVG source
  * @property {string} caption
- * @property {{ left: number, top: number }} [pointer] its place in shares of the picture's size
+ * @property {{ left: number, top: number }} [pointer] position as shares of the picture's size
  */
 
 const ARROW = '<path d="M1 1v18l5-4 3 7 4-2-3-7h6Z" />';
 
 /**
- * Puts pictures together in rows, each above its caption, as a JPEG.
+ * Writes a contact sheet of captioned pictures as a JPEG.
  *
  * @param {import("@playwright/test").Browser} browser
  * @param {string} file
  * @param {Cell[]} cells
- * @param {{ columns: number, width: number }} layout `width` of each picture at most, px
+ * @param {{ columns: number, width: number }} layout `width` is the maximum for each picture, px
  */
 export async function writeSheet(browser, file, cells, { columns, width }) {
   const page = await browser.newPage();
@@ -38,7 +38,7 @@ function figure({ picture, caption, pointer }) {
   return `<figure><div>${image}${arrow}</div><figcaption>${caption}</figcaption></figure>`;
 }
 
-/** A part of a picture, px. @param {Uint8Array} png @param {{ x: number, y: number, width: number, height: number }} box */
+/** Crops a PNG. @param {Uint8Array} png @param {{ x: number, y: number, width: number, height: number }} box */
 export function cut(png, { x, y, width, height }) {
   const part = new PNG({ width, height });
   PNG.bitblt(PNG.sync.read(Buffer.from(png)), part, x, y, width, height, 0, 0);
