@@ -16,6 +16,7 @@ import { Validator } from "./page/validator.js";
 import { setUpChoices } from "./panel/choices.js";
 import { EditOptions } from "./panel/edit-options.js";
 import { setUpExportPanel } from "./panel/export-panel.js";
+import { setUpExpert } from "./panel/expert.js";
 import { ExpressionPanel } from "./panel/expression-panel.js";
 import { FacePanel } from "./panel/face-panel.js";
 import { setUpHistoryPanel } from "./panel/history-panel.js";
@@ -67,6 +68,7 @@ const faceChoice = new FaceChoice((face) => opening.openFace(face), (face) => op
 const opened = (/** @type {number | undefined} */ extraction_ms) => paper?.forget(extraction_ms);
 const opening = new Opening({ host, overlay, faceChoice, vision, autosave, opened });
 
+host.then(setUpExpert);
 setUpTheme((theme) => host.then((there) => there?.act((studio) => studio.setTheme(theme))));
 setUpPhotoInput((file) => opening.openFile(file));
 setUpCamera((photo) => opening.openFile(photo, "selfie"));

@@ -1,6 +1,6 @@
 import { announce } from "../page/announce.js";
 import { byId } from "../page/dom.js";
-import { numberedLandmarkName, announceOnce, vertexCalled } from "../words/names.js";
+import { shownLandmarkName, announceOnce, vertexCalled } from "../words/names.js";
 import { onLocaleChange, isWord, t, formatNumber } from "../words/words.js";
 import { Slider } from "./slider.js";
 
@@ -130,8 +130,8 @@ export class LandmarkPanel {
   }
 
   #listNames() {
-    const options = this.#landmarkIds.map((id, number) => new Option("", numberedLandmarkName(id, number)));
-    byId("landmark-names", HTMLDataListElement).replaceChildren(...options);
+    const names = new Set(this.#landmarkIds.map((id, number) => shownLandmarkName(id, number)));
+    byId("landmark-names", HTMLDataListElement).replaceChildren(...[...names].map((name) => new Option("", name)));
   }
 
   /** @param {StudioState} state */

@@ -21,26 +21,42 @@ export function idName(kind, id) {
   return kind === "slider" ? plain.charAt(0).toUpperCase() + plain.slice(1) : plain;
 }
 
+/** Whether the names of points carry their numbers; only experts see them. */
+let areNumbered = false;
+
+/** @param {boolean} shown whether the names of points carry their numbers from now on */
+export function numberPoints(shown) {
+  areNumbered = shown;
+}
+
 /**
- * A landmark's name: anatomical, or the part of the face that it lies in with its number.
+ * A landmark's name: anatomical, or the part of the face that it lies in.
  *
  * @param {string} id such as "left-mouth-corner" or "left-cheek-425"
  */
 export function landmarkName(id) {
-  const numbered = /^(?<part>.*)-(?<number>\d+)$/.exec(id)?.groups;
-  return numbered ? `${idName("part", numbered["part"] ?? "")} ${numbered["number"]}` : idName("landmark", id);
+  const part = /^(?<part>.*)-\d+$/.exec(id)?.groups?.["part"];
+  return part === undefined ? idName("landmark", id) : idName("part", part);
 }
 
 /**
- * The same with its number in any case, such as "nose tip · 1".
+ * A landmark's name with its number, such as "nose tip · 1".
  *
  * @param {string} id
  * @param {number} number
  */
 export function numberedLandmarkName(id, number) {
-  const name = landmarkName(id);
-  const bare = name.endsWith(` ${number}`) ? name.slice(0, -` ${number}`.length) : name;
-  return `${bare} · ${number}`;
+  return `${landmarkName(id)} · ${number}`;
+}
+
+/**
+ * A landmark's name as it is displayed: with its number for experts.
+ *
+ * @param {string} id
+ * @param {number} number
+ */
+export function shownLandmarkName(id, number) {
+  return areNumbered ? numberedLandmarkName(id, number) : landmarkName(id);
 }
 
 /**
@@ -51,9 +67,9 @@ export function numberedLandmarkName(id, number) {
 export function targetName({ kind, id, number = 0, part }) {
   switch (kind) {
     case "landmark":
-      return numberedLandmarkName(id, number);
+      return shownLandmarkName(id, number);
     case "point": {
-      const name = t("target.point", { n: formatNumber(number, 0) });
+      const name = areNumbered ? t("target.point", { n: formatNumber(number, 0) }) : t("target.point.plain");
       return part === undefined ? name : `${name} ${idName("near", part)}`;
     }
     case "slider":

@@ -150,7 +150,8 @@ function tag() {
   return known.find(({ id }) => id === current)?.tag ?? current;
 }
 
-function tellAll() {
+/** Runs every listener of {@link onLocaleChange}, as after names have changed. */
+export function tellAll() {
   for (const listener of listeners) listener();
 }
 
