@@ -1,16 +1,17 @@
 import { execFileSync } from "node:child_process";
 
-/** An option or argument, indented by two or six blanks; what it is for is indented by ten. */
+/** An option or argument, indented by two to six spaces. */
 const NAMED = /^ {2,6}(?=[-<\w])(.*)$/;
+/** The explanation of an option, indented by ten spaces. */
 const EXPLAINED = /^ {10}(.*)$/;
 const SECTION = /^([^\s<].*?):$/;
-/** A possible value and what it means. */
+/** A possible value and its meaning. */
 const VALUE = /^- ([^:]+):\s*(.*)$/;
-/** An exit code, or a command of the program's list. */
+/** An exit code or a command, with its meaning. */
 const LISTED = /^ {2}(\S+) {2,}(.*)$/;
 
 /**
- * What the program says of itself as Markdown: its commands, and each one's help.
+ * The program's help as Markdown: the overview, then each command.
  *
  * @param {string} program
  */
@@ -18,12 +19,12 @@ export function commandLine(program) {
   const overview = helpOf(program, []);
   const commands = [...overview.matchAll(/^ {2}([a-z]+) {2,}/gm)].map(([, name]) => name ?? "");
   const each = commands.filter((name) => name !== "help").map((name) => `## rosto ${name}\n\n${helpAsMarkdown(helpOf(program, [name]))}`);
-  const intro = "What `rosto --help`, and `--help` after each command, say.";
-  return `# Command line\n\n${intro}\n\n${helpAsMarkdown(overview)}\n\n${each.join("\n\n")}\n`;
+  const intro = "Output of `rosto --help` and of `rosto COMMAND --help`.";
+  return `# Command line reference\n\n${intro}\n\n${helpAsMarkdown(overview)}\n\n${each.join("\n\n")}\n`;
 }
 
 /**
- * A program's help as Markdown: sections as headings, options as a list.
+ * A help text as Markdown: section titles in bold, options as a list.
  *
  * @param {string} help
  */
@@ -46,7 +47,7 @@ function lineAsMarkdown(line) {
   return [escaped(line.trim())];
 }
 
-/** @param {string} text within an option */
+/** A line of an option's explanation. @param {string} text */
 function explanation(text) {
   const [, value, meaning] = VALUE.exec(text) ?? [];
   if (value) return `  - \`${value}\` ${escaped(meaning ?? "")}`;

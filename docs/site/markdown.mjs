@@ -7,30 +7,30 @@ import maths from "markdown-it-math/temml";
 /**
  * @typedef {import("markdown-it").default} Reader
  * @typedef {ReturnType<Reader["parse"]>[number]} Token
- * @typedef {(address: string, kind: "link" | "picture") => string | undefined} Place where an address of the text lies on the
- *   site; nothing if it has no place there
+ * @typedef {(address: string, kind: "link" | "picture") => string | undefined} Resolve address on the site for an address in the
+ *   text; `undefined` if the site does not have it
  */
 
-/** Markdown as GitHub reads it: tables, addresses of headings, and equations between `$`, which become MathML. */
+/** A parser for GitHub's Markdown: tables, heading anchors, and equations between `$` as MathML. */
 export function reader() {
   const markdown = new MarkdownIt({ html: true });
-  // What is wide scrolls by itself, by keys too.
+  // Wide tables scroll on their own, also by keyboard.
   markdown.renderer.rules["table_open"] = () => '<div class="wide" tabindex="0" role="group" aria-label="table"><table>\n';
   markdown.renderer.rules["table_close"] = () => "</table></div>\n";
   return markdown.use(maths).use(anchors, { slugify: slug, tabIndex: false, uniqueSlugStartIndex: 1 });
 }
 
 /**
- * A text as HTML, its links and pictures at their places on the site. What has no place there is text, no link.
+ * Renders a text as HTML with the site's addresses. A link to something that the site does not have becomes plain text.
  *
  * @param {Reader} markdown
  * @param {string} text
- * @param {Place} place
+ * @param {Resolve} resolve
  */
-export function html(markdown, text, place) {
+export function html(markdown, text, resolve) {
   const tokens = markdown.parse(text, {});
-  for (const token of everyOf(tokens)) put(token, place);
-  for (const inline of tokens) withoutDeadLinks(inline.children ?? []);
+  for (const token of flattened(tokens)) resolveAddress(token, resolve);
+  for (const inline of tokens) removeDeadLinks(inline.children ?? []);
   return markdown.renderer.render(tokens, markdown.options, {});
 }
 
@@ -39,15 +39,15 @@ export function titleOf(text) {
   return (/^# (.+)$/m.exec(text)?.[1] ?? "").replaceAll("`", "");
 }
 
-/** Whether an address is one on the web. @param {string} address */
+/** Whether an address has a scheme, such as `https:`. @param {string} address */
 export function isElsewhere(address) {
   return /^[a-z][a-z0-9+.-]*:/i.test(address);
 }
 
 /**
- * An address in a text, from the repository's root, and the heading in it.
+ * Path from the repository's root, and heading, of an address in a text.
  *
- * @param {string} source the text's own, from the root
+ * @param {string} source path of the text from the root
  * @param {string} address
  */
 export function resolved(source, address) {
@@ -56,22 +56,22 @@ export function resolved(source, address) {
 }
 
 /** @param {Token[]} tokens @returns {Token[]} */
-function everyOf(tokens) {
-  return tokens.flatMap((token) => [token, ...everyOf(token.children ?? [])]);
+function flattened(tokens) {
+  return tokens.flatMap((token) => [token, ...flattened(token.children ?? [])]);
 }
 
-/** @param {Token} token @param {Place} place */
-function put(token, place) {
+/** @param {Token} token @param {Resolve} resolve */
+function resolveAddress(token, resolve) {
   if (token.type === "html_inline" || token.type === "html_block") {
-    token.content = token.content.replaceAll(/ src="([^"]*)"/g, (_, address) => ` src="${place(address, "picture")}"`);
+    token.content = token.content.replaceAll(/ src="([^"]*)"/g, (_, address) => ` src="${resolve(address, "picture")}"`);
   }
   const attribute = token.type === "link_open" ? "href" : "src";
   const address = token.type === "link_open" || token.type === "image" ? token.attrGet(attribute) : null;
-  if (address !== null) token.attrSet(attribute, place(address, token.type === "image" ? "picture" : "link") ?? "");
+  if (address !== null) token.attrSet(attribute, resolve(address, token.type === "image" ? "picture" : "link") ?? "");
 }
 
-/** @param {Token[]} tokens of one line */
-function withoutDeadLinks(tokens) {
+/** @param {Token[]} tokens inline tokens of one block */
+function removeDeadLinks(tokens) {
   /** @type {boolean[]} */
   const dead = [];
   for (const token of tokens) {

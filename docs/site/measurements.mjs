@@ -4,8 +4,8 @@
  * @typedef {{ task: string, what: string, size: string | null, peer: string, value: number, unit: string, samples: number, machine: string }} Record
  */
 
-/** Measurements as a Markdown section with one table. @param {Record[]} records */
-export function measured(records) {
+/** All records as a Markdown section with one table. @param {Record[]} records */
+export function measurementsAsMarkdown(records) {
   const own = new Map(records.filter(({ peer }) => peer === "rosto").map((record) => [subject(record), record.value]));
   const rows = records.map((record) => [
     subject(record),
@@ -14,7 +14,7 @@ export function measured(records) {
     `${(record.value / (own.get(subject(record)) ?? Number.NaN)).toFixed(2)} ×`,
     record.samples,
   ]);
-  const lines = [["measurement", "by", "median", "times Rosto’s", "samples"], ["---", "---", "---:", "---:", "---:"], ...rows];
+  const lines = [["measurement", "program", "median", "ratio to Rosto", "samples"], ["---", "---", "---:", "---:", "---:"], ...rows];
   return `\n## All figures\n\n${lines.map((cells) => `| ${cells.join(" | ")} |`).join("\n")}\n`;
 }
 

@@ -1,13 +1,12 @@
 /**
- * What the site has, in the order in which it is read. A page is made of a Markdown file of the repository, or of what a
- * program says of itself.
+ * The pages of the site, in reading order. A page comes from a Markdown file of the repository or from a generated reference.
  *
  * @typedef {object} Page
- * @property {string} name of the file, without its ending
- * @property {string} [title] in the list of pages, where the text's own heading is too long
- * @property {string} [source] the Markdown, from the repository's root
- * @property {string} [data] measurements to append as a table, from the repository's root
- * @property {"command-line" | "python"} [reference] what says it of itself instead
+ * @property {string} name file name without its extension
+ * @property {string} [title] short title for the list of pages; by default the name
+ * @property {string} [source] Markdown file, relative to the repository's root
+ * @property {string} [data] measurements to append as a table, relative to the repository's root
+ * @property {"command-line" | "python"} [reference] generator of the text, in place of `source`
  *
  * @typedef {{ title: string, pages: Page[] }} Group
  */
@@ -17,74 +16,78 @@ export const GROUPS = [
   {
     title: "Start",
     pages: [
-      { name: "index", title: "Start", source: "docs/start.md" },
-      doc("tutorial", "From selfie to print"),
+      { name: "index", title: "Choose a path", source: "docs/start.md" },
       { name: "readme", title: "Overview", source: "README.md" },
-      doc("features", "Features"),
     ],
   },
   {
-    title: "How it works",
+    title: "Make",
     pages: [
-      doc("maths", "The mathematics"),
-      doc("true-face", "A true face"),
-      doc("in-the-photo", "The edit in the photo"),
-      doc("several-photos", "Several photos"),
-      doc("texture", "Texture all round"),
-      doc("expressions", "Expressions"),
-      doc("following", "A face in a film"),
-      doc("mirror", "The mirror"),
-    ],
-  },
-  {
-    title: "To build on",
-    pages: [
-      doc("python", "Many photos, and Python"),
-      { name: "command-line", title: "Reference: command line", reference: "command-line" },
-      { name: "python-reference", title: "Reference: Python", reference: "python" },
+      doc("make", "Photo, print and AR"),
       doc("formats", "File formats"),
-      doc("embedding", "In a page of one’s own"),
-      doc("publishing", "Publishing the page"),
-      ...["laplacian", "mesh", "landmarks", "photo"].map(crate),
-      { name: "architecture", title: "Architecture", source: "ARCHITECTURE.md" },
-      { name: "contributing", title: "Contributing", source: "CONTRIBUTING.md" },
-    ],
-  },
-  {
-    title: "How well it works",
-    pages: [
-      doc("nothing-is-sent", "Nothing is sent"),
-      doc("robustness", "Which faces are found"),
-      doc("opens-elsewhere", "Opens elsewhere"),
+      doc("privacy", "Privacy"),
       doc("accessibility", "Accessibility"),
-      doc("torture", "Fuzzing"),
-      { ...doc("benchmarks", "Benchmarks"), data: "docs/benchmarks.json" },
     ],
   },
   {
-    title: "Besides",
+    title: "Embed and batch",
     pages: [
-      doc("decisions/0001-sparse-solver", "Decision 1: the solver"),
-      doc("decisions/0002-no-wasm-opt", "Decision 2: no wasm-opt"),
-      doc("decisions/0003-a-module-for-webgl", "Decision 3: WebGL2"),
-      doc("decisions/0004-own-icc-reader", "Decision 4: colour profiles"),
-      doc("decisions/0005-layers-of-our-own", "Decision 5: the networks’ layers"),
-      doc("decisions/0006-own-exif-reader", "Decision 6: EXIF"),
-      doc("citing", "How to cite"),
-      { name: "changelog", title: "Changes", source: "CHANGELOG.md" },
+      doc("embed", "Embed the element"),
+      doc("batch", "Process many photos"),
+      { name: "command-line", title: "Command line reference", reference: "command-line" },
+      { name: "python-reference", title: "Python reference", reference: "python" },
+      doc("publishing", "Publish the page"),
+    ],
+  },
+  {
+    title: "Understand",
+    pages: [
+      doc("maths", "Maths"),
+      doc("landmarks", "Landmarks"),
+      doc("shape", "Shape and size"),
+      doc("several-photos", "Several photos"),
+      doc("texture", "Texture"),
+      doc("expressions", "Expressions"),
+      doc("photo-edit", "Photo edit"),
+      doc("live-camera", "Live camera"),
+    ],
+  },
+  {
+    title: "Accuracy",
+    pages: [
+      doc("accuracy", "Accuracy and limits"),
+      { ...doc("benchmarks", "Benchmarks"), data: "docs/benchmarks.json" },
+      doc("citing", "Cite Rosto"),
+    ],
+  },
+  {
+    title: "Contribute",
+    pages: [
+      { name: "contributing", title: "Contributing", source: "CONTRIBUTING.md" },
+      doc("glossary", "Glossary"),
+      { name: "architecture", title: "Architecture", source: "ARCHITECTURE.md" },
+      ...["laplacian", "mesh", "landmarks", "photo"].map(crate),
+      doc("fuzzing", "Fuzzing"),
       { name: "security", title: "Security", source: "SECURITY.md" },
+      { name: "changelog", title: "Changelog", source: "CHANGELOG.md" },
+      doc("decisions/0001-sparse-solver", "Decision 1: sparse solver"),
+      doc("decisions/0002-no-wasm-opt", "Decision 2: wasm-opt"),
+      doc("decisions/0003-a-module-for-webgl", "Decision 3: WebGL2 module"),
+      doc("decisions/0004-own-icc-reader", "Decision 4: colour profiles"),
+      doc("decisions/0005-layers-of-our-own", "Decision 5: network layers"),
+      doc("decisions/0006-own-exif-reader", "Decision 6: EXIF reader"),
     ],
   },
 ];
 
 export const PAGES = GROUPS.flatMap(({ pages }) => pages);
 
-/** @param {string} path below docs/ @param {string} title */
+/** @param {string} path relative to docs/, without extension @param {string} title */
 function doc(path, title) {
   return { name: path.split("/").at(-1) ?? path, title, source: `docs/${path}.md` };
 }
 
 /** @param {string} name @returns {Page} */
 function crate(name) {
-  return { name: `crate-${name}`, title: `The crate ${name}`, source: `crates/${name}/README.md` };
+  return { name: `crate-${name}`, title: `Crate ${name}`, source: `crates/${name}/README.md` };
 }

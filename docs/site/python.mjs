@@ -2,9 +2,9 @@ import { execFileSync } from "node:child_process";
 import { join } from "node:path";
 
 /**
- * The Python package's own documentation as Markdown, read from its sources without running them.
+ * The Python package's signatures and docstrings as Markdown. The sources are parsed, not imported.
  *
- * @param {string} root the repository's
+ * @param {string} root of the repository
  */
 export function pythonReference(root) {
   const script = join(root, "docs/site/python_reference.py");

@@ -1,4 +1,4 @@
-"""A package's public names with their signatures and docstrings, as Markdown: python python_reference.py FOLDER"""
+"""Prints a package's public names with signatures and docstrings as Markdown: python python_reference.py FOLDER"""
 
 import ast
 import re
@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def markdown(doc: str | None) -> str:
-    """A docstring's marks as Markdown's."""
+    """Converts reStructuredText roles and literals in a docstring to Markdown."""
     plain = re.sub(r":\w+:`~?([^`]+)`", r"`\1`", doc or "")
     return plain.replace("``", "`")
 
@@ -35,10 +35,10 @@ def fields(each: ast.ClassDef) -> str:
 
 def of_class(each: ast.ClassDef) -> str:
     methods = [method for method in each.body if isinstance(method, ast.FunctionDef)]
-    made = [signature(method, each.name) for method in methods if method.name == "__init__"]
-    told = [method for method in methods if not method.name.startswith("_") and ast.get_docstring(method)]
-    public = [of_method(each.name, method) for method in told]
-    parts = [f"## rosto.{each.name}", *made, fields(each) + markdown(ast.get_docstring(each)), *public]
+    constructor = [signature(method, each.name) for method in methods if method.name == "__init__"]
+    documented = [method for method in methods if not method.name.startswith("_") and ast.get_docstring(method)]
+    public = [of_method(each.name, method) for method in documented]
+    parts = [f"## rosto.{each.name}", *constructor, fields(each) + markdown(ast.get_docstring(each)), *public]
     return "\n\n".join(parts)
 
 
@@ -62,7 +62,7 @@ def main(folder: Path) -> None:
             found.setdefault(node.targets[0].id, node)
     names = ast.literal_eval(next(node.value for node in package.body if isinstance(node, ast.Assign)))
     order = sorted(names, key=lambda name: (not isinstance(found[name], ast.FunctionDef), name))
-    print(f"# Python\n\n{markdown(ast.get_docstring(package))}\n")
+    print(f"# Python reference\n\n{markdown(ast.get_docstring(package))}\n")
     print("\n\n".join(of_name(name, found) for name in order))
 
 
