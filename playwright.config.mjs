@@ -10,7 +10,7 @@ export default defineConfig({
   timeout: 180_000,
   fullyParallel: true,
   workers: Math.min(2, availableParallelism()),
-  // Tests that pass only then are listed as flaky.
+  // Tests that pass on retry are reported as flaky.
   retries: 1,
   reporter: "list",
   expect: { timeout: 30_000 },
@@ -18,7 +18,7 @@ export default defineConfig({
   projects: [
     { name: "usual", testMatch: SPECS, grepInvert: /@rare/ },
     { name: "rare", testMatch: SPECS, grep: /@rare/ },
-    // Results depend on the machine's other load.
+    // Timings depend on other load.
     { name: "timed", testMatch: "*.timed.mjs", workers: 1, retries: 0 },
   ],
 });
