@@ -11,8 +11,8 @@ const PX_PER_CM = 50;
 /** The height at which the canonical face's origin is drawn. */
 const ORIGIN_Y = 434;
 const DOT_PX = 1.9;
-const FONT_PX = 9;
-const DIGIT = { width: 5.1, height: 6.8 };
+const FONT_PX = 11;
+const DIGIT = { width: 6.2, height: 8.2 };
 /** Distances between a dot and its number, px. */
 const GAPS_PX = [3, 5];
 const DIRECTIONS = 24;
