@@ -1,15 +1,15 @@
-// Rosto in headless Chrome, compared with MediaPipe's page and onnxruntime-web: node tests/bench/browser.mjs [ROUNDS]
+// Benchmarks Rosto, MediaPipe's Face Mesh and onnxruntime-web in headless Chrome: node tests/bench/browser.mjs [ROUNDS]
 //
-// Each measurement runs once in a fresh browser per round, the peers alternating and in turn first. Prints the medians of
-// all rounds, a JSON object a line. Needs the built page in dist/ and the networks alone in target/bench/, which
-// `cargo xtask bench browser` builds.
+// Runs each measurement once per round in a fresh browser, and reverses the order from round to round. Prints the
+// medians of all rounds, one JSON object per line. Needs the built page in dist/ and the networks module in
+// target/bench/; `cargo xtask bench browser` builds both.
 import path from "node:path";
 import { launch } from "../e2e/browser.mjs";
 import { serve } from "../e2e/server.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
-/** The exports of page.mjs. */
-const MEASUREMENTS = ["photosByRosto", "photosByMediaPipe", "networks", "film", "editing"];
+/** Exports of page.mjs. */
+const MEASUREMENTS = ["photosByRosto", "photosByMediaPipe", "networks", "video", "editing"];
 
 const rounds = Number(process.argv[2] ?? 10);
 /** @type {Map<string, number[]>} */

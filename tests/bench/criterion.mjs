@@ -1,4 +1,4 @@
-// Prints Criterion's medians, a JSON object a line: node tests/bench/criterion.mjs target/criterion
+// Prints Criterion's medians, one JSON object per line: node tests/bench/criterion.mjs target/criterion
 import { readFileSync, readdirSync } from "node:fs";
 import path from "node:path";
 

@@ -1,8 +1,7 @@
-"""How long a photo takes from its JPEG bytes to its landmarks where there are many: Rosto's Python package and MediaPipe's, in
-processes and in threads. Prints one JSON object a line; takes the sample portrait.
+"""Benchmarks batches of photos, JPEG bytes to landmarks, with Rosto's Python package and MediaPipe's: many.py PORTRAIT
 
-Each peer decodes as its own documentation does, and is asked for one face in one look (static image mode). Every worker has
-seen some photos before the clock starts.
+Measures processes and threads, and prints one JSON object per line. Each peer decodes as its documentation shows, and
+finds one face in one detector pass (static image mode). Workers process some photos before the measurement.
 """
 
 import io
@@ -47,7 +46,7 @@ def mediapipe_worker(refined):
 
 
 def share(make, refined, start, photos):
-    """Finds faces once all workers are ready; returns the start, the end, its CPU time and the faces."""
+    """Finds faces after all workers are ready; returns start, end and processor time in s, and the number of faces."""
     work = make(refined)
     work(photos[:WARM_UP])
     start.wait()
@@ -57,7 +56,7 @@ def share(make, refined, start, photos):
 
 
 def measure(make, refined, photos, workers, in_threads):
-    """Milliseconds a photo: by the clock, and of processors."""
+    """Wall-clock and processor time per photo, in ms."""
     spawning = multiprocessing.get_context("spawn")
     pool = ThreadPoolExecutor(workers) if in_threads else ProcessPoolExecutor(workers, spawning)
     with spawning.Manager() as manager, pool:
@@ -86,7 +85,7 @@ def report(what, refined, photos, workers, in_threads_too=False):
 
 
 def photos_of(portrait):
-    """JPEG files of the portrait, each turned, cut and lit differently."""
+    """Yields JPEG files of the portrait with random rotation, crop and brightness."""
     random = Random(0)
     for _ in range(PHOTOS):
         x, y, half = random.uniform(200, 240), random.uniform(150, 190), random.uniform(150, 210)

@@ -1,21 +1,21 @@
-// In the browser: the measurements of browser.mjs, each an export that resolves to records without samples.
+// Measurements that browser.mjs runs in the browser. Each export resolves to records without a sample count.
 import * as frames from "/tests/e2e/video-frames.mjs";
 
 const PHOTO = "/web/assets/sample.png";
 const MEDIAPIPE = "/node_modules/@mediapipe/face_mesh/";
 const ROSTO = "rosto";
 const FACE_MESH = "@mediapipe/face_mesh";
-/** Photos after the first. */
+/** Photos measured after the first. */
 const PHOTOS = 10;
 const RUNS = 40;
-/** Frames of a face at rest before those that count, and in which it turns and nears after them. */
+/** Frames of a face at rest before the measured ones, and frames in which it turns and approaches after them. */
 const [WARM_UP, TURNING] = [30, 60];
-/** A long afternoon's edits. */
+/** Length of the edit history. */
 const ENTRIES = 40;
-/** Browsers round their clocks: events between two readings. */
+/** Events per clock reading, because browsers round their clocks. */
 const EVENTS = 20;
 
-/** From a photo's bytes to its landmarks, in Rosto's worker module. */
+/** A photo's bytes to landmarks in Rosto's worker module. */
 export async function photosByRosto() {
   const photo = await bytes(PHOTO);
   const { ms: start_ms, value: vision } = await timed(async () => {
@@ -30,7 +30,7 @@ export async function photosByRosto() {
   });
 }
 
-/** The same in the published @mediapipe/face_mesh, which looks for the face only once and follows it from photo to photo. */
+/** The same with @mediapipe/face_mesh, which detects the face once and tracks it from photo to photo. */
 export async function photosByMediaPipe() {
   const photo = await (await fetch(PHOTO)).blob();
   const { ms: start_ms, value: find } = await timed(() => faceMesh({ maxNumFaces: 1 }));
@@ -49,26 +49,26 @@ async function photos(peer, start_ms, find) {
   const later_ms = await repeated(PHOTOS, find);
   const record = (what, value) => ({ task: "photo in Chrome", what, size: "512 px PNG", peer, unit: "ms", value });
   return [
-    record("program and networks loaded", start_ms),
+    record("load program and networks", start_ms),
     record("first photo to landmarks", first_ms),
     record("later photos to landmarks", median(later_ms)),
   ];
 }
 
-/** Both networks alone, turn by turn, in Rosto and in onnxruntime-web on one thread. */
+/** Both networks on their own, alternating between Rosto and onnxruntime-web, on one thread. */
 export async function networks() {
-  const files = { detector: await bytes("/web/assets/face_detector.onnx"), landmarks: await bytes("/web/assets/face_landmarks.onnx") };
-  const sides = { detector: 128, landmarks: 192 };
+  const files = { detector: await bytes("/web/assets/face_detector.onnx"), landmark: await bytes("/web/assets/face_landmarks.onnx") };
+  const sides = { detector: 128, landmark: 192 };
   const programs = { [ROSTO]: await networksOfRosto(files), "onnxruntime-web": await networksOfOnnxRuntime(files) };
   const record = (what, peer, value) => ({ task: "networks in Chrome", what, size: "1 thread", peer, unit: "ms", value });
-  const records = Object.entries(programs).map(([peer, { ready_ms }]) => record("both networks from file to ready", peer, ready_ms));
+  const records = Object.entries(programs).map(([peer, { ready_ms }]) => record("load both networks", peer, ready_ms));
   for (const [network, side] of Object.entries(sides)) {
     const picture = Float32Array.from({ length: 3 * side * side }, (_, i) => Math.sin(i / 97) / 2 + 0.5);
     const times = Object.fromEntries(Object.keys(programs).map((peer) => [peer, []]));
     for (let run = 0; run < 2 * RUNS; run += 1) {
       for (const [peer, { run: once }] of Object.entries(programs)) times[peer].push((await timed(() => once(network, picture, side))).ms);
     }
-    // In the first half the browser finds out what to optimise.
+    // The browser still optimises during the first half.
     for (const [peer, all_ms] of Object.entries(times)) records.push(record(`${network} network`, peer, median(all_ms.slice(RUNS))));
   }
   return records;
@@ -77,7 +77,7 @@ export async function networks() {
 async function networksOfRosto(files) {
   const { default: init, Networks } = await import("/target/bench/networks.js");
   await init();
-  const { ms: ready_ms, value: made } = await timed(() => new Networks(files.detector, files.landmarks));
+  const { ms: ready_ms, value: made } = await timed(() => new Networks(files.detector, files.landmark));
   return { ready_ms, run: (network, picture) => (network === "detector" ? made.detect(picture) : made.mesh(picture)) };
 }
 
@@ -86,10 +86,10 @@ async function networksOfOnnxRuntime(files) {
   ort.env.wasm.numThreads = 1;
   ort.env.wasm.wasmPaths = new URL("/node_modules/onnxruntime-web/dist/", location.href).href;
   const session = (network) => ort.InferenceSession.create(files[network]);
-  // The first session loads the program, which does not count for Rosto either.
+  // The first session loads the runtime, which is not measured for Rosto either.
   await session("detector");
   const { ms: ready_ms, value: sessions } = await timed(async () => {
-    return { detector: await session("detector"), landmarks: await session("landmarks") };
+    return { detector: await session("detector"), landmark: await session("landmark") };
   });
   const run = (network, picture, side) => {
     const [input] = sessions[network].inputNames;
@@ -98,8 +98,8 @@ async function networksOfOnnxRuntime(files) {
   return { ready_ms, run };
 }
 
-/** A face followed through the end-to-end tests' film, frame by frame in turn, on the same pixels and times. */
-export async function film() {
+/** Tracks a face through the video of the end-to-end tests; the peers alternate on the same frames and timestamps. */
+export async function video() {
   const portrait = await portraitPixels();
   const programs = { [ROSTO]: await followRosto(), [FACE_MESH]: await followMediaPipe() };
   const seen = Object.fromEntries(Object.keys(programs).map((peer) => [peer, []]));
@@ -113,7 +113,7 @@ export async function film() {
   return Object.entries(seen).flatMap(([peer, all]) => videoRecords(peer, all));
 }
 
-/** The tests' film, and the face turning and nearing after it. */
+/** Place of the face in a frame: the tests' video, then a face that turns and approaches. */
 function placeIn(number) {
   if (number < frames.FRAMES) return frames.placeIn(Math.max(0, number));
   const phase = (2 * Math.PI * (number - frames.FRAMES)) / TURNING;
@@ -163,7 +163,7 @@ function videoRecords(peer, all) {
     return (1000 / frames.FRAMES_PER_S) * (behind_px / frames.speedIn(number));
   });
   const times_ms = all.map(({ ms }) => ms).sort((a, b) => a - b);
-  const record = (what, unit, value) => ({ task: "film in Chrome", what, size: "640×480 px", peer, unit, value });
+  const record = (what, unit, value) => ({ task: "video in Chrome", what, size: "640×480 px", peer, unit, value });
   return [
     record("frame to 478 landmarks", "ms", median(times_ms)),
     record("frame to 478 landmarks, 95th percentile", "ms", times_ms[Math.floor(0.95 * times_ms.length)]),
@@ -172,11 +172,11 @@ function videoRecords(peer, all) {
   ];
 }
 
-/** On the page itself: its start, a photo, and slider ticks from the input event to the end of the last listener. */
+/** The page's start, a photo, and slider ticks from the input event to the end of the last listener. */
 export async function editing() {
   await until(() => document.querySelector("#language option"));
   const record = (what, size, value) => ({ task: "page in Chrome", what, size, peer: ROSTO, unit: "ms", value });
-  const records = [record("navigation to a page that answers", null, performance.now())];
+  const records = [record("navigation to a usable page", null, performance.now())];
   const transfer = new DataTransfer();
   transfer.items.add(new File([await (await fetch(PHOTO)).blob()], "portrait.png"));
   const { ms: face_ms } = await timed(async () => {
@@ -214,7 +214,7 @@ function set(control, value, event) {
   control.dispatchEvent(new Event(event, { bubbles: true }));
 }
 
-/** Finds the faces of a picture with MediaPipe's face mesh, loaded and ready. */
+/** Loads MediaPipe's Face Mesh; resolves to a function that returns the faces in a picture. */
 async function faceMesh(options) {
   await new Promise((loaded, failed) => {
     const script = document.createElement("script");
@@ -243,7 +243,7 @@ async function until(holds) {
   while (!holds()) await new Promise((next) => setTimeout(next, 5));
 }
 
-/** Times in ms of repeated work, each from the start of a frame. */
+/** Times in ms of repeated work. Each run starts at an animation frame. */
 async function repeated(times, work) {
   const all_ms = [];
   for (let time = 0; time < times; time += 1) {

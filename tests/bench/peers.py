@@ -1,15 +1,15 @@
-"""How long other solvers take, on one thread, for the matrices of `crates/laplacian/benches/edit.rs`.
+"""Benchmarks other solvers, on one thread, with the matrices of `crates/laplacian/benches/edit.rs`.
 
-Prints one JSON object a line: the median time in ms of
+Prints one JSON object per line, with the median time in ms of
 
-    edit from nothing   the paper's way: a dense pseudo-inverse for each of the three axes (468 vertices only)
-    factor              factorisation of N, analysis and ordering included
-    solve               one right-hand side with the factor kept
-    factor and solve    together, as a program without a kept factor does it
+    edit from nothing   the paper's method: a dense pseudo-inverse for each of the three axes (468 vertices only)
+    factor              factorisation of N, including symbolic analysis and ordering
+    solve               one right-hand side with a kept factor
+    factor and solve    both, as without a kept factor
 
-N = L_s^T L_s + I_a + I_b + I_e (the paper's normal equations) on the canonical face split four to one 0 to 4 times
-(468, 1 833, 7 257, 28 881, 115 233 vertices); a new vertex for each edge, in the order of the sorted edges, after the
-old ones. Anchors 10 and 152, handle 1. A peer that is not installed is left out with a note on standard error.
+N = L_s^T L_s + I_a + I_b + I_e (the paper's normal equations) on the canonical face, subdivided 0 to 4 times
+(468, 1833, 7257, 28 881, 115 233 vertices). New vertices follow the old ones, in the order of the sorted edges.
+Anchors 10 and 152, handle 1. Peers that are not installed are skipped with a note on standard error.
 """
 
 import json
@@ -34,7 +34,7 @@ FEWEST_RUNS, MOST_RUNS = 3, 200
 
 
 def split(vertex_count, triangles):
-    """Four triangles for each one; edge midpoints are numbered in the order of the sorted edges."""
+    """Splits each triangle into four. Edge midpoints are numbered in the order of the sorted edges."""
     sides = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
     edges, of_side = np.unique(sides, axis=0, return_inverse=True)
     ab, bc, ca = (vertex_count + of_side.reshape(-1, 3)).T
@@ -44,7 +44,7 @@ def split(vertex_count, triangles):
 
 
 def uniform_laplacian(vertex_count, triangles):
-    """L_s = D - Adj, eq. 4 of the paper."""
+    """Returns L_s = D - Adj (eq. 4 of the paper)."""
     sides = triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
     both = np.concatenate([sides, sides[:, ::-1]])
     adjacency = sparse.csr_matrix((np.ones(len(both)), both.T), shape=(vertex_count, vertex_count))
@@ -59,7 +59,7 @@ def normal_matrix(laplacian):
 
 
 def median_ms(action):
-    """Median of as many runs as fit the budget, after one that is not counted."""
+    """Returns the median time in ms and the number of runs that fit the time budget, after one warm-up run."""
     action()
     times, until = [], time.perf_counter() + BUDGET_S
     while len(times) < FEWEST_RUNS or (time.perf_counter() < until and len(times) < MOST_RUNS):
@@ -76,7 +76,7 @@ def report(what, peer, vertices, action):
 
 
 def pseudo_inverse_edit(laplacian, positions):
-    """Algorithm 2 of the paper, to the letter: `find_vector` inverts the matrix anew for every axis."""
+    """Algorithm 2 of the paper: `find_vector` inverts the matrix once per axis."""
     n = laplacian.shape[0]
     rows = np.zeros((3, n))
     rows[[0, 1, 2], [*ANCHORS, HANDLE]] = 1.0
@@ -140,7 +140,7 @@ def main():
             try:
                 bench_peer(name, load(), matrix)
             except (ImportError, ArithmeticError) as reason:
-                print(f"{name} left out: {reason}", file=sys.stderr)
+                print(f"{name} skipped: {reason}", file=sys.stderr)
 
 
 if __name__ == "__main__":

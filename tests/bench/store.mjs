@@ -1,5 +1,6 @@
-// Stores measurements in docs/benchmarks.json, in place of the same peers' earlier ones of the same tasks:
-// node tests/bench/store.mjs LINES
+// Stores measurements in docs/benchmarks.json: node tests/bench/store.mjs LINES
+//
+// Replaces the records of the same tasks and peers. `node docs/figures.mjs` then updates the documentation.
 import { readFileSync, writeFileSync } from "node:fs";
 import { cpus } from "node:os";
 

@@ -1,15 +1,15 @@
-"""What libigl and SciPy answer to the questions the editing engine is tested with.
+"""Computes the golden numbers of the editing engine with libigl and NumPy: tests/golden/engine.json.
 
-Run with the packages of requirements-engine.txt; writes ../golden/engine.json. Three meshes: the canonical face, and two
-that are no faces, a closed sphere and an open, bumpy sheet. For each of them
+Run with the packages of requirements-engine.txt. There are three meshes: the canonical face, a closed sphere and an
+open, bumpy sheet. Fields per mesh:
 
 - `cotangent`: libigl's cotangent matrix (negative semi-definite, half-cotangents) as [row, column, value], lower half,
 - `biharmonic`: the field that minimises |L g|^2 with g = 1 on `handle` and 0 on `anchors` (no mass matrix),
 - `geodesic`: exact polyhedral distances from `handle`,
 - `harmonic`: the same for the form g^T L g,
-- `arap`: libigl's as-rigid-as-possible deformation (spokes and rims, unclamped cotangents) after 500 iterations, with the
-  handle moved by `offset` and the anchors held,
-- `paper`: the paper's edit of `handle` by `offset` with the first two anchors: numpy.linalg.pinv once for each axis.
+- `arap`: libigl's as-rigid-as-possible deformation (spokes and rims, unclamped cotangents) after 500 iterations, with
+  the handle moved by `offset` and the anchors fixed,
+- `paper`: the paper's edit of `handle` by `offset` with the first two anchors, by `numpy.linalg.pinv` once per axis.
 """
 
 import json
@@ -23,7 +23,7 @@ GOLDEN = Path(__file__).resolve().parent.parent / "golden"
 
 
 def sphere(levels=2):
-    """A unit octahedron, split four to one `levels` times and pushed out to the sphere, then squeezed so that no axis is like another."""
+    """A subdivided octahedron on the unit sphere, then scaled so that the axes differ."""
     vertices = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], dtype=float)
     triangles = np.array([[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]], dtype=np.int64)
     for _ in range(levels):
@@ -33,7 +33,7 @@ def sphere(levels=2):
 
 
 def sheet(side=12):
-    """A square height field over a grid of side x side vertices, open at its rim."""
+    """A square height field with side x side vertices and an open boundary."""
     u, v = np.meshgrid(np.linspace(0, 1, side), np.linspace(0, 1, side), indexing="ij")
     height = 0.12 * np.sin(5 * u + 1) * np.cos(4 * v)
     vertices = np.stack([u, v, height], axis=-1).reshape(-1, 3)
@@ -51,7 +51,7 @@ def polyharmonic(form, handle, anchors):
 
 
 def paper_edit(vertices, triangles, handle, anchors, offset):
-    """Equation 7 of the paper with L_s = D - Adj."""
+    """Equation 7 of the paper, with L_s = D - Adj."""
     adjacency = igl.adjacency_matrix(triangles).toarray()
     laplacian = np.diag(adjacency.sum(axis=1)) - adjacency
     held = np.eye(len(vertices))[[*anchors, handle]]
@@ -101,7 +101,7 @@ def main():
         answers("sphere", *sphere(), 0, [1, 3], [0.4, 0.3, 0.0]),
         answers("sheet", *sheet(), 66, [0, 11, 132, 143], [0.05, 0.0, 0.3]),
     ]
-    # Thirteen significant digits: more than any tolerance needs, and a third of the bytes saved.
+    # Thirteen significant digits exceed the tolerances of the tests and save a third of the bytes.
     meshes = json.loads(json.dumps(meshes), parse_float=lambda number: float(f"{float(number):.13g}"))
     (GOLDEN / "engine.json").write_text(json.dumps({"meshes": meshes}, separators=(",", ":")) + "\n")
 

@@ -1,4 +1,4 @@
-"""Draws the pictures of tests/e2e/pictures, in a format that browsers decode and the page's own module does not.
+"""Draws the AVIF pictures of tests/e2e/pictures, which the browser decodes and the page's module does not.
 
 Made with Pillow 13.0.0: pip install pillow==13.0.0; python foreign_pictures.py
 """
@@ -9,13 +9,13 @@ from PIL import Image, ImageDraw, ImageFilter
 
 FOLDER = Path(__file__).parents[1] / "e2e" / "pictures"
 SIZE_PX = (160, 200)
-# Edges are smooth in a picture drawn larger.
+# Antialiasing: the picture is drawn larger and scaled down.
 OVERSAMPLING = 4
 SKIN, SHADE, HAIR, LIPS, WHITE, BLACK = "#e0ac8c", "#cd9678", "#3c281e", "#b45050", "#f5f0eb", "#0a0a0a"
 
 
 def drawn_face():
-    """A face that is drawn, upright; of nobody."""
+    """An upright, invented face."""
     picture = Image.new("RGB", [OVERSAMPLING * side for side in SIZE_PX], "#96aabe")
     draw = ImageDraw.Draw(picture)
 

@@ -1,10 +1,9 @@
-"""Packs small JPEG files of all sampling factors and orders of scans with the pixels that libjpeg makes of them.
+"""Writes crates/photo/tests/fixtures: small JPEG files with many sampling factors and scan orders.
 
-Writes the files of the tests on damage, too: an upright picture in the three usual kinds of files.
-
-Made with cjpeg and djpeg of libjpeg-turbo 2.1.5 (Debian's libjpeg-turbo-progs); writes
-crates/photo/tests/fixtures. Each packed entry: a byte with the length of its name, the name, four big-endian bytes
-with the length of the file, the file, and four with the CRC-32 of its RGB pixels.
+Uses cjpeg and djpeg of libjpeg-turbo 2.1.5 (Debian's libjpeg-turbo-progs). Each entry of libjpeg.bin consists of a byte
+with the length of the name, the name, the length of the file (u32, big-endian), the file, and the CRC-32 of the RGB
+pixels that djpeg decodes (u32, big-endian). Also writes the files of the damage tests: one upright picture as baseline
+JPEG, as progressive JPEG, and with restart intervals.
 """
 
 import itertools
@@ -18,7 +17,7 @@ from pathlib import Path
 
 FIXTURES = Path(__file__).parents[2] / "crates/photo/tests/fixtures"
 SIZES_PX = [(1, 1), (17, 31), (33, 9), (2, 17), (7, 40), (40, 3), (16, 16), (9, 8)]
-# Components, and of a progressive picture the coefficients, the bits that were and are left out.
+# Scan scripts of cjpeg: components; for progressive files also Ss-Se, Ah, Al.
 ONE_EACH = "0; 1; 2;"
 PROGRESSIVE_ONE_EACH = (
     "0: 0-0, 0, 0; 1: 0-0, 0, 0; 2: 0-0, 0, 0; 2: 1-63, 0, 0; 0: 1-5, 0, 2; 0: 6-63, 0, 2; 0: 1-63, 2, 1;"
@@ -51,7 +50,7 @@ def picture(width, height):
 
 
 def encoded(size_px, sampling, scans, options):
-    """The file, or nothing where a coded unit would have more than ten blocks."""
+    """Returns the JPEG file, or b"" if an MCU would have more than ten blocks."""
     with tempfile.NamedTemporaryFile("w", suffix=".txt") as file:
         file.write(scans or "")
         file.flush()

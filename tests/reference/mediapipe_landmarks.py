@@ -1,14 +1,14 @@
-"""MediaPipe's own answers for the test pictures: tests/golden/landmarks.json, and with lips, eyes and irises refined
-(refine_landmarks=True) tests/golden/refined_landmarks.json.
+"""Writes MediaPipe's landmarks of the test pictures to tests/golden/landmarks.json, and with refine_landmarks=True
+(lips, eyes and irises) to tests/golden/refined_landmarks.json.
 
     cargo run -p rosto-landmarks --example write_test_pictures -- target/test-pictures
     python3 -m venv target/mediapipe
     target/mediapipe/bin/pip install -r tests/reference/mediapipe_requirements.txt
     target/mediapipe/bin/python tests/reference/mediapipe_landmarks.py target/test-pictures
 
-Each picture is called NAME.FACES.png, FACES being how many faces are asked for. Written for each: its size and, for
-each face, 468 (refined: 478) × (x, y, z) in thousandths of a pixel: x and z in units of the picture's width, y of its
-height.
+Pictures are named NAME.FACES.png, where FACES is MediaPipe's max_num_faces. Each result has the size of the picture
+and, per face, 468 (refined: 478) × (x, y, z) in thousandths of a pixel. MediaPipe's x and z are scaled by the width,
+y by the height.
 """
 
 import json
@@ -32,10 +32,10 @@ def main(pictures: pathlib.Path) -> None:
 
 
 def look(path: pathlib.Path, max_faces: int, refined: bool = False) -> tuple:
-    """Width, height, and the landmarks of each face as rows of x, y, z in px."""
+    """Returns width, height, and the landmarks of each face as rows of x, y, z in px."""
     picture = cv2.cvtColor(cv2.imread(str(path)), cv2.COLOR_BGR2RGB)
     height, width, _ = picture.shape
-    # A new graph for each picture: nothing may be remembered from the one before.
+    # A new graph per picture, because a graph keeps state between pictures.
     options = {"static_image_mode": True, "max_num_faces": max_faces, "refine_landmarks": refined}
     with mediapipe.solutions.face_mesh.FaceMesh(**options) as face_mesh:
         found = face_mesh.process(picture).multi_face_landmarks or []
@@ -44,7 +44,7 @@ def look(path: pathlib.Path, max_faces: int, refined: bool = False) -> tuple:
 
 
 def write(file: str, answers: dict) -> None:
-    """Writes a golden file with a line for each picture."""
+    """Writes a golden file with one line per picture."""
     lines = (f"{json.dumps(name)}: {json.dumps(answer, separators=(',', ':'))}" for name, answer in answers.items())
     (pathlib.Path(__file__).parents[1] / "golden" / file).write_text("{\n" + ",\n".join(lines) + "\n}\n")
 

@@ -1,11 +1,11 @@
-"""MediaPipe's answers for the pictures of docs/detection.md, as tests/golden/robustness.json.
+"""Writes MediaPipe's results for the detection pictures of docs/accuracy.md to tests/golden/robustness.json.
 
     cargo run -p rosto-landmarks --example write_robustness_pictures -- target/robustness-pictures
     target/mediapipe/bin/python tests/reference/mediapipe_robustness.py target/robustness-pictures
 
-Beside the pictures, truth.json has for each face of each picture its scale and where its landmarks are, in px. Written
-for each picture: for each face that MediaPipe finds, which face that is (by the least error) and the error in
-thousandths of the distance between the eyes: the mean over the landmarks that should lie inside the picture.
+The folder also contains truth.json: the scale and the landmarks in px of each face of each picture. The result has,
+per picture and face found, the index of the true face with the smallest error and that error: the mean distance of the
+landmarks inside the picture, in thousandths of the distance between the eyes.
 """
 
 import json

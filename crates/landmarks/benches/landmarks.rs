@@ -1,4 +1,4 @@
-//! A photo's bytes to its landmarks, on one thread.
+//! Benchmarks from a photo's bytes to its landmarks, on one thread.
 #![allow(clippy::unwrap_used, reason = "a benchmark fails by panicking")]
 #![allow(missing_docs, reason = "Criterion's macros make public functions")]
 
@@ -15,7 +15,7 @@ fn landmarks(criterion: &mut Criterion) {
     group.bench_function("load networks", |bencher| bencher.iter(made));
     for (what, options) in [
         ("photo to landmarks", FindOptions { max_faces: 1, ..FindOptions::default() }),
-        ("photo to landmarks, one look and one pass", FindOptions::mediapipe()),
+        ("photo to landmarks, one detector and one landmark pass", FindOptions::mediapipe()),
     ] {
         let find = || finder.find(&decode(&photo, &Limits::default()).unwrap(), &options).unwrap();
         assert_eq!(find().len(), 1);

@@ -1,7 +1,8 @@
 //! `cargo run --release -p rosto-landmarks --example robustness [-- FAMILY…]`
 //!
-//! Prints the figures of docs/detection.md, a JSON object per family of pictures whose faces are known: those that this crate
-//! finds, and those that MediaPipe finds by `tests/golden/robustness.json`. Errors are shares of the distance between the eyes.
+//! Prints the detection figures of `docs/accuracy.json`: one JSON object per family of test pictures, with the faces
+//! found by this crate and by MediaPipe (`tests/golden/robustness.json`). Errors are fractions of the distance between
+//! the eyes. Then prints the spread of the landmarks between variants of one photo, in px.
 
 #[path = "../tests/support/mod.rs"]
 mod support;
@@ -17,7 +18,7 @@ use support::scenes::{self, Model, families};
 const GOLDEN: &str = include_str!("../../../tests/golden/robustness.json");
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let finder = support::attentive_finder();
+    let finder = support::attention_finder();
     let model = Model::new(&finder, &support::assets::portrait());
     let golden: Value = serde_json::from_str(GOLDEN)?;
     let wanted: Vec<String> = std::env::args().skip(1).collect();
@@ -69,7 +70,7 @@ fn summary(verdicts: &[Verdict]) -> Value {
     })
 }
 
-/// Distance of the landmarks of variants of one face from those of the face itself, at 62 px between the eyes.
+/// Distance in px between the landmarks of variants and those of the original, at 62 px between the eyes.
 fn spread(passes: &str, options: &FindOptions, finder: &FaceFinder, model: &Model) -> Result<Value, Box<dyn Error>> {
     let first = |photo: &Photo| -> Result<Vec<[f64; 2]>, Box<dyn Error>> {
         Ok(scenes::landmarks_px(finder.find(photo, options)?.first().ok_or("no face")?, photo))
@@ -77,7 +78,7 @@ fn spread(passes: &str, options: &FindOptions, finder: &FaceFinder, model: &Mode
     let upright = first(&model.portrait)?;
     let mut distances_px = Vec::new();
     for scene in families::variants() {
-        let truth = model.carried(&upright, &scene.faces[0]);
+        let truth = model.placed_landmarks_px(&upright, &scene.faces[0]);
         let share = scenes::error(&first(&scene.picture(model))?, &truth, &scene.faces[0], scene.size_px);
         distances_px.push(share * scenes::EYE_DISTANCE_PX);
     }

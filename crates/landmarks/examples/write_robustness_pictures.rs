@@ -1,7 +1,7 @@
 //! `cargo run -p rosto-landmarks --example write_robustness_pictures -- FOLDER`
 //!
-//! Writes the pictures of docs/detection.md as PNG, and where their faces are as `truth.json`, for
-//! `tests/reference/mediapipe_robustness.py` to look at.
+//! Writes the detection pictures of `docs/accuracy.md` as PNG files and their true landmarks as `truth.json`, the input
+//! of `tests/reference/mediapipe_robustness.py`.
 
 #[path = "../tests/support/mod.rs"]
 mod support;
@@ -28,6 +28,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn placed_scale(placed: &support::scenes::Placed) -> f64 {
+fn placed_scale(placed: &support::scenes::Placement) -> f64 {
     placed.scale
 }

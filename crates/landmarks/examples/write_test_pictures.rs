@@ -1,6 +1,6 @@
 //! `cargo run -p rosto-landmarks --example write_test_pictures -- FOLDER`
 //!
-//! Writes the pictures of the golden landmarks as PNG, for `tests/reference/mediapipe_landmarks.py` to look at.
+//! Writes the pictures of the golden landmarks as PNG files, the input of `tests/reference/mediapipe_landmarks.py`.
 
 #[path = "../tests/support/mod.rs"]
 mod support;

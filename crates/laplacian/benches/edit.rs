@@ -42,7 +42,7 @@ fn edits(criterion: &mut Criterion) {
         let ready = system();
         let response = ready.respond(&constraints()).unwrap();
         let mut edited = rest.clone();
-        group.bench_function(id("edit with the factor at hand"), |bencher| {
+        group.bench_function(id("edit with a kept factor"), |bencher| {
             bencher.iter(|| ready.respond(&constraints()).unwrap().displace(&rest, &[OFFSET], black_box(&mut edited)));
         });
         group.bench_function(id("slider tick"), |bencher| {

@@ -1,7 +1,7 @@
-//! A photo of 12 megapixels that follows the edits of its face, and the whole texture of that face, on one thread.
+//! Benchmarks of photo edits at 12 megapixels and of the complete texture of a face, on one thread.
 //!
-//! The face is MediaPipe's of the sample portrait, half as wide as the photo, so that nearly all of it moves; the photo's
-//! content does not matter.
+//! The landmarks are MediaPipe's of the sample portrait, scaled to half the photo's width, so that the edit moves most
+//! of the photo. The pixels are synthetic.
 #![allow(clippy::unwrap_used, reason = "a benchmark fails by panicking")]
 #![allow(missing_docs, reason = "Criterion's macros make public functions")]
 
@@ -15,7 +15,7 @@ use rosto_warp::drawn;
 use serde_json::Value;
 
 const SIDE_PX: u32 = 3464;
-/// Of the face in the portrait and in the photo, and its enlargement there.
+/// Centre of the face in the portrait and in the photo, normalised, and its scale in the photo.
 const MIDDLE: [f32; 3] = [0.43, 0.24, 0.0];
 const PLACE: [f32; 3] = [0.5, 0.5, 0.0];
 const LARGER: f32 = 2.7;
@@ -24,7 +24,7 @@ fn in_the_photo(criterion: &mut Criterion) {
     let photo = photo();
     let face = face(&photo);
     let camera = face.camera();
-    let mut group = criterion.benchmark_group("in the photo");
+    let mut group = criterion.benchmark_group("photo edit");
     group.sample_size(10);
     for density in [0, 3] {
         let document = document(&face, density);
@@ -32,8 +32,8 @@ fn in_the_photo(criterion: &mut Criterion) {
         let id = |what: &str| BenchmarkId::new(what, &size);
         let made = || InPhoto::new(&face, &document, DEFAULT_FALLOFF_BAND, &[]).unwrap();
         let mut in_photo = made();
-        group.bench_function(id("ready to follow"), |bencher| bencher.iter(made));
-        for (what, share) in [("slider tick", 1.0), ("slider tick, limited against folds", 4.0)] {
+        group.bench_function(id("prepare"), |bencher| bencher.iter(made));
+        for (what, share) in [("slider tick", 1.0), ("slider tick that prevents folds", 4.0)] {
             let moved = |(rest, now): (&DVec3, &DVec3)| rest.lerp(*now, share);
             let now_m: Vec<DVec3> = rest_m.iter().zip(document.positions()).map(moved).collect();
             group.bench_function(id(what), |bencher| {
@@ -41,7 +41,7 @@ fn in_the_photo(criterion: &mut Criterion) {
             });
         }
         in_photo.follow(rest_m, document.positions(), camera, camera);
-        group.bench_function(id("drawn for its file"), |bencher| bencher.iter(|| drawn(&photo, in_photo.warp_mesh())));
+        group.bench_function(id("render at full size"), |bencher| bencher.iter(|| drawn(&photo, in_photo.warp_mesh())));
     }
 }
 
@@ -50,12 +50,12 @@ fn texture(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("texture");
     group.sample_size(10);
     for side_px in [1024, 2048, 4096] {
-        let id = BenchmarkId::new("whole texture of one photo", format!("{side_px} px"));
+        let id = BenchmarkId::new("complete texture from one photo", format!("{side_px} px"));
         group.bench_function(id, |bencher| bencher.iter(|| whole_texture(&face, side_px).unwrap()));
     }
 }
 
-/// Slopes and waves.
+/// Gradients and waves.
 fn photo() -> Photo {
     let pixel = |i: u32| [i % SIDE_PX / 16, i / SIDE_PX / 16, (i % SIDE_PX) ^ (i / SIDE_PX)].map(|value| value as u8);
     Photo::from_rgb(SIDE_PX, SIDE_PX, (0..SIDE_PX * SIDE_PX).flat_map(pixel).collect()).unwrap()
@@ -73,7 +73,7 @@ fn face(photo: &Photo) -> FaceModel {
     FaceModel::new(input, Triangulation::Canonical).unwrap()
 }
 
-/// A narrower jaw and a wider nose, which fold nothing.
+/// Narrows the jaw and widens the nose, without folds.
 fn document(face: &FaceModel, density: u32) -> Document {
     let mut document = Document::new(Rest::of_face(face)).unwrap();
     document.set_density(density).unwrap();
