@@ -92,7 +92,7 @@ async function edit(visitor) {
  */
 async function paint(visitor, name) {
   await edit(visitor);
-  await visitor.unfold("section-view");
+  await visitor.reach(`#shading [value="${name}"]`);
   await visitor.page.check(`input[name="shading"][value="${name}"]`, { force: true });
 }
 
@@ -118,7 +118,7 @@ async function paper(visitor) {
 /** @param {Visitor} visitor */
 async function clay(visitor) {
   await visitor.dropSample();
-  await visitor.unfold("section-view");
+  await visitor.reach("#density");
   await visitor.page.selectOption("#density", "3");
   await visitor.page.check("input[name='shading'][value='clay']", { force: true });
   await visitor.page.focus("#viewport");

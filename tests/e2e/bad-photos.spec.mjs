@@ -12,7 +12,7 @@ test("other files get an error, doubtful faces a remark, and the page still work
   const jpeg = await asJpeg(page, await readFile(SAMPLE));
   const photos = [
     { bytes: faceless(), name: "sky.png", code: "no-face-found", says: /No face found/ },
-    { bytes: text(), name: "diary.jpg", code: "not-a-picture", says: /not a picture/ },
+    { bytes: text(), name: "diary.jpg", code: "not-a-picture", says: /isn’t a picture/ },
     { bytes: jpeg.subarray(0, jpeg.length / 2), name: "half.jpg", code: "damaged-picture", says: /damaged or incomplete/ },
     { bytes: heic(), name: "IMG_0001.HEIC", code: "unsupported-format", says: /Most Compatible/ },
     { bytes: enormousPng(), name: "map.png", code: "too-many-pixels", says: /too many pixels/ },

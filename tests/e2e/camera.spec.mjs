@@ -28,7 +28,7 @@ for (const [[presses, press], tag] of alike([
 test("the dialog is there while the browser asks, and a camera allowed after it was closed is stopped at once", { tag: ["@camera", "@rare"] }, async ({ visitor, page }) => {
   await page.evaluate(() => (window.cameraWaits = true));
   await page.click("#welcome [data-action='camera']");
-  assert.match(await page.innerText("#camera-status"), /Allow the camera/);
+  assert.match(await page.innerText("#camera-status"), /allow the camera/);
   assert.ok(await page.isDisabled("#camera-shutter"));
   await leaveCamera(page);
   await page.evaluate(() => window.allowCamera());

@@ -1,6 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "./fixtures.mjs";
 
+test.use({ visit: { expert: true } });
+
 test("a landmark without anything to hold the face, another density, and the page goes on", async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   await editor.unfold("section-advanced");

@@ -5,6 +5,8 @@ import { assertSameShape, DENSEST, furthest, LANDMARKS, way } from "./meshes.mjs
 import { difference } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
+test.use({ visit: { expert: true } });
+
 /** Has any of a mesh's points to be taken. @param {import("./visitor.mjs").Visitor} visitor @param {number} density */
 async function choosePoints(visitor, density) {
   const { page } = visitor;

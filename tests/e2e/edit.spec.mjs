@@ -6,6 +6,8 @@ import { difference } from "./pixels.mjs";
 import { assertPortraitColours } from "./portrait-colours.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
+test.use({ visit: { expert: true } });
+
 test("a dropped portrait becomes a mesh in its own colours, a point of which is picked by a click", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await assertPortraitColours(await visitor.view());

@@ -136,7 +136,7 @@ test("two elements share a page and its worker, under a strict policy, and give 
 test("where nothing can be drawn in 3D the element shows the photo and says so", { tag: "@no-gpu" }, async ({ arrive }) => {
   const visitor = await arrive();
   assert.equal((await visitor.until("rosto-error")).code, "no-webgl");
-  assert.match(await visitor.notice(), /cannot draw in 3D here\. Switch on/);
+  assert.match(await visitor.notice(), /can’t show 3D here\. Turn on/);
   assert.ok(await visitor.page.isVisible("rosto-studio img"));
 });
 

@@ -9,6 +9,8 @@ import { AS_THE_PAGE, openAsCommandLine, storedFiles } from "./same-face.mjs";
 import { validateGlb } from "./validate-glb.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
+test.use({ visit: { expert: true } });
+
 /** Vertices at each density, and triangles of the filled face. */
 const DENSITIES = [[468, 898], [1833, 3592], [7257, 14368], [28881, 57472]];
 
@@ -51,12 +53,12 @@ test("the panel says what the GLB holds, is called and weighs, and its verdict, 
   await editor.move("nose tip", "z", 5);
   await editor.unfold("section-export");
   const facts = async () => (await page.innerText("#export-facts")).split(/\s*\n\s*/).filter(Boolean);
-  assert.deepEqual(await facts(), ["portrait.glb", "GLB: 7,257 points, 14,368 triangles, a picture of 1024 × 1024 px."]);
+  assert.deepEqual(await facts(), ["portrait.glb", "GLB: 7,257 points, 14,368 triangles, a texture of 1024 × 1024 px."]);
   await page.selectOption("#texture-size", "1024");
   await page.selectOption("#export-density", "1");
-  assert.deepEqual(await facts(), ["portrait-1833.glb", "GLB: 1,833 points, 3,592 triangles, a picture of 1024 × 1024 px."]);
+  assert.deepEqual(await facts(), ["portrait-1833.glb", "GLB: 1,833 points, 3,592 triangles, a texture of 1024 × 1024 px."]);
   await page.check("input[name='base-colour'][value='photo']", { force: true });
-  assert.match((await facts())[1], /a picture of 1024 px at most\.$/);
+  assert.match((await facts())[1], /a texture of up to 1024 px\.$/);
   await page.check("input[name='base-colour'][value='colours']", { force: true });
   await page.check("#export-unlit");
   await page.check("#export-morphs");
@@ -72,9 +74,9 @@ test("the panel says what the GLB holds, is called and weighs, and its verdict, 
   const { json, bytes } = await downloadedGlb(editor);
   const [{ attributes, indices }] = json.meshes[0].primitives;
   const [points, triangles] = [json.accessors[attributes.POSITION].count, json.accessors[indices].count / 3].map((count) => count.toLocaleString("en-GB"));
-  assert.deepEqual(await facts(), ["portrait-1833.glb", `${Math.round(bytes / 1000)} KB`, `GLB: ${points} points, ${triangles} triangles, colours and no picture.`]);
+  assert.deepEqual(await facts(), ["portrait-1833.glb", `${Math.round(bytes / 1000)} KB`, `GLB: ${points} points, ${triangles} triangles, point colours, no texture.`]);
   await editor.speak("pt");
-  assert.match((await facts()).at(-1), /^GLB: [\d.]+ pontos, [\d.]+ triângulos, cores e nenhuma imagem\.$/);
+  assert.match((await facts()).at(-1), /^GLB: [\d.]+ pontos, [\d.]+ triângulos, cores nos pontos, sem textura\.$/);
   await editor.slide("nose-width", 2);
   await editor.unfold("section-export");
   assert.ok(await page.isHidden("#verdict"), "the verdict is of another file");
@@ -103,11 +105,11 @@ test("a body that cannot be printed is refused with what would do", { tag: "@rar
   page.on("download", () => (downloads += 1));
   const refusal = page.locator("#print-refused");
   await page.fill("#solid-mm", "0.1");
-  await expect(refusal).toHaveText("From 0.4 to 50 mm, please.");
+  await expect(refusal).toHaveText("Enter a value from 0.4 to 50 mm.");
   await page.click("[data-action='download-stl']");
   await page.evaluate(refuseWalls, { most_mm: 11.38 });
   await page.fill("#solid-mm", "12");
-  await expect(refusal).toHaveText("A wall so thick would go through itself: 11.3 mm works here, and so does a flat back.");
+  await expect(refusal).toHaveText("A wall this thick would pass through itself. Use at most 11.3 mm, or a flat back.");
   await page.click("[data-action='download-3mf']");
   assert.equal(downloads, 0);
   await page.fill("#solid-mm", "11.3");
@@ -117,7 +119,7 @@ test("a body that cannot be printed is refused with what would do", { tag: "@rar
 
   await page.check("input[name='solid'][value='surface']", { force: true });
   await page.click("[data-action='download-3mf']");
-  await expect(refusal).toHaveText("A surface alone cannot be a 3MF. Choose a mask or a flat back, or save it as STL.");
+  await expect(refusal).toHaveText("A surface can’t be saved as 3MF. Choose a mask or a flat back, or save it as STL.");
   await page.check("input[name='solid'][value='thickness']", { force: true });
   await expect(refusal).toBeHidden();
   assert.equal(await page.inputValue("#solid-mm"), "11.3", "the thickness was forgotten");
@@ -141,7 +143,7 @@ test("the GLB is handed on, the picture copied and the face shown in the room wh
   const { width, height } = PNG.sync.read(Buffer.from(copied.bytes));
   const view = await page.locator("#viewport").evaluate(({ width, height }) => ({ width, height }));
   assert.deepEqual([copied.type, width, height], ["image/png", 2 * view.width, 2 * view.height]);
-  assert.equal(await said, "The picture is on the clipboard");
+  assert.equal(await said, "Picture copied to the clipboard");
 
   const link = page.locator("#ar-link");
   assert.deepEqual(await link.evaluate(({ rel, children }) => [rel, [...children].map(({ tagName }) => tagName)]), ["ar", ["IMG"]]);

@@ -4,6 +4,8 @@ import { test } from "./fixtures.mjs";
 import { furthest } from "./meshes.mjs";
 import { difference } from "./pixels.mjs";
 
+test.use({ visit: { expert: true } });
+
 /** The number field of an expression, in per cent. @param {import("./visitor.mjs").Visitor} visitor @param {string} expression */
 function fieldOf({ page }, expression) {
   return page.locator(`[data-expression="${expression}"] input[type=number]`);

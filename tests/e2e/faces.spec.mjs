@@ -9,6 +9,8 @@ import { asJpeg, sixTimes } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 import { panicIn, refuseDatabase } from "./watches.mjs";
 
+test.use({ visit: { expert: true } });
+
 test("each face of a group keeps its own edits and name: going to the other one and back loses nothing", async ({ visitor, page }) => {
   await openGroup(visitor);
   assert.equal((await visitor.save("download-glb")).name, "group.glb");

@@ -40,7 +40,7 @@ test("what was there is still there when there is no memory for what was to be o
   });
   await visitor.drop(await readFile(SAMPLE), "again.png");
   assert.match((await visitor.notice()).text, /still here/);
-  assert.deepEqual(await visitor.history(), ["nose tip · 1"]);
+  assert.deepEqual(await visitor.history(), ["nose tip"]);
   assert.deepEqual(await visitor.meshJson("mm"), mesh);
   await visitor.drop(await readFile(SAMPLE), "again.png");
   await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);

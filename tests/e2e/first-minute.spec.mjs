@@ -15,7 +15,7 @@ test("hints wait for the deed, one after the other; a dot pulses where to drag; 
   assert.equal(await hint(), "Drag the nose", "a click is not the deed");
   await visitor.drag(tip, { x: 0, y: -20 });
   assert.ok(await page.isHidden("#pulse"));
-  assert.equal(await hint(), "Drag beside the face to turn it");
+  assert.equal(await hint(), "Drag outside the face to turn it");
   await visitor.drag(beside, { x: 30, y: 0 });
   assert.equal(await hint(), "");
   await visitor.dropSample();

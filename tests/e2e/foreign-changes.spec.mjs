@@ -6,6 +6,8 @@ import { DENSEST, furthest } from "./meshes.mjs";
 import { meanStep } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
+test.use({ visit: { expert: true } });
+
 test("a GLB of the command line's finest mesh opens, with a pending edit, and can be edited further", { tag: "@rare" }, async ({ visitor, page }) => {
   const options = "--units mm --topology canonical --density 4 --edit 20000@4:0,0,2 --edit 1:0,0,6".split(" ");
   const glb = await glbByCommandLine(SAMPLE, options);

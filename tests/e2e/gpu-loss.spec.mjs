@@ -34,8 +34,8 @@ test("while WebGL2 stays away the page says so and edits go on, and they show wh
   await editor.offset("y", 9);
   const { code, text } = await editor.notice();
   assert.equal(code, "device-lost");
-  assert.match(text, /work is kept/);
-  assert.deepEqual(await editor.history(), ["nose tip · 1"]);
+  assert.match(text, /work is saved/);
+  assert.deepEqual(await editor.history(), ["nose tip"]);
   await extension.evaluate((extension) => extension.restoreContext());
   await page.waitForSelector("#notice", { state: "hidden" });
   const moved = await editor.view();

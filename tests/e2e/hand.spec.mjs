@@ -5,6 +5,8 @@ import { DENSEST, LANDMARKS, assertSameMesh, furthest, way } from "./meshes.mjs"
 import { colourCount, difference, differenceNear } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
+test.use({ visit: { expert: true } });
+
 const NOSE_TIP = 1;
 const FOREHEAD = 151;
 /** The corners of the mouth, right and left. */

@@ -22,10 +22,10 @@ for (const [file, tag] of alike(OF_THE_WORKER)) {
     await visitor.drop(faceless(), "next.png");
     const { code, text } = await visitor.notice();
     assert.equal(code, "not-as-built");
-    assert.match(text, /not the one that was built.*Reload the page.*what you had is still here/s);
+    assert.match(text, /failed its integrity check.*Reload the page.*your work is still here/s);
     assert.ok(asked.length >= 2, "it was not asked for once more");
     await visitor.speak("pt");
-    assert.match((await visitor.notice()).text, /não é a que foi construída.*Recarregue/s);
+    assert.match((await visitor.notice()).text, /não passou na verificação de integridade.*Recarregue/s);
     await visitor.speak("en");
     assert.deepEqual(await visitor.meshJson("mm"), work);
 

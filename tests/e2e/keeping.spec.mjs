@@ -44,7 +44,7 @@ for (const [[how, refuse], tag] of alike(REFUSALS)) {
     const { page } = visitor;
     await visitor.openFace();
     await page.waitForSelector("#notice[data-code='not-kept']");
-    assert.match((await visitor.notice()).text, /keeps nothing\s+Save the project/);
+    assert.match((await visitor.notice()).text, /can’t be saved in this browser\s+Save the project/);
     await page.keyboard.press("Escape");
     await page.waitForSelector("#notice", { state: "hidden" });
 

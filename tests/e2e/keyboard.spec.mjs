@@ -2,6 +2,8 @@ import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
 
+test.use({ visit: { expert: true } });
+
 test("everything from photo to file by keyboard alone", async ({ visitor, page }) => {
   await visitor.untilLoaded();
 

@@ -17,7 +17,7 @@ const NOSE_MM = 5;
 /** How far the edit may be behind the face at most. */
 const LAG_S = 0.06;
 
-test.use({ visit: { scripts: [watchCamera, watchFrames] } });
+test.use({ visit: { expert: true, scripts: [watchCamera, watchFrames] } });
 
 test("in the mirror the film is seen with its sides swapped, and with the edits where the face is", { tag: "@seen-camera" }, async ({ visitor, page }) => {
   await visitor.dropSample();
@@ -98,7 +98,7 @@ test("in the mirror a face is lost and found, a worker that dies is said, and a 
   await visitor.dropSample();
   await openLivePreview(visitor);
   await page.evaluate(() => (window.isBlank = true));
-  await page.waitForFunction(() => document.getElementById("live-status").textContent === "No face in sight");
+  await page.waitForFunction(() => document.getElementById("live-status").textContent === "No face in view");
   assert.ok(await page.isDisabled("#live-keep"));
   await page.evaluate(() => (window.isBlank = false));
   await page.waitForSelector("#live-keep:enabled");

@@ -3,6 +3,8 @@ import { expect } from "@playwright/test";
 import { alike, test } from "./fixtures.mjs";
 import { untilKept } from "./kept.mjs";
 
+test.use({ visit: { expert: true } });
+
 test("files are named after the photo, over a reload and out of a file of ours", async ({ visitor, page }) => {
   await visitor.dropSample('ana: "Rio" 7.2.png');
   const actions = { "download-glb": "glb", "download-json": "json", "download-picture": "png", "save-project": "rosto" };

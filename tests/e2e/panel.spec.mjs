@@ -8,15 +8,16 @@ const SHORT = { viewport: { width: 844, height: 390 }, hasTouch: true, isMobile:
 
 test.use({ visit: DESKTOP });
 
-test("the panel goes from photo to sliders, to the hand, to what was done, and ends with the advanced", async ({ editor, page }) => {
+test("the panel goes from photo to sliders, to the hand, to what was done, and ends with what experts need", async ({ editor, page }) => {
+  await editor.beExpert();
   const headings = page.locator("#sections h2:not(.visually-hidden)").filter({ visible: true });
-  await expect(headings).toHaveText(["Photo", "Features", "Expressions", "Move by hand", "In the photo", "History", "Advanced"]);
+  await expect(headings).toHaveText(["Photo", "Proportions", "Expressions", "Move by hand", "In the photo", "History", "Expert settings"]);
   for (const id of ["operator", "constraint", "details", "anchors", "anchors-shown", "section-paper"]) {
     assert.ok(await page.isHidden(`#${id}`), id);
     assert.equal(await page.locator(`#section-advanced #${id}`).count(), 1, id);
   }
   await editor.speak("pt");
-  await expect(headings).toHaveText(["Foto", "Traços", "Expressões", "Mover à mão", "Na foto", "Histórico", "Avançado"]);
+  await expect(headings).toHaveText(["Foto", "Proporções", "Expressões", "Mover à mão", "Na foto", "Histórico", "Ajustes avançados"]);
 });
 
 for (const [[device, visit], tag] of alike(Object.entries({ desktop: DESKTOP, phone: PHONE, "phone on its side": SHORT }))) {
@@ -58,20 +59,21 @@ for (const [[device, visit], tag] of alike(Object.entries({ desktop: DESKTOP, ph
 }
 
 test("the presets say which is on and what it means, and that none is", { tag: "@rare" }, async ({ editor, page }) => {
+  await editor.beExpert();
   const segments = page.locator("[data-choice='preset'] span").filter({ visible: true });
   const custom = page.locator("input[name='preset'][value='custom']");
-  await expect(segments).toHaveText(["Sculpt", "Paper"]);
-  assert.match(await page.innerText("#preset-help"), /goes where you put it/);
+  await expect(segments).toHaveText(["Sculpt", "Research paper"]);
+  assert.match(await page.innerText("#preset-help"), /exactly where you put it/);
   await editor.prefer("paper");
-  assert.match(await page.innerText("#preset-help"), /two random points/);
+  assert.match(await page.innerText("#preset-help"), /two random fixed points/);
   await editor.reach("#mirror");
   await page.locator("#mirror").click();
-  await expect(segments).toHaveText(["Sculpt", "Paper", "Custom"]);
+  await expect(segments).toHaveText(["Sculpt", "Research paper", "Custom"]);
   assert.ok(await custom.isChecked());
   assert.ok(await custom.isDisabled(), "it cannot be chosen");
   assert.match(await page.innerText("#preset-help"), /own choices/);
   await editor.prefer("sculpt");
-  await expect(segments).toHaveText(["Sculpt", "Paper"]);
+  await expect(segments).toHaveText(["Sculpt", "Research paper"]);
   assert.ok(!(await custom.isChecked()));
 });
 
@@ -81,6 +83,7 @@ for (const [size, panel_px] of [[[1280, 720], 320], [[720, 450], 280]]) {
     const { page } = visitor;
     await visitor.openFace();
     assert.equal((await page.locator("#panel").boundingBox()).width, panel_px);
+    await visitor.beExpert();
     await visitor.reach("#mirror");
     await page.locator("#mirror").click();
     for (const language of ["en", "pt"]) {

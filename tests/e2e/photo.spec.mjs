@@ -8,6 +8,8 @@ import { asJpeg, dotted } from "./pictures.mjs";
 import { colourCount, difference, middleOf } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
+test.use({ visit: { expert: true } });
+
 /** Landmarks far from each other and from others, and a colour for each that no skin has. */
 const APART = /** @type {const} */ ([[151, [0, 200, 60]], [50, [30, 60, 255]], [280, [0, 220, 230]], [199, [240, 240, 0]]]);
 /** The sample's width and height. */

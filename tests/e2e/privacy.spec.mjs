@@ -3,7 +3,7 @@ import { test } from "./fixtures.mjs";
 
 test("after loading, no request leaves the page", async ({ visitor }) => {
   await visitor.untilLoaded();
-  assert.match(await visitor.page.innerText("#privacy"), /stays on this device.*nothing sent since the page loaded/s);
+  assert.match(await visitor.page.innerText("#privacy"), /Nothing uploaded.*your photo stays on this device/s);
   visitor.requests.length = 0;
   await visitor.page.click("#welcome [data-action='sample']");
   await visitor.untilFace();
@@ -13,7 +13,7 @@ test("after loading, no request leaves the page", async ({ visitor }) => {
   const left = visitor.requests.filter((url) => !url.startsWith("blob:") && !url.startsWith("data:"));
   assert.deepEqual(left, []);
   assert.equal(await visitor.page.getAttribute("#privacy-count", "data-requests"), "0");
-  assert.match(await visitor.page.innerText("#privacy"), /On this device.*nothing sent/);
+  assert.match(await visitor.page.innerText("#privacy"), /Nothing uploaded/);
 });
 
 test("the page's policy forbids every other host, inline scripts and eval", async ({ visitor }) => {

@@ -58,7 +58,7 @@ test("kept work whose picture is damaged gets a notice, and the page goes on", a
     await page.click("#continue");
     const { code, text } = await editor.notice();
     assert.equal(code, "bad-kept-work", picture);
-    assert.match(text, /cannot be opened/);
+    assert.match(text, /can’t be opened/);
     await page.keyboard.press("Escape");
     await page.waitForSelector("#notice", { state: "hidden" });
   }

@@ -4,6 +4,8 @@ import { alike, test } from "./fixtures.mjs";
 import { assertCameBack } from "./meshes.mjs";
 import { colourCount, meanStep } from "./pixels.mjs";
 
+test.use({ visit: { expert: true } });
+
 for (const [paint, tag] of alike(["photo", "colours"])) {
   test(`a downloaded GLB painted with ${paint} brings the face back after a reload, with its history`, { tag: [...tag, "@eyes"] }, async ({ editor, page }) => {
     const unedited = await editor.meshJson("mm");

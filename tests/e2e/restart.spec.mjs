@@ -4,6 +4,8 @@ import { keptWorks, untilKept } from "./kept.mjs";
 import { meanStep } from "./pixels.mjs";
 import { panicIn } from "./watches.mjs";
 
+test.use({ visit: { expert: true } });
+
 for (const [{ drawn, needs, module }, tag] of alike([
   { drawn: "WebGPU", needs: "eyes", module: "rosto-studio-web" },
   { drawn: "WebGL2", needs: "webgl", module: "rosto-studio-webgl" },
@@ -21,7 +23,7 @@ for (const [{ drawn, needs, module }, tag] of alike([
     await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
     await page.mouse.move(box.x + box.width / 2 + 30, box.y + box.height / 2 + 8, { steps: 3 });
     await untilRestarted(editor);
-    assert.match((await editor.notice()).text, /started again\s+Your work is back as it was/);
+    assert.match((await editor.notice()).text, /restarted\s+Your work is back as it was/);
     await expectTheSame(editor, { work, stands, view });
 
     for (const again of [1, 2]) {

@@ -6,6 +6,8 @@ import { test } from "./fixtures.mjs";
 import { AS_THE_PAGE, openAsCommandLine, storedFiles } from "./same-face.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
+test.use({ visit: { expert: true } });
+
 const EDITED = ["--slider", "nose-width:4"];
 
 /**

@@ -1,6 +1,8 @@
 import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
 
+test.use({ visit: { expert: true } });
+
 /** What is typed, and what of the face is meant by it. */
 const FOUND = {
   en: [
@@ -72,7 +74,7 @@ test("only what nothing is called is an error, which looks like one until someth
   await editor.findLandmark("moustache");
   assert.deepEqual(await look(), wrong, "what is typed once more is not sought");
   await editor.speak("pt");
-  assert.match(await page.innerText("#landmark-help"), /Nada aqui se chama “moustache”/);
+  assert.match(await page.innerText("#landmark-help"), /Nada se chama “moustache”/);
   await editor.findLandmark("999");
   assert.match(await page.innerText("#landmark-help"), /999/);
   await editor.findLandmark("");

@@ -4,6 +4,8 @@ import { PNG } from "pngjs";
 import { test } from "./fixtures.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
 
+test.use({ visit: { expert: true } });
+
 const PAINTS = ["picture", "colours", "clay", "normals", "response", "distortion"];
 
 test("every paint shows the face another way, with a legend where colours are numbers", { tag: "@eyes" }, async ({ editor, page }) => {

@@ -44,7 +44,7 @@ test("photos from other sides make another mesh, the command line's, and are kep
   await page.setInputFiles("#further-files", one);
   await untilPhotos(visitor, 2);
   assert.equal((await sidesIn(page)).filter((side) => side === "front").length, 1);
-  assert.match(await page.innerText("#photos-missing"), /turned to its (left|right), by 20 to 60°/);
+  assert.match(await page.innerText("#photos-missing"), /turned 20–60° to its (left|right)/);
   await page.setInputFiles("#further-files", other);
   await untilPhotos(visitor, 3);
   assert.ok(await page.isHidden("#photos-missing"), await page.innerText("#photos-missing"));
@@ -86,7 +86,7 @@ test("a photo without a face is named and not added, and one from where there is
   await page.setInputFiles("#further-files", { name: "wall.png", mimeType: "image/png", buffer: Buffer.from(faceless()) });
   const { code, text } = await visitor.notice();
   assert.equal(code, "no-face-found");
-  assert.match(text, /“wall.png” was not added/);
+  assert.match(text, /“wall.png” couldn’t be added/);
   assert.deepEqual(await visitor.meshJson("mm"), before);
   await page.click("#notice-close");
   await page.setInputFiles("#further-files", SAMPLE);

@@ -74,13 +74,13 @@ test("the face swings once in a clip of four seconds without any tool, and is th
   await page.click("#clip");
   await page.waitForSelector("#clip-progress");
   assert.equal(await page.innerText("#clip"), "Cancel (Esc)");
-  assert.equal(await page.innerText("#said"), "Recording the clip");
+  assert.equal(await page.innerText("#said"), "Recording the video");
   const download = await coming;
   assert.equal(download.suggestedFilename(), "ana-turning.webm");
   const bytes = await readFile(await download.path());
   assert.deepEqual([...bytes.subarray(0, 4)], [0x1a, 0x45, 0xdf, 0xa3], "the bytes are not EBML");
   assert.ok(await page.isHidden("#clip-progress"));
-  assert.equal(await page.innerText("#clip"), "Record a turning clip");
+  assert.equal(await page.innerText("#clip"), "Record a rotating video");
   assert.ok(await page.locator("#clip").evaluate((button) => button === document.activeElement), "the focus was lost");
   assertSame(await standing(visitor), before);
 
@@ -112,7 +112,7 @@ for (const [{ by, stop }, tag] of alike([
     await recordHalf(editor);
     await stop(page);
     await page.waitForSelector("#clip-progress", { state: "hidden" });
-    assert.equal(await page.innerText("#toast"), "The clip is not kept");
+    assert.equal(await page.innerText("#toast"), "Recording cancelled");
     await editor.frames(30);
     assert.equal(downloads, 0);
     assertSame(await standing(editor), before);
@@ -159,9 +159,9 @@ test("a browser that records nothing says so in place of the button", async ({ o
   await visitor.openFace();
   await visitor.unfold("section-export");
   assert.ok(await page.isHidden("#clip"));
-  assert.equal(await page.innerText("#clip-line"), "This browser cannot record a turning clip.");
+  assert.equal(await page.innerText("#clip-line"), "This browser can’t record the video. Try another browser.");
   await visitor.speak("pt");
-  assert.equal(await page.innerText("#clip-line"), "Este navegador não grava o rosto girando.");
+  assert.equal(await page.innerText("#clip-line"), "Este navegador não consegue gravar o vídeo. Tente outro navegador.");
 });
 
 /** What making a picture or a clip must leave as it is. @param {import("./visitor.mjs").Visitor} visitor */

@@ -2,6 +2,8 @@ import assert from "node:assert/strict";
 import { test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
 
+test.use({ visit: { expert: true } });
+
 /** The measures on the panel: name to length in mm. Read at once: the panel may replace the list between two looks. */
 function measures(page) {
   return page.locator("#size-measures dt").evaluateAll((names) =>
@@ -11,17 +13,17 @@ function measures(page) {
 
 test("a face tells from how far it was photographed, and follows when that is changed, which comes back with the work", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.unfold("section-size");
-  assert.match(await page.innerText("#size-camera"), /about \d+ cm ± \d+, read off the face/);
+  assert.match(await page.innerText("#size-camera"), /about \d+ cm ± \d+, estimated from the face/);
   assert.match(await page.innerText("#size-pose"), /Head turned -?\d+° sideways/);
   const [found, before] = [await measures(page), await editor.view()];
-  assert.ok(found["Face, width"] > 100 && found["Face, width"] < 180, `${found["Face, width"]} mm wide`);
+  assert.ok(found["Face width"] > 100 && found["Face width"] < 180, `${found["Face width"]} mm wide`);
   const number = page.locator("#size-distance input[type=number]");
   const usual = await number.inputValue();
   await number.fill("25");
   await number.press("Enter");
-  assert.match(await page.innerText("#size-camera"), /25 cm, as you say/);
+  assert.match(await page.innerText("#size-camera"), /25 cm \(set by you\)/);
   const near = await measures(page);
-  assert.ok(near["Face, width"] > found["Face, width"] * 1.02, "what is behind is larger than a near camera saw it");
+  assert.ok(near["Face width"] > found["Face width"] * 1.02, "what is behind is larger than a near camera saw it");
   assert.ok(difference(before, await editor.view()) > 0.005, "the model did not follow");
   await page.click("[data-action=distance-known]");
   assert.equal(await number.inputValue(), usual);
@@ -36,7 +38,7 @@ test("a face tells from how far it was photographed, and follows when that is ch
   await editor.untilFace();
   await editor.unfold("section-size");
   assert.equal(await number.inputValue(), "31");
-  assert.equal((await measures(page))["Face, width"], chosen["Face, width"]);
+  assert.equal((await measures(page))["Face width"], chosen["Face width"]);
 });
 
 test("the tape measures from one point to another, with its error", async ({ editor, page }) => {

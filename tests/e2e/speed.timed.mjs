@@ -5,6 +5,8 @@ import { asJpeg } from "./pictures.mjs";
 import { mainThreadTasks, traced } from "./trace.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
+test.use({ visit: { expert: true } });
+
 /** What a 12-megapixel camera takes. */
 const LARGE = { width: 4000, height: 3000 };
 const LONG_TASK_MS = 50;

@@ -34,12 +34,13 @@ export class Visitor {
    * @property {(context: import("@playwright/test").BrowserContext) => unknown} [before] what is done before the page opens
    * @property {((...values: any[]) => unknown | string)[]} [scripts] run in the page before its own
    * @property {boolean} [hasClock] whether the page's time can be moved on
+   * @property {boolean} [expert] whether technical controls are shown
    *
    * @param {import("@playwright/test").Browser} browser
    * @param {string} url
    * @param {Visit & import("@playwright/test").BrowserContextOptions} [options]
    */
-  static async arrive(browser, url, { before, scripts = [], hasClock = false, ...options } = {}) {
+  static async arrive(browser, url, { before, scripts = [], hasClock = false, expert = false, ...options } = {}) {
     const context = await browser.newContext({
       viewport: { width: 1024, height: 640 },
       locale: "en-GB",
@@ -48,6 +49,7 @@ export class Visitor {
       ...options,
     });
     if (hasClock) await context.clock.install();
+    if (expert) await context.addInitScript(rememberExpert);
     for (const script of scripts) await context.addInitScript(script);
     await before?.(context);
     await context.addInitScript(reportViolations, VIOLATION);
@@ -168,11 +170,17 @@ export class Visitor {
 
   /** Shows something of the panel, whichever tab or folds hide it. @param {string} selector */
   async reach(selector) {
+    if ((await this.page.locator(`[data-expert]:is(${selector}, :has(${selector}))`).count()) > 0) await this.beExpert();
     const tab = await this.page.locator(`#sections > [data-tab]:is(${selector}, :has(${selector}))`).getAttribute("data-tab");
     const button = this.page.locator(`[data-tab-name="${tab}"]:not([aria-selected="true"])`);
     if (await button.isVisible()) await button.click();
     const folded = this.page.locator(`details:not([open]):is(${selector}, :has(${selector})) > summary`);
     while ((await folded.count()) > 0) await folded.first().click();
+  }
+
+  /** Shows technical controls and the numbers of points. */
+  async beExpert() {
+    await this.page.locator("#expert").setChecked(true, { force: true });
   }
 
   /** Finds a landmark by name or number. @param {string} text */
@@ -282,7 +290,7 @@ export class Visitor {
 
   /** Chooses how the face follows an edit. @param {"sculpt" | "paper"} preset */
   async prefer(preset) {
-    await this.unfold("section-landmark");
+    await this.reach("[data-choice='preset']");
     await this.page.check(`input[name="preset"][value="${preset}"]`, { force: true });
   }
 
@@ -341,8 +349,13 @@ export class Visitor {
   /** @param {"mm" | "image"} units */
   async meshJson(units) {
     await this.unfold("section-export");
-    await this.page.check(`input[name="export-units"][value="${units}"]`, { force: true });
-    return JSON.parse((await this.download("download-json")).toString());
+    // Only experts see it.
+    await this.page.locator(`input[name="export-units"][value="${units}"]`).evaluate((input) => input.click());
+    const [download] = await Promise.all([
+      this.page.waitForEvent("download"),
+      this.page.dispatchEvent("[data-action='download-json']", "click"),
+    ]);
+    return JSON.parse(await readFile(await download.path(), "utf8"));
   }
 
   /** The file that a button saves. @param {string} action */
@@ -400,4 +413,13 @@ export class Visitor {
 function reportViolations(violation) {
   addEventListener("securitypolicyviolation", ({ violatedDirective, blockedURI, sample }) =>
     console.error(`${violation} ${violatedDirective} ${blockedURI} ${sample}`));
+}
+
+/** Runs in the page, or in an empty one that stores nothing. */
+function rememberExpert() {
+  try {
+    localStorage.setItem("rosto.expert", "on");
+  } catch {
+    // The page itself runs it again.
+  }
 }

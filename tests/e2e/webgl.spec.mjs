@@ -10,6 +10,8 @@ import { assertPortraitColours } from "./portrait-colours.mjs";
 import { validateGlb } from "./validate-glb.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
+test.use({ visit: { expert: true } });
+
 const FOR_WEBGPU = "rosto-studio-web_bg.wasm";
 const FOR_WEBGL2 = "rosto-studio-webgl_bg.wasm";
 
@@ -76,7 +78,7 @@ test("after the first visit the page works in WebGL2 without a network", { tag: 
 test("without WebGPU and WebGL2 the page says so, and draws landmarks on the photo", { tag: "@no-gpu" }, async ({ visitor, page }) => {
   const { code, text } = await visitor.notice();
   assert.equal(code, "no-webgl");
-  assert.match(text, /cannot draw in 3D/);
+  assert.match(text, /can’t show 3D/);
   await visitor.drop(await readFile(SAMPLE), "portrait.png");
   await page.waitForSelector("body[data-state='photo']");
   const photo = PNG.sync.read(await page.locator("#photo-picture").screenshot());

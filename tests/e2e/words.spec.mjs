@@ -81,10 +81,10 @@ test("a browser that keeps nothing is promised nothing", async ({ visitor }) => 
     setKeeping(true);
     return { kept, unkept, again: hint() };
   });
-  assert.match(hints.kept, /Your work is kept/);
-  assert.doesNotMatch(hints.unkept, /kept/);
+  assert.match(hints.kept, /Your work is saved/);
+  assert.doesNotMatch(hints.unkept, /saved/);
   assert.equal(hints.again, hints.kept);
-  const promises = Object.keys(en).filter((key) => /\.hint$/.test(key) && /work is kept|reload the page to go on/i.test(en[key]));
+  const promises = Object.keys(en).filter((key) => /\.hint$/.test(key) && /work is saved|reload the page to continue/i.test(en[key]));
   assert.ok(promises.length > 0);
   for (const key of promises) assert.ok(`${key}.unkept` in en, key);
 });

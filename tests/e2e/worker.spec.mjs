@@ -113,5 +113,5 @@ test("the bar shows how much of the whole is done, and never goes back", async (
 /** Drops the sample and waits for what the worker still needs. @param {import("./visitor.mjs").Visitor} visitor */
 async function untilNetworksLoad(visitor) {
   await visitor.drop(await readFile(SAMPLE), "portrait.png");
-  await visitor.page.waitForSelector("#progress-title:has-text('Loading the face networks')");
+  await visitor.page.waitForSelector("#progress-title:has-text('Loading face detection')");
 }

@@ -43,6 +43,7 @@ export async function walkCore(browser, url, pictures) {
   await picture("arrived");
   await find("#photo-file").sendKeys(SAMPLE);
   await untilFace(driver);
+  await find("#expert").click();
   const found = await picture("found");
   assert.ok(colourCount(found) > 40, "the face has no colours");
   const drawnBy = await renderer(driver);

@@ -57,6 +57,7 @@ async function validGlb(visit) {
 
 /** The history, and the mesh in millimetres: a reload forgets what was chosen for files. @param {Visit} visit */
 async function work(visit) {
+  if (!(await visit.page.isChecked("#expert"))) await visit.press("#expert");
   await visit.press("input[name='export-units'][value='mm']");
   return { history: await history(visit), mesh: await download(visit, "download-json", ".json") };
 }

@@ -23,7 +23,7 @@ export class Visit {
   /** @param {string} url @param {string} film the file that the camera plays */
   static async start(url, video) {
     const browser = await launch({ video, seen: false });
-    const options = { viewport: { width: 760, height: 480 }, hasTouch: true, scripts: [letMonkeyIn] };
+    const options = { viewport: { width: 760, height: 480 }, hasTouch: true, expert: true, scripts: [letMonkeyIn] };
     const { page, broken, said } = await Visitor.arrive(browser, url, options);
     const visit = Object.assign(new Visit(), { page, broken, said, input: await page.context().newCDPSession(page) });
     page.on("crash", () => broken.push(new Error("the page's process died")));

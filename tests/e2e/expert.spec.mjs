@@ -1,0 +1,49 @@
+import assert from "node:assert/strict";
+import { expect } from "@playwright/test";
+import { test } from "./fixtures.mjs";
+
+/** Each with the tab it is on. */
+const TECHNICAL = {
+  shape: ["[data-choice='preset']", "#section-advanced", "#pinned"],
+  view: ["#density", "#shading label:has([value='normals'])", "#shading label:has([value='response'])", "#shading label:has([value='distortion'])"],
+  export: ["#export-density", "#export-morphs", "#export-units", "[data-action='download-json']"],
+};
+const ORDINARY = {
+  shape: ["#face-sliders", "#landmark-search", "#landmark-sliders", "#mirror", "#nearby", "#history"],
+  view: ["#shading label:has([value='clay'])", "#wireframe", "#triangulation", "[data-action='view-left']"],
+  export: ["#texture-size", "[data-action='check-glb']", "[data-action='save-project']", "[data-action='download-glb']"],
+};
+
+test("technical controls and point numbers are shown by one switch, which is remembered", async ({ editor, page }) => {
+  const expectShown = async (isExpert) => {
+    for (const tab of ["shape", "view", "export"]) {
+      await page.click(`#tab-${tab}`);
+      for (const selector of TECHNICAL[tab]) await expect(page.locator(selector), selector).toBeVisible({ visible: isExpert });
+      for (const selector of ORDINARY[tab]) await expect(page.locator(selector), selector).toBeVisible();
+    }
+    await editor.findLandmark("nose tip");
+    assert.equal(await page.inputValue("#landmark-search"), isExpert ? "nose tip · 1" : "nose tip");
+  };
+  await expectShown(false);
+  await page.getByLabel("Expert").check();
+  await expectShown(true);
+  await editor.offset("z", 4);
+  assert.deepEqual(await editor.history(), ["nose tip · 1"]);
+
+  await editor.comeBack();
+  await expectShown(true);
+  await page.getByLabel("Expert").uncheck();
+  await expectShown(false);
+  assert.deepEqual(await editor.history(), ["nose tip"]);
+});
+
+test("technical choices stay in force when the switch is off", async ({ editor, page }) => {
+  await editor.prefer("paper");
+  await editor.reach("#shading [value='response']");
+  await page.check("#shading [value='response']", { force: true });
+  await page.getByLabel("Expert").uncheck();
+  assert.ok(await page.isVisible("#shading label:has([value='response'])"), "the active display is not shown");
+  assert.ok(await page.isHidden("#shading label:has([value='normals'])"));
+  await editor.move("nose tip", "z", 4);
+  assert.equal((await editor.anchors()).length, 2, "the paper's preset is no longer in force");
+});
