@@ -9,7 +9,7 @@ import { cut, writeSheet } from "./sheet.mjs";
 
 const DESKTOP = { viewport: { width: 1440, height: 900 } };
 
-/** The size to which the portrait is enlarged, so that its face has the size of a selfie's, and the head in it; px. */
+/** Size of the enlarged portrait, whose face is as large as in a selfie, and the box of its head; px. */
 const ENLARGED = { width: 2048, height: 1536 };
 const HEAD = { x: 460, y: 60, width: 840, height: 840 };
 
