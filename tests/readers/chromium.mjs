@@ -1,4 +1,4 @@
-// The readers that run in a browser: three.js and <model-viewer>.
+// Readers in a browser: three.js and <model-viewer>.
 import path from "node:path";
 import { PNG } from "pngjs";
 import { launch } from "../e2e/browser.mjs";
@@ -6,12 +6,12 @@ import { colourCount } from "../e2e/pixels.mjs";
 import { serve } from "../e2e/server.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
-/** <model-viewer>'s warning where the machine draws fewer than two pictures a second: nothing about the file. */
+/** <model-viewer>'s warning below two frames per second, which is unrelated to the file. */
 const SLOW = "rAF timed out in updateSource";
 
 /** @typedef {import("node:test").TestContext} TestContext */
 
-/** A page with a module, and the page's warnings and errors, until the test ends. @param {TestContext} t @param {string} url */
+/** Opens a page that imports a module, and collects its warnings and errors, until the test ends. @param {TestContext} t @param {string} url */
 export async function openPage(t, url = "/tests/readers/chromium/three.mjs") {
   const browser = await launch({ gpu: "webgl" });
   t.after(() => browser.close());
@@ -28,7 +28,7 @@ export async function openPage(t, url = "/tests/readers/chromium/three.mjs") {
   return { page, module: await page.evaluateHandle((address) => import(address), url), remarks };
 }
 
-/** A file's address for the page. @param {string} file */
+/** URL of a file on the page. @param {string} file */
 export function urlOf(file) {
   return `/${path.relative(ROOT, file)}`;
 }
@@ -37,9 +37,9 @@ export function urlOf(file) {
 export async function three(t) {
   const { module, remarks } = await openPage(t);
   return async (/** @type {string} */ file) => {
-    // As text: passing numbers one by one takes longer than reading them.
-    const seen = await module.evaluate(async ({ see }, url) => JSON.stringify(await see(url)), urlOf(file));
-    return { ...JSON.parse(seen), remarks: remarks.splice(0) };
+    // As text, because Playwright serialises large arrays of numbers slowly.
+    const report = await module.evaluate(async ({ read }, url) => JSON.stringify(await read(url)), urlOf(file));
+    return { ...JSON.parse(report), remarks: remarks.splice(0) };
   };
 }
 

@@ -1,4 +1,4 @@
-// A face drawn by three.js as the photo's camera saw it lies on the photo.
+// Asserts that a face drawn by three.js with the photo's camera matches the photo.
 import assert from "node:assert/strict";
 import { readFile, writeFile } from "node:fs/promises";
 import path from "node:path";
@@ -7,18 +7,18 @@ import { Euler, MathUtils, Matrix3, Matrix4, Vector3 } from "three";
 import { urlOf } from "./chromium.mjs";
 import { FOLDER, SAMPLE, shapeOf } from "./files.mjs";
 
-/** Angles are rounded to a hundredth of a degree, which is a hundredth of a px across a face. */
-const MOST_OFF_PX = 0.1;
-/** The border shows the photo's background where a triangle ends between two pixels. */
+/** Angles are rounded to 0.01°, which is about 0.01 px across a face. */
+const MAX_OFF_PX = 0.1;
+/** At the border, triangles end inside a pixel, and the photo's background shows. */
 const BORDER_PX = 2;
 /** A face of 128 px has 16 000. */
-const LEAST_PIXELS = 5_000;
-/** Left, right, up and down by a pixel. */
+const MIN_PIXELS = 5_000;
+/** By one pixel to the left, right, top and bottom. */
 const SHIFTS = [[-1, 0], [1, 0], [0, -1], [0, 1]];
 
 /** @typedef {typeof import("./table.mjs").ON_THE_PHOTO[number]} Row */
 
-/** Asserts that a file lies on the photo as three.js draws it. @param {{ row: Row, path: string }} file */
+/** Asserts that three.js draws a file where the photo shows the face. @param {{ row: Row, path: string }} file */
 export async function assertOnThePhoto({ module, remarks }, { row, path: file }) {
   const photo = PNG.sync.read(await readFile(SAMPLE));
   const { matrix, focal_px, off_px } = await photoCamera(file, row.shape, photo);
@@ -30,35 +30,35 @@ export async function assertOnThePhoto({ module, remarks }, { row, path: file })
   const { pixels, off } = difference(picture, photo);
   const shifted = Math.min(...SHIFTS.map((shift) => difference(picture, photo, shift).off));
   assert.deepEqual(remarks.splice(0), []);
-  assert.ok(off_px < MOST_OFF_PX, `a landmark is ${off_px} px from its place in the photo`);
-  assert.ok(pixels >= LEAST_PIXELS, `only ${pixels} pixels show the face`);
-  assert.ok(off < row.most, `colours ${off} off the photo's in the mean, of 255; at most ${row.most}`);
-  assert.ok(off < shifted, `a pixel aside it fits the photo better: ${shifted} off, not ${off}`);
+  assert.ok(off_px < MAX_OFF_PX, `a landmark is ${off_px} px from its position in the photo`);
+  assert.ok(pixels >= MIN_PIXELS, `only ${pixels} pixels show the face`);
+  assert.ok(off < row.most, `mean colour error ${off} of 255; at most ${row.most}`);
+  assert.ok(off < shifted, `the error is smaller one pixel aside: ${shifted}, not ${off}`);
 }
 
-/** The photo's camera from the GLB's extras, and the largest distance of a landmark from its place in the photo. */
+/** Camera from the GLB's extras, and the largest distance of a landmark from its position in the photo. */
 async function photoCamera(file, shape, { width, height }) {
   const glb = await readFile(file);
   const { about, landmarks } = JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12)).toString()).scenes[0].extras;
   const { positions } = await shapeOf({ ...shape, density: 0, edits: [] });
   const bytes = Buffer.from(landmarks, "base64");
-  const seen_px = positions.map((_, at) => [(bytes.readFloatLE(12 * at) - 0.5) * width, (0.5 - bytes.readFloatLE(12 * at + 4)) * height]);
-  // Yaw about +Y, then pitch about +X, then roll about +Z, each in the frame that the one before it left.
+  const photo_px = positions.map((_, at) => [(bytes.readFloatLE(12 * at) - 0.5) * width, (0.5 - bytes.readFloatLE(12 * at + 4)) * height]);
+  // Intrinsic rotations: yaw about +Y, then pitch about +X, then roll about +Z.
   const [pitch, yaw, roll] = [about.pitch_deg, about.yaw_deg, about.roll_deg].map(MathUtils.degToRad);
   const matrix = new Matrix4().makeRotationFromEuler(new Euler(pitch, yaw, roll, "YXZ"));
   const turned = positions.map((point) => new Vector3(...point).divideScalar(1000).applyMatrix4(matrix));
-  const moved = translation(about.focal_px, turned, seen_px);
+  const moved = translation(about.focal_px, turned, photo_px);
   const offs_px = turned.map((point, at) => {
     const { x, y, z } = point.clone().add(moved);
-    return Math.hypot((about.focal_px * x) / -z - seen_px[at][0], (about.focal_px * y) / -z - seen_px[at][1]);
+    return Math.hypot((about.focal_px * x) / -z - photo_px[at][0], (about.focal_px * y) / -z - photo_px[at][1]);
   });
   return { matrix: matrix.setPosition(moved), focal_px: about.focal_px, off_px: Math.max(...offs_px) };
 }
 
-/** Puts the landmarks on their rays by least squares: `u = −f (x + tx) / (z + tz)`, likewise `v`, times the denominator. */
-function translation(focal_px, turned, seen_px) {
+/** Translation that puts landmarks on their rays, by least squares: `u = −f (x + tx) / (z + tz)` and likewise `v`, linearised. */
+function translation(focal_px, turned, photo_px) {
   const rows = turned.flatMap(({ x, y, z }, at) => {
-    const [u, v] = seen_px[at];
+    const [u, v] = photo_px[at];
     return [[focal_px, 0, u, -u * z - focal_px * x], [0, focal_px, v, -v * z - focal_px * y]];
   });
   const product = (i, j) => rows.reduce((sum, row) => sum + row[i] * row[j], 0);
@@ -66,7 +66,7 @@ function translation(focal_px, turned, seen_px) {
   return new Vector3(product(0, 3), product(1, 3), product(2, 3)).applyMatrix3(new Matrix3(...normal).invert());
 }
 
-/** The pixels that a drawn face covers, without its border: their number, and their mean difference from a photo's, a shift in px away. */
+/** Number of pixels that a drawn face covers without its border, and their mean difference from the photo shifted by some px. */
 function difference(drawn, photo, [dx, dy] = [0, 0]) {
   let [pixels, sum] = [0, 0];
   const around = [-BORDER_PX, 0, BORDER_PX];

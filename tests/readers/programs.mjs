@@ -1,57 +1,57 @@
-// The readers that are programs of their own: scripts in Python, and PrusaSlicer without a window.
+// Readers that are separate programs: Python scripts, and PrusaSlicer without a window.
 import { execFile } from "node:child_process";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { promisify } from "node:util";
 
-/** @typedef {import("./judge.mjs").Seen} Seen */
+/** @typedef {import("./verifier.mjs").Report} Report */
 
-/** The positions of many thousand vertices as text. */
-const MOST_BYTES = 1 << 30;
+/** For the positions of thousands of vertices as text. */
+const MAX_BYTES = 1 << 30;
 const SLICER = "prusa-slicer";
 const SLICER_LIMIT_MS = 120_000;
-/** A usual printer and PLA. */
+/** Typical printer with PLA. */
 const PRINT = ["--layer-height", "0.2", "--nozzle-diameter", "0.4", "--filament-diameter", "1.75", "--filament-density", "1.24"];
-/** PrusaSlicer's counts of repairs; it lists only those it made. */
+/** PrusaSlicer's repair counts, listed if they are not 0. */
 const REPAIRS = ["degenerate_facets", "edges_fixed", "facets_removed", "facets_reversed", "backwards_edges", "open_edges"];
 const COMPLAINTS = /^.*\b(?:warning|error|repair|not manifold|empty layer)\b.*$/gim;
 
 const run = promisify(execFile);
 
-/** The reason why a program is not on this machine. */
+/** Reason why a program is unavailable. */
 export class Missing extends Error {}
 
 /**
- * One process for all files.
+ * Starts one process for all files.
  *
  * @param {string} reader the script's name after `with_`
  * @param {string} [interpreter]
  */
 export function python(reader, interpreter = process.env.ROSTO_READERS_PYTHON) {
   return async (/** @type {unknown} */ _, /** @type {string[]} */ files) => {
-    if (!interpreter) throw new Missing("ROSTO_READERS_PYTHON names no Python");
+    if (!interpreter) throw new Missing("ROSTO_READERS_PYTHON is not set");
     const script = path.join(import.meta.dirname, `python/with_${reader}.py`);
-    const { stdout } = await run(interpreter, [script, ...files], { maxBuffer: MOST_BYTES }).catch((error) => {
+    const { stdout } = await run(interpreter, [script, ...files], { maxBuffer: MAX_BYTES }).catch((error) => {
       const lacking = /ModuleNotFoundError: (.+)/.exec(error.stderr ?? "");
       throw lacking ? new Missing(lacking[1]) : error;
     });
-    /** @type {Seen[]} */
-    const seen = stdout.trim().split("\n").map((line) => JSON.parse(line));
-    return async (/** @type {string} */ file) => seen[files.indexOf(file)];
+    /** @type {Report[]} */
+    const reports = stdout.trim().split("\n").map((line) => JSON.parse(line));
+    return async (/** @type {string} */ file) => reports[files.indexOf(file)];
   };
 }
 
-/** PrusaSlicer's measurements and repairs of bodies, and its complaints while it slices them. */
+/** PrusaSlicer's measurements, repairs and warnings for a body. */
 export async function prusaSlicer() {
   await run(SLICER, ["--help"]).catch(() => {
-    throw new Missing(`no \`${SLICER}\` here`);
+    throw new Missing(`\`${SLICER}\` not found`);
   });
   return sliced;
 }
 
-/** @param {string} file @returns {Promise<Seen>} */
+/** @param {string} file @returns {Promise<Report>} */
 async function sliced(file) {
-  const options = { timeout: SLICER_LIMIT_MS, maxBuffer: MOST_BYTES };
+  const options = { timeout: SLICER_LIMIT_MS, maxBuffer: MAX_BYTES };
   const { stdout: listed } = await run(SLICER, ["--info", file], options);
   const info = Object.fromEntries([...listed.matchAll(/^(\w+) *= *(\S+)/gm)].map(([, name, value]) => [name, value]));
   const gcode = `${file}.gcode`;

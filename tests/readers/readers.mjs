@@ -1,8 +1,8 @@
-// The programs that open the files, each with the formats it reads. None of them is ours.
+// Programs that open the files, with the formats that they read.
 import { modelViewer, three } from "./chromium.mjs";
 import { prusaSlicer, python } from "./programs.mjs";
 
-/** @typedef {import("./judge.mjs").Seen} Seen */
+/** @typedef {import("./verifier.mjs").Report} Report */
 /** @typedef {import("./table.mjs").Row} Row */
 
 /**
@@ -11,13 +11,13 @@ import { prusaSlicer, python } from "./programs.mjs";
  * @typedef {object} Reader
  * @property {string} name
  * @property {string[]} opens formats
- * @property {string[]} [blind] formats in which it shows no vertex colours
- * @property {(row: Row) => boolean} [knows] false for files it has no notion of, which it is not given
- * @property {(t: import("node:test").TestContext, files: string[]) => Promise<(file: string) => Promise<Seen>>} start resolves to what
- *   opens one of the files; throws {@link import("./programs.mjs").Missing} where the program is not installed
+ * @property {string[]} [blind] formats in which it ignores vertex colours
+ * @property {(row: Row) => boolean} [supports] false for files to skip
+ * @property {(t: import("node:test").TestContext, files: string[]) => Promise<(file: string) => Promise<Report>>} start resolves to a
+ *   function that opens a file; throws {@link import("./programs.mjs").Missing} if the program is not installed
  */
 
-/** Several times as large as all the others together: only where `cargo xtask readers` has installed it. */
+/** Only if `cargo xtask readers` has installed it, because it is several times as large as the others together. */
 const BLENDER = process.env.ROSTO_READERS_BLENDER;
 
 /** @type {Reader[]} */
@@ -28,11 +28,11 @@ export const READERS = [
     name: "trimesh",
     opens: ["glb", "gltf", "obj", "ply", "stl", "3mf"],
     blind: ["glb", "gltf", "3mf"],
-    knows: (row) => row.morphs === undefined,
+    supports: (row) => row.morphs === undefined,
     start: python("trimesh"),
   },
   { name: "OpenUSD", opens: ["usdz"], start: python("usd") },
   { name: "lib3mf", opens: ["3mf", "stl"], start: python("lib3mf") },
   ...(BLENDER ? [{ name: "Blender", opens: ["glb", "gltf", "obj", "ply", "stl", "usdz"], start: python("blender", BLENDER) }] : []),
-  { name: "PrusaSlicer", opens: ["stl", "3mf"], knows: (row) => row.body !== undefined, start: prusaSlicer },
+  { name: "PrusaSlicer", opens: ["stl", "3mf"], supports: (row) => row.body !== undefined, start: prusaSlicer },
 ];

@@ -1,14 +1,14 @@
-// Meshes however they are stored: distinct places, and the triangles that join them.
+// Compares meshes regardless of how vertices are stored: distinct places, and the triangles between them.
 import { Matrix3 } from "three";
 
 /** @typedef {[number, number, number]} Point */
 
-/** Closer points are one place: a hundredth of the shortest edge, and more than any format's rounding. */
+/** Closer points coincide: 1 % of the shortest edge, and more than the formats' rounding. */
 const SAME_M = 2e-6;
-/** Side of the search grid's cells: wide compared with SAME_M, narrow compared with an edge. */
+/** Cell size of the search grid: larger than SAME_M, smaller than an edge. */
 const CELL_M = 6.4e-5;
 
-/** Points in metres, found by where they are. */
+/** Points in metres with a spatial index. */
 export class Places {
   /** @type {Map<number, number[]>} */
   #cells = new Map();
@@ -29,13 +29,13 @@ export class Places {
   }
 }
 
-/** A triangle as text, the same whichever corner comes first, another when flipped. @param {number[]} corners */
+/** Key of an oriented triangle, independent of its first corner. @param {number[]} corners */
 export function oriented(corners) {
   const first = corners.indexOf(Math.min(...corners));
   return [0, 1, 2].map((step) => corners[(first + step) % 3]).join(",");
 }
 
-/** Number of edges not used once in each direction: 0 for a closed, consistently oriented surface. @param {string[][]} triangles */
+/** Number of edges that are not used exactly once in each direction: 0 for a closed, oriented surface. @param {string[][]} triangles */
 export function openEdges(triangles) {
   const edges = triangles.flatMap(([a, b, c]) => [[a, b], [b, c], [c, a]]);
   const used = new Set(edges.map(String));
@@ -43,12 +43,12 @@ export function openEdges(triangles) {
   return unpaired.length + edges.length - used.size;
 }
 
-/** Enclosed volume by the divergence theorem, negative if inside out. @param {Point[]} points @param {number[][]} triangles */
+/** Enclosed volume by the divergence theorem; negative if inside out. @param {Point[]} points @param {number[][]} triangles */
 export function volume(points, triangles) {
   return triangles.reduce((sum, corners) => sum + new Matrix3(...corners.flatMap((corner) => points[corner])).determinant() / 6, 0);
 }
 
-/** Keys of the cells within a distance of a point; cells may share a key. @param {Point} point @param {number} distance_m */
+/** Keys of the grid cells within a distance of a point; different cells may share a key. @param {Point} point @param {number} distance_m */
 function cellsNear(point, distance_m) {
   const along = point.map((value) => [...new Set([value - distance_m, value + distance_m].map((end) => Math.floor(end / CELL_M)))]);
   return along.reduce((keys, cells) => keys.flatMap((key) => cells.map((cell) => key * 0x10000 + cell)), [0]);

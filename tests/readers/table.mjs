@@ -1,4 +1,4 @@
-// The files to open: every kind that the command line writes. A new option or format is a line here; the expectations follow from it.
+// Kinds of files that the command line writes. Add a line for a new option or format; the expectations follow from it.
 
 /**
  * A file to open.
@@ -6,20 +6,19 @@
  * @typedef {object} Row
  * @property {string} ending the format
  * @property {Shape} shape
- * @property {"photo" | "whole" | "colours" | "none"} skin a texture of the photo or of the whole face, vertex colours,
- *   or nothing
- * @property {"solid"} [body] closed, with the face at its front
+ * @property {"photo" | "whole" | "colours" | "none"} baseColour the photo or the whole-face texture, vertex colours, or nothing
+ * @property {"solid"} [body] closed body with the face at its front
  * @property {Record<string, number>} [morphs] weights of the morph targets by name
- * @property {"pieces"} [eyesAndMouth] separate pieces, which lie elsewhere than the face's own fillings
- * @property {string[]} [options] of `rosto mesh`, without those that follow from the properties above
+ * @property {"pieces"} [eyesAndMouth] separate meshes in place of the face's fillings
+ * @property {string[]} [options] further options of `rosto mesh`
  */
 
 /** @typedef {{ topology: "tessellation" | "canonical", density: number, edits: string[] }} Shape edits: the command line's options */
 
-/** Each is a morph target of its own name where edits are morph targets. */
+/** Edits by the name of their morph target. */
 const EDITS = { "jaw-width": ["--slider", "jaw-width:-4"], nose: ["--region", "nose:0,0,5"] };
 
-/** ARKit's names of blend shapes (ARFaceAnchor.BlendShapeLocation), without tongue and gaze, which a face mesh has no parts for. */
+/** ARKit blend shapes (ARFaceAnchor.BlendShapeLocation) except tongue and gaze. */
 const BLEND_SHAPES = [
   ...[
     "browDown", "browOuterUp", "cheekSquint", "eyeBlink", "eyeSquint", "eyeWide", "jaw", "mouth", "mouthDimple", "mouthFrown",
@@ -28,83 +27,83 @@ const BLEND_SHAPES = [
   "browInnerUp", "cheekPuff", "jawForward", "jawOpen", "mouthClose", "mouthFunnel", "mouthPucker", "mouthRollLower", "mouthRollUpper",
   "mouthShrugLower", "mouthShrugUpper",
 ];
-/** Expressions with a weight; closed lids would share places. */
+/** Weighted expressions; below 1, because the points of closed lids would coincide. */
 const SHOWN = { jawOpen: 0.6, mouthSmileLeft: 0.5, eyeBlinkRight: 0.5 };
 
 const EDITED = Object.values(EDITS).flat();
 const EXPRESSED = Object.entries(SHOWN).flatMap(([name, weight]) => ["--expression", `${name}:${weight}`]);
 
-/** Units in metres of the formats that have another. */
+/** Units of the formats that do not use metres, in metres. */
 export const METRES = { stl: 0.001, "3mf": 0.001 };
 
-/** Axes along which a format moves the model to begin at 0: a face onto the ground, a body to a printer's origin. */
+/** Axes along which a format moves the model so that it starts at 0: to the ground in AR, to a printer's origin. */
 export const MOVED = { "3mf": [0, 1, 2], usdz: [1] };
 
-/** Formats with a choice of base colour. */
+/** Formats with the option `--base-colour`. */
 const PAINTED = ["glb", "gltf", "obj", "usdz"];
-const SKINS = /** @type {const} */ (["whole", "photo", "colours"]);
+const BASE_COLOURS = /** @type {const} */ (["whole", "photo", "colours"]);
 const MORPH_TARGETS = { options: ["--morph-targets"], morphs: Object.fromEntries(Object.keys(EDITS).map((name) => [name, 1])) };
 /** @type {Pick<Row, "options" | "morphs">} */
 const EXPRESSIONS = { options: ["--expressions"], morphs: { ...Object.fromEntries(BLEND_SHAPES.map((name) => [name, 0])), ...SHOWN } };
 
 /** @type {Shape} */
 const FACE = { topology: "canonical", density: 2, edits: EDITED };
-/** With holes for eyes and mouth, and the fewest triangles. @type {Shape} */
-const SHEET = { topology: "tessellation", density: 0, edits: [] };
+/** With open eyes and mouth, at the lowest density. @type {Shape} */
+const OPEN_FACE = { topology: "tessellation", density: 0, edits: [] };
 
-const MORPHS = { shape: FACE, skin: "photo", ...MORPH_TARGETS };
+const MORPHS = { shape: FACE, baseColour: "photo", ...MORPH_TARGETS };
 /** For animation. */
-const AVATAR = { shape: { ...FACE, edits: EXPRESSED }, skin: "photo", ...EXPRESSIONS, eyesAndMouth: "pieces" };
+const AVATAR = { shape: { ...FACE, edits: EXPRESSED }, baseColour: "photo", ...EXPRESSIONS, eyesAndMouth: "pieces" };
 /** For printers. */
 const BODIES = ["thickness:2", "flat:3"].map((solid) => ({ shape: FACE, options: ["--solid", solid], body: "solid" }));
 
-/** Opened by the readers. @type {Row[]} */
+/** Files for the readers. @type {Row[]} */
 export const ROWS = [
-  ...combinations(PAINTED, SKINS).map(([ending, skin]) => ({ ending, shape: FACE, skin })),
+  ...combinations(PAINTED, BASE_COLOURS).map(([ending, baseColour]) => ({ ending, shape: FACE, baseColour })),
   ...combinations(["glb", "gltf"], [MORPHS, AVATAR]).map(([ending, row]) => ({ ending, ...row })),
-  ...PAINTED.map((ending) => ({ ending, shape: SHEET, skin: "photo" })),
-  ...[FACE, SHEET].map((shape) => ({ ending: "ply", shape, skin: "colours" })),
-  ...[FACE, SHEET].map((shape) => ({ ending: "stl", shape, skin: "none", options: ["--solid", "surface"] })),
-  ...BODIES.map((body) => ({ ending: "stl", ...body, skin: "none" })),
-  ...BODIES.map((body) => ({ ending: "3mf", ...body, skin: "colours" })),
+  ...PAINTED.map((ending) => ({ ending, shape: OPEN_FACE, baseColour: "photo" })),
+  ...[FACE, OPEN_FACE].map((shape) => ({ ending: "ply", shape, baseColour: "colours" })),
+  ...[FACE, OPEN_FACE].map((shape) => ({ ending: "stl", shape, baseColour: "none", options: ["--solid", "surface"] })),
+  ...BODIES.map((body) => ({ ending: "stl", ...body, baseColour: "none" })),
+  ...BODIES.map((body) => ({ ending: "3mf", ...body, baseColour: "colours" })),
 ];
 
-/** Every combination of a GLB's choices, for the validator. @type {Row[]} */
+/** All combinations of GLB options, for the validator. @type {Row[]} */
 export const MATRIX = combinations(
-  SKINS,
+  BASE_COLOURS,
   ["lit", "unlit"],
   [{ edits: [] }, { edits: EDITED }, { edits: EDITED, ...MORPH_TARGETS }, { edits: EXPRESSED, ...EXPRESSIONS }],
   ["tessellation", "canonical"],
   [0, 1, 2, 3],
-).map(([skin, material, { edits, options = [] }, topology, density]) => ({
+).map(([baseColour, material, { edits, options = [] }, topology, density]) => ({
   ending: "glb",
   shape: { topology, density, edits },
-  skin,
-  // The face found by one look, and a small texture: the choices do not depend on them.
-  options: ["--mediapipe", ...(skin === "whole" ? ["--texture-size", "1024"] : []), "--material", material, ...options],
+  baseColour,
+  // Fast detection and a small texture, which do not affect the result.
+  options: ["--mediapipe", ...(baseColour === "whole" ? ["--texture-size", "1024"] : []), "--material", material, ...options],
 }));
 
 /**
- * Drawn over the photo by three.js, with the largest mean colour error, of 255: a texture is the photo's own JPEG, drawn between
- * its pixels; vertex colours are interpolated between vertices.
+ * Files that three.js draws over the photo, with the largest mean colour error, of 255. A texture is a resampled JPEG of the
+ * photo; vertex colours are interpolated.
  *
  * @type {(Row & { most: number })[]}
  */
-export const ON_THE_PHOTO = combinations([0, 2], SKINS).map(([density, skin]) => ({
+export const ON_THE_PHOTO = combinations([0, 2], BASE_COLOURS).map(([density, baseColour]) => ({
   ending: "glb",
   shape: { topology: "canonical", density, edits: [] },
-  skin,
+  baseColour,
   options: ["--material", "unlit"],
-  most: { whole: 8, photo: 3, colours: density === 0 ? 12 : 6 }[skin],
+  most: { whole: 8, photo: 3, colours: density === 0 ? 12 : 6 }[baseColour],
 }));
 
 /** The command line's options for a row. @param {Partial<Row> & Pick<Row, "shape">} row */
-export function commandOf({ ending, shape: { topology, density, edits }, skin, options = [] }) {
-  const baseColour = PAINTED.includes(ending) ? ["--base-colour", skin] : [];
-  return ["--units", "mm", "--topology", topology, "--density", String(density), ...edits, ...baseColour, ...options];
+export function commandOf({ ending, shape: { topology, density, edits }, baseColour, options = [] }) {
+  const colourOption = PAINTED.includes(ending) ? ["--base-colour", baseColour] : [];
+  return ["--units", "mm", "--topology", topology, "--density", String(density), ...edits, ...colourOption, ...options];
 }
 
-/** Every choice of one from each list. */
+/** Cartesian product of lists. */
 function combinations(...lists) {
   return lists.reduce((chosen, list) => chosen.flatMap((before) => list.map((each) => [...before, each])), [[]]);
 }

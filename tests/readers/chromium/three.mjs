@@ -1,4 +1,4 @@
-// In the browser: the mesh that three.js' own loaders make of a file, and its drawing.
+// Runs in the browser: loads files with three.js' loaders, reports their meshes, and draws them.
 import { Color, LoadingManager, Matrix4, Mesh, MeshStandardMaterial, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
 import { ThreeMFLoader } from "three/addons/loaders/3MFLoader.js";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
@@ -8,10 +8,10 @@ import { PLYLoader } from "three/addons/loaders/PLYLoader.js";
 import { STLLoader } from "three/addons/loaders/STLLoader.js";
 import { USDLoader } from "three/addons/loaders/USDLoader.js";
 
-/** Limit for decoding a picture. */
+/** Time limit for decoding a picture. */
 const WAIT_MS = 10_000;
 
-/** For formats without materials. */
+/** Material for formats without materials. */
 const PAINTED = new MeshStandardMaterial({ vertexColors: true });
 
 const LOADERS = {
@@ -25,7 +25,7 @@ const LOADERS = {
 };
 
 /** @param {string} url */
-export async function see(url) {
+export async function read(url) {
   const loaded = await load(url);
   loaded.updateMatrixWorld(true);
   const meshes = [];
@@ -38,22 +38,22 @@ export async function see(url) {
   const corners = index ? [...index.array] : vertices;
   const targets = Object.entries(mesh.morphTargetDictionary ?? {});
   return {
-    // With the morph targets at their weights, as it is drawn.
+    // With morph targets applied at their weights.
     positions: vertices.map((at) => mesh.getVertexPosition(at, new Vector3()).applyMatrix4(mesh.matrixWorld).toArray()),
     triangles: Array.from({ length: corners.length / 3 }, (_, triangle) => corners.slice(3 * triangle, 3 * triangle + 3)),
-    ...skinOf(attributes, mesh.material),
+    ...coloursOf(attributes, mesh.material),
     morphs: (mesh.morphTargetInfluences ?? []).map((weight, at) => [targets.find(([, target]) => target === at)?.[0], weight]),
     unlit: mesh.material.isMeshBasicMaterial === true,
   };
 }
 
 /**
- * A file as a camera sees it: a PNG as a data URL, transparent outside the file. There is no light, so only unlit materials
- * have colours.
+ * Renders a file with a camera to a PNG as a data URL, with a transparent background. Without lights, so that only unlit
+ * materials have colours.
  *
  * @param {string} url
- * @param {{ width: number, height: number, focal_px: number, cameraFromModel: number[] }} camera the matrix by columns; it
- *   looks along −Z through the middle of the picture
+ * @param {{ width: number, height: number, focal_px: number, cameraFromModel: number[] }} camera the matrix in
+ *   column-major order; the camera looks along −Z through the centre of the picture
  */
 export async function draw(url, { width, height, focal_px, cameraFromModel }) {
   const renderer = new WebGLRenderer({ alpha: true, preserveDrawingBuffer: true });
@@ -67,7 +67,7 @@ export async function draw(url, { width, height, focal_px, cameraFromModel }) {
   return picture;
 }
 
-/** A file with its pictures. @param {string} url */
+/** Loads a file and its pictures. @param {string} url */
 async function load(url) {
   const manager = new LoadingManager();
   const lost = [];
@@ -78,33 +78,33 @@ async function load(url) {
   return loaded;
 }
 
-/** Some loaders return a material before its picture. */
+/** Waits for a material's picture, because some loaders return earlier. */
 async function decoded(map) {
   const until = performance.now() + WAIT_MS;
   while (map && !map.image?.width && performance.now() < until) await new Promise((resolve) => setTimeout(resolve, 20));
 }
 
-function skinOf({ uv, color }, material) {
-  if (uv && material.map) return texturedSkin(uv, material.map);
+function coloursOf({ uv, color }, material) {
+  if (uv && material.map) return texturedColours(uv, material.map);
   if (!color || !material.vertexColors) return {};
   const colours = Array.from({ length: color.count }, (_, at) => new Color().fromBufferAttribute(color, at).convertLinearToSRGB());
-  return { skin: colours.map((colour) => colour.toArray().map((share) => Math.round(255 * share))) };
+  return { vertex_colours: colours.map((colour) => colour.toArray().map((share) => Math.round(255 * share))) };
 }
 
-function texturedSkin(uv, { image, flipY }) {
+function texturedColours(uv, { image, flipY }) {
   const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
   context.drawImage(image, 0, 0);
   const { data, width, height } = context.getImageData(0, 0, image.width, image.height);
   const texel = (share, size) => Math.max(0, Math.min(size - 1, Math.floor(share * size)));
   const uvs = Array.from({ length: uv.count }, (_, at) => [uv.getX(at), uv.getY(at)]);
-  const skin = uvs.map(([u, v]) => {
+  const vertex_colours = uvs.map(([u, v]) => {
     const at = 4 * (texel(flipY ? 1 - v : v, height) * width + texel(u, width));
     return [...data.subarray(at, at + 3)];
   });
-  return { uvs, texture: { width, height }, skin };
+  return { uvs, texture: { width, height }, vertex_colours };
 }
 
-/** An OBJ with the materials that it names. */
+/** Loads an OBJ with the materials that it names. */
 async function withMaterials(url, manager) {
   const named = /^mtllib (.+)$/m.exec(await (await fetch(url)).text())?.[1];
   const loader = new OBJLoader(manager);

@@ -1,9 +1,9 @@
-"""Blender as a module: GLB, glTF, OBJ, PLY, STL and USDZ, each by the importer in its menu."""
+"""Reads GLB, glTF, OBJ, PLY, STL and USDZ with Blender's importers."""
 
 import bpy
 import numpy
 
-from seen import report, textured
+from reporting import report, textured
 
 IMPORTERS = {
     "glb": bpy.ops.import_scene.gltf,
@@ -13,7 +13,7 @@ IMPORTERS = {
     "stl": bpy.ops.wm.stl_import,
     "usdz": bpy.ops.wm.usd_import,
 }
-# Blender's +Z points up. These formats state that their +Y does, and are turned on the way in.
+# Formats with +Y up, which Blender rotates to +Z up.
 TURNED = {"glb", "gltf", "obj", "usdz"}
 
 
@@ -24,7 +24,7 @@ def read(path):
     (body,) = [thing for thing in bpy.data.objects if thing.type == "MESH"]
     mesh = body.data
     mesh.calc_loop_triangles()
-    # With the shape keys at their values, as it is shown.
+    # With shape keys applied at their values.
     shown = body.evaluated_get(bpy.context.evaluated_depsgraph_get())
     points = numpy.array([shown.matrix_world @ vertex.co for vertex in shown.data.vertices])
     if ending in TURNED:
@@ -34,18 +34,18 @@ def read(path):
         "positions": points,
         "triangles": [list(triangle.vertices) for triangle in mesh.loop_triangles],
         "morphs": [[key.name, key.value] for key in keys],
-        **skin(mesh),
+        **colours(mesh),
     }
 
 
-def skin(mesh):
+def colours(mesh):
     corners = numpy.array([loop.vertex_index for loop in mesh.loops])
     pictures = [picture for picture in bpy.data.images if picture.size[0] > 0]
     if mesh.uv_layers and pictures:
         uvs = numpy.zeros((len(mesh.vertices), 2))
         uvs[corners] = [list(corner.uv) for corner in mesh.uv_layers[0].data]
         width, height = pictures[0].size
-        # Blender's rows begin at the bottom.
+        # Blender's pixel rows start at the bottom.
         pixels = numpy.array(pictures[0].pixels).reshape(height, width, -1)[::-1]
         return textured(numpy.round(255 * pixels), uvs)
     if not mesh.color_attributes:
@@ -53,7 +53,7 @@ def skin(mesh):
     attribute = mesh.color_attributes[0]
     colours = numpy.zeros((len(mesh.vertices), 3))
     colours[corners if attribute.domain == "CORNER" else slice(None)] = [list(entry.color_srgb)[:3] for entry in attribute.data]
-    return {"skin": numpy.round(255 * colours)}
+    return {"vertex_colours": numpy.round(255 * colours)}
 
 
 report(read)

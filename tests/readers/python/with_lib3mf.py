@@ -1,9 +1,9 @@
-"""lib3mf, the 3MF Consortium's own: 3MF and STL."""
+"""Reads 3MF and STL with the 3MF Consortium's lib3mf."""
 
 import lib3mf
 from lib3mf import get_wrapper
 
-from seen import report
+from reporting import report
 
 UNITS_M = {lib3mf.ModelUnit.MilliMeter: 0.001, lib3mf.ModelUnit.Meter: 1.0, lib3mf.ModelUnit.CentiMeter: 0.01}
 WRAPPER = get_wrapper()
@@ -12,7 +12,7 @@ WRAPPER = get_wrapper()
 def read(path):
     model = WRAPPER.CreateModel()
     reader = model.QueryReader(path.rpartition(".")[2])
-    # Strict: every deviation from the specification is a warning at least.
+    # Strict mode reports deviations from the specification at least as warnings.
     reader.SetStrictModeActive(True)
     reader.ReadFromFile(path)
     meshes = model.GetMeshObjects()
@@ -29,14 +29,14 @@ def read(path):
 
 
 def colours(model, mesh):
-    """The colour of each corner of each triangle, where the file has colours."""
+    """Returns the colour of each triangle corner, if the file has colours."""
     groups = model.GetColorGroups()
     if not groups.MoveNext():
         return {}
     group = groups.GetCurrentColorGroup()
     palette = {at: group.GetColor(at) for at in group.GetAllPropertyIDs()}
     corners = [[palette[at] for at in triangle.PropertyIDs] for triangle in mesh.GetAllTriangleProperties()]
-    return {"corner_skin": [[[colour.Red, colour.Green, colour.Blue] for colour in triangle] for triangle in corners]}
+    return {"corner_colours": [[[colour.Red, colour.Green, colour.Blue] for colour in triangle] for triangle in corners]}
 
 
 report(read)

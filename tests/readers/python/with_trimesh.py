@@ -1,12 +1,12 @@
-"""Trimesh: GLB, glTF, OBJ, PLY, STL and 3MF."""
+"""Reads GLB, glTF, OBJ, PLY, STL and 3MF with trimesh."""
 
 import trimesh
 
-from seen import report, textured
+from reporting import report, textured
 
 
 def read(path):
-    # Unprocessed: merging and dropping on the way in could hide a fault of the file.
+    # Without processing, because merging and dropping vertices could hide faults.
     scene = trimesh.load_scene(path, process=False)
     (mesh,) = scene.dump()
     body = mesh.copy()
@@ -17,16 +17,16 @@ def read(path):
         "closed": bool(body.is_volume),
         "volume": body.volume,
         **({"unit_m": trimesh.units.unit_conversion(scene.units, "meters")} if scene.units else {}),
-        **skin(mesh.visual),
+        **colours(mesh.visual),
     }
 
 
-def skin(visual):
+def colours(visual):
     if visual.kind == "texture" and visual.uv is not None:
         material = visual.material
         picture = getattr(material, "baseColorTexture", None) or getattr(material, "image", None)
         return textured(picture.convert("RGB"), visual.uv) if picture else {"uvs": visual.uv}
-    return {"skin": visual.vertex_colors[:, :3]} if visual.kind == "vertex" else {}
+    return {"vertex_colours": visual.vertex_colors[:, :3]} if visual.kind == "vertex" else {}
 
 
 report(read)

@@ -1,4 +1,4 @@
-"""OpenUSD: USDZ, with the rules of Apple's AR Quick Look."""
+"""Reads USDZ with OpenUSD, and checks it against the rules of Apple's AR Quick Look."""
 
 import io
 import zipfile
@@ -7,7 +7,7 @@ import numpy
 import PIL.Image
 from pxr import Usd, UsdGeom, UsdShade, UsdUtils, UsdValidation
 
-from seen import report, textured
+from reporting import report, textured
 
 
 def read(path):
@@ -24,12 +24,12 @@ def read(path):
         "unit_m": UsdGeom.GetStageMetersPerUnit(stage),
         "up": UsdGeom.GetStageUpAxis(stage),
         "remarks": remarks(stage, path),
-        **skin(mesh, path),
+        **colours(mesh, path),
     }
 
 
 def remarks(stage, path):
-    """Both of USD's own checks; the older has Apple's rules."""
+    """Returns the findings of both USD checkers; the older one contains Apple's rules."""
     checker = UsdUtils.ComplianceChecker(arkit=True)
     checker.CheckCompliance(path)
     context = UsdValidation.ValidationContext(UsdValidation.ValidationRegistry().GetOrLoadAllValidators())
@@ -37,7 +37,7 @@ def remarks(stage, path):
     return checker.GetErrors() + checker.GetFailedChecks() + checker.GetWarnings() + errors
 
 
-def skin(mesh, path):
+def colours(mesh, path):
     material, _ = UsdShade.MaterialBindingAPI(mesh.GetPrim()).ComputeBoundMaterial()
     if not material:
         return {}
@@ -45,7 +45,7 @@ def skin(mesh, path):
     (source, *_), _ = surface.GetInput("diffuseColor").GetConnectedSources()
     file = UsdShade.Shader(source.source).GetInput("file")
     if not file:
-        return {"skin": srgb_from_linear(mesh.GetDisplayColorPrimvar().ComputeFlattened())}
+        return {"vertex_colours": srgb_from_linear(mesh.GetDisplayColorPrimvar().ComputeFlattened())}
     uvs = numpy.array(UsdGeom.PrimvarsAPI(mesh).GetPrimvar("st").ComputeFlattened())
     with zipfile.ZipFile(path) as package:
         picture = PIL.Image.open(io.BytesIO(package.read(file.Get().path.removeprefix("./"))))
@@ -53,7 +53,7 @@ def skin(mesh, path):
 
 
 def srgb_from_linear(colours):
-    """Linear light from 0 to 1 as sRGB from 0 to 255."""
+    """Converts linear light (0 to 1) to sRGB (0 to 255)."""
     linear = numpy.array(colours, dtype=float)
     return numpy.round(255.0 * numpy.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055))
 
