@@ -1,4 +1,4 @@
-//! Benchmarks of photo edits at 12 megapixels and of the complete texture of a face, on one thread.
+//! Benchmarks of photo edits at 12 megapixels and of the whole-face texture, on one thread.
 //!
 //! The landmarks are MediaPipe's of the sample portrait, scaled to half the photo's width, so that the edit moves most
 //! of the photo. The pixels are synthetic.
@@ -50,7 +50,7 @@ fn texture(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("texture");
     group.sample_size(10);
     for side_px in [1024, 2048, 4096] {
-        let id = BenchmarkId::new("complete texture from one photo", format!("{side_px} px"));
+        let id = BenchmarkId::new("whole-face texture from one photo", format!("{side_px} px"));
         group.bench_function(id, |bencher| bencher.iter(|| whole_texture(&face, side_px).unwrap()));
     }
 }
