@@ -1,8 +1,8 @@
-/// How many boxes the detector proposes.
+/// Number of anchor boxes of the detector.
 pub(crate) const ANCHOR_COUNT: usize = 896;
 
-/// Centres (x, y) the detector's boxes are relative to, normalised to its input: a 16 × 16 grid with 2 in each cell, then
-/// an 8 × 8 grid with 6; row by row, those of one cell together.
+/// Centres (x, y) of the detector's anchors, normalised to its input: a 16 × 16 grid with 2 anchors per cell, then an 8
+/// × 8 grid with 6. Row by row, with the anchors of a cell together.
 pub(crate) fn anchors() -> Vec<[f32; 2]> {
     [(16, 2), (8, 6)].into_iter().flat_map(|(cells, copies)| grid(cells, copies)).collect()
 }

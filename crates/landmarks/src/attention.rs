@@ -1,9 +1,9 @@
-//! MediaPipe's landmark network with attention: a trunk that finds a face's 468 points and features, and heads that look
-//! at lips and eyes again, each in its own turned region of the features.
+//! MediaPipe's landmark network with attention: a trunk finds 468 points and a feature map, and heads refine lips and
+//! eyes from rotated crops of the feature map.
 //!
-//! What happens between trunk and heads, and how their answers are merged, follows MediaPipe's operators for TFLite
-//! (`landmarks_to_transform_matrix.cc`, `transform_tensor_bilinear.cc`, `transform_landmarks.cc`, version 2 of each) and its
-//! graph `tensors_to_face_landmarks_with_attention.pbtxt`.
+//! Cropping and merging follow MediaPipe's TFLite operators (`landmarks_to_transform_matrix.cc`,
+//! `transform_tensor_bilinear.cc`, `transform_landmarks.cc`, version 2 of each) and its graph
+//! `tensors_to_face_landmarks_with_attention.pbtxt`.
 
 mod parts;
 mod region;
@@ -14,7 +14,7 @@ use crate::raw_mesh::{LANDMARK_COUNT, NAME, RawMesh, SIDE};
 use parts::{IRIS_POINTS, LEFT_EYE, LIPS, Part, RIGHT_EYE};
 use region::{CROP_SIDE, FEATURE_CHANNELS, FEATURE_SIDE, FeatureRegion};
 
-/// The network with attention, cut where it looks closer.
+/// The attention network, split into trunk and heads.
 pub(crate) struct Attention {
     trunk: Network,
     heads: Network,
@@ -25,7 +25,7 @@ const HEAD_INPUTS: [&str; 3] =
     ["transform_tensor_bilinear_v2", "transform_tensor_bilinear_v2_1", "transform_tensor_bilinear_v2_2"];
 const HEAD_OUTPUTS: [&str; 5] = ["conv_lips", "conv_left_eye", "conv_right_eye", "conv_left_iris", "conv_right_iris"];
 
-/// In the order of [`HEAD_INPUTS`].
+/// The parts, in the order of [`HEAD_INPUTS`].
 const PARTS: [&Part; 3] = [&LIPS, &RIGHT_EYE, &LEFT_EYE];
 
 impl Attention {
@@ -38,7 +38,7 @@ impl Attention {
         })
     }
 
-    /// Runs on the picture that `fill` writes: 478 points in px of the picture.
+    /// Runs on the picture that `fill` writes. Returns 478 points in px of that picture.
     pub(crate) fn run(&self, fill: impl Fn(&mut [f32])) -> Result<RawMesh, LandmarksError> {
         let features_length = FEATURE_CHANNELS * FEATURE_SIDE * FEATURE_SIDE;
         let [points, flag, features] =

@@ -1,20 +1,20 @@
-//! The numbers that an ONNX file holds.
+//! Decoding of the constants of an ONNX file.
 
 use tract_onnx::pb::TensorProto;
 use tract_onnx::pb::tensor_proto::DataType;
 use tract_onnx::prelude::*;
 use tract_onnx::tract_core::internal::{TractErrorContext, bail, ensure};
 
-/// A constant's extents.
+/// The shape of a constant.
 pub(crate) fn shape(tensor: &TensorProto) -> TractResult<TVec<usize>> {
     let extents = tensor.dims.iter().map(|&extent| usize::try_from(extent).ok());
     extents.collect::<Option<_>>().with_context(|| format!("{} has a shape of {:?}", tensor.name, tensor.dims))
 }
 
-/// Numbers of half or single precision, in the order of the file.
+/// Decodes half or single precision numbers, in the order of the file.
 ///
 /// # Errors
-/// If there are more or fewer than the constant's shape says, or one is infinite or none.
+/// If their number does not match the shape, or one is not finite.
 pub(crate) fn floats(tensor: &TensorProto) -> TractResult<Vec<f32>> {
     let numbers: Vec<f32> = match DataType::try_from(tensor.data_type) {
         Ok(DataType::Float16) => elements(tensor)?.iter().map(|&bytes| f16::from_le_bytes(bytes).to_f32()).collect(),
@@ -26,10 +26,10 @@ pub(crate) fn floats(tensor: &TensorProto) -> TractResult<Vec<f32>> {
     Ok(numbers)
 }
 
-/// Whole numbers.
+/// Decodes i64 numbers.
 ///
 /// # Errors
-/// If there are more or fewer than the constant's shape says.
+/// If their number does not match the shape.
 pub(crate) fn integers(tensor: &TensorProto) -> TractResult<Vec<i64>> {
     let is_whole = tensor.data_type == DataType::Int64 as i32;
     ensure!(is_whole, "{} holds numbers of type {}", tensor.name, tensor.data_type);

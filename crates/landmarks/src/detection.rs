@@ -1,21 +1,21 @@
 use crate::outline::Outline;
 use crate::region_of_interest::{PictureSize, RegionOfInterest};
 
-/// A face as the detector sees it. Positions are normalised: to the region it was looked for in, or to the picture.
+/// A detected face. Positions are normalised to the searched region or to the picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Detection {
-    /// In 0..1.
+    /// Score, 0..1.
     pub(crate) score: f32,
     /// Left and top.
     pub(crate) min: [f32; 2],
     /// Right and bottom.
     pub(crate) max: [f32; 2],
-    /// The eye on the picture's left, the other eye, nose, mouth, and the ears.
+    /// Eye on the picture's left, other eye, nose, mouth, ears.
     pub(crate) keypoints: [[f32; 2]; 6],
 }
 
 impl Detection {
-    /// The square to look for landmarks in, turned so that the line between the eyes is level.
+    /// The region for the landmark network, rotated so that the eyes are level.
     pub(crate) fn face_region(&self, picture: PictureSize) -> RegionOfInterest {
         RegionOfInterest::around(self.outline(), [self.keypoints[0], self.keypoints[1]], picture)
     }
@@ -24,7 +24,7 @@ impl Detection {
         Outline { min: self.min, max: self.max }
     }
 
-    /// The same in other coordinates; of a box that gets turned, the box around it.
+    /// Applies an affine map. The box becomes the bounding box of its mapped corners.
     pub(crate) fn mapped(&self, matrix: &[[f32; 3]; 2]) -> Self {
         let map = |[x, y]: [f32; 2]| matrix.map(|row| x * row[0] + y * row[1] + row[2]);
         let ([left, top], [right, bottom]) = (self.min, self.max);

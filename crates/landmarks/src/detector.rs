@@ -1,4 +1,4 @@
-//! The face detector: a region of the picture → boxes with six key points each.
+//! The face detector: maps a region of the picture to boxes with six key points each.
 
 use rosto_photo::Photo;
 
@@ -10,18 +10,18 @@ use crate::region_of_interest::{PictureSize, RegionPx};
 use crate::suppression;
 use crate::warp::{self, Outside};
 
-/// The detector network with what surrounds it.
+/// The detector network with its pre- and post-processing.
 pub(crate) struct Detector {
     network: Network,
     anchors: Vec<[f32; 2]>,
 }
 
-/// Width and height of what the network takes in, in px.
+/// Width and height of the network's input, px.
 pub(crate) const SIDE: usize = 128;
-/// Numbers for each anchor: centre, size, six key points, as x, y pairs.
+/// Outputs per anchor: centre, size and six key points, as x, y pairs.
 const NUMBERS_PER_BOX: usize = 16;
 const MIN_SCORE: f32 = 0.5;
-/// u8 to −1..1.
+/// Scale and offset from u8 to −1..1.
 const SCALE_AND_OFFSET: [f32; 2] = [2.0 / 255.0, -1.0];
 
 impl Detector {
@@ -30,7 +30,7 @@ impl Detector {
         Ok(Self { network, anchors: anchors() })
     }
 
-    /// The faces in a region of the picture, best first, normalised to the picture.
+    /// Returns the faces in a region, highest score first, normalised to the picture.
     pub(crate) fn detect(&self, photo: &Photo, region: &RegionPx) -> Result<Vec<Detection>, LandmarksError> {
         let [boxes, scores] = self.raw(photo, region)?;
         let matrix = region.picture_from_region(PictureSize::of(photo));
@@ -38,7 +38,7 @@ impl Detector {
         Ok(found.into_iter().map(|detection| detection.mapped(&matrix)).collect())
     }
 
-    /// The network's outputs, undecoded: boxes `[896, 16]` and score logits `[896]`.
+    /// Returns the network's raw outputs: boxes `[896, 16]` and score logits `[896]`.
     pub(crate) fn raw(&self, photo: &Photo, region: &RegionPx) -> Result<[Vec<f32>; 2], LandmarksError> {
         let fill = |_, planes: &mut [f32]| warp::fill_planes(planes, photo, region, Outside::Zero, SCALE_AND_OFFSET);
         self.network.run(fill, [ANCHOR_COUNT * NUMBERS_PER_BOX, ANCHOR_COUNT])
@@ -51,7 +51,7 @@ impl Detector {
     }
 }
 
-/// One box of the raw output, if its score is high enough and it is a box at all.
+/// Decodes one anchor's outputs. `None` if the score is low or the size is negative.
 fn decode_one(numbers: &[f32; NUMBERS_PER_BOX], logit: f32, anchor: [f32; 2]) -> Option<Detection> {
     let score = sigmoid(logit.clamp(-100.0, 100.0));
     let offset = |at: usize| numbers[at] / SIDE as f32;

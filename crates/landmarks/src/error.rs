@@ -1,23 +1,23 @@
 use thiserror::Error;
 
-/// Why faces could not be looked for. That there is no face is no error.
+/// Reasons why a search for faces fails. A picture without a face is not an error.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum LandmarksError {
-    /// The bytes of a network are not what they should be, which may show only in what it answers.
+    /// A network's file is not valid, or its output is not finite.
     #[error("the {network} network is damaged: {reason}")]
     NetworkDamaged {
-        /// Which network.
+        /// Name of the network.
         network: &'static str,
-        /// What the reader said, or what was answered.
+        /// The reader's message, or the invalid output.
         reason: String,
     },
-    /// A network that was read without complaint could not be run.
+    /// A valid network could not be run.
     #[error("the {network} network could not be run: {reason}")]
     NetworkFailed {
-        /// Which network.
+        /// Name of the network.
         network: &'static str,
-        /// What the runner said.
+        /// The runtime's message.
         reason: String,
     },
 }

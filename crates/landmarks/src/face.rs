@@ -3,34 +3,35 @@ use crate::region_of_interest::RegionOfInterest;
 /// One face in a picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Face {
-    /// The detector's, 0.5..1.
+    /// Detector score, 0.5..1.
     pub score: f32,
-    /// The landmark network's, 0.5..1.
+    /// Face flag of the landmark network, 0.5..1.
     pub presence: f32,
-    /// How sure it is that this is a face and that the landmarks lie on it: of [`Search::Once`](crate::Search::Once), the
-    /// presence alone; of [`Search::Thorough`](crate::Search::Thorough), above 0.7, a product of weights for the presence, for
-    /// how well the last two passes agree, for how sure the detector is from near, for how well its eyes, nose and mouth agree
-    /// with those of the mesh, and for how much more a face the right way up it is to the detector than one on its head.
+    /// Confidence that this is a face with correct landmarks, 0..1.
+    ///
+    /// With [`Search::Once`](crate::Search::Once), the presence. With [`Search::Thorough`](crate::Search::Thorough),
+    /// above 0.7: the product of weights for the presence, the agreement of the last two passes, the detector's score
+    /// on a close-up, the distance between the detector's key points and the mesh, and the score's advantage over an
+    /// upside-down face.
     pub confidence: f32,
-    /// 468 points in MediaPipe's normalised convention: x/W, y/H, z/W; y points down, smaller z is nearer, z is about 0
-    /// in the mean. With [`LandmarkNetwork::Attention`](crate::LandmarkNetwork::Attention) 478: ten of the irises follow, the
-    /// right one first, each its middle and four points of its border.
+    /// 468 points in MediaPipe's normalised convention: x/W, y/H, z/W. y points down, smaller z is nearer, and the mean
+    /// of z is about 0. [`LandmarkNetwork::Attention`](crate::LandmarkNetwork::Attention) appends ten iris points, the
+    /// right iris first, each as its centre and four boundary points.
     pub landmarks: Vec<[f32; 3]>,
-    /// Where the landmark network looked.
+    /// The region that the landmark network processed.
     pub region: RegionOfInterest,
 }
 
-/// Faces below 0.8 come after those above, and those below 0.9 after the rest, however prominent. Cloth and photos without
-/// people reach 0.88.
+/// Confidences below which a face is doubtful, and very doubtful. Cloth and photos without people reach 0.88.
 const DOUBTFUL_BELOW: [f32; 2] = [0.9, 0.8];
 
 impl Face {
-    /// Whether its confidence is so low (below 0.9) that people should be told that it may not be a face.
+    /// Whether the confidence is below 0.9. Warn the user that the result may not be a face.
     pub fn is_doubtful(&self) -> bool {
         self.doubt() > 0
     }
 
-    /// From 0, certain, to 2, most doubtful.
+    /// Rank of the doubt, from 0 (certain) to 2 (very doubtful).
     pub(crate) fn doubt(&self) -> usize {
         DOUBTFUL_BELOW.iter().filter(|&&limit| self.confidence < limit).count()
     }

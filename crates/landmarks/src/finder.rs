@@ -3,38 +3,38 @@ use rosto_photo::Photo;
 use crate::detection::Detection;
 use crate::detector::Detector;
 use crate::face::Face;
-use crate::verification::Verifier;
 use crate::mesh::{LandmarkNetwork, Mesh, MeshNetwork};
 use crate::pyramid::Pyramid;
 use crate::region_of_interest::{PictureSize, RegionPx};
+use crate::verification::Verifier;
 use crate::{LandmarksError, prominence, search, suppression};
 
-/// Finds faces in pictures. The networks are prepared once and kept.
+/// Finds faces in pictures. Prepares the networks once.
 pub struct FaceFinder {
     pub(crate) detector: Detector,
     pub(crate) mesh: MeshNetwork,
 }
 
-/// How to look for faces. The default is thorough; [`Self::mediapipe`] is what MediaPipe does.
+/// Search options. The default is thorough; [`Self::mediapipe`] reproduces MediaPipe.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FindOptions {
-    /// How many faces are wanted at most; of more, the first. 20 by default.
+    /// Maximum number of faces; 20 by default. Faces that come first are returned.
     pub max_faces: usize,
-    /// Where to look, and how often.
+    /// Extent of the search.
     pub search: Search,
 }
 
-/// Where to look for faces, and how often.
+/// Extent of the search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Search {
-    /// As MediaPipe does with single pictures: the detector once over the whole picture, the landmark network once on each of
-    /// the best detections. A face is what the landmark network calls one. Finds heads up to about 90° from upright that fill
-    /// an eighth of the picture or more; the best detection comes first.
+    /// As MediaPipe processes single pictures: one pass of the detector over the whole picture, then one pass of the
+    /// landmark network per detection, which decides whether it is a face. Finds faces rotated by up to about 90° that
+    /// fill at least an eighth of the picture. Sorted by detector score.
     Once,
-    /// Turns and tiles of the picture at several sizes; the landmark network until its answers agree; faces are what both
-    /// networks agree on ([`Face::confidence`]). Finds heads turned by any angle, down to about 15 px between the eyes. Faces
-    /// with a confidence of 0.9 or more come first, then those of 0.8 or more, each group sorted by prominence: large, and
-    /// near the middle.
+    /// Searches rotations and tiles of the picture at several sizes, repeats the landmark network until its output
+    /// converges, and requires both networks to agree ([`Face::confidence`]). Finds faces at any rotation, down to
+    /// about 15 px between the eyes. Faces with a confidence of at least 0.9 come first, then those of at least 0.8.
+    /// Each group is sorted by prominence, which favours large faces near the centre.
     #[default]
     Thorough,
 }
@@ -42,33 +42,35 @@ pub enum Search {
 /// Faces found in a picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FoundFaces {
-    /// At most [`FindOptions::max_faces`], in the order of [`Search`].
+    /// At most [`FindOptions::max_faces`] faces, in the order of [`Search`].
     pub faces: Vec<Face>,
-    /// Lower bound for the number of faces in the picture; above `faces.len()` where the limit left some out.
+    /// Lower bound on the number of faces in the picture; exceeds `faces.len()` if the limit omitted faces.
     pub at_least: usize,
 }
 
-/// What is being worked on while faces are looked for.
+/// Progress of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stage {
-    /// The detector looks at the picture.
+    /// The detector is running.
     Detecting {
-        /// How much of that is done, 0..1; it never falls.
+        /// Completed fraction of the detection, 0..1; does not decrease.
         share: f32,
     },
-    /// The landmark network looks at one of the detections.
+    /// The landmark network is running on a detection.
     Meshing {
-        /// Which detection, from 0.
+        /// Index of the detection.
         face: usize,
-        /// How many there are.
+        /// Number of detections.
         of: usize,
     },
 }
 
-/// What the landmark network is less sure of is no face, as in MediaPipe.
+/// Least presence of a face, as in MediaPipe.
 pub(crate) const MIN_PRESENCE: f32 = 0.5;
-/// In the scenes of docs/detection.md, right meshes have 0.8 and more, but for faces of which the border leaves little.
+/// Least confidence of a face. In the scenes of docs/detection.md, correct meshes reach at least 0.8, except for faces
+/// largely cut off by the border.
 const MIN_CONFIDENCE: f32 = 0.7;
+
 impl Default for FindOptions {
     fn default() -> Self {
         Self { max_faces: 20, search: Search::Thorough }
@@ -76,7 +78,7 @@ impl Default for FindOptions {
 }
 
 impl FindOptions {
-    /// MediaPipe's static image mode: one look, one pass, one face.
+    /// MediaPipe's static image mode: one detector pass, one landmark pass, one face.
     pub fn mediapipe() -> Self {
         Self { max_faces: 1, search: Search::Once }
     }
@@ -86,24 +88,24 @@ impl FaceFinder {
     /// Prepares the networks from their ONNX files.
     ///
     /// # Errors
-    /// [`LandmarksError::NetworkDamaged`] if one of them is not the network it should be.
+    /// [`LandmarksError::NetworkDamaged`] if a file is not a valid network of its kind.
     pub fn new(detector_onnx: &[u8], landmarks: LandmarkNetwork<'_>) -> Result<Self, LandmarksError> {
         Ok(Self { detector: Detector::new(detector_onnx)?, mesh: MeshNetwork::new(landmarks)? })
     }
 
-    /// The faces in a picture in the order of [`Search`]; none is an answer, not an error.
+    /// Returns the faces in a picture, in the order of [`Search`]; an empty list if there are none.
     ///
     /// # Errors
-    /// [`LandmarksError::NetworkFailed`] if a network cannot be run, [`LandmarksError::NetworkDamaged`] if it answers with
-    /// numbers that are not finite: the landmarks of a face are finite always.
+    /// [`LandmarksError::NetworkFailed`] if a network cannot be run, [`LandmarksError::NetworkDamaged`] if its output
+    /// is not finite.
     pub fn find(&self, photo: &Photo, options: &FindOptions) -> Result<Vec<Face>, LandmarksError> {
         Ok(self.find_with_progress(photo, options, |_| ())?.faces)
     }
 
-    /// [`Self::find`] with a lower bound for the number of faces; calls `report` before each stage.
+    /// [`Self::find`] with a lower bound on the number of faces. Calls `report` before each stage.
     ///
     /// # Errors
-    /// As [`Self::find`].
+    /// The errors of [`Self::find`].
     pub fn find_with_progress(
         &self,
         photo: &Photo,
@@ -112,12 +114,12 @@ impl FaceFinder {
     ) -> Result<FoundFaces, LandmarksError> {
         report(Stage::Detecting { share: 0.0 });
         match options.search {
-            Search::Once => self.once(photo, options.max_faces, report),
-            Search::Thorough => self.thoroughly(photo, options.max_faces, report),
+            Search::Once => self.find_once(photo, options.max_faces, report),
+            Search::Thorough => self.find_thoroughly(photo, options.max_faces, report),
         }
     }
 
-    fn once(
+    fn find_once(
         &self,
         photo: &Photo,
         max_faces: usize,
@@ -125,7 +127,7 @@ impl FaceFinder {
     ) -> Result<FoundFaces, LandmarksError> {
         let picture = PictureSize::of(photo);
         let mut detections = self.detector.detect(photo, &RegionPx::whole(picture))?;
-        let left_out = detections.split_off(max_faces.min(detections.len()));
+        let omitted = detections.split_off(max_faces.min(detections.len()));
         let mut faces = Vec::with_capacity(detections.len());
         for (index, detection) in detections.iter().enumerate() {
             report(Stage::Meshing { face: index, of: detections.len() });
@@ -134,11 +136,11 @@ impl FaceFinder {
             faces.push(Face { score: detection.score, presence, confidence: presence, landmarks, region });
         }
         faces.retain(|face| face.presence > MIN_PRESENCE);
-        let at_least = faces.len() + count_further(&left_out, &faces);
+        let at_least = faces.len() + count_others(&omitted, &faces);
         Ok(FoundFaces { faces, at_least })
     }
 
-    fn thoroughly(
+    fn find_thoroughly(
         &self,
         photo: &Photo,
         max_faces: usize,
@@ -148,19 +150,19 @@ impl FaceFinder {
         let verifier = Verifier { detector: &self.detector, mesh: &self.mesh, pyramid: &pyramid };
         let proposals =
             search::proposals(&self.detector, &pyramid, max_faces, |share| report(Stage::Detecting { share }))?;
-        let ended_early = proposals.iter().filter(|seen| seen.score >= search::SURE).count() >= max_faces;
-        let found = judged(&verifier, proposals, max_faces, &mut report)?;
-        // Some of what ended the search may be no faces after all: search on.
-        if ended_early && certain_count(&found.faces) < max_faces {
+        let stopped_early = proposals.iter().filter(|seen| seen.score >= search::CONFIDENT_SCORE).count() >= max_faces;
+        let found = verified(&verifier, proposals, max_faces, &mut report)?;
+        // Proposals that ended the search early can turn out not to be faces; then search the whole picture.
+        if stopped_early && certain_count(&found.faces) < max_faces {
             let proposals = search::proposals(&self.detector, &pyramid, usize::MAX, |_| ())?;
-            return judged(&verifier, proposals, max_faces, &mut |_| ());
+            return verified(&verifier, proposals, max_faces, &mut |_| ());
         }
         Ok(found)
     }
 }
 
-/// Takes the proposals by prominence until enough of them are certain faces.
-fn judged(
+/// Verifies proposals in the order of prominence until enough faces are certain.
+fn verified(
     verifier: &Verifier<'_>,
     mut proposals: Vec<Detection>,
     max_faces: usize,
@@ -168,17 +170,17 @@ fn judged(
 ) -> Result<FoundFaces, LandmarksError> {
     let picture = PictureSize::of(verifier.pyramid.photo);
     prominence::sort(&mut proposals, picture, Detection::outline);
-    let (mut faces, mut looked_at) = (Vec::<Face>::new(), 0);
-    while looked_at < proposals.len() && certain_count(&faces) < max_faces {
-        let proposal = &proposals[looked_at];
-        report(Stage::Meshing { face: looked_at, of: proposals.len() });
-        looked_at += 1;
-        if !prominence::is_among(proposal, &faces) {
+    let (mut faces, mut processed) = (Vec::<Face>::new(), 0);
+    while processed < proposals.len() && certain_count(&faces) < max_faces {
+        let proposal = &proposals[processed];
+        report(Stage::Meshing { face: processed, of: proposals.len() });
+        processed += 1;
+        if !prominence::is_known(proposal, &faces) {
             let face = verifier.face(proposal)?;
-            faces = prominence::with(faces, face.filter(|face| face.confidence > MIN_CONFIDENCE));
+            faces = prominence::add(faces, face.filter(|face| face.confidence > MIN_CONFIDENCE));
         }
     }
-    let at_least = faces.len() + count_further(&proposals[looked_at..], &faces);
+    let at_least = faces.len() + count_others(&proposals[processed..], &faces);
     rank(&mut faces, picture);
     faces.truncate(max_faces);
     Ok(FoundFaces { faces, at_least })
@@ -194,10 +196,10 @@ fn rank(faces: &mut [Face], picture: PictureSize) {
     faces.sort_by_key(Face::doubt);
 }
 
-/// Number of detections that are surely faces and not among these.
-fn count_further(detections: &[Detection], faces: &[Face]) -> usize {
-    let is_further = |seen: &&Detection| seen.score >= search::SURE && !prominence::is_among(seen, faces);
-    suppression::best_only(detections.iter().filter(is_further).copied().collect()).len()
+/// Number of high-scoring detections that are not among `faces`.
+fn count_others(detections: &[Detection], faces: &[Face]) -> usize {
+    let is_other = |seen: &&Detection| seen.score >= search::CONFIDENT_SCORE && !prominence::is_known(seen, faces);
+    suppression::best_only(detections.iter().filter(is_other).copied().collect()).len()
 }
 
 #[cfg(test)]
@@ -205,7 +207,7 @@ mod tests {
     use super::*;
     use crate::RegionOfInterest;
 
-    /// A face in the middle of the picture, so large as a share of it.
+    /// A face in the centre of the picture, `size` as a fraction of its extent.
     fn face(size: f32, confidence: f32) -> Face {
         let corners = [0.5 - size / 2.0, 0.5 + size / 2.0].map(|at| [at, at, 0.0]);
         let region = RegionOfInterest { centre: [0.5; 2], size: [size; 2], rotation_rad: 0.0 };

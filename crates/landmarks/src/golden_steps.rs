@@ -1,4 +1,4 @@
-//! Each stage on the portrait against the tensors MediaPipe's own graph computes there.
+//! Comparison of each stage with the tensors of MediaPipe's graph, on the portrait.
 
 use rosto_photo::Photo;
 use sha2::{Digest, Sha256};
@@ -18,7 +18,7 @@ const REGION_FROM_LANDMARKS: RegionOfInterest = RegionOfInterest {
     size: [0.303_203_05, 0.303_203_05],
     rotation_rad: 0.050_527_338,
 };
-/// On raw outputs, whose magnitude goes up to 170.
+/// Tolerance on raw outputs, whose magnitude is up to 170.
 const TOLERANCE: f32 = 2e-4;
 
 fn golden(bytes: &[u8]) -> Vec<f32> {
@@ -45,19 +45,19 @@ fn assert_same_region(found: &RegionOfInterest, expected: &RegionOfInterest) {
 }
 
 #[test]
-fn the_detectors_picture_is_mediapipes_bit_for_bit() {
+fn the_detectors_input_equals_mediapipes_bit_for_bit() {
     let sha256 = crop_sha256(&assets::portrait(), &RegionPx::whole(PORTRAIT), 128, Outside::Zero);
     assert_eq!(sha256, "c02cec35dbda5ce044a528ff1d79a4cd26e4565e702a9a2821df375837359f57");
 }
 
 #[test]
-fn the_landmark_networks_picture_is_mediapipes_bit_for_bit() {
+fn the_landmark_networks_input_equals_mediapipes_bit_for_bit() {
     let sha256 = crop_sha256(&assets::portrait(), &FACE_REGION.px(PORTRAIT), 192, Outside::NearestEdge);
     assert_eq!(sha256, "de740ec56f59ccc9dbc58fd771cb20997ba5cad98414e367f3fb2d68085bfb5b");
 }
 
 #[test]
-fn the_detectors_raw_outputs_are_mediapipes() {
+fn the_detectors_raw_outputs_match_mediapipes() {
     let detector = Detector::new(&assets::detector_onnx()).unwrap();
     let [boxes, logits] = detector.raw(&assets::portrait(), &RegionPx::whole(PORTRAIT)).unwrap();
     let golden_boxes = golden(include_bytes!("../../../tests/golden/stages/detector_boxes_896x16.f32"));
@@ -67,7 +67,7 @@ fn the_detectors_raw_outputs_are_mediapipes() {
 }
 
 #[test]
-fn the_landmark_networks_raw_outputs_are_mediapipes() {
+fn the_landmark_networks_raw_outputs_match_mediapipes() {
     let network = MeshNetwork::new(LandmarkNetwork::Plain(&assets::landmarks_onnx())).unwrap();
     let RawMesh { points, flag } = network.raw(&assets::portrait(), &FACE_REGION).unwrap();
     let golden_points = golden(include_bytes!("../../../tests/golden/stages/mesh_points_468x3.f32"));
@@ -77,14 +77,14 @@ fn the_landmark_networks_raw_outputs_are_mediapipes() {
 }
 
 #[test]
-fn the_face_region_is_mediapipes() {
+fn the_face_region_matches_mediapipes() {
     let detector = Detector::new(&assets::detector_onnx()).unwrap();
     let found = detector.detect(&assets::portrait(), &RegionPx::whole(PORTRAIT)).unwrap();
     assert_same_region(&found[0].face_region(PORTRAIT), &FACE_REGION);
 }
 
 #[test]
-fn the_region_landmarks_suggest_is_mediapipes() {
+fn the_region_from_landmarks_matches_mediapipes() {
     let network = MeshNetwork::new(LandmarkNetwork::Plain(&assets::landmarks_onnx())).unwrap();
     let mesh = network.look(&assets::portrait(), &FACE_REGION).unwrap();
     assert_same_region(&region_of(&mesh.landmarks, PORTRAIT), &REGION_FROM_LANDMARKS);

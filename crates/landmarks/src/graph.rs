@@ -1,12 +1,13 @@
-//! From an ONNX graph of ten operators to a model of tract's with few layers.
+//! Conversion of an ONNX graph with ten kinds of operators to a tract model with few layers.
 //!
-//! A convolution waits: a 1 × 1 convolution that follows a depthwise one, an addition, an activation become part of it,
-//! if nothing else reads what is between. Pictures, which ONNX keeps channels first, are kept channels last.
+//! A convolution stays pending, so that a following 1 × 1 convolution (after a depthwise one), addition or activation
+//! can be fused into it, if the intermediate value has no other reader. Pictures are stored channels last; ONNX stores
+//! them channels first.
 
 mod attributes;
 #[cfg(test)]
-mod same_answers;
-mod waiting;
+mod equivalence;
+mod pending;
 mod wiring;
 
 use std::collections::HashMap;
@@ -20,50 +21,49 @@ use tract_onnx::tract_core::internal::{TractErrorContext, bail, ensure};
 use crate::constants;
 use crate::layers::{Concat, MaxPool, Pad, Permute, Reshape};
 use attributes::Attributes;
-use waiting::Waiting;
+use pending::Pending;
 
-/// Reads a graph and asks for some of its values by name.
-///
-/// Inputs and outputs have the shapes of the file.
+/// Converts a graph to a model with the named outputs. Inputs and outputs have the shapes of the file.
 ///
 /// # Errors
-/// If it has other operators, or any of them cannot be run on what it reads.
+/// If the graph has an unsupported operator, or an operator does not fit its inputs.
 pub(crate) fn model(graph: &GraphProto, outputs: &[&str]) -> TractResult<TypedModel> {
     let mut reader = Reader::new(graph, outputs);
     for input in graph.input.iter().filter(|input| !reader.values.contains_key(&*input.name)).collect::<Vec<_>>() {
         reader.source(input)?;
     }
-    ensure!(!reader.model.inputs.is_empty(), "it has no input");
+    ensure!(!reader.model.inputs.is_empty(), "the graph has no input");
     for node in &graph.node {
         let value = reader.value_of(node).with_context(|| format!("node {} ({})", node.name, node.op_type))?;
         let [output] = &*node.output else { bail!("node {} has {} outputs", node.name, node.output.len()) };
         let known = reader.values.insert(output, value);
-        ensure!(known.is_none(), "node {} gives {output}, which is given already", node.name);
+        ensure!(known.is_none(), "node {} redefines {output}", node.name);
     }
-    let outlets = outputs.iter().map(|name| reader.written(name)).collect::<TractResult<Vec<_>>>()?;
+    let outlets = outputs.iter().map(|name| reader.in_file_order(name)).collect::<TractResult<Vec<_>>>()?;
     reader.model.select_output_outlets(&outlets)?;
     Ok(reader.model)
 }
 
-/// The file's axes in the order in which those of a picture are kept.
+/// Permutation from the file's axes (channels first) to channels last.
 const CHANNELS_LAST: [usize; 4] = [0, 2, 3, 1];
-/// The axes that are kept in the order in which the file has them; so, too, where an axis of the file is kept.
+/// Permutation from channels last to the file's axes. Also maps an axis of the file to its position in channels last
+/// order.
 const CHANNELS_FIRST: [usize; 4] = [0, 3, 1, 2];
 
 struct Reader<'a> {
     model: TypedModel,
     values: HashMap<&'a str, Value<'a>>,
-    /// How many nodes and outputs read a value.
+    /// Number of nodes and outputs that read each value.
     readers: HashMap<&'a str, usize>,
 }
 
-/// What a name of the graph stands for.
+/// A value of the graph.
 enum Value<'a> {
     Constant(&'a TensorProto),
     Wired(Wire),
-    /// Layers that are not wired yet, since what follows may become part of them.
-    Waiting(Box<Waiting>),
-    /// A picture with so many channels of zeros after its own.
+    /// Layers that are not added to the model yet, because following operators may be fused into them.
+    Pending(Box<Pending>),
+    /// A picture, and the number of zero channels to append to it.
     WithMoreChannels(Wire, usize),
 }
 
@@ -74,12 +74,12 @@ struct Wire {
     order: Order,
 }
 
-/// In which order the axes of a value are kept.
+/// Order of a value's axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Order {
-    /// As the file has them.
-    AsWritten,
-    /// A picture, whose channels the file has before its pixels.
+    /// The file's order.
+    FileOrder,
+    /// A picture, stored channels last instead of channels first.
     ChannelsLast,
 }
 
@@ -95,7 +95,7 @@ impl<'a> Reader<'a> {
     fn source(&mut self, input: &'a ValueInfoProto) -> TractResult<()> {
         let shape = declared_shape(input).with_context(|| format!("input {} has no shape", input.name))?;
         let outlet = self.model.add_source(&input.name, f32::fact(shape))?;
-        self.values.insert(&input.name, Value::Wired(Wire { outlet, order: Order::AsWritten }));
+        self.values.insert(&input.name, Value::Wired(Wire { outlet, order: Order::FileOrder }));
         Ok(())
     }
 
@@ -117,18 +117,18 @@ impl<'a> Reader<'a> {
             ("Pad", [input, pads]) => self.pad(name()?, input, pads),
             ("Concat", inputs) => self.concat(name()?, inputs, node.get_attr("axis")?),
             ("Reshape", [input, shape]) => {
-                let outlet = self.written(input)?;
+                let outlet = self.in_file_order(input)?;
                 let shape = self.integers(shape)?.into_iter().map(usize::try_from).collect::<Result<_, _>>()?;
-                self.wire(name()?, Reshape { shape }, &[outlet], Order::AsWritten).map(Value::Wired)
+                self.wire(name()?, Reshape { shape }, &[outlet], Order::FileOrder).map(Value::Wired)
             }
             ("Transpose", [input]) => self.transpose(name()?, input, node.get_attr_vec("perm")?),
-            _ => bail!("no operator of {} inputs that is known", node.input.len()),
+            _ => bail!("unsupported operator with {} inputs", node.input.len()),
         }
     }
 
-    /// Weights become single precision when they are read.
+    /// Weights are converted to single precision when they are read.
     fn cast(&mut self, node: &NodeProto, input: &str) -> TractResult<Value<'a>> {
-        ensure!(node.get_attr::<DatumType>("to")? == DatumType::F32, "not to single precision");
+        ensure!(node.get_attr::<DatumType>("to")? == DatumType::F32, "the target type is not single precision");
         Ok(Value::Constant(self.constant(input)?))
     }
 
@@ -159,30 +159,30 @@ impl<'a> Reader<'a> {
             return self.wire(name, layer, &pictures, Order::ChannelsLast).map(Value::Wired);
         }
         let outlets: Vec<OutletId> = wires.iter().map(|wire| wire.outlet).collect();
-        self.wire(name, Concat { axis }, &outlets, Order::AsWritten).map(Value::Wired)
+        self.wire(name, Concat { axis }, &outlets, Order::FileOrder).map(Value::Wired)
     }
 
-    /// What ONNX transposes to channels last is so already.
+    /// A transpose to channels last only relabels a value that is stored so.
     fn transpose(&mut self, name: &str, input: &str, axes: Vec<usize>) -> TractResult<Value<'a>> {
         let wire = self.wired(input)?;
-        let order = Order::AsWritten;
+        let order = Order::FileOrder;
         match (wire.order, &*axes) {
             (Order::ChannelsLast, [0, 2, 3, 1]) => Ok(Value::Wired(Wire { order, ..wire })),
             _ => {
-                let outlet = self.written(input)?;
+                let outlet = self.in_file_order(input)?;
                 self.wire(name, Permute { axes }, &[outlet], order).map(Value::Wired)
             }
         }
     }
 
     fn value(&self, name: &str) -> TractResult<&Value<'a>> {
-        self.values.get(name).with_context(|| format!("nothing before gives {name}"))
+        self.values.get(name).with_context(|| format!("{name} is not defined"))
     }
 
     fn constant(&self, name: &str) -> TractResult<&'a TensorProto> {
         match self.value(name)? {
             Value::Constant(tensor) => Ok(tensor),
-            _ => bail!("{name} is no constant"),
+            _ => bail!("{name} is not a constant"),
         }
     }
 
@@ -191,7 +191,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// The shape that the file gives an input.
+/// The declared shape of an input.
 fn declared_shape(input: &ValueInfoProto) -> Option<TVec<usize>> {
     let TypeValue::TensorType(tensor) = input.r#type.as_ref()?.value.as_ref()?;
     let extents = tensor.shape.as_ref()?.dim.iter().map(|dimension| match dimension.value {

@@ -1,12 +1,12 @@
-//! The projective map between two quadrilaterals, in the order of arithmetic of OpenCV's `getPerspectiveTransform`.
+//! Projective maps between quadrilaterals, with the arithmetic of OpenCV's `getPerspectiveTransform`.
 
 /// Rows of a 3 × 3 matrix.
 pub(crate) type Matrix = [[f64; 3]; 3];
 
-/// The map that takes `source` to `target` corner by corner, with 1 in its last place.
+/// The map from `source` to `target`, corner by corner, with a last entry of 1.
 ///
-/// Solves the 8 × 8 system of `X = (m00 x + m01 y + m02) / (m20 x + m21 y + 1)`, and `Y` likewise. Products of
-/// coordinates are taken in f32.
+/// Solves the 8 × 8 system of `X = (m00 x + m01 y + m02) / (m20 x + m21 y + 1)` and likewise for `Y`. Products of
+/// coordinates are rounded to f32.
 pub(crate) fn between(source: &[[f32; 2]; 4], target: &[[f32; 2]; 4]) -> Matrix {
     let mut rows = [[0.0; 9]; 8];
     for (i, (&[x, y], &[target_x, target_y])) in source.iter().zip(target).enumerate() {
@@ -20,7 +20,7 @@ pub(crate) fn between(source: &[[f32; 2]; 4], target: &[[f32; 2]; 4]) -> Matrix 
     [[m[0], m[1], m[2]], [m[3], m[4], m[5]], [m[6], m[7], 1.0]]
 }
 
-/// Gaussian elimination with partial pivoting of eight equations, the right side in the last column.
+/// Solves eight equations, with the right-hand side in the last column, by Gaussian elimination with partial pivoting.
 fn solve(mut rows: [[f64; 9]; 8]) -> [f64; 8] {
     for i in 0..8 {
         let mut pivot = i;
@@ -45,7 +45,7 @@ fn solve(mut rows: [[f64; 9]; 8]) -> [f64; 8] {
     solution
 }
 
-/// The inverse by the adjugate.
+/// The inverse, from the adjugate.
 pub(crate) fn inverse(m: &Matrix) -> Matrix {
     let minor = |a: usize, b: usize, c: usize, d: usize| m[a][c] * m[b][d] - m[a][d] * m[b][c];
     let determinant = m[0][0] * minor(1, 2, 1, 2) - m[0][1] * minor(1, 2, 0, 2) + m[0][2] * minor(1, 2, 0, 1);

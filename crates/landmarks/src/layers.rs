@@ -1,18 +1,17 @@
-//! What the face networks are made of, with pictures kept channels last: `[1, height, width, channels]`.
+//! Layers of the face networks. Pictures are stored channels last: `[1, height, width, channels]`.
 //!
-//! Neighbouring numbers are then channels, which all have the same to be done to them, in the smallest picture as in the
-//! largest; a border is taps left out, and a pixel of a 1 × 1 convolution is one row of a matrix product. Nothing here is
-//! written for one machine: loops over arrays of a fixed length become its vector instructions, the widest that it has
-//! (`vectors`).
+//! Adjacent numbers are then channels, which undergo the same operations at any picture size. A border only omits taps,
+//! and a 1 × 1 convolution is a matrix product with one row per pixel. The code is portable: the compiler vectorises
+//! loops over arrays of fixed length, for the widest instructions of the machine (`vectors`).
 
 mod activation;
 mod convolution;
 mod dense;
 mod depthwise;
-mod moving;
-#[cfg(test)]
-mod naive;
 mod pooling;
+mod rearrange;
+#[cfg(test)]
+mod reference_tests;
 mod vectors;
 mod window;
 
@@ -25,38 +24,38 @@ use tract_onnx::tract_core::{as_op, op_as_typed_op, op_out_of_plan};
 pub(crate) use convolution::Convolution;
 pub(crate) use dense::Dense;
 pub(crate) use depthwise::Depthwise;
-pub(crate) use moving::{Concat, Pad, Permute, Reshape};
 pub(crate) use pooling::{MaxPool, Sum};
+pub(crate) use rearrange::{Concat, Pad, Permute, Reshape};
 pub(crate) use vectors::widest;
 pub(crate) use window::Window;
 
-/// One step of a network.
+/// A layer of a network.
 pub(crate) trait Layer: Send + Sync + 'static {
-    /// What it is.
+    /// Name of the kind of layer.
     fn name(&self) -> &'static str;
 
-    /// The shape of what it answers.
+    /// Shape of the output.
     ///
     /// # Errors
-    /// If it cannot be run on inputs of these shapes.
+    /// If the layer cannot run on inputs of these shapes.
     fn output_shape(&self, inputs: &[&[usize]]) -> TractResult<TVec<usize>>;
 
-    /// Fills `output`, zeros before, which has the shape that [`Self::output_shape`] gave for these inputs.
+    /// Fills `output`, which contains zeros and has the shape from [`Self::output_shape`].
     fn run(&self, inputs: &[Value<'_>], shape: &[usize], output: &mut [f32]);
 }
 
-/// What a layer reads.
+/// An input of a layer.
 pub(crate) struct Value<'a> {
     pub(crate) shape: &'a [usize],
     pub(crate) numbers: &'a [f32],
 }
 
-/// A layer as tract runs it.
+/// A layer as a tract operator.
 #[derive(Clone)]
 pub(crate) struct Operator(Arc<dyn Layer>);
 
-/// No value of a face network comes near; damaged ones might ask for any amount of memory.
-const MOST_NUMBERS: usize = 1 << 24;
+/// Limit on the elements of a value, far above the face networks', so that damaged files cannot exhaust memory.
+const MAX_ELEMENTS: usize = 1 << 24;
 
 impl Operator {
     pub(crate) fn new(layer: impl Layer) -> Self {
@@ -66,7 +65,7 @@ impl Operator {
     fn output_shape(&self, inputs: &[&[usize]]) -> TractResult<TVec<usize>> {
         let shape = self.0.output_shape(inputs)?;
         let numbers = shape.iter().try_fold(1_usize, |numbers, &extent| numbers.checked_mul(extent));
-        ensure!(numbers.is_some_and(|numbers| numbers <= MOST_NUMBERS), "a value of shape {shape:?}");
+        ensure!(numbers.is_some_and(|numbers| numbers <= MAX_ELEMENTS), "a value of shape {shape:?} is too large");
         Ok(shape)
     }
 }
@@ -75,7 +74,7 @@ impl Operator {
 fn picture(shape: &[usize]) -> TractResult<[usize; 3]> {
     match *shape {
         [1, height, width, channels] => Ok([height, width, channels]),
-        _ => bail!("a value of shape {shape:?} is no picture"),
+        _ => bail!("a value of shape {shape:?} is not a picture"),
     }
 }
 
@@ -118,7 +117,7 @@ impl EvalOp for Operator {
 
 impl TypedOp for Operator {
     fn output_facts(&self, inputs: &[&TypedFact]) -> TractResult<TVec<TypedFact>> {
-        let shapes = inputs.iter().map(|fact| fact.shape.as_concrete().context("a shape that is not known"));
+        let shapes = inputs.iter().map(|fact| fact.shape.as_concrete().context("the shape is not known"));
         let shape = self.output_shape(&shapes.collect::<TractResult<TVec<_>>>()?)?;
         Ok(tvec![f32::fact(shape)])
     }

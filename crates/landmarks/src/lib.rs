@@ -1,16 +1,20 @@
-//! Picture to faces: MediaPipe's face networks, run with tract.
+//! Finds faces and their landmarks in pictures with MediaPipe's networks, run by tract.
 //!
-//! [`FaceFinder`] holds two networks; [`FaceFinder::find`] takes a picture to its faces, 468 landmarks each, and
-//! agrees with MediaPipe's Face Mesh in static image mode where it is asked to. The steps, each in its own module: the whole
-//! picture is resampled (`warp`) for the `detector`, whose overlapping boxes are merged (`suppression`); the eyes of a
-//! detection turn it into a square `region`, which is resampled for the landmark network (`mesh`). Beyond MediaPipe, and by
-//! default: a `search` through turns and tiles of the picture at several sizes (`pyramid`), and a `verification` that looks again
-//! until the landmarks settle, and drops what is no face. [`FaceFinder::follow`] takes the frames of a video one by one and looks
-//! where the face was in the frame before (`follow`).
+//! [`FaceFinder::find`] returns the faces of a picture with 468 landmarks each. With [`FindOptions::mediapipe`] it
+//! agrees with MediaPipe's Face Mesh in static image mode. The stages are modules: `warp` resamples the whole picture
+//! for the `detector`; `suppression` merges overlapping boxes; the eyes of a detection give a square, rotated region,
+//! which is resampled for the landmark network (`mesh`).
+//!
+//! By default it goes beyond MediaPipe: `search` covers rotations and tiles of the picture at several sizes
+//! (`pyramid`), and `verification` repeats the landmark network until the landmarks converge, and rejects false
+//! detections.
+//!
+//! [`FaceFinder::follow`] follows a face through the frames of a video, starting from the previous frame's landmarks
+//! (`follow`).
 
 mod anchors;
 #[cfg(test)]
-#[allow(dead_code, reason = "the tests of the whole use the rest")]
+#[allow(dead_code, reason = "the integration tests use the rest")]
 #[path = "../tests/support/assets.rs"]
 mod assets;
 mod attention;
@@ -25,7 +29,6 @@ mod follow;
 mod golden_steps;
 mod graph;
 mod homography;
-mod verification;
 mod layers;
 mod mesh;
 mod network;
@@ -40,6 +43,7 @@ mod search;
 #[path = "../../../tests/seeded.rs"]
 mod seeded;
 mod suppression;
+mod verification;
 mod warp;
 
 pub use error::LandmarksError;
@@ -52,7 +56,7 @@ pub use network::Network;
 pub use raw_mesh::LANDMARK_COUNT;
 pub use region_of_interest::RegionOfInterest;
 
-/// The examples of the README are tested with those of the code.
+/// Runs the README's examples as doc-tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;

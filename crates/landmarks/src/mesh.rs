@@ -1,4 +1,4 @@
-//! The landmark networks: a face region → its points and how sure they are that there is a face.
+//! The landmark networks: map a face region to landmarks and a face flag.
 
 use rosto_photo::Photo;
 
@@ -11,24 +11,24 @@ use crate::raw_mesh::{LANDMARK_COUNT, NAME, RawMesh, SIDE};
 use crate::region_of_interest::{PictureSize, RegionOfInterest, RegionPx};
 use crate::warp::{self, Outside};
 
-/// What the network says of one region.
+/// Output of the landmark network for a region.
 pub(crate) struct Mesh {
-    /// That there is a face, 0..1.
+    /// Probability of a face, 0..1.
     pub(crate) presence: f32,
     /// x/W, y/H, z/W.
     pub(crate) landmarks: Vec<[f32; 3]>,
 }
 
-/// Which landmark network there is: the ONNX file.
+/// A landmark network, as its ONNX file.
 #[derive(Debug, Clone, Copy)]
 pub enum LandmarkNetwork<'a> {
     /// `face_landmarks.onnx`: the 468 landmarks.
     Plain(&'a [u8]),
-    /// `face_landmarks_attention.onnx`: looks closer at lips and eyes, and finds the irises: 478 points.
+    /// `face_landmarks_attention.onnx`: 478 points, with refined lips and eyes and with the irises.
     Attention(&'a [u8]),
 }
 
-/// A landmark network with what surrounds it.
+/// A landmark network with its pre- and post-processing.
 pub(crate) struct MeshNetwork {
     network: Kind,
 }
@@ -38,9 +38,9 @@ enum Kind {
     Attention(Attention),
 }
 
-/// u8 to 0..1.
+/// Scale and offset from u8 to 0..1.
 const SCALE_AND_OFFSET: [f32; 2] = [1.0 / 255.0, 0.0];
-/// Outer corners of the eyes, on the picture's left and right: the horizontal of a face.
+/// Outer corners of the eyes, on the picture's left and right; they define a face's horizontal.
 pub(crate) const EYE_CORNERS: [usize; 2] = [33, 263];
 
 impl MeshNetwork {
@@ -54,16 +54,16 @@ impl MeshNetwork {
         Ok(Self { network })
     }
 
-    /// Looks at one region of the picture.
+    /// Runs on a region of the picture.
     pub(crate) fn look(&self, photo: &Photo, region: &RegionOfInterest) -> Result<Mesh, LandmarksError> {
         let RawMesh { points, flag } = self.raw(photo, region)?;
         let landmarks: Vec<[f32; 3]> = points.into_iter().map(|point| in_picture(point, region)).collect();
-        // Numbers of a damaged network may be finite and leave the numbers here.
+        // A damaged network's finite outputs can overflow here.
         Network::check_finite(NAME, landmarks.as_flattened().iter())?;
         Ok(Mesh { presence: sigmoid(flag), landmarks })
     }
 
-    /// The network's answer, undecoded.
+    /// Returns the network's raw output.
     pub(crate) fn raw(&self, photo: &Photo, region: &RegionOfInterest) -> Result<RawMesh, LandmarksError> {
         let region_px = region.px(PictureSize::of(photo));
         let fill = |planes: &mut [f32]| fill_planes(planes, photo, &region_px);
@@ -81,7 +81,7 @@ fn fill_planes(planes: &mut [f32], photo: &Photo, region: &RegionPx) {
     warp::fill_planes(planes, photo, region, Outside::NearestEdge, SCALE_AND_OFFSET);
 }
 
-/// From px of the network's input to the picture's normalised coordinates.
+/// Maps px of the network's input to normalised coordinates of the picture.
 fn in_picture(point: [f32; 3], region: &RegionOfInterest) -> [f32; 3] {
     let [x, y, z] = point.map(|value| value / SIDE as f32);
     let (dx, dy) = (x - 0.5, y - 0.5);
@@ -93,7 +93,7 @@ fn in_picture(point: [f32; 3], region: &RegionOfInterest) -> [f32; 3] {
     ]
 }
 
-/// The region that landmarks themselves suggest: around all of them, the eyes level.
+/// The region given by landmarks: around all of them, rotated so that the eyes are level.
 pub(crate) fn region_of(landmarks: &[[f32; 3]], picture: PictureSize) -> RegionOfInterest {
     let outline = Outline::around(landmarks.iter().map(|&[x, y, _]| [x, y]));
     let eyes = EYE_CORNERS.map(|corner| [landmarks[corner][0], landmarks[corner][1]]);

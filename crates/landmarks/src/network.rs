@@ -6,14 +6,14 @@ use tract_onnx::tract_core::internal::{TractErrorContext, ensure};
 
 use crate::{LandmarksError, graph, part};
 
-/// A network, or a part of one, made ready to run: lists of numbers in, lists of numbers out.
+/// A network or a part of one, ready to run.
 pub struct Network {
     name: &'static str,
     inputs: Vec<Input>,
     plan: Arc<TypedRunnableModel>,
 }
 
-/// An input of a network by its name, and its shape `[channels, side, side]`.
+/// An input of a network; its shape is `[1, channels, side, side]`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Input {
     pub(crate) name: &'static str,
@@ -22,16 +22,16 @@ pub(crate) struct Input {
 }
 
 impl Network {
-    /// Reads an ONNX file whose only input is a picture `[1, 3, side, side]`, and asks for the outputs named.
+    /// Loads an ONNX file with a picture `[1, 3, side, side]` as its only input, and the named outputs.
     ///
     /// # Errors
-    /// [`LandmarksError::NetworkDamaged`].
+    /// [`LandmarksError::NetworkDamaged`] if the file is not such a network.
     pub fn of_picture(name: &'static str, onnx: &[u8], side: usize, outputs: &[&str]) -> Result<Self, LandmarksError> {
         Self::part(name, onnx, &[Input { name: "", channels: 3, side }], outputs)
     }
 
-    /// Reads the part of an ONNX file that computes the outputs named out of the inputs named, in their order. A single
-    /// input without a name is the file's only one.
+    /// Loads the part of an ONNX file that computes the named outputs from the named inputs. A single input with an
+    /// empty name is the file's only input.
     pub(crate) fn part(
         name: &'static str,
         onnx: &[u8],
@@ -43,12 +43,12 @@ impl Network {
         Ok(Self { name, inputs: inputs.to_vec(), plan })
     }
 
-    /// Runs on what `fill` writes for each input (by its number), `channels` planes of `side × side` values; the outputs
-    /// must have the given lengths. Whole networks answer every picture with finite numbers, so that others come from
-    /// damaged weights.
+    /// Runs on the inputs that `fill(index, planes)` writes, each `channels` planes of `side × side` values. Returns
+    /// the outputs, which must have the given lengths. Intact networks produce finite outputs for any picture.
     ///
     /// # Errors
-    /// [`LandmarksError::NetworkFailed`], [`LandmarksError::NetworkDamaged`].
+    /// [`LandmarksError::NetworkFailed`] if it cannot be run, [`LandmarksError::NetworkDamaged`] if an output is not
+    /// finite.
     pub fn run<const N: usize>(
         &self,
         fill: impl FnMut(usize, &mut [f32]),
@@ -61,17 +61,17 @@ impl Network {
         Ok(outputs)
     }
 
-    /// Refuses what the network of that name answered if a number among it is infinite or none.
+    /// Rejects a network's output if a number is not finite.
     ///
     /// # Errors
-    /// [`LandmarksError::NetworkDamaged`].
+    /// [`LandmarksError::NetworkDamaged`] for a number that is not finite.
     pub(crate) fn check_finite<'a>(
         network: &'static str,
         mut answer: impl Iterator<Item = &'a f32>,
     ) -> Result<(), LandmarksError> {
         match answer.find(|number| !number.is_finite()) {
             Some(number) => {
-                let reason = format!("it answers a picture with {number}");
+                let reason = format!("its output contains {number}");
                 Err(LandmarksError::NetworkDamaged { network, reason })
             }
             None => Ok(()),
@@ -103,16 +103,16 @@ impl Network {
 fn runnable(onnx: &[u8], inputs: &[Input], outputs: &[&str]) -> TractResult<Arc<TypedRunnableModel>> {
     let mut bytes = onnx;
     let proto = Onnx::default().proto_model_for_read(&mut bytes)?;
-    let mut graph = proto.graph.context("there is no graph in it")?;
+    let mut graph = proto.graph.context("the file has no graph")?;
     if inputs.iter().all(|input| !input.name.is_empty()) {
         let names: Vec<&str> = inputs.iter().map(|input| input.name).collect();
-        part::keep(&mut graph, &names, outputs)?;
+        part::reduce(&mut graph, &names, outputs)?;
     }
     let model = graph::model(&graph, outputs)?;
     ensure!(model.inputs.len() == inputs.len(), "{} inputs, expected {}", model.inputs.len(), inputs.len());
     for (index, &Input { channels, side, .. }) in inputs.iter().enumerate() {
         let shape = &model.input_fact(index)?.shape;
-        ensure!(shape.as_concrete() == Some(&[1, channels, side, side]), "it reads {shape:?}");
+        ensure!(shape.as_concrete() == Some(&[1, channels, side, side]), "its input has the shape {shape:?}");
     }
     model.into_runnable()
 }

@@ -1,4 +1,4 @@
-/// An upright box, normalised to the picture.
+/// An axis-aligned box, normalised to the picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Outline {
     /// Left and top.
@@ -8,7 +8,7 @@ pub(crate) struct Outline {
 }
 
 impl Outline {
-    /// The smallest box around the points.
+    /// The bounding box of the points.
     pub(crate) fn around(points: impl IntoIterator<Item = [f32; 2]>) -> Self {
         let nothing = Self { min: [f32::INFINITY; 2], max: [f32::NEG_INFINITY; 2] };
         points.into_iter().fold(nothing, |Self { min, max }, point| Self {
@@ -21,11 +21,11 @@ impl Outline {
         [0, 1].map(|axis| (self.min[axis] + self.max[axis]) / 2.0)
     }
 
-    pub(crate) fn holds(&self, [x, y]: [f32; 2]) -> bool {
+    pub(crate) fn contains(&self, [x, y]: [f32; 2]) -> bool {
         (self.min[0]..=self.max[0]).contains(&x) && (self.min[1]..=self.max[1]).contains(&y)
     }
 
-    /// Intersection over union, 0 if neither has an area.
+    /// Intersection over union; 0 if neither box has an area.
     pub(crate) fn overlap(&self, other: &Self) -> f32 {
         let area = |[width, height]: [f32; 2]| width.max(0.0) * height.max(0.0);
         let extent = |outline: &Self| [0, 1].map(|axis| outline.max[axis] - outline.min[axis]);

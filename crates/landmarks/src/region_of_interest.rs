@@ -2,19 +2,19 @@ use std::f64::consts::PI;
 
 use crate::outline::Outline;
 
-/// A rotated rectangle in a picture, normalised: x and widths in units of the picture's width, y and heights in units
-/// of its height.
+/// A rotated rectangle in a picture. x and widths are in units of the picture's width, y and heights in units of its
+/// height.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RegionOfInterest {
     /// Centre (x, y), normalised.
     pub centre: [f32; 2],
-    /// Width and height, normalised; a square in pixels has two different numbers in a picture that is not square.
+    /// Width and height, normalised. They differ for a square in px unless the picture is square.
     pub size: [f32; 2],
-    /// Clockwise on screen, in [−π, π).
+    /// Clockwise rotation, in [−π, π).
     pub rotation_rad: f32,
 }
 
-/// The same in pixels.
+/// A rotated rectangle in px.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RegionPx {
     pub(crate) centre: [f32; 2],
@@ -22,7 +22,7 @@ pub(crate) struct RegionPx {
     pub(crate) rotation_rad: f32,
 }
 
-/// Width and height of a picture in px.
+/// Size of a picture, px.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct PictureSize {
     pub(crate) width: f32,
@@ -30,8 +30,8 @@ pub(crate) struct PictureSize {
 }
 
 impl RegionOfInterest {
-    /// The square around something in a box whose horizontal runs from `start` to `end`: side 1.5 × the longer side of the
-    /// box in px, turned so that start → end points right.
+    /// A square around a box, with 1.5 × its longer side in px. It is rotated so that the direction from `start` to
+    /// `end` points right.
     pub(crate) fn around(Outline { min, max }: Outline, [start, end]: [[f32; 2]; 2], picture: PictureSize) -> Self {
         const ENLARGEMENT: f32 = 1.5;
         let size = [0, 1].map(|axis| max[axis] - min[axis]);
@@ -56,13 +56,13 @@ impl RegionOfInterest {
 }
 
 impl RegionPx {
-    /// The square centred on the picture that holds all of it.
+    /// The square that encloses the picture, with the same centre.
     pub(crate) fn whole(picture: PictureSize) -> Self {
         let side = picture.width.max(picture.height);
         Self { centre: [0.5 * picture.width, 0.5 * picture.height], size: [side, side], rotation_rad: 0.0 }
     }
 
-    /// The affine map from positions in this region (0..1 each way) to normalised positions in the picture, as two rows
+    /// The affine map from this region (0..1) to normalised positions in the picture, as two rows
     /// `[per x, per y, constant]`.
     pub(crate) fn picture_from_region(&self, picture: PictureSize) -> [[f32; 3]; 2] {
         let ([width, height], [x, y]) = (self.size, self.centre);
@@ -83,7 +83,7 @@ impl RegionPx {
     }
 }
 
-/// The same angle in [−π, π).
+/// The angle in [−π, π).
 fn normalised_angle(angle_rad: f32) -> f32 {
     let angle_rad = f64::from(angle_rad);
     (angle_rad - 2.0 * PI * ((angle_rad + PI) / (2.0 * PI)).floor()) as f32

@@ -1,4 +1,4 @@
-//! Which regions of the picture the detector looks at.
+//! The regions of the picture that the detector processes.
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
@@ -10,25 +10,26 @@ use crate::pyramid::Pyramid;
 use crate::region_of_interest::{PictureSize, RegionPx};
 use crate::{LandmarksError, suppression};
 
-/// Tiles of a level lie this share of their side apart; what is larger than the rest shows at the level before.
+/// Distance between tiles, relative to their side. Faces larger than the overlap are found at the previous level.
 const STRIDE: f32 = 0.7;
-/// What the detector is as sure of as this is a face, when it is about where to look next.
-pub(crate) const SURE: f32 = 0.75;
-/// The smallest face that the detector sees, as a share of the side of what it looks at.
-const SMALLEST_SHARE: f32 = 0.12;
-/// Faces smaller than the next larger one by more than this are not looked for.
-const LARGEST_GAP: f32 = 5.0;
-/// No more than this are looked at more closely: a picture of which the detector is unsure everywhere shows no faces.
-const MOST: usize = 100;
-/// Something whose values all lie within so many of 255 shows no face.
-const FLAT: u8 = 10;
+/// Detector score from which a detection counts as a face while searching.
+pub(crate) const CONFIDENT_SCORE: f32 = 0.75;
+/// Smallest face that the detector finds, relative to its region.
+const MIN_FACE_SHARE: f32 = 0.12;
+/// Ratio of face sizes beyond which smaller faces are not searched for.
+const MAX_SIZE_RATIO: f32 = 5.0;
+/// Maximum number of proposals. A picture with more has uncertain detections everywhere, and no faces.
+const MAX_PROPOSALS: usize = 100;
+/// Range of values, of 255, below which a tile is skipped as uniform.
+const FLAT_RANGE: u8 = 10;
 
-/// Everything in the picture that may be a face, the most certain first, each once.
+/// Returns the possible faces, highest score first, without duplicates.
 ///
-/// The whole picture first, as MediaPipe looks at it and turned by a quarter, a half and three quarters; then smaller and
-/// smaller tiles, upright, since the detector sees heads up to about 100° from upright; on their head too where nothing was
-/// found upright. It ends where `enough` faces were found that are larger than what smaller tiles could show, and where
-/// they could only show faces less than a fifth as large as the smallest so far. `report` is told the share that is done.
+/// Runs the detector on the whole picture, upright as MediaPipe does and rotated by multiples of 90°. Then runs it on
+/// smaller and smaller upright tiles, since it finds faces rotated by up to about 100°, and on upside-down tiles at
+/// levels without an upright face. Stops when it has `enough` faces larger than those of the next level, or when the
+/// next level's faces would be less than a fifth as large as the smallest one found. Calls `report` with the completed
+/// fraction.
 pub(crate) fn proposals(
     detector: &Detector,
     pyramid: &Pyramid<'_>,
@@ -39,19 +40,20 @@ pub(crate) fn proposals(
     for level in 1..pyramid.copies.len() {
         let done = |share: f32| (level as f32 + share) / pyramid.copies.len() as f32;
         report(done(0.0));
-        let sure: Vec<Detection> = found.iter().filter(|detection| detection.score >= SURE).copied().collect();
-        if sure.len() >= enough || !is_worthwhile(&sure, &pyramid.copies[0], level) {
+        let confident: Vec<Detection> =
+            found.iter().filter(|detection| detection.score >= CONFIDENT_SCORE).copied().collect();
+        if confident.len() >= enough || !is_worthwhile(&confident, &pyramid.copies[0], level) {
             break;
         }
-        let upright = in_tiles(detector, pyramid, level, 0.0, &sure, |share| report(done(share / 2.0)))?;
-        let nothing = sure.is_empty() && !upright.iter().any(|detection| detection.score >= SURE);
+        let upright = in_tiles(detector, pyramid, level, 0.0, &confident, |share| report(done(share / 2.0)))?;
+        let nothing = confident.is_empty() && !upright.iter().any(|detection| detection.score >= CONFIDENT_SCORE);
         found.extend(upright);
         if nothing {
-            found.extend(in_tiles(detector, pyramid, level, -PI, &sure, |share| report(done(0.5 + share / 2.0)))?);
+            found.extend(in_tiles(detector, pyramid, level, -PI, &confident, |share| report(done(0.5 + share / 2.0)))?);
         }
         found = suppression::best_only(found);
     }
-    found.truncate(MOST);
+    found.truncate(MAX_PROPOSALS);
     Ok(found)
 }
 
@@ -66,16 +68,17 @@ fn whole(detector: &Detector, pyramid: &Pyramid<'_>) -> Result<Vec<Detection>, L
     Ok(suppression::best_only(found))
 }
 
-/// Whether a level may show faces that are not much smaller than those that were found.
-fn is_worthwhile(sure: &[Detection], picture: &Photo, level: usize) -> bool {
-    let largest_new = SMALLEST_SHARE * Pyramid::tile_share(level - 1);
-    sure.iter()
+/// Whether a level can contain faces that are not much smaller than the ones found.
+fn is_worthwhile(confident: &[Detection], picture: &Photo, level: usize) -> bool {
+    let largest_new = MIN_FACE_SHARE * Pyramid::tile_share(level - 1);
+    confident
+        .iter()
         .map(|detection| share(detection, picture))
         .reduce(f32::min)
-        .is_none_or(|smallest| smallest < LARGEST_GAP * largest_new)
+        .is_none_or(|smallest| smallest < MAX_SIZE_RATIO * largest_new)
 }
 
-/// The longer side of a detection as a share of the longer side of the picture.
+/// The longer side of a detection, relative to that of the picture.
 fn share(detection: &Detection, picture: &Photo) -> f32 {
     let PictureSize { width, height } = PictureSize::of(picture);
     let side = |axis: usize| detection.max[axis] - detection.min[axis];
@@ -94,7 +97,7 @@ fn in_tiles(
     let tiles = tiles(PictureSize::of(copy), level);
     let mut found = Vec::new();
     for (index, tile) in tiles.iter().enumerate() {
-        if !is_within_one(tile, known, copy) && !is_flat(tile, copy) {
+        if !is_inside_known_face(tile, known, copy) && !is_flat(tile, copy) {
             found.extend(detector.detect(copy, &RegionPx { rotation_rad, ..*tile })?);
         }
         report((index + 1) as f32 / tiles.len() as f32);
@@ -102,7 +105,7 @@ fn in_tiles(
     Ok(found)
 }
 
-/// Overlapping squares that cover the picture.
+/// Overlapping square tiles that cover the picture.
 fn tiles(picture: PictureSize, level: usize) -> Vec<RegionPx> {
     let side = picture.width.max(picture.height) * Pyramid::tile_share(level);
     let (columns, rows) = (centres(picture.width, side), centres(picture.height, side));
@@ -110,15 +113,15 @@ fn tiles(picture: PictureSize, level: usize) -> Vec<RegionPx> {
     rows.iter().flat_map(|&y| columns.iter().map(move |&x| tile(x, y))).collect()
 }
 
-/// Centres of overlapping intervals that cover `0..extent`; one in the middle if that is enough.
+/// Centres of overlapping intervals that cover `0..extent`; a single, central one if it suffices.
 fn centres(extent: f32, side: f32) -> Vec<f32> {
     let steps = ((extent - side) / (side * STRIDE)).ceil().max(0.0);
     let centre = |i: usize| if steps == 0.0 { extent / 2.0 } else { side / 2.0 + (extent - side) * i as f32 / steps };
     (0..=steps as usize).map(centre).collect()
 }
 
-/// Whether a tile shows nothing but a part of a face that is known.
-fn is_within_one(tile: &RegionPx, known: &[Detection], picture: &Photo) -> bool {
+/// Whether a known face covers the tile.
+fn is_inside_known_face(tile: &RegionPx, known: &[Detection], picture: &Photo) -> bool {
     let PictureSize { width, height } = PictureSize::of(picture);
     let inside = |detection: &Detection, axis: usize, extent: f32| {
         let half = tile.size[axis] / 2.0;
@@ -142,5 +145,5 @@ fn is_flat(tile: &RegionPx, picture: &Photo) -> bool {
             extremes = [extremes[0].min(green), extremes[1].max(green)];
         }
     }
-    extremes[1].saturating_sub(extremes[0]) < FLAT
+    extremes[1].saturating_sub(extremes[0]) < FLAT_RANGE
 }

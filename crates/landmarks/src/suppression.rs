@@ -1,17 +1,17 @@
-//! One face, one detection: non-maximum suppression in which the suppressed boxes still have a say.
+//! Non-maximum suppression of duplicate detections.
 
 use crate::detection::Detection;
 
-/// Boxes that overlap the best one by more than this (intersection over union) show the same face.
+/// Intersection over union above which two boxes belong to one face.
 const MAX_OVERLAP: f32 = 0.3;
 
-/// Merges the boxes of each face into one: the mean weighted by score, with the best one's score. Best first.
+/// Merges the boxes of each face into their mean, weighted by score, with the highest score. Sorted by score.
 pub(crate) fn weighted(mut rest: Vec<Detection>) -> Vec<Detection> {
     sort_by_score(&mut rest);
     let mut merged = Vec::new();
     while let Some(&best) = rest.first() {
         let (same, others): (Vec<_>, Vec<_>) = rest.iter().partition(|other| overlap(&best, other) > MAX_OVERLAP);
-        // A box without area does not even overlap itself.
+        // A box without area does not overlap itself.
         if same.is_empty() {
             break;
         }
@@ -21,16 +21,16 @@ pub(crate) fn weighted(mut rest: Vec<Detection>) -> Vec<Detection> {
     merged
 }
 
-/// Drops every detection that shows the same face as a better one. Best first.
+/// Retains the detection with the highest score for each face. Sorted by score.
 pub(crate) fn best_only(mut rest: Vec<Detection>) -> Vec<Detection> {
     sort_by_score(&mut rest);
-    let mut kept: Vec<Detection> = Vec::new();
+    let mut retained: Vec<Detection> = Vec::new();
     for detection in rest {
-        if kept.iter().all(|better| overlap(better, &detection) <= MAX_OVERLAP) {
-            kept.push(detection);
+        if retained.iter().all(|better| overlap(better, &detection) <= MAX_OVERLAP) {
+            retained.push(detection);
         }
     }
-    kept
+    retained
 }
 
 fn sort_by_score(detections: &mut [Detection]) {

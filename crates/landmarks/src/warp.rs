@@ -1,8 +1,8 @@
-//! A region of the picture, resampled to a network's input, bit for bit as OpenCV's `warpPerspective` does it.
+//! Resamples a region of the picture to a network's input, bit-identical to OpenCV's `warpPerspective`.
 //!
-//! The networks answer to the pixels they see, so the order of the arithmetic matters: the corners in f32, the
-//! homography solved and inverted in f64, source positions rounded to 1/32 px, half to even. There is no half-pixel
-//! offset: the region's corners map to tensor index 0 and `side`.
+//! The networks are sensitive to single pixels, so the order of the arithmetic matters: corners in f32, the homography
+//! solved and inverted in f64, source positions rounded to 1/32 px, half to even. There is no half-pixel offset: the
+//! region's corners map to tensor indices 0 and `side`.
 
 use rosto_photo::Photo;
 
@@ -10,7 +10,7 @@ use crate::homography::{self, Matrix};
 use crate::layers::widest;
 use crate::region_of_interest::RegionPx;
 
-/// What lies outside the picture.
+/// Colour outside the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Outside {
     /// Black.
@@ -19,7 +19,7 @@ pub(crate) enum Outside {
     NearestEdge,
 }
 
-/// Writes the region as three planes (red, green, blue) of `side × side` values, `scale · u8 + offset`.
+/// Writes the region as three planes (red, green, blue) of `side × side` values `scale · u8 + offset`.
 pub(crate) fn fill_planes(
     planes: &mut [f32],
     photo: &Photo,
@@ -40,9 +40,9 @@ pub(crate) fn fill_planes(
     );
 }
 
-/// OpenCV walks along a row in blocks of this width and restarts its sums at each.
+/// Block width after which OpenCV restarts its running sums along a row.
 const BLOCK: usize = 64;
-/// Positions are rounded to this fraction of a pixel.
+/// Number of source positions per pixel.
 const STEPS: i32 = 1 << STEPS_LOG2;
 const STEPS_LOG2: u32 = 5;
 
@@ -67,7 +67,7 @@ fn for_each_sample(
     }
 }
 
-/// Where the pixels of a block lie in the picture, in steps; all of them before any is sampled, so that vectors divide.
+/// Source positions of a block's pixels, in steps. Computed before sampling, so that the divisions vectorise.
 #[inline(always)]
 fn positions(m: &Matrix, block: usize, y: usize) -> [[i32; BLOCK]; 2] {
     let [start_x, start_y, start_w] = [0, 1, 2].map(|row| m[row][0] * block as f64 + m[row][1] * y as f64 + m[row][2]);
@@ -109,7 +109,7 @@ struct Sampler<'a> {
     outside: Outside,
 }
 
-/// Red, green, blue, and a number that nobody asks for: four fit a vector.
+/// Red, green, blue and a padding element, to fill a vector.
 type Tap = [u32; 4];
 
 impl<'a> Sampler<'a> {
@@ -117,7 +117,7 @@ impl<'a> Sampler<'a> {
         Self { bytes: photo.pixels(), width: photo.width() as i32, height: photo.height() as i32, outside }
     }
 
-    /// The colour at (`x`, `y`) in steps: `(Σ p·wx·wy + 512) >> 10` for each channel.
+    /// The colour at (`x`, `y`), in steps: `(Σ p·wx·wy + 512) >> 10` for each channel.
     #[inline(always)]
     fn sample(&self, x: i32, y: i32) -> [u8; 3] {
         let (fx, fy) = ((x & (STEPS - 1)) as u32, (y & (STEPS - 1)) as u32);
@@ -136,7 +136,7 @@ impl<'a> Sampler<'a> {
     /// The pixel at (`x`, `y`), its right neighbour, and the two below.
     #[inline(always)]
     fn taps(&self, x: i32, y: i32) -> [Tap; 4] {
-        // The very last pixel has no fourth byte.
+        // The fast path reads 7 bytes per row, which exceeds the buffer at the last pixels.
         if x < 0 || y < 0 || x >= self.width - 1 || y >= self.height - 2 {
             return [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)].map(|(x, y)| self.tap(x, y));
         }

@@ -1,4 +1,4 @@
-//! What is found beyond MediaPipe: a part of the scenes of docs/detection.md, which has them all.
+//! Faces found beyond MediaPipe, on a subset of the scenes of docs/detection.md.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -21,9 +21,10 @@ fn scene(name: &str) -> Scene {
     families::all().into_iter().find(|scene| scene.name == name).unwrap_or_else(|| panic!("no scene {name}"))
 }
 
-/// Every face that is there and nothing else, its landmarks within a twentieth of the distance between the eyes.
+/// Asserts that all faces and no others are found, with a mean landmark error below 5 % of the distance between the
+/// eyes.
 fn assert_all_found(names: &[&str]) {
-    let finder = support::attentive_finder();
+    let finder = support::attention_finder();
     let model = Model::new(&finder, &support::assets::portrait());
     for name in names {
         let scene = scene(name);
@@ -36,33 +37,33 @@ fn assert_all_found(names: &[&str]) {
 }
 
 #[test]
-fn faces_turned_by_any_angle_get_the_mesh_they_have_upright() {
+fn rotated_faces_have_the_upright_mesh() {
     assert_all_found(&["turned_75_near", "turned_105_far", "turned_135_near", "turned_180_far", "turned_210_near"]);
 }
 
 #[test]
-fn a_face_of_32_px_between_the_eyes_is_found_in_12_megapixels() {
+fn a_face_with_32_px_between_the_eyes_is_found_in_12_megapixels() {
     assert_all_found(&["12mp_eyes_32_corner"]);
 }
 
 #[test]
-fn faces_that_the_border_cuts_are_found() {
+fn faces_cut_by_the_border_are_found() {
     assert_all_found(&["cut_left_30", "cut_bottom_40", "cut_top_30"]);
 }
 
 #[test]
-fn everybody_in_a_group_is_found_once_even_more_than_are_shown() {
+fn all_faces_of_a_group_are_found_once() {
     assert_all_found(&["group_5_cells_280_tilt_20", "group_24_cells_240_tilt_15"]);
 }
 
 #[test]
-fn dark_pale_noisy_and_blurred_faces_are_found() {
+fn dark_low_contrast_noisy_and_blurred_faces_are_found() {
     assert_all_found(&["gamma_3_near", "contrast_10_far", "noise_80_near", "blur_3_near", "jpeg_10_far"]);
 }
 
 #[test]
-fn nothing_is_found_where_nobody_is() {
-    let finder = support::attentive_finder();
+fn no_face_is_found_in_pictures_without_faces() {
+    let finder = support::attention_finder();
     let portrait = support::assets::portrait();
     let grounds = Ground::ALL.map(|ground| ground.picture(600, 500, 7, &portrait));
     let portraits_rest = pictures::cropped(&portrait, 280, 240, 200, 200);
@@ -73,12 +74,13 @@ fn nothing_is_found_where_nobody_is() {
 }
 
 #[test]
-fn the_large_face_comes_first_however_many_are_wanted() {
-    let finder = support::attentive_finder();
+fn the_large_face_comes_first_for_any_limit() {
+    let finder = support::attention_finder();
     let model = Model::new(&finder, &support::assets::portrait());
     let mut scene = scene("group_2_cells_400_tilt_10");
     scene.size_px = [900, 700];
-    scene.faces = vec![scenes::Placed::upright([120.0, 110.0], 0.6), scenes::Placed::upright([520.0, 380.0], 2.4)];
+    scene.faces =
+        vec![scenes::Placement::upright([120.0, 110.0], 0.6), scenes::Placement::upright([520.0, 380.0], 2.4)];
     let photo = scene.picture(&model);
     for max_faces in [1, 2] {
         let faces = finder.find(&photo, &FindOptions { max_faces, ..FindOptions::default() }).unwrap();
@@ -88,10 +90,10 @@ fn the_large_face_comes_first_however_many_are_wanted() {
     }
 }
 
-/// In this picture her sleeve passes for a face of lower confidence, which is larger and nearer to the middle.
+/// In this picture, a sleeve is detected with lower confidence; it is larger and nearer to the centre than the face.
 #[test]
-fn a_doubtful_face_comes_after_sure_ones_however_prominent() {
-    let finder = support::attentive_finder();
+fn a_prominent_doubtful_face_comes_after_certain_ones() {
+    let finder = support::attention_finder();
     let portrait = pictures::scaled(&support::assets::portrait(), 850, 850);
     let photo = pictures::padded(&portrait, 1600, 900, 700, 0);
     for max_faces in [1, 20] {
@@ -105,11 +107,11 @@ fn a_doubtful_face_comes_after_sure_ones_however_prominent() {
 }
 
 #[test]
-fn a_lower_bound_tells_how_many_faces_the_limit_left_out() {
-    let finder = support::attentive_finder();
+fn at_least_counts_faces_beyond_the_limit() {
+    let finder = support::attention_finder();
     let (cell_px, columns, rows) = (256, 8, 5);
     let portrait = pictures::scaled(&support::assets::portrait(), cell_px, cell_px);
-    let row = (1..columns).fold(portrait.clone(), |row, _| pictures::beside(&row, &portrait));
+    let row = (1..columns).fold(portrait.clone(), |row, _| pictures::side_by_side(&row, &portrait));
     let sheet = Photo::from_rgb(columns * cell_px, rows * cell_px, row.pixels().repeat(rows as usize)).unwrap();
     for max_faces in [2, 20, 100] {
         let options = FindOptions { max_faces, ..FindOptions::default() };
@@ -118,13 +120,13 @@ fn a_lower_bound_tells_how_many_faces_the_limit_left_out() {
     }
 }
 
-/// How far the landmarks of variants of one face are from those of the portrait, px, as the mean of every other variant.
+/// Mean distance of the landmarks of every other variant of a face from those of the portrait, px.
 fn spread_px(finder: &FaceFinder, model: &Model, options: &FindOptions) -> f64 {
     let upright = scenes::landmarks_px(&only_face(finder, &model.portrait, options), &model.portrait);
     let distances = families::variants().into_iter().step_by(2).map(|scene| {
         let photo = scene.picture(model);
         let found = scenes::landmarks_px(&only_face(finder, &photo, options), &photo);
-        let truth = model.carried(&upright, &scene.faces[0]);
+        let truth = model.placed_landmarks_px(&upright, &scene.faces[0]);
         scenes::error(&found, &truth, &scene.faces[0], scene.size_px) * scenes::EYE_DISTANCE_PX
     });
     let distances: Vec<f64> = distances.collect();
@@ -132,19 +134,19 @@ fn spread_px(finder: &FaceFinder, model: &Model, options: &FindOptions) -> f64 {
 }
 
 #[test]
-fn thorough_landmarks_agree_better_between_variants_of_one_face() {
-    let finder = support::attentive_finder();
+fn thorough_landmarks_vary_less_between_variants_of_a_face() {
+    let finder = support::attention_finder();
     let model = Model::new(&finder, &support::assets::portrait());
     let (one, settled) = (
         spread_px(&finder, &model, &FindOptions::mediapipe()),
         spread_px(&finder, &model, &FindOptions { max_faces: 1, ..FindOptions::default() }),
     );
-    assert!(settled < 0.7 * one, "{one} px as MediaPipe does it, {settled} px thoroughly");
+    assert!(settled < 0.7 * one, "{one} px with MediaPipe's options, {settled} px with the thorough search");
 }
 
 #[test]
-fn progress_never_falls_and_ends() {
-    let finder = support::attentive_finder();
+fn progress_does_not_decrease_and_ends() {
+    let finder = support::attention_finder();
     let photo = pictures::padded(&support::assets::portrait(), 1600, 900, 700, 200);
     let mut shares = Vec::new();
     let report = |stage| {
@@ -162,8 +164,8 @@ fn progress_never_falls_and_ends() {
 }
 
 #[test]
-fn tiny_and_thin_pictures_are_looked_at_without_trouble() {
-    let finder = support::attentive_finder();
+fn tiny_and_thin_pictures_have_no_faces() {
+    let finder = support::attention_finder();
     for (width, height) in [(1, 1), (1, 300), (2000, 2), (7, 5)] {
         let picture = Photo::from_rgb(width, height, vec![90; width as usize * height as usize * 3]).unwrap();
         for search in [Search::Once, Search::Thorough] {

@@ -1,4 +1,4 @@
-//! Networks whose files were damaged: what they answer is finite, or they are refused.
+//! Damaged network files give finite output or an error.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -8,7 +8,7 @@ use rosto_landmarks::{Face, FaceFinder, FindOptions, LandmarkNetwork, LandmarksE
 use support::assets;
 use support::seeded::Seeded;
 
-/// Four hundred bytes of the weights written anew.
+/// Overwrites 400 bytes of the weights with random ones.
 fn flipped(mut onnx: Vec<u8>, seeded: &mut Seeded) -> Vec<u8> {
     for _ in 0..400 {
         let at = onnx.len() / 4 + seeded.below(onnx.len() / 2);
@@ -25,7 +25,7 @@ fn faces(detector: &[u8], landmarks: &[u8]) -> Result<Vec<Face>, LandmarksError>
 }
 
 #[test]
-fn a_network_with_flipped_bytes_is_refused_or_answers_with_finite_numbers() {
+fn a_network_with_changed_bytes_is_rejected_or_gives_finite_output() {
     let (detector, landmarks) = (assets::detector_onnx(), assets::landmarks_onnx());
     let mut refused = 0;
     for seed in 0..6 {
@@ -48,10 +48,10 @@ fn a_network_with_flipped_bytes_is_refused_or_answers_with_finite_numbers() {
 }
 
 #[test]
-fn one_weight_that_is_infinite_is_named_when_the_network_is_read() {
+fn a_non_finite_weight_is_reported_on_loading() {
     let mut landmarks = assets::landmarks_onnx();
     let at = landmarks.len() / 2;
-    // Whichever byte of a half-precision number comes first, one of the two numbers here is infinite or none.
+    // In either byte alignment, one of the two half-precision numbers becomes infinite or NaN.
     landmarks[at..at + 4].fill(0x7C);
     let error = FaceFinder::new(&assets::detector_onnx(), LandmarkNetwork::Plain(&landmarks)).err().unwrap();
     let LandmarksError::NetworkDamaged { network, reason } = error else { panic!("{error}") };
@@ -60,9 +60,9 @@ fn one_weight_that_is_infinite_is_named_when_the_network_is_read() {
 }
 
 #[test]
-fn a_network_in_which_one_letter_of_a_name_is_another_is_refused() {
+fn a_network_with_a_misspelt_output_name_is_rejected() {
     let (detector, landmarks) = (assets::detector_onnx(), assets::landmarks_onnx());
-    // Where the node that gives this output names it; field 2 of a node, 9 letters.
+    // The output name in the node that produces it: field 2 of a node, 9 letters.
     let output = b"\x12\x09conv2d_31";
     let at = landmarks.windows(output.len()).position(|window| window == output).unwrap();
     let mut renamed = landmarks;

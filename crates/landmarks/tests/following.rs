@@ -1,4 +1,4 @@
-//! A face is followed from frame to frame: it does not tremble, does not lag, and is lost and found again.
+//! Following a face through a video: jitter, lag, loss and recovery.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -6,24 +6,24 @@ mod support;
 
 use rosto_landmarks::{FaceFinder, Follower, Origin};
 use rosto_photo::Photo;
-use support::video::{self, FRAME_MS};
 use support::scenes::canvas::Ground;
-use support::scenes::{Model, Placed};
+use support::scenes::{Model, Placement};
 use support::seeded::Seeded;
+use support::video::{self, FRAME_MS};
 
-/// What a camera adds, of 255, up and down.
+/// Amplitude of the camera noise, of 255.
 const NOISE: f64 = 8.0;
 
 fn model(finder: &FaceFinder) -> Model {
     Model::new(finder, &support::assets::portrait())
 }
 
-/// The landmarks in every frame, px; there is a face in each.
+/// The landmarks in each frame, px; each frame must contain a face.
 fn followed_px(finder: &FaceFinder, frames: &[Photo]) -> Vec<Vec<[f64; 2]>> {
     video::follow(finder, frames).iter().map(|face| video::px(face.as_ref().unwrap())).collect()
 }
 
-/// The same, each frame by itself.
+/// The landmarks in each frame, px, each frame processed without the previous ones.
 fn fresh_px(finder: &FaceFinder, frames: &[Photo]) -> Vec<Vec<[f64; 2]>> {
     let fresh = |frame| video::follow_one(finder, &mut Follower::default(), frame, 0.0).unwrap();
     frames.iter().map(|frame| video::px(&fresh(frame))).collect()
@@ -34,10 +34,10 @@ fn shifted(landmarks: &[[f64; 2]], [dx, dy]: [f64; 2]) -> Vec<[f64; 2]> {
 }
 
 #[test]
-fn a_still_face_in_a_trembling_picture_rests() {
-    /// By then the region, which follows from the landmarks, has come to rest too.
+fn a_still_face_with_noise_has_little_jitter() {
+    /// Frame from which the region, which depends on the landmarks, has also converged.
     const SETTLED: usize = 10;
-    let finder = support::attentive_finder();
+    let finder = support::attention_finder();
     let model = model(&finder);
     let frames: Vec<Photo> = (0..30).map(|number| video::frame(&model, &[video::middle()], NOISE, number)).collect();
     let followed = followed_px(&finder, &frames);
@@ -49,11 +49,11 @@ fn a_still_face_in_a_trembling_picture_rests() {
 
 #[test]
 fn a_moving_face_is_followed_without_lag() {
-    let finder = support::attentive_finder();
+    let finder = support::attention_finder();
     let model = model(&finder);
     for speed_px_s in [100.0, 200.0, 300.0] {
         let at = |number: u64| 200.0 + speed_px_s * FRAME_MS / 1000.0 * number as f64;
-        let frame = |number| video::frame(&model, &[Placed::upright([at(number), 240.0], 1.6)], NOISE, number);
+        let frame = |number| video::frame(&model, &[Placement::upright([at(number), 240.0], 1.6)], NOISE, number);
         let frames: Vec<Photo> = (0..20).map(frame).collect();
         let followed = followed_px(&finder, &frames);
         for number in [1, 4, 10, 19] {
@@ -64,39 +64,39 @@ fn a_moving_face_is_followed_without_lag() {
     }
 }
 
-/// To and fro at one speed, as a head is shaken; a machine that is busy shows few of the frames.
+/// Triangle wave at constant speed, as of a shaken head, at several frame intervals.
 #[test]
-fn a_face_that_is_seen_seldom_is_followed_without_lag() {
+fn a_face_is_followed_without_lag_at_low_frame_rates() {
     const SPEED_PX_S: f64 = 200.0;
-    const REACH_PX: f64 = 100.0;
-    let finder = support::attentive_finder();
+    const AMPLITUDE_PX: f64 = 100.0;
+    let finder = support::attention_finder();
     let model = model(&finder);
     for every_ms in [33.0, 50.0, 66.0, 70.0, 110.0, 170.0, 230.0, 400.0] {
         let mut follower = Follower::default();
         let mut first = None;
         for number in 0..16_u32 {
             let time_ms = every_ms * f64::from(number);
-            let way = (SPEED_PX_S * time_ms / 1000.0) % (4.0 * REACH_PX);
-            let aside = REACH_PX - (way - 2.0 * REACH_PX).abs();
-            let placed = Placed::upright([320.0 + aside, 240.0], 1.6);
+            let travelled_px = (SPEED_PX_S * time_ms / 1000.0) % (4.0 * AMPLITUDE_PX);
+            let offset_px = AMPLITUDE_PX - (travelled_px - 2.0 * AMPLITUDE_PX).abs();
+            let placed = Placement::upright([320.0 + offset_px, 240.0], 1.6);
             let frame = video::frame(&model, &[placed], NOISE, number.into());
             let face = video::follow_one(&finder, &mut follower, &frame, time_ms).unwrap();
             let px = video::px(&face);
-            let (begin, from) = first.get_or_insert_with(|| (px.clone(), aside));
-            let behind_px = video::apart_px(&px, &shifted(begin, [aside - *from, 0.0]));
-            assert!(behind_px < 4.0, "every {every_ms} ms, frame {number}: {behind_px} px");
+            let (first_px, from) = first.get_or_insert_with(|| (px.clone(), offset_px));
+            let lag_px = video::apart_px(&px, &shifted(first_px, [offset_px - *from, 0.0]));
+            assert!(lag_px < 4.0, "every {every_ms} ms, frame {number}: {lag_px} px");
         }
     }
 }
 
 #[test]
-fn the_detector_looks_once_and_following_says_what_a_fresh_look_says() {
-    let finder = support::attentive_finder();
+fn followed_landmarks_match_detected_ones() {
+    let finder = support::attention_finder();
     let model = model(&finder);
     let frame = |number: u64| {
-        let placed = Placed {
+        let placed = Placement {
             degrees: 2.0 * number as f64,
-            ..Placed::upright([260.0 + 8.0 * number as f64, 240.0], 1.4 + 0.02 * number as f64)
+            ..Placement::upright([260.0 + 8.0 * number as f64, 240.0], 1.4 + 0.02 * number as f64)
         };
         video::frame(&model, &[placed], 0.0, number)
     };
@@ -112,10 +112,10 @@ fn the_detector_looks_once_and_following_says_what_a_fresh_look_says() {
 }
 
 #[test]
-fn a_face_that_turns_onto_its_head_is_followed_all_the_way() {
-    let finder = support::attentive_finder();
+fn a_face_is_followed_while_it_rotates_upside_down() {
+    let finder = support::attention_finder();
     let model = model(&finder);
-    let turned = |number: u64| Placed { degrees: 12.0 * number as f64, ..Placed::upright([320.0, 240.0], 1.3) };
+    let turned = |number: u64| Placement { degrees: 12.0 * number as f64, ..Placement::upright([320.0, 240.0], 1.3) };
     let frames: Vec<Photo> = (0..16).map(|number| video::frame(&model, &[turned(number)], 0.0, number)).collect();
     let followed = video::follow(&finder, &frames);
     let origins: Vec<_> = followed.iter().map(|face| face.as_ref().map(|face| face.origin)).collect();
@@ -126,15 +126,15 @@ fn a_face_that_turns_onto_its_head_is_followed_all_the_way() {
 
 #[test]
 fn landmarks_move_with_the_picture() {
-    let finder = support::attentive_finder();
+    let finder = support::attention_finder();
     let model = model(&finder);
     let by = [37.0, -21.0];
     let [x, y] = video::middle().at_px;
-    let film_at = |at_px: [f64; 2]| -> Vec<Photo> {
-        let placed = |number: u64| Placed::upright([at_px[0] + 3.0 * number as f64, at_px[1]], 1.6);
+    let video_at = |at_px: [f64; 2]| -> Vec<Photo> {
+        let placed = |number: u64| Placement::upright([at_px[0] + 3.0 * number as f64, at_px[1]], 1.6);
         (0..5).map(|number| video::frame(&model, &[placed(number)], 0.0, number)).collect()
     };
-    let (here, there) = (film_at([x, y]), film_at([x + by[0], y + by[1]]));
+    let (here, there) = (video_at([x, y]), video_at([x + by[0], y + by[1]]));
     for (here, there) in followed_px(&finder, &here).iter().zip(followed_px(&finder, &there)) {
         let apart = video::apart_px(&shifted(here, by), &there);
         assert!(apart < 0.5, "{apart} px");
@@ -142,13 +142,13 @@ fn landmarks_move_with_the_picture() {
 }
 
 #[test]
-fn a_face_that_leaves_is_lost_and_one_that_comes_back_is_found() {
-    let finder = support::attentive_finder();
+fn a_face_is_lost_when_it_leaves_and_found_when_it_returns() {
+    let finder = support::attention_finder();
     let model = model(&finder);
-    let at = |x: f64| video::frame(&model, &[Placed::upright([x, 240.0], 1.6)], NOISE, x as u64);
-    let mut places: Vec<f64> = (0..14).map(|number| 400.0 + 30.0 * f64::from(number)).collect();
-    places.extend([2000.0, 320.0, 325.0]);
-    let found = video::follow(&finder, &places.iter().map(|&x| at(x)).collect::<Vec<_>>());
+    let at = |x: f64| video::frame(&model, &[Placement::upright([x, 240.0], 1.6)], NOISE, x as u64);
+    let mut positions: Vec<f64> = (0..14).map(|number| 400.0 + 30.0 * f64::from(number)).collect();
+    positions.extend([2000.0, 320.0, 325.0]);
+    let found = video::follow(&finder, &positions.iter().map(|&x| at(x)).collect::<Vec<_>>());
     let seen: Vec<Option<Origin>> = found.iter().map(|face| face.as_ref().map(|face| face.origin)).collect();
     assert!(seen[1..7].iter().all(|&origin| origin == Some(Origin::Followed)), "{seen:?}");
     assert!(seen[11..15].iter().all(Option::is_none), "{seen:?}");
@@ -156,8 +156,8 @@ fn a_face_that_leaves_is_lost_and_one_that_comes_back_is_found() {
 }
 
 #[test]
-fn a_face_that_vanishes_is_lost_at_once_whatever_is_behind_it() {
-    let finder = support::attentive_finder();
+fn a_vanished_face_is_lost_at_once_on_any_background() {
+    let finder = support::attention_finder();
     let model = model(&finder);
     let with_face = video::frame(&model, &[video::middle()], 0.0, 0);
     for ground in Ground::ALL {
@@ -173,8 +173,8 @@ fn a_face_that_vanishes_is_lost_at_once_whatever_is_behind_it() {
 }
 
 #[test]
-fn a_camera_that_is_covered_shows_no_face() {
-    let finder = support::attentive_finder();
+fn no_face_is_found_while_the_camera_is_covered() {
+    let finder = support::attention_finder();
     let model = model(&finder);
     let with_face = video::frame(&model, &[video::middle()], 0.0, 0);
     let [width, height] = video::SIZE_PX;
@@ -185,21 +185,21 @@ fn a_camera_that_is_covered_shows_no_face() {
         let dim = dimmed(&with_face, 0.15);
         let found = video::follow(&finder, &[with_face.clone(), covered.clone(), covered, dim]);
         let seen: Vec<bool> = found.iter().map(Option::is_some).collect();
-        assert_eq!(seen, [true, false, false, true], "all at {level}, and noise of {noise}");
+        assert_eq!(seen, [true, false, false, true], "level {level}, noise {noise}");
     }
 }
 
-/// As a dark room shows it.
+/// Reduces the brightness, as in a dark room.
 fn dimmed(frame: &Photo, share: f64) -> Photo {
     let pixels = frame.pixels().iter().map(|&value| (f64::from(value) * share) as u8).collect();
     Photo::from_rgb(frame.width(), frame.height(), pixels).unwrap()
 }
 
 #[test]
-fn a_face_that_jumps_is_found_in_the_same_frame_and_not_smoothed_on_its_way() {
-    let finder = support::attentive_finder();
+fn a_face_that_jumps_is_found_in_the_same_frame_without_smoothing() {
+    let finder = support::attention_finder();
     let model = model(&finder);
-    let at = |x: f64| video::frame(&model, &[Placed::upright([x, 200.0], 1.0)], 0.0, 0);
+    let at = |x: f64| video::frame(&model, &[Placement::upright([x, 200.0], 1.0)], 0.0, 0);
     let frames = [at(120.0), at(520.0)];
     let (followed, fresh) = (video::follow(&finder, &frames), fresh_px(&finder, &frames));
     let last = followed[1].as_ref().unwrap();
@@ -208,8 +208,8 @@ fn a_face_that_jumps_is_found_in_the_same_frame_and_not_smoothed_on_its_way() {
 }
 
 #[test]
-fn a_long_pause_time_that_runs_backwards_and_another_size_begin_anew() {
-    let finder = support::attentive_finder();
+fn gaps_decreasing_times_and_size_changes_restart_detection() {
+    let finder = support::attention_finder();
     let model = model(&finder);
     let frame = video::frame(&model, &[video::middle()], 0.0, 0);
     let portrait = support::assets::portrait();
@@ -230,11 +230,11 @@ fn a_long_pause_time_that_runs_backwards_and_another_size_begin_anew() {
 }
 
 #[test]
-fn frames_of_one_moment_show_the_face_where_it_was() {
-    let finder = support::attentive_finder();
+fn frames_with_the_same_time_do_not_move_the_face() {
+    let finder = support::attention_finder();
     let model = model(&finder);
     let mut follower = Follower::default();
-    let at = |x: f64| video::frame(&model, &[Placed::upright([x, 240.0], 1.6)], 0.0, 0);
+    let at = |x: f64| video::frame(&model, &[Placement::upright([x, 240.0], 1.6)], 0.0, 0);
     let first = video::follow_one(&finder, &mut follower, &at(300.0), 40.0).unwrap();
     let again = video::follow_one(&finder, &mut follower, &at(310.0), 40.0).unwrap();
     assert_eq!(first.landmarks, again.landmarks);
@@ -244,18 +244,18 @@ fn frames_of_one_moment_show_the_face_where_it_was() {
 }
 
 #[test]
-fn of_two_faces_the_larger_one_is_followed() {
-    let finder = support::attentive_finder();
+fn the_larger_of_two_faces_is_followed() {
+    let finder = support::attention_finder();
     let model = model(&finder);
-    let faces = [Placed::upright([110.0, 240.0], 0.7), Placed::upright([430.0, 240.0], 1.4)];
+    let faces = [Placement::upright([110.0, 240.0], 0.7), Placement::upright([430.0, 240.0], 1.4)];
     let found = video::follow(&finder, &[video::frame(&model, &faces, 0.0, 0)]);
     let nose = video::px(found[0].as_ref().unwrap())[1];
     assert!((nose[0] - 430.0).abs() < 60.0, "{nose:?}");
 }
 
 #[test]
-fn tiny_and_thin_frames_are_followed_without_trouble() {
-    let finder = support::attentive_finder();
+fn tiny_and_thin_frames_have_no_face() {
+    let finder = support::attention_finder();
     let mut follower = Follower::default();
     for (width, height) in [(1, 1), (1, 300), (2000, 2), (7, 5), (7, 5)] {
         let frame = Photo::from_rgb(width, height, vec![90; width as usize * height as usize * 3]).unwrap();

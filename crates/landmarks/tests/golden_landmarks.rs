@@ -1,4 +1,4 @@
-//! The landmarks are MediaPipe's, on every picture that `support::pictures` makes.
+//! Agreement with MediaPipe's landmarks on the pictures of `support::pictures`.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -9,17 +9,17 @@ use serde_json::Value;
 use support::pictures::{self, Picture};
 
 const GOLDEN: &str = include_str!("../../../tests/golden/landmarks.json");
-/// Lips, eyes and irises refined.
+/// Landmarks of the attention network, with refined lips and eyes, and irises.
 const GOLDEN_REFINED: &str = include_str!("../../../tests/golden/refined_landmarks.json");
 
 #[test]
-fn every_landmark_is_within_a_twentieth_of_a_pixel_of_mediapipes() {
+fn landmarks_are_within_a_twentieth_of_a_pixel_of_mediapipes() {
     assert_agrees(&support::finder(), GOLDEN, 0.05);
 }
 
 #[test]
-fn every_refined_landmark_and_iris_is_within_a_tenth_of_a_pixel_of_mediapipes() {
-    assert_agrees(&support::attentive_finder(), GOLDEN_REFINED, 0.1);
+fn refined_landmarks_and_irises_are_within_a_tenth_of_a_pixel_of_mediapipes() {
+    assert_agrees(&support::attention_finder(), GOLDEN_REFINED, 0.1);
 }
 
 fn assert_agrees(finder: &FaceFinder, golden: &str, tolerance_px: f64) {
@@ -38,7 +38,7 @@ fn assert_agrees(finder: &FaceFinder, golden: &str, tolerance_px: f64) {
     }
 }
 
-/// Largest difference in x, y or z, in px of the picture; the golden numbers are thousandths.
+/// Largest difference in x, y or z, in px of the picture. The golden numbers are thousandths of a px.
 fn worst_error_px(picture: &Picture, face: &Face, millipixels: &Value) -> f64 {
     let (width, height) = (f64::from(picture.photo.width()), f64::from(picture.photo.height()));
     let found_px = face

@@ -154,8 +154,8 @@ impl RigidEdit {
         self.rest.triangles().map(bent).sum::<f64>() + holding
     }
 
-    /// Sets the optimal positions for fixed rotations. Solves for the displacement `d = x' − x`, whose load `Σ c_tk
-    /// (R̄_t − 1) side_tk` vanishes without rotation.
+    /// Sets the optimal positions for fixed rotations. Solves for the displacement `d = x' − x`, whose load
+    /// `Σ c_tk (R̄_t − 1) side_tk` vanishes without rotation.
     fn move_to(&self, rotations: &[DMat3], targets: &[DVec3], positions: &mut [DVec3]) -> Result<(), LaplacianError> {
         let rest = &self.rest.positions;
         let mut load = vec![DVec3::ZERO; rest.len()];

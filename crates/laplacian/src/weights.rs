@@ -62,8 +62,8 @@ pub(crate) fn barycentric_areas(topology: &Topology, positions: &[DVec3]) -> Vec
 /// Sums over the triangles of an edge `½ cot` of the opposite angle, computed as `e·f / 4A` from the sides `e`, `f` at
 /// that corner.
 ///
-/// If a triangle's area `A` is below `A' = MIN_SHAPE · longest²`, its share is `(A/A')·cotangent-with-A' + (1 −
-/// A/A')·uniform`: continuous, and positive semi-definite for every shape.
+/// If a triangle's area `A` is below `A' = MIN_SHAPE · longest²`, its share is
+/// `(A/A')·cotangent-with-A' + (1 − A/A')·uniform`: continuous, and positive semi-definite for every shape.
 pub(crate) fn cotangent(topology: &Topology, positions: &[DVec3]) -> Vec<f64> {
     let mut weights = vec![0.0; topology.edges().len()];
     for (edges, shares) in triangle_edges(topology).zip(cotangent_shares(topology, positions)) {

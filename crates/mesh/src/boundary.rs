@@ -117,7 +117,9 @@ mod tests {
     proptest! {
         /// A subset of a grid's triangles, consistently wound: islands, holes, and corners that touch.
         #[test]
-        fn any_consistently_wound_surface_has_simple_loops(retained in prop::collection::vec(any::<bool>(), 72), shift in 0..64u32) {
+        fn any_consistently_wound_surface_has_simple_loops(
+            retained in prop::collection::vec(any::<bool>(), 72), shift in 0..64u32,
+        ) {
             let name = |column: u32, row: u32| (7 * row + column + shift) * 27 % 64;
             let cut = |(column, row): (u32, u32)| {
                 let [a, b] = [name(column, row), name(column + 1, row)];

@@ -47,7 +47,8 @@ mod tests {
     proptest! {
         #[test]
         fn normals_rotate_with_the_mesh_and_ignore_translation_and_scale(
-            turn in prop::array::uniform4(-1.0..1.0f64), shift in prop::array::uniform3(-9.0..9.0f64), scale in 0.1..10.0f64,
+            turn in prop::array::uniform4(-1.0..1.0f64), shift in prop::array::uniform3(-9.0..9.0f64),
+            scale in 0.1..10.0f64,
         ) {
             prop_assume!(DVec3::new(turn[0], turn[1], turn[2]).length() > 0.1);
             let rotation = DQuat::from_array(turn).normalize();

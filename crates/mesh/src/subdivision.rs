@@ -12,10 +12,10 @@ use crate::stencils::Stencils;
 /// Loop subdivision of a cage, as a sparse matrix from values on the cage to values on the dense mesh.
 ///
 /// Each level splits triangles into four, with Loop's weights (1987). A new vertex takes ⅜ of each end of its edge and
-/// ⅛ of each opposite corner. An old vertex of degree `d` has weight `1 − dβ`, and each neighbour `β = (⅝ − (⅜ + ¼cos
-/// 2π/d)²) / d`. Boundaries, creases, and edges of more than two triangles are subdivided as curves, with weights ½ ½
-/// for new vertices and ⅛ ¾ ⅛ for old ones (Hoppe et al. 1994). Vertices where such curves end or cross, and vertices
-/// without triangles, do not move.
+/// ⅛ of each opposite corner. An old vertex of degree `d` has weight `1 − dβ`, and each neighbour
+/// `β = (⅝ − (⅜ + ¼cos 2π/d)²) / d`. Boundaries, creases, and edges of more than two triangles are subdivided as
+/// curves, with weights ½ ½ for new vertices and ⅛ ¾ ⅛ for old ones (Hoppe et al. 1994). Vertices where such curves end
+/// or cross, and vertices without triangles, do not move.
 ///
 /// Cage vertices keep their indices. Each level appends its new vertices in the order of [`Topology::edges`].
 #[derive(Debug, Clone, PartialEq)]

@@ -13,9 +13,9 @@
 //! conversion omits them: the graph consists of a trunk and three heads with separate inputs, and the caller crops the
 //! regions.
 //!
-//! The opset is 13. The picture is f32 `[1, 3, side, side]`. The outputs of the detector are `regressors` `[1, 896,
-//! 16]` and `classificators` `[1, 896, 1]`. Those of the landmark network are `conv2d_21` `[1, 1404, 1, 1]` and
-//! `conv2d_31` `[1, 1, 1, 1]`. The trunk of the attention network outputs `output_mesh` `[1, 1404, 1, 1]`,
+//! The opset is 13. The picture is f32 `[1, 3, side, side]`. The outputs of the detector are `regressors`
+//! `[1, 896, 16]` and `classificators` `[1, 896, 1]`. Those of the landmark network are `conv2d_21` `[1, 1404, 1, 1]`
+//! and `conv2d_31` `[1, 1, 1, 1]`. The trunk of the attention network outputs `output_mesh` `[1, 1404, 1, 1]`,
 //! `conv_faceflag` `[1, 1, 1, 1]` and the features `p_re_lu_3` `[1, 32, 48, 48]`. Its heads take
 //! `transform_tensor_bilinear_v2`, `…_1` and `…_2`, each `[1, 32, 16, 16]`. They output `conv_lips` `[1, 160, 1, 1]`,
 //! `conv_left_eye` `[1, 142, 1, 1]`, `conv_left_iris` `[1, 10, 1, 1]`, and the same for the right eye. Left and right

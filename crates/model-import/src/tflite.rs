@@ -75,8 +75,8 @@ pub(crate) enum Padding {
 }
 
 impl Window {
-    /// Padding before and after along an axis (0 = height, 1 = width) of extent `n` for a kernel of extent `k`: `total
-    /// = max((ceil(n/s) − 1)·s + k − n, 0)`, before = total/2, after = the rest.
+    /// Padding before and after along an axis (0 = height, 1 = width) of extent `n` for a kernel of extent `k`:
+    /// `total = max((ceil(n/s) − 1)·s + k − n, 0)`, before = total/2, after = the rest.
     pub(crate) fn pads(&self, axis: usize, n: usize, kernel: usize) -> [usize; 2] {
         if self.padding == Padding::Valid {
             return [0, 0];

@@ -1,19 +1,19 @@
-/// A part of the face that a head looks at again. "Left" and "right" are the subject's.
+/// A part of the face that a head refines. "Left" and "right" are the subject's.
 pub(crate) struct Part {
-    /// The landmarks on the part's two ends, on the picture's left and right: they are level in the head's region.
+    /// The landmarks at the part's ends, on the picture's left and right. The crop is rotated so that they are level.
     pub(crate) ends: [u16; 2],
-    /// The landmarks that the head finds anew, in the order of its answer; the region is around them.
+    /// The landmarks that the head refines, in the order of its output. The crop encloses them.
     pub(crate) points: &'static [u16],
 }
 
-/// Points of an iris: the middle, and four on its border.
+/// Points of an iris: the centre and four on its boundary.
 pub(crate) const IRIS_POINTS: usize = 5;
 
-/// How many of an eye's points, the first of them, lie on the border of its lids.
+/// Number of lid points, which come first among an eye's points.
 const LID_POINTS: usize = 16;
 
 impl Part {
-    /// Gives the part's landmarks other places in the picture; their z stays.
+    /// Sets x and y of the part's landmarks; z stays.
     pub(crate) fn move_points(&self, points: &mut [[f32; 3]], to: impl Iterator<Item = [f32; 2]>) {
         for (&index, [x, y]) in self.points.iter().zip(to) {
             let point = &mut points[usize::from(index)];
@@ -21,7 +21,7 @@ impl Part {
         }
     }
 
-    /// The mean z of an eye's lids, which is its iris's.
+    /// The mean z of an eye's lids, used as z of its iris.
     pub(crate) fn mean_lid_z(&self, points: &[[f32; 3]]) -> f32 {
         let lids = &self.points[..LID_POINTS];
         lids.iter().map(|&index| points[usize::from(index)][2]).sum::<f32>() / LID_POINTS as f32

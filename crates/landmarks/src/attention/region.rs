@@ -2,26 +2,27 @@ use super::parts::Part;
 use crate::outline::Outline;
 use crate::raw_mesh::SIDE;
 
-/// Channels of the trunk's features.
+/// Channels of the feature map.
 pub(crate) const FEATURE_CHANNELS: usize = 32;
-/// Rows and columns of the features: one for every four px of the picture.
+/// Rows and columns of the feature map: one for every four px of the picture.
 pub(crate) const FEATURE_SIDE: usize = 48;
-/// Rows and columns of what a head sees.
+/// Rows and columns of a head's crop.
 pub(crate) const CROP_SIDE: usize = 16;
 
-/// Px of the picture in one step of the features.
+/// Size of a feature map cell in px of the picture.
 const PX_PER_FEATURE: f32 = (SIDE / FEATURE_SIDE) as f32;
-/// How much larger a region is than its points' box.
+/// Scale of the crop relative to the points' bounding box.
 const ENLARGEMENT: f32 = 1.5;
 
-/// A turned rectangle of the features, as the affine map from a head's crop (0..16 each way) to the features (0..48): two
+/// A rotated rectangle of the feature map, as the affine map from a head's crop (0..16) to the feature map (0..48): two
 /// rows `[per x, per y, constant]`.
 pub(crate) struct FeatureRegion {
     features_from_crop: [[f32; 3]; 2],
 }
 
 impl FeatureRegion {
-    /// The region around a part of a face whose points are in px of the picture: its two ends level, its box enlarged.
+    /// Returns the enlarged bounding box of a part, rotated so that its ends are level. `points` are in px of the
+    /// picture.
     pub(crate) fn around(part: &Part, points: &[[f32; 3]]) -> Self {
         let at = |index: u16| [0, 1].map(|axis| points[usize::from(index)][axis] / PX_PER_FEATURE);
         let [left, right] = part.ends.map(at);
@@ -41,7 +42,7 @@ impl FeatureRegion {
         Self { features_from_crop: [row(0), row(1)] }
     }
 
-    /// Writes what a head sees, plane by plane: bilinear between the middles of the features, 0 beyond the outermost ones.
+    /// Writes a head's input, plane by plane: bilinear between the cell centres, 0 beyond the outermost ones.
     pub(crate) fn cut(&self, features: &[f32], crop: &mut [f32]) {
         let planes = features.chunks_exact(FEATURE_SIDE * FEATURE_SIDE);
         for (plane, crop) in planes.zip(crop.chunks_exact_mut(CROP_SIDE * CROP_SIDE)) {
@@ -54,7 +55,7 @@ impl FeatureRegion {
         }
     }
 
-    /// A head's answer, pairs in steps of a quarter of its crop's, as positions in px of the picture.
+    /// Maps a head's output, pairs in units of a quarter of a crop cell, to px of the picture.
     pub(crate) fn in_picture(&self, answer: &[f32]) -> impl Iterator<Item = [f32; 2]> {
         let pairs = answer.as_chunks::<2>().0.iter();
         pairs.map(|&[x, y]| {
@@ -82,7 +83,7 @@ mod tests {
     use super::*;
     use crate::LANDMARK_COUNT;
 
-    /// Points all over a picture, the same every time.
+    /// Deterministic points spread over a picture.
     fn points() -> Vec<[f32; 3]> {
         (0..LANDMARK_COUNT)
             .map(|i| [5.0 + (i * 37 % 101) as f32 * 1.6, 9.0 + (i * 53 % 89) as f32 * 1.8, 0.0])
@@ -90,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn a_region_moves_along_with_its_points() {
+    fn a_region_translates_with_its_points() {
         for part in [&LIPS, &RIGHT_EYE, &LEFT_EYE] {
             let shifted: Vec<_> = points().iter().map(|&[x, y, z]| [x + 8.0, y - 4.0, z]).collect();
             let (here, there) = (FeatureRegion::around(part, &points()), FeatureRegion::around(part, &shifted));
@@ -103,7 +104,7 @@ mod tests {
     }
 
     #[test]
-    fn features_that_are_their_own_position_are_cut_out_where_the_region_lies() {
+    fn cropping_a_feature_map_of_positions_gives_the_regions_positions() {
         let middle = |at: usize| at as f32 + 0.5;
         let plane = |value: fn(usize) -> usize| (0..FEATURE_SIDE * FEATURE_SIDE).map(move |index| middle(value(index)));
         let features: Vec<f32> =

@@ -1,9 +1,9 @@
-//! Values of a graph as values of the model.
+//! Addition of graph values to the model.
 
 use tract_onnx::prelude::*;
 use tract_onnx::tract_core::internal::{TractErrorContext, bail, ensure};
 
-use super::waiting::{Kind, Waiting};
+use super::pending::{Kind, Pending};
 use super::{CHANNELS_FIRST, CHANNELS_LAST, Order, Reader, Value, Wire};
 use crate::layers::{Layer, Operator, Pad, Permute};
 
@@ -21,24 +21,24 @@ impl Reader<'_> {
         Ok(Wire { outlet: outlets[0], order })
     }
 
-    /// A value in the order of the file.
-    pub(super) fn written(&mut self, name: &str) -> TractResult<OutletId> {
+    /// A value in the file's axis order.
+    pub(super) fn in_file_order(&mut self, name: &str) -> TractResult<OutletId> {
         let wire = self.wired(name)?;
         match wire.order {
-            Order::AsWritten => Ok(wire.outlet),
+            Order::FileOrder => Ok(wire.outlet),
             Order::ChannelsLast => self.permuted(name, wire, CHANNELS_FIRST),
         }
     }
 
-    /// A picture, channels last.
+    /// A picture in channels last order.
     pub(super) fn picture(&mut self, name: &str) -> TractResult<OutletId> {
         let wire = self.wired(name)?;
         if wire.order == Order::ChannelsLast {
             return Ok(wire.outlet);
         }
-        ensure!(self.rank(wire.outlet)? == 4, "{name} is no picture");
+        ensure!(self.rank(wire.outlet)? == 4, "{name} is not a picture");
         let outlet = self.permuted(name, wire, CHANNELS_LAST)?;
-        // Once, however many read it.
+        // Share the permuted value among all readers.
         if let Some(value) = self.values.get_mut(name) {
             *value = Value::Wired(Wire { outlet, order: Order::ChannelsLast });
         }
@@ -50,12 +50,12 @@ impl Reader<'_> {
         Ok(self.wire(&name, Permute { axes: axes.to_vec() }, &[wire.outlet], wire.order)?.outlet)
     }
 
-    /// A value of the model, which layers that waited become.
+    /// A value of the model; adds a pending layer to it.
     pub(super) fn wired(&mut self, name: &str) -> TractResult<Wire> {
         if let Value::Wired(wire) = self.value(name)? {
             return Ok(*wire);
         }
-        let (key, value) = self.values.remove_entry(name).with_context(|| format!("nothing before gives {name}"))?;
+        let (key, value) = self.values.remove_entry(name).with_context(|| format!("{name} is not defined"))?;
         let wire = match value {
             Value::Wired(wire) => wire,
             Value::Constant(_) => bail!("{name} is a constant"),
@@ -63,8 +63,8 @@ impl Reader<'_> {
                 let by_axis = vec![[0, 0], [0, 0], [0, 0], [0, more]];
                 self.wire(name, Pad { by_axis }, &[wire.outlet], Order::ChannelsLast)?
             }
-            Value::Waiting(waiting) => {
-                let Waiting { kind, picture, skip, .. } = *waiting;
+            Value::Pending(pending) => {
+                let Pending { kind, picture, skip, .. } = *pending;
                 let inputs: TVec<OutletId> = [picture].into_iter().chain(skip).collect();
                 match kind {
                     Kind::Depthwise(layer) => self.wire(name, layer, &inputs, Order::ChannelsLast)?,

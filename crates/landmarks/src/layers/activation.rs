@@ -1,6 +1,6 @@
-/// `x` where it is positive, `slope · x` elsewhere. ReLU has a slope of 0, and what has a slope of 1 does nothing.
+/// `x` if it is positive, else `slope · x`. A slope of 0 is ReLU; a slope of 1 is the identity.
 ///
-/// A choice between factors and not between results, which would become a jump that no machine can foresee.
+/// Selects a factor instead of a result, because selecting results can compile to an unpredictable branch.
 #[inline(always)]
 pub(crate) fn activated(x: f32, slope: f32) -> f32 {
     x * if x < 0.0 { slope } else { 1.0 }

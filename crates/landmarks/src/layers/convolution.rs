@@ -6,19 +6,19 @@ use super::depthwise::Depthwise;
 use super::window::{Span, Window};
 use super::{Layer, Value, picture};
 
-/// A convolution over all input channels, of a picture or of what a depthwise convolution makes of it.
+/// A convolution over all input channels, optionally preceded by a depthwise convolution.
 ///
-/// A second input is added to the sums before they are activated; it may have fewer channels.
+/// A second input is added to the sums before the activation; it may have fewer channels.
 pub(crate) struct Convolution {
     pub(crate) depthwise: Option<Depthwise>,
-    /// [`Window::POINT`] after a depthwise convolution.
+    /// [`Window::POINT`] if a depthwise convolution precedes.
     pub(crate) window: Window,
     pub(crate) channels_in: usize,
     pub(crate) dense: Dense,
 }
 
-/// So many pixels of a depthwise convolution are made before they are summed: few enough to stay at hand.
-const PIXELS_AT_HAND: usize = 128;
+/// Number of pixels of the depthwise convolution per band, few enough to stay in the cache.
+const PIXELS_PER_BAND: usize = 128;
 
 impl Layer for Convolution {
     fn name(&self) -> &'static str {
@@ -32,13 +32,13 @@ impl Layer for Convolution {
             _ => bail!("{} inputs", inputs.len()),
         };
         let [height, width, channels] = picture(input)?;
-        ensure!(channels == self.channels_in, "{channels} channels where {} are read", self.channels_in);
+        ensure!(channels == self.channels_in, "{channels} channels, expected {}", self.channels_in);
         let window = self.depthwise.as_ref().map_or(&self.window, |depthwise| &depthwise.window);
         let [height, width] = window.output([height, width])?;
         if let Some(skip) = skip {
             let added = picture(skip)?;
             let fits = added[..2] == [height, width] && added[2] <= self.dense.channels;
-            ensure!(fits, "{added:?} added to {:?}", [height, width, self.dense.channels]);
+            ensure!(fits, "cannot add {added:?} to {:?}", [height, width, self.dense.channels]);
         }
         Ok(tvec![1, height, width, self.dense.channels])
     }
@@ -61,7 +61,7 @@ impl Layer for Convolution {
 }
 
 impl Convolution {
-    /// Some rows at a time, so that what is between the two convolutions needs no memory of its own.
+    /// Runs both convolutions band by band, without a buffer for the whole intermediate picture.
     fn after(
         &self,
         depthwise: &Depthwise,
@@ -72,44 +72,44 @@ impl Convolution {
         output: &mut [f32],
     ) {
         let row_length = width * depthwise.channels();
-        let rows_at_hand = PIXELS_AT_HAND.div_ceil(width);
+        let rows_per_band = PIXELS_PER_BAND.div_ceil(width);
         let spans = depthwise.window.spans(1, width, extents[1]);
-        let mut at_hand = vec![0.0; rows_at_hand * row_length];
-        let bands = output.chunks_mut(rows_at_hand * width * self.dense.channels);
+        let mut intermediate = vec![0.0; rows_per_band * row_length];
+        let bands = output.chunks_mut(rows_per_band * width * self.dense.channels);
         for (band, output) in bands.enumerate() {
             let rows = output.len() / (width * self.dense.channels);
-            let first = band * rows_at_hand;
-            for (row, made) in at_hand.chunks_exact_mut(row_length).take(rows).enumerate() {
-                depthwise.row(numbers, extents, &spans, first + row, made);
+            let first = band * rows_per_band;
+            for (row, row_output) in intermediate.chunks_exact_mut(row_length).take(rows).enumerate() {
+                depthwise.row(numbers, extents, &spans, first + row, row_output);
             }
-            let part = Part { numbers: &at_hand, weights: 0..self.channels_in };
+            let part = Part { numbers: &intermediate, weights: 0..self.channels_in };
             self.dense.run(&[part], self.channels_in, skip.from(first * width), output);
         }
     }
 
-    /// Row by row, and in a row where the same taps are inside the picture: there, the numbers under a row of taps are
-    /// neighbours, pixel after pixel.
+    /// Slides row by row, in spans where the same taps are inside the picture. There, the inputs of a row of taps are
+    /// contiguous from pixel to pixel.
     fn slide(&self, numbers: &[f32], extents: [usize; 2], skip: Skip<'_>, width: usize, output: &mut [f32]) {
         let spans = self.window.spans(1, width, extents[1]);
         let step = self.window.strides[1] * self.channels_in;
         for (y, row) in output.chunks_exact_mut(width * self.dense.channels).enumerate() {
             for span in &spans {
                 let parts = self.parts(numbers, extents, y, span);
-                let output = &mut row[span.places.start * self.dense.channels..];
-                let output = &mut output[..span.places.len() * self.dense.channels];
-                self.dense.run(&parts, step, skip.from(y * width + span.places.start), output);
+                let output = &mut row[span.positions.start * self.dense.channels..];
+                let output = &mut output[..span.positions.len() * self.dense.channels];
+                self.dense.run(&parts, step, skip.from(y * width + span.positions.start), output);
             }
         }
     }
 
-    /// What the pixels of a span in row `y` sum.
+    /// The inputs and weights of a span's pixels in row `y`.
     fn parts<'a>(&self, numbers: &'a [f32], extents: [usize; 2], y: usize, span: &Span) -> Vec<Part<'a>> {
-        // Dilated taps are no neighbours.
+        // Dilated taps are not contiguous.
         let together = if self.window.dilations[1] == 1 { span.taps.len().max(1) } else { 1 };
         let rows = self.window.taps(0, y, extents[0]);
         let taps = rows.flat_map(|row| span.taps.clone().step_by(together).map(move |column| (row, column)));
         taps.map(|(row, column)| {
-            let pixel = self.window.pixel(0, y, row) * extents[1] + self.window.pixel(1, span.places.start, column);
+            let pixel = self.window.pixel(0, y, row) * extents[1] + self.window.pixel(1, span.positions.start, column);
             let first_weight = (row * self.window.kernel[1] + column) * self.channels_in;
             Part {
                 numbers: &numbers[pixel * self.channels_in..],
@@ -120,7 +120,7 @@ impl Convolution {
     }
 }
 
-/// A depthwise convolution that nothing follows.
+/// A depthwise convolution that is not fused.
 impl Layer for Depthwise {
     fn name(&self) -> &'static str {
         "Depthwise"
@@ -129,7 +129,7 @@ impl Layer for Depthwise {
     fn output_shape(&self, inputs: &[&[usize]]) -> TractResult<TVec<usize>> {
         ensure!(inputs.len() == 1, "{} inputs", inputs.len());
         let [height, width, channels] = picture(inputs[0])?;
-        ensure!(channels == self.channels(), "{channels} channels where {} are read", self.channels());
+        ensure!(channels == self.channels(), "{channels} channels, expected {}", self.channels());
         let [height, width] = self.window.output([height, width])?;
         Ok(tvec![1, height, width, channels])
     }

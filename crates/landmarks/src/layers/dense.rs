@@ -3,35 +3,35 @@ use std::ops::Range;
 use super::activation::activated;
 use super::widest;
 
-/// Output channels that are computed together: one vector of eight numbers, or two of four.
+/// Output channels per block: one vector of eight numbers, or two of four.
 const LANES: usize = 8;
-/// Blocks of so many channels that are computed together.
+/// Blocks computed together.
 const BLOCKS: usize = if cfg!(target_arch = "x86_64") { 2 } else { 1 };
-/// Pixels that are computed together: eight vectors of sums, which leaves half of a machine's sixteen for what is read.
-/// A sum is the same however many there are.
+/// Pixels computed together. Uses eight vectors for sums, which leaves half of the sixteen registers for operands. The
+/// number does not affect the results.
 const PIXELS: usize = 4;
 
-/// Sums over all input channels: `out = activated(bias + skip + weights · in)`, for each pixel.
+/// A matrix product per pixel: `out = activated(bias + skip + weights · in)`.
 pub(crate) struct Dense {
-    /// Output channels.
+    /// Number of output channels.
     pub(crate) channels: usize,
-    /// How many numbers a sum has.
+    /// Number of terms of a sum.
     depth: usize,
-    /// By block of output channels, then by input; zeros beyond the last channel.
+    /// By block of output channels, then by input; padded with zeros after the last channel.
     weights: Vec<[f32; LANES]>,
     biases: Vec<[f32; LANES]>,
     slopes: Vec<[f32; LANES]>,
 }
 
-/// A part of what is summed: the same weights over neighbouring numbers of each pixel.
+/// Some terms of the sums: a range of the weights and contiguous inputs for each pixel.
 pub(crate) struct Part<'a> {
-    /// From the first number of the first pixel on.
+    /// Inputs, starting at those of the first pixel.
     pub(crate) numbers: &'a [f32],
-    /// Which of the weights.
+    /// Range of the weights.
     pub(crate) weights: Range<usize>,
 }
 
-/// What is added to the sums: a picture with as many channels or fewer, and none of the others.
+/// A picture to add to the sums. It may have fewer channels, which come first.
 #[derive(Clone, Copy)]
 pub(crate) struct Skip<'a> {
     pub(crate) numbers: &'a [f32],
@@ -39,14 +39,14 @@ pub(crate) struct Skip<'a> {
 }
 
 impl Skip<'_> {
-    /// From a pixel on.
+    /// The picture from a pixel on.
     pub(crate) fn from(self, pixel: usize) -> Self {
         Self { numbers: &self.numbers[pixel * self.channels..], channels: self.channels }
     }
 }
 
 impl Dense {
-    /// From biases and weights that are given by output channel and input: `weight(channel, input)`.
+    /// Creates the layer from one bias per output channel and `weight(channel, input)`.
     pub(crate) fn new(biases: &[f32], depth: usize, weight: impl Fn(usize, usize) -> f32) -> Self {
         let blocks = biases.len().div_ceil(LANES);
         let channels = biases.len();
@@ -61,13 +61,13 @@ impl Dense {
         Self { channels, depth, weights, biases: in_lanes(biases), slopes: vec![[1.0; LANES]; blocks] }
     }
 
-    /// With what follows the sums: a slope for each channel, see [`activated`].
+    /// Sets the activation's slope for each channel, see [`activated`].
     pub(crate) fn with_slopes(mut self, slopes: &[f32]) -> Self {
         self.slopes = in_lanes(slopes);
         self
     }
 
-    /// All pixels of `output`. Pixel `p` sums the numbers of each part from `p · step` on.
+    /// Computes all pixels of `output`. The inputs of pixel `p` start at `p · step` in each part.
     pub(crate) fn run(&self, parts: &[Part<'_>], step: usize, skip: Skip<'_>, output: &mut [f32]) {
         widest(
             #[inline(always)]
@@ -99,7 +99,7 @@ impl Dense {
         }
     }
 
-    /// Some blocks of channels of a tile.
+    /// Computes `B` blocks of channels of a tile.
     #[inline(always)]
     fn blocks<const P: usize, const B: usize>(
         &self,
@@ -124,7 +124,7 @@ impl Dense {
         }
     }
 
-    /// Writes the sums `[p][b]` of a block of channels; what is the same for all pixels is asked once.
+    /// Writes the sums `[p][b]` of a block. Branches once for all pixels.
     #[inline(always)]
     fn finish<const P: usize, const B: usize>(
         &self,
@@ -156,7 +156,7 @@ impl Dense {
         }
     }
 
-    /// What follows the sums of a block.
+    /// Adds the skip connection and applies the activation.
     #[inline(always)]
     fn finished(&self, block: usize, sums: &[f32; LANES], skip: &[f32; LANES]) -> [f32; LANES] {
         let mut finished = *sums;
@@ -179,7 +179,7 @@ fn add_products<const P: usize, const B: usize>(
     let weights: [&[[f32; LANES]]; B] = std::array::from_fn(|b| &weights[b][..depth]);
     let pixels: [&[f32]; P] = std::array::from_fn(|p| &numbers[p * step..][..depth]);
     let mut local = *sums;
-    // Walked rather than indexed: with a single block, as in the browser, no weight is asked for its bounds.
+    // Iterating instead of indexing removes the bounds checks on the weights if there is one block, as in the browser.
     for (k, first) in weights[0].iter().enumerate() {
         let weights: [&[f32; LANES]; B] = std::array::from_fn(|b| if b == 0 { first } else { &weights[b][k] });
         for (sums, pixel) in local.iter_mut().zip(&pixels) {
@@ -193,7 +193,7 @@ fn add_products<const P: usize, const B: usize>(
     *sums = local;
 }
 
-/// The first numbers, and zeros where there are fewer.
+/// The first eight numbers, padded with zeros.
 #[inline(always)]
 fn lanes(numbers: &[f32]) -> [f32; LANES] {
     match numbers.first_chunk() {

@@ -5,7 +5,7 @@ use super::activation::activated;
 use super::window::Window;
 use super::{Layer, Value, picture};
 
-/// The largest number under a window, for each channel by itself.
+/// Maximum under a window, for each channel.
 pub(crate) struct MaxPool {
     pub(crate) window: Window,
 }
@@ -25,11 +25,12 @@ impl Layer for MaxPool {
     fn run(&self, inputs: &[Value<'_>], shape: &[usize], output: &mut [f32]) {
         let (extents, channels) = ([inputs[0].shape[1], inputs[0].shape[2]], shape[3]);
         for (at, output) in output.chunks_exact_mut(channels).enumerate() {
-            let place = [at / shape[2], at % shape[2]];
-            let [rows, columns] = [0, 1].map(|axis| self.window.taps(axis, place[axis], extents[axis]));
+            let position = [at / shape[2], at % shape[2]];
+            let [rows, columns] = [0, 1].map(|axis| self.window.taps(axis, position[axis], extents[axis]));
             output.fill(f32::NEG_INFINITY);
             for (row, column) in rows.flat_map(|row| columns.clone().map(move |column| (row, column))) {
-                let pixel = self.window.pixel(0, place[0], row) * extents[1] + self.window.pixel(1, place[1], column);
+                let pixel =
+                    self.window.pixel(0, position[0], row) * extents[1] + self.window.pixel(1, position[1], column);
                 for (largest, &number) in output.iter_mut().zip(&inputs[0].numbers[pixel * channels..]) {
                     *largest = if number > *largest { number } else { *largest };
                 }
@@ -38,8 +39,7 @@ impl Layer for MaxPool {
     }
 }
 
-/// The sum of its inputs, one or two of the same shape, activated: a slope for each of the last axis' channels, if there
-/// are slopes.
+/// Sum of one or two inputs of the same shape, then the activation with one slope per channel of the last axis, if any.
 pub(crate) struct Sum {
     pub(crate) slopes: Option<Vec<f32>>,
 }
@@ -53,7 +53,7 @@ impl Layer for Sum {
         let shape = match *inputs {
             [input] => input,
             [a, b] if a == b => a,
-            _ => bail!("values of shapes {inputs:?} are not added"),
+            _ => bail!("cannot add values of shapes {inputs:?}"),
         };
         if let Some(slopes) = &self.slopes {
             ensure!(shape.last() == Some(&slopes.len()), "{} slopes for a value of shape {shape:?}", slopes.len());

@@ -1,16 +1,16 @@
-//! The same arithmetic in wider vectors, where the machine has them.
+//! Run-time selection of vector instructions.
 
-/// Runs `work` compiled for the widest vectors of this machine; what it calls takes part if it is inlined.
+/// Runs `work` compiled for the machine's widest vectors. Functions that it calls must be inlined.
 ///
-/// Vectors hold neighbouring numbers, each with a sum of its own in an order of its own, and nothing is fused: the answer
-/// is the same to the bit on every machine.
+/// Lanes are independent sums in a fixed order, and nothing uses fused multiply-add, so results are bit-identical on
+/// all machines.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(crate) fn widest<R>(work: impl FnOnce() -> R) -> R {
     pulp::Arch::new().dispatch(work)
 }
 
-/// Elsewhere a program is compiled for the vectors there are.
+/// Other targets are compiled for a fixed instruction set.
 #[cfg(not(target_arch = "x86_64"))]
 #[inline(always)]
 pub(crate) fn widest<R>(work: impl FnOnce() -> R) -> R {

@@ -3,80 +3,81 @@ use std::ops::Range;
 use tract_onnx::prelude::*;
 use tract_onnx::tract_core::internal::{TractErrorContext, ensure};
 
-/// How a kernel slides over a picture; each pair is vertical, horizontal.
+/// A sliding window. Pairs are (vertical, horizontal).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Window {
-    /// Taps.
+    /// Number of taps.
     pub(crate) kernel: [usize; 2],
-    /// Pixels from one place of the kernel to the next.
+    /// Distance between adjacent positions of the kernel, px.
     pub(crate) strides: [usize; 2],
-    /// Pixels from one tap to the next.
+    /// Distance between adjacent taps, px.
     pub(crate) dilations: [usize; 2],
-    /// Pixels outside the picture, above and left of it.
+    /// Padding above and to the left, px.
     pub(crate) before: [usize; 2],
-    /// Pixels outside the picture, below and right of it.
+    /// Padding below and to the right, px.
     pub(crate) after: [usize; 2],
 }
 
-/// Neighbouring places of the kernel along one axis at which the same taps are inside the picture.
+/// Adjacent output positions along an axis for which the same taps are inside the picture.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Span {
-    /// Pixels of the output.
-    pub(crate) places: Range<usize>,
-    /// Those of the kernel that are inside.
+    /// Range of output pixels.
+    pub(crate) positions: Range<usize>,
+    /// Range of taps inside the picture.
     pub(crate) taps: Range<usize>,
 }
 
-/// No attribute of a face network comes near.
-const LARGEST: usize = 1 << 12;
+/// Limit on attributes, far above the face networks'.
+const MAX_ATTRIBUTE: usize = 1 << 12;
 
 impl Window {
-    /// One pixel.
+    /// A 1 × 1 kernel.
     pub(crate) const POINT: Self =
         Self { kernel: [1; 2], strides: [1; 2], dilations: [1; 2], before: [0; 2], after: [0; 2] };
 
-    /// Fails if there is no such window.
+    /// Returns the window if its attributes are valid.
     pub(crate) fn checked(self) -> TractResult<Self> {
         let steps = [self.kernel, self.strides, self.dilations].concat();
         let pads = [self.before, self.after].concat();
         ensure!(
-            steps.iter().all(|number| (1..=LARGEST).contains(number)) && pads.iter().all(|pad| *pad <= LARGEST),
-            "a window that cannot be: {self:?}"
+            steps.iter().all(|number| (1..=MAX_ATTRIBUTE).contains(number))
+                && pads.iter().all(|pad| *pad <= MAX_ATTRIBUTE),
+            "invalid window: {self:?}"
         );
         Ok(self)
     }
 
-    /// Height and width of what comes out.
+    /// Height and width of the output.
     pub(crate) fn output(&self, extents: [usize; 2]) -> TractResult<[usize; 2]> {
         let along = |axis: usize| -> TractResult<usize> {
-            let reach = (self.kernel[axis] - 1) * self.dilations[axis] + 1;
-            let room = (extents[axis] + self.before[axis] + self.after[axis]).checked_sub(reach);
-            let room = room.with_context(|| format!("{self:?} is larger than a picture of {extents:?} pixels"))?;
-            Ok(room / self.strides[axis] + 1)
+            let extent = (self.kernel[axis] - 1) * self.dilations[axis] + 1;
+            let free = (extents[axis] + self.before[axis] + self.after[axis]).checked_sub(extent);
+            let free = free.with_context(|| format!("{self:?} is larger than a picture of {extents:?} pixels"))?;
+            Ok(free / self.strides[axis] + 1)
         };
         Ok([along(0)?, along(1)?])
     }
 
-    /// The taps that are inside a picture with so many pixels along an axis, at one place of the output.
-    pub(crate) fn taps(&self, axis: usize, place: usize, extent: usize) -> Range<usize> {
-        let (start, dilation) = (place * self.strides[axis], self.dilations[axis]);
+    /// The taps inside a picture with this extent along an axis, for an output position.
+    pub(crate) fn taps(&self, axis: usize, position: usize, extent: usize) -> Range<usize> {
+        let (start, dilation) = (position * self.strides[axis], self.dilations[axis]);
         let end = (extent + self.before[axis]).saturating_sub(start).div_ceil(dilation).min(self.kernel[axis]);
         self.before[axis].saturating_sub(start).div_ceil(dilation).min(end)..end
     }
 
-    /// The pixel under a tap that is inside.
-    pub(crate) fn pixel(&self, axis: usize, place: usize, tap: usize) -> usize {
-        place * self.strides[axis] + tap * self.dilations[axis] - self.before[axis]
+    /// The input pixel of a tap inside the picture.
+    pub(crate) fn pixel(&self, axis: usize, position: usize, tap: usize) -> usize {
+        position * self.strides[axis] + tap * self.dilations[axis] - self.before[axis]
     }
 
-    /// All places along an axis, together where the same taps are inside.
-    pub(crate) fn spans(&self, axis: usize, places: usize, extent: usize) -> Vec<Span> {
+    /// Groups the positions along an axis by the taps that are inside.
+    pub(crate) fn spans(&self, axis: usize, positions: usize, extent: usize) -> Vec<Span> {
         let mut spans: Vec<Span> = Vec::new();
-        for place in 0..places {
-            let taps = self.taps(axis, place, extent);
+        for position in 0..positions {
+            let taps = self.taps(axis, position, extent);
             match spans.last_mut() {
-                Some(span) if span.taps == taps => span.places.end = place + 1,
-                _ => spans.push(Span { places: place..place + 1, taps }),
+                Some(span) if span.taps == taps => span.positions.end = position + 1,
+                _ => spans.push(Span { positions: position..position + 1, taps }),
             }
         }
         spans

@@ -1,27 +1,27 @@
-//! The files that `cargo xtask setup` puts into `web/assets`.
+//! The files in `web/assets`, as installed by `cargo xtask setup`.
 
 use std::path::Path;
 
 use rosto_photo::{Limits, Photo};
 
-/// The detector network as the app serves it.
+/// The detector network.
 pub fn detector_onnx() -> Vec<u8> {
     asset("face_detector.onnx")
 }
 
-/// The landmark network as the app serves it.
+/// The landmark network.
 pub fn landmarks_onnx() -> Vec<u8> {
     asset("face_landmarks.onnx")
 }
 
-/// The landmark network with attention as the app serves it.
+/// The landmark network with attention.
 pub fn attention_onnx() -> Vec<u8> {
     asset("face_landmarks_attention.onnx")
 }
 
 /// The sample portrait, 512 × 512 px.
 pub fn portrait() -> Photo {
-    rosto_photo::decode(&asset("sample.png"), &Limits::default()).expect("the portrait is a picture")
+    rosto_photo::decode(&asset("sample.png"), &Limits::default()).expect("the portrait is a valid picture")
 }
 
 fn asset(name: &str) -> Vec<u8> {

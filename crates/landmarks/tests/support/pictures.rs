@@ -1,20 +1,20 @@
-//! Pictures made of the portrait by fixed rules, so that no picture has to be kept.
+//! Pictures derived from the portrait by fixed rules, so that they need not be stored.
 //!
-//! Whoever changes a rule has to compute the golden landmarks again: `tests/reference/mediapipe_landmarks.py`.
+//! After a change to a rule, recompute the golden landmarks with `tests/reference/mediapipe_landmarks.py`.
 
 use rosto_photo::Photo;
 
-/// A named picture and how many faces MediaPipe is asked for.
+/// A named picture, with the maximum number of faces to ask MediaPipe for.
 pub struct Picture {
     pub name: &'static str,
     pub max_faces: usize,
     pub photo: Photo,
 }
 
-/// All pictures of the golden file, in its order.
+/// The pictures of the golden file, in its order.
 pub fn all(portrait: &Photo) -> Vec<Picture> {
     let close = cropped(portrait, 85, 0, 280, 280);
-    let two_faces = beside(&close, &flipped(&close));
+    let two_faces = side_by_side(&close, &flipped(&close));
     let one = |name, photo| Picture { name, max_faces: 1, photo };
     vec![
         one("portrait", portrait.clone()),
@@ -55,12 +55,12 @@ pub fn all(portrait: &Photo) -> Vec<Picture> {
 
 fn made(width: u32, height: u32, colour: impl Fn(u32, u32) -> [u8; 3]) -> Photo {
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).flat_map(|(x, y)| colour(x, y)).collect();
-    Photo::from_rgb(width, height, pixels).expect("three bytes for each pixel")
+    Photo::from_rgb(width, height, pixels).expect("there are three bytes per pixel")
 }
 
-/// Turned clockwise about its centre, black where there is nothing.
+/// Rotates clockwise about the centre, with black outside.
 pub fn turned(photo: &Photo, degrees: f64) -> Photo {
-    // Rounded, so that no two mathematics libraries disagree about a pixel.
+    // Rounded, so that all mathematics libraries give the same pixels.
     let rounded = |value: f64| (value * 65_536.0).round() / 65_536.0;
     let (cos, sin) = (rounded(degrees.to_radians().cos()), rounded(degrees.to_radians().sin()));
     let centre = [photo.width(), photo.height()].map(|side| (f64::from(side) - 1.0) / 2.0);
@@ -70,7 +70,7 @@ pub fn turned(photo: &Photo, degrees: f64) -> Photo {
     })
 }
 
-/// Resampled to another size; scaling down takes the mean of a grid of samples.
+/// Resamples to another size; downscaling averages a grid of samples.
 pub fn scaled(photo: &Photo, width: u32, height: u32) -> Photo {
     const SAMPLES: u32 = 2;
     let source = |at: u32, sample: u32, extent: u32, full: u32| {
@@ -108,12 +108,12 @@ fn pixel_or_black(photo: &Photo, x: i64, y: i64) -> [u8; 3] {
     if inside { photo.pixel(x as u32, y as u32) } else { [0; 3] }
 }
 
-/// Left and right exchanged.
+/// Mirrors left and right.
 pub fn flipped(photo: &Photo) -> Photo {
     made(photo.width(), photo.height(), |x, y| photo.pixel(photo.width() - 1 - x, y))
 }
 
-/// On a larger grey canvas, the picture's top left corner at (`left`, `top`).
+/// Places the picture on a larger grey canvas, with its top left corner at (`left`, `top`).
 pub fn padded(photo: &Photo, width: u32, height: u32, left: u32, top: u32) -> Photo {
     made(width, height, |x, y| match (x.checked_sub(left), y.checked_sub(top)) {
         (Some(x), Some(y)) if x < photo.width() && y < photo.height() => photo.pixel(x, y),
@@ -121,12 +121,12 @@ pub fn padded(photo: &Photo, width: u32, height: u32, left: u32, top: u32) -> Ph
     })
 }
 
-/// A part of the picture.
+/// Crops a part of the picture.
 pub fn cropped(photo: &Photo, left: u32, top: u32, width: u32, height: u32) -> Photo {
     made(width, height, |x, y| photo.pixel(left + x, top + y))
 }
 
-/// Each pixel the mean of the square around it, three times over, which is close to a Gaussian.
+/// Three box blurs, which approximate a Gaussian.
 pub fn blurred(photo: &Photo, radius: u32) -> Photo {
     (0..3).fold(photo.clone(), |photo, _| box_blurred(&photo, i64::from(radius)))
 }
@@ -148,13 +148,13 @@ fn box_blurred(photo: &Photo, radius: i64) -> Photo {
     })
 }
 
-/// Each channel mapped by a curve from 0..1 to 0..1.
+/// Maps each channel by a curve from 0..1 to 0..1.
 pub fn toned(photo: &Photo, curve: impl Fn(f64) -> f64) -> Photo {
     let table: Vec<u8> = (0..=255).map(|value| (curve(f64::from(value) / 255.0) * 255.0).round() as u8).collect();
     made(photo.width(), photo.height(), |x, y| photo.pixel(x, y).map(|value| table[usize::from(value)]))
 }
 
-/// Without colour.
+/// Converts to greyscale.
 pub fn grey(photo: &Photo) -> Photo {
     made(photo.width(), photo.height(), |x, y| {
         let [r, g, b] = photo.pixel(x, y).map(u32::from);
@@ -162,8 +162,8 @@ pub fn grey(photo: &Photo) -> Photo {
     })
 }
 
-/// Two pictures of one height side by side.
-pub fn beside(left: &Photo, right: &Photo) -> Photo {
+/// Two pictures of equal height, side by side.
+pub fn side_by_side(left: &Photo, right: &Photo) -> Photo {
     made(left.width() + right.width(), left.height(), |x, y| match x.checked_sub(left.width()) {
         None => left.pixel(x, y),
         Some(x) => right.pixel(x, y),

@@ -1,22 +1,22 @@
-//! Films of the portrait in which it is known where the face is in every frame.
+//! Synthetic videos of the portrait with known face positions.
 
 use rosto_landmarks::{FaceFinder, FollowedFace, Follower};
 use rosto_photo::Photo;
 
 use super::scenes::canvas::Ground;
 use super::scenes::filters::Filter;
-use super::scenes::{Model, Part, Placed, Scene};
+use super::scenes::{Model, Part, Placement, Scene};
 
 pub const SIZE_PX: [u32; 2] = [640, 480];
 pub const FRAME_MS: f64 = 1000.0 / 30.0;
 
-/// The face in the middle, as large as it is before a laptop.
-pub fn middle() -> Placed {
-    Placed::upright([320.0, 240.0], 1.6)
+/// A centred face, of a typical size for a laptop camera.
+pub fn middle() -> Placement {
+    Placement::upright([320.0, 240.0], 1.6)
 }
 
-/// One frame: the head before a ground that rests, with as much noise (of 255, up and down) as asked for.
-pub fn frame(model: &Model, faces: &[Placed], noise: f64, number: u64) -> Photo {
+/// One frame: the head on a static background, with noise of the given amplitude, of 255.
+pub fn frame(model: &Model, faces: &[Placement], noise: f64, number: u64) -> Photo {
     let filter = if noise > 0.0 { Filter::Noise(noise) } else { Filter::None };
     let scene = Scene {
         family: "video",
@@ -31,7 +31,7 @@ pub fn frame(model: &Model, faces: &[Placed], noise: f64, number: u64) -> Photo 
     scene.picture(model)
 }
 
-/// Follows the face through frames that are `FRAME_MS` apart.
+/// Follows the face through frames at an interval of [`FRAME_MS`].
 pub fn follow(finder: &FaceFinder, frames: &[Photo]) -> Vec<Option<FollowedFace>> {
     let mut follower = Follower::default();
     let moments = (0..).map(|number| f64::from(number) * FRAME_MS);
@@ -39,7 +39,7 @@ pub fn follow(finder: &FaceFinder, frames: &[Photo]) -> Vec<Option<FollowedFace>
 }
 
 pub fn follow_one(finder: &FaceFinder, follower: &mut Follower, frame: &Photo, time_ms: f64) -> Option<FollowedFace> {
-    finder.follow(follower, frame, time_ms).expect("the networks can be run")
+    finder.follow(follower, frame, time_ms).expect("the networks run")
 }
 
 /// x and y of each landmark in px of a frame.
@@ -48,7 +48,7 @@ pub fn px(face: &FollowedFace) -> Vec<[f64; 2]> {
     face.landmarks.iter().map(|landmark| [0, 1].map(|axis| f64::from(landmark[axis]) * size[axis])).collect()
 }
 
-/// Root of the mean square of the distance of every landmark, in every frame, from its mean place, px.
+/// Root mean square distance of the landmarks in all frames from their mean positions, px.
 pub fn jitter_px(frames: &[Vec<[f64; 2]>]) -> f64 {
     let mut squares = 0.0;
     for landmark in 0..frames[0].len() {
@@ -61,15 +61,15 @@ pub fn jitter_px(frames: &[Vec<[f64; 2]>]) -> f64 {
     (squares / (frames.len() * frames[0].len()) as f64).sqrt()
 }
 
-/// Root of the mean square of the distance between landmarks, px.
+/// Root mean square distance between landmarks, px.
 pub fn apart_px(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
     assert_eq!(a.len(), b.len());
     let squares = a.iter().zip(b).map(|(a, b)| (a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2));
     (squares.sum::<f64>() / a.len() as f64).sqrt()
 }
 
-/// How long ago landmarks were on the average where they are said to be now, ms, of a face that moves to the right.
-pub fn lag_ms(said: &[[f64; 2]], truth: &[[f64; 2]], speed_px_s: f64) -> f64 {
-    let behind = said.iter().zip(truth).map(|(said, truth)| truth[0] - said[0]);
-    1000.0 * behind.sum::<f64>() / said.len() as f64 / speed_px_s
+/// Mean lag of the landmarks of a face that moves to the right, ms.
+pub fn lag_ms(found: &[[f64; 2]], truth: &[[f64; 2]], speed_px_s: f64) -> f64 {
+    let behind = found.iter().zip(truth).map(|(found, truth)| truth[0] - found[0]);
+    1000.0 * behind.sum::<f64>() / found.len() as f64 / speed_px_s
 }

@@ -1,25 +1,25 @@
-//! A picture that faces are put into.
+//! Backgrounds, and compositing of faces onto them.
 
 use rosto_photo::Photo;
 
-use super::Placed;
+use super::Placement;
 use crate::support::seeded::Seeded;
 
-/// What is seen where there is no face.
+/// Background of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ground {
     Black,
     Grey,
-    /// Two colours that go over into each other.
+    /// A linear gradient between two colours.
     Gradient,
-    /// Every pixel by chance.
+    /// Random pixels.
     Noise,
-    /// Soft spots of all sizes, as of leaves out of focus.
+    /// Soft spots of several sizes, like leaves out of focus.
     Clouds,
-    /// The same to the left and to the right, as faces are: what a detector may fall for.
+    /// Clouds with left–right symmetry, which can mislead a face detector.
     MirroredClouds,
     Stripes,
-    /// The portrait's lower half, again and again.
+    /// The portrait's lower half, tiled.
     Cloth,
 }
 
@@ -35,7 +35,7 @@ impl Ground {
         Self::Cloth,
     ];
 
-    /// A picture of nothing else.
+    /// A picture of the background alone.
     pub fn picture(self, width: u32, height: u32, seed: u64, portrait: &Photo) -> Photo {
         let clouds = Clouds::new(seed, f64::from(width.min(height)) / 5.0);
         let mut seeded = Seeded::new(seed);
@@ -46,7 +46,7 @@ impl Ground {
                     Self::Black => [0; 3],
                     Self::Grey => [110, 120, 130],
                     Self::Gradient => [(x * 255 / width) as u8, (y * 255 / height) as u8, 90],
-                    Self::Noise => seeded.bits().to_le_bytes()[..3].try_into().expect("three bytes of eight"),
+                    Self::Noise => seeded.bits().to_le_bytes()[..3].try_into().expect("eight bytes contain three"),
                     Self::Clouds => clouds.colour(x, y),
                     Self::MirroredClouds => clouds.colour(x.min(width - 1 - x), y),
                     Self::Stripes => [if (x + y / 2) % 64 < 32 { 200 } else { 60 }; 3],
@@ -54,17 +54,17 @@ impl Ground {
                 });
             }
         }
-        Photo::from_rgb(width, height, pixels).expect("three bytes for each pixel")
+        Photo::from_rgb(width, height, pixels).expect("there are three bytes per pixel")
     }
 }
 
-/// There and back again, so that nothing tears at the seam.
+/// Mirrored repetition, which is continuous at the seams.
 fn folded(at: u32, extent: u32) -> u32 {
     let at = at % (2 * extent);
     at.min(2 * extent - 1 - at)
 }
 
-/// Values on grids that get finer, with smooth steps between.
+/// Value noise in several octaves, with smooth interpolation.
 struct Clouds {
     seed: u64,
     coarsest_px: f64,
@@ -101,9 +101,9 @@ impl Clouds {
     }
 }
 
-/// `ground` with a part of `source` (left, top, width, height) put where `placed` says. What is scaled down takes the mean
-/// of a grid of samples.
-pub fn put(ground: &mut [u8], width: u32, height: u32, source: &Photo, part: [u32; 4], placed: &Placed) {
+/// Draws a part of `source` (left, top, width, height) onto `ground` at `placed`. Downscaling averages a grid of
+/// samples.
+pub fn put(ground: &mut [u8], width: u32, height: u32, source: &Photo, part: [u32; 4], placed: &Placement) {
     let samples = (1.0 / placed.scale).ceil().clamp(1.0, 16.0) as u32;
     let [left, top, part_width, part_height] = part.map(f64::from);
     let corners = [[0.0, 0.0], [part_width, 0.0], [0.0, part_height], [part_width, part_height]]
@@ -125,7 +125,7 @@ pub fn put(ground: &mut [u8], width: u32, height: u32, source: &Photo, part: [u3
     }
 }
 
-fn mean_colour(source: &Photo, part: [u32; 4], placed: &Placed, at: [f64; 2], samples: u32) -> Option<[u8; 3]> {
+fn mean_colour(source: &Photo, part: [u32; 4], placed: &Placement, at: [f64; 2], samples: u32) -> Option<[u8; 3]> {
     let [left, top, width, height] = part.map(f64::from);
     let [x, y] = placed.in_portrait(at);
     if !(left..=left + width - 1.0).contains(&x) || !(top..=top + height - 1.0).contains(&y) {

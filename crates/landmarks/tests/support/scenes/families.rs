@@ -1,12 +1,12 @@
-//! All scenes, family by family. `tests/reference/mediapipe_robustness.py` has MediaPipe's answers for them; whoever changes
-//! a rule has to ask it again.
+//! The scenes, by family. `tests/reference/mediapipe_robustness.py` stores MediaPipe's results for them; rerun it after
+//! a change to a rule.
 
 use super::canvas::Ground;
 use super::filters::Filter;
-use super::{Part, Placed, Scene};
+use super::{Part, Placement, Scene};
 use crate::support::seeded::Seeded;
 
-/// Every family in the order of the table.
+/// All scenes, in the order of the table.
 pub fn all() -> Vec<Scene> {
     [rotations(), sizes(), borders(), tones(), blurs(), noises(), jpegs(), groups(), mixed(), empty()]
         .into_iter()
@@ -14,7 +14,7 @@ pub fn all() -> Vec<Scene> {
         .collect()
 }
 
-/// As the portrait is: 512 px, all of it, its face where it is.
+/// The unchanged portrait, as a base for other scenes.
 fn portrait(family: &'static str, name: String) -> Scene {
     Scene {
         family,
@@ -23,12 +23,12 @@ fn portrait(family: &'static str, name: String) -> Scene {
         ground: Ground::Black,
         seed: 1,
         part: Part::Whole,
-        faces: vec![Placed::upright([224.0, 124.0], 1.0)],
+        faces: vec![Placement::upright([224.0, 124.0], 1.0)],
         filter: Filter::None,
     }
 }
 
-/// Every 15°, the head filling much of the picture and little of it, both ways round.
+/// Rotations by multiples of 15°, for a large and a small face, one of them mirrored.
 fn rotations() -> Vec<Scene> {
     let mut scenes = Vec::new();
     for step in 0..24 {
@@ -38,14 +38,14 @@ fn rotations() -> Vec<Scene> {
             scene.size_px = [640, 640];
             scene.ground = Ground::Clouds;
             scene.part = Part::Head;
-            scene.faces = vec![Placed { at_px: [320.0, 320.0], scale, degrees, mirrored }];
+            scene.faces = vec![Placement { at_px: [320.0, 320.0], scale, degrees, mirrored }];
             scenes.push(scene);
         }
     }
     scenes
 }
 
-/// From one that fills the picture to 32 px between the eyes in 12 megapixels.
+/// Face sizes in 12 megapixels, from 24 to 720 px between the eyes, and the portrait at several sizes.
 fn sizes() -> Vec<Scene> {
     let mut scenes = Vec::new();
     for (index, eyes_px) in [24.0, 32.0, 45.0, 64.0, 90.0, 128.0, 180.0, 360.0, 720.0].into_iter().enumerate() {
@@ -55,7 +55,7 @@ fn sizes() -> Vec<Scene> {
             scene.ground = [Ground::Clouds, Ground::Gradient, Ground::Cloth][index % 3];
             scene.part = Part::Head;
             let scale = eyes_px / super::EYE_DISTANCE_PX;
-            scene.faces = vec![Placed::upright([4000.0 * at[0], 3000.0 * at[1]], scale)];
+            scene.faces = vec![Placement::upright([4000.0 * at[0], 3000.0 * at[1]], scale)];
             scenes.push(scene);
         }
     }
@@ -63,13 +63,13 @@ fn sizes() -> Vec<Scene> {
         let mut scene = portrait("size", format!("portrait_{side}"));
         let scale = f64::from(side) / 512.0;
         scene.size_px = [side, side];
-        scene.faces = vec![Placed::upright([224.0 * scale, 124.0 * scale], scale)];
+        scene.faces = vec![Placement::upright([224.0 * scale, 124.0 * scale], scale)];
         scenes.push(scene);
     }
     scenes
 }
 
-/// Cut by each border up to the middle of the face, and far from all of them.
+/// Faces cut by each border, up to half, and faces in wide margins.
 fn borders() -> Vec<Scene> {
     let mut scenes = Vec::new();
     for (border, [x, y]) in [("left", [0.0, 0.5]), ("right", [1.0, 0.5]), ("top", [0.5, 0.0]), ("bottom", [0.5, 1.0])] {
@@ -78,12 +78,12 @@ fn borders() -> Vec<Scene> {
             scene.size_px = [480, 480];
             scene.ground = Ground::Clouds;
             scene.part = Part::Head;
-            // The face is 94 × 104 px at scale 1, drawn at 2.
+            // The face measures 94 × 104 px at scale 1, and is drawn at scale 2.
             let inset = |share: f64, extent: f64| {
                 let half = extent * (1.0 - 2.0 * f64::from(cut_percent) / 100.0);
                 if share == 0.5 { 240.0 } else { 480.0 * share + half * (1.0 - 2.0 * share) }
             };
-            scene.faces = vec![Placed::upright([inset(x, 94.0), inset(y, 104.0)], 2.0)];
+            scene.faces = vec![Placement::upright([inset(x, 94.0), inset(y, 104.0)], 2.0)];
             scenes.push(scene);
         }
     }
@@ -91,7 +91,7 @@ fn borders() -> Vec<Scene> {
         let mut scene = portrait("border", format!("padded_{width}x{height}"));
         scene.size_px = [width, height];
         scene.ground = Ground::Grey;
-        scene.faces = vec![Placed::upright([x, y], 1.0)];
+        scene.faces = vec![Placement::upright([x, y], 1.0)];
         scenes.push(scene);
     }
     scenes
@@ -107,7 +107,7 @@ fn filtered(family: &'static str, filters: &[(&str, Filter)]) -> Vec<Scene> {
             if scale > 1.0 {
                 scene.part = Part::Head;
                 scene.ground = Ground::Gradient;
-                scene.faces = vec![Placed::upright([210.0, 240.0], scale)];
+                scene.faces = vec![Placement::upright([210.0, 240.0], scale)];
             }
             scenes.push(scene);
         }
@@ -164,7 +164,7 @@ fn jpegs() -> Vec<Scene> {
     filtered("jpeg", &filters)
 }
 
-/// Up to 24 heads in rows, each a little turned and of its own size.
+/// Up to 24 heads in rows, each slightly rotated and scaled.
 fn groups() -> Vec<Scene> {
     let group = |count: u32, columns: u32, cell_px: f64, tilt: f64, seed: u64| {
         let mut seeded = Seeded::new(seed);
@@ -175,7 +175,7 @@ fn groups() -> Vec<Scene> {
             let at_px =
                 [at(i, columns) + shake(&mut seeded), (f64::from(i / columns) + 0.5) * cell_px + shake(&mut seeded)];
             let scale = cell_px / 290.0 * (1.0 + 0.25 * seeded.signed());
-            Placed { at_px, scale, degrees: tilt * seeded.signed(), mirrored: seeded.below(2) == 0 }
+            Placement { at_px, scale, degrees: tilt * seeded.signed(), mirrored: seeded.below(2) == 0 }
         });
         let mut scene = portrait("group", format!("group_{count}_cells_{cell_px}_tilt_{tilt}"));
         scene.faces = faces.collect();
@@ -202,7 +202,7 @@ fn groups() -> Vec<Scene> {
     ]
 }
 
-/// Anything together with anything.
+/// Random combinations of sizes, rotations, backgrounds and filters.
 fn mixed() -> Vec<Scene> {
     let mut seeded = Seeded::new(2026);
     let scene = |index: usize| {
@@ -216,7 +216,7 @@ fn mixed() -> Vec<Scene> {
             0 => pick(&mut seeded, [-180.0, 180.0]),
             _ => pick(&mut seeded, [-25.0, 25.0]),
         };
-        scene.faces = vec![Placed { at_px, scale, degrees, mirrored: seeded.below(2) == 0 }];
+        scene.faces = vec![Placement { at_px, scale, degrees, mirrored: seeded.below(2) == 0 }];
         scene.size_px = [width as u32, height as u32];
         scene.ground = Ground::ALL[seeded.below(Ground::ALL.len())];
         scene.part = Part::Head;
@@ -236,10 +236,10 @@ fn mixed() -> Vec<Scene> {
     (0..60).map(scene).collect()
 }
 
-/// One face over and over, as it might be photographed or saved again: other JPEG qualities, moved by a pixel, 2 % larger or
-/// smaller, turned by up to 3°. No part of the table of families.
+/// Variants of one face: JPEG qualities, shifts by 1 px, scales by 2 %, rotations by up to 3°. Not part of the table of
+/// families.
 pub fn variants() -> Vec<Scene> {
-    let place = |x: f64, y: f64, scale: f64, degrees: f64| Placed {
+    let place = |x: f64, y: f64, scale: f64, degrees: f64| Placement {
         at_px: [224.0 + x, 124.0 + y],
         scale,
         degrees,
@@ -267,7 +267,7 @@ pub fn variants() -> Vec<Scene> {
     .collect()
 }
 
-/// Nobody is there.
+/// Backgrounds without faces.
 fn empty() -> Vec<Scene> {
     let mut scenes = Vec::new();
     for (index, ground) in Ground::ALL.into_iter().enumerate() {

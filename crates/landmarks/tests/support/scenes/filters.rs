@@ -1,4 +1,4 @@
-//! What happens to a picture between the lens and the file.
+//! Degradations of a picture.
 
 use image::codecs::jpeg::JpegEncoder;
 use rosto_photo::{Limits, Photo};
@@ -9,20 +9,20 @@ use crate::support::seeded::Seeded;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Filter {
     None,
-    /// Each channel to this power, in 0..1: above 1 is darker.
+    /// Exponent of each channel in 0..1; above 1 darkens.
     Gamma(f64),
-    /// The share of the contrast that is left, about a middle grey.
+    /// Remaining fraction of the contrast, about middle grey.
     Contrast(f64),
-    /// The factors of red, green and blue.
+    /// Factors of red, green and blue.
     Tint([f64; 3]),
     Grey,
-    /// The left half lit, the right half at this share of the light.
+    /// Brightness of the right border relative to the left one; linear in between.
     SideLight(f64),
-    /// Three box blurs of this radius in px.
+    /// Radius of three box blurs, px.
     Blur(u32),
-    /// Up to so much is added to each value.
+    /// Greatest change of a value.
     Noise(f64),
-    /// The quality of a JPEG file.
+    /// JPEG quality.
     Jpeg(u8),
 }
 
@@ -48,19 +48,19 @@ impl Filter {
     }
 }
 
-/// Each value anew from its column, its channel and what it was, 0..255.
+/// Maps each value from its column, its channel and its old value, 0..255.
 fn mapped(photo: &Photo, mut value: impl FnMut(u32, usize, f64) -> f64) -> Photo {
     let pixels = photo.pixels().iter().enumerate().map(|(index, &old)| {
         let x = (index / 3 % photo.width() as usize) as u32;
         value(x, index % 3, f64::from(old)).round().clamp(0.0, 255.0) as u8
     });
-    Photo::from_rgb(photo.width(), photo.height(), pixels.collect()).expect("as many bytes as before")
+    Photo::from_rgb(photo.width(), photo.height(), pixels.collect()).expect("the number of bytes is unchanged")
 }
 
 fn jpeg(photo: &Photo, quality: u8) -> Photo {
     let mut bytes = Vec::new();
     JpegEncoder::new_with_quality(&mut bytes, quality)
         .encode(photo.pixels(), photo.width(), photo.height(), image::ExtendedColorType::Rgb8)
-        .expect("a picture can be a JPEG");
-    rosto_photo::decode(&bytes, &Limits::default()).expect("what was just written can be read")
+        .expect("the picture fits a JPEG");
+    rosto_photo::decode(&bytes, &Limits::default()).expect("the encoder writes valid files")
 }

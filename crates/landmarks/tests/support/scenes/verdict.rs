@@ -1,26 +1,26 @@
-//! What was found in a scene, held against what is there.
+//! Comparison of the faces found in a scene with the ground truth.
 
 use rosto_landmarks::Face;
 use serde_json::Value;
 
 use super::{Model, Scene, error, landmarks_px};
 
-/// A face counts as right if its landmarks are off by less than this share of the distance between the eyes, in the mean.
+/// Mean landmark error, relative to the distance between the eyes, below which a face is correct.
 pub const RIGHT: f64 = 0.1;
 
-/// The answer of one finder to one scene.
+/// Result of one finder on one scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verdict {
-    /// For each face that is there, the least error of what was found for it, if anything was.
+    /// For each face of the scene, the least error of its correct results, if any.
     pub errors: Vec<Option<f64>>,
-    /// How many of those found are no face, or lie wrongly on one.
+    /// Number of results that are not a face, or have a greater error.
     pub wrong: usize,
-    /// How many right ones there are beside another one of the same face.
+    /// Number of duplicate correct results.
     pub twice: usize,
 }
 
 impl Verdict {
-    /// From which face each of those found is, and its error; of a scene without faces, anything.
+    /// From the nearest face of each result, and its error; arbitrary for a scene without faces.
     fn new(count: usize, found: &[(usize, f64)]) -> Self {
         let mut errors = vec![None; count];
         let (mut wrong, mut twice) = (0, 0);
@@ -45,9 +45,9 @@ impl Verdict {
         Self::new(scene.faces.len(), &faces.iter().map(nearest).collect::<Vec<_>>())
     }
 
-    /// MediaPipe's, of `tests/golden/robustness.json`.
+    /// MediaPipe's result, from `tests/golden/robustness.json`.
     pub fn of_mediapipe(scene: &Scene, golden: &Value) -> Self {
-        let answers = golden[&scene.name].as_array().unwrap_or_else(|| panic!("no answer for {}", scene.name));
+        let answers = golden[&scene.name].as_array().unwrap_or_else(|| panic!("no result for {}", scene.name));
         let number = |value: &Value| value.as_f64().expect("a number");
         let found = |pair: &Value| (number(&pair[0]).max(0.0) as usize, number(&pair[1]) / 1000.0);
         Self::new(scene.faces.len(), &answers.iter().map(found).collect::<Vec<_>>())
@@ -57,7 +57,7 @@ impl Verdict {
         self.errors.iter().flatten().count()
     }
 
-    /// How many faces the other one has right and this one has not.
+    /// Number of faces that are correct in `other` but not in this result.
     pub fn behind(&self, other: &Self) -> usize {
         self.errors.iter().zip(&other.errors).filter(|(own, other)| own.is_none() && other.is_some()).count()
     }

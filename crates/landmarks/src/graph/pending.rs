@@ -1,4 +1,4 @@
-//! Layers that wait for what can be done in the same pass.
+//! Pending layers, into which following operators can be fused.
 
 use tract_onnx::pb::NodeProto;
 use tract_onnx::prelude::*;
@@ -9,8 +9,8 @@ use super::{Order, Reader, Value, Wire};
 use crate::constants;
 use crate::layers::{Convolution, Dense, Depthwise, Sum, Window};
 
-/// A convolution with the picture it reads, and what is to be added to it.
-pub(super) struct Waiting {
+/// A convolution with its input picture, and the value to add to its output.
+pub(super) struct Pending {
     pub(super) kind: Kind,
     pub(super) picture: OutletId,
     pub(super) skip: Option<OutletId>,
@@ -22,7 +22,7 @@ pub(super) enum Kind {
     Convolution(Convolution),
 }
 
-impl Waiting {
+impl Pending {
     fn on(picture: OutletId, kind: Kind) -> Self {
         Self { kind, picture, skip: None, activated: false }
     }
@@ -77,7 +77,7 @@ impl<'a> Reader<'a> {
         };
         ensure!(biases.len() == channels, "{} biases for {channels} channels", biases.len());
         let weight = |channel: usize, input: usize, tap: usize| weights[(channel * channels_in + input) * taps + tap];
-        let waiting = match node.get_attr::<usize>("group")? {
+        let pending = match node.get_attr::<usize>("group")? {
             1 => {
                 let depth = taps * channels_in;
                 let by_pixel = |channel, input| weight(channel, input % channels_in, input / channels_in);
@@ -86,45 +86,45 @@ impl<'a> Reader<'a> {
             }
             groups if groups == channels && channels_in == 1 => {
                 let depthwise = Depthwise::new(window, &biases, |channel, tap| weight(channel, 0, tap));
-                Waiting::on(self.picture(input)?, Kind::Depthwise(depthwise))
+                Pending::on(self.picture(input)?, Kind::Depthwise(depthwise))
             }
             groups => bail!("{groups} groups of {channels_in} channels"),
         };
-        Ok(Value::Waiting(Box::new(waiting)))
+        Ok(Value::Pending(Box::new(pending)))
     }
 
-    /// A convolution over all channels takes along the depthwise one before it.
-    fn dense(&mut self, input: &str, convolution: Convolution) -> TractResult<Waiting> {
-        let after_depthwise = |waiting: &Waiting| {
-            let fits = waiting.channels() == convolution.channels_in && convolution.window == Window::POINT;
-            fits && matches!(waiting.kind, Kind::Depthwise(_))
+    /// Fuses a preceding depthwise convolution into a 1 × 1 convolution.
+    fn dense(&mut self, input: &str, convolution: Convolution) -> TractResult<Pending> {
+        let fits = |pending: &Pending| {
+            let fits = pending.channels() == convolution.channels_in && convolution.window == Window::POINT;
+            fits && matches!(pending.kind, Kind::Depthwise(_))
         };
-        match self.take_waiting(input, after_depthwise) {
-            Some(Waiting { kind: Kind::Depthwise(depthwise), picture, .. }) => {
+        match self.take_pending(input, fits) {
+            Some(Pending { kind: Kind::Depthwise(depthwise), picture, .. }) => {
                 let depthwise = Some(depthwise);
-                Ok(Waiting::on(picture, Kind::Convolution(Convolution { depthwise, ..convolution })))
+                Ok(Pending::on(picture, Kind::Convolution(Convolution { depthwise, ..convolution })))
             }
-            _ => Ok(Waiting::on(self.picture(input)?, Kind::Convolution(convolution))),
+            _ => Ok(Pending::on(self.picture(input)?, Kind::Convolution(convolution))),
         }
     }
 
     pub(super) fn add(&mut self, name: &str, a: &str, b: &str) -> TractResult<Value<'a>> {
         for (input, other) in [(a, b), (b, a)] {
-            if let Some(mut waiting) = self.take_waiting(input, Waiting::takes_skip) {
-                waiting.skip = Some(self.skip(other, waiting.channels())?);
-                return Ok(Value::Waiting(Box::new(waiting)));
+            if let Some(mut pending) = self.take_pending(input, Pending::takes_skip) {
+                pending.skip = Some(self.skip(other, pending.channels())?);
+                return Ok(Value::Pending(Box::new(pending)));
             }
         }
         let wires = [self.wired(a)?, self.wired(b)?];
-        if wires.iter().all(|wire| wire.order == Order::AsWritten) {
+        if wires.iter().all(|wire| wire.order == Order::FileOrder) {
             let outlets = wires.map(|wire| wire.outlet);
-            return self.wire(name, Sum { slopes: None }, &outlets, Order::AsWritten).map(Value::Wired);
+            return self.wire(name, Sum { slopes: None }, &outlets, Order::FileOrder).map(Value::Wired);
         }
         let pictures = [self.picture(a)?, self.picture(b)?];
         self.wire(name, Sum { slopes: None }, &pictures, Order::ChannelsLast).map(Value::Wired)
     }
 
-    /// What a convolution of so many channels adds: channels of zeros need not be there.
+    /// The summand for a convolution with this number of channels. Appended zero channels can be omitted.
     fn skip(&mut self, name: &str, channels: usize) -> TractResult<OutletId> {
         if let Value::WithMoreChannels(wire, more) = *self.value(name)? {
             let shape = self.model.outlet_fact(wire.outlet)?.shape.as_concrete();
@@ -138,15 +138,15 @@ impl<'a> Reader<'a> {
         Ok(picture)
     }
 
-    /// Without slopes, numbers below zero become zero.
+    /// Applies PReLU with the given slopes, or ReLU without.
     pub(super) fn activate(&mut self, name: &str, input: &str, slopes: Option<&str>) -> TractResult<Value<'a>> {
         let slopes = slopes.map(|slopes| constants::floats(self.constant(slopes)?)).transpose()?;
-        let fits = |waiting: &Waiting| {
-            !waiting.activated && slopes.as_ref().is_none_or(|slopes| slopes.len() == waiting.channels())
+        let fits = |pending: &Pending| {
+            !pending.activated && slopes.as_ref().is_none_or(|slopes| slopes.len() == pending.channels())
         };
-        if let Some(waiting) = self.take_waiting(input, fits) {
-            let slopes = slopes.unwrap_or_else(|| vec![0.0; waiting.channels()]);
-            return Ok(Value::Waiting(Box::new(waiting.with_slopes(&slopes))));
+        if let Some(pending) = self.take_pending(input, fits) {
+            let slopes = slopes.unwrap_or_else(|| vec![0.0; pending.channels()]);
+            return Ok(Value::Pending(Box::new(pending.with_slopes(&slopes))));
         }
         let wire = match slopes {
             Some(_) => Wire { outlet: self.picture(input)?, order: Order::ChannelsLast },
@@ -157,12 +157,12 @@ impl<'a> Reader<'a> {
         self.wire(name, Sum { slopes: Some(slopes) }, &[wire.outlet], wire.order).map(Value::Wired)
     }
 
-    /// A layer that waits, if it is as it should be and nothing else reads it.
-    fn take_waiting(&mut self, name: &str, fits: impl Fn(&Waiting) -> bool) -> Option<Waiting> {
+    /// Takes a pending layer that satisfies `fits` and has no other reader.
+    fn take_pending(&mut self, name: &str, fits: impl Fn(&Pending) -> bool) -> Option<Pending> {
         let alone = self.readers.get(name) == Some(&1);
         match self.values.get(name)? {
-            Value::Waiting(waiting) if alone && fits(waiting) => match self.values.remove(name)? {
-                Value::Waiting(waiting) => Some(*waiting),
+            Value::Pending(pending) if alone && fits(pending) => match self.values.remove(name)? {
+                Value::Pending(pending) => Some(*pending),
                 _ => None,
             },
             _ => None,

@@ -1,11 +1,11 @@
-//! Layers that move numbers and compute none.
+//! Layers that rearrange numbers without arithmetic.
 
 use tract_onnx::prelude::*;
 use tract_onnx::tract_core::internal::ensure;
 
 use super::{Layer, Value};
 
-/// Its inputs one after the other along an axis.
+/// Concatenation along an axis.
 pub(crate) struct Concat {
     pub(crate) axis: usize,
 }
@@ -21,7 +21,7 @@ impl Layer for Concat {
         };
         let first = inputs.first().copied().unwrap_or_default();
         let fits = self.axis < first.len() && inputs.iter().all(|input| like(first, input));
-        ensure!(fits, "values of shapes {inputs:?} do not fit together along axis {}", self.axis);
+        ensure!(fits, "values of shapes {inputs:?} cannot be concatenated along axis {}", self.axis);
         let mut shape: TVec<usize> = first.into();
         shape[self.axis] = inputs.iter().map(|input| input[self.axis]).sum();
         Ok(shape)
@@ -40,7 +40,7 @@ impl Layer for Concat {
     }
 }
 
-/// Zeros around a value: so many before and after, for each axis.
+/// Zero padding, as (before, after) for each axis.
 pub(crate) struct Pad {
     pub(crate) by_axis: Vec<[usize; 2]>,
 }
@@ -52,7 +52,7 @@ impl Layer for Pad {
 
     fn output_shape(&self, inputs: &[&[usize]]) -> TractResult<TVec<usize>> {
         let fits = inputs.len() == 1 && inputs[0].len() == self.by_axis.len();
-        ensure!(fits, "pads {:?} around values of shapes {inputs:?}", self.by_axis);
+        ensure!(fits, "cannot pad values of shapes {inputs:?} by {:?}", self.by_axis);
         let padded = inputs[0].iter().zip(&self.by_axis);
         Ok(padded.map(|(&extent, [before, after])| extent.saturating_add(*before).saturating_add(*after)).collect())
     }
@@ -64,7 +64,7 @@ impl Layer for Pad {
     }
 }
 
-/// Another order of the axes: axis `i` of the output is axis `axes[i]` of the input.
+/// Permutation of the axes: axis `i` of the output is axis `axes[i]` of the input.
 pub(crate) struct Permute {
     pub(crate) axes: Vec<usize>,
 }
@@ -77,7 +77,7 @@ impl Layer for Permute {
     fn output_shape(&self, inputs: &[&[usize]]) -> TractResult<TVec<usize>> {
         let each_once = (0..self.axes.len()).all(|axis| self.axes.contains(&axis));
         let fits = each_once && inputs.len() == 1 && inputs[0].len() == self.axes.len();
-        ensure!(fits, "values of shapes {inputs:?} with axes in the order {:?}", self.axes);
+        ensure!(fits, "cannot permute the axes of values of shapes {inputs:?} by {:?}", self.axes);
         Ok(self.axes.iter().map(|&axis| inputs[0][axis]).collect())
     }
 
@@ -90,7 +90,7 @@ impl Layer for Permute {
     }
 }
 
-/// The same numbers in another shape.
+/// Change of shape that keeps the order of the numbers.
 pub(crate) struct Reshape {
     pub(crate) shape: TVec<usize>,
 }
@@ -103,7 +103,7 @@ impl Layer for Reshape {
     fn output_shape(&self, inputs: &[&[usize]]) -> TractResult<TVec<usize>> {
         let count = |shape: &[usize]| shape.iter().try_fold(1_usize, |count, &extent| count.checked_mul(extent));
         let fits = inputs.len() == 1 && count(inputs[0]) == count(&self.shape);
-        ensure!(fits, "values of shapes {inputs:?} as {:?}", self.shape);
+        ensure!(fits, "cannot reshape values of shapes {inputs:?} to {:?}", self.shape);
         Ok(self.shape.clone())
     }
 
@@ -112,17 +112,17 @@ impl Layer for Reshape {
     }
 }
 
-/// How far it is from one number of a value to the next, along each axis.
+/// Row-major strides of a shape.
 fn strides(shape: &[usize]) -> TVec<usize> {
     (0..shape.len()).map(|axis| shape[axis + 1..].iter().product()).collect()
 }
 
-/// Writes each number where the steps along its axes lead from `start`.
+/// Writes each number to the offset from `start` given by the steps along its axes.
 fn scatter(numbers: &[f32], shape: &[usize], steps: &[usize], start: usize, output: &mut [f32]) {
     match (shape, steps) {
         ([_], [step]) => {
-            let places = output[start..].iter_mut().step_by((*step).max(1));
-            places.zip(numbers).for_each(|(place, number)| *place = *number);
+            let positions = output[start..].iter_mut().step_by((*step).max(1));
+            positions.zip(numbers).for_each(|(position, number)| *position = *number);
         }
         ([extent, shape @ ..], [step, steps @ ..]) => {
             let length = shape.iter().product::<usize>().max(1);

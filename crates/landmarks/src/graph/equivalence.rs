@@ -1,4 +1,4 @@
-//! What becomes of a graph answers as the graph does, and damaged graphs are refused.
+//! Compares converted graphs with tract's own operators, and tests damaged graphs.
 
 use tract_onnx::Onnx;
 use tract_onnx::pb::ModelProto;
@@ -9,7 +9,7 @@ use crate::region_of_interest::{PictureSize, RegionPx};
 use crate::seeded::Seeded;
 use crate::warp::{self, Outside};
 
-/// A network's file, the side of its picture, and its outputs.
+/// File, input side and outputs of a network.
 type Case = (Vec<u8>, usize, [&'static str; 2]);
 
 fn networks() -> [Case; 2] {
@@ -28,7 +28,7 @@ fn portrait(side: usize) -> Tensor {
     Tensor::from_shape(&[1, 3, side, side], &planes).unwrap()
 }
 
-fn answers(model: TypedModel, side: usize) -> Vec<Vec<f32>> {
+fn outputs_of(model: TypedModel, side: usize) -> Vec<Vec<f32>> {
     let outputs = model.into_runnable().unwrap().run(tvec![portrait(side).into()]).unwrap();
     outputs.iter().map(|output| output.try_as_plain_ram().unwrap().as_slice::<f32>().unwrap().to_vec()).collect()
 }
@@ -37,41 +37,41 @@ fn assert_same(found: &[Vec<f32>], expected: &[Vec<f32>]) {
     for (found, expected) in found.iter().zip(expected) {
         assert_eq!(found.len(), expected.len());
         let magnitude = expected.iter().fold(1.0_f32, |largest, number| largest.max(number.abs()));
-        let apart = found.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
-        assert!(apart < 1e-5 * magnitude, "{apart} apart, at numbers up to {magnitude}");
+        let difference = found.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+        assert!(difference < 1e-5 * magnitude, "difference {difference} at a magnitude of {magnitude}");
     }
 }
 
 #[test]
-fn both_networks_answer_as_tracts_own_operators_do() {
+fn both_networks_match_tracts_operators() {
     for (onnx, side, outputs) in networks() {
-        let ours = super::model(proto(&onnx).unwrap().graph.as_ref().unwrap(), &outputs).unwrap();
-        let theirs = tract_onnx::onnx().model_for_read(&mut &*onnx).unwrap();
-        let theirs = theirs.with_outputs_by_name(outputs).unwrap().into_optimized().unwrap();
-        assert_same(&answers(ours, side), &answers(theirs, side));
+        let converted = super::model(proto(&onnx).unwrap().graph.as_ref().unwrap(), &outputs).unwrap();
+        let expected = tract_onnx::onnx().model_for_read(&mut &*onnx).unwrap();
+        let expected = expected.with_outputs_by_name(outputs).unwrap().into_optimized().unwrap();
+        assert_same(&outputs_of(converted, side), &outputs_of(expected, side));
     }
 }
 
 #[test]
-fn layers_that_were_joined_answer_as_they_do_one_by_one() {
+fn fused_layers_match_separate_layers() {
     for (onnx, side, outputs) in networks() {
         let proto = proto(&onnx).unwrap();
         let graph = proto.graph.as_ref().unwrap();
-        let joined = super::model(graph, &outputs).unwrap();
-        // What is asked for has to be there, so nothing becomes part of what follows.
+        let fused = super::model(graph, &outputs).unwrap();
+        // Requesting all intermediate values as outputs prevents fusion.
         let nodes = graph.node.iter().filter(|node| node.op_type != "Cast").map(|node| &*node.output[0]);
         let all: Vec<&str> = outputs.into_iter().chain(nodes).collect();
-        let apart = super::model(graph, &all).unwrap();
-        assert!(5 * joined.nodes.len() < apart.nodes.len(), "{} of {}", joined.nodes.len(), apart.nodes.len());
-        assert_same(&answers(joined, side), &answers(apart, side)[..2]);
+        let separate = super::model(graph, &all).unwrap();
+        assert!(5 * fused.nodes.len() < separate.nodes.len(), "{} of {}", fused.nodes.len(), separate.nodes.len());
+        assert_same(&outputs_of(fused, side), &outputs_of(separate, side)[..2]);
     }
 }
 
-/// Nodes come before weights in a file.
+/// Range of the nodes, which precede the weights in the file.
 const BYTES_OF_NODES: usize = 20_000;
 
 #[test]
-fn a_graph_with_a_byte_changed_is_refused_or_runs() {
+fn a_graph_with_a_changed_byte_is_rejected_or_runs() {
     for (onnx, side, outputs) in networks() {
         for seed in 0..400 {
             let mut seeded = Seeded::new(seed);
@@ -80,7 +80,7 @@ fn a_graph_with_a_byte_changed_is_refused_or_runs() {
             let Ok(ModelProto { graph: Some(graph), .. }) = proto(&damaged) else { continue };
             let Ok(model) = super::model(&graph, &outputs) else { continue };
             let plan = model.into_runnable();
-            // Whatever comes out is no concern here.
+            // The output does not matter.
             let _ = plan.and_then(|plan| plan.run(tvec![portrait(side).into()]));
         }
     }

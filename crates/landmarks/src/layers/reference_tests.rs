@@ -1,11 +1,11 @@
-//! Each layer against the sums of its definition, in f64 and channels first as ONNX writes them, over random shapes.
+//! Compares each layer with a direct implementation in f64, channels first as in ONNX, on random shapes.
 
 use std::ops::Range;
 
 use super::*;
 use crate::seeded::Seeded;
 
-/// A picture channels first.
+/// A picture stored channels first.
 #[derive(Clone)]
 struct Planes {
     channels: usize,
@@ -21,7 +21,7 @@ impl Planes {
         Self { channels, height, width, numbers }
     }
 
-    /// What is outside is nothing.
+    /// The number at a position; `None` outside the picture.
     fn at(&self, channel: usize, y: isize, x: isize) -> Option<f64> {
         let inside = (0..self.height as isize).contains(&y) && (0..self.width as isize).contains(&x);
         inside.then(|| self.numbers[(channel * self.height + y as usize) * self.width + x as usize])
@@ -29,8 +29,8 @@ impl Planes {
 
     fn channels_last(&self) -> Vec<f32> {
         let pixels = self.height * self.width;
-        let places = (0..pixels).flat_map(|pixel| (0..self.channels).map(move |channel| channel * pixels + pixel));
-        places.map(|place| self.numbers[place] as f32).collect()
+        let positions = (0..pixels).flat_map(|pixel| (0..self.channels).map(move |channel| channel * pixels + pixel));
+        positions.map(|position| self.numbers[position] as f32).collect()
     }
 
     fn shape(&self) -> [usize; 4] {
@@ -38,7 +38,7 @@ impl Planes {
     }
 }
 
-/// Numbers that f32 has exactly.
+/// Random numbers that are exact in f32.
 fn numbers(seeded: &mut Seeded, count: usize) -> Vec<f64> {
     (0..count).map(|_| f64::from(seeded.signed() as f32)).collect()
 }
@@ -56,21 +56,21 @@ fn picture_of(seeded: &mut Seeded, channels: usize) -> Planes {
     Planes::of([channels, extents[0], extents[1]], || f64::from(seeded.signed() as f32))
 }
 
-/// A window of any form that fits the picture, or a point, or MediaPipe's usual three by three.
+/// A random window that fits the picture, a point, or MediaPipe's 3 × 3 kernel.
 fn window_for(seeded: &mut Seeded, picture: &Planes) -> Window {
     loop {
         let mut two = |range: Range<usize>| [in_range(seeded, range.clone()), in_range(seeded, range)];
-        let any =
+        let random =
             Window { kernel: two(1..6), strides: two(1..4), dilations: two(1..3), before: two(0..3), after: two(0..3) };
         let usual = Window { kernel: [3; 2], dilations: [1; 2], before: two(0..2), after: [1; 2], strides: two(1..3) };
-        let window = [Window::POINT, any, usual.clone(), usual][seeded.below(4)].clone();
+        let window = [Window::POINT, random, usual.clone(), usual][seeded.below(4)].clone();
         if window.output([picture.height, picture.width]).is_ok() {
             return window;
         }
     }
 }
 
-/// `bias + Σ weight · in` over the taps and the channels that an output channel reads; `weights[out][in][tap]`.
+/// `bias + Σ weight · in` over the taps and the input channels of each output channel; `weights[out][in][tap]`.
 fn convolved(picture: &Planes, window: &Window, groups: usize, weights: &[f64], biases: &[f64]) -> Planes {
     let [height, width] = window.output([picture.height, picture.width]).unwrap();
     let (taps, channels_in) = (window.kernel[0] * window.kernel[1], picture.channels / groups);
@@ -81,8 +81,8 @@ fn convolved(picture: &Planes, window: &Window, groups: usize, weights: &[f64], 
         let first = channel / (biases.len() / groups) * channels_in;
         let products = (0..channels_in * taps).map(|term| {
             let (input, tap) = (term / taps, term % taps);
-            let pixel = |axis: usize, place: usize, tap: usize| {
-                (place * window.strides[axis] + tap * window.dilations[axis]) as isize - window.before[axis] as isize
+            let pixel = |axis: usize, position: usize, tap: usize| {
+                (position * window.strides[axis] + tap * window.dilations[axis]) as isize - window.before[axis] as isize
             };
             let (row, column) = (pixel(0, y, tap / window.kernel[1]), pixel(1, x, tap % window.kernel[1]));
             weights[channel * channels_in * taps + term] * picture.at(first + input, row, column).unwrap_or(0.0)
@@ -91,8 +91,8 @@ fn convolved(picture: &Planes, window: &Window, groups: usize, weights: &[f64], 
     })
 }
 
-/// With another picture of as many channels or fewer added, then activated.
-fn finished(mut sums: Planes, skip: Option<&Planes>, slopes: &[f64]) -> Planes {
+/// Adds a picture with as many or fewer channels, then applies the activation.
+fn activated_sum(mut sums: Planes, skip: Option<&Planes>, slopes: &[f64]) -> Planes {
     let pixels = sums.height * sums.width;
     for (at, sum) in sums.numbers.iter_mut().enumerate() {
         *sum += skip.and_then(|skip| skip.numbers.get(at)).unwrap_or(&0.0);
@@ -142,7 +142,7 @@ fn convolution(window: &Window, channels_in: usize, weights: &[f64], biases: &[f
 const CASES: u64 = 300;
 
 #[test]
-fn a_convolution_over_all_channels_is_its_sums() {
+fn convolution_matches_its_definition() {
     for seed in 0..CASES {
         let mut seeded = Seeded::new(seed);
         let (channels_in, channels) = (in_range(&mut seeded, 1..12), in_range(&mut seeded, 1..28));
@@ -155,13 +155,13 @@ fn a_convolution_over_all_channels_is_its_sums() {
         let skip = Planes::of(skip_shape, || f64::from(seeded.signed() as f32));
         let layer = convolution(&window, channels_in, &weights, &biases, &slopes);
         let case = format!("seed {seed}: {channels_in} to {channels} channels, {window:?}");
-        assert_is(&layer, &[&picture], &finished(sums.clone(), None, &slopes), &case);
-        assert_is(&layer, &[&picture, &skip], &finished(sums, Some(&skip), &slopes), &case);
+        assert_is(&layer, &[&picture], &activated_sum(sums.clone(), None, &slopes), &case);
+        assert_is(&layer, &[&picture, &skip], &activated_sum(sums, Some(&skip), &slopes), &case);
     }
 }
 
 #[test]
-fn a_depthwise_convolution_is_its_sums() {
+fn depthwise_convolution_matches_its_definition() {
     for seed in 0..CASES {
         let mut seeded = Seeded::new(seed);
         let channels = in_range(&mut seeded, 1..20);
@@ -172,12 +172,12 @@ fn a_depthwise_convolution_is_its_sums() {
         let layer = depthwise(&window, &weights, &biases).with_slopes(&singles(&slopes));
         let sums = convolved(&picture, &window, channels, &weights, &biases);
         let case = format!("seed {seed}: {channels} channels, {window:?}");
-        assert_is(&layer, &[&picture], &finished(sums, None, &slopes), &case);
+        assert_is(&layer, &[&picture], &activated_sum(sums, None, &slopes), &case);
     }
 }
 
 #[test]
-fn two_convolutions_in_one_pass_are_one_after_the_other() {
+fn fused_convolutions_match_separate_ones() {
     for seed in 0..CASES {
         let mut seeded = Seeded::new(seed);
         let (channels_in, channels) = (in_range(&mut seeded, 1..12), in_range(&mut seeded, 1..28));
@@ -188,29 +188,29 @@ fn two_convolutions_in_one_pass_are_one_after_the_other() {
         let weights = numbers(&mut seeded, channels * channels_in);
         let (biases, slopes) = (numbers(&mut seeded, channels), numbers(&mut seeded, channels));
         let between = convolved(&picture, &window, channels_in, &first_weights, &first_biases);
-        let between = finished(between, None, &first_slopes);
+        let between = activated_sum(between, None, &first_slopes);
         let sums = convolved(&between, &Window::POINT, 1, &weights, &biases);
         let skip = Planes::of([channels, sums.height, sums.width], || f64::from(seeded.signed() as f32));
         let first = depthwise(&window, &first_weights, &first_biases).with_slopes(&singles(&first_slopes));
         let second = convolution(&Window::POINT, channels_in, &weights, &biases, &slopes);
         let layer = Convolution { depthwise: Some(first), ..second };
         let case = format!("seed {seed}: {channels_in} to {channels} channels, {window:?}");
-        assert_is(&layer, &[&picture, &skip], &finished(sums, Some(&skip), &slopes), &case);
+        assert_is(&layer, &[&picture, &skip], &activated_sum(sums, Some(&skip), &slopes), &case);
     }
 }
 
 #[test]
-fn max_pooling_takes_the_largest_number_under_the_window() {
+fn max_pooling_matches_its_definition() {
     for seed in 0..CASES {
         let mut seeded = Seeded::new(seed);
         let channels = in_range(&mut seeded, 1..20);
         let picture = picture_of(&mut seeded, channels);
         let window = loop {
-            // A window that is all outside has no largest number.
+            // A window that is entirely outside has no maximum.
             let window = window_for(&mut seeded, &picture);
             let inside = |axis: usize, extent: usize| {
-                let places = window.output([picture.height, picture.width]).unwrap()[axis];
-                (0..places).all(|place| !window.taps(axis, place, extent).is_empty())
+                let positions = window.output([picture.height, picture.width]).unwrap()[axis];
+                (0..positions).all(|position| !window.taps(axis, position, extent).is_empty())
             };
             if inside(0, picture.height) && inside(1, picture.width) {
                 break window;
@@ -234,7 +234,7 @@ fn max_pooling_takes_the_largest_number_under_the_window() {
 }
 
 #[test]
-fn layers_that_move_numbers_put_each_in_its_place() {
+fn rearranging_layers_move_each_number_to_its_position() {
     let shape = [2, 3, 4, 5];
     let numbers: Vec<f32> = (0..120).map(|i| i as f32).collect();
     let value = || Value { shape: &shape, numbers: &numbers };
@@ -260,10 +260,10 @@ fn layers_that_move_numbers_put_each_in_its_place() {
 }
 
 #[test]
-fn what_does_not_fit_is_refused() {
+fn invalid_shapes_are_rejected() {
     let dense = convolution(&Window::POINT, 3, &[1.0; 6], &[0.0; 2], &[1.0; 2]);
     let wide = Window { kernel: [1, 9], ..Window::POINT };
-    let refused: [(&dyn Layer, &[&[usize]]); 9] = [
+    let rejected: [(&dyn Layer, &[&[usize]]); 9] = [
         (&dense, &[&[1, 4, 4, 2]]),
         (&dense, &[&[2, 4, 4, 3]]),
         (&dense, &[&[1, 4, 4, 3], &[1, 4, 4, 3]]),
@@ -274,10 +274,10 @@ fn what_does_not_fit_is_refused() {
         (&Concat { axis: 1 }, &[&[4, 2], &[5, 2]]),
         (&Reshape { shape: tvec![3] }, &[&[4]]),
     ];
-    for (layer, shapes) in refused {
+    for (layer, shapes) in rejected {
         assert!(layer.output_shape(shapes).is_err(), "{} of {shapes:?}", layer.name());
     }
-    let endless = Reshape { shape: tvec![1 << 40] };
+    let too_large = Reshape { shape: tvec![1 << 40] };
     assert!(Operator::new(Pad { by_axis: vec![[usize::MAX, 1]] }).output_shape(&[&[1]]).is_err());
-    assert!(Operator::new(endless).output_shape(&[&[1 << 40]]).is_err());
+    assert!(Operator::new(too_large).output_shape(&[&[1 << 40]]).is_err());
 }
