@@ -1,4 +1,4 @@
-//! `cargo xtask bench`: measures Rosto and comparable software, and writes docs/benchmarks.json.
+//! `cargo xtask bench`: measures Rosto and comparable software, and writes docs/benchmarks.json and the figures in the docs.
 
 use crate::places::{WASM, assets, remove_folder, root, target};
 use crate::run::{Run, announced};
@@ -36,6 +36,7 @@ pub fn run(wanted: &[&str]) -> Result<()> {
             kit.run("node").arg("tests/bench/store.mjs").arg(lines).checked()
         })?;
     }
+    kit.run("node").arg("docs/figures.mjs").checked()?;
     Ok(())
 }
 
