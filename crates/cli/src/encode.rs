@@ -2,7 +2,7 @@ use std::path::Path;
 
 use glam::{DVec2, DVec3};
 use rosto_export::{
-    BaseColour, Choosable, Content, ExportedFile, Eyes, Format, GlbOptions, JsonMesh, Model, Morph, Picture, Source,
+    BaseColour, Content, ExportOption, ExportedFile, Eyes, Format, GlbOptions, JsonMesh, Model, Morph, Picture, Source,
     Units, about, mesh_json,
 };
 use rosto_face::{FaceModel, Photo, canonical_uvs};
@@ -41,11 +41,11 @@ pub fn encode(
     let layers = if task.morph_targets { document.displacements() } else { Vec::new() };
     let document = &*document;
     let skin = Skin::new(face, document, task, format)?;
-    let softer_m = document.rounded();
+    let smoothed_m = document.rounded();
     let model = Model {
         topology: document.topology(),
         positions_m: document.positions(),
-        softer_m: Some(&softer_m),
+        smoothed_m: Some(&smoothed_m),
         colours_srgb: &skin.colours_srgb,
         photo: Picture { pixels: face.picture(), uvs: &skin.uvs },
         whole: skin.texture.as_ref().map(|pixels| Picture { pixels, uvs: &skin.texture_uvs }),
@@ -81,9 +81,9 @@ pub fn carried(face: &FaceModel, landmarks: &[DVec3]) -> Vec<DVec3> {
 /// The face in its pieces, for a file that has them.
 fn rig(face: &FaceModel, document: &mut Document, task: &MeshTask, format: Format) -> Result<Option<Rig>, CliError> {
     let edits = if task.morph_targets { EditsInRig::Layers } else { EditsInRig::AtRest };
-    let rig = if task.expression_targets && format.lets_choose(Choosable::Material) {
+    let rig = if task.expression_targets && format.supports(ExportOption::Material) {
         Rig::new(document, edits)?
-    } else if task.eyes == Eyes::Pieces && format.lets_choose(Choosable::Eyes) {
+    } else if task.eyes == Eyes::Pieces && format.supports(ExportOption::Eyes) {
         Rig::still(document, edits)
     } else {
         return Ok(None);
@@ -105,7 +105,7 @@ fn rigged(
     let model = Model {
         topology: parted.topology(),
         positions_m: base_m,
-        softer_m: None,
+        smoothed_m: None,
         colours_srgb: &parted.colours(&skin.colours_srgb),
         photo: Picture { pixels: face.picture(), uvs: &uvs },
         whole: skin.texture.as_ref().map(|pixels| Picture { pixels, uvs: &texture_uvs }),
@@ -140,7 +140,7 @@ impl Skin {
     fn new(face: &FaceModel, document: &Document, task: &MeshTask, format: Format) -> Result<Self, CliError> {
         let uvs: Vec<DVec2> = document.from_cage(face.uvs());
         let colours_srgb = face.colours_under(&uvs);
-        let texture = match task.base_colour == BaseColour::Whole && format.lets_choose(Choosable::BaseColour) {
+        let texture = match task.base_colour == BaseColour::Whole && format.supports(ExportOption::BaseColour) {
             true => Some(texture(face, texture_side_px(face, task.texture_size.px()))?),
             false => None,
         };

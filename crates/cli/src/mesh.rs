@@ -53,7 +53,7 @@ pub fn run(task: &MeshTask, given: &Given<'_>, networks: Networks<'_>) -> Result
     let photos = task.photos.iter().map(PathBuf::as_path).zip(photos).collect();
     let (Edited { face, notes, .. }, written) =
         make(task, photos, &steps, format, &encode::name_of(&task.output), &finder)?;
-    output::write_together(&task.output, &written.bytes, &written.beside)?;
+    output::write_together(&task.output, &written.bytes, &written.sidecars)?;
     let only = || vec!["1 face found".to_owned()];
     (if notes.is_empty() { only() } else { notes }).iter().for_each(|note| terminal::note(note));
     terminal::note(&taken_from(&face));
@@ -134,12 +134,12 @@ fn check_count(given: usize) -> Result<(), CliError> {
 /// Refuses to replace a file beside the output, which the command line does not name, unless Rosto wrote it for this output.
 fn check_beside(task: &MeshTask, format: Format) -> Result<(), CliError> {
     let name = encode::name_of(&task.output);
-    let beside = format.names_beside(task.base_colour, &name).into_iter().map(|name| task.output.with_file_name(name));
+    let beside = format.sidecar_names(task.base_colour, &name).into_iter().map(|name| task.output.with_file_name(name));
     let beside: Vec<PathBuf> = beside.collect();
     beside.iter().try_for_each(|path| check_files(&task.photos, &task.edits, path))?;
     let contents: Vec<Option<Vec<u8>>> = beside.iter().map(|path| fs::read(path).ok()).collect();
     match beside.iter().find(|path| path.exists()) {
-        Some(path) if !task.many.force && !format.wrote_beside(&name, &contents) => {
+        Some(path) if !task.many.force && !format.wrote_sidecars(&name, &contents) => {
             Err(CliError::Foreign { path: path.clone(), for_file: task.output.clone() })
         }
         _ => Ok(()),

@@ -2,7 +2,7 @@
 
 use clap::ArgMatches;
 use clap::parser::ValueSource;
-use rosto_export::{BaseColour, Choosable, Format, Solid, Units};
+use rosto_export::{BaseColour, ExportOption, Format, Solid, Units};
 use rosto_face::Triangulation;
 
 use crate::args::{EditArguments, MeshTask, PhotoTask, SettingsArguments};
@@ -50,21 +50,21 @@ pub fn check_photo(task: &PhotoTask, given: &Given<'_>) -> Result<(), CliError> 
 }
 
 /// Options of `rosto mesh` that only some formats have a place for, by their names in [`MeshTask`].
-const FOR_FORMATS: [(&str, &str, Choosable, &str); 7] = [
-    ("base_colour", "--base-colour", Choosable::BaseColour, "it is for .glb, .gltf, .obj, .usdz and .png"),
-    ("texture_size", "--texture-size", Choosable::BaseColour, "it is for .glb, .gltf, .obj, .usdz and .png"),
-    ("solid", "--solid", Choosable::Solid, "it is for .stl and .3mf"),
-    ("material", "--material", Choosable::Material, "light falls only on .glb and .gltf"),
-    ("eyes", "--eyes", Choosable::Eyes, "it is for .glb, .gltf, .obj, .ply and .usdz"),
-    ("expression_targets", "--expressions", Choosable::Material, "only .glb and .gltf hold them"),
-    ("morph_targets", "--morph-targets", Choosable::Material, "only .glb and .gltf hold them"),
+const FOR_FORMATS: [(&str, &str, ExportOption, &str); 7] = [
+    ("base_colour", "--base-colour", ExportOption::BaseColour, "it is for .glb, .gltf, .obj, .usdz and .png"),
+    ("texture_size", "--texture-size", ExportOption::BaseColour, "it is for .glb, .gltf, .obj, .usdz and .png"),
+    ("solid", "--solid", ExportOption::Solid, "it is for .stl and .3mf"),
+    ("material", "--material", ExportOption::Material, "light falls only on .glb and .gltf"),
+    ("eyes", "--eyes", ExportOption::Eyes, "it is for .glb, .gltf, .obj, .ply and .usdz"),
+    ("expression_targets", "--expressions", ExportOption::Material, "only .glb and .gltf hold them"),
+    ("morph_targets", "--morph-targets", ExportOption::Material, "only .glb and .gltf hold them"),
 ];
 
 fn check_format(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), CliError> {
-    if task.units == Units::Image && !format.lets_choose(Choosable::Units) {
+    if task.units == Units::Image && !format.supports(ExportOption::Units) {
         return Err(CliError::ImageUnits { path: task.output.clone() });
     }
-    let is_for_others = |id: &str, what| given.has(id) && !format.lets_choose(what);
+    let is_for_others = |id: &str, what| given.has(id) && !format.supports(what);
     if let Some((_, flag, _, reason)) = FOR_FORMATS.into_iter().find(|(id, _, what, _)| is_for_others(id, *what)) {
         return useless(flag, reason);
     }

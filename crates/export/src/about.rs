@@ -1,4 +1,4 @@
-//! What is known of a face beside its mesh, as JSON.
+//! Facts about a face besides its mesh, as JSON.
 
 use glam::DVec3;
 use rosto_face::{FaceModel, Measure, iris_id};
@@ -6,22 +6,23 @@ use serde_json::{Map, Value, json};
 
 use crate::model::MM_PER_M;
 
-/// How a face was photographed and how large it is:
+/// Returns the camera, pose and size of a face as JSON:
 /// ```json
 /// {"lens": "exif:26", "distance_m": 0.42, "distance_error": 0.05, "focal_px": 903.2,
 ///  "yaw_deg": 1.5, "pitch_deg": -3.0, "roll_deg": 0.2, "size_from": "irises", "size_error": 0.045,
 ///  "measures_mm": {"face-width": 132.1}, "eye_centres_mm": {"right": [-31.2, 25.0, 33.1], "left": [31.0, 25.2, 33.0]},
 ///  "irises_mm": {"right-iris-middle": [-31.0, 26.1, 38.2]}}
 /// ```
-/// Errors are one standard deviation, as a share. The measures are those of `positions_m`, the first 468 of which are the
-/// landmarks'; irises, and the middles of the eyes, which stay when the gaze wanders, are where they were found. A distance
-/// that is infinite is left out, and so is its focal length.
+/// Errors are relative, one standard deviation. Measures use `positions_m`, whose first 468 entries are the landmarks.
+/// Irises and eye centres are in their detected positions; eye centres do not move with the gaze. An infinite
+/// distance is omitted, with its focal length.
 pub fn about(face: &FaceModel, positions_m: &[DVec3]) -> Value {
     let (camera, pose, scale) = (face.camera(), face.camera().pose(), face.scale());
     let rounded = |number: f64, digits: i32| (number * 10_f64.powi(digits)).round() / 10_f64.powi(digits);
     let measure = |measure: Measure| (measure.id().to_owned(), json!(rounded(measure.of(positions_m) * MM_PER_M, 2)));
-    let place_mm = |place: DVec3| json!((place * MM_PER_M).to_array().map(|coordinate| rounded(coordinate, 3)));
-    let iris = |(point, place): (usize, &DVec3)| (iris_id(point), place_mm(*place));
+    let position_mm =
+        |position: DVec3| json!((position * MM_PER_M).to_array().map(|coordinate| rounded(coordinate, 3)));
+    let iris = |(point, position): (usize, &DVec3)| (iris_id(point), position_mm(*position));
     let [right, left] = face.eye_centres_m();
     let mut about = json!({
         "lens": camera.lens.to_string(),
@@ -31,7 +32,7 @@ pub fn about(face: &FaceModel, positions_m: &[DVec3]) -> Value {
         "size_from": scale.source.id(),
         "size_error": rounded(scale.error, 4),
         "measures_mm": Measure::ALL.into_iter().map(measure).collect::<Map<String, Value>>(),
-        "eye_centres_mm": {"right": place_mm(right), "left": place_mm(left)},
+        "eye_centres_mm": {"right": position_mm(right), "left": position_mm(left)},
     });
     if camera.distance_m.is_finite() {
         about["distance_m"] = json!(rounded(camera.distance_m, 4));

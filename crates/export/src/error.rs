@@ -1,31 +1,31 @@
 use rosto_solid::SolidError;
 use thiserror::Error;
 
-/// Why a model cannot be written.
+/// Reason why a model could not be exported.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ExportError {
-    /// A slice with one value for each vertex has another length.
+    /// A per-vertex slice has the wrong length.
     #[error("{found} {what} for {expected} vertices")]
     LengthMismatch {
-        /// What the values are, such as "colours".
+        /// Kind of value, such as "colours".
         what: &'static str,
         /// Number of vertices.
         expected: usize,
-        /// Number of values given.
+        /// Number of values passed.
         found: usize,
     },
-    /// A position is infinite, not a number, or beyond what the file's 32-bit numbers reach.
-    #[error("vertex {vertex} has a coordinate that no 32-bit number can hold")]
+    /// A position is infinite, NaN, or out of range for `f32`.
+    #[error("vertex {vertex} has a coordinate that does not fit in a 32-bit number")]
     NotFinite {
-        /// The vertex.
+        /// Index of the vertex.
         vertex: usize,
     },
-    /// There is nothing to write.
+    /// The mesh is empty.
     #[error("the mesh has no triangles")]
     Empty,
-    /// The face is to be painted with a picture of the whole face, and the model has none.
-    #[error("there is no picture of the whole face to paint it with")]
+    /// The whole-face texture was requested, but the model has none.
+    #[error("the model has no whole-face texture")]
     NoWholePicture,
     /// The history is not the text of a JSON object.
     #[error("the history in a glTF file must be a JSON object")]
@@ -38,16 +38,16 @@ pub enum ExportError {
         /// Height in px.
         height: u32,
     },
-    /// A picture is to be written, and colours alone paint the face.
-    #[error("there is no picture where colours alone paint the face")]
+    /// A picture was requested, but the face is coloured per vertex.
+    #[error("there is no picture to write: the face has vertex colours only")]
     NoPicture,
-    /// What is written in a format for printing must be a body.
-    #[error("an open surface cannot be printed: a thickness or a flat back makes it a body")]
+    /// A 3MF file requires a closed body.
+    #[error("an open surface cannot be printed; choose a thickness or a flat back")]
     NoBody,
-    /// The face cannot be made a body.
+    /// The face could not be turned into a closed body.
     #[error(transparent)]
     Solid(#[from] SolidError),
-    /// The picture of a project is no PNG file.
+    /// The picture of a project is not a PNG file.
     #[error("the picture in a project must be a PNG file")]
     NotPng,
 }

@@ -1,4 +1,4 @@
-//! The formats as one table: what each is called, what it is served as, what it has a place for, and what writes it.
+//! Table of the file formats: media type, supported options and writer.
 
 mod mesh_json;
 mod obj;
@@ -24,7 +24,7 @@ use crate::zip::{NamedFile, stored};
 use crate::{BaseColour, ExportError, GlbOptions, Model, Solid, SolidFacts, about, glb, gltf};
 
 rosto_mesh::named! {
-    /// A format that a mesh is written in; its id is how the names of its files end.
+    /// A mesh file format; its id is the file extension.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub enum Format {
         /// Binary glTF 2.0.
@@ -37,141 +37,141 @@ rosto_mesh::named! {
         Ply = "ply",
         /// Binary STL.
         Stl = "stl",
-        /// 3MF, for printing in colour.
+        /// 3MF, for colour printing.
         ThreeMf = "3mf",
         /// USDZ, for augmented reality.
         Usdz = "usdz",
-        /// The picture that paints the face, as PNG.
+        /// The face's picture, as PNG.
         Png = "png",
         /// Positions, colours and triangles as JSON.
         Json = "json",
     }
 }
 
-/// Something that can be chosen about a format's files.
+/// An option that some formats support.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Choosable {
-    /// What paints the face, and how large its picture is.
+pub enum ExportOption {
+    /// Source of the face's colours, and the size of its texture.
     BaseColour,
-    /// The material, morph targets, and what opens the file again: [`GlbOptions`].
+    /// Material, morph targets, and the data for reopening the file: [`GlbOptions`].
     Material,
-    /// The unit of the positions.
+    /// Unit of the positions.
     Units,
-    /// What body is made of the face.
+    /// Printable body made from the face.
     Solid,
-    /// Whether eyes and mouth are pieces of their own.
+    /// Whether eyes and mouth are separate pieces.
     Eyes,
 }
 
 rosto_mesh::named! {
-    /// What fills the openings of the eyes and the mouth, where the mesh fills them.
+    /// Content of the eye and mouth openings, if the mesh fills them.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Eyes {
-        /// The skin goes on through them, as it was photographed.
+        /// The skin continues across them, as photographed.
         #[default]
         Skin = "skin",
-        /// Pieces of their own behind lids and lips, the eyes round as balls are, painted as the photo shows them.
+        /// Separate pieces behind lids and lips, with round eyeballs, textured from the photo.
         Pieces = "pieces",
     }
 }
 
-/// All that there is to write; each format takes what it has a place for.
+/// Input of [`Format::write`]; a format uses the parts that it supports.
 #[derive(Debug, Clone, Copy)]
 pub struct Content<'a> {
-    /// The mesh as it is shown.
+    /// The displayed mesh.
     pub model: Model<'a>,
-    /// The positions in metres that morph targets lead away from.
+    /// Rest positions of the morph targets, in metres.
     pub rest_m: &'a [DVec3],
-    /// What is chosen about glTF; what paints the face is chosen here for all formats that have a place for it.
+    /// glTF options; the colour source applies to all formats that support it.
     pub gltf: GlbOptions<'a>,
-    /// The body that is made of it for printing.
+    /// The printable body.
     pub solid: Solid,
-    /// What the file is called, without its ending: files that lie beside it are called so, too.
+    /// File name without extension, also used for sidecar files.
     pub name: &'a str,
-    /// The positions in MediaPipe's normalised coordinates, if those are chosen; otherwise JSON is in millimetres.
+    /// Positions in MediaPipe's normalised coordinates for JSON, or `None` for millimetres.
     pub positions_image: Option<&'a [DVec3]>,
 }
 
-/// What a format makes of a face: a file, and what lies beside it.
+/// An exported file with its sidecar files.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ExportedFile {
-    /// The file.
+    /// Bytes of the main file.
     pub bytes: Vec<u8>,
-    /// Files that it names, without folders; none in most formats.
-    pub beside: Vec<NamedFile>,
-    /// What the body measures, if one was made.
+    /// Files that the main file refers to, in the same folder; empty for most formats.
+    pub sidecars: Vec<NamedFile>,
+    /// Measurements of the printable body, if one was made.
     pub solid: Option<SolidFacts>,
 }
 
 impl<B: Into<Vec<u8>>> From<B> for ExportedFile {
     fn from(bytes: B) -> Self {
-        Self { bytes: bytes.into(), beside: Vec::new(), solid: None }
+        Self { bytes: bytes.into(), sidecars: Vec::new(), solid: None }
     }
 }
 
 impl ExportedFile {
-    /// One file for whoever can save only one: the file itself or, with what lies beside it, a zip archive.
+    /// Returns a single file: the main file or, if there are sidecar files, a zip archive of all of them.
     pub fn bundled(self, name: &str, format: Format) -> Vec<u8> {
-        if self.beside.is_empty() {
+        if self.sidecars.is_empty() {
             return self.bytes;
         }
         let mut files = vec![NamedFile { name: format!("{name}.{}", format.id()), bytes: self.bytes }];
-        files.extend(self.beside);
+        files.extend(self.sidecars);
         stored(&files, 1)
     }
 }
 
 struct Definition {
     media_type: &'static str,
-    choosable: &'static [Choosable],
+    choosable: &'static [ExportOption],
     write: fn(&Content<'_>) -> Result<ExportedFile, ExportError>,
 }
 
 impl Format {
-    /// The media type that its files are served as.
+    /// Media type of the format.
     pub fn media_type(self) -> &'static str {
         self.definition().media_type
     }
 
-    /// Whether that can be chosen about its files.
-    pub fn lets_choose(self, what: Choosable) -> bool {
+    /// Whether the format supports an option.
+    pub fn supports(self, what: ExportOption) -> bool {
         self.definition().choosable.contains(&what)
     }
 
-    /// What the files are called that lie beside one of that name, given without its ending, painted so.
-    pub fn names_beside(self, base_colour: BaseColour, name: &str) -> Vec<String> {
+    /// Names of the sidecar files of a main file called `name` (without extension).
+    pub fn sidecar_names(self, base_colour: BaseColour, name: &str) -> Vec<String> {
         match self {
-            Self::Obj if base_colour != BaseColour::VertexColours => obj::names_beside(name).to_vec(),
+            Self::Obj if base_colour != BaseColour::VertexColours => obj::sidecar_names(name).to_vec(),
             _ => Vec::new(),
         }
     }
 
-    /// Whether files with these contents, in the order of [`Format::names_beside`], are those that were written beside one of that
-    /// name, unchanged since. `None` is a file that is missing.
-    pub fn wrote_beside(self, name: &str, contents: &[Option<Vec<u8>>]) -> bool {
+    /// Whether the contents, in the order of [`Format::sidecar_names`], are unmodified sidecar files that Rosto wrote
+    /// for `name`. `None` means a missing file.
+    pub fn wrote_sidecars(self, name: &str, contents: &[Option<Vec<u8>>]) -> bool {
         match self {
-            Self::Obj => obj::wrote_beside(name, contents),
+            Self::Obj => obj::wrote_sidecars(name, contents),
             _ => contents.is_empty(),
         }
     }
 
-    /// How the name of the one file ends that [`ExportedFile::bundled`] makes: `zip` where there are several.
-    pub fn bundle_ending(self, base_colour: BaseColour) -> &'static str {
-        if self.names_beside(base_colour, "").is_empty() { self.id() } else { "zip" }
+    /// Extension of the file that [`ExportedFile::bundled`] returns: `zip` if there are sidecar files.
+    pub fn bundle_extension(self, base_colour: BaseColour) -> &'static str {
+        if self.sidecar_names(base_colour, "").is_empty() { self.id() } else { "zip" }
     }
 
-    /// The bytes of a file, and of those beside it.
+    /// Exports the content.
     ///
     /// # Errors
-    /// [`ExportError`] if a length does not fit, a position is not finite, there is no triangle, no such picture, or no
-    /// such body; for glTF also as [`glb`].
+    /// [`ExportError`] if a length does not match, a position is not finite, the mesh is empty, or the requested
+    /// picture or body is not available. For glTF, see also [`glb`].
     pub fn write(self, content: &Content<'_>) -> Result<ExportedFile, ExportError> {
         (self.definition().write)(content)
     }
 
     #[rustfmt::skip]
     fn definition(self) -> Definition {
-        use Choosable::{BaseColour, Eyes, Material, Solid, Units};
+        use ExportOption::{BaseColour, Eyes, Material, Solid, Units};
         match self {
             Self::Glb => Definition { media_type: "model/gltf-binary", choosable: &[BaseColour, Material, Eyes], write: |c| Ok(glb(&c.moved_by_morphs(), &c.gltf)?.into()) },
             Self::Gltf => Definition { media_type: "model/gltf+json", choosable: &[BaseColour, Material, Eyes], write: |c| Ok(gltf(&c.moved_by_morphs(), &c.gltf)?.into()) },
@@ -187,7 +187,7 @@ impl Format {
 }
 
 impl<'a> Content<'a> {
-    /// The mesh that morph targets, if there are any, move to where it is shown.
+    /// The model at rest if morph targets reach the displayed shape, otherwise the displayed model.
     fn moved_by_morphs(&self) -> Model<'a> {
         if self.gltf.morphs.is_empty() { self.model } else { self.model.at(self.rest_m) }
     }
@@ -226,5 +226,5 @@ impl<'a> Content<'a> {
 }
 
 fn push(text: &mut String, part: fmt::Arguments<'_>) {
-    text.write_fmt(part).expect("invariant: writing to a string does not fail");
+    text.write_fmt(part).expect("invariant: writing to a string cannot fail");
 }

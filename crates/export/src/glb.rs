@@ -16,7 +16,7 @@ pub use source::Source;
 pub(crate) use source::{VERSION, fingerprint, history_object};
 
 rosto_mesh::named! {
-    /// How long the longest side of a texture is at most.
+    /// Longest side of a texture, at most.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum TextureSize {
         /// 1024 px.
@@ -30,7 +30,7 @@ rosto_mesh::named! {
 }
 
 impl TextureSize {
-    /// In px.
+    /// Returns the size in px.
     pub fn px(self) -> u32 {
         match self {
             Self::Px1024 => 1024,
@@ -41,7 +41,7 @@ impl TextureSize {
 }
 
 rosto_mesh::named! {
-    /// Whether light falls on the face.
+    /// Response of the face to light.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Material {
         /// Physically based and matt.
@@ -52,32 +52,31 @@ rosto_mesh::named! {
     }
 }
 
-/// A named displacement that a viewer can blend in: a glTF morph target.
+/// A named displacement that viewers can blend in: a glTF morph target.
 #[derive(Debug, Clone, Copy)]
 pub struct Morph<'a> {
-    /// Name, in `mesh.extras.targetNames`.
+    /// Name in `mesh.extras.targetNames`.
     pub name: &'a str,
-    /// Displacement in metres of each vertex at weight 1.
+    /// Displacement of each vertex at weight 1, in metres.
     pub displacements_m: &'a [glam::DVec3],
-    /// The weight the file opens with.
+    /// Initial weight.
     pub weight: f64,
 }
 
-/// What a GLB holds beside the mesh.
+/// Options for [`glb`] and [`gltf`].
 #[derive(Debug, Clone, Copy)]
 pub struct GlbOptions<'a> {
-    /// How the face is painted.
+    /// Source of the face's colours.
     pub base_colour: BaseColour,
-    /// Whether light falls on it.
+    /// Response to light.
     pub material: Material,
     /// Name of the node and the mesh.
     pub name: &'a str,
     /// Morph targets; none by default.
     pub morphs: &'a [Morph<'a>],
-    /// What the face was made from, for the scene's `extras`, so that the file can be opened again
-    /// ([`reopen`](crate::reopen)); none by default.
+    /// Data from which [`reopen`](crate::reopen) restores the face, written to the scene's `extras`; none by default.
     pub source: Option<Source<'a>>,
-    /// The texture's longest side in px, at most; the photo's part takes the power of two below it.
+    /// Maximum side of the texture in px; a photo crop uses the next lower power of two.
     pub max_texture_px: u32,
 }
 
@@ -94,20 +93,20 @@ impl Default for GlbOptions<'_> {
     }
 }
 
-/// A binary glTF 2.0 file: metres, +Y up, front +Z.
+/// Exports a binary glTF 2.0 file (`model/gltf-binary`): metres, +Y up, front +Z.
 ///
-/// The vertices keep the landmarks' order; the custom attribute `_LANDMARK_ID` says so, with −1 for the vertices of a
-/// subdivided mesh that are no landmark. Media type: `model/gltf-binary`.
+/// The vertices keep the landmarks' order. The custom attribute `_LANDMARK_ID` gives each vertex's landmark, or −1 for
+/// vertices added by subdivision.
 ///
 /// # Errors
-/// [`ExportError`] if a length does not fit, a position is not finite, there is no triangle, the history is no JSON
-/// object, the texture cannot be encoded, or there is no picture of the whole face where one is asked for.
+/// [`ExportError`] if a length does not match, a position is not finite, the mesh is empty, the history is not a JSON
+/// object, the texture cannot be encoded, or the requested whole-face texture is missing.
 pub fn glb(model: &Model<'_>, options: &GlbOptions<'_>) -> Result<Vec<u8>, ExportError> {
     let (builder, root) = build(model, options)?;
     Ok(builder.finish_binary(root))
 }
 
-/// The same file as glTF text, with its data inside as base64. Media type: `model/gltf+json`.
+/// Exports the same data as glTF text (`model/gltf+json`), with the binary data embedded as base64.
 ///
 /// # Errors
 /// As [`glb`].
@@ -159,13 +158,13 @@ fn landmark_ids(model: &Model<'_>) -> Vec<f32> {
     (0..model.topology.vertex_count()).map(id).collect()
 }
 
-/// How the face is painted in the file.
+/// Colours that were written to the file.
 enum Painted {
-    /// With the part of the photo that was cut out here.
+    /// The texture is a crop of the photo.
     Photo(Crop),
-    /// With a picture of the whole face.
+    /// The texture is the whole-face texture.
     Whole,
-    /// With colours alone.
+    /// Vertex colours, no texture.
     Colours,
 }
 
@@ -215,14 +214,14 @@ fn rounded(texture: &Texture<'_>) -> Vec<Vec2> {
     texture.uvs.iter().map(|uv| uv.as_vec2()).collect()
 }
 
-/// A sampler in OpenGL's numbers, as glTF has them.
+/// A glTF sampler, in OpenGL's constants.
 struct Sampler {
     magnify: u32,
     minify: u32,
     wrap: u32,
 }
 
-/// Linear, linear over mipmaps, and clamped to the edge, since a landmark may lie outside the picture.
+/// Trilinear and clamped to the edge, since a landmark may lie outside the picture.
 const CLAMPED_MIPMAPPED: Sampler = Sampler { magnify: 9729, minify: 9987, wrap: 33071 };
 
 impl Sampler {

@@ -6,56 +6,56 @@ use crate::ExportError;
 
 pub(crate) const MM_PER_M: f64 = 1000.0;
 
-/// What every exporter writes: a coloured, textured mesh, borrowed from whoever holds it.
+/// Input of the exporters: a borrowed mesh with colours and textures.
 #[derive(Debug, Clone, Copy)]
 pub struct Model<'a> {
-    /// The triangles.
+    /// Triangles.
     pub topology: &'a Topology,
-    /// A position in metres for each vertex.
+    /// Position of each vertex, in metres.
     pub positions_m: &'a [DVec3],
-    /// The same surface softer, where there is such a one: what is printed where sharp folds leave no room for a wall.
-    pub softer_m: Option<&'a [DVec3]>,
-    /// An sRGB colour for each vertex.
+    /// A smoothed version of the positions, if any, used for printing where sharp folds leave no room for a wall.
+    pub smoothed_m: Option<&'a [DVec3]>,
+    /// sRGB colour of each vertex.
     pub colours_srgb: &'a [[u8; 3]],
     /// The upright photo.
     pub photo: Picture<'a>,
-    /// A picture of the whole face laid flat, if there is one: what the photo does not show is in it, too.
-    /// Its sides are powers of two, as graphics cards want them.
+    /// The whole-face texture, if any, which also covers parts that the photo does not show. Its sides are powers of
+    /// two, as some GPUs require.
     pub whole: Option<Picture<'a>>,
 }
 
-/// A picture that paints the mesh.
+/// A picture mapped onto the mesh.
 #[derive(Debug, Clone, Copy)]
 pub struct Picture<'a> {
     /// Its pixels.
     pub pixels: &'a Photo,
-    /// A place in it for each vertex, 0 to 1 from the top left; outside of that its edge goes on.
+    /// UV of each vertex, 0 to 1 from the top left; edge pixels extend beyond.
     pub uvs: &'a [DVec2],
 }
 
 impl<'a> Model<'a> {
-    /// The face as the photo gave it.
+    /// The unedited face.
     pub fn of_face(face: &'a FaceModel) -> Self {
         Self {
             topology: face.topology(),
             positions_m: face.positions_m(),
-            softer_m: None,
+            smoothed_m: None,
             colours_srgb: face.colours_srgb(),
             photo: Picture { pixels: face.picture(), uvs: face.uvs() },
             whole: None,
         }
     }
 
-    /// The same model with its vertices elsewhere, as after an edit.
+    /// The same model with other vertex positions, such as after an edit.
     pub fn at(self, positions_m: &'a [DVec3]) -> Self {
-        Self { positions_m, softer_m: None, ..self }
+        Self { positions_m, smoothed_m: None, ..self }
     }
 
     pub(crate) fn check(&self) -> Result<(), ExportError> {
         let expected = self.topology.vertex_count();
         let lengths = [
             ("positions", self.positions_m.len()),
-            ("softer positions", self.softer_m.map_or(expected, <[DVec3]>::len)),
+            ("smoothed positions", self.smoothed_m.map_or(expected, <[DVec3]>::len)),
             ("colours", self.colours_srgb.len()),
             ("UVs", self.photo.uvs.len()),
             ("UVs of the whole texture", self.whole.map_or(expected, |whole| whole.uvs.len())),

@@ -1,4 +1,4 @@
-//! The body that is printed.
+//! Printable bodies.
 
 use std::fmt;
 use std::str::FromStr;
@@ -10,28 +10,28 @@ use rosto_solid::{Body, Closing};
 use crate::model::MM_PER_M;
 use crate::{ExportError, Model};
 
-/// What a printer is given. Written as `thickness:2`, `flat:3`, `surface`, as on the command line.
+/// Shape of the printable body. Its text form is `thickness:2`, `flat:3` or `surface`, as on the command line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Solid {
-    /// A wall so many mm thick.
+    /// A wall of constant thickness.
     Thickness {
-        /// How thick.
+        /// Thickness in mm.
         mm: f64,
     },
-    /// A relief with a flat back so many mm behind its deepest point.
+    /// A relief with a flat back.
     FlatBack {
-        /// How far behind.
+        /// Distance from the deepest point to the back, in mm.
         mm: f64,
     },
-    /// The surface alone, which is no body and cannot be printed as it is.
+    /// The open surface, which cannot be printed as it is.
     Surface,
 }
 
-/// What a wall may measure in mm: a nozzle's width at least.
+/// Range of the thickness in mm; the minimum is a nozzle's width.
 pub const SOLID_MM: [f64; 2] = [0.4, 50.0];
 
 impl Default for Solid {
-    /// A wall that is firm in plastic, and no heavier than it must be.
+    /// A wall that is stable in plastic and still light.
     fn default() -> Self {
         Self::Thickness { mm: 2.0 }
     }
@@ -47,18 +47,18 @@ impl fmt::Display for Solid {
     }
 }
 
-/// Why a text names no solid.
+/// Error for a text that is not a [`Solid`].
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{text:?} is none of thickness:MM, flat:MM and surface, with MM from {} to {}", SOLID_MM[0], SOLID_MM[1])]
-pub struct NoSolid {
-    /// The text.
+#[error("{text:?} is not one of thickness:MM, flat:MM and surface, with MM from {} to {}", SOLID_MM[0], SOLID_MM[1])]
+pub struct ParseSolidError {
+    /// The rejected text.
     pub text: String,
 }
 
 impl FromStr for Solid {
-    type Err = NoSolid;
+    type Err = ParseSolidError;
 
-    fn from_str(text: &str) -> Result<Self, NoSolid> {
+    fn from_str(text: &str) -> Result<Self, ParseSolidError> {
         let [least, most] = SOLID_MM;
         let length = |mm: &str| mm.parse().ok().filter(|mm: &f64| (least..=most).contains(mm));
         let found = match text.split_once(':') {
@@ -67,15 +67,16 @@ impl FromStr for Solid {
             None if text == "surface" => Some(Self::Surface),
             _ => None,
         };
-        found.ok_or_else(|| NoSolid { text: text.to_owned() })
+        found.ok_or_else(|| ParseSolidError { text: text.to_owned() })
     }
 }
 
 impl Solid {
-    /// The body that is made of a model so; none for the surface alone.
+    /// Makes the body from a model; `None` for [`Self::Surface`].
     ///
     /// # Errors
-    /// [`ExportError`] if a length does not fit, a position is not finite, there is no triangle, or no such body can be made.
+    /// [`ExportError`] if a length does not match, a position is not finite, the mesh is empty, or the body cannot be
+    /// made.
     pub fn body(self, model: &Model<'_>) -> Result<Option<Body>, ExportError> {
         model.check()?;
         let closing = match self {
@@ -84,27 +85,27 @@ impl Solid {
             Self::FlatBack { mm } => Closing::FlatBack { thickness_m: mm / MM_PER_M },
         };
         let surface = Surface::new(model.topology, model.positions_m).map_err(rosto_solid::SolidError::from)?;
-        let softer = model.softer_m.unwrap_or(model.positions_m);
-        Ok(Some(Body::closed_or_softer(surface, softer, closing)?))
+        let smoothed = model.smoothed_m.unwrap_or(model.positions_m);
+        Ok(Some(Body::closed_or_smoothed(surface, smoothed, closing)?))
     }
 }
 
-/// What a printed body measures.
+/// Measurements of a printable body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SolidFacts {
-    /// What it encloses, in cm³.
+    /// Enclosed volume in cm³.
     pub volume_cm3: f64,
-    /// The sides of the box around it, in mm.
+    /// Size of the bounding box in mm.
     pub size_mm: DVec3,
-    /// How thick its wall is where it is thinnest, in mm.
+    /// Smallest wall thickness in mm.
     pub thinnest_mm: f64,
-    /// How far the face was smoothed where it went through itself or left no room for the wall, in mm; 0 where neither was
-    /// needed.
+    /// Largest displacement by smoothing, in mm, where the face intersected itself or left no room for the wall; 0 if
+    /// there was no smoothing.
     pub moved_mm: f64,
 }
 
 impl SolidFacts {
-    /// What is to be told of a body.
+    /// Measures a body.
     pub fn of(body: &Body) -> Self {
         const CM3_PER_M3: f64 = 1e6;
         Self {
@@ -115,7 +116,7 @@ impl SolidFacts {
         }
     }
 
-    /// What it weighs in g, filled with a material of that density in g/cm³.
+    /// Mass in g when filled with a material of the given density.
     pub fn mass_g(&self, density_g_per_cm3: f64) -> f64 {
         self.volume_cm3 * density_g_per_cm3
     }

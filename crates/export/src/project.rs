@@ -1,15 +1,16 @@
-//! The project file: a face with its edits and its photo without loss.
+//! The project file: a face with its edits and its lossless photo.
 //!
-//! One line of JSON, then `points` × 3 little-endian `f32` landmarks, 468 × 3 bytes of colours, and the upright picture as a
-//! PNG file to the end:
+//! A line of JSON, then `points` × 3 little-endian `f32` landmarks, 468 × 3 bytes of colours, and the upright picture
+//! as a PNG file:
 //! ```json
 //! {"format": "rosto-project", "version": 1, "width_px": 512, "height_px": 512, "points": 478, "lens": "exif:26",
 //!  "triangulation": "canonical", "density": 0, "edits": {}}
 //! ```
-//! What was done to the photo alone follows as `"in_photo"`, if there is any, and the further photos of a face in several as
-//! `"further"`, as a GLB has them ([`Source`]): the face's part of each as JPEG. There are 468 points, or 478 with the irises.
-//! The sides are those of the photo that the landmarks were found in; the picture may be a smaller copy. Of the edits
-//! only their owner knows more than that they are an object.
+//! Optional fields are `"in_photo"`, the edits of the photo, and `"further"`, the further photos as in a GLB
+//! ([`Source`]), each with the face's part as JPEG. There are 468 points, or 478 with the irises.
+//!
+//! `width_px` and `height_px` are those of the photo in which the landmarks were found; the picture may be a smaller
+//! copy. This crate does not interpret the edits.
 
 use std::borrow::Cow;
 
@@ -25,21 +26,20 @@ use crate::{ExportError, PlacedTexture, ReopenError, Reopened, Source};
 
 const FORMAT: &str = "rosto-project";
 
-/// The version that is written and read.
+/// Format version that is written and read.
 const VERSION: u64 = 1;
 
-/// The longest side of what is kept of a further photo, in px.
+/// Longest side of a further photo's picture, in px.
 const MAX_FURTHER_PX: u32 = 2048;
 
 const POINT_BYTES: usize = 3 * 4;
 const COLOURS_BYTES: usize = LANDMARK_COUNT * 3;
 
-/// Writes a project. `png` is the face's whole upright picture, and goes in as it is. Media type:
-/// `application/octet-stream`.
+/// Writes a project (`application/octet-stream`). `png` is the whole upright picture and is stored unchanged.
 ///
 /// # Errors
-/// [`ExportError::HistoryNotAnObject`] if the source has no history, or one that is no JSON object: a project says what
-/// was edited, if only that nothing was. [`ExportError::NotPng`] if the picture is no PNG file.
+/// [`ExportError::HistoryNotAnObject`] if the history is missing or not a JSON object: a project requires one, even if
+/// empty. [`ExportError::NotPng`] if the picture is not a PNG file.
 pub fn write(source: &Source<'_>, png: &[u8]) -> Result<Vec<u8>, ExportError> {
     let edits = history_object(source.history.ok_or(ExportError::HistoryNotAnObject)?)?;
     if !png.starts_with(&PNG_SIGNATURE) {
@@ -66,10 +66,10 @@ pub fn write(source: &Source<'_>, png: &[u8]) -> Result<Vec<u8>, ExportError> {
     Ok(file)
 }
 
-/// Reads a project. Its picture is checked for its size and its end, and not decoded.
+/// Reads a project. Checks the picture's size and completeness, but does not decode it.
 ///
 /// # Errors
-/// [`ReopenError`] if the file is not a project, is damaged, has another version, or could not be opened.
+/// [`ReopenError`] if the file is not a project, is damaged, or has another version.
 pub fn read(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
     let text = without_bom(bytes).trim_ascii_start();
     if !text.starts_with(b"{") {
@@ -91,13 +91,13 @@ pub fn read(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
         let (colours, png) = rest.split_at_checked(COLOURS_BYTES)?;
         Some((landmarks, colours, png))
     });
-    let (points, under_them, png) = parts.ok_or_else(|| truncated(landmarks_bytes + COLOURS_BYTES - body.len()))?;
+    let (points, colour_bytes, png) = parts.ok_or_else(|| truncated(landmarks_bytes + COLOURS_BYTES - body.len()))?;
     let side = |name: &'static str| integer(&header[name]).filter(|&side| side > 0).ok_or_else(field(name));
     let photo_size_px = [side("width_px")?, side("height_px")?];
     let reopened = Reopened {
         landmarks: landmarks(points, photo_size_px).ok_or_else(field("landmarks"))?,
         photo_size_px,
-        colours_srgb: colours(under_them).ok_or_else(field("colours"))?,
+        colours_srgb: colours(colour_bytes).ok_or_else(field("colours"))?,
         triangulation: triangulation(&header["triangulation"])?,
         density: density(&header["density"]).ok_or_else(field("density"))?,
         lens: lens(&header["lens"])?,
@@ -116,9 +116,9 @@ pub fn read(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
     Ok(Reopened { texture: Some(texture), ..reopened })
 }
 
-/// How many bytes are missing at least until the end chunk of a PNG file; `None` if it is no PNG file.
+/// Minimum number of bytes missing before the end chunk of a PNG file; `None` if it is not a PNG file.
 fn missing_of_png(png: &[u8]) -> Option<usize> {
-    /// Length, name and checksum.
+    /// Bytes of a chunk besides its content: length, name and checksum.
     const AROUND: usize = 12;
     let mut rest = png.strip_prefix(&PNG_SIGNATURE)?;
     loop {

@@ -18,81 +18,82 @@ pub use further::{Further, FurtherPhoto};
 pub use painted::Painted;
 pub use texture::PlacedTexture;
 
-/// A face out of a file that this crate wrote: a GLB with a [`Source`](crate::Source), or a [project](crate::project). All
-/// that opens it again, and nothing that could not be opened: the landmarks are those of a face, and no side is 0.
+/// A face read from a file that this crate wrote: a GLB with a [`Source`](crate::Source), or a
+/// [project](crate::project).
+///
+/// The data are validated: the landmarks form a face, and no side is 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reopened<'a> {
-    /// 468 landmarks, or 478 with the irises, in MediaPipe's normalised convention (x/W, y/H, z/W), bit for bit as they were
-    /// found.
+    /// 468 landmarks, or 478 with the irises, in MediaPipe's normalised coordinates (x/W, y/H, z/W), unchanged bit for
+    /// bit.
     pub landmarks: Vec<[f32; 3]>,
-    /// Width and height in px of the upright photo that they were found in.
+    /// Width and height in px of the upright photo in which the landmarks were found.
     pub photo_size_px: [u32; 2],
-    /// What was known of the photo's lens.
+    /// Lens data of the photo.
     pub lens: PhotoLens,
     /// 468 sRGB colours.
     pub colours_srgb: Vec<[u8; 3]>,
-    /// How the landmarks are joined.
+    /// Triangulation of the landmarks.
     pub triangulation: Triangulation,
-    /// How often the mesh was subdivided, 0 to 4.
+    /// Subdivision level, 0 to 4.
     pub density: u32,
-    /// The edits as the text of a JSON object.
+    /// Edits as the text of a JSON object.
     pub history: Option<String>,
-    /// What was done to the photo alone, in the same way.
+    /// Edits of the photo, in the same form.
     pub in_photo: Option<String>,
-    /// The photo or the part of it that the file holds; none in a GLB that is painted with colours.
+    /// The photo, or the part of it in the file; `None` in a GLB with vertex colours.
     pub texture: Option<PlacedTexture<'a>>,
-    /// Of a face in several photos, what there is of the others: all above is of the one that leads.
+    /// The further photos of a face from several; the other fields describe the lead photo.
     pub further: Option<Further>,
-    /// Whether the mesh in the file is another one than was written, so that it looks otherwise than what is opened.
+    /// Whether another program changed the mesh, so that the file looks different from the reopened face.
     pub changed_elsewhere: bool,
 }
 
-/// Why a file cannot be opened again.
+/// Reason why a file cannot be reopened.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ReopenError {
-    /// It does not begin as a binary glTF 2.0 file does.
+    /// The file does not start as binary glTF 2.0.
     #[error("this is not a binary glTF 2.0 file")]
     NotGlb,
-    /// It ends too early.
-    #[error("the file has {found} bytes where it promises {expected}")]
+    /// The file is truncated.
+    #[error("the file has {found} bytes; its header says {expected}")]
     Truncated {
-        /// Bytes that the file says it has.
+        /// Length according to the header.
         expected: usize,
-        /// Bytes there are.
+        /// Actual length.
         found: usize,
     },
-    /// Its description is not JSON.
-    #[error("the file's description of itself cannot be read")]
+    /// The file's JSON is malformed.
+    #[error("the file's JSON header cannot be read")]
     NotJson,
-    /// Another program wrote it, or wrote it anew without what Rosto had put in.
-    #[error("the file holds no Rosto face")]
+    /// Another program wrote the file, or rewrote it without Rosto's data.
+    #[error("the file does not contain a Rosto face")]
     Foreign,
-    /// A Rosto of another version wrote it.
+    /// Another version of Rosto wrote the file.
     #[error(
-        "the file has version {found}, and this Rosto reads version {known} only: open it with the one that wrote it"
+        "the file has version {found}, but this Rosto reads only version {known}; open it with the Rosto that wrote it"
     )]
     Version {
-        /// The version in the file.
+        /// Version of the file.
         found: u64,
-        /// The version that is read.
+        /// Supported version.
         known: u64,
     },
-    /// Something is missing or not as expected.
-    #[error("the file has no usable {field:?}")]
+    /// A field is missing or invalid.
+    #[error("the field {field:?} is missing or invalid")]
     Field {
-        /// The field's name.
+        /// Name of the field.
         field: &'static str,
     },
 }
 
-/// Reads what makes a face out of a GLB: landmarks, colours, the texture and its place, and the edits.
+/// Reads a face from a GLB: landmarks, colours, the texture with its placement, and the edits.
 ///
-/// Nothing of a stranger's file is trusted: every length and place is checked, and no picture is decoded. Whether the
-/// history is one is for its owner to say.
+/// Lengths and offsets are checked, and no picture is decoded. The history is not interpreted.
 ///
 /// # Errors
-/// [`ReopenError`] for what is no GLB, is damaged, was not written by this crate, or could not be opened.
+/// [`ReopenError`] if the file is not a GLB, is damaged, or was not written by this crate.
 pub fn reopen(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
     let chunks = Chunks::of(bytes)?;
     let root: Value = serde_json::from_slice(chunks.json).map_err(|_| ReopenError::NotJson)?;
@@ -120,12 +121,12 @@ pub fn reopen(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
     })
 }
 
-/// Lens data.
+/// Parses lens data.
 pub(crate) fn lens(text: &Value) -> Result<PhotoLens, ReopenError> {
     text.as_str().and_then(|text| text.parse().ok()).ok_or_else(field("lens"))
 }
 
-/// What was done to the photo alone, if the file tells of any.
+/// Edits of the photo, if the file has any.
 pub(crate) fn in_photo(fields: &Value) -> Result<Option<String>, ReopenError> {
     fields.get("in_photo").map(|edits| object(edits).ok_or_else(field("in_photo"))).transpose()
 }
@@ -134,7 +135,7 @@ pub(crate) fn triangulation(name: &Value) -> Result<Triangulation, ReopenError> 
     name.as_str().and_then(Triangulation::from_id).ok_or_else(field("triangulation"))
 }
 
-/// Whether the positions are others than those that the extras tell of.
+/// Whether the positions differ from those that the extras were written for.
 fn changed_elsewhere(extras: &Value, root: &Value, binary: &[u8]) -> bool {
     let found = geometry::positions(root, binary).map(fingerprint);
     found.as_deref() != extras["positions_fnv1a"].as_str()

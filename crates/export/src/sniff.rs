@@ -1,21 +1,21 @@
-/// What a file is, by how it begins; a name says nothing about a file.
+/// Kind of a file, detected from its first bytes, since a file name can be wrong.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FileKind {
-    /// Binary glTF, of whatever program: for [`reopen`](crate::reopen).
+    /// Binary glTF from any program; see [`reopen`](crate::reopen).
     Glb,
-    /// A project: for [`project::read`](crate::project::read).
+    /// A Rosto project; see [`project::read`](crate::project::read).
     Project,
-    /// Anything else, such as a photo.
+    /// Any other file, such as a photo.
     Other,
 }
 
-/// As much of a file's start as [`sniff`] looks at.
+/// Number of bytes that [`sniff`] examines.
 pub const SNIFFED_BYTES: usize = 4096;
 
-/// Tells what a file is by its first bytes, of which [`SNIFFED_BYTES`] are enough.
+/// Detects the kind of a file from its first [`SNIFFED_BYTES`] bytes.
 ///
-/// A project is a JSON object that says so in whatever order, or that holds edits: behind a long list of those the rest
-/// of the object may be out of sight.
+/// A project is a JSON object that names its format or has an `edits` field. Keys may come in any order, and long edits
+/// may push the format name beyond the examined bytes.
 pub fn sniff(start_of_file: &[u8]) -> FileKind {
     let start = &start_of_file[..start_of_file.len().min(SNIFFED_BYTES)];
     if start.starts_with(b"glTF") {
@@ -29,7 +29,7 @@ pub fn sniff(start_of_file: &[u8]) -> FileKind {
     FileKind::Other
 }
 
-/// Without the mark that some editors put before text in UTF-8.
+/// Strips the byte order mark that some editors put before UTF-8 text.
 pub(crate) fn without_bom(text: &[u8]) -> &[u8] {
     text.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(text)
 }

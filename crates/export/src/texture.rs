@@ -1,4 +1,4 @@
-//! The pictures that paint a mesh, as files have them.
+//! Textures of exported files.
 
 use std::borrow::Cow;
 
@@ -11,47 +11,47 @@ use rosto_face::Photo;
 use crate::{ExportError, Model, Picture};
 
 rosto_mesh::named! {
-    /// How the face is painted. Never both ways at once, which would multiply the photo by itself.
+    /// Source of the face's colours. A file has either a texture or vertex colours, since glTF multiplies the two.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum BaseColour {
-        /// The picture of the whole face as the base-colour texture, encoded as JPEG.
+        /// The whole-face texture, encoded as JPEG.
         #[default]
         Whole = "whole",
-        /// The photo as the base-colour texture: a power-of-two crop around the face, encoded as JPEG.
+        /// The photo: a power-of-two crop around the face, encoded as JPEG.
         Photo = "photo",
-        /// One linear colour for each vertex, 16 bits a channel.
+        /// One linear colour per vertex, 16 bits per channel.
         VertexColours = "colours",
     }
 }
 
-/// High enough that skin shows no blocks.
+/// High enough to avoid visible blocks on skin.
 const JPEG_QUALITY: u8 = 92;
 
-/// Pixels around the face, so that filtering at its rim finds skin or background and no edge.
+/// Margin around the face in px, so that texture filtering at the rim does not reach the crop's edge.
 const MARGIN_PX: f64 = 4.0;
 
-/// A smaller limit would leave the margin no room.
+/// A smaller limit would leave no room for the margin.
 const SMALLEST_MAX_PX: u32 = 64;
 
-/// A picture that is to be encoded, and each vertex's place in it.
+/// A texture to encode, with the UV of each vertex.
 pub(crate) struct Texture<'a> {
     pub pixels: Cow<'a, Photo>,
     pub uvs: Cow<'a, [DVec2]>,
 }
 
-/// Where a texture was cut out of the photo.
+/// Placement of a texture crop in the photo.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Crop {
-    /// Width and height of the whole picture in px, scaled as the texture is.
+    /// Width and height of the whole picture in px, at the texture's scale.
     pub picture_size_px: [u32; 2],
-    /// The texture's left and top in that picture in px; negative where the texture is the larger one.
+    /// Left and top of the crop in that picture, in px; negative if the crop is larger than the picture.
     pub at_px: [i64; 2],
-    /// The texture's width and height in px.
+    /// Width and height of the crop in px.
     pub size_px: [u32; 2],
 }
 
-/// Cuts the face out of the photo with sides that are powers of two, at most `max_px` (rounded down to a power of two), at
-/// the photo's own resolution where it fits.
+/// Crops the face from the photo, with power-of-two sides of at most `max_px` (rounded down to a power of two). The
+/// photo is scaled down only if the face does not fit.
 pub(crate) fn crop<'a>(photo: &Picture<'a>, max_px: u32) -> Result<(Texture<'a>, Crop), ExportError> {
     let max_px = 1 << max_px.max(SMALLEST_MAX_PX).ilog2();
     let pixels = fitting(photo, max_px);
@@ -69,7 +69,7 @@ pub(crate) fn crop<'a>(photo: &Picture<'a>, max_px: u32) -> Result<(Texture<'a>,
     Ok((Texture { pixels: Cow::Owned(cut), uvs: photo.uvs.iter().map(uv).collect() }, crop))
 }
 
-/// The whole picture, scaled down where its sides are longer than `max_px`.
+/// The whole picture, scaled down to a longest side of at most `max_px`.
 pub(crate) fn whole<'a>(picture: &Picture<'a>, max_px: u32) -> Texture<'a> {
     let pixels = match picture.pixels.width().max(picture.pixels.height()) > max_px {
         true => Cow::Owned(picture.pixels.scaled_down(max_px)),
@@ -78,7 +78,7 @@ pub(crate) fn whole<'a>(picture: &Picture<'a>, max_px: u32) -> Texture<'a> {
     Texture { pixels, uvs: Cow::Borrowed(picture.uvs) }
 }
 
-/// What paints a model so, at most so large; none if its own colours do.
+/// Returns a model's texture with sides of at most `max_px`; `None` for vertex colours.
 ///
 /// # Errors
 /// [`ExportError::NoWholePicture`], or as [`crop`].
@@ -94,8 +94,10 @@ pub(crate) fn of<'a>(
     })
 }
 
-/// A picture as PNG. The quick compression is one that the same crate does everywhere: the slower ones are handed to whatever
-/// another program was built with, and give other bytes.
+/// Encodes a picture as PNG.
+///
+/// Fast compression is implemented by the `png` crate itself, so the bytes do not depend on the build. Slower levels
+/// use a compressor that other crates' features select.
 pub(crate) fn png(pixels: &Photo) -> Result<Vec<u8>, ExportError> {
     let (width, height, mut file) = (pixels.width(), pixels.height(), Vec::new());
     PngEncoder::new_with_quality(&mut file, CompressionType::Fast, FilterType::Adaptive)
@@ -104,7 +106,7 @@ pub(crate) fn png(pixels: &Photo) -> Result<Vec<u8>, ExportError> {
     Ok(file)
 }
 
-/// A picture as JPEG.
+/// Encodes a picture as JPEG.
 pub(crate) fn jpeg(pixels: &Photo) -> Result<Vec<u8>, ExportError> {
     let (width, height, mut file) = (pixels.width(), pixels.height(), Vec::new());
     JpegEncoder::new_with_quality(&mut file, JPEG_QUALITY)
@@ -113,7 +115,7 @@ pub(crate) fn jpeg(pixels: &Photo) -> Result<Vec<u8>, ExportError> {
     Ok(file)
 }
 
-/// The photo, scaled down if the face in it is larger than the largest texture.
+/// The photo, scaled down if the face is larger than the largest texture.
 fn fitting<'a>(picture: &Picture<'a>, max_px: u32) -> Cow<'a, Photo> {
     let photo = picture.pixels;
     let (low, high) = face_box(picture.uvs);
@@ -126,7 +128,7 @@ fn fitting<'a>(picture: &Picture<'a>, max_px: u32) -> Cow<'a, Photo> {
     Cow::Owned(photo.scaled_down((f64::from(photo.width().max(photo.height())) * scale).floor() as u32))
 }
 
-/// The corners of the face, inside the photo.
+/// Bounding box of the face, clamped to the photo.
 fn face_box(uvs: &[DVec2]) -> (DVec2, DVec2) {
     let inside = |uv: DVec2| uv.clamp(DVec2::ZERO, DVec2::ONE);
     let low = uvs.iter().copied().reduce(DVec2::min).unwrap_or(DVec2::ZERO);
@@ -138,14 +140,14 @@ fn power_of_two(side_px: f64, max_px: u32) -> u32 {
     (side_px.ceil().max(1.0) as u32).next_power_of_two().min(max_px)
 }
 
-/// Where a crop of `side` px starts: centred on the face, shifted into the photo as far as it fits.
+/// Start of a crop of `side` px: centred on the face, then shifted into the photo as far as possible.
 fn origin(low: f64, high: f64, side: u32, photo_side: u32) -> i64 {
     let centred = ((low + high - f64::from(side)) / 2.0).round() as i64;
     let last = i64::from(photo_side) - i64::from(side);
     if last >= 0 { centred.clamp(0, last) } else { last / 2 }
 }
 
-/// The pixels of the crop; outside the photo its edge goes on.
+/// Pixels of the crop; edge pixels extend beyond the photo.
 fn cut(photo: &Photo, crop: &Crop) -> Vec<u8> {
     let ([x0, y0], [width, height]) = (crop.at_px, crop.size_px);
     let inside = |at: i64, side: u32| at.clamp(0, i64::from(side) - 1) as u32;

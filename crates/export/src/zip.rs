@@ -1,16 +1,16 @@
-//! Zip archives whose entries are stored as they are, so that the same files always make the same bytes.
+//! Uncompressed, deterministic zip archives.
 
-/// A file with its name.
+/// A named file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NamedFile {
-    /// Its name, with folders before it where it lies in some.
+    /// Name, with a relative path if it is in a folder.
     pub name: String,
-    /// What is in it.
+    /// Content.
     pub bytes: Vec<u8>,
 }
 
 impl NamedFile {
-    /// A file of that name.
+    /// Creates a named file.
     pub fn new(name: impl Into<String>, bytes: impl Into<Vec<u8>>) -> Self {
         Self { name: name.into(), bytes: bytes.into() }
     }
@@ -21,21 +21,20 @@ const CENTRAL_HEADER: u32 = 0x0201_4B50;
 const END_OF_DIRECTORY: u32 = 0x0605_4B50;
 const LOCAL_HEADER_BYTES: usize = 30;
 
-/// The version of the format that reads what is stored.
+/// Zip version required to extract stored entries.
 const VERSION: u16 = 10;
 
-/// Names are UTF-8.
+/// Flag for UTF-8 names.
 const UTF_8: u16 = 1 << 11;
 
-/// Midnight of 1 January 1980, the first that the format can tell: a file says nothing of when it was made.
+/// 1 January 1980, the earliest date in the format. The real date is omitted, so that archives are reproducible.
 const DATE: u16 = (1 << 5) | 1;
 
-/// An extra field that nobody reads, as long as what is to be filled.
+/// Id of the extra field used as padding.
 const PADDING_ID: u16 = 0x1986;
 const PADDING_HEADER_BYTES: usize = 4;
 
-/// An archive of these files, in their order, each of which starts at a multiple of `alignment` bytes: 1 for any place, 64
-/// for USDZ.
+/// Builds an archive whose files start at multiples of `alignment` bytes: 1 for no alignment, 64 for USDZ.
 pub(crate) fn stored(files: &[NamedFile], alignment: usize) -> Vec<u8> {
     let mut archive = Vec::new();
     let mut directory = Vec::new();
@@ -43,14 +42,14 @@ pub(crate) fn stored(files: &[NamedFile], alignment: usize) -> Vec<u8> {
         let at = archive.len();
         let padding = padding(at + LOCAL_HEADER_BYTES + file.name.len(), alignment);
         archive.extend(LOCAL_HEADER.to_le_bytes());
-        archive.extend(described(file, padding.len()));
+        archive.extend(header_fields(file, padding.len()));
         archive.extend_from_slice(file.name.as_bytes());
         archive.extend(padding);
         archive.extend_from_slice(&file.bytes);
 
         directory.extend(CENTRAL_HEADER.to_le_bytes());
         directory.extend(VERSION.to_le_bytes());
-        directory.extend(described(file, 0));
+        directory.extend(header_fields(file, 0));
         // No comment, the first disk, no attributes.
         directory.extend([0; 10]);
         directory.extend((at as u32).to_le_bytes());
@@ -66,8 +65,8 @@ pub(crate) fn stored(files: &[NamedFile], alignment: usize) -> Vec<u8> {
     archive
 }
 
-/// What both headers say of a file, from the version to the length of the extra field.
-fn described(file: &NamedFile, extra_bytes: usize) -> Vec<u8> {
+/// Fields shared by the local and central header, from the version to the length of the extra field.
+fn header_fields(file: &NamedFile, extra_bytes: usize) -> Vec<u8> {
     const STORED: u16 = 0;
     const TIME: u16 = 0;
     let size = file.bytes.len() as u32;
@@ -77,7 +76,7 @@ fn described(file: &NamedFile, extra_bytes: usize) -> Vec<u8> {
     before.chain(sizes).chain(after).collect()
 }
 
-/// What fills an archive from there to the next multiple of `alignment`.
+/// Extra field that pads an archive from `at` to a multiple of `alignment`.
 fn padding(at: usize, alignment: usize) -> Vec<u8> {
     if at.is_multiple_of(alignment) {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! What a GLB holds, read back from its bytes.
+//! Contents of exported GLB files.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -10,7 +10,7 @@ use rosto_export::*;
 use rosto_face::Triangulation;
 
 #[test]
-fn positions_are_the_models_and_their_bounds_are_exact() {
+fn positions_match_the_model_with_exact_bounds() {
     let face = face(Triangulation::Canonical);
     let file = Glb::read(&glb(&Model::of_face(&face), &by_photo()).unwrap());
     let accessor = file.attribute("POSITION");
@@ -27,7 +27,7 @@ fn positions_are_the_models_and_their_bounds_are_exact() {
 }
 
 #[test]
-fn normals_are_unit_and_face_the_viewer() {
+fn normals_have_unit_length_and_face_the_viewer() {
     let face = face(Triangulation::Canonical);
     let file = Glb::read(&glb(&Model::of_face(&face), &by_photo()).unwrap());
     let normals = file.floats::<3>(file.attribute("NORMAL"));
@@ -36,7 +36,7 @@ fn normals_are_unit_and_face_the_viewer() {
 }
 
 #[test]
-fn indices_name_the_triangles_and_ids_the_landmarks() {
+fn indices_match_the_triangles_and_ids_the_landmarks() {
     let face = face(Triangulation::Tessellation);
     let file = Glb::read(&glb(&Model::of_face(&face), &by_photo()).unwrap());
     let accessor = file.json["meshes"][0]["primitives"][0]["indices"].as_u64().unwrap() as usize;
@@ -49,13 +49,13 @@ fn indices_name_the_triangles_and_ids_the_landmarks() {
 }
 
 #[test]
-fn the_texture_shows_each_landmark_its_own_pixel() {
+fn texture_colours_match_the_photo_at_each_landmark() {
     let face = face(Triangulation::Canonical);
     let file = Glb::read(&glb(&Model::of_face(&face), &by_photo()).unwrap());
     let view = file.json["images"][0]["bufferView"].as_u64().unwrap() as usize;
     let crop = rosto_photo::decode(file.view(view), &rosto_photo::Limits::default()).unwrap();
     assert!(crop.width().is_power_of_two() && crop.height().is_power_of_two());
-    assert!(crop.width() < SIDE, "the crop is a crop");
+    assert!(crop.width() < SIDE, "the photo is cropped");
     let photo = gradient();
     for (uv, image) in file.floats::<2>(file.attribute("TEXCOORD_0")).iter().zip(face.uvs()) {
         let textured = crop.colour_under(uv[0].into(), uv[1].into());
@@ -66,7 +66,7 @@ fn the_texture_shows_each_landmark_its_own_pixel() {
 }
 
 #[test]
-fn a_face_larger_than_the_texture_is_scaled_down_and_stays_in_place() {
+fn a_face_larger_than_the_texture_is_scaled_down() {
     let face = face(Triangulation::Canonical);
     let options = GlbOptions { max_texture_px: 64, ..by_photo() };
     let file = Glb::read(&glb(&Model::of_face(&face), &options).unwrap());
@@ -77,26 +77,29 @@ fn a_face_larger_than_the_texture_is_scaled_down_and_stays_in_place() {
     for (uv, image) in file.floats::<2>(file.attribute("TEXCOORD_0")).iter().zip(face.uvs()) {
         let textured = crop.colour_under(uv[0].into(), uv[1].into());
         let photographed = photo.colour_under(image.x, image.y);
-        // One pixel of the smaller picture spans five levels of the gradient.
+        // A pixel of the smaller picture spans five levels of the gradient.
         let worst = textured.iter().zip(photographed).map(|(a, b)| a.abs_diff(b)).max().unwrap();
         assert!(worst <= 10, "{textured:?} for {photographed:?} at {image}");
     }
 }
 
 #[test]
-fn the_picture_of_the_whole_face_is_the_texture_as_it_is() {
+fn the_whole_face_texture_is_not_cropped() {
     let face = face(Triangulation::Canonical);
     let model = model(&face);
     let whole = model.whole.unwrap();
     let file = Glb::read(&glb(&model, &GlbOptions::default()).unwrap());
-    assert_eq!(file.json["images"].as_array().unwrap().len(), 1, "an image that nothing uses would be dropped");
+    assert_eq!(file.json["images"].as_array().unwrap().len(), 1, "programs may drop an unused image");
     let view = file.json["images"][0]["bufferView"].as_u64().unwrap() as usize;
     let texture = rosto_photo::decode(file.view(view), &rosto_photo::Limits::default()).unwrap();
     assert_eq!((texture.width(), texture.height()), (whole.pixels.width(), whole.pixels.height()));
-    for (uv, place) in file.floats::<2>(file.attribute("TEXCOORD_0")).iter().zip(whole.uvs) {
-        assert_eq!(*uv, place.as_vec2().to_array());
-        let (found, put) = (texture.colour_under(place.x, place.y), whole.pixels.colour_under(place.x, place.y));
-        assert!(found.iter().zip(put).all(|(a, b)| a.abs_diff(b) <= 8), "{found:?} for {put:?}");
+    for (uv, expected_uv) in file.floats::<2>(file.attribute("TEXCOORD_0")).iter().zip(whole.uvs) {
+        assert_eq!(*uv, expected_uv.as_vec2().to_array());
+        let (found, expected) = (
+            texture.colour_under(expected_uv.x, expected_uv.y),
+            whole.pixels.colour_under(expected_uv.x, expected_uv.y),
+        );
+        assert!(found.iter().zip(expected).all(|(a, b)| a.abs_diff(b) <= 8), "{found:?} for {expected:?}");
     }
     let smaller = GlbOptions { max_texture_px: 128, ..GlbOptions::default() };
     let file = Glb::read(&glb(&model, &smaller).unwrap());
@@ -123,13 +126,13 @@ fn vertex_colours_are_linear_and_exclude_the_texture() {
 }
 
 #[test]
-fn mid_grey_and_the_ends_of_the_srgb_curve_are_where_the_standard_puts_them() {
+fn linear_from_srgb_matches_the_standard() {
     assert_eq!((linear_from_srgb(0), linear_from_srgb(255)), (0.0, 1.0));
     assert!((linear_from_srgb(188) - 0.5029).abs() < 1e-4);
 }
 
 #[test]
-fn morph_targets_source_and_unlit_are_carried_by_name() {
+fn morph_targets_source_and_unlit_material_are_exported() {
     let face = face(Triangulation::Canonical);
     let wider = vec![DVec3::X * 0.01; 468];
     let morphs = [Morph { name: "jaw wider", displacements_m: &wider, weight: 0.5 }];
@@ -149,7 +152,7 @@ fn morph_targets_source_and_unlit_are_carried_by_name() {
 }
 
 #[test]
-fn what_cannot_be_written_is_refused_with_numbers() {
+fn invalid_models_are_refused() {
     let face = face(Triangulation::Canonical);
     let model = Model::of_face(&face);
     let few = Picture { uvs: &model.photo.uvs[..7], ..model.photo };

@@ -1,4 +1,4 @@
-//! The JSON mesh loses nothing on the way out.
+//! The JSON mesh is lossless.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -6,7 +6,7 @@ use glam::DVec3;
 use rosto_export::*;
 
 #[test]
-fn every_number_reads_back_as_the_same_f64() {
+fn numbers_round_trip_to_the_same_f64() {
     let positions = [
         DVec3::new(0.1 + 0.2, -1.0 / 3.0, 1e-300),
         DVec3::new(-0.0, 1e22, f64::MIN_POSITIVE),

@@ -1,4 +1,4 @@
-//! OBJ, PLY, STL and glTF text, read back.
+//! Round trips through OBJ, PLY, STL and glTF text.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -14,12 +14,12 @@ fn vector(bytes: &[u8]) -> Vec3 {
 }
 
 #[test]
-fn obj_reads_back_to_the_same_mesh() {
+fn obj_round_trips() {
     let face = face(Triangulation::Canonical);
     let text = obj(&Model::of_face(&face)).unwrap();
     let rows = |key: &str| -> Vec<Vec<String>> {
-        let of_key = text.lines().filter_map(|line| line.strip_prefix(key));
-        of_key.map(|line| line.split(' ').map(str::to_owned).collect()).collect()
+        let matching = text.lines().filter_map(|line| line.strip_prefix(key));
+        matching.map(|line| line.split(' ').map(str::to_owned).collect()).collect()
     };
     let number = |text: &String| text.parse::<f64>().unwrap();
     let vertices = rows("v ");
@@ -35,7 +35,7 @@ fn obj_reads_back_to_the_same_mesh() {
 }
 
 #[test]
-fn ply_reads_back_to_the_same_mesh() {
+fn ply_round_trips() {
     let face = face(Triangulation::Tessellation);
     let file = ply(&Model::of_face(&face)).unwrap();
     let end = b"end_header\n";
@@ -51,7 +51,7 @@ fn ply_reads_back_to_the_same_mesh() {
 }
 
 #[test]
-fn stl_holds_each_triangle_in_millimetres_with_its_outward_normal() {
+fn stl_has_millimetres_and_outward_normals() {
     let face = face(Triangulation::Canonical);
     let file = stl(&Model::of_face(&face)).unwrap();
     assert_eq!(u32::from_le_bytes(file[80..84].try_into().unwrap()), 898);
@@ -66,7 +66,7 @@ fn stl_holds_each_triangle_in_millimetres_with_its_outward_normal() {
 }
 
 #[test]
-fn gltf_text_holds_the_same_data_as_the_binary() {
+fn gltf_text_matches_the_binary() {
     let face = face(Triangulation::Canonical);
     let model = Model::of_face(&face);
     let binary = Glb::read(&glb(&model, &by_photo()).unwrap());
@@ -81,7 +81,7 @@ fn gltf_text_holds_the_same_data_as_the_binary() {
 }
 
 #[test]
-fn what_cannot_be_written_is_refused_everywhere() {
+fn non_finite_positions_are_refused_in_each_format() {
     let face = face(Triangulation::Canonical);
     let mut broken = face.positions_m().to_vec();
     broken[3].x = f64::NAN;

@@ -1,4 +1,4 @@
-//! Files that are several: 3MF, USDZ, OBJ with what lies beside it.
+//! Formats with several files: 3MF, USDZ, and OBJ with its sidecar files.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -13,19 +13,19 @@ use glam::{DVec2, DVec3};
 use rosto_export::*;
 use rosto_face::{FaceModel, Triangulation};
 
-fn written(face: &FaceModel, format: Format, base_colour: BaseColour, solid: Solid) -> Result<ExportedFile, ExportError> {
+fn write(face: &FaceModel, format: Format, base_colour: BaseColour, solid: Solid) -> Result<ExportedFile, ExportError> {
     let (model, rest_m) = (model(face), face.positions_m());
     let gltf = GlbOptions { base_colour, ..GlbOptions::default() };
     format.write(&Content { model, rest_m, gltf, solid, name: "my face", positions_image: None })
 }
 
-fn printed(solid: Solid) -> ExportedFile {
-    written(&face(Triangulation::Canonical), Format::ThreeMf, BaseColour::Photo, solid).unwrap()
+fn print(solid: Solid) -> ExportedFile {
+    write(&face(Triangulation::Canonical), Format::ThreeMf, BaseColour::Photo, solid).unwrap()
 }
 
 const SOLIDS: [Solid; 2] = [Solid::Thickness { mm: 2.0 }, Solid::FlatBack { mm: 3.0 }];
 
-/// The values of an attribute of every element of that name.
+/// Values of an attribute, from all elements with a name.
 fn attributes<'a>(xml: &'a str, element: &str, attribute: &str) -> Vec<&'a str> {
     let start = format!("<{element} ");
     let rows = xml.lines().filter(|line| line.starts_with(&start));
@@ -38,9 +38,9 @@ fn numbers<T: std::str::FromStr>(texts: Vec<&str>) -> Vec<T> {
 }
 
 #[test]
-fn a_3mf_holds_a_closed_body_in_millimetres_above_its_plate() {
+fn a_3mf_contains_a_closed_body_in_millimetres_on_the_plate() {
     for solid in SOLIDS {
-        let file = printed(solid);
+        let file = print(solid);
         let parts = entries(&file.bytes);
         let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
         assert_eq!(names, ["[Content_Types].xml", "_rels/.rels", "3D/3dmodel.model"]);
@@ -48,55 +48,55 @@ fn a_3mf_holds_a_closed_body_in_millimetres_above_its_plate() {
         assert!(xml.contains("unit=\"millimeter\""));
         let [x, y, z] = ["x", "y", "z"].map(|axis| numbers::<f64>(attributes(xml, "vertex", axis)));
         let [v1, v2, v3] = ["v1", "v2", "v3"].map(|corner| numbers::<usize>(attributes(xml, "triangle", corner)));
-        let place = |at: usize| DVec3::new(x[at], y[at], z[at]);
+        let position = |at: usize| DVec3::new(x[at], y[at], z[at]);
         let mut sides = HashMap::new();
         let mut volume_mm3 = 0.0;
         for ((a, b), c) in v1.into_iter().zip(v2).zip(v3) {
             [[a, b], [b, c], [c, a]].into_iter().for_each(|side| *sides.entry(side).or_insert(0) += 1);
-            volume_mm3 += place(a).dot(place(b).cross(place(c))) / 6.0;
+            volume_mm3 += position(a).dot(position(b).cross(position(c))) / 6.0;
         }
         assert!(sides.iter().all(|(&[from, to], &uses)| uses == 1 && sides.get(&[to, from]) == Some(&1)), "{solid}");
         let facts = file.solid.unwrap();
         assert!((volume_mm3 / 1000.0 / facts.volume_cm3 - 1.0).abs() < 1e-5);
-        let low = (0..x.len()).map(place).reduce(DVec3::min).unwrap();
-        let high = (0..x.len()).map(place).reduce(DVec3::max).unwrap();
+        let low = (0..x.len()).map(position).reduce(DVec3::min).unwrap();
+        let high = (0..x.len()).map(position).reduce(DVec3::max).unwrap();
         assert_eq!(low, DVec3::ZERO);
         assert!(high.distance(facts.size_mm) < 1e-4);
     }
 }
 
 #[test]
-fn a_3mf_gives_each_corner_its_vertex_colour_and_the_back_a_neutral_one() {
+fn a_3mf_has_vertex_colours_and_a_neutral_back() {
     let face = face(Triangulation::Canonical);
-    let file = printed(SOLIDS[0]);
+    let file = print(SOLIDS[0]);
     let xml = entries(&file.bytes).remove(2);
     let palette = attributes(xml.text(), "m:color", "color");
     for (at, corners) in face.topology().triangles().iter().enumerate() {
         let [p1, p2, p3] = ["p1", "p2", "p3"].map(|corner| attributes(xml.text(), "triangle", corner)[at]);
-        // What is left out is as the first corner is.
-        let [p2, p3] = [p2, p3].map(|place| if place.is_empty() { p1 } else { place });
-        for (place, &corner) in [p1, p2, p3].iter().zip(corners) {
+        // Omitted indices equal that of the first corner.
+        let [p2, p3] = [p2, p3].map(|index| if index.is_empty() { p1 } else { index });
+        for (index, &corner) in [p1, p2, p3].iter().zip(corners) {
             let [r, g, b] = face.colours_srgb()[corner as usize];
-            assert_eq!(palette[place.parse::<usize>().unwrap()], format!("#{r:02X}{g:02X}{b:02X}"));
+            assert_eq!(palette[index.parse::<usize>().unwrap()], format!("#{r:02X}{g:02X}{b:02X}"));
         }
         if at > 40 {
             break;
         }
     }
-    let places = attributes(xml.text(), "triangle", "p1");
-    assert!(places[898..].iter().all(|place| *place == "0"));
+    let indices = attributes(xml.text(), "triangle", "p1");
+    assert!(indices[898..].iter().all(|index| *index == "0"));
     assert_eq!(palette[0], "#C8C8C8");
 }
 
 #[test]
-fn an_stl_is_a_body_unless_the_surface_alone_is_asked_for() {
+fn an_stl_is_closed_unless_the_surface_is_requested() {
     let face = face(Triangulation::Tessellation);
     let count = |file: &ExportedFile| u32::from_le_bytes(file.bytes[80..84].try_into().unwrap()) as usize;
-    let write = |solid| written(&face, Format::Stl, BaseColour::Photo, solid).unwrap();
+    let write = |solid| write(&face, Format::Stl, BaseColour::Photo, solid).unwrap();
     let sheet = write(Solid::Surface);
     assert_eq!((count(&sheet), &sheet.solid), (852, &None));
     assert_eq!(sheet.bytes, stl(&Model::of_face(&face)).unwrap());
-    // The openings of eyes and mouth are closed, and every side of the rim has two triangles more.
+    // The eye and mouth openings are filled, and each of the 36 rim edges adds two triangles.
     let filled = Triangulation::Canonical.triangles().len();
     let mask = write(Solid::Thickness { mm: 2.0 });
     assert_eq!(count(&mask), 2 * filled + 2 * 36);
@@ -104,44 +104,45 @@ fn an_stl_is_a_body_unless_the_surface_alone_is_asked_for() {
 }
 
 #[test]
-fn what_cannot_be_printed_is_refused() {
+fn unprintable_models_are_refused() {
     let face = face(Triangulation::Canonical);
-    let print = |solid| written(&face, Format::ThreeMf, BaseColour::Photo, solid).unwrap_err();
+    let print = |solid| write(&face, Format::ThreeMf, BaseColour::Photo, solid).unwrap_err();
     assert_eq!(print(Solid::Surface), ExportError::NoBody);
     assert_eq!(print(Solid::Thickness { mm: -1.0 }), SolidError::Thickness { thickness_m: -0.001 }.into());
-    let none = written(&face, Format::Png, BaseColour::VertexColours, SOLIDS[0]);
+    let none = write(&face, Format::Png, BaseColour::VertexColours, SOLIDS[0]);
     assert_eq!(none.unwrap_err(), ExportError::NoPicture);
 }
 
 #[test]
-fn solids_are_written_as_they_are_read() {
+fn solids_round_trip_as_text() {
     for solid in [Solid::Thickness { mm: 0.4 }, Solid::FlatBack { mm: 12.5 }, Solid::Surface] {
         assert_eq!(solid.to_string().parse(), Ok(solid));
     }
     for text in
         ["", "flat", "thickness:", "thickness:0", "flat:-1", "thickness:nan", "thickness:51", "surface:1", "cube"]
     {
-        assert_eq!(text.parse::<Solid>(), Err(NoSolid { text: text.to_owned() }));
+        assert_eq!(text.parse::<Solid>(), Err(ParseSolidError { text: text.to_owned() }));
     }
 }
 
 #[test]
-fn a_usdz_is_aligned_and_names_what_it_holds() {
+fn a_usdz_is_aligned_and_refers_to_its_picture() {
     let face = face(Triangulation::Canonical);
     for (base_colour, names) in [
         (BaseColour::Whole, &["face.usda", "face.jpg"][..]),
         (BaseColour::Photo, &["face.usda", "face.jpg"]),
         (BaseColour::VertexColours, &["face.usda"]),
     ] {
-        let file = written(&face, Format::Usdz, base_colour, SOLIDS[0]).unwrap();
+        let file = write(&face, Format::Usdz, base_colour, SOLIDS[0]).unwrap();
         let parts = entries(&file.bytes);
         assert_eq!(parts.iter().map(|part| part.name.as_str()).collect::<Vec<_>>(), names);
         assert!(parts.iter().all(|part| part.start.is_multiple_of(64)));
         let scene = parts[0].text();
         assert!(scene.starts_with("#usda 1.0\n"));
-        for says in ["metersPerUnit = 1\n", "upAxis = \"Y\"", "subdivisionScheme = \"none\"", "defaultPrim = \"face\""]
+        for expected in
+            ["metersPerUnit = 1\n", "upAxis = \"Y\"", "subdivisionScheme = \"none\"", "defaultPrim = \"face\""]
         {
-            assert!(scene.contains(says), "{says}");
+            assert!(scene.contains(expected), "{expected}");
         }
         assert_eq!(scene.contains("@face.jpg@"), names.len() == 2);
         if let Some(picture) = parts.get(1) {
@@ -154,7 +155,7 @@ fn a_usdz_is_aligned_and_names_what_it_holds() {
         };
         let points = list("points");
         let expected = face.positions_m().iter().flat_map(|p| p.as_vec3().to_array()).map(f64::from);
-        assert!(points.iter().zip(expected).all(|(found, put)| (found - put).abs() < 1e-8));
+        assert!(points.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-8));
         let indices: Vec<f64> = face.topology().triangles().concat().into_iter().map(f64::from).collect();
         assert_eq!((points.len(), list("faceVertexIndices")), (3 * 468, indices));
         assert_eq!(list("faceVertexCounts"), [3.0; 898]);
@@ -162,23 +163,23 @@ fn a_usdz_is_aligned_and_names_what_it_holds() {
 }
 
 #[test]
-fn a_painted_obj_names_its_material_which_names_its_picture() {
+fn a_textured_obj_refers_to_its_material_and_picture() {
     let face = face(Triangulation::Canonical);
     let whole = model(&face).whole.unwrap();
-    let file = written(&face, Format::Obj, BaseColour::Whole, SOLIDS[0]).unwrap();
+    let file = write(&face, Format::Obj, BaseColour::Whole, SOLIDS[0]).unwrap();
     let text = String::from_utf8(file.bytes.clone()).unwrap();
-    let [material, picture] = &file.beside[..] else { panic!("two files lie beside an OBJ") };
+    let [material, picture] = &file.sidecars[..] else { panic!("two sidecar files") };
     assert_eq!([&material.name, &picture.name], ["my_face.mtl", "my_face.png"]);
-    assert_eq!(Format::Obj.names_beside(BaseColour::Whole, "my face"), ["my_face.mtl", "my_face.png"]);
+    assert_eq!(Format::Obj.sidecar_names(BaseColour::Whole, "my face"), ["my_face.mtl", "my_face.png"]);
     assert!(text.contains("\nmtllib my_face.mtl\n") && text.contains("\nusemtl skin\n"));
-    let says = std::str::from_utf8(&material.bytes).unwrap();
-    assert!(says.contains("\nnewmtl skin\n") && says.contains("\nmap_Kd my_face.png\n"));
-    let shown = rosto_photo::decode(&picture.bytes, &rosto_photo::Limits::default()).unwrap();
-    assert_eq!(shown.pixels(), whole.pixels.pixels(), "without loss");
+    let text_of_material = std::str::from_utf8(&material.bytes).unwrap();
+    assert!(text_of_material.contains("\nnewmtl skin\n") && text_of_material.contains("\nmap_Kd my_face.png\n"));
+    let picture = rosto_photo::decode(&picture.bytes, &rosto_photo::Limits::default()).unwrap();
+    assert_eq!(picture.pixels(), whole.pixels.pixels(), "lossless");
     let rows = |key: &str| text.lines().filter_map(|line| line.strip_prefix(key)).collect::<Vec<_>>();
-    let places = rows("vt ");
-    assert_eq!((rows("v ").len(), places.len(), rows("vn ").len()), (468, 468, 468));
-    for (row, uv) in places.iter().zip(whole.uvs) {
+    let uvs = rows("vt ");
+    assert_eq!((rows("v ").len(), uvs.len(), rows("vn ").len()), (468, 468, 468));
+    for (row, uv) in uvs.iter().zip(whole.uvs) {
         let [u, v]: [f64; 2] = numbers(row.split(' ').collect()).try_into().unwrap();
         assert!(DVec2::new(u, 1.0 - v).distance(*uv) < 1e-6);
     }
@@ -186,40 +187,40 @@ fn a_painted_obj_names_its_material_which_names_its_picture() {
     let faces = face.topology().triangles().iter().map(|corners| corners.map(corner).join(" "));
     assert!(faces.eq(rows("f ")));
 
-    let plain = written(&face, Format::Obj, BaseColour::VertexColours, SOLIDS[0]).unwrap();
+    let plain = write(&face, Format::Obj, BaseColour::VertexColours, SOLIDS[0]).unwrap();
     assert_eq!(plain, obj(&Model::of_face(&face)).unwrap().into());
-    assert_eq!(Format::Obj.bundle_ending(BaseColour::VertexColours), "obj");
+    assert_eq!(Format::Obj.bundle_extension(BaseColour::VertexColours), "obj");
 }
 
 #[test]
-fn a_bundle_holds_the_very_same_files() {
+fn a_bundle_contains_the_same_files() {
     let face = face(Triangulation::Canonical);
-    let file = written(&face, Format::Obj, BaseColour::Photo, SOLIDS[0]).unwrap();
+    let file = write(&face, Format::Obj, BaseColour::Photo, SOLIDS[0]).unwrap();
     let parts = entries(&file.clone().bundled("face", Format::Obj));
-    assert_eq!(Format::Obj.bundle_ending(BaseColour::Photo), "zip");
+    assert_eq!(Format::Obj.bundle_extension(BaseColour::Photo), "zip");
     let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
     assert_eq!(names, ["face.obj", "my_face.mtl", "my_face.png"]);
-    let beside = file.beside.iter().map(|file| &file.bytes);
-    assert!([&file.bytes].into_iter().chain(beside).eq(parts.iter().map(|part| &part.bytes)));
-    let alone = written(&face, Format::Glb, BaseColour::Photo, SOLIDS[0]).unwrap();
+    let sidecars = file.sidecars.iter().map(|file| &file.bytes);
+    assert!([&file.bytes].into_iter().chain(sidecars).eq(parts.iter().map(|part| &part.bytes)));
+    let alone = write(&face, Format::Glb, BaseColour::Photo, SOLIDS[0]).unwrap();
     assert_eq!(alone.clone().bundled("face", Format::Glb), alone.bytes);
 }
 
 #[test]
-fn the_picture_alone_is_the_one_that_paints() {
+fn a_png_equals_the_picture_of_an_obj() {
     let face = face(Triangulation::Canonical);
     for base_colour in [BaseColour::Whole, BaseColour::Photo] {
-        let png = written(&face, Format::Png, base_colour, SOLIDS[0]).unwrap().bytes;
-        let beside = written(&face, Format::Obj, base_colour, SOLIDS[0]).unwrap().beside;
-        assert_eq!(png, beside[1].bytes);
+        let png = write(&face, Format::Png, base_colour, SOLIDS[0]).unwrap().bytes;
+        let sidecars = write(&face, Format::Obj, base_colour, SOLIDS[0]).unwrap().sidecars;
+        assert_eq!(png, sidecars[1].bytes);
     }
 }
 
 #[test]
-fn every_format_writes_the_same_bytes_again() {
+fn exports_are_deterministic() {
     let face = face(Triangulation::Canonical);
     for format in Format::ALL {
-        let write = || written(&face, format, BaseColour::Whole, SOLIDS[0]).unwrap();
+        let write = || write(&face, format, BaseColour::Whole, SOLIDS[0]).unwrap();
         assert_eq!(write(), write(), "{format:?}");
     }
 }

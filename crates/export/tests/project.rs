@@ -1,4 +1,4 @@
-//! The project file: what goes in comes out, and nothing of a stranger's file is trusted.
+//! Round trips and validation of project files.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -16,18 +16,18 @@ fn file() -> Vec<u8> {
     project::write(&Source { density: 2, ..source(&face, Some(EDITS)) }, &png()).unwrap()
 }
 
-/// The line of JSON, and what follows it.
+/// Splits a project into its line of JSON and the rest.
 fn parts(file: &[u8]) -> (String, &[u8]) {
     let line = file.iter().position(|&byte| byte == b'\n').unwrap();
     (String::from_utf8(file[..line].to_vec()).unwrap(), &file[line + 1..])
 }
 
-/// The file with another line of JSON.
+/// Returns the project with a changed line of JSON.
 fn with_header(change: impl Fn(&str) -> String) -> Vec<u8> {
     let file = file();
     let (header, body) = parts(&file);
     let changed = change(&header);
-    assert_ne!(changed, header, "nothing was changed");
+    assert_ne!(changed, header, "the pattern was not found");
     [changed.as_bytes(), b"\n", body].concat()
 }
 
@@ -36,7 +36,7 @@ fn field(field: &'static str) -> Result<Reopened<'static>, ReopenError> {
 }
 
 #[test]
-fn the_face_its_edits_and_its_photo_come_back_as_they_were() {
+fn face_edits_and_photo_round_trip() {
     let saved = face(Triangulation::Canonical);
     let bytes = file();
     let opened = project::read(&bytes).unwrap();
@@ -50,7 +50,7 @@ fn the_face_its_edits_and_its_photo_come_back_as_they_were() {
 }
 
 #[test]
-fn the_file_is_laid_out_as_documented() {
+fn the_layout_is_as_documented() {
     let bytes = file();
     assert!(bytes.starts_with(br#"{"format":"rosto-project","version":1,"width_px":300,"#));
     let (header, body) = parts(&bytes);
@@ -62,7 +62,7 @@ fn the_file_is_laid_out_as_documented() {
 }
 
 #[test]
-fn the_order_of_keys_spaces_and_a_mark_before_the_text_make_no_difference() {
+fn key_order_whitespace_and_byte_order_mark_are_ignored() {
     let expected = file();
     let reordered = with_header(|header| {
         let value: serde_json::Value = serde_json::from_str(header).unwrap();
@@ -76,7 +76,7 @@ fn the_order_of_keys_spaces_and_a_mark_before_the_text_make_no_difference() {
 }
 
 #[test]
-fn a_project_is_known_by_its_start_even_behind_long_edits() {
+fn a_project_is_detected_even_if_long_edits_come_first() {
     let long = with_header(|header| {
         let edits = format!(r#"{{"edits":{{"label":"{}"}},"#, "x".repeat(9000));
         header.replacen('{', &edits, 1)
@@ -105,7 +105,7 @@ fn another_version_is_refused() {
 }
 
 #[test]
-fn what_could_not_be_opened_is_refused_by_the_name_of_its_field() {
+fn invalid_fields_are_named() {
     let cases = [
         ("\"version\":1,\"width", "\"version\":\"1\",\"width", "version"),
         ("\"points\":468", "\"points\":470", "points"),
@@ -129,7 +129,7 @@ fn what_could_not_be_opened_is_refused_by_the_name_of_its_field() {
 }
 
 #[test]
-fn landmarks_of_no_face_are_refused() {
+fn implausible_landmarks_are_refused() {
     let bytes = file();
     let (header, body) = parts(&bytes);
     let with_landmarks = |change: &dyn Fn(usize) -> f32| {
@@ -151,7 +151,7 @@ fn landmarks_of_no_face_are_refused() {
 }
 
 #[test]
-fn a_file_that_ends_too_early_is_refused_wherever_it_ends() {
+fn a_truncated_project_is_refused() {
     let bytes = file();
     for end in (0..bytes.len()).step_by(61).chain(bytes.len() - 20..bytes.len()) {
         assert!(project::read(&bytes[..end]).is_err(), "opened with {end} of {} bytes", bytes.len());
@@ -162,7 +162,7 @@ fn a_file_that_ends_too_early_is_refused_wherever_it_ends() {
 }
 
 #[test]
-fn a_picture_that_no_screen_holds_is_refused() {
+fn an_invalid_or_oversized_picture_is_refused() {
     let at = file().len() - png().len();
     for side in [0_u32, 8193] {
         let mut bytes = file();
@@ -175,7 +175,7 @@ fn a_picture_that_no_screen_holds_is_refused() {
 }
 
 #[test]
-fn what_is_no_project_is_not_written() {
+fn a_project_requires_a_history_and_a_png() {
     let face = face(Triangulation::Canonical);
     assert_eq!(project::write(&source(&face, None), &png()), Err(ExportError::HistoryNotAnObject));
     assert_eq!(project::write(&source(&face, Some("null")), &png()), Err(ExportError::HistoryNotAnObject));
@@ -183,7 +183,7 @@ fn what_is_no_project_is_not_written() {
 }
 
 #[test]
-fn what_was_done_to_the_photo_alone_comes_back() {
+fn photo_edits_round_trip() {
     let face = face(Triangulation::Canonical);
     let in_photo = r#"{"kept_px":[[[1.0,2.0,3.0]]],"seen_from_m":1.5}"#;
     let source = Source { in_photo: Some(in_photo), ..source(&face, Some(EDITS)) };

@@ -1,4 +1,4 @@
-//! A GLB opened again: what went in comes out, and nothing of a stranger's file is trusted.
+//! Round trips and validation of GLB files.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -14,7 +14,7 @@ use rosto_face::{FaceInput, FaceModel, Triangulation};
 
 const HISTORY: &str = r#"{"entries":[0.1,"é"],"version":1}"#;
 
-/// A PNG file up to its size.
+/// A PNG file up to its size field.
 const PNG_START: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR";
 
 fn file(triangulation: Triangulation, base_colour: BaseColour) -> Vec<u8> {
@@ -24,7 +24,7 @@ fn file(triangulation: Triangulation, base_colour: BaseColour) -> Vec<u8> {
 }
 
 #[test]
-fn the_face_comes_back_as_it_was_saved() {
+fn a_face_round_trips() {
     for triangulation in [Triangulation::Tessellation, Triangulation::Canonical] {
         for base_colour in BaseColour::ALL {
             let saved = face(triangulation);
@@ -44,7 +44,7 @@ fn the_face_comes_back_as_it_was_saved() {
                 lens: opened.lens,
             };
             let again = FaceModel::new(input, opened.triangulation).unwrap();
-            assert_eq!(again.positions_m(), saved.positions_m(), "to the last bit");
+            assert_eq!(again.positions_m(), saved.positions_m(), "bit for bit");
             assert_eq!(again.positions_image(), saved.positions_image());
             assert_eq!(again.colours_srgb(), saved.colours_srgb());
         }
@@ -52,7 +52,7 @@ fn the_face_comes_back_as_it_was_saved() {
 }
 
 #[test]
-fn the_texture_lies_where_it_was_cut_out() {
+fn the_texture_is_placed_where_it_was_cropped() {
     for base_colour in [BaseColour::Photo, BaseColour::Whole] {
         let bytes = file(Triangulation::Canonical, base_colour);
         let texture = reopen(&bytes).unwrap().texture.unwrap();
@@ -68,7 +68,7 @@ fn the_texture_lies_where_it_was_cut_out() {
 }
 
 #[test]
-fn a_part_of_the_photo_that_is_no_picture_of_a_size_that_can_be_held_is_refused() {
+fn an_invalid_or_oversized_photo_crop_is_refused() {
     let bytes = file(Triangulation::Canonical, BaseColour::Whole);
     let jpeg = Glb::read(&bytes).json["scenes"][0]["extras"]["picture"]["jpeg"].as_str().unwrap().to_owned();
     let png = |side: u32| [PNG_START, &side.to_be_bytes(), &side.to_be_bytes()].concat();
@@ -85,7 +85,7 @@ fn a_part_of_the_photo_that_is_no_picture_of_a_size_that_can_be_held_is_refused(
 }
 
 #[test]
-fn without_a_photo_the_colours_are_painted_where_the_face_is() {
+fn vertex_colours_are_painted_if_there_is_no_photo() {
     let bytes = file(Triangulation::Canonical, BaseColour::VertexColours);
     let opened = reopen(&bytes).unwrap();
     let picture = opened.painted();
@@ -98,11 +98,11 @@ fn without_a_photo_the_colours_are_painted_where_the_face_is() {
     let [red, green, blue, alpha] = pixel(x, y);
     let nose = [red, green, blue].iter().zip(opened.colours_srgb[1]).map(|(a, b)| a.abs_diff(b)).max().unwrap();
     assert!(nose <= 3 && alpha == u8::MAX, "{nose} levels off at the nose tip");
-    assert_eq!(pixel(0.0, 0.0), [0; 4], "nothing beside the face");
+    assert_eq!(pixel(0.0, 0.0), [0; 4], "transparent outside the face");
 }
 
 #[test]
-fn a_file_of_another_program_or_version_is_refused() {
+fn files_of_other_programs_or_versions_are_refused() {
     let with_extras = |extras: &str| {
         let json = format!(r#"{{"asset":{{"version":"2.0"}},"scenes":[{{"extras":{extras}}}]}}"#);
         let json = format!("{json:<width$}", width = json.len().next_multiple_of(4));
@@ -119,7 +119,7 @@ fn a_file_of_another_program_or_version_is_refused() {
 }
 
 #[test]
-fn a_file_that_ends_too_early_is_refused_wherever_it_ends() {
+fn a_truncated_file_is_refused() {
     let bytes = file(Triangulation::Tessellation, BaseColour::Photo);
     for end in (0..bytes.len()).step_by(61).chain(0..64) {
         assert!(reopen(&bytes[..end]).is_err(), "opened with {end} of {} bytes", bytes.len());
@@ -127,7 +127,7 @@ fn a_file_that_ends_too_early_is_refused_wherever_it_ends() {
 }
 
 #[test]
-fn places_outside_the_file_and_pictures_too_large_to_hold_are_refused() {
+fn out_of_range_offsets_and_picture_sizes_are_refused() {
     let bytes = file(Triangulation::Tessellation, BaseColour::Photo);
     let view = Glb::read(&bytes).json["images"][0]["bufferView"].as_u64().unwrap();
     let length = Glb::read(&bytes).json["bufferViews"][view as usize]["byteLength"].as_u64().unwrap();
@@ -142,7 +142,7 @@ fn places_outside_the_file_and_pictures_too_large_to_hold_are_refused() {
 }
 
 #[test]
-fn a_texture_that_was_halved_elsewhere_still_tells_how_large_it_is_in_the_picture() {
+fn a_texture_resized_elsewhere_keeps_its_placement() {
     let bytes = file(Triangulation::Canonical, BaseColour::Photo);
     let whole = reopen(&bytes).unwrap().texture.unwrap();
     let crop = rosto_photo::decode(&whole.encoded, &rosto_photo::Limits::default()).unwrap();
@@ -156,7 +156,7 @@ fn a_texture_that_was_halved_elsewhere_still_tells_how_large_it_is_in_the_pictur
 }
 
 #[test]
-fn a_mesh_that_was_changed_elsewhere_says_so() {
+fn a_mesh_changed_elsewhere_is_detected() {
     for base_colour in BaseColour::ALL {
         let bytes = file(Triangulation::Canonical, base_colour);
         assert!(!reopen(&bytes).unwrap().changed_elsewhere);
@@ -172,11 +172,11 @@ fn a_mesh_that_was_changed_elsewhere_says_so() {
 }
 
 #[test]
-fn a_mesh_that_was_only_stored_otherwise_is_unchanged() {
+fn a_mesh_stored_in_another_layout_is_unchanged() {
     let bytes = file(Triangulation::Canonical, BaseColour::VertexColours);
     let glb = Glb::read(&bytes);
     let positions = glb.floats::<3>(glb.attribute("POSITION"));
-    // Each position between two other numbers, at the end of the file, as programs do that interleave.
+    // Each position between two other numbers, at the end of the file, as in interleaved attributes.
     let mut binary = glb.binary.clone();
     let start = binary.len();
     for [x, y, z] in positions {
@@ -193,7 +193,7 @@ fn a_mesh_that_was_only_stored_otherwise_is_unchanged() {
 }
 
 #[test]
-fn what_could_not_be_opened_is_refused() {
+fn invalid_fields_are_named() {
     let bytes = file(Triangulation::Canonical, BaseColour::VertexColours);
     let landmarks = Glb::read(&bytes).json["scenes"][0]["extras"]["landmarks"].as_str().unwrap().to_owned();
     let zeros = "A".repeat(landmarks.len());
@@ -210,7 +210,7 @@ fn what_could_not_be_opened_is_refused() {
     }
 }
 
-/// A picture of half the size as PNG, as a program writes it that makes textures smaller.
+/// Halves a picture and encodes it as PNG, like a program that reduces textures.
 fn halved(picture: &rosto_photo::Photo) -> Vec<u8> {
     let half = picture.scaled_down(picture.width().max(picture.height()) / 2);
     let mut file = Vec::new();
@@ -220,7 +220,7 @@ fn halved(picture: &rosto_photo::Photo) -> Vec<u8> {
     file
 }
 
-/// The file with another texture, at the end of the binary chunk.
+/// Replaces the texture with another, at the end of the binary chunk.
 fn with_texture(bytes: &[u8], texture: &[u8]) -> Vec<u8> {
     let Glb { mut json, mut binary } = Glb::read(bytes);
     let view = json["images"][0]["bufferView"].as_u64().unwrap() as usize;
@@ -230,7 +230,7 @@ fn with_texture(bytes: &[u8], texture: &[u8]) -> Vec<u8> {
     assembled(json.to_string(), &binary)
 }
 
-/// A GLB of its two parts.
+/// Assembles a GLB from its two chunks.
 fn assembled(json: String, binary: &[u8]) -> Vec<u8> {
     let json = format!("{json:<width$}", width = json.len().next_multiple_of(4));
     let length = |bytes: usize| (bytes as u32).to_le_bytes();
@@ -239,11 +239,11 @@ fn assembled(json: String, binary: &[u8]) -> Vec<u8> {
         .concat()
 }
 
-/// The file with another description; JSON may grow, so that the header is written anew.
+/// Changes the JSON chunk and rewrites the header, since the length may change.
 fn with_json(bytes: &[u8], change: impl Fn(String) -> String) -> Vec<u8> {
     let old = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
     let json = change(String::from_utf8(bytes[20..20 + old].to_vec()).unwrap());
-    assert_ne!(json.as_bytes(), &bytes[20..20 + old], "nothing was changed");
+    assert_ne!(json.as_bytes(), &bytes[20..20 + old], "the pattern was not found");
     let total = (bytes.len() - old + json.len()) as u32;
     let head = [b"glTF".as_slice(), &2u32.to_le_bytes(), &total.to_le_bytes(), &(json.len() as u32).to_le_bytes()];
     [head.concat().as_slice(), b"JSON", json.as_bytes(), &bytes[20 + old..]].concat()
@@ -253,7 +253,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
     #[test]
-    fn whatever_bytes_come_they_are_read_or_refused(noise in prop::collection::vec(any::<u8>(), 0..400)) {
+    fn arbitrary_bytes_do_not_panic(noise in prop::collection::vec(any::<u8>(), 0..400)) {
         let _ = reopen(&noise);
         let headed = [b"glTF".as_slice(), &2u32.to_le_bytes(), &noise].concat();
         prop_assert!(reopen(&headed).is_err());

@@ -1,4 +1,4 @@
-//! A face in several photos: what was written opens again as the same face, in files that hold photos and in those that do not.
+//! Round trips of a face from several photos, with and without photos in the file.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -11,14 +11,14 @@ use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, PhotoLens, Triangu
 
 const EDITS: &str = r#"{"entries":[],"version":1}"#;
 
-/// The canonical head turned by so many degrees to its left, as a camera far away sees it.
+/// The canonical head rotated by `by_deg` degrees to its left, seen by a distant camera.
 fn turned(by_deg: f64) -> Vec<[f32; 3]> {
     let turn = DQuat::from_rotation_y(by_deg.to_radians());
-    let place = |p: DVec3| [0.5 + 3.0 * p.x, 0.5 - 3.0 * p.y, -3.0 * p.z].map(|at| at as f32);
-    canonical_positions_m().into_iter().map(|p| place(turn * p)).collect()
+    let landmark = |p: DVec3| [0.5 + 3.0 * p.x, 0.5 - 3.0 * p.y, -3.0 * p.z].map(|at| at as f32);
+    canonical_positions_m().into_iter().map(|p| landmark(turn * p)).collect()
 }
 
-/// A face in photos so turned, each with colours and a lens of its own.
+/// A face from photos with the given head rotations, each with different colours and lens data.
 fn several(turns: &[f64]) -> FaceModel {
     let landmarks: Vec<_> = turns.iter().map(|&by_deg| turned(by_deg)).collect();
     let colours: Vec<_> = (0..turns.len()).map(|photo| vec![[photo as u8, 100, 200]; LANDMARK_COUNT]).collect();
@@ -33,7 +33,7 @@ fn several(turns: &[f64]) -> FaceModel {
     FaceModel::of_several(inputs.collect(), Triangulation::Canonical).unwrap()
 }
 
-/// The face of what was read, as the page and the command line make it.
+/// Rebuilds the face from a reopened file, as the page and the command line do.
 fn opened(file: &Reopened<'_>) -> FaceModel {
     let input = |landmarks, [width, height]: [u32; 2], colours, lens| FaceInput {
         landmarks,
@@ -45,7 +45,7 @@ fn opened(file: &Reopened<'_>) -> FaceModel {
     };
     let further = file.further.as_ref().unwrap();
     let others = further.photos.iter();
-    let others = others.map(|of| input(&of.landmarks, of.photo_size_px, &of.colours_srgb, of.lens));
+    let others = others.map(|photo| input(&photo.landmarks, photo.photo_size_px, &photo.colours_srgb, photo.lens));
     let mut inputs: Vec<_> = others.collect();
     let lead = input(&file.landmarks, file.photo_size_px, &file.colours_srgb, file.lens);
     inputs.insert(further.leads, lead);
@@ -53,7 +53,7 @@ fn opened(file: &Reopened<'_>) -> FaceModel {
 }
 
 fn assert_same(one: &FaceModel, other: &FaceModel) {
-    assert_eq!(one.positions_m(), other.positions_m(), "to the last bit");
+    assert_eq!(one.positions_m(), other.positions_m(), "bit for bit");
     for (one, other) in one.views().iter().zip(other.views()) {
         assert_eq!((one.photo, one.camera, one.lens), (other.photo, other.camera, other.lens));
         assert_eq!((&one.uvs, &one.colours_srgb), (&other.uvs, &other.colours_srgb));
@@ -70,12 +70,12 @@ fn project_of(face: &FaceModel) -> Vec<u8> {
 }
 
 #[test]
-fn a_face_in_several_photos_opens_again_as_it_was() {
+fn a_face_from_several_photos_round_trips() {
     let saved = several(&[0.0, 30.0]);
     for base_colour in BaseColour::ALL {
         assert_same(&opened(&reopen(&glb_of(&saved, base_colour)).unwrap()), &saved);
     }
-    // Another photo than the first leads.
+    // The lead photo is not the first.
     let saved = several(&[30.0, -30.0, 2.0]);
     assert_eq!(saved.views()[0].photo, 2);
     assert_same(&opened(&reopen(&glb_of(&saved, BaseColour::Whole)).unwrap()), &saved);
@@ -83,16 +83,16 @@ fn a_face_in_several_photos_opens_again_as_it_was() {
 }
 
 #[test]
-fn each_photo_is_there_but_in_a_file_painted_with_colours() {
+fn photos_are_included_unless_the_file_has_vertex_colours() {
     let saved = several(&[0.0, 30.0, -30.0]);
     let photos = |file: &Reopened<'_>| file.further.clone().unwrap().photos;
     for file in [glb_of(&saved, BaseColour::Whole), glb_of(&saved, BaseColour::Photo)] {
         for photo in photos(&reopen(&file).unwrap()) {
-            assert_lies_in_place(photo.texture.unwrap());
+            assert_placed(photo.texture.unwrap());
         }
     }
     for photo in photos(&project::read(&project_of(&saved)).unwrap()) {
-        assert_lies_in_place(photo.texture.unwrap());
+        assert_placed(photo.texture.unwrap());
     }
     for photo in photos(&reopen(&glb_of(&saved, BaseColour::VertexColours)).unwrap()) {
         assert_eq!(photo.texture, None);
@@ -101,7 +101,7 @@ fn each_photo_is_there_but_in_a_file_painted_with_colours() {
     }
 }
 
-fn assert_lies_in_place(texture: PlacedTexture<'_>) {
+fn assert_placed(texture: PlacedTexture<'_>) {
     let crop = rosto_photo::decode(&texture.encoded, &rosto_photo::Limits::default()).unwrap();
     let [left, top] = texture.at_px.map(|at| u32::try_from(at).unwrap());
     let (x, y) = (crop.width() / 2, crop.height() / 3);
@@ -110,7 +110,7 @@ fn assert_lies_in_place(texture: PlacedTexture<'_>) {
 }
 
 #[test]
-fn what_is_wrong_with_a_further_photo_is_told() {
+fn invalid_fields_of_further_photos_are_named() {
     let file = project_of(&several(&[0.0, 30.0]));
     let refused = |from: &str, to: &str, field: &'static str| {
         let line = file.iter().position(|byte| *byte == b'\n').unwrap();

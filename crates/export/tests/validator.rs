@@ -1,4 +1,5 @@
-//! Khronos' own validator over every kind of GLB; needs Node.js and the packages that `cargo xtask setup` installs.
+//! Khronos' glTF validator, run on each kind of GLB. Requires Node.js and the packages that `cargo xtask setup`
+//! installs.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -13,7 +14,7 @@ use rosto_export::*;
 use rosto_face::Triangulation;
 
 #[test]
-fn khronos_finds_no_error_warning_information_or_hint() {
+fn the_khronos_validator_reports_no_issues() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
     let moved = vec![DVec3::new(0.0, 0.001, -0.002); 468];
     let morphs = [Morph { name: "olá \"aspas\"", displacements_m: &moved, weight: 0.0 }];
@@ -37,8 +38,8 @@ fn khronos_finds_no_error_warning_information_or_hint() {
     let script = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/e2e/validate-glb.mjs");
     let run =
         Command::new("node").arg(script).args(&paths).output().expect("Node.js is missing: run `cargo xtask setup`");
-    let said = [run.stdout, run.stderr].map(|text| String::from_utf8_lossy(&text).into_owned()).concat();
-    assert!(!said.contains("Cannot find module"), "the validator is missing: run `cargo xtask setup`\n{said}");
-    assert!(run.status.success(), "{said}");
-    assert_eq!(said.matches("0/0/0/0").count(), paths.len(), "{said}");
+    let output = [run.stdout, run.stderr].map(|text| String::from_utf8_lossy(&text).into_owned()).concat();
+    assert!(!output.contains("Cannot find module"), "the validator is missing: run `cargo xtask setup`\n{output}");
+    assert!(run.status.success(), "{output}");
+    assert_eq!(output.matches("0/0/0/0").count(), paths.len(), "{output}");
 }

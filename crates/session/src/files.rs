@@ -1,5 +1,5 @@
 use rosto_export::{
-    BaseColour, Choosable, Content, ExportedFile, Eyes, Format, GlbOptions, Material, Model, Morph, Picture, Solid,
+    BaseColour, Content, ExportOption, ExportedFile, Eyes, Format, GlbOptions, Material, Model, Morph, Picture, Solid,
     SolidFacts, Source, Units, project,
 };
 use rosto_mesh::Topology;
@@ -32,13 +32,13 @@ rosto_mesh::named! {
 
 /// The formats that are for printing: a body is made of the face for them.
 pub fn printed_formats() -> impl Iterator<Item = Format> {
-    Format::ALL.into_iter().filter(|format| format.lets_choose(Choosable::Solid))
+    Format::ALL.into_iter().filter(|format| format.supports(ExportOption::Solid))
 }
 
 /// The formats that a panel offers by a button each: those with choices that are no other's have a place of their own.
 pub fn plain_formats() -> impl Iterator<Item = Format> {
-    let own = [Choosable::Material, Choosable::Units, Choosable::Solid];
-    Format::ALL.into_iter().filter(move |format| !own.iter().any(|&choice| format.lets_choose(choice)))
+    let own = [ExportOption::Material, ExportOption::Units, ExportOption::Solid];
+    Format::ALL.into_iter().filter(move |format| !own.iter().any(|&choice| format.supports(choice)))
 }
 
 /// What is chosen about a file; each format takes what it has a place for.
@@ -77,12 +77,12 @@ impl Default for FileOptions {
 impl FileOptions {
     /// Whether a format's files have each expression as a morph target.
     fn are_expressions_moved(&self, format: Format) -> bool {
-        format.lets_choose(Choosable::Material) && self.expressions == ExpressionsAs::MorphTargets
+        format.supports(ExportOption::Material) && self.expressions == ExpressionsAs::MorphTargets
     }
 
     /// Whether a format's files have eyes and mouth in pieces of their own, though they move none.
     fn are_eyes_pieces(&self, format: Format) -> bool {
-        format.lets_choose(Choosable::Eyes) && self.eyes == Eyes::Pieces
+        format.supports(ExportOption::Eyes) && self.eyes == Eyes::Pieces
     }
 }
 
@@ -100,7 +100,7 @@ impl Session {
         if let Some(rig) = self.rig_for(format, options)? {
             return self.rigged(&rig, format, options);
         }
-        let layers = match (format.lets_choose(Choosable::Material), options.edits) {
+        let layers = match (format.supports(ExportOption::Material), options.edits) {
             (true, EditsAs::MorphTargets) => self.displacements()?,
             _ => Vec::new(),
         };
@@ -119,7 +119,7 @@ impl Session {
     }
 
     /// The same as one file: where others lie beside it, an archive of them all, whose name ends as
-    /// [`Format::bundle_ending`] tells.
+    /// [`Format::bundle_extension`] tells.
     ///
     /// # Errors
     /// As [`Self::file`].
@@ -151,7 +151,7 @@ impl Session {
 
     /// The face in its pieces, for a file that has them.
     fn rig_for(&mut self, format: Format, options: &FileOptions) -> Result<Option<Rig>, SessionError> {
-        let is_gltf = format.lets_choose(Choosable::Material);
+        let is_gltf = format.supports(ExportOption::Material);
         let edits = match options.edits {
             EditsAs::MorphTargets if is_gltf => EditsInRig::Layers,
             _ => EditsInRig::AtRest,
@@ -179,7 +179,7 @@ impl Session {
         let model = Model {
             topology: parted.topology(),
             positions_m: base_m,
-            softer_m: None,
+            smoothed_m: None,
             colours_srgb: &parted.colours(&face.colours_srgb(&face.uvs())),
             photo: Picture { pixels: face.model().picture(), uvs: &uvs },
             whole: face.texture().map(|pixels| Picture { pixels, uvs: &texture_uvs }),
@@ -232,11 +232,11 @@ impl OpenFace {
     /// Does something with the face as exporters take it.
     fn as_model<T>(&self, then: impl FnOnce(Model<'_>) -> T) -> T {
         let (uvs, texture_uvs) = (self.uvs(), self.texture_uvs());
-        let softer_m = self.document().rounded();
+        let smoothed_m = self.document().rounded();
         then(Model {
             topology: self.document().topology(),
             positions_m: self.document().positions(),
-            softer_m: Some(&softer_m),
+            smoothed_m: Some(&smoothed_m),
             colours_srgb: &self.colours_srgb(&uvs),
             photo: Picture { pixels: self.model().picture(), uvs: &uvs },
             whole: self.texture().map(|pixels| Picture { pixels, uvs: &texture_uvs }),

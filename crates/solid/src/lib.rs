@@ -1,7 +1,7 @@
 //! An open surface made a closed body that can be printed: a wall of some thickness, or a relief with a flat back.
 //!
 //! [`Body::closed`] checks the surface and closes its openings (`front`), puts something behind it (`wall`, `flat`), and
-//! lets nothing go through itself (`crossings`). [`Body::closed_or_softer`] rounds off what leaves no room for a wall (`softer`).
+//! lets nothing go through itself (`crossings`). [`Body::closed_or_smoothed`] rounds off what leaves no room for a wall (`softer`).
 //! A body knows its volume, its size and its weight. Knows nothing of faces.
 
 mod body;

@@ -33,7 +33,7 @@ impl Body {
     ///
     /// # Panics
     /// If the softer surface has not one position for each vertex.
-    pub fn closed_or_softer(surface: Surface<'_>, softer: &[DVec3], closing: Closing) -> Result<Self, SolidError> {
+    pub fn closed_or_smoothed(surface: Surface<'_>, softer: &[DVec3], closing: Closing) -> Result<Self, SolidError> {
         let own = surface.positions();
         assert_eq!(softer.len(), own.len(), "one softer place for each vertex");
         if softer == own {

@@ -95,7 +95,7 @@ fn where_folds_leave_no_room_for_a_wall_a_surface_is_softened_and_elsewhere_it_i
     for levels in [2, 3] {
         let (topology, firm, soft) = smooth(levels);
         let surface = Surface::new(&topology, &firm).unwrap();
-        let body = Body::closed_or_softer(surface, &soft, Closing::Thickness { thickness_m }).unwrap();
+        let body = Body::closed_or_smoothed(surface, &soft, Closing::Thickness { thickness_m }).unwrap();
         assert_watertight(&body);
         assert!(body.thinnest_m() >= 0.6 * thickness_m, "{levels}: {} m", body.thinnest_m());
         assert!(body.moved_m() < 0.002, "{levels}: {} m", body.moved_m());
@@ -106,13 +106,13 @@ fn where_folds_leave_no_room_for_a_wall_a_surface_is_softened_and_elsewhere_it_i
             topology.triangles().iter().filter(|corners| corners.iter().all(|&corner| moved(corner as usize) == 0.0));
         assert!(kept.count() * 10 > topology.triangles().len() * 9, "{levels}: it is softened around the folds alone");
         let flat = Closing::FlatBack { thickness_m };
-        assert_eq!(Body::closed_or_softer(surface, &soft, flat), Body::closed(surface, flat), "it needs no room");
+        assert_eq!(Body::closed_or_smoothed(surface, &soft, flat), Body::closed(surface, flat), "it needs no room");
     }
     let (topology, positions) = face(Triangulation::Canonical);
     let surface = Surface::new(&topology, &positions).unwrap();
     let elsewhere: Vec<DVec3> = positions.iter().map(|place| *place * 1.1).collect();
     let wall = Closing::Thickness { thickness_m };
-    assert_eq!(Body::closed_or_softer(surface, &elsewhere, wall), Body::closed(surface, wall), "there is room");
+    assert_eq!(Body::closed_or_smoothed(surface, &elsewhere, wall), Body::closed(surface, wall), "there is room");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-use rosto_export::{BaseColour, Choosable, Eyes, Format, Material, PLA_G_PER_CM3, SOLID_MM, SolidFacts, Units};
+use rosto_export::{BaseColour, ExportOption, Eyes, Format, Material, PLA_G_PER_CM3, SOLID_MM, SolidFacts, Units};
 use rosto_session::{EditsAs, ExpressionsAs, FileOptions};
 use rosto_stage::Background;
 use rosto_studio::SMOOTH_DENSITY;
@@ -102,7 +102,7 @@ impl Studio {
     /// `bad-choice`.
     #[wasm_bindgen(js_name = isPainted)]
     pub fn is_painted(&self, format: &str) -> Result<bool, JsValue> {
-        Ok(FacadeError::unless(Format::from_id(format))?.lets_choose(Choosable::BaseColour))
+        Ok(FacadeError::unless(Format::from_id(format))?.supports(ExportOption::BaseColour))
     }
 
     /// The media type of a format's files.
@@ -121,7 +121,7 @@ impl Studio {
     #[wasm_bindgen(js_name = fileEnding)]
     pub fn file_ending(&self, format: &str, choices: &FileChoices) -> Result<String, JsValue> {
         let format = FacadeError::unless(Format::from_id(format))?;
-        Ok(format.bundle_ending(choices.0.base_colour).to_owned())
+        Ok(format.bundle_extension(choices.0.base_colour).to_owned())
     }
 
     /// The face as a file, at the density that is shown; a glTF with what opens it again in the scene's extras. Each format

@@ -51,7 +51,7 @@ pub fn run(task: &MeshTask, steps: &[Step], format: Format, networks: Networks<'
         let (edited, written) = make(task, vec![(path, photo)], steps, format, &encode::name_of(output), &finder)?;
         ledger.add(path, &written)?;
         make_folder_of(output)?;
-        output::write_together(output, &written.bytes, &written.beside)?;
+        output::write_together(output, &written.bytes, &written.sidecars)?;
         Ok(edited.notes)
     };
     let work = |path: &Path| {
@@ -106,7 +106,7 @@ fn jobs(task: &MeshTask, format: Format, listing: &Listing) -> Result<Vec<Job>, 
     let job = |photo: &many::Listed| {
         let name = photo.name.with_extension("");
         let output = PathBuf::from(filled(&pattern, &name));
-        let beside = format.names_beside(task.base_colour, &encode::name_of(&output));
+        let beside = format.sidecar_names(task.base_colour, &encode::name_of(&output));
         let beside = beside.into_iter().map(|name| output.with_file_name(name));
         Job { photo: photo.path.clone(), outputs: [output.clone()].into_iter().chain(beside).collect() }
     };

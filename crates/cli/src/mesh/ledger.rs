@@ -112,7 +112,7 @@ impl Ledger {
 
     /// Notes what is about to be written for the photo.
     pub fn add(&self, photo: &Path, written: &ExportedFile) -> Result<(), CliError> {
-        let contents = [&written.bytes].into_iter().chain(written.beside.iter().map(|file| &file.bytes));
+        let contents = [&written.bytes].into_iter().chain(written.sidecars.iter().map(|file| &file.bytes));
         let sha256 = contents.map(|bytes| hex(&Sha256::digest(bytes))).collect();
         let record = Record { request: self.request.clone(), sha256 };
         let line = serde_json::to_string(&Line { name: PhotoName::new(photo), record });

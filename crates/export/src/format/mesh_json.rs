@@ -2,34 +2,35 @@ use glam::DVec3;
 use serde_json::{Value, json};
 
 rosto_mesh::named! {
-    /// The coordinates that positions are in.
+    /// Coordinate system of exported positions.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Units {
         /// MediaPipe's normalised coordinates.
         Image = "image",
-        /// Millimetres of the model.
+        /// Millimetres in model space.
         #[default]
         Mm = "mm",
     }
 }
 
-/// What [`mesh_json`] writes.
+/// Input of [`mesh_json`].
 #[derive(Debug, Clone)]
 pub struct JsonMesh<'a> {
-    /// The unit of the positions.
+    /// Unit of the positions.
     pub units: Units,
     /// Positions in that unit.
     pub positions: &'a [DVec3],
-    /// An sRGB colour for each vertex.
+    /// One sRGB colour per vertex.
     pub colours_srgb: &'a [[u8; 3]],
     /// Triangles, counter-clockwise from outside.
     pub triangles: &'a [[u32; 3]],
-    /// What is known of the face, as a JSON object; none of a mesh that is no face from a photo.
+    /// [`about`](crate::about) the face; `None` for a mesh that is not a photographed face.
     pub about: Option<Value>,
 }
 
-/// The mesh as JSON, `{"units","positions","colors","triangles","about"}`, before any rounding to 32 bits: every number reads
-/// back as the same `f64`. Colours are sRGB, 0 to 255. Coordinates that are not finite become `null`.
+/// Returns the mesh as JSON: `{"units","positions","colors","triangles","about"}`.
+///
+/// Numbers round-trip to the same `f64`; non-finite coordinates become `null`. Colours are sRGB, 0 to 255.
 pub fn mesh_json(mesh: &JsonMesh<'_>) -> String {
     let positions: Vec<[f64; 3]> = mesh.positions.iter().map(|position| position.to_array()).collect();
     let [positions, colours, triangles] = [json!(positions), json!(mesh.colours_srgb), json!(mesh.triangles)];

@@ -6,23 +6,23 @@ use crate::texture::{self, Texture};
 use crate::zip::NamedFile;
 use crate::{BaseColour, ExportError, Model};
 
-/// A Wavefront OBJ file: metres, +Y up, with the custom of sRGB colours (0 to 1) after each vertex's position.
+/// Exports a Wavefront OBJ file: metres, +Y up, with sRGB colours (0 to 1) after each position, a common extension.
 ///
-/// Positions have the digits that they need to read back as the same `f32`: further digits depend on the machine that they
-/// were reckoned on, and the same face is to be the same file.
+/// Positions are rounded to `f32`: further digits depend on the machine, and the same face should give the same file.
 ///
 /// # Errors
-/// [`ExportError`] if a length does not fit, a position is not finite, or there is no triangle.
+/// [`ExportError`] if a length does not match, a position is not finite, or the mesh is empty.
 pub fn obj(model: &Model<'_>) -> Result<String, ExportError> {
     model.check()?;
     Ok(text(model, None))
 }
 
-/// The same mesh painted with a picture: an OBJ file that names its material, `NAME.mtl`, which names its picture, `NAME.png`.
-/// Both lie beside it. Texture coordinates have their origin at the bottom left, as OBJ wants it.
+/// Exports a textured OBJ file with two sidecar files: the material `NAME.mtl` and its picture `NAME.png`.
+///
+/// Texture coordinates have their origin at the bottom left, as OBJ requires.
 ///
 /// # Errors
-/// As [`obj`]; also if the picture cannot be encoded or is not there.
+/// As [`obj`]; also if the picture is missing or cannot be encoded.
 pub(super) fn painted(
     model: &Model<'_>,
     base_colour: BaseColour,
@@ -31,24 +31,24 @@ pub(super) fn painted(
 ) -> Result<ExportedFile, ExportError> {
     model.check()?;
     let Some(texture) = texture::of(model, base_colour, max_px)? else { return Ok(text(model, None).into()) };
-    let [material_name, picture_name] = names_beside(name);
+    let [material_name, picture_name] = sidecar_names(name);
     let text = text(model, Some((&texture, &material_name)));
     let picture = texture::png(&texture.pixels)?;
     let material = material(name, &picture_name, &picture);
-    let beside = vec![NamedFile::new(material_name, material), NamedFile::new(picture_name, picture)];
-    Ok(ExportedFile { beside, ..text.into() })
+    let sidecars = vec![NamedFile::new(material_name, material), NamedFile::new(picture_name, picture)];
+    Ok(ExportedFile { sidecars, ..text.into() })
 }
 
-/// What the material and the picture are called beside an OBJ file of that name. Readers take what is between blanks for a
-/// name, so that none has any.
-pub(super) fn names_beside(name: &str) -> [String; 2] {
+/// Names of the material and the picture of an OBJ file. Whitespace is replaced, because OBJ readers end a name at a
+/// blank.
+pub(super) fn sidecar_names(name: &str) -> [String; 2] {
     let name: String = name.chars().map(|letter| if letter.is_whitespace() { '_' } else { letter }).collect();
     ["mtl", "png"].map(|ending| format!("{name}.{ending}"))
 }
 
-/// Whether a material and a picture are those that were written beside an OBJ file of that name, unchanged since.
-pub(super) fn wrote_beside(name: &str, contents: &[Option<Vec<u8>>]) -> bool {
-    let [_, picture_name] = names_beside(name);
+/// Whether the contents are an unmodified material and picture that Rosto wrote for `name`.
+pub(super) fn wrote_sidecars(name: &str, contents: &[Option<Vec<u8>>]) -> bool {
+    let [_, picture_name] = sidecar_names(name);
     match contents {
         [Some(found), Some(picture)] => *found == material(name, &picture_name, picture).as_bytes(),
         _ => false,
@@ -57,7 +57,7 @@ pub(super) fn wrote_beside(name: &str, contents: &[Option<Vec<u8>>]) -> bool {
 
 const TITLE: &str = "# Rosto; metres, +Y up, +Z out of the face\n";
 
-/// With colours or, painted, with the picture's places and the name of its material.
+/// OBJ text with vertex colours or, if textured, with texture coordinates and the material's name.
 fn text(model: &Model<'_>, painted: Option<(&Texture<'_>, &str)>) -> String {
     let mut text = String::from(TITLE);
     if let Some((_, material_name)) = painted {
@@ -89,8 +89,8 @@ fn text(model: &Model<'_>, painted: Option<(&Texture<'_>, &str)>) -> String {
     text
 }
 
-/// Matt, in the picture's colours. The checksum says for which OBJ and with which picture it was written: names beside an OBJ
-/// may be those beside another.
+/// A matt material with the picture as its colour. The checksum covers the OBJ's name and the picture, because
+/// different OBJ names can share a sidecar name.
 fn material(name: &str, picture_name: &str, picture: &[u8]) -> String {
     let mut checksum = crc32fast::Hasher::new();
     [name.as_bytes(), &[0], picture].into_iter().for_each(|bytes| checksum.update(bytes));

@@ -2,10 +2,10 @@ use rosto_mesh::vertex_normals;
 
 use crate::{ExportError, Model};
 
-/// A binary little-endian PLY file: positions in metres, normals, and by custom sRGB colours.
+/// Exports a binary little-endian PLY file: positions in metres, normals, and sRGB vertex colours, a common extension.
 ///
 /// # Errors
-/// [`ExportError`] if a length does not fit, a position is not finite, or there is no triangle.
+/// [`ExportError`] if a length does not match, a position is not finite, or the mesh is empty.
 pub fn ply(model: &Model<'_>) -> Result<Vec<u8>, ExportError> {
     model.check()?;
     let (vertices, faces) = (model.positions_m.len().to_string(), model.topology.triangles().len().to_string());

@@ -3,12 +3,12 @@ use glam::DVec3;
 use crate::model::MM_PER_M;
 use crate::{ExportError, Model};
 
-/// A binary STL file, for printing: millimetres, as is the custom, and no colours. STL has no up; +Y is up here too.
+/// Exports a binary STL file in millimetres, +Y up, without colours.
 ///
-/// It holds the model as it is: what is to be printed must be a body ([`Solid::body`](crate::Solid::body)).
+/// The model is written as it is. For printing, pass a closed body ([`Solid::body`](crate::Solid::body)).
 ///
 /// # Errors
-/// [`ExportError`] if a length does not fit, a position is not finite, or there is no triangle.
+/// [`ExportError`] if a length does not match, a position is not finite, or the mesh is empty.
 pub fn stl(model: &Model<'_>) -> Result<Vec<u8>, ExportError> {
     model.check()?;
     Ok(stl_of(model.topology.triangles(), model.positions_m))

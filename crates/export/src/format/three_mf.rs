@@ -7,7 +7,7 @@ use crate::model::MM_PER_M;
 use crate::zip::{NamedFile, stored};
 use crate::{ExportError, Model};
 
-/// Of the back and the sides.
+/// Colour of the back and the sides.
 const NEUTRAL: [u8; 3] = [200, 200, 200];
 
 const CONTENT_TYPES: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
@@ -18,22 +18,23 @@ const RELATIONSHIPS: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>
 "#;
 
-/// A 3MF package: a body in millimetres, +Z up as printers have it (out of the face, which lies on its back), with the face's
-/// colours by the materials extension; sides and back are neutral.
+/// Exports a 3MF package: a closed body in millimetres, lying on its back with the face towards +Z, as printers expect.
+///
+/// The front has the face's colours (materials extension); sides and back are neutral.
 ///
 /// # Errors
-/// [`ExportError`] if a length does not fit, a position is not finite, or there is no triangle.
+/// [`ExportError`] if a length does not match, a position is not finite, or the mesh is empty.
 pub fn three_mf(model: &Model<'_>, body: &Body) -> Result<Vec<u8>, ExportError> {
     model.check()?;
     let files = [
         NamedFile::new("[Content_Types].xml", CONTENT_TYPES),
         NamedFile::new("_rels/.rels", RELATIONSHIPS),
-        NamedFile::new("3D/3dmodel.model", described(model, body)),
+        NamedFile::new("3D/3dmodel.model", model_xml(model, body)),
     ];
     Ok(stored(&files, 1))
 }
 
-fn described(model: &Model<'_>, body: &Body) -> String {
+fn model_xml(model: &Model<'_>, body: &Body) -> String {
     let painted = Painted::of(model, body);
     let low = body.positions_m().iter().copied().reduce(DVec3::min).unwrap_or_default() * MM_PER_M;
     let mut text = String::with_capacity(120 * body.topology().triangles().len());
@@ -49,8 +50,8 @@ fn described(model: &Model<'_>, body: &Body) -> String {
         push(&mut text, format_args!("<m:color color=\"#{r:02X}{g:02X}{b:02X}\"/>\n"));
     }
     text.push_str("</m:colorgroup>\n<object id=\"2\" type=\"model\" pid=\"1\" pindex=\"0\">\n<mesh>\n<vertices>\n");
-    for place in body.positions_m() {
-        let DVec3 { x, y, z } = *place * MM_PER_M - low;
+    for position in body.positions_m() {
+        let DVec3 { x, y, z } = *position * MM_PER_M - low;
         push(&mut text, format_args!("<vertex x=\"{x:.5}\" y=\"{y:.5}\" z=\"{z:.5}\"/>\n"));
     }
     text.push_str("</vertices>\n<triangles>\n");
@@ -67,24 +68,24 @@ fn described(model: &Model<'_>, body: &Body) -> String {
     text
 }
 
-/// A group of colours, the neutral one first, and for each triangle the places in it of its corners' colours.
+/// A colour palette, neutral first, and the palette indices of each triangle's corners.
 struct Painted {
     colours: Vec<[u8; 3]>,
     corners: Vec<[usize; 3]>,
 }
 
 impl Painted {
-    /// Each vertex of the front in its own colour; the group holds each colour once.
+    /// Palette of the distinct vertex colours; front triangles use their vertices' colours, others the neutral one.
     fn of(model: &Model<'_>, body: &Body) -> Self {
         let mut colours = vec![NEUTRAL];
-        let mut places = HashMap::from([(NEUTRAL, 0)]);
-        let place = |colour: &[u8; 3]| {
-            *places.entry(*colour).or_insert_with(|| {
+        let mut indices = HashMap::from([(NEUTRAL, 0)]);
+        let index_of = |colour: &[u8; 3]| {
+            *indices.entry(*colour).or_insert_with(|| {
                 colours.push(*colour);
                 colours.len() - 1
             })
         };
-        let of_vertex: Vec<usize> = model.colours_srgb.iter().map(place).collect();
+        let of_vertex: Vec<usize> = model.colours_srgb.iter().map(index_of).collect();
         let (front, others) = body.topology().triangles().split_at(body.front_triangles());
         let coloured = front.iter().map(|corners| corners.map(|corner| of_vertex[corner as usize]));
         Self { corners: coloured.chain(others.iter().map(|_| [0; 3])).collect(), colours }

@@ -6,19 +6,20 @@ use crate::texture::{self, Texture};
 use crate::zip::{NamedFile, stored};
 use crate::{BaseColour, ExportError, Model, linear_from_srgb};
 
-/// Where each file in a USDZ must start.
+/// Required alignment of each file in a USDZ package, in bytes.
 const ALIGNMENT: usize = 64;
 
 const PICTURE: &str = "face.jpg";
 
-/// A USDZ package for augmented reality: the scene as text (`face.usda`) and its picture, uncompressed and aligned as the
-/// specification wants it. Metres, +Y up; the face stands on the ground.
+/// Exports a USDZ package for augmented reality: the scene as text (`face.usda`) and its picture, uncompressed and
+/// aligned.
 ///
-/// Painted with colours, the mesh carries them as `displayColor` in linear light, which not every viewer shows.
+/// Metres, +Y up; the lowest point is at y = 0. Vertex colours are written as `displayColor` in linear light, which not
+/// all viewers show.
 ///
 /// # Errors
-/// [`ExportError`] if a length does not fit, a position is not finite, there is no triangle, or the picture cannot be encoded
-/// or is not there.
+/// [`ExportError`] if a length does not match, a position is not finite, the mesh is empty, or the picture is missing
+/// or cannot be encoded.
 pub fn usdz(model: &Model<'_>, base_colour: BaseColour, max_texture_px: u32) -> Result<Vec<u8>, ExportError> {
     model.check()?;
     let texture = texture::of(model, base_colour, max_texture_px)?;
@@ -30,7 +31,7 @@ pub fn usdz(model: &Model<'_>, base_colour: BaseColour, max_texture_px: u32) -> 
 }
 
 fn scene(model: &Model<'_>, texture: Option<&Texture<'_>>) -> String {
-    let positions: Vec<Vec3> = model.positions_m.iter().map(|place| place.as_vec3()).collect();
+    let positions: Vec<Vec3> = model.positions_m.iter().map(|position| position.as_vec3()).collect();
     let low = positions.iter().copied().reduce(Vec3::min).unwrap_or_default();
     let high = positions.iter().copied().reduce(Vec3::max).unwrap_or_default();
     let mut text = String::with_capacity(160 * positions.len());
@@ -51,7 +52,7 @@ fn scene(model: &Model<'_>, texture: Option<&Texture<'_>>) -> String {
     push_vertices(&mut text, "normal3f[] normals", normals.into_iter().map(normal));
     match texture {
         Some(texture) => {
-            // The origin is at the bottom left.
+            // USD has the origin at the bottom left.
             let uv = |uv: &DVec2| format!("({:.7}, {:.7})", uv.x, 1.0 - uv.y);
             push_vertices(&mut text, "texCoord2f[] primvars:st", texture.uvs.iter().map(uv));
         }
@@ -139,7 +140,7 @@ const COLOURED: &str = r#"
         }
 "#;
 
-/// A list with a value for each vertex.
+/// Appends a list with one value per vertex.
 fn push_vertices(text: &mut String, name: &str, values: impl Iterator<Item = String>) {
     push_list(text, name, values);
     text.truncate(text.trim_end().len());

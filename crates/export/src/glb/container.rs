@@ -3,17 +3,17 @@ use glam::{Vec2, Vec3};
 use rosto_mesh::Topology;
 use serde_json::{Map, Value, json};
 
-/// Component types and buffer targets in OpenGL's numbers, as glTF has them.
+/// Component types and buffer targets, as OpenGL constants.
 const UNSIGNED_SHORT: u32 = 5123;
 const UNSIGNED_INT: u32 = 5125;
 const FLOAT: u32 = 5126;
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
-/// The largest index that 16 bits hold; 65535 itself restarts a primitive.
+/// The largest 16-bit index; 65535 is reserved for primitive restart.
 const MAX_SHORT_INDEX: usize = 65534;
 
-/// Collects the binary chunk, and the views and accessors that describe it.
+/// Builds the binary chunk, with its buffer views and accessors.
 #[derive(Default)]
 pub(super) struct Builder {
     bytes: Vec<u8>,
@@ -22,7 +22,7 @@ pub(super) struct Builder {
 }
 
 impl Builder {
-    /// Positions or displacements, whose bounds glTF requires; gives the accessor.
+    /// Adds positions or displacements, for which glTF requires bounds. Returns the accessor.
     pub(super) fn bounded_vectors3(&mut self, values: &[Vec3]) -> usize {
         let low = values.iter().copied().reduce(Vec3::min).unwrap_or_default();
         let high = values.iter().copied().reduce(Vec3::max).unwrap_or_default();
@@ -37,13 +37,13 @@ impl Builder {
         self.attribute(bytes, FLOAT, "VEC3", values.len())
     }
 
-    /// Displacements, most of which may be nothing: only the others are written where that is shorter.
+    /// Adds displacements as a sparse accessor if that is smaller. Returns the accessor.
     pub(super) fn displacements3(&mut self, values: &[Vec3]) -> usize {
         const DENSE_BYTES: usize = 12;
         let moved: Vec<usize> = (0..values.len()).filter(|&at| values[at] != Vec3::ZERO).collect();
         let is_short = values.len() <= MAX_SHORT_INDEX + 1;
         let sparse_bytes = DENSE_BYTES + if is_short { 2 } else { 4 };
-        // Some readers stumble over accessors without any value.
+        // Some readers reject sparse accessors without values.
         if moved.is_empty() || moved.len() * sparse_bytes >= values.len() * DENSE_BYTES {
             return self.bounded_vectors3(values);
         }
@@ -54,8 +54,9 @@ impl Builder {
         };
         let bytes = moved.iter().flat_map(|&at| values[at].to_array()).flat_map(f32::to_le_bytes);
         let view = self.view(bytes, None);
-        let bound =
-            |of: fn(Vec3, Vec3) -> Vec3| exact(values.iter().copied().reduce(of).unwrap_or_default().to_array());
+        let bound = |combine: fn(Vec3, Vec3) -> Vec3| {
+            exact(values.iter().copied().reduce(combine).unwrap_or_default().to_array())
+        };
         self.accessors.push(json!({
             "componentType": FLOAT, "type": "VEC3", "count": values.len(), "min": bound(Vec3::min), "max": bound(Vec3::max),
             "sparse": {
@@ -76,7 +77,7 @@ impl Builder {
         self.attribute(values.iter().flat_map(|v| v.to_le_bytes()), FLOAT, "SCALAR", values.len())
     }
 
-    /// Linear colours with alpha, normalised to 16 bits: four channels keep the 4-byte alignment that glTF asks for.
+    /// Adds linear RGBA colours, normalised 16-bit. Four channels satisfy glTF's 4-byte alignment.
     pub(super) fn colours(&mut self, values: &[[u16; 4]]) -> usize {
         let bytes = values.iter().flatten().flat_map(|channel| channel.to_le_bytes());
         let accessor = self.attribute(bytes, UNSIGNED_SHORT, "VEC4", values.len());
@@ -98,12 +99,12 @@ impl Builder {
         self.accessor(view, component, "SCALAR", count)
     }
 
-    /// An encoded image; gives the buffer view.
+    /// Adds an encoded image. Returns the buffer view.
     pub(super) fn image(&mut self, encoded: &[u8]) -> usize {
         self.view(encoded.iter().copied(), None)
     }
 
-    /// The whole file in binary: header, JSON chunk, binary chunk.
+    /// Returns the binary file: header, JSON chunk, binary chunk.
     pub(super) fn finish_binary(mut self, root: Map<String, Value>) -> Vec<u8> {
         self.pad();
         let bytes = std::mem::take(&mut self.bytes);
@@ -119,7 +120,7 @@ impl Builder {
         file
     }
 
-    /// The whole file as text.
+    /// Returns the file as text.
     pub(super) fn finish_text(mut self, root: Map<String, Value>) -> String {
         let bytes = std::mem::take(&mut self.bytes);
         let uri = ["data:application/octet-stream;base64,", &BASE64_STANDARD.encode(&bytes)].concat();
@@ -166,7 +167,7 @@ fn push_chunk(file: &mut Vec<u8>, kind: &[u8; 4], bytes: &[u8]) {
     file.extend_from_slice(bytes);
 }
 
-/// The `f32` values with all the digits they have, so that the bounds equal the data.
+/// Converts exactly, so that the bounds equal the data.
 fn exact(values: [f32; 3]) -> Value {
     values.map(f64::from).to_vec().into()
 }

@@ -1,4 +1,4 @@
-//! The further photos of a face that was seen in several, as files hold them.
+//! The further photos of a face that was fitted to several.
 
 use rosto_face::{FaceModel, View};
 use serde_json::{Value, json};
@@ -6,16 +6,16 @@ use serde_json::{Value, json};
 use super::source::{found, part_of};
 use crate::{ExportError, Picture};
 
-/// Whether the pictures of further photos go into a file.
+/// Whether a file includes the pictures of further photos.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Pictures {
-    /// The face's part of each, its longest side at most so many px.
+    /// The face's part of each, with a longest side of at most this many px.
     UpTo(u32),
-    /// None: the file is to hold no photo.
+    /// No pictures, because the file should not contain photos.
     Left,
 }
 
-/// Which photo leads, and what there is of the others; nothing of a face that was seen in one alone.
+/// Returns the index of the lead photo and the data of the others; `None` for a face from a single photo.
 pub(crate) fn further(face: &FaceModel, pictures: Pictures) -> Result<Option<Value>, ExportError> {
     let [lead, others @ ..] = face.views() else { return Ok(None) };
     if others.is_empty() {

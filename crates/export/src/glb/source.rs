@@ -5,45 +5,46 @@ use serde_json::{Value, json};
 use super::Painted;
 use crate::{ExportError, Picture, about, texture};
 
-/// Version of the extras: the one that is written and read.
+/// Version of the extras that is written and read.
 pub(crate) const VERSION: u64 = 1;
 
-/// What a face was made from. A file that carries it can be opened again, with its edits: see [`reopen`](crate::reopen).
+/// Data from which [`reopen`](crate::reopen) restores a face and its edits.
 ///
-/// It goes into the scene's `extras`, where other programs leave it alone or drop it:
+/// It is stored in the scene's `extras`, which other programs preserve or drop:
 /// ```json
 /// {"rosto": "face", "version": 1, "photo_px": [512, 512], "triangulation": "canonical", "density": 0, "lens": "exif:26",
 ///  "landmarks": "468 or 478 × 3 little-endian f32 in base64", "colours": "468 × 3 bytes in base64",
 ///  "picture": {"size_px": [512, 512], "crop_at_px": [96, 0], "crop_size_px": [256, 256]}, "history": {}, "in_photo": {},
 ///  "positions_fnv1a": "cbf29ce484222325", "about": {}}
 /// ```
-/// `lens` holds the lens data ([`rosto_face::PhotoLens`]). `about` is [`about`](crate::about), for readers of the
-/// file without Rosto.
-/// `picture` says where in the upright picture the texture was cut out. Where a picture of the whole face is the texture,
-/// that part of the photo is in it as `jpeg`, a file in base64: as an image that no texture uses, glTF would have it dropped. A
-/// file without texture has no `picture`.
-/// All that is of the photo that leads. Of a face in several photos there are the others in `further`, each
-/// with `photo_px`, `lens`, `landmarks`, `colours` and a `picture` with its `jpeg`; `leads` says the place of the one that leads
+/// `lens` holds the lens data ([`rosto_face::PhotoLens`]); `about` is [`about`](crate::about), for readers other than
+/// Rosto.
+/// `picture` places the texture's crop in the upright photo. If the texture is the whole-face texture, `picture` holds
+/// the crop itself as `jpeg`, in base64, because programs may drop an unused glTF image. A file without a texture has
+/// no `picture`.
+///
+/// These fields describe the lead photo. For a face from several photos, `further` lists the others and `leads` is the
+/// index of the lead photo among all of them, in input order:
 /// among them all, in the order that they were given in:
 /// ```json
 /// {"leads": 0, "photos": [{"photo_px": [512, 512], "lens": "estimated", "landmarks": "", "colours": "", "picture": {}}]}
 /// ```
-/// `positions_fnv1a` is the 64-bit FNV-1a hash of the bytes of `POSITION`, by which a mesh shows that was changed since.
+/// `positions_fnv1a` is the 64-bit FNV-1a hash of the `POSITION` bytes, used to detect changes by other programs.
 #[derive(Debug, Clone, Copy)]
 pub struct Source<'a> {
     /// The unedited face.
     pub face: &'a FaceModel,
-    /// How its landmarks are joined in the file.
+    /// Triangulation of the landmarks in the file.
     pub triangulation: Triangulation,
-    /// How often its mesh was subdivided for the file.
+    /// Subdivision level of the mesh in the file.
     pub density: u32,
-    /// The edits as the text of a JSON object, in the form that only their owner knows; none if there are none.
+    /// Edits as the text of a JSON object, in a format that this crate does not interpret; `None` if there are none.
     pub history: Option<&'a str>,
-    /// What was done to the photo alone, in the same way.
+    /// Edits of the photo, in the same form.
     pub in_photo: Option<&'a str>,
 }
 
-/// The extras but for the pictures.
+/// Builds the extras, without the pictures.
 pub(super) fn extras(source: &Source<'_>) -> Result<Value, ExportError> {
     let face = source.face;
     let mut extras = found(face.photo_size_px(), face.lens(), face.landmarks(), face.colours_srgb());
@@ -61,19 +62,19 @@ pub(super) fn extras(source: &Source<'_>) -> Result<Value, ExportError> {
     Ok(extras)
 }
 
-/// A face found in a photo: landmarks as little-endian numbers, and the colours under them, both in base64.
+/// Landmarks (little-endian `f32`) and their colours, both in base64, with the photo's size and lens.
 pub(super) fn found(photo_px: [u32; 2], lens: PhotoLens, landmarks: &[[f32; 3]], colours: &[[u8; 3]]) -> Value {
     let landmarks: Vec<u8> = landmarks.iter().flatten().flat_map(|number| number.to_le_bytes()).collect();
     let [landmarks, colours] = [&landmarks, colours.as_flattened()].map(|bytes| BASE64_STANDARD.encode(bytes));
     json!({"photo_px": photo_px, "lens": lens.to_string(), "landmarks": landmarks, "colours": colours})
 }
 
-/// The history as JSON.
+/// Parses the history.
 pub(crate) fn history_object(history: &str) -> Result<Value, ExportError> {
     serde_json::from_str(history).ok().filter(Value::is_object).ok_or(ExportError::HistoryNotAnObject)
 }
 
-/// The 64-bit FNV-1a hash of bytes, in sixteen hexadecimal digits.
+/// 64-bit FNV-1a hash, as sixteen hexadecimal digits.
 pub(crate) fn fingerprint(bytes: impl IntoIterator<Item = u8>) -> String {
     const BASIS: u64 = 0xCBF2_9CE4_8422_2325;
     const PRIME: u64 = 0x0000_0100_0000_01B3;
@@ -81,23 +82,23 @@ pub(crate) fn fingerprint(bytes: impl IntoIterator<Item = u8>) -> String {
     format!("{hash:016x}")
 }
 
-/// Where the photo's part was cut out, with that part itself where no texture holds it.
+/// Placement of the photo's crop, with the crop itself unless it is the texture.
 pub(super) fn picture(photo: &Picture<'_>, painted: &Painted, max_px: u32) -> Result<Option<Value>, ExportError> {
     match painted {
-        Painted::Photo(crop) => Ok(Some(place(crop))),
+        Painted::Photo(crop) => Ok(Some(placement(crop))),
         Painted::Whole => part_of(photo, max_px).map(Some),
         Painted::Colours => Ok(None),
     }
 }
 
-/// The face's part of a photo, and where it was cut out.
+/// The face's part of a photo, with its placement.
 pub(super) fn part_of(photo: &Picture<'_>, max_px: u32) -> Result<Value, ExportError> {
     let (part, crop) = texture::crop(photo, max_px)?;
-    let mut picture = place(&crop);
+    let mut picture = placement(&crop);
     picture["jpeg"] = BASE64_STANDARD.encode(texture::jpeg(&part.pixels)?).into();
     Ok(picture)
 }
 
-fn place(crop: &texture::Crop) -> Value {
+fn placement(crop: &texture::Crop) -> Value {
     json!({"size_px": crop.picture_size_px, "crop_at_px": crop.at_px, "crop_size_px": crop.size_px})
 }

@@ -3,16 +3,15 @@ use super::ReopenError;
 const HEADER_BYTES: usize = 12;
 const CHUNK_HEADER_BYTES: usize = 8;
 
-/// The two chunks of a binary glTF file.
+/// The chunks of a binary glTF file.
 pub(super) struct Chunks<'a> {
     pub json: &'a [u8],
-    /// Empty where there is none.
+    /// Empty if the chunk is missing.
     pub binary: &'a [u8],
 }
 
 impl<'a> Chunks<'a> {
-    /// Takes a file apart. Bytes after the length that the header tells are passed over, and so are chunks of other
-    /// kinds, as the standard wants it.
+    /// Splits a file. Bytes beyond the header's length and unknown chunks are ignored, as the standard requires.
     pub fn of(bytes: &'a [u8]) -> Result<Self, ReopenError> {
         if bytes.get(..4) != Some(b"glTF") || word(bytes, 4) != Some(2) {
             return Err(ReopenError::NotGlb);
@@ -32,14 +31,14 @@ impl<'a> Chunks<'a> {
     }
 }
 
-/// The first chunk's kind and content, and what follows it.
+/// Kind and content of the first chunk, and the rest.
 fn chunk(bytes: &[u8]) -> Option<(&[u8], &[u8], &[u8])> {
     let (header, rest) = bytes.split_at_checked(CHUNK_HEADER_BYTES)?;
     let (content, rest) = rest.split_at_checked(word(header, 0)?)?;
     Some((&header[4..], content, rest))
 }
 
-/// A little-endian 32-bit number.
+/// Reads a little-endian 32-bit number.
 fn word(bytes: &[u8], at: usize) -> Option<usize> {
     let bytes = bytes.get(at..)?.first_chunk::<4>()?;
     usize::try_from(u32::from_le_bytes(*bytes)).ok()

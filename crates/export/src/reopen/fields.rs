@@ -4,18 +4,18 @@ use serde_json::Value;
 
 use super::ReopenError;
 
-/// No landmark lies farther from the picture than this, in pictures.
+/// Largest landmark coordinate, in picture widths or heights.
 const MAX_COORDINATE: f32 = 300.0;
 
-/// Nor is a face smaller than this, in pictures: it would have less than a pixel.
+/// Smallest extent of a face, in picture widths or heights: below it, a face has less than one pixel.
 const MIN_EXTENT: f32 = 1e-5;
 
-/// What is missing or not as expected.
+/// Error for a missing or invalid field.
 pub(crate) fn field(field: &'static str) -> impl FnOnce() -> ReopenError {
     move || ReopenError::Field { field }
 }
 
-/// Refuses every version but the one that is read.
+/// Refuses all versions except `known`.
 pub(crate) fn check_version(value: &Value, known: u64) -> Result<(), ReopenError> {
     match value.as_u64().ok_or_else(field("version"))? {
         found if found == known => Ok(()),
@@ -23,7 +23,7 @@ pub(crate) fn check_version(value: &Value, known: u64) -> Result<(), ReopenError
     }
 }
 
-/// 468 landmarks out of little-endian numbers, if they are those of a face that can be modelled.
+/// Reads landmarks from little-endian bytes; `None` if they do not form a valid face.
 pub(crate) fn landmarks(bytes: &[u8], [width, height]: [u32; 2]) -> Option<Vec<[f32; 3]>> {
     let (numbers, rest) = bytes.as_chunks::<4>();
     let numbers: Vec<f32> = numbers.iter().map(|&bytes| f32::from_le_bytes(bytes)).collect();
@@ -33,7 +33,7 @@ pub(crate) fn landmarks(bytes: &[u8], [width, height]: [u32; 2]) -> Option<Vec<[
     (plausible && check_landmarks(points, width, height).is_ok()).then(|| points.to_vec())
 }
 
-/// The longer side of the rectangle around the landmarks, in pictures.
+/// Longer side of the landmarks' bounding box, in picture widths or heights.
 fn extent(points: &[[f32; 3]]) -> f32 {
     let side = |axis: usize| {
         let along = || points.iter().map(|point| point[axis]);
@@ -42,7 +42,7 @@ fn extent(points: &[[f32; 3]]) -> f32 {
     side(0).max(side(1))
 }
 
-/// 468 colours.
+/// Reads 468 colours.
 pub(crate) fn colours(bytes: &[u8]) -> Option<Vec<[u8; 3]>> {
     let (colours, rest) = bytes.as_chunks::<3>();
     (rest.is_empty() && colours.len() == LANDMARK_COUNT).then(|| colours.to_vec())
@@ -56,7 +56,7 @@ pub(crate) fn density(value: &Value) -> Option<u32> {
     integer(value).filter(|&density| density <= MAX_DENSITY)
 }
 
-/// Two sides in px, neither of them 0.
+/// Reads a width and height in px, both non-zero.
 pub(crate) fn size(value: &Value, most_px: u32) -> Option<[u32; 2]> {
     let [width, height] = value.as_array()?.as_slice() else { return None };
     bounded([integer(width)?, integer(height)?], most_px)
@@ -66,7 +66,7 @@ pub(crate) fn bounded(size: [u32; 2], most_px: u32) -> Option<[u32; 2]> {
     size.iter().all(|side| (1..=most_px).contains(side)).then_some(size)
 }
 
-/// The text of a JSON object.
+/// Text of a JSON object.
 pub(crate) fn object(value: &Value) -> Option<String> {
     value.is_object().then(|| value.to_string())
 }

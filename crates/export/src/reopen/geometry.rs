@@ -1,4 +1,4 @@
-//! Geometry from the binary chunk, at whatever offset another program wrote it.
+//! Geometry in the binary chunk, which other programs may have moved.
 
 use serde_json::Value;
 
@@ -6,10 +6,10 @@ use super::fields::index;
 
 const FLOAT: u64 = 5126;
 
-/// Three little-endian floats.
+/// Bytes of a position: three little-endian floats.
 const POSITION_BYTES: usize = 3 * 4;
 
-/// The first mesh's positions as little-endian bytes, without what lies between them.
+/// Positions of the first mesh as contiguous little-endian bytes.
 pub(super) fn positions(root: &Value, binary: &[u8]) -> Option<Vec<u8>> {
     let accessor = &root["accessors"][index(&root["meshes"][0]["primitives"][0]["attributes"]["POSITION"])?];
     if accessor["componentType"] != FLOAT || accessor["type"] != "VEC3" || !accessor["sparse"].is_null() {
@@ -20,14 +20,14 @@ pub(super) fn positions(root: &Value, binary: &[u8]) -> Option<Vec<u8>> {
     let start = offset(view)?.checked_add(offset(accessor)?)?;
     let count = index(&accessor["count"])?;
     let values = binary.get(start..)?;
-    // What the file holds bounds how much is taken, whatever it says.
+    // The claimed count is not trusted: it has to fit in the file.
     if count == 0 || (count - 1).checked_mul(stride)?.checked_add(POSITION_BYTES)? > values.len() {
         return None;
     }
     Some(values.chunks(stride).take(count).flat_map(|value| &value[..POSITION_BYTES]).copied().collect())
 }
 
-/// The content of a buffer view.
+/// Content of a buffer view.
 pub(super) fn view<'a>(root: &Value, binary: &'a [u8], view: usize) -> Option<&'a [u8]> {
     let view = &root["bufferViews"][view];
     let start = offset(view)?;

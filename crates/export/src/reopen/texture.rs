@@ -5,20 +5,21 @@ use serde_json::Value;
 use super::fields::{base64, bounded, index, size};
 use super::geometry::view;
 
-/// A picture with a longer side, in px, is not one that this crate has written.
+/// Longest side of a picture that this crate writes, in px.
 pub(crate) const MAX_PICTURE_SIDE_PX: u32 = 8192;
 
-/// A picture in a file, and where it belongs in the whole upright picture. Whoever draws it fills the rectangle
-/// `at_px`, `size_px` with it, whatever size it has itself: another program may have scaled it.
+/// A picture in a file, and its placement in the whole upright picture.
+///
+/// Scale it to fill the rectangle `at_px`, `size_px`: another program may have resized it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PlacedTexture<'a> {
-    /// The encoded picture, as it was found.
+    /// The encoded picture, unchanged.
     pub encoded: Cow<'a, [u8]>,
-    /// Width and height in px of the whole upright picture.
+    /// Width and height of the whole upright picture, in px.
     pub picture_size_px: [u32; 2],
-    /// Left and top in that picture in px; negative where it reaches beyond.
+    /// Left and top in the whole picture, in px; negative if the texture extends beyond it.
     pub at_px: [i32; 2],
-    /// Width and height in px that it takes up in that picture.
+    /// Width and height in the whole picture, in px.
     pub size_px: [u32; 2],
 }
 
@@ -31,14 +32,14 @@ impl PlacedTexture<'_> {
 
 pub(crate) const PNG_SIGNATURE: [u8; 8] = *b"\x89PNG\r\n\x1a\n";
 
-/// The photo's part in a GLB, by what its extras say of it: the texture or, where that is a picture of the whole face, what
-/// they hold themselves.
+/// Reads the photo's part from a GLB: the texture itself, or the JPEG in the extras if the texture is a whole-face
+/// texture.
 pub(super) fn texture<'a>(picture: &Value, root: &Value, binary: &'a [u8]) -> Option<PlacedTexture<'a>> {
     let [left, top] = picture["crop_at_px"].as_array()?.as_slice() else { return None };
     let beyond = |at: &i32| at.unsigned_abs() <= MAX_PICTURE_SIDE_PX;
-    let place = |value: &Value| i32::try_from(value.as_i64()?).ok().filter(beyond);
+    let coordinate = |value: &Value| i32::try_from(value.as_i64()?).ok().filter(beyond);
     let encoded = match picture.get("jpeg") {
-        Some(own) => Cow::Owned(base64(own)?),
+        Some(embedded) => Cow::Owned(base64(embedded)?),
         None => Cow::Borrowed(view(root, binary, index(&root["images"][0]["bufferView"])?)?),
     };
     let picture_size_px = size(&picture["size_px"], MAX_PICTURE_SIDE_PX)?;
@@ -46,22 +47,22 @@ pub(super) fn texture<'a>(picture: &Value, root: &Value, binary: &'a [u8]) -> Op
     if encoded.is_empty() || encoded_size(&encoded).is_some_and(|size| bounded(size, MAX_PICTURE_SIDE_PX).is_none()) {
         return None;
     }
-    Some(PlacedTexture { encoded, picture_size_px, at_px: [place(left)?, place(top)?], size_px })
+    Some(PlacedTexture { encoded, picture_size_px, at_px: [coordinate(left)?, coordinate(top)?], size_px })
 }
 
-/// Width and height that a JPEG or PNG file says it has.
+/// Width and height in the header of a JPEG or PNG file.
 fn encoded_size(file: &[u8]) -> Option<[u32; 2]> {
     png_size(file).or_else(|| jpeg_size(file))
 }
 
-/// The size in a PNG file's header.
+/// Width and height in the header of a PNG file.
 pub(crate) fn png_size(file: &[u8]) -> Option<[u32; 2]> {
     let header = file.strip_prefix(&PNG_SIGNATURE)?.get(4..16)?.strip_prefix(b"IHDR")?;
     let side = |at: usize| header.get(at..)?.first_chunk().map(|&bytes| u32::from_be_bytes(bytes));
     Some([side(0)?, side(4)?])
 }
 
-/// The size in a JPEG file's frame header: behind its length and its precision, height before width.
+/// Width and height in the frame header of a JPEG file, where the height comes first, after the length and precision.
 fn jpeg_size(file: &[u8]) -> Option<[u32; 2]> {
     let mut rest = file.strip_prefix(&[0xFF, 0xD8])?;
     loop {

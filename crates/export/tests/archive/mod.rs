@@ -1,11 +1,11 @@
-//! Zip archives read back by their directory, as readers do.
+//! Reader of zip archives, by their central directory.
 
 #![allow(clippy::unwrap_used, dead_code, reason = "each test file uses its part")]
 
-/// An entry of an archive.
+/// An archive entry.
 pub struct Entry {
     pub name: String,
-    /// Where its bytes start in the archive.
+    /// Offset of the content in the archive.
     pub start: usize,
     pub bytes: Vec<u8>,
 }
@@ -16,7 +16,7 @@ impl Entry {
     }
 }
 
-/// All entries, with what both headers say of them checked against each other and against the bytes.
+/// Reads all entries, and checks the local and central headers against each other and the content.
 pub fn entries(archive: &[u8]) -> Vec<Entry> {
     let end = archive.len() - 22;
     let (short, long) = (
@@ -44,7 +44,7 @@ pub fn entries(archive: &[u8]) -> Vec<Entry> {
     found
 }
 
-/// CRC-32 as its definition has it, bit by bit.
+/// Bitwise CRC-32, as defined by the standard.
 fn crc(bytes: &[u8]) -> u32 {
     let mut crc = u32::MAX;
     for &byte in bytes {

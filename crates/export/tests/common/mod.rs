@@ -1,4 +1,4 @@
-//! A face to export, and the GLB container read back.
+//! A test face, and a reader of GLB containers.
 
 #![allow(clippy::unwrap_used, dead_code, reason = "each test file uses its part")]
 
@@ -13,14 +13,14 @@ use serde_json::Value;
 
 pub const SIDE: u32 = 300;
 
-/// A picture whose colour says where in it one is: red grows to the right, green downwards.
+/// A gradient whose colour encodes the position: red increases to the right, green downwards.
 pub fn gradient() -> Photo {
     let level = |at: u32| (at * 255 / (SIDE - 1)) as u8;
     let pixels = (0..SIDE).flat_map(|y| (0..SIDE).flat_map(move |x| [level(x), level(y), 60])).collect();
     Photo::from_rgb(SIDE, SIDE, pixels).unwrap()
 }
 
-/// The canonical face laid flat over the middle of that picture, a little deep.
+/// The canonical face, projected flat over the centre of the gradient.
 pub fn face(triangulation: Triangulation) -> FaceModel {
     let depths = rosto_face::canonical_positions_m();
     let landmarks: Vec<[f32; 3]> = (0..LANDMARK_COUNT)
@@ -42,39 +42,39 @@ pub fn face(triangulation: Triangulation) -> FaceModel {
     FaceModel::new(input, triangulation).unwrap()
 }
 
-/// A power of two, as graphics cards want it.
+/// A power of two, as for a real whole-face texture.
 const WHOLE_SIDE: u32 = 256;
 
-/// A picture of the whole face, with its places: the colours tell it from the photo.
+/// A whole-face texture with its UVs; its colours differ from the photo's.
 static WHOLE: LazyLock<(Photo, Vec<DVec2>)> = LazyLock::new(|| {
     let pixels = (0..WHOLE_SIDE).flat_map(|y| (0..WHOLE_SIDE).flat_map(move |x| [30, x as u8, y as u8])).collect();
     (Photo::from_rgb(WHOLE_SIDE, WHOLE_SIDE, pixels).unwrap(), canonical_uvs())
 });
 
-/// The face with a picture of the whole of it.
+/// The face with a whole-face texture.
 pub fn model(face: &FaceModel) -> Model<'_> {
     let (pixels, uvs) = &*WHOLE;
     Model { whole: Some(Picture { pixels, uvs }), ..Model::of_face(face) }
 }
 
-/// A GLB painted with the photo.
+/// Options for a GLB with the photo as its texture.
 pub fn by_photo() -> GlbOptions<'static> {
     GlbOptions { base_colour: BaseColour::Photo, ..GlbOptions::default() }
 }
 
-/// That picture as a PNG file.
+/// The gradient as a PNG file.
 pub fn png() -> Vec<u8> {
     let (picture, mut file) = (gradient(), Vec::new());
     PngEncoder::new(&mut file).write_image(picture.pixels(), SIDE, SIDE, ExtendedColorType::Rgb8).unwrap();
     file
 }
 
-/// What opens that face again.
+/// Data for reopening the face.
 pub fn source<'a>(face: &'a FaceModel, history: Option<&'a str>) -> Source<'a> {
     Source { face, triangulation: face.triangulation(), density: 0, history, in_photo: None }
 }
 
-/// A GLB taken apart.
+/// A parsed GLB.
 pub struct Glb {
     pub json: Value,
     pub binary: Vec<u8>,

@@ -164,8 +164,8 @@ fn everything_works(session: &mut Session) {
         // The picture of a PNG is as small as the photo's part that shows the face.
         let least_bytes = if format == Format::Png { 100 } else { 20_000 };
         assert!(bundled.len() > least_bytes, "{format:?}");
-        assert_eq!(written.beside.is_empty(), format.bundle_ending(BaseColour::Photo) == format.id());
-        assert_eq!(written.beside.is_empty(), bundled == written.bytes);
+        assert_eq!(written.sidecars.is_empty(), format.bundle_extension(BaseColour::Photo) == format.id());
+        assert_eq!(written.sidecars.is_empty(), bundled == written.bytes);
         let facts = session.solid_facts(Solid::default()).unwrap();
         assert!(written.solid.is_none() || written.solid == facts);
     }
