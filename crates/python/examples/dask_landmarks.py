@@ -1,4 +1,4 @@
-"""Landmarks of all photos in a folder by Dask, on one machine or on many: python dask_landmarks.py FOLDER TABLE.parquet"""
+"""Finds landmarks in a folder of photos with Dask: python dask_landmarks.py FOLDER TABLE.parquet"""
 
 import sys
 from pathlib import Path
@@ -9,14 +9,14 @@ import rosto
 from distributed import Client
 
 
-def of_some(paths: list[str]) -> pa.Table:
+def of_chunk(paths: list[str]) -> pa.Table:
     table = rosto.landmarks(paths, rosto.Search(mediapipe=True)).to_arrow()
     return table.add_column(0, "path", pa.array(paths))
 
 
-def landmarks(client: Client, paths: list[str], at_a_time: int = 25) -> pa.Table:
-    some = [paths[start : start + at_a_time] for start in range(0, len(paths), at_a_time)]
-    return pa.concat_tables(client.gather(client.map(of_some, some)))
+def landmarks(client: Client, paths: list[str], chunk_size: int = 25) -> pa.Table:
+    chunks = [paths[start : start + chunk_size] for start in range(0, len(paths), chunk_size)]
+    return pa.concat_tables(client.gather(client.map(of_chunk, chunks)))
 
 
 if __name__ == "__main__":

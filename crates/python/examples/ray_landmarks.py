@@ -1,4 +1,4 @@
-"""Landmarks of all photos in a folder by Ray Data, on one machine or on many: python ray_landmarks.py FOLDER TABLES"""
+"""Finds landmarks in a folder of photos with Ray Data: python ray_landmarks.py FOLDER TABLES"""
 
 import sys
 

@@ -1,16 +1,15 @@
-"""Photos of faces to 468 landmarks and editable, coloured 3D meshes; δ-coordinates for any mesh.
+"""Face landmarks and editable, coloured 3D meshes from photos, and Laplacian editing of any mesh.
 
-Everything is computed on this machine, by the same core as the command line's and the page's, and to the same bits. Calls
-use one thread unless ``jobs`` says more, and let other threads of Python run meanwhile. Networks are loaded once for each
-process, when they are needed first.
+Everything runs locally, and results are bit-identical to those of the command line and the page. Calls use one thread
+unless you set ``jobs``, and release the GIL. Each process loads the networks once, on first use.
 
-Images are paths; JPEG, PNG or WebP files as ``bytes``, ``bytearray`` or ``memoryview``, or open for reading; arrays, ``uint8``,
-sRGB, of the shape ``(height, width, 3)``, ``(height, width, 4)`` with alpha, or ``(height, width)`` for grey; or images of
-Pillow's. Transparency is laid over white. A file's or a Pillow image's EXIF orientation and colour profile are applied; an
-array is taken as it is.
+Images are paths; JPEG, PNG or WebP files as ``bytes``, ``bytearray``, ``memoryview`` or file objects; ``uint8`` sRGB
+arrays of shape ``(height, width, 3)``, ``(height, width, 4)`` with alpha, or ``(height, width)`` for grey; or Pillow
+images. Transparent pixels are composited over white. EXIF orientation and colour profiles of files and Pillow images
+are applied; arrays are used unchanged.
 
-Numbers may be NumPy's. Left and right are the subject's. Lengths are in metres where names end in ``_m`` and in millimetres
-where they end in ``_mm``.
+Numbers may be NumPy scalars. Left and right are the subject's. Names ending in ``_m`` are in metres, in ``_mm`` in
+millimetres.
 """
 
 from ._edits import Edit, Expression, Region, Slider, Symmetrise, Vertex

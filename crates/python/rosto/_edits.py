@@ -1,4 +1,4 @@
-"""What can be done to a face; each knows the command line's words for it."""
+"""Edits of a face, each with its command-line options."""
 
 import reprlib
 from collections.abc import Sequence
@@ -11,10 +11,10 @@ from ._numbers import Number, Vector, number, shortest, text, vector, whole, who
 
 
 class Edit(Protocol):
-    """An edit that ``rosto mesh`` makes. Numbers may be NumPy's; they are kept as Python's."""
+    """An edit for :func:`rosto.mesh`. NumPy numbers are converted to Python numbers."""
 
     def words(self) -> list[str]:
-        """As options of the command line."""
+        """Returns the edit as command-line options."""
         ...
 
 
@@ -23,16 +23,17 @@ def _joined(*numbers: Any) -> str:
 
 
 def _keep(edit: Edit, **values: object) -> None:
-    """Sets fields of a frozen edit."""
+    """Sets fields of a frozen dataclass."""
     for name, value in values.items():
         object.__setattr__(edit, name, value)
 
 
 @dataclass(frozen=True)
 class Vertex(Edit):
-    """Moves a vertex by an offset in mm; ``level`` 0 is a landmark, higher ones are vertices of denser meshes.
+    """Moves a vertex by an offset in mm.
 
-    Without anchors, what stays is chosen as ``anchors`` of :func:`rosto.mesh` says.
+    ``level`` is the subdivision level of the vertex; level 0 has the landmarks. Without ``anchors``, the option
+    ``anchors`` of :func:`rosto.mesh` selects the vertices that stay.
     """
 
     vertex: int
@@ -71,7 +72,7 @@ class Region(Edit):
 
 @dataclass(frozen=True)
 class Slider(Edit):
-    """A ready-made slider, such as ``"nose-width"``, by an amount in mm."""
+    """Moves a slider, such as ``"nose-width"``, by an amount in mm."""
 
     slider: str
     amount_mm: Number
@@ -85,7 +86,7 @@ class Slider(Edit):
 
 @dataclass(frozen=True)
 class Expression(Edit):
-    """An expression by ARKit's name, such as ``"jawOpen"``, with a weight from 0 to 1."""
+    """Applies an ARKit expression, such as ``"jawOpen"``, with a weight from 0 to 1."""
 
     expression: str
     weight: Number
@@ -99,7 +100,7 @@ class Expression(Edit):
 
 @dataclass(frozen=True)
 class Symmetrise(Edit):
-    """Makes the face as much its own mirror image as a share from 0 to 1 says."""
+    """Makes the face more symmetric, by a share from 0 (unchanged) to 1 (symmetric)."""
 
     share: Number
 

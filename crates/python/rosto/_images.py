@@ -1,4 +1,4 @@
-"""Images as people give them, and the networks that look at them."""
+"""Conversion of images, and the cached networks."""
 
 import io
 import os
@@ -17,42 +17,42 @@ from ._rosto import MAX_BYTES, Finder, Photo, RostoError, check_length, check_si
 
 
 class File(Protocol):
-    """A file that is open for reading bytes."""
+    """A file object opened for reading in binary mode."""
 
     def read(self, size: int, /) -> bytes:
-        """At most ``size`` bytes, from where the file is; none at its end."""
+        """Reads at most ``size`` bytes; returns ``b""`` at the end."""
         ...
 
 
 class PillowImage(Protocol):
-    """An image of Pillow's, which is not needed otherwise."""
+    """A Pillow image, as a protocol, because Pillow is optional."""
 
     @property
     def mode(self) -> str:
-        """The kind of its pixels."""
+        """Pixel format."""
         ...
 
     def save(self, fp: Any, format: Optional[str] = None, **params: Any) -> None:
-        """Writes it to a file."""
+        """Writes the image to a file."""
         ...
 
 
 Image = Union[str, "os.PathLike[str]", bytes, bytearray, memoryview, File, npt.NDArray[np.uint8], PillowImage]
-"""A path; a JPEG, PNG or WebP file as bytes or open for reading; pixels, ``uint8``, sRGB, of the shape ``(height, width)`` or
-``(height, width, 1, 3 or 4)``; or an image of Pillow's."""
+"""A path; a JPEG, PNG or WebP file as bytes or file object; ``uint8`` sRGB pixels of shape ``(height, width)`` or
+``(height, width, 1, 3 or 4)``; or a Pillow image."""
 
-Held = Union[str, bytes, npt.NDArray[np.uint8]]
-"""A path, or a file or pixels that nobody else can change."""
+Frozen = Union[str, bytes, npt.NDArray[np.uint8]]
+"""A path, or an immutable copy of a file or of pixels."""
 
 NETWORKS = Path(__file__).parent / "networks"
-# Modes that a PNG file keeps as they are; other ones that hold 8 bits for each channel become RGB or RGBA.
+# Modes that PNG preserves. Other modes with 8 bits per channel are converted.
 _PNG_MODES = {"1", "L", "LA", "P", "RGB", "RGBA", "I;16"}
 _CONVERTED = {"CMYK": "RGB", "YCbCr": "RGB", "LAB": "RGB", "HSV": "RGB", "RGBX": "RGB", "PA": "RGBA", "La": "LA", "RGBa": "RGBA"}
-_MOST_OF_A_REASON = 500
+_MAX_REASON_LENGTH = 500
 
 
 def listed(images: object) -> Iterable[Any]:
-    """Images one by one; a single image is a list of one, and an array of four axes is a list of images."""
+    """Iterates over images. A single image is a list of one; a 4D array is a list of images."""
     if _is_single(images):
         return [images]
     if _is_array(images):
@@ -62,8 +62,8 @@ def listed(images: object) -> Iterable[Any]:
     raise TypeError(f"{reprlib.repr(images)} is neither an image nor a list of images")
 
 
-def held(image: object) -> Held:
-    """An image so that nothing which happens to it later changes it, but to the file at a path."""
+def frozen(image: object) -> Frozen:
+    """Copies an image, so that later changes to the object have no effect. A path stays a path."""
     if isinstance(image, (str, os.PathLike)):
         return os.fsdecode(image)
     if isinstance(image, bytes):
@@ -79,19 +79,19 @@ def held(image: object) -> Held:
     if _is_file(image):
         return _read(image)
     raise RostoError(
-        f"{reprlib.repr(image)} is not an image: give a path, a file's bytes, an open file, pixels or an image of Pillow's"
+        f"{reprlib.repr(image)} is not an image: give a path, a file's bytes, a file object, pixels or a Pillow image"
     )
 
 
-def contents(image: Held) -> Union[bytes, npt.NDArray[np.uint8]]:
-    """The same with what is in the file in place of its path."""
+def contents(image: Frozen) -> Union[bytes, npt.NDArray[np.uint8]]:
+    """Replaces a path by the bytes of its file."""
     if not isinstance(image, str):
         return image
     try:
         about = os.stat(image)
-    except ValueError as error:  # a NUL in it
+    except ValueError as error:  # NUL character
         raise RostoError(f"{reprlib.repr(image)} is not a path: {error}") from error
-    # A pipe may never begin, and a device may never end.
+    # Reading a pipe may block, and a device may be endless.
     if not stat.S_ISREG(about.st_mode):
         raise RostoError(f"{reprlib.repr(image)} is not a file")
     check_length(about.st_size)
@@ -99,24 +99,24 @@ def contents(image: Held) -> Union[bytes, npt.NDArray[np.uint8]]:
         return _read(file)
 
 
-def opened(image: Held) -> Photo:
-    """The picture, upright."""
+def decoded(image: Frozen) -> Photo:
+    """Decodes an image into an upright photo."""
     inside = contents(image)
     return Photo.decode(inside) if isinstance(inside, bytes) else Photo.from_array(inside)
 
 
 def reason_of(error: Exception) -> str:
-    """Why there is no picture, as a short text that any table can hold."""
+    """Returns the error as short, valid UTF-8 text."""
     known = str(error) if isinstance(error, (RostoError, OSError, RuntimeError)) else ""
     reason = known or "".join(traceback.format_exception_only(error)).strip()
-    # A path may have bytes that are not UTF-8.
+    # A path may contain bytes that are not UTF-8.
     reason = reason.encode("utf-8", "backslashreplace").decode()
-    return reason if len(reason) <= _MOST_OF_A_REASON else f"{reason[: _MOST_OF_A_REASON - 1]}…"
+    return reason if len(reason) <= _MAX_REASON_LENGTH else f"{reason[: _MAX_REASON_LENGTH - 1]}…"
 
 
 @cache
 def finder(refined: bool) -> Finder:
-    """The networks of this process, with the landmark network that refines lips, eyes and irises or without."""
+    """Returns this process's networks, with or without refined lips, eyes and irises."""
     landmarks = "face_landmarks_attention.onnx" if refined else "face_landmarks.onnx"
     detector = (NETWORKS / "face_detector.onnx").read_bytes()
     return Finder(detector, (NETWORKS / landmarks).read_bytes(), refined)
@@ -129,7 +129,7 @@ def _is_single(images: object) -> bool:
         return _buffer(images) is not None or _is_file(images)
     try:
         array = np.asarray(images)
-    except Exception:  # it is told as the reason of this one
+    except Exception:  # reported later as this image's reason
         return True
     return array.dtype.kind not in "OSUT" and array.ndim < 4
 
@@ -166,13 +166,13 @@ def _pixels(image: Any) -> npt.NDArray[np.uint8]:
 
 
 def _as_png(image: Any) -> bytes:
-    """The same pixels, colour profile, orientation and lens data as a file, so that it is read as its own file would be."""
+    """Encodes a Pillow image with its colour profile and EXIF data, so that it decodes like its original file."""
     image.load()
     check_size(image.height, image.width)
     about = {"exif": image.info["exif"]} if image.info.get("exif") else {}
     if image.mode not in _PNG_MODES:
         if image.mode not in _CONVERTED:
-            raise RostoError(f"Pillow's mode {image.mode} does not say how bright white is: convert the image to RGB")
+            raise RostoError(f"Pillow's mode {image.mode} does not define the value of white: convert the image to RGB")
         image, about = image.convert(_CONVERTED[image.mode]), {**about, "icc_profile": None}
     file = io.BytesIO()
     image.save(file, "PNG", compress_level=0, **about)

@@ -1,4 +1,4 @@
-"""Images to landmarks."""
+"""Landmark detection."""
 
 from collections import deque
 from collections.abc import Iterable, Iterator
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Optional, Union
 import numpy as np
 import numpy.typing as npt
 
-from ._images import Held, Image, finder, held, listed, opened, reason_of
+from ._images import Frozen, Image, decoded, finder, frozen, listed, reason_of
 from ._numbers import flag, whole
 from ._rosto import Photo
 
@@ -19,11 +19,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Search:
-    """How faces are looked for; the command line's ``--mediapipe``, ``--refine`` and ``--max-faces``.
+    """Detection options; the command line's ``--mediapipe``, ``--refine`` and ``--max-faces``.
 
-    The default looks at turns and parts of the image too, finds landmarks again until they agree, and refines lips, eyes and
-    irises: 478 landmarks. ``Search(mediapipe=True)`` does exactly what MediaPipe's Face Mesh does with a single picture: one
-    look, one pass, 468 landmarks. ``max_faces`` is 1 or greater.
+    The default also searches rotated copies and parts of the image, iterates until the landmarks converge, and refines
+    lips, eyes and irises: 478 landmarks. ``Search(mediapipe=True)`` reproduces MediaPipe's Face Mesh on a still image:
+    one detection, one pass, 468 landmarks. ``max_faces`` is at least 1.
     """
 
     mediapipe: bool = False
@@ -38,7 +38,7 @@ class Search:
 
     @property
     def refined(self) -> bool:
-        """Whether there are 478 landmarks, the last ten of the irises, or 468."""
+        """Whether results have 478 landmarks, the last ten on the irises, or 468."""
         return self.refine or not self.mediapipe
 
 
@@ -46,9 +46,9 @@ class Search:
 class Face:
     """One face.
 
-    ``points`` has the shape ``(468, 3)`` or ``(478, 3)``, in MediaPipe's convention: x/width, y/height, z/width; y points
-    down, smaller z is nearer. ``score`` is the detector's, ``presence`` the landmark network's, ``confidence`` how sure it is
-    that this is a face and that the landmarks lie on it; all three 0 to 1.
+    ``points`` has shape ``(468, 3)`` or ``(478, 3)``, normalised as in MediaPipe: x/width, y/height, z/width; y points
+    down, smaller z is nearer. ``score`` comes from the detector and ``presence`` from the landmark network.
+    ``confidence`` rates whether this is a face and the landmarks lie on it. All three are 0 to 1.
     """
 
     points: npt.NDArray[np.float32]
@@ -64,9 +64,9 @@ class Face:
 class Landmarks:
     """The most prominent face of each of N images.
 
-    ``points`` has the shape ``(N, 468, 3)`` or ``(N, 478, 3)``, as in :class:`Face`; NaN where there is none. ``reasons`` says
-    why there is none, and is ``None`` where there is a face. ``confidence`` has the shape ``(N,)``, ``sizes`` the shape
-    ``(N, 2)``: height and width of the upright image in px, 0 where it could not be read.
+    ``points`` has shape ``(N, 468, 3)`` or ``(N, 478, 3)``, as in :class:`Face`, and is NaN without a face. ``reasons``
+    holds the reason why there is none, or ``None``. ``confidence`` has shape ``(N,)``. ``sizes`` has shape ``(N, 2)``:
+    height and width of the upright image in px, or 0 if it is unreadable.
     """
 
     points: npt.NDArray[np.float32]
@@ -81,7 +81,7 @@ class Landmarks:
         return f"Landmarks({len(self)} images, {self.reasons.count(None)} with a face)"
 
     def to_arrow(self) -> "pyarrow.Table":
-        """A table with a row for each image; needs the package ``pyarrow``."""
+        """Returns a table with a row per image. Requires ``pyarrow``."""
         import pyarrow as pa
 
         count = self.points.shape[1]
@@ -100,22 +100,22 @@ class Landmarks:
 
 
 def faces(image: Image, search: Search = Search()) -> list[Face]:
-    """All faces of an image, the most prominent one first; the list may be empty.
+    """Returns the faces in an image, most prominent first; the list may be empty.
 
     Raises :class:`RostoError` if the image cannot be read, or ``OSError`` if its file cannot be opened.
     """
-    return _faces(opened(held(image)), search)
+    return _faces(decoded(frozen(image)), search)
 
 
 def landmarks(images: Union[Image, Iterable[Image]], search: Search = Search(), *, jobs: int = 1) -> Landmarks:
-    """The most prominent face of each image, in their order; ``jobs`` images at a time, each in a thread.
+    """Returns the most prominent face of each image, in order. ``jobs`` is the number of threads.
 
-    An image that cannot be read or shows no face, or an object that is not an image, has NaN and a reason, and stops no other.
-    A single image is a list of one; an array of four axes is a list of images.
+    An unreadable image, an image without a face, and an object that is not an image give NaN and a reason; the others
+    are unaffected. A single image is a list of one; a 4D array is a list of images.
 
-    ``images`` may be a generator: an image is taken from it when fewer than ``2 * jobs`` others are in work. What is taken is
-    copied at once, so that the generator may use its buffers again. An exception of the generator's own, like an interrupt
-    from the keyboard, ends the call and is passed on.
+    ``images`` may be a generator. It is consumed lazily, with at most ``2 * jobs`` images in progress. Images are
+    copied at once, so that the generator may reuse its buffers. An exception in the generator, or
+    ``KeyboardInterrupt``, ends the call and propagates.
     """
     jobs = whole("jobs", jobs, least=1)
     found = list(_in_order(listed(images), search, jobs))
@@ -138,37 +138,37 @@ _Found = tuple[tuple[int, int], Optional[Face], Optional[str]]
 def _in_order(images: Iterable[Image], search: Search, jobs: int) -> Iterator[_Found]:
     finder(search.refined)
     if jobs == 1:
-        yield from (_most_prominent(_taken(image), search) for image in images)
+        yield from (_most_prominent(_frozen(image), search) for image in images)
         return
     pool = ThreadPoolExecutor(jobs)
-    in_work: deque[Future[_Found]] = deque()
+    in_progress: deque[Future[_Found]] = deque()
     try:
         for image in images:
-            in_work.append(pool.submit(_most_prominent, _taken(image), search))
-            if len(in_work) == 2 * jobs:
-                yield in_work.popleft().result()
-        while in_work:
-            yield in_work.popleft().result()
+            in_progress.append(pool.submit(_most_prominent, _frozen(image), search))
+            if len(in_progress) == 2 * jobs:
+                yield in_progress.popleft().result()
+        while in_progress:
+            yield in_progress.popleft().result()
     except BaseException:
-        # Ends at once: a thread that is in the middle of a photo ends with it.
+        # Does not wait: threads end after their current photo.
         pool.shutdown(wait=False, cancel_futures=True)
         raise
     pool.shutdown()
 
 
-def _taken(image: Image) -> Union[Held, Exception]:
-    """Copies what can change, in the thread that the image comes from."""
+def _frozen(image: Image) -> Union[Frozen, Exception]:
+    """Copies an image in the generator's thread; returns the error if that fails."""
     try:
-        return held(image)
-    except Exception as reason:  # whatever an object that is not an image raises
+        return frozen(image)
+    except Exception as reason:  # any object may come here, and raise anything
         return reason
 
 
-def _most_prominent(image: Union[Held, Exception], search: Search) -> _Found:
+def _most_prominent(image: Union[Frozen, Exception], search: Search) -> _Found:
     if isinstance(image, Exception):
         return (0, 0), None, reason_of(image)
     try:
-        photo = opened(image)
+        photo = decoded(image)
         found = _faces(photo, search)
     except Exception as reason:
         return (0, 0), None, reason_of(reason)

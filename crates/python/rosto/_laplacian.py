@@ -1,4 +1,4 @@
-"""δ-coordinates of any triangle mesh."""
+"""Laplacian editing of triangle meshes."""
 
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Optional, Union
@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 
 class Laplacian:
-    """A mesh with one of the Laplacians, factorised once; it knows nothing of faces.
+    """Laplacian editor of any triangle mesh; factorises its operator once.
 
-    ``mesh`` is a :class:`Mesh` or a pair of positions ``(V, 3)``, in any unit, and triangles ``(T, 3)``. ``operator`` is one of
-    the command line's ``--operator``. Positions and triangles are copied. It pickles as what it was made of, and is factorised
-    again where it arrives.
+    ``mesh`` is a :class:`Mesh`, or a pair of positions ``(V, 3)`` in any unit and triangles ``(T, 3)``; both are
+    copied. ``operator`` is an id of the command line's ``--operator``. Pickling stores the mesh; unpickling factorises
+    again.
 
-    Raises :class:`RostoError` for coordinates that are not finite, indices that are not whole numbers or name no vertex, and
-    anything else that has no answer; ``TypeError`` for what are not numbers.
+    Raises :class:`RostoError` for coordinates that are not finite, invalid indices, and unsolvable systems;
+    ``TypeError`` for values that are not numbers.
     """
 
     def __init__(
@@ -40,24 +40,24 @@ class Laplacian:
         anchors: Union[Sequence[int], npt.NDArray[Any], int],
         weight: Optional[Number] = None,
     ) -> npt.NDArray[np.float64]:
-        """The positions ``(V, 3)`` of the mesh with ``handles`` (an offset for each vertex) moved and ``anchors`` held.
+        """Returns the positions ``(V, 3)`` after moving ``handles`` (vertex to offset) and fixing ``anchors``.
 
-        The rest follows by keeping its δ-coordinates. Handles and anchors are held exactly, or with the ``weight`` of a soft
-        constraint; the paper's is 1.
+        The other vertices keep their δ-coordinates as far as possible. Constraints are hard, or soft with ``weight``;
+        the paper uses 1.
         """
         last = len(self.positions) - 1
         moved = [whole("handles", vertex, most=last) for vertex in handles]
         offsets = [vector(f"handles[{vertex}]", offset) for vertex, offset in handles.items()]
-        held = list(wholes("anchors", anchors, most=last))
+        fixed = list(wholes("anchors", anchors, most=last))
         soft = None if weight is None else number("weight", weight)
-        return self._system.edit(moved, np.array(offsets, np.float64).reshape(-1, 3), held, soft)
+        return self._system.edit(moved, np.array(offsets, np.float64).reshape(-1, 3), fixed, soft)
 
     def deltas(self, positions: Optional[npt.ArrayLike] = None) -> npt.NDArray[np.float64]:
-        """The δ-coordinates ``(V, 3)`` of the mesh, or of other positions of its vertices."""
+        """Returns the δ-coordinates ``(V, 3)`` of the mesh, or of other ``positions`` of its vertices."""
         return self._system.deltas(self.positions if positions is None else coordinates("positions", positions))
 
     def matrix(self) -> "scipy.sparse.csr_array":
-        """The operator ``(V, V)``; its rows sum to zero. Needs the package ``scipy``."""
+        """Returns the operator ``(V, V)``, whose rows sum to zero. Requires ``scipy``."""
         from scipy.sparse import csr_array
 
         count = len(self.positions)

@@ -1,4 +1,4 @@
-"""A photo to an edited, coloured mesh."""
+"""Meshes from photos."""
 
 import os
 import reprlib
@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._edits import Edit
-from ._images import Image, contents, finder, held, listed, opened
+from ._images import Image, contents, decoded, finder, frozen, listed
 from ._landmarks import Search
 from ._numbers import Number, is_flag, flag, number, shortest, text
 from ._rosto import FaceMesh, RostoError
@@ -23,9 +23,9 @@ Option = Union[str, Number, bool, np.bool_, Iterable[Union[str, Number]]]
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
-    """A face as :func:`mesh` makes it. It pickles as what it was made of, and is made again where it arrives.
+    """A face mesh from :func:`mesh`. Pickling stores its images and options; unpickling computes it again.
 
-    ``images`` are copies: the bytes of files, and pixels.
+    ``images`` holds copies: bytes of files, or pixels.
     """
 
     images: tuple[Union[bytes, npt.NDArray[np.uint8]], ...]
@@ -34,41 +34,45 @@ class Mesh:
 
     @cached_property
     def _native(self) -> FaceMesh:
-        return FaceMesh([opened(image) for image in self.images], finder(self.search.refined), list(self.words))
+        return FaceMesh([decoded(image) for image in self.images], finder(self.search.refined), list(self.words))
 
     @cached_property
     def positions_m(self) -> npt.NDArray[np.float64]:
-        """Shape ``(V, 3)``, metres: +x the subject's left, +y up, +z out of the face. The first 468 are the landmarks."""
+        """Positions in metres, shape ``(V, 3)``: +x to the subject's left, +y up, +z out of the face.
+
+        The first 468 are the landmarks.
+        """
         return self._native.positions_m()
 
     @cached_property
     def triangles(self) -> npt.NDArray[np.uint32]:
-        """Shape ``(T, 3)``, counter-clockwise as seen from outside."""
+        """Triangles, shape ``(T, 3)``, counter-clockwise as seen from outside."""
         return self._native.triangles()
 
     @cached_property
     def colours(self) -> npt.NDArray[np.uint8]:
-        """Shape ``(V, 3)``, sRGB."""
+        """Vertex colours, shape ``(V, 3)``, sRGB."""
         return self._native.colours()
 
     @cached_property
     def uvs(self) -> npt.NDArray[np.float64]:
-        """Shape ``(V, 2)``, in the first image from its top left corner, 0 to 1."""
+        """Coordinates in the first image, shape ``(V, 2)``, 0 to 1 from its top left corner."""
         return self._native.uvs()
 
     def to_bytes(self, format: str = "glb", **options: Option) -> bytes:
-        """A file of any of the command line's formats that is one file: ``"glb"``, ``"ply"``, ``"stl"`` and so on.
+        """Returns a file in a single-file format of the command line, such as ``"glb"``, ``"ply"`` or ``"stl"``.
 
-        Options are the command line's, with ``_`` for ``-``: ``material="lit"``, ``eyes="pieces"``, ``texture_size=1024``.
+        Options are those of the command line, with ``_`` for ``-``: ``material="lit"``, ``eyes="pieces"``,
+        ``texture_size=1024``.
         """
         return self._native.write(f"face.{format}", _words(options))[0][1]
 
     def save(self, path: Union[str, "os.PathLike[str]"], **options: Option) -> list[Path]:
-        """Writes a file, its format told by the end of its name, and those that lie beside it; returns their paths."""
+        """Writes a file in the format of its extension, and its companion files; returns their paths."""
         path = Path(path)
         files = self._native.write(path.name, _words(options))
         paths = [path.with_name(name) for name, _ in files]
-        # The file that names the others comes last.
+        # The file that refers to the others comes last.
         for place, (_, content) in sorted(zip(paths, files), key=lambda pair: pair[0] == path):
             place.write_bytes(content)
         return paths
@@ -88,27 +92,28 @@ def mesh(
     search: Search = Search(),
     **options: Option,
 ) -> Mesh:
-    """The face in an image, or in several of one head, edited.
+    """Returns the edited mesh of the face in an image, or in several images of one head.
 
-    Edits are made in the command line's order: vertices, regions, sliders, expressions, and then symmetry. Options are those
-    of ``rosto mesh``, with ``_`` for ``-``: ``density=0``, ``topology="tessellation"``, ``operator="cotangent"``, ``mirror=True``.
-    Images are copied and files are read at once. Raises :class:`RostoError` if there is no image, if one cannot be read or shows
-    no face, or if an edit cannot be made; ``OSError`` if a file cannot be opened; ``TypeError`` if an argument is of another
-    type.
+    Edits apply in the command line's order: vertices, regions, sliders, expressions, symmetry. Options are those of
+    ``rosto mesh``, with ``_`` for ``-``: ``density=0``, ``topology="tessellation"``, ``operator="cotangent"``,
+    ``mirror=True``. Images are copied, and files are read at once.
+
+    Raises :class:`RostoError` without an image, for an unreadable image or one without a face, and for an impossible
+    edit; ``OSError`` if a file cannot be opened; ``TypeError`` for an argument of the wrong type.
     """
-    images = tuple(contents(held(each)) for each in listed(image))
+    images = tuple(contents(frozen(each)) for each in listed(image))
     if not images:
         raise RostoError("image: there is none")
     words = [word for edit in _edits(edits) for word in edit.words()]
     finding = [flag for flag in ("mediapipe", "refine") if getattr(search, flag)]
     made = Mesh(images, (*(f"--{flag}" for flag in finding), *words, *_words(options)), search)
-    # Errors are raised now, and not when it is used first.
+    # Computes the mesh now, so that errors are raised here.
     made._native
     return made
 
 
 def _edits(edits: Union[Edit, Iterable[Edit]]) -> list[Edit]:
-    """Edits one by one; a single edit is a list of one."""
+    """Returns a list of edits; a single edit is a list of one."""
     if not isinstance(edits, Iterable):
         edits = [edits]
     listed = list(edits)
@@ -130,7 +135,7 @@ def _words(options: Mapping[str, Option]) -> list[str]:
 
 
 def _values(name: str, value: Any) -> list[str]:
-    """What an option is given, once or several times."""
+    """Returns the values of an option, which may be repeated."""
     is_list = isinstance(value, Iterable) and not isinstance(value, (str, bytes)) and getattr(value, "ndim", 1) != 0
     each = list(value) if is_list else [value]
     return [text(name, one) if isinstance(one, str) else shortest(number(name, one)) for one in each]

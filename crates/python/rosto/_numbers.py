@@ -1,4 +1,4 @@
-"""Numbers as people give them, NumPy's among them, to Python's own. Errors name the argument."""
+"""Conversion of Python and NumPy numbers. Errors name the argument."""
 
 import math
 import operator
@@ -12,14 +12,14 @@ import numpy.typing as npt
 from ._rosto import RostoError
 
 Number = Union[float, "np.number[Any]", "npt.NDArray[Any]"]
-"""A number of Python's or NumPy's; an array if it has no axes."""
+"""A Python or NumPy number, or a 0D array."""
 
 Vector = Union[Sequence[Number], "npt.NDArray[Any]"]
 """Three numbers."""
 
 
 def number(name: str, value: object) -> float:
-    """A finite number. True and False are 1 and 0, as in Python."""
+    """Converts to a finite float. True and False are 1 and 0, as in Python."""
     plain = _plain(value)
     if not hasattr(plain, "__float__") and not hasattr(plain, "__index__"):
         raise _not(name, value, "a number")
@@ -35,7 +35,7 @@ def number(name: str, value: object) -> float:
 
 
 def whole(name: str, value: object, least: int = 0, most: int = 2**32 - 1) -> int:
-    """A whole number in a range. True and False are none: a mask is not a list of indices."""
+    """Converts to an integer in a range. Rejects booleans, because a mask is not a list of indices."""
     plain = _plain(value)
     if isinstance(plain, bool):
         raise _not(name, value, "a whole number")
@@ -50,12 +50,12 @@ def whole(name: str, value: object, least: int = 0, most: int = 2**32 - 1) -> in
 
 
 def wholes(name: str, values: object, most: int = 2**32 - 1) -> tuple[int, ...]:
-    """Whole numbers, 0 or greater; a single one is a list of one."""
+    """Converts to non-negative integers; a single number is a list of one."""
     return tuple(whole(f"{name}[{index}]", value, most=most) for index, value in enumerate(_listed(values)))
 
 
 def vector(name: str, values: object) -> tuple[float, float, float]:
-    """Three finite numbers."""
+    """Converts to three finite floats."""
     listed = _listed(values)
     if len(listed) != 3:
         raise RostoError(f"{name}: {reprlib.repr(values)} is not three numbers")
@@ -64,7 +64,7 @@ def vector(name: str, values: object) -> tuple[float, float, float]:
 
 
 def flag(name: str, value: object) -> bool:
-    """True or False."""
+    """Converts to a bool."""
     plain = _plain(value)
     if not isinstance(plain, bool):
         raise _not(name, value, "True or False")
@@ -72,24 +72,24 @@ def flag(name: str, value: object) -> bool:
 
 
 def text(name: str, value: object) -> str:
-    """A text."""
+    """Converts to a plain ``str``."""
     if not isinstance(value, str):
         raise _not(name, value, "a text")
     return str.__str__(value)
 
 
 def is_flag(value: object) -> bool:
-    """Whether :func:`flag` takes it."""
+    """Whether :func:`flag` accepts the value."""
     return isinstance(_plain(value), bool)
 
 
 def shortest(value: float) -> str:
-    """The shortest text that is read back as the same number."""
+    """Returns the shortest text that parses as the same number."""
     return repr(value + 0.0).removesuffix(".0")
 
 
 def coordinates(name: str, values: object) -> npt.NDArray[np.float64]:
-    """A read-only copy of finite numbers of the shape (N, 3)."""
+    """Returns a read-only float64 copy of finite numbers, shape (N, 3)."""
     given = _rows(name, values, "iuf")
     with np.errstate(over="ignore"):
         copy = np.array(given, np.float64, order="C")
@@ -101,7 +101,7 @@ def coordinates(name: str, values: object) -> npt.NDArray[np.float64]:
 
 
 def corners(name: str, values: object, vertex_count: int) -> npt.NDArray[np.uint32]:
-    """A read-only copy of vertices, each below ``vertex_count``, of the shape (N, 3)."""
+    """Returns a read-only uint32 copy of indices below ``vertex_count``, shape (N, 3)."""
     given = _rows(name, values, "iuf")
     if given.dtype.kind == "f":
         fractions = given[~(given == np.floor(given))]
@@ -121,7 +121,7 @@ def _rows(name: str, values: object, kinds: str) -> npt.NDArray[Any]:
     except ValueError as error:
         raise RostoError(f"{name}: {error}") from error
     if array.dtype.kind not in kinds:
-        raise TypeError(f"{name}: {array.dtype} are not numbers that serve here")
+        raise TypeError(f"{name}: dtype {array.dtype} is not numeric")
     if array.ndim != 2 or array.shape[1] != 3:
         raise RostoError(f"{name}: the shape is {array.shape}, not (N, 3)")
     return array
@@ -130,7 +130,7 @@ def _rows(name: str, values: object, kinds: str) -> npt.NDArray[Any]:
 def _as_index(value: object) -> Optional[float]:
     try:
         return operator.index(value)  # type: ignore[arg-type]
-    except Exception:  # a tensor's own, for numbers that are not whole
+    except Exception:  # tensors raise their own errors
         return None
 
 
@@ -139,12 +139,12 @@ def _listed(values: object) -> Sequence[object]:
         return [values]
     try:
         return list(values)
-    except TypeError:  # an array without axes
+    except TypeError:  # 0D array
         return [values]
 
 
 def _plain(value: object) -> object:
-    """NumPy's numbers as Python's; anything else as it is."""
+    """Converts NumPy numbers to Python numbers; returns other values unchanged."""
     if not isinstance(value, (np.generic, np.ndarray)):
         return value
     return value.item() if value.ndim == 0 and value.dtype.kind in "biuf" else None

@@ -1,13 +1,13 @@
-"""The native part: what `rosto` is made of; its own functions and classes are there for everybody."""
+"""Native part of `rosto`; use the functions and classes of `rosto` instead."""
 
 import numpy as np
 import numpy.typing as npt
 
 MAX_BYTES: int
-"""Length that a photo's file may have at most."""
+"""Maximum length of a photo's file in bytes."""
 
 class RostoError(ValueError):
-    """An image that cannot be read, a face that is not there, an edit that cannot be made: says what failed and what to do."""
+    """Unreadable image, missing face or impossible edit. The message states what failed and what to do."""
 
 class Photo:
     """An upright sRGB picture."""
@@ -21,7 +21,7 @@ class Photo:
     def size(self) -> tuple[int, int]: ...
 
 class Finder:
-    """The face networks, made ready once."""
+    """The face networks, loaded once."""
 
     def __new__(cls, detector_onnx: bytes, landmarks_onnx: bytes, refined: bool) -> Finder: ...
     def find(
@@ -29,7 +29,7 @@ class Finder:
     ) -> list[tuple[npt.NDArray[np.float32], float, float, float]]: ...
 
 class FaceMesh:
-    """A face as `rosto mesh` makes it."""
+    """A face mesh, as `rosto mesh` computes it."""
 
     def __new__(cls, photos: list[Photo], finder: Finder, options: list[str]) -> FaceMesh: ...
     def positions_m(self) -> npt.NDArray[np.float64]: ...
@@ -39,7 +39,7 @@ class FaceMesh:
     def write(self, name: str, options: list[str]) -> list[tuple[str, bytes]]: ...
 
 class System:
-    """A mesh with the Laplacian whose δ-coordinates its edits keep, factorised once."""
+    """A mesh with a factorised Laplacian."""
 
     def __new__(
         cls, positions: npt.NDArray[np.float64], triangles: npt.NDArray[np.uint32], operator: str
@@ -51,10 +51,10 @@ class System:
     def matrix(self) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64], npt.NDArray[np.int64]]: ...
 
 def check_length(bytes: int) -> None:
-    """Raises if a file of `bytes` bytes is longer than a photo's may be."""
+    """Raises if a file of `bytes` bytes exceeds the limit for photos."""
 
 def check_size(height: int, width: int) -> None:
-    """Raises if a picture of this size has more pixels than a photo may have, or none."""
+    """Raises if a picture of this size has no pixels, or exceeds the limit for photos."""
 
 def command_line(words: list[str]) -> int:
-    """Does what the words of a command line ask for, the program's name first; returns its exit code."""
+    """Runs the command line with these arguments, the program's name first; returns the exit code."""

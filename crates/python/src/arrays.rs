@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 
 use crate::error::refused;
 
-/// Rows of three or two as an array of the shape `(N, 3)` or `(N, 2)`.
+/// Converts rows to an array of shape `(rows, N)`.
 pub fn from_rows<'py, T: Element, const N: usize>(
     py: Python<'py>,
     rows: Vec<[T; N]>,
@@ -15,7 +15,7 @@ pub fn from_rows<'py, T: Element, const N: usize>(
     Ok(array.map_err(refused)?.into_pyarray(py))
 }
 
-/// A C-contiguous, aligned array of the shape `(N, 3)` as rows; `what` names it in errors.
+/// Converts a C-contiguous, aligned array of shape `(N, 3)` to rows; `what` names it in errors.
 pub fn to_rows<T: Element + Copy>(array: &PyReadonlyArray2<'_, T>, what: &str) -> PyResult<Vec<[T; 3]>> {
     let &[rows, columns] = array.shape() else { return Err(refused(format!("{what}: not two axes"))) };
     if columns != 3 {
@@ -24,13 +24,13 @@ pub fn to_rows<T: Element + Copy>(array: &PyReadonlyArray2<'_, T>, what: &str) -
     Ok(c_ordered(array, what)?.as_chunks::<3>().0.to_vec())
 }
 
-/// The elements of a C-contiguous, aligned array; one that is contiguous in Fortran's order has them in another.
+/// Elements of a C-contiguous, aligned array. Refuses Fortran-contiguous arrays, which have another order.
 pub fn c_ordered<'a, T: Element, D: Dimension>(array: &'a PyReadonlyArray<'_, T, D>, what: &str) -> PyResult<&'a [T]> {
     let elements = array.as_slice().ok().filter(|_| array.is_c_contiguous());
     elements.ok_or_else(|| refused(format!("{what}: the array is not C-contiguous and aligned")))
 }
 
-/// The same, as finite positions or offsets.
+/// Converts an array of shape `(N, 3)` to finite vectors.
 pub fn to_vectors(array: &PyReadonlyArray2<'_, f64>, what: &str) -> PyResult<Vec<DVec3>> {
     let vectors: Vec<DVec3> = to_rows(array, what)?.into_iter().map(DVec3::from_array).collect();
     match vectors.iter().position(|vector| !vector.is_finite()) {
@@ -39,7 +39,7 @@ pub fn to_vectors(array: &PyReadonlyArray2<'_, f64>, what: &str) -> PyResult<Vec
     }
 }
 
-/// Finite positions as an array of the shape `(N, 3)`.
+/// Converts finite vectors to an array of shape `(N, 3)`.
 pub fn from_vectors<'py>(py: Python<'py>, vectors: &[DVec3]) -> PyResult<Bound<'py, PyArray2<f64>>> {
     if !vectors.iter().all(|vector| vector.is_finite()) {
         return Err(refused("the result is not finite: use smaller coordinates or offsets"));

@@ -9,13 +9,13 @@ use crate::error::{guarded, refused};
 use crate::finder::Finder;
 use crate::photo::Photo;
 
-/// A face as `rosto mesh` makes it.
+/// A face mesh, as `rosto mesh` computes it.
 #[pyclass(frozen, module = "rosto._rosto")]
 pub struct FaceMesh(Mutex<rosto_cli::FaceMesh>);
 
 #[pymethods]
 impl FaceMesh {
-    /// From one photo or several of one face; `options` are the command line's, a word each.
+    /// Takes one or more photos of one face, and command-line arguments.
     #[new]
     fn new(py: Python<'_>, photos: Vec<PyRef<'_, Photo>>, finder: &Finder, options: Vec<String>) -> PyResult<Self> {
         guarded("photo", || {
@@ -25,27 +25,27 @@ impl FaceMesh {
         })
     }
 
-    /// Metres in the face's own frame, shape `(V, 3)`.
+    /// Positions in metres in the model's frame, shape `(V, 3)`.
     fn positions_m<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         guarded("photo", || from_vectors(py, self.locked().positions_m()))
     }
 
-    /// Counter-clockwise as seen from outside, shape `(T, 3)`.
+    /// Triangles, counter-clockwise as seen from outside, shape `(T, 3)`.
     fn triangles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<u32>>> {
         guarded("photo", || from_rows(py, self.locked().triangles().to_vec()))
     }
 
-    /// sRGB, shape `(V, 3)`.
+    /// Vertex colours in sRGB, shape `(V, 3)`.
     fn colours<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<u8>>> {
         guarded("photo", || from_rows(py, self.locked().colours_srgb()))
     }
 
-    /// In the photo, from its top left corner, 0 to 1, shape `(V, 2)`.
+    /// Coordinates in the photo, 0 to 1 from its top left corner, shape `(V, 2)`.
     fn uvs<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         guarded("photo", || from_rows(py, self.locked().uvs().iter().map(|uv| uv.to_array()).collect()))
     }
 
-    /// The bytes of a file called `name`, and of those beside it by their names.
+    /// Returns names and bytes of the file `name` and of its companion files.
     fn write<'py>(
         &self,
         py: Python<'py>,
@@ -54,7 +54,7 @@ impl FaceMesh {
     ) -> PyResult<Vec<(String, Bound<'py, PyBytes>)>> {
         guarded("photo", || {
             let written = py.detach(|| self.locked().write(name, &options)).map_err(refused)?;
-            let beside = written.beside.into_iter().map(|file| (file.name, file.bytes));
+            let beside = written.sidecars.into_iter().map(|file| (file.name, file.bytes));
             let files = [(name.to_owned(), written.bytes)].into_iter().chain(beside);
             Ok(files.map(|(name, bytes)| (name, PyBytes::new(py, &bytes))).collect())
         })
@@ -63,7 +63,7 @@ impl FaceMesh {
 
 impl FaceMesh {
     fn locked(&self) -> std::sync::MutexGuard<'_, rosto_cli::FaceMesh> {
-        // Writing leaves the face as it was, even when it fails.
+        // Writing does not change the face, even if it fails.
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

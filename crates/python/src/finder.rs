@@ -6,11 +6,11 @@ use crate::arrays::from_rows;
 use crate::error::{guarded, refused};
 use crate::photo::Photo;
 
-/// The face networks, made ready once.
+/// The face networks, loaded once.
 #[pyclass(frozen, module = "rosto._rosto")]
 pub struct Finder(pub(crate) FaceFinder);
 
-/// Landmarks of the shape `(468, 3)` or `(478, 3)`, score, presence, confidence.
+/// Landmarks of shape `(468, 3)` or `(478, 3)`, score, presence, confidence.
 type Found<'py> = (Bound<'py, PyArray2<f32>>, f32, f32, f32);
 
 #[pymethods]
@@ -23,7 +23,7 @@ impl Finder {
         })
     }
 
-    /// The faces in a photo, the most prominent ones first; without a number, as many as the search has by itself.
+    /// Returns the faces in a photo, most prominent first, up to `max_faces` or the search's default.
     #[pyo3(signature = (photo, thorough, max_faces=None))]
     fn find<'py>(
         &self,

@@ -1,7 +1,7 @@
-//! What the Python package `rosto` is made of: the same core as the command line's, over NumPy arrays.
+//! Native part of the Python package `rosto`: the core over NumPy arrays.
 //!
-//! Whatever takes a while lets other threads of Python run. Nothing here has a thread of its own or global state; the
-//! package's Python (`rosto/`) keeps the networks and turns people's arguments into these.
+//! Long operations release the GIL. The crate starts no threads and has no global state; the package's Python code
+//! (`rosto/`) caches the networks and converts arguments.
 
 mod arrays;
 mod error;
@@ -17,7 +17,7 @@ use rosto_photo::Limits;
 
 use crate::error::guarded;
 
-/// The native part of the package.
+/// Native part of the package.
 #[pymodule(gil_used = false)]
 mod _rosto {
     use super::*;
@@ -33,13 +33,13 @@ mod _rosto {
     #[pymodule_export]
     use super::system::System;
 
-    /// Does what the words of a command line ask for, the program's name first; returns its exit code.
+    /// Runs the command line with these arguments, the program's name first; returns the exit code.
     #[pyfunction]
     fn command_line(py: Python<'_>, words: Vec<OsString>) -> PyResult<u8> {
         guarded("command line", || Ok(py.detach(|| rosto_cli::command_line(words))))
     }
 
-    /// The length in bytes that a photo's file may have at most.
+    /// Adds the maximum length of a photo's file in bytes.
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("MAX_BYTES", Limits::default().max_bytes)

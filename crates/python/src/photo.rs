@@ -12,7 +12,7 @@ pub struct Photo(pub(crate) rosto_photo::Photo);
 
 #[pymethods]
 impl Photo {
-    /// Decodes a JPEG, PNG or WebP file of any length.
+    /// Decodes a JPEG, PNG or WebP file without a length limit.
     #[staticmethod]
     fn decode(py: Python<'_>, file: &[u8]) -> PyResult<Self> {
         guarded("photo", || {
@@ -21,8 +21,8 @@ impl Photo {
         })
     }
 
-    /// A copy of C-contiguous pixels of the shape `(height, width)`, grey, or `(height, width, N)`: grey for N = 1, red, green
-    /// and blue for N = 3, and for N = 4 with alpha, which is laid over white as [`Self::decode`] does.
+    /// Copies C-contiguous pixels of shape `(height, width)` or `(height, width, N)`: grey for N = 1, RGB for N = 3, RGBA
+    /// for N = 4, composited over white.
     #[staticmethod]
     fn from_array(pixels: PyReadonlyArrayDyn<'_, u8>) -> PyResult<Self> {
         guarded("photo", || {
@@ -43,7 +43,7 @@ impl Photo {
         })
     }
 
-    /// Its pixels, of the shape `(height, width, 3)`.
+    /// Pixels, shape `(height, width, 3)`.
     fn pixels<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<u8>>> {
         guarded("photo", || {
             let shape = (self.0.height() as usize, self.0.width() as usize, 3);
@@ -59,13 +59,13 @@ impl Photo {
     }
 }
 
-/// Raises if a file of `bytes` bytes is longer than a photo's may be.
+/// Raises if a file of `bytes` bytes exceeds the limit for photos.
 #[pyfunction]
 pub fn check_length(bytes: u64) -> PyResult<()> {
     guarded("photo", || Limits::default().check_length(bytes).map_err(not_a_photo))
 }
 
-/// Raises if a picture of this size has more pixels than a photo may have, or none.
+/// Raises if a picture of this size has no pixels, or exceeds the limit for photos.
 #[pyfunction]
 pub fn check_size(height: usize, width: usize) -> PyResult<()> {
     guarded("photo", || checked_size(width, height).map(drop))

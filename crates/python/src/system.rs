@@ -7,14 +7,14 @@ use rosto_mesh::Topology;
 use crate::arrays::{from_vectors, to_rows, to_vectors};
 use crate::error::{guarded, refused};
 
-/// A mesh with the Laplacian whose δ-coordinates its edits keep, factorised once.
+/// A mesh with a factorised Laplacian.
 #[pyclass(frozen, module = "rosto._rosto")]
 pub struct System {
     rest: Vec<DVec3>,
     system: LaplacianSystem,
 }
 
-/// A sparse matrix by rows: values, columns, and where each row begins.
+/// Sparse matrix in CSR format: values, column indices, row pointers.
 type Csr<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<i64>>);
 
 #[pymethods]
@@ -28,8 +28,8 @@ impl System {
     ) -> PyResult<Self> {
         guarded("mesh", || {
             let ids = Operator::ALL.map(Operator::id).join(", ");
-            let operator =
-                Operator::from_id(operator).ok_or_else(|| refused(format!("{operator:?} is none of {ids}")))?;
+            let operator = Operator::from_id(operator)
+                .ok_or_else(|| refused(format!("unknown operator {operator:?}; use one of {ids}")))?;
             let rest = to_vectors(&positions, "positions")?;
             let topology = Topology::new(rest.len(), to_rows(&triangles, "triangles")?).map_err(refused)?;
             let system = py.detach(|| LaplacianSystem::new(&topology, &rest, operator)).map_err(refused)?;
@@ -37,7 +37,7 @@ impl System {
         })
     }
 
-    /// The mesh with `handles` moved by `offsets`; `weight` is that of soft constraints, none holds exactly.
+    /// Positions after moving `handles` by `offsets`. Constraints are soft with `weight`, hard without.
     #[pyo3(signature = (handles, offsets, anchors, weight=None))]
     fn edit<'py>(
         &self,
@@ -61,7 +61,7 @@ impl System {
         })
     }
 
-    /// The δ-coordinates of any positions of these vertices.
+    /// δ-coordinates of any positions of the mesh's vertices.
     fn deltas<'py>(
         &self,
         py: Python<'py>,
@@ -76,7 +76,7 @@ impl System {
         })
     }
 
-    /// The operator's matrix.
+    /// Matrix of the operator.
     fn matrix<'py>(&self, py: Python<'py>) -> PyResult<Csr<'py>> {
         guarded("mesh", || {
             let (starts, columns, values) = self.system.operator().csr_data();
