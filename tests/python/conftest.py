@@ -1,4 +1,4 @@
-"""What the tests of the Python package share: the sample portrait, variants of it, and the command line."""
+"""Fixtures: the sample portrait, variants of it, and the command line."""
 
 import os
 import subprocess
@@ -20,14 +20,14 @@ def portrait() -> Path:
 
 @pytest.fixture(scope="session")
 def pixels(portrait: Path) -> np.ndarray:
-    """The portrait as an array that cannot be written."""
+    """The portrait as a read-only array."""
     with Image.open(portrait) as opened:
         return np.asarray(opened.convert("RGB"))
 
 
 @pytest.fixture(scope="session")
 def album(pixels: np.ndarray, tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    """A thousand JPEG files of the portrait, each turned, cut and lit differently; one shows no face, and one is not a picture."""
+    """1000 JPEG files: rotated, cropped and brightened variants of the portrait, one without a face, and one that is not a picture."""
     random, folder = Random(0), tmp_path_factory.mktemp("album")
     photos = [folder / f"{number:05}.jpg" for number in range(1000)]
     for photo in photos:
@@ -36,12 +36,12 @@ def album(pixels: np.ndarray, tmp_path_factory: pytest.TempPathFactory) -> list[
         cut = turned.crop((x - half, y - half, x + half, y + half)).resize((256, 256))
         ImageEnhance.Brightness(cut).enhance(random.uniform(0.7, 1.2)).save(photo, quality=90)
     Image.new("RGB", (64, 64), "grey").save(photos[300])
-    photos[700].write_bytes(b"these are notes")
+    photos[700].write_bytes(b"plain text")
     return photos
 
 
 @pytest.fixture(scope="session")
 def command_line() -> Callable[..., bytes]:
-    """Runs the program `rosto`, as the native tests build it; returns its output."""
+    """Runs the `rosto` that the native tests build; returns its output."""
     program = os.environ.get("ROSTO_CLI", ROOT / "target/debug/rosto")
     return lambda *words: subprocess.check_output([program, *map(str, words)])

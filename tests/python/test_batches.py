@@ -1,4 +1,4 @@
-"""Generators are taken from as the work goes on; what they do afterwards changes nothing."""
+"""Generators of images: lazy consumption, buffer reuse, errors and interrupts."""
 
 import signal
 import subprocess
@@ -9,15 +9,15 @@ import pytest
 import rosto
 from PIL import Image
 
-ONE_LOOK = rosto.Search(mediapipe=True)
+FAST = rosto.Search(mediapipe=True)
 
 
 @pytest.mark.parametrize("jobs", [1, 2, 3])
-def test_no_more_than_twice_the_jobs_are_in_work(portrait, jobs):
+def test_keeps_at_most_two_images_per_job_in_progress(portrait, jobs):
     file, alive, done = portrait.read_bytes(), [], []
 
     class Counted(bytes):
-        """Lives until it is not needed any more: bytes cannot change, and are not copied."""
+        """Counts its live instances; bytes are immutable, so the package does not copy them."""
 
         def __init__(self, _):
             alive.append(len(alive) + 1 - len(done))
@@ -25,12 +25,12 @@ def test_no_more_than_twice_the_jobs_are_in_work(portrait, jobs):
         def __del__(self):
             done.append(True)
 
-    found = rosto.landmarks((Counted(file) for _ in range(40)), ONE_LOOK, jobs=jobs)
+    found = rosto.landmarks((Counted(file) for _ in range(40)), FAST, jobs=jobs)
     assert len(found) == len(alive) == 40 and found.reasons == [None] * 40
     assert max(alive) <= 2 * jobs + 1
 
 
-def test_memory_is_that_of_the_images_in_work():
+def test_memory_does_not_grow_with_the_number_of_images():
     script = """
 import resource, numpy as np, rosto
 rosto.landmarks(np.zeros((64, 64, 3), np.uint8), rosto.Search(mediapipe=True))
@@ -44,7 +44,7 @@ print((resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) / 1000)
 
 
 @pytest.mark.parametrize("jobs", [1, 4])
-def test_a_generator_may_use_its_buffer_again(album, jobs):
+def test_a_generator_may_reuse_its_buffer(album, jobs):
     files = [path.read_bytes() for path in album[:12]]
     frames = [np.asarray(Image.open(path)) for path in album[:12]]
 
@@ -62,30 +62,30 @@ def test_a_generator_may_use_its_buffer_again(album, jobs):
             yield memoryview(buffer)
 
     for reused, kept in [(frames_in_one_array(), frames), (files_in_one_buffer(), files)]:
-        assert np.array_equal(rosto.landmarks(reused, ONE_LOOK, jobs=jobs).points, rosto.landmarks(kept, ONE_LOOK).points)
+        assert np.array_equal(rosto.landmarks(reused, FAST, jobs=jobs).points, rosto.landmarks(kept, FAST).points)
 
 
 @pytest.mark.parametrize("jobs", [1, 3])
-def test_an_error_of_the_generators_own_is_passed_on(pixels, jobs):
+def test_propagates_an_error_of_the_generator(pixels, jobs):
     taken = []
 
     def images():
         for number in range(5):
             taken.append(number)
             yield pixels
-        raise KeyError("the list is lost")
+        raise KeyError("planted")
 
-    with pytest.raises(KeyError, match="the list is lost"):
-        rosto.landmarks(images(), ONE_LOOK, jobs=jobs)
+    with pytest.raises(KeyError, match="planted"):
+        rosto.landmarks(images(), FAST, jobs=jobs)
     assert len(taken) == 5
-    assert rosto.landmarks([pixels] * 3, ONE_LOOK, jobs=jobs).reasons == [None] * 3
+    assert rosto.landmarks([pixels] * 3, FAST, jobs=jobs).reasons == [None] * 3
 
 
 @pytest.mark.parametrize("jobs", [1, 2])
-def test_an_interrupt_ends_a_batch_at_once(portrait, jobs):
+def test_an_interrupt_stops_a_batch(portrait, jobs):
     script = """
 import signal, sys, rosto
-# A shell starts background jobs with SIGINT ignored, and Python inherits that.
+# A shell starts background jobs with SIGINT ignored, which Python inherits.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 photo, jobs = open(sys.argv[1], "rb").read(), int(sys.argv[2])
 def photos():
@@ -103,7 +103,7 @@ except KeyboardInterrupt:
         try:
             assert process.stdout.readline() == "begun\n"
             process.send_signal(signal.SIGINT)
-            # All 10,000 would take an hour.
+            # All 10,000 photos would take an hour.
             assert process.communicate(timeout=60)[0] == "interrupted\n" and process.returncode == 0
         finally:
             process.kill()

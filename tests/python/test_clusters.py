@@ -1,4 +1,4 @@
-"""A thousand photos on a cluster: what one process says, and nothing lost with a worker that is killed in the middle."""
+"""Clusters give the results of a single process for 1000 photos, even if a worker is killed."""
 
 import os
 import signal
@@ -14,7 +14,7 @@ import pytest
 import rosto
 
 EXAMPLES = str(Path(__file__).parents[2] / "crates/python/examples")
-# Here, and in the processes of the clusters.
+# For this process and for the clusters' processes.
 sys.path.insert(0, EXAMPLES)
 os.environ["PYTHONPATH"] = EXAMPLES
 
@@ -24,13 +24,13 @@ def expected(album):
     found = rosto.landmarks(album, rosto.Search(mediapipe=True))
     without = [number for number, reason in enumerate(found.reasons) if reason is not None]
     assert len(found) == 1000 and without == [300, 700]
-    assert len({points.tobytes() for points in found.points}) == 999, "photos differ"
+    assert len({points.tobytes() for points in found.points}) == 999, "equal results for different photos"
     return found
 
 
 @contextmanager
 def one_killed(processes: Callable[[], list[int]], is_time: Callable[[], bool]) -> Iterator[Future[int]]:
-    """Kills the first of some processes as soon as it is time; gives its number."""
+    """Kills the first process once ``is_time()`` is true; yields a future of its PID."""
 
     def kill() -> int:
         while not is_time():
@@ -43,7 +43,7 @@ def one_killed(processes: Callable[[], list[int]], is_time: Callable[[], bool]) 
         yield thread.submit(kill)
 
 
-def test_dask_says_the_same_though_a_worker_is_killed(album, expected):
+def test_dask_gives_the_same_results_when_a_worker_is_killed(album, expected):
     import dask_landmarks
     from distributed import Client, LocalCluster
 
@@ -58,7 +58,7 @@ def test_dask_says_the_same_though_a_worker_is_killed(album, expected):
     assert table.drop_columns("path").equals(expected.to_arrow())
 
 
-def test_ray_says_the_same_though_a_worker_is_killed(album, expected):
+def test_ray_gives_the_same_results_when_a_worker_is_killed(album, expected):
     import psutil
     import ray
     import ray_landmarks

@@ -1,4 +1,4 @@
-"""Whatever an image comes as, it is the same image; what is none has a reason and stops no other."""
+"""Kinds of images give the same result; invalid images give a reason and do not affect others."""
 
 import array
 import io
@@ -14,16 +14,16 @@ import rosto
 from pandas import Series
 from PIL import Image
 
-ONE_LOOK = rosto.Search(mediapipe=True)
+FAST = rosto.Search(mediapipe=True)
 
 
 @pytest.fixture(scope="module")
 def expected(portrait):
-    return rosto.landmarks([portrait], ONE_LOOK).points[0]
+    return rosto.landmarks([portrait], FAST).points[0]
 
 
 def all_found(images) -> np.ndarray:
-    found = rosto.landmarks(images, ONE_LOOK)
+    found = rosto.landmarks(images, FAST)
     assert found.reasons == [None] * len(found)
     return found.points
 
@@ -41,7 +41,7 @@ def has_array(**behaviour) -> SimpleNamespace:
 
 
 @pytest.mark.parametrize("are_listed", [True, False])
-def test_every_kind_of_image_is_the_same_image_in_a_list_and_alone(portrait, pixels, expected, are_listed):
+def test_all_kinds_of_images_give_the_same_result_alone_and_in_a_list(portrait, pixels, expected, are_listed):
     file = portrait.read_bytes()
     every_second = np.stack([np.zeros_like(pixels), pixels], -1)[..., 1]
     in_the_middle = io.BytesIO(b"head" + file)
@@ -61,7 +61,7 @@ def test_every_kind_of_image_is_the_same_image_in_a_list_and_alone(portrait, pix
             assert np.array_equal(np.concatenate(found), [expected] * len(images)), kind
 
 
-def test_grey_and_alpha_are_as_in_a_file(pixels, tmp_path):
+def test_grey_and_alpha_arrays_equal_files(pixels, tmp_path):
     grey = np.asarray(Image.fromarray(pixels).convert("L"))
     alpha = np.linspace(0, 255, pixels.shape[0] * pixels.shape[1]).astype(np.uint8).reshape(pixels.shape[:2])
     for name, drawn in {"grey": grey, "alpha": np.dstack([pixels, alpha])}.items():
@@ -73,29 +73,29 @@ def test_grey_and_alpha_are_as_in_a_file(pixels, tmp_path):
 
 
 @pytest.mark.parametrize("orientation", range(1, 9))
-def test_a_pillow_image_is_turned_as_its_file_is(pixels, tmp_path, orientation):
+def test_applies_the_exif_orientation_of_pillow_images(pixels, tmp_path, orientation):
     exif = Image.Exif()
     exif[0x0112] = orientation
     path = tmp_path / "turned.png"
     Image.fromarray(pixels[:, 40:]).save(path, exif=exif)
     with Image.open(path) as image:
         of_file, of_image = all_found([path, image])
-        assert rosto.landmarks(image, ONE_LOOK).sizes.tolist() == rosto.landmarks(path, ONE_LOOK).sizes.tolist()
+        assert rosto.landmarks(image, FAST).sizes.tolist() == rosto.landmarks(path, FAST).sizes.tolist()
     assert np.array_equal(of_image, of_file)
 
 
 @pytest.mark.parametrize("mode", ["1", "L", "LA", "P", "RGB", "RGBA", "CMYK", "YCbCr", "HSV", "LAB", "PA", "La", "RGBa", "RGBX"])
-def test_pillow_images_of_any_mode_with_8_bits_are_read(mode):
+def test_reads_pillow_images_of_all_8_bit_modes(mode):
     image = Image.new("RGB", (40, 30), (200, 30, 60))
     for step in {"PA": ["P", "PA"], "La": ["LA", "La"], "RGBa": ["RGBA", "RGBa"]}.get(mode, [mode]):
         image = image.convert(step)
-    found = rosto.landmarks([image], ONE_LOOK)
+    found = rosto.landmarks([image], FAST)
     assert found.sizes.tolist() == [[30, 40]] and found.reasons == ["no face found"]
 
 
-def test_a_pillow_image_larger_than_a_file_may_be_is_read():
+def test_reads_a_pillow_image_larger_than_the_file_limit():
     large = Image.fromarray(np.random.default_rng(0).integers(0, 256, (4000, 4000, 3), np.uint8))
-    assert rosto.landmarks(large, ONE_LOOK).sizes.tolist() == [[4000, 4000]]
+    assert rosto.landmarks(large, FAST).sizes.tolist() == [[4000, 4000]]
 
 
 class RaisesAnything(Exception):
@@ -105,7 +105,7 @@ class RaisesAnything(Exception):
 
 @pytest.fixture
 def bad(portrait, tmp_path) -> dict[str, tuple[object, str]]:
-    """Objects that are not images or show no face, each with a part of the reason."""
+    """Invalid images and images without a face, each with a part of the reason."""
     pipe = tmp_path / "pipe.jpg"
     os.mkfifo(pipe)
     closed, closed_image, released = open(portrait, "rb"), Image.open(portrait), memoryview(b"photo")
@@ -120,22 +120,22 @@ def bad(portrait, tmp_path) -> dict[str, tuple[object, str]]:
         "an object": (object(), "is not an image"),
         "a NUL": ("photo\0.jpg", "null"),
         "a NUL in a Path": (Path("photo\0.jpg"), "null"),
-        "no path": ("", "No such file"),
-        "no file": (tmp_path / "missing.jpg", "missing.jpg"),
+        "an empty path": ("", "No such file"),
+        "a missing file": (tmp_path / "missing.jpg", "missing.jpg"),
         "a long name": ("x" * 100_000, "File name too long"),
         "a name that is not UTF-8": (os.fsencode(tmp_path).decode() + "/\udcff.jpg", "\\udcff.jpg"),
-        "a path of no text": (HasPath(4), "__fspath__"),
+        "a path that is not text": (HasPath(4), "__fspath__"),
         "a folder": (tmp_path, "not a file"),
         "a pipe": (pipe, "not a file"),
         "a device": ("/dev/zero", "not a file"),
         "a closed file": (closed, "closed file"),
         "a text file": (open(portrait, encoding="latin-1"), "binary mode"),
-        "a file that gives nothing": (SimpleNamespace(read=Mock(return_value=None)), "NoneType, not bytes"),
-        "a file without an end": (SimpleNamespace(read=Mock(return_value=b"x" * 1_000_000)), "limit is 40000000"),
+        "a file that returns None": (SimpleNamespace(read=Mock(return_value=None)), "NoneType, not bytes"),
+        "an endless file": (SimpleNamespace(read=Mock(return_value=b"x" * 1_000_000)), "limit is 40000000"),
         "an empty file": (io.BytesIO(), "not a picture"),
-        "notes": (b"these are notes", "not a picture"),
+        "text": (b"plain text", "not a picture"),
         "many bytes": (bytearray(40_000_001), "limit is 40000000"),
-        "a cut file": (portrait.read_bytes()[:2000], "damaged"),
+        "a truncated file": (portrait.read_bytes()[:2000], "damaged"),
         "numbers": (np.zeros((4, 4, 3)), "float64 (4, 4, 3)"),
         "two channels": (np.zeros((4, 4, 2), np.uint8), "uint8 (4, 4, 2)"),
         "channels first": (np.zeros((3, 40, 40), np.uint8), "uint8 (3, 40, 40)"),
@@ -146,18 +146,18 @@ def bad(portrait, tmp_path) -> dict[str, tuple[object, str]]:
         "a huge array": (np.broadcast_to(np.uint8(9), (2**20, 2**20, 3)), "1048576×1048576"),
         "a side of 2³²": (np.broadcast_to(np.uint8(9), (2**32 + 1, 1, 3)), "megapixels"),
         "objects": (np.array([[None]]), "object"),
-        "__array__ raises": (has_array(side_effect=RuntimeError("no pixels today")), "no pixels today"),
+        "__array__ raises": (has_array(side_effect=RuntimeError("planted")), "planted"),
         "__array__ raises badly": (has_array(side_effect=RaisesAnything), "RaisesAnything"),
         "a released view": (released, "released"),
-        "a mode without a white": (Image.new("F", (9, 9)), "mode F"),
+        "a mode without a white level": (Image.new("F", (9, 9)), "mode F"),
         "a closed image": (closed_image, "closed"),
         "no face": (np.full((64, 64, 3), 120, np.uint8), "no face"),
     }
 
 
 @pytest.mark.parametrize("jobs", [1, 2])
-def test_what_is_no_image_or_shows_no_face_has_a_reason_and_stops_no_other(portrait, expected, bad, jobs):
-    found = rosto.landmarks([portrait, *(image for image, _ in bad.values()), portrait], ONE_LOOK, jobs=jobs)
+def test_bad_images_give_a_reason_and_do_not_affect_others(portrait, expected, bad, jobs):
+    found = rosto.landmarks([portrait, *(image for image, _ in bad.values()), portrait], FAST, jobs=jobs)
     assert [found.reasons[0], found.reasons[-1]] == [None, None]
     for (name, (_, word)), reason in zip(bad.items(), found.reasons[1:]):
         assert word in reason and len(reason) <= 500, f"{name}: {reason}"
@@ -170,24 +170,24 @@ BROKEN = has_array(side_effect=RuntimeError)
 
 
 @pytest.mark.parametrize("image", [None, 4, [], ["photo.jpg"], np.zeros((4, 4, 3)), "photo\0.jpg", object(), b"", BROKEN], ids=repr)
-def test_one_image_that_is_none_raises(image):
+def test_a_single_bad_image_raises(image):
     for work in (rosto.faces, lambda image: rosto.mesh([image])):
         with pytest.raises((rosto.RostoError, RuntimeError)):
             work(image)
 
 
-def test_an_array_or_a_table_column_of_images_is_a_list(portrait, pixels, expected):
+def test_accepts_arrays_and_table_columns_of_images(portrait, pixels, expected):
     path, of_bytes = str(portrait), np.empty(2, object)
     of_bytes[:] = [portrait.read_bytes()] * 2
     for many in [np.stack([pixels] * 2), np.array([path] * 2), np.array([portrait] * 2, object), of_bytes, Series([path] * 2)]:
         assert np.array_equal(all_found(many), [expected] * 2)
-    assert len(rosto.landmarks(np.array(path), ONE_LOOK)) == 1
+    assert len(rosto.landmarks(np.array(path), FAST)) == 1
     assert len(rosto.landmarks(np.zeros((0, 4, 4, 3), np.uint8))) == len(rosto.landmarks([])) == 0
     assert rosto.landmarks([]).to_arrow().num_rows == 0
 
 
 @pytest.mark.parametrize("wrong", [None, 4, 4.5, object(), True], ids=repr)
-def test_what_is_neither_an_image_nor_a_list_is_a_type_error(wrong):
+def test_other_types_raise_a_type_error(wrong):
     for work in (rosto.landmarks, rosto.mesh):
         with pytest.raises(TypeError, match="neither an image nor a list"):
             work(wrong)

@@ -1,4 +1,4 @@
-"""Images to landmarks: the command line's bits; reasons where there are none."""
+"""Landmarks: equality with the command line, threads, pickle and Parquet."""
 
 import json
 import pickle
@@ -18,7 +18,7 @@ SEARCHES = [
 
 
 @pytest.mark.parametrize(("search", "flags"), SEARCHES)
-def test_landmarks_are_the_command_lines_to_the_bit(album, command_line, search, flags):
+def test_landmarks_are_bit_identical_to_the_command_line(album, command_line, search, flags):
     some = album[:12]
     found = rosto.landmarks(some, search)
     assert found.points.shape == (12, 478 if search.refined else 468, 3) and found.points.dtype == np.float32
@@ -27,21 +27,21 @@ def test_landmarks_are_the_command_lines_to_the_bit(album, command_line, search,
     assert np.array_equal(found.points, np.array(theirs, np.float32))
 
 
-def test_of_many_faces_as_many_as_are_asked_for(pixels):
+def test_limits_the_number_of_faces(pixels):
     pair = np.hstack([pixels, pixels])
     assert len(rosto.faces(pair)) == 2
     assert len(rosto.faces(pair, rosto.Search(max_faces=1))) == 1
     assert rosto.faces(np.zeros((64, 64, 3), np.uint8)) == []
 
 
-def test_threads_change_nothing_but_time(album):
+def test_threads_do_not_change_results(album):
     some, search = album[:40], rosto.Search(mediapipe=True)
     alone = rosto.landmarks(some, search)
     assert np.array_equal(rosto.landmarks(some, search, jobs=4).points, alone.points)
     assert np.array_equal(rosto.landmarks(iter(some), search).points, alone.points)
 
 
-def test_a_call_has_one_thread_and_lets_others_run(portrait):
+def test_a_call_uses_one_thread_and_releases_the_gil(portrait):
     threads = len(list(Path("/proc/self/task").iterdir()))
     steps, done = 0, threading.Event()
 
@@ -56,12 +56,12 @@ def test_a_call_has_one_thread_and_lets_others_run(portrait):
     while not done.is_set():
         steps += 1
     finding.join()
-    # Python gives another thread its turn every 5 ms at most: with the lock held, this one would hardly have moved.
+    # While another thread holds the GIL, this loop would hardly advance.
     assert steps > 10_000
 
 
-def test_results_come_back_from_pickle_and_parquet_as_they_were(portrait, tmp_path):
-    found = rosto.landmarks([portrait, b"notes"])
+def test_results_survive_pickle_and_parquet(portrait, tmp_path):
+    found = rosto.landmarks([portrait, b"plain text"])
     again = pickle.loads(pickle.dumps(found))
     assert np.array_equal(again.points, found.points, equal_nan=True) and again.reasons == found.reasons
     assert pickle.loads(pickle.dumps(rosto.Search(refine=True))) == rosto.Search(refine=True)

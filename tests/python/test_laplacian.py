@@ -1,4 +1,4 @@
-"""δ-coordinates of meshes that are no faces: the theorems hold, and the dense solution is the same."""
+"""Laplacian editing of a torus: properties of the operators, equality with a dense solution, and invalid input."""
 
 import math
 import pickle
@@ -21,7 +21,7 @@ def torus(around: int = 16, through: int = 10) -> tuple[np.ndarray, np.ndarray]:
 
 
 @pytest.mark.parametrize("operator", OPERATORS)
-def test_matrix_deltas_and_edits_are_those_of_the_paper(operator):
+def test_matrix_deltas_and_edits_match_the_equations(operator):
     editor = rosto.Laplacian(torus(), operator)
     matrix, rest, offset, weight = editor.matrix(), editor.positions, np.array([0, 0, 1.0]), 0.25
     assert np.abs(matrix.sum(axis=1)).max() < 1e-12
@@ -29,23 +29,23 @@ def test_matrix_deltas_and_edits_are_those_of_the_paper(operator):
     assert np.allclose(editor.deltas(rest + [1, 2, 3]), editor.deltas(), atol=1e-9)
     exact = editor.edit({0: offset}, anchors=[50, 90]) - rest
     assert np.allclose(exact[0], offset, atol=1e-12) and np.abs(exact[[50, 90]]).max() < 1e-12
-    # Soft constraints are further rows of the system.
-    held = np.eye(len(rest))[[0, 50, 90]]
-    targets = held @ rest + [offset, np.zeros(3), np.zeros(3)]
-    system = np.vstack([matrix.toarray(), np.sqrt(weight) * held])
+    # Soft constraints are additional rows of the system.
+    fixed = np.eye(len(rest))[[0, 50, 90]]
+    targets = fixed @ rest + [offset, np.zeros(3), np.zeros(3)]
+    system = np.vstack([matrix.toarray(), np.sqrt(weight) * fixed])
     wanted = np.vstack([editor.deltas(), np.sqrt(weight) * targets])
     dense = np.linalg.lstsq(system, wanted, rcond=None)[0]
     assert np.allclose(editor.edit({0: offset}, [50, 90], weight), dense, atol=1e-8)
 
 
-def test_a_face_is_a_mesh_like_any_other(portrait):
+def test_edits_a_face_mesh(portrait):
     face = rosto.mesh(portrait)
     moved = rosto.Laplacian(face).edit({1: (0, 0, 0.005)}, anchors=[10, 152])
     assert np.allclose(moved[1] - face.positions_m[1], [0, 0, 0.005], atol=1e-12)
 
 
 @pytest.mark.parametrize("operator", OPERATORS)
-def test_an_editor_and_its_pickle_keep_the_mesh_when_the_arrays_are_used_again(operator):
+def test_an_editor_and_its_pickle_keep_copies_of_the_arrays(operator):
     positions, triangles = torus()
     editor = rosto.Laplacian((positions, triangles.astype(np.uint32)), operator)
     deltas = editor.deltas()
@@ -56,7 +56,7 @@ def test_an_editor_and_its_pickle_keep_the_mesh_when_the_arrays_are_used_again(o
 
 
 @pytest.mark.parametrize("kind", [np.int8, np.uint64, np.float32, np.float64])
-def test_arrays_of_any_kind_and_layout_are_the_same_mesh(kind):
+def test_accepts_arrays_of_any_type_and_layout(kind):
     positions, triangles = torus(8, 8)
     expected = rosto.Laplacian((positions, triangles)).deltas()
     plain = triangles.astype(kind)
@@ -68,7 +68,7 @@ def test_arrays_of_any_kind_and_layout_are_the_same_mesh(kind):
     assert np.array_equal(rosto.Laplacian((unaligned, triangles)).deltas(unaligned.astype(">f8")), expected)
 
 
-def test_handles_anchors_and_weights_may_be_numpys():
+def test_accepts_numpy_handles_anchors_and_weights():
     editor = rosto.Laplacian(torus())
     expected = editor.edit({0: (0, 0, 1), 7: (1, 0, 0)}, [50, 90], 2.0)
     handles = {np.int64(0): np.array([0, 0, 1]), np.uint8(7): [np.float32(1), 0, np.array(0)]}
@@ -78,7 +78,7 @@ def test_handles_anchors_and_weights_may_be_numpys():
 
 
 @pytest.mark.parametrize("wrong", [np.nan, np.inf, -np.inf])
-def test_coordinates_are_finite(wrong):
+def test_refuses_coordinates_that_are_not_finite(wrong):
     positions, triangles = torus()
     positions[7, 1] = wrong
     with pytest.raises(rosto.RostoError, match="positions: row 7 is not finite"):
@@ -91,14 +91,14 @@ def test_coordinates_are_finite(wrong):
 
 @pytest.mark.parametrize("scale", [1e-320, 1e-160, 1e150, 1e300])
 @pytest.mark.parametrize("operator", OPERATORS)
-def test_answers_are_finite_or_refused(operator, scale):
+def test_results_are_finite_or_an_error(operator, scale):
     positions, triangles = torus()
     try:
         editor = rosto.Laplacian((positions * scale, triangles), operator)
         answers = [editor.edit({0: (0, 0, 1e300)}, [50]), editor.deltas(positions * 1e307), editor.deltas()]
         assert all(np.isfinite(answer).all() for answer in answers)
-    except rosto.RostoError as refused:
-        assert "finite" in str(refused) or "scaled" in str(refused)
+    except rosto.RostoError as error:
+        assert "finite" in str(error) or "scaled" in str(error)
 
 
 @pytest.mark.parametrize(
@@ -108,7 +108,7 @@ def test_answers_are_finite_or_refused(operator, scale):
         *((TypeError, wrong) for wrong in [True, "2", None, 2j, (2,)]),
     ],
 )
-def test_an_index_that_names_no_vertex_is_refused(error, wrong):
+def test_refuses_invalid_indices(error, wrong):
     editor = rosto.Laplacian(torus())
     with pytest.raises((rosto.RostoError, TypeError), match="triangles"):
         rosto.Laplacian((torus()[0], [[wrong] * 3]))
@@ -144,6 +144,6 @@ def test_an_index_that_names_no_vertex_is_refused(error, wrong):
         (rosto.RostoError, "2 positions for 160 vertices", lambda: rosto.Laplacian(torus()).deltas(np.zeros((2, 3)))),
     ],
 )
-def test_meshes_and_edits_without_an_answer_are_refused_and_say_why(error, message, work):
+def test_refuses_invalid_meshes_and_edits_with_a_reason(error, message, work):
     with pytest.raises(error, match=message):
         work()

@@ -1,4 +1,4 @@
-"""A photo to an edited mesh: the command line's file to the byte, and arrays that say the same."""
+"""Meshes: equality with the command line's files, arrays, pickling and errors."""
 
 import io
 import pickle
@@ -21,7 +21,7 @@ EDITS = [
 
 
 @pytest.mark.parametrize(("edits", "flags"), EDITS)
-def test_files_are_the_command_lines_to_the_byte(portrait, command_line, tmp_path, edits, flags):
+def test_files_equal_those_of_the_command_line(portrait, command_line, tmp_path, edits, flags):
     for name in ["face.glb", "face.obj", "face.json"]:
         theirs = tmp_path / f"theirs-{name}"
         theirs.mkdir()
@@ -31,24 +31,24 @@ def test_files_are_the_command_lines_to_the_byte(portrait, command_line, tmp_pat
         assert all(path.read_bytes() == (theirs / path.name).read_bytes() for path in ours)
 
 
-def test_options_are_the_command_lines(portrait, command_line, tmp_path):
+def test_accepts_the_command_lines_options(portrait, command_line, tmp_path):
     flags = ["--density", "0", "--topology", "tessellation", "--material", "unlit", "--base-colour", "photo"]
     command_line("mesh", portrait, "-o", tmp_path / "face.glb", *flags)
     made = rosto.mesh(portrait, density=0, topology="tessellation").to_bytes("glb", material="unlit", base_colour="photo")
     assert made == (tmp_path / "face.glb").read_bytes()
 
 
-def test_arrays_fit_together_and_the_landmark_moves_as_far_as_it_is_moved(portrait):
+def test_arrays_are_consistent_and_the_landmark_moves_by_its_offset(portrait):
     rest, moved = rosto.mesh(portrait), rosto.mesh(portrait, [rosto.Vertex(1, (0, 0, 5))], hold="exact")
     assert rest.positions_m.shape == (7257, 3) and rest.colours.shape == (7257, 3) and rest.uvs.shape == (7257, 2)
     assert rest.triangles.min() == 0 and rest.triangles.max() == 7256
     assert np.allclose(moved.positions_m[1] - rest.positions_m[1], [0, 0, 0.005], atol=1e-12)
     corners = rest.positions_m[rest.triangles]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    assert (normals[:, 2] > 0).mean() > 0.8, "triangles look out of the face"
+    assert (normals[:, 2] > 0).mean() > 0.8, "triangles face outward"
 
 
-def test_a_mesh_and_its_pickle_keep_their_images_when_these_change(portrait, pixels, tmp_path):
+def test_a_mesh_and_its_pickle_keep_copies_of_the_images(portrait, pixels, tmp_path):
     buffer, seen, drawn = bytearray(portrait.read_bytes()), np.fromfile(portrait, np.uint8), pixels.copy()
     path, file = Path(shutil.copy(portrait, tmp_path)), io.BytesIO(buffer)
     for image, change in [
@@ -66,24 +66,24 @@ def test_a_mesh_and_its_pickle_keep_their_images_when_these_change(portrait, pix
             assert again.to_bytes("ply") == made.to_bytes("ply")
 
 
-def test_a_single_edit_is_a_list_of_one(portrait):
+def test_accepts_a_single_edit(portrait):
     edit = rosto.Slider("nose-width", 4)
     assert rosto.mesh(portrait, edit, density=0).words == rosto.mesh(portrait, iter([edit]), density=0).words
 
 
 @pytest.mark.parametrize("wrong", [None, 4, "nose-width", [None], [rosto.Slider("nose-width", 4), ("nose-width", 4)]], ids=repr)
-def test_what_is_no_edit_is_a_type_error(portrait, wrong):
+def test_an_invalid_edit_raises_a_type_error(portrait, wrong):
     with pytest.raises(TypeError, match=r"edits\[\d\]: .* is not an edit"):
         rosto.mesh(portrait, wrong)
 
 
 @pytest.mark.parametrize("none", [[], (), iter([]), np.zeros((0, 4, 4, 3), np.uint8), np.array([], object)], ids=repr)
-def test_no_image_is_an_error(none):
+def test_refuses_an_empty_list_of_images(none):
     with pytest.raises(rosto.RostoError, match="image: there is none"):
         rosto.mesh(none)
 
 
-def test_a_list_or_an_array_of_images_of_one_head_is_one_face(portrait, pixels):
+def test_several_images_of_one_head_give_one_face(portrait, pixels):
     alone, of_list, of_array = (rosto.mesh(image, density=0) for image in (pixels, [portrait] * 2, np.stack([pixels] * 2)))
     assert (len(alone.images), len(of_list.images), len(of_array.images)) == (1, 2, 2)
     assert alone.positions_m.shape == of_list.positions_m.shape == of_array.positions_m.shape
@@ -100,11 +100,11 @@ def test_a_list_or_an_array_of_images_of_one_head_is_one_face(portrait, pixels):
         (lambda photo: rosto.mesh(photo, units="image"), ["image coordinates", "--units mm"]),
         (lambda photo: rosto.mesh(photo).to_bytes("json", units="image"), ["image coordinates", "--units mm"]),
         (lambda photo: rosto.mesh(np.zeros((64, 64, 3), np.uint8)), ["no face", "tenth of the picture"]),
-        (lambda photo: rosto.mesh(b"notes"), ["not a picture"]),
+        (lambda photo: rosto.mesh(b"plain text"), ["not a picture"]),
         (lambda photo: rosto.mesh([photo] * 6), ["6 photos of one face; 1 to 5"]),
     ],
 )
-def test_what_cannot_be_made_says_what_and_what_to_do(portrait, work, words):
-    with pytest.raises(rosto.RostoError) as refused:
+def test_errors_state_the_cause_and_a_remedy(portrait, work, words):
+    with pytest.raises(rosto.RostoError) as error:
         work(portrait)
-    assert all(word in str(refused.value) for word in words), refused.value
+    assert all(word in str(error.value) for word in words), error.value

@@ -6,11 +6,11 @@ from nbclient import NotebookClient
 NOTEBOOK = Path(__file__).parents[2] / "crates/python/notebook/faces.ipynb"
 
 
-def test_the_notebook_is_kept_without_outputs_and_runs():
+def test_the_notebook_has_no_outputs_and_runs():
     notebook = nbformat.read(NOTEBOOK, as_version=4)
     code = [cell for cell in notebook.cells if cell.cell_type == "code"]
     assert [(cell.outputs, cell.execution_count) for cell in code] == [([], None)] * 8
-    # Fills the same cells.
+    # Fills in the outputs.
     NotebookClient(notebook, resources={"metadata": {"path": str(NOTEBOOK.parent)}}, record_timing=False).execute()
     outputs = [output for cell in code for output in cell.outputs]
     pictures = [output for output in outputs if "image/png" in output.get("data", {})]

@@ -1,4 +1,4 @@
-"""NumPy's numbers serve wherever Python's do; what are not numbers are refused by the name of the argument."""
+"""Accepts NumPy numbers; errors for invalid numbers name the argument."""
 
 import math
 from decimal import Decimal
@@ -20,7 +20,7 @@ OFFSETS = [
 
 
 @pytest.mark.parametrize("four", FOURS, ids=repr)
-def test_any_kind_of_number_is_the_same_edit(four):
+def test_all_kinds_of_numbers_give_the_same_edit(four):
     assert rosto.Slider("nose-width", four) == rosto.Slider("nose-width", 4)
     assert rosto.Expression("jawOpen", four).words() == ["--expression", "jawOpen:4"]
     assert rosto.Symmetrise(four).words() == ["--symmetrise", "4"]
@@ -29,12 +29,12 @@ def test_any_kind_of_number_is_the_same_edit(four):
 
 
 @pytest.mark.parametrize("offset", OFFSETS, ids=repr)
-def test_any_kind_of_offset_is_the_same_edit(offset):
+def test_all_kinds_of_offsets_give_the_same_edit(offset):
     assert rosto.Vertex(1, offset, anchors=np.array([10, 152])) == rosto.Vertex(1, (0.0, 0.0, 5.0), anchors=(10, 152))
     assert rosto.Region("nose", offset).words() == ["--region", "nose:0,0,5"]
 
 
-def test_an_edit_keeps_its_numbers_when_the_array_is_used_again():
+def test_an_edit_copies_its_offset():
     offset = np.array([0, 0, 5.0])
     edit = rosto.Vertex(1, offset)
     offset[:] = 9
@@ -42,7 +42,7 @@ def test_an_edit_keeps_its_numbers_when_the_array_is_used_again():
 
 
 @pytest.mark.parametrize("number", [0.1, -1e-7, 1e22, 2 / 3, np.float32(0.1), -0.0, True, np.bool_(True)], ids=repr)
-def test_words_are_read_back_as_the_same_number(number):
+def test_options_parse_as_the_same_number(number):
     assert float(rosto.Symmetrise(number).words()[1]) == float(number)
 
 
@@ -82,26 +82,26 @@ VALUES = [math.nan, math.inf, -math.inf, np.float32("nan"), np.array(np.inf), 10
         *((TypeError, wrong, FLAGS) for wrong in [1, "no", None]),
     ],
 )
-def test_a_wrong_number_or_flag_is_an_error_that_names_the_argument(error, wrong, arguments):
+def test_errors_name_the_invalid_argument(error, wrong, arguments):
     for name, make in arguments.items():
         with pytest.raises(error, match=name):
             make(wrong)
 
 
 @pytest.mark.parametrize("wrong", [(0, 1), (0, 0, 1, 1), [], np.zeros((3, 0))[0], 5.0, np.float64(5), np.array(5.0)], ids=repr)
-def test_an_offset_is_three_numbers(wrong):
+def test_an_offset_has_three_numbers(wrong):
     with pytest.raises(rosto.RostoError, match="offset_mm.*three numbers"):
         rosto.Vertex(1, wrong)
 
 
 @pytest.mark.parametrize("make", [rosto.Slider, rosto.Expression, lambda name, _: rosto.Region(name, (0, 0, 1))])
-def test_a_name_is_a_text(make):
+def test_names_must_be_text(make):
     for wrong in (None, 4, b"nose", ["nose"]):
         with pytest.raises(TypeError, match="text"):
             make(wrong, 1)
 
 
-def test_searches_and_options_take_flags_and_numbers_of_numpys(portrait):
+def test_searches_and_options_accept_numpy_flags_and_numbers(portrait):
     search = rosto.Search(mediapipe=np.bool_(True), refine=np.array(False), max_faces=np.int64(2))
     assert search == rosto.Search(mediapipe=True, refine=False, max_faces=2) and hash(search)
     plain = rosto.mesh(portrait, density=0, mirror=True, pin=[10, 152])
@@ -111,6 +111,6 @@ def test_searches_and_options_take_flags_and_numbers_of_numpys(portrait):
 
 
 @pytest.mark.parametrize("value", [None, b"0", math.nan, [math.inf], np.zeros((2, 2)), object()], ids=repr)
-def test_an_option_that_is_no_number_or_text_is_refused_by_its_name(portrait, value):
+def test_errors_name_the_invalid_option(portrait, value):
     with pytest.raises((TypeError, rosto.RostoError), match="density"):
         rosto.mesh(portrait, density=value)

@@ -1,4 +1,4 @@
-"""What the package is made of: types that hold, documentation for all of it, the command line, the networks' licence."""
+"""Types, documentation, command line, panics, representations and contents of the package."""
 
 import inspect
 import re
@@ -34,12 +34,12 @@ rosto.Laplacian((pixels[0], [[0, 1, 2]])).edit({0: np.array([0, 0, 1.0]), 1: (0,
 
 
 @pytest.mark.parametrize("words", [["--ignore-missing-imports", "--package", "rosto"], ["--command", USES]], ids=["own", "uses"])
-def test_types_hold_by_mypys_strictest_and_take_what_the_package_takes(tmp_path, words):
+def test_mypy_strict_accepts_the_package_and_its_uses(tmp_path, words):
     checked = subprocess.run([sys.executable, "-m", "mypy", "--strict", *words], capture_output=True, text=True, cwd=tmp_path)
     assert checked.returncode == 0, checked.stdout
 
 
-def test_whatever_is_public_is_documented():
+def test_public_names_are_documented():
     public = [getattr(rosto, name) for name in rosto.__all__ if name != "Image"]
     methods = [method for each in public if inspect.isclass(each) for _, method in inspect.getmembers(each, callable)]
     own = [each for each in methods if inspect.isfunction(each) and not each.__name__.startswith("_")]
@@ -47,14 +47,14 @@ def test_whatever_is_public_is_documented():
     assert undocumented == []
 
 
-def test_the_command_line_comes_along_and_finds_its_networks(portrait, command_line, tmp_path):
+def test_the_command_line_finds_its_networks(portrait, command_line, tmp_path):
     words = ["landmarks", str(portrait), "--mediapipe"]
     run = subprocess.run([sys.executable, "-m", "rosto", *words], capture_output=True, cwd=tmp_path)
     assert (run.returncode, run.stdout) == (0, command_line(*words))
     assert subprocess.run([sys.executable, "-m", "rosto", "mesh"], capture_output=True).returncode == 2
 
 
-def test_every_entry_point_turns_a_panic_into_an_error():
+def test_entry_points_turn_panics_into_errors():
     sources = "".join(file.read_text() for file in (ROOT / "crates/python/src").glob("*.rs"))
     blocks = re.findall(r"#\[pymethods\]\nimpl .*?\n\}\n|#\[pyfunction\]\n.*?\n *\}\n", sources, re.DOTALL)
     entry_points = [function for block in blocks for function in re.split(r"\bfn ", block)[1:]]
@@ -62,12 +62,12 @@ def test_every_entry_point_turns_a_panic_into_an_error():
     assert [function for function in entry_points if "guarded(" not in function] == []
 
 
-def test_what_is_shown_of_results_is_short(portrait):
+def test_representations_are_short(portrait):
     edit = rosto.Vertex(1, (0, 0, 5), anchors=range(10, 400))
     made = rosto.mesh(portrait, [edit] * 50, density=0)
     assert repr(made).startswith("Mesh(1 image") and len(repr(made)) < 120
     assert len(repr(edit)) < 120
-    assert repr(rosto.landmarks([portrait] + [b"notes"] * 500)) == "Landmarks(501 images, 1 with a face)"
+    assert repr(rosto.landmarks([portrait] + [b"plain text"] * 500)) == "Landmarks(501 images, 1 with a face)"
     assert repr(rosto.faces(portrait)) == "[Face(478 points, confidence 0.98)]"
     assert repr(rosto.Laplacian((np.eye(3), [[0, 1, 2]]))) == "Laplacian(3 vertices, 1 triangles, 'cotangent')"
 
@@ -93,12 +93,12 @@ def test_what_is_shown_of_results_is_short(portrait):
         lambda finder: _rosto.System(np.eye(3), np.array([[0, 1, 2]], np.uint32), "L").deltas(np.zeros((2, 3))),
     ],
 )
-def test_the_native_part_refuses_what_it_cannot_take(work):
+def test_the_native_part_refuses_invalid_arguments(work):
     with pytest.raises((ValueError, TypeError)):
         work(finder(True))
 
 
-def test_the_wheel_has_its_licences_and_fits_every_python_from_the_oldest_on():
+def test_the_wheel_is_abi3_and_contains_its_licences():
     files = [file.name for file in distribution("rosto").files]
     assert {"LICENSE-MIT", "LICENSE-APACHE", "NOTICE", "py.typed", "_rosto.pyi", "face_detector.onnx"} <= set(files)
     assert any(name.startswith("_rosto.abi3") for name in files)
