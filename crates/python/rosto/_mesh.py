@@ -103,7 +103,7 @@ def mesh(
     """
     images = tuple(contents(frozen(each)) for each in listed(image))
     if not images:
-        raise RostoError("image: there is none")
+        raise RostoError("image: the list is empty")
     words = [word for edit in _edits(edits) for word in edit.words()]
     finding = [flag for flag in ("mediapipe", "refine") if getattr(search, flag)]
     made = Mesh(images, (*(f"--{flag}" for flag in finding), *words, *_words(options)), search)

@@ -109,7 +109,7 @@ def corners(name: str, values: object, vertex_count: int) -> npt.NDArray[np.uint
             raise RostoError(f"{name}: {fractions[0]} is not a whole number")
     outside = given[~((given >= 0) & (given < vertex_count))]
     if outside.size:
-        raise RostoError(f"{name}: there is no vertex {outside[0]}: the mesh has {vertex_count}")
+        raise RostoError(f"{name}: no vertex {outside[0]}; the mesh has {vertex_count} vertices")
     copy = np.array(given, np.uint32, order="C")
     copy.flags.writeable = False
     return copy

@@ -54,8 +54,8 @@ impl FaceMesh {
     ) -> PyResult<Vec<(String, Bound<'py, PyBytes>)>> {
         guarded("photo", || {
             let written = py.detach(|| self.locked().write(name, &options)).map_err(refused)?;
-            let beside = written.sidecars.into_iter().map(|file| (file.name, file.bytes));
-            let files = [(name.to_owned(), written.bytes)].into_iter().chain(beside);
+            let sidecars = written.sidecars.into_iter().map(|file| (file.name, file.bytes));
+            let files = [(name.to_owned(), written.bytes)].into_iter().chain(sidecars);
             Ok(files.map(|(name, bytes)| (name, PyBytes::new(py, &bytes))).collect())
         })
     }

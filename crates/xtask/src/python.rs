@@ -12,7 +12,8 @@ use std::path::{Path, PathBuf};
 pub const MATURIN: &str = "crates/python/requirements-build.txt";
 const TESTS: &str = "tests/python/requirements.txt";
 
-/// Returns the interpreter of an environment with the packages that `requirements` pin. Other pins give another environment.
+/// Returns the interpreter of an environment with the packages that `requirements` pin. Other pins give another
+/// environment.
 pub fn environment(requirements: &[&str], why: &str) -> Result<PathBuf> {
     let pins = requirements.iter().map(|file| fs::read_to_string(root().join(file)));
     let folder = cache()?.join("python").join(&sha256(pins.collect::<Result<String, _>>()?.as_bytes())[..16]);

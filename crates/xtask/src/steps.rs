@@ -1,7 +1,7 @@
 //! Steps of `cargo xtask test`.
 //!
-//! Quick checks come first. Later steps use the results of earlier ones: `dist` builds the types for tsc and the page for the
-//! browsers.
+//! Quick checks come first. Later steps use the results of earlier ones: `dist` builds the types for tsc and the page
+//! for the browsers.
 
 use crate::places::{WASM, root, target};
 use crate::run::{Run, is_program};

@@ -6,8 +6,8 @@ use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
-/// A program that the tests use: its name, alternative executables (`$NAME` is an environment variable), Debian packages, and
-/// its purpose.
+/// A program that the tests use: its name, alternative executables (`$NAME` is an environment variable), Debian
+/// packages, and its purpose.
 type Program = (&'static str, &'static [&'static str], &'static str, &'static str);
 
 const CHROMIUM: [&str; 7] = [
