@@ -1,17 +1,16 @@
 import { make } from "../page/dom.js";
 import { idName } from "../words/names.js";
 import { onLocaleChange, isWord, t } from "../words/words.js";
-import { isSlow, untilWaitIsSaid } from "./selection-mode.js";
+import { isSlow, announcePreparing } from "./selection-mode.js";
 
 /** @typedef {import("../viewport/host.js").Host} Host */
 
-/** The word under which a choice says that none of its sets of options is on. */
-const OWN = "custom";
+/** Shown while the current options match none of a choice's presets. */
+const CUSTOM = "custom";
 
 /**
- * Fills every list and group of buttons that offers a choice with what the studio has to choose from, and keeps them
- * as the studio says. `data-choice` names the choice; the words `choice.id`, `choice.id.help` and `choice.id.legend` go
- * with what is chosen.
+ * Fills each list and button group that has `data-choice` with the studio's ids, and follows the studio's state. The
+ * words `choice.id`, `choice.id.help` and `choice.id.legend` belong to the chosen id.
  *
  * @param {Host} host
  */
@@ -20,11 +19,11 @@ export function setUpChoices(host) {
     const choice = element.getAttribute("data-choice") ?? "";
     const ids = host.answer((studio) => studio.choices(choice));
     const control = element instanceof HTMLSelectElement ? listOf(element) : groupOf(/** @type {HTMLElement} */ (element), choice);
-    const explain = () => sayMore(choice, control.chosen());
+    const explain = () => showHelp(choice, control.chosen());
     control.offer(ids);
     element.addEventListener("change", async () => {
       const id = control.chosen();
-      if (isSlow(choice, id)) await untilWaitIsSaid();
+      if (isSlow(choice, id)) await announcePreparing();
       host.act((studio) => studio.choose(choice, id));
       explain();
     });
@@ -72,14 +71,14 @@ function listOf(list) {
 function groupOf(group, choice) {
   const inputs = () => [...group.querySelectorAll("input")];
   return {
-    offer: (ids) => group.replaceChildren(...ids.map((id) => button(choice, id)), ...ownChoice(choice)),
+    offer: (ids) => group.replaceChildren(...ids.map((id) => button(choice, id)), ...customOption(choice)),
     name: (nameOf) => {
       for (const input of inputs()) if (input.nextElementSibling) input.nextElementSibling.textContent = nameOf(input.value);
     },
     show: (id) => {
-      const own = inputs().find(({ value }) => value === OWN);
-      if (own?.parentElement) own.parentElement.hidden = id !== "";
-      for (const input of inputs()) input.checked = input.value === (own && id === "" ? OWN : id);
+      const custom = inputs().find(({ value }) => value === CUSTOM);
+      if (custom?.parentElement) custom.parentElement.hidden = id !== "";
+      for (const input of inputs()) input.checked = input.value === (custom && id === "" ? CUSTOM : id);
     },
     chosen: () => inputs().find((input) => input.checked)?.value ?? "",
   };
@@ -100,25 +99,25 @@ function button(choice, id) {
 }
 
 /**
- * What a choice of whole sets of options shows while none of them is on: it tells, and cannot be chosen.
+ * The disabled "custom" button of a choice that consists of presets.
  *
  * @param {string} choice
  */
-function ownChoice(choice) {
-  if (!isWord(`${choice}.${OWN}`)) return [];
-  const label = button(choice, OWN);
+function customOption(choice) {
+  if (!isWord(`${choice}.${CUSTOM}`)) return [];
+  const label = button(choice, CUSTOM);
   for (const input of label.querySelectorAll("input")) input.disabled = true;
   label.hidden = true;
   return [label];
 }
 
 /**
- * Says what goes with what is chosen, where the page has a place for it.
+ * Shows the help and the legend of the chosen id, if the page has an element for them.
  *
  * @param {string} choice
  * @param {string} id
  */
-function sayMore(choice, id) {
+function showHelp(choice, id) {
   for (const kind of /** @type {const} */ (["help", "legend"])) {
     const key = `${choice}.${id}.${kind}`;
     const place = document.getElementById(`${choice}-${kind}`);

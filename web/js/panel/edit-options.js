@@ -6,7 +6,7 @@ import { Slider } from "./slider.js";
  * @typedef {import("../viewport/host.js").StudioState} StudioState
  */
 
-/** How the surface follows a landmark, apart from what is chosen from lists. */
+/** The options of an edit that are not lists: symmetry, influence radius, fixed points. */
 export class EditOptions {
   #mirror = byId("mirror", HTMLInputElement);
   #nearby = byId("nearby", HTMLInputElement);

@@ -3,10 +3,10 @@ import { remember, remembered } from "../page/remember.js";
 import { numberPoints } from "../words/names.js";
 import { tellAll } from "../words/words.js";
 
-/** Technical ways to display the face; `data-expert` marks the other technical controls in index.html. */
+/** Technical display modes. In index.html, `data-expert` marks the other technical controls. */
 const DISPLAYS = ["normals", "response", "distortion"];
 
-/** The switch that shows technical controls and the numbers of points. */
+/** The switch that shows technical controls and point numbers. */
 export function setUpExpert() {
   const box = byId("expert", HTMLInputElement);
   for (const display of DISPLAYS) {

@@ -9,32 +9,32 @@ import { formatBytes } from "./verdict-line.js";
 /** The format that the page's own button downloads. */
 const FORMAT = "glb";
 
-/** What the file will hold and be called; how large it is, once it was made. */
+/** Name and content of the exported file; its size too, once it has been made. */
 export class ExportFacts {
   #host;
   #nameOf;
-  /** @type {number | undefined} of the file as it would be written now */
+  /** Size of the current file, if it has been made. @type {number | undefined} */
   #bytes;
 
   /**
    * @param {Host} host
-   * @param {(ending: string) => string} nameOf
+   * @param {(extension: string) => string} nameOf
    */
   constructor(host, nameOf) {
     this.#host = host;
     this.#nameOf = nameOf;
-    host.onChange(() => this.#forget());
-    byId("section-export", HTMLElement).addEventListener("change", () => this.#forget());
+    host.onChange(() => this.#clear());
+    byId("section-export", HTMLElement).addEventListener("change", () => this.#clear());
     onLocaleChange(() => this.#write());
   }
 
-  /** @param {Blob} file as it was just made */
-  tell(file) {
+  /** @param {Blob} file just made */
+  setFile(file) {
     this.#bytes = file.size;
     this.#write();
   }
 
-  #forget() {
+  #clear() {
     this.#bytes = undefined;
     this.#write();
   }
@@ -49,7 +49,7 @@ export class ExportFacts {
     byId("export-holds", HTMLParagraphElement).textContent = t("export.holds", words);
   }
 
-  /** What paints it, and how large that is. */
+  /** Describes the texture or vertex colours of the file. */
   #paint() {
     const most = this.#host.read((state) => state.chosen("texture-size")) ?? "";
     const side = this.#host.read((_, studio) => studio.textureSidePx) ?? "";

@@ -24,7 +24,7 @@ import { VerdictLine } from "./verdict-line.js";
  */
 
 /**
- * Files made of the face as it stands.
+ * Sets up the export tab: mesh files, printing, AR, projects and pictures.
  *
  * @param {Host} host
  * @param {Autosave} autosave
@@ -32,52 +32,52 @@ import { VerdictLine } from "./verdict-line.js";
  * @param {WholeTexture} texture
  */
 export function setUpExportPanel(host, autosave, validator, texture) {
-  const complain = (/** @type {unknown} */ error) => host.fail(error);
+  const showError = (/** @type {unknown} */ error) => host.fail(error);
   const [plain, printed] = host.answer((studio) => [studio.plainFormats, studio.printedFormats]);
   const makeFile = async (/** @type {string} */ format) => {
-    const { ending, type } = kindOf(host, format);
+    const { extension, type } = fileType(host, format);
     const chosen = printed.includes(format) ? printChoices() : fileChoices();
     const bytes = await writtenFile(host, texture, format, chosen);
-    return new File([/** @type {BlobPart} */ (bytes)], meshName(host, autosave, ending), { type });
+    return new File([/** @type {BlobPart} */ (bytes)], meshName(host, autosave, extension), { type });
   };
-  const saveAs = (/** @type {string} */ format) => makeFile(format).then(keep);
-  const nameOf = (/** @type {string} */ ending) => meshName(host, autosave, ending);
+  const saveAs = (/** @type {string} */ format) => makeFile(format).then(saveFile);
+  const nameOf = (/** @type {string} */ extension) => meshName(host, autosave, extension);
   offerGlb({ host, validator, makeFile, nameOf });
-  offerFormats("plain", plain, (format) => saveAs(format).catch(complain));
+  offerFormats("plain", plain, (format) => saveAs(format).catch(showError));
   const print = new PrintPanel(host);
-  offerFormats("printed", printed, (format) => saveAs(format).catch((error) => print.refuse(error)));
-  setUpArLink(() => makeFile("usdz"), complain);
-  onAction("save-project", () => makeProject(host, autosave).then(keep, complain));
-  onAction("download-json", () => saveAs("json").catch(complain));
+  offerFormats("printed", printed, (format) => saveAs(format).catch((error) => print.showError(error)));
+  setUpArLink(() => makeFile("usdz"), showError);
+  onAction("save-project", () => makeProject(host, autosave).then(saveFile, showError));
+  onAction("download-json", () => saveAs("json").catch(showError));
   offerPicture(host, autosave);
 }
 
 /**
- * The format that the page is about: checked, downloaded, and handed to other programs where the browser can.
+ * Sets up the buttons for the GLB: validate, download and share.
  *
- * @param {{ host: Host, validator: Validator, makeFile: MakeFile, nameOf: (ending: string) => string }} room
+ * @param {{ host: Host, validator: Validator, makeFile: MakeFile, nameOf: (extension: string) => string }} context
  */
 function offerGlb({ host, validator, makeFile, nameOf }) {
   const facts = new ExportFacts(host, nameOf);
   const verdict = new VerdictLine(host);
   const make = async () => {
     const file = await makeFile("glb");
-    facts.tell(file);
+    facts.setFile(file);
     return file;
   };
-  const check = () => checked(host, nameOf("glb"), make, validator, verdict);
+  const check = () => makeChecked(host, nameOf("glb"), make, validator, verdict);
   onAction("check-glb", check);
   onAction("download-glb", async () => {
     const file = await check();
-    if (file) keep(file);
+    if (file) saveFile(file);
   });
   byId("share-glb", HTMLButtonElement).hidden = !canSend(host.answer((studio) => studio.mediaType("glb")), "face.glb");
-  const handOn = async (/** @type {File} */ file) => (await send(file)) || keep(file);
-  onAction("share-glb", () => make().then(handOn).catch((error) => host.fail(error)));
+  const shareOrSave = async (/** @type {File} */ file) => (await send(file)) || saveFile(file);
+  onAction("share-glb", () => make().then(shareOrSave).catch((error) => host.fail(error)));
 }
 
 /**
- * A button for each format of a kind, with a word on each.
+ * Adds a download button and help text for each format.
  *
  * @param {"plain" | "printed"} kind
  * @param {string[]} formats
@@ -99,28 +99,28 @@ function offerFormats(kind, formats, saveAs) {
 }
 
 /**
- * How a format's file ends as it is asked for, and its media type.
+ * File extension under the current options, and media type.
  *
  * @param {Host} host
  * @param {string} format
  */
-function kindOf(host, format) {
-  const ending = withFileChoices(fileChoices(), (choices) => host.answer((studio) => studio.fileEnding(format, choices)));
-  return { ending, type: ending === "zip" ? "application/zip" : host.answer((studio) => studio.mediaType(format)) };
+function fileType(host, format) {
+  const extension = withFileChoices(fileChoices(), (choices) => host.answer((studio) => studio.fileEnding(format, choices)));
+  return { extension, type: extension === "zip" ? "application/zip" : host.answer((studio) => studio.mediaType(format)) };
 }
 
 /**
- * The GLB as it is asked for, with the validator's verdict on it shown; nothing if it cannot be made.
+ * Makes the GLB and shows the validator's verdict. Returns undefined on failure.
  *
  * @param {Host} host
- * @param {string} name of the file
+ * @param {string} name file name
  * @param {() => Promise<File>} make
  * @param {Validator} validator
  * @param {VerdictLine} line
  */
-async function checked(host, name, make, validator, line) {
+async function makeChecked(host, name, make, validator, line) {
   line.show({ file: name, outcome: "checking" });
-  // The words are on the screen before the file is made.
+  // Lets the browser paint "checking" before the export blocks the page.
   await afterNextFrame();
   try {
     const file = await make();
@@ -137,11 +137,11 @@ async function checked(host, name, make, validator, line) {
 /**
  * @param {Host} host
  * @param {Autosave} autosave
- * @param {string} ending
+ * @param {string} extension
  */
-function meshName(host, autosave, ending) {
+function meshName(host, autosave, extension) {
   const points = host.read((state) => (state.chosen("density") === String(studioModule().usualDensity()) ? undefined : state.vertexCount));
-  return fileName(autosave.face, ending, points);
+  return fileName(autosave.face, extension, points);
 }
 
 /**
@@ -157,24 +157,24 @@ async function makeProject(host, autosave) {
 }
 
 /**
- * The view as a picture: saved, or copied where the browser can.
+ * Sets up saving and copying the view as a picture.
  *
  * @param {Host} host
  * @param {Autosave} autosave
  */
 function offerPicture(host, autosave) {
-  const complain = (/** @type {unknown} */ error) => host.fail(error);
+  const showError = (/** @type {unknown} */ error) => host.fail(error);
   const picture = () => viewPicture(host, isChecked("picture-transparent"));
   onAction("download-picture", () => {
     const name = fileName(autosave.face, "png");
-    picture().then((png) => keep(new File([png], name, { type: png.type })), complain);
+    picture().then((png) => saveFile(new File([png], name, { type: png.type })), showError);
   });
   byId("copy-picture", HTMLButtonElement).hidden = !canCopyPictures();
-  onAction("copy-picture", () => copyPicture(picture()).then(() => toast(t("export.copied")), complain));
+  onAction("copy-picture", () => copyPicture(picture()).then(() => toast(t("export.copied")), showError));
 }
 
 /** @param {File} file */
-function keep(file) {
+function saveFile(file) {
   download(file, file.name, file.type);
   toast(t("export.done", { file: file.name }));
 }

@@ -10,7 +10,7 @@ import { Slider } from "./slider.js";
  * @typedef {import("../viewport/host.js").StudioTick} StudioTick
  */
 
-/** Where the face moves, by how ids begin. */
+/** Facial areas, by prefix of the expression's id. */
 const AREAS = /** @type {const} */ ([
   ["eye", /^eye/],
   ["brow", /^brow/],
@@ -18,11 +18,11 @@ const AREAS = /** @type {const} */ ([
   ["mouth", /^mouth/],
   ["cheek", /^(cheek|nose)/],
 ]);
-/** What goes to a side has no partner that could do the same. */
+/** Sideways motions of jaw and mouth: left and right are opposites, not a symmetric pair. */
 const SIDEWAYS = /^(jaw|mouth)(Left|Right)$/;
 const PER_CENT = 100;
 
-/** The expressions, by the parts of the face that they move. */
+/** Expression sliders, grouped by facial area. */
 export class ExpressionPanel {
   #both = byId("expressions-both", HTMLInputElement);
   #ids;
@@ -34,7 +34,7 @@ export class ExpressionPanel {
     this.#host = host;
     this.#ids = host.answer((studio) => studio.expressionIds);
     this.#sliders = this.#ids.map((id) => this.#makeSlider(id));
-    byId("expressions", HTMLDivElement).append(...AREAS.map(([area, begins]) => this.#makeArea(area, begins)));
+    byId("expressions", HTMLDivElement).append(...AREAS.map(([area, prefix]) => this.#makeArea(area, prefix)));
     this.#both.addEventListener("change", () => host.act((studio) => studio.setMirror(this.#both.checked)));
     onAction("come-to-rest", () => {
       host.act((studio) => studio.comeToRest());
@@ -68,17 +68,17 @@ export class ExpressionPanel {
 
   /**
    * @param {typeof AREAS[number][0]} area
-   * @param {RegExp} begins
+   * @param {RegExp} prefix
    */
-  #makeArea(area, begins) {
+  #makeArea(area, prefix) {
     const details = make("details", "more");
     const summary = make("summary");
     const title = make("h3");
     const sliders = make("fieldset", "sliders stacked");
     const legend = make("legend", "visually-hidden");
     onLocaleChange(() => (title.textContent = legend.textContent = t(`expressions.${area}`)));
-    const own = this.#sliders.filter((_slider, place) => begins.test(this.#ids[place] ?? ""));
-    sliders.append(legend, ...own.map((slider) => slider.element));
+    const areaSliders = this.#sliders.filter((_slider, place) => prefix.test(this.#ids[place] ?? ""));
+    sliders.append(legend, ...areaSliders.map((slider) => slider.element));
     summary.append(title, makeIcon("fold"));
     const body = make("div", "more-body");
     body.append(sliders);
@@ -87,7 +87,7 @@ export class ExpressionPanel {
     return details;
   }
 
-  /** With both sides together, one slider stands for each pair. @param {StudioState} state */
+  /** With symmetry on, one slider controls each pair. @param {StudioState} state */
   #showSides({ mirror }) {
     const was = this.#both.checked;
     this.#both.checked = mirror;

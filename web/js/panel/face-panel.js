@@ -11,7 +11,7 @@ import { Slider } from "./slider.js";
 
 const STEP_MM = 0.1;
 
-/** The ready-made sliders, and symmetry. */
+/** Proportion sliders and symmetry. */
 export class FacePanel {
   #sliders;
   #host;

@@ -1,9 +1,8 @@
 import { byId } from "../page/dom.js";
 
 /**
- * What is chosen about files.
+ * File options chosen in the export tab.
  *
- * @returns {import("../work/written-file.js").Chosen}
  */
 export function fileChoices() {
   return {
@@ -16,7 +15,7 @@ export function fileChoices() {
   };
 }
 
-/** The same with what is chosen about the body that is printed: a length that is no such length is refused. */
+/** File options plus print options. The studio rejects an invalid length. */
 export function printChoices() {
   const solid = chosen("solid");
   const length = hasLength(solid) ? `${solid}:${byId("solid-mm", HTMLInputElement).value}` : solid;
@@ -28,13 +27,13 @@ export function hasLength(solid) {
   return solid !== "surface";
 }
 
-/** @param {string} name of a group of radio buttons */
+/** @param {string} name name of a radio group */
 export function chosen(name) {
   const input = /** @type {HTMLInputElement | null} */ (document.querySelector(`input[name="${name}"]:checked`));
   return input?.value ?? "";
 }
 
-/** @param {string} id of a checkbox */
+/** @param {string} id id of a checkbox */
 export function isChecked(id) {
   return byId(id, HTMLInputElement).checked;
 }

@@ -10,11 +10,11 @@ import { onLocaleChange, isWord, t, formatNumber } from "../words/words.js";
  * @typedef {import("../../wasm/rosto-studio-web.js").StudioEntry} StudioEntry
  */
 
-/** The list shows no more entries than this: the others are there, and can be taken back. */
-const LISTED = 100;
+/** Maximum number of listed entries. Older entries are counted below the list. */
+const MAX_LISTED = 100;
 
 /**
- * The list of edits, undo, redo and reset.
+ * Sets up undo, redo, reset and the list of edits.
  *
  * @param {Host} host
  */
@@ -52,7 +52,7 @@ function show({ canUndo, canRedo, canResetSelection, entryCount }, host) {
   enableAction("reset-selection", canResetSelection);
   enableAction("reset", entryCount > 0);
   byId("history-empty", HTMLParagraphElement).hidden = entryCount > 0;
-  const entries = host.answer((studio) => studio.latestEntries(LISTED));
+  const entries = host.answer((studio) => studio.latestEntries(MAX_LISTED));
   const rows = entries.map((entry) => row(entry, host)).reverse();
   for (const entry of entries) entry.free();
   if (entryCount > entries.length) rows.push(make("li", "earlier", t("history.earlier", { n: entryCount - entries.length })));
@@ -60,7 +60,7 @@ function show({ canUndo, canRedo, canResetSelection, entryCount }, host) {
 }
 
 /**
- * One edit: what it changed and how much, and whether it takes part.
+ * Row for one edit: checkbox, target and amount.
  *
  * @param {StudioEntry} entry
  * @param {Host} host
@@ -69,15 +69,15 @@ function row({ index, target, amount, unit, enabled, waitsForDensity, impossible
   const name = announceOnce(target) ?? "";
   const item = make("li");
   item.toggleAttribute("data-off", !enabled || impossible);
-  const takesPart = make("input");
-  takesPart.type = "checkbox";
-  takesPart.checked = enabled;
-  takesPart.setAttribute("aria-label", t("history.takes-part", { name }));
-  takesPart.addEventListener("change", () => {
-    host.act((studio) => studio.setEntryEnabled(index, takesPart.checked));
+  const checkbox = make("input");
+  checkbox.type = "checkbox";
+  checkbox.checked = enabled;
+  checkbox.setAttribute("aria-label", t("history.takes-part", { name }));
+  checkbox.addEventListener("change", () => {
+    host.act((studio) => studio.setEntryEnabled(index, checkbox.checked));
   });
-  const howMuch = `${formatNumber(amount, unit === "%" ? 0 : 1)} ${unit}`;
-  item.append(takesPart, make("span", "what", name), make("span", "how-much", howMuch));
+  const amountText = `${formatNumber(amount, unit === "%" ? 0 : 1)} ${unit}`;
+  item.append(checkbox, make("span", "what", name), make("span", "how-much", amountText));
   if (waitsForDensity !== undefined) {
     const key = `density.${waitsForDensity}`;
     item.append(make("span", "waits", t("history.waits", { density: isWord(key) ? t(key) : "" })));

@@ -7,13 +7,13 @@ import { Slider } from "./slider.js";
  * @typedef {import("../viewport/host.js").StudioState} StudioState
  */
 
-/** Nearer no selfie is taken, and beyond nothing changes that could be seen. */
+/** Selfies are not taken from closer; beyond the maximum, the change is not visible. */
 const SEEN_FROM_CM = { min: 20, max: 300, step: 1, neutral: 150 };
-/** A photo that stays behind the edits by less shows it to nobody: a share of its longer side. */
-const LIMIT_SAID = 0.006;
+/** Show the note if edits are limited by more than this share of the photo's longer side. */
+const MIN_LIMIT_SHARE = 0.006;
 
 /**
- * How the edits show in the photo: from how far away it is seen, how far it gives way, and what of it stays.
+ * Sets up the edited-photo controls: viewing distance, falloff band and protecting brush.
  *
  * @param {Host} host
  */
@@ -33,14 +33,14 @@ export function setUpInPhotoPanel(host) {
     seenFrom.value = Number.isFinite(state.seenFromM) ? 100 * state.seenFromM : SEEN_FROM_CM.max;
     byId("seen-as-taken", HTMLButtonElement).disabled = state.isAsTaken;
   });
-  host.onPhoto(() => sayLimit(host));
+  host.onPhoto(() => showLimit(host));
 }
 
 /** @param {Host} host */
-function sayLimit(host) {
+function showLimit(host) {
   const [limited_px = 0, side_px = 1] = host.ask((studio) => [studio.photoLimitedPx, Math.max(...studio.photoSize)]) ?? [];
   const line = byId("in-photo-limit", HTMLParagraphElement);
-  const text = limited_px > LIMIT_SAID * side_px ? t("in-photo.limited", { px: formatNumber(limited_px, 0) }) : "";
+  const text = limited_px > MIN_LIMIT_SHARE * side_px ? t("in-photo.limited", { px: formatNumber(limited_px, 0) }) : "";
   if (line.textContent !== text) line.textContent = text;
 }
 
@@ -65,23 +65,23 @@ function setUpBrush(host) {
   });
 }
 
-/** An edit that goes along the view can hardly be seen: that is said beside its sliders, with a way to see it. @param {Host} host */
+/** Shows a note with a button to turn the view while the edit points along the view. @param {Host} host */
 function setUpDepthNote(host) {
   const note = byId("depth-note", HTMLParagraphElement);
-  let isKept = false;
+  let isCommittedAlongView = false;
   host.onChange(({ isAlongView }) => {
-    isKept = isAlongView;
+    isCommittedAlongView = isAlongView;
     note.hidden = !isAlongView;
   });
   host.onTick(({ editing, isAlongView }) => {
-    note.hidden = !(editing ? isAlongView : isKept);
+    note.hidden = !(editing ? isAlongView : isCommittedAlongView);
   });
   onAction("show-depth", () => host.act((studio) => studio.showDepth()));
 }
 
 /**
  * @param {Host} host
- * @param {string} id of its place
+ * @param {string} id id of the slider's container
  * @param {Pick<import("./slider.js").SliderOptions, "label" | "longLabel" | "unit" | "min" | "max" | "step" | "neutral">} options
  * @param {(studio: import("../../wasm/rosto-studio-web.js").Studio, value: number) => import("../viewport/host.js").ChangeName | void} set
  */

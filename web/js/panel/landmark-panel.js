@@ -10,21 +10,21 @@ import { Slider } from "./slider.js";
  * @typedef {import("../viewport/host.js").StudioTick} StudioTick
  */
 
-/** More anchors than this are only counted. */
+/** Above this number, the panel shows only the count of fixed points. */
 const NAMED_ANCHORS = 6;
 const AXES = /** @type {const} */ (["x", "y", "z"]);
 
-/** Choosing a landmark or a point by name or number, and moving it in millimetres. */
+/** Finds a landmark or point by name or number, and moves it in millimetres. */
 export class LandmarkPanel {
   #search = byId("landmark-search", HTMLInputElement);
   #help = byId("landmark-help", HTMLParagraphElement);
   #sliders;
-  #kept_mm = [0, 0, 0];
+  #committed_mm = [0, 0, 0];
   #step_mm = 0;
   /** @type {number | undefined} */
   #selected;
-  /** What was sought in vain. @type {string | undefined} */
-  #missed;
+  /** Last query without a match. @type {string | undefined} */
+  #failedQuery;
   #selectable = 0;
   #landmarkIds;
   #host;
@@ -37,13 +37,13 @@ export class LandmarkPanel {
     this.#step_mm = step;
     this.#sliders = AXES.map((axis) => this.#makeSlider(axis, { min, max, step, neutral }));
     byId("landmark-sliders", HTMLFieldSetElement).append(...this.#sliders.map((slider) => slider.element));
-    // What is typed there is another name.
+    // Typing replaces the current name.
     this.#search.addEventListener("focus", () => this.#search.select());
     this.#search.addEventListener("change", () => this.#find(this.#search.value));
-    this.#search.addEventListener("input", () => host.read((state) => this.#explain(state)));
+    this.#search.addEventListener("input", () => host.read((state) => this.#showHelp(state)));
     this.#search.addEventListener("keydown", ({ key }) => {
-      // What was sought in vain and is typed once more is no change.
-      const isAgain = this.#search.value.trim() === this.#missed && !this.#isWrong;
+      // Repeating a failed query fires no change event.
+      const isAgain = this.#search.value.trim() === this.#failedQuery && !this.#isInvalid;
       if (key === "Enter" && isAgain) this.#find(this.#search.value);
     });
     host.onChange((state) => this.#show(state));
@@ -69,12 +69,12 @@ export class LandmarkPanel {
   }
 
   /**
-   * The sliders show the sum of the edits of what is selected; a new one adds to what is there. One that only rounds what is
-   * there has not been moved.
+   * Previews the offset that the sliders add to the committed edits of the selection. A difference below half a step is
+   * rounding, so it counts as zero.
    */
   #preview() {
     const [dx_mm = 0, dy_mm = 0, dz_mm = 0] = this.#sliders.map((slider, axis) => {
-      const by_mm = slider.value - (this.#kept_mm[axis] ?? 0);
+      const by_mm = slider.value - (this.#committed_mm[axis] ?? 0);
       return Math.abs(by_mm) > this.#step_mm / 2 + 1e-9 ? by_mm : 0;
     });
     this.#host.act((studio) => studio.preview(dx_mm, dy_mm, dz_mm));
@@ -89,37 +89,37 @@ export class LandmarkPanel {
   /** @param {string} text */
   #find(text) {
     const vertex = vertexCalled(text, this.#landmarkIds, this.#selectable);
-    if (vertex === undefined) return this.#missing(text.trim());
+    if (vertex === undefined) return this.#handleNotFound(text.trim());
     this.#host.act((studio) => studio.selectAt(vertex));
     this.#search.value = this.#selectionName();
     announce(t("landmark.selected", { name: this.#search.value }));
   }
 
-  /** Of nothing nothing is sought: the field says again what is selected. @param {string} text */
-  #missing(text) {
+  /** An empty query restores the selection's name. @param {string} text */
+  #handleNotFound(text) {
     if (text === "") {
       this.#search.value = this.#selectionName();
       return;
     }
-    this.#missed = text;
-    this.#sayMissing(text);
+    this.#failedQuery = text;
+    this.#showNotFound(text);
     announce(this.#help.textContent ?? "");
   }
 
   /** @param {string} text */
-  #sayMissing(text) {
+  #showNotFound(text) {
     this.#search.setAttribute("aria-invalid", "true");
     this.#help.classList.add("field-error");
     this.#help.textContent = t(/^\d+$/.test(text) ? "point.unknown" : "landmark.unknown", { text });
   }
 
-  /** Whether the field says that what is in it was not found. */
-  get #isWrong() {
+  /** Whether the field reports a failed query. */
+  get #isInvalid() {
     return this.#search.hasAttribute("aria-invalid");
   }
 
-  /** What may help, or why what is selected cannot be moved. @param {StudioState} state */
-  #explain(state) {
+  /** Help for the selection, or the reason why it cannot be moved. @param {StudioState} state */
+  #showHelp(state) {
     this.#search.removeAttribute("aria-invalid");
     this.#help.classList.toggle("field-error", state.refusal !== undefined);
     this.#help.textContent = t(helpFor(state));
@@ -137,14 +137,14 @@ export class LandmarkPanel {
   /** @param {StudioState} state */
   #show(state) {
     byId("landmark-sliders", HTMLFieldSetElement).disabled = state.selected === undefined || state.refusal !== undefined;
-    // What is wrong with a name stays said until another is typed or something is selected.
-    const staysWrong = this.#isWrong && document.activeElement === this.#search && state.selected === this.#selected;
-    if (staysWrong) this.#sayMissing(this.#missed ?? "");
-    else this.#explain(state);
+    // The error stays until the query or the selection changes.
+    const staysInvalid = this.#isInvalid && document.activeElement === this.#search && state.selected === this.#selected;
+    if (staysInvalid) this.#showNotFound(this.#failedQuery ?? "");
+    else this.#showHelp(state);
     this.#selected = state.selected;
     this.#selectable = state.selectable;
-    this.#kept_mm = [state.keptXMm, state.keptYMm, state.keptZMm];
-    if (!this.#isWrong) this.#search.value = this.#selectionName();
+    this.#committed_mm = [state.keptXMm, state.keptYMm, state.keptZMm];
+    if (!this.#isInvalid) this.#search.value = this.#selectionName();
     this.#showAnchors([...state.anchors], state.selected !== undefined);
   }
 
@@ -152,13 +152,13 @@ export class LandmarkPanel {
   #follow({ offsetXMm, offsetYMm, offsetZMm }) {
     const moving_mm = [offsetXMm, offsetYMm, offsetZMm];
     for (const [axis, slider] of this.#sliders.entries()) {
-      slider.value = (this.#kept_mm[axis] ?? 0) + (moving_mm[axis] ?? 0);
+      slider.value = (this.#committed_mm[axis] ?? 0) + (moving_mm[axis] ?? 0);
     }
   }
 
   /**
    * @param {number[]} anchors
-   * @param {boolean} isSelected whether they are anchors of anything
+   * @param {boolean} isSelected whether the list belongs to a selection
    */
   #showAnchors(anchors, isSelected) {
     const list = byId("landmark-anchors", HTMLParagraphElement);
@@ -169,11 +169,7 @@ export class LandmarkPanel {
   }
 }
 
-/**
- * What may help with what is selected, or with selecting.
- *
- * @param {StudioState} state
- */
+/** @param {StudioState} state */
 function helpFor(state) {
   if (state.refusal) return /** @type {const} */ (`refusal.${state.refusal}`);
   if (state.selectedInPlane) return "landmark.in-plane";

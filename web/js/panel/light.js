@@ -6,11 +6,11 @@ import { Slider } from "./slider.js";
  * @typedef {import("../words/words.js").WordKey} WordKey
  */
 
-/** Radius of the small sphere in its own units. */
+/** Radius of the sphere, in units of the SVG. */
 const SPHERE = 40;
 
 /**
- * The light: dragged on a small sphere, or set exactly by numbers.
+ * Sets up the light: dragging on a sphere, or exact sliders.
  *
  * @param {Host} host
  */
@@ -41,7 +41,7 @@ export function setUpLight(host) {
   });
   const onPhoto = byId("light-photo", HTMLInputElement);
   onPhoto.addEventListener("change", () => host.act((studio) => studio.setPhotoLit(onPhoto.checked)));
-  // What the face is painted with is no change of the document.
+  // The display mode is not part of the document, so choosing it fires no change.
   for (const choice of [byId("shading", HTMLDivElement), onPhoto]) choice.addEventListener("change", () => host.read(showLamp));
   host.onChange((state) => {
     const { light, lightColour } = state;
@@ -53,7 +53,7 @@ export function setUpLight(host) {
 }
 
 /**
- * A photo has its own light, of which nothing can be moved.
+ * Disables the lamp while the unlit photo is shown.
  *
  * @param {import("../viewport/host.js").StudioState} state
  */
@@ -73,21 +73,21 @@ function showLamp(state) {
  * @param {() => void} apply
  */
 function slider(label, longLabel, unit, [min, max], neutral, apply) {
-  const nothing = () => {};
-  return new Slider({ label, longLabel, unit, min, max, step: 1, neutral, onInput: apply, onCommit: apply, onCancel: nothing });
+  const noop = () => {};
+  return new Slider({ label, longLabel, unit, min, max, step: 1, neutral, onInput: apply, onCommit: apply, onCancel: noop });
 }
 
-/** @param {(azimuth_deg: number, elevation_deg: number) => void} told */
-function onSphereDrag(told) {
+/** @param {(azimuth_deg: number, elevation_deg: number) => void} onMove */
+function onSphereDrag(onMove) {
   const sphere = document.getElementById("light-sphere");
   if (!(sphere instanceof SVGSVGElement)) return;
   const move = (/** @type {PointerEvent} */ event) => {
     const box = sphere.getBoundingClientRect();
     const x = ((event.clientX - box.left) / box.width - 0.5) * 2.4;
     const y = (0.5 - (event.clientY - box.top) / box.height) * 2.4;
-    const reach = Math.max(1, Math.hypot(x, y));
-    const toViewer = Math.sqrt(Math.max(0, 1 - (x * x + y * y) / (reach * reach)));
-    told(degrees(Math.atan2(x / reach, toViewer)), degrees(Math.asin(y / reach)));
+    const radius = Math.max(1, Math.hypot(x, y));
+    const toViewer = Math.sqrt(Math.max(0, 1 - (x * x + y * y) / (radius * radius)));
+    onMove(degrees(Math.atan2(x / radius, toViewer)), degrees(Math.asin(y / radius)));
   };
   sphere.addEventListener("pointerdown", (event) => {
     sphere.setPointerCapture(event.pointerId);

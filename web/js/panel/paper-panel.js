@@ -14,7 +14,7 @@ import { Stopwatch } from "./stopwatch.js";
  * @typedef {"bent" | "stretch" | "flipped" | "smooth" | "timeMs"} Measure
  */
 
-/** Random choices of vertices and anchors for each method; the first is that of the command line's first run. */
+/** Random selections of vertices and constraints per method. The first equals the command line's first run. */
 const RUNS = 5;
 const SEED = 0;
 
@@ -23,15 +23,15 @@ const PLOT_PX = { width: 272, height: 220 };
 /** @type {Record<Measure, number>} */
 const DECIMALS = { bent: 3, stretch: 2, flipped: 0, smooth: 0, timeMs: 2 };
 
-/** The paper's experiment on the open face, in the visitor's browser. */
+/** Runs the paper's experiment on the open face. */
 export class PaperPanel {
   #measure = byId("paper-measure", HTMLSelectElement);
   #host;
-  /** @type {number | undefined} how long finding the landmarks of this face took */
+  /** How long landmark detection took for this face. @type {number | undefined} */
   #extraction_ms;
-  /** @type {Run | undefined} the last finished run */
+  /** @type {Run | undefined} */
   #finished;
-  /** Counts the faces, so that a run notices when its own is gone. */
+  /** Incremented for each face, so that a run detects that its face was replaced. */
   #face = 0;
 
   /** @param {Host} host */
@@ -43,14 +43,14 @@ export class PaperPanel {
   }
 
   /**
-   * A face was opened: what was found out about the one before it is of no more use.
+   * Clears the results when another face opens.
    *
-   * @param {number | undefined} extraction_ms how long finding its landmarks took, if that was timed
+   * @param {number | undefined} extraction_ms duration of landmark detection, if it was measured
    */
   forget(extraction_ms) {
     this.#extraction_ms = extraction_ms;
     this.#face += 1;
-    this.#keep(undefined);
+    this.#setResult(undefined);
   }
 
   async #run() {
@@ -58,9 +58,9 @@ export class PaperPanel {
     enableAction("run-paper", false);
     try {
       const run = this.#host.lease((studio) => studio.paperRun(RUNS, SEED));
-      const isDone = await this.#go(run, () => face === this.#face);
+      const isDone = await this.#runToEnd(run, () => face === this.#face);
       if (isDone) {
-        this.#keep(run);
+        this.#setResult(run);
         announce(t("paper.done"));
       } else run.end();
     } catch (error) {
@@ -72,9 +72,9 @@ export class PaperPanel {
 
   /**
    * @param {Run} run
-   * @param {() => boolean} isWanted
+   * @param {() => boolean} isCurrent
    */
-  async #go(run, isWanted) {
+  async #runToEnd(run, isCurrent) {
     const bar = byId("paper-progress", HTMLProgressElement);
     bar.hidden = false;
     const stopwatch = new Stopwatch();
@@ -82,13 +82,13 @@ export class PaperPanel {
       bar.value = share;
       const took_ms = await stopwatch.time((times) => run.ask((paper) => paper.repeat(times)));
       run.ask((paper) => paper.goOn(took_ms));
-      if (!isWanted()) return false;
+      if (!isCurrent()) return false;
     }
     return true;
   }
 
   /** @param {Run | undefined} run */
-  #keep(run) {
+  #setResult(run) {
     this.#finished?.end();
     this.#finished = run;
     this.#show();
@@ -120,8 +120,7 @@ export class PaperPanel {
 }
 
 /**
- * One row for each operator: softly and exactly held.
- *
+ * One row per operator: soft and exact constraints.
  * @param {PaperMethod[]} methods
  * @param {Measure} measure
  */

@@ -11,27 +11,31 @@ import { imageDataOf } from "../work/pixels.js";
  * @typedef {ReturnType<typeof factsOf>[number]} Facts
  *
  * @typedef {object} Photos
- * @property {OpenedFace | undefined} face that is open
+ * @property {OpenedFace | undefined} face open face
  * @property {(files: File[]) => Promise<void>} addPhotos
  * @property {(photo: OpenedFace) => Promise<void>} removePhoto
  * @property {(photo: OpenedFace) => Promise<void>} restorePhoto
  */
 
 const THUMBNAIL_PX = 40;
-/** How much of the photo around a face its thumbnail shows, in sizes of the face. */
+/** Side of the thumbnail's crop, as a multiple of the face's size. */
 const AROUND_FACE = 1.4;
 
-/** The photos that the face is seen in, which turn of the head none of them shows, and the way to add and to remove one. */
+/** Lists the photos of the open face, reports missing head turns, and adds or removes photos. */
 export class PhotosPanel {
   #host;
   #opening;
   #list = byId("photo-list", HTMLUListElement);
-  #missing = byId("photos-missing", HTMLParagraphElement);
+  #missingLine = byId("photos-missing", HTMLParagraphElement);
   #add = byId("add-photo", HTMLButtonElement);
   #restore = byId("photo-removed", HTMLDivElement);
-  /** @type {OpenedFace | undefined} that is shown */
+  /** Face whose rows are shown. @type {OpenedFace | undefined} */
   #face;
-  /** What was removed last, and the face without it: as long as that is open, it can come back. @type {{ photo: OpenedFace, face: OpenedFace } | undefined} */
+  /**
+   * Last removed photo and the face without it. It can be restored while that face is open.
+   *
+   * @type {{ photo: OpenedFace, face: OpenedFace } | undefined}
+   */
   #removed;
 
   /**
@@ -42,7 +46,7 @@ export class PhotosPanel {
     this.#host = host;
     this.#opening = opening;
     this.#setUpChooser();
-    byId("restore-photo", HTMLButtonElement).addEventListener("click", () => this.#bringBack());
+    byId("restore-photo", HTMLButtonElement).addEventListener("click", () => this.#restorePhoto());
     host.onChange(() => this.#show());
     onLocaleChange(() => this.#show());
   }
@@ -52,7 +56,7 @@ export class PhotosPanel {
     this.#add.addEventListener("click", () => input.click());
     input.addEventListener("change", () => {
       const files = [...(input.files ?? [])];
-      // The same file can be chosen twice in a row only from an empty input.
+      // Clears the input: choosing the same file twice would fire no change event.
       input.value = "";
       if (files.length > 0) this.#change((opening) => opening.addPhotos(files));
     });
@@ -75,7 +79,7 @@ export class PhotosPanel {
     this.#show();
   }
 
-  async #bringBack() {
+  async #restorePhoto() {
     const { photo } = this.#removed ?? {};
     if (photo) await this.#change((opening) => opening.restorePhoto(photo));
   }
@@ -89,18 +93,18 @@ export class PhotosPanel {
     const { face } = this.#opening();
     const facts = this.#host.ask(factsOf) ?? [];
     const photos = face ? photosOf(face) : [];
-    this.#missing.textContent = (this.#host.ask((studio) => studio.missingTurns()) ?? []).map(missing).join(" ");
-    this.#missing.hidden = this.#list.hidden = facts.length < 2;
+    this.#missingLine.textContent = (this.#host.ask((studio) => studio.missingTurns()) ?? []).map(missingText).join(" ");
+    this.#missingLine.hidden = this.#list.hidden = facts.length < 2;
     this.#add.disabled = facts.length >= (this.#host.ask((studio) => studio.mostPhotos) ?? 0);
     if (photos.length !== facts.length) return;
-    const held = this.#list.contains(document.activeElement);
+    const hadFocus = this.#list.contains(document.activeElement);
     if (face !== this.#face) this.#list.replaceChildren(...(photos.length < 2 ? [] : photos.map((photo) => this.#row(photo))));
     this.#face = face;
-    // What was pressed may be gone.
-    if (held && !this.#list.contains(document.activeElement)) this.#add.focus();
-    const offered = this.#restore.contains(document.activeElement);
+    // Moves the focus if its button was removed.
+    if (hadFocus && !this.#list.contains(document.activeElement)) this.#add.focus();
+    const restoreHadFocus = this.#restore.contains(document.activeElement);
     this.#restore.hidden = this.#removed?.face !== face;
-    if (offered && this.#restore.hidden) this.#add.focus();
+    if (restoreHadFocus && this.#restore.hidden) this.#add.focus();
     for (const [place, row] of [...this.#list.children].entries()) write(row, facts[place]);
   }
 
@@ -113,7 +117,7 @@ export class PhotosPanel {
     const remove = make("button", "icon-button");
     remove.type = "button";
     remove.append(makeIcon("close"));
-    // The second press of a double click would meet the photo that has taken the place of the first.
+    // A double click would also remove the photo that moves into this row.
     remove.addEventListener("click", ({ detail }) => detail < 2 && this.#remove(photo));
     row.append(canvas, make("span"), remove);
     return row;
@@ -127,7 +131,7 @@ export class PhotosPanel {
 function write(row, facts) {
   const [span, button] = [row.querySelector("span"), row.querySelector("button")];
   if (!facts || !span || !button) return;
-  const turn = turned(facts);
+  const turn = turnText(facts);
   span.textContent = facts.leads ? t("photos.leads", { turn }) : turn;
   const words = t("photos.remove", { turn });
   button.setAttribute("aria-label", words);
@@ -135,14 +139,14 @@ function write(row, facts) {
 }
 
 /** @param {Facts} facts */
-function turned({ turn, yawDeg }) {
+function turnText({ turn, yawDeg }) {
   const degrees = Math.round(Math.abs(yawDeg));
   if (turn === "front") return t("photos.turn.front");
   return t(yawDeg > 0 ? "photos.turn.left" : "photos.turn.right", { degrees });
 }
 
-/** @param {string} turn that no photo shows */
-function missing(turn) {
+/** @param {string} turn head turn that no photo shows */
+function missingText(turn) {
   if (turn === "front") return t("photos.missing.front");
   return t(turn === "left" ? "photos.missing.left" : "photos.missing.right");
 }

@@ -13,28 +13,28 @@ import { chosen, hasLength, printChoices } from "./file-choices.js";
  * @typedef {Pick<PrintedBody, "volumeCm3" | "sizeMm" | "thinnestMm" | "movedMm" | "plaGrams">} Body
  */
 
-/** A body takes its time: it is made when nothing more is typed. */
-const PAUSE_MS = 250;
+/** Debounce delay: computing a solid takes time. */
+const DEBOUNCE_MS = 250;
 
-/** A face that was rounded by less looks as it did, in mm. */
-const SEEN_MM = 0.05;
+/** Rounding below this is not visible, in mm. */
+const VISIBLE_MM = 0.05;
 
-/** What is printed of the face, what that measures, and why it cannot be, before it is saved. */
+/** Print options, the measurements of the solid, and the reason if it cannot be made. */
 export class PrintPanel {
   #host;
   #fold = byId("export-print", HTMLDetailsElement);
   #length = byId("solid-mm", HTMLInputElement);
   #facts = byId("print-facts", HTMLDListElement);
-  #refusal = byId("print-refused", HTMLParagraphElement);
-  /** What was typed for each body that has a length, in mm. @type {Record<string, string>} */
+  #errorLine = byId("print-refused", HTMLParagraphElement);
+  /** Length entered for each shape that has one, in mm. @type {Record<string, string>} */
   #lengths_mm = { thickness: "2", flat: "3" };
   #range_mm;
   /** @type {Body | undefined} */
   #body;
-  /** @type {unknown} what stands in its way */
-  #refused;
+  /** @type {unknown} */
+  #error;
   #isStale = true;
-  #coming = 0;
+  #timer = 0;
 
   /** @param {Host} host */
   constructor(host) {
@@ -47,24 +47,20 @@ export class PrintPanel {
     this.#fold.addEventListener("input", () => this.#measureSoon());
     this.#length.addEventListener("input", () => (this.#lengths_mm[chosen("solid")] = this.#length.value));
     host.onChange(() => this.#measureSoon());
-    // It is measured where it is seen: once the fold opens, or the tab that it is on.
+    // Measure only while visible, so start when the section or its tab opens.
     new ResizeObserver(() => this.#isStale && this.#measureSoon()).observe(this.#fold);
     onLocaleChange(() => this.#write());
   }
 
-  /**
-   * Says why no file was written.
-   *
-   * @param {unknown} error
-   */
-  refuse(error) {
+  /** Shows why the file was not written. @param {unknown} error */
+  showError(error) {
     if (isTrap(error)) this.#host.fail(error);
-    this.#refused = error;
+    this.#error = error;
     this.#body = undefined;
     this.#write();
   }
 
-  /** Each body keeps the length that was chosen for it. */
+  /** Restores the length entered for the chosen shape. */
   #offerLength() {
     const length_mm = this.#lengths_mm[chosen("solid")];
     if (length_mm !== undefined && this.#length.value !== length_mm) this.#length.value = length_mm;
@@ -72,10 +68,10 @@ export class PrintPanel {
   }
 
   #measureSoon() {
-    clearTimeout(this.#coming);
+    clearTimeout(this.#timer);
     this.#isStale = true;
     this.#fold.dataset["measuring"] = "";
-    if (this.#fold.open && this.#fold.checkVisibility()) this.#coming = setTimeout(() => this.#measure(), PAUSE_MS);
+    if (this.#fold.open && this.#fold.checkVisibility()) this.#timer = setTimeout(() => this.#measure(), DEBOUNCE_MS);
   }
 
   #measure() {
@@ -84,13 +80,13 @@ export class PrintPanel {
     try {
       this.#show(withFileChoices(printChoices(), (choices) => this.#host.answer((studio) => studio.solidFacts(choices))));
     } catch (error) {
-      this.refuse(error);
+      this.showError(error);
     }
   }
 
   /** @param {PrintedBody | undefined} body */
   #show(body) {
-    this.#refused = undefined;
+    this.#error = undefined;
     this.#body = body && { ...measuresOf(body) };
     body?.free();
     this.#write();
@@ -101,19 +97,19 @@ export class PrintPanel {
     byId("solid-length", HTMLDivElement).hidden = !hasLength(solid);
     if (hasLength(solid)) byId("solid-mm-label", HTMLLabelElement).textContent = idName("solid", `${solid}.mm`);
     byId("solid-help", HTMLParagraphElement).textContent = idName("solid", `${solid}.help`);
-    this.#facts.replaceChildren(...(this.#body ? listed(this.#body) : []));
-    this.#refusal.hidden = this.#refused === undefined;
-    this.#refusal.textContent = this.#refused === undefined ? "" : this.#explained();
-    this.#length.setAttribute("aria-invalid", String(this.#refused !== undefined && hasLength(solid)));
+    this.#facts.replaceChildren(...(this.#body ? factRows(this.#body) : []));
+    this.#errorLine.hidden = this.#error === undefined;
+    this.#errorLine.textContent = this.#error === undefined ? "" : this.#errorText();
+    this.#length.setAttribute("aria-invalid", String(this.#error !== undefined && hasLength(solid)));
   }
 
-  /** What stands in the way, and what would do. */
-  #explained() {
+  /** Error text with an allowed length, if there is one. */
+  #errorText() {
     const [least = 0, most = 0] = this.#range_mm;
-    const { code } = asPageError(this.#refused);
-    const { mostMm = 0 } = /** @type {{ mostMm?: number }} */ (this.#refused);
+    const { code } = asPageError(this.#error);
+    const { mostMm = 0 } = /** @type {{ mostMm?: number }} */ (this.#error);
     if (code === "bad-choice") return t("print.range", { least: formatNumber(least, 1), most: formatNumber(most, 0) });
-    // Rounded down: that much works, too.
+    // Rounded down so that the suggested length works.
     const works_mm = Math.floor(10 * mostMm) / 10;
     if (works_mm >= least) return t("print.at-most", { most: formatNumber(works_mm, 1) });
     const key = isWord(`error.${code}`) ? code : "other";
@@ -130,13 +126,13 @@ function measuresOf({ volumeCm3, sizeMm, thinnestMm, movedMm, plaGrams }) {
 }
 
 /** @param {Body} body */
-function listed({ volumeCm3, sizeMm, thinnestMm, movedMm, plaGrams }) {
+function factRows({ volumeCm3, sizeMm, thinnestMm, movedMm, plaGrams }) {
   const rows = [
     ["size", `${[...sizeMm].map((side) => formatNumber(side, 0)).join(" × ")} mm`],
     ["volume", `${formatNumber(volumeCm3, 1)} cm³`],
     ["weight", `${formatNumber(plaGrams, 0)} g`],
     ["thinnest", `${formatNumber(thinnestMm, 1)} mm`],
-    ...(movedMm < SEEN_MM ? [] : [["rounded", `${formatNumber(movedMm, 1)} mm`]]),
+    ...(movedMm < VISIBLE_MM ? [] : [["rounded", `${formatNumber(movedMm, 1)} mm`]]),
   ];
   return rows.flatMap(([name, value]) => [make("dt", "", idName("print", name ?? "")), make("dd", "", value)]);
 }

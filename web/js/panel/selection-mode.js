@@ -9,7 +9,7 @@ import { onLocaleChange, t } from "../words/words.js";
  */
 
 /**
- * What a click selects (one landmark, the region around it, any point of the mesh), and the regions by name.
+ * Sets up the selection mode (landmark, region or point) and the list of regions.
  *
  * @param {Host} host
  */
@@ -28,7 +28,7 @@ export function setUpSelectionMode(host) {
 }
 
 /**
- * Whether choosing this may take so long that it is said first: the points of a dense mesh have to be got ready.
+ * Whether the choice prepares the points of a dense mesh, which takes noticeable time.
  *
  * @param {string} choice
  * @param {string} id
@@ -38,8 +38,8 @@ export function isSlow(choice, id) {
   return (choice === "selection" && id === "point") || (choice === "density" && pointsAreSelected);
 }
 
-/** Shows those words before the work begins. */
-export async function untilWaitIsSaid() {
+/** Paints the "preparing" message before the work blocks the page. */
+export async function announcePreparing() {
   byId("landmark-help", HTMLParagraphElement).textContent = t("selection.preparing");
   await afterNextFrame();
 }

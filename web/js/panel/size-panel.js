@@ -6,10 +6,10 @@ import { Slider } from "./slider.js";
 /**
  * @typedef {import("../viewport/host.js").Host} Host
  *
- * @typedef {object} About what the studio knows of a face beside its mesh
+ * @typedef {object} About facts about the face that the studio reports as JSON
  * @property {string} lens
  * @property {number} [distance_m]
- * @property {number} [distance_error] one standard deviation, as a share
+ * @property {number} [distance_error] relative standard deviation
  * @property {number} yaw_deg
  * @property {number} pitch_deg
  * @property {number} roll_deg
@@ -22,44 +22,44 @@ const CM_PER_M = 100;
 const MIN_CM = 15;
 const MAX_CM = 300;
 
-/** How the photo was taken, how large the face is, and a measuring tape. */
+/** How the photo was taken, the size of the face, and a measuring tape. */
 export class SizePanel {
   #host;
   #landmarkIds;
   #measureIds;
   #section = byId("section-size", HTMLDetailsElement);
-  #known;
+  #photoLens;
   #distance;
-  /** @type {number | undefined} where the tape was put first */
+  /** @type {number | undefined} vertex at the start of the tape */
   #from;
 
   /**
    * @param {Host} host
-   * @param {() => string | undefined} known what is known of the lens of the photo that is open
+   * @param {() => string | undefined} known lens data of the open photo
    */
   constructor(host, known) {
     this.#host = host;
     this.#landmarkIds = host.answer((studio) => studio.landmarkIds);
     this.#measureIds = host.answer((studio) => studio.measureIds);
-    this.#known = known;
+    this.#photoLens = known;
     this.#distance = new Slider({
       ...{ label: "size.distance", longLabel: "size.distance.long", unit: "cm", min: MIN_CM, max: MAX_CM, step: 1 },
       neutral: 50,
-      onInput: () => this.#take(`distance:${this.#distance.value / CM_PER_M}`),
+      onInput: () => this.#setLens(`distance:${this.#distance.value / CM_PER_M}`),
       onCommit: () => {},
-      onCancel: () => this.#take(this.#known() ?? "estimated"),
+      onCancel: () => this.#setLens(this.#photoLens() ?? "estimated"),
     });
     byId("size-distance", HTMLDivElement).append(this.#distance.element);
-    onAction("distance-known", () => this.#take(this.#known() ?? "estimated"));
+    onAction("distance-known", () => this.#setLens(this.#photoLens() ?? "estimated"));
     onAction("tape-start", () => this.#start());
-    // A tape on a dense mesh takes its time, and is laid only where it is seen.
+    // Measuring along a dense mesh takes time, so it runs only while the section is open.
     this.#section.addEventListener("toggle", () => this.#show());
     host.onChange(() => this.#show());
     onLocaleChange(() => this.#show());
   }
 
   /** @param {string} lens */
-  #take(lens) {
+  #setLens(lens) {
     this.#host.act((studio) => studio.setPhotoLens(lens));
   }
 
@@ -70,7 +70,7 @@ export class SizePanel {
 
   #show() {
     const face = this.#host.read(({ vertexCount, selected }, { photoLens }) => ({ vertexCount, selected, photoLens }));
-    // A coarser mesh, or none, may lack the point where the tape begins.
+    // The start may not exist in the current mesh.
     if (face?.photoLens === undefined || (this.#from ?? 0) >= face.vertexCount) this.#from = undefined;
     if (face?.photoLens === undefined) return;
     const about = this.#host.read((_, studio) => studio.about());
@@ -84,20 +84,20 @@ export class SizePanel {
   #write(about, selected) {
     const distance_cm = about.distance_m === undefined ? undefined : about.distance_m * CM_PER_M;
     if (distance_cm !== undefined) this.#distance.value = Math.min(MAX_CM, distance_cm);
-    write("size-camera", takenFrom(about, distance_cm));
-    const pose = { yaw: turned(about.yaw_deg), pitch: turned(about.pitch_deg), roll: turned(about.roll_deg) };
+    write("size-camera", distanceText(about, distance_cm));
+    const pose = { yaw: degreesText(about.yaw_deg), pitch: degreesText(about.pitch_deg), roll: degreesText(about.roll_deg) };
     write("size-pose", t("size.pose", pose));
     write("size-source", t(about.size_from === "irises" ? "size.by-irises" : "size.canonical"));
     const rows = this.#measureIds.flatMap((id) => row(id, about));
     byId("size-measures", HTMLDListElement).replaceChildren(...rows);
-    write("tape-result", this.#measured(about.size_error, selected));
+    write("tape-result", this.#tapeText(about.size_error, selected));
   }
 
   /**
-   * @param {number} error one standard deviation, as a share
+   * @param {number} error relative standard deviation
    * @param {number | undefined} to
    */
-  #measured(error, to) {
+  #tapeText(error, to) {
     const from = this.#from;
     if (from === undefined) return t("tape.help");
     if (to === undefined || to === from || !this.#section.open) return t("tape.next", { from: this.#name(from) });
@@ -125,7 +125,7 @@ function write(id, text) {
  * @param {About} about
  * @param {number | undefined} distance_cm
  */
-function takenFrom({ lens, distance_error = 0 }, distance_cm) {
+function distanceText({ lens, distance_error = 0 }, distance_cm) {
   if (distance_cm === undefined) return t("size.parallel");
   const source = lens.split(":")[0];
   const distance = Math.round(distance_cm);
@@ -135,12 +135,12 @@ function takenFrom({ lens, distance_error = 0 }, distance_cm) {
 }
 
 /** @param {number} degrees */
-function turned(degrees) {
+function degreesText(degrees) {
   return `${formatNumber(Math.round(degrees), 0)}°`;
 }
 
 /**
- * @param {string} id of a measure
+ * @param {string} id id of a measure
  * @param {About} about
  */
 function row(id, { measures_mm, size_error }) {
@@ -149,7 +149,7 @@ function row(id, { measures_mm, size_error }) {
 
 /**
  * @param {number} length_mm
- * @param {number} error one standard deviation, as a share
+ * @param {number} error relative standard deviation
  */
 function millimetres(length_mm, error) {
   return `${formatNumber(length_mm, 0)} mm ± ${formatNumber(Math.max(1, length_mm * error), 0)}`;

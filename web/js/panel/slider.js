@@ -3,32 +3,32 @@ import { onLocaleChange, t } from "../words/words.js";
 
 /**
  * @typedef {import("../words/words.js").WordKey} WordKey
- * @typedef {WordKey | (() => string)} Label of the page's own words, or asked for in each language
+ * @typedef {WordKey | (() => string)} Label key of a text, or a function called for each locale
  *
  * @typedef {object} SliderOptions
- * @property {Label} label short, beside the track
- * @property {Label} longLabel said by screen readers, with the unit
- * @property {string} unit written after the number
+ * @property {Label} label short, next to the track
+ * @property {Label} longLabel accessible name, including the unit
+ * @property {string} unit shown after the number
  * @property {number} min
  * @property {number} max
  * @property {number} step
- * @property {number} neutral where a double click on the label puts it
- * @property {"x" | "y" | "z"} [axis] carries its letter and its colour
- * @property {() => void} onInput while the value moves
- * @property {() => void} onCommit when it is let go
- * @property {() => void} onCancel on Escape
+ * @property {number} neutral value set by a double click on the label
+ * @property {"x" | "y" | "z"} [axis] shows the axis letter in its colour
+ * @property {() => void} onInput called while the value changes
+ * @property {() => void} onCommit called when the change ends
+ * @property {() => void} onCancel called on Escape
  */
 
-/** Keys pressed one after another within this time make one edit. */
-const KEYS_PAUSE_MS = 700;
+/** Key presses closer together than this form one edit. */
+const KEY_COMMIT_DELAY_MS = 700;
 const STEP_KEYS = new Set(["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "PageUp", "PageDown", "Home", "End"]);
 
-/** A slider with its exact number beside it: two controls of one value. */
+/** A range input and a number field for the same value. */
 export class Slider {
   element = make("div", "slider");
   #range = make("input");
   #number = make("input", "number-field");
-  /** The commit that follows the last key, while one is waited for. */
+  /** Timer that commits after the last key press; 0 if none is pending. */
   #pending = 0;
   #options;
   #label;
@@ -43,13 +43,13 @@ export class Slider {
     this.#range.type = "range";
     this.#number.type = "number";
     this.#number.inputMode = "decimal";
-    for (const input of [this.#range, this.#number]) this.#wire(input);
+    for (const input of [this.#range, this.#number]) this.#listen(input);
     this.value = options.neutral;
     this.#label = label;
     onLocaleChange(() => this.name());
   }
 
-  /** Says its name anew, as in another language or after it has come to stand for something else. */
+  /** Updates the labels, after a locale change or when the label function's result has changed. */
   name() {
     const { axis, label, longLabel } = this.#options;
     this.#label.replaceChildren();
@@ -58,13 +58,13 @@ export class Slider {
     for (const input of [this.#range, this.#number]) input.setAttribute("aria-label", textOf(longLabel));
   }
 
-  /** What is being typed counts as far as the ends; a drag may have gone further. */
+  /** Clamps a number that is being typed. A drag in the 3D view may exceed the range. */
   get value() {
     const value = Number(this.#number.value);
-    return "typing" in this.#number.dataset ? this.#within(value) : value;
+    return "typing" in this.#number.dataset ? this.#clamp(value) : value;
   }
 
-  /** Does not disturb a number that is being typed. */
+  /** Leaves a number field alone whose value already matches, so that typing is not disturbed. */
   set value(value) {
     const rounded = Number(value.toFixed(decimalsOf(this.#options.step)));
     if (this.#range.valueAsNumber !== rounded) this.#range.value = String(rounded);
@@ -72,7 +72,7 @@ export class Slider {
   }
 
   /** @param {HTMLInputElement} input */
-  #wire(input) {
+  #listen(input) {
     const { min, max, step, onInput, onCommit, onCancel } = this.#options;
     let byKey = false;
     input.min = String(min);
@@ -87,11 +87,11 @@ export class Slider {
     });
     input.addEventListener("change", () => {
       delete input.dataset["typing"];
-      this.value = Number.isNaN(input.valueAsNumber) ? this.#options.neutral : this.#within(input.valueAsNumber);
+      this.value = Number.isNaN(input.valueAsNumber) ? this.#options.neutral : this.#clamp(input.valueAsNumber);
       onInput();
       if (!byKey) return onCommit();
       clearTimeout(this.#pending);
-      this.#pending = setTimeout(() => this.#flush(), KEYS_PAUSE_MS);
+      this.#pending = setTimeout(() => this.#flush(), KEY_COMMIT_DELAY_MS);
     });
     input.addEventListener("pointerdown", () => (byKey = false));
     input.addEventListener("blur", () => this.#flush());
@@ -105,7 +105,7 @@ export class Slider {
   }
 
   /** @param {number} value */
-  #within(value) {
+  #clamp(value) {
     return Math.min(this.#options.max, Math.max(this.#options.min, value));
   }
 

@@ -1,19 +1,19 @@
-/** What is timed lasts at least this long, so that the clock, which browsers make coarse, can tell. */
+/** Minimum duration of a sample; browsers coarsen their clocks. */
 const SAMPLE_MS = 4;
-/** The page has something else to do after this long. */
+/** Yield to the page after this long. */
 const SLICE_MS = 10;
 const SAMPLES = 3;
-const MOST_TIMES = 4096;
+const MAX_REPETITIONS = 4096;
 
-/** Times short work in slices, between which the page goes on. */
+/** Times short work in slices, and yields to the page between them. */
 export class Stopwatch {
-  /** How often the work was repeated for the last sample; the next one begins with as many. */
+  /** Repetitions in the last sample; the next sample starts with the same number. */
   #times = 1;
 
   /**
-   * The median of what `work` takes each time, in ms.
+   * Median duration of one repetition, in ms.
    *
-   * @param {(times: number) => void} work does the same so many times
+   * @param {(times: number) => void} work repeats the work `times` times
    */
   async time(work) {
     const samples_ms = [];
@@ -21,7 +21,7 @@ export class Stopwatch {
       const started_ms = performance.now();
       work(this.#times);
       const took_ms = performance.now() - started_ms;
-      if (took_ms < SAMPLE_MS && this.#times < MOST_TIMES) this.#times *= 2;
+      if (took_ms < SAMPLE_MS && this.#times < MAX_REPETITIONS) this.#times *= 2;
       else samples_ms.push(took_ms / this.#times);
       if (took_ms > SLICE_MS && this.#times > 1) this.#times /= 2;
       await nextTask();

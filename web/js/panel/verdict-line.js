@@ -4,10 +4,10 @@ import { onLocaleChange, t, formatNumber } from "../words/words.js";
 /**
  * @typedef {import("../worker/protocol.js").Verdict} Verdict
  * @typedef {Verdict | "checking" | "unchecked"} Outcome
- * @typedef {{ file: string, bytes?: number, outcome: Outcome }} Shown bytes: how many the file has, once it is made
+ * @typedef {{ file: string, bytes?: number, outcome: Outcome }} Shown bytes: file size, once it is made
  */
 
-/** What the validator said of the last file; gone as soon as the next file would be another one. */
+/** The validator's verdict on the last file. Cleared when the file would change. */
 export class VerdictLine {
   #line = byId("verdict", HTMLParagraphElement);
   /** @type {Shown | undefined} */
@@ -21,7 +21,7 @@ export class VerdictLine {
   }
 
   /**
-   * Shows what came of a check, unless the file would be another one by now.
+   * Shows the result of a check, unless the file has changed since the check began.
    *
    * @param {Shown} shown
    */

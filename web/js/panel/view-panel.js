@@ -4,7 +4,7 @@ import { setUpLight } from "./light.js";
 /** @typedef {import("../viewport/host.js").Host} Host */
 
 /**
- * How the face is lit and looked at.
+ * Sets up lighting, background, display options and view directions.
  *
  * @param {Host} host
  */
