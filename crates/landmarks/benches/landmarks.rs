@@ -8,11 +8,11 @@ use rosto_photo::{Limits, decode};
 
 fn landmarks(criterion: &mut Criterion) {
     let [detector, attention, photo] = ["face_detector.onnx", "face_landmarks_attention.onnx", "sample.png"].map(asset);
-    let made = || FaceFinder::new(&detector, LandmarkNetwork::Attention(&attention)).unwrap();
-    let finder = made();
+    let load = || FaceFinder::new(&detector, LandmarkNetwork::Attention(&attention)).unwrap();
+    let finder = load();
     let mut group = criterion.benchmark_group("landmarks");
     group.sample_size(20);
-    group.bench_function("load networks", |bencher| bencher.iter(made));
+    group.bench_function("load networks", |bencher| bencher.iter(load));
     for (what, options) in [
         ("photo to landmarks", FindOptions { max_faces: 1, ..FindOptions::default() }),
         ("photo to landmarks, one detector and one landmark pass", FindOptions::mediapipe()),

@@ -8,7 +8,7 @@ use tract_onnx::tract_core::internal::{TractErrorContext, bail, ensure};
 /// The shape of a constant.
 pub(crate) fn shape(tensor: &TensorProto) -> TractResult<TVec<usize>> {
     let extents = tensor.dims.iter().map(|&extent| usize::try_from(extent).ok());
-    extents.collect::<Option<_>>().with_context(|| format!("{} has a shape of {:?}", tensor.name, tensor.dims))
+    extents.collect::<Option<_>>().with_context(|| format!("{} has the shape {:?}", tensor.name, tensor.dims))
 }
 
 /// Decodes half or single precision numbers, in the order of the file.
@@ -19,10 +19,10 @@ pub(crate) fn floats(tensor: &TensorProto) -> TractResult<Vec<f32>> {
     let numbers: Vec<f32> = match DataType::try_from(tensor.data_type) {
         Ok(DataType::Float16) => elements(tensor)?.iter().map(|&bytes| f16::from_le_bytes(bytes).to_f32()).collect(),
         Ok(DataType::Float) => elements(tensor)?.iter().map(|&bytes| f32::from_le_bytes(bytes)).collect(),
-        _ => bail!("{} holds numbers of type {}", tensor.name, tensor.data_type),
+        _ => bail!("{} has the element type {}", tensor.name, tensor.data_type),
     };
     let wrong = numbers.iter().find(|number| !number.is_finite());
-    ensure!(wrong.is_none(), "{} holds a weight of {}", tensor.name, wrong.unwrap_or(&f32::NAN));
+    ensure!(wrong.is_none(), "{} contains the weight {}", tensor.name, wrong.unwrap_or(&f32::NAN));
     Ok(numbers)
 }
 
@@ -32,7 +32,7 @@ pub(crate) fn floats(tensor: &TensorProto) -> TractResult<Vec<f32>> {
 /// If their number does not match the shape.
 pub(crate) fn integers(tensor: &TensorProto) -> TractResult<Vec<i64>> {
     let is_whole = tensor.data_type == DataType::Int64 as i32;
-    ensure!(is_whole, "{} holds numbers of type {}", tensor.name, tensor.data_type);
+    ensure!(is_whole, "{} has the element type {}", tensor.name, tensor.data_type);
     Ok(elements(tensor)?.iter().map(|&bytes| i64::from_le_bytes(bytes)).collect())
 }
 

@@ -31,15 +31,15 @@ pub fn edited(obj: &str, vertex: u32, offset: DVec3) -> Result<String, Box<dyn E
         handle.ok_or_else(|| format!("vertex {vertex} does not exist: the file has vertices 1 to {}", rest.len()))?;
 
     let distances = Geodesics::new(&topology, &rest)?.distances(&[handle])?;
-    let reach = distances.iter().copied().filter(|distance| distance.is_finite()).fold(0.0, f64::max) / 2.0;
-    let stays = |&vertex: &u32| distances[vertex as usize] > reach;
+    let radius = distances.iter().copied().filter(|distance| distance.is_finite()).fold(0.0, f64::max) / 2.0;
+    let stays = |&vertex: &u32| distances[vertex as usize] > radius;
     let anchors: Vec<u32> = (0..rest.len() as u32).filter(stays).collect();
 
     let system = LaplacianSystem::new(&topology, &rest, Operator::Cotangent)?;
     let constraints = Constraints { handles: &[handle], anchors: &anchors, kind: ConstraintKind::Hard, falloff: None };
     let mut moved = rest.clone();
     system.respond(&constraints)?.displace(&rest, &[offset], &mut moved);
-    Ok(written(obj, &rest, &moved))
+    Ok(with_positions(obj, &rest, &moved))
 }
 
 /// Reads triangles and positions; faces with more than three corners are split into triangles.
@@ -53,13 +53,13 @@ fn read(obj: &str) -> Result<(Topology, Vec<DVec3>), Box<dyn Error>> {
         _ => None,
     };
     let triangles = object.geometry.iter().flat_map(|part| &part.shapes).filter_map(corners).collect();
-    let positions: Vec<DVec3> = object.vertices.iter().map(|place| DVec3::new(place.x, place.y, place.z)).collect();
+    let positions: Vec<DVec3> = object.vertices.iter().map(|vertex| DVec3::new(vertex.x, vertex.y, vertex.z)).collect();
     Ok((Topology::new(positions.len(), triangles)?, positions))
 }
 
-fn written(obj: &str, rest: &[DVec3], moved: &[DVec3]) -> String {
-    let mut places = rest.iter().zip(moved);
-    let line = |line: &str| match line.trim_start().starts_with("v ").then(|| places.next()).flatten() {
+fn with_positions(obj: &str, rest: &[DVec3], moved: &[DVec3]) -> String {
+    let mut positions = rest.iter().zip(moved);
+    let line = |line: &str| match line.trim_start().starts_with("v ").then(|| positions.next()).flatten() {
         Some((before, after)) if before != after => format!("v {} {} {}\n", after.x, after.y, after.z),
         _ => format!("{line}\n"),
     };

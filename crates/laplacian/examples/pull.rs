@@ -45,11 +45,11 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// A square grid of waves, with two triangles per cell.
 fn sheet() -> Result<(Topology, Vec<DVec3>), Box<dyn Error>> {
-    let place = |index: u32| {
+    let position = |index: u32| {
         let (x, y) = (f64::from(index % SIDE), f64::from(index / SIDE));
         DVec3::new(x, y, 0.4 * (0.9 * x).sin() * (0.7 * y).cos())
     };
     let cells = (0..SIDE - 1).flat_map(|y| (0..SIDE - 1).map(move |x| y * SIDE + x));
     let triangles = cells.flat_map(|a| [[a, a + 1, a + SIDE + 1], [a, a + SIDE + 1, a + SIDE]]).collect();
-    Ok((Topology::new((SIDE * SIDE) as usize, triangles)?, (0..SIDE * SIDE).map(place).collect()))
+    Ok((Topology::new((SIDE * SIDE) as usize, triangles)?, (0..SIDE * SIDE).map(position).collect()))
 }

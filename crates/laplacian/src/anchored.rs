@@ -24,13 +24,13 @@ impl AnchoredSystem {
     /// those of the system.
     ///
     /// # Errors
-    /// As for [`LaplacianSystem::respond`](crate::LaplacianSystem::respond).
+    /// The errors of [`LaplacianSystem::respond`](crate::LaplacianSystem::respond).
     ///
     /// # Panics
     /// If `anchors` or `kind` differ from those of the system.
     pub fn respond(&self, constraints: &Constraints<'_>) -> Result<Response, LaplacianError> {
         assert!(
-            self.anchors.holds(constraints.anchors, constraints.kind),
+            self.anchors.has_constraints(constraints.anchors, constraints.kind),
             "anchors and kind equal those of the system"
         );
         constraints.check(&self.component)?;

@@ -64,8 +64,8 @@ impl Constraints<'_> {
         if self.handles.is_empty() {
             return Err(LaplacianError::NoHandle);
         }
-        let is_handle = marked(self.handles, vertex_count)?;
-        marked(self.anchors, vertex_count)?;
+        let is_handle = mask(self.handles, vertex_count)?;
+        mask(self.anchors, vertex_count)?;
         match self.anchors.iter().find(|&&anchor| is_handle[anchor as usize]) {
             Some(&vertex) => Err(LaplacianError::PinnedHandle { vertex }),
             None => Ok(()),
@@ -94,7 +94,7 @@ impl Constraints<'_> {
 }
 
 /// A mask of the listed vertices. Rejects vertices outside the mesh and duplicates.
-pub(crate) fn marked(vertices: &[u32], vertex_count: usize) -> Result<Vec<bool>, LaplacianError> {
+pub(crate) fn mask(vertices: &[u32], vertex_count: usize) -> Result<Vec<bool>, LaplacianError> {
     let mut is_marked = vec![false; vertex_count];
     for &vertex in vertices {
         let known = is_marked.get_mut(vertex as usize).ok_or(LaplacianError::NoSuchVertex { vertex, vertex_count })?;

@@ -1,7 +1,7 @@
 use glam::DVec3;
 use rosto_mesh::Topology;
 
-use crate::constraints::marked;
+use crate::constraints::mask;
 use crate::dirichlet::Dirichlet;
 use crate::factor::Scratch;
 use crate::gauge_fixed::gauge_fixed;
@@ -47,7 +47,7 @@ impl Continuation {
 }
 
 fn check(known: &[u32], component: &[u32]) -> Result<(), LaplacianError> {
-    marked(known, component.len())?;
+    mask(known, component.len())?;
     let mut is_known = vec![false; component.len()];
     known.iter().for_each(|&vertex| is_known[component[vertex as usize] as usize] = true);
     match component.iter().find(|&&piece| !is_known[piece as usize]) {

@@ -46,7 +46,7 @@ impl Dirichlet {
     }
 
     /// Whether the form has exactly these constraints.
-    pub(crate) fn holds(&self, constrained: &[u32], kind: ConstraintKind) -> bool {
+    pub(crate) fn has_constraints(&self, constrained: &[u32], kind: ConstraintKind) -> bool {
         self.constrained == constrained && self.kind == kind
     }
 

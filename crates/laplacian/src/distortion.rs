@@ -16,7 +16,7 @@ pub struct Distortion {
     pub area_ratio: Vec<f64>,
     /// Triangles whose normal turned by more than 90°.
     pub flipped: Vec<u32>,
-    /// Vertices that moved without a gradual rise around them; see [`peaks`].
+    /// Vertices that moved without a gradual rise around them; see [`peaks()`].
     pub peaks: Vec<Peak>,
 }
 

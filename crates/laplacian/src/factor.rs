@@ -119,12 +119,12 @@ impl Factor {
 
     /// `e_vᵀ A⁻¹ b` from the half-solved `e_v` and `b`.
     pub(crate) fn inverse_row(&self, v: &HalfSolved, b: &[f64]) -> f64 {
-        self.along(v).map(|(rows, values)| dot(values, &b[rows])).sum()
+        self.path_values(v).map(|(rows, values)| dot(values, &b[rows])).sum()
     }
 
     /// Adds `scale` times a half-solved unit vector to a half-solved right-hand side.
     pub(crate) fn add(&self, half: &HalfSolved, scale: f64, rows: &mut [f64]) {
-        self.along(half).for_each(|(range, values)| add_scaled(&mut rows[range], scale, values));
+        self.path_values(half).for_each(|(range, values)| add_scaled(&mut rows[range], scale, values));
     }
 
     /// Writes `Pᵀ L⁻ᵀ rows` to `out`, the second half of a solve. Overwrites `rows` and `gathered`.
@@ -151,7 +151,7 @@ impl Factor {
     }
 
     /// The row ranges on the path of a half-solved unit vector, each with its values.
-    fn along<'a>(&'a self, half: &'a HalfSolved) -> impl Iterator<Item = (Range<usize>, &'a [f64])> {
+    fn path_values<'a>(&'a self, half: &'a HalfSolved) -> impl Iterator<Item = (Range<usize>, &'a [f64])> {
         let mut values = half.values.as_slice();
         half.path.iter().map(move |&s| {
             let panel = self.panel(s);

@@ -66,8 +66,8 @@ impl Geodesics {
         heat.iter_mut().for_each(|heat| *heat = heat.max(0.0));
         let mut distance = self.divergence_of_descent(&heat);
         self.poisson.solve(&mut distance);
-        self.measure_from(sources, &mut distance);
-        self.stretch_to_straight_lines(sources, &mut distance);
+        self.shift_to_sources(sources, &mut distance);
+        self.clamp_to_euclidean(sources, &mut distance);
         Ok(distance)
     }
 
@@ -92,7 +92,7 @@ impl Geodesics {
     }
 
     /// Shifts each component so that its nearest source is at 0; components without a source become infinite.
-    fn measure_from(&self, sources: &[u32], distance: &mut [f64]) {
+    fn shift_to_sources(&self, sources: &[u32], distance: &mut [f64]) {
         let mut nearest = vec![f64::INFINITY; distance.len()];
         for &source in sources {
             let own = &mut nearest[self.component[source as usize] as usize];
@@ -106,7 +106,7 @@ impl Geodesics {
     }
 
     /// Raises distances to the straight-line distance, which the approximation can undercut on coarse triangles.
-    fn stretch_to_straight_lines(&self, sources: &[u32], distance: &mut [f64]) {
+    fn clamp_to_euclidean(&self, sources: &[u32], distance: &mut [f64]) {
         for (value, position) in distance.iter_mut().zip(&self.positions) {
             let squared = |&source: &u32| self.positions[source as usize].distance_squared(*position);
             let straight = sources.iter().map(squared).fold(f64::INFINITY, f64::min).sqrt() / self.scale;

@@ -50,10 +50,10 @@ impl Operator {
     /// positions.
     pub fn matrix(self, topology: &Topology, positions: &[DVec3]) -> Result<CsrMatrix<f64>, LaplacianError> {
         check_positions(topology, positions)?;
-        let symmetric = difference_from_neighbours(topology, &self.edge_weights(topology, positions));
+        let symmetric = laplacian_matrix(topology, &self.edge_weights(topology, positions));
         Ok(match self {
-            Self::Uniform => over_rows(symmetric, &weights::degrees(topology)),
-            Self::CotangentMass => over_rows(symmetric, &weights::root_masses(topology, positions)),
+            Self::Uniform => divide_rows(symmetric, &weights::degrees(topology)),
+            Self::CotangentMass => divide_rows(symmetric, &weights::root_masses(topology, positions)),
             _ => symmetric,
         })
     }
@@ -88,7 +88,7 @@ impl Operator {
 }
 
 /// `diag(W·1) − W`, with one weight per entry of [`Topology::edges`].
-fn difference_from_neighbours(topology: &Topology, weights: &[f64]) -> CsrMatrix<f64> {
+fn laplacian_matrix(topology: &Topology, weights: &[f64]) -> CsrMatrix<f64> {
     let n = topology.vertex_count();
     let mut entries = CooMatrix::new(n, n);
     // Isolated vertices get an explicit zero, so that every row stores its diagonal.
@@ -106,7 +106,7 @@ fn difference_from_neighbours(topology: &Topology, weights: &[f64]) -> CsrMatrix
 }
 
 /// Divides each row by its divisor.
-fn over_rows(mut matrix: CsrMatrix<f64>, divisors: &[f64]) -> CsrMatrix<f64> {
+fn divide_rows(mut matrix: CsrMatrix<f64>, divisors: &[f64]) -> CsrMatrix<f64> {
     for (mut row, divisor) in matrix.row_iter_mut().zip(divisors) {
         row.values_mut().iter_mut().for_each(|value| *value /= divisor);
     }

@@ -45,13 +45,12 @@ impl LaplacianSystem {
         self.operator.row_iter().map(row).collect()
     }
 
-    /// Returns a system with these anchors in its factorisation, or `None` below [`MANY_CONSTRAINED`] anchors.
+    /// Returns a system with these anchors in its factorisation, or `None` for fewer than 256 anchors.
     ///
-    /// With that many anchors [`Self::respond`] factors again for each choice of handles, and the returned system does
-    /// not.
+    /// From that number on, [`Self::respond`] factors again for each choice of handles, and the returned system does not.
     ///
     /// # Errors
-    /// As for [`Self::respond`].
+    /// The errors of [`Self::respond`].
     pub fn anchored(&self, constraints: &Constraints<'_>) -> Result<Option<AnchoredSystem>, LaplacianError> {
         let are_many = constraints.anchors.len() >= MANY_CONSTRAINED;
         are_many.then(|| AnchoredSystem::new(&self.form, constraints)).transpose()

@@ -53,7 +53,7 @@ pub fn all(portrait: &Photo) -> Vec<Picture> {
     ]
 }
 
-fn made(width: u32, height: u32, colour: impl Fn(u32, u32) -> [u8; 3]) -> Photo {
+fn picture_from(width: u32, height: u32, colour: impl Fn(u32, u32) -> [u8; 3]) -> Photo {
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).flat_map(|(x, y)| colour(x, y)).collect();
     Photo::from_rgb(width, height, pixels).expect("there are three bytes per pixel")
 }
@@ -64,7 +64,7 @@ pub fn turned(photo: &Photo, degrees: f64) -> Photo {
     let rounded = |value: f64| (value * 65_536.0).round() / 65_536.0;
     let (cos, sin) = (rounded(degrees.to_radians().cos()), rounded(degrees.to_radians().sin()));
     let centre = [photo.width(), photo.height()].map(|side| (f64::from(side) - 1.0) / 2.0);
-    made(photo.width(), photo.height(), |x, y| {
+    picture_from(photo.width(), photo.height(), |x, y| {
         let (dx, dy) = (f64::from(x) - centre[0], f64::from(y) - centre[1]);
         bilinear(photo, centre[0] + cos * dx + sin * dy, centre[1] - sin * dx + cos * dy)
     })
@@ -78,7 +78,7 @@ pub fn scaled(photo: &Photo, width: u32, height: u32) -> Photo {
         let position = (f64::from(at) + part) * f64::from(full) / f64::from(extent) - 0.5;
         position.clamp(0.0, f64::from(full) - 1.0)
     };
-    made(width, height, |x, y| {
+    picture_from(width, height, |x, y| {
         let mut sums = [0_u32; 3];
         for sample in 0..SAMPLES * SAMPLES {
             let colour = bilinear(
@@ -110,12 +110,12 @@ fn pixel_or_black(photo: &Photo, x: i64, y: i64) -> [u8; 3] {
 
 /// Mirrors left and right.
 pub fn flipped(photo: &Photo) -> Photo {
-    made(photo.width(), photo.height(), |x, y| photo.pixel(photo.width() - 1 - x, y))
+    picture_from(photo.width(), photo.height(), |x, y| photo.pixel(photo.width() - 1 - x, y))
 }
 
 /// Places the picture on a larger grey canvas, with its top left corner at (`left`, `top`).
 pub fn padded(photo: &Photo, width: u32, height: u32, left: u32, top: u32) -> Photo {
-    made(width, height, |x, y| match (x.checked_sub(left), y.checked_sub(top)) {
+    picture_from(width, height, |x, y| match (x.checked_sub(left), y.checked_sub(top)) {
         (Some(x), Some(y)) if x < photo.width() && y < photo.height() => photo.pixel(x, y),
         _ => [110, 120, 130],
     })
@@ -123,7 +123,7 @@ pub fn padded(photo: &Photo, width: u32, height: u32, left: u32, top: u32) -> Ph
 
 /// Crops a part of the picture.
 pub fn cropped(photo: &Photo, left: u32, top: u32, width: u32, height: u32) -> Photo {
-    made(width, height, |x, y| photo.pixel(left + x, top + y))
+    picture_from(width, height, |x, y| photo.pixel(left + x, top + y))
 }
 
 /// Three box blurs, which approximate a Gaussian.
@@ -134,7 +134,7 @@ pub fn blurred(photo: &Photo, radius: u32) -> Photo {
 fn box_blurred(photo: &Photo, radius: i64) -> Photo {
     let nearest = |at: i64, extent: u32| at.clamp(0, i64::from(extent) - 1) as u32;
     let count = ((2 * radius + 1) * (2 * radius + 1)) as u32;
-    made(photo.width(), photo.height(), |x, y| {
+    picture_from(photo.width(), photo.height(), |x, y| {
         let mut sums = [0_u32; 3];
         for dy in -radius..=radius {
             for dx in -radius..=radius {
@@ -151,12 +151,12 @@ fn box_blurred(photo: &Photo, radius: i64) -> Photo {
 /// Maps each channel by a curve from 0..1 to 0..1.
 pub fn toned(photo: &Photo, curve: impl Fn(f64) -> f64) -> Photo {
     let table: Vec<u8> = (0..=255).map(|value| (curve(f64::from(value) / 255.0) * 255.0).round() as u8).collect();
-    made(photo.width(), photo.height(), |x, y| photo.pixel(x, y).map(|value| table[usize::from(value)]))
+    picture_from(photo.width(), photo.height(), |x, y| photo.pixel(x, y).map(|value| table[usize::from(value)]))
 }
 
 /// Converts to greyscale.
 pub fn grey(photo: &Photo) -> Photo {
-    made(photo.width(), photo.height(), |x, y| {
+    picture_from(photo.width(), photo.height(), |x, y| {
         let [r, g, b] = photo.pixel(x, y).map(u32::from);
         [((299 * r + 587 * g + 114 * b + 500) / 1000) as u8; 3]
     })
@@ -164,7 +164,7 @@ pub fn grey(photo: &Photo) -> Photo {
 
 /// Two pictures of equal height, side by side.
 pub fn side_by_side(left: &Photo, right: &Photo) -> Photo {
-    made(left.width() + right.width(), left.height(), |x, y| match x.checked_sub(left.width()) {
+    picture_from(left.width() + right.width(), left.height(), |x, y| match x.checked_sub(left.width()) {
         None => left.pixel(x, y),
         Some(x) => right.pixel(x, y),
     })

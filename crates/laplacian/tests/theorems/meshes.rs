@@ -37,12 +37,12 @@ pub fn plane(columns: u32, rows: u32, random: &mut Seeded) -> Mesh {
         triangles.extend(if random.below(2) == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] });
     }
     let count = (columns + 1) * (rows + 1);
-    let place = |v: u32| {
+    let position = |v: u32| {
         let (column, row) = (v % (columns + 1), v / (columns + 1));
         let jitter = 0.3 * random.vector();
         DVec3::new(f64::from(column) + jitter.x, f64::from(row) + jitter.y, 0.0)
     };
-    Mesh::new("plane", triangles, (0..count).map(place).collect())
+    Mesh::new("plane", triangles, (0..count).map(position).collect())
 }
 
 /// A torus of `around` by `across` quads, each split into two triangles.
@@ -53,13 +53,13 @@ pub fn torus(around: u32, across: u32) -> Mesh {
         [[a, b, c], [a, c, d]]
     };
     let squares = (0..around).flat_map(|i| (0..across).map(move |j| (i, j)));
-    let place = |v: u32| {
+    let position = |v: u32| {
         let turn = |k: u32, of: u32| std::f64::consts::TAU * f64::from(k) / f64::from(of);
         let (long, short) = (turn(v / across, around), turn(v % across, across));
         let radius = 2.0 + 0.7 * short.cos();
         DVec3::new(radius * long.cos(), radius * long.sin(), 0.7 * short.sin())
     };
-    Mesh::new("torus", squares.flat_map(cut).collect(), (0..around * across).map(place).collect())
+    Mesh::new("torus", squares.flat_map(cut).collect(), (0..around * across).map(position).collect())
 }
 
 /// Two distant planes, and a vertex without triangles.
