@@ -1,9 +1,10 @@
-//! Lets a release build hold the face networks, so that `rosto` is one file. Other builds read them in the source tree.
+//! Embeds the face networks in release builds, so that `rosto` is a single file. Other builds read them from the source
+//! tree.
 
 use std::env;
 use std::path::Path;
 
-/// As `src/main.rs` includes them.
+/// Same names as in `src/main.rs`.
 const NETWORKS: [&str; 3] = ["face_detector.onnx", "face_landmarks.onnx", "face_landmarks_attention.onnx"];
 
 fn main() {
@@ -16,7 +17,7 @@ fn main() {
     match paths.iter().all(|path| path.is_file()) {
         true => println!("cargo::rustc-cfg=embedded_networks"),
         false => println!(
-            "cargo::warning=the face networks are not in web/assets, and the program will not hold them: run `cargo xtask setup`, then build again"
+            "cargo::warning=the face networks are not in web/assets and will not be embedded: run `cargo xtask setup`, then build again"
         ),
     }
 }

@@ -1,16 +1,16 @@
-//! Values of the command line that a table of the core lists, each explained by the page's English words.
+//! Values of options that the core crates list, with the interface's English descriptions.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
-/// The page's words: whatever the core has an id for is explained there, once.
+/// Interface text by id.
 static WORDS: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
-    serde_json::from_str(include_str!("../../../web/words/en.json")).expect("invariant: a test reads the words, too")
+    serde_json::from_str(include_str!("../../../web/words/en.json")).expect("invariant: a test parses the same file")
 });
 
-/// Takes the ids of a table's entries; `kind` is what the words call the table, such as `operator`.
+/// Parses the ids of `all`. `kind` is the prefix of their keys in the interface text, such as `operator`.
 pub fn one_of<T, const N: usize>(
     kind: &'static str,
     all: [T; N],
@@ -20,17 +20,17 @@ pub fn one_of<T, const N: usize>(
 where
     T: Copy + Send + Sync + 'static,
 {
-    let values = all.map(|one| PossibleValue::new(id(one)).help(explained(kind, id(one))));
-    PossibleValuesParser::new(values).map(move |text| from_id(&text).expect("invariant: clap lets only ids pass"))
+    let values = all.map(|one| PossibleValue::new(id(one)).help(description(kind, id(one))));
+    PossibleValuesParser::new(values).map(move |text| from_id(&text).expect("invariant: clap accepts only these ids"))
 }
 
-/// What the words say of an entry: how it is explained or, failing that, what it is called.
-pub fn explained(kind: &str, id: &str) -> &'static str {
-    let said = |key: String| WORDS.get(&key).map(String::as_str);
-    said(format!("{kind}.{id}.help")).or_else(|| said(format!("{kind}.{id}"))).unwrap_or_default()
+/// Returns the help text of an entry, or its label if it has none.
+pub fn description(kind: &str, id: &str) -> &'static str {
+    let text = |key: String| WORDS.get(&key).map(String::as_str);
+    text(format!("{kind}.{id}.help")).or_else(|| text(format!("{kind}.{id}"))).unwrap_or_default()
 }
 
-/// The ids, with commas between them.
+/// The ids, separated by commas.
 pub fn listed<T, const N: usize>(all: [T; N], id: fn(T) -> &'static str) -> String {
     all.map(id).join(", ")
 }

@@ -11,20 +11,20 @@ use rosto_studio::{Document, EditsInRig, Layer, Rig, Shot, StudioError, project,
 use crate::args::MeshTask;
 use crate::error::CliError;
 
-/// The format that a file's name asks for by its ending, in capitals or not.
+/// Export format for the path's extension, ignoring case.
 pub fn format_of(path: &Path) -> Result<Format, CliError> {
     let extension = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
     let format = extension.as_deref().and_then(Format::from_id);
     format.ok_or_else(|| CliError::UnknownFormat { path: path.to_owned() })
 }
 
-/// What a file is called without its ending; those beside it are called so, too.
+/// File name without its extension, which sidecar files share.
 pub fn name_of(path: &Path) -> String {
     path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// The edited face's file, with those beside it, which are called `name`; a glTF with what opens it again in its extras and, if asked for, the edits as morph
-/// targets.
+/// Encodes the edited face and its sidecar files, which share `name`. A glTF also carries the project in its extras
+/// and, on request, the edits as morph targets.
 pub fn encode(
     face: &FaceModel,
     document: &mut Document,
@@ -40,15 +40,15 @@ pub fn encode(
     }
     let layers = if task.morph_targets { document.displacements() } else { Vec::new() };
     let document = &*document;
-    let skin = Skin::new(face, document, task, format)?;
+    let texture_source = TextureData::new(face, document, task, format)?;
     let smoothed_m = document.rounded();
     let model = Model {
         topology: document.topology(),
         positions_m: document.positions(),
         smoothed_m: Some(&smoothed_m),
-        colours_srgb: &skin.colours_srgb,
-        photo: Picture { pixels: face.picture(), uvs: &skin.uvs },
-        whole: skin.texture.as_ref().map(|pixels| Picture { pixels, uvs: &skin.texture_uvs }),
+        colours_srgb: &texture_source.colours_srgb,
+        photo: Picture { pixels: face.picture(), uvs: &texture_source.uvs },
+        whole: texture_source.texture.as_ref().map(|pixels| Picture { pixels, uvs: &texture_source.texture_uvs }),
     };
     let history = history_json(document);
     let named = document.history().entries().iter().zip(&layers);
@@ -59,9 +59,9 @@ pub fn encode(
     Ok(format.write(&Content { model, rest_m, gltf, solid, name, positions_image: None })?)
 }
 
-/// JSON of a face that was edited in image coordinates.
+/// JSON of a face edited in image coordinates.
 fn image_json(face: &FaceModel, document: &Document) -> String {
-    let landmarks_m = carried(face, document.cage());
+    let landmarks_m = landmarks_m_from_image(face, document.cage());
     mesh_json(&JsonMesh {
         units: Units::Image,
         positions: document.positions(),
@@ -71,14 +71,15 @@ fn image_json(face: &FaceModel, document: &Document) -> String {
     })
 }
 
-/// Landmarks that were moved in image coordinates, in metres: each goes the way in the model that it went in the picture.
-pub fn carried(face: &FaceModel, landmarks: &[DVec3]) -> Vec<DVec3> {
+/// Landmarks in metres after edits in image coordinates: transforms each image displacement into the model's frame.
+pub fn landmarks_m_from_image(face: &FaceModel, landmarks: &[DVec3]) -> Vec<DVec3> {
     let model_from_image = face.image_from_model().inverse();
-    let ways = landmarks.iter().zip(face.positions_image()).map(|(shown, found)| model_from_image * (*shown - *found));
-    ways.zip(face.positions_m()).map(|(way, rest)| *rest + way).collect()
+    let displacements_m =
+        landmarks.iter().zip(face.positions_image()).map(|(edited, rest)| model_from_image * (*edited - *rest));
+    displacements_m.zip(face.positions_m()).map(|(displacement_m, rest_m)| *rest_m + displacement_m).collect()
 }
 
-/// The face in its pieces, for a file that has them.
+/// Separate pieces for skin, eyes and mouth, if the format and the options ask for them.
 fn rig(face: &FaceModel, document: &mut Document, task: &MeshTask, format: Format) -> Result<Option<Rig>, CliError> {
     let edits = if task.morph_targets { EditsInRig::Layers } else { EditsInRig::AtRest };
     let rig = if task.expression_targets && format.supports(ExportOption::Material) {
@@ -99,16 +100,16 @@ fn rigged(
     format: Format,
     name: &str,
 ) -> Result<ExportedFile, CliError> {
-    let (parted, base_m) = (rig.parted(), rig.base_m());
-    let skin = Skin::new(face, document, task, format)?;
-    let (uvs, texture_uvs) = (parted.uvs(&skin.uvs), parted.uvs(&skin.texture_uvs));
+    let (split_face, base_m) = (rig.split_face(), rig.base_m());
+    let texture_source = TextureData::new(face, document, task, format)?;
+    let (uvs, texture_uvs) = (split_face.uvs(&texture_source.uvs), split_face.uvs(&texture_source.texture_uvs));
     let model = Model {
-        topology: parted.topology(),
+        topology: split_face.topology(),
         positions_m: base_m,
         smoothed_m: None,
-        colours_srgb: &parted.colours(&skin.colours_srgb),
+        colours_srgb: &split_face.colours(&texture_source.colours_srgb),
         photo: Picture { pixels: face.picture(), uvs: &uvs },
-        whole: skin.texture.as_ref().map(|pixels| Picture { pixels, uvs: &texture_uvs }),
+        whole: texture_source.texture.as_ref().map(|pixels| Picture { pixels, uvs: &texture_uvs }),
     };
     let history = history_json(document);
     let layers = rig.layers().iter();
@@ -127,16 +128,16 @@ fn gltf<'a>(face: &'a FaceModel, task: &MeshTask, history: Option<&'a str>) -> G
     GlbOptions { base_colour, material, max_texture_px, source, ..GlbOptions::default() }
 }
 
-/// What the mesh that is shown is painted with.
-struct Skin {
+/// Colours and texture coordinates of the mesh at its density.
+struct TextureData {
     uvs: Vec<DVec2>,
     colours_srgb: Vec<[u8; 3]>,
     texture_uvs: Vec<DVec2>,
-    /// Only where the file is painted with it: it takes a while.
+    /// Whole-face texture; baked only if the file uses it, because it is expensive.
     texture: Option<Photo>,
 }
 
-impl Skin {
+impl TextureData {
     fn new(face: &FaceModel, document: &Document, task: &MeshTask, format: Format) -> Result<Self, CliError> {
         let uvs: Vec<DVec2> = document.from_cage(face.uvs());
         let colours_srgb = face.colours_under(&uvs);
@@ -148,7 +149,7 @@ impl Skin {
     }
 }
 
-/// The texture of the whole face, of all its photos; the first is the face's own.
+/// Whole-face texture from the model's photo and its other views.
 fn texture(face: &FaceModel, side_px: u32) -> Result<Photo, StudioError> {
     let others = face.views().iter().skip(1);
     let others: Vec<Shot<'_>> =
@@ -156,7 +157,7 @@ fn texture(face: &FaceModel, side_px: u32) -> Result<Photo, StudioError> {
     Ok(whole_texture_of(face, &others, side_px)?.picture)
 }
 
-/// The history that a glTF opens again with; none where nothing was edited.
+/// History for the glTF's extras; `None` without edits.
 fn history_json(document: &Document) -> Option<String> {
     let entries = document.history().entries();
     (!entries.is_empty()).then(|| project::to_json(entries))

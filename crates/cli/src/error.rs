@@ -2,7 +2,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use rosto_export::ExportError;
-use rosto_face::{FaceError, MOST_PHOTOS};
+use rosto_face::{FaceError, MAX_PHOTOS};
 use rosto_landmarks::LandmarksError;
 use rosto_photo::PhotoError;
 use rosto_studio::StudioError;
@@ -13,81 +13,81 @@ use crate::terminal;
 
 mod hint;
 
-const _: () = assert!(MOST_PHOTOS == 5, "CliError::TooManyPhotos says five");
+const _: () = assert!(MAX_PHOTOS == 5, "CliError::TooManyPhotos writes the limit as a word");
 
-/// Why the program cannot do what it was asked.
+/// Error of a command; [`CliError::exit_code`] maps it to the exit code.
 #[derive(Debug, Error)]
 pub enum CliError {
-    #[error("{flag} would change nothing: {reason}")]
-    Useless { flag: &'static str, reason: &'static str },
+    #[error("{flag} has no effect: {reason}")]
+    NoEffect { flag: &'static str, reason: &'static str },
     #[error("{reason}")]
-    NotUnderstood { reason: String },
-    #[error("standard input is asked for twice, and can be read once")]
+    InvalidOptions { reason: String },
+    #[error("standard input (-) is given more than once")]
     StandardInputTwice,
-    #[error("{}: {} is read, and would be overwritten", named(path), named(input))]
-    OverInput { path: PathBuf, input: PathBuf },
+    #[error("{}: the output would overwrite the input {}", named(path), named(input))]
+    OverwritesInput { path: PathBuf, input: PathBuf },
     #[error("{}: {reason}", named(path))]
     Unreadable { path: PathBuf, reason: ReadError },
     #[error("{}: {reason}", named(path))]
-    NoPicture { path: PathBuf, reason: PhotoError },
-    #[error("{}: there are no photos in this folder{}", named(path), others(*skipped))]
+    InvalidPicture { path: PathBuf, reason: PhotoError },
+    #[error("{}: no photos in this folder{}", named(path), other_files(*skipped))]
     NoPhotos { path: PathBuf, skipped: usize },
-    #[error("a mesh is made of at most five photos of one face, and {given} are given")]
+    #[error("a mesh takes at most five photos of one face; {given} were given")]
     TooManyPhotos { given: usize },
-    #[error("{}: this photo broke the program", named(path))]
-    Broke { path: PathBuf },
-    #[error("{}: line {line} was not written by this request", named(path))]
-    AnotherJournal { path: PathBuf, line: usize },
-    #[error("{}: another process is writing it", named(path))]
+    #[error("{}: internal error on this photo", named(path))]
+    InternalError { path: PathBuf },
+    #[error("{}: line {line} was not written with these options", named(path))]
+    OtherOptions { path: PathBuf, line: usize },
+    #[error("{}: another process is writing this file", named(path))]
     InUse { path: PathBuf },
-    #[error("{}: this file is there already, and Rosto did not write it for {}", named(path), named(for_file))]
+    #[error("{}: the file exists, and Rosto did not write it for {}", named(path), named(for_file))]
     Foreign { path: PathBuf, for_file: PathBuf },
-    #[error("{} and {} would both be written to {}", named(one), named(other), named(path))]
+    #[error("{} and {} have the same output, {}", named(one), named(other), named(path))]
     SameOutput { one: PathBuf, other: PathBuf, path: PathBuf },
     #[error("{}: no face found", named(path))]
     NoFace { path: PathBuf },
     #[error("{}: {reason}", named(path))]
     NoModel { path: PathBuf, reason: FaceError },
     #[error(
-        "{}: this does not agree with the other photos: half of its landmarks are {reprojection_px:.0} px and more from \
-         where theirs would be, and {most_px:.0} px is the limit",
+        "{}: this photo does not agree with the others: half of its landmarks are at least {reprojection_px:.0} px from \
+         where the others place them; the limit is {most_px:.0} px",
         named(path)
     )]
     AnotherFace { path: PathBuf, reprojection_px: f64, most_px: f64 },
-    #[error("{count} of the photos failed")]
+    #[error("photos failed: {count}")]
     SomePhotosFailed { count: usize },
-    #[error("{count} of the photos failed, {by_networks} of them because of the networks")]
+    #[error("photos failed: {count}, {by_networks} of them because of the networks")]
     NetworksFailed { count: usize, by_networks: usize },
     #[error("{}: {reason}", named(path))]
     EditsUnreadable { path: PathBuf, reason: ReadError },
     #[error("{}: {reason}", named(path))]
     EditsFile { path: PathBuf, reason: String },
-    #[error("{}: this is UTF-16 text", named(path))]
+    #[error("{}: the file is UTF-16", named(path))]
     EditsUtf16 { path: PathBuf },
-    #[error("edit {number} ({what}): {reason}")]
-    Edit { number: usize, what: String, reason: StudioError },
-    #[error("{}: its name does not end as a format is called: {}", named(path), endings())]
+    #[error("edit {number} ({name}): {reason}")]
+    Edit { number: usize, name: String, reason: StudioError },
+    #[error("{}: unknown file extension; use one of {}", named(path), extensions())]
     UnknownFormat { path: PathBuf },
-    #[error("{}: image coordinates are written by `rosto mesh` as .json only", named(path))]
+    #[error("{}: image coordinates can only be written as .json", named(path))]
     ImageUnits { path: PathBuf },
-    #[error("{}: a photo is written as .jpg or .png", named(path))]
-    NoPictureFormat { path: PathBuf },
+    #[error("{}: unknown file extension; use .jpg or .png", named(path))]
+    UnknownPictureFormat { path: PathBuf },
     #[error("{}: {reason}", named(path))]
     NotEncoded { path: PathBuf, reason: image::ImageError },
     #[error("{}: {reason}", named(path))]
     Unwritable { path: PathBuf, reason: io::Error },
     #[error("standard output: {0}")]
     Output(io::Error),
-    #[error("the face networks are not in {}", looked_in.iter().map(|path| named(path)).collect::<Vec<_>>().join(", nor in "))]
+    #[error("face networks not found in {}", looked_in.iter().map(|path| named(path)).collect::<Vec<_>>().join(" or "))]
     NetworksMissing { looked_in: Vec<PathBuf> },
-    #[error("{}: this network is missing; the other one is there", named(path))]
+    #[error("{}: network not found, although the other one is in that folder", named(path))]
     NetworkMissing { path: PathBuf },
     #[error("{}: {reason}", named(path))]
     NetworkUnreadable { path: PathBuf, reason: ReadError },
     #[error(transparent)]
     Networks(#[from] LandmarksError),
-    #[error("{}: the networks answer with a face that has no place: landmark {landmark} is not finite", named(path))]
-    NoPlace { path: PathBuf, landmark: usize },
+    #[error("{}: invalid result of the networks: landmark {landmark} is not finite", named(path))]
+    NonFiniteLandmark { path: PathBuf, landmark: usize },
     #[error(transparent)]
     Export(#[from] ExportError),
     #[error(transparent)]
@@ -95,13 +95,13 @@ pub enum CliError {
 }
 
 impl CliError {
-    /// Says on standard error what went wrong and what to do.
+    /// Writes the error and its hint to standard error.
     pub fn report(&self) {
         let mut text = format!("rosto: {}\n", terminal::escaped(&self.to_string()));
         if let Some(hint) = self.hint() {
             text += &format!("  {hint}\n");
         }
-        // Where nobody can be told, the exit code still tells.
+        // The exit code still reports the failure.
         let _ = io::stderr().write_all(text.as_bytes());
     }
 
@@ -109,47 +109,52 @@ impl CliError {
         matches!(self, Self::Output(reason) if reason.kind() == io::ErrorKind::BrokenPipe)
     }
 
-    /// Whether the networks are to blame, and not what they were shown.
-    pub fn is_of_networks(&self) -> bool {
+    /// Whether the networks caused the error, rather than the photo.
+    pub fn is_network_failure(&self) -> bool {
         self.exit_code() == 7
     }
 
-    /// Whether the result could not be written: the next one could not be either.
-    pub fn is_of_output(&self) -> bool {
+    /// Whether a result could not be written; later ones would fail as well.
+    pub fn is_write_failure(&self) -> bool {
         self.exit_code() == 6
     }
 
-    /// As `--help` lists them.
+    /// Exit code, as `--help` lists them.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::NotUnderstood { .. } => 2,
-            Self::Useless { .. } | Self::StandardInputTwice | Self::OverInput { .. } | Self::UnknownFormat { .. } => 2,
-            Self::ImageUnits { .. } | Self::NoPictureFormat { .. } | Self::AnotherJournal { .. } => 2,
+            Self::InvalidOptions { .. } => 2,
+            Self::NoEffect { .. }
+            | Self::StandardInputTwice
+            | Self::OverwritesInput { .. }
+            | Self::UnknownFormat { .. } => 2,
+            Self::ImageUnits { .. } | Self::UnknownPictureFormat { .. } | Self::OtherOptions { .. } => 2,
             Self::SameOutput { .. } | Self::Foreign { .. } | Self::TooManyPhotos { .. } => 2,
             Self::EditsUnreadable { .. } | Self::EditsFile { .. } | Self::EditsUtf16 { .. } => 2,
-            Self::Unreadable { .. } | Self::NoPicture { .. } | Self::NoPhotos { .. } => 3,
+            Self::Unreadable { .. } | Self::InvalidPicture { .. } | Self::NoPhotos { .. } => 3,
             Self::SomePhotosFailed { .. } => 3,
             Self::NoFace { .. } | Self::AnotherFace { .. } => 4,
-            // An offset of 1e300 can be made, but not written.
+            // An offset of 1e300 is a valid edit, but exceeds the file's precision.
             Self::Edit { .. } | Self::Export(ExportError::NotFinite { .. }) => 5,
             Self::Export(ExportError::Solid(_)) => 5,
-            // Of the face too little is in the photo to be moved there.
+            // Too little of the face lies in the photo to warp it.
             Self::Studio(StudioError::Warp(_)) => 5,
             Self::Unwritable { .. } | Self::InUse { .. } | Self::Output(_) => 6,
             Self::NetworksMissing { .. } | Self::NetworkMissing { .. } | Self::NetworkUnreadable { .. } => 7,
-            Self::Networks(_) | Self::NetworksFailed { .. } | Self::NoPlace { .. } => 7,
-            Self::Broke { .. } | Self::NoModel { .. } | Self::NotEncoded { .. } | Self::Export(_) | Self::Studio(_) => {
-                1
-            }
+            Self::Networks(_) | Self::NetworksFailed { .. } | Self::NonFiniteLandmark { .. } => 7,
+            Self::InternalError { .. }
+            | Self::NoModel { .. }
+            | Self::NotEncoded { .. }
+            | Self::Export(_)
+            | Self::Studio(_) => 1,
         }
     }
 }
 
-fn others(skipped: usize) -> String {
+fn other_files(skipped: usize) -> String {
     match skipped {
         0 => String::new(),
-        1 => ", but a file that is not one".to_owned(),
-        _ => format!(", but {skipped} files that are not"),
+        1 => "; it has 1 other file".to_owned(),
+        _ => format!("; it has {skipped} other files"),
     }
 }
 
@@ -160,7 +165,7 @@ fn named(path: &Path) -> String {
     }
 }
 
-/// How the names of files end, by format.
-pub fn endings() -> String {
+/// File extensions, by format.
+pub fn extensions() -> String {
     rosto_export::Format::ALL.map(|format| format!(".{}", format.id())).join(", ")
 }

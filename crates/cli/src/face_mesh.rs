@@ -1,7 +1,7 @@
 use clap::{ArgMatches, CommandFactory, FromArgMatches};
 use glam::{DVec2, DVec3};
 use rosto_export::{ExportedFile, Units};
-use rosto_face::{FaceError, FaceModel, MOST_PHOTOS};
+use rosto_face::{FaceError, FaceModel, MAX_PHOTOS};
 use rosto_landmarks::FaceFinder;
 use rosto_photo::Photo;
 use rosto_studio::Document;
@@ -13,21 +13,21 @@ use crate::mesh::Edited;
 use crate::request::{self, Given};
 use crate::{encode, mesh};
 
-/// A face as `rosto mesh` makes it, and the files that it writes of it, for who has photos and wants no file.
+/// Face mesh as `rosto mesh` makes it, from decoded photos and without writing files.
 ///
-/// Options are the words of the command line, but for photos and output.
+/// Options are the command line's words, except for photos and output.
 pub struct FaceMesh {
     options: Vec<String>,
     face: FaceModel,
     document: Document,
 }
 
-/// Why there is no such face or file, and what to do.
+/// Error message with its hint.
 #[derive(Debug, Error)]
 #[error("{0}")]
-pub struct Refused(String);
+pub struct FaceMeshError(String);
 
-impl From<CliError> for Refused {
+impl From<CliError> for FaceMeshError {
     fn from(error: CliError) -> Self {
         Self(match error.hint() {
             Some(hint) => format!("{error}. {hint}"),
@@ -37,14 +37,14 @@ impl From<CliError> for Refused {
 }
 
 impl FaceMesh {
-    /// The face in one photo, or in several of one head, edited.
+    /// Model of the face in one photo, or in several of one head, with the edits in `options`.
     ///
     /// # Errors
-    /// If there are no photos or more than [`MOST_PHOTOS`], an option is none, a photo shows no face, photos show different
-    /// ones, or an edit cannot be made.
-    pub fn new(photos: Vec<Photo>, finder: &FaceFinder, options: &[String]) -> Result<Self, Refused> {
-        if !(1..=MOST_PHOTOS).contains(&photos.len()) {
-            return Err(Refused(FaceError::PhotoCount { found: photos.len(), most: MOST_PHOTOS }.to_string()));
+    /// If there are no photos or more than [`MAX_PHOTOS`], an option is invalid, a photo shows no face, the photos show
+    /// different faces, or an edit cannot be made.
+    pub fn new(photos: Vec<Photo>, finder: &FaceFinder, options: &[String]) -> Result<Self, FaceMeshError> {
+        if !(1..=MAX_PHOTOS).contains(&photos.len()) {
+            return Err(FaceMeshError(FaceError::PhotoCount { found: photos.len(), most: MAX_PHOTOS }.to_string()));
         }
         let (task, _) = task(options, "face.glb")?;
         let names: Vec<String> = (1..=photos.len()).map(|number| format!("image {number}")).collect();
@@ -53,12 +53,12 @@ impl FaceMesh {
         Ok(Self { options: options.to_vec(), face, document })
     }
 
-    /// Where the vertices are, in metres in the model's frame; the first 468 are the landmarks.
+    /// Vertex positions in metres, in the model's frame; the first 468 are the landmarks.
     pub fn positions_m(&self) -> &[DVec3] {
         self.document.positions()
     }
 
-    /// Counter-clockwise as seen from outside.
+    /// Triangles, counter-clockwise seen from outside.
     pub fn triangles(&self) -> &[[u32; 3]] {
         self.document.topology().triangles()
     }
@@ -68,16 +68,17 @@ impl FaceMesh {
         self.document.from_cage(self.face.uvs())
     }
 
-    /// The colour of each vertex.
+    /// sRGB colour of each vertex.
     pub fn colours_srgb(&self) -> Vec<[u8; 3]> {
         self.face.colours_under(&self.uvs())
     }
 
-    /// The bytes of a file whose name ends as its format is called, with further options; and of those beside it.
+    /// Encodes the mesh and its sidecar files. The extension of `name` selects the format; `options` are added to those
+    /// of [`Self::new`].
     ///
     /// # Errors
-    /// If there is no such format, or the options would change nothing or something that cannot be written.
-    pub fn write(&mut self, name: &str, options: &[String]) -> Result<ExportedFile, Refused> {
+    /// If the extension is unknown, an option is invalid or has no effect, or the mesh cannot be encoded.
+    pub fn write(&mut self, name: &str, options: &[String]) -> Result<ExportedFile, FaceMeshError> {
         let (task, matches) = task(&[&self.options, options].concat(), name)?;
         let format = encode::format_of(name.as_ref())?;
         request::check(&task, format, &Given(matches.subcommand().map_or(&matches, |(_, given)| given)))?;
@@ -86,19 +87,19 @@ impl FaceMesh {
     }
 }
 
-/// The request that these options are on the command line.
+/// Parses options as those of `rosto mesh`.
 fn task(options: &[String], output: &str) -> Result<(MeshTask, ArgMatches), CliError> {
     let words = ["rosto", "mesh", "-", "--output", output].into_iter().chain(options.iter().map(String::as_str));
-    let refused = |error: clap::Error| CliError::NotUnderstood { reason: reason_of(&error) };
+    let refused = |error: clap::Error| CliError::InvalidOptions { reason: reason_of(&error) };
     let matches = Arguments::command().try_get_matches_from(words).map_err(refused)?;
     match Arguments::from_arg_matches(&matches).map_err(refused)?.task {
         Task::Mesh(task) if task.units == Units::Image => Err(CliError::ImageUnits { path: output.into() }),
         Task::Mesh(task) => Ok((*task, matches)),
-        _ => Err(CliError::NotUnderstood { reason: "this is no mesh".to_owned() }),
+        _ => Err(CliError::InvalidOptions { reason: "expected options of `rosto mesh`".to_owned() }),
     }
 }
 
-/// What clap says first, without how the program is called.
+/// The first paragraph of clap's message, without the usage.
 fn reason_of(error: &clap::Error) -> String {
     let text = error.to_string();
     let reason = text.split("\n\n").next().unwrap_or_default();

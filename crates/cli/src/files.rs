@@ -1,4 +1,4 @@
-//! Standard input and output, as the commands use them.
+//! Shared handling of standard input and output.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::error::CliError;
 use crate::input::is_standard_input;
 
-/// Refuses to read standard input twice.
+/// Refuses standard input as more than one input.
 pub fn check_standard_input<'a>(inputs: impl IntoIterator<Item = &'a Path>) -> Result<(), CliError> {
     match inputs.into_iter().filter(|input| is_standard_input(input)).count() {
         0 | 1 => Ok(()),

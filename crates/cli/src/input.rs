@@ -1,4 +1,4 @@
-//! Input from files and standard input, up to a limit.
+//! Input from files and standard input, with a size limit.
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -6,25 +6,25 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
-/// Why bytes cannot be had.
+/// Reasons why input cannot be read.
 #[derive(Debug, Error)]
 pub enum ReadError {
     #[error(transparent)]
     Io(#[from] io::Error),
-    #[error("there is nothing in it")]
+    #[error("the file is empty")]
     Empty,
-    /// `found_bytes` is one more than the limit where nothing says how much would follow.
-    #[error("it has {found_bytes} bytes or more; the limit is {max_bytes}")]
+    /// The size, or one more than the limit if the size is unknown.
+    #[error("the file has {found_bytes} bytes or more; the limit is {max_bytes}")]
     TooManyBytes { found_bytes: usize, max_bytes: usize },
 }
 
-/// `-` stands for standard input.
+/// Whether the path is `-`.
 pub fn is_standard_input(path: &Path) -> bool {
     path.as_os_str() == "-"
 }
 
-/// A name that is the same however a file is reached: `a.jpg`, `./a.jpg` and `folder/../a.jpg` have one. Links to folders are
-/// followed; a link to a file is a file of its own. Standard input keeps its name, which no file has.
+/// Canonical path of a file: `a.jpg`, `./a.jpg` and `folder/../a.jpg` have the same. Links to folders are resolved,
+/// links to files are not. Standard input stays `-`, which cannot equal an absolute path.
 pub fn identity(path: &Path) -> PathBuf {
     if is_standard_input(path) {
         return path.to_owned();
@@ -37,13 +37,13 @@ pub fn identity(path: &Path) -> PathBuf {
     }
 }
 
-/// The whole file; `-` is standard input. Stops at the first byte beyond the limit.
+/// Reads a whole file, or standard input for `-`. Stops at the first byte beyond the limit.
 pub fn read(path: &Path, max_bytes: usize) -> Result<Vec<u8>, ReadError> {
     if is_standard_input(path) {
         return read_at_most(io::stdin().lock(), max_bytes);
     }
     let file = File::open(path)?;
-    // A device or a pipe says 0.
+    // Devices and pipes report a size of 0.
     let found_bytes = usize::try_from(file.metadata()?.len()).unwrap_or(usize::MAX);
     if found_bytes > max_bytes {
         return Err(ReadError::TooManyBytes { found_bytes, max_bytes });

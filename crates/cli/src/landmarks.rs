@@ -6,9 +6,9 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::args::LandmarksTask;
+use crate::batch::{self, BatchSummary, Journal, Listing, Outcome, PhotoName, Progress};
 use crate::error::CliError;
-use crate::found::notes_on_all;
-use crate::many::{self, BatchSummary, Journal, Listing, Outcome, PhotoName, Progress};
+use crate::face_notes::notes_on_all;
 use crate::networks::Networks;
 use crate::{files, networks, output, portrait, terminal};
 
@@ -20,7 +20,7 @@ struct PhotoDto<'a> {
     width: u32,
     height: u32,
     faces: Vec<FaceDto>,
-    /// Lower bound for the number of faces, if `--max-faces` left some out.
+    /// Lower bound for the number of faces, if `--max-faces` cut the list.
     #[serde(skip_serializing_if = "Option::is_none")]
     faces_at_least: Option<usize>,
 }
@@ -31,7 +31,7 @@ struct FaceDto {
     presence: f32,
     confidence: f32,
     landmarks: Vec<[f32; 3]>,
-    /// How the photo was taken, how the head is turned, and how large the face is; none of what is no model.
+    /// Camera, pose and size of the face; absent if no model can be made.
     #[serde(skip_serializing_if = "Option::is_none")]
     about: Option<serde_json::Value>,
 }
@@ -44,7 +44,7 @@ impl FaceDto {
     }
 }
 
-/// A photo that tells of no faces, in a file that has a line for each.
+/// Line for a photo that failed, written only to a file.
 #[derive(Serialize)]
 struct FailureDto<'a> {
     #[serde(flatten)]
@@ -53,10 +53,10 @@ struct FailureDto<'a> {
     error: String,
 }
 
-/// `rosto landmarks`: a line for each photo that can be read, a message for each that cannot.
+/// Runs `rosto landmarks`: writes a line per photo and reports photos that cannot be read.
 pub fn run(task: &LandmarksTask, networks: Networks<'_>) -> Result<(), CliError> {
     files::check_standard_input(task.photos.iter().map(PathBuf::as_path))?;
-    let photos = many::photos(&task.photos)?;
+    let photos = batch::photos(&task.photos)?;
     let finder = networks::load(networks, task.find.landmarks())?;
     let options = task.find.options(task.max_faces);
     let how = how(task, &options);
@@ -67,7 +67,7 @@ pub fn run(task: &LandmarksTask, networks: Networks<'_>) -> Result<(), CliError>
     let progress = Progress::new(photos.photos.len(), done, task.output.is_none());
     let mut summary = BatchSummary::default();
     let work = |photo: &Path| line(photo, &how, &finder, &options);
-    many::in_order(&left, task.many.jobs, work, |(photo, outcome): Outcome<Line>| {
+    batch::in_order(&left, task.batch.jobs, work, |(photo, outcome): Outcome<Line>| {
         let kept = match &outcome {
             Ok(line) => {
                 progress.note(&line.notes);
@@ -89,13 +89,13 @@ pub fn run(task: &LandmarksTask, networks: Networks<'_>) -> Result<(), CliError>
     summary.verdict()
 }
 
-/// How faces are looked for: of lines that differ in it, some would be another request's.
+/// Options that the landmarks depend on. A resumed file must have the same ones in each line.
 fn how(task: &LandmarksTask, options: &FindOptions) -> Value {
     let search = if task.find.mediapipe { "mediapipe" } else { "thorough" };
     json!({ "search": search, "refined": !task.find.mediapipe || task.find.refine, "max_faces": options.max_faces })
 }
 
-/// Where lines go.
+/// Destination of the lines.
 enum Lines {
     StandardOutput,
     File(Journal),
@@ -106,7 +106,7 @@ impl Lines {
         let Some(path) = &task.output else { return Ok(Self::StandardOutput) };
         let inputs: Vec<&Path> = photos.photos.iter().map(|photo| photo.path.as_path()).collect();
         output::check(path, &inputs)?;
-        let journal = if task.many.force { Journal::anew(path) } else { Journal::open(path, how, photos) };
+        let journal = if task.batch.force { Journal::create(path) } else { Journal::open(path, how, photos) };
         journal.map(Self::File)
     }
 
@@ -121,10 +121,10 @@ impl Lines {
         }
     }
 
-    /// Adds why the photo has no landmarks, unless the networks are to blame. The next run tries it again.
+    /// Adds a line with the error, which the next run replaces. Failures of the networks are not recorded.
     fn add_failure(&mut self, photo: &Path, how: &Value, error: &CliError) -> Result<(), CliError> {
         match self {
-            Self::File(journal) if !error.is_of_networks() => {
+            Self::File(journal) if !error.is_network_failure() => {
                 journal.add(&json(&FailureDto { name: PhotoName::new(photo), how, error: error.to_string() }))
             }
             _ => Ok(()),
@@ -132,7 +132,7 @@ impl Lines {
     }
 }
 
-/// A photo's line, the number of its faces, and notes for people.
+/// JSON line of a photo, its number of faces, and notes for the user.
 struct Line {
     json: String,
     faces: usize,

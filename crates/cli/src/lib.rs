@@ -1,17 +1,17 @@
-//! The work of the command line, `rosto`: photos of faces to landmarks and edited, coloured meshes. A library beside the
-//! program, so that other shells over the same core, Python's say, do exactly as it does.
+//! Implementation of the command line, `rosto`: landmarks and edited, coloured meshes from photos of faces. It is a
+//! library, so that the Python package shares it.
 
 mod args;
+mod batch;
 mod choices;
 mod edits;
 mod encode;
 mod error;
 mod face_mesh;
+mod face_notes;
 mod files;
-mod found;
 mod input;
 mod landmarks;
-mod many;
 mod mesh;
 mod networks;
 mod output;
@@ -20,8 +20,8 @@ mod photo;
 mod portrait;
 mod request;
 mod settings;
-mod several;
 mod terminal;
+mod view_notes;
 
 use std::ffi::OsString;
 use std::io::{self, Write};
@@ -33,15 +33,15 @@ use crate::error::CliError;
 use crate::networks::Networks;
 use crate::request::Given;
 
-pub use face_mesh::{FaceMesh, Refused};
+pub use face_mesh::{FaceMesh, FaceMeshError};
 pub use networks::EmbeddedNetworks;
 
-/// Does what the words of a command line ask for, the program's name first; returns its exit code.
+/// Runs a command line, given with the program's name, and returns its exit code.
 pub fn command_line(words: impl IntoIterator<Item = OsString>) -> u8 {
     command_line_with(words, &[])
 }
 
-/// The same for a program that holds the networks, which serve unless the user names a folder of others.
+/// Like [`command_line`], for a program with embedded networks. A folder given by the user takes precedence.
 pub fn command_line_with(words: impl IntoIterator<Item = OsString>, embedded: EmbeddedNetworks) -> u8 {
     let understood = Arguments::command().try_get_matches_from(words).and_then(|matches| {
         let arguments = Arguments::from_arg_matches(&matches)?;
@@ -53,7 +53,7 @@ pub fn command_line_with(words: impl IntoIterator<Item = OsString>, embedded: Em
     };
     match outcome {
         Ok(()) => 0,
-        // Whoever reads our output has seen enough, as `head` does.
+        // The reader closed the pipe, as `head` does.
         Err(error) if error.is_broken_pipe() => 0,
         Err(error) => {
             error.report();
@@ -73,13 +73,13 @@ fn run(arguments: &Arguments, matches: &ArgMatches, embedded: EmbeddedNetworks) 
     }
 }
 
-/// Help and version as they are; what cannot be understood without what a terminal would obey, since it is repeated.
+/// Prints clap's help or error. Errors repeat the user's words, so their control characters are escaped.
 fn not_understood(error: &clap::Error) -> u8 {
     let shown = match error.use_stderr() {
         true => io::stderr().write_all(terminal::escaped_lines(&error.to_string()).as_bytes()),
         false => error.print(),
     };
-    // Where nobody can be told, the exit code still tells.
+    // The exit code still reports the failure.
     drop(shown);
     u8::try_from(error.exit_code()).unwrap_or(2)
 }

@@ -1,4 +1,4 @@
-//! `rosto`: photos of faces to landmarks and edited, coloured meshes, on the command line.
+//! The command line `rosto`.
 
 use std::process::ExitCode;
 

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use rosto_export::{ExportedFile, Format, PLA_G_PER_CM3, SolidFacts, Units};
-use rosto_face::{FaceModel, MOST_PHOTOS, Photo, PhotoLens};
+use rosto_face::{FaceModel, MAX_PHOTOS, Photo, PhotoLens};
 use rosto_landmarks::FaceFinder;
 use rosto_studio::{Anchors, Command, CoordinateFrame, Document, EditSpec, Rest, StudioError};
 
@@ -16,37 +16,37 @@ use crate::error::CliError;
 use crate::networks::Networks;
 use crate::portrait::Portrait;
 use crate::request::{self, Given};
-use crate::{edits, files, networks, output, portrait, several, terminal};
+use crate::{edits, files, networks, output, portrait, terminal, view_notes};
 
 const MM_PER_M: f64 = 1000.0;
 
-/// A command with the words that a message names it by.
+/// A command and its name in error messages.
 #[derive(Debug, Clone)]
 pub struct Step {
-    what: String,
+    name: String,
     command: Command,
 }
 
 impl Step {
-    fn new(what: impl Into<String>, command: Command) -> Self {
-        Self { what: what.into(), command }
+    fn new(name: impl Into<String>, command: Command) -> Self {
+        Self { name: name.into(), command }
     }
 }
 
-/// `rosto mesh`: photo to edited mesh.
+/// Runs `rosto mesh`.
 pub fn run(task: &MeshTask, given: &Given<'_>, networks: Networks<'_>) -> Result<(), CliError> {
-    // What is wrong with the request is said before any work is done.
-    let of_each = output::is_pattern(&task.output);
-    if !of_each {
+    // Options are checked before the photos are read.
+    let is_batch = output::is_pattern(&task.output);
+    if !is_batch {
         check_count(task.photos.len())?;
         check_files(&task.photos, &task.edits, &task.output)?;
     }
     let format = encode::format_of(&task.output)?;
     request::check(task, format, given)?;
-    if of_each {
+    if is_batch {
         return each::run(task, &steps_of(task)?, format, networks);
     }
-    check_beside(task, format)?;
+    check_sidecars(task, format)?;
     let steps = steps_of(task)?;
     let photos: Vec<Photo> = task.photos.iter().map(|path| portrait::open(path)).collect::<Result<_, _>>()?;
     let finder = networks::load(networks, task.find.landmarks())?;
@@ -56,14 +56,14 @@ pub fn run(task: &MeshTask, given: &Given<'_>, networks: Networks<'_>) -> Result
     output::write_together(&task.output, &written.bytes, &written.sidecars)?;
     let only = || vec!["1 face found".to_owned()];
     (if notes.is_empty() { only() } else { notes }).iter().for_each(|note| terminal::note(note));
-    terminal::note(&taken_from(&face));
+    terminal::note(&distance_note(&face));
     if let Some(solid) = &written.solid {
-        told(solid).iter().for_each(|line| terminal::note(line));
+        body_notes(solid).iter().for_each(|line| terminal::note(line));
     }
-    several::tell(&face, &task.photos)
+    view_notes::report(&face, &task.photos)
 }
 
-/// The face in these photos, and its file with those beside it, which are called `name`.
+/// Builds the edited face and encodes it; sidecar files share `name`.
 fn make(
     task: &MeshTask,
     photos: Vec<(&Path, Photo)>,
@@ -77,17 +77,16 @@ fn make(
     Ok((edited, written))
 }
 
-/// A face with its edits.
+/// Edited face.
 pub struct Edited {
-    /// As the photos show it.
+    /// Model from the photos.
     pub face: FaceModel,
-    /// Its edits.
     pub document: Document,
-    /// For people: on photos with several faces, and faces that may not be any.
+    /// Messages about photos with several faces and about doubtful faces.
     pub notes: Vec<String>,
 }
 
-/// The face in these photos, edited.
+/// Builds the model of the face in these photos and applies the edits.
 pub fn edited_face(
     task: &MeshTask,
     photos: Vec<(&Path, Photo)>,
@@ -106,21 +105,21 @@ pub fn edited_face(
     Ok(Edited { face, document, notes })
 }
 
-/// What a printed body measures, and what its maker should know.
-fn told(solid: &SolidFacts) -> Vec<String> {
+/// Measures of a printed body, and a warning if creases were smoothed.
+fn body_notes(solid: &SolidFacts) -> Vec<String> {
     let [width, height, depth] = solid.size_mm.to_array();
     let (volume, mass) = (solid.volume_cm3, solid.mass_g(PLA_G_PER_CM3));
     let mut lines = vec![format!(
-        "a body of {volume:.1} cm³, {width:.0} × {height:.0} × {depth:.0} mm, {mass:.0} g if it is filled with PLA; {:.1} mm where it is thinnest",
+        "a body of {volume:.1} cm³, {width:.0} × {height:.0} × {depth:.0} mm, {mass:.0} g in solid PLA; {:.1} mm at its thinnest",
         solid.thinnest_mm
     )];
     if solid.moved_mm > 0.0 {
-        lines.push(format!("sharp folds left no room for it, and were rounded off by up to {:.1} mm", solid.moved_mm));
+        lines.push(format!("sharp creases were smoothed by up to {:.1} mm to fit the wall", solid.moved_mm));
     }
     lines
 }
 
-/// Refuses standard input for two things, and an output that is one of the inputs.
+/// Refuses standard input as two inputs, and an output that is also an input.
 pub fn check_files(photos: &[PathBuf], edits: &EditArguments, output: &Path) -> Result<(), CliError> {
     let inputs: Vec<&Path> = photos.iter().chain(&edits.file).map(PathBuf::as_path).collect();
     files::check_standard_input(inputs.iter().copied())?;
@@ -128,30 +127,31 @@ pub fn check_files(photos: &[PathBuf], edits: &EditArguments, output: &Path) -> 
 }
 
 fn check_count(given: usize) -> Result<(), CliError> {
-    if given > MOST_PHOTOS { Err(CliError::TooManyPhotos { given }) } else { Ok(()) }
+    if given > MAX_PHOTOS { Err(CliError::TooManyPhotos { given }) } else { Ok(()) }
 }
 
-/// Refuses to replace a file beside the output, which the command line does not name, unless Rosto wrote it for this output.
-fn check_beside(task: &MeshTask, format: Format) -> Result<(), CliError> {
+/// Refuses to replace a sidecar file that Rosto did not write for this output.
+fn check_sidecars(task: &MeshTask, format: Format) -> Result<(), CliError> {
     let name = encode::name_of(&task.output);
-    let beside = format.sidecar_names(task.base_colour, &name).into_iter().map(|name| task.output.with_file_name(name));
-    let beside: Vec<PathBuf> = beside.collect();
-    beside.iter().try_for_each(|path| check_files(&task.photos, &task.edits, path))?;
-    let contents: Vec<Option<Vec<u8>>> = beside.iter().map(|path| fs::read(path).ok()).collect();
-    match beside.iter().find(|path| path.exists()) {
-        Some(path) if !task.many.force && !format.wrote_sidecars(&name, &contents) => {
+    let sidecars =
+        format.sidecar_names(task.base_colour, &name).into_iter().map(|name| task.output.with_file_name(name));
+    let sidecars: Vec<PathBuf> = sidecars.collect();
+    sidecars.iter().try_for_each(|path| check_files(&task.photos, &task.edits, path))?;
+    let contents: Vec<Option<Vec<u8>>> = sidecars.iter().map(|path| fs::read(path).ok()).collect();
+    match sidecars.iter().find(|path| path.exists()) {
+        Some(path) if !task.batch.force && !format.wrote_sidecars(&name, &contents) => {
             Err(CliError::Foreign { path: path.clone(), for_file: task.output.clone() })
         }
         _ => Ok(()),
     }
 }
 
-/// From how far away the photo was taken, and how that is known.
-fn taken_from(face: &FaceModel) -> String {
+/// Distance of the photo's camera and its source.
+fn distance_note(face: &FaceModel) -> String {
     let camera = face.camera();
     let [distance_cm, error_cm] = [1.0, camera.distance_error].map(|share| share * camera.distance_m * 100.0);
     let known = match camera.lens {
-        PhotoLens::Estimated => "read off the face",
+        PhotoLens::Estimated => "estimated from the face",
         PhotoLens::Exif(_) => "from the photo's lens data",
         PhotoLens::Given(_) => "from the focal length given",
         PhotoLens::Distance(_) | PhotoLens::Parallel => return format!("taken from {distance_cm:.0} cm, as given"),
@@ -159,12 +159,12 @@ fn taken_from(face: &FaceModel) -> String {
     format!("taken from {distance_cm:.0} cm ± {error_cm:.0}, {known}")
 }
 
-/// All that was asked of `rosto mesh`.
+/// Edits of `rosto mesh`.
 pub fn steps_of(task: &MeshTask) -> Result<Vec<Step>, CliError> {
     steps(&task.edits, &task.settings, task.units)
 }
 
-/// All that was asked for, in the order that `--help` promises.
+/// Edits in the order that `--help` documents.
 pub fn steps(asked: &EditArguments, settings: &SettingsArguments, units: Units) -> Result<Vec<Step>, CliError> {
     let unit = match units {
         Units::Image => 1.0,
@@ -174,23 +174,23 @@ pub fn steps(asked: &EditArguments, settings: &SettingsArguments, units: Units) 
     let mut edits = asked.file.as_deref().map(edits::read).transpose()?.unwrap_or_default();
     edits.extend(asked.vertices.iter().cloned());
     for edit in edits {
-        let mut own = settings.of_edit(steps.len(), unit);
+        let mut edit_settings = settings.for_edit(steps.len(), unit);
         if let Some(mut anchors) = edit.anchors {
-            // Pins stay beside whatever else does.
+            // Pins also apply to edits with explicit anchors.
             anchors.extend(settings.pins.iter().filter(|pin| !anchors.contains(pin)).copied().collect::<Vec<_>>());
-            own.anchors = Anchors::explicit(anchors);
+            edit_settings.anchors = Anchors::explicit(anchors);
         }
-        let what = match edit.level {
+        let name = match edit.level {
             0 => format!("vertex {}", edit.vertex),
             level => format!("vertex {}@{level}", edit.vertex),
         };
-        let spec = EditSpec { level: edit.level, handles: vec![edit.vertex], settings: own };
-        steps.push(Step::new(what, Command::Move { spec, offsets: vec![edit.offset * unit] }));
+        let spec = EditSpec { level: edit.level, handles: vec![edit.vertex], settings: edit_settings };
+        steps.push(Step::new(name, Command::Move { spec, offsets: vec![edit.offset * unit] }));
     }
     for edit in &asked.regions {
         let handles = edit.region.vertices();
         let offsets = vec![edit.offset * unit; handles.len()];
-        let spec = EditSpec { level: 0, handles, settings: settings.of_edit(steps.len(), unit) };
+        let spec = EditSpec { level: 0, handles, settings: settings.for_edit(steps.len(), unit) };
         steps.push(Step::new(edit.region.id(), Command::Move { spec, offsets }));
     }
     for edit in &asked.sliders {
@@ -205,7 +205,7 @@ pub fn steps(asked: &EditArguments, settings: &SettingsArguments, units: Units) 
     Ok(steps)
 }
 
-/// The face with all of that done to it.
+/// Builds a document of the face and applies the steps.
 pub fn edited(face: &FaceModel, steps: Vec<Step>, units: Units, density: u32) -> Result<Document, CliError> {
     let rest = match units {
         Units::Image => Rest::new(face.topology().clone(), face.positions_image().to_vec(), CoordinateFrame::Other),
@@ -213,20 +213,20 @@ pub fn edited(face: &FaceModel, steps: Vec<Step>, units: Units, density: u32) ->
     };
     let mut document = Document::new(rest)?;
     document.set_density(density)?;
-    for (index, Step { what, command }) in steps.into_iter().enumerate() {
-        apply(&mut document, command).map_err(|reason| CliError::Edit { number: index + 1, what, reason })?;
+    for (index, Step { name, command }) in steps.into_iter().enumerate() {
+        apply(&mut document, command).map_err(|reason| CliError::Edit { number: index + 1, name, reason })?;
     }
     Ok(document)
 }
 
 fn apply(document: &mut Document, command: Command) -> Result<(), StudioError> {
-    // A document lets such an edit wait for a denser mesh, and none will come here.
+    // A document would let the edit wait for a denser mesh; a command has only one density.
     if let Command::Move { spec, .. } = &command
         && spec.level > document.density()
     {
         return Err(StudioError::TooCoarse { level: spec.level, density: document.density() });
     }
-    // The page calls its entries so, too: both write the same file.
+    // Same labels as the page, so that both write the same file.
     let label = command.target().to_string();
     document.apply(&label, command)
 }

@@ -8,15 +8,15 @@ use crate::input;
 
 const DETECTOR: &str = "face_detector.onnx";
 
-/// All together are a sixteenth of this.
+/// 16 times the size of the three networks.
 const MAX_BYTES: usize = 64_000_000;
 
-/// Which network finds the landmarks.
+/// Choice of the landmark network.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Landmarks {
-    /// 468 points.
+    /// 468 landmarks.
     Plain,
-    /// 478 points, lips, eyes and irises looked at closer.
+    /// 478 landmarks, with refined lips, eyes and irises.
     Attention,
 }
 
@@ -36,11 +36,11 @@ impl Landmarks {
     }
 }
 
-/// Networks within the program, by the names of their files.
+/// Embedded networks as pairs of file name and content.
 pub type EmbeddedNetworks = &'static [(&'static str, &'static [u8])];
 
-/// Where networks come from: the folder that the command line names, or else the one that ROSTO_NETWORKS names, or else the
-/// program itself, or else a folder near it.
+/// Sources of the networks, by priority: the folder in `named`, the folder in ROSTO_NETWORKS, the embedded networks,
+/// folders near the program.
 #[derive(Debug, Clone, Copy)]
 pub struct Networks<'a> {
     pub named: Option<&'a Path>,
@@ -54,36 +54,36 @@ pub fn load(from: Networks<'_>, landmarks: Landmarks) -> Result<FaceFinder, CliE
     let embedded = names.map(|name| from.embedded.iter().find(|(known, _)| *known == name).map(|(_, onnx)| *onnx));
     match (from.named.map(Path::to_owned).or_else(by_variable), embedded) {
         (None, [Some(detector), Some(onnx)]) => Ok(FaceFinder::new(detector, landmarks.network(onnx))?),
-        (folder, _) => load_files(&folder.map_or_else(usual_places, |folder| vec![folder]), names, landmarks),
+        (folder, _) => load_files(&folder.map_or_else(default_folders, |folder| vec![folder]), names, landmarks),
     }
 }
 
-fn load_files(places: &[PathBuf], names: [&str; 2], landmarks: Landmarks) -> Result<FaceFinder, CliError> {
-    let folder = place(places, names)?;
+fn load_files(folders: &[PathBuf], names: [&str; 2], landmarks: Landmarks) -> Result<FaceFinder, CliError> {
+    let folder = find_folder(folders, names)?;
     let [detector, onnx] = names.map(|name| read(&folder.join(name)));
     Ok(FaceFinder::new(&detector?, landmarks.network(&onnx?))?)
 }
 
-/// The first place that has both; one that has half of them is worth a word.
-fn place<'a>(places: &'a [PathBuf], names: [&str; 2]) -> Result<&'a Path, CliError> {
+/// First folder with both networks. If none has both, a folder with one of them gives a more precise error.
+fn find_folder<'a>(folders: &'a [PathBuf], names: [&str; 2]) -> Result<&'a Path, CliError> {
     let files = |folder: &Path| names.map(|name| folder.join(name));
     let missing = |folder: &PathBuf| files(folder).into_iter().filter(|file| !file.is_file()).collect::<Vec<_>>();
-    if let Some(folder) = places.iter().find(|folder| missing(folder).is_empty()) {
+    if let Some(folder) = folders.iter().find(|folder| missing(folder).is_empty()) {
         return Ok(folder);
     }
-    let half = places.iter().map(missing).find(|missing| missing.len() == 1).and_then(|mut missing| missing.pop());
+    let half = folders.iter().map(missing).find(|missing| missing.len() == 1).and_then(|mut missing| missing.pop());
     Err(match half {
         Some(path) => CliError::NetworkMissing { path },
-        None => CliError::NetworksMissing { looked_in: places.to_vec() },
+        None => CliError::NetworksMissing { looked_in: folders.to_vec() },
     })
 }
 
-fn usual_places() -> Vec<PathBuf> {
-    let beside_program = env::current_exe().ok().and_then(|program| program.parent().map(Path::to_owned));
-    beside_program.into_iter().chain(source_tree()).collect()
+fn default_folders() -> Vec<PathBuf> {
+    let program_folder = env::current_exe().ok().and_then(|program| program.parent().map(Path::to_owned));
+    program_folder.into_iter().chain(source_tree()).collect()
 }
 
-/// Only for who develops Rosto: no folder of the machine that built it is in a program that others get.
+/// Only in debug builds: a release must not contain a path of the build machine.
 #[cfg(debug_assertions)]
 fn source_tree() -> Option<PathBuf> {
     Some(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web/assets"))
@@ -108,7 +108,7 @@ mod tests {
     ];
 
     #[test]
-    fn a_program_with_networks_needs_no_folder_but_obeys_one_that_is_named() {
+    fn a_given_folder_overrides_embedded_networks() {
         let load = |named, landmarks| load(Networks { named, embedded: EMBEDDED }, landmarks);
         assert!(load(None, Landmarks::Plain).is_ok());
         let nowhere = Path::new("no such folder");

@@ -1,4 +1,4 @@
-//! What is written: a file whole, or not at all.
+//! Output files, written completely or not at all.
 
 use std::fs::{self, File, OpenOptions, Permissions};
 use std::io::{self, ErrorKind, Write};
@@ -11,21 +11,21 @@ use tempfile::{Builder, NamedTempFile};
 use crate::error::CliError;
 use crate::input;
 
-/// What stays behind beside the output, and may be deleted, if the program is killed in the middle of writing.
+/// Prefix of temporary files, which remain next to the output if the program is killed while writing.
 const UNFINISHED: &str = ".rosto-unfinished-";
 
-/// In the name of an output, the place of a photo's name.
+/// Placeholder for the photo's name in an output path.
 pub const PHOTO_NAME: &str = "{}";
 
-/// Whether an output stands for one of each photo.
+/// Whether the output path contains [`PHOTO_NAME`].
 pub fn is_pattern(output: &Path) -> bool {
     output.to_str().is_some_and(|output| output.contains(PHOTO_NAME))
 }
 
-/// Refuses, before any work is done, an output that is one of the inputs, or whose folder is not there.
+/// Refuses an output that is also an input, or whose folder does not exist, before any work is done.
 pub fn check(path: &Path, inputs: &[&Path]) -> Result<(), CliError> {
     if let Some(input) = inputs.iter().find(|input| is_same_file(input, path)) {
-        return Err(CliError::OverInput { path: path.to_owned(), input: input.to_path_buf() });
+        return Err(CliError::OverwritesInput { path: path.to_owned(), input: input.to_path_buf() });
     }
     let refused = |reason: io::Error| CliError::Unwritable { path: path.to_owned(), reason };
     match fs::metadata(path) {
@@ -35,9 +35,9 @@ pub fn check(path: &Path, inputs: &[&Path]) -> Result<(), CliError> {
     }
 }
 
-/// By name, through a link, or by another name of the same file.
+/// Compares the files themselves, so links and different spellings of a path count as the same file.
 fn is_same_file(input: &Path, output: &Path) -> bool {
-    // To open a pipe would wait for its other end, and a device may be both.
+    // Opening a pipe would block, and a device can be both input and output.
     let is_regular = |path: &Path| fs::metadata(path).is_ok_and(|there| there.is_file());
     let input = match input::is_standard_input(input) {
         true => Handle::stdin(),
@@ -48,16 +48,16 @@ fn is_same_file(input: &Path, output: &Path) -> bool {
     matches!((input, output), (Ok(input), Some(Ok(output))) if input == output)
 }
 
-/// Replaces the file at once when all bytes are on the disk; until then what was there stays as it was. A device or a
-/// pipe is written to as it comes.
+/// Writes a file atomically: an existing file stays unchanged until all bytes are on disk. Devices and pipes are
+/// written to directly.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
     write_together(path, bytes, &[])
 }
 
-/// The same of a file with those that lie beside it: all are on the disk before the first is put in its place, and the one
-/// that names the others comes last.
-pub fn write_together(path: &Path, bytes: &[u8], beside: &[NamedFile]) -> Result<(), CliError> {
-    let others = beside.iter().map(|file| (path.with_file_name(&file.name), file.bytes.as_slice()));
+/// Writes a file and its sidecar files. All are on disk before the first is renamed into place; the main file comes
+/// last, because it refers to the others.
+pub fn write_together(path: &Path, bytes: &[u8], sidecars: &[NamedFile]) -> Result<(), CliError> {
+    let others = sidecars.iter().map(|file| (path.with_file_name(&file.name), file.bytes.as_slice()));
     let files: Vec<(PathBuf, &[u8])> = others.chain([(path.to_owned(), bytes)]).collect();
     let refused = |path: &Path| {
         let path = path.to_owned();
@@ -69,17 +69,17 @@ pub fn write_together(path: &Path, bytes: &[u8], beside: &[NamedFile]) -> Result
     ready.into_iter().zip(&files).try_for_each(put)
 }
 
-/// A file that is on the disk, and not yet in its place.
+/// An output that is not yet in place.
 enum Unfinished {
-    /// It will take its place at once.
+    /// Temporary file, renamed into place by `put`.
     Whole { file: NamedTempFile, path: PathBuf },
-    /// A device or a pipe takes bytes as they come.
+    /// Device or pipe, written by `put`.
     Open(File),
 }
 
 impl Unfinished {
     fn new(path: &Path, bytes: &[u8]) -> io::Result<Self> {
-        // Opened without being cut, to see what it is and whether it may be written to.
+        // Opened without truncation, to find out whether it is a regular file and writable.
         let file = match OpenOptions::new().write(true).open(path) {
             Ok(file) => file,
             Err(reason) if reason.kind() == ErrorKind::NotFound => return Self::whole(followed(path)?, bytes, None),
@@ -93,7 +93,7 @@ impl Unfinished {
     }
 
     fn whole(path: PathBuf, bytes: &[u8], permissions: Option<Permissions>) -> io::Result<Self> {
-        let unfinished = unfinished_beside(&path)?;
+        let unfinished = unfinished_for(&path)?;
         let mut file: &File = unfinished.as_file();
         file.write_all(bytes)?;
         if let Some(permissions) = permissions {
@@ -111,29 +111,30 @@ impl Unfinished {
     }
 }
 
-pub fn unfinished_beside(path: &Path) -> io::Result<NamedTempFile> {
+/// Creates a temporary file in the folder of `path`.
+pub fn unfinished_for(path: &Path) -> io::Result<NamedTempFile> {
     let mut builder = Builder::new();
     builder.prefix(UNFINISHED);
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
-        // As any new file; the user's mask takes its part.
+        // The default mode of new files; the umask applies.
         builder.permissions(Permissions::from_mode(0o666));
     }
-    // The kind alone: the words would name a file that nobody asked for.
+    // Only the kind: the full message would name the temporary file.
     builder.tempfile_in(folder_of(path)).map_err(|reason| reason.kind().into())
 }
 
-/// Where a link to nothing leads, so that the file is made there and the link stays one.
+/// Target of a dangling link, so that writing creates the target and keeps the link.
 fn followed(path: &Path) -> io::Result<PathBuf> {
-    /// As many as Linux follows.
-    const MOST_LINKS: usize = 40;
+    /// Linux' limit.
+    const MAX_LINKS: usize = 40;
     let mut path = path.to_owned();
-    for _ in 0..MOST_LINKS {
+    for _ in 0..MAX_LINKS {
         let Ok(target) = fs::read_link(&path) else { return Ok(path) };
         path = folder_of(&path).join(target);
     }
-    Err(io::Error::other("the links lead in a circle"))
+    Err(io::Error::other("too many levels of symbolic links"))
 }
 
 fn folder_of(path: &Path) -> &Path {

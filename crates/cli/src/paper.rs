@@ -9,25 +9,26 @@ use rosto_laplacian::LaplacianError;
 use rosto_studio::paper::{Experiment, Method, MethodOutcome, Plan, PlotWords, Trial, svg};
 
 use crate::args::PaperTask;
-use crate::encode::carried;
+use crate::encode::landmarks_m_from_image;
 use crate::error::CliError;
 use crate::networks::Networks;
 use crate::{files, networks, output, portrait, terminal};
 
 mod report;
 
-/// An edit is timed this often, and the median counts.
+/// Number of timings per edit; the median counts.
 const REPETITIONS: usize = 5;
 
 const FIGURES: [&str; 3] = ["figure-3.glb", "figure-4.glb", "figure-5.glb"];
 const PLOT: &str = "times.svg";
 
-/// How the plot begins, so that a later run knows it.
+/// First line of the plot, by which a later run recognises its own file.
 const PLOT_START: &str = "<!-- Rosto -->";
 
 const PLOT_PX: [f64; 2] = [640.0, 400.0];
 
-/// `rosto paper`: the paper's experiment on this photo and this machine, over many seeds and every way of editing.
+/// Runs `rosto paper`: the paper's experiment on this photo and machine, over many seeds and with each operator and
+/// constraint.
 pub fn run(task: &PaperTask, networks: Networks<'_>) -> Result<(), CliError> {
     check_output(task)?;
     let photo = portrait::open(&task.photo)?;
@@ -53,7 +54,7 @@ pub fn run(task: &PaperTask, networks: Networks<'_>) -> Result<(), CliError> {
     files::print(&report::markdown(extraction, generation, paper, &outcomes, &task.output))
 }
 
-/// Refuses, before any work is done, a folder that is not one, or whose files are the photo or not Rosto's.
+/// Refuses, before any work is done, an output that is not a folder, or files in it that are the photo or not Rosto's.
 fn check_output(task: &PaperTask) -> Result<(), CliError> {
     match fs::metadata(&task.output) {
         Ok(there) if there.is_dir() => {
@@ -78,7 +79,7 @@ fn check_file(task: &PaperTask, path: &Path) -> Result<(), CliError> {
     }
 }
 
-/// Whether it is a GLB or a plot that Rosto wrote.
+/// Whether Rosto wrote the GLB or plot.
 fn is_ours(found: &[u8]) -> bool {
     let generator = b"\"generator\":\"Rosto ";
     found.starts_with(PLOT_START.as_bytes()) || found.windows(generator.len()).any(|bytes| bytes == generator)
@@ -86,11 +87,11 @@ fn is_ours(found: &[u8]) -> bool {
 
 fn plot_words() -> PlotWords {
     let [title, degree, small, large] =
-        ["Time per edit, from nothing (ms)", "degree", "small offset", "large offset"].map(str::to_owned);
+        ["Time per edit without a stored factor (ms)", "degree", "small offset", "large offset"].map(str::to_owned);
     PlotWords { title, degree, small, large }
 }
 
-/// A trial for each seed.
+/// Runs one trial per seed.
 fn trials(experiment: &Experiment, method: Method, task: &PaperTask) -> Result<Vec<Trial>, LaplacianError> {
     let seeds = (0..task.runs).map(|run| task.seed.wrapping_add(run));
     seeds.map(|seed| trial(experiment, method, seed)).collect()
@@ -105,7 +106,7 @@ fn trial(experiment: &Experiment, method: Method, seed: u64) -> Result<Trial, La
     Ok(trial)
 }
 
-/// The edit, and the median time of several repetitions.
+/// The result of an edit and its median time.
 fn timed(trial: &Trial, experiment: &Experiment, plan: &Plan) -> Result<(Vec<DVec3>, Duration), LaplacianError> {
     let mut times = Vec::new();
     loop {
@@ -119,14 +120,14 @@ fn timed(trial: &Trial, experiment: &Experiment, plan: &Plan) -> Result<(Vec<DVe
     }
 }
 
-/// The meshes of Figures 3, 4 and 5: before the edits, after the small ones, after the large ones.
+/// Writes the meshes of Figures 3, 4 and 5: unedited, after the small edits, after the large edits.
 fn write_figures(face: &FaceModel, trial: &Trial, folder: &Path) -> Result<(), CliError> {
     let unwritable = |reason: io::Error| CliError::Unwritable { path: folder.to_owned(), reason };
     fs::create_dir_all(folder).map_err(unwritable)?;
     let rounds = trial.after_rounds().iter().map(Vec::as_slice);
     let figures = FIGURES.into_iter().zip([face.positions_image()].into_iter().chain(rounds));
     for (file, positions) in figures {
-        let positions_m = carried(face, positions);
+        let positions_m = landmarks_m_from_image(face, positions);
         let name = file.trim_end_matches(".glb");
         let options = GlbOptions { base_colour: BaseColour::VertexColours, name, ..GlbOptions::default() };
         output::write(&folder.join(file), &glb(&Model::of_face(face).at(&positions_m), &options)?)?;

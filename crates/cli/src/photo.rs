@@ -1,4 +1,4 @@
-//! `rosto photo`: a photo to the same photo with its face edited.
+//! Implementation of `rosto photo`.
 
 use std::io::Cursor;
 use std::path::Path;
@@ -9,7 +9,7 @@ use image::{ExtendedColorType, ImageEncoder, ImageError};
 use rosto_export::Units;
 use rosto_face::FaceModel;
 use rosto_photo::Photo;
-use rosto_studio::{Document, InPhoto};
+use rosto_studio::{Document, PhotoWarp};
 
 use crate::args::PhotoTask;
 use crate::error::CliError;
@@ -18,10 +18,10 @@ use crate::networks::Networks;
 use crate::request::{self, Given};
 use crate::{networks, output, portrait, terminal};
 
-/// Whoever wants the pixels as they are asks for a PNG.
+/// JPEG quality; PNG is lossless.
 const JPEG_QUALITY: u8 = 95;
 
-/// `rosto photo`: photo to edited photo.
+/// Runs `rosto photo`.
 pub fn run(task: &PhotoTask, given: &Given<'_>, networks: Networks<'_>) -> Result<(), CliError> {
     check_files(std::slice::from_ref(&task.photo), &task.edits, &task.output)?;
     let format = PictureFormat::of(&task.output)?;
@@ -34,28 +34,28 @@ pub fn run(task: &PhotoTask, given: &Given<'_>, networks: Networks<'_>) -> Resul
     let face = portrait::model(&photo, &face, task.mesh.topology, task.camera.lens(&photo), &task.photo)?;
     let document = edited(&face, steps, Units::Mm, task.mesh.density)?;
     if photo.alpha().is_some() && matches!(format, PictureFormat::Jpeg) {
-        terminal::note("transparent parts are laid over white: a JPEG cannot hold them; a PNG can");
+        terminal::note("transparent parts become white, because JPEG has no transparency; PNG keeps them");
     }
     output::write(&task.output, &format.encode(&warped(&photo, &face, &document, task)?, &task.output)?)
 }
 
 fn warped(photo: &Photo, face: &FaceModel, document: &Document, task: &PhotoTask) -> Result<Photo, CliError> {
-    let mut in_photo = InPhoto::new(face, document, task.falloff_band, &task.kept)?;
+    let mut warp = PhotoWarp::new(face, document, task.falloff_band, &task.kept)?;
     let seen_from = match task.seen_from_m {
         Some(distance_m) => face.seen_from(distance_m),
         None => *face.camera(),
     };
-    in_photo.follow(document.rest(), document.positions(), face.camera(), &seen_from);
-    if in_photo.limited_px() > 1.0 {
+    warp.follow(document.rest(), document.positions(), face.camera(), &seen_from);
+    if warp.limited_px() > 1.0 {
         terminal::note(&format!(
-            "the photo stays up to {:.0} px behind the edits, so that nothing in it folds",
-            in_photo.limited_px()
+            "the edits in the photo are reduced by up to {:.0} px to avoid folds",
+            warp.limited_px()
         ));
     }
-    Ok(rosto_warp::drawn(photo, in_photo.warp_mesh()))
+    Ok(rosto_warp::drawn(photo, warp.warp_mesh()))
 }
 
-/// What a photo is written as.
+/// File format of a photo.
 #[derive(Debug, Clone, Copy)]
 enum PictureFormat {
     Png,
@@ -68,11 +68,11 @@ impl PictureFormat {
         match ending.as_deref() {
             Some("png") => Ok(Self::Png),
             Some("jpg" | "jpeg") => Ok(Self::Jpeg),
-            _ => Err(CliError::NoPictureFormat { path: path.to_owned() }),
+            _ => Err(CliError::UnknownPictureFormat { path: path.to_owned() }),
         }
     }
 
-    /// Upright sRGB, without any of what the photo's file told of where and when it was taken.
+    /// Encodes upright sRGB pixels, without the photo's metadata.
     fn encode(self, photo: &Photo, path: &Path) -> Result<Vec<u8>, CliError> {
         let mut bytes = Cursor::new(Vec::new());
         let (pixels, width, height, colour) = (photo.pixels(), photo.width(), photo.height(), ExtendedColorType::Rgb8);

@@ -5,16 +5,16 @@ use rosto_landmarks::{Face, FaceFinder, FindOptions, FoundFaces};
 use rosto_photo::{Limits, Photo, PhotoError};
 
 use crate::error::CliError;
-use crate::found::notes_on_first;
+use crate::face_notes::notes_on_first;
 use crate::input::{self, ReadError};
 
-/// The texture needs no more than this, and the page hands over no more, so that both write the same file.
+/// Largest picture side for the texture; the page uses the same limit, so that both write the same file.
 const MAX_PICTURE_SIDE_PX: u32 = 2048;
 
-/// Reads no more of the file than a picture may have.
+/// Decodes a photo, reading no more bytes than the limits allow.
 pub fn open(path: &Path) -> Result<Photo, CliError> {
     let limits = Limits::default();
-    let no_picture = |reason| CliError::NoPicture { path: path.to_owned(), reason };
+    let no_picture = |reason| CliError::InvalidPicture { path: path.to_owned(), reason };
     let bytes = input::read(path, limits.max_bytes).map_err(|reason| match reason {
         ReadError::TooManyBytes { found_bytes, max_bytes } => {
             no_picture(PhotoError::TooManyBytes { found_bytes: found_bytes as u64, max_bytes: max_bytes as u64 })
@@ -24,18 +24,19 @@ pub fn open(path: &Path) -> Result<Photo, CliError> {
     rosto_photo::decode(&bytes, &limits).map_err(no_picture)
 }
 
-/// The faces in a photo in the order of the search, every landmark with a place.
+/// Finds the faces in a photo and checks that their landmarks are finite.
 pub fn faces(photo: &Photo, path: &Path, finder: &FaceFinder, options: &FindOptions) -> Result<FoundFaces, CliError> {
     let found = finder.find_with_progress(photo, options, |_| ())?;
-    // A network whose weights are not what they were may answer with anything.
-    let nowhere = |face: &Face| face.landmarks.iter().position(|place| !place.iter().all(|at| at.is_finite()));
-    match found.faces.iter().find_map(nowhere) {
-        Some(landmark) => Err(CliError::NoPlace { path: path.to_owned(), landmark }),
+    // Damaged networks can return any value.
+    let non_finite =
+        |face: &Face| face.landmarks.iter().position(|landmark| !landmark.iter().all(|value| value.is_finite()));
+    match found.faces.iter().find_map(non_finite) {
+        Some(landmark) => Err(CliError::NonFiniteLandmark { path: path.to_owned(), landmark }),
         None => Ok(found),
     }
 }
 
-/// The first face in a photo, with notes on the choice.
+/// Returns the first face in a photo, with notes on the choice.
 pub fn face(
     photo: &Photo,
     path: &Path,
@@ -48,7 +49,7 @@ pub fn face(
     Ok((first, notes))
 }
 
-/// What is known of a face beside where its landmarks are.
+/// JSON about a face's camera, pose and size; `None` if no model can be made.
 pub fn about(photo: &Photo, face: &Face) -> Option<serde_json::Value> {
     let colours = [[0; 3]; LANDMARK_COUNT];
     let picture = Photo::from_rgb(1, 1, vec![0; 3]).ok()?;
@@ -58,12 +59,12 @@ pub fn about(photo: &Photo, face: &Face) -> Option<serde_json::Value> {
     Some(rosto_export::about(&model, model.positions_m()))
 }
 
-/// What the photo tells of its lens.
+/// Lens data from the photo's metadata, if any.
 pub fn lens_of(photo: &Photo) -> PhotoLens {
     photo.focal_length_35mm().map_or(PhotoLens::Estimated, PhotoLens::Exif)
 }
 
-/// The model of a face in a photo, coloured at full resolution.
+/// Model of a face in a photo, coloured at full resolution.
 pub fn model(
     photo: &Photo,
     face: &Face,
@@ -76,7 +77,7 @@ pub fn model(
         .map_err(|reason| CliError::NoModel { path: path.to_owned(), reason })
 }
 
-/// One of the photos of a face.
+/// A face and its photo.
 pub struct Portrait<'a> {
     pub path: &'a Path,
     pub photo: Photo,
@@ -84,11 +85,11 @@ pub struct Portrait<'a> {
     pub lens: PhotoLens,
 }
 
-/// The model of the face in one photo or several, coloured as the one that leads.
+/// Model of the face in one or more photos, with the leading photo's colours.
 pub fn model_of(portraits: &[Portrait<'_>], triangulation: Triangulation) -> Result<FaceModel, CliError> {
     let colours: Vec<_> = portraits.iter().map(|of| colours(&of.photo, &of.face)).collect();
     let inputs = portraits.iter().zip(&colours).map(|(of, colours)| input(&of.photo, &of.face, colours, of.lens));
-    FaceModel::of_several(inputs.collect(), triangulation).map_err(|reason| match reason {
+    FaceModel::from_photos(inputs.collect(), triangulation).map_err(|reason| match reason {
         FaceError::InPhoto { photo, reason } => {
             CliError::NoModel { path: portraits[photo].path.to_owned(), reason: *reason }
         }
@@ -99,7 +100,7 @@ pub fn model_of(portraits: &[Portrait<'_>], triangulation: Triangulation) -> Res
     })
 }
 
-/// The pixel under each landmark at full resolution.
+/// Colour of the pixel at each landmark, at full resolution.
 fn colours(photo: &Photo, face: &Face) -> Vec<[u8; 3]> {
     let colour = |&[x, y, _]: &[f32; 3]| photo.colour_under(x.into(), y.into());
     face.landmarks.iter().take(LANDMARK_COUNT).map(colour).collect()

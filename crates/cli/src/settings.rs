@@ -3,7 +3,7 @@ use rosto_face::PhotoLens;
 use rosto_studio::{ConstraintKind, FALLOFF_BAND_SHARES};
 use rosto_warp::Dab;
 
-/// A rule for anchors as the command line names it; random ones get their seed later.
+/// Anchor rule of `--anchors`; random anchors get their seed later.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Rule {
     Random,
@@ -12,74 +12,74 @@ pub enum Rule {
     PinsOnly,
 }
 
-/// `exact`, or the weight of a soft constraint.
+/// Parses `exact` or the weight of a soft constraint.
 pub fn constraint(text: &str) -> Result<ConstraintKind, String> {
     let weight: Option<f64> = text.parse().ok();
     match (text, weight) {
         ("exact", _) => Ok(ConstraintKind::Hard),
         (_, Some(weight)) if weight > 0.0 && weight.is_finite() => Ok(ConstraintKind::Soft { weight }),
-        _ => Err("give \"exact\" or a positive weight".to_owned()),
+        _ => Err("expected \"exact\" or a positive weight".to_owned()),
     }
 }
 
-/// A length, in the units of the edits.
+/// Parses a radius in the units of the edits.
 pub fn radius(text: &str) -> Result<f64, String> {
-    number(text, |radius| radius > 0.0 && radius.is_finite(), "a radius is a positive number")
+    number(text, |radius| radius > 0.0 && radius.is_finite(), "expected a positive number")
 }
 
-/// How far away the camera stood, in cm.
+/// Parses a camera distance in cm.
 pub fn distance(text: &str) -> Result<PhotoLens, String> {
     const CM_PER_M: f64 = 100.0;
     let distance_m = text.parse::<f64>().ok().map(|distance_cm| distance_cm / CM_PER_M);
     let lens = distance_m.and_then(|distance_m| PhotoLens::Distance(distance_m).checked().ok());
-    lens.ok_or_else(|| "a camera stands 10 to 2000 cm away".to_owned())
+    lens.ok_or_else(|| "expected a distance from 10 to 2000 cm".to_owned())
 }
 
-/// From how many cm a face is to be seen, in metres.
+/// Parses a viewing distance in cm; returns metres.
 pub fn seen_from(text: &str) -> Result<f64, String> {
     match distance(text)? {
         PhotoLens::Distance(distance_m) => Ok(distance_m),
-        _ => Err("a distance is a number of cm".to_owned()),
+        _ => Err("expected a number of cm".to_owned()),
     }
 }
 
-/// How far a photo gives way around a face, in shares of its longer side.
+/// Parses the width of the falloff band, as a share of the face's longer side.
 pub fn falloff_band(text: &str) -> Result<f64, String> {
     let [least, most] = [FALLOFF_BAND_SHARES.start(), FALLOFF_BAND_SHARES.end()];
     number(
         text,
         |falloff_band| FALLOFF_BAND_SHARES.contains(&falloff_band),
-        &format!("give a share from {least} to {most}"),
+        &format!("expected a share from {least} to {most}"),
     )
 }
 
-/// A round part of a photo, in its px.
+/// Parses a circle in the photo's pixels.
 pub fn dab(text: &str) -> Result<Dab, String> {
     let numbers: Option<Vec<f64>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
     match numbers.as_deref() {
         Some(&[x, y, radius_px]) if radius_px > 0.0 && [x, y, radius_px].iter().all(|number| number.is_finite()) => {
             Ok(Dab { centre_px: DVec2::new(x, y), radius_px })
         }
-        _ => Err("give three numbers, X,Y,RADIUS in px, the radius above 0".to_owned()),
+        _ => Err("expected X,Y,RADIUS in px with a positive radius".to_owned()),
     }
 }
 
-/// A focal length in mm.
+/// Parses a focal length in mm.
 pub fn focal_length(text: &str) -> Result<PhotoLens, String> {
     let lens = text.parse().ok().and_then(|focal_length_mm| PhotoLens::Given(focal_length_mm).checked().ok());
-    lens.ok_or_else(|| "a focal length is 5 to 2000 mm".to_owned())
+    lens.ok_or_else(|| "expected a focal length from 5 to 2000 mm".to_owned())
 }
 
-/// How much of a whole.
+/// Parses a share.
 pub fn share(text: &str) -> Result<f64, String> {
-    number(text, |share| (0.0..=1.0).contains(&share), "a share is a number from 0 to 1")
+    number(text, |share| (0.0..=1.0).contains(&share), "expected a share from 0 to 1")
 }
 
-fn number(text: &str, is_one: impl Fn(f64) -> bool, otherwise: &str) -> Result<f64, String> {
-    text.parse().ok().filter(|number| is_one(*number)).ok_or_else(|| otherwise.to_owned())
+fn number(text: &str, is_valid: impl Fn(f64) -> bool, error: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|number| is_valid(*number)).ok_or_else(|| error.to_owned())
 }
 
-/// `random`, `oval`, `outside:RADIUS` or `pins`.
+/// Parses `random`, `oval`, `outside:RADIUS` or `pins`.
 pub fn anchors(text: &str) -> Result<Rule, String> {
     match text.split_once(':') {
         None if text == "random" => Ok(Rule::Random),
@@ -87,9 +87,9 @@ pub fn anchors(text: &str) -> Result<Rule, String> {
         None if text == "pins" => Ok(Rule::PinsOnly),
         Some(("outside", radius)) => match radius.parse() {
             Ok(radius) if (0.0..f64::INFINITY).contains(&radius) => Ok(Rule::Outside { radius }),
-            _ => Err(format!("{radius:?} is no radius")),
+            _ => Err(format!("invalid radius {radius:?}")),
         },
-        _ => Err("give random, oval, outside:RADIUS or pins".to_owned()),
+        _ => Err("expected random, oval, outside:RADIUS or pins".to_owned()),
     }
 }
 
@@ -98,7 +98,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn holds_and_rules_are_read_by_their_names() {
+    fn constraints_and_anchor_rules_parse() {
         assert_eq!(constraint("exact"), Ok(ConstraintKind::Hard));
         assert_eq!(constraint("2.5"), Ok(ConstraintKind::Soft { weight: 2.5 }));
         assert!(
@@ -118,14 +118,14 @@ mod tests {
     }
 
     #[test]
-    fn lengths_and_shares_are_what_can_be_one() {
+    fn radii_and_shares_outside_their_range_are_refused() {
         assert_eq!((radius("2.5"), share("0.25")), (Ok(2.5), Ok(0.25)));
         assert!(["0", "-5", "nan", "inf", "wide"].iter().all(|text| radius(text).is_err()));
         assert!(["-0.1", "1.1", "nan", "half"].iter().all(|text| share(text).is_err()));
     }
 
     #[test]
-    fn what_is_kept_has_a_place_and_a_radius() {
+    fn circles_need_a_centre_and_a_positive_radius() {
         let dab_of = |x, y, radius_px| Ok(Dab { centre_px: DVec2::new(x, y), radius_px });
         assert_eq!((dab("10,20,5"), dab("-1.5, 2, 0.5")), (dab_of(10.0, 20.0, 5.0), dab_of(-1.5, 2.0, 0.5)));
         let refused = ["10,20", "10,20,0", "10,20,-5", "1,2,3,4", "nan,2,3", "1,2,inf", "here"];

@@ -1,4 +1,4 @@
-//! From how far away a photo was taken: by itself, and as somebody says.
+//! Camera distance: estimated, and given on the command line.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -7,7 +7,7 @@ mod common;
 use common::*;
 use serde_json::Value;
 
-/// What `rosto mesh` writes of the portrait beside its mesh, and what it says.
+/// The `about` field of the portrait's JSON mesh, and the messages.
 fn about(name: &str, more: &[&str]) -> (Value, String) {
     let path = scratch(&format!("{name}.json"));
     let run = mesh(&portrait(), &path, more);
@@ -21,11 +21,11 @@ fn number(about: &Value, name: &str) -> f64 {
 }
 
 #[test]
-fn a_photo_without_lens_data_tells_its_distance_by_the_face() {
+fn without_lens_data_the_distance_is_estimated_from_the_face() {
     let (about, said) = about("by-the-face", &[]);
-    assert!(said.contains("taken from") && said.contains("read off the face"), "{said}");
+    assert!(said.contains("taken from") && said.contains("estimated from the face"), "{said}");
     assert_eq!(about["lens"], "estimated");
-    // A portrait from a studio: no selfie.
+    // The sample is a studio portrait, taken from further away than a selfie.
     assert!(number(&about, "distance_m") > 0.8, "{about}");
     assert!(number(&about, "yaw_deg").abs() < 15.0 && number(&about, "roll_deg").abs() < 15.0);
     let width_mm = number(&about["measures_mm"], "face-width");
@@ -34,19 +34,19 @@ fn a_photo_without_lens_data_tells_its_distance_by_the_face() {
 }
 
 #[test]
-fn what_is_said_of_the_camera_is_taken() {
+fn given_camera_options_are_used() {
     let (near, said) = about("near", &["--distance", "35"]);
     assert!((number(&near, "distance_m") - 0.35).abs() < 0.005, "{near}");
     assert!(said.contains("taken from 35 cm"), "{said}");
-    let (through, _) = about("through", &["--focal-35mm", "100"]);
+    let (long_lens, _) = about("long-lens", &["--focal-35mm", "100"]);
     let focal_px = 100.0 * 512.0 * 2_f64.sqrt() / 36_f64.hypot(24.0);
-    assert!((number(&through, "focal_px") - focal_px).abs() < 0.01, "{through}");
+    assert!((number(&long_lens, "focal_px") - focal_px).abs() < 0.01, "{long_lens}");
     let width = |about: &Value| number(&about["measures_mm"], "face-width");
-    assert!(width(&near) > 1.02 * width(&through), "a near camera sees the temples behind the nose");
+    assert!(width(&near) > 1.02 * width(&long_lens), "the perspective correction widens the temples of a near photo");
 }
 
 #[test]
-fn no_camera_stands_there_or_has_such_a_lens() {
+fn invalid_camera_options_are_refused() {
     for more in [["--distance", "5"], ["--distance", "far"], ["--focal-35mm", "0"], ["--focal-35mm", "nan"]] {
         assert_refused(&mesh(&portrait(), &scratch("nowhere.json"), &more), 2, &[more[0]]);
     }
@@ -55,7 +55,7 @@ fn no_camera_stands_there_or_has_such_a_lens() {
 }
 
 #[test]
-fn refined_landmarks_are_mediapipes_where_that_is_asked_for() {
+fn refinement_follows_the_options() {
     for (flags, expected) in [(&["--mediapipe"][..], 468), (&["--mediapipe", "--refine"], 478), (&[], 478)] {
         let run = rosto(["landmarks"].into_iter().chain(flags.iter().copied()).chain([portrait().to_str().unwrap()]));
         let line: Value = serde_json::from_slice(&run.stdout).unwrap();

@@ -1,4 +1,4 @@
-//! What a folder stands for, and what is counted as left out.
+//! Folders as inputs, and the count of skipped files.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -11,7 +11,7 @@ use std::process::Command;
 use common::*;
 
 #[test]
-fn every_usual_name_of_a_jpeg_is_read_and_other_files_are_counted() {
+fn all_jpeg_extensions_are_read_and_other_files_are_counted() {
     let folder = scratch_folder("photos");
     let photo = image::open(portrait()).unwrap().to_rgb8();
     photo.save(folder.join("a.jpg")).unwrap();
@@ -35,7 +35,7 @@ fn every_usual_name_of_a_jpeg_is_read_and_other_files_are_counted() {
             fs::remove_file(path).unwrap();
         }
     });
-    assert_refused(&rosto([Path::new("landmarks"), &folder]), 3, &["no photos", "2 files that are not"]);
+    assert_refused(&rosto([Path::new("landmarks"), &folder]), 3, &["no photos", "2 other files"]);
 }
 
 #[cfg(unix)]
@@ -57,7 +57,7 @@ fn pipes_devices_and_broken_links_in_a_folder_are_skipped() {
 }
 
 #[test]
-fn a_folder_that_is_given_twice_is_one() {
+fn duplicate_folders_are_read_once() {
     let parent = scratch_folder("parent");
     fs::create_dir_all(parent.join("dp/deeper")).unwrap();
     for name in ["dp/a.png", "dp/deeper/b.png"] {

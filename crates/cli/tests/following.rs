@@ -1,4 +1,4 @@
-//! `rosto mesh`: operators, holds, anchors, radius, mirror, regions, sliders, density, formats.
+//! `rosto mesh`: operators, constraints, anchors, radius, mirror, regions, sliders, density, formats.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -13,20 +13,20 @@ fn positions(name: &str, more: &[&str]) -> Vec<DVec3> {
     triples(&mesh_json(name, &more)["positions"]).into_iter().map(DVec3::from).collect()
 }
 
-fn ways(name: &str, more: &[&str]) -> Vec<DVec3> {
+fn displacements(name: &str, more: &[&str]) -> Vec<DVec3> {
     let rest = positions(&format!("rest-of-{name}"), &[]);
     positions(name, more).iter().zip(rest).map(|(to, from)| *to - from).collect()
 }
 
 #[test]
-fn every_operator_held_exactly_reaches_its_target_and_keeps_its_anchors() {
+fn with_hard_constraints_handles_reach_their_targets_and_anchors_stay() {
     for operator in ["L_s", "L", "degree", "inverse-length", "cotangent"] {
         let edit =
             ["--operator", operator, "--constraint", "exact", "--anchors", "oval", "--pin", "168", "--edit", "4:1,2,8"];
-        let ways = ways(&format!("exact-{operator}.json"), &edit);
-        assert!(ways[4].distance(DVec3::new(1.0, 2.0, 8.0)) < 1e-9, "{operator}: {}", ways[4]);
-        assert!([10, 152, 234, 454, 168].iter().all(|&anchor| ways[anchor].length() < 1e-9), "{operator}");
-        assert!(ways[5].length() > 1.0, "{operator}: the neighbour follows");
+        let displacements = displacements(&format!("exact-{operator}.json"), &edit);
+        assert!(displacements[4].distance(DVec3::new(1.0, 2.0, 8.0)) < 1e-9, "{operator}: {}", displacements[4]);
+        assert!([10, 152, 234, 454, 168].iter().all(|&anchor| displacements[anchor].length() < 1e-9), "{operator}");
+        assert!(displacements[5].length() > 1.0, "{operator}: the neighbour follows");
     }
 }
 
@@ -43,27 +43,27 @@ fn a_mirrored_region_moves_both_sides_within_its_radius() {
         "--region",
         "left-brow:1,3,0",
     ];
-    let ways = ways("brows.json", &edit);
+    let displacements = displacements("brows.json", &edit);
     for vertex in Region::LeftBrow.vertices() {
-        let (left, right) = (ways[vertex as usize], ways[mirror_of(vertex) as usize]);
+        let (left, right) = (displacements[vertex as usize], displacements[mirror_of(vertex) as usize]);
         assert!(left.distance(DVec3::new(1.0, 3.0, 0.0)) < 1e-9 && right.distance(DVec3::new(-1.0, 3.0, 0.0)) < 1e-9);
     }
-    assert!([152, 61, 17, 200].iter().all(|&far| ways[far] == DVec3::ZERO), "the mouth is out of reach");
+    assert!([152, 61, 17, 200].iter().all(|&far| displacements[far] == DVec3::ZERO), "the mouth is outside the radius");
 }
 
 #[test]
-fn sliders_and_symmetry_change_what_they_say() {
-    let jaw = ways("jaw.json", &["--slider", "jaw-width:4"]);
+fn sliders_and_symmetry_apply_their_amount() {
+    let jaw = displacements("jaw.json", &["--slider", "jaw-width:4"]);
     assert!((jaw[172].x + 4.0).abs() < 1e-9 && (jaw[397].x - 4.0).abs() < 1e-9);
     let even = positions("even.json", &["--symmetrise", "1"]);
-    let lopsided = (0..468).map(|v| even[v].distance(even[mirror_of(v as u32) as usize] * DVec3::new(-1.0, 1.0, 1.0)));
-    assert!(lopsided.fold(0.0, f64::max) < 1e-9);
+    let asymmetry = (0..468).map(|v| even[v].distance(even[mirror_of(v as u32) as usize] * DVec3::new(-1.0, 1.0, 1.0)));
+    assert!(asymmetry.fold(0.0, f64::max) < 1e-9);
 }
 
 #[test]
-fn turning_details_is_another_answer_that_still_reaches_the_target() {
+fn rotating_details_changes_the_mesh_and_reaches_the_target() {
     let edit = |name, more: &[&str]| {
-        ways(name, &[&["--constraint", "exact", "--anchors", "oval", "--edit", "4:0,10,20"], more].concat())
+        displacements(name, &[&["--constraint", "exact", "--anchors", "oval", "--edit", "4:0,10,20"], more].concat())
     };
     let (kept, turned) = (edit("kept.json", &[]), edit("turned.json", &["--turn-details"]));
     assert!(turned[4].distance(DVec3::new(0.0, 10.0, 20.0)) < 1e-9);
@@ -71,7 +71,7 @@ fn turning_details_is_another_answer_that_still_reaches_the_target() {
 }
 
 #[test]
-fn a_denser_mesh_carries_the_edit_and_takes_its_colours_from_the_photo() {
+fn a_denser_mesh_has_the_edit_and_the_colours_of_the_photo() {
     let dense = mesh_json("dense.json", &["--topology", "canonical", "--density", "2", "--edit", "4:0,0,8"]);
     for (field, count) in [("positions", 7_257), ("colors", 7_257), ("triangles", 14_368)] {
         assert_eq!(dense[field].as_array().unwrap().len(), count, "{field}");
@@ -79,10 +79,10 @@ fn a_denser_mesh_carries_the_edit_and_takes_its_colours_from_the_photo() {
     let photo = image::open(portrait()).unwrap().to_rgb8();
     let plain = mesh_json("dense-plain.json", &["--units", "image", "--topology", "canonical", "--density", "2"]);
     let (positions, colours) = (triples(&plain["positions"]), triples(&plain["colors"]));
-    // A few by the corners of the mouth give way, and keep their colours.
+    // Subdivision moves some landmarks at the corners of the mouth, but keeps their colours.
     let crowded = rosto_face::crowded_landmarks();
-    let kept = |vertex: &usize| !crowded.contains(&(*vertex as u32));
-    for vertex in (0..colours.len()).filter(kept) {
+    let exact = |vertex: &usize| !crowded.contains(&(*vertex as u32));
+    for vertex in (0..colours.len()).filter(exact) {
         let (position, colour) = (positions[vertex], colours[vertex]);
         let pixel = photo.get_pixel((position[0] * 512.0) as u32, (position[1] * 512.0) as u32);
         assert_eq!(colour, pixel.0.map(f64::from));
@@ -90,7 +90,7 @@ fn a_denser_mesh_carries_the_edit_and_takes_its_colours_from_the_photo() {
 }
 
 #[test]
-fn a_vertex_of_a_denser_mesh_is_moved_by_itself() {
+fn an_edit_can_move_a_vertex_of_a_denser_mesh() {
     let dense = ["--density", "2"];
     let rest = positions("dense-rest.json", &dense);
     let exact = ["--constraint", "exact", "--anchors", "oval", "--mirror"];
@@ -107,7 +107,7 @@ fn a_vertex_of_a_denser_mesh_is_moved_by_itself() {
 }
 
 #[test]
-fn a_vertex_of_a_mesh_denser_than_the_one_asked_for_is_refused() {
+fn a_vertex_of_a_level_above_the_density_is_refused() {
     let path = scratch("too-coarse.json");
     let edit = ["--density", "1", "--edit", "4:0,0,0.01", "--edit", "7000@2:0,0,0.01"];
     let output = rosto(["mesh", portrait().to_str().unwrap(), "-o", path.to_str().unwrap()].iter().chain(&edit));
@@ -120,7 +120,7 @@ fn a_vertex_of_a_mesh_denser_than_the_one_asked_for_is_refused() {
 }
 
 #[test]
-fn every_format_is_written_and_recognised_by_its_first_bytes() {
+fn each_format_starts_with_its_signature() {
     for (extension, start) in
         [("glb", "glTF"), ("gltf", "{"), ("obj", "# Rosto"), ("ply", "ply\n"), ("stl", "Rosto"), ("json", "{\"units\"")]
     {
@@ -132,7 +132,7 @@ fn every_format_is_written_and_recognised_by_its_first_bytes() {
 }
 
 #[test]
-fn morph_targets_hold_each_edit_under_its_name() {
+fn each_edit_becomes_a_named_morph_target() {
     let path = scratch("layers.glb");
     let photo = portrait();
     let arguments = ["mesh", photo.to_str().unwrap(), "-o", path.to_str().unwrap(), "--morph-targets"];
@@ -149,12 +149,12 @@ fn morph_targets_hold_each_edit_under_its_name() {
     assert_eq!(
         json["scenes"][0]["extras"]["history"]["entries"].as_array().unwrap().len(),
         2,
-        "the history lives in the file"
+        "the file contains the history"
     );
 }
 
 #[test]
-fn what_needs_the_models_frame_says_so() {
+fn edits_that_need_millimetres_are_refused_in_image_coordinates() {
     for more in [&["--mirror", "--edit", "4:0,0,0.1"][..], &["--slider", "jaw-width:4"], &["--symmetrise", "0.5"]] {
         let more = [&["--units", "image"], more].concat();
         assert_refused(&mesh(&portrait(), &scratch("refused.json"), &more), 5, &["mirror", "--units mm"]);

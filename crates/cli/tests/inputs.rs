@@ -1,4 +1,4 @@
-//! What is read: within limits, once, and named in a way that says what is wrong with it.
+//! Inputs: size limits, standard input, and error messages.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -11,12 +11,12 @@ use std::process::{Command, Output, Stdio};
 
 use common::*;
 
-/// `rosto landmarks` of one photo.
+/// Runs `rosto landmarks` on one photo.
 fn landmarks(photo: &Path) -> Output {
     rosto([OsStr::new("landmarks"), photo.as_os_str()])
 }
 
-/// In a shell that grants the program so much memory.
+/// Runs the program with a limit on its memory.
 #[cfg(target_os = "linux")]
 fn with_memory_kb(kilobytes: u32, arguments: &[&OsStr], input: Stdio) -> Output {
     let script = format!("ulimit -v {kilobytes}; exec \"$@\"");
@@ -26,7 +26,7 @@ fn with_memory_kb(kilobytes: u32, arguments: &[&OsStr], input: Stdio) -> Output 
 
 #[cfg(target_os = "linux")]
 #[test]
-fn what_has_no_end_is_left_at_the_limit() {
+fn endless_input_stops_at_the_limit() {
     let zeros = || fs::File::open("/dev/zero").unwrap();
     let target = scratch("endless.json");
     let of = |words: &[&'static str]| words.iter().map(|word| OsStr::new(*word)).collect::<Vec<_>>();
@@ -42,7 +42,7 @@ fn what_has_no_end_is_left_at_the_limit() {
         (of(&["mesh", "/dev/zero", "-o", "endless.json"]), 3, "the limit is 40000000"),
     ];
     for (arguments, expected, words) in cases {
-        // Room for the program and its networks, and not for much more.
+        // Enough for the program and its networks, but little more.
         let run = with_memory_kb(400_000, &arguments, zeros().into());
         assert_refused(&run, expected, &[words]);
     }
@@ -50,7 +50,7 @@ fn what_has_no_end_is_left_at_the_limit() {
 }
 
 #[test]
-fn a_file_beyond_the_limit_is_refused_by_its_length() {
+fn a_file_beyond_the_limit_is_refused_by_its_size() {
     let folder = scratch_folder("giants");
     let giant = |name: &str| {
         let path = folder.join(name);
@@ -67,31 +67,31 @@ fn a_file_beyond_the_limit_is_refused_by_its_length() {
 }
 
 #[test]
-fn folders_and_empty_files_are_no_photos() {
+fn folders_and_empty_files_are_refused() {
     let folder = scratch_folder("photos");
-    assert_refused(&mesh(&folder, &scratch("one.ply"), &[]), 3, &["photos", "Name a file in that folder"]);
-    assert_refused(&landmarks(&scratch_file("empty.jpg", b"")), 3, &["empty.jpg: there is nothing in it", "Choose"]);
-    assert_refused(&landmarks(Path::new("-")), 3, &["standard input: there is nothing in it"]);
+    assert_refused(&mesh(&folder, &scratch("one.ply"), &[]), 3, &["photos", "Pass a file in that folder"]);
+    assert_refused(&landmarks(&scratch_file("empty.jpg", b"")), 3, &["empty.jpg: the file is empty", "Choose"]);
+    assert_refused(&landmarks(Path::new("-")), 3, &["standard input: the file is empty"]);
 }
 
 #[test]
-fn standard_input_is_read_once() {
+fn standard_input_can_be_given_once() {
     let target = scratch("twice.json");
-    let words = ["standard input", "twice"];
+    let words = ["standard input", "more than once"];
     assert_refused(&rosto(["landmarks", "-", "-"]), 2, &words);
     assert_refused(&mesh(Path::new("-"), &target, &["--edits", "-"]), 2, &words);
 }
 
 #[test]
-fn a_file_of_edits_is_the_command_lines_matter() {
+fn unreadable_edits_files_are_refused_and_a_byte_order_mark_is_ignored() {
     let target = scratch("edits-out.json");
     let run = |file: &Path| mesh(&portrait(), &target, &["--edits", file.to_str().unwrap()]);
-    assert_refused(&run(&scratch("missing-edits.json")), 2, &["missing-edits.json", "Check the file's name"]);
-    assert_refused(&run(&scratch_folder("edits-folder")), 2, &["edits-folder", "Name a file"]);
-    assert_refused(&run(&scratch_file("empty-edits.json", b"")), 2, &["empty-edits.json: there is nothing in it"]);
+    assert_refused(&run(&scratch("missing-edits.json")), 2, &["missing-edits.json", "Check the path"]);
+    assert_refused(&run(&scratch_folder("edits-folder")), 2, &["edits-folder", "Pass a file"]);
+    assert_refused(&run(&scratch_file("empty-edits.json", b"")), 2, &["empty-edits.json: the file is empty"]);
     for start in [b"\xff\xfe", b"\xfe\xff"] {
         let file = scratch_file("utf16.json", &[&start[..], b"[\0]\0"].concat());
-        assert_refused(&run(&file), 2, &["utf16.json: this is UTF-16 text", "UTF-8"]);
+        assert_refused(&run(&file), 2, &["utf16.json: the file is UTF-16", "UTF-8"]);
     }
     assert!(!target.exists());
     let plain = br#"[{"vertex": 4, "offset": [0, 0, -0.05]}]"#;
@@ -103,7 +103,7 @@ fn a_file_of_edits_is_the_command_lines_matter() {
 
 #[cfg(unix)]
 #[test]
-fn what_a_terminal_obeys_is_shown_and_not_said() {
+fn control_characters_are_escaped_in_messages() {
     let name = "\u{1b}]0;owned\u{7}\u{1b}[2J\u{9b}1m.jpg";
     let file = scratch_file("colourful.json", "[{\"vertex\": 4, \"\\u001b[31m\": 1}]".as_bytes());
     let folder = format!("no-{name}");
@@ -124,7 +124,7 @@ fn what_a_terminal_obeys_is_shown_and_not_said() {
 }
 
 #[test]
-fn who_closes_standard_error_still_gets_the_exit_code() {
+fn the_exit_code_does_not_depend_on_standard_error() {
     let Ok(full) = fs::File::create("/dev/full") else { return };
     let mut program = Command::new(env!("CARGO_BIN_EXE_rosto"));
     let status = program.args(["landmarks", "nowhere.jpg"]).stderr(Stdio::from(full)).status().unwrap();

@@ -1,4 +1,4 @@
-//! `rosto landmarks`: a line of JSON per photo, and a batch that bad files do not stop.
+//! `rosto landmarks`: JSON lines, and batches with unreadable files.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -16,11 +16,11 @@ fn lines(output: &std::process::Output) -> Vec<Value> {
 }
 
 #[test]
-fn the_portrait_has_the_landmarks_that_mediapipe_finds() {
+fn the_portraits_landmarks_match_mediapipe() {
     let output = rosto(["landmarks".into(), portrait(), "--mediapipe".into()]);
     assert_eq!((code(&output), said(&output).as_str()), (0, ""));
     let lines = lines(&output);
-    let [photo] = lines.as_slice() else { panic!("one line, not {}", lines.len()) };
+    let [photo] = lines.as_slice() else { panic!("expected one line, found {}", lines.len()) };
     assert_eq!(photo["photo"].as_str(), portrait().to_str());
     assert_eq!((photo["width"].as_u64(), photo["height"].as_u64()), (Some(512), Some(512)));
     let faces = photo["faces"].as_array().unwrap();
@@ -37,8 +37,8 @@ fn the_portrait_has_the_landmarks_that_mediapipe_finds() {
 }
 
 #[test]
-fn a_portrait_on_its_head_is_found_unless_mediapipe_is_asked() {
-    let path = scratch("on-its-head.png");
+fn an_upside_down_portrait_is_found_except_with_mediapipe() {
+    let path = scratch("upside-down.png");
     image::open(portrait()).unwrap().rotate180().save(&path).unwrap();
     let chin_above_forehead = |output: &std::process::Output| {
         let line = lines(output).remove(0);
@@ -49,27 +49,27 @@ fn a_portrait_on_its_head_is_found_unless_mediapipe_is_asked() {
     assert!(chin_above_forehead(&rosto(["landmarks".into(), path.clone()])));
     assert!(
         !chin_above_forehead(&rosto(["landmarks".into(), path, "--mediapipe".into()])),
-        "that is MediaPipe's answer"
+        "MediaPipe returns an upright face"
     );
 }
 
 #[test]
-fn a_batch_goes_on_after_a_bad_file_and_says_so_at_the_end() {
+fn a_batch_continues_after_a_bad_file_and_reports_it() {
     let text = scratch_file("notes.jpg", b"these are notes, not a picture");
     let missing = scratch("nowhere.png");
     let output = rosto(["landmarks".into(), text, faceless(), missing, portrait()]);
     assert_eq!(code(&output), 3);
     let lines = lines(&output);
     assert_eq!(lines.len(), 2);
-    assert_eq!(lines[0]["faces"], Value::Array(vec![]), "no face is an answer");
+    assert_eq!(lines[0]["faces"], Value::Array(vec![]), "a photo without a face has a line");
     assert_eq!(lines[1]["faces"].as_array().unwrap().len(), 1);
     let said = said(&output);
     assert!(said.contains("notes.jpg: this is not a picture") && said.contains("nowhere.png"), "{said}");
-    assert!(said.contains("2 of the photos"), "{said}");
+    assert!(said.contains("photos failed: 2"), "{said}");
 }
 
 #[test]
-fn a_photo_can_come_through_standard_input() {
+fn a_photo_can_be_read_from_standard_input() {
     let input = std::fs::File::open(portrait()).unwrap();
     let mut program = std::process::Command::new(env!("CARGO_BIN_EXE_rosto"));
     let output = program.args(["landmarks", "-"]).stdin(input).output().unwrap();
@@ -77,11 +77,11 @@ fn a_photo_can_come_through_standard_input() {
     assert_eq!(lines(&output)[0]["faces"].as_array().unwrap().len(), 1);
 }
 
-/// The portrait so many px wide, on a grey picture at each of these places.
-fn collage(name: &str, [width, height]: [u32; 2], side_px: u32, places: impl Iterator<Item = [i64; 2]>) -> PathBuf {
+/// A grey picture with the portrait, `side_px` wide, at the given positions.
+fn collage(name: &str, [width, height]: [u32; 2], side_px: u32, positions: impl Iterator<Item = [i64; 2]>) -> PathBuf {
     let portrait = image::open(portrait()).unwrap().resize_exact(side_px, side_px, FilterType::Lanczos3).to_rgb8();
     let mut picture = image::RgbImage::from_pixel(width, height, image::Rgb([120, 130, 140]));
-    places.for_each(|[left, top]| image::imageops::replace(&mut picture, &portrait, left, top));
+    positions.for_each(|[left, top]| image::imageops::replace(&mut picture, &portrait, left, top));
     let path = scratch(name);
     picture.save(&path).unwrap();
     path
@@ -94,11 +94,11 @@ fn more_faces_than_the_limit_are_reported() {
     let found = &lines(&output)[0];
     assert_eq!(found["faces"].as_array().unwrap().len(), 20);
     assert_eq!(found["faces_at_least"], 40);
-    assert!(said(&output).contains("20 faces of 40 or more; raise --max-faces"), "{}", said(&output));
+    assert!(said(&output).contains("20 of 40 or more faces returned; raise --max-faces"), "{}", said(&output));
 }
 
 #[test]
-fn a_mesh_is_made_of_the_surest_face_and_doubtful_ones_are_reported() {
+fn a_mesh_uses_the_most_prominent_face_and_doubtful_faces_are_reported() {
     let photo = collage("suit.png", [1600, 900], 850, [[700, 0]].into_iter());
     let output = rosto(["landmarks".into(), photo.clone()]);
     assert!(said(&output).contains("face 2 may not be a face (confidence 0.7"), "{}", said(&output));
@@ -109,5 +109,5 @@ fn a_mesh_is_made_of_the_surest_face_and_doubtful_ones_are_reported() {
     let blurred = scratch("blurred.png");
     image::open(portrait()).unwrap().blur(5.0).save(&blurred).unwrap();
     let output = mesh(&blurred, &scratch("blurred.glb"), &["--density", "0"]);
-    assert!(said(&output).contains("this may not be a face (confidence 0."), "{}", said(&output));
+    assert!(said(&output).contains("this face may not be a face (confidence 0."), "{}", said(&output));
 }

@@ -1,4 +1,4 @@
-//! `rosto mesh`: the shape of what it writes, the edits it makes, and that it is the same every time.
+//! `rosto mesh`: output, edits and reproducibility.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -9,7 +9,7 @@ use glam::DVec3;
 use rosto_face::Triangulation;
 use rosto_laplacian::{Constraints, LaplacianSystem, Operator};
 
-/// As the paper has it: the landmarks alone, eyes and mouth open.
+/// The paper's mesh: the landmarks alone, with openings for eyes and mouth.
 const PAPERS_MESH: [&str; 6] = ["--units", "image", "--topology", "tessellation", "--density", "0"];
 
 fn vectors(rows: &[[f64; 3]]) -> Vec<DVec3> {
@@ -17,23 +17,28 @@ fn vectors(rows: &[[f64; 3]]) -> Vec<DVec3> {
 }
 
 #[test]
-fn json_holds_the_landmarks_colours_and_triangles() {
+fn json_contains_landmarks_colours_and_triangles() {
     let mesh = mesh_json("plain.json", &["--units", "image"]);
     assert_eq!(mesh["units"], "image");
     let output = rosto(["landmarks".into(), portrait()]);
     let line: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     let (positions, expected) = (triples(&mesh["positions"]), triples(&line["faces"][0]["landmarks"]));
-    // A few by the corners of the mouth give way where the mesh is smooth.
+    // Subdivision moves some landmarks at the corners of the mouth.
     let crowded = rosto_face::crowded_landmarks();
-    let kept: Vec<usize> = (0..468).filter(|landmark| !crowded.contains(&(*landmark as u32))).collect();
-    let apart = |&landmark: &usize| (0..3).map(move |axis| (landmark, axis));
-    assert!(kept.iter().flat_map(apart).all(|(at, axis)| (positions[at][axis] - expected[at][axis]).abs() < 1e-6));
+    let exact: Vec<usize> = (0..468).filter(|landmark| !crowded.contains(&(*landmark as u32))).collect();
+    let coordinates = |&landmark: &usize| (0..3).map(move |axis| (landmark, axis));
+    assert!(
+        exact
+            .iter()
+            .flat_map(coordinates)
+            .all(|(landmark, axis)| (positions[landmark][axis] - expected[landmark][axis]).abs() < 1e-6)
+    );
     let counts = |mesh: &serde_json::Value| ["colors", "triangles"].map(|of| mesh[of].as_array().unwrap().len());
     assert_eq!(counts(&mesh), [7_257, 14_368], "smooth, with the landmarks first");
     assert_eq!(counts(&mesh_json("paper.json", &PAPERS_MESH)), [468, 852]);
-    // The paper's colour: the pixel under the landmark.
+    // The paper's colour: the pixel at the landmark.
     let photo = image::open(portrait()).unwrap().to_rgb8();
-    for vertex in kept {
+    for vertex in exact {
         let position = positions[vertex];
         let pixel = photo.get_pixel((position[0] * 512.0) as u32, (position[1] * 512.0) as u32);
         let colour = triples(&mesh["colors"])[vertex];
@@ -42,7 +47,7 @@ fn json_holds_the_landmarks_colours_and_triangles() {
 }
 
 #[test]
-fn millimetres_are_upright_with_the_nose_in_front() {
+fn millimetre_axes_point_left_up_and_forward() {
     let mesh = mesh_json("mm.json", &[]);
     let positions = triples(&mesh["positions"]);
     assert_eq!(mesh["units"], "mm");
@@ -52,12 +57,12 @@ fn millimetres_are_upright_with_the_nose_in_front() {
     assert_eq!(
         mesh["about"],
         mesh_json("image.json", &["--units", "image"])["about"],
-        "measures are in mm all the same"
+        "measures do not depend on the units"
     );
 }
 
 #[test]
-fn edits_follow_one_another_as_in_the_paper() {
+fn edits_accumulate_as_in_the_paper() {
     let rest = vectors(&triples(&mesh_json("rest.json", &PAPERS_MESH)["positions"]));
     for (name, operator) in [("L_s", Operator::UniformSymmetric), ("L", Operator::Uniform)] {
         let file = scratch_file(
@@ -82,7 +87,7 @@ fn edits_follow_one_another_as_in_the_paper() {
 }
 
 #[test]
-fn the_same_request_gives_the_same_bytes_and_another_seed_other_anchors() {
+fn output_is_reproducible_and_depends_on_the_seed() {
     let edit = ["--edit", "4:0,0,20", "--seed"];
     let with_seed = |name, seed| mesh_json(name, &[&edit[..], &[seed]].concat());
     let bytes = |name: &str| std::fs::read(scratch(name)).unwrap();
@@ -94,7 +99,7 @@ fn the_same_request_gives_the_same_bytes_and_another_seed_other_anchors() {
 }
 
 #[test]
-fn a_glb_shows_the_edited_face_in_metres() {
+fn a_glb_contains_the_edited_face_in_metres() {
     let write = |name: &str, more: &[&str]| {
         let path = scratch(name);
         let output = mesh(&portrait(), &path, more);
@@ -105,10 +110,10 @@ fn a_glb_shows_the_edited_face_in_metres() {
     for [low, high] in [plain, edited] {
         assert!(high[1] - low[1] > 0.15 && high[1] - low[1] < 0.3, "a head is {} m high", high[1] - low[1]);
     }
-    assert!(edited[1][2] > plain[1][2] + 0.005, "the nose comes forward");
+    assert!(edited[1][2] > plain[1][2] + 0.005, "the nose moves forward");
 }
 
-/// The least and the greatest position of a GLB.
+/// Minimum and maximum position in a GLB.
 fn bounds_m(file: &[u8]) -> [[f64; 3]; 2] {
     let length = u32::from_le_bytes(file[12..16].try_into().unwrap()) as usize;
     let json: serde_json::Value = serde_json::from_slice(&file[20..20 + length]).unwrap();

@@ -1,4 +1,4 @@
-//! A mesh of each of many photos: what is resumed, what is replaced, and what ends the run.
+//! One mesh per photo: resumed batches, replaced files, and errors that end the batch.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -12,7 +12,7 @@ use common::*;
 
 const QUICK: [&str; 3] = ["--mediapipe", "--density", "0"];
 
-/// A folder with copies of the portrait by these names, and one for meshes.
+/// A folder with copies of the portrait, and an empty folder for meshes.
 fn photos(names: &[&str]) -> (PathBuf, PathBuf) {
     let folder = scratch_folder("photos");
     for name in names {
@@ -32,7 +32,7 @@ fn alone(more: &[&str]) -> Vec<u8> {
 }
 
 #[test]
-fn meshes_of_other_edits_are_made_anew_and_those_of_the_same_are_left() {
+fn meshes_are_made_again_only_for_other_edits() {
     let (folder, meshes) = photos(&["a.png", "b.png"]);
     let pattern = meshes.join("{}.ply");
     let file = scratch_file("edits.json", br#"[{"vertex": 4, "offset": [0, 0, 2]}]"#);
@@ -43,10 +43,10 @@ fn meshes_of_other_edits_are_made_anew_and_those_of_the_same_are_left() {
         let run = mesh(&folder, &pattern, &with(request));
         assert!(said(&run).contains("2 photos with a face"), "{request:?}: {}", said(&run));
         let again = mesh(&folder, &pattern, &with(request));
-        assert!(said(&again).contains("0 photos with a face") && said(&again).contains("2 were done before"));
+        assert!(said(&again).contains("0 photos with a face") && said(&again).contains("2 already done"));
         assert!(fs::read(meshes.join("b.ply")).unwrap() == alone(request), "{request:?}");
     }
-    // The same name of a file with other edits is another request.
+    // A change in the edits file is another request.
     assert!(said(&mesh(&folder, &pattern, &with(&by_file))).contains("2 photos with a face"));
     fs::write(&file, r#"[{"vertex": 4, "offset": [0, 0, 3]}]"#).unwrap();
     assert!(said(&mesh(&folder, &pattern, &with(&by_file))).contains("2 photos with a face"));
@@ -54,16 +54,16 @@ fn meshes_of_other_edits_are_made_anew_and_those_of_the_same_are_left() {
 }
 
 #[test]
-fn a_file_that_rosto_did_not_write_is_replaced_only_by_force() {
+fn foreign_files_are_replaced_only_with_force() {
     let (folder, meshes) = photos(&["a.png", "b.png"]);
     let pattern = meshes.join("{}.ply");
     fs::write(meshes.join("b.ply"), "mine").unwrap();
     assert_refused(&mesh(&folder, &pattern, &QUICK), 2, &["b.ply", "did not write it for", "b.png", "--force"]);
-    assert_eq!(names_in(&meshes), ["b.ply"], "nothing is written before all is checked");
+    assert_eq!(names_in(&meshes), ["b.ply"], "nothing is written before the checks");
     assert_eq!(fs::read(meshes.join("b.ply")).unwrap(), b"mine");
     assert_eq!(code(&mesh(&folder, &pattern, &with(&["--force"]))), 0);
     assert!(fs::read(meshes.join("b.ply")).unwrap() == alone(&[]));
-    // Somebody works on a mesh: it is done, and not made anew.
+    // A mesh that the user changed counts as done.
     fs::write(meshes.join("a.ply"), "sculpted").unwrap();
     assert_eq!(code(&mesh(&folder, &pattern, &QUICK)), 0);
     assert_refused(&mesh(&folder, &pattern, &with(&["--slider", "nose-width:4"])), 2, &["a.ply"]);
@@ -71,7 +71,7 @@ fn a_file_that_rosto_did_not_write_is_replaced_only_by_force() {
 }
 
 #[test]
-fn a_run_that_ended_before_its_mesh_was_in_place_is_resumed() {
+fn a_batch_killed_before_its_mesh_was_in_place_is_resumed() {
     let (folder, meshes) = photos(&["a.png"]);
     let (pattern, file) = (meshes.join("{}.ply"), meshes.join("a.ply"));
     let other = with(&["--slider", "nose-width:4"]);
@@ -79,7 +79,7 @@ fn a_run_that_ended_before_its_mesh_was_in_place_is_resumed() {
     let first = fs::read(&file).unwrap();
     assert_eq!(code(&mesh(&folder, &pattern, &other)), 0);
     let second = fs::read(&file).unwrap();
-    // As if the second run had been killed between its line and its mesh.
+    // As if the second run had been killed between ledger line and mesh.
     fs::write(&file, &first).unwrap();
     assert!(said(&mesh(&folder, &pattern, &other)).contains("1 photos with a face"));
     assert!(fs::read(&file).unwrap() == second);
@@ -93,16 +93,16 @@ fn a_run_that_ended_before_its_mesh_was_in_place_is_resumed() {
 }
 
 #[test]
-fn files_that_would_be_one_are_refused_before_the_first_is_written() {
+fn coinciding_files_are_refused_before_anything_is_written() {
     let (folder, meshes) = photos(&["IMG 1.png", "IMG_1.png", "a.png"]);
     let run = mesh(&folder, &meshes.join("{}.obj"), &QUICK);
     assert_refused(&run, 2, &["IMG 1.png", "IMG_1.png", "IMG_1.mtl"]);
     assert!(names_in(&meshes).is_empty());
-    // Without pictures beside them they are two.
+    // Without textures their sidecar files do not coincide.
     let colours = with(&["--base-colour", "colours"]);
     assert_eq!(code(&mesh(&folder, &meshes.join("{}.obj"), &colours)), 0);
     let over = mesh(&folder, &folder.join("{}.png"), &["--mediapipe", "--force"]);
-    assert_refused(&over, 2, &["is read, and would be overwritten"]);
+    assert_refused(&over, 2, &["would overwrite the input"]);
     fs::remove_file(folder.join("IMG_1.png")).unwrap();
     fs::write(meshes.join("IMG_1.png"), "mine").unwrap();
     assert_refused(&mesh(&folder, &meshes.join("{}.obj"), &QUICK), 2, &["IMG_1.png", "did not write it"]);
@@ -110,7 +110,7 @@ fn files_that_would_be_one_are_refused_before_the_first_is_written() {
 }
 
 #[test]
-fn more_than_five_photos_may_be_named_for_a_mesh_each() {
+fn a_batch_can_have_more_than_five_photos() {
     let (folder, meshes) = photos(&["1.png", "2.png", "3.png", "4.png", "5.png", "6.png"]);
     let photos = (1..=6).map(|number| folder.join(format!("{number}.png")).into_os_string());
     let output = meshes.join("{}.json").into_os_string();
@@ -122,7 +122,7 @@ fn more_than_five_photos_may_be_named_for_a_mesh_each() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_disk_that_is_full_or_a_name_that_is_too_long_ends_the_run() {
+fn a_write_error_ends_the_batch() {
     let (folder, meshes) = photos(&["a.png", "b.png", "c.png", "d.png"]);
     let mut shell = Command::new("sh");
     let script = "trap '' XFSZ; ulimit -f 4; exec \"$@\"";
@@ -131,7 +131,7 @@ fn a_disk_that_is_full_or_a_name_that_is_too_long_ends_the_run() {
     assert_refused(&run, 6, &[".ply", "limit"]);
     assert!(!said(&run).contains("photos failed") && !said(&run).contains("d.ply"), "{}", said(&run));
     assert!(names_in(&meshes).iter().all(|name| !name.ends_with(".ply")));
-    // What could not be written is written as soon as it can be.
+    // The next run writes the missing meshes.
     assert_eq!(code(&mesh(&folder, &meshes.join("{}.ply"), &QUICK)), 0);
 
     fs::copy(portrait(), folder.join(format!("{}.png", "n".repeat(250)))).unwrap();
@@ -144,7 +144,7 @@ fn a_disk_that_is_full_or_a_name_that_is_too_long_ends_the_run() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn names_that_print_alike_have_a_mesh_each() {
+fn non_utf8_names_that_print_alike_are_distinct() {
     use std::ffi::OsStr;
     use std::os::unix::ffi::OsStrExt;
     let (folder, meshes) = photos(&[]);
@@ -154,11 +154,11 @@ fn names_that_print_alike_have_a_mesh_each() {
     let run = mesh(&folder, &meshes.join("{}.ply"), &QUICK);
     assert!(said(&run).contains("2 photos with a face"), "{}", said(&run));
     assert!([&b"\xfe.ply"[..], b"\xff.ply"].iter().all(|name| meshes.join(OsStr::from_bytes(name)).is_file()));
-    assert!(said(&mesh(&folder, &meshes.join("{}.ply"), &QUICK)).contains("2 were done before"));
+    assert!(said(&mesh(&folder, &meshes.join("{}.ply"), &QUICK)).contains("2 already done"));
 }
 
 #[test]
-fn a_second_process_on_the_same_meshes_is_refused_and_standard_input_is_another_photo_each_time() {
+fn a_second_process_on_the_same_meshes_is_refused_and_standard_input_is_always_a_new_photo() {
     let (_, meshes) = photos(&[]);
     let pattern = meshes.join("{}.ply");
     let start = || {

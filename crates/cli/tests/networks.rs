@@ -1,4 +1,4 @@
-//! Networks that are missing, halves of a pair, or not what they were.
+//! Missing and damaged networks.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -16,7 +16,7 @@ use seeded::Seeded;
 
 const NAMES: [&str; 2] = ["face_detector.onnx", "face_landmarks_attention.onnx"];
 
-/// A folder with these of the two networks, as they are.
+/// A folder with copies of these networks.
 fn copies(folder: &str, names: &[&str]) -> PathBuf {
     let folder = scratch_folder(folder);
     for name in names {
@@ -30,22 +30,22 @@ fn landmarks(networks: &Path) -> Output {
 }
 
 #[test]
-fn half_a_pair_names_the_other_half() {
+fn a_missing_network_is_named() {
     for (there, missing) in [(0, 1), (1, 0)] {
         let folder = copies("half-a-pair", &[NAMES[there]]);
         let path = folder.join(NAMES[missing]);
-        assert_refused(&landmarks(&folder), 7, &[path.to_str().unwrap(), "missing", "cargo xtask setup"]);
+        assert_refused(&landmarks(&folder), 7, &[path.to_str().unwrap(), "network not found", "cargo xtask setup"]);
     }
 }
 
-/// A folder whose landmark network has 400 bytes flipped among the weights that give the points: the file reads as before,
-/// and the network is as sure of the face as before.
+/// A folder whose landmark network has 400 corrupted bytes in the weights of the coordinates. The file still parses,
+/// and the network's confidence does not change.
 fn with_flipped_weights(name: &str, seed: u64) -> PathBuf {
     let folder = copies(name, &NAMES);
     let path = folder.join(NAMES[1]);
     let mut network = fs::read(&path).unwrap();
     let last = |name: &[u8]| network.windows(name.len()).rposition(|bytes| bytes == name).unwrap();
-    // After the name, a tag and a length of three bytes; before the next name, what describes its tensor.
+    // The name is followed by a tag and a three-byte length; the next name is preceded by its tensor's header.
     let (start, end) = (last(b"conv2d_21/Kernel") + 20, last(b"conv2d_21/Bias") - 10);
     let mut random = Seeded::new(seed);
     for _ in 0..400 {
@@ -56,7 +56,7 @@ fn with_flipped_weights(name: &str, seed: u64) -> PathBuf {
 }
 
 #[test]
-fn flipped_weights_are_a_damaged_network_and_no_face_without_a_place() {
+fn corrupted_weights_are_reported_as_a_damaged_network() {
     for seed in 1..=4 {
         let folder = with_flipped_weights("flipped-weights", seed);
         assert_refused(&landmarks(&folder), 7, &["cargo xtask setup"]);
@@ -68,7 +68,7 @@ fn flipped_weights_are_a_damaged_network_and_no_face_without_a_place() {
 }
 
 #[test]
-fn damaged_networks_are_told_before_any_photo_is_looked_at() {
+fn damaged_networks_are_reported_before_photos_are_read() {
     let folder = with_flipped_weights("flipped-for-a-batch", 1);
     let photos = [scratch("nowhere-at-all.png"), portrait()];
     let run = rosto(["landmarks".into(), "--networks".into(), folder].into_iter().chain(photos));

@@ -1,4 +1,4 @@
-//! A file is written whole or not at all, and never over what is read.
+//! Output files: atomic writes, and protection of inputs and foreign files.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![cfg(unix)]
@@ -13,9 +13,9 @@ use std::process::{Command, Output};
 
 use common::*;
 
-const GOOD: &[u8] = b"a good file of last week";
+const GOOD: &[u8] = b"existing content";
 
-/// `rosto mesh` of the portrait where no file may grow beyond a few kilobytes; `first` is said to the shell before.
+/// Runs `rosto mesh` on the portrait with a limit of 4 blocks per file; `first` is a shell command run before.
 fn mesh_cut_short(first: &str, output: &Path, more: &[&str]) -> Output {
     let script = format!("{first} ulimit -f 4; exec \"$@\"");
     let mut shell = Command::new("sh");
@@ -24,7 +24,7 @@ fn mesh_cut_short(first: &str, output: &Path, more: &[&str]) -> Output {
 }
 
 #[test]
-fn a_program_killed_while_it_writes_leaves_the_good_file_whole() {
+fn a_kill_during_a_write_leaves_the_existing_file_unchanged() {
     let folder = scratch_folder("killed");
     let file = folder.join("face.glb");
     fs::write(&file, GOOD).unwrap();
@@ -36,7 +36,7 @@ fn a_program_killed_while_it_writes_leaves_the_good_file_whole() {
 }
 
 #[test]
-fn a_write_that_fails_leaves_the_good_file_and_nothing_beside_it() {
+fn a_failed_write_leaves_no_temporary_file() {
     let folder = scratch_folder("failed");
     let file = folder.join("face.glb");
     for before in [None, Some(GOOD)] {
@@ -44,14 +44,14 @@ fn a_write_that_fails_leaves_the_good_file_and_nothing_beside_it() {
             fs::write(&file, good).unwrap();
         }
         let run = mesh_cut_short("trap '' XFSZ;", &file, &[]);
-        assert_refused(&run, 6, &["face.glb", "too low"]);
+        assert_refused(&run, 6, &["face.glb", "limit on file sizes"]);
         assert_eq!(fs::read(&file).ok().as_deref(), before);
         assert_eq!(names_in(&folder).len(), usize::from(before.is_some()));
     }
 }
 
 #[test]
-fn the_figures_of_the_paper_are_each_written_whole() {
+fn the_papers_figures_are_written_atomically() {
     let folder = scratch_folder("failed-paper");
     let figure = folder.join("figure-3.glb");
     fs::write(&figure, GOOD).unwrap();
@@ -64,7 +64,7 @@ fn the_figures_of_the_paper_are_each_written_whole() {
 }
 
 #[test]
-fn a_full_disk_is_called_one() {
+fn a_full_disk_is_reported() {
     let folder = scratch_folder("full");
     let full = folder.join("full.json");
     symlink("/dev/full", &full).unwrap();
@@ -78,12 +78,12 @@ fn a_full_disk_is_called_one() {
 }
 
 #[test]
-fn links_devices_and_pipes_stay_what_they_are() {
+fn links_devices_and_pipes_are_written_through() {
     let folder = scratch_folder("links");
     fs::create_dir(folder.join("elsewhere")).unwrap();
     let (link, target) = (folder.join("link.json"), folder.join("elsewhere/face.json"));
     symlink("elsewhere/face.json", &link).unwrap();
-    // To nothing yet, and then to a file.
+    // First a dangling link, then a link to a file.
     for _ in 0..2 {
         assert_eq!(code(&mesh(&portrait(), &link, &[])), 0);
         assert!(link.is_symlink() && fs::read(&target).unwrap().starts_with(b"{\"units\""));
@@ -105,7 +105,7 @@ fn links_devices_and_pipes_stay_what_they_are() {
 }
 
 #[test]
-fn a_file_keeps_its_permissions_and_a_new_one_gets_the_usual_ones() {
+fn existing_files_keep_their_permissions_and_new_files_get_the_default() {
     let folder = scratch_folder("permissions");
     let mode = |name: &str| fs::metadata(folder.join(name)).unwrap().permissions().mode() & 0o777;
     fs::write(folder.join("usual"), GOOD).unwrap();
@@ -119,7 +119,7 @@ fn a_file_keeps_its_permissions_and_a_new_one_gets_the_usual_ones() {
 }
 
 #[test]
-fn what_is_read_is_not_written_over() {
+fn outputs_over_inputs_are_refused() {
     let folder = scratch_folder("over");
     let photo = folder.join("photo.glb");
     fs::copy(portrait(), &photo).unwrap();
@@ -127,57 +127,57 @@ fn what_is_read_is_not_written_over() {
     fs::hard_link(&photo, folder.join("hard.glb")).unwrap();
     let same = folder.join("../over/photo.glb");
     for output in [&photo, &same, &folder.join("link.glb"), &folder.join("hard.glb")] {
-        assert_refused(&mesh(&photo, output, &[]), 2, &["photo.glb", "overwritten", "another name"]);
+        assert_refused(&mesh(&photo, output, &[]), 2, &["photo.glb", "would overwrite", "another name"]);
     }
     let mut program = Command::new(env!("CARGO_BIN_EXE_rosto"));
     program.args(["mesh", "-", "-o"]).arg(&photo).stdin(fs::File::open(&photo).unwrap());
-    assert_refused(&program.output().unwrap(), 2, &["standard input", "overwritten"]);
+    assert_refused(&program.output().unwrap(), 2, &["standard input", "would overwrite"]);
     assert_eq!(fs::read(&photo).unwrap(), fs::read(portrait()).unwrap());
 
     let edits = folder.join("edits.json");
     fs::write(&edits, "[]").unwrap();
     let run = mesh(&portrait(), &edits, &["--edits", edits.to_str().unwrap()]);
-    assert_refused(&run, 2, &["edits.json", "overwritten"]);
+    assert_refused(&run, 2, &["edits.json", "would overwrite"]);
     fs::copy(&photo, folder.join("figure-4.glb")).unwrap();
     let run = rosto([Path::new("paper"), &folder.join("figure-4.glb"), Path::new("-o"), &folder]);
-    assert_refused(&run, 2, &["figure-4.glb", "overwritten"]);
+    assert_refused(&run, 2, &["figure-4.glb", "would overwrite"]);
 }
 
 #[test]
-fn folders_in_the_place_of_files_and_files_in_the_place_of_folders() {
+fn folders_as_files_and_files_as_folders_are_refused() {
     let folder = scratch_folder("folder.glb");
-    assert_refused(&mesh(&portrait(), &folder, &[]), 6, &["folder.glb", "Name a file in that folder"]);
+    assert_refused(&mesh(&portrait(), &folder, &[]), 6, &["folder.glb", "Pass a file in that folder"]);
     let file = scratch_file("no-folder", GOOD);
     let run = rosto([Path::new("paper"), &portrait(), Path::new("-o"), &file]);
-    assert_refused(&run, 6, &["no-folder", "Name a folder"]);
+    assert_refused(&run, 6, &["no-folder", "Pass a folder"]);
     assert_eq!(fs::read(file).unwrap(), GOOD);
 }
 
 #[test]
-fn a_painted_obj_brings_its_material_and_its_picture_all_or_none() {
+fn an_obj_is_written_with_its_sidecar_files_or_not_at_all() {
     let folder = scratch_folder("obj");
     let file = folder.join("my face.obj");
     assert_eq!(code(&mesh(&portrait(), &file, &[])), 0);
     assert_eq!(names_in(&folder), ["my face.obj", "my_face.mtl", "my_face.png"]);
-    let said = |name: &str| fs::read_to_string(folder.join(name)).unwrap();
-    assert!(said("my face.obj").contains("mtllib my_face.mtl") && said("my_face.mtl").contains("map_Kd my_face.png"));
+    let text = |name: &str| fs::read_to_string(folder.join(name)).unwrap();
+    assert!(text("my face.obj").contains("mtllib my_face.mtl") && text("my_face.mtl").contains("map_Kd my_face.png"));
     assert!(image::open(folder.join("my_face.png")).is_ok());
 
     for name in names_in(&folder) {
         fs::write(folder.join(name), GOOD).unwrap();
     }
     let run = mesh_cut_short("trap '' XFSZ;", &file, &["--force"]);
-    assert_refused(&run, 6, &["too low"]);
+    assert_refused(&run, 6, &["limit on file sizes"]);
     assert!(names_in(&folder).iter().all(|name| fs::read(folder.join(name)).unwrap() == GOOD));
     assert_eq!(names_in(&folder).len(), 3);
 
     fs::remove_file(&file).unwrap();
     assert_eq!(code(&mesh(&portrait(), &file, &["--base-colour", "colours"])), 0);
-    assert_eq!(fs::read(folder.join("my_face.mtl")).unwrap(), GOOD, "colours need no material");
+    assert_eq!(fs::read(folder.join("my_face.mtl")).unwrap(), GOOD, "vertex colours need no material file");
 }
 
 #[test]
-fn a_file_beside_the_output_is_replaced_only_if_rosto_wrote_it_for_that_output() {
+fn foreign_sidecar_files_are_not_replaced() {
     let folder = scratch_folder("side");
     let file = folder.join("my face.obj");
     let [material, picture] = ["my_face.mtl", "my_face.png"].map(|name| folder.join(name));
@@ -188,15 +188,15 @@ fn a_file_beside_the_output_is_replaced_only_if_rosto_wrote_it_for_that_output()
         assert!(fs::read(mine).unwrap() == GOOD && names_in(&folder).len() == 1, "nothing is written");
         fs::remove_file(mine).unwrap();
     }
-    // Twice: what Rosto wrote, it replaces.
+    // The second run replaces the files of the first.
     for density in ["0", "1"] {
         assert_eq!(code(&mesh(&portrait(), &file, &["--density", density])), 0);
     }
-    // The files beside are named so for this output, too.
+    // Another output with the same sidecar names.
     let other = folder.join("my_face.obj");
     assert_refused(&mesh(&portrait(), &other, &[]), 2, &["my_face.mtl", "did not write it for"]);
     assert!(!other.exists());
-    // Somebody paints on the picture.
+    // A texture that the user changed.
     let painted = [fs::read(&picture).unwrap(), b"painted".to_vec()].concat();
     fs::write(&picture, &painted).unwrap();
     let before = fs::read(&file).unwrap();
@@ -207,7 +207,7 @@ fn a_file_beside_the_output_is_replaced_only_if_rosto_wrote_it_for_that_output()
 }
 
 #[test]
-fn a_figure_of_somebody_else_is_not_replaced_and_one_of_an_earlier_run_is() {
+fn figures_are_replaced_only_if_an_earlier_run_wrote_them() {
     let folder = scratch_folder("figures");
     let paper = |more: &[&str]| {
         let words = ["paper", "--runs", "1", "-o"].map(Path::new).into_iter().chain([folder.as_path()]);
@@ -228,12 +228,12 @@ fn a_figure_of_somebody_else_is_not_replaced_and_one_of_an_earlier_run_is() {
 }
 
 #[test]
-fn what_lies_beside_a_file_is_not_written_over_what_is_read() {
-    let folder = scratch_folder("beside");
+fn sidecar_files_over_inputs_are_refused() {
+    let folder = scratch_folder("sidecar");
     let photo = folder.join("photo.png");
     image::open(portrait()).unwrap().save(&photo).unwrap();
     let before = fs::read(&photo).unwrap();
     let run = mesh(&photo, &folder.join("photo.obj"), &[]);
-    assert_refused(&run, 2, &["photo.png", "overwritten", "another name"]);
+    assert_refused(&run, 2, &["photo.png", "would overwrite", "another name"]);
     assert_eq!((names_in(&folder).len(), fs::read(&photo).unwrap()), (1, before));
 }

@@ -1,4 +1,4 @@
-//! `rosto paper`: the experiment as a table, and its figures as meshes.
+//! `rosto paper`: report and figures.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -7,13 +7,13 @@ mod common;
 use common::*;
 
 #[test]
-fn the_table_stands_beside_the_papers_and_the_figures_are_written() {
+fn the_report_has_three_tables_and_the_figures_are_written() {
     let folder = scratch("paper");
     let run = rosto(["paper", portrait().to_str().unwrap(), "-o", folder.to_str().unwrap(), "--runs", "2"]);
     assert_eq!(code(&run), 0, "{}", said(&run));
     let text = String::from_utf8(run.stdout).unwrap();
     let tables: Vec<Vec<Vec<&str>>> = text.split("\n\n").filter(|part| part.starts_with('|')).map(rows).collect();
-    let [rows, times, methods] = tables.as_slice() else { panic!("three tables, not {}", tables.len()) };
+    let [rows, times, methods] = tables.as_slice() else { panic!("expected three tables, found {}", tables.len()) };
     assert_eq!((rows.len(), times.len(), methods.len()), (9, 4, 13), "headings and rows");
     assert_eq!(rows[1][1..4], ["Landmark Extract", "0.218", "0.214"]);
     assert_eq!(rows[8][1..4], ["2nd Degree 8 edit", "0.384", "0.584"]);
@@ -30,10 +30,10 @@ fn the_table_stands_beside_the_papers_and_the_figures_are_written() {
     assert!(figures.iter().all(|file| file.starts_with(b"glTF")));
     assert!(figures[0] != figures[1] && figures[1] != figures[2]);
     let plot = std::fs::read_to_string(folder.join("times.svg")).unwrap();
-    assert_eq!(plot.matches("<circle").count(), 12, "a dot for each edit of the paper's method");
+    assert_eq!(plot.matches("<circle").count(), 12, "one dot per edit of the paper's method");
 }
 
-/// The cells of a Markdown table without the line under its heading.
+/// Cells of a Markdown table, without the delimiter row.
 fn rows(table: &str) -> Vec<Vec<&str>> {
     let lines = table.lines().filter(|line| !line.starts_with("|--"));
     lines.map(|line| line.split('|').map(str::trim).collect()).collect()

@@ -1,4 +1,4 @@
-//! A photo with its face edited: upright, its own pixels where nothing moved, and nothing in it of its file.
+//! `rosto photo`: orientation, unchanged pixels outside the edit, and no metadata.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -18,7 +18,7 @@ fn read(path: &Path) -> Photo {
     decode(&fs::read(path).unwrap(), &Limits::default()).unwrap()
 }
 
-/// What `rosto photo` makes of a photo, as a PNG of that name.
+/// Runs `rosto photo` and reads its result, a PNG of this name.
 fn edited(photo: &Path, name: &str, more: &[&str]) -> Photo {
     let path = scratch(&format!("{name}.png"));
     let run = common::photo(photo, &path, more);
@@ -26,30 +26,30 @@ fn edited(photo: &Path, name: &str, more: &[&str]) -> Photo {
     read(&path)
 }
 
-/// The portrait as a camera saves it that was held on its side: lying in the file, with who and where in its EXIF.
-fn lying() -> PathBuf {
+/// The portrait as a rotated JPEG whose EXIF has the orientation and an artist.
+fn rotated() -> PathBuf {
     let turned = image::open(portrait()).unwrap().to_rgb8();
     let mut jpeg = Vec::new();
     JpegEncoder::new_with_quality(&mut jpeg, 92).encode_image(&image::imageops::rotate270(&turned)).unwrap();
-    // TIFF, little-endian: one directory with the orientation (6: turn clockwise by 90°) and the artist.
+    // TIFF, little-endian: one directory with the orientation (6: rotate clockwise by 90°) and the artist.
     let mut exif = b"Exif\0\0II*\0\x08\0\0\0\x02\0".to_vec();
     exif.extend(b"\x12\x01\x03\0\x01\0\0\0\x06\0\0\0");
     exif.extend(b"\x3b\x01\x02\0\x0a\0\0\0\x26\0\0\0");
     exif.extend(b"\0\0\0\0Someone-X\0");
     let length = (exif.len() as u16 + 2).to_be_bytes();
     let whole = [&jpeg[..2], &[0xff, 0xe1], &length, &exif, &jpeg[2..]].concat();
-    scratch_file("lying.jpg", &whole)
+    scratch_file("rotated.jpg", &whole)
 }
 
-/// The places of two pictures' different pixels, in px.
+/// Centres of the pixels that differ, in px.
 fn changed(before: &Photo, after: &Photo) -> Vec<[f64; 2]> {
     assert_eq!((before.width(), before.height()), (after.width(), after.height()));
-    let places = (0..before.height()).flat_map(|y| (0..before.width()).map(move |x| (x, y)));
-    let differ = places.filter(|&(x, y)| before.pixel(x, y) != after.pixel(x, y));
+    let pixels = (0..before.height()).flat_map(|y| (0..before.width()).map(move |x| (x, y)));
+    let differ = pixels.filter(|&(x, y)| before.pixel(x, y) != after.pixel(x, y));
     differ.map(|(x, y)| [f64::from(x) + 0.5, f64::from(y) + 0.5]).collect()
 }
 
-/// The portrait's landmarks in px.
+/// Landmarks of the portrait in px.
 fn landmarks() -> Vec<[f64; 2]> {
     let run = rosto(["landmarks", portrait().to_str().unwrap()]);
     let line: Value = serde_json::from_slice(&run.stdout).unwrap();
@@ -57,35 +57,36 @@ fn landmarks() -> Vec<[f64; 2]> {
     triples(&line["faces"][0]["landmarks"]).into_iter().map(|[x, y, _]| [x, y].map(|at| at * f64::from(size))).collect()
 }
 
-fn apart(a: [f64; 2], b: [f64; 2]) -> f64 {
+fn distance_px(a: [f64; 2], b: [f64; 2]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
 #[test]
-fn without_an_edit_the_photo_keeps_its_pixels() {
-    let upright = read(&lying());
+fn without_an_edit_the_pixels_do_not_change() {
+    let upright = read(&rotated());
     assert_eq!(edited(&portrait(), "unedited", &[]), read(&portrait()));
-    assert_eq!(edited(&lying(), "unedited-lying", &["--topology", "canonical", "--density", "1"]), upright);
-    assert_eq!(edited(&lying(), "unedited-slider", &["--slider", "nose-width:0"]), upright);
-    // By its landmarks the face is where the portrait has it.
+    assert_eq!(edited(&rotated(), "unedited-rotated", &["--topology", "canonical", "--density", "1"]), upright);
+    assert_eq!(edited(&rotated(), "unedited-slider", &["--slider", "nose-width:0"]), upright);
+    // The orientation is correct: this pixel of the face matches the portrait's.
     assert!(upright.pixel(224, 120).iter().zip(read(&portrait()).pixel(224, 120)).all(|(a, b)| a.abs_diff(b) < 30));
 }
 
 #[test]
-fn what_the_file_told_of_who_and_where_is_left_behind() {
-    let told = |bytes: &[u8]| [&b"Exif"[..], b"Someone-X"].map(|word| bytes.windows(word.len()).any(|at| at == word));
-    assert_eq!(told(&fs::read(lying()).unwrap()), [true; 2]);
-    for ending in ["jpg", "jpeg", "JPG", "png"] {
-        let output = scratch(&format!("silent.{ending}"));
-        let run = photo(&lying(), &output, &NOSE);
+fn metadata_is_not_written() {
+    let has_metadata =
+        |bytes: &[u8]| [&b"Exif"[..], b"Someone-X"].map(|word| bytes.windows(word.len()).any(|at| at == word));
+    assert_eq!(has_metadata(&fs::read(rotated()).unwrap()), [true; 2]);
+    for extension in ["jpg", "jpeg", "JPG", "png"] {
+        let output = scratch(&format!("no-metadata.{extension}"));
+        let run = photo(&rotated(), &output, &NOSE);
         assert_eq!(code(&run), 0, "{}", said(&run));
-        assert_eq!(told(&fs::read(&output).unwrap()), [false; 2], "{ending}");
+        assert_eq!(has_metadata(&fs::read(&output).unwrap()), [false; 2], "{extension}");
         assert_eq!((read(&output).width(), read(&output).height()), (512, 512));
     }
 }
 
 #[test]
-fn a_jpeg_looks_as_the_png_does() {
+fn jpeg_and_png_have_the_same_content() {
     let (png, jpeg) = (scratch("same.png"), scratch("same.jpg"));
     for output in [&png, &jpeg] {
         assert_eq!(code(&photo(&portrait(), output, &NOSE)), 0);
@@ -97,46 +98,47 @@ fn a_jpeg_looks_as_the_png_does() {
 }
 
 #[test]
-fn an_edit_moves_what_it_is_of_and_nothing_beyond_the_ring() {
+fn an_edit_changes_nothing_beyond_the_falloff_band() {
     let before = read(&portrait());
     let landmarks = landmarks();
     let side = |axis: usize| {
-        let along = landmarks.iter().map(|place| place[axis]);
+        let along = landmarks.iter().map(|landmark| landmark[axis]);
         along.clone().fold(f64::MIN, f64::max) - along.fold(f64::MAX, f64::min)
     };
     let longer = side(0).max(side(1));
     let nose = [landmarks[129], landmarks[358]];
     let mut counts = Vec::new();
     for (name, falloff_band, more) in [("wide", 0.35, &[][..]), ("narrow", 0.1, &["--falloff-band", "0.1"])] {
-        let places = changed(&before, &edited(&portrait(), name, &[&NOSE, more].concat()));
-        for wing in nose {
-            assert!(places.iter().any(|place| apart(*place, wing) < 2.0), "the nose's wing at {wing:?}");
+        let pixels = changed(&before, &edited(&portrait(), name, &[&NOSE, more].concat()));
+        for nostril in nose {
+            assert!(pixels.iter().any(|pixel| distance_px(*pixel, nostril) < 2.0), "nostril at {nostril:?}");
         }
-        let nearest = |place: &[f64; 2]| landmarks.iter().map(|at| apart(*at, *place)).fold(f64::MAX, f64::min);
-        let furthest = places.iter().map(nearest).fold(0.0, f64::max);
+        let nearest =
+            |pixel: &[f64; 2]| landmarks.iter().map(|landmark| distance_px(*landmark, *pixel)).fold(f64::MAX, f64::min);
+        let furthest = pixels.iter().map(nearest).fold(0.0, f64::max);
         assert!(furthest < falloff_band * longer, "{furthest} px beyond the face, which is {longer} px long");
-        counts.push(places.len());
+        counts.push(pixels.len());
     }
     assert!(counts[1] < counts[0], "{counts:?}");
 }
 
 #[test]
-fn what_is_kept_stays() {
+fn protected_circles_do_not_change() {
     let before = read(&portrait());
     let jaw = ["--slider", "jaw-width:-6"];
     let free = changed(&before, &edited(&portrait(), "free", &jaw));
     let keep = ["--keep", "190,170,20", "--keep", "262,168,9"];
-    let kept = changed(&before, &edited(&portrait(), "kept", &[&jaw[..], &keep].concat()));
-    for (middle, radius) in [([190.0, 170.0], 20.0), ([262.0, 168.0], 9.0)] {
-        let within = |places: &[[f64; 2]]| places.iter().filter(|place| apart(**place, middle) <= radius).count();
-        assert!(within(&free) > 100, "it would have moved");
-        assert_eq!(within(&kept), 0, "at {middle:?}");
+    let protected = changed(&before, &edited(&portrait(), "protected", &[&jaw[..], &keep].concat()));
+    for (centre, radius) in [([190.0, 170.0], 20.0), ([262.0, 168.0], 9.0)] {
+        let within = |pixels: &[[f64; 2]]| pixels.iter().filter(|pixel| distance_px(**pixel, centre) <= radius).count();
+        assert!(within(&free) > 100, "it moves without protection");
+        assert_eq!(within(&protected), 0, "at {centre:?}");
     }
-    assert!(!kept.is_empty());
+    assert!(!protected.is_empty());
 }
 
 #[test]
-fn every_density_moves_the_photo() {
+fn edits_at_each_density_move_the_photo() {
     let before = read(&portrait());
     let tip = landmarks()[1];
     let edit = ["--constraint", "exact", "--anchors", "oval", "--edit", "1:6,0,0"];
@@ -144,41 +146,41 @@ fn every_density_moves_the_photo() {
         ("coarse", [&edit[..], &["--density", "0"]].concat()),
         ("denser", [&edit[..], &["--density", "3", "--topology", "canonical"]].concat()),
     ] {
-        let places = changed(&before, &edited(&portrait(), name, &more));
-        let middle = |axis: usize| places.iter().map(|place| place[axis]).sum::<f64>() / places.len() as f64;
-        assert!(places.iter().any(|place| apart(*place, tip) < 3.0), "{name}: the tip of the nose");
-        assert!(apart([middle(0), middle(1)], tip) < 40.0, "{name}: around ({}, {})", middle(0), middle(1));
+        let pixels = changed(&before, &edited(&portrait(), name, &more));
+        let mean = |axis: usize| pixels.iter().map(|pixel| pixel[axis]).sum::<f64>() / pixels.len() as f64;
+        assert!(pixels.iter().any(|pixel| distance_px(*pixel, tip) < 3.0), "{name}: the nose tip moves");
+        assert!(distance_px([mean(0), mean(1)], tip) < 40.0, "{name}: centred at ({}, {})", mean(0), mean(1));
     }
 }
 
 #[test]
-fn a_face_is_shown_as_from_elsewhere() {
+fn seen_from_changes_the_perspective() {
     let before = read(&portrait());
     let far = changed(&before, &edited(&portrait(), "far", &["--distance", "40", "--seen-from", "200"]));
     let near = changed(&before, &edited(&portrait(), "near", &["--distance", "40", "--seen-from", "35"]));
     assert!(near.len() > 5000 && far.len() > near.len(), "{} and {}", near.len(), far.len());
     assert_eq!(
-        changed(&before, &edited(&portrait(), "there", &["--distance", "40", "--seen-from", "40"])),
+        changed(&before, &edited(&portrait(), "same", &["--distance", "40", "--seen-from", "40"])),
         [[0.0; 2]; 0]
     );
 }
 
 #[test]
-fn what_folds_is_said() {
+fn reduced_edits_are_reported() {
     let run = photo(&portrait(), &scratch("crossed.png"), &["--constraint", "exact", "--edit", "13:0,-40,0"]);
     assert_eq!(code(&run), 0);
-    assert!(said(&run).contains("px behind the edits"), "{}", said(&run));
+    assert!(said(&run).contains("to avoid folds"), "{}", said(&run));
 }
 
 #[test]
-fn requests_that_cannot_be_met() {
+fn invalid_requests_are_refused() {
     let refused = |output: &str, more: &[&str], words: &[&str]| {
         let target = scratch(output);
         assert_refused(&photo(&portrait(), &target, more), 2, words);
         assert!(!target.exists(), "nothing is written");
     };
-    for ending in ["face.webp", "face.glb", "face"] {
-        refused(ending, &NOSE, &[".jpg or .png", "End its name so"]);
+    for output in ["face.webp", "face.glb", "face"] {
+        refused(output, &NOSE, &["unknown file extension", ".jpg or .png"]);
     }
     for falloff_band in ["0", "0.05", "0.9", "nan", "wide"] {
         refused("a.png", &[&NOSE[..], &["--falloff-band", falloff_band]].concat(), &["--falloff-band", "0.1 to 0.8"]);
@@ -186,18 +188,18 @@ fn requests_that_cannot_be_met() {
     for dab in ["10,20", "10,20,0", "here"] {
         refused("a.png", &[&NOSE[..], &["--keep", dab]].concat(), &["--keep", "X,Y,RADIUS"]);
     }
-    refused("a.png", &["--falloff-band", "0.2"], &["--falloff-band", "nothing in the photo is moved"]);
-    refused("a.png", &["--keep", "1,2,3"], &["--keep", "nothing in the photo is moved"]);
-    refused("a.png", &["--operator", "L"], &["--operator", "none is given"]);
+    refused("a.png", &["--falloff-band", "0.2"], &["--falloff-band", "the photo is not edited"]);
+    refused("a.png", &["--keep", "1,2,3"], &["--keep", "the photo is not edited"]);
+    refused("a.png", &["--operator", "L"], &["--operator", "it needs --edit"]);
     refused("a.png", &["--seen-from", "3"], &["--seen-from"]);
     let copy = scratch("read.png");
     fs::copy(portrait(), &copy).unwrap();
-    assert_refused(&photo(&copy, &copy, &NOSE), 2, &["read.png", "overwritten"]);
+    assert_refused(&photo(&copy, &copy, &NOSE), 2, &["read.png", "would overwrite"]);
     assert_eq!(fs::read(copy).unwrap(), fs::read(portrait()).unwrap());
     assert_refused(&photo(&faceless(), &scratch("a.png"), &[]), 4, &["no face found"]);
 }
 
-/// The portrait with its right quarter transparent, as a file of that name.
+/// The portrait with its right quarter transparent.
 fn partly_transparent(name: &str) -> PathBuf {
     let mut picture = image::open(portrait()).unwrap().to_rgba8();
     let width = picture.width();
@@ -208,7 +210,7 @@ fn partly_transparent(name: &str) -> PathBuf {
 }
 
 #[test]
-fn a_png_keeps_transparency_and_a_jpeg_says_that_it_cannot() {
+fn png_keeps_transparency_and_jpeg_reports_its_loss() {
     for name in ["partly.png", "partly.webp"] {
         let input = partly_transparent(name);
         let output = scratch(&format!("{name}-edited.png"));
@@ -216,13 +218,13 @@ fn a_png_keeps_transparency_and_a_jpeg_says_that_it_cannot() {
         assert_eq!((code(&run), said(&run).contains("transparent")), (0, false), "{}", said(&run));
         let [before, after] = [&input, &output].map(|path| image::open(path).unwrap().to_rgba8());
         let alpha = |picture: &image::RgbaImage| picture.pixels().map(|pixel| pixel[3]).collect::<Vec<_>>();
-        assert_eq!(alpha(&after), alpha(&before), "nothing moves there");
-        assert!(before.pixels().zip(after.pixels()).any(|(before, after)| before != after), "the nose moves");
+        assert_eq!(alpha(&after), alpha(&before), "the edit does not reach the transparent part");
+        assert!(before.pixels().zip(after.pixels()).any(|(before, after)| before != after), "the nose changes");
     }
     let output = scratch("partly-edited.jpg");
     let run = photo(&partly_transparent("partly.png"), &output, &NOSE);
     assert_eq!(code(&run), 0);
-    assert!(said(&run).contains("transparent parts are laid over white"), "{}", said(&run));
+    assert!(said(&run).contains("transparent parts become white"), "{}", said(&run));
     let white = read(&output);
     assert!(white.pixel(white.width() - 4, 9).iter().all(|&level| level > 250));
 }

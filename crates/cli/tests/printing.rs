@@ -1,4 +1,4 @@
-//! Bodies for printing, and what is said of them.
+//! Bodies for 3D printing and their reported measures.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -13,29 +13,26 @@ fn printed(name: &str, more: &[&str]) -> (Vec<u8>, String) {
     (std::fs::read(path).unwrap(), said(&output))
 }
 
-/// What is enclosed, in cm³, by the triangles of a binary STL in mm.
+/// Volume enclosed by the triangles of a binary STL in mm, in cm³.
 fn volume_cm3(stl: &[u8]) -> f64 {
     let number = |at: usize| f64::from(f32::from_le_bytes(stl[at..at + 4].try_into().unwrap()));
-    let place = |at: usize| glam::DVec3::new(number(at), number(at + 4), number(at + 8));
+    let vertex = |at: usize| glam::DVec3::new(number(at), number(at + 4), number(at + 8));
     let starts = (0..(stl.len() - 84) / 50).map(|triangle| 84 + 50 * triangle);
-    starts.map(|at| place(at + 12).dot(place(at + 24).cross(place(at + 36)))).sum::<f64>() / 6000.0
+    starts.map(|at| vertex(at + 12).dot(vertex(at + 24).cross(vertex(at + 36)))).sum::<f64>() / 6000.0
 }
 
 #[test]
-fn an_stl_is_a_body_whose_volume_is_told() {
+fn an_stl_encloses_the_reported_volume() {
     for (solid, least_cm3, most_cm3) in [("thickness:2", 30.0, 150.0), ("flat:3", 300.0, 3000.0)] {
         for topology in ["canonical", "tessellation"] {
             let (file, said) = printed("body.stl", &["--solid", solid, "--topology", topology]);
             let volume = volume_cm3(&file);
             assert!((least_cm3..most_cm3).contains(&volume), "{volume} cm³");
-            assert!(
-                said.contains(&format!("a body of {volume:.1} cm³")) && said.contains("g if it is filled with PLA"),
-                "{said}"
-            );
+            assert!(said.contains(&format!("a body of {volume:.1} cm³")) && said.contains("g in solid PLA"), "{said}");
         }
     }
-    let (sheet, said) = printed("sheet.stl", &["--solid", "surface"]);
-    assert!(sheet.len() == 84 + 50 * 14_368 && !said.contains("a body of"));
+    let (surface, said) = printed("surface.stl", &["--solid", "surface"]);
+    assert!(surface.len() == 84 + 50 * 14_368 && !said.contains("a body of"));
 }
 
 #[test]
@@ -45,15 +42,15 @@ fn a_3mf_has_the_colours_of_the_face() {
 }
 
 #[test]
-fn a_wall_is_as_thick_in_a_denser_face() {
+fn the_wall_thickness_does_not_depend_on_the_density() {
     let (coarse, _) = printed("coarse.stl", &["--density", "0"]);
     let (dense, said) = printed("dense.stl", &["--density", "2"]);
     assert!((volume_cm3(&dense) / volume_cm3(&coarse) - 1.0).abs() < 0.05, "{said}");
 }
 
-/// The portrait fills 1024 px and no more; its head alone, eight times as large, 2048.
+/// The portrait's face fills 1024 px of texture; its head alone, eight times as large, fills 2048 px.
 #[test]
-fn the_picture_is_as_large_as_its_photo_fills_and_no_larger_than_asked_for() {
+fn the_texture_size_is_limited_by_the_photo_and_by_the_option() {
     let large = scratch("large.png");
     let head = image::open(portrait()).unwrap().crop_imm(96, 0, 256, 256);
     head.resize_exact(2048, 2048, image::imageops::FilterType::Triangle).save(&large).unwrap();

@@ -1,4 +1,4 @@
-//! What cannot be done is refused with a documented exit code and a message that says what to do.
+//! Failed requests: documented exit codes and messages with a hint.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -17,7 +17,7 @@ fn refused(photo: &Path, output: &str, more: &[&str], expected: i32, words: &[&s
 
 #[test]
 fn unreadable_photos() {
-    refused(&scratch("missing.jpg"), "a.json", &[], 3, &["missing.jpg", "Check the file's name"]);
+    refused(&scratch("missing.jpg"), "a.json", &[], 3, &["missing.jpg", "Check the path"]);
     let text = scratch_file("text.jpg", b"just text");
     refused(&text, "a.json", &[], 3, &["text.jpg: this is not a picture", "Choose a JPEG"]);
     let whole = std::fs::read(portrait()).unwrap();
@@ -27,41 +27,41 @@ fn unreadable_photos() {
 
 #[test]
 fn no_face() {
-    refused(&faceless(), "a.glb", &[], 4, &["faceless.png: no face found", "should fill"]);
+    refused(&faceless(), "a.glb", &[], 4, &["faceless.png: no face found", "fills at least a tenth"]);
 }
 
 #[test]
 fn edits_that_cannot_be_made() {
     let edit = |edit, words: &[&str]| refused(&portrait(), "a.json", &["--edit", edit], 5, words);
-    edit("468:0,0,0.1", &["edit 1 (vertex 468)", "no vertex 468", "numbered 0 to 467"]);
-    edit("4:0,0,0.1:4,10", &["edit 1 (vertex 4)", "handle and an anchor", "other than the vertex"]);
+    edit("468:0,0,0.1", &["edit 1 (vertex 468)", "vertex 468 does not exist", "are 0 to 467"]);
+    edit("4:0,0,0.1:4,10", &["edit 1 (vertex 4)", "handle and an anchor", "other than the moved vertex"]);
     edit("4:0,0,0.1:10,10", &["vertex 10 is listed twice"]);
-    edit("4:0,0,0.1:10,9999", &["no vertex 9999"]);
+    edit("4:0,0,0.1:10,9999", &["vertex 9999 does not exist"]);
     let dense = ["--density", "1", "--edit", "9999@1:0,0,0.1"];
-    refused(&portrait(), "a.json", &dense, 5, &["no vertex 9999", "numbered 0 to 1"]);
+    refused(&portrait(), "a.json", &dense, 5, &["vertex 9999 does not exist", "are 0 to 1"]);
     let far = ["--units", "image", "--constraint", "exact", "--edit", "4:0,0,1e308", "--edit", "4:0,0,1e308"];
     refused(&portrait(), "a.json", &far, 5, &["edit 2 (vertex 4)", "not finite", "smaller offsets"]);
 }
 
 #[test]
-fn requests_that_are_not_understood() {
+fn invalid_options_and_edits_files() {
     let request = |more: &[&str], words: &[&str]| refused(&portrait(), "a.json", more, 2, words);
     request(&["--edit", "4:0,0"], &["three numbers"]);
-    request(&["--edit", "nose:0,0,1"], &["no vertex"]);
+    request(&["--edit", "nose:0,0,1"], &["invalid vertex"]);
     request(&["--operator", "M"], &["L_s"]);
     request(&["--units", "inches"], &["image"]);
     let file = scratch_file("broken.json", br#"[{"vertex": 4}]"#);
-    request(&["--edits", file.to_str().unwrap()], &["broken.json", "offset", "It should hold a list"]);
-    refused(&portrait(), "a.stp", &[], 2, &["a.stp: its name does not end as a format is called", ".glb"]);
+    request(&["--edits", file.to_str().unwrap()], &["broken.json", "offset", "Expected a list"]);
+    refused(&portrait(), "a.stp", &[], 2, &["a.stp: unknown file extension", ".glb"]);
 }
 
 #[test]
-fn places_that_cannot_be_written_to() {
+fn a_missing_output_folder() {
     refused(&portrait(), "no-such-folder/a.json", &[], 6, &["no-such-folder", "Check that the folder"]);
 }
 
 #[test]
-fn networks_that_are_not_there_or_not_networks() {
+fn missing_and_damaged_networks() {
     let empty = scratch("empty-folder");
     std::fs::create_dir_all(&empty).unwrap();
     refused(&portrait(), "a.json", &["--networks", empty.to_str().unwrap()], 7, &["empty-folder", "cargo xtask setup"]);

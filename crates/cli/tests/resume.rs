@@ -1,4 +1,4 @@
-//! A file of landmarks that a later run resumes, and what is not one.
+//! Resuming a file of landmarks, and refusal of other files.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -12,14 +12,14 @@ use std::process::{Command, Output, Stdio};
 use common::*;
 use serde_json::Value;
 
-/// `rosto landmarks --mediapipe PHOTOS... -o FILE MORE...`
+/// Runs `rosto landmarks --mediapipe PHOTOS... -o FILE MORE...`.
 fn landmarks(photos: &[&Path], file: &Path, more: &[&str]) -> Output {
     let photos = photos.iter().map(|photo| photo.as_os_str());
     let options = ["--mediapipe", "-o"].map(OsStr::new).into_iter().chain([file.as_os_str()]);
     rosto([OsStr::new("landmarks")].into_iter().chain(photos).chain(options).chain(more.iter().map(OsStr::new)))
 }
 
-/// A folder with copies of the portrait by these names, and a file for its landmarks that is not there yet.
+/// A folder with copies of the portrait, and the path of a landmarks file that does not exist yet.
 fn photos(names: &[&str]) -> (PathBuf, PathBuf) {
     let folder = scratch_folder("photos");
     for name in names {
@@ -39,7 +39,7 @@ fn names(file: &Path) -> Vec<String> {
 }
 
 #[test]
-fn what_another_request_or_another_program_wrote_is_refused_and_stays() {
+fn other_options_and_foreign_files_are_refused_and_unchanged() {
     let (folder, file) = photos(&["a.png"]);
     assert_eq!(code(&landmarks(&[&folder], &file, &[])), 0);
     let ours = fs::read_to_string(&file).unwrap();
@@ -61,20 +61,24 @@ fn what_another_request_or_another_program_wrote_is_refused_and_stays() {
         ("a blank line", "\n"),
     ] {
         fs::write(&file, content).unwrap();
-        assert_refused(&landmarks(&[&folder], &file, &[]), 2, &["line ", "not written by this request", "as it was"]);
+        assert_refused(
+            &landmarks(&[&folder], &file, &[]),
+            2,
+            &["line ", "not written with these options", "unchanged"],
+        );
         assert_eq!(fs::read_to_string(&file).unwrap(), content, "{name}");
     }
     let mesh_file = file.with_extension("json");
     assert_eq!(code(&mesh(&portrait(), &mesh_file, &[])), 0);
     let before = fs::read(&mesh_file).unwrap();
     assert_refused(&landmarks(&[&portrait()], &mesh_file, &[]), 2, &["line 1"]);
-    assert!(fs::read(&mesh_file).unwrap() == before, "the mesh is there");
+    assert!(fs::read(&mesh_file).unwrap() == before, "the mesh is unchanged");
     assert_eq!(code(&landmarks(&[&folder], &mesh_file, &["--force"])), 0);
     assert_eq!(fs::read_to_string(&mesh_file).unwrap(), ours);
 }
 
 #[test]
-fn an_empty_file_and_one_that_is_cut_off_anywhere_are_resumed() {
+fn a_file_truncated_anywhere_is_resumed() {
     let (folder, file) = photos(&["a.png", "b.png"]);
     assert_eq!(code(&landmarks(&[&folder], &file, &[])), 0);
     let whole = fs::read(&file).unwrap();
@@ -88,17 +92,17 @@ fn an_empty_file_and_one_that_is_cut_off_anywhere_are_resumed() {
 }
 
 #[test]
-fn a_photo_that_failed_is_tried_again_until_it_is_mended() {
+fn failed_photos_are_tried_again() {
     let (folder, file) = photos(&["a.png", "c.png"]);
     let bad = folder.join("b.png");
     fs::write(&bad, "notes").unwrap();
     for _ in 0..3 {
         assert_refused(&landmarks(&[&folder], &file, &[]), 3, &["b.png: this is not a picture"]);
         let failed: Vec<bool> = lines(&file).iter().map(|line| line["error"].is_string()).collect();
-        assert_eq!(failed.iter().filter(|failed| **failed).count(), 1, "one line for each photo");
+        assert_eq!(failed.iter().filter(|failed| **failed).count(), 1, "one line per photo");
         assert_eq!(failed.len(), 3);
     }
-    // Another folder's run leaves the line alone.
+    // A run over another folder keeps the line.
     let (elsewhere, other) = (scratch_folder("elsewhere"), "d.png");
     fs::copy(portrait(), elsewhere.join(other)).unwrap();
     assert_eq!(code(&landmarks(&[&elsewhere], &file, &[])), 0);
@@ -106,14 +110,14 @@ fn a_photo_that_failed_is_tried_again_until_it_is_mended() {
     fs::copy(portrait(), &bad).unwrap();
     let run = landmarks(&[&folder], &file, &[]);
     assert_eq!(code(&run), 0, "{}", said(&run));
-    assert!(said(&run).contains("1 photos with a face") && said(&run).contains("2 were done before"));
+    assert!(said(&run).contains("1 photos with a face") && said(&run).contains("2 already done"));
     assert_eq!(names(&file), ["a.png", "c.png", "d.png", "b.png"]);
     assert!(lines(&file).iter().all(|line| line["error"].is_null()));
 }
 
 #[cfg(target_os = "linux")]
 #[test]
-fn names_that_print_alike_are_different_photos() {
+fn non_utf8_names_that_print_alike_are_distinct() {
     use std::os::unix::ffi::OsStrExt;
     let (folder, file) = photos(&["\u{fffd}.png"]);
     for byte in [0xfe_u8, 0xff] {
@@ -122,7 +126,7 @@ fn names_that_print_alike_are_different_photos() {
     let run = landmarks(&[&folder], &file, &["--jobs", "2"]);
     assert_eq!((code(&run), lines(&file).len()), (0, 3), "{}", said(&run));
     let before = fs::read(&file).unwrap();
-    // One by one and in all, none is forgotten and none is done twice.
+    // Given one by one or together, each photo is recognised as done.
     for name in [&b"\xff.png"[..], b"\xfe.png", "\u{fffd}.png".as_bytes(), b""] {
         let run = landmarks(&[&folder.join(OsStr::from_bytes(name))], &file, &[]);
         assert_eq!(code(&run), 0);
@@ -135,7 +139,7 @@ fn names_that_print_alike_are_different_photos() {
 }
 
 #[test]
-fn a_photo_is_done_by_whatever_path_it_is_reached() {
+fn a_photo_is_recognised_under_any_path() {
     let (folder, file) = photos(&["a.png", "b.png"]);
     let run = |photos: &[&str]| {
         let mut program = Command::new(env!("CARGO_BIN_EXE_rosto"));
@@ -152,7 +156,7 @@ fn a_photo_is_done_by_whatever_path_it_is_reached() {
 }
 
 #[test]
-fn standard_input_is_another_photo_each_time() {
+fn standard_input_is_always_a_new_photo() {
     let (_, file) = photos(&[]);
     let run = || {
         let mut program = Command::new(env!("CARGO_BIN_EXE_rosto"));
@@ -182,7 +186,7 @@ fn a_second_process_on_the_same_file_is_refused() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_full_disk_ends_the_run_and_leaves_whole_lines() {
+fn a_full_disk_ends_the_batch_and_leaves_complete_lines() {
     let (folder, file) = photos(&["a.png", "b.png", "c.png"]);
     let run = landmarks(&[&folder], Path::new("/dev/full"), &[]);
     assert_refused(&run, 6, &["/dev/full", "The disk is full"]);
@@ -191,7 +195,7 @@ fn a_full_disk_ends_the_run_and_leaves_whole_lines() {
     let script = "trap '' XFSZ; ulimit -f 50; exec \"$@\"";
     shell.args(["-c", script, "sh", env!("CARGO_BIN_EXE_rosto"), "landmarks", "--mediapipe", "-o"]);
     let run = shell.args([&file, &folder]).output().unwrap();
-    assert_refused(&run, 6, &["faces.jsonl", "limit"]);
+    assert_refused(&run, 6, &["faces.jsonl", "limit on file sizes"]);
     assert!(fs::read(&file).unwrap().last().is_none_or(|&byte| byte == b'\n'));
     assert_eq!(code(&landmarks(&[&folder], &file, &[])), 0);
     assert_eq!(names(&file), ["a.png", "b.png", "c.png"]);

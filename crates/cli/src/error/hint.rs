@@ -10,7 +10,7 @@ use super::CliError;
 use crate::input::ReadError;
 
 impl CliError {
-    /// What to do, where something can be done.
+    /// What the user can do about the error, if anything.
     pub(crate) fn hint(&self) -> Option<Cow<'static, str>> {
         if let Self::Edit { reason: StudioError::Laplacian(reason), .. } = self {
             return edit_hint(reason);
@@ -20,46 +20,50 @@ impl CliError {
 
     fn fixed_hint(&self) -> Option<&'static str> {
         match self {
-            Self::OverInput { .. } => Some("Give -o another name."),
+            Self::OverwritesInput { .. } => Some("Choose another name for -o."),
             Self::Unreadable { reason: ReadError::Empty, .. } => Some(PhotoError::NotAPicture.hint()),
             Self::Unreadable { reason, .. } | Self::EditsUnreadable { reason, .. } => read_hint(reason),
-            Self::NoPicture { reason, .. } => Some(reason.hint()),
-            Self::NoPhotos { .. } => {
-                Some("Photos are regular files named .jpg, .jpeg, .jpe, .jfif, .pjpeg, .png or .webp.")
+            Self::InvalidPicture { reason, .. } => Some(reason.hint()),
+            Self::NoPhotos { .. } => Some("Rosto reads .jpg, .jpeg, .jpe, .jfif, .pjpeg, .png and .webp files."),
+            Self::TooManyPhotos { .. } => Some("To make one mesh per photo, use {} in the output's name."),
+            Self::InternalError { .. } => Some("Please report it, with the photo if you can share it."),
+            Self::OtherOptions { .. } => {
+                Some("Use the file's original options, another name, or --force. The file is unchanged.")
             }
-            Self::TooManyPhotos { .. } => Some("To make a mesh of each photo, put {} into the name of the output."),
-            Self::Broke { .. } => Some("Tell us of it, with the photo if it may be seen: it should not have."),
-            Self::AnotherJournal { .. } => {
-                Some("Give the options that the file was begun with, another name, or --force; it is as it was.")
+            Self::InUse { .. } => Some("Wait until that process ends, or use another name."),
+            Self::Foreign { .. } => Some("Move the file, use another name, or replace it with --force."),
+            Self::SameOutput { .. } => Some("Rename one of the photos, or write the meshes to different folders."),
+            Self::NoFace { .. } => {
+                Some("Use a photo in which the face looks at the camera and fills at least a tenth of the picture.")
             }
-            Self::InUse { .. } => Some("Wait until that process ends, or give another name."),
-            Self::Foreign { .. } => Some("Move it, give another name, or replace it with --force."),
-            Self::SameOutput { .. } => Some("Rename one of the photos, or write their meshes to different folders."),
-            Self::NoFace { .. } => Some("The face should fill a tenth of the picture or more and look at the camera."),
-            Self::AnotherFace { .. } => Some("Give photos of one face, each with no other face in front."),
+            Self::AnotherFace { .. } => Some("Use photos of one face; in each, it must be the most prominent."),
             Self::EditsFile { .. } => {
-                Some(r#"It should hold a list such as [{"vertex": 4, "offset": [0, 0, 1], "anchors": [10, 152]}]."#)
+                Some(r#"Expected a list such as [{"vertex": 4, "offset": [0, 0, 1], "anchors": [10, 152]}]."#)
             }
-            Self::EditsUtf16 { .. } => Some("Save it as UTF-8."),
+            Self::EditsUtf16 { .. } => Some("Save the file as UTF-8."),
             Self::Edit { reason: StudioError::NoMirror | StudioError::NoExpressions { .. }, .. } => {
-                Some("Use --units mm; a vertex of a denser mesh also needs --topology canonical.")
+                Some("Use --units mm; for a vertex of a denser mesh, also --topology canonical.")
             }
-            Self::Edit { reason: StudioError::TooCoarse { .. }, .. } => Some("Give --density as many or more."),
+            Self::Edit { reason: StudioError::TooCoarse { .. }, .. } => Some("Raise --density to that level."),
             Self::Export(ExportError::Solid(SolidError::TooThick { .. })) => {
-                Some("Give --solid a smaller thickness, or flat:MM.")
+                Some("Use a smaller thickness in --solid, or flat:MM.")
             }
-            Self::Export(ExportError::Solid(_)) => Some("Edit the face less, or print it at a lower --density."),
-            Self::ImageUnits { .. } => Some("Use --units mm, and give offsets in millimetres."),
-            Self::UnknownFormat { .. } | Self::NoPictureFormat { .. } => Some("End its name so."),
+            Self::Export(ExportError::Solid(_)) => Some("Use smaller edits or a lower --density."),
+            Self::ImageUnits { .. } => Some("Use --units mm, with offsets in millimetres."),
+            Self::UnknownFormat { .. } | Self::UnknownPictureFormat { .. } => None,
             Self::Unwritable { reason, .. } => Some(write_hint(reason)),
-            Self::Output(reason) if is_full(reason) => Some("The disk is full: make room, or write elsewhere."),
+            Self::Output(reason) if is_full(reason) => {
+                Some("The disk is full: free some space, or write to another disk.")
+            }
             Self::NetworksMissing { .. } => Some(
-                "Run `cargo xtask setup` in the source tree and build again, or name their folder with --networks.",
+                "Run `cargo xtask setup` in the source tree and build again, or pass their folder with --networks.",
             ),
             Self::NetworkMissing { .. } | Self::NetworkUnreadable { .. } => {
-                Some("Run `cargo xtask setup` to obtain both, or name another folder with --networks.")
+                Some("Run `cargo xtask setup` to download both, or pass another folder with --networks.")
             }
-            Self::Networks(_) | Self::NoPlace { .. } => Some("Run `cargo xtask setup` to obtain them again."),
+            Self::Networks(_) | Self::NonFiniteLandmark { .. } => {
+                Some("Run `cargo xtask setup` to download them again.")
+            }
             _ => None,
         }
     }
@@ -68,9 +72,9 @@ impl CliError {
 fn read_hint(reason: &ReadError) -> Option<&'static str> {
     let ReadError::Io(reason) = reason else { return None };
     match reason.kind() {
-        ErrorKind::NotFound => Some("Check the file's name."),
-        ErrorKind::IsADirectory => Some("Name a file in that folder."),
-        ErrorKind::PermissionDenied => Some("Check that you may read it."),
+        ErrorKind::NotFound => Some("Check the path."),
+        ErrorKind::IsADirectory => Some("Pass a file in that folder."),
+        ErrorKind::PermissionDenied => Some("Check the file's permissions."),
         _ => None,
     }
 }
@@ -78,13 +82,13 @@ fn read_hint(reason: &ReadError) -> Option<&'static str> {
 fn write_hint(reason: &io::Error) -> &'static str {
     match reason.kind() {
         _ if is_full(reason) => {
-            "The disk is full: make room, or write elsewhere. A file that was there before is as it was."
+            "The disk is full: free some space, or write to another disk. An existing file is unchanged."
         }
-        ErrorKind::FileTooLarge => "The system's limit on the length of files is too low for it.",
-        ErrorKind::IsADirectory => "Name a file in that folder.",
-        ErrorKind::NotADirectory => "Name a folder.",
-        ErrorKind::InvalidFilename => "Give a shorter name.",
-        _ => "Check that the folder is there and may be written to.",
+        ErrorKind::FileTooLarge => "The result exceeds the system's limit on file sizes.",
+        ErrorKind::IsADirectory => "Pass a file in that folder.",
+        ErrorKind::NotADirectory => "Pass a folder.",
+        ErrorKind::InvalidFilename => "Use a shorter name.",
+        _ => "Check that the folder exists and that you can write to it.",
     }
 }
 
@@ -95,12 +99,12 @@ fn is_full(reason: &io::Error) -> bool {
 fn edit_hint(reason: &LaplacianError) -> Option<Cow<'static, str>> {
     match *reason {
         LaplacianError::NoSuchVertex { vertex_count, .. } => Some(Cow::Owned(format!(
-            "That mesh's vertices are numbered 0 to {}; VERTEX@LEVEL is one of a denser mesh.",
+            "The vertices of this mesh are 0 to {}; VERTEX@LEVEL addresses a denser mesh.",
             vertex_count.saturating_sub(1)
         ))),
-        LaplacianError::PinnedHandle { .. } => Some("Name anchors other than the vertex that is moved.".into()),
-        LaplacianError::Repeated { .. } => Some("Name each anchor once.".into()),
-        LaplacianError::NotFinite { .. } => Some("Give smaller offsets.".into()),
+        LaplacianError::PinnedHandle { .. } => Some("Use anchors other than the moved vertex.".into()),
+        LaplacianError::Repeated { .. } => Some("Give each anchor once.".into()),
+        LaplacianError::NotFinite { .. } => Some("Use smaller offsets.".into()),
         _ => None,
     }
 }

@@ -1,4 +1,4 @@
-//! A mesh of each of many photos.
+//! One mesh per photo.
 
 use std::collections::HashMap;
 use std::ffi::OsString;
@@ -11,26 +11,26 @@ use rosto_export::Format;
 use super::ledger::{Ledger, Status};
 use super::{Step, make};
 use crate::args::MeshTask;
+use crate::batch::{self, BatchSummary, Listing, Outcome, Progress};
 use crate::error::CliError;
-use crate::many::{self, BatchSummary, Listing, Outcome, Progress};
 use crate::networks::Networks;
 use crate::{encode, files, networks, output, portrait, terminal};
 
-/// A photo and the files that it becomes, the mesh first.
+/// A photo and its output files, the mesh first.
 struct Job {
     photo: PathBuf,
     outputs: Vec<PathBuf>,
 }
 
-/// Makes those that are not there; a photo that fails stops no other, and a file that cannot be written stops all.
+/// Makes the missing meshes. Failed photos are skipped; a failed write ends the batch.
 pub fn run(task: &MeshTask, steps: &[Step], format: Format, networks: Networks<'_>) -> Result<(), CliError> {
     files::check_standard_input(task.photos.iter().chain(&task.edits.file).map(PathBuf::as_path))?;
-    let listing = many::photos(&task.photos)?;
+    let listing = batch::photos(&task.photos)?;
     let jobs = jobs(task, format, &listing)?;
     check_names(&jobs, task)?;
     let finder = networks::load(networks, task.find.landmarks())?;
     let ledger = Ledger::open(&task.output, &request(task, steps))?;
-    let left = match left(&jobs, &ledger, task.many.force) {
+    let left = match left(&jobs, &ledger, task.batch.force) {
         Ok(left) => left,
         Err(refused) => {
             ledger.discard_empty()?;
@@ -56,12 +56,12 @@ pub fn run(task: &MeshTask, steps: &[Step], format: Format, networks: Networks<'
     };
     let work = |path: &Path| {
         let outcome = work(path);
-        is_stopped.fetch_or(outcome.as_ref().is_err_and(CliError::is_of_output), Ordering::Relaxed);
+        is_stopped.fetch_or(outcome.as_ref().is_err_and(CliError::is_write_failure), Ordering::Relaxed);
         outcome
     };
-    many::in_order(&left, task.many.jobs, work, |(_, outcome): Outcome<Vec<String>>| {
+    batch::in_order(&left, task.batch.jobs, work, |(_, outcome): Outcome<Vec<String>>| {
         match outcome {
-            Err(error) if error.is_of_output() => return Err(error),
+            Err(error) if error.is_write_failure() => return Err(error),
             Err(ref error) => progress.report(error),
             Ok(ref notes) => progress.note(notes),
         }
@@ -74,13 +74,13 @@ pub fn run(task: &MeshTask, steps: &[Step], format: Format, networks: Networks<'
     summary.verdict()
 }
 
-/// All that makes the meshes of two requests differ.
+/// Identifies the options and edits that determine the meshes.
 fn request(task: &MeshTask, steps: &[Step]) -> String {
-    // Without `..`, so that no new option is forgotten.
+    // Without `..`, so that a new option fails to compile here.
     let MeshTask {
         photos: _,
         output: _,
-        many: _,
+        batch: _,
         settings: _,
         mesh,
         base_colour,
@@ -96,24 +96,24 @@ fn request(task: &MeshTask, steps: &[Step]) -> String {
         units,
     } = task;
     let paint = (base_colour, texture_size, solid, material, eyes, morph_targets, expression_targets);
-    // Edits and their settings are in the steps, as the file of edits has them now.
+    // The steps contain the edits, including those of the file, with their settings.
     format!("{:?}", (mesh, paint, find, camera, units, steps))
 }
 
-/// Each photo with the files that it becomes, by its name below the folder that was given.
+/// One job per photo; `{}` in the pattern becomes the photo's path relative to the given folder.
 fn jobs(task: &MeshTask, format: Format, listing: &Listing) -> Result<Vec<Job>, CliError> {
     let pattern = task.output.to_string_lossy();
-    let job = |photo: &many::Listed| {
+    let job = |photo: &batch::Listed| {
         let name = photo.name.with_extension("");
         let output = PathBuf::from(filled(&pattern, &name));
-        let beside = format.sidecar_names(task.base_colour, &encode::name_of(&output));
-        let beside = beside.into_iter().map(|name| output.with_file_name(name));
-        Job { photo: photo.path.clone(), outputs: [output.clone()].into_iter().chain(beside).collect() }
+        let sidecars = format.sidecar_names(task.base_colour, &encode::name_of(&output));
+        let sidecars = sidecars.into_iter().map(|name| output.with_file_name(name));
+        Job { photo: photo.path.clone(), outputs: [output.clone()].into_iter().chain(sidecars).collect() }
     };
     Ok(listing.photos.iter().map(job).collect())
 }
 
-/// The pattern with this name in it, whatever its bytes are.
+/// Replaces `{}` by the name, which need not be UTF-8.
 fn filled(pattern: &str, name: &Path) -> OsString {
     let mut filled = OsString::new();
     for (index, part) in pattern.split(output::PHOTO_NAME).enumerate() {
@@ -125,7 +125,7 @@ fn filled(pattern: &str, name: &Path) -> OsString {
     filled
 }
 
-/// Refuses two files of one name, and to write over what is read.
+/// Refuses outputs that coincide with each other or with an input.
 fn check_names(jobs: &[Job], task: &MeshTask) -> Result<(), CliError> {
     let inputs = jobs.iter().map(|job| &job.photo).chain(&task.edits.file);
     let inputs: HashMap<PathBuf, &PathBuf> =
@@ -138,14 +138,14 @@ fn check_names(jobs: &[Job], task: &MeshTask) -> Result<(), CliError> {
                 return Err(CliError::SameOutput { one, other, path: output.clone() });
             }
             if let Some(input) = output.canonicalize().ok().and_then(|output| inputs.get(&output)) {
-                return Err(CliError::OverInput { input: input.to_path_buf(), path: output.clone() });
+                return Err(CliError::OverwritesInput { input: input.to_path_buf(), path: output.clone() });
             }
         }
     }
     Ok(())
 }
 
-/// Names that differ in capitals alone are one on the usual file systems of macOS and Windows.
+/// File systems of macOS and Windows usually ignore case.
 fn folded(output: &Path) -> PathBuf {
     match cfg!(any(target_os = "macos", windows)) {
         true => output.to_string_lossy().to_lowercase().into(),
@@ -153,7 +153,7 @@ fn folded(output: &Path) -> PathBuf {
     }
 }
 
-/// The photos whose meshes are to be made, once nothing that Rosto did not write is in the way.
+/// Photos whose meshes are missing or outdated; fails if an output is a file that Rosto did not write.
 fn left(jobs: &[Job], ledger: &Ledger, force: bool) -> Result<Vec<PathBuf>, CliError> {
     let mut left = Vec::new();
     for job in jobs {

@@ -1,4 +1,4 @@
-//! What a batch has written before, so that it is resumed and nothing else is replaced.
+//! Record of the files that a batch has written, used to resume it and to protect other files.
 
 use std::collections::HashMap;
 use std::ffi::OsString;
@@ -11,14 +11,14 @@ use rosto_export::ExportedFile;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+use crate::batch::{Lines, PhotoName, Verdict, hex};
 use crate::error::CliError;
 use crate::input;
-use crate::many::{Lines, PhotoName, Verdict, hex};
 use crate::output;
 
-/// A file of JSON lines beside the meshes: of which photo each was made, by which request, and a hash of each file that was written.
+/// JSON lines next to the meshes: for each mesh its photo, a hash of the request, and a hash of each file.
 ///
-/// A line is written before its files are. The last line of a photo counts.
+/// A line is written before its files. The last line of a photo is the valid one.
 pub struct Ledger {
     lines: Mutex<Lines>,
     path: PathBuf,
@@ -34,27 +34,27 @@ struct Line<'a> {
     record: Record,
 }
 
-/// The mesh first, then the files beside it.
+/// Hashes of the mesh and then of its sidecar files.
 #[derive(Serialize, Deserialize)]
 struct Record {
     request: String,
     sha256: Vec<String>,
 }
 
-/// What is known of the files that a photo becomes.
+/// State of a photo's output files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
-    /// They were made by this request.
+    /// Written by this request.
     Done,
-    /// They are not there, or another request of Rosto's has made them.
+    /// Missing, or written by another request.
     ToDo,
 }
 
 impl Ledger {
-    /// Opens the ledger of this pattern of outputs, for this process alone. `request` is what makes the meshes what they are.
+    /// Opens and locks the ledger of an output pattern. `request` identifies the options and edits.
     ///
     /// # Errors
-    /// [`CliError::InUse`] while another process writes these meshes.
+    /// [`CliError::InUse`] if another process is writing these meshes.
     pub fn open(pattern: &Path, request: &str) -> Result<Self, CliError> {
         let path = path_for(pattern);
         let folder = path.parent().unwrap_or(Path::new("."));
@@ -68,21 +68,22 @@ impl Ledger {
                 Ok(Verdict::Keep)
             }
             Err(_) if !line.is_whole => Ok(Verdict::Drop),
-            Err(_) => Err(CliError::AnotherJournal { path: path.clone(), line: line.number }),
+            Err(_) => Err(CliError::OtherOptions { path: path.clone(), line: line.number }),
         })?;
         let request = hex(&Sha256::digest(request));
         Ok(Self { lines: Mutex::new(lines), path, request, by_photo })
     }
 
-    /// Whether the photo's files are there already.
+    /// Whether the photo's files are complete.
     ///
     /// # Errors
-    /// [`CliError::Foreign`] if one of them is there and was not written for this photo.
+    /// [`CliError::Foreign`] if a file exists that Rosto did not write for this photo.
     pub fn status(&self, photo: &Path, outputs: &[PathBuf]) -> Result<Status, CliError> {
         let there = outputs.iter().map(|output| is_there(output)).collect::<Result<Vec<bool>, _>>()?;
         let records = self.by_photo.get(&input::identity(photo)).map_or(&[][..], Vec::as_slice);
         let is_current = |record: &Record| record.request == self.request && record.sha256.len() == outputs.len();
-        // What was done after that is the user's, and stays. Only an older mesh may still be in the place of the newer.
+        // The user's later changes to the files are kept. Only a mesh of an older record shows that this request's
+        // files were never put in place.
         if records.last().is_some_and(is_current)
             && there.iter().all(|&there| there)
             && !input::is_standard_input(photo)
@@ -100,7 +101,7 @@ impl Ledger {
         Ok(Status::ToDo)
     }
 
-    /// Whether one of these wrote the file as it is now.
+    /// Whether one of the records matches the file's current content.
     fn is_of(&self, records: &[Record], index: usize, output: &Path) -> Result<bool, CliError> {
         if records.is_empty() {
             return Ok(false);
@@ -110,18 +111,18 @@ impl Ledger {
         Ok(records.iter().any(|record| record.sha256.get(index) == Some(&hash)))
     }
 
-    /// Notes what is about to be written for the photo.
+    /// Records the files that are about to be written for the photo.
     pub fn add(&self, photo: &Path, written: &ExportedFile) -> Result<(), CliError> {
         let contents = [&written.bytes].into_iter().chain(written.sidecars.iter().map(|file| &file.bytes));
         let sha256 = contents.map(|bytes| hex(&Sha256::digest(bytes))).collect();
         let record = Record { request: self.request.clone(), sha256 };
         let line = serde_json::to_string(&Line { name: PhotoName::new(photo), record });
         let line = line.expect("invariant: text is JSON");
-        // A thread that panicked while it held the lock had nothing half done: lines are added whole.
+        // A panic in another thread leaves no partial line, because each line is written by one call.
         self.lines.lock().unwrap_or_else(std::sync::PoisonError::into_inner).add(&line)
     }
 
-    /// Removes the file if nothing is in it, after a run that wrote nothing.
+    /// Deletes the ledger if it is empty.
     pub fn discard_empty(self) -> Result<(), CliError> {
         let lines = self.lines.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
         match lines.is_empty()? {
@@ -131,7 +132,8 @@ impl Ledger {
     }
 }
 
-/// `meshes/.rosto-{}.glb.jsonl` for `meshes/{}.glb`; for a pattern of folders, in the last folder that it names.
+/// `meshes/.rosto-{}.glb.jsonl` for `meshes/{}.glb`. If folders contain `{}`, the ledger is in the last folder without
+/// it.
 fn path_for(pattern: &Path) -> PathBuf {
     let is_fixed = |part: &Component<'_>| !part.as_os_str().to_string_lossy().contains(output::PHOTO_NAME);
     let parts: Vec<Component<'_>> = pattern.components().collect();
@@ -160,7 +162,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_ledger_lies_in_the_last_folder_that_the_pattern_names() {
+    fn the_ledger_is_in_the_last_folder_without_a_placeholder() {
         let of = |pattern: &str| path_for(Path::new(pattern));
         assert_eq!(of("meshes/{}.glb"), Path::new("meshes/.rosto-{}.glb.jsonl"));
         assert_eq!(of("{}.glb"), Path::new(".rosto-{}.glb.jsonl"));

@@ -9,7 +9,8 @@ use crate::terminal;
 
 const ROUND_NAMES: [&str; 2] = ["(−0.005, −0.005, −0.005)", "(0.1, 0.1, −0.1)"];
 
-/// Table 1 beside this machine's, the claims as statistics, and every method compared; the paper's own method comes first.
+/// Markdown report: Table 1 with this machine's times, the paper's claims as statistics, and a comparison of methods,
+/// the paper's first.
 pub fn markdown(
     extraction: Duration,
     generation: Duration,
@@ -51,14 +52,14 @@ fn table_1(extraction: Duration, generation: Duration, trial: &Trial) -> String 
 
 fn note(runs: usize, folder: &Path) -> String {
     format!(
-        "Each edit is made from nothing (operator, factor, solve, displacement) and timed as the median of \
-         {REPETITIONS}. What follows is over {runs} runs with random vertices and anchors, as median [quartiles]. \
-         The meshes of Figures 3 to 5 and a plot of the times are in {}.",
+        "Each edit includes operator, factorisation, solve and displacement; its time is the median of {REPETITIONS} \
+         repetitions. The statistics cover {runs} runs with random vertices and anchors, as median [quartiles]. The meshes \
+         of Figures 3 to 5 and a plot of the times are in {}.",
         terminal::escaped(&folder.display().to_string())
     )
 }
 
-/// Time against degree and offset, for the paper's own method.
+/// Times of the paper's method by degree and offset.
 fn times(edits: &[&TimedEdit]) -> String {
     let mut lines =
         vec![format!("| Time per edit (ms) | {} | {} |", ROUND_NAMES[0], ROUND_NAMES[1]), "|---|--:|--:|".to_owned()];
@@ -69,7 +70,7 @@ fn times(edits: &[&TimedEdit]) -> String {
     lines.join("\n")
 }
 
-/// The paper's claims, each with the figure that bears on it.
+/// The paper's claims, each with its measured value.
 fn claims(claims: &Claims) -> String {
     [
         format!(
@@ -80,15 +81,15 @@ fn claims(claims: &Claims) -> String {
             "- Time depends little on the offset: the slower offset's median is {:.2} times the faster's.",
             claims.offset_ratio
         ),
-        format!("- No peaks without a gradual rise: {} of {} edits raised none.", claims.smooth, claims.edits),
+        format!("- The surface rises gradually, without peaks: true of {} of {} edits.", claims.smooth, claims.edits),
     ]
     .join("\n")
 }
 
-/// Every operator and constraint: time, and what the six edits did to the mesh.
+/// Comparison of operators and constraints: times, and effects of the six edits on the mesh.
 fn methods(outcomes: &[MethodOutcome]) -> String {
     let mut lines = vec![
-        "| Operator | ConstraintKind | Time per edit (ms) | Bent: ‖δ′ − δ‖ | Longest edge (×) | Triangles turned over | Edits without peaks |"
+        "| Operator | Constraint | Time per edit (ms) | Bending ‖δ′ − δ‖ | Longest edge (×) | Flipped triangles | Edits without peaks |"
             .to_owned(),
         "|---|---|--:|--:|--:|--:|--:|".to_owned(),
     ];

@@ -1,4 +1,4 @@
-//! The built program, the sample portrait, and pictures that are none of it.
+//! Helpers: the built program, the sample portrait and other pictures.
 
 #![allow(clippy::unwrap_used, dead_code, reason = "each test file uses its part")]
 
@@ -9,14 +9,14 @@ use std::time::Duration;
 
 use serde_json::Value;
 
-/// The sample portrait that `cargo xtask setup` obtains.
+/// Path of the sample portrait, which `cargo xtask setup` downloads.
 pub fn portrait() -> PathBuf {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web/assets/sample.png");
     assert!(path.is_file(), "the sample portrait is missing: run `cargo xtask setup`");
     path
 }
 
-/// A file of this name in the test's own folder: tests run side by side, and many of them write the same photo.
+/// Path of a file in the test's own folder, because tests run in parallel and use the same names.
 pub fn scratch(name: &str) -> PathBuf {
     let test = std::thread::current().name().unwrap_or("main").replace(':', "-");
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(env!("CARGO_CRATE_NAME")).join(test);
@@ -49,7 +49,7 @@ pub fn said(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).unwrap()
 }
 
-/// An empty folder of this name among the test's own.
+/// An empty folder in the test's own folder.
 pub fn scratch_folder(name: &str) -> PathBuf {
     let folder = scratch(name);
     if folder.exists() {
@@ -59,7 +59,7 @@ pub fn scratch_folder(name: &str) -> PathBuf {
     folder
 }
 
-/// The names in a folder, sorted.
+/// File names in a folder, sorted.
 pub fn names_in(folder: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(folder).unwrap();
     let mut names: Vec<String> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
@@ -67,32 +67,32 @@ pub fn names_in(folder: &Path) -> Vec<String> {
     names
 }
 
-/// `rosto mesh PHOTO -o OUTPUT MORE...`.
+/// Runs `rosto mesh PHOTO -o OUTPUT MORE...`.
 pub fn mesh(photo: &Path, output: &Path, more: &[&str]) -> Output {
     let arguments = [OsStr::new("mesh"), photo.as_os_str(), OsStr::new("-o"), output.as_os_str()];
     rosto(arguments.into_iter().chain(more.iter().map(OsStr::new)))
 }
 
-/// `rosto photo PHOTO -o OUTPUT MORE...`.
+/// Runs `rosto photo PHOTO -o OUTPUT MORE...`.
 pub fn photo(photo: &Path, output: &Path, more: &[&str]) -> Output {
     let arguments = [OsStr::new("photo"), photo.as_os_str(), OsStr::new("-o"), output.as_os_str()];
     rosto(arguments.into_iter().chain(more.iter().map(OsStr::new)))
 }
 
-/// Waits until a running program has made the file, for a minute at most.
+/// Waits up to a minute until a running program has created the file.
 pub fn wait_for(file: &Path, running: &mut Child) {
     for _ in 0..12_000 {
         if file.exists() {
             return;
         }
-        assert!(running.try_wait().unwrap().is_none(), "it ended before it made {}", file.display());
+        assert!(running.try_wait().unwrap().is_none(), "the program ended before it created {}", file.display());
         std::thread::sleep(Duration::from_millis(5));
     }
     running.kill().unwrap();
-    panic!("{} is not made", file.display());
+    panic!("{} was not created", file.display());
 }
 
-/// Checks exit code and message of a run that can do nothing.
+/// Checks the exit code and message of a failed run.
 pub fn assert_refused(run: &Output, expected: i32, words: &[&str]) {
     let said = said(run);
     assert_eq!(code(run), expected, "{said}");
@@ -100,7 +100,7 @@ pub fn assert_refused(run: &Output, expected: i32, words: &[&str]) {
     assert!(run.stdout.is_empty(), "messages go to standard error");
 }
 
-/// `rosto mesh` of the portrait to a JSON file.
+/// Runs `rosto mesh` on the portrait and parses its JSON output.
 pub fn mesh_json(name: &str, more: &[&str]) -> Value {
     let path = scratch(name);
     let mut arguments = vec!["mesh".into(), portrait().into_os_string(), "-o".into(), path.clone().into_os_string()];

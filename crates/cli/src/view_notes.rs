@@ -1,4 +1,4 @@
-//! What is said of several photos of one face.
+//! Messages about several photos of one face.
 
 use std::path::PathBuf;
 
@@ -7,9 +7,9 @@ use rosto_face::{FaceModel, LeftOut, Turn, View};
 use crate::error::CliError;
 use crate::terminal;
 
-/// Says which photo leads, how the face is turned in each, how well the others foresee it, and which turn none shows; nothing of
-/// a single photo.
-pub fn tell(face: &FaceModel, photos: &[PathBuf]) -> Result<(), CliError> {
+/// Reports the leading photo, the head's angle in each photo, the prediction errors and missing angles. Does nothing
+/// for a single photo.
+pub fn report(face: &FaceModel, photos: &[PathBuf]) -> Result<(), CliError> {
     let views = face.views();
     if views.len() == 1 {
         return Ok(());
@@ -18,11 +18,11 @@ pub fn tell(face: &FaceModel, photos: &[PathBuf]) -> Result<(), CliError> {
     for (index, view) in views.iter().enumerate() {
         let named = photos[view.photo].display();
         let leads = if index == 0 { " and leads" } else { "" };
-        let seen = left_out.iter().find(|of| of.photo == view.photo).map_or(String::new(), foreseen);
-        terminal::note(&format!("{named}: {}{leads}{}{seen}", turned(view), agrees(index, view)));
+        let prediction = left_out.iter().find(|of| of.photo == view.photo).map_or(String::new(), prediction_note);
+        terminal::note(&format!("{named}: {}{leads}{}{prediction}", turned(view), agrees(index, view)));
     }
     let missing = Turn::missing(views.iter().map(|view| view.camera.pose()));
-    missing.into_iter().for_each(|turn| terminal::note(missed(turn)));
+    missing.into_iter().for_each(|turn| terminal::note(missing_angle(turn)));
     Ok(())
 }
 
@@ -34,20 +34,20 @@ fn turned(view: &View) -> String {
     }
 }
 
-/// The one that leads has the mesh on it.
+/// The mesh matches the leading photo by construction.
 fn agrees(index: usize, view: &View) -> String {
     if index == 0 { String::new() } else { format!(", agrees within {:.1} px", view.reprojection.rms_px) }
 }
 
-fn foreseen(of: &LeftOut) -> String {
+fn prediction_note(of: &LeftOut) -> String {
     let [one, others] = [of.by_one, of.by_others].map(|by| by.rms_px);
-    format!("; left out, it is foreseen within {one:.1} px by one other and {others:.1} px by all others")
+    format!("; prediction error {one:.1} px from one other photo, {others:.1} px from all others")
 }
 
-fn missed(turn: Turn) -> &'static str {
+fn missing_angle(turn: Turn) -> &'static str {
     match turn {
         Turn::Front => "none of the photos shows the face looking at the camera",
-        Turn::Left => "a photo of the face turned to its left by 20 to 60° would make the mesh truer",
-        Turn::Right => "a photo of the face turned to its right by 20 to 60° would make the mesh truer",
+        Turn::Left => "a photo of the face turned to its left by 20 to 60° would improve the depth",
+        Turn::Right => "a photo of the face turned to its right by 20 to 60° would improve the depth",
     }
 }

@@ -6,35 +6,36 @@ use std::path::{Path, PathBuf};
 use crate::error::CliError;
 use crate::input;
 
-/// Extensions of the files that a folder stands for.
+/// Extensions that make a file in a folder a photo.
 const EXTENSIONS: [&str; 7] = ["jpg", "jpeg", "jpe", "jfif", "pjpeg", "png", "webp"];
 
-/// The photos that are given, each once.
+/// Given photos without duplicates.
 #[derive(Debug, Default)]
 pub struct Listing {
     pub photos: Vec<Listed>,
     pub skipped: Skipped,
     identities: HashSet<PathBuf>,
-    /// How many photos and folders were met, repeated ones included.
-    met: usize,
+    /// Number of photos and folders visited, including duplicates.
+    visited: usize,
 }
 
-/// A photo, by the path that it was given or found by.
+/// A photo and the path under which it was given or found.
 #[derive(Debug)]
 pub struct Listed {
     pub path: PathBuf,
-    /// Its path below the folder that was given.
+    /// Path relative to the given folder.
     pub name: PathBuf,
 }
 
-/// Files in folders that were left out, counted by extension; without an extension under the empty one.
+/// Files skipped in folders, counted by lower-case extension; empty for none.
 #[derive(Debug, Default, Clone, PartialEq, Eq)]
 pub struct Skipped(BTreeMap<String, usize>);
 
-/// Lists the photos that are given, each folder's and its subfolders' in the order of their names in place of it.
+/// Lists the given photos and those in given folders and their subfolders, in the order of the arguments and then of
+/// file names.
 ///
-/// In a folder, photos are the regular files with one of [`EXTENSIONS`]. Names that begin with a dot are ignored, and links to
-/// folders are not followed. A photo that is reached twice, say through `photos` and `./photos`, is listed once.
+/// In a folder, photos are regular files with one of [`EXTENSIONS`]. Hidden files and links to folders are skipped. A
+/// photo reached twice, for example through `photos` and `./photos`, is listed once.
 pub fn photos(given: &[PathBuf]) -> Result<Listing, CliError> {
     let mut listing = Listing::default();
     for path in given {
@@ -42,9 +43,9 @@ pub fn photos(given: &[PathBuf]) -> Result<Listing, CliError> {
             listing.add(path.clone(), path.parent().unwrap_or(Path::new("")));
             continue;
         }
-        let (met, skipped) = (listing.met, listing.skipped.count());
+        let (visited, skipped) = (listing.visited, listing.skipped.count());
         listing.add_folder(path, path)?;
-        if listing.met == met {
+        if listing.visited == visited {
             return Err(CliError::NoPhotos { path: path.clone(), skipped: listing.skipped.count() - skipped });
         }
     }
@@ -58,7 +59,7 @@ impl Listing {
     }
 
     fn add(&mut self, path: PathBuf, folder: &Path) {
-        self.met += 1;
+        self.visited += 1;
         if self.identities.insert(input::identity(&path)) {
             let name = path.strip_prefix(folder).unwrap_or(&path).to_owned();
             self.photos.push(Listed { path, name });
@@ -68,7 +69,7 @@ impl Listing {
     fn add_folder(&mut self, folder: &Path, given: &Path) -> Result<(), CliError> {
         let unreadable = |reason: io::Error| CliError::Unreadable { path: folder.to_owned(), reason: reason.into() };
         if !self.identities.insert(folder.canonicalize().map_err(unreadable)?) {
-            self.met += 1;
+            self.visited += 1;
             return Ok(());
         }
         let entries = fs::read_dir(folder).map_err(unreadable)?;
@@ -98,7 +99,7 @@ impl Skipped {
         *self.0.entry(extension).or_default() += 1;
     }
 
-    /// For a summary: `; 3 other files skipped (2 .heic, 1 .txt)`, or nothing.
+    /// Text for a summary, such as `; 3 other files skipped (2 .heic, 1 .txt)`; empty without skipped files.
     pub fn summary(&self) -> String {
         let of_kind = |(extension, count): (&String, &usize)| match extension.as_str() {
             "" => format!("{count} without an extension"),

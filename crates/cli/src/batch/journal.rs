@@ -10,17 +10,17 @@ use super::{Listing, PhotoName};
 use crate::error::CliError;
 use crate::input;
 
-/// How a line begins, up to the name of its photo, and what follows a name that is not valid UTF-8.
+/// Start of a line up to the photo's name, and the key that follows a name that is not valid UTF-8.
 const BEGINNING: &str = "{\"photo\":\"";
 const BYTES: &str = "\",\"photo_bytes\":\"";
 
-/// A file of JSON lines, one for each photo, that a later run resumes.
+/// A file of JSON lines, one per photo, from which a later run resumes.
 pub struct Journal {
     lines: Lines,
     done: HashSet<PathBuf>,
 }
 
-/// What tells a line of this request from other JSON.
+/// Fields that identify a line of this format.
 #[derive(Deserialize)]
 struct Entry {
     #[serde(flatten)]
@@ -31,22 +31,22 @@ struct Entry {
 }
 
 impl Journal {
-    /// Makes the file, or reads which of the photos it has. Lines of photos that failed and are asked for again are dropped, and
-    /// so is a last line that is cut off.
+    /// Opens or creates the file and reads which photos are done. Removes an incomplete last line, and lines of failed
+    /// photos that are requested again.
     ///
     /// # Errors
-    /// [`CliError::AnotherJournal`] if a line is not one that this request writes; the file stays as it was.
+    /// [`CliError::OtherOptions`] if a line has other options or another format; the file stays unchanged.
     pub fn open(path: &Path, how: &Value, photos: &Listing) -> Result<Self, CliError> {
         let mut journal = Self { lines: Lines::open(path)?, done: HashSet::new() };
         journal.lines.read(|line| {
-            let another = CliError::AnotherJournal { path: path.to_owned(), line: line.number };
+            let another = CliError::OtherOptions { path: path.to_owned(), line: line.number };
             let Some((photo, failed)) = entry(&line, how) else {
                 return if is_cut_off(&line, how) { Ok(Verdict::Drop) } else { Err(another) };
             };
             if failed && photos.has(&photo) {
                 return Ok(Verdict::Drop);
             }
-            // What comes through standard input has no name to know it by.
+            // Input from standard input cannot be identified.
             if !failed && !input::is_standard_input(&photo) {
                 journal.done.insert(photo);
             }
@@ -55,14 +55,14 @@ impl Journal {
         Ok(journal)
     }
 
-    /// An empty file, whatever was in it.
-    pub fn anew(path: &Path) -> Result<Self, CliError> {
+    /// Starts an empty file, discarding existing content.
+    pub fn create(path: &Path) -> Result<Self, CliError> {
         let mut lines = Lines::open(path)?;
         lines.clear()?;
         Ok(Self { lines, done: HashSet::new() })
     }
 
-    /// Whether it has the landmarks of the photo.
+    /// Whether the file has the photo's landmarks.
     pub fn has(&self, photo: &Path) -> bool {
         self.done.contains(&input::identity(photo))
     }
@@ -72,7 +72,7 @@ impl Journal {
     }
 }
 
-/// The identity of the photo that a line of this request is about, and whether it failed.
+/// The photo's identity and whether it failed; `None` if the line has other options.
 fn entry(line: &FoundLine<'_>, how: &Value) -> Option<(PathBuf, bool)> {
     let entry: Entry = serde_json::from_slice(line.bytes).ok()?;
     let is_ours = entry.how == *how && entry.error.is_some() != entry.faces.is_some();
@@ -80,7 +80,7 @@ fn entry(line: &FoundLine<'_>, how: &Value) -> Option<(PathBuf, bool)> {
     Some((input::identity(&photo), entry.error.is_some()))
 }
 
-/// Whether this is how a line of this request begins, as far as it goes.
+/// Whether the line is the beginning of one with these options.
 fn is_cut_off(line: &FoundLine<'_>, how: &Value) -> bool {
     let text = String::from_utf8_lossy(line.bytes);
     let Some(name) = text.strip_prefix(BEGINNING) else {
@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_of_ours_is_known_wherever_it_is_cut_off() {
+    fn a_truncated_line_is_recognised_at_any_length() {
         for line in [
             r#"{"photo":"a \"b\\","how":{"max_faces":20},"width":640,"height":480,"faces":[]}"#,
             r#"{"photo":"a","photo_bytes":"61ff","how":{"max_faces":20},"error":"damaged"}"#,
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn anything_else_is_not_a_line_that_is_cut_off() {
+    fn other_text_is_not_a_truncated_line() {
         let others = [
             "milk",
             r#"{"units":"image","positions":[[0.5,0.5,0]]}"#,

@@ -8,20 +8,21 @@ use same_file::Handle;
 use crate::error::CliError;
 use crate::output;
 
-/// A file of lines that one process at a time reads once and adds to. A device or a pipe is written to only.
+/// A file of lines, locked by one process, that is read once and then appended to. Devices and pipes are only written
+/// to.
 pub struct Lines {
     path: PathBuf,
     file: File,
 }
 
-/// A line of the file as it was found. The last one may lack its end: it was being written when the program stopped.
+/// Existing line. The last one is incomplete if the program was killed while writing it.
 pub struct FoundLine<'a> {
     pub number: usize,
     pub bytes: &'a [u8],
     pub is_whole: bool,
 }
 
-/// What becomes of a line that was found.
+/// What [`Lines::read`] does with a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
     Keep,
@@ -29,10 +30,10 @@ pub enum Verdict {
 }
 
 impl Lines {
-    /// Opens the file, or makes it, and locks it until the value is dropped.
+    /// Opens or creates the file and locks it until the value is dropped.
     ///
     /// # Errors
-    /// [`CliError::InUse`] while another process has it.
+    /// [`CliError::InUse`] if another process holds the lock.
     pub fn open(path: &Path) -> Result<Self, CliError> {
         let refused = |reason: io::Error| CliError::Unwritable { path: path.to_owned(), reason };
         if fs::metadata(path).is_ok_and(|there| !there.is_file()) {
@@ -44,7 +45,7 @@ impl Lines {
         if !lock(&file).map_err(refused)? {
             return Err(in_use());
         }
-        // The process that had it may have put another file in its place meanwhile.
+        // The previous owner may have replaced the file before it released the lock.
         let ours = file.try_clone().and_then(Handle::from_file).map_err(refused)?;
         match Handle::from_path(path).is_ok_and(|there| there == ours) {
             true => Ok(Self { path: path.canonicalize().map_err(refused)?, file }),
@@ -52,12 +53,15 @@ impl Lines {
         }
     }
 
-    /// Shows each line to `judge`, and then drops those that it does not want. If it refuses one, the file stays as it was.
-    pub fn read(&mut self, mut judge: impl FnMut(FoundLine<'_>) -> Result<Verdict, CliError>) -> Result<(), CliError> {
+    /// Passes each line to `judge` and removes those it drops. If `judge` fails, the file stays unchanged.
+    pub fn read(
+        &mut self,
+        mut verdict_of: impl FnMut(FoundLine<'_>) -> Result<Verdict, CliError>,
+    ) -> Result<(), CliError> {
         if !self.is_regular()? {
             return Ok(());
         }
-        let mut kept: Vec<Range<u64>> = Vec::new();
+        let mut retained: Vec<Range<u64>> = Vec::new();
         let (mut number, mut end, mut line, mut is_whole) = (0, 0, Vec::new(), true);
         let mut reader = BufReader::new(&self.file);
         loop {
@@ -70,25 +74,25 @@ impl Lines {
             let start = end;
             end += length as u64;
             is_whole = line.ends_with(b"\n");
-            match (judge(FoundLine { number, bytes: &line, is_whole })?, kept.last_mut()) {
+            match (verdict_of(FoundLine { number, bytes: &line, is_whole })?, retained.last_mut()) {
                 (Verdict::Drop, _) => is_whole = true,
                 (Verdict::Keep, Some(last)) if last.end == start => last.end = end,
-                (Verdict::Keep, _) => kept.push(start..end),
+                (Verdict::Keep, _) => retained.push(start..end),
             }
         }
-        let kept_bytes: u64 = kept.iter().map(|range| range.end - range.start).sum();
-        if kept_bytes < end {
-            self.rewrite(&kept).map_err(|reason| self.refused(reason))?;
+        let retained_bytes: u64 = retained.iter().map(|range| range.end - range.start).sum();
+        if retained_bytes < end {
+            self.rewrite(&retained).map_err(|reason| self.refused(reason))?;
         }
         if is_whole { Ok(()) } else { self.add("") }
     }
 
-    /// Adds a line at once. If there is no room for all of it, none of it stays.
+    /// Appends a line. If the disk is full, no part of it remains.
     pub fn add(&mut self, line: &str) -> Result<(), CliError> {
         let before = self.file.metadata().map_err(|reason| self.refused(reason))?;
         self.file.write_all(format!("{line}\n").as_bytes()).map_err(|reason| {
             if before.is_file() {
-                // If that fails too, the rest of the line is dropped when the file is read again.
+                // If this fails too, the next `read` drops the incomplete line.
                 let _ = self.file.set_len(before.len());
             }
             self.refused(reason)
@@ -110,10 +114,10 @@ impl Lines {
         self.file.metadata().map(|there| there.is_file()).map_err(|reason| self.refused(reason))
     }
 
-    /// Puts a copy with these bytes alone in the place of the file, locked before it is there.
-    fn rewrite(&mut self, kept: &[Range<u64>]) -> io::Result<()> {
-        let mut copy = output::unfinished_beside(&self.path)?;
-        for range in kept {
+    /// Replaces the file by a copy of these byte ranges, locked before it is in place.
+    fn rewrite(&mut self, retained: &[Range<u64>]) -> io::Result<()> {
+        let mut copy = output::unfinished_for(&self.path)?;
+        for range in retained {
             self.file.seek(SeekFrom::Start(range.start))?;
             io::copy(&mut Read::by_ref(&mut self.file).take(range.end - range.start), &mut copy)?;
         }
@@ -131,7 +135,7 @@ impl Lines {
     }
 }
 
-/// Returns false if another process has the lock. A file system without locks grants it.
+/// Returns false if another process holds the lock, and true on file systems without locks.
 fn lock(file: &File) -> io::Result<bool> {
     match file.try_lock() {
         Ok(()) => Ok(true),

@@ -1,4 +1,4 @@
-//! Many photos: listed, worked on side by side, and taken in their order.
+//! Batches: lists photos, processes them in parallel, and returns results in order.
 
 mod journal;
 mod lines;
@@ -21,14 +21,15 @@ pub use name::{PhotoName, hex};
 pub use progress::Progress;
 pub use summary::BatchSummary;
 
-/// What came of a photo.
+/// Result for one photo.
 pub type Outcome<T> = (PathBuf, Result<T, CliError>);
 
-/// So many results of each thread wait to be taken while an earlier photo takes its time: memory does not grow with photos.
-const MOST_WAITING: usize = 64;
+/// Results that each thread may queue while an earlier photo is still in progress. Bounds memory regardless of the
+/// number of photos.
+const MAX_QUEUED: usize = 64;
 
-/// Works on the photos in so many threads, and hands what comes of them to `take` in their order, as it comes; ends with the
-/// first that `take` refuses. A photo that breaks the program is as bad as any other.
+/// Processes the photos in `jobs` threads and passes the results to `take` in the order of the photos. Stops at the
+/// first error of `take`. A panic counts as an error of its photo.
 pub fn in_order<T: Send>(
     photos: &[PathBuf],
     jobs: usize,
@@ -43,7 +44,7 @@ pub fn in_order<T: Send>(
                 in_a_thread(scope, own, &work)
             })
             .collect();
-        // Photos are dealt out in turn, and taken back so; a thread that ends early has said why.
+        // Photo i goes to thread i mod jobs. A closed channel means that its thread panicked.
         let mut outcomes = (0..photos.len()).map_while(|photo| lanes[photo % jobs].recv().ok());
         outcomes.try_for_each(&mut take)
     })
@@ -54,12 +55,12 @@ fn in_a_thread<'scope, 'env, T: Send + 'scope>(
     photos: impl Iterator<Item = &'env PathBuf> + Send + 'scope,
     work: &'scope (impl Fn(&Path) -> Result<T, CliError> + Sync),
 ) -> Receiver<Outcome<T>> {
-    let (sender, receiver) = sync_channel(MOST_WAITING);
+    let (sender, receiver) = sync_channel(MAX_QUEUED);
     scope.spawn(move || {
         for photo in photos {
             let worked = panic::catch_unwind(AssertUnwindSafe(|| work(photo)));
-            let outcome = worked.unwrap_or_else(|_| Err(CliError::Broke { path: photo.clone() }));
-            // Nobody takes any more: the rest is left.
+            let outcome = worked.unwrap_or_else(|_| Err(CliError::InternalError { path: photo.clone() }));
+            // The receiver is gone: `take` returned an error.
             if sender.send((photo.clone(), outcome)).is_err() {
                 break;
             }
@@ -84,7 +85,7 @@ mod tests {
     }
 
     #[test]
-    fn what_comes_is_in_order_whoever_is_slow() {
+    fn results_keep_the_order_of_the_photos() {
         let photos = named(100);
         for jobs in [1, 3, 8, 200] {
             let mut taken = Vec::new();
@@ -102,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn a_photo_that_breaks_the_program_stops_no_other() {
+    fn a_panic_on_one_photo_does_not_stop_the_others() {
         let photos = named(10);
         let mut bad = Vec::new();
         let work = |path: &Path| if number(path) == 4 { panic!("planted") } else { Ok(()) };
@@ -115,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn no_more_waits_than_there_is_room_for_and_a_refusal_ends_it() {
+    fn the_queue_is_bounded_and_an_error_stops_the_batch() {
         let photos = named(100_000);
         let worked = AtomicUsize::new(0);
         let work = |_: &Path| {
@@ -124,6 +125,6 @@ mod tests {
         };
         let refused = in_order(&photos, 2, work, |_| Err(CliError::StandardInputTwice));
         assert!(refused.is_err());
-        assert!(worked.into_inner() <= 2 * (MOST_WAITING + 2));
+        assert!(worked.into_inner() <= 2 * (MAX_QUEUED + 2));
     }
 }

@@ -5,23 +5,23 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use crate::error::CliError;
 use crate::terminal;
 
-/// How far the photos are, on a terminal that nothing else is written to.
+/// Progress bar on standard error.
 pub struct Progress(ProgressBar);
 
 impl Progress {
-    /// Of so many photos, some of which were done before. On standard output, lines of results show progress themselves.
+    /// `photos` in total, of which `done` are complete. The bar is hidden if result lines go to the terminal.
     pub fn new(photos: usize, done: usize, lines_on_output: bool) -> Self {
         let is_shown = photos > 1 && !(lines_on_output && io::stdout().is_terminal());
         let target = if is_shown { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
         let bar = ProgressBar::with_draw_target(Some(photos as u64), target).with_position(done as u64);
         let style = ProgressStyle::with_template("{wide_bar} {human_pos} of {human_len}, {per_sec}, {eta} left");
         bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-        // What was done before says nothing of how long the rest takes.
+        // Earlier runs must not affect the rate.
         bar.reset_eta();
         Self(bar)
     }
 
-    /// One more is done.
+    /// Advances by one photo.
     pub fn step(&self) {
         self.0.inc(1);
     }

@@ -3,7 +3,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-/// A photo's path in a line of JSON: as text and, where text cannot hold it, its bytes as hexadecimal digits too.
+/// A photo's path in JSON: as text and, if it is not valid UTF-8, also as hexadecimal bytes.
 #[derive(Debug, Serialize, Deserialize)]
 pub struct PhotoName<'a> {
     photo: Cow<'a, str>,
@@ -17,7 +17,7 @@ impl<'a> PhotoName<'a> {
         Self { photo: path.to_string_lossy(), photo_bytes }
     }
 
-    /// The path, unless its bytes are not hexadecimal digits.
+    /// The path; `None` if the bytes are not hexadecimal digits.
     pub fn path(&self) -> Option<PathBuf> {
         match &self.photo_bytes {
             None => Some(PathBuf::from(&*self.photo)),
@@ -41,7 +41,7 @@ fn path_of(bytes: Vec<u8>, _: &str) -> PathBuf {
     std::ffi::OsString::from_vec(bytes).into()
 }
 
-/// Elsewhere no path is made of bytes: a photo with such a name counts as another one each time.
+/// Other systems cannot build a path from bytes, so such a photo is not recognised when a batch resumes.
 #[cfg(not(unix))]
 fn path_of(_: Vec<u8>, text: &str) -> PathBuf {
     text.into()
@@ -55,7 +55,7 @@ mod tests {
     use std::os::unix::ffi::OsStrExt;
 
     #[test]
-    fn every_path_reads_back_from_its_line() {
+    fn paths_survive_a_round_trip_through_json() {
         let names: [&[u8]; 5] = [b"a.jpg", b"\xff.jpg", b"\xfe.jpg", b"%ff\\\"\n.jpg", "São/\u{fffd}.jpg".as_bytes()];
         for name in names {
             let path = Path::new(OsStr::from_bytes(name));

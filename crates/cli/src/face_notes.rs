@@ -1,11 +1,11 @@
-//! Notes on the faces found in a photo, for people.
+//! Messages about the faces found in a photo.
 
 use std::path::Path;
 
 use rosto_landmarks::{Face, FoundFaces};
 use rosto_photo::Photo;
 
-/// Notes on a photo of which the first face is used; none if it is the only one, and surely a face.
+/// Notes on a photo whose first face is used; empty if it has one face that is not doubtful.
 pub fn notes_on_first(path: &Path, photo: &Photo, found: &FoundFaces) -> Vec<String> {
     let Some(first) = found.faces.first() else { return Vec::new() };
     let count = (found.at_least > 1).then(|| {
@@ -15,15 +15,16 @@ pub fn notes_on_first(path: &Path, photo: &Photo, found: &FoundFaces) -> Vec<Str
             "{path}: {count}; used the first, {width:.0} × {height:.0} px at ({left:.0}, {top:.0}), confidence {confidence:.2}"
         )
     });
-    count.into_iter().chain(doubt(path, "this", first)).collect()
+    count.into_iter().chain(doubt(path, "this face", first)).collect()
 }
 
-/// Notes on a photo of which all faces are used: those that the limit left out, and those that may not be faces.
+/// Notes on a photo whose faces are all used: faces beyond the limit, and doubtful faces.
 pub fn notes_on_all(path: &Path, found: &FoundFaces) -> Vec<String> {
     let count = found.faces.len();
-    // Who asks for one face has it.
-    let cut = (count > 1 && found.at_least > count)
-        .then(|| format!("{}: {count} faces of {} or more; raise --max-faces", path.display(), found.at_least));
+    // A limit of one is intended, so it needs no note.
+    let cut = (count > 1 && found.at_least > count).then(|| {
+        format!("{}: {count} of {} or more faces returned; raise --max-faces", path.display(), found.at_least)
+    });
     let doubts = found.faces.iter().zip(1..).filter_map(|(face, number)| doubt(path, &format!("face {number}"), face));
     cut.into_iter().chain(doubts).collect()
 }
@@ -33,9 +34,9 @@ fn counted(found: &FoundFaces) -> String {
     format!("{}{more} faces found", found.at_least)
 }
 
-fn doubt(path: &Path, what: &str, face: &Face) -> Option<String> {
+fn doubt(path: &Path, name: &str, face: &Face) -> Option<String> {
     let confidence = face.confidence;
-    face.is_doubtful().then(|| format!("{}: {what} may not be a face (confidence {confidence:.2})", path.display()))
+    face.is_doubtful().then(|| format!("{}: {name} may not be a face (confidence {confidence:.2})", path.display()))
 }
 
 /// Left, top, width and height of the landmarks' bounding box.

@@ -1,4 +1,4 @@
-//! Many photos: folders, threads, a file that is gone on with, and a mesh of each.
+//! Batches: folders, threads, resuming, and one mesh per photo.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -13,17 +13,17 @@ use std::time::Duration;
 use common::*;
 use image::imageops::FilterType;
 
-/// A folder of photos that differ, one of them in a folder of its own, and of what is none.
+/// A folder of different photos, one of them in a subfolder, and of other files.
 fn album(photos: u32) -> PathBuf {
     let folder = scratch_folder("album");
     fs::create_dir(folder.join("more")).unwrap();
     let sample = image::open(portrait()).unwrap();
     for number in 0..photos {
         let side = 256 + 8 * number;
-        let place = if number == 1 { folder.join("more") } else { folder.clone() };
-        let ending = ["png", "JPG", "jpeg", "webp"][number as usize % 4];
+        let parent = if number == 1 { folder.join("more") } else { folder.clone() };
+        let extension = ["png", "JPG", "jpeg", "webp"][number as usize % 4];
         let photo = sample.resize_exact(side, side, FilterType::Triangle).to_rgb8();
-        photo.save(place.join(format!("{number:03}.{ending}"))).unwrap();
+        photo.save(parent.join(format!("{number:03}.{extension}"))).unwrap();
     }
     fs::write(folder.join("notes.txt"), "no photo").unwrap();
     fs::write(folder.join(".hidden.png"), "no photo either").unwrap();
@@ -44,7 +44,7 @@ fn lines_of(text: &[u8]) -> Vec<String> {
 }
 
 #[test]
-fn a_folder_stands_for_its_photos_and_threads_change_nothing() {
+fn a_folder_gives_its_photos_and_the_output_does_not_depend_on_jobs() {
     let album = album(6);
     let alone = landmarks(&[&album], &["--mediapipe"]);
     assert_eq!((code(&alone), said(&alone).as_str()), (0, ""));
@@ -58,38 +58,34 @@ fn a_folder_stands_for_its_photos_and_threads_change_nothing() {
 }
 
 #[test]
-fn a_folder_without_photos_says_so() {
+fn a_folder_without_photos_is_refused() {
     let folder = scratch_folder("empty");
     fs::write(folder.join("notes.txt"), "no photo").unwrap();
     assert_refused(&landmarks(&[&folder], &[]), 3, &["no photos in this folder", ".webp"]);
 }
 
 #[test]
-fn a_bad_photo_has_a_line_of_its_own_and_stops_nothing() {
+fn a_bad_photo_gets_an_error_line_and_does_not_stop_the_batch() {
     let album = album(3);
     fs::write(album.join("001-bad.png"), b"these are notes").unwrap();
     let file = scratch("faces.jsonl");
     let _ = fs::remove_file(&file);
     let first = in_file(&album, &file, &["--mediapipe", "--jobs", "2"]);
-    assert_refused(
-        &first,
-        3,
-        &["001-bad.png: this is not a picture", "3 photos with a face, 0 without, 1 that failed"],
-    );
+    assert_refused(&first, 3, &["001-bad.png: this is not a picture", "3 photos with a face, 0 without, 1 failed"]);
     let lines = lines_of(&fs::read(&file).unwrap());
     let values: Vec<serde_json::Value> = lines.iter().map(|line| serde_json::from_str(line).unwrap()).collect();
     assert_eq!(values.len(), 4);
     assert!(values[1]["error"].as_str().unwrap().contains("not a picture"));
     assert!(values.iter().all(|value| value["how"]["search"] == "mediapipe"));
     let again = in_file(&album, &file, &["--mediapipe"]);
-    assert_refused(&again, 3, &["001-bad.png: this is not a picture", "3 were done before"]);
+    assert_refused(&again, 3, &["001-bad.png: this is not a picture", "3 already done"]);
     let mut sorted = [lines, lines_of(&fs::read(&file).unwrap())];
     sorted.iter_mut().for_each(|lines| lines.sort());
-    assert_eq!(sorted[0], sorted[1], "the line of the photo that failed is the last one now");
+    assert_eq!(sorted[0], sorted[1], "the failed photo's line moved to the end");
 }
 
 #[test]
-fn what_was_killed_in_the_middle_goes_on_where_it_stopped() {
+fn a_killed_batch_can_be_resumed() {
     let album = album(24);
     let (whole, torn) = (scratch("whole.jsonl"), scratch("torn.jsonl"));
     [&whole, &torn].into_iter().for_each(|file| drop(fs::remove_file(file)));
@@ -98,20 +94,20 @@ fn what_was_killed_in_the_middle_goes_on_where_it_stopped() {
     let program = program.arg("landmarks").arg(&album).args(["--mediapipe", "--jobs", "2", "--output"]).arg(&torn);
     let mut running = program.stderr(Stdio::null()).spawn().unwrap();
     while fs::metadata(&torn).map_or(0, |there| there.len()) < 60_000 {
-        assert!(running.try_wait().unwrap().is_none(), "it ended before it was killed");
+        assert!(running.try_wait().unwrap().is_none(), "the program ended before it was killed");
         std::thread::sleep(Duration::from_millis(1));
     }
     running.kill().unwrap();
     running.wait().unwrap();
     let written = fs::read(&torn).unwrap();
     assert!(lines_of(&written).len() < 24);
-    // As if it had been killed in the middle of a line.
+    // As if killed in the middle of a line.
     fs::write(&torn, &written[..written.len() - 100]).unwrap();
     assert_eq!(code(&in_file(&album, &torn, &["--mediapipe", "--jobs", "3"])), 0);
     assert_eq!(lines_of(&fs::read(&torn).unwrap()), lines_of(&fs::read(&whole).unwrap()));
 }
 
-/// Sixty photos of 12 MB each in memory, in a program that may have 400 MB.
+/// Sixty photos of 12 MB decoded, with a memory limit of 400 MB.
 #[cfg(target_os = "linux")]
 #[test]
 fn memory_does_not_grow_with_photos() {
@@ -127,35 +123,35 @@ fn memory_does_not_grow_with_photos() {
 }
 
 #[test]
-fn each_photo_has_the_mesh_that_it_has_alone_and_what_is_there_is_left() {
+fn a_batch_makes_the_same_meshes_and_keeps_existing_ones() {
     let album = album(3);
     fs::write(album.join("001-bad.png"), b"these are notes").unwrap();
     let meshes = scratch_folder("meshes").join("made");
     let pattern = meshes.join("{}.ply");
     let options = ["--density", "0", "--slider", "nose-width:4"];
     let each = |more: &[&str]| mesh(&album, &pattern, &[&options, more].concat());
-    assert_refused(&each(&["--jobs", "2"]), 3, &["001-bad.png", "3 photos with a face, 0 without, 1 that failed"]);
+    assert_refused(&each(&["--jobs", "2"]), 3, &["001-bad.png", "3 photos with a face, 0 without, 1 failed"]);
     assert_eq!(names_in(&meshes), [".rosto-{}.ply.jsonl", "000.ply", "002.ply", "more"]);
     for (photo, made) in [("000.png", "000.ply"), ("002.jpeg", "002.ply"), ("more/001.JPG", "more/001.ply")] {
         let alone = scratch("alone.ply");
         assert_eq!(code(&mesh(&album.join(photo), &alone, &options)), 0);
-        assert!(fs::read(&alone).unwrap() == fs::read(meshes.join(made)).unwrap(), "{made} is another mesh");
+        assert!(fs::read(&alone).unwrap() == fs::read(meshes.join(made)).unwrap(), "{made} differs");
     }
     fs::write(meshes.join("000.ply"), "mine").unwrap();
     fs::remove_file(meshes.join("002.ply")).unwrap();
-    assert_refused(&each(&[]), 3, &["1 photos with a face", "2 were done before"]);
+    assert_refused(&each(&[]), 3, &["1 photos with a face", "2 already done"]);
     assert_eq!(fs::read(meshes.join("000.ply")).unwrap(), b"mine");
     assert!(meshes.join("002.ply").exists());
 }
 
 #[test]
-fn two_photos_of_one_name_and_outputs_over_photos_are_refused() {
+fn coinciding_outputs_and_outputs_over_photos_are_refused() {
     let album = album(1);
     fs::copy(album.join("000.png"), album.join("000.jpg")).unwrap();
     let pattern = scratch_folder("meshes").join("{}.ply");
     assert_refused(&mesh(&album, &pattern, &[]), 2, &["000.jpg", "000.png", "000.ply"]);
     fs::remove_file(album.join("000.jpg")).unwrap();
-    let beside = mesh(&album, &album.join("{}.obj"), &["--base-colour", "photo"]);
-    assert_refused(&beside, 2, &["000.png", "would be overwritten"]);
+    let sidecar = mesh(&album, &album.join("{}.obj"), &["--base-colour", "photo"]);
+    assert_refused(&sidecar, 2, &["000.png", "would overwrite"]);
     assert_eq!(names_in(&album), [".hidden.png", "000.png", "more", "notes.txt"]);
 }
